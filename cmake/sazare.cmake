@@ -1,0 +1,133 @@
+# Build rules shared by every module: options, flags, and the functions sazare_module and sazare_test.
+
+include(GNUInstallDirs)
+include(GoogleTest)
+
+option(SAZARE_NATIVE "Compile for the processor of this machine (-march=native)" ON)
+option(SAZARE_MPI "Build with MPI, for runs on several ranks" OFF)
+option(SAZARE_TESTS "Build the C++ tests" ON)
+option(SAZARE_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" ON)
+set(SAZARE_SANITIZE "" CACHE STRING "Comma-separated sanitizers, such as address,undefined or thread")
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug or Release" FORCE)
+endif()
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -g1 -DNDEBUG")
+set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g -fno-omit-frame-pointer")
+
+# Flags that reach every source, those that change how memory is laid out (Eigen's alignment) included.
+# -ffp-contract=off: a law compiled into two loops must give the same bits in both, so the compiler may not fuse
+# a multiplication with an addition in one of them only. No flag here lets it reorder arithmetic.
+add_library(sazare_options INTERFACE)
+add_library(sazare::options ALIAS sazare_options)
+target_include_directories(sazare_options INTERFACE
+  "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/generated")
+target_compile_options(sazare_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi -ffp-contract=off -fno-math-errno)
+if(SAZARE_WARNINGS_AS_ERRORS)
+  target_compile_options(sazare_options INTERFACE -Werror)
+endif()
+if(SAZARE_NATIVE)
+  target_compile_options(sazare_options INTERFACE -march=native)
+endif()
+if(SAZARE_SANITIZE)
+  target_compile_options(sazare_options INTERFACE -fsanitize=${SAZARE_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(sazare_options INTERFACE -fsanitize=${SAZARE_SANITIZE})
+  if(SAZARE_SANITIZE MATCHES "undefined")
+    target_compile_options(sazare_options INTERFACE -fno-sanitize-recover=undefined)
+  endif()
+  # The optimizer sees other paths in instrumented code and warns about library headers that are sound.
+  target_compile_options(sazare_options INTERFACE -Wno-maybe-uninitialized)
+endif()
+
+# The version header holds the commit, so it is brought up to date by every build and rewritten only when it changed.
+add_custom_target(sazare_version
+  COMMAND ${CMAKE_COMMAND}
+    -DSOURCE=${PROJECT_SOURCE_DIR} -DVERSION=${PROJECT_VERSION}
+    -DTEMPLATE=${PROJECT_SOURCE_DIR}/sazare/core/version.hpp.in
+    -DHEADER=${PROJECT_BINARY_DIR}/generated/sazare/core/version.hpp
+    -P ${CMAKE_CURRENT_LIST_DIR}/version.cmake
+  BYPRODUCTS "${PROJECT_BINARY_DIR}/generated/sazare/core/version.hpp"
+  COMMENT "Checking the version header"
+  VERBATIM)
+
+# The name of a module without its folder: methods/blocks -> blocks.
+function(sazare_module_name module result)
+  get_filename_component(name "${module}" NAME)
+  set(${result} "${name}" PARENT_SCOPE)
+endfunction()
+
+# Sets `result` to those of `modules` that have no target; empty when all are there.
+function(sazare_missing_modules modules result)
+  set(missing "")
+  foreach(module IN LISTS modules)
+    sazare_module_name("${module}" name)
+    if(NOT TARGET sazare::${name})
+      list(APPEND missing "${module}")
+    endif()
+  endforeach()
+  set(${result} "${missing}" PARENT_SCOPE)
+endfunction()
+
+# sazare_module(<module> [SOURCES file ...] [DEPENDS module ...] [LIBRARIES target ...])
+# A static library sazare_<module>, alias sazare::<module>; without SOURCES an interface (header-only) library.
+function(sazare_module module)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;DEPENDS;LIBRARIES")
+  if(arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "sazare_module(${module}): unknown arguments ${arg_UNPARSED_ARGUMENTS}")
+  endif()
+  sazare_missing_modules("${arg_DEPENDS}" missing)
+  if(missing)
+    message(STATUS "module ${module} left out: it needs ${missing}, which is not there")
+    return()
+  endif()
+  sazare_module_name("${module}" name)
+  set(target sazare_${name})
+  if(arg_SOURCES)
+    add_library(${target} STATIC ${arg_SOURCES})
+    set(scope PUBLIC)
+  else()
+    add_library(${target} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  add_library(sazare::${name} ALIAS ${target})
+  add_dependencies(${target} sazare_version)
+  target_link_libraries(${target} ${scope} sazare::options Eigen3::Eigen ${arg_LIBRARIES})
+  foreach(depends IN LISTS arg_DEPENDS)
+    sazare_module_name("${depends}" depends_name)
+    target_link_libraries(${target} ${scope} sazare::${depends_name})
+  endforeach()
+endfunction()
+
+# sazare_test(<name> SOURCES file ... DEPENDS module ... [LIBRARIES target ...])
+# One GoogleTest program <name>_test; each of its tests is a test of ctest, run in the source folder's root.
+function(sazare_test module)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;DEPENDS;LIBRARIES")
+  if(arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "sazare_test(${module}): unknown arguments ${arg_UNPARSED_ARGUMENTS}")
+  endif()
+  sazare_missing_modules("${arg_DEPENDS}" missing)
+  if(missing)
+    message(STATUS "test ${module} left out: it needs ${missing}, which is not there")
+    return()
+  endif()
+  sazare_module_name("${module}" name)
+  set(target ${name}_test)
+  add_executable(${target} ${arg_SOURCES})
+  target_link_libraries(${target} PRIVATE sazare::options GTest::gtest_main ${arg_LIBRARIES})
+  foreach(depends IN LISTS arg_DEPENDS)
+    sazare_module_name("${depends}" depends_name)
+    target_link_libraries(${target} PRIVATE sazare::${depends_name})
+  endforeach()
+  gtest_discover_tests(${target}
+    TEST_PREFIX "${name}."
+    WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
+    DISCOVERY_MODE PRE_TEST
+    PROPERTIES TIMEOUT 300)
+endfunction()
