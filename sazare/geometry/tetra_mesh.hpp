@@ -10,7 +10,8 @@
 namespace sazare::geometry {
 
 /// A mesh of first-order tetrahedra, as read from a file: every element has a positive volume
-/// (nodes 1, 2, 3 are counter-clockwise seen from outside, with node 0 behind them) and belongs to one region.
+/// (nodes 1, 2, 3 are counter-clockwise seen from outside, with node 0 behind them) and belongs to one
+/// region.
 struct TetraMesh {
   /// A named set of triangles, outer faces or faces inside the body.
   struct Surface {
@@ -18,12 +19,25 @@ struct TetraMesh {
     std::vector<std::array<std::int32_t, 3>> triangles;  ///< node indices, (n, 3)
   };
 
-  std::vector<Vector3> nodes;                          ///< positions [m], (n, 3)
+  std::vector<Vector3> nodes;                           ///< positions [m], (n, 3)
   std::vector<std::array<std::int32_t, 4>> tetrahedra;  ///< node indices, (n, 4)
-  std::vector<std::int32_t> region;                    ///< index into region_names, one per tetrahedron
-  std::vector<std::string> region_names;               ///< physical volume groups
-  std::vector<Surface> surfaces;                       ///< physical surface groups
-  std::vector<std::int64_t> tags;                      ///< element numbers of the file, for messages
+  std::vector<std::int32_t> region;                     ///< index into region_names, one per tetrahedron
+  std::vector<std::string> region_names;                ///< physical volume groups
+  std::vector<Surface> surfaces;                        ///< physical surface groups
+  std::vector<std::int64_t> tags;                       ///< element numbers of the file, for messages
 };
+
+/// The number by which messages name an element: the file's, or its index + 1 where the mesh has no numbers.
+inline std::int64_t element_tag(const TetraMesh& mesh, std::int32_t element) {
+  const auto index = static_cast<std::size_t>(element);
+  return index < mesh.tags.size() ? mesh.tags[index] : static_cast<std::int64_t>(element) + 1;
+}
+
+/// The corners of an element [m].
+inline std::array<Vector3, 4> corners_of(const TetraMesh& mesh, std::int32_t element) {
+  const auto& nodes = mesh.tetrahedra[static_cast<std::size_t>(element)];
+  const auto at = [&](std::size_t corner) { return mesh.nodes[static_cast<std::size_t>(nodes[corner])]; };
+  return {at(0), at(1), at(2), at(3)};
+}
 
 }  // namespace sazare::geometry

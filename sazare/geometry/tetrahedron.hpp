@@ -10,7 +10,8 @@ namespace sazare::geometry {
 using Tetrahedron = std::array<Vector3, 4>;
 
 /// Corners of local face f, the face opposite corner f, counter-clockwise seen from outside.
-inline constexpr std::array<std::array<int, 3>, 4> tetrahedron_faces = {{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+inline constexpr std::array<std::array<int, 3>, 4> tetrahedron_faces = {
+    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 /// Signed volume [m3]: negative when the corners are inverted.
 inline Real volume(const Tetrahedron& corners) {
@@ -27,7 +28,8 @@ inline Vector3 centroid(const Tetrahedron& corners) {
 
 /// Inertia tensor about the centroid for a density of 1 kg/m3 [kg m2].
 ///
-///     J = tr(C) I - C      C = V / 20  sum_k  r_k r_k^T      r_k  corner k from the centroid [m],  V  volume [m3]
+///     J = tr(C) I - C      C = V / 20  sum_k  r_k r_k^T      r_k  corner k from the centroid [m],  V  volume
+///     [m3]
 ///
 /// Exact: the second moment of a simplex is that of its corners and its centroid, with weights V/20 and 4V/5.
 inline Matrix3 inertia_about_centroid(const Tetrahedron& corners) {
