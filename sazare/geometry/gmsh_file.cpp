@@ -208,16 +208,12 @@ void read_elements(GmshScanner& in, GmshFile& file) {
   }
 }
 
-/// Reads a section that matters; false for any other.
-bool read_section(GmshScanner& in, GmshFile& file) {
-  const std::string& name = in.section();
-  if (name == "PhysicalNames") return read_physical_names(in, file), true;
-  if (name == "Entities") return read_entities(in, file), true;
-  if (name == "Nodes") return read_nodes(in, file), true;
-  if (name == "Elements") return read_elements(in, file), true;
-  if (name == "PartitionedEntities") in.fail("the mesh is partitioned. Mesh again without -part");
-  return false;
-}
+using ReadSection = void (*)(GmshScanner&, GmshFile&);
+
+const std::map<std::string, ReadSection> sections_to_read = {{"PhysicalNames", read_physical_names},
+                                                             {"Entities", read_entities},
+                                                             {"Nodes", read_nodes},
+                                                             {"Elements", read_elements}};
 
 }  // namespace
 
@@ -231,12 +227,15 @@ GmshFile read_gmsh_file(const std::filesystem::path& path) {
   in.end_section();
   std::set<std::string> found;
   while (in.next_section()) {
-    const std::string name = in.section();
-    if (!read_section(in, file)) {
+    if (in.section() == "PartitionedEntities") in.fail("the mesh is partitioned. Mesh again without -part");
+    const auto known = sections_to_read.find(in.section());
+    if (known == sections_to_read.end()) {
       in.skip_section();
       continue;
     }
-    if (!found.insert(name).second) in.fail("the section stands in the file twice. Make the file again");
+    if (!found.insert(in.section()).second)
+      in.fail("the section stands in the file twice. Make the file again");
+    known->second(in, file);
     in.end_section();
   }
   for (const std::string name : {"Nodes", "Elements"}) {

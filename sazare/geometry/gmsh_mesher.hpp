@@ -11,11 +11,11 @@ namespace sazare::geometry {
 
 /// What to ask of the program gmsh.
 struct MeshRequest {
-  std::filesystem::path geometry;                        ///< the .geo file
-  std::filesystem::path mesh;                            ///< the .msh file to write (format 4.1, binary)
-  std::vector<std::pair<std::string, Real>> parameters;  ///< names set in the .geo by DefineConstant
-  Real size_factor = 1;                                  ///< factor on all element sizes, > 0 [-]
-  std::string program = "gmsh";                          ///< looked up in PATH unless it holds a slash
+  std::filesystem::path geometry;                             ///< the .geo file
+  std::filesystem::path mesh;                                 ///< the .msh file to write (format 4.1, binary)
+  std::vector<std::pair<std::string, Real>> parameters = {};  ///< names set in the .geo by DefineConstant
+  Real size_factor = 1;                                       ///< factor on all element sizes, > 0 [-]
+  std::string program = "gmsh";                               ///< looked up in PATH unless it holds a slash
 };
 
 /// Meshes a .geo by the program gmsh with one thread and a fixed seed: the same request gives the same mesh.

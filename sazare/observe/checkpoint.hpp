@@ -10,15 +10,15 @@ namespace sazare::observe {
 
 /// Collects named byte blobs and writes them to one HDF5 file at once.
 class CheckpointWriter {
- public:
+public:
   /// Copies the bytes. A name is used once; any characters but '/' will do.
   void add(std::string name, std::span<const std::byte> bytes);
 
-  /// Writes a temporary file beside `file`, then renames: `file` is the former checkpoint or this one, never half.
-  /// Throws MachineError when it cannot be written.
+  /// Writes a temporary file beside `file`, then renames: `file` is the former checkpoint or this one, never
+  /// half. Throws MachineError when it cannot be written.
   void commit(const std::filesystem::path& file);
 
- private:
+private:
   struct Blob {
     std::string name;
     std::vector<std::byte> bytes;
@@ -28,7 +28,7 @@ class CheckpointWriter {
 
 /// Reads what CheckpointWriter wrote; length and checksum of each blob are verified as it is read.
 class CheckpointReader {
- public:
+public:
   /// Throws UserError when the file is missing, cut short, no checkpoint of Sazare, or of a newer format.
   explicit CheckpointReader(std::filesystem::path file);
 
@@ -37,7 +37,7 @@ class CheckpointReader {
   /// Throws UserError when the blob is missing or damaged.
   std::vector<std::byte> read(const std::string& name) const;
 
- private:
+private:
   std::filesystem::path file_;
   std::vector<std::string> names_;
 };

@@ -6,7 +6,7 @@ namespace sazare::parallel {
 ///
 /// One object per process, made at the start of main and destroyed at its end.
 class Ranks {
- public:
+public:
   /// Joins the processes of the launch. argc and argv may be changed by MPI.
   Ranks(int& argc, char**& argv);
   /// One process, whatever started it.
@@ -26,7 +26,7 @@ class Ranks {
   /// Ends all processes at once with this exit code.
   [[noreturn]] void abort(int exit_code) const;
 
- private:
+private:
   int rank_ = 0;
   int size_ = 1;
   bool finalize_ = false;  ///< this object started MPI and ends it

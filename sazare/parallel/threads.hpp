@@ -19,8 +19,8 @@ bool is_serial();
 
 /// Calls f(begin, end) for contiguous ranges that cover 0..n, one range per thread, and waits for all.
 ///
-/// One range on the calling thread when n < serial_below, when there is one thread, or inside another parallel_for.
-/// The first exception (lowest range) is thrown again in the caller.
+/// One range on the calling thread when n < serial_below, when there is one thread, or inside another
+/// parallel_for. The first exception (lowest range) is thrown again in the caller.
 template <class F>
 void parallel_for(std::size_t n, std::size_t serial_below, F&& f) {
   if (n == 0) return;
@@ -30,7 +30,10 @@ void parallel_for(std::size_t n, std::size_t serial_below, F&& f) {
   }
   using Function = std::remove_reference_t<F>;
   detail::run_ranges(
-      n, [](void* context, std::size_t begin, std::size_t end) { (*static_cast<Function*>(context))(begin, end); },
+      n,
+      [](void* context, std::size_t begin, std::size_t end) {
+        (*static_cast<Function*>(context))(begin, end);
+      },
       const_cast<void*>(static_cast<const void*>(&f)));
 }
 
