@@ -1,0 +1,38 @@
+# `make` lists the targets. Builds lie in build/<preset>; PRESET=debug builds another one.
+PRESET ?= release
+JOBS ?= $(shell nproc)
+PYTHON := build/venv/bin/python
+SAZARE := build/release/apps/sazare/sazare
+DEMO_CASE := cases/free-face-blast/case.toml
+
+.DEFAULT_GOAL := help
+.PHONY: help setup build demo test validate bench docs clean
+
+help: ## list the targets
+	@grep -E '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):[^#]*## (.*)/  make \1\t\2/' | expand -t 18
+
+setup: ## install missing Debian packages and the Python environment
+	@scripts/setup
+
+build: setup ## build the program in build/release (PRESET=debug|asan|tsan|mpi for another build)
+	@scripts/build $(PRESET) $(JOBS)
+
+demo: build ## run the blast near a free face and write its report to build/demo
+	@$(SAZARE) run $(DEMO_CASE) --out build/demo
+	@$(PYTHON) -m sazare report build/demo
+	@$(PYTHON) -m sazare summary build/demo
+
+test: build ## run everything that guards the project
+	@scripts/test
+
+validate: build ## compare with theory, papers and other codes; table in build/validation/results.csv
+	@$(PYTHON) validation/run.py
+
+bench: build ## measure speed; table in build/bench/results.csv
+	@$(PYTHON) benchmarks/run.py
+
+docs: setup ## check the documentation's links and pictures
+	@$(PYTHON) tools/check_links.py README.md CONTRIBUTING.md CHANGELOG.md docs cases
+
+clean: ## remove the builds and what they made; the Python environment stays
+	@find build -mindepth 1 -maxdepth 1 ! -name venv -exec rm -rf {} + 2>/dev/null || true
