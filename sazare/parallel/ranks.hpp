@@ -23,13 +23,14 @@ public:
   /// Returns when all processes have called it.
   void barrier() const;
 
-  /// Ends all processes at once with this exit code.
+  /// Ends all processes at once with this exit code; nothing is flushed.
   [[noreturn]] void abort(int exit_code) const;
 
 private:
   int rank_ = 0;
   int size_ = 1;
-  bool finalize_ = false;  ///< this object started MPI and ends it
+  bool connected_ = false;  ///< this object speaks for a process of the launch
+  bool finalize_ = false;   ///< this object started MPI and ends it
 };
 
 }  // namespace sazare::parallel
