@@ -11,9 +11,9 @@
 
 #include "sazare/core/vector.hpp"
 
-/// A checked case of method blocks, as plain data. All values in SI units; friction always as a coefficient; files as
-/// paths that can be opened from anywhere. Every member is one key of the case file (`schema.hpp` lists them with unit,
-/// range and default).
+/// A checked case of method blocks, as plain data. All values in SI units; friction always as a coefficient;
+/// files as paths that can be opened from anywhere. Every member is one key of the case file (`schema.hpp`
+/// lists them with unit, range and default).
 namespace sazare::cases {
 
 /// How a contact dashpot that is stiffer than the step allows is limited.
@@ -41,21 +41,21 @@ struct Material {
   Real density = 0;  // kg/m3
 };
 
-/// Applies between two materials (`between`) or on a surface group inside the body (`surface`); the other one is
-/// empty. The last entry of the case that matches a face wins.
+/// Applies between two materials (`between`) or on a surface group inside the body (`surface`); the other one
+/// is empty. The last entry of the case that matches a face wins.
 struct Joint {
   std::string name;
   std::array<std::string, 2> between;
   std::string surface;
-  bool bonded = true;            // false: the numbers below mean nothing and are 0
-  Real normal_stiffness = 0;     // Pa/m
-  Real shear_stiffness = 0;      // Pa/m
-  Real normal_damping = 0;       // Pa s/m
-  Real shear_damping = 0;        // Pa s/m
-  Real cohesion = 0;             // Pa
+  bool bonded = true;         // false: the numbers below mean nothing and are 0
+  Real normal_stiffness = 0;  // Pa/m
+  Real shear_stiffness = 0;   // Pa/m
+  Real normal_damping = 0;    // Pa s/m
+  Real shear_damping = 0;     // Pa s/m
+  Real cohesion = 0;          // Pa
   Real friction_coefficient = 0;
-  Real tensile_strength = 0;     // Pa
-  Real fracture_energy = 0;      // N/m
+  Real tensile_strength = 0;  // Pa
+  Real fracture_energy = 0;   // N/m
   bool on_surface() const { return !surface.empty(); }
 };
 

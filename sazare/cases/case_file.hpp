@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sazare/cases/blocks_case.hpp"
+
+namespace sazare::cases {
+
+struct CaseText;
+
+/// A case that was read and checked, with its text for messages about what only the mesh can show.
+struct CaseFile {
+  std::filesystem::path path;
+  BlocksCase blocks;
+  std::string warnings;  // ready to print; empty when there are none
+  std::shared_ptr<const CaseText> text;
+};
+
+/// Reads and checks a case. `overrides` are texts such as "time.end=1e-3" or "joints.0.cohesion=5e6". Throws
+/// a UserError that lists everything that is wrong, in file order.
+CaseFile read_case(const std::filesystem::path& path, std::span<const std::string> overrides = {});
+
+/// A physical surface group of a mesh: its triangles on the outside of the body and those between two
+/// elements.
+struct MeshSurface {
+  std::string name;
+  long outer_faces = 0;
+  long inner_faces = 0;
+};
+
+/// What a case may refer to in its mesh.
+struct MeshGroups {
+  std::vector<std::string> regions;
+  std::vector<MeshSurface> surfaces;
+};
+
+/// Checks every region and surface that the case names against the mesh, and that each region has exactly one
+/// material. Throws a UserError like `read_case`.
+void check_against_mesh(const CaseFile& file, const MeshGroups& groups);
+
+/// Throws a UserError that points at a key of the case, for what only the engine finds out. `key` is written
+/// as for overrides: "gauges.2.point", or "time" for the table; the nearest place that exists is shown.
+[[noreturn]] void refuse(const CaseFile& file, const std::string& key, std::string what, std::string help);
+
+}  // namespace sazare::cases

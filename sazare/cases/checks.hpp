@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "sazare/cases/blocks_case.hpp"
+#include "sazare/cases/case_text.hpp"
+
+/// What can be found wrong from the text of a case alone, after types and ranges: each function reports what
+/// it finds.
+namespace sazare::cases {
+
+/// What the checks look at: the document for places and for what was given, the case for values.
+struct CheckContext {
+  const Value& root;
+  std::filesystem::path shown_folder;  // the case file's folder as the user typed it, for messages
+  Problems& problems;
+
+  std::vector<Entry> entries_of(std::string_view table) const;
+};
+
+void check_mesh_file(const CheckContext& context, const Mesh& mesh);
+void check_names(const CheckContext& context, const BlocksCase& blocks);
+void check_joints(const CheckContext& context, const BlocksCase& blocks);
+void check_contact(const CheckContext& context);
+void check_constraints(const CheckContext& context, const BlocksCase& blocks);
+
+/// Checks the blasts and reads their pressure tables.
+void check_blasts(const CheckContext& context, BlocksCase& blocks);
+
+/// Checks that the clocks nest, and fills in the intervals that are not given.
+void resolve_clocks(const CheckContext& context, Time& time);
+
+}  // namespace sazare::cases

@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include <fmt/format.h>
+
+#include "sazare/cases/checks.hpp"
+#include "sazare/cases/clocks.hpp"
+#include "sazare/cases/number_text.hpp"
+
+namespace sazare::cases {
+namespace {
+
+constexpr std::int64_t usual_history_rows = 200;
+constexpr std::int64_t usual_snapshots = 20;
+
+/// From the longest clock to the shortest: end, snapshot_interval, history_interval, base_step.
+class ClockCheck {
+public:
+  ClockCheck(const CheckContext& context, const Entry& entry, Time& time)
+      : context_(context), entry_(entry), time_(time) {}
+
+  void run() {
+    check_base_step();
+    history_ = entry_.has("history_interval") ? check_history() : choose_history();
+    if (entry_.has("snapshot_interval"))
+      check_snapshots();
+    else
+      time_.snapshot_interval =
+          whole_fraction(time_.end, nearest_divisor(rows().value_or(1), usual_snapshots));
+  }
+
+private:
+  struct Clock {
+    std::string_view name;
+    Real interval;
+  };
+
+  void refuse(std::string_view key, const Clock& longer, const Clock& shorter, Real nearest) {
+    context_.problems.error(
+        entry_.place(key),
+        fmt::format("clocks do not nest: {} = {} s is not a whole multiple of {} = {} s", longer.name,
+                    short_number(longer.interval, 12), shorter.name, short_number(shorter.interval, 12)),
+        fmt::format("the nearest {} that does is {}", key, number_text(nearest)));
+  }
+
+  void check_base_step() {
+    if (time_.limiter != Limiter::stability && entry_.is_sound("limiter") && !entry_.has("base_step"))
+      context_.problems.error(
+          entry_.place("limiter"),
+          fmt::format("limiter \"{}\" needs base_step", time_.limiter == Limiter::travel ? "travel" : "none"),
+          "add base_step = ... (a number in s, greater than 0): the largest step");
+    if (!entry_.gives("base_step")) return;
+    if (whole_multiple(time_.end, *time_.base_step)) {
+      base_ = time_.base_step;
+      return;
+    }
+    refuse("base_step", end(), {"base_step", *time_.base_step},
+           nearest_fraction(time_.end, *time_.base_step));
+  }
+
+  /// About 200 rows, so many that they fit the clocks that are given.
+  bool choose_history() {
+    const auto snapshots =
+        entry_.gives("snapshot_interval") ? whole_multiple(time_.end, time_.snapshot_interval) : std::nullopt;
+    const std::int64_t outer = snapshots.value_or(1);
+    const std::int64_t wanted = std::max<std::int64_t>(1, usual_history_rows / outer);
+    const auto steps = base_ ? whole_multiple(time_.end / static_cast<Real>(outer), *base_) : std::nullopt;
+    const std::int64_t inner = steps ? nearest_divisor(*steps, wanted) : wanted;
+    time_.history_interval = whole_fraction(time_.end, outer * inner);
+    return true;
+  }
+
+  bool check_history() {
+    if (!entry_.is_sound("history_interval")) return false;
+    const Clock history{"history_interval", time_.history_interval};
+    const bool fits_end = whole_multiple(time_.end, history.interval).has_value();
+    const bool fits_base = !base_ || whole_multiple(history.interval, *base_).has_value();
+    if (fits_end && fits_base) return true;
+    const auto steps = base_ ? whole_multiple(time_.end, *base_) : std::nullopt;
+    const Real nearest = nearest_interval(steps, history.interval);
+    if (fits_end)
+      refuse(history.name, history, {"base_step", *base_}, nearest);
+    else
+      refuse(history.name, end(), history, nearest);
+    return false;
+  }
+
+  void check_snapshots() {
+    if (!entry_.is_sound("snapshot_interval")) return;
+    const Clock snapshot{"snapshot_interval", time_.snapshot_interval};
+    const bool fits_end = whole_multiple(time_.end, snapshot.interval).has_value();
+    const bool fits_history =
+        !history_ || whole_multiple(snapshot.interval, time_.history_interval).has_value();
+    if (fits_end && fits_history) return;
+    const Real nearest = nearest_interval(rows(), snapshot.interval);
+    if (fits_end)
+      refuse(snapshot.name, snapshot, {"history_interval", time_.history_interval}, nearest);
+    else
+      refuse(snapshot.name, end(), snapshot, nearest);
+  }
+
+  /// The interval nearest to the given one that divides the end, into parts that `shorter` (a number of
+  /// shorter intervals in the run) allows.
+  Real nearest_interval(std::optional<std::int64_t> shorter, Real given) const {
+    if (!shorter) return nearest_fraction(time_.end, given);
+    return whole_fraction(time_.end, nearest_divisor_by_length(*shorter, time_.end / given));
+  }
+
+  std::optional<std::int64_t> rows() const {
+    return history_ ? whole_multiple(time_.end, time_.history_interval) : std::nullopt;
+  }
+
+  Clock end() const { return {"end", time_.end}; }
+
+  const CheckContext& context_;
+  const Entry& entry_;
+  Time& time_;
+  std::optional<Real> base_;  // given, and the end is a whole number of it
+  bool history_ = false;      // the end is a whole number of history intervals
+};
+
+}  // namespace
+
+void resolve_clocks(const CheckContext& context, Time& time) {
+  const Entry entry = context.entries_of("time").front();
+  if (entry.gives("end")) ClockCheck(context, entry, time).run();
+}
+
+}  // namespace sazare::cases

@@ -1,0 +1,151 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "sazare/cases/blocks_case.hpp"
+
+/// Which member of a case belongs to which key: written once, used by the reader and by the writer of
+/// resolved cases.
+///
+/// A visitor is called as visit(key, member) and answers visit.has(key, member's own answer): the reader says
+/// whether the file gives the key, the writer whether the case holds it.
+namespace sazare::cases {
+
+template <class Enum>
+struct EnumWords;
+
+template <>
+struct EnumWords<DampingCap> {
+  static constexpr std::array<std::string_view, 3> words{"literal", "critical", "step"};
+};
+
+template <>
+struct EnumWords<Levels> {
+  static constexpr std::array<std::string_view, 2> words{"per_element", "uniform"};
+};
+
+template <>
+struct EnumWords<Limiter> {
+  static constexpr std::array<std::string_view, 3> words{"stability", "travel", "none"};
+};
+
+template <>
+struct EnumWords<BoundaryKind> {
+  static constexpr std::array<std::string_view, 3> words{"fixed", "frictionless", "absorbing"};
+};
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Mesh& mesh) {
+  visit("file", mesh.file);
+  visit("scale", mesh.scale);
+  if (!mesh.is_geometry()) return;
+  visit("size_factor", mesh.size_factor);
+  visit("parameters", mesh.parameters);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Material& material) {
+  visit("name", material.name);
+  visit("regions", material.regions);
+  visit("density", material.density);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Joint& joint) {
+  visit("name", joint.name);
+  if (visit.has("surface", joint.on_surface()))
+    visit("surface", joint.surface);
+  else
+    visit("between", joint.between);
+  visit("bonded", joint.bonded);
+  if (!joint.bonded) return;
+  visit("normal_stiffness", joint.normal_stiffness);
+  visit("shear_stiffness", joint.shear_stiffness);
+  visit("normal_damping", joint.normal_damping);
+  visit("shear_damping", joint.shear_damping);
+  visit("cohesion", joint.cohesion);
+  visit.friction(joint.friction_coefficient);
+  visit("tensile_strength", joint.tensile_strength);
+  visit("fracture_energy", joint.fracture_energy);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Contact& contact) {
+  visit("normal_stiffness", contact.normal_stiffness);
+  visit("normal_damping", contact.normal_damping);
+  visit.friction(contact.friction_coefficient);
+  visit("damping_cap", contact.damping_cap);
+  visit("edge_division", contact.edge_division);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Blast& blast) {
+  visit("surface", blast.surface);
+  if (visit.has("name", true))
+    visit("name", blast.name);
+  else
+    blast.name = blast.surface;
+  visit("delay", blast.delay);
+  if (visit.has("table", std::holds_alternative<PressureTable>(blast.pressure))) {
+    if (!std::holds_alternative<PressureTable>(blast.pressure)) blast.pressure = PressureTable{};
+    visit("table", std::get<PressureTable>(blast.pressure).file);
+  } else {
+    auto& pulse = std::get<PressurePulse>(blast.pressure);
+    visit("peak_pressure", pulse.peak_pressure);
+    visit("rise_time", pulse.rise_time);
+    visit("decay_ratio", pulse.decay_ratio);
+  }
+  visit("cut_distance", blast.cut_distance);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Gravity& gravity) {
+  visit("acceleration", gravity.acceleration);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Boundary& boundary) {
+  visit("surface", boundary.surface);
+  visit("kind", boundary.kind);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Constraint& constraint) {
+  visit("regions", constraint.regions);
+  visit("translation", constraint.translation);
+  visit("rotation", constraint.rotation);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, InitialVelocity& velocity) {
+  visit("regions", velocity.regions);
+  visit("velocity", velocity.velocity);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Gauge& gauge) {
+  visit("name", gauge.name);
+  visit("point", gauge.point);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Time& time) {
+  visit("end", time.end);
+  visit("levels", time.levels);
+  visit("limiter", time.limiter);
+  visit("base_step", time.base_step);
+  visit("stability_fraction", time.stability_fraction);
+  visit("travel_length", time.travel_length);
+  visit("neighbor_levels", time.neighbor_levels);
+  visit("history_interval", time.history_interval);
+  visit("snapshot_interval", time.snapshot_interval);
+  visit("strict", time.strict);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Output& output) {
+  visit("checkpoint_interval", output.checkpoint_interval);
+}
+
+}  // namespace sazare::cases

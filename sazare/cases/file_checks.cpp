@@ -1,0 +1,105 @@
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "sazare/cases/checks.hpp"
+#include "sazare/cases/pressure_table.hpp"
+#include "sazare/cases/suggest.hpp"
+
+namespace sazare::cases {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> files_beside(const fs::path& file) {
+  std::vector<std::string> names;
+  std::error_code failure;
+  for (auto entry = fs::directory_iterator(file.parent_path(), failure);
+       !failure && entry != fs::directory_iterator(); entry.increment(failure)) {
+    const bool same_kind = entry->path().extension() == file.extension();
+    if (same_kind && entry->is_regular_file(failure)) names.push_back(entry->path().filename());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+void report_missing_file(const CheckContext& context, const Place& place, std::string_view what,
+                         const fs::path& file, const std::string& as_written) {
+  const auto shown = (context.shown_folder / as_written).lexically_normal().string();
+  const auto others = files_beside(file);
+  std::error_code failure;
+  const bool exists = fs::exists(file, failure);
+  const std::string other_files =
+      others.empty() ? "" : fmt::format("; {}", suggestion(file.filename().string(), others, "files there"));
+  context.problems.error(
+      place, fmt::format("{} {}: {}", what, exists ? "is not a file" : "not found", as_written),
+      fmt::format("paths are relative to the case file; looked for {}{}", shown, other_files));
+}
+
+bool is_file(const fs::path& file) {
+  std::error_code failure;
+  return fs::is_regular_file(file, failure);
+}
+
+void check_pulse(const CheckContext& context, const Entry& entry) {
+  for (std::string_view key : {"peak_pressure", "rise_time", "decay_ratio"}) {
+    if (!entry.has(key))
+      context.problems.error(
+          entry.header(), fmt::format("[[blasts]] has no \"{}\"", key),
+          "add peak_pressure, rise_time and decay_ratio for a pulse, or table = \"file.csv\"");
+  }
+}
+
+void check_table(const CheckContext& context, const Entry& entry, PressureTable& table) {
+  for (std::string_view key : {"peak_pressure", "rise_time", "decay_ratio"}) {
+    if (!entry.has(key)) continue;
+    context.problems.error(*entry.value->key_place(key),
+                           fmt::format("the blast has both a table and {}", key),
+                           "keep either the table, or peak_pressure, rise_time and decay_ratio");
+  }
+  if (!entry.is_sound("table")) return;
+  const std::string as_written = *entry.value->find("table")->text();
+  if (!is_file(table.file)) {
+    report_missing_file(context, entry.place("table"), "pressure table", table.file, as_written);
+    return;
+  }
+  const std::string shown = (context.shown_folder / as_written).lexically_normal().string();
+  read_pressure_table(table, shown, entry.place("table"), context.problems);
+}
+
+}  // namespace
+
+void check_mesh_file(const CheckContext& context, const Mesh& mesh) {
+  const Entry entry = context.entries_of("mesh").front();
+  if (!entry.gives("file")) return;
+  const std::string& as_written = *entry.value->find("file")->text();
+  const std::string kind = mesh.file.extension().string();
+  if (kind != ".msh" && kind != ".geo") {
+    context.problems.error(entry.place("file"),
+                           fmt::format("{} is neither a .msh nor a .geo file", as_written),
+                           "save the mesh by Gmsh as .msh, format 4.1, or name the geometry (.geo)");
+    return;
+  }
+  if (!is_file(mesh.file))
+    report_missing_file(context, entry.place("file"), "mesh file", mesh.file, as_written);
+  for (std::string_view key : {"size_factor", "parameters"}) {
+    if (mesh.is_geometry() || !entry.has(key)) continue;
+    context.problems.error(*entry.value->key_place(key), fmt::format("{} is only for a .geo file", key),
+                           fmt::format("remove it: {} is meshed already", as_written));
+  }
+}
+
+void check_blasts(const CheckContext& context, BlocksCase& blocks) {
+  const auto list = context.entries_of("blasts");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (!list[i].exists()) continue;
+    if (list[i].has("table"))
+      check_table(context, list[i], std::get<PressureTable>(blocks.blasts[i].pressure));
+    else
+      check_pulse(context, list[i]);
+  }
+}
+
+}  // namespace sazare::cases

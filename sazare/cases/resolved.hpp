@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "sazare/cases/blocks_case.hpp"
+
+namespace sazare::cases {
+
+/// The case as TOML with every key and default written out and its unit beside it; reading it gives the same
+/// case. Files are written relative to `folder`, where the text will be saved, or as full paths when it is
+/// empty.
+std::string write_resolved(const BlocksCase& blocks, const std::filesystem::path& folder = {});
+
+/// The case in words, with what follows from its numbers: what `sazare check` prints.
+std::string explain(const BlocksCase& blocks);
+
+}  // namespace sazare::cases
