@@ -126,8 +126,17 @@ CaseFile read_case(const fs::path& path, std::span<const std::string> overrides)
   const fs::path folder = fs::absolute(path).parent_path();
   BlocksCase blocks = CaseReader(text->root, folder).read();
   check_meaning({text->root, path.parent_path(), problems}, blocks);
+  if (blocks.time.strict) problems.turn_warnings_into_errors();
   problems.throw_if_errors();
   return {path, std::move(blocks), problems.warning_text(), text};
+}
+
+std::string warning(const CaseFile& file, const std::string& key, std::string what, std::string help) {
+  Problems problems;
+  for (int i = 0; i < file.text->problems.source_count(); ++i)
+    problems.add_source(file.text->problems.source(i));
+  problems.warning(find_place(file.text->root, key), std::move(what), std::move(help));
+  return problems.warning_text();
 }
 
 void refuse(const CaseFile& file, const std::string& key, std::string what, std::string help) {

@@ -46,4 +46,7 @@ void check_against_mesh(const CaseFile& file, const MeshGroups& groups);
 /// as for overrides: "gauges.2.point", or "time" for the table; the nearest place that exists is shown.
 [[noreturn]] void refuse(const CaseFile& file, const std::string& key, std::string what, std::string help);
 
+/// The text of a warning at the same place; with `time.strict` use `refuse` instead.
+std::string warning(const CaseFile& file, const std::string& key, std::string what, std::string help);
+
 }  // namespace sazare::cases

@@ -36,12 +36,17 @@ private:
     Real interval;
   };
 
-  void refuse(std::string_view key, const Clock& longer, const Clock& shorter, Real nearest) {
+  /// `nearest` is the interval that nests; a rounder one is offered beside it.
+  void refuse(const Clock& wrong, const Clock& longer, const Clock& shorter, Real nearest,
+              std::optional<Real> beneath = {}) {
+    const auto round = round_fraction(time_.end, wrong.interval, beneath);
+    const std::string also =
+        round && *round != nearest ? fmt::format(", a round one {}", number_text(*round)) : "";
     context_.problems.error(
-        entry_.place(key),
+        entry_.place(wrong.name),
         fmt::format("clocks do not nest: {} = {} s is not a whole multiple of {} = {} s", longer.name,
                     short_number(longer.interval, 12), shorter.name, short_number(shorter.interval, 12)),
-        fmt::format("the nearest {} that does is {}", key, number_text(nearest)));
+        fmt::format("the nearest {} that does is {}{}", wrong.name, number_text(nearest), also));
   }
 
   void check_base_step() {
@@ -55,8 +60,8 @@ private:
       base_ = time_.base_step;
       return;
     }
-    refuse("base_step", end(), {"base_step", *time_.base_step},
-           nearest_fraction(time_.end, *time_.base_step));
+    const Clock base{"base_step", *time_.base_step};
+    refuse(base, end(), base, nearest_fraction(time_.end, base.interval));
   }
 
   /// About 200 rows, so many that they fit the clocks that are given.
@@ -80,9 +85,9 @@ private:
     const auto steps = base_ ? whole_multiple(time_.end, *base_) : std::nullopt;
     const Real nearest = nearest_interval(steps, history.interval);
     if (fits_end)
-      refuse(history.name, history, {"base_step", *base_}, nearest);
+      refuse(history, history, {"base_step", *base_}, nearest, base_);
     else
-      refuse(history.name, end(), history, nearest);
+      refuse(history, end(), history, nearest, base_);
     return false;
   }
 
@@ -94,10 +99,11 @@ private:
         !history_ || whole_multiple(snapshot.interval, time_.history_interval).has_value();
     if (fits_end && fits_history) return;
     const Real nearest = nearest_interval(rows(), snapshot.interval);
+    const auto beneath = history_ ? std::optional(time_.history_interval) : base_;
     if (fits_end)
-      refuse(snapshot.name, snapshot, {"history_interval", time_.history_interval}, nearest);
+      refuse(snapshot, snapshot, {"history_interval", time_.history_interval}, nearest, beneath);
     else
-      refuse(snapshot.name, end(), snapshot, nearest);
+      refuse(snapshot, end(), snapshot, nearest, beneath);
   }
 
   /// The interval nearest to the given one that divides the end, into parts that `shorter` (a number of

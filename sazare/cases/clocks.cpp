@@ -55,6 +55,21 @@ Real whole_fraction(Real time, std::int64_t parts) {
   return exact;
 }
 
+std::optional<Real> round_fraction(Real time, Real interval, std::optional<Real> shorter) {
+  std::optional<Real> best;
+  const int exponent = static_cast<int>(std::floor(std::log10(interval))) - 1;
+  for (int shift = -1; shift <= 1; ++shift) {
+    for (int mantissa = 10; mantissa < 100; ++mantissa) {
+      const Real candidate = std::strtod(fmt::format("{}e{}", mantissa, exponent + shift).c_str(), nullptr);
+      if (candidate < 0.7 * interval || candidate > 1.4 * interval || !whole_multiple(time, candidate))
+        continue;
+      if (shorter && !whole_multiple(candidate, *shorter)) continue;
+      if (!best || std::abs(candidate - interval) < std::abs(*best - interval)) best = candidate;
+    }
+  }
+  return best;
+}
+
 Real nearest_fraction(Real time, Real interval) {
   const Real fewer = std::clamp<Real>(std::floor(time / interval), 1, most_intervals);
   const bool take_fewer = std::abs(time / fewer - interval) <= std::abs(time / (fewer + 1) - interval);

@@ -21,6 +21,10 @@ std::int64_t nearest_divisor_by_length(std::int64_t count, Real parts);
 /// `time / parts` in as few digits as will do.
 Real whole_fraction(Real time, std::int64_t parts);
 
+/// A whole fraction of `time` near `interval` (between 0.7 and 1.4 of it) in one or two digits, that is also
+/// a whole multiple of `shorter` where that is given.
+std::optional<Real> round_fraction(Real time, Real interval, std::optional<Real> shorter);
+
 /// The whole fraction of `time` nearest to `interval`.
 Real nearest_fraction(Real time, Real interval);
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "sazare/cases/checks.hpp"
+#include "sazare/cases/number_text.hpp"
 #include "sazare/cases/pressure_table.hpp"
 #include "sazare/cases/suggest.hpp"
 
@@ -27,14 +28,17 @@ std::vector<std::string> files_beside(const fs::path& file) {
 
 void report_missing_file(const CheckContext& context, const Place& place, std::string_view what,
                          const fs::path& file, const std::string& as_written) {
+  std::error_code failure;
+  if (fs::exists(file, failure)) {
+    context.problems.error(place, fmt::format("{} is not a file: {}", what, as_written), "name a file");
+    return;
+  }
   const auto shown = (context.shown_folder / as_written).lexically_normal().string();
   const auto others = files_beside(file);
-  std::error_code failure;
-  const bool exists = fs::exists(file, failure);
   const std::string other_files =
       others.empty() ? "" : fmt::format("; {}", suggestion(file.filename().string(), others, "files there"));
   context.problems.error(
-      place, fmt::format("{} {}: {}", what, exists ? "is not a file" : "not found", as_written),
+      place, fmt::format("{} not found: {}", what, as_written),
       fmt::format("paths are relative to the case file; looked for {}{}", shown, other_files));
 }
 
@@ -99,6 +103,14 @@ void check_blasts(const CheckContext& context, BlocksCase& blocks) {
       check_table(context, list[i], std::get<PressureTable>(blocks.blasts[i].pressure));
     else
       check_pulse(context, list[i]);
+    const bool never =
+        blocks.time.end > 0 && list[i].gives("delay") && blocks.blasts[i].delay >= blocks.time.end;
+    if (never)
+      context.problems.warning(
+          list[i].place("delay"),
+          fmt::format("the blast begins at {} s, after the end of the run at {} s",
+                      short_number(blocks.blasts[i].delay), short_number(blocks.time.end)),
+          "choose a later end in [time], or remove the blast");
   }
 }
 

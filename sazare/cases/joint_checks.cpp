@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "sazare/cases/checks.hpp"
 #include "sazare/cases/number_text.hpp"
@@ -43,12 +44,15 @@ void check_friction(const CheckContext& context, const Entry& entry) {
 }
 
 void check_unbonded(const CheckContext& context, const Entry& entry) {
-  for (std::string_view key : bond_keys) {
-    if (!entry.has(key)) continue;
-    context.problems.error(*entry.value->key_place(key),
-                           fmt::format("{} means nothing when bonded = false", key),
-                           "remove it, or set bonded = true; free faces touch as [contact] says");
-  }
+  std::vector<std::string> given;
+  for (const Member& member : *entry.value->members())
+    if (std::ranges::find(bond_keys, member.key) != bond_keys.end()) given.push_back(member.key);
+  if (given.empty()) return;
+  context.problems.error(
+      *entry.value->key_place(given.front()),
+      fmt::format("{} mean{} nothing when bonded = false", fmt::join(given, ", "),
+                  given.size() == 1 ? "s" : ""),
+      "remove what belongs to a bond, or set bonded = true; free faces touch as [contact] says");
 }
 
 /// Softening must end beyond the elastic limit: 2 G / s >= s / k.

@@ -37,7 +37,7 @@ private:
         if (std::ranges::find(groups_.regions, name) != groups_.regions.end()) continue;
         context_.problems.error(list[i].place("regions", k),
                                 fmt::format("the mesh has no region \"{}\"", name),
-                                suggestion(name, groups_.regions, "regions (physical volume groups)"));
+                                full_suggestion(name, groups_.regions, "regions (physical volume groups)"));
       }
     }
   }
@@ -58,7 +58,7 @@ private:
     const auto found = std::ranges::find(groups_.surfaces, name, &MeshSurface::name);
     if (found == groups_.surfaces.end()) {
       context_.problems.error(entry.place("surface"), fmt::format("the mesh has no surface \"{}\"", name),
-                              suggestion(name, surface_names_, "surfaces (physical surface groups)"));
+                              full_suggestion(name, surface_names_, "surfaces (physical surface groups)"));
       return nullptr;
     }
     if (found->outer_faces + found->inner_faces > 0) return &*found;

@@ -36,7 +36,7 @@ void check_unique(const CheckContext& context, std::string_view table, const std
     const Place place = list[i].has("name") ? list[i].place("name") : list[i].place("surface");
     if (name.find_first_of(",\"\n\r") != std::string::npos)
       context.problems.error(place,
-                             fmt::format("the name {} contains a comma, a quote or a line break", name),
+                             fmt::format("the name \"{}\" contains a comma, a quote or a line break", name),
                              "names become columns of CSV files; use letters, digits, blanks, '-' and '_'");
     if (const Place* before = seen.before(name, place))
       context.problems.error(place, fmt::format("two of the {} are called \"{}\"", table, name),
@@ -69,7 +69,7 @@ void check_joined_materials(const CheckContext& context, const BlocksCase& block
       const std::string& name = blocks.joints[i].between[k];
       if (std::ranges::find(names, name) != names.end()) continue;
       context.problems.error(list[i].place("between", k), fmt::format("there is no material \"{}\"", name),
-                             suggestion(name, names, "materials"));
+                             full_suggestion(name, names, "materials"));
     }
   }
 }

@@ -59,8 +59,9 @@ Value* find_entry(Value::Items& list, const std::string& index_text, const std::
   std::size_t index = 0;
   const char* end = index_text.data() + index_text.size();
   const auto [stop, failure] = std::from_chars(index_text.data(), end, index);
-  const std::string last =
-      list.empty() ? "it is empty" : fmt::format("it has entries 0 to {}", list.size() - 1);
+  const std::string last = list.empty()       ? "it is empty"
+                           : list.size() == 1 ? "it has only entry 0"
+                                              : fmt::format("it has entries 0 to {}", list.size() - 1);
   if (failure != std::errc{} || stop != end) {
     problems.error(
         place,
@@ -110,7 +111,7 @@ void put(Value& root, const Override& setting, Value value, Problems& problems) 
 void apply_override(Value& root, const std::string& setting, Problems& problems) {
   const std::size_t equals = setting.find('=');
   const std::string key = setting.substr(0, equals);
-  Source source = source_from_text("--set " + key, "--set " + setting);
+  Source source = source_from_text(key.empty() ? "--set" : "--set " + key, "--set " + setting);
   source.has_line_numbers = false;
   const int index = problems.add_source(std::move(source));
   const int begin = static_cast<int>(std::string_view("--set ").size()) + 1;

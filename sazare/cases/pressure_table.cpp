@@ -55,7 +55,9 @@ public:
     for (std::size_t i = 1; i < lines.size() && errors_ < most_errors; ++i)
       if (trimmed(lines[i], 0, lines[i].size()).text.size() > 0) read_row(static_cast<int>(i) + 1, lines[i]);
     if (errors_ == 0 && table_.time.size() < 2)
-      report(0, {}, fmt::format("the pressure table has {} rows, at least 2 are needed", table_.time.size()),
+      report(0, {},
+             fmt::format("the pressure table has {}, at least 2 are needed",
+                         table_.time.empty() ? "no rows" : "1 row"),
              "pressure is linear between rows, and zero before the first and after the last");
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -84,6 +85,11 @@ void Problems::error_in_other_file(Place place, Place listed_at, std::string wha
 
 void Problems::warning(Place place, std::string what, std::string help) {
   warnings_.push_back({place, std::move(what), std::move(help), place});
+}
+
+void Problems::turn_warnings_into_errors() {
+  for (Problem& problem : warnings_) errors_.push_back(std::move(problem));
+  warnings_.clear();
 }
 
 void Problems::append(std::string& out, const Problem& problem, std::string_view kind) const {

@@ -43,7 +43,11 @@ public:
   void error_in_other_file(Place place, Place listed_at, std::string what, std::string help);
   void warning(Place place, std::string what, std::string help);
 
+  /// Refuses what would only be warned about.
+  void turn_warnings_into_errors();
+
   bool has_errors() const { return !errors_.empty(); }
+  int source_count() const { return static_cast<int>(sources_.size()); }
   const Source& source(int index) const { return sources_.at(static_cast<std::size_t>(index)); }
 
   /// Errors in file order, followed by their number and "nothing was run".

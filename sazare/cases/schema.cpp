@@ -12,6 +12,9 @@
 namespace sazare::cases {
 
 std::string range_text(const Range& range) {
+  const bool closed =
+      std::isfinite(range.low) && std::isfinite(range.high) && !range.low_open && !range.high_open;
+  if (closed) return fmt::format("from {} to {}", short_number(range.low), short_number(range.high));
   std::string out;
   if (std::isfinite(range.low))
     out = fmt::format("{} {}", range.low_open ? "greater than" : "at least", short_number(range.low));

@@ -38,7 +38,7 @@ constexpr Range positive{.low = 0, .low_open = true};
 constexpr Range not_negative{.low = 0};
 constexpr Range positive_or_infinite{.low = 0, .low_open = true, .infinite = true};
 
-/// "greater than 0", "at least 3 and at most 20"; empty when any number will do.
+/// "greater than 0", "from 3 to 20"; empty when any number will do.
 std::string range_text(const Range& range);
 bool in_range(const Range& range, Real value);
 

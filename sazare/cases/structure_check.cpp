@@ -117,14 +117,10 @@ private:
   void report_unknown_key(const Table& table, const Member& member) {
     const auto names = key_names(table);
     const std::string what = fmt::format("unknown key \"{}\" in {}", member.key, table_header(table));
-    const std::string near = nearest_word(member.key, names);
     const std::string owners = tables_with_key(schema_, member.key);
-    if (!owners.empty())
-      problems_.error(member.key_place, what, fmt::format("it is a key of {}", owners));
-    else if (!near.empty())
-      problems_.error(member.key_place, what, fmt::format("did you mean \"{}\"?", near));
-    else
-      problems_.error(member.key_place, what, suggestion(member.key, names, "keys"));
+    problems_.error(
+        member.key_place, what,
+        owners.empty() ? suggestion(member.key, names, "keys") : fmt::format("it is a key of {}", owners));
   }
 
   std::span<const Table> schema_;

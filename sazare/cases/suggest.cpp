@@ -64,10 +64,16 @@ std::string suggestion(std::string_view word, std::span<const std::string> candi
                        std::string_view plural) {
   if (candidates.empty()) return fmt::format("there are no {}", plural);
   const std::string near = nearest_word(word, candidates);
-  const std::string list = candidates.size() == 1
-                               ? fmt::format("there is only \"{}\"", candidates[0])
-                               : fmt::format("the {} are {}", plural, quoted_list(candidates));
-  return near.empty() ? list : fmt::format("did you mean \"{}\"? {}", near, list);
+  if (!near.empty()) return fmt::format("did you mean \"{}\"?", near);
+  if (candidates.size() == 1) return fmt::format("there is only \"{}\"", candidates[0]);
+  return fmt::format("the {} are {}", plural, quoted_list(candidates));
+}
+
+std::string full_suggestion(std::string_view word, std::span<const std::string> candidates,
+                            std::string_view plural) {
+  const std::string near = suggestion(word, candidates, plural);
+  if (!near.starts_with("did you mean") || candidates.size() == 1) return near;
+  return fmt::format("{} the {} are {}", near, plural, quoted_list(candidates));
 }
 
 }  // namespace sazare::cases

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "sazare/cases/number_text.hpp"
+#include "sazare/cases/schema.hpp"
 #include "sazare/cases/units.hpp"
 
 namespace sazare::cases {
@@ -25,13 +27,24 @@ bool split_assignment(const std::string& line, Assignment& result) {
   return true;
 }
 
+/// Keys are looked up by name alone: which table the line stands in is not known where the text is not TOML.
+std::string help_for_unit(const std::string& name, const Quantity& quantity) {
+  for (const Table& table : blocks_schema()) {
+    const Key* key = find_key(table, name);
+    const auto number = key == nullptr ? std::nullopt : converted(quantity, key->unit);
+    if (number)
+      return fmt::format("write {} = {}, without unit; the unit is {}", name, short_number(*number, 12),
+                         key->unit);
+  }
+  return "write the number alone; the reference page names the unit of each key";
+}
+
 std::string help_for_value(const Assignment& line) {
   static const std::regex word(R"([A-Za-z_][A-Za-z0-9_. -]*)");
   static const std::regex decimal_comma(R"([+-]?\d+,\d+)");
   if (line.value.empty()) return fmt::format("write a value after \"{} =\"", line.key);
   const auto quantity = parse_quantity(line.value);
-  if (quantity && is_unit(quantity->unit))
-    return "write the number alone, in the SI unit that the reference page names for this key";
+  if (quantity && is_unit(quantity->unit)) return help_for_unit(line.key, *quantity);
   if (std::regex_match(line.value, decimal_comma)) return "write a decimal point";
   if (line.value == "True" || line.value == "False") return "write true or false in small letters";
   if (line.value.front() == '.') return "write a digit before the decimal point: 0" + line.value;

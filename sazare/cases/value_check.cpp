@@ -78,14 +78,16 @@ private:
     return std::holds_alternative<bool>(value.data) || refuse(value, "write true or false without quotes");
   }
 
+  std::string assignment() const { return fmt::format("{} = ", key_.name); }
+
   std::string help_for_number(const Value& value) const {
     const auto quantity = value.text() != nullptr ? parse_quantity(*value.text()) : std::nullopt;
-    if (!quantity) return key_.sentence.empty() ? "" : std::string(key_.sentence);
+    if (!quantity) return std::string(key_.sentence);
     const std::string in_unit =
         key_.unit.empty() ? "it has no unit" : fmt::format("the unit is {}", key_.unit);
     if (const auto number = converted(*quantity, key_.unit))
-      return fmt::format("write {} = {}, without quotes and unit; {}", key_.name, short_number(*number, 12),
-                         in_unit);
+      return fmt::format("write {}{}, without quotes and unit; {}",
+                         key_.type == Type::vector ? "" : assignment(), short_number(*number, 12), in_unit);
     return fmt::format("write the number alone; {}, and \"{}\" is not a unit of that kind", in_unit,
                        quantity->unit);
   }
