@@ -2,35 +2,37 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "sazare/observe/hdf5_file.hpp"
+
 namespace sazare::observe {
 
-/// Collects named byte blobs and writes them to one HDF5 file at once.
+/// Writes named byte blobs to one HDF5 file, each with its length and checksum. The former file of that name
+/// stays until `commit`, so there is always one whole checkpoint. Throws MachineError when the disk fails.
 class CheckpointWriter {
 public:
-  /// Copies the bytes. A name is used once; any characters but '/' will do.
-  void add(std::string name, std::span<const std::byte> bytes);
+  explicit CheckpointWriter(const std::filesystem::path& file);
 
-  /// Writes a temporary file beside `file`, then renames: `file` is the former checkpoint or this one, never
-  /// half. Throws MachineError when it cannot be written.
-  void commit(const std::filesystem::path& file);
+  /// Writes the bytes at once. A name is used once; any characters but '/' will do.
+  void add(const std::string& name, std::span<const std::byte> bytes);
+
+  void commit();
 
 private:
-  struct Blob {
-    std::string name;
-    std::vector<std::byte> bytes;
-  };
-  std::vector<Blob> blobs_;
+  Hdf5Writer file_;
+  std::set<std::string> names_;
 };
 
 /// Reads what CheckpointWriter wrote; length and checksum of each blob are verified as it is read.
 class CheckpointReader {
 public:
-  /// Throws UserError when the file is missing, cut short, no checkpoint of Sazare, or of a newer format.
-  explicit CheckpointReader(std::filesystem::path file);
+  /// Throws UserError when the file is missing, cut short, no checkpoint of Sazare, or of another format
+  /// version.
+  explicit CheckpointReader(const std::filesystem::path& file);
 
   bool has(const std::string& name) const;
 
@@ -38,8 +40,8 @@ public:
   std::vector<std::byte> read(const std::string& name) const;
 
 private:
-  std::filesystem::path file_;
-  std::vector<std::string> names_;
+  std::filesystem::path path_;
+  Hdf5Reader file_;
 };
 
 }  // namespace sazare::observe

@@ -1,0 +1,92 @@
+#include "sazare/observe/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "sazare/core/error.hpp"
+
+namespace sazare::observe {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path folder_of(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+std::string_view advice_for(int error) {
+  switch (error) {
+    case ENOSPC:
+    case EDQUOT:
+      return "Free space there, or choose another output folder (--out)";
+    case EFBIG:
+      return "Files there may not grow so large (ulimit -f): raise the limit, or choose another output "
+             "folder (--out)";
+    case EACCES:
+    case EPERM:
+    case EROFS:
+      return "Choose an output folder that you may write to (--out)";
+    case ENOENT:
+    case ENOTDIR:
+      return "The folder is not there: make it, or choose another (--out)";
+    default:
+      return "Check the disk, or choose another output folder (--out)";
+  }
+}
+
+/// Makes a rename durable. Not every file system can sync a folder; then the rename is as safe as it gets
+/// there.
+void sync_folder(const fs::path& folder) {
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  fsync(descriptor);
+  close(descriptor);
+}
+
+}  // namespace
+
+void fail_to_write(const fs::path& file, int error) {
+  throw MachineError(fmt::format("{}: cannot be written: {}. {}", file.string(),
+                                 std::generic_category().message(error), advice_for(error)));
+}
+
+AtomicFile::AtomicFile(fs::path file) : file_(std::move(file)) {
+  temporary_ = folder_of(file_) / fmt::format(".{}.part", file_.filename().string());
+  descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) fail_to_write(file_, errno);
+}
+
+AtomicFile::~AtomicFile() {
+  if (descriptor_ < 0) return;
+  close(descriptor_);
+  unlink(temporary_.c_str());
+}
+
+void AtomicFile::write(std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t count = ::write(descriptor_, content.data(), content.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail_to_write(file_, errno);
+    content.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+void AtomicFile::commit() {
+  if (fsync(descriptor_) != 0) fail_to_write(file_, errno);
+  if (rename(temporary_.c_str(), file_.c_str()) != 0) fail_to_write(file_, errno);
+  close(std::exchange(descriptor_, -1));
+  sync_folder(folder_of(file_));
+}
+
+void write_file(const fs::path& file, std::string_view content) {
+  AtomicFile atomic(file);
+  atomic.write(content);
+  atomic.commit();
+}
+
+}  // namespace sazare::observe

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace sazare::observe {
+
+/// A file that appears under its name all at once: it is written to a temporary name in the same folder,
+/// forced to the disk and renamed. Under its own name there is the former content or the new, never a part,
+/// whenever the process or the machine stops. The temporary is removed when the object goes without a commit.
+class AtomicFile {
+public:
+  /// Throws MachineError when the folder is missing or not writable.
+  explicit AtomicFile(std::filesystem::path file);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  const std::filesystem::path& file() const { return file_; }
+  /// The name to write to, for a library that opens files itself.
+  const std::filesystem::path& temporary() const { return temporary_; }
+
+  /// Appends to the temporary. Throws MachineError, as when the disk is full.
+  void write(std::string_view content);
+
+  /// Gives the file its name. Throws MachineError; then the former file is still there.
+  void commit();
+
+private:
+  std::filesystem::path file_;
+  std::filesystem::path temporary_;
+  int descriptor_ = -1;
+};
+
+/// Writes a whole file; see AtomicFile.
+void write_file(const std::filesystem::path& file, std::string_view content);
+
+/// Throws MachineError with the file, the words of `error` (an errno) and what to do.
+[[noreturn]] void fail_to_write(const std::filesystem::path& file, int error);
+
+}  // namespace sazare::observe

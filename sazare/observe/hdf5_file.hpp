@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sazare/observe/atomic_file.hpp"
+
+namespace sazare::observe {
+
+/// An HDF5 file in the making, atomic (see AtomicFile). Paths of groups and datasets are absolute
+/// ("/group/name"). Every member throws MachineError when the disk fails; then nothing is left of the file.
+class Hdf5Writer {
+public:
+  /// How HDF5 lays out its own tables: as every reader knows them, or with checksums that show damage.
+  enum class Tables { common, checked };
+
+  explicit Hdf5Writer(const std::filesystem::path& file, Tables tables = Tables::common);
+  ~Hdf5Writer();
+  Hdf5Writer(const Hdf5Writer&) = delete;
+  Hdf5Writer& operator=(const Hdf5Writer&) = delete;
+
+  void make_group(const std::string& path);
+
+  /// A dataset of this shape, its last index fastest. T: double, std::int32_t, std::int64_t, std::uint8_t,
+  /// std::byte.
+  template <class T>
+  void write(const std::string& path, std::span<const T> values, const std::vector<std::size_t>& shape);
+  template <class T>
+  void write(const std::string& path, std::span<const T> values) {
+    write(path, values, {values.size()});
+  }
+
+  /// Attributes of a group or dataset: whole numbers (an array), a text of fixed length in ASCII.
+  void set_attribute(const std::string& path, const std::string& name, std::span<const std::int64_t> values);
+  void set_attribute(const std::string& path, const std::string& name, const std::string& text);
+
+  /// Finishes the file and gives it its name.
+  void commit();
+
+private:
+  void reserve(std::size_t bytes);
+  [[noreturn]] void fail() const;
+  template <class T>
+  void check(T result) const {
+    if (result < 0) fail();
+  }
+
+  AtomicFile atomic_;
+  std::int64_t file_ = -1;  ///< HDF5's number of the open file
+  std::size_t reserved_ = 0;
+};
+
+/// An open HDF5 file, read only. Members return false or throw UserError when the file does not hold what is
+/// asked.
+class Hdf5Reader {
+public:
+  /// Throws UserError when the file is missing, no HDF5 file, or cut short.
+  explicit Hdf5Reader(std::filesystem::path file);
+  ~Hdf5Reader();
+  Hdf5Reader(const Hdf5Reader&) = delete;
+  Hdf5Reader& operator=(const Hdf5Reader&) = delete;
+
+  bool has(const std::string& path) const;
+  std::vector<std::byte> read_bytes(const std::string& path) const;
+  std::vector<std::int64_t> read_attribute(const std::string& path, const std::string& name) const;
+  std::string read_text_attribute(const std::string& path, const std::string& name) const;
+  bool has_attribute(const std::string& path, const std::string& name) const;
+
+private:
+  [[noreturn]] void fail() const;
+
+  std::filesystem::path path_;
+  std::int64_t file_ = -1;
+};
+
+}  // namespace sazare::observe

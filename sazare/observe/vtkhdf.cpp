@@ -1,0 +1,129 @@
+#include "sazare/observe/vtkhdf.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "sazare/core/error.hpp"
+#include "sazare/observe/atomic_file.hpp"
+#include "sazare/observe/hdf5_file.hpp"
+
+namespace sazare::observe {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::size_t corners_of(Grid::Cell cell) { return cell == Grid::Cell::triangle ? 3 : 4; }
+
+void write_count(Hdf5Writer& out, const std::string& name, std::size_t count) {
+  const std::vector<std::int64_t> value = {static_cast<std::int64_t>(count)};
+  out.write("/VTKHDF/" + name, std::span<const std::int64_t>(value));
+}
+
+void write_cells(Hdf5Writer& out, const Grid& grid, std::size_t cells) {
+  const std::size_t corners = corners_of(grid.cell);
+  std::vector<std::int64_t> numbers(grid.connectivity.begin(), grid.connectivity.end());
+  out.write("/VTKHDF/Connectivity", std::span<const std::int64_t>(numbers));
+  numbers.resize(cells + 1);
+  for (std::size_t i = 0; i <= cells; ++i) numbers[i] = static_cast<std::int64_t>(i * corners);
+  out.write("/VTKHDF/Offsets", std::span<const std::int64_t>(numbers));
+  const std::vector<std::uint8_t> types(cells, static_cast<std::uint8_t>(grid.cell));
+  out.write("/VTKHDF/Types", std::span<const std::uint8_t>(types));
+}
+
+void write_cell_data(Hdf5Writer& out, const CellData& data, std::size_t cells) {
+  std::visit(
+      [&](const auto& values) {
+        if (values.size() != cells * data.components) {
+          throw std::invalid_argument(
+              fmt::format("cell data '{}' has {} numbers for {} cells", data.name, values.size(), cells));
+        }
+        std::vector<std::size_t> shape = {cells};
+        if (data.components > 1) shape.push_back(data.components);
+        out.write("/VTKHDF/CellData/" + data.name, values, shape);
+      },
+      data.values);
+}
+
+}  // namespace
+
+void write_vtkhdf(const fs::path& file, const Grid& grid) {
+  const std::size_t cells = grid.connectivity.size() / corners_of(grid.cell);
+  Hdf5Writer out(file);
+  out.make_group("/VTKHDF");
+  out.set_attribute("/VTKHDF", "Version", std::vector<std::int64_t>{1, 0});
+  out.set_attribute("/VTKHDF", "Type", "UnstructuredGrid");
+  write_count(out, "NumberOfPoints", grid.points.size());
+  write_count(out, "NumberOfCells", cells);
+  write_count(out, "NumberOfConnectivityIds", grid.connectivity.size());
+  static_assert(sizeof(Vector3) == 3 * sizeof(Real), "points are written as they lie in memory");
+  const Real* first = grid.points.empty() ? nullptr : grid.points.front().data();
+  out.write("/VTKHDF/Points", std::span(first, 3 * grid.points.size()), {grid.points.size(), 3});
+  write_cells(out, grid, cells);
+  out.make_group("/VTKHDF/CellData");
+  for (const CellData& data : grid.cell_data) write_cell_data(out, data, cells);
+  out.make_group("/VTKHDF/FieldData");
+  out.write("/VTKHDF/FieldData/time", std::span<const Real>(&grid.time, 1));
+  out.commit();
+}
+
+SnapshotSeries::SnapshotSeries(fs::path folder, std::string name)
+    : folder_(std::move(folder)), name_(std::move(name)) {
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  if (error) fail_to_write(folder_, error.value());
+}
+
+std::string SnapshotSeries::file_name(std::size_t index) const {
+  return fmt::format("{}_{:05}.vtkhdf", name_, index);
+}
+
+fs::path SnapshotSeries::series_file() const { return folder_ / (name_ + ".vtkhdf.series"); }
+
+void SnapshotSeries::write(const Grid& grid) {
+  write_vtkhdf(folder_ / file_name(times_.size()), grid);
+  times_.push_back(grid.time);
+  write_series();
+}
+
+void SnapshotSeries::write_series() const {
+  nlohmann::ordered_json series = {{"file-series-version", "1.0"},
+                                   {"files", nlohmann::ordered_json::array()}};
+  for (std::size_t i = 0; i < times_.size(); ++i) {
+    series["files"].push_back({{"name", file_name(i)}, {"time", times_[i]}});
+  }
+  write_file(series_file(), series.dump(1) + "\n");
+}
+
+void SnapshotSeries::resume(std::size_t count) {
+  std::vector<Real> times;
+  try {
+    std::ifstream stream(series_file());
+    if (stream) {
+      for (const auto& entry : nlohmann::json::parse(stream).at("files"))
+        times.push_back(entry.at("time").get<Real>());
+    }
+  } catch (const nlohmann::json::exception&) {
+    times.clear();
+  }
+  if (times.size() < count) {
+    throw UserError(
+        fmt::format("{}: should list {} snapshots at least, of the run to be resumed, and lists {}. Start "
+                    "the run again without --resume",
+                    series_file().string(), count, times.size()));
+  }
+  const std::size_t found = times.size();
+  times.resize(count);
+  times_ = std::move(times);
+  write_series();
+  // One more than is listed: the run may have been stopped between the snapshot and the list.
+  std::error_code ignored;
+  for (std::size_t i = count; i <= found; ++i) fs::remove(folder_ / file_name(i), ignored);
+}
+
+}  // namespace sazare::observe

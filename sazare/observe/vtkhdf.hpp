@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sazare/core/vector.hpp"
+
+namespace sazare::observe {
+
+/// Numbers of the cells of a grid under a name, (n, components).
+struct CellData {
+  std::string name;
+  std::size_t components = 1;  ///< 1 or 3
+  std::variant<std::span<const Real>, std::span<const std::int32_t>> values;
+};
+
+/// A grid of equal cells, as views on the caller's memory.
+struct Grid {
+  /// Cell types by VTK's numbers.
+  enum class Cell : std::uint8_t { triangle = 5, tetrahedron = 10 };
+
+  Cell cell = Cell::tetrahedron;
+  std::span<const Vector3> points;             ///< positions [m], (n, 3)
+  std::span<const std::int32_t> connectivity;  ///< point indices, (cells, corners)
+  std::vector<CellData> cell_data;
+  Real time = 0;  ///< [s]
+};
+
+/// Writes a VTKHDF file (version 1.0, UnstructuredGrid), which ParaView 5.11 and newer and pyvista open; the
+/// time is the field data `time`. The file appears whole or not at all. Throws MachineError when the disk
+/// fails.
+void write_vtkhdf(const std::filesystem::path& file, const Grid& grid);
+
+/// Snapshots of one grid over time: `<name>_00000.vtkhdf`, `<name>_00001.vtkhdf` ... and
+/// `<name>.vtkhdf.series`, the list with the times that ParaView opens as one. The list is renewed after each
+/// snapshot.
+class SnapshotSeries {
+public:
+  /// Makes the folder. Nothing is written yet.
+  SnapshotSeries(std::filesystem::path folder, std::string name);
+
+  void write(const Grid& grid);
+
+  /// Number of snapshots written.
+  std::size_t size() const { return times_.size(); }
+
+  /// Goes on after the first `count` snapshots of an earlier run; later ones are removed.
+  /// Throws UserError when the list in the folder is missing, damaged or shorter.
+  void resume(std::size_t count);
+
+private:
+  std::string file_name(std::size_t index) const;
+  std::filesystem::path series_file() const;
+  void write_series() const;
+
+  std::filesystem::path folder_;
+  std::string name_;
+  std::vector<Real> times_;
+};
+
+}  // namespace sazare::observe
