@@ -1,0 +1,194 @@
+"""Pictures of the body: crack pattern, time levels, displaced shape, fragments. Each returns a matplotlib Figure."""
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import BoundaryNorm, Normalize
+from matplotlib.lines import Line2D
+
+from sazare import style
+from sazare.scenes import Layer, PlaneView, render
+
+EDGES = {"show_edges": True, "edge_color": style.STONE_EDGE, "line_width": 1.0, "lighting": False}
+STONE = {"color": style.STONE, **EDGES}
+CRACK_WIDTH = 5.0
+
+
+def spread(snapshots, shares):
+    """The snapshots nearest to shares of the run's time, each once, in the order of time."""
+    end = snapshots.times.max()
+    chosen = {snapshot.time: snapshot for snapshot in (snapshots.at(share * end) for share in shares)}
+    return [chosen[time] for time in sorted(chosen)]
+
+
+def _panel(axes, view, layers, title):
+    picture = render(view, layers)
+    axes.grid(False)
+    axes.set_title(title)
+    if picture.extent is None:
+        axes.imshow(picture.image, interpolation="antialiased")
+        axes.set_axis_off()
+        return
+    axes.imshow(picture.image, extent=picture.extent, interpolation="antialiased")
+    axes.set_xlabel(f"{picture.axes[0]} [m]")
+    axes.set_ylabel(f"{picture.axes[1]} [m]")
+    axes.spines[["left", "bottom"]].set_visible(False)
+    axes.tick_params(length=2)
+
+
+def _sheet(panels):
+    """A figure with one axes per (view, layers, title), two in a row; all are drawn. Returns it with its axes."""
+    columns = min(2, len(panels))
+    rows = -(-len(panels) // columns)
+    view = panels[0][0]
+    shape = view.size[1] / view.size[0]
+    width = 5.3 if columns == 2 else 6.5
+    figure = style.figure(width * columns + 0.4, rows * (width * min(max(shape, 0.35), 1.1) + 0.55))
+    grid = np.ravel(figure.subplots(rows, columns, squeeze=False))
+    for axes, panel in zip(grid, panels):
+        _panel(axes, *panel)
+    for axes in grid[len(panels) :]:
+        axes.set_axis_off()
+    return figure, list(grid)
+
+
+def _bar(figure, axes, colors, norm, label, **options):
+    figure.colorbar(ScalarMappable(norm, colors), ax=axes, label=label, shrink=0.8, aspect=30, pad=0.02, **options)
+
+
+def _views(body, snapshots):
+    """What to draw: a slab in its plane at every snapshot; a solid from a corner and in a cut, at its last snapshots."""
+    if body.is_slab:
+        view = body.plane_view()
+        return [(view, snapshot) for snapshot in snapshots]
+    views = (body.solid_view(), body.cut_view())
+    return [(view, snapshot) for snapshot in snapshots[-2:] for view in views]
+
+
+def _title(body, view, snapshot, factor=1.0):
+    words = [style.quantity(snapshot.time, "s")]
+    if not body.is_slab:
+        words.append(view.words)
+    if factor != 1.0:
+        words.append(f"displacements × {factor:g}")
+    return ", ".join(words)
+
+
+def _crack_layers(body, view, snapshot, norm, hull):
+    broken, softening = body.broken(snapshot), body.softening(snapshot)
+    lines = {"lighting": False, "line_width": CRACK_WIDTH}
+    colored = {"scalars": "break_time", "cmap": style.BREAK_TIME, "clim": (norm.vmin, norm.vmax)}
+    if isinstance(view, PlaneView):
+        return [
+            Layer(view.cut(body.first), STONE),
+            Layer(_lift(view, view.cut(softening), 1), {"color": style.SOFTENING, **lines, "line_width": 2.5}),
+            Layer(_lift(view, view.cut(broken), 2), {**lines, **colored}),
+        ]
+    outline = hull.extract_feature_edges(25.0, boundary_edges=False, non_manifold_edges=False, manifold_edges=False)
+    return [
+        Layer(hull, {"color": style.STONE, "opacity": 0.25, "show_edges": False}),
+        Layer(outline, {"color": style.OLD_CRACK, "line_width": 2.0, "lighting": False}),
+        Layer(broken, {**colored, "ambient": 0.35, "show_edges": False}),
+    ]
+
+
+def _lift(view, mesh, height):
+    """Moves lines a little toward the eye, so that they lie on the elements of the plane."""
+    right, up = view.in_plane
+    along = np.cross(np.eye(3)[right], np.eye(3)[up])
+    return mesh.translate(along * height * 1e-3 * np.ptp(view.window), inplace=False) if mesh.n_cells else mesh
+
+
+@style.styled
+def crack_pattern(body, shares=(0.2, 0.4, 0.7, 1.0)):
+    """The broken joints at several times, coloured by the time each broke; None where the run wrote no joints."""
+    if body.snapshots[-1].joints is None:
+        return None
+    snapshots = spread(body.snapshots, shares)
+    factor, prefix = style.prefix_for(body.snapshots.times.max())
+    norm = Normalize(0.0, body.snapshots.times.max() or 1.0)
+    hull = None if body.is_slab else body.hull()
+    panels = [
+        (view, _crack_layers(body, view, snapshot, norm, hull), _title(body, view, snapshot))
+        for view, snapshot in _views(body, snapshots)
+    ]
+    figure, axes = _sheet(panels)
+    _bar(figure, axes, style.BREAK_TIME, Normalize(0.0, norm.vmax / factor), f"broken at [{prefix}s]")
+    if isinstance(panels[0][0], PlaneView):
+        keys = [
+            Line2D([], [], color=style.ACCENT, linewidth=2.5, label="broken joint"),
+            Line2D([], [], color=style.SOFTENING, linewidth=1.5, label="softening joint"),
+        ]
+        figure.legend(handles=keys, loc="outside lower center", ncols=2)
+    return figure
+
+
+def _field_layers(body, view, mesh, options):
+    """The elements coloured by one of their fields: whole in a slab or from a corner, cut in the plane of a solid."""
+    if isinstance(view, PlaneView):
+        return [Layer(mesh if body.is_slab else view.cut(mesh), {**EDGES, "line_width": 0.6, **options})]
+    return [Layer(mesh, {**EDGES, "line_width": 0.6, "lighting": True, "ambient": 0.35, **options})]
+
+
+@style.styled
+def time_levels(body, shares=(0.4, 1.0)):
+    """The time level of every element: its step is the base step over two to the power of the level."""
+    snapshots = spread(body.snapshots, shares)
+    if not body.is_slab:
+        snapshots = snapshots[-1:]
+    levels = [snapshot.elements.cell_data["level"] for snapshot in snapshots]
+    low, high = int(min(map(np.min, levels))), int(max(map(np.max, levels)))
+    options = {"scalars": "level", "cmap": style.LEVEL, "clim": (low - 0.5, high + 0.5), "n_colors": high - low + 1}
+    panels = [
+        (view, _field_layers(body, view, snapshot.elements, options), _title(body, view, snapshot))
+        for view, snapshot in _views(body, snapshots)
+    ]
+    figure, axes = _sheet(panels)
+    bounds = np.arange(low - 0.5, high + 1.0)
+    _bar(
+        figure, axes, colormaps[style.LEVEL].resampled(high - low + 1), BoundaryNorm(bounds, len(bounds) - 1),
+        "time level (finer steps are darker)", ticks=np.arange(low, high + 1),
+    )
+    return figure
+
+
+@style.styled
+def displaced_shape(body, shares=(0.4, 1.0)):
+    """The body with its displacements enlarged, coloured by speed."""
+    snapshots = spread(body.snapshots, shares)
+    if not body.is_slab:
+        snapshots = snapshots[-1:]
+    factor = body.exaggeration(body.snapshots[-1])
+    speeds = np.concatenate([snapshot.elements.cell_data["speed"] for snapshot in snapshots])
+    # The fastest splinters would leave everything else in one colour.
+    top = float(np.percentile(speeds, 99.0)) or float(speeds.max()) or 1.0
+    options = {"scalars": "speed", "cmap": style.SPEED, "clim": (0.0, top)}
+    panels = [
+        (view, _field_layers(body, view, body.displaced(snapshot, factor), options), _title(body, view, snapshot, factor))
+        for view, snapshot in _views(body, snapshots)
+    ]
+    figure, axes = _sheet(panels)
+    extend = "max" if speeds.max() > top else "neither"
+    _bar(figure, axes, style.SPEED, Normalize(0.0, top), "speed [m/s]", extend=extend)
+    return figure
+
+
+@style.styled
+def fragment_map(body):
+    """The fragments at the end, each in one of ten colours, the largest in the colour of stone."""
+    snapshot = body.snapshots[-1]
+    fragment = np.asarray(snapshot.elements.cell_data["fragment"])
+    _, group, sizes = np.unique(fragment, return_inverse=True, return_counts=True)
+    color = 1 + np.arange(len(sizes)) * 7 % style.RUBBLE.N
+    color[np.argmax(sizes)] = 0
+    factor = body.exaggeration(snapshot)
+    mesh = body.displaced(snapshot, factor).copy()
+    mesh.cell_data["color"] = color[group]
+    table = [style.STONE, *style.RUBBLE.colors]
+    options = {"scalars": "color", "cmap": table, "clim": (-0.5, len(table) - 0.5)}
+    panels = [
+        (view, _field_layers(body, view, mesh, options), _title(body, view, snapshot, factor))
+        for view, _ in _views(body, [snapshot])
+    ]
+    figure, _ = _sheet(panels)
+    return figure

@@ -1,0 +1,165 @@
+"""The report of a run: one HTML page that holds its pictures, and the pictures as files."""
+
+import base64
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+import jinja2
+
+from sazare import maps, plot, style
+from sazare.results import open_run
+from sazare.scenes import Body
+from sazare.summary import headlines, verdict
+
+MOST_FRAGMENTS = 10
+
+
+@dataclass(frozen=True)
+class Section:
+    """A picture of the report: file name, heading, one sentence below it, how to draw it, what to say without data."""
+
+    name: str
+    heading: str
+    caption: str
+    draw: object
+    missing: str
+    wide: bool = True
+
+
+def body_sections(body):
+    """The pictures that need snapshots."""
+    return [
+        Section(
+            "cracks", "Crack pattern",
+            "Faces between elements that have broken, coloured by the time of the snapshot in which each was first seen broken.",
+            partial(maps.crack_pattern, body), "The run wrote no joints beside its elements.",
+        ),
+        Section(
+            "shape", "Displaced shape",
+            "Speed of the elements. Displacements are enlarged where the title says so; the fastest hundredth shares one colour.",
+            partial(maps.displaced_shape, body), "",
+        ),
+        Section(
+            "levels", "Time levels",
+            "An element of level k takes steps of the base step over 2 to the power of k.",
+            partial(maps.time_levels, body), "",
+        ),
+        Section(
+            "fragments", "Fragments", "Elements that still hang together share a colour; the largest fragment is pale.",
+            partial(maps.fragment_map, body), "", wide=not body.is_slab,
+        ),
+    ]
+
+
+def curve_sections(results):
+    """The pictures that need tables only."""
+    return [
+        Section(
+            "energy", "Where the work went",
+            "Energy stored and dissipated by cause, stacked, against the work of the loads; below, the share of the work "
+            "that the ledger does not account for.",
+            partial(plot.energy, results), "The run wrote no energies.",
+        ),
+        Section(
+            "broken_joints", "Broken joints", "Broken joints and fragments against time.",
+            partial(plot.broken_joints, results), "The run wrote no history.", wide=False,
+        ),
+        Section(
+            "fragment_curve", "Fragment sizes", "Share of the volume in fragments up to a size; half of it lies below X50.",
+            partial(plot.fragment_curve, results), "The run wrote no fragments.", wide=False,
+        ),
+        Section(
+            "gauges", "Gauges", "Velocity at the gauges; the dot is the peak particle velocity.",
+            partial(plot.gauges, results), "The case has no gauges.",
+        ),
+        Section(
+            "smallest_step", "Smallest step", "The smallest time step of any element.",
+            partial(plot.smallest_step, results), "The run wrote no steps.", wide=False,
+        ),
+        Section(
+            "timing", "Where the time went", "Computing time by part of the step.",
+            partial(plot.timing, results), "The run wrote no timing.", wide=False,
+        ),
+    ]
+
+
+def _drawn(section, folder):
+    """The section as the template wants it, its picture written and embedded."""
+    figure = section.draw()
+    filled = {"name": section.name, "heading": section.heading, "caption": section.caption, "wide": section.wide}
+    if figure is None:
+        return {**filled, "caption": "", "missing": section.missing, "image": None}
+    path = folder / f"{section.name}.png"
+    style.save(figure, path)
+    return {**filled, "missing": "", "image": base64.b64encode(path.read_bytes()).decode()}
+
+
+def _facts(results):
+    """Small print about the run: (name, value)."""
+    manifest, figures = results.manifest, results.figures
+    machine = manifest.get("machine", {})
+    rows = [
+        ("method", manifest.get("method")),
+        ("sazare", f"{manifest['sazare']} ({manifest.get('commit', 'unknown')})" if "sazare" in manifest else None),
+        ("started", manifest.get("started")),
+        ("finished", manifest.get("finished")),
+        ("processor", machine.get("cpu")),
+        ("cores, threads", f"{machine.get('cores')}, {machine.get('threads')}" if "cores" in machine else None),
+        ("steps", style.count(figures["steps"]) if "steps" in figures else None),
+        ("smallest step", style.quantity(figures["smallest_step"], "s") if "smallest_step" in figures else None),
+        ("pair evaluations", style.count(figures["pair_evaluations"]) if "pair_evaluations" in figures else None),
+        ("state hash", manifest.get("state_hash")),
+    ]
+    return [(name, value) for name, value in rows if value]
+
+
+def _largest_fragments(results):
+    """Rows of the table of fragments."""
+    table = results.fragments
+    return [
+        {
+            "number": number + 1,
+            "elements": style.count(table["elements"][number]),
+            "volume": f"{table['volume'][number]:.3g}",
+            "mass": f"{table['mass'][number]:.4g}",
+            "size": style.quantity(table["size"][number], "m"),
+            "throw": style.quantity(table["throw"][number], "m"),
+        }
+        for number in range(min(MOST_FRAGMENTS, table.rows))
+    ]
+
+
+def _page(results, sections):
+    loader = jinja2.FileSystemLoader(Path(__file__).with_name("templates"))
+    template = jinja2.Environment(loader=loader, autoescape=True, trim_blocks=True, lstrip_blocks=True).get_template("report.html")
+    tone, sentence = verdict(results)
+    return template.render(
+        title=results.title,
+        tone=tone,
+        sentence=sentence,
+        headlines=headlines(results),
+        sections=sections,
+        facts=_facts(results),
+        fragments=_largest_fragments(results),
+        gauges=[(gauge.name, style.quantity(gauge.ppv, "m/s")) for gauge in results.gauges.values()],
+        case_text=results.case_text,
+    )
+
+
+def write_report(path):
+    """Writes DIR/report.html and the pictures in DIR/report/; returns the page's path. Raises NotARun where DIR is no run."""
+    results = open_run(path)
+    folder = results.path / "report"
+    folder.mkdir(exist_ok=True)
+    for old in folder.glob("*.png"):
+        old.unlink()
+    if len(results.snapshots):
+        chosen = body_sections(Body(results.snapshots))
+    else:
+        missing = "The run wrote no snapshots."
+        chosen = [Section("cracks", "Crack pattern, shape, levels, fragments", "", lambda: None, missing)]
+    sections = [_drawn(section, folder) for section in [*chosen, *curve_sections(results)]]
+    page = results.path / "report.html"
+    page.write_text(_page(results, sections), encoding="utf-8")
+    return page

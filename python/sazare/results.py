@@ -1,0 +1,258 @@
+"""Reading the folder of a run: manifest, tables, gauges and snapshots."""
+
+import csv
+import json
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+
+HEADER = re.compile(r"^\s*(?P<name>.*?)\s*(?:\[(?P<unit>[^\]]*)\])?\s*$")
+SNAPSHOT_FILE = re.compile(r"elements_(\d+)\.vtkhdf$")
+
+
+class NotARun(Exception):
+    """A folder, or one of its files, is not what a run writes; the message says which and what to do."""
+
+
+class Table(Mapping):
+    """The columns of a CSV file by name, in the file's order; units are apart.
+
+    table["time"] is an array (n,) of float, or of str for a column of words; table.unit("time") is "s".
+    """
+
+    def __init__(self, columns, units=None):
+        self._columns = dict(columns)
+        self._units = dict(units or {})
+
+    def __getitem__(self, name):
+        return self._columns[name]
+
+    def __iter__(self):
+        return iter(self._columns)
+
+    def __len__(self):
+        return len(self._columns)
+
+    def __repr__(self):
+        return f"Table({self.rows} rows: {', '.join(self._columns)})"
+
+    @property
+    def rows(self):
+        """Number of rows."""
+        return len(next(iter(self._columns.values()), ()))
+
+    def unit(self, name):
+        """Unit of a column as the header has it; "" where the header has none."""
+        return self._units.get(name, "")
+
+
+def read_table(path):
+    """A CSV file whose header has names with units in brackets, such as `time [s]`. Raises NotARun for a damaged file."""
+    with path.open(newline="", encoding="utf-8") as file:
+        rows = [row for row in csv.reader(file) if row]
+    if not rows:
+        raise NotARun(f"{path}: the file is empty; a run writes a header line first")
+    heads = [HEADER.match(cell) for cell in rows[0]]
+    names = [head["name"] for head in heads]
+    body = rows[1:]
+    # The last line of a run that was killed may be cut short.
+    if body and len(body[-1]) < len(names):
+        body = body[:-1]
+    for number, row in enumerate(body, start=2):
+        if len(row) != len(names):
+            raise NotARun(f"{path}:{number}: {len(row)} values where the header names {len(names)} columns")
+    columns = {name: _column(cells) for name, cells in zip(names, zip(*body) if body else [()] * len(names))}
+    return Table(columns, {head["name"]: head["unit"] or "" for head in heads})
+
+
+def _column(cells):
+    try:
+        return np.array(cells, dtype=float)
+    except ValueError:
+        return np.array(cells, dtype=str)
+
+
+@dataclass(frozen=True)
+class Gauge:
+    """The velocity history at one point: time [s] (n,), velocity [m/s] (n, 3)."""
+
+    name: str
+    time: np.ndarray
+    velocity: np.ndarray
+
+    @property
+    def speed(self):
+        """Magnitude of the velocity [m/s] (n,)."""
+        return np.linalg.norm(self.velocity, axis=1)
+
+    @property
+    def ppv(self):
+        """Peak particle velocity [m/s]: the largest magnitude of the history; 0 without samples."""
+        return float(self.speed.max(initial=0.0))
+
+
+@dataclass(frozen=True)
+class Snapshot:
+    """One moment of a run: time [s], and the files of its elements and joints, read when asked for."""
+
+    time: float
+    elements_file: Path
+    joints_file: Path | None
+
+    @cached_property
+    def elements(self):
+        """Tetrahedra (pyvista.UnstructuredGrid), each with its own four points, where they are at this time."""
+        return _read_mesh(self.elements_file)
+
+    @cached_property
+    def joints(self):
+        """Triangles (pyvista.UnstructuredGrid) of the faces between elements; None where the run wrote none."""
+        return _read_mesh(self.joints_file) if self.joints_file else None
+
+
+def _read_mesh(path):
+    import pyvista
+
+    try:
+        return pyvista.read(path)
+    except (OSError, ValueError, RuntimeError) as error:
+        raise NotARun(f"{path}: not a readable VTKHDF file: {error}") from error
+
+
+class Snapshots(Sequence):
+    """The snapshots of a run in the order of time."""
+
+    def __init__(self, snapshots):
+        self._snapshots = list(snapshots)
+
+    def __getitem__(self, index):
+        return self._snapshots[index]
+
+    def __len__(self):
+        return len(self._snapshots)
+
+    @property
+    def times(self):
+        """Times of the snapshots [s] (n,)."""
+        return np.array([snapshot.time for snapshot in self._snapshots])
+
+    def at(self, time):
+        """The snapshot nearest to a time [s]. Raises NotARun where the run has none."""
+        if not self._snapshots:
+            raise NotARun("the run has no snapshots")
+        return self._snapshots[int(np.argmin(np.abs(self.times - time)))]
+
+
+class Results:
+    """The folder of a run. What the run did not write reads as empty: a Table without rows, no gauges, no snapshots."""
+
+    def __init__(self, path):
+        self.path = Path(path)
+        _check_is_run(self.path)
+
+    def __repr__(self):
+        return f"Results({str(self.path)!r}: {self.title})"
+
+    @cached_property
+    def manifest(self):
+        """manifest.json as a dict; empty while a run has not written one."""
+        path = self.path / "manifest.json"
+        if not path.exists():
+            return {}
+        try:
+            return json.loads(path.read_text(encoding="utf-8"))
+        except ValueError as error:
+            raise NotARun(f"{path}: not valid JSON: {error}") from error
+
+    @property
+    def title(self):
+        """Title of the case; the folder's name where there is no manifest."""
+        return self.manifest.get("case") or self.path.resolve().name
+
+    @property
+    def figures(self):
+        """The headline figures by name: manifest["results"]."""
+        return self.manifest.get("results", {})
+
+    @cached_property
+    def case_text(self):
+        """The resolved case, as text; "" where there is none."""
+        path = self.path / "case.toml"
+        return path.read_text(encoding="utf-8") if path.exists() else ""
+
+    def _table(self, name):
+        path = self.path / name
+        return read_table(path) if path.exists() else Table({})
+
+    @cached_property
+    def history(self):
+        """history.csv: time, broken_joints, fragments, energy_*, smallest_step, pair_evaluations, wall_seconds."""
+        return self._table("history.csv")
+
+    @cached_property
+    def fragments(self):
+        """fragments.csv, largest first: fragment, elements, volume, mass, size, center_*, velocity_*, throw."""
+        return self._table("fragments.csv")
+
+    @cached_property
+    def timing(self):
+        """timing.csv: part, seconds, share."""
+        return self._table("timing.csv")
+
+    @cached_property
+    def gauges(self):
+        """gauges.csv as a dict of Gauge by name."""
+        table = self._table("gauges.csv")
+        ending = ".velocity_x"
+        names = [column.removesuffix(ending) for column in table if column.endswith(ending)]
+        return {
+            name: Gauge(name, table["time"], np.stack([table[f"{name}.velocity_{axis}"] for axis in "xyz"], axis=1))
+            for name in names
+        }
+
+    @cached_property
+    def snapshots(self):
+        """The snapshots whose files are there, by their list or, where that is missing, by their names."""
+        folder = self.path / "snapshots"
+        if not folder.is_dir():
+            return Snapshots([])
+        series = folder / "elements.vtkhdf.series"
+        if series.exists():
+            try:
+                files = [(entry["name"], float(entry["time"])) for entry in json.loads(series.read_text())["files"]]
+            except (ValueError, KeyError, TypeError) as error:
+                raise NotARun(f"{series}: not a list of snapshots: {error}") from error
+        else:
+            names = sorted(path.name for path in folder.iterdir() if SNAPSHOT_FILE.search(path.name))
+            files = [(name, _time_in(folder / name)) for name in names]
+        return Snapshots(_snapshot(folder, name, time) for name, time in files if (folder / name).exists())
+
+
+def _snapshot(folder, name, time):
+    joints = folder / name.replace("elements_", "joints_", 1)
+    return Snapshot(time, folder / name, joints if joints.exists() else None)
+
+
+def _time_in(path):
+    return float(np.ravel(_read_mesh(path).field_data["time"])[0])
+
+
+def _check_is_run(path):
+    if not path.exists():
+        raise NotARun(f"{path}: no such folder; a run makes one: sazare run CASE --out {path}")
+    if not path.is_dir():
+        raise NotARun(f"{path}: not a folder; give the folder of a run, the one that holds manifest.json")
+    if not any((path / name).exists() for name in ("manifest.json", "history.csv", "snapshots")):
+        raise NotARun(
+            f"{path}: not the folder of a run: neither manifest.json, history.csv nor snapshots/ is in it; "
+            f"a run makes one: sazare run CASE --out {path}"
+        )
+
+
+def open_run(path):
+    """Opens the folder of a run. Raises NotARun, saying why, where it is not one."""
+    return Results(path)

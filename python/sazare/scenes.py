@@ -1,0 +1,236 @@
+"""Pictures of a body, drawn off screen: through a plane, with coordinates, or as a solid seen from a corner."""
+
+import os
+from dataclasses import dataclass
+
+import numpy as np
+
+# The software renderer needs no display; whoever wants another one sets the variable first.
+os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkOSOpenGLRenderWindow")
+
+import pyvista  # noqa: E402
+
+# A body is a slab where its smallest extent is under this part of the next one.
+SLAB_RATIO = 0.35
+MARGIN = 0.03
+PIXELS = 1100
+AXES = "xyz"
+
+
+@dataclass(frozen=True)
+class Layer:
+    """One mesh of a picture, and the options of pyvista's add_mesh."""
+
+    mesh: object
+    options: dict
+
+
+@dataclass(frozen=True)
+class Picture:
+    """An image (h, w, 3); for a plane also the coordinates of its edges [m] and the names of its two axes."""
+
+    image: np.ndarray
+    extent: tuple | None = None
+    axes: tuple | None = None
+
+
+@dataclass(frozen=True)
+class PlaneView:
+    """Looks along an axis in parallel projection; `window` (2, 2) is what is seen, lower and upper corner [m]."""
+
+    axis: int
+    position: float
+    window: np.ndarray
+
+    @property
+    def in_plane(self):
+        """The axes that point right and up."""
+        return {0: (1, 2), 1: (0, 2), 2: (0, 1)}[self.axis]
+
+    @property
+    def words(self):
+        """What the view shows, such as `plane z = 0.1 m`."""
+        return f"plane {AXES[self.axis]} = {self.position:.3g} m"
+
+    def cut(self, mesh):
+        """The mesh in the plane: polygons of a solid, lines of a surface, with the data of their cells."""
+        origin = np.zeros(3)
+        origin[self.axis] = self.position
+        normal = np.zeros(3)
+        normal[self.axis] = 1.0
+        return mesh.slice(normal=normal, origin=origin, generate_triangles=False)
+
+    def aim(self, plotter):
+        """Points the camera; right and up are the axes of `in_plane`."""
+        right, up = self.in_plane
+        center = np.zeros(3)
+        center[self.axis] = self.position
+        center[[right, up]] = self.window.mean(axis=0)
+        along = np.cross(np.eye(3)[right], np.eye(3)[up])
+        distance = 10.0 * np.ptp(self.window, axis=0).max()
+        plotter.camera.position = center + distance * along
+        plotter.camera.focal_point = center
+        plotter.camera.up = np.eye(3)[up]
+        plotter.camera.clipping_range = (0.01 * distance, 3.0 * distance)
+        plotter.enable_parallel_projection()
+        plotter.camera.parallel_scale = 0.5 * np.ptp(self.window, axis=0)[1]
+
+    @property
+    def size(self):
+        """Width and height in pixels."""
+        width, height = np.ptp(self.window, axis=0)
+        scale = PIXELS / max(width, height)
+        return max(int(width * scale), 80), max(int(height * scale), 80)
+
+    def picture(self, image):
+        """The image with its coordinates."""
+        (left, bottom), (right, top) = self.window
+        return Picture(image, (left, right, bottom, top), tuple(AXES[axis] for axis in self.in_plane))
+
+
+@dataclass(frozen=True)
+class SolidView:
+    """Looks at the body from a corner; `side` (3,) holds the signs of the corner."""
+
+    bounds: tuple
+    side: np.ndarray
+
+    words = "from a corner"
+    size = (PIXELS, int(0.8 * PIXELS))
+
+    def aim(self, plotter):
+        """Points the camera; z is up."""
+        center = np.array(self.bounds).reshape(3, 2).mean(axis=1)
+        plotter.camera.focal_point = center
+        plotter.camera.position = center + self.side * np.array([1.0, 1.35, 0.8]) * np.ptp(self.bounds)
+        plotter.camera.up = (0.0, 0.0, 1.0)
+        plotter.enable_parallel_projection()
+        plotter.reset_camera(bounds=self.bounds)
+        plotter.camera.zoom(1.1)
+
+    def picture(self, image):
+        """The image without its white border."""
+        used = np.any(image < 250, axis=2)
+        rows, columns = np.flatnonzero(used.any(axis=1)), np.flatnonzero(used.any(axis=0))
+        if len(rows) == 0:
+            return Picture(image)
+        pad = 8
+        return Picture(
+            image[max(rows[0] - pad, 0) : rows[-1] + pad, max(columns[0] - pad, 0) : columns[-1] + pad]
+        )
+
+
+def render(view, layers):
+    """The picture of some layers in a view; layers without cells are left out."""
+    plotter = pyvista.Plotter(off_screen=True, window_size=view.size, lighting="none")
+    plotter.background_color = "white"
+    for layer in layers:
+        if layer.mesh is not None and layer.mesh.n_cells > 0:
+            plotter.add_mesh(layer.mesh, show_scalar_bar=False, reset_camera=False, **layer.options)
+    view.aim(plotter)
+    # White lights only: the colours of a field must stay those of its scale.
+    plotter.add_light(pyvista.Light(light_type="headlight", intensity=0.75))
+    lamp = pyvista.Light(light_type="camera light", intensity=0.35)
+    lamp.position = (-1.0, 1.5, 0.6)
+    plotter.add_light(lamp)
+    image = plotter.screenshot(None, return_img=True)
+    plotter.close()
+    return view.picture(np.asarray(image)[..., :3])
+
+
+class Body:
+    """The elements of a run from snapshot to snapshot: their first places, their extent, and the views that suit them."""
+
+    def __init__(self, snapshots):
+        self.snapshots = snapshots
+        self.first = snapshots[0].elements
+        self.bounds = tuple(self.first.bounds)
+        self.extents = np.ptp(np.array(self.bounds).reshape(3, 2), axis=1)
+        thin, middle, _ = np.sort(self.extents)
+        self.is_slab = bool(thin < SLAB_RATIO * middle)
+        self.thin_axis = int(np.argmin(self.extents))
+        self.break_time = self._break_time()
+
+    def _break_time(self):
+        """Per joint, the time of the first snapshot in which it is broken, inf for never; None where joints are not alike."""
+        times = None
+        for snapshot in self.snapshots:
+            joints = snapshot.joints
+            if joints is None or (times is not None and joints.n_cells != len(times)):
+                return None
+            if times is None:
+                times = np.full(joints.n_cells, np.inf)
+            newly = (joints.cell_data["state"] == 2) & np.isinf(times)
+            times[newly] = snapshot.time
+        return times
+
+    def broken(self, snapshot):
+        """The broken joints of a snapshot with the time each broke [s]; None where the run wrote no joints."""
+        joints = snapshot.joints
+        if joints is None:
+            return None
+        chosen = np.flatnonzero(joints.cell_data["state"] == 2)
+        mesh = joints.extract_cells(chosen)
+        times = np.full(len(chosen), snapshot.time) if self.break_time is None else self.break_time[chosen]
+        if mesh.n_cells:
+            mesh.cell_data["break_time"] = times
+        return mesh
+
+    def softening(self, snapshot):
+        """The softening joints of a snapshot."""
+        joints = snapshot.joints
+        return None if joints is None else joints.extract_cells(np.flatnonzero(joints.cell_data["state"] == 1))
+
+    def hull(self):
+        """The outer surface at the start."""
+        return self.first.clean(tolerance=1e-9).extract_surface()
+
+    def exaggeration(self, snapshot, share=0.04):
+        """A round factor that makes the typical large displacement of a snapshot a visible share of the body; at least 1."""
+        displacement = np.linalg.norm(snapshot.elements.cell_data["displacement"], axis=1)
+        large = np.percentile(displacement, 90) if len(displacement) else 0.0
+        if large <= 0.0:
+            return 1.0
+        factor = share * self.extents.max() / large
+        if factor <= 1.0:
+            return 1.0
+        power = 10.0 ** np.floor(np.log10(factor))
+        return float(max(step for step in (1.0, 2.0, 5.0) if step * power <= factor) * power)
+
+    def displaced(self, snapshot, factor):
+        """The elements of a snapshot with their displacement multiplied by a factor."""
+        mesh = snapshot.elements
+        if factor == 1.0 or mesh.n_points != self.first.n_points:
+            return mesh
+        mesh = mesh.copy()
+        mesh.points = self.first.points + factor * (mesh.points - self.first.points)
+        return mesh
+
+    def plane_view(self, axis=None, position=None):
+        """The view along an axis, the thin one by default, onto the plane at a position, the middle by default."""
+        axis = self.thin_axis if axis is None else axis
+        box = np.array(self.bounds).reshape(3, 2)
+        position = float(box[axis].mean()) if position is None else position
+        in_plane = [other for other in (0, 1, 2) if other != axis]
+        margin = MARGIN * self.extents[in_plane].max()
+        return PlaneView(axis, position, box[in_plane].T + np.array([[-margin], [margin]]))
+
+    def cut_view(self):
+        """The plane along an axis that meets most broken joints, through the middle of them."""
+        broken = self.broken(self.snapshots[-1])
+        if broken is None or broken.n_cells == 0:
+            return self.plane_view()
+        middle = np.median(broken.cell_centers().points, axis=0)
+        views = [self.plane_view(axis, float(middle[axis]) + 1e-6 * self.extents[axis]) for axis in range(3)]
+        return max(views, key=lambda view: view.cut(broken).length)
+
+    def solid_view(self):
+        """The view from the corner toward which the body moves; from above."""
+        last = self.snapshots[-1].elements.cell_data["displacement"]
+        weight = np.linalg.norm(last, axis=1)[:, None]
+        drift = (weight * last).sum(axis=0)
+        side = np.where(drift < 0.0, -1.0, 1.0)
+        if abs(drift[1]) < 1e-9 * (abs(drift).max() or 1.0):
+            side[1] = -1.0
+        side[2] = 1.0
+        return SolidView(self.bounds, side)

@@ -1,0 +1,102 @@
+"""Colours, fonts and number formats of every picture."""
+
+import functools
+
+import matplotlib
+from matplotlib.colors import LinearSegmentedColormap, ListedColormap
+from matplotlib.figure import Figure
+
+STONE = "#e9e4da"
+STONE_EDGE = "#c9c1b2"
+INK = "#2b2b2b"
+OLD_CRACK = "#555555"
+SOFTENING = "#3b8ea5"
+ACCENT = "#b5472f"
+SECOND = "#2f6f8f"
+GRID = "#e3e3e3"
+
+RUBBLE = ListedColormap(
+    ["#d98c5f", "#7fa6a0", "#c9b458", "#8e7cc3", "#6d9f5b", "#c77b8b", "#5f87b8", "#b9894e", "#94b447", "#a46fa0"]
+)
+
+BREAK_TIME = LinearSegmentedColormap.from_list("break_time", ["#3b0f2b", "#8c1d40", "#d1452b", "#f08a1d"])
+SPEED = LinearSegmentedColormap.from_list("speed", [STONE, "#efb273", "#d1452b", "#7d1d4a", "#2a0f36"])
+LEVEL = "YlGnBu"
+
+# Where the work went: the terms of the energy ledger in the order in which they are stacked.
+ENERGY_TERMS = {
+    "energy_kinetic": ("kinetic", "#35618f"),
+    "energy_elastic": ("elastic", "#6fa3c7"),
+    "energy_joint_dashpot": ("joint dashpots", "#c9a66b"),
+    "energy_slip": ("slip in joints", "#a8763e"),
+    "energy_fracture": ("fracture", "#b5472f"),
+    "energy_release": ("lost at release", "#e08a76"),
+    "energy_contact_dashpot": ("contact dashpots", "#9aa87c"),
+    "energy_friction": ("friction in contacts", "#5f7a4a"),
+    "energy_boundary": ("left through the boundary", "#8d8d9e"),
+}
+
+SETTINGS = {
+    "font.size": 9.5,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.edgecolor": "#8a8a8a",
+    "axes.labelcolor": INK,
+    "axes.titlesize": 10.5,
+    "axes.titlelocation": "left",
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "grid.color": GRID,
+    "grid.linewidth": 0.8,
+    "xtick.color": "#555555",
+    "ytick.color": "#555555",
+    "legend.frameon": False,
+    "savefig.dpi": 130,
+    "savefig.bbox": "tight",
+}
+
+
+def styled(draw):
+    """Runs a drawing function in the style of the report."""
+
+    @functools.wraps(draw)
+    def wrapped(*arguments, **options):
+        with matplotlib.rc_context(SETTINGS):
+            return draw(*arguments, **options)
+
+    return wrapped
+
+
+def figure(width, height):
+    """An empty figure [inch]."""
+    return Figure(figsize=(width, height), layout="constrained")
+
+
+@styled
+def save(figure, path):
+    """Writes a figure as PNG."""
+    figure.savefig(path)
+
+
+PREFIXES = ((1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"))
+
+
+def prefix_for(value):
+    """The factor and SI prefix with which a value is between 1 and 1000; (1, "") for zero."""
+    for factor, name in PREFIXES:
+        if abs(value) >= 0.9995 * factor:
+            return factor, name
+    return PREFIXES[-1] if value else (1.0, "")
+
+
+def quantity(value, unit="", digits=3):
+    """A number with its unit in words for people: 0.00216, "m" gives `2.16 mm`."""
+    if value is None:
+        return "not known"
+    factor, prefix = prefix_for(value) if unit else (1.0, "")
+    return f"{value / factor:.{digits}g} {prefix}{unit}".strip()
+
+
+def count(value):
+    """A whole number with thin spaces between thousands."""
+    return "not known" if value is None else f"{int(value):,}".replace(",", "\u202f")
