@@ -62,12 +62,12 @@ def curve_sections(results):
             partial(plot.energy, results), "The run wrote no energies.",
         ),
         Section(
-            "broken_joints", "Broken joints", "Broken joints and fragments against time.",
-            partial(plot.broken_joints, results), "The run wrote no history.", wide=False,
-        ),
-        Section(
             "fragment_curve", "Fragment sizes", "Share of the volume in fragments up to a size; half of it lies below X50.",
             partial(plot.fragment_curve, results), "The run wrote no fragments.", wide=False,
+        ),
+        Section(
+            "broken_joints", "Broken joints", "Broken joints and fragments against time.",
+            partial(plot.broken_joints, results), "The run wrote no history.", wide=False,
         ),
         Section(
             "gauges", "Gauges", "Velocity at the gauges; the dot is the peak particle velocity.",

@@ -1,0 +1,171 @@
+"""The report, the pictures and the summary."""
+
+import json
+import re
+import shutil
+import time
+
+import numpy as np
+import pytest
+from matplotlib.image import imread
+
+import sazare
+from sazare import plot
+from sazare.__main__ import main
+from sazare.report import write_report
+from sazare.scenes import Body
+from sazare.style import count, quantity
+from sazare.summary import energy_balance, terminal_text, verdict
+
+PICTURES = {
+    "cracks", "shape", "levels", "fragments", "energy", "broken_joints", "fragment_curve", "gauges", "smallest_step", "timing",
+}
+
+
+@pytest.fixture(scope="module")
+def reported(slab, tmp_path_factory):
+    """A copy of the slab's run with its report, and the page."""
+    copy = shutil.copytree(slab, tmp_path_factory.mktemp("report") / "run")
+    return copy, write_report(copy).read_text()
+
+
+def has_color(image, color, tolerance=0.16):
+    """Whether some pixels of an image are near a colour."""
+    return np.sum(np.linalg.norm(image[..., :3] - np.array(color), axis=-1) < tolerance) > 50
+
+
+def test_the_report_holds_every_picture(reported):
+    folder, page = reported
+    assert {path.stem for path in (folder / "report").iterdir()} == PICTURES
+    assert page.count("data:image/png;base64,") == len(PICTURES)
+    assert not re.search(r'(src|href)="(?!data:)', page), "the page must hold all it shows"
+
+
+def test_the_pictures_show_something(reported):
+    folder, _ = reported
+    cracks = imread(folder / "report" / "cracks.png")
+    assert has_color(cracks, (0.233, 0.06, 0.17)) and has_color(cracks, (0.94, 0.54, 0.11)), "early and late cracks"
+    assert has_color(imread(folder / "report" / "levels.png"), (0.03, 0.11, 0.35)), "the finest level"
+    for path in (folder / "report").iterdir():
+        assert imread(path)[..., :3].std() > 0.02, path.name
+
+
+def test_the_page_has_title_verdict_figures_and_case(reported):
+    _, page = reported
+    for words in (
+        "<h1>A synthetic blast</h1>", 'class="verdict good"', "The energy ledger closes within 3.0e-05 of the work done.",
+        "2.16 mm", "X80 210 mm", "state hash", "0123456789abcdef", "method = &#34;blocks&#34;", "Largest fragments", "<td>G2</td>",
+    ):
+        assert words in page
+
+
+def test_a_solid_is_shown_from_a_corner_and_in_a_cut(solid, tmp_path):
+    copy = shutil.copytree(solid, tmp_path / "run")
+    started = time.monotonic()
+    write_report(copy)
+    assert time.monotonic() - started < 60.0
+    assert {path.stem for path in (copy / "report").iterdir()} == PICTURES
+
+
+def test_a_run_with_nothing_but_its_manifest_is_reported(tmp_path):
+    (tmp_path / "manifest.json").write_text(json.dumps({"case": "Bare", "status": "failed", "results": {}}))
+    page = write_report(tmp_path).read_text()
+    for words in (
+        "its status is “failed”", "The run wrote no snapshots.", "The case has no gauges.", "The run wrote no fragments.",
+        "The run wrote no energies.", "The run wrote no timing.", "The run kept no case.", 'class="verdict bad"',
+    ):
+        assert words in page
+
+
+def test_a_run_without_joints_or_breaks_is_reported(slab, tmp_path):
+    copy = shutil.copytree(slab, tmp_path / "run")
+    for path in (copy / "snapshots").glob("joints*"):
+        path.unlink()
+    assert "The run wrote no joints beside its elements." in write_report(copy).read_text()
+
+
+def test_a_run_cut_off_at_its_first_snapshot_is_reported(slab, tmp_path):
+    copy = shutil.copytree(slab, tmp_path / "run")
+    for path in (copy / "snapshots").glob("*_0000[1-5].vtkhdf"):
+        path.unlink()
+    (copy / "manifest.json").unlink()
+    assert "The run has not written its manifest" in write_report(copy).read_text()
+
+
+def test_old_pictures_do_not_stay(reported):
+    folder, _ = reported
+    (folder / "report" / "old.png").write_bytes(b"")
+    write_report(folder)
+    assert not (folder / "report" / "old.png").exists()
+
+
+def test_a_slab_is_known_by_its_thin_axis(slab, solid):
+    body = Body(sazare.open(slab).snapshots)
+    assert body.is_slab and body.thin_axis == 2
+    assert body.plane_view().in_plane == (0, 1)
+    assert not Body(sazare.open(solid).snapshots).is_slab
+
+
+def test_joints_carry_the_time_of_the_first_snapshot_that_shows_them_broken(slab):
+    run = sazare.open(slab)
+    body = Body(run.snapshots)
+    last = run.snapshots[-1]
+    broken = body.broken(last)
+    assert broken.n_cells == np.sum(last.joints.cell_data["state"] == 2)
+    assert set(np.round(broken.cell_data["break_time"] / 1e-4).astype(int)) <= {1, 2, 3, 4, 5}
+    early = run.snapshots[1].joints.cell_data["state"] == 2
+    assert np.all(body.break_time[early] == run.snapshots[1].time)
+
+
+def test_displacements_are_enlarged_by_a_round_factor(slab):
+    run = sazare.open(slab)
+    body = Body(run.snapshots)
+    factor = body.exaggeration(run.snapshots[-1])
+    assert factor / 10.0 ** np.floor(np.log10(factor)) in (1.0, 2.0, 5.0) and factor > 1.0
+    assert body.exaggeration(run.snapshots[0]) == 1.0
+
+
+def test_passing_shares_are_of_the_volume():
+    sizes, share = plot.passing(np.array([3.0, 1.0, 2.0]), np.array([6.0, 1.0, 3.0]))
+    assert sizes.tolist() == [1.0, 2.0, 3.0]
+    assert share == pytest.approx([0.1, 0.4, 1.0])
+
+
+@pytest.mark.parametrize(
+    "value, unit, words",
+    [(2.16e-3, "m", "2.16 mm"), (49663.0, "J", "49.7 kJ"), (0.0, "m", "0 m"), (None, "m", "not known"), (1000.0, "m/s", "1 km/s")],
+)
+def test_quantities_in_words(value, unit, words):
+    assert quantity(value, unit) == words
+
+
+def test_counts_in_words():
+    assert count(1234567) == "1\u202f234\u202f567"
+
+
+@pytest.mark.parametrize("residual, tone", [(1.0, "good"), (-500.0, "fair"), (5000.0, "bad")])
+def test_the_verdict_follows_the_energy_balance(tmp_path, residual, tone):
+    manifest = {"status": "done", "results": {"energy_work": 1e5, "energy_residual": residual}}
+    (tmp_path / "manifest.json").write_text(json.dumps(manifest))
+    run = sazare.open(tmp_path)
+    assert energy_balance(run.figures) == pytest.approx(abs(residual) / 1e5)
+    assert verdict(run)[0] == tone
+
+
+def test_the_summary_names_the_headline_figures(slab):
+    text = terminal_text(sazare.open(slab))
+    for words in ("joints broken", "fragments", "energy balance", "3.0e-05", "wall time"):
+        assert words in text
+
+
+def test_the_command_says_where_the_report_is(slab, tmp_path, capsys):
+    copy = shutil.copytree(slab, tmp_path / "run")
+    assert main(["report", str(copy)]) == 0
+    assert main(["summary", str(copy)]) == 0
+    printed = capsys.readouterr().out
+    assert printed.count(str(copy / "report.html")) == 2
+
+
+def test_the_command_refuses_what_is_no_run(tmp_path, capsys):
+    assert main(["report", str(tmp_path)]) == 2
+    assert "not the folder of a run" in capsys.readouterr().err

@@ -1,0 +1,118 @@
+"""Reading the folder of a run."""
+
+import json
+import shutil
+
+import numpy as np
+import pytest
+
+import sazare
+from sazare.results import read_table
+
+
+def test_tables_are_columns_by_name_with_units(slab):
+    history = sazare.open(slab).history
+    assert list(history)[:3] == ["time", "broken_joints", "fragments"]
+    assert history.unit("time") == "s" and history.unit("broken_joints") == "-"
+    assert history["time"][-1] == pytest.approx(5e-4)
+    assert history.rows == 101
+    ledger = sum(history[name] for name in history if name.startswith("energy_") and name != "energy_work")
+    assert ledger == pytest.approx(history["energy_work"])
+
+
+def test_a_column_of_words_stays_words(slab):
+    timing = sazare.open(slab).timing
+    assert timing["part"][0] == "joints"
+    assert timing["share"].sum() == pytest.approx(1.0)
+
+
+def test_gauges_have_their_peak(slab):
+    gauges = sazare.open(slab).gauges
+    assert list(gauges) == ["G1", "G2"]
+    gauge = gauges["G1"]
+    assert gauge.velocity.shape == (101, 3)
+    assert gauge.ppv == pytest.approx(np.abs(gauge.velocity).max() / 0.8)
+
+
+def test_a_gauge_may_have_dots_in_its_name(tmp_path):
+    (tmp_path / "manifest.json").write_text("{}")
+    (tmp_path / "gauges.csv").write_text(
+        "time [s],no. 1.velocity_x [m/s],no. 1.velocity_y [m/s],no. 1.velocity_z [m/s]\n0,3,4,0\n"
+    )
+    assert sazare.open(tmp_path).gauges["no. 1"].ppv == 5.0
+
+
+def test_snapshots_are_meshes_by_time(slab):
+    snapshots = sazare.open(slab).snapshots
+    assert snapshots.times == pytest.approx(np.linspace(0.0, 5e-4, 6))
+    snapshot = snapshots.at(3.1e-4)
+    assert snapshot.time == pytest.approx(3e-4)
+    assert snapshot.elements.n_cells == 720
+    assert set(np.unique(snapshot.joints.cell_data["state"])) == {0, 1, 2}
+    assert snapshot.elements.field_data["time"][0] == pytest.approx(3e-4)
+    assert snapshot.elements.volume == pytest.approx(1.2 * 1.0 * 0.15, rel=0.05)
+
+
+def test_snapshots_are_found_without_their_list(slab, tmp_path):
+    copy = shutil.copytree(slab, tmp_path / "run")
+    (copy / "snapshots" / "elements.vtkhdf.series").unlink()
+    assert sazare.open(copy).snapshots.times == pytest.approx(np.linspace(0.0, 5e-4, 6))
+
+
+def test_listed_snapshots_that_are_not_there_are_left_out(slab, tmp_path):
+    copy = shutil.copytree(slab, tmp_path / "run")
+    (copy / "snapshots" / "elements_00005.vtkhdf").unlink()
+    assert len(sazare.open(copy).snapshots) == 5
+
+
+def test_what_a_run_did_not_write_reads_as_empty(tmp_path):
+    (tmp_path / "manifest.json").write_text(json.dumps({"case": "Bare", "status": "failed"}))
+    run = sazare.open(tmp_path)
+    assert (run.title, run.figures, run.gauges, run.case_text) == ("Bare", {}, {}, "")
+    assert run.history.rows == run.fragments.rows == len(run.snapshots) == 0
+    with pytest.raises(sazare.NotARun, match="the run has no snapshots"):
+        run.snapshots.at(0.0)
+
+
+def test_the_cut_last_line_of_a_killed_run_is_left_out(tmp_path):
+    path = tmp_path / "history.csv"
+    path.write_text("time [s],broken_joints [-]\n0,1\n1,2\n2")
+    assert read_table(path)["time"].tolist() == [0.0, 1.0]
+
+
+@pytest.mark.parametrize(
+    "text, words",
+    [
+        ("", "history.csv: the file is empty; a run writes a header line first"),
+        ("time [s],a [-]\n0,1\n1\n2,3\n", "history.csv:3: 1 values where the header names 2 columns"),
+    ],
+)
+def test_damaged_tables_are_refused(tmp_path, text, words):
+    (tmp_path / "history.csv").write_text(text)
+    with pytest.raises(sazare.NotARun) as error:
+        _ = sazare.open(tmp_path).history
+    assert words in str(error.value)
+
+
+def test_folders_that_are_no_run_are_refused(tmp_path):
+    with pytest.raises(sazare.NotARun, match="no such folder; a run makes one: sazare run CASE --out"):
+        sazare.open(tmp_path / "absent")
+    with pytest.raises(sazare.NotARun, match="neither manifest.json, history.csv nor snapshots/ is in it"):
+        sazare.open(tmp_path)
+    (tmp_path / "file").touch()
+    with pytest.raises(sazare.NotARun, match="not a folder; give the folder of a run"):
+        sazare.open(tmp_path / "file")
+
+
+def test_damaged_files_are_named(slab, tmp_path):
+    copy = shutil.copytree(slab, tmp_path / "run")
+    (copy / "manifest.json").write_text("{")
+    with pytest.raises(sazare.NotARun, match="manifest.json: not valid JSON"):
+        _ = sazare.open(copy).manifest
+    (copy / "snapshots" / "elements.vtkhdf.series").write_text("[]")
+    with pytest.raises(sazare.NotARun, match="elements.vtkhdf.series: not a list of snapshots"):
+        _ = sazare.open(copy).snapshots
+    (copy / "snapshots" / "elements.vtkhdf.series").unlink()
+    (copy / "snapshots" / "elements_00000.vtkhdf").write_bytes(b"not HDF5")
+    with pytest.raises(sazare.NotARun, match="elements_00000.vtkhdf: not a readable VTKHDF file"):
+        _ = sazare.open(copy).snapshots
