@@ -29,6 +29,8 @@ def verdict(results):
     balance = energy_balance(results.figures)
     if status is None:
         return "fair", "The run has not written its manifest: it is still going, or was cut off."
+    if status == "running":
+        return "fair", "The run is still going, or was cut off. What follows is as far as it came."
     if status != "done":
         return "bad", f"The run ended early; its status is “{status}”. What follows is as far as it came."
     if balance is None:

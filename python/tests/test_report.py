@@ -152,6 +152,14 @@ def test_the_verdict_follows_the_energy_balance(tmp_path, residual, tone):
     assert verdict(run)[0] == tone
 
 
+def test_figures_that_are_not_numbers_are_left_out(tmp_path):
+    manifest = {"case": "Odd", "status": "running", "results": {"energy_work": None, "energy_residual": None, "broken_joints": 3}}
+    (tmp_path / "manifest.json").write_text(json.dumps(manifest))
+    text = terminal_text(sazare.open(tmp_path))
+    assert text.splitlines()[0] == "Odd: The run is still going, or was cut off. What follows is as far as it came."
+    assert text.splitlines()[1:] == ["  joints broken  3"]
+
+
 def test_the_summary_names_the_headline_figures(slab):
     text = terminal_text(sazare.open(slab))
     for words in ("joints broken", "fragments", "energy balance", "3.0e-05", "wall time"):
