@@ -56,6 +56,16 @@ std::string caret(std::string_view line, int column, int width) {
   return out + '^' + std::string(marks > 1 ? marks - 1 : 0, '~');
 }
 
+/// Control characters would garble a terminal.
+std::string printable(std::string_view text) {
+  std::string out;
+  for (char c : text) {
+    const bool control = (static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == 0x7f;
+    out += control ? '?' : c;
+  }
+  return out;
+}
+
 }  // namespace
 
 Source source_from_text(std::string name, std::string_view text) {
@@ -95,16 +105,16 @@ void Problems::turn_warnings_into_errors() {
 void Problems::append(std::string& out, const Problem& problem, std::string_view kind) const {
   const Place& place = problem.place;
   const Source& from = source(place.source);
-  out += from.name;
+  out += printable(from.name);
   if (place.line > 0 && from.has_line_numbers) out += fmt::format(":{}:{}", place.line, place.column);
-  out += fmt::format(": {}: {}\n", kind, problem.what);
+  out += fmt::format(": {}: {}\n", kind, printable(problem.what));
   const auto index = static_cast<std::size_t>(place.line - 1);
   if (place.line > 0 && index < from.lines.size()) {
     const std::string number = from.has_line_numbers ? fmt::format("{:>5} | ", place.line) : "      | ";
-    out += number + from.lines[index] + '\n';
+    out += number + printable(from.lines[index]) + '\n';
     out += "      | " + caret(from.lines[index], place.column, place.width) + '\n';
   }
-  if (!problem.help.empty()) out += fmt::format("      help: {}\n", problem.help);
+  if (!problem.help.empty()) out += fmt::format("      help: {}\n", printable(problem.help));
 }
 
 std::string Problems::text(std::vector<Problem> list, std::string_view kind) const {

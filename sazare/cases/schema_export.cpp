@@ -12,6 +12,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr const char* page_head = R"(# The case file
+
+A case is a TOML file. All numbers are in SI units, given here for each key; file names are relative to the case
+file. Keys that are not listed are errors. `sazare check CASE` reads a case, lists everything that is wrong, and
+prints it with all defaults. `--set table.key=value` changes a key for one run; entries of a list are numbered
+from 0: `--set joints.0.cohesion=5e6`.
+
+This page is written from the table that also checks cases. `sazare schema` prints the same as a JSON schema for
+editors.
+)";
+
 void add_range(Json& json, const Range& range) {
   if (std::isfinite(range.low)) json[range.low_open ? "exclusiveMinimum" : "minimum"] = range.low;
   if (std::isfinite(range.high)) json[range.high_open ? "exclusiveMaximum" : "maximum"] = range.high;
@@ -141,18 +152,7 @@ std::string schema_json() {
 }
 
 std::string schema_markdown() {
-  std::string out =
-      "# The case file\n\n"
-      "A case is a TOML file. All numbers are in SI units, given here for each key; file names are relative "
-      "to the case\n"
-      "file. Keys that are not listed are errors. `sazare check CASE` reads a case, lists everything that is "
-      "wrong, and\n"
-      "prints it with all defaults. `--set table.key=value` changes a key for one run; entries of a list are "
-      "numbered\n"
-      "from 0: `--set joints.0.cohesion=5e6`.\n\n"
-      "This page is written by `sazare schema --markdown` from the table that also checks cases. `sazare "
-      "schema` prints\n"
-      "a JSON schema for editors.\n";
+  std::string out = page_head;
   for (const Table& table : blocks_schema()) {
     const std::string_view how = table.repeated
                                      ? (table.need == Need::required ? " At least one." : " Any number.")

@@ -60,8 +60,17 @@ private:
 
   bool is_text(const Value& value) {
     if (value.text() == nullptr) return refuse(value, "put the text between double quotes");
-    if (!value.text()->empty()) return true;
-    problems_.error(value.place, fmt::format("{} is empty", key_.name), std::string(key_.sentence));
+    return is_good_text(value);
+  }
+
+  bool is_good_text(const Value& value) {
+    const std::string& text = *value.text();
+    const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
+    if (!text.empty() && std::ranges::none_of(text, is_control)) return true;
+    const std::string subject =
+        std::string(key_.name) + (key_.type == Type::names || key_.type == Type::two_names ? ": a name" : "");
+    const std::string what = text.empty() ? "is empty" : "contains a control character, such as a line break";
+    problems_.error(value.place, fmt::format("{} {}", subject, what), std::string(key_.sentence));
     return false;
   }
 
@@ -137,18 +146,19 @@ private:
   bool is_list_of_names(const Value& value, std::size_t least, std::size_t most) {
     const auto* items = value.items();
     const bool one_name = value.text() != nullptr && most != 2;
-    if (one_name) return refuse(value, fmt::format("write {} = [\"{}\"]", key_.name, *value.text()));
+    if (one_name) return refuse(value, fmt::format("write {} = [{}]", key_.name, string_text(*value.text())));
     if (items == nullptr || items->size() < least || (most > 0 && items->size() > most))
       return refuse(value, std::string(key_.sentence));
     bool good = true;
     for (auto item = items->begin(); item != items->end(); ++item) {
-      if (item->text() == nullptr || item->text()->empty()) {
+      if (item->text() == nullptr) {
         problems_.error(item->place,
                         fmt::format("{}: a name was expected, found {}", key_.name, describe(*item)),
                         "put names between double quotes");
         good = false;
         continue;
       }
+      good = is_good_text(*item) && good;
       const auto same = [&](const Value& other) {
         return other.text() != nullptr && *other.text() == *item->text();
       };

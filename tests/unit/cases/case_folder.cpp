@@ -1,0 +1,200 @@
+#include "case_folder.hpp"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "sazare/core/error.hpp"
+
+namespace sazare::cases {
+namespace fs = std::filesystem;
+
+CaseFolder::CaseFolder() {
+  static std::atomic<int> count{0};
+  path_ = fs::temp_directory_path() /
+          ("sazare-cases-" + std::to_string(getpid()) + "-" + std::to_string(count++));
+  fs::create_directories(path_);
+  write("slab.msh", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n");
+  write("block.geo", "// an empty geometry\n");
+  write("pressure.csv", "time [s],pressure [Pa]\r\n0,0\r\n1.33e-4, 5.75e8\r\n5e-4,0\r\n");
+}
+
+CaseFolder::~CaseFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+fs::path CaseFolder::write(const std::string& name, const std::string& text) const {
+  std::ofstream(path_ / name, std::ios::binary) << text;
+  return path_ / name;
+}
+
+CaseFile CaseFolder::read(const std::string& text, const std::vector<std::string>& overrides) const {
+  return read_case(write("case.toml", text), overrides);
+}
+
+std::string CaseFolder::refusal(const std::string& text, const std::vector<std::string>& overrides) const {
+  try {
+    read(text, overrides);
+  } catch (const UserError& failure) {
+    return failure.what();
+  }
+  ADD_FAILURE() << "the case was not refused:\n" << text;
+  return "";
+}
+
+std::string smallest_case() {
+  return R"([case]
+title = "Small"
+method = "blocks"
+
+[mesh]
+file = "slab.msh"
+
+[[materials]]
+name = "rock"
+regions = ["rock"]
+density = 2700
+
+[[joints]]
+name = "rock"
+between = ["rock", "rock"]
+normal_stiffness = 450e9
+shear_stiffness = 90e9
+cohesion = 6.66e6
+friction_coefficient = 0.58
+tensile_strength = 6.66e6
+fracture_energy = 99.67
+
+[contact]
+normal_stiffness = 1.5e9
+friction_coefficient = 0.58
+
+[time]
+end = 5e-4
+)";
+}
+
+std::string full_case() {
+  return R"([case]
+title = "Full \"quoted\" 発破"
+method = "blocks"
+
+[mesh]
+file = "block.geo"
+scale = 0.001
+size_factor = 0.5
+parameters = { depth = 3, "edge length" = 0.1 }
+
+[[materials]]
+name = "rock"
+regions = ["rock", "roof"]
+density = 2700.0
+
+[[materials]]
+name = "clay"
+regions = ["clay"]
+density = 1800.5
+
+[[joints]]
+name = "rock"
+between = ["rock", "rock"]
+bonded = true
+normal_stiffness = 450e9
+shear_stiffness = 90e9
+normal_damping = 22.6e6
+shear_damping = 10.1e6
+cohesion = 6.66e6
+friction_angle = 30
+tensile_strength = 6.66e6
+fracture_energy = 99.67
+
+[[joints]]
+name = "seam"
+between = ["rock", "clay"]
+normal_stiffness = 1e9
+shear_stiffness = 0
+cohesion = 0
+friction_coefficient = 0.3
+tensile_strength = 1e3
+fracture_energy = 0.1
+
+[[joints]]
+name = "slit"
+surface = "slit"
+bonded = false
+
+[contact]
+normal_stiffness = 1.5e9
+normal_damping = 3.08e6
+friction_angle = 31.5
+damping_cap = "critical"
+edge_division = 6
+
+[[blasts]]
+name = "hole 1"
+surface = "hole_1"
+delay = 1e-4
+peak_pressure = 5.75e8
+rise_time = 1.33e-4
+decay_ratio = 2.75
+cut_distance = 0.005
+
+[[blasts]]
+surface = "hole_2"
+table = "pressure.csv"
+
+[gravity]
+acceleration = [0, 0.1, -9.81]
+
+[[boundaries]]
+surface = "left"
+kind = "absorbing"
+
+[[boundaries]]
+surface = "bottom"
+kind = "frictionless"
+
+[[constraints]]
+regions = ["rock"]
+translation = ["z", "x"]
+rotation = ["y"]
+
+[[initial_velocities]]
+regions = ["roof"]
+velocity = [0.1, 0, -1e-3]
+
+[[gauges]]
+name = "G1"
+point = [0.3, 0.6, 0.1]
+
+[time]
+end = 5e-4
+levels = "uniform"
+limiter = "travel"
+base_step = 1e-8
+stability_fraction = 0.5
+travel_length = 2e-8
+neighbor_levels = 3
+history_interval = 1e-6
+snapshot_interval = 2.5e-5
+strict = true
+
+[output]
+checkpoint_interval = 30
+)";
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  if (at == std::string::npos) {
+    ADD_FAILURE() << "not in the case: " << from;
+    return text;
+  }
+  return text.replace(at, from.size(), to);
+}
+
+}  // namespace sazare::cases

@@ -1,0 +1,25 @@
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "sazare/cases/case_file.hpp"
+
+namespace sazare::cases {
+namespace {
+
+TEST(ExampleCases, AreAllValid) {
+  int count = 0;
+  for (const auto& folder : std::filesystem::directory_iterator("cases")) {
+    if (!folder.is_directory()) continue;
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "README.md")) << folder.path();
+    for (const auto& file : std::filesystem::directory_iterator(folder.path())) {
+      if (file.path().extension() != ".toml") continue;
+      EXPECT_NO_THROW(read_case(file.path())) << file.path();
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 0);
+}
+
+}  // namespace
+}  // namespace sazare::cases

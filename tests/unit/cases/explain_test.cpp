@@ -1,0 +1,30 @@
+#include <gtest/gtest.h>
+
+#include "case_folder.hpp"
+#include "sazare/cases/resolved.hpp"
+
+namespace sazare::cases {
+namespace {
+
+TEST(Explain, SaysWhatFollowsFromTheNumbers) {
+  const CaseFolder folder;
+  const std::string text = explain(folder.read(full_case()).blocks);
+  for (const char* words : {
+           "mesh        block.geo, coordinates times 0.001, meshed by gmsh",
+           "rock: 2700 kg/m3, regions rock, roof",
+           "elastic to 6.66e6 Pa at an opening of 14.8e-6 m, broken at 29.93e-6 m",
+           "friction angle 30 deg",
+           "slit: on surface slit, never bonded",
+           "10 spheres on each free face",
+           "hole 1: on surface hole_1 from 100e-6 s: 575e6 Pa after 133e-6 s, zero again after 498.8e-6 s",
+           "ends on a face that has moved 0.005 m",
+           "hole_2: on surface hole_2 from 0 s: 3 rows of pressure.csv, to 500e-6 s",
+           "rock: translation x z, rotation y",
+           "to 500e-6 s, 500 history rows, 20 snapshots",
+           "at most 20e-9 m of travel in a step; largest 10e-9 s",
+       })
+    EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+}
+
+}  // namespace
+}  // namespace sazare::cases

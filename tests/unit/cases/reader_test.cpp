@@ -1,0 +1,109 @@
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "case_folder.hpp"
+#include "sazare/core/error.hpp"
+
+namespace sazare::cases {
+namespace {
+
+TEST(Reader, TakesDefaultsFromTheSchema) {
+  const CaseFolder folder;
+  const BlocksCase blocks = folder.read(smallest_case()).blocks;
+  EXPECT_EQ(blocks.title, "Small");
+  EXPECT_EQ(blocks.mesh.scale, 1);
+  EXPECT_EQ(blocks.materials.at(0).density, 2700);
+  EXPECT_TRUE(blocks.joints.at(0).bonded);
+  EXPECT_EQ(blocks.joints.at(0).normal_damping, 0);
+  EXPECT_EQ(blocks.contact.damping_cap, DampingCap::step);
+  EXPECT_EQ(blocks.contact.edge_division, 5);
+  EXPECT_EQ(blocks.gravity.acceleration, Vector3::Zero());
+  EXPECT_EQ(blocks.time.levels, Levels::per_element);
+  EXPECT_EQ(blocks.time.limiter, Limiter::stability);
+  EXPECT_FALSE(blocks.time.base_step);
+  EXPECT_EQ(blocks.time.stability_fraction, 0.25);
+  EXPECT_EQ(blocks.time.travel_length, 1e-8);
+  EXPECT_EQ(blocks.time.neighbor_levels, 2);
+  EXPECT_FALSE(blocks.time.strict);
+  EXPECT_EQ(blocks.output.checkpoint_interval, 60);
+}
+
+TEST(Reader, TakesEveryKeyThatIsGiven) {
+  const CaseFolder folder;
+  const BlocksCase blocks = folder.read(full_case()).blocks;
+  EXPECT_EQ(blocks.title, "Full \"quoted\" 発破");
+  EXPECT_EQ(blocks.mesh.file, folder.path() / "block.geo");
+  EXPECT_TRUE(blocks.mesh.is_geometry());
+  const std::vector<std::pair<std::string, Real>> parameters{{"depth", 3}, {"edge length", 0.1}};
+  EXPECT_EQ(blocks.mesh.parameters, parameters);
+  EXPECT_EQ(blocks.materials.at(0).regions, (std::vector<std::string>{"rock", "roof"}));
+  EXPECT_NEAR(blocks.joints.at(0).friction_coefficient, 1 / std::numbers::sqrt3, 1e-15);
+  EXPECT_EQ(blocks.joints.at(1).between, (std::array<std::string, 2>{"rock", "clay"}));
+  EXPECT_TRUE(blocks.joints.at(2).on_surface());
+  EXPECT_FALSE(blocks.joints.at(2).bonded);
+  EXPECT_EQ(blocks.contact.damping_cap, DampingCap::critical);
+  EXPECT_EQ(blocks.blasts.at(0).name, "hole 1");
+  EXPECT_EQ(blocks.blasts.at(0).cut_distance, 0.005);
+  EXPECT_EQ(std::get<PressurePulse>(blocks.blasts.at(0).pressure).decay_ratio, 2.75);
+  EXPECT_EQ(blocks.gravity.acceleration, Vector3(0, 0.1, -9.81));
+  EXPECT_EQ(blocks.boundaries.at(1).kind, BoundaryKind::frictionless);
+  EXPECT_EQ(blocks.constraints.at(0).translation, (std::array<bool, 3>{true, false, true}));
+  EXPECT_EQ(blocks.constraints.at(0).rotation, (std::array<bool, 3>{false, true, false}));
+  EXPECT_EQ(blocks.initial_velocities.at(0).velocity, Vector3(0.1, 0, -1e-3));
+  EXPECT_EQ(blocks.gauges.at(0).point, Vector3(0.3, 0.6, 0.1));
+  EXPECT_EQ(blocks.time.limiter, Limiter::travel);
+  EXPECT_EQ(blocks.time.base_step, 1e-8);
+  EXPECT_TRUE(blocks.time.strict);
+}
+
+TEST(Reader, ReadsThePressureTable) {
+  const CaseFolder folder;
+  const Blast blast = folder.read(full_case()).blocks.blasts.at(1);
+  EXPECT_EQ(blast.name, "hole_2");
+  EXPECT_TRUE(std::isinf(blast.cut_distance));
+  const auto& table = std::get<PressureTable>(blast.pressure);
+  EXPECT_EQ(table.time, (std::vector<Real>{0, 1.33e-4, 5e-4}));
+  EXPECT_EQ(table.pressure, (std::vector<Real>{0, 5.75e8, 0}));
+}
+
+TEST(Reader, ReadsFilesWithWindowsLineEnds) {
+  const CaseFolder folder;
+  std::string text;
+  for (char c : smallest_case()) text += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  EXPECT_EQ(folder.read(text).blocks.title, "Small");
+}
+
+TEST(Reader, SaysWhenTheCaseFileIsNotThere) {
+  const CaseFolder folder;
+  EXPECT_THROW(read_case(folder.path() / "none.toml"), UserError);
+  EXPECT_THROW(read_case(folder.path()), UserError);
+}
+
+TEST(Reader, AcceptsTheLargestStrengthItSuggests) {
+  const CaseFolder folder;
+  const std::string message = folder.refusal(smallest_case(), {"joints.0.tensile_strength=2e7"});
+  EXPECT_NE(message.find("9.471e6 Pa"), std::string::npos) << message;
+  EXPECT_NE(message.find("444.5 N/m"), std::string::npos) << message;
+  EXPECT_NO_THROW(folder.read(smallest_case(), {"joints.0.tensile_strength=9.471e6"}));
+  EXPECT_NO_THROW(
+      folder.read(smallest_case(), {"joints.0.tensile_strength=2e7", "joints.0.fracture_energy=444.5"}));
+}
+
+TEST(Reader, KeepsPlacesForWhatTheEngineFindsOut) {
+  const CaseFolder folder;
+  const CaseFile file = folder.read(full_case());
+  const std::string text = warning(file, "gauges.0.point", "the gauge is outside", "move it");
+  EXPECT_NE(text.find("case.toml:91:9: warning: the gauge is outside"), std::string::npos) << text;
+  try {
+    refuse(file, "time.no_such_key", "bad", "help");
+  } catch (const UserError& failure) {
+    EXPECT_NE(std::string(failure.what()).find("| [time]"), std::string::npos) << failure.what();
+  }
+  EXPECT_THROW(refuse(file, "nothing.at.all", "bad", "help"), UserError);
+  EXPECT_THROW(refuse(file, "gauges.7.point", "bad", "help"), UserError);
+}
+
+}  // namespace
+}  // namespace sazare::cases

@@ -1,0 +1,62 @@
+#include "sazare/cases/resolved.hpp"
+
+#include <gtest/gtest.h>
+
+#include "case_folder.hpp"
+#include "sazare/cases/schema.hpp"
+
+namespace sazare::cases {
+namespace {
+
+/// Every number of a case is written in as many digits as it needs, so equal texts mean equal cases.
+void expect_round_trip(const CaseFolder& folder, const std::string& text) {
+  const BlocksCase first = folder.read(text).blocks;
+  const std::string resolved = write_resolved(first);
+  const BlocksCase second = folder.read(resolved).blocks;
+  EXPECT_EQ(write_resolved(second), resolved);
+  EXPECT_EQ(second.title, first.title);
+  EXPECT_EQ(second.mesh.file, first.mesh.file);
+  EXPECT_EQ(second.mesh.parameters, first.mesh.parameters);
+  ASSERT_EQ(second.joints.size(), first.joints.size());
+  for (std::size_t i = 0; i < first.joints.size(); ++i)
+    EXPECT_EQ(second.joints[i].friction_coefficient, first.joints[i].friction_coefficient);
+  EXPECT_EQ(second.time.history_interval, first.time.history_interval);
+  EXPECT_EQ(second.time.snapshot_interval, first.time.snapshot_interval);
+  EXPECT_EQ(second.time.base_step, first.time.base_step);
+}
+
+TEST(Resolved, ReadsBackToTheSameCase) {
+  const CaseFolder folder;
+  expect_round_trip(folder, smallest_case());
+  expect_round_trip(folder, full_case());
+  expect_round_trip(folder, replaced(smallest_case(), "end = 5e-4", "end = 0.0007300000000000001"));
+}
+
+TEST(Resolved, NamesFilesRelativeToItsFolder) {
+  const CaseFolder folder;
+  const BlocksCase blocks = folder.read(full_case()).blocks;
+  const std::string text = write_resolved(blocks, folder.path() / "results");
+  EXPECT_NE(text.find("file = \"../block.geo\""), std::string::npos) << text;
+  EXPECT_NE(text.find("table = \"../pressure.csv\""), std::string::npos);
+}
+
+TEST(Resolved, HoldsEveryKey) {
+  const CaseFolder folder;
+  const std::string text = "\n" + write_resolved(folder.read(full_case()).blocks);
+  for (const Table& table : blocks_schema()) {
+    for (const Key& key : table.keys) {
+      if (key.name == "friction_angle") continue;  // written as friction_coefficient
+      EXPECT_NE(text.find("\n" + std::string(key.name) + " = "), std::string::npos)
+          << table.name << "." << key.name;
+    }
+  }
+}
+
+TEST(Resolved, ShowsUnits) {
+  const CaseFolder folder;
+  const std::string text = write_resolved(folder.read(smallest_case()).blocks);
+  EXPECT_NE(text.find("density = 2700.0  # kg/m3\n"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace sazare::cases

@@ -1,0 +1,85 @@
+#include "sazare/cases/schema.hpp"
+
+#include <cstdlib>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "case_folder.hpp"
+#include "sazare/cases/fields.hpp"
+#include "sazare/cases/units.hpp"
+
+namespace sazare::cases {
+namespace {
+
+TEST(Schema, DescribesEveryKey) {
+  for (const Table& table : blocks_schema()) {
+    EXPECT_FALSE(table.sentence.empty()) << table.name;
+    std::set<std::string_view> names;
+    for (const Key& key : table.keys) {
+      SCOPED_TRACE(std::string(table.name) + "." + std::string(key.name));
+      EXPECT_TRUE(names.insert(key.name).second) << "given twice";
+      EXPECT_TRUE(key.sentence.ends_with(".")) << key.sentence;
+      EXPECT_EQ(key.type == Type::choice, !key.choices.empty());
+      if (!key.unit.empty()) {
+        EXPECT_TRUE(is_unit(key.unit)) << key.unit;
+      }
+      if (key.need == Need::required) {
+        EXPECT_TRUE(key.default_text.empty());
+      }
+      const bool says_when = key.need == Need::required || !key.default_text.empty() || !key.note.empty();
+      EXPECT_TRUE(says_when) << "neither required, nor with a default, nor with a note";
+    }
+  }
+}
+
+template <class Enum>
+void expect_same_words(std::string_view table, std::string_view key) {
+  const Key* found = find_key(*find_table(blocks_schema(), table), key);
+  ASSERT_NE(found, nullptr);
+  EXPECT_TRUE(std::ranges::equal(found->choices, EnumWords<Enum>::words)) << table << "." << key;
+}
+
+TEST(Schema, ChoicesAreInTheOrderOfTheEnums) {
+  expect_same_words<DampingCap>("contact", "damping_cap");
+  expect_same_words<Levels>("time", "levels");
+  expect_same_words<Limiter>("time", "limiter");
+  expect_same_words<BoundaryKind>("boundaries", "kind");
+}
+
+TEST(Schema, JsonIsValidAndClosed) {
+  const auto json = nlohmann::json::parse(schema_json());
+  EXPECT_EQ(json["additionalProperties"], false);
+  EXPECT_EQ(json["properties"].size(), blocks_schema().size());
+  const auto& joints = json["properties"]["joints"];
+  EXPECT_EQ(joints["type"], "array");
+  EXPECT_EQ(joints["minItems"], 1);
+  EXPECT_EQ(joints["items"]["properties"]["normal_stiffness"]["exclusiveMinimum"], 0);
+  EXPECT_EQ(json["properties"]["contact"]["properties"]["edge_division"]["maximum"], 20);
+  EXPECT_EQ(json["properties"]["time"]["required"], nlohmann::json::array({"end"}));
+  EXPECT_EQ(json["properties"]["time"]["properties"]["limiter"]["enum"],
+            nlohmann::json::array({"stability", "travel", "none"}));
+}
+
+TEST(Schema, MarkdownHasARowForEveryKey) {
+  const std::string text = schema_markdown();
+  for (const Table& table : blocks_schema())
+    for (const Key& key : table.keys)
+      EXPECT_NE(text.find("| `" + std::string(key.name) + "` |"), std::string::npos)
+          << table.name << "." << key.name;
+}
+
+/// SAZARE_WRITE_REFERENCE=1 in the environment writes the page anew.
+TEST(Schema, ReferencePageIsUpToDate) {
+  const char* const page = "docs/reference/case.md";
+  if (std::getenv("SAZARE_WRITE_REFERENCE") != nullptr) std::ofstream(page) << schema_markdown();
+  std::ostringstream text;
+  text << std::ifstream(page).rdbuf();
+  EXPECT_EQ(text.str(), schema_markdown());
+}
+
+}  // namespace
+}  // namespace sazare::cases
