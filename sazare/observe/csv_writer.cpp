@@ -34,6 +34,10 @@ void append(std::string& line, const std::string& text) {
 void append(std::string& line, Real value) { fmt::format_to(std::back_inserter(line), "{}", value); }
 void append(std::string& line, std::int64_t value) { fmt::format_to(std::back_inserter(line), "{}", value); }
 
+void append(std::string& line, const CsvField& field) {
+  std::visit([&](const auto& value) { append(line, value); }, field);
+}
+
 template <class Fields>
 void append_row(std::string& text, const Fields& fields) {
   bool first = true;
@@ -43,10 +47,6 @@ void append_row(std::string& text, const Fields& fields) {
     append(text, field);
   }
   text += '\n';
-}
-
-void append(std::string& line, const CsvField& field) {
-  std::visit([&](const auto& value) { append(line, value); }, field);
 }
 
 /// The length of the header and the first `rows` rows; npos when there are fewer.

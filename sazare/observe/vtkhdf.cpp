@@ -83,7 +83,9 @@ std::string SnapshotSeries::file_name(std::size_t index) const {
   return fmt::format("{}_{:05}.vtkhdf", name_, index);
 }
 
-fs::path SnapshotSeries::series_file() const { return folder_ / (name_ + ".vtkhdf.series"); }
+fs::path SnapshotSeries::series_file(const std::string& ending) const {
+  return folder_ / fmt::format("{}.{}.series", name_, ending);
+}
 
 void SnapshotSeries::write(const Grid& grid) {
   write_vtkhdf(folder_ / file_name(times_.size()), grid);
@@ -97,17 +99,15 @@ void SnapshotSeries::write_series() const {
   for (std::size_t i = 0; i < times_.size(); ++i) {
     series["files"].push_back({{"name", file_name(i)}, {"time", times_[i]}});
   }
-  write_file(series_file(), series.dump(1) + "\n");
+  for (const std::string ending : {"vtkhdf", "hdf"}) write_file(series_file(ending), series.dump(1) + "\n");
 }
 
 void SnapshotSeries::resume(std::size_t count) {
   std::vector<Real> times;
   try {
-    std::ifstream stream(series_file());
-    if (stream) {
-      for (const auto& entry : nlohmann::json::parse(stream).at("files"))
-        times.push_back(entry.at("time").get<Real>());
-    }
+    std::ifstream stream(series_file("vtkhdf"));
+    const nlohmann::json series = stream ? nlohmann::json::parse(stream) : nlohmann::json{{"files", {}}};
+    for (const auto& entry : series.at("files")) times.push_back(entry.at("time").get<Real>());
   } catch (const nlohmann::json::exception&) {
     times.clear();
   }
@@ -115,7 +115,7 @@ void SnapshotSeries::resume(std::size_t count) {
     throw UserError(
         fmt::format("{}: should list {} snapshots at least, of the run to be resumed, and lists {}. Start "
                     "the run again without --resume",
-                    series_file().string(), count, times.size()));
+                    series_file("vtkhdf").string(), count, times.size()));
   }
   const std::size_t found = times.size();
   times.resize(count);

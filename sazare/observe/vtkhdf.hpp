@@ -37,8 +37,9 @@ struct Grid {
 void write_vtkhdf(const std::filesystem::path& file, const Grid& grid);
 
 /// Snapshots of one grid over time: `<name>_00000.vtkhdf`, `<name>_00001.vtkhdf` ... and
-/// `<name>.vtkhdf.series`, the list with the times that ParaView opens as one. The list is renewed after each
-/// snapshot.
+/// `<name>.vtkhdf.series`, the list with the times that ParaView opens as one. ParaView 5.11 knows the reader
+/// by the ending .hdf only, so the same list stands in `<name>.hdf.series` too. The lists are renewed after
+/// each snapshot.
 class SnapshotSeries {
 public:
   /// Makes the folder. Nothing is written yet.
@@ -55,7 +56,7 @@ public:
 
 private:
   std::string file_name(std::size_t index) const;
-  std::filesystem::path series_file() const;
+  std::filesystem::path series_file(const std::string& ending) const;
   void write_series() const;
 
   std::filesystem::path folder_;

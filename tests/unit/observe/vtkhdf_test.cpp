@@ -1,0 +1,147 @@
+#include "sazare/observe/vtkhdf.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "sazare/core/error.hpp"
+#include "sazare/observe/hdf5_file.hpp"
+#include "support.hpp"
+
+namespace sazare::observe {
+namespace {
+
+using test::SmallDisk;
+using test::TemporaryFolder;
+using test::words_of;
+using Names = std::vector<std::string>;
+
+const std::vector<Vector3> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+const std::vector<std::int32_t> tetrahedra = {0, 1, 2, 3, 1, 2, 3, 4};
+const std::vector<std::int32_t> levels = {3, 5};
+const std::vector<Real> velocities = {1, 2, 3, 4, 5, 6};
+
+Grid grid_at(Real time) {
+  return {Grid::Cell::tetrahedron,
+          points,
+          tetrahedra,
+          {{"level", 1, std::span<const std::int32_t>(levels)},
+           {"velocity", 3, std::span<const Real>(velocities)}},
+          time};
+}
+
+nlohmann::json list_of(const std::filesystem::path& file) {
+  return nlohmann::json::parse(test::read_text(file));
+}
+
+TEST(vtkhdf, says_what_it_is) {
+  const TemporaryFolder folder;
+  write_vtkhdf(folder.path() / "a.vtkhdf", grid_at(0.5));
+  const Hdf5Reader reader(folder.path() / "a.vtkhdf");
+  EXPECT_EQ(reader.read_attribute("/VTKHDF", "Version"), (std::vector<std::int64_t>{1, 0}));
+  EXPECT_EQ(reader.read_text_attribute("/VTKHDF", "Type"), "UnstructuredGrid");
+  for (const char* name :
+       {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds", "Points", "Connectivity", "Offsets",
+        "Types", "CellData/level", "CellData/velocity", "FieldData/time"}) {
+    EXPECT_TRUE(reader.has(std::string("/VTKHDF/") + name)) << name;
+  }
+  EXPECT_EQ(folder.files(), Names{"a.vtkhdf"});
+}
+
+TEST(vtkhdf, data_of_another_length_is_a_programming_error) {
+  const TemporaryFolder folder;
+  Grid grid = grid_at(0);
+  grid.cell_data[0].components = 3;
+  EXPECT_THROW(write_vtkhdf(folder.path() / "a.vtkhdf", grid), std::invalid_argument);
+  EXPECT_EQ(folder.files(), Names{});
+}
+
+TEST(vtkhdf, full_disk_leaves_nothing) {
+  const TemporaryFolder folder;
+  for (const std::size_t limit : {0, 100, 1000, 3000}) {
+    const SmallDisk small(limit);
+    EXPECT_WORDS(words_of<MachineError>([&] { write_vtkhdf(folder.path() / "a.vtkhdf", grid_at(0)); }),
+                 "a.vtkhdf: cannot be written: File too large");
+    EXPECT_EQ(folder.files(), Names{});
+  }
+}
+
+TEST(vtkhdf, full_device_leaves_nothing) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("/dev/full", folder.path() / ".a.vtkhdf.part");
+  EXPECT_WORDS(words_of<MachineError>([&] { write_vtkhdf(folder.path() / "a.vtkhdf", grid_at(0)); }),
+               "a.vtkhdf: cannot be written");
+  EXPECT_EQ(folder.files(), Names{});
+}
+
+TEST(vtkhdf, series_lists_the_snapshots_with_their_times) {
+  const TemporaryFolder folder;
+  SnapshotSeries series(folder.path() / "snapshots", "elements");
+  for (const Real time : {0.0, 2.5e-5, 5e-5}) {
+    series.write(grid_at(time));
+    const auto list = list_of(folder.path() / "snapshots" / "elements.vtkhdf.series");
+    ASSERT_EQ(list.at("files").size(), series.size());
+    EXPECT_EQ(list.at("files").back().at("time").get<Real>(), time);
+  }
+  const auto list = list_of(folder.path() / "snapshots" / "elements.vtkhdf.series");
+  EXPECT_EQ(list.at("file-series-version"), "1.0");
+  EXPECT_EQ(list.at("files")[2].at("name"), "elements_00002.vtkhdf");
+  for (const auto& entry : list.at("files")) {
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "snapshots" / entry.at("name").get<std::string>()));
+  }
+  EXPECT_EQ(list, list_of(folder.path() / "snapshots" / "elements.hdf.series"));
+}
+
+TEST(vtkhdf, resumed_series_equals_an_uninterrupted_one) {
+  const TemporaryFolder folder;
+  const auto write = [](SnapshotSeries& series, int from, int to) {
+    for (int i = from; i < to; ++i) series.write(grid_at(i * 0.1));
+  };
+  SnapshotSeries whole(folder.path() / "whole", "elements");
+  write(whole, 0, 6);
+  SnapshotSeries interrupted(folder.path() / "resumed", "elements");
+  write(interrupted, 0, 5);
+  write_vtkhdf(folder.path() / "resumed" / "elements_00005.vtkhdf",
+               grid_at(9));  // stopped before it was listed
+
+  SnapshotSeries resumed(folder.path() / "resumed", "elements");
+  resumed.resume(2);
+  EXPECT_EQ(resumed.size(), 2u);
+  for (int i = 2; i < 6; ++i) {
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "resumed" /
+                                         ("elements_0000" + std::to_string(i) + ".vtkhdf")));
+  }
+  write(resumed, 2, 6);
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "whole")) {
+    EXPECT_EQ(test::read_text(entry.path()),
+              test::read_text(folder.path() / "resumed" / entry.path().filename()))
+        << entry.path();
+  }
+}
+
+TEST(vtkhdf, resume_refuses_a_list_that_is_missing_short_or_damaged) {
+  const TemporaryFolder folder;
+  SnapshotSeries series(folder.path(), "elements");
+  const auto words = [&](std::size_t count) { return words_of<UserError>([&] { series.resume(count); }); };
+  EXPECT_WORDS(
+      words(1),
+      "elements.vtkhdf.series: should list 1 snapshots at least, of the run to be resumed, and lists 0");
+  series.write(grid_at(0));
+  EXPECT_WORDS(words(2), "lists 1");
+  test::write_text(folder.path() / "elements.vtkhdf.series", "{\"files\": [{\"na");
+  EXPECT_WORDS(words(1), "lists 0");
+  test::write_text(folder.path() / "elements.vtkhdf.series", "{\"files\": [{\"name\": 3}]}");
+  EXPECT_WORDS(words(1), "lists 0");
+}
+
+TEST(vtkhdf, folder_that_cannot_be_made) {
+  const TemporaryFolder folder;
+  test::write_text(folder.path() / "file", "");
+  EXPECT_WORDS(words_of<MachineError>([&] { SnapshotSeries(folder.path() / "file" / "snapshots", "a"); }),
+               "cannot be written");
+}
+
+}  // namespace
+}  // namespace sazare::observe
