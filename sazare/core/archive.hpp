@@ -44,7 +44,7 @@ class Archive {
   template <class Fill>
   void folder(const std::string& folder, Fill&& fill) {
     const std::string outer = prefix_;
-    prefix_ += folder + "/";
+    prefix_ += folder + ".";
     fill();
     prefix_ = outer;
   }

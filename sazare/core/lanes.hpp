@@ -10,7 +10,7 @@
 namespace sazare {
 
 using Lanes = Real __attribute__((vector_size(32)));
-using LaneMask = long long __attribute__((vector_size(32)));
+using LaneMask = decltype(Lanes{} > Lanes{});
 
 inline Lanes select(LaneMask mask, Lanes yes, Lanes no) { return mask ? yes : no; }
 inline Real select(bool condition, Real yes, Real no) { return condition ? yes : no; }

@@ -1,0 +1,220 @@
+#include "sazare/engine/level_keeper.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "sazare/motion/kick.hpp"
+
+namespace sazare::engine {
+
+namespace {
+std::size_t at(Index index) { return static_cast<std::size_t>(index); }
+}  // namespace
+
+template <int D>
+LevelKeeper<D>::LevelKeeper(const StepRules& rules, const TermList<D>& terms, const state::Bodies<D>& bodies)
+    : rules_(rules), clocks_(terms.size()), links_(at(bodies.size())), by_rates_(at(bodies.size())),
+      asked_(at(bodies.size()), -1), terms_(&terms) {
+  for (Index body = 0; body < bodies.size(); ++body) {
+    by_rates_[at(body)] = static_cast<std::int8_t>(wanted_by_rates(body));
+    bodies_.insert(body, 0);
+  }
+  for (std::size_t term = 0; term < terms.size(); ++term)
+    for (const Index link : terms[term]->first_links()) join(term, link, 0);
+}
+
+template <int D>
+int LevelKeeper<D>::wanted_by_rates(Index body) const {
+  if (!rules_.stability) return 0;
+  terms::Rates sum;
+  for (const auto& term : *terms_) sum += term->rates(body);
+  return schedule::level_for(rules_.stability_fraction * stable_step(sum), rules_.base_step);
+}
+
+template <int D>
+const Link& LevelKeeper<D>::bodies_of(const LinkOf& link) const {
+  return (*terms_)[at(link.term)]->links()[at(link.link)];
+}
+
+template <int D>
+int LevelKeeper<D>::link_level(const Link& link) const {
+  const int first = bodies_.level(link.first);
+  return link.second == Link::outside ? first : std::max(first, bodies_.level(link.second));
+}
+
+template <int D>
+void LevelKeeper<D>::join(std::size_t term, Index link, Tick now) {
+  const Link& bodies = (*terms_)[term]->links()[at(link)];
+  clocks_[term].add(link, link_level(bodies), now);
+  for (const Index body : {bodies.first, bodies.second})
+    if (body != Link::outside) links_[at(body)].push_back({static_cast<Index>(term), link});
+}
+
+template <int D>
+void LevelKeeper<D>::part(std::size_t term, Index link) {
+  const Link& bodies = (*terms_)[term]->links()[at(link)];
+  clocks_[term].remove(link);
+  for (const Index body : {bodies.first, bodies.second})
+    if (body != Link::outside)
+      std::erase_if(links_[at(body)], [&](const LinkOf& of) { return at(of.term) == term && of.link == link; });
+}
+
+template <int D>
+void LevelKeeper<D>::set_level(Index body, int level) {
+  if (bodies_.level(body) == level) return;
+  bodies_.move(body, level);
+  for (const LinkOf& of : links_[at(body)]) clocks_[at(of.term)].set_level(of.link, link_level(bodies_of(of)));
+}
+
+template <int D>
+void LevelKeeper<D>::ask(Index body, int level) {
+  if (level <= bodies_.level(body)) return;
+  auto& asked = asked_[at(body)];
+  if (asked < 0) asking_.push_back(body);
+  asked = std::max(asked, static_cast<std::int8_t>(level));
+}
+
+/// Whoever is linked to a body of this level may be coarser by `neighbor_levels` at most.
+template <int D>
+void LevelKeeper<D>::ask_neighbors(Index body) {
+  const int least = bodies_.level(body) - rules_.neighbor_levels;
+  if (least <= 0) return;
+  for (const LinkOf& of : links_[at(body)]) {
+    const Link& link = bodies_of(of);
+    if (link.second != Link::outside) ask(link.first == body ? link.second : link.first, least);
+  }
+}
+
+/// Raises levels until linked bodies differ by `neighbor_levels` at most: from the finest level downwards, each body once
+/// per level.
+template <int D>
+void LevelKeeper<D>::spread(std::vector<std::int8_t>& wanted) const {
+  std::array<std::vector<Index>, schedule::level_count> at_level;
+  for (Index body = 0; body < static_cast<Index>(wanted.size()); ++body)
+    if (wanted[at(body)] > rules_.neighbor_levels) at_level[static_cast<std::size_t>(wanted[at(body)])].push_back(body);
+  for (int level = schedule::deepest_level; level > rules_.neighbor_levels; --level)
+    for (const Index body : at_level[static_cast<std::size_t>(level)]) {
+      if (wanted[at(body)] != level) continue;
+      const int least = level - rules_.neighbor_levels;
+      for (const LinkOf& of : links_[at(body)]) {
+        const Link& link = bodies_of(of);
+        if (link.second == Link::outside) continue;
+        const Index other = link.first == body ? link.second : link.first;
+        if (wanted[at(other)] >= least) continue;
+        wanted[at(other)] = static_cast<std::int8_t>(least);
+        at_level[static_cast<std::size_t>(least)].push_back(other);
+      }
+    }
+}
+
+template <int D>
+void LevelKeeper<D>::relevel(const state::Bodies<D>& bodies) {
+  for (const Index body : asking_) asked_[at(body)] = -1;
+  asking_.clear();
+  bodies_.sort();
+  for (auto& clock : clocks_) clock.sort();
+  const bool travels = rules_.travel_length < std::numeric_limits<Real>::infinity();
+  if (!stale_ && !travels) return;
+  std::vector<std::int8_t> wanted = by_rates_;
+  if (travels)
+    for (Index body = 0; body < bodies.size(); ++body) {
+      const Real step = travel_step(bodies.motion[at(body)].velocity.norm(), rules_.travel_length);
+      wanted[at(body)] = std::max(wanted[at(body)], static_cast<std::int8_t>(schedule::level_for(step, rules_.base_step)));
+    }
+  if (rules_.uniform)
+    std::fill(wanted.begin(), wanted.end(), wanted.empty() ? std::int8_t{0} : *std::max_element(wanted.begin(), wanted.end()));
+  else
+    spread(wanted);
+  for (Index body = 0; body < bodies.size(); ++body) set_level(body, wanted[at(body)]);
+  stale_ = false;
+}
+
+template <int D>
+void LevelKeeper<D>::wake(const Moment& now, state::Bodies<D>& bodies) {
+  if (asking_.empty()) return;
+  if (rules_.uniform) {
+    const int level = *std::max_element(asked_.begin(), asked_.end());
+    for (Index body = 0; body < bodies.size(); ++body) ask(body, level);
+  }
+  stale_ = true;
+  for (std::size_t next = 0; next < asking_.size(); ++next) {  // grows while it is walked
+    const Index body = asking_[next];
+    int level = std::exchange(asked_[at(body)], std::int8_t{-1});
+    auto& motion = bodies.motion[at(body)];
+    if (motion.due != now.tick) motion::drift_back(motion, bodies.inertia[at(body)], now);
+    while (!schedule::due_at(level, now.tick)) ++level;  // the coarsest in phase
+    if (level > bodies_.level(body)) set_level(body, level);
+    ask_neighbors(body);
+  }
+  asking_.clear();
+}
+
+template <int D>
+int LevelKeeper<D>::level_for_speed(Index body, Real speed) const {
+  int level = bodies_.level(body);
+  const Real longest = travel_step(speed, rules_.travel_length);
+  while (level < schedule::deepest_level && step(level) > longest) ++level;
+  return level;
+}
+
+template <int D>
+void LevelKeeper<D>::refined(Index body, int level) {
+  set_level(body, level);
+  stale_ = true;
+  if (rules_.uniform) {
+    for (Index other = 0; other < static_cast<Index>(asked_.size()); ++other) ask(other, level);
+    return;
+  }
+  ask_neighbors(body);
+}
+
+template <int D>
+void LevelKeeper<D>::apply(std::size_t term, const terms::Changes& changes, Tick now) {
+  for (const Index link : changes.ended_links) part(term, link);
+  for (const Index link : changes.new_links) {
+    join(term, link, now);
+    const Link& bodies = (*terms_)[term]->links()[at(link)];
+    if (bodies.second == Link::outside) continue;
+    ask(bodies.first, bodies_.level(bodies.second) - rules_.neighbor_levels);
+    ask(bodies.second, bodies_.level(bodies.first) - rules_.neighbor_levels);
+  }
+  for (const Index body : changes.softer) by_rates_[at(body)] = static_cast<std::int8_t>(wanted_by_rates(body));
+  for (const Index body : changes.stiffer) {
+    by_rates_[at(body)] = static_cast<std::int8_t>(wanted_by_rates(body));
+    ask(body, by_rates_[at(body)]);
+  }
+  for (const Index body : changes.struck) ask(body, bodies_.level(body) + 1);
+  stale_ = stale_ || !changes.softer.empty() || !changes.stiffer.empty() || !changes.new_links.empty();
+}
+
+template <int D>
+void LevelKeeper<D>::columns(Archive& archive) {
+  std::vector<std::int8_t> levels = bodies_.levels();
+  archive("level", levels);
+  archive("by_rates", by_rates_);
+  archive("asked", asked_);
+  archive("asking", asking_);
+  std::int8_t stale = stale_;
+  archive("stale", stale);
+  for (std::size_t term = 0; term < clocks_.size(); ++term)
+    archive.folder(std::string((*terms_)[term]->name()), [&] { clocks_[term].columns(archive); });
+  if (!archive.reading()) return;
+  stale_ = stale != 0;
+  bodies_.assign(std::move(levels));
+  for (auto& list : links_) list.clear();
+  for (std::size_t term = 0; term < clocks_.size(); ++term) {
+    const auto links = (*terms_)[term]->links();
+    for (Index link = 0; link < static_cast<Index>(links.size()); ++link)
+      if (clocks_[term].holds(link))
+        for (const Index body : {links[at(link)].first, links[at(link)].second})
+          if (body != Link::outside) links_[at(body)].push_back({static_cast<Index>(term), link});
+  }
+}
+
+template class LevelKeeper<2>;
+template class LevelKeeper<3>;
+
+}  // namespace sazare::engine

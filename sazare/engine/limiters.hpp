@@ -1,0 +1,39 @@
+#pragma once
+
+/// What bounds the step of one body: small functions, each from what it limits to seconds.
+
+#include <cmath>
+#include <limits>
+
+#include "sazare/core/vector.hpp"
+#include "sazare/terms/term.hpp"
+
+namespace sazare::engine {
+
+/// How steps are chosen.
+struct StepRules {
+  Real base_step = 0;           ///< level 0 [s]
+  bool uniform = false;         ///< all bodies take the finest level that any asks for
+  bool stability = true;        ///< limit by each body's own springs and dashpots
+  Real stability_fraction = 0.25;  ///< of the limit with the neighbours held
+  Real travel_length = std::numeric_limits<Real>::infinity();  ///< largest travel in a step [m]
+  int neighbor_levels = 2;      ///< largest difference of level between linked bodies
+};
+
+/// Largest stable step [s] of a body with its neighbours held, by leapfrog with the dashpot's velocity half a step old: the
+/// positive root of
+///
+///     w^2 h^2 + 2 c h = 4        w^2, c  largest eigenvalues of M^-1 K [1/s2] and M^-1 C [1/s]
+///
+/// so 2/w without dashpots and 2/c without springs.
+inline Real stable_step(const terms::Rates& rates) {
+  if (rates.stiffness <= 0 && rates.damping <= 0) return std::numeric_limits<Real>::infinity();
+  return 4 / (rates.damping + std::sqrt(rates.damping * rates.damping + 4 * rates.stiffness));
+}
+
+/// Largest step [s] in which a body travels no farther than the rule's length. [Konno2018], 3.1.
+inline Real travel_step(Real speed, Real travel_length) {
+  return speed > 0 ? travel_length / speed : std::numeric_limits<Real>::infinity();
+}
+
+}  // namespace sazare::engine

@@ -1,0 +1,220 @@
+#include "sazare/engine/simulation.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "sazare/motion/kick.hpp"
+#include "sazare/parallel/threads.hpp"
+
+namespace sazare::engine {
+
+namespace {
+
+constexpr std::size_t chunk_size = 64;      // its sums stay in the first-level cache
+constexpr std::size_t serial_below = 128;   // a kick takes some 50 ns, waking a thread some microseconds
+
+std::size_t at(Index index) { return static_cast<std::size_t>(index); }
+
+std::int64_t clock_now() { return std::chrono::steady_clock::now().time_since_epoch().count(); }
+
+}  // namespace
+
+template <int D>
+Simulation<D>::Simulation(state::Bodies<D> bodies, TermList<D> terms, const StepRules& rules)
+    : bodies_(std::move(bodies)), terms_(std::move(terms)), levels_(rules, terms_, bodies_), due_links_(terms_.size()) {
+  now_.tick_seconds = rules.base_step / static_cast<Real>(schedule::base_stride);
+  for (const auto& term : terms_) times_.push_back({std::string(term->name()), 0});
+  times_.push_back({"bodies", 0});
+  times_.push_back({"schedule", 0});
+  for (Index body = 0; body < bodies_.size(); ++body)
+    kinetic_at_start_ += motion::kinetic_energy(bodies_.motion[at(body)], bodies_.inertia[at(body)], bodies_.locks[at(body)],
+                                                bodies_.motion[at(body)].velocity, bodies_.motion[at(body)].angular_momentum);
+}
+
+template <int D>
+void Simulation<D>::add_time(std::size_t part, std::int64_t since) {
+  times_[part].seconds += 1e-9 * static_cast<Real>(clock_now() - since);
+}
+
+template <int D>
+void Simulation<D>::start() {
+  tick();
+}
+
+template <int D>
+void Simulation<D>::advance() {
+  const Tick end = now_.tick + schedule::base_stride;
+  while (now_.tick < end) {
+    now_.tick += schedule::stride(levels_.finest());
+    now_.tick -= now_.tick % schedule::stride(levels_.finest());
+    tick();
+  }
+}
+
+/// The step, as a list: choose levels, find what is due, evaluate, kick and drift, settle what has changed.
+template <int D>
+void Simulation<D>::tick() {
+  const std::int64_t begin = clock_now();
+  const bool base = now_.tick % schedule::base_stride == 0;
+  if (base)
+    levels_.relevel(bodies_);
+  else
+    levels_.wake(now_, bodies_);
+  finest_seen_ = std::max(finest_seen_, levels_.finest());
+  collect_due();
+  add_time(terms_.size() + 1, begin);
+  for (std::size_t term = 0; term < terms_.size(); ++term) {
+    if (due_links_[term].empty()) continue;
+    const std::int64_t before = clock_now();
+    terms_[term]->evaluate(now_, due_links_[term], bodies_);
+    add_time(term, before);
+  }
+  const std::int64_t before = clock_now();
+  kick_all();
+  add_time(terms_.size(), before);
+  settle();
+  ++counters_.ticks;
+  counters_.kicks += static_cast<std::int64_t>(due_bodies_.size());
+}
+
+template <int D>
+void Simulation<D>::collect_due() {
+  due_bodies_.clear();
+  for (int level = schedule::coarsest_due(now_.tick); level <= schedule::deepest_level; ++level)
+    due_bodies_.insert(due_bodies_.end(), levels_.bodies_at(level).begin(), levels_.bodies_at(level).end());
+  std::int64_t all_links = 0;
+  for (std::size_t term = 0; term < terms_.size(); ++term) {
+    auto& due = due_links_[term];
+    due.clear();
+    levels_.clock(term).collect(now_, due);
+    if (!terms_[term]->joins_bodies()) continue;
+    counters_.pair_evaluations += static_cast<std::int64_t>(due.size());
+    all_links += static_cast<std::int64_t>(levels_.clock(term).size());
+  }
+  if (now_.tick % schedule::base_stride == 0) counters_.uniform_evaluations += all_links << levels_.finest();
+}
+
+template <int D>
+void Simulation<D>::kick_all() {
+  stepped_level_.resize(due_bodies_.size());
+  parallel::parallel_for(due_bodies_.size(), serial_below, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t chunk = begin; chunk < end; chunk += chunk_size)
+      kick_chunk(std::span(due_bodies_).subspan(chunk, std::min(chunk_size, end - chunk)));
+  });
+  for (std::size_t i = 0; i < due_bodies_.size(); ++i)
+    if (stepped_level_[i] > levels_.level(due_bodies_[i])) levels_.refined(due_bodies_[i], stepped_level_[i]);
+}
+
+template <int D>
+void Simulation<D>::kick_chunk(std::span<const Index> which) {
+  std::array<state::Impulse<D>, chunk_size> impulses{};
+  std::array<state::MeanMotion<D>, chunk_size> means;
+  std::array<Tick, chunk_size> previous_kick;
+  const std::span sums(impulses.data(), which.size());
+  for (const auto& term : terms_) term->gather(now_, which, bodies_, sums);
+  const bool travels = levels_.rules().travel_length < std::numeric_limits<Real>::infinity();
+  for (std::size_t i = 0; i < which.size(); ++i) {
+    const Index body = which[i];
+    auto& motion = bodies_.motion[at(body)];
+    auto& inertia = bodies_.inertia[at(body)];
+    previous_kick[i] = motion.last_kick;
+    means[i] = motion::kick(motion, inertia, bodies_.locks[at(body)], impulses[i]);
+    int level = levels_.level(body);
+    if (travels) {
+      const Real speed = motion.velocity.norm();
+      level = levels_.level_for_speed(body, speed);
+      motion.wake_impulse = inertia.mass * std::max(levels_.rules().travel_length / levels_.step(level) - speed, Real{0});
+    }
+    stepped_level_[static_cast<std::size_t>(&which[i] - due_bodies_.data())] = static_cast<std::int8_t>(level);
+    motion::drift(motion, inertia, bodies_.locks[at(body)], now_.tick + schedule::stride(level), levels_.step(level));
+  }
+  for (const auto& term : terms_) term->book(which, std::span(previous_kick.data(), which.size()), std::span(means.data(), which.size()));
+}
+
+template <int D>
+void Simulation<D>::settle() {
+  terms::Changes changes;
+  const bool base = now_.tick % schedule::base_stride == 0;
+  for (std::size_t term = 0; term < terms_.size(); ++term) {
+    const std::int64_t before = clock_now();
+    changes.clear();
+    terms_[term]->settle(now_, due_links_[term], bodies_, changes);
+    if (base) terms_[term]->settle_base(now_, bodies_, changes);
+    levels_.apply(term, changes, now_.tick);
+    add_time(term, before);
+  }
+}
+
+template <int D>
+Snapshot<D> Simulation<D>::snapshot() const {
+  const auto count = at(bodies_.size());
+  std::vector<state::Impulse<D>> ahead(count);
+  for (const auto& term : terms_) term->gather_ahead(now_.tick, ahead);
+  Snapshot<D> at_now;
+  for (std::size_t body = 0; body < count; ++body) {
+    const auto& motion = bodies_.motion[body];
+    motion::clear_locked(ahead[body], bodies_.locks[body]);
+    at_now.pose.push_back(state::pose_at(motion, now_));
+    at_now.velocity.push_back(motion.velocity - ahead[body].linear / bodies_.inertia[body].mass);
+    at_now.angular_momentum.push_back(motion.angular_momentum - ahead[body].angular);
+  }
+  return at_now;
+}
+
+template <int D>
+terms::Ledger Simulation<D>::ledger() const {
+  const Snapshot<D> at_now = snapshot();
+  terms::Ledger ledger;
+  std::vector<state::MeanMotion<D>> ahead;
+  Real kinetic = 0;
+  for (std::size_t body = 0; body < at_now.pose.size(); ++body) {
+    state::Motion<D> motion = bodies_.motion[body];
+    motion.rotation = at_now.pose[body].rotation;
+    const auto& inertia = bodies_.inertia[body];
+    const state::Locks locks = bodies_.locks[body];
+    ahead.push_back({0.5 * (motion.velocity + at_now.velocity[body]),
+                     motion::spin_of(motion, inertia, locks, 0.5 * (motion.angular_momentum + at_now.angular_momentum[body]))});
+    kinetic += motion::kinetic_energy(motion, inertia, locks, at_now.velocity[body], at_now.angular_momentum[body]);
+  }
+  ledger[terms::Account::kinetic] = kinetic - kinetic_at_start_;
+  for (const auto& term : terms_) term->add_energies({now_.tick, at_now.pose, ahead}, ledger);
+  return ledger;
+}
+
+template <int D>
+Real Simulation<D>::take_smallest_step() {
+  return levels_.step(std::exchange(finest_seen_, levels_.finest()));
+}
+
+template <int D>
+Index Simulation<D>::find_invalid_body() const {
+  for (Index body = 0; body < bodies_.size(); ++body) {
+    const auto& motion = bodies_.motion[at(body)];
+    const Real sum = motion.position.sum() + motion.velocity.sum() + motion.angular_momentum.sum() + motion.rotation.sum();
+    if (!std::isfinite(sum)) return body;
+  }
+  return -1;
+}
+
+template <int D>
+void Simulation<D>::columns(Archive& archive) {
+  archive("tick", now_.tick);
+  archive("motion", bodies_.motion);
+  archive("inertia", bodies_.inertia);
+  archive("kinetic_at_start", kinetic_at_start_);
+  archive("finest_seen", finest_seen_);
+  archive("ticks", counters_.ticks);
+  archive("kicks", counters_.kicks);
+  archive("pair_evaluations", counters_.pair_evaluations);
+  archive("uniform_evaluations", counters_.uniform_evaluations);
+  for (const auto& term : terms_) archive.folder(std::string(term->name()), [&] { term->columns(archive); });
+  archive.folder("levels", [&] { levels_.columns(archive); });
+}
+
+template class Simulation<2>;
+template class Simulation<3>;
+
+}  // namespace sazare::engine

@@ -1,0 +1,91 @@
+#pragma once
+
+/// Walks the ticks: the only place where a step is written.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sazare/engine/level_keeper.hpp"
+#include "sazare/terms/term.hpp"
+
+namespace sazare::engine {
+
+/// What the run has cost so far.
+struct Counters {
+  std::int64_t ticks = 0;             ///< ticks at which anything was due
+  std::int64_t kicks = 0;             ///< steps of bodies
+  std::int64_t pair_evaluations = 0;  ///< links of two bodies
+  std::int64_t uniform_evaluations = 0;  ///< what they would have been had all bodies stepped with the finest
+};
+
+/// Wall-clock time by part of the step.
+struct PartTime {
+  std::string part;
+  Real seconds = 0;
+};
+
+/// Positions and velocities of all bodies at a base step.
+template <int D>
+struct Snapshot {
+  std::vector<state::Pose<D>> pose;
+  std::vector<Vector<D>> velocity;
+  std::vector<Angular<D>> angular_momentum;
+};
+
+template <int D>
+class Simulation {
+ public:
+  Simulation(state::Bodies<D> bodies, TermList<D> terms, const StepRules& rules);
+
+  /// Evaluates the beginning; call once before the first `advance`, not after a resume.
+  void start();
+
+  /// To the next base step.
+  void advance();
+
+  Moment now() const { return now_; }
+  const state::Bodies<D>& bodies() const { return bodies_; }
+  const LevelKeeper<D>& levels() const { return levels_; }
+  const Counters& counters() const { return counters_; }
+  const std::vector<PartTime>& part_times() const { return times_; }
+
+  /// Positions and velocities at `now()`: the part of the last kicks that acts after it is taken back.
+  Snapshot<D> snapshot() const;
+  terms::Ledger ledger() const;
+
+  /// Smallest step since the last call [s].
+  Real take_smallest_step();
+
+  /// A body whose motion is no number, or -1.
+  Index find_invalid_body() const;
+
+  /// All columns of a checkpoint. After reading, the run goes on as if it had never stopped.
+  void columns(Archive& archive);
+
+ private:
+  void tick();
+  void collect_due();
+  void kick_all();
+  void kick_chunk(std::span<const Index> which);
+  void settle();
+  void add_time(std::size_t part, std::int64_t since);
+
+  state::Bodies<D> bodies_;
+  TermList<D> terms_;
+  LevelKeeper<D> levels_;
+  Moment now_;
+  std::vector<Index> due_bodies_;
+  std::vector<std::vector<Due>> due_links_;  ///< by term
+  std::vector<std::int8_t> stepped_level_;   ///< by place in `due_bodies_`: the level of the coming step
+  Counters counters_;
+  std::vector<PartTime> times_;
+  int finest_seen_ = 0;
+  Real kinetic_at_start_ = 0;
+};
+
+extern template class Simulation<2>;
+extern template class Simulation<3>;
+
+}  // namespace sazare::engine

@@ -1,0 +1,56 @@
+#pragma once
+
+/// Coulomb slip of a bonded joint with cohesion, per unit of area.
+///
+///     t = k_s |d|,  d = u - u_0                   u    tangential relative displacement [m]
+///     |t| <= t_max = max(0, c - mu s)             u_0  slip so far [m], the joint's memory
+///     u_0 += d (1 - t_max / (k_s |d|))  on slip   s    normal stress [Pa], tension positive; c cohesion [Pa]
+///
+/// Slip never breaks a face by itself. [Konno2018], eqs. (1), (2) and fig. 3; the floor of t_max at zero is ours.
+
+#include "sazare/core/lanes.hpp"
+
+namespace sazare::laws {
+
+struct JointShear {
+  Real stiffness = 0;  ///< k_s [Pa/m]
+  Real cohesion = 0;   ///< c [Pa]
+  Real friction = 0;   ///< mu [-]
+};
+
+/// Elastic tangential displacement and the slip behind it, in the two directions of the face.
+template <class T>
+struct Slip {
+  T elastic[2];     ///< u - u_0 [m]
+  T memory[2];      ///< u_0 [m]
+  T dissipation{};  ///< energy per area taken by this slip [J/m2]
+};
+
+/// Shear strength [Pa] under the normal stress (tension positive).
+template <class T>
+T shear_strength(const JointShear& law, T normal_stress) {
+  return maximum(law.cohesion - law.friction * normal_stress, T{} + 0.0);
+}
+
+template <class T>
+bool slips(const JointShear& law, const Slip<T>& at, T strength) {
+  const T squared = at.elastic[0] * at.elastic[0] + at.elastic[1] * at.elastic[1];
+  return any(law.stiffness * law.stiffness * squared > strength * strength);
+}
+
+/// Returns the elastic displacement to the Coulomb line and books the work of the slip at the strength.
+template <class T>
+void slip_back(const JointShear& law, Slip<T>& at, T strength) {
+  const T length = square_root(at.elastic[0] * at.elastic[0] + at.elastic[1] * at.elastic[1]);
+  const T stress = law.stiffness * length;
+  const auto over = stress > strength;
+  const T keep = select(over, strength / select(over, stress, T{} + 1.0), T{} + 1.0);
+  const T slipped = length * (1.0 - keep);
+  at.dissipation = slipped * strength;
+  for (int axis = 0; axis < 2; ++axis) {
+    at.memory[axis] += at.elastic[axis] * (1.0 - keep);
+    at.elastic[axis] *= keep;
+  }
+}
+
+}  // namespace sazare::laws

@@ -1,0 +1,64 @@
+#pragma once
+
+/// Linear softening of a joint in tension, per unit of area.
+///
+///     s = k d                        d <= d_e                 d    opening [m], compression negative
+///     s = s_t (d_u - d)/(d_u - d_e)  d_e < d < d_u            k    normal stiffness [Pa/m]
+///     s = 0, broken                  d >= d_u                 s_t  tensile strength [Pa], d_e = s_t / k
+///
+/// d_u follows from the fracture energy G = s_t d_u / 2 [N/m]. The largest opening so far, `peak` (at least d_e), is
+/// the joint's memory: unloading goes straight to the origin. [Konno2018], 2.1 and fig. 4.
+
+#include "sazare/core/lanes.hpp"
+
+namespace sazare::laws {
+
+struct JointTension {
+  Real stiffness = 0;        ///< k [Pa/m]
+  Real strength = 0;         ///< s_t [Pa]
+  Real elastic_opening = 0;  ///< d_e [m]
+  Real failure_opening = 0;  ///< d_u [m]
+
+  /// Requires strength^2 <= 2 fracture_energy stiffness: otherwise the joint would be broken before it softens.
+  static JointTension make(Real stiffness, Real strength, Real fracture_energy) {
+    return {stiffness, strength, strength / stiffness, 2 * fracture_energy / strength};
+  }
+};
+
+/// Stress [Pa] on the envelope at an opening between d_e and d_u.
+template <class T>
+T softening_stress(const JointTension& law, T opening) {
+  const Real slope = law.strength / (law.failure_opening - law.elastic_opening);
+  return maximum((law.failure_opening - opening) * slope, T{} + 0.0);
+}
+
+/// Slope [Pa/m] of the line to the origin on which a joint with this memory unloads.
+template <class T>
+T unloading_stiffness(const JointTension& law, T peak) {
+  return select(peak > law.elastic_opening, softening_stress(law, peak) / peak, T{} + law.stiffness);
+}
+
+/// Stress [Pa], tension positive, once `peak` has been raised to the opening if that is larger.
+template <class T>
+T tension_stress(const JointTension& law, T opening, T unloading) {
+  return opening * select(opening > 0.0, unloading, T{} + law.stiffness);
+}
+
+/// Recoverable energy per area [J/m2].
+template <class T>
+T tension_energy(const JointTension& law, T opening, T unloading) {
+  return 0.5 * opening * tension_stress(law, opening, unloading);
+}
+
+/// Energy per area [J/m2] that fracture has taken for good: the area under the envelope up to `peak` less the
+/// triangle that unloading gives back. It is the fracture energy at d_u.
+inline Real fracture_dissipation(const JointTension& law, Real peak) {
+  if (peak <= law.elastic_opening) return 0;
+  const Real end = peak < law.failure_opening ? peak : law.failure_opening;
+  const Real stress = softening_stress(law, end);
+  const Real under_envelope =
+      0.5 * law.strength * law.elastic_opening + 0.5 * (law.strength + stress) * (end - law.elastic_opening);
+  return under_envelope - 0.5 * stress * end;
+}
+
+}  // namespace sazare::laws

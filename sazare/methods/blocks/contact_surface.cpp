@@ -1,0 +1,107 @@
+#include "sazare/methods/blocks/contact_surface.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace sazare::methods::blocks {
+
+namespace {
+std::size_t at(Index index) { return static_cast<std::size_t>(index); }
+}  // namespace
+
+ContactSurface::ContactSurface(Index bodies, int edge_division, Real skin)
+    : edge_division_(edge_division), skin_(skin), open_of_(at(bodies), -1) {}
+
+void ContactSurface::open(const FreeFace& face, const geometry::Tetrahedron& corners, const state::Pose<3>& start) {
+  Index& open = open_of_[at(face.body)];
+  if (open < 0) {
+    open = static_cast<Index>(open_bodies_.size());
+    open_bodies_.push_back(face.body);
+    patches_of_.push_back({-1, -1, -1, -1});
+    searched_.push_back(start);
+  }
+  geometry::Tetrahedron own;
+  for (std::size_t corner = 0; corner < 4; ++corner)
+    own[corner] = start.rotation.transpose() * (corners[corner] - start.position);
+  const auto spheres = contact_spheres(own, face.face, edge_division_);
+  patches_of_[at(open)][at(face.face)] = static_cast<Index>(patches_.size());
+  patches_.push_back({face.body, static_cast<Index>(spheres_.size()), static_cast<Index>(spheres.size()), bounding_sphere(spheres)});
+  spheres_.insert(spheres_.end(), spheres.begin(), spheres.end());
+}
+
+Real ContactSurface::moved(Index body, const state::Pose<3>& pose, Real reach) const {
+  const auto& from = searched_[at(open_of_[at(body)])];
+  return (pose.position - from.position).norm() + reach * (pose.rotation - from.rotation).norm();
+}
+
+void ContactSurface::place_patch(Index number) {
+  const Patch& patch = patches_[at(number)];
+  const auto& pose = searched_[at(open_of_[at(patch.body)])];
+  grid_.place(number, pose.position + pose.rotation * patch.bound.centre, patch.bound.radius);
+}
+
+void ContactSurface::place(Index body, const state::Pose<3>& pose) {
+  const Index open = open_of_[at(body)];
+  searched_[at(open)] = pose;
+  for (const Index patch : patches_of_[at(open)])
+    if (patch >= 0) place_patch(patch);
+}
+
+void ContactSurface::match(const Patch& mine, const Patch& theirs, NearPair& near) const {
+  const auto &pose = searched_[at(open_of_[at(mine.body)])], &other = searched_[at(open_of_[at(theirs.body)])];
+  const Vector3 bound = other.position + other.rotation * theirs.bound.centre;
+  for (Index i = mine.first_sphere; i < mine.first_sphere + mine.count; ++i) {
+    const ContactSphere& a = sphere(i);
+    const Vector3 centre = pose.position + pose.rotation * a.centre;
+    if ((bound - centre).norm() > a.radius + theirs.bound.radius + skin_) continue;
+    for (Index j = theirs.first_sphere; j < theirs.first_sphere + theirs.count; ++j) {
+      const ContactSphere& b = sphere(j);
+      const Real overlap = a.radius + b.radius - (other.position + other.rotation * b.centre - centre).norm();
+      if (overlap < -skin_) continue;
+      const bool in_order = mine.body < theirs.body;
+      near.spheres.push_back({in_order ? i : j, in_order ? j : i, std::max(overlap, Real{0})});
+    }
+  }
+}
+
+std::vector<NearPair> ContactSurface::search(Index body, const std::function<bool(Index)>& skip) const {
+  const Index open = open_of_[at(body)];
+  const auto& pose = searched_[at(open)];
+  std::map<Index, NearPair> by_partner;
+  for (const Index number : patches_of_[at(open)]) {
+    if (number < 0) continue;
+    const Patch& mine = patches_[at(number)];
+    const Vector3 centre = pose.position + pose.rotation * mine.bound.centre;
+    const Real reach = mine.bound.radius + skin_;
+    grid_.visit_near(centre, reach, [&](Index item) {
+      const Patch& theirs = patches_[at(item)];
+      if (theirs.body == body || skip(theirs.body)) return;
+      const auto& other = searched_[at(open_of_[at(theirs.body)])];
+      const Vector3 apart = other.position + other.rotation * theirs.bound.centre - centre;
+      if (apart.norm() < reach + theirs.bound.radius) match(mine, theirs, by_partner[theirs.body]);
+    });
+  }
+  std::vector<NearPair> found;
+  for (auto& [partner, near] : by_partner) {
+    if (near.spheres.empty()) continue;
+    near.first = std::min(body, partner);
+    near.second = std::max(body, partner);
+    std::ranges::sort(near.spheres, {}, [](const SpherePair& pair) { return std::pair(pair.first, pair.second); });
+    found.push_back(std::move(near));
+  }
+  return found;
+}
+
+void ContactSurface::columns(Archive& archive) {
+  archive("spheres", spheres_);
+  archive("patches", patches_);
+  archive("patches_of", patches_of_);
+  archive("open_of", open_of_);
+  archive("open_bodies", open_bodies_);
+  archive("searched", searched_);
+  if (!archive.reading()) return;
+  grid_ = {};
+  for (Index patch = 0; patch < static_cast<Index>(patches_.size()); ++patch) place_patch(patch);
+}
+
+}  // namespace sazare::methods::blocks

@@ -1,0 +1,82 @@
+#pragma once
+
+/// All contact spheres that are out in the open, and which of them are near one another.
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "sazare/core/archive.hpp"
+#include "sazare/methods/blocks/contact_spheres.hpp"
+#include "sazare/neighbors/sphere_grid.hpp"
+#include "sazare/state/bodies.hpp"
+
+namespace sazare::methods::blocks {
+
+/// A free face of a block.
+struct FreeFace {
+  Index body = 0;
+  int face = 0;  ///< local face 0..3
+};
+
+/// Two spheres of two blocks that are nearer than the skin.
+struct SpherePair {
+  Index first = 0;   ///< sphere of the body with the smaller number
+  Index second = 0;
+  Real rest = 0;     ///< overlap that they had when they met the first time; it gives no force until they part [m]
+};
+
+/// The near spheres of two bodies.
+struct NearPair {
+  Index first = 0;   ///< bodies, first < second
+  Index second = 0;
+  std::vector<SpherePair> spheres;  ///< rising
+};
+
+class ContactSurface {
+ public:
+  ContactSurface(Index bodies, int edge_division, Real skin);
+
+  /// Opens a face of a block whose corners are given as it stood at the beginning [m].
+  void open(const FreeFace& face, const geometry::Tetrahedron& corners, const state::Pose<3>& start);
+
+  const ContactSphere& sphere(Index number) const { return spheres_[static_cast<std::size_t>(number)]; }
+  Real skin() const { return skin_; }
+
+  /// Bodies with open faces, in the order in which they got their first.
+  std::span<const Index> bodies() const { return open_bodies_; }
+
+  /// How far any point of a body has moved since it was last searched, at most [m].
+  Real moved(Index body, const state::Pose<3>& pose, Real reach) const;
+
+  /// Places of bodies that are to be searched.
+  void place(Index body, const state::Pose<3>& pose);
+
+  /// Near pairs of a body with all others, rising by partner; pairs for which `skip(partner)` are left out.
+  std::vector<NearPair> search(Index body, const std::function<bool(Index)>& skip) const;
+
+  void columns(Archive& archive);
+
+ private:
+  struct Patch {
+    Index body = 0;
+    Index first_sphere = 0;
+    Index count = 0;
+    ContactSphere bound;  ///< in the body frame
+  };
+
+  void place_patch(Index patch);
+  void match(const Patch& mine, const Patch& theirs, NearPair& near) const;
+
+  int edge_division_;
+  Real skin_;
+  std::vector<ContactSphere> spheres_;  ///< in the body frames
+  std::vector<Patch> patches_;
+  std::vector<std::array<Index, 4>> patches_of_;  ///< by open body; -1 for none
+  std::vector<Index> open_of_;                    ///< by body: its place among the open ones, or -1
+  std::vector<Index> open_bodies_;
+  std::vector<state::Pose<3>> searched_;          ///< by open body: where it was last searched
+  neighbors::SphereGrid grid_;
+};
+
+}  // namespace sazare::methods::blocks

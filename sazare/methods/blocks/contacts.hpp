@@ -1,0 +1,75 @@
+#pragma once
+
+/// Term of the contact between blocks whose faces are open: free from the beginning, or released by a broken joint.
+///
+/// Which spheres may touch is searched anew for a body when it may have moved by a third of the skin, and for both
+/// bodies when their joint breaks. Bodies that share a joint that holds do not touch.
+
+#include <map>
+#include <vector>
+
+#include "sazare/laws/sphere_contact.hpp"
+#include "sazare/methods/blocks/contact_surface.hpp"
+#include "sazare/methods/blocks/joints.hpp"
+
+namespace sazare::methods::blocks {
+
+class Contacts final : public terms::Term<3> {
+ public:
+  /// `corners` of every body as it stands at the beginning; `free_faces` are open from then on.
+  Contacts(const laws::SphereContact& law, int edge_division, Joints& joints, std::vector<geometry::Tetrahedron> corners,
+           std::span<const FreeFace> free_faces, const state::Bodies<3>& bodies);
+
+  std::string_view name() const override { return "contacts"; }
+  std::span<const Link> links() const override { return links_; }
+  std::vector<Index> first_links() const override;
+  void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
+  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies,
+              std::span<state::Impulse<3>> sum) const override {
+    table_.gather(now, which, bodies, sum);
+  }
+  void book(std::span<const Index> which, std::span<const Tick> previous_kick,
+            std::span<const state::MeanMotion<3>> mean) override {
+    table_.book(which, previous_kick, mean);
+  }
+  void settle(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies,
+              terms::Changes& changes) override;
+  void settle_base(const Moment& now, const state::Bodies<3>& bodies, terms::Changes& changes) override;
+  terms::Rates rates(Index body) const override;
+  void gather_ahead(Tick now, std::span<state::Impulse<3>> sum) const override { table_.gather_ahead(now, sum); }
+  void add_energies(const terms::Synchronized<3>& at, terms::Ledger& ledger) const override;
+  void columns(Archive& archive) override;
+
+  /// Pairs of bodies that are near each other.
+  Index pair_count() const { return static_cast<Index>(links_.size() - idle_.size()); }
+
+ private:
+  enum Cause : int { dashpot, friction };
+
+  void open_face(const FreeFace& face, const state::Bodies<3>& bodies);
+  void search(std::span<const Index> which, bool may_end, const Moment& now, const state::Bodies<3>& bodies,
+              terms::Changes& changes);
+  void merge(Index body, std::vector<NearPair> found, bool may_end, terms::Changes& changes);
+  Index pair_of(Index first, Index second) const;
+  void begin_pair(NearPair near, terms::Changes& changes);
+  void end_pair(Index pair, terms::Changes& changes);
+  void list_side(Index body, terms::SlotSide side);
+  bool is_idle(const Link& link) const { return link.first == Link::outside; }
+
+  laws::SphereContact law_;
+  Joints* joints_;
+  std::vector<geometry::Tetrahedron> corners_;
+  std::vector<Real> softness_;  ///< by body: the largest 1/mass that it can show at a point of it [1/kg]
+  std::vector<Real> reach_;
+  ContactSurface surface_;
+  std::vector<Link> links_;
+  std::vector<std::vector<SpherePair>> spheres_;  ///< by pair
+  std::vector<Index> idle_;    ///< numbers of pairs that have ended
+  std::vector<Index> ending_;  ///< of those that ended in this step: free from the next one on
+  terms::SlotTable<3, 2, terms::ChangingIncidence> table_;
+  std::array<Real, 2> ended_work_{};  ///< booked by pairs that have ended [J]
+  terms::Events struck_;
+  std::int64_t base_steps_ = 0;
+};
+
+}  // namespace sazare::methods::blocks

@@ -1,0 +1,74 @@
+#include "sazare/methods/blocks/joint_rates.hpp"
+
+#include <Eigen/Eigenvalues>
+
+namespace sazare::methods::blocks {
+
+namespace {
+
+using Freedoms = Eigen::Matrix<Real, 6, Eigen::Dynamic, 0, 6, 6>;
+using FreeMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
+
+/// Directions in which the body may move, as columns in its body frame.
+Freedoms free_directions(const Matrix3& rotation, state::Locks locks) {
+  Freedoms free(6, 0);
+  for (int axis = 0; axis < 6; ++axis) {
+    const int locked = axis < 3 ? locks.translation >> axis : locks.rotation >> (axis - 3);
+    if (locked & 1) continue;
+    free.conservativeResize(6, free.cols() + 1);
+    free.rightCols(1).setZero();
+    free.rightCols(1).block<3, 1>(axis < 3 ? 0 : 3, 0) = rotation.transpose().col(axis % 3);
+  }
+  return free;
+}
+
+Real largest_eigenvalue(const FreeMatrix& matrix, const FreeMatrix& mass) {
+  if (matrix.rows() == 0 || matrix.squaredNorm() == 0) return 0;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<FreeMatrix> solver(matrix, mass, Eigen::EigenvaluesOnly | Eigen::Ax_lBx);
+  return solver.eigenvalues().maxCoeff();
+}
+
+}  // namespace
+
+void add_face(BodyMatrices& matrices, const FaceSprings& face) {
+  const auto& c = face.corners;
+  const Vector3 normal = (c[1] - c[0]).cross(c[2] - c[0]).normalized();
+  const Matrix3 across = normal * normal.transpose();
+  const Matrix3 along = Matrix3::Identity() - across;
+  const Matrix3 stiffness = face.corner_area * (face.normal_stiffness * across + face.shear_stiffness * along);
+  const Matrix3 damping = face.corner_area * (face.normal_damping * across + face.shear_damping * along);
+  for (const Vector3& corner : c) {
+    Eigen::Matrix<Real, 3, 6> moves;  // velocity of the corner from velocity and spin
+    moves.leftCols<3>().setIdentity();
+    moves.rightCols<3>() << 0, corner.z(), -corner.y(), -corner.z(), 0, corner.x(), corner.y(), -corner.x(), 0;
+    matrices.stiffness += moves.transpose() * stiffness * moves;
+    matrices.damping += moves.transpose() * damping * moves;
+  }
+}
+
+FaceSprings face_springs(const Joint& joint, const JointKind& kind, bool as_master) {
+  FaceSprings face;
+  const LaneVector& lanes = as_master ? joint.corner : joint.arm;
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    const Vector3 point(lanes[0][corner], lanes[1][corner], lanes[2][corner]);
+    face.corners[corner] = as_master ? Vector3(joint.frame * point) : point;
+  }
+  face.corner_area = joint.vertex_area;
+  face.normal_stiffness = kind.tension.stiffness;
+  face.shear_stiffness = kind.shear.stiffness;
+  face.normal_damping = kind.normal_damping;
+  face.shear_damping = kind.shear_damping;
+  return face;
+}
+
+terms::Rates largest_rates(const BodyMatrices& matrices, const state::Inertia<3>& inertia, const Matrix3& rotation,
+                           state::Locks locks) {
+  const Freedoms free = free_directions(rotation, locks);
+  Matrix6 mass = Matrix6::Zero();
+  mass.diagonal() << Vector3::Constant(inertia.mass), inertia.inverse_moments.cwiseInverse();
+  const FreeMatrix free_mass = free.transpose() * mass * free;
+  return {largest_eigenvalue(free.transpose() * matrices.stiffness * free, free_mass),
+          largest_eigenvalue(free.transpose() * matrices.damping * free, free_mass)};
+}
+
+}  // namespace sazare::methods::blocks

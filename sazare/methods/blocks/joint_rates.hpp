@@ -1,0 +1,38 @@
+#pragma once
+
+/// What binds the step of a block whose neighbours are held: the largest eigenvalues of M^-1 K and M^-1 C of its six
+/// freedoms, from its own joints.
+
+#include "sazare/methods/blocks/joint_kernel.hpp"
+#include "sazare/terms/term.hpp"
+
+namespace sazare::methods::blocks {
+
+using Matrix6 = Eigen::Matrix<Real, 6, 6>;
+
+/// Stiffness and damping of one block: three translations, three rotations about its centre, in its body frame.
+struct BodyMatrices {
+  Matrix6 stiffness = Matrix6::Zero();
+  Matrix6 damping = Matrix6::Zero();
+};
+
+/// Springs and dashpots per area on the corners of one face.
+struct FaceSprings {
+  std::array<Vector3, 3> corners;  ///< in the body frame [m]
+  Real corner_area = 0;            ///< a third of the face [m2]
+  Real normal_stiffness = 0;       ///< [Pa/m]
+  Real shear_stiffness = 0;        ///< [Pa/m]
+  Real normal_damping = 0;         ///< [Pa s/m]
+  Real shear_damping = 0;          ///< [Pa s/m]
+};
+
+void add_face(BodyMatrices& matrices, const FaceSprings& face);
+
+/// The springs of a joint as one of its blocks has them at the beginning.
+FaceSprings face_springs(const Joint& joint, const JointKind& kind, bool as_master);
+
+/// Freedoms locked in world axes are left out; `rotation` is body frame to world.
+terms::Rates largest_rates(const BodyMatrices& matrices, const state::Inertia<3>& inertia, const Matrix3& rotation,
+                           state::Locks locks);
+
+}  // namespace sazare::methods::blocks

@@ -1,0 +1,79 @@
+#pragma once
+
+/// Term of all bonded faces of blocks.
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "sazare/methods/blocks/joint_kernel.hpp"
+#include "sazare/terms/slot_table.hpp"
+
+namespace sazare::methods::blocks {
+
+/// A face to be bonded.
+struct JointFace {
+  Index master = 0;
+  Index slave = 0;
+  Index kind = 0;
+  int master_face = 0;  ///< local faces 0..3
+  int slave_face = 0;
+  std::array<Vector3, 3> corners;  ///< counter-clockwise seen from outside the master [m]
+};
+
+class Joints final : public terms::Term<3> {
+ public:
+  /// `bodies` stand where the faces are given.
+  Joints(std::vector<JointKind> kinds, std::span<const JointFace> faces, const state::Bodies<3>& bodies);
+
+  std::string_view name() const override { return "joints"; }
+  std::span<const Link> links() const override { return links_; }
+  std::vector<Index> first_links() const override;
+  void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
+  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies,
+              std::span<state::Impulse<3>> sum) const override {
+    table_.gather(now, which, bodies, sum);
+  }
+  void book(std::span<const Index> which, std::span<const Tick> previous_kick,
+            std::span<const state::MeanMotion<3>> mean) override {
+    table_.book(which, previous_kick, mean);
+  }
+  void settle(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies,
+              terms::Changes& changes) override;
+  terms::Rates rates(Index body) const override { return rates_[static_cast<std::size_t>(body)]; }
+  void gather_ahead(Tick now, std::span<state::Impulse<3>> sum) const override { table_.gather_ahead(now, sum); }
+  void add_energies(const terms::Synchronized<3>& at, terms::Ledger& ledger) const override;
+  void columns(Archive& archive) override;
+
+  std::span<const Joint> joints() const { return joints_; }
+  const JointKind& kind(const Joint& joint) const { return kinds_[static_cast<std::size_t>(joint.kind)]; }
+
+  /// Joint on a body's local face, or -1.
+  Index joint_at(Index body, int face) const {
+    return at_face_[static_cast<std::size_t>(body)][static_cast<std::size_t>(face)];
+  }
+
+  /// Whether two bodies share a joint that holds.
+  bool bonded(Index first, Index second) const;
+
+  Index broken_count() const { return broken_count_; }
+
+  /// Joints that came apart since the last call, in rising order.
+  std::vector<Index> take_broken();
+
+ private:
+  void update_rates(Index body, const state::Bodies<3>& bodies);
+
+  std::vector<JointKind> kinds_;
+  std::vector<Joint> joints_;
+  std::vector<Link> links_;
+  terms::SlotTable<3, 1, terms::FixedIncidence> table_;
+  std::vector<std::array<Index, 4>> at_face_;  ///< joint by body and local face
+  std::vector<terms::Rates> rates_;
+  terms::Events failed_;  ///< joints, in the present step
+  terms::Events struck_;  ///< bodies, in the present step
+  std::vector<Index> broken_;  ///< not yet taken
+  Index broken_count_ = 0;
+};
+
+}  // namespace sazare::methods::blocks

@@ -1,0 +1,78 @@
+#include "sazare/methods/blocks/outer_faces.hpp"
+
+#include <map>
+#include <numeric>
+
+#include "sazare/parallel/threads.hpp"
+
+namespace sazare::methods::blocks {
+
+namespace {
+
+/// Stress of a spring or dashpot pair for a displacement or velocity [Pa].
+Vector3 stress(const Vector3& normal, Real across, Real along, const Vector3& motion) {
+  const Vector3 normal_part = normal.dot(motion) * normal;
+  return across * normal_part + along * (motion - normal_part);
+}
+
+}  // namespace
+
+OuterFaces::OuterFaces(std::vector<OuterFace> faces, const state::Bodies<3>& bodies)
+    : faces_(std::move(faces)), rates_(static_cast<std::size_t>(bodies.size())) {
+  std::map<Index, BodyMatrices> matrices;
+  for (const OuterFace& face : faces_) {
+    links_.push_back({face.body, Link::outside});
+    add_face(matrices[face.body], face.springs);
+  }
+  for (const auto& [body, sum] : matrices) {
+    const auto at = static_cast<std::size_t>(body);
+    rates_[at] = largest_rates(sum, bodies.inertia[at], bodies.start_rotation[at], bodies.locks[at]);
+  }
+  table_.slots.resize(faces_.size());
+  table_.incidence = terms::FixedIncidence(bodies.size(), links_);
+}
+
+std::vector<Index> OuterFaces::first_links() const {
+  std::vector<Index> all(links_.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+void OuterFaces::evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
+  parallel::parallel_for(due.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (const Due& at : due.subspan(begin, end - begin)) {
+      const OuterFace& face = faces_[static_cast<std::size_t>(at.link)];
+      const FaceSprings& springs = face.springs;
+      const auto& body = bodies.motion[static_cast<std::size_t>(face.body)];
+      const auto pose = state::pose_at(body, now);
+      state::Wrench<3> total, dashpots;
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const Vector3 arm = pose.rotation * springs.corners[corner];
+        const Vector3 moved = pose.position + arm - face.place[corner];
+        const Vector3 velocity = body.velocity + body.spin.cross(arm);
+        const Real weight = -springs.corner_area * at.acting;
+        const Vector3 spring = weight * stress(face.normal, springs.normal_stiffness, springs.shear_stiffness, moved);
+        const Vector3 dashpot = weight * stress(face.normal, springs.normal_damping, springs.shear_damping, velocity);
+        dashpots += {dashpot, arm.cross(dashpot)};
+        total += {spring + dashpot, arm.cross(spring + dashpot)};
+      }
+      terms::deposit<3, 1>(table_[at.link], 0, body, now, at, {total, {dashpots}});
+      terms::mark(table_[at.link], now, at);
+    }
+  });
+}
+
+void OuterFaces::add_energies(const terms::Synchronized<3>& at, terms::Ledger& ledger) const {
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    const OuterFace& face = faces_[i];
+    const auto& body = at.pose_of(face.body);
+    ledger[terms::Account::boundary] -= table_.work_until(static_cast<Index>(i), links_[i], 0, at);
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const Vector3 moved = body.position + body.rotation * face.springs.corners[corner] - face.place[corner];
+      ledger[terms::Account::elastic] += 0.5 * face.springs.corner_area *
+          moved.dot(stress(face.normal, face.springs.normal_stiffness, face.springs.shear_stiffness, moved));
+    }
+  }
+}
+
+}  // namespace sazare::methods::blocks

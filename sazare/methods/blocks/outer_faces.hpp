@@ -1,0 +1,53 @@
+#pragma once
+
+/// Springs and dashpots between the outer faces of blocks and fixed ground: held, frictionless and absorbing boundaries.
+///
+///     f = -A (k_n u_n + c_n v_n) n - A (k_s u_t + c_s v_t)     at each of the three corners, A a third of the face
+///
+/// fixed: as if bonded to unbreakable ground; frictionless: the normal part alone; absorbing: c_n = rho c_P, c_s = rho c_S
+/// (Lysmer and Kuhlemeyer 1969) with the wave speeds that the joints imply over the block's own height.
+
+#include <vector>
+
+#include "sazare/methods/blocks/joint_rates.hpp"
+#include "sazare/terms/slot_table.hpp"
+
+namespace sazare::methods::blocks {
+
+struct OuterFace {
+  Index body = 0;
+  FaceSprings springs;            ///< corners in the body frame
+  std::array<Vector3, 3> place;   ///< of the corners at the beginning [m]
+  Vector3 normal;                 ///< outward, at the beginning
+};
+
+class OuterFaces final : public terms::Term<3> {
+ public:
+  OuterFaces(std::vector<OuterFace> faces, const state::Bodies<3>& bodies);
+
+  std::string_view name() const override { return "boundaries"; }
+  std::span<const Link> links() const override { return links_; }
+  bool joins_bodies() const override { return false; }
+  std::vector<Index> first_links() const override;
+  void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
+  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies,
+              std::span<state::Impulse<3>> sum) const override {
+    table_.gather(now, which, bodies, sum);
+  }
+  void book(std::span<const Index> which, std::span<const Tick> previous_kick,
+            std::span<const state::MeanMotion<3>> mean) override {
+    table_.book(which, previous_kick, mean);
+  }
+  terms::Rates rates(Index body) const override { return rates_[static_cast<std::size_t>(body)]; }
+  void gather_ahead(Tick now, std::span<state::Impulse<3>> sum) const override { table_.gather_ahead(now, sum); }
+  void add_energies(const terms::Synchronized<3>& at, terms::Ledger& ledger) const override;
+  void columns(Archive& archive) override { archive("slots", table_.slots); }
+
+ private:
+  std::vector<OuterFace> faces_;
+  std::vector<Link> links_;
+  std::vector<terms::Rates> rates_;
+  terms::SlotTable<3, 1, terms::FixedIncidence> table_;
+};
+
+}  // namespace sazare::methods::blocks

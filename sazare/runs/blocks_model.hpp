@@ -1,0 +1,30 @@
+#pragma once
+
+/// From a checked case and its mesh to a simulation.
+
+#include <memory>
+#include <vector>
+
+#include "sazare/cases/blocks_case.hpp"
+#include "sazare/engine/simulation.hpp"
+#include "sazare/geometry/face_map.hpp"
+#include "sazare/methods/blocks/contacts.hpp"
+#include "sazare/methods/blocks/joints.hpp"
+
+namespace sazare::runs {
+
+/// A simulation and what is needed to read its results.
+struct BlocksModel {
+  geometry::TetraMesh mesh;
+  std::vector<Real> volume;                 ///< by element [m3]
+  std::vector<Index> material;              ///< by element
+  std::vector<Real> stable_step;            ///< by element, the fraction of the case not yet applied [s]
+  std::unique_ptr<engine::Simulation<3>> simulation;
+  methods::blocks::Joints* joints = nullptr;      ///< owned by the simulation
+  methods::blocks::Contacts* contacts = nullptr;  ///< owned by the simulation
+};
+
+/// Throws UserError when the case does not fit its mesh in a way only the faces show.
+BlocksModel build_blocks(const cases::BlocksCase& blocks, geometry::TetraMesh mesh);
+
+}  // namespace sazare::runs

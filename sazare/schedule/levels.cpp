@@ -1,0 +1,77 @@
+#include "sazare/schedule/levels.hpp"
+
+#include <algorithm>
+
+namespace sazare::schedule {
+
+int level_for(Real step_seconds, Real base_seconds) {
+  int level = 0;
+  while (level < deepest_level && base_seconds > step_seconds) {
+    base_seconds /= 2;
+    ++level;
+  }
+  return level;
+}
+
+void Buckets::insert(Index item, int level) {
+  const auto at = static_cast<std::size_t>(item);
+  if (at >= level_.size()) {
+    level_.resize(at + 1, absent);
+    place_.resize(at + 1, 0);
+  }
+  auto& members = members_[static_cast<std::size_t>(level)];
+  if (!members.empty() && members.back() > item) unsorted_[static_cast<std::size_t>(level)] = true;
+  level_[at] = static_cast<std::int8_t>(level);
+  place_[at] = static_cast<Index>(members.size());
+  members.push_back(item);
+  ++size_;
+}
+
+void Buckets::erase(Index item) {
+  const auto at = static_cast<std::size_t>(item);
+  const auto level = static_cast<std::size_t>(level_[at]);
+  auto& members = members_[level];
+  const auto place = static_cast<std::size_t>(place_[at]);
+  if (place + 1 != members.size()) {
+    members[place] = members.back();
+    place_[static_cast<std::size_t>(members[place])] = static_cast<Index>(place);
+    unsorted_[level] = true;
+  }
+  members.pop_back();
+  level_[at] = absent;
+  --size_;
+}
+
+void Buckets::move(Index item, int level) {
+  erase(item);
+  insert(item, level);
+}
+
+int Buckets::finest() const {
+  for (int level = deepest_level; level >= 0; --level)
+    if (!at(level).empty()) return level;
+  return absent;
+}
+
+void Buckets::sort() {
+  for (std::size_t level = 0; level < members_.size(); ++level) {
+    if (!unsorted_[level]) continue;
+    auto& members = members_[level];
+    std::sort(members.begin(), members.end());
+    for (std::size_t place = 0; place < members.size(); ++place)
+      place_[static_cast<std::size_t>(members[place])] = static_cast<Index>(place);
+    unsorted_[level] = false;
+  }
+}
+
+void Buckets::assign(std::vector<std::int8_t> levels) {
+  for (auto& members : members_) members.clear();
+  unsorted_.fill(false);
+  size_ = 0;
+  level_.assign(levels.size(), absent);
+  place_.assign(levels.size(), 0);
+  for (std::size_t item = 0; item < levels.size(); ++item)
+    if (levels[item] != absent) insert(static_cast<Index>(item), levels[item]);
+}
+
+}  // namespace sazare::schedule

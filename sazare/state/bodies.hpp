@@ -1,0 +1,94 @@
+#pragma once
+
+/// Everything that moves, as records in columns; no behaviour. A body's number is its place and never changes.
+///
+/// `Motion` is what every force needs of a body and stands in one record of three cache lines, because forces gather
+/// bodies in any order. What only the body's own kick needs is apart, in `Inertia`.
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "sazare/core/rotation.hpp"
+#include "sazare/core/time.hpp"
+
+namespace sazare::state {
+
+/// Position and rotation are those at `due`, the body's next own time; a force evaluated between drifts them back.
+template <int D>
+struct alignas(64) Motion {
+  Vector<D> position;         ///< centre of mass at `due` [m]
+  Vector<D> velocity;         ///< constant from `last_kick` to `due` [m/s]
+  Tick last_kick = -1;
+  Tick due = 0;
+  Rotation<D> rotation;       ///< body frame to world, at `due`
+  Angular<D> spin;            ///< angular velocity from `last_kick` to `due` [rad/s]
+  Angular<D> angular_momentum;  ///< [kg m2/s]
+  Real wake_impulse = std::numeric_limits<Real>::infinity();  ///< waiting impulse that wakes it before `due` [N s]
+};
+
+/// Axes along or about which a body may not move.
+struct Locks {
+  std::uint8_t translation = 0;  ///< bit per axis
+  std::uint8_t rotation = 0;
+
+  bool any() const { return translation != 0 || rotation != 0; }
+};
+
+template <int D>
+struct Inertia;
+
+/// The body frame lies in the principal axes of inertia.
+template <>
+struct Inertia<3> {
+  Quaternion orientation;   ///< body frame to world, at `due`
+  Vector3 inverse_moments;  ///< [1/(kg m2)]
+  Real mass = 0;            ///< [kg]
+  Real reach = 0;           ///< distance of the farthest point of the body from its centre [m]
+};
+
+template <>
+struct Inertia<2> {
+  Real angle = 0;  ///< [rad], at `due`
+  Angular<2> inverse_moments;
+  Real mass = 0;  ///< per metre of thickness, or of the body: the case says [kg]
+  Real reach = 0;
+};
+
+template <int D>
+struct Bodies {
+  std::vector<Motion<D>> motion;
+  std::vector<Inertia<D>> inertia;
+  std::vector<Locks> locks;
+  std::vector<Vector<D>> start;           ///< position at the beginning [m]
+  std::vector<Rotation<D>> start_rotation;  ///< rotation at the beginning
+
+  Index size() const { return static_cast<Index>(motion.size()); }
+};
+
+/// Adds a body at rest.
+Index add_body(Bodies<3>& bodies, Real mass, const Vector3& centre, const Vector3& principal_moments,
+               const Quaternion& orientation, Real reach);
+Index add_body(Bodies<2>& bodies, Real mass, const Vector<2>& centre, Real moment, Real reach);
+
+/// Place of a body at a moment.
+template <int D>
+struct Pose {
+  Vector<D> position;
+  Rotation<D> rotation;
+};
+
+/// The rotation that a spin makes in a time, exact for the angle 2 atan(|spin| time / 2): its error is of third order in
+/// time, and the rotation for -time is exactly its inverse.
+Rotation<3> turn(const Vector3& spin, Real seconds);
+Rotation<2> turn(const Angular<2>& spin, Real seconds);
+
+/// Where a body is at any moment since its last kick.
+template <int D>
+Pose<D> pose_at(const Motion<D>& motion, const Moment& now) {
+  if (motion.due == now.tick) return {motion.position, motion.rotation};
+  const Real seconds = now.seconds_since(motion.due);
+  return {motion.position + seconds * motion.velocity, turn(motion.spin, seconds) * motion.rotation};
+}
+
+}  // namespace sazare::state

@@ -1,0 +1,63 @@
+#include "sazare/terms/face_pressure.hpp"
+
+#include <numeric>
+
+#include "sazare/parallel/threads.hpp"
+
+namespace sazare::terms {
+
+namespace {
+
+Real pressure_at(const PressureLoad& load, Real time) {
+  const Real since = time - load.delay;
+  if (const auto* pulse = std::get_if<laws::BlastPressure>(&load.history)) return laws::blast_pressure(*pulse, since);
+  return laws::table_pressure(std::get<laws::PressureTable>(load.history), since);
+}
+
+}  // namespace
+
+FacePressure::FacePressure(std::vector<PressureLoad> loads, std::vector<PressedFace> faces,
+                           const state::Bodies<3>& bodies)
+    : loads_(std::move(loads)), faces_(std::move(faces)) {
+  for (const PressedFace& face : faces_) links_.push_back({face.body, Link::outside});
+  table_.slots.resize(faces_.size());
+  table_.incidence = FixedIncidence(bodies.size(), links_);
+}
+
+std::vector<Index> FacePressure::first_links() const {
+  std::vector<Index> all(links_.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+void FacePressure::evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
+  std::vector<Real> pressures;
+  for (const PressureLoad& load : loads_) pressures.push_back(pressure_at(load, now.seconds()));
+  parallel::parallel_for(due.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (const Due& at : due.subspan(begin, end - begin)) {
+      PressedFace& face = faces_[static_cast<std::size_t>(at.link)];
+      const auto& body = bodies.motion[static_cast<std::size_t>(face.body)];
+      const auto pose = state::pose_at(body, now);
+      const Vector3 arm = pose.rotation * face.centre;
+      const PressureLoad& load = loads_[static_cast<std::size_t>(face.load)];
+      if ((pose.position + arm - face.start).norm() > load.cut_distance) face.acts = 0;
+      const Real size = -pressures[static_cast<std::size_t>(face.load)] * at.acting * face.acts;
+      const Vector3 impulse = size * (pose.rotation * face.area);
+      const Wrench<3> wrench{impulse, arm.cross(impulse)};
+      deposit<3, 1>(table_[at.link], 0, body, now, at, {wrench, {wrench}});
+      mark(table_[at.link], now, at);
+    }
+  });
+}
+
+void FacePressure::add_energies(const Synchronized<3>& at, Ledger& ledger) const {
+  for (std::size_t face = 0; face < faces_.size(); ++face)
+    ledger[Account::work] += table_.work_until(static_cast<Index>(face), links_[face], 0, at);
+}
+
+void FacePressure::columns(Archive& archive) {
+  archive("faces", faces_);
+  archive("slots", table_.slots);
+}
+
+}  // namespace sazare::terms

@@ -1,0 +1,59 @@
+#pragma once
+
+/// Pressure on faces of bodies. It follows its face: the normal turns with the body, the area stays the original one.
+
+#include <limits>
+#include <variant>
+#include <vector>
+
+#include "sazare/laws/blast_pressure.hpp"
+#include "sazare/laws/pressure_table.hpp"
+#include "sazare/terms/slot_table.hpp"
+
+namespace sazare::terms {
+
+struct PressureLoad {
+  Real delay = 0;  ///< [s]
+  std::variant<laws::BlastPressure, laws::PressureTable> history;
+  Real cut_distance = std::numeric_limits<Real>::infinity();  ///< the load leaves a face for good this far out [m]
+};
+
+struct PressedFace {
+  Index body = 0;
+  Index load = 0;
+  Vector3 area;    ///< outward vector with the length of the area, in the body frame [m2]
+  Vector3 centre;  ///< in the body frame [m]
+  Vector3 start;   ///< place of the centre at the beginning [m]
+  int acts = 1;    ///< 0 once cut off
+};
+
+class FacePressure final : public Term<3> {
+ public:
+  FacePressure(std::vector<PressureLoad> loads, std::vector<PressedFace> faces, const state::Bodies<3>& bodies);
+
+  std::string_view name() const override { return "pressure"; }
+  std::span<const Link> links() const override { return links_; }
+  bool joins_bodies() const override { return false; }
+  std::vector<Index> first_links() const override;
+  void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
+  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies,
+              std::span<Impulse<3>> sum) const override {
+    table_.gather(now, which, bodies, sum);
+  }
+  void book(std::span<const Index> which, std::span<const Tick> previous_kick,
+            std::span<const MeanMotion<3>> mean) override {
+    table_.book(which, previous_kick, mean);
+  }
+  Rates rates(Index) const override { return {}; }
+  void gather_ahead(Tick now, std::span<Impulse<3>> sum) const override { table_.gather_ahead(now, sum); }
+  void add_energies(const Synchronized<3>& at, Ledger& ledger) const override;
+  void columns(Archive& archive) override;
+
+ private:
+  std::vector<PressureLoad> loads_;
+  std::vector<PressedFace> faces_;
+  std::vector<Link> links_;
+  SlotTable<3, 1, FixedIncidence> table_;
+};
+
+}  // namespace sazare::terms

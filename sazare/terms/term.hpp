@@ -1,0 +1,96 @@
+#pragma once
+
+/// A term brings state to a law and delivers impulses: one virtual call per term and phase, loops inside.
+///
+/// In a step the engine calls, for all terms in their fixed order: `evaluate` on the links that are due (in parallel,
+/// each link writes only its own slot), then for chunks of due bodies `gather`, and after their kick `book`; then, on
+/// one thread, `settle`, where a term may change what is linked.
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "sazare/core/archive.hpp"
+#include "sazare/terms/ledger.hpp"
+#include "sazare/terms/slot.hpp"
+
+namespace sazare::terms {
+
+/// What bounds the step of one body, its neighbours held: upper bounds that add up over terms.
+struct Rates {
+  Real stiffness = 0;  ///< largest eigenvalue of M^-1 K [1/s2]
+  Real damping = 0;    ///< largest eigenvalue of M^-1 C [1/s]
+
+  Rates& operator+=(const Rates& other) {
+    stiffness += other.stiffness;
+    damping += other.damping;
+    return *this;
+  }
+};
+
+/// What a term asks of the engine after a step.
+struct Changes {
+  std::vector<Index> new_links;      ///< links that begin; the term's `links()` knows their bodies
+  std::vector<Index> ended_links;    ///< links whose force has ended for good (until it is new again)
+  std::vector<Index> stiffer;        ///< bodies whose rates may have grown: their step is checked at once
+  std::vector<Index> softer;         ///< bodies whose rates have fallen: their step may grow at the next base step
+  std::vector<Index> struck;         ///< bodies for which more impulse waits than their step allows: they wake at once
+
+  void clear() { *this = {}; }
+};
+
+/// All bodies at a base step, for the ledger: the part of the last kicks that acts after now has been taken back.
+template <int D>
+struct Synchronized {
+  Tick now = 0;
+  std::span<const state::Pose<D>> pose;  ///< per body
+  std::span<const MeanMotion<D>> ahead;  ///< mean motion over the part that was taken back, per body
+
+  const state::Pose<D>& pose_of(Index body) const { return pose[static_cast<std::size_t>(body)]; }
+};
+
+template <int D>
+class Term {
+ public:
+  virtual ~Term() = default;
+
+  virtual std::string_view name() const = 0;
+
+  /// Bodies of each link by number.
+  virtual std::span<const Link> links() const = 0;
+
+  /// Whether links are of two bodies: only such count as pairs.
+  virtual bool joins_bodies() const { return true; }
+
+  /// Links that act from the beginning.
+  virtual std::vector<Index> first_links() const = 0;
+
+  virtual void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<D>& bodies) = 0;
+
+  /// Adds to `sum`, body by body, what waits for it.
+  virtual void gather(const Moment& now, std::span<const Index> which, const state::Bodies<D>& bodies,
+                      std::span<Impulse<D>> sum) const = 0;
+
+  /// Books the work of what was just gathered; `previous_kick` is the tick of each body's kick before this one.
+  virtual void book(std::span<const Index> which, std::span<const Tick> previous_kick,
+                    std::span<const MeanMotion<D>> mean) = 0;
+
+  /// Work on one thread after a step, on the links that were due.
+  virtual void settle(const Moment&, std::span<const Due>, const state::Bodies<D>&, Changes&) {}
+
+  /// Work on one thread after a base step, when every body stands at the same time.
+  virtual void settle_base(const Moment&, const state::Bodies<D>&, Changes&) {}
+
+  virtual Rates rates(Index body) const = 0;
+
+  /// The share of each body's last kick that acts after now, added to `sum`.
+  virtual void gather_ahead(Tick now, std::span<Impulse<D>> sum) const = 0;
+
+  /// Adds this term's energies at a base step.
+  virtual void add_energies(const Synchronized<D>& at, Ledger& ledger) const = 0;
+
+  /// Columns of a checkpoint.
+  virtual void columns(Archive& archive) = 0;
+};
+
+}  // namespace sazare::terms
