@@ -28,9 +28,11 @@ add_library(sazare_options INTERFACE)
 add_library(sazare::options ALIAS sazare_options)
 target_include_directories(sazare_options INTERFACE
   "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/generated")
-# -Wno-maybe-uninitialized: GCC 12 gives it for its own vector intrinsics (GCC bug 105593), on some processors only.
+# Two warnings of GCC 12 are off because it gives them for its own headers: -Wmaybe-uninitialized for vector intrinsics
+# (GCC bug 105593, on some processors only), and -Wrestrict for the sum of two strings (GCC bug 105651).
 target_compile_options(sazare_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi -Wno-maybe-uninitialized -ffp-contract=off -fno-math-errno)
+  -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi -Wno-maybe-uninitialized -Wno-restrict
+  -ffp-contract=off -fno-math-errno)
 if(SAZARE_WARNINGS_AS_ERRORS)
   target_compile_options(sazare_options INTERFACE -Werror)
 endif()
