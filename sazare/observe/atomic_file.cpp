@@ -57,7 +57,7 @@ void fail_to_write(const fs::path& file, int error) {
 
 AtomicFile::AtomicFile(fs::path file) : file_(std::move(file)) {
   temporary_ = folder_of(file_) / fmt::format(".{}.part", file_.filename().string());
-  descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  descriptor_ = open(temporary_.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (descriptor_ < 0) fail_to_write(file_, errno);
 }
 

@@ -18,8 +18,10 @@ public:
   AtomicFile& operator=(const AtomicFile&) = delete;
 
   const std::filesystem::path& file() const { return file_; }
-  /// The name to write to, for a library that opens files itself.
+  /// The name that is written to.
   const std::filesystem::path& temporary() const { return temporary_; }
+  /// The temporary, open for reading and writing.
+  int descriptor() const { return descriptor_; }
 
   /// Appends to the temporary. Throws MachineError, as when the disk is full.
   void write(std::string_view content);

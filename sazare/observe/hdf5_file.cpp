@@ -1,17 +1,15 @@
 #include "sazare/observe/hdf5_file.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <hdf5.h>
 
 #include <cerrno>
-#include <cstdlib>
-#include <string_view>
 #include <system_error>
 #include <type_traits>
 #include <utility>
 
 #include "sazare/core/error.hpp"
+#include "sazare/observe/hdf5_disk.hpp"
 
 namespace sazare::observe {
 namespace {
@@ -42,20 +40,6 @@ using Type = Handle<H5Tclose>;
 using Object = Handle<H5Oclose>;
 using Properties = Handle<H5Pclose>;
 
-/// The errno that HDF5 met, from the words of its error stack; 0 when there is none.
-int errno_of_stack() {
-  int found = 0;
-  const auto look = [](unsigned, const H5E_error2_t* entry, void* result) -> herr_t {
-    const std::string_view words = entry->desc == nullptr ? "" : entry->desc;
-    constexpr std::string_view mark = "errno = ";
-    const std::size_t at = words.find(mark);
-    if (at != std::string_view::npos) *static_cast<int*>(result) = std::atoi(words.data() + at + mark.size());
-    return 0;
-  };
-  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, look, &found);
-  return found;
-}
-
 template <class T>
 hid_t type_of() {
   if constexpr (std::is_same_v<T, double>) return H5T_NATIVE_DOUBLE;
@@ -64,18 +48,12 @@ hid_t type_of() {
   return H5T_NATIVE_UINT8;
 }
 
-/// Closing the file closes what is still open in it.
-hid_t access_properties() {
-  const hid_t properties = H5Pcreate(H5P_FILE_ACCESS);
-  H5Pset_fclose_degree(properties, H5F_CLOSE_STRONG);
-  return properties;
-}
-
 }  // namespace
 
-Hdf5Writer::Hdf5Writer(const std::filesystem::path& file, Tables tables) : atomic_(file) {
+Hdf5Writer::Hdf5Writer(const std::filesystem::path& file, Tables tables)
+    : atomic_(file), disk_(std::make_unique<Hdf5Disk>(Hdf5Disk{atomic_.descriptor()})) {
   silence();
-  const Properties properties(access_properties());
+  const Properties properties(make_disk_properties(*disk_));
   if (tables == Tables::checked) H5Pset_libver_bounds(properties, H5F_LIBVER_V110, H5F_LIBVER_V110);
   file_ = H5Fcreate(atomic_.temporary().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, properties);
   check(file_);
@@ -85,40 +63,25 @@ Hdf5Writer::~Hdf5Writer() {
   if (file_ >= 0) H5Fclose(file_);
 }
 
-void Hdf5Writer::fail() const {
-  const int error = errno_of_stack();
-  fail_to_write(atomic_.file(), error == 0 ? EIO : error);
-}
-
-/// Asks the file system for the space of what is written next, so that a full disk is met here and not inside
-/// HDF5, which could not close its file then. File systems that cannot tell are found out by the writing
-/// itself.
-void Hdf5Writer::reserve(std::size_t bytes) {
-  constexpr std::size_t room_for_tables = 1 << 16;
-  reserved_ += bytes;
-  const int descriptor = open(atomic_.temporary().c_str(), O_WRONLY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  const int failed =
-      fallocate(descriptor, FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(reserved_ + room_for_tables));
-  const int error = failed != 0 ? errno : 0;
-  close(descriptor);
-  if (error == ENOSPC || error == EDQUOT) fail_to_write(atomic_.file(), error);
+void Hdf5Writer::check(std::int64_t result) const {
+  if (disk_->error != 0) fail_to_write(atomic_.file(), disk_->error);
+  if (result < 0) fail_to_write(atomic_.file(), EIO);
 }
 
 void Hdf5Writer::make_group(const std::string& path) {
   const Object group(H5Gcreate2(file_, path.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
-  check<hid_t>(group);
+  check(group);
 }
 
 template <class T>
 void Hdf5Writer::write(const std::string& path, std::span<const T> values,
                        const std::vector<std::size_t>& shape) {
-  reserve(values.size_bytes());
   const std::vector<hsize_t> sizes(shape.begin(), shape.end());
   const Space space(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr));
-  Dataset dataset(
-      H5Dcreate2(file_, path.c_str(), type_of<T>(), space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
-  check<hid_t>(dataset);
+  const Properties properties(H5Pcreate(H5P_DATASET_CREATE));
+  H5Pset_obj_track_times(properties, false);  // equal contents make equal files
+  Dataset dataset(H5Dcreate2(file_, path.c_str(), type_of<T>(), space, H5P_DEFAULT, properties, H5P_DEFAULT));
+  check(dataset);
   if (!values.empty()) check(H5Dwrite(dataset, type_of<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
   check(dataset.close());
 }
@@ -139,7 +102,7 @@ void Hdf5Writer::set_attribute(const std::string& path, const std::string& name,
   const Space space(H5Screate_simple(1, &count, nullptr));
   const Attribute attribute(H5Acreate_by_name(file_, path.c_str(), name.c_str(), H5T_NATIVE_INT64, space,
                                               H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
-  check<hid_t>(attribute);
+  check(attribute);
   check(H5Awrite(attribute, H5T_NATIVE_INT64, values.data()));
 }
 
@@ -150,7 +113,7 @@ void Hdf5Writer::set_attribute(const std::string& path, const std::string& name,
   H5Tset_strpad(type, H5T_STR_NULLPAD);
   const Attribute attribute(H5Acreate_by_name(file_, path.c_str(), name.c_str(), type, space, H5P_DEFAULT,
                                               H5P_DEFAULT, H5P_DEFAULT));
-  check<hid_t>(attribute);
+  check(attribute);
   check(H5Awrite(attribute, type, text.data()));
 }
 
@@ -165,7 +128,8 @@ Hdf5Reader::Hdf5Reader(std::filesystem::path file) : path_(std::move(file)) {
   if (!std::filesystem::exists(path_, ignored)) {
     throw UserError(fmt::format("{}: there is no such file", path_.string()));
   }
-  const Properties properties(access_properties());
+  const Properties properties(H5Pcreate(H5P_FILE_ACCESS));
+  H5Pset_fclose_degree(properties, H5F_CLOSE_STRONG);  // closes what is still open in it
   file_ = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, properties);
   if (file_ < 0) fail();
 }

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,6 +11,8 @@
 #include "sazare/observe/atomic_file.hpp"
 
 namespace sazare::observe {
+
+struct Hdf5Disk;
 
 /// An HDF5 file in the making, atomic (see AtomicFile). Paths of groups and datasets are absolute
 /// ("/group/name"). Every member throws MachineError when the disk fails; then nothing is left of the file.
@@ -42,16 +45,12 @@ public:
   void commit();
 
 private:
-  void reserve(std::size_t bytes);
-  [[noreturn]] void fail() const;
-  template <class T>
-  void check(T result) const {
-    if (result < 0) fail();
-  }
+  /// Fails when HDF5 says no (a result below zero) or the disk has.
+  void check(std::int64_t result) const;
 
   AtomicFile atomic_;
+  std::unique_ptr<Hdf5Disk> disk_;
   std::int64_t file_ = -1;  ///< HDF5's number of the open file
-  std::size_t reserved_ = 0;
 };
 
 /// An open HDF5 file, read only. Members return false or throw UserError when the file does not hold what is

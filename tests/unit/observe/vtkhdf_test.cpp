@@ -2,9 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <chrono>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <thread>
 
 #include "sazare/core/error.hpp"
 #include "sazare/observe/hdf5_file.hpp"
@@ -72,8 +73,17 @@ TEST(vtkhdf, full_device_leaves_nothing) {
   const TemporaryFolder folder;
   std::filesystem::create_symlink("/dev/full", folder.path() / ".a.vtkhdf.part");
   EXPECT_WORDS(words_of<MachineError>([&] { write_vtkhdf(folder.path() / "a.vtkhdf", grid_at(0)); }),
-               "a.vtkhdf: cannot be written");
+               "a.vtkhdf: cannot be written: No space left on device. Free space there");
   EXPECT_EQ(folder.files(), Names{});
+}
+
+TEST(vtkhdf, equal_contents_make_equal_files) {
+  const TemporaryFolder folder;
+  write_vtkhdf(folder.path() / "a.vtkhdf", grid_at(0.5));
+  std::this_thread::sleep_for(
+      std::chrono::milliseconds(1100));  // HDF5 knows times of creation in whole seconds
+  write_vtkhdf(folder.path() / "b.vtkhdf", grid_at(0.5));
+  EXPECT_EQ(test::read_text(folder.path() / "a.vtkhdf"), test::read_text(folder.path() / "b.vtkhdf"));
 }
 
 TEST(vtkhdf, series_lists_the_snapshots_with_their_times) {
