@@ -1,32 +1,81 @@
 #pragma once
 
-/// Four doubles worked on together. Laws are written once as templates and run on `Real` (tests, single evaluations)
-/// or on `Lanes` (kernels: the three contact vertices of a joint's face, the fourth lane idle).
+/// Several doubles worked on together. Laws are written once as templates and run on `Real` (tests, single evaluations)
+/// or on `Lanes` (kernels: several joints or several bodies at a time).
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "sazare/core/vector.hpp"
 
 namespace sazare {
 
-using Lanes = Real __attribute__((vector_size(32)));
+#ifdef __AVX512F__
+inline constexpr int lane_count = 8;
+#else
+inline constexpr int lane_count = 4;
+#endif
+
+using Lanes = Real __attribute__((vector_size(8 * lane_count)));
+using LongLanes = std::int64_t __attribute__((vector_size(8 * lane_count)));
 using LaneMask = decltype(Lanes{} > Lanes{});
 
 inline Lanes select(LaneMask mask, Lanes yes, Lanes no) { return mask ? yes : no; }
 inline Real select(bool condition, Real yes, Real no) { return condition ? yes : no; }
 
-inline bool any(LaneMask mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
+inline bool any(LaneMask mask) {
+  std::int64_t bits = 0;
+  for (int lane = 0; lane < lane_count; ++lane) bits |= mask[lane];
+  return bits != 0;
+}
 inline bool any(bool condition) { return condition; }
 
-inline Lanes broadcast(Real value) { return Lanes{value, value, value, value}; }
+inline Lanes broadcast(Real value) { return Lanes{} + value; }
 
 inline Lanes maximum(Lanes a, Lanes b) { return a > b ? a : b; }
 inline Real maximum(Real a, Real b) { return a > b ? a : b; }
 
-inline Lanes square_root(Lanes a) { return Lanes{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])}; }
+inline Lanes square_root(Lanes a) {
+  for (int lane = 0; lane < lane_count; ++lane) a[lane] = std::sqrt(a[lane]);
+  return a;
+}
 inline Real square_root(Real a) { return std::sqrt(a); }
 
-/// Sum of the four lanes, in one fixed order.
-inline Real sum(Lanes a) { return (a[0] + a[1]) + (a[2] + a[3]); }
+/// A vector in every lane, and its products.
+struct LaneVector {
+  std::array<Lanes, 3> part{};
+
+  Lanes& operator[](int axis) { return part[static_cast<std::size_t>(axis)]; }
+  const Lanes& operator[](int axis) const { return part[static_cast<std::size_t>(axis)]; }
+
+  friend LaneVector operator+(const LaneVector& a, const LaneVector& b) { return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}}; }
+  friend LaneVector operator-(const LaneVector& a, const LaneVector& b) { return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}}; }
+  friend LaneVector operator*(Lanes factor, const LaneVector& a) { return {{factor * a[0], factor * a[1], factor * a[2]}}; }
+};
+
+inline LaneVector cross(const LaneVector& a, const LaneVector& b) {
+  return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
+}
+
+/// A 3 x 3 matrix in every lane, by columns.
+struct LaneMatrix {
+  std::array<LaneVector, 3> column{};
+
+  LaneVector& operator[](int i) { return column[static_cast<std::size_t>(i)]; }
+  const LaneVector& operator[](int i) const { return column[static_cast<std::size_t>(i)]; }
+
+  friend LaneVector operator*(const LaneMatrix& m, const LaneVector& v) {
+    LaneVector product;
+    for (int i = 0; i < 3; ++i) product[i] = m[0][i] * v[0] + m[1][i] * v[1] + m[2][i] * v[2];
+    return product;
+  }
+  friend LaneMatrix operator*(const LaneMatrix& a, const LaneMatrix& b) { return {{a * b[0], a * b[1], a * b[2]}}; }
+};
+
+inline Lanes dot(const LaneVector& a, const LaneVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/// m^T v.
+inline LaneVector transposed(const LaneMatrix& m, const LaneVector& v) { return {{dot(m[0], v), dot(m[1], v), dot(m[2], v)}}; }
 
 }  // namespace sazare

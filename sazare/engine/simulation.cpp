@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sazare/motion/kick.hpp"
+#include "sazare/motion/step.hpp"
 #include "sazare/parallel/threads.hpp"
 
 namespace sazare::engine {
@@ -112,6 +113,7 @@ template <int D>
 void Simulation<D>::kick_chunk(std::span<const Index> which) {
   std::array<state::Impulse<D>, chunk_size> impulses{};
   std::array<state::MeanMotion<D>, chunk_size> means;
+  std::array<motion::Stride, chunk_size> strides;
   std::array<Tick, chunk_size> previous_kick;
   const std::span sums(impulses.data(), which.size());
   for (const auto& term : terms_) term->gather(now_, which, bodies_, sums);
@@ -119,18 +121,18 @@ void Simulation<D>::kick_chunk(std::span<const Index> which) {
   for (std::size_t i = 0; i < which.size(); ++i) {
     const Index body = which[i];
     auto& motion = bodies_.motion[at(body)];
-    auto& inertia = bodies_.inertia[at(body)];
     previous_kick[i] = motion.last_kick;
-    means[i] = motion::kick(motion, inertia, bodies_.locks[at(body)], impulses[i]);
     int level = levels_.level(body);
     if (travels) {
-      const Real speed = motion.velocity.norm();
+      const Real mass = bodies_.inertia[at(body)].mass;
+      const Real speed = (motion.velocity + impulses[i].linear / mass).norm();
       level = levels_.level_for_speed(body, speed);
-      motion.wake_impulse = inertia.mass * std::max(levels_.rules().travel_length / levels_.step(level) - speed, Real{0});
+      motion.wake_impulse = mass * std::max(levels_.rules().travel_length / levels_.step(level) - speed, Real{0});
     }
     stepped_level_[static_cast<std::size_t>(&which[i] - due_bodies_.data())] = static_cast<std::int8_t>(level);
-    motion::drift(motion, inertia, bodies_.locks[at(body)], now_.tick + schedule::stride(level), levels_.step(level));
+    strides[i] = {now_.tick + schedule::stride(level), levels_.step(level)};
   }
+  motion::step(bodies_, which, sums, std::span(strides.data(), which.size()), std::span(means.data(), which.size()));
   for (const auto& term : terms_) term->book(which, std::span(previous_kick.data(), which.size()), std::span(means.data(), which.size()));
 }
 

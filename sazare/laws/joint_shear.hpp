@@ -12,11 +12,15 @@
 
 namespace sazare::laws {
 
-struct JointShear {
-  Real stiffness = 0;  ///< k_s [Pa/m]
-  Real cohesion = 0;   ///< c [Pa]
-  Real friction = 0;   ///< mu [-]
+/// `P` is `Real`, or `Lanes` where every lane has parameters of its own.
+template <class P>
+struct ShearParameters {
+  P stiffness{};  ///< k_s [Pa/m]
+  P cohesion{};   ///< c [Pa]
+  P friction{};   ///< mu [-]
 };
+
+using JointShear = ShearParameters<Real>;
 
 /// Elastic tangential displacement and the slip behind it, in the two directions of the face.
 template <class T>
@@ -27,20 +31,20 @@ struct Slip {
 };
 
 /// Shear strength [Pa] under the normal stress (tension positive).
-template <class T>
-T shear_strength(const JointShear& law, T normal_stress) {
+template <class P, class T>
+T shear_strength(const ShearParameters<P>& law, T normal_stress) {
   return maximum(law.cohesion - law.friction * normal_stress, T{} + 0.0);
 }
 
-template <class T>
-bool slips(const JointShear& law, const Slip<T>& at, T strength) {
+template <class P, class T>
+auto slips(const ShearParameters<P>& law, const Slip<T>& at, T strength) {
   const T squared = at.elastic[0] * at.elastic[0] + at.elastic[1] * at.elastic[1];
-  return any(law.stiffness * law.stiffness * squared > strength * strength);
+  return law.stiffness * law.stiffness * squared > strength * strength;
 }
 
 /// Returns the elastic displacement to the Coulomb line and books the work of the slip at the strength.
-template <class T>
-void slip_back(const JointShear& law, Slip<T>& at, T strength) {
+template <class P, class T>
+void slip_back(const ShearParameters<P>& law, Slip<T>& at, T strength) {
   const T length = square_root(at.elastic[0] * at.elastic[0] + at.elastic[1] * at.elastic[1]);
   const T stress = law.stiffness * length;
   const auto over = stress > strength;

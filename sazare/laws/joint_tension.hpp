@@ -13,40 +13,44 @@
 
 namespace sazare::laws {
 
-struct JointTension {
-  Real stiffness = 0;        ///< k [Pa/m]
-  Real strength = 0;         ///< s_t [Pa]
-  Real elastic_opening = 0;  ///< d_e [m]
-  Real failure_opening = 0;  ///< d_u [m]
+/// `P` is `Real`, or `Lanes` where every lane has parameters of its own.
+template <class P>
+struct TensionParameters {
+  P stiffness{};        ///< k [Pa/m]
+  P strength{};         ///< s_t [Pa]
+  P elastic_opening{};  ///< d_e [m]
+  P failure_opening{};  ///< d_u [m]
 
   /// Requires strength^2 <= 2 fracture_energy stiffness: otherwise the joint would be broken before it softens.
-  static JointTension make(Real stiffness, Real strength, Real fracture_energy) {
+  static TensionParameters make(Real stiffness, Real strength, Real fracture_energy) {
     return {stiffness, strength, strength / stiffness, 2 * fracture_energy / strength};
   }
 };
 
+using JointTension = TensionParameters<Real>;
+
 /// Stress [Pa] on the envelope at an opening between d_e and d_u.
-template <class T>
-T softening_stress(const JointTension& law, T opening) {
-  const Real slope = law.strength / (law.failure_opening - law.elastic_opening);
+template <class P, class T>
+T softening_stress(const TensionParameters<P>& law, T opening) {
+  const P slope = law.strength / (law.failure_opening - law.elastic_opening);
   return maximum((law.failure_opening - opening) * slope, T{} + 0.0);
 }
 
 /// Slope [Pa/m] of the line to the origin on which a joint with this memory unloads.
-template <class T>
-T unloading_stiffness(const JointTension& law, T peak) {
+template <class P, class T>
+T unloading_stiffness(const TensionParameters<P>& law, T peak) {
   return select(peak > law.elastic_opening, softening_stress(law, peak) / peak, T{} + law.stiffness);
 }
 
 /// Stress [Pa], tension positive, once `peak` has been raised to the opening if that is larger.
-template <class T>
-T tension_stress(const JointTension& law, T opening, T unloading) {
+template <class P, class T>
+T tension_stress(const TensionParameters<P>& law, T opening, T unloading) {
   return opening * select(opening > 0.0, unloading, T{} + law.stiffness);
 }
 
 /// Recoverable energy per area [J/m2].
-template <class T>
-T tension_energy(const JointTension& law, T opening, T unloading) {
+template <class P, class T>
+T tension_energy(const TensionParameters<P>& law, T opening, T unloading) {
   return 0.5 * opening * tension_stress(law, opening, unloading);
 }
 

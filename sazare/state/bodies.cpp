@@ -13,7 +13,8 @@ Index add_body(Bodies<3>& bodies, Real mass, const Vector3& centre, const Vector
   motion.spin.setZero();
   motion.angular_momentum.setZero();
   bodies.motion.push_back(motion);
-  bodies.inertia.push_back({orientation, principal_moments.cwiseInverse(), mass, reach});
+  bodies.inertia.push_back({orientation, principal_moments.cwiseInverse(), mass});
+  bodies.reach.push_back(reach);
   bodies.locks.push_back({});
   bodies.start.push_back(centre);
   bodies.start_rotation.push_back(motion.rotation);
@@ -28,7 +29,8 @@ Index add_body(Bodies<2>& bodies, Real mass, const Vector<2>& centre, Real momen
   motion.spin.setZero();
   motion.angular_momentum.setZero();
   bodies.motion.push_back(motion);
-  bodies.inertia.push_back({0, Angular<2>(1 / moment), mass, reach});
+  bodies.inertia.push_back({0, Angular<2>(1 / moment), mass});
+  bodies.reach.push_back(reach);
   bodies.locks.push_back({});
   bodies.start.push_back(centre);
   bodies.start_rotation.push_back(motion.rotation);

@@ -40,19 +40,17 @@ struct Inertia;
 
 /// The body frame lies in the principal axes of inertia.
 template <>
-struct Inertia<3> {
+struct alignas(64) Inertia<3> {
   Quaternion orientation;   ///< body frame to world, at `due`
   Vector3 inverse_moments;  ///< [1/(kg m2)]
   Real mass = 0;            ///< [kg]
-  Real reach = 0;           ///< distance of the farthest point of the body from its centre [m]
 };
 
 template <>
 struct Inertia<2> {
   Real angle = 0;  ///< [rad], at `due`
   Angular<2> inverse_moments;
-  Real mass = 0;  ///< per metre of thickness, or of the body: the case says [kg]
-  Real reach = 0;
+  Real mass = 0;  ///< [kg]
 };
 
 template <int D>
@@ -60,6 +58,7 @@ struct Bodies {
   std::vector<Motion<D>> motion;
   std::vector<Inertia<D>> inertia;
   std::vector<Locks> locks;
+  std::vector<Real> reach;                ///< distance of the farthest point of a body from its centre [m]
   std::vector<Vector<D>> start;           ///< position at the beginning [m]
   std::vector<Rotation<D>> start_rotation;  ///< rotation at the beginning
 

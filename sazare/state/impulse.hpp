@@ -8,7 +8,7 @@ namespace sazare::state {
 
 /// What one body receives at a kick.
 template <int D>
-struct Impulse {
+struct alignas(64) Impulse {
   Vector<D> linear = Vector<D>::Zero();     ///< [N s]
   Angular<D> angular = Angular<D>::Zero();  ///< about the centre of mass [N m s]
   Vector<D> shift = Vector<D>::Zero();      ///< sum of impulse x its lateness [N s2]
@@ -17,7 +17,7 @@ struct Impulse {
 
 /// Mean of a body's motion before and after a kick: impulse times this is exactly the work done.
 template <int D>
-struct MeanMotion {
+struct alignas(64) MeanMotion {
   Vector<D> velocity;
   Angular<D> spin;
 };

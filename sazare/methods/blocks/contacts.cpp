@@ -41,8 +41,8 @@ Contacts::Contacts(const laws::SphereContact& law, int edge_division, Joints& jo
   table_.incidence = terms::ChangingIncidence(bodies.size());
   for (std::size_t body = 0; body < corners_.size(); ++body) {
     const auto& inertia = bodies.inertia[body];
-    reach_.push_back(inertia.reach);
-    softness_.push_back(1 / inertia.mass + inertia.reach * inertia.reach * inertia.inverse_moments.maxCoeff());
+    reach_.push_back(bodies.reach[body]);
+    softness_.push_back(1 / inertia.mass + reach_.back() * reach_.back() * inertia.inverse_moments.maxCoeff());
   }
   for (const FreeFace& face : free_faces) open_face(face, bodies);
   terms::Changes ignored;
@@ -102,8 +102,8 @@ void Contacts::settle(const Moment& now, std::span<const Due>, const state::Bodi
   if (broken.empty()) return;
   std::vector<Index> opened;
   for (const Index number : broken) {
-    const Joint& joint = joints_->joints()[at(number)];
-    for (const Index body : {joint.master, joint.slave}) {
+    const Link& joint = joints_->links()[at(number)];
+    for (const Index body : {joint.first, joint.second}) {
       opened.push_back(body);
       for (int face = 0; face < 4; ++face)
         if (joints_->joint_at(body, face) == number) open_face({body, face}, bodies);

@@ -46,14 +46,14 @@ void add_face(BodyMatrices& matrices, const FaceSprings& face) {
   }
 }
 
-FaceSprings face_springs(const Joint& joint, const JointKind& kind, bool as_master) {
+FaceSprings face_springs(const JointBlock& block, int lane, const JointKind& kind, bool as_master) {
+  const auto vector_of = [&](const LaneVector& lanes) { return Vector3(lanes[0][lane], lanes[1][lane], lanes[2][lane]); };
+  Matrix3 frame;
+  for (int axis = 0; axis < 3; ++axis) frame.col(axis) = vector_of(block.frame[axis]);
   FaceSprings face;
-  const LaneVector& lanes = as_master ? joint.corner : joint.arm;
-  for (std::size_t corner = 0; corner < 3; ++corner) {
-    const Vector3 point(lanes[0][corner], lanes[1][corner], lanes[2][corner]);
-    face.corners[corner] = as_master ? Vector3(joint.frame * point) : point;
-  }
-  face.corner_area = joint.vertex_area;
+  for (std::size_t v = 0; v < vertex_count; ++v)
+    face.corners[v] = as_master ? Vector3(frame * vector_of(block.corner[v])) : vector_of(block.arm[v]);
+  face.corner_area = block.vertex_area[lane];
   face.normal_stiffness = kind.tension.stiffness;
   face.shear_stiffness = kind.shear.stiffness;
   face.normal_damping = kind.normal_damping;

@@ -3,7 +3,8 @@
 /// What binds the step of a block whose neighbours are held: the largest eigenvalues of M^-1 K and M^-1 C of its six
 /// freedoms, from its own joints.
 
-#include "sazare/methods/blocks/joint_kernel.hpp"
+#include "sazare/methods/blocks/joint_block.hpp"
+#include "sazare/state/bodies.hpp"
 #include "sazare/terms/term.hpp"
 
 namespace sazare::methods::blocks {
@@ -28,8 +29,8 @@ struct FaceSprings {
 
 void add_face(BodyMatrices& matrices, const FaceSprings& face);
 
-/// The springs of a joint as one of its blocks has them at the beginning.
-FaceSprings face_springs(const Joint& joint, const JointKind& kind, bool as_master);
+/// The springs of a joint as one of its two bodies has them at the beginning.
+FaceSprings face_springs(const JointBlock& block, int lane, const JointKind& kind, bool as_master);
 
 /// Freedoms locked in world axes are left out; `rotation` is body frame to world.
 terms::Rates largest_rates(const BodyMatrices& matrices, const state::Inertia<3>& inertia, const Matrix3& rotation,

@@ -21,9 +21,21 @@ struct JointFace {
   std::array<Vector3, 3> corners;  ///< counter-clockwise seen from outside the master [m]
 };
 
+/// A joint as results show it.
+struct JointReport {
+  Index master = 0;
+  Index slave = 0;
+  Index kind = 0;
+  JointState state = JointState::intact;
+  Real area = 0;     ///< of the face [m2]
+  Real opening = 0;  ///< largest so far at a vertex, at least the elastic one [m]
+  Real slip = 0;     ///< largest so far at a vertex [m]
+};
+
 class Joints final : public terms::Term<3> {
  public:
-  /// `bodies` stand where the faces are given.
+  /// `bodies` stand where the faces are given. Faces that follow one another are evaluated together: those of like steps
+  /// and places should stand together.
   Joints(std::vector<JointKind> kinds, std::span<const JointFace> faces, const state::Bodies<3>& bodies);
 
   std::string_view name() const override { return "joints"; }
@@ -45,8 +57,9 @@ class Joints final : public terms::Term<3> {
   void add_energies(const terms::Synchronized<3>& at, terms::Ledger& ledger) const override;
   void columns(Archive& archive) override;
 
-  std::span<const Joint> joints() const { return joints_; }
-  const JointKind& kind(const Joint& joint) const { return kinds_[static_cast<std::size_t>(joint.kind)]; }
+  Index count() const { return static_cast<Index>(links_.size()); }
+  JointReport report(Index joint) const;
+  JointState state(Index joint) const { return blocks_[place_of(joint).block].state[static_cast<std::size_t>(place_of(joint).lane)]; }
 
   /// Joint on a body's local face, or -1.
   Index joint_at(Index body, int face) const {
@@ -62,10 +75,15 @@ class Joints final : public terms::Term<3> {
   std::vector<Index> take_broken();
 
  private:
+  struct DueBlock;
+  void evaluate_block(const Moment& now, const DueBlock& due, const state::Bodies<3>& bodies);
+  void deliver(const Moment& now, const DueBlock& due, LaneMask failed, const JointImpulses& given,
+               const state::Bodies<3>& bodies);
+  JointParameters<Lanes> kinds_of(const JointBlock& block) const;
   void update_rates(Index body, const state::Bodies<3>& bodies);
 
   std::vector<JointKind> kinds_;
-  std::vector<Joint> joints_;
+  std::vector<JointBlock> blocks_;
   std::vector<Link> links_;
   terms::SlotTable<3, 1, terms::FixedIncidence> table_;
   std::vector<std::array<Index, 4>> at_face_;  ///< joint by body and local face

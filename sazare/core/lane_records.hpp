@@ -1,0 +1,71 @@
+#pragma once
+
+/// Between records in memory and lanes: the n-th double of `lane_count` records becomes one `Lanes`, and back.
+
+#include <array>
+#include <cstring>
+
+#include "sazare/core/lanes.hpp"
+
+namespace sazare {
+
+/// Square of `lane_count` records by as many doubles, turned over its diagonal.
+inline void transpose(std::array<Lanes, lane_count>& rows) {
+#ifdef __AVX512F__
+  std::array<Lanes, 8> pairs, quads;
+  for (std::size_t i = 0; i < 8; i += 2) {
+    pairs[i] = __builtin_shufflevector(rows[i], rows[i + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+    pairs[i + 1] = __builtin_shufflevector(rows[i], rows[i + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+  }
+  for (std::size_t i = 0; i < 8; i += 4)
+    for (std::size_t k = 0; k < 2; ++k) {
+      quads[i + k] = __builtin_shufflevector(pairs[i + k], pairs[i + k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+      quads[i + k + 2] = __builtin_shufflevector(pairs[i + k], pairs[i + k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+  for (std::size_t k = 0; k < 4; ++k) {
+    rows[k] = __builtin_shufflevector(quads[k], quads[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+    rows[k + 4] = __builtin_shufflevector(quads[k], quads[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+  }
+#else
+  const Lanes a = __builtin_shufflevector(rows[0], rows[1], 0, 4, 2, 6), b = __builtin_shufflevector(rows[0], rows[1], 1, 5, 3, 7);
+  const Lanes c = __builtin_shufflevector(rows[2], rows[3], 0, 4, 2, 6), d = __builtin_shufflevector(rows[2], rows[3], 1, 5, 3, 7);
+  rows[0] = __builtin_shufflevector(a, c, 0, 1, 4, 5);
+  rows[1] = __builtin_shufflevector(b, d, 0, 1, 4, 5);
+  rows[2] = __builtin_shufflevector(a, c, 2, 3, 6, 7);
+  rows[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7);
+#endif
+}
+
+/// A record read or written as `Count` doubles, a multiple of `lane_count`; one pointer per lane.
+template <class Record>
+using LanePointers = std::array<Record*, lane_count>;
+
+/// Reads doubles 0 .. Count - 1 of each lane's record.
+template <int Count, class Record>
+std::array<Lanes, Count> load_records(const LanePointers<Record>& records) {
+  static_assert(Count % lane_count == 0 && sizeof(Record) >= Count * sizeof(Real));
+  std::array<Lanes, Count> fields;
+  for (std::size_t first = 0; first < Count; first += lane_count) {
+    std::array<Lanes, lane_count> rows;
+    for (std::size_t lane = 0; lane < lane_count; ++lane)
+      std::memcpy(&rows[lane], reinterpret_cast<const char*>(records[lane]) + first * sizeof(Real), sizeof(Lanes));
+    transpose(rows);
+    for (std::size_t i = 0; i < lane_count; ++i) fields[first + i] = rows[i];
+  }
+  return fields;
+}
+
+/// Writes doubles 0 .. Count - 1 of the records of the first `lanes` lanes.
+template <int Count, class Record>
+void store_records(const std::array<Lanes, Count>& fields, const LanePointers<Record>& records, int lanes = lane_count) {
+  static_assert(Count % lane_count == 0 && sizeof(Record) >= Count * sizeof(Real));
+  for (std::size_t first = 0; first < Count; first += lane_count) {
+    std::array<Lanes, lane_count> rows;
+    for (std::size_t i = 0; i < lane_count; ++i) rows[i] = fields[first + i];
+    transpose(rows);
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(lanes); ++lane)
+      std::memcpy(reinterpret_cast<char*>(records[lane]) + first * sizeof(Real), &rows[lane], sizeof(Lanes));
+  }
+}
+
+}  // namespace sazare

@@ -1,0 +1,182 @@
+#include "sazare/motion/step.hpp"
+
+#include "sazare/core/lane_records.hpp"
+#include "sazare/motion/kick.hpp"
+
+namespace sazare::motion {
+
+namespace {
+
+std::size_t at(Index index) { return static_cast<std::size_t>(index); }
+
+template <int D>
+void step_one(state::Bodies<D>& bodies, Index body, const state::Impulse<D>& given, const Stride& stride,
+              state::MeanMotion<D>& mean) {
+  auto& motion = bodies.motion[at(body)];
+  auto& inertia = bodies.inertia[at(body)];
+  mean = kick(motion, inertia, bodies.locks[at(body)], given);
+  drift(motion, inertia, bodies.locks[at(body)], stride.due, stride.seconds);
+}
+
+/// Bodies in lanes, with all that their step changes.
+struct LaneState {
+  LaneVector position, velocity, spin, angular_momentum;
+  LaneMatrix rotation;
+  Lanes w, x, y, z;  ///< orientation
+  LaneVector inverse_moments;
+  Lanes mass;
+};
+
+/// Inverse inertia tensor in world axes times a vector.
+LaneVector inverse_inertia(const LaneState& body, const LaneVector& v) {
+  LaneVector own = transposed(body.rotation, v);
+  for (int axis = 0; axis < 3; ++axis) own[axis] = own[axis] * body.inverse_moments[axis];
+  return body.rotation * own;
+}
+
+/// Turns orientation and rotation by 2 atan(|half|) about `half`.
+void rotate(LaneState& body, const LaneVector& half) {
+  const Lanes w = body.w - half[0] * body.x - half[1] * body.y - half[2] * body.z;
+  const LaneVector v{{body.x, body.y, body.z}};
+  const LaneVector u = v + body.w * half + cross(half, v);
+  const Lanes scale = 1.0 / square_root(w * w + dot(u, u));
+  body.w = w * scale, body.x = u[0] * scale, body.y = u[1] * scale, body.z = u[2] * scale;
+  const Lanes x2 = 2.0 * body.x, y2 = 2.0 * body.y, z2 = 2.0 * body.z;
+  const Lanes xx = x2 * body.x, yy = y2 * body.y, zz = z2 * body.z, xy = x2 * body.y, xz = x2 * body.z, yz = y2 * body.z;
+  const Lanes wx = x2 * body.w, wy = y2 * body.w, wz = z2 * body.w;
+  body.rotation = {{LaneVector{{1.0 - yy - zz, xy + wz, xz - wy}}, LaneVector{{xy - wz, 1.0 - xx - zz, yz + wx}},
+                    LaneVector{{xz + wy, yz - wx, 1.0 - xx - yy}}}};
+}
+
+struct LaneImpulse {
+  LaneVector linear, angular, shift, twist;
+};
+
+/// See kick.hpp.
+LaneVector kick(LaneState& body, LaneImpulse given, LaneVector& mean_velocity) {
+  const Lanes inverse_mass = 1.0 / body.mass;
+  const Lanes late = dot(given.shift, given.shift) + dot(given.twist, given.twist);
+  if (any(late != 0.0)) {
+    const LaneVector moved = inverse_mass * given.shift;
+    body.position = body.position + moved;
+    given.angular = given.angular - cross(moved, given.linear);
+    rotate(body, broadcast(0.5) * inverse_inertia(body, given.twist));
+  }
+  const LaneVector gained = inverse_mass * given.linear;
+  mean_velocity = body.velocity + broadcast(0.5) * gained;
+  body.velocity = body.velocity + gained;
+  const LaneVector before = body.angular_momentum;
+  body.angular_momentum = before + given.angular;
+  return inverse_inertia(body, before + broadcast(0.5) * given.angular);
+}
+
+void drift(LaneState& body, Lanes seconds) {
+  body.position = body.position + seconds * body.velocity;
+  const LaneVector spin = inverse_inertia(body, body.angular_momentum);
+  const LaneVector turning = inverse_inertia(body, cross(body.angular_momentum, spin));
+  body.spin = spin + (0.5 * seconds) * turning;
+  rotate(body, (0.5 * seconds) * body.spin);
+}
+
+/// Bodies whose rotation is free, one per lane; lanes beyond `count` repeat the first and are not written back.
+struct Batch {
+  std::array<Index, lane_count> body{};
+  std::array<std::size_t, lane_count> place{};  ///< in the spans
+  int count = 0;
+};
+
+LaneState load(const LanePointers<state::Motion<3>>& motions, const LanePointers<state::Inertia<3>>& inertias) {
+  const auto m = load_records<24>(motions);
+  const auto i = load_records<8>(inertias);
+  return {{{m[0], m[1], m[2]}}, {{m[3], m[4], m[5]}}, {{m[17], m[18], m[19]}}, {{m[20], m[21], m[22]}},
+          {{LaneVector{{m[8], m[9], m[10]}}, LaneVector{{m[11], m[12], m[13]}}, LaneVector{{m[14], m[15], m[16]}}}},
+          i[3], i[0], i[1], i[2], {{i[4], i[5], i[6]}}, i[7]};
+}
+
+void store(const LaneState& body, Lanes wake_impulse, const LongLanes& kicked, const LongLanes& due, int count,
+           const LanePointers<state::Motion<3>>& motions, const LanePointers<state::Inertia<3>>& inertias) {
+  const LaneVector &p = body.position, &v = body.velocity, &s = body.spin, &l = body.angular_momentum;
+  const LaneMatrix& r = body.rotation;
+  store_records<24>({p[0], p[1], p[2], v[0], v[1], v[2], reinterpret_cast<Lanes>(kicked), reinterpret_cast<Lanes>(due),
+                     r[0][0], r[0][1], r[0][2], r[1][0], r[1][1], r[1][2], r[2][0], r[2][1], r[2][2],
+                     s[0], s[1], s[2], l[0], l[1], l[2], wake_impulse}, motions, count);
+  const LaneVector& i = body.inverse_moments;
+  store_records<8>({body.x, body.y, body.z, body.w, i[0], i[1], i[2], body.mass}, inertias, count);
+}
+
+/// 0 in the lanes whose body may not move along an axis, else 1.
+LaneVector free_axes(const state::Bodies<3>& bodies, const Batch& batch) {
+  LaneVector free{{broadcast(1), broadcast(1), broadcast(1)}};
+  for (std::size_t lane = 0; lane < lane_count; ++lane)
+    for (int axis = 0; axis < 3; ++axis)
+      if (bodies.locks[at(batch.body[lane])].translation >> axis & 1) free[axis][static_cast<int>(lane)] = 0;
+  return free;
+}
+
+void step_batch(state::Bodies<3>& bodies, const Batch& batch, std::span<const state::Impulse<3>> given,
+                std::span<const Stride> strides, std::span<state::MeanMotion<3>> mean) {
+  LanePointers<state::Motion<3>> motions;
+  LanePointers<state::Inertia<3>> inertias;
+  LanePointers<const state::Impulse<3>> impulses;
+  LanePointers<state::MeanMotion<3>> means;
+  Lanes seconds, wake;
+  LongLanes kicked, due;
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    const auto i = static_cast<int>(lane);
+    motions[lane] = &bodies.motion[at(batch.body[lane])];
+    inertias[lane] = &bodies.inertia[at(batch.body[lane])];
+    impulses[lane] = &given[batch.place[lane]];
+    means[lane] = &mean[batch.place[lane]];
+    seconds[i] = strides[batch.place[lane]].seconds;
+    due[i] = strides[batch.place[lane]].due;
+    kicked[i] = motions[lane]->due;
+    wake[i] = motions[lane]->wake_impulse;
+  }
+  const auto f = load_records<16>(impulses);
+  LaneImpulse impulse{{{f[0], f[1], f[2]}}, {{f[3], f[4], f[5]}}, {{f[6], f[7], f[8]}}, {{f[9], f[10], f[11]}}};
+  const LaneVector free = free_axes(bodies, batch);
+  for (int axis = 0; axis < 3; ++axis) {
+    impulse.linear[axis] *= free[axis];
+    impulse.shift[axis] *= free[axis];
+  }
+  LaneState body = load(motions, inertias);
+  LaneVector mean_velocity;
+  const LaneVector mean_spin = kick(body, impulse, mean_velocity);
+  drift(body, seconds);
+  store(body, wake, kicked, due, batch.count, motions, inertias);
+  store_records<8>({mean_velocity[0], mean_velocity[1], mean_velocity[2], mean_spin[0], mean_spin[1], mean_spin[2], Lanes{}, Lanes{}},
+                   means, batch.count);
+}
+
+}  // namespace
+
+void step(state::Bodies<3>& bodies, std::span<const Index> which, std::span<const state::Impulse<3>> given,
+          std::span<const Stride> strides, std::span<state::MeanMotion<3>> mean) {
+  Batch batch;
+  const auto flush = [&] {
+    if (batch.count == 0) return;
+    for (auto lane = at(batch.count); lane < lane_count; ++lane) {
+      batch.body[lane] = batch.body[0];
+      batch.place[lane] = batch.place[0];
+    }
+    step_batch(bodies, batch, given, strides, mean);
+    batch.count = 0;
+  };
+  for (std::size_t i = 0; i < which.size(); ++i) {
+    if (bodies.locks[at(which[i])].rotation != 0) {
+      step_one(bodies, which[i], given[i], strides[i], mean[i]);
+      continue;
+    }
+    batch.body[at(batch.count)] = which[i];
+    batch.place[at(batch.count)] = i;
+    if (++batch.count == lane_count) flush();
+  }
+  flush();
+}
+
+void step(state::Bodies<2>& bodies, std::span<const Index> which, std::span<const state::Impulse<2>> given,
+          std::span<const Stride> strides, std::span<state::MeanMotion<2>> mean) {
+  for (std::size_t i = 0; i < which.size(); ++i) step_one(bodies, which[i], given[i], strides[i], mean[i]);
+}
+
+}  // namespace sazare::motion
