@@ -76,17 +76,26 @@ void AtomicFile::write(std::string_view content) {
   }
 }
 
-void AtomicFile::commit() {
-  if (fsync(descriptor_) != 0) fail_to_write(file_, errno);
+void AtomicFile::commit(Sync sync) {
+  if (sync == Sync::disk && fsync(descriptor_) != 0) fail_to_write(file_, errno);
   if (rename(temporary_.c_str(), file_.c_str()) != 0) fail_to_write(file_, errno);
   close(std::exchange(descriptor_, -1));
-  sync_folder(folder_of(file_));
+  if (sync == Sync::disk) sync_folder(folder_of(file_));
 }
 
-void write_file(const fs::path& file, std::string_view content) {
+void write_file(const fs::path& file, std::string_view content, Sync sync) {
   AtomicFile atomic(file);
   atomic.write(content);
-  atomic.commit();
+  atomic.commit(sync);
+}
+
+void sync_file(const fs::path& file) {
+  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) fail_to_write(file, errno);
+  const int error = fsync(descriptor) == 0 ? 0 : errno;
+  close(descriptor);
+  if (error != 0) fail_to_write(file, error);
+  sync_folder(folder_of(file));
 }
 
 }  // namespace sazare::observe

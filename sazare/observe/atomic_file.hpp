@@ -6,9 +6,13 @@
 
 namespace sazare::observe {
 
+/// How far a file is brought. `system`: it survives the end of the process, however it comes. `disk`: it
+/// survives the end of the machine as well, which takes milliseconds and more.
+enum class Sync { system, disk };
+
 /// A file that appears under its name all at once: it is written to a temporary name in the same folder,
-/// forced to the disk and renamed. Under its own name there is the former content or the new, never a part,
-/// whenever the process or the machine stops. The temporary is removed when the object goes without a commit.
+/// brought to the disk and renamed. Under its own name there is the former content or the new, never a part.
+/// The temporary is removed when the object goes without a commit.
 class AtomicFile {
 public:
   /// Throws MachineError when the folder is missing or not writable.
@@ -27,7 +31,7 @@ public:
   void write(std::string_view content);
 
   /// Gives the file its name. Throws MachineError; then the former file is still there.
-  void commit();
+  void commit(Sync sync = Sync::disk);
 
 private:
   std::filesystem::path file_;
@@ -36,7 +40,10 @@ private:
 };
 
 /// Writes a whole file; see AtomicFile.
-void write_file(const std::filesystem::path& file, std::string_view content);
+void write_file(const std::filesystem::path& file, std::string_view content, Sync sync = Sync::disk);
+
+/// Brings a file that was written with Sync::system, and its name, to the disk. Throws MachineError.
+void sync_file(const std::filesystem::path& file);
 
 /// Throws MachineError with the file, the words of `error` (an errno) and what to do.
 [[noreturn]] void fail_to_write(const std::filesystem::path& file, int error);

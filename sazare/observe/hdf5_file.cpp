@@ -117,9 +117,9 @@ void Hdf5Writer::set_attribute(const std::string& path, const std::string& name,
   check(H5Awrite(attribute, type, text.data()));
 }
 
-void Hdf5Writer::commit() {
+void Hdf5Writer::commit(Sync sync) {
   check(H5Fclose(std::exchange(file_, -1)));
-  atomic_.commit();
+  atomic_.commit(sync);
 }
 
 Hdf5Reader::Hdf5Reader(std::filesystem::path file) : path_(std::move(file)) {

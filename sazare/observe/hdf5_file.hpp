@@ -42,7 +42,7 @@ public:
   void set_attribute(const std::string& path, const std::string& name, const std::string& text);
 
   /// Finishes the file and gives it its name.
-  void commit();
+  void commit(Sync sync = Sync::disk);
 
 private:
   /// Fails when HDF5 says no (a result below zero) or the disk has.

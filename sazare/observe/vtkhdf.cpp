@@ -52,7 +52,7 @@ void write_cell_data(Hdf5Writer& out, const CellData& data, std::size_t cells) {
 
 }  // namespace
 
-void write_vtkhdf(const fs::path& file, const Grid& grid) {
+void write_vtkhdf(const fs::path& file, const Grid& grid, Sync sync) {
   const std::size_t cells = grid.connectivity.size() / corners_of(grid.cell);
   Hdf5Writer out(file);
   out.make_group("/VTKHDF");
@@ -69,7 +69,7 @@ void write_vtkhdf(const fs::path& file, const Grid& grid) {
   for (const CellData& data : grid.cell_data) write_cell_data(out, data, cells);
   out.make_group("/VTKHDF/FieldData");
   out.write("/VTKHDF/FieldData/time", std::span<const Real>(&grid.time, 1));
-  out.commit();
+  out.commit(sync);
 }
 
 SnapshotSeries::SnapshotSeries(fs::path folder, std::string name)
@@ -88,9 +88,15 @@ fs::path SnapshotSeries::series_file(const std::string& ending) const {
 }
 
 void SnapshotSeries::write(const Grid& grid) {
-  write_vtkhdf(folder_ / file_name(times_.size()), grid);
+  write_vtkhdf(folder_ / file_name(times_.size()), grid, Sync::system);
   times_.push_back(grid.time);
   write_series();
+}
+
+void SnapshotSeries::sync() {
+  if (synced_ == times_.size()) return;
+  for (; synced_ < times_.size(); ++synced_) sync_file(folder_ / file_name(synced_));
+  for (const std::string ending : {"vtkhdf", "hdf"}) sync_file(series_file(ending));
 }
 
 void SnapshotSeries::write_series() const {
@@ -99,7 +105,9 @@ void SnapshotSeries::write_series() const {
   for (std::size_t i = 0; i < times_.size(); ++i) {
     series["files"].push_back({{"name", file_name(i)}, {"time", times_[i]}});
   }
-  for (const std::string ending : {"vtkhdf", "hdf"}) write_file(series_file(ending), series.dump(1) + "\n");
+  for (const std::string ending : {"vtkhdf", "hdf"}) {
+    write_file(series_file(ending), series.dump(1) + "\n", Sync::system);
+  }
 }
 
 void SnapshotSeries::resume(std::size_t count) {
@@ -120,6 +128,7 @@ void SnapshotSeries::resume(std::size_t count) {
   const std::size_t found = times.size();
   times.resize(count);
   times_ = std::move(times);
+  synced_ = count;
   write_series();
   // One more than is listed: the run may have been stopped between the snapshot and the list.
   std::error_code ignored;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sazare/core/vector.hpp"
+#include "sazare/observe/atomic_file.hpp"
 
 namespace sazare::observe {
 
@@ -34,7 +35,7 @@ struct Grid {
 /// Writes a VTKHDF file (version 1.0, UnstructuredGrid), which ParaView 5.11 and newer and pyvista open; the
 /// time is the field data `time`. The file appears whole or not at all. Throws MachineError when the disk
 /// fails.
-void write_vtkhdf(const std::filesystem::path& file, const Grid& grid);
+void write_vtkhdf(const std::filesystem::path& file, const Grid& grid, Sync sync = Sync::disk);
 
 /// Snapshots of one grid over time: `<name>_00000.vtkhdf`, `<name>_00001.vtkhdf` ... and
 /// `<name>.vtkhdf.series`, the list with the times that ParaView opens as one. ParaView 5.11 knows the reader
@@ -45,7 +46,11 @@ public:
   /// Makes the folder. Nothing is written yet.
   SnapshotSeries(std::filesystem::path folder, std::string name);
 
+  /// Writes a snapshot and renews the lists, with Sync::system.
   void write(const Grid& grid);
+
+  /// Brings all that was written so far to the disk; to be called before a checkpoint counts on it.
+  void sync();
 
   /// Number of snapshots written.
   std::size_t size() const { return times_.size(); }
@@ -62,6 +67,7 @@ private:
   std::filesystem::path folder_;
   std::string name_;
   std::vector<Real> times_;
+  std::size_t synced_ = 0;  ///< snapshots that are on the disk
 };
 
 }  // namespace sazare::observe

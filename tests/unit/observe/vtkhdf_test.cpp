@@ -104,6 +104,20 @@ TEST(vtkhdf, series_lists_the_snapshots_with_their_times) {
   EXPECT_EQ(list, list_of(folder.path() / "snapshots" / "elements.hdf.series"));
 }
 
+TEST(vtkhdf, synced_series_is_what_was_written) {
+  const TemporaryFolder folder;
+  SnapshotSeries series(folder.path(), "elements");
+  series.sync();  // nothing yet
+  series.write(grid_at(0));
+  series.write(grid_at(1));
+  series.sync();
+  EXPECT_EQ(folder.files(), (Names{"elements.hdf.series", "elements.vtkhdf.series", "elements_00000.vtkhdf",
+                                   "elements_00001.vtkhdf"}));
+  series.write(grid_at(2));
+  std::filesystem::remove(folder.path() / "elements_00002.vtkhdf");
+  EXPECT_WORDS(words_of<MachineError>([&] { series.sync(); }), "elements_00002.vtkhdf: cannot be written");
+}
+
 TEST(vtkhdf, resumed_series_equals_an_uninterrupted_one) {
   const TemporaryFolder folder;
   const auto write = [](SnapshotSeries& series, int from, int to) {
