@@ -27,14 +27,11 @@ laws::SphereContact contact_law(const cases::Contact& contact) {
           caps[static_cast<std::size_t>(contact.damping_cap)]};
 }
 
-std::vector<Real> stable_steps(const Terms& terms, Index bodies) {
-  std::vector<Real> steps;
-  for (Index body = 0; body < bodies; ++body) {
-    terms::Rates sum;
-    for (const auto& term : terms) sum += term->rates(body);
-    steps.push_back(engine::stable_step(sum));
-  }
-  return steps;
+std::vector<terms::Rates> rates_of(const Terms& terms, Index bodies) {
+  std::vector<terms::Rates> rates(static_cast<std::size_t>(bodies));
+  for (Index body = 0; body < bodies; ++body)
+    for (const auto& term : terms) rates[static_cast<std::size_t>(body)] += term->rates(body);
+  return rates;
 }
 
 engine::StepRules step_rules(const cases::Time& time, Real base_step) {
@@ -63,12 +60,17 @@ BlocksModel build_blocks(const cases::BlocksCase& blocks, geometry::TetraMesh me
   std::vector<methods::blocks::JointKind> kinds;
   for (const cases::Joint& joint : blocks.joints) kinds.push_back(make_joint_kind(joint));
   const std::vector<Index> joint_of_face = joint_by_face(blocks, faces, model.material);
-  const auto joint_faces = make_joint_faces(blocks, faces, joint_of_face);
+  auto joint_faces = make_joint_faces(blocks, faces, joint_of_face);
+  auto joint_rates = methods::blocks::joint_rates(kinds, joint_faces, bodies);
+  std::vector<Real> steps;
+  for (const terms::Rates& rates : joint_rates) steps.push_back(blocks.time.stability_fraction * engine::stable_step(rates));
+  const Real base_step = blocks.time.base_step.value_or(choose_base_step(steps, joint_faces, blocks.time.history_interval));
+  if (blocks.time.limiter == cases::Limiter::stability) sort_by_level(joint_faces, steps, base_step);
   std::vector<geometry::Tetrahedron> corners;
   for (Index element = 0; element < bodies.size(); ++element) corners.push_back(geometry::corners_of(model.mesh, element));
 
   Terms terms;
-  model.joints = keep(terms, std::make_unique<methods::blocks::Joints>(std::move(kinds), joint_faces, bodies));
+  model.joints = keep(terms, std::make_unique<methods::blocks::Joints>(std::move(kinds), joint_faces, std::move(joint_rates), bodies));
   model.contacts = keep(terms, std::make_unique<methods::blocks::Contacts>(
                                    contact_law(blocks.contact), blocks.contact.edge_division, *model.joints,
                                    std::move(corners), make_free_faces(blocks, faces, joint_of_face), bodies));
@@ -79,9 +81,8 @@ BlocksModel build_blocks(const cases::BlocksCase& blocks, geometry::TetraMesh me
   if (!blocks.gravity.acceleration.isZero())
     keep(terms, std::make_unique<terms::Gravity<3>>(blocks.gravity.acceleration, bodies));
 
-  model.stable_step = stable_steps(terms, bodies.size());
-  const Real base_step = blocks.time.base_step.value_or(
-      choose_base_step(model.stable_step, *model.joints, blocks.time.stability_fraction, blocks.time.history_interval));
+  model.rates = rates_of(terms, bodies.size());
+  for (const terms::Rates& rates : model.rates) model.stable_step.push_back(engine::stable_step(rates));
   model.simulation =
       std::make_unique<engine::Simulation<3>>(std::move(bodies), std::move(terms), step_rules(blocks.time, base_step));
   return model;

@@ -1,0 +1,31 @@
+#include "apps/sazare/commands.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "sazare/cases/case_file.hpp"
+#include "sazare/cases/schema.hpp"
+#include "sazare/parallel/threads.hpp"
+#include "sazare/runs/check_blocks.hpp"
+
+namespace sazare::command {
+
+int check(const CaseArguments& arguments) {
+  parallel::set_threads(arguments.threads);
+  const cases::CaseFile file = cases::read_case(arguments.file, arguments.settings);
+  const std::string text = runs::check_blocks(file);
+  fmt::print("{}", text);
+  fmt::print(stderr, "{}", file.warnings);
+  fmt::print("\nThe case is sound. To run it: sazare run {}\n", arguments.file.string());
+  return done;
+}
+
+int schema(bool markdown) {
+  std::string text = markdown ? cases::schema_markdown() : cases::schema_json();
+  if (!text.ends_with('\n')) text += '\n';
+  fmt::print("{}", text);
+  return done;
+}
+
+}  // namespace sazare::command

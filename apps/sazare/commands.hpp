@@ -1,0 +1,38 @@
+#pragma once
+
+/// The commands of the program, each from its arguments to an exit code. They throw UserError, PhysicsError, MachineError.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sazare/parallel/ranks.hpp"
+#include "sazare/runs/run_folder.hpp"
+
+namespace sazare::command {
+
+inline constexpr int done = 0;
+inline constexpr int stopped = 4;
+
+/// What `run` and `check` share.
+struct CaseArguments {
+  std::filesystem::path file;
+  std::vector<std::string> settings;  ///< of --set
+  int threads = 0;                    ///< 0: as many as the machine offers
+};
+
+struct RunArguments {
+  CaseArguments of_case;
+  std::filesystem::path folder;  ///< empty: runs/<name of the case>
+  bool resume = false;
+  bool overwrite = false;
+  bool quiet = false;
+};
+
+int run(const RunArguments& arguments, const parallel::Ranks& ranks);
+int check(const CaseArguments& arguments);
+int report(const std::filesystem::path& folder);
+int schema(bool markdown);
+int info(const parallel::Ranks& ranks);
+
+}  // namespace sazare::command

@@ -1,0 +1,95 @@
+/// The command `sazare`.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <new>
+
+#include "apps/sazare/commands.hpp"
+#include "sazare/core/error.hpp"
+#include "sazare/core/version.hpp"
+
+namespace {
+
+using namespace sazare;
+
+constexpr int program_error = 1;
+
+void add_case_options(CLI::App& command, command::CaseArguments& arguments) {
+  command.add_option("CASE", arguments.file, "the case file (TOML)")->required();
+  command.add_option("--set", arguments.settings, "override a key of the case: --set time.end=1e-4 --set joints.0.cohesion=5e6")
+      ->type_name("table.key=value")
+      ->expected(1)
+      ->take_all();
+  command.add_option("--threads", arguments.threads, "number of threads (default: OMP_NUM_THREADS, or all processors)")
+      ->check(CLI::Range(1, 4096))
+      ->type_name("N");
+}
+
+struct Arguments {
+  command::RunArguments run;
+  command::CaseArguments check;
+  std::filesystem::path report_folder;
+  bool markdown = false;
+};
+
+void describe(CLI::App& app, Arguments& arguments) {
+  app.set_version_flag("--version", fmt::format("sazare {} ({})", version, commit));
+  app.require_subcommand(1);
+  app.set_help_all_flag("--help-all", "help of all commands");
+  auto& run = *app.add_subcommand("run", "carry out a case");
+  add_case_options(run, arguments.run.of_case);
+  run.add_option("--out", arguments.run.folder, "the run's folder (default: runs/<name of the case>)")->type_name("DIR");
+  auto* resume = run.add_flag("--resume", arguments.run.resume, "go on from the checkpoint of a stopped or killed run");
+  run.add_flag("--overwrite", arguments.run.overwrite, "replace the run that is in the folder")->excludes(resume);
+  run.add_flag("--quiet", arguments.run.quiet, "print warnings and errors only");
+  auto& check = *app.add_subcommand("check", "every error of a case, or what it will do: steps, levels, who limits them");
+  add_case_options(check, arguments.check);
+  app.add_subcommand("report", "pictures, plots and one HTML page of a run")
+      ->add_option("DIR", arguments.report_folder, "the run's folder")
+      ->required();
+  app.add_subcommand("schema", "the schema of the case file, as JSON for editors")
+      ->add_flag("--markdown", arguments.markdown, "as the page of the reference");
+  app.add_subcommand("info", "version, compiler, machine, threads, MPI");
+  app.footer("Exit codes: 0 done, 2 an error of the user, 3 the physics failed, 4 the machine failed or the run was stopped.");
+}
+
+int carry_out(const CLI::App& app, const Arguments& arguments, const parallel::Ranks& ranks) {
+  if (app.got_subcommand("run")) return command::run(arguments.run, ranks);
+  if (app.got_subcommand("check")) return command::check(arguments.check);
+  if (app.got_subcommand("report")) return command::report(arguments.report_folder);
+  if (app.got_subcommand("schema")) return command::schema(arguments.markdown);
+  return command::info(ranks);
+}
+
+int fail(const std::string& kind, const std::string& what, int exit_code) {
+  fmt::print(stderr, "{}{}\n", what.starts_with("error") || what.find(": error") != std::string::npos ? "" : kind + ": ",
+             what.ends_with('\n') ? what.substr(0, what.size() - 1) : what);
+  return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const parallel::Ranks ranks(argc, argv);
+  CLI::App app("Sazare: dynamic failure of ground, rock and concrete", "sazare");
+  Arguments arguments;
+  describe(app, arguments);
+  try {
+    app.parse(argc, argv);
+    return carry_out(app, arguments, ranks);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : UserError::exit_code;
+  } catch (const UserError& error) {
+    return fail("error", error.what(), UserError::exit_code);
+  } catch (const PhysicsError& error) {
+    return fail("the physics failed", error.what(), PhysicsError::exit_code);
+  } catch (const MachineError& error) {
+    return fail("the machine failed", error.what(), MachineError::exit_code);
+  } catch (const std::bad_alloc&) {
+    return fail("the machine failed", "not enough memory: use a coarser mesh, or a machine with more", MachineError::exit_code);
+  } catch (const std::exception& error) {
+    return fail("error of the program", fmt::format("{}. Please report it", error.what()), program_error);
+  }
+}

@@ -1,0 +1,100 @@
+#include <fmt/format.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+
+#include "apps/sazare/commands.hpp"
+#include "sazare/cases/case_file.hpp"
+#include "sazare/cases/number_text.hpp"
+#include "sazare/core/error.hpp"
+#include "sazare/parallel/threads.hpp"
+#include "sazare/runs/progress.hpp"
+#include "sazare/runs/run_blocks.hpp"
+
+namespace sazare::command {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::atomic<bool> stop_asked{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "set by a signal handler");
+
+/// The run stops after its present step. A second Ctrl-C ends the process at once.
+void stop_on_signals() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { stop_asked = true; };
+  sigemptyset(&action.sa_mask);
+  action.sa_flags = SA_RESTART;
+  sigaction(SIGTERM, &action, nullptr);
+  action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);
+  sigaction(SIGINT, &action, nullptr);
+  signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of the write, not the end of the process
+}
+
+/// runs/<name>, where case.toml is called by its folder.
+fs::path default_folder(const fs::path& case_file) {
+  const fs::path full = fs::absolute(case_file).lexically_normal();
+  const std::string stem = full.stem().string(), parent = full.parent_path().filename().string();
+  return fs::path("runs") / (stem == "case" && !parent.empty() ? parent : stem);
+}
+
+Real figure(const observe::Manifest& manifest, std::string_view name) {
+  for (const auto& [key, value] : manifest.results)
+    if (key == name) return std::visit([](auto number) { return static_cast<Real>(number); }, value);
+  return 0;
+}
+
+std::string balance_text(const observe::Manifest& manifest) {
+  const Real work = figure(manifest, "energy_work"), residual = figure(manifest, "energy_residual");
+  const std::string share = work != 0 ? fmt::format(" ({:.1e} of it)", std::abs(residual / work)) : "";
+  return fmt::format("work {} J, unaccounted {} J{}", cases::short_number(work, 4), cases::short_number(residual, 2), share);
+}
+
+void print_figures(const observe::Manifest& manifest, const fs::path& folder) {
+  const auto number = [&](std::string_view name, int digits = 4) { return cases::short_number(figure(manifest, name), digits); };
+  fmt::print("joints broken   {} of {}\n", number("broken_joints", 12), number("joints", 12));
+  fmt::print("fragments       {} of {} elements, X50 {} m, X80 {} m\n", number("fragments", 12), number("elements", 12),
+             number("x50", 3), number("x80", 3));
+  fmt::print("largest throw   {} m, peak speed {} m/s\n", number("throw_max"), number("peak_speed"));
+  fmt::print("energy          {}\n", balance_text(manifest));
+  fmt::print("wall time       {:.2f} s, {} pair evaluations, {} thread{}\n", figure(manifest, "wall_seconds"),
+             number("pair_evaluations"), manifest.machine.threads, manifest.machine.threads == 1 ? "" : "s");
+  fmt::print("results in      {}\n", folder.string());
+}
+
+runs::Begin begin_of(const RunArguments& arguments) {
+  return arguments.resume ? runs::Begin::resume : arguments.overwrite ? runs::Begin::overwrite : runs::Begin::fresh;
+}
+
+std::string resume_text(const RunArguments& arguments, const fs::path& folder) {
+  std::string text = fmt::format("sazare run {} --out {} --resume", arguments.of_case.file.string(), folder.string());
+  for (const std::string& setting : arguments.of_case.settings) text += fmt::format(" --set '{}'", setting);
+  return text;
+}
+
+}  // namespace
+
+int run(const RunArguments& arguments, const parallel::Ranks& ranks) {
+  if (ranks.size() > 1)
+    throw UserError(fmt::format("method blocks runs in one process, and {} were started: leave mpirun out, and use --threads",
+                                ranks.size()));
+  stop_on_signals();
+  parallel::set_threads(arguments.of_case.threads);
+  const cases::CaseFile file = cases::read_case(arguments.of_case.file, arguments.of_case.settings);
+  fmt::print(stderr, "{}", file.warnings);
+  const fs::path folder = arguments.folder.empty() ? default_folder(arguments.of_case.file) : arguments.folder;
+  const runs::RunOutcome outcome = runs::run_blocks(file, {folder, begin_of(arguments), arguments.quiet, &stop_asked});
+  if (outcome.stopped) {
+    fmt::print(stderr, "stopped at t = {} s, with a checkpoint. To go on:\n  {}\n", cases::short_number(outcome.time),
+               resume_text(arguments, folder));
+    return stopped;
+  }
+  if (!arguments.quiet) print_figures(outcome.manifest, folder);
+  return done;
+}
+
+}  // namespace sazare::command

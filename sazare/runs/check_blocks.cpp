@@ -1,0 +1,106 @@
+#include "sazare/runs/check_blocks.hpp"
+
+#include <fmt/format.h>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <numeric>
+
+#include "sazare/cases/number_text.hpp"
+#include "sazare/cases/resolved.hpp"
+#include "sazare/observe/atomic_file.hpp"
+#include "sazare/runs/fragments.hpp"
+#include "sazare/runs/gauges.hpp"
+#include "sazare/runs/mesh_source.hpp"
+#include "sazare/runs/run_clocks.hpp"
+#include "sazare/runs/stability.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+namespace fs = std::filesystem;
+constexpr std::size_t limiting_shown = 10;
+constexpr int longest_bar = 40;
+
+std::string number(Real value) { return cases::short_number(value, 4); }
+
+/// A folder that goes when the object does.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (fs::temp_directory_path() / "sazare-check-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) observe::fail_to_write(name, errno);
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+std::string body_text(const BlocksModel& model) {
+  const Real volume = std::accumulate(model.volume.begin(), model.volume.end(), Real{0});
+  const auto elements = model.simulation->bodies().size();
+  return fmt::format("  {:<12}{} elements, {} joints, {} m3, {} to begin with\n", "body", elements,
+                     model.joints->links().size(), number(volume),
+                     find_fragments(elements, *model.joints).count == 1 ? "one piece" : fmt::format("{} pieces", find_fragments(elements, *model.joints).count));
+}
+
+std::string level_text(const BlocksModel& model) {
+  const std::vector<Index> counts = level_histogram(model);
+  const Index most = *std::ranges::max_element(counts);
+  std::string text = "\nlevels at the beginning\n  level        step [s]   elements\n";
+  for (std::size_t level = 0; level < counts.size(); ++level) {
+    const auto length = counts[level] == 0 ? 0 : std::max<std::int64_t>(1, std::int64_t{longest_bar} * counts[level] / most);
+    text += fmt::format("  {:>5}  {:>14}  {:>9}  {}\n", level, number(model.simulation->levels().step(static_cast<int>(level))),
+                        counts[level], std::string(static_cast<std::size_t>(length), '#'));
+  }
+  return text;
+}
+
+std::string limiting_text(const BlocksModel& model) {
+  std::string text =
+      "\nelements that limit the step (half of the longest stable step with the neighbours held)\n"
+      "    element      step [s]  bound by   level  place [m]\n";
+  for (const LimitingElement& limiting : limiting_elements(model, limiting_shown)) {
+    const Vector3& place = model.simulation->bodies().start[static_cast<std::size_t>(limiting.element)];
+    text += fmt::format("  {:>9}  {:>12}  {:<9}  {:>5}  ({}, {}, {})\n", element_tag(model.mesh, limiting.element),
+                        number(stable_share * limiting.stable_step),
+                        bound_by_dashpots(model, limiting.element) ? "dashpots" : "springs",
+                        model.simulation->levels().level(limiting.element), number(place.x()), number(place.y()), number(place.z()));
+  }
+  return text;
+}
+
+std::string step_text(const BlocksModel& model, const RunClocks& clocks) {
+  const Real base_step = model.simulation->levels().step(0), rate = evaluations_per_second(model);
+  const Real smallest = stable_share * limiting_elements(model, 1).front().stable_step;
+  return fmt::format("  {:<12}base {} s ({} to a history row), smallest stable {} s\n"
+                     "  {:<12}{} pair evaluations per second of simulated time, {} to the end, while nothing breaks\n",
+                     "steps", number(base_step), clocks.steps_per_row, number(smallest), "work", number(rate),
+                     number(rate * clocks.end));
+}
+
+}  // namespace
+
+std::string check_blocks(const cases::CaseFile& file) {
+  const TemporaryFolder folder;
+  BlocksModel model = build_blocks(file.blocks, load_mesh(file, folder.path() / "mesh.msh", false));
+  const Gauges gauges(file, model.mesh);
+  const RunClocks clocks = make_clocks(file.blocks.time, model.simulation->levels().step(0));
+  const std::string warning = check_stability(file, model);
+  model.simulation->start();
+  return cases::explain(file.blocks) + body_text(model) + step_text(model, clocks) + level_text(model) +
+         limiting_text(model) + (warning.empty() ? "" : "\n" + warning);
+}
+
+}  // namespace sazare::runs

@@ -1,0 +1,63 @@
+#include "sazare/runs/failure.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "sazare/cases/number_text.hpp"
+#include "sazare/runs/stability.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+std::size_t at(Index index) { return static_cast<std::size_t>(index); }
+
+bool is_number(const state::Motion<3>& motion) {
+  return std::isfinite(motion.position.sum() + motion.velocity.sum() + motion.angular_momentum.sum() + motion.rotation.sum());
+}
+
+/// Of the elements whose motion is no number, the one whose step is the farthest above its limit: failure spreads.
+Index likely_first(const BlocksModel& model) {
+  const auto& simulation = *model.simulation;
+  Index worst = -1;
+  Real highest = -1;
+  for (Index element = 0; element < simulation.bodies().size(); ++element) {
+    if (is_number(simulation.bodies().motion[at(element)])) continue;
+    const Real share = simulation.levels().step(simulation.levels().level(element)) / model.stable_step[at(element)];
+    if (share <= highest) continue;
+    highest = share;
+    worst = element;
+  }
+  return worst;
+}
+
+std::string likely_reason(const BlocksModel& model, const cases::CaseFile& file, Index element) {
+  const LimitingElement smallest = limiting_elements(model, 1).front();
+  const Real step = model.simulation->levels().step(model.simulation->levels().level(element));
+  const Real limit = stable_share * model.stable_step[at(element)];
+  const std::string cure =
+      file.blocks.time.limiter == cases::Limiter::stability
+          ? "set time.stability_fraction = 0.25"
+          : fmt::format("set time.limiter = \"stability\", or time.base_step to {} s at most",
+                        cases::short_number(stable_share * smallest.stable_step, 3));
+  if (step > limit)
+    return fmt::format("its step of {} s is {} times the longest that the {} of its joints and boundaries allow ({} s): {}",
+                       cases::short_number(step, 3), cases::short_number(step / limit, 3), bound_by_dashpots(model, element) ? "dashpots" : "springs",
+                       cases::short_number(limit, 3), cure);
+  if (file.blocks.contact.damping_cap == cases::DampingCap::literal)
+    return "its step suits its joints; the dashpot of its contacts is not capped and may be too stiff for the step: set "
+           "contact.damping_cap = \"step\"";
+  return "its step suits its joints and boundaries; look at the loads on it (pressures, gravity) and at the stiffness of "
+         "its contacts";
+}
+
+}  // namespace
+
+std::string describe_failure(const BlocksModel& model, const cases::CaseFile& file, Real time) {
+  const Index element = likely_first(model);
+  return fmt::format("the motion of {} (its place at the beginning) is no number any more, found at t = {} s\n  {}",
+                     element_text(model.mesh, element), cases::short_number(time), likely_reason(model, file, element));
+}
+
+}  // namespace sazare::runs

@@ -1,0 +1,97 @@
+#include "sazare/runs/fragments.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+#include "sazare/runs/joint_view.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+std::size_t at(Index index) { return static_cast<std::size_t>(index); }
+
+/// Joined sets; the smallest element of each is its root.
+class Sets {
+ public:
+  explicit Sets(Index count) : parent_(at(count)) { std::iota(parent_.begin(), parent_.end(), 0); }
+
+  Index root(Index element) {
+    while (parent_[at(element)] != element) {
+      parent_[at(element)] = parent_[at(parent_[at(element)])];
+      element = parent_[at(element)];
+    }
+    return element;
+  }
+
+  void join(Index a, Index b) {
+    a = root(a);
+    b = root(b);
+    parent_[at(std::max(a, b))] = std::min(a, b);
+  }
+
+ private:
+  std::vector<Index> parent_;
+};
+
+}  // namespace
+
+FragmentMap find_fragments(Index elements, const methods::blocks::Joints& joints) {
+  Sets sets(elements);
+  const auto links = joints.links();
+  for (Index joint = 0; joint < joint_count(joints); ++joint)
+    if (joint_holds(joints, joint)) sets.join(links[at(joint)].first, links[at(joint)].second);
+  FragmentMap map;
+  for (Index element = 0; element < elements; ++element) {
+    const Index root = sets.root(element);
+    map.of_element.push_back(root == element ? map.count++ : map.of_element[at(root)]);
+  }
+  return map;
+}
+
+std::vector<Fragment> measure_fragments(const FragmentMap& map, std::span<const Real> volume,
+                                        const state::Bodies<3>& bodies, const engine::Snapshot<3>& now) {
+  std::vector<Fragment> fragments(at(map.count));
+  std::vector<Vector3> moved(at(map.count), Vector3::Zero());
+  for (std::size_t element = 0; element < volume.size(); ++element) {
+    const auto number = at(map.of_element[element]);
+    Fragment& fragment = fragments[number];
+    const Real mass = bodies.inertia[element].mass;
+    ++fragment.elements;
+    fragment.volume += volume[element];
+    fragment.mass += mass;
+    fragment.center += mass * now.pose[element].position;
+    fragment.velocity += mass * now.velocity[element];
+    moved[number] += mass * (now.pose[element].position - bodies.start[element]);
+  }
+  for (std::size_t number = 0; number < fragments.size(); ++number) {
+    Fragment& fragment = fragments[number];
+    fragment.number = static_cast<Index>(number);
+    fragment.size = std::cbrt(6 * fragment.volume / std::numbers::pi);
+    fragment.center /= fragment.mass;
+    fragment.velocity /= fragment.mass;
+    fragment.throw_distance = moved[number].norm() / fragment.mass;
+  }
+  std::ranges::stable_sort(fragments, std::ranges::greater{}, &Fragment::volume);
+  return fragments;
+}
+
+Real passing_size(std::span<const Fragment> largest_first, Real share) {
+  if (largest_first.empty()) return 0;
+  Real total = 0;
+  for (const Fragment& fragment : largest_first) total += fragment.volume;
+  Real passed = 0, size = largest_first.back().size;
+  for (auto fragment = largest_first.rbegin(); fragment != largest_first.rend(); ++fragment) {
+    const Real before = std::exchange(passed, passed + fragment->volume / total);
+    if (passed >= share && fragment != largest_first.rbegin())
+      return size + (fragment->size - size) * std::max(Real{0}, share - before) / (passed - before);
+    if (passed >= share) return fragment->size;
+    size = fragment->size;
+  }
+  return size;
+}
+
+}  // namespace sazare::runs

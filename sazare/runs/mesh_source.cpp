@@ -1,0 +1,32 @@
+#include "sazare/runs/mesh_source.hpp"
+
+#include "sazare/geometry/face_map.hpp"
+#include "sazare/geometry/gmsh_mesher.hpp"
+#include "sazare/geometry/gmsh_reader.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+cases::MeshGroups groups_of(const geometry::TetraMesh& mesh) {
+  cases::MeshGroups groups{mesh.region_names, {}};
+  const geometry::FaceMap faces = geometry::build_face_map(mesh);
+  const auto surfaces = geometry::find_surface_faces(mesh, faces);
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
+    groups.surfaces.push_back({mesh.surfaces[i].name, static_cast<long>(surfaces[i].outer.size()),
+                               static_cast<long>(surfaces[i].interior.size())});
+  return groups;
+}
+
+}  // namespace
+
+geometry::TetraMesh load_mesh(const cases::CaseFile& file, const std::filesystem::path& made, bool keep) {
+  const cases::Mesh& mesh = file.blocks.mesh;
+  if (mesh.is_geometry() && !(keep && std::filesystem::exists(made)))
+    geometry::mesh_geometry({mesh.file, made, mesh.parameters, mesh.size_factor});
+  geometry::TetraMesh loaded = geometry::read_gmsh(mesh.is_geometry() ? made : mesh.file, mesh.scale);
+  check_against_mesh(file, groups_of(loaded));
+  return loaded;
+}
+
+}  // namespace sazare::runs

@@ -1,0 +1,29 @@
+#include "sazare/runs/run_clocks.hpp"
+
+#include <fmt/format.h>
+
+#include "sazare/cases/clocks.hpp"
+#include "sazare/core/error.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+std::int64_t whole(std::string_view longer_name, Real longer, std::string_view shorter_name, Real shorter) {
+  if (const auto count = cases::whole_multiple(longer, shorter)) return *count;
+  throw UserError(fmt::format("clocks do not nest: {} = {} s is not a whole multiple of {} = {} s", longer_name, longer,
+                              shorter_name, shorter));
+}
+
+}  // namespace
+
+RunClocks make_clocks(const cases::Time& time, Real base_step) {
+  RunClocks clocks;
+  clocks.end = time.end;
+  clocks.rows = whole("end", time.end, "history_interval", time.history_interval);
+  clocks.steps_per_row = whole("history_interval", time.history_interval, "base_step", base_step);
+  clocks.rows_per_snapshot = whole("snapshot_interval", time.snapshot_interval, "history_interval", time.history_interval);
+  return clocks;
+}
+
+}  // namespace sazare::runs

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "sazare/cases/blocks_case.hpp"
+#include "sazare/core/time.hpp"
+
+namespace sazare::runs {
+
+/// The clocks of a run as whole numbers of one another: times are places in a count, never sums.
+struct RunClocks {
+  std::int64_t rows = 0;               ///< history intervals to the end
+  std::int64_t steps_per_row = 0;      ///< base steps in a history interval
+  std::int64_t rows_per_snapshot = 0;  ///< history intervals in a snapshot interval
+  Real end = 0;                        ///< [s]
+
+  std::int64_t steps() const { return rows * steps_per_row; }
+  bool is_row(std::int64_t step) const { return step % steps_per_row == 0; }
+  bool is_snapshot(std::int64_t step) const { return step % (steps_per_row * rows_per_snapshot) == 0; }
+
+  /// Time of a base step [s].
+  Real time(std::int64_t step) const {
+    return is_row(step) ? end * static_cast<Real>(step / steps_per_row) / static_cast<Real>(rows)
+                        : end * static_cast<Real>(step) / static_cast<Real>(steps());
+  }
+};
+
+/// Throws UserError when the clocks of the case do not nest in whole base steps.
+RunClocks make_clocks(const cases::Time& time, Real base_step);
+
+}  // namespace sazare::runs

@@ -1,0 +1,120 @@
+#include "sazare/runs/run_folder.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "sazare/core/error.hpp"
+#include "sazare/observe/atomic_file.hpp"
+
+namespace sazare::runs {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) observe::fail_to_write(folder, error.value());
+}
+
+/// Snapshots, their lists, and parts of them that a killed run has left.
+bool is_snapshot(const fs::path& file) {
+  const std::string name = file.filename().string();
+  const bool ours = name.starts_with("elements") || name.starts_with("joints") || name.starts_with(".elements") ||
+                    name.starts_with(".joints");
+  return ours && (name.ends_with(".vtkhdf") || name.ends_with(".series") || name.ends_with(".part"));
+}
+
+}  // namespace
+
+std::string run_status(const fs::path& folder) {
+  std::ifstream stream(folder / "manifest.json");
+  if (!stream) return {};
+  const nlohmann::json manifest = nlohmann::json::parse(stream, nullptr, false);
+  if (!manifest.is_object() || !manifest.contains("status") || !manifest["status"].is_string()) return {};
+  return manifest["status"].get<std::string>();
+}
+
+RunFolder::RunFolder(fs::path folder, Begin begin) : path_(std::move(folder)) {
+  if (fs::exists(path_) && !fs::is_directory(path_))
+    throw UserError(fmt::format("{}: is a file, and should be the folder of a run. Choose another (--out)", path_.string()));
+  make_folder(path_);
+  hold();
+  try {
+    if (begin == Begin::fresh) refuse_unless_free();
+    if (begin == Begin::resume) refuse_when_done();
+    if (begin == Begin::overwrite) remove_run();
+    resumes_ = begin == Begin::resume && fs::exists(checkpoint());
+    make_folder(checkpoint().parent_path());
+  } catch (...) {
+    close(descriptor_);
+    throw;
+  }
+}
+
+RunFolder::~RunFolder() { close(descriptor_); }
+
+/// The lock goes with the process, however it ends.
+void RunFolder::hold() {
+  descriptor_ = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor_ < 0) observe::fail_to_write(path_, errno);
+  if (access(path_.c_str(), W_OK) != 0) {
+    const int error = errno;
+    close(descriptor_);
+    observe::fail_to_write(path_, error);
+  }
+  if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  close(descriptor_);
+  throw UserError(fmt::format("{}: another sazare is at work on the run in this folder. Wait for it, or choose another "
+                              "folder (--out)",
+                              path_.string()));
+}
+
+void RunFolder::refuse_unless_free() const {
+  if (!fs::exists(manifest()) && !fs::exists(history()) && !fs::exists(checkpoint())) return;
+  const std::string status = run_status(path_);
+  const bool done = status == "done";
+  throw UserError(fmt::format("{}: there is a run in this folder already{}. {}--overwrite to replace it, or another folder "
+                              "(--out)",
+                              path_.string(), done ? ", and it is done" : status.empty() ? "" : ", and it is not done",
+                              done ? "Use " : "Use --resume to go on with it, "));
+}
+
+void RunFolder::refuse_when_done() const {
+  if (run_status(path_) != "done") return;
+  throw UserError(fmt::format("{}: the run in this folder is done, there is nothing to resume. Its figures are in "
+                              "manifest.json; use --overwrite to run the case again",
+                              path_.string()));
+}
+
+void RunFolder::remove_checkpoint() const {
+  std::error_code ignored;
+  fs::remove_all(checkpoint().parent_path(), ignored);
+}
+
+/// The manifest goes last: until then the folder still counts as one of a run.
+void RunFolder::remove_run() const {
+  std::error_code ignored;
+  remove_checkpoint();
+  std::vector<fs::path> files = {history(), gauges(), fragments(), timing(), mesh(), case_file(), path_ / "report.html"};
+  for (const auto& entry : fs::directory_iterator(snapshots(), ignored))
+    if (is_snapshot(entry.path())) files.push_back(entry.path());
+  files.push_back(manifest());
+  for (const fs::path& file : files) {
+    std::error_code error;
+    fs::remove(file, error);
+    if (error) observe::fail_to_write(file, error.value());
+  }
+}
+
+}  // namespace sazare::runs

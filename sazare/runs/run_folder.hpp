@@ -1,0 +1,57 @@
+#pragma once
+
+/// The folder of a run: its names, and who may write there.
+
+#include <filesystem>
+#include <string>
+
+namespace sazare::runs {
+
+/// How a run begins in its folder.
+enum class Begin {
+  fresh,      ///< only where no run is yet
+  overwrite,  ///< removes the files of the run that is there
+  resume,     ///< goes on from its checkpoint
+};
+
+/// One process at a time writes a run: the folder is held until the object goes.
+class RunFolder {
+ public:
+  /// Makes the folder. Throws UserError when it holds a run and `begin` does not say what to do with it, when the run
+  /// to be resumed is done, or when another process is at work there; MachineError when it cannot be written.
+  RunFolder(std::filesystem::path folder, Begin begin);
+  ~RunFolder();
+  RunFolder(const RunFolder&) = delete;
+  RunFolder& operator=(const RunFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path case_file() const { return path_ / "case.toml"; }
+  std::filesystem::path manifest() const { return path_ / "manifest.json"; }
+  std::filesystem::path history() const { return path_ / "history.csv"; }
+  std::filesystem::path gauges() const { return path_ / "gauges.csv"; }
+  std::filesystem::path fragments() const { return path_ / "fragments.csv"; }
+  std::filesystem::path timing() const { return path_ / "timing.csv"; }
+  std::filesystem::path mesh() const { return path_ / "mesh.msh"; }
+  std::filesystem::path snapshots() const { return path_ / "snapshots"; }
+  std::filesystem::path checkpoint() const { return path_ / "checkpoint" / "state.h5"; }
+
+  /// Whether there is a checkpoint to go on from.
+  bool resumes() const { return resumes_; }
+
+  void remove_checkpoint() const;
+
+ private:
+  void hold();
+  void refuse_unless_free() const;
+  void refuse_when_done() const;
+  void remove_run() const;
+
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+  bool resumes_ = false;
+};
+
+/// `status` of the run in a folder; empty when there is no run, or no readable manifest.
+std::string run_status(const std::filesystem::path& folder);
+
+}  // namespace sazare::runs

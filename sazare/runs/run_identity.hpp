@@ -1,0 +1,27 @@
+#pragma once
+
+/// What a checkpoint belongs to: only the same case, on the same mesh, in the same program gives the same bits.
+
+#include <string>
+
+#include "sazare/cases/blocks_case.hpp"
+#include "sazare/geometry/tetra_mesh.hpp"
+#include "sazare/observe/checkpoint.hpp"
+
+namespace sazare::runs {
+
+struct RunIdentity {
+  std::string case_text;  ///< resolved, without what does not change the results
+  std::string mesh;       ///< hash of nodes, elements and groups
+  std::string tables;     ///< hash of the pressure tables
+  std::string program;    ///< version, commit, compiler and the sizes of the records
+};
+
+RunIdentity identify(const cases::BlocksCase& blocks, const geometry::TetraMesh& mesh);
+
+void write_identity(observe::CheckpointWriter& out, const RunIdentity& identity);
+
+/// Throws UserError saying what has changed when the checkpoint belongs to another run.
+void check_identity(const observe::CheckpointReader& in, const std::filesystem::path& folder, const RunIdentity& identity);
+
+}  // namespace sazare::runs

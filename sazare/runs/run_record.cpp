@@ -1,0 +1,145 @@
+#include "sazare/runs/run_record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sazare/core/error.hpp"
+#include "sazare/runs/failure.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+using terms::account_names;
+
+std::vector<std::string> history_columns() {
+  std::vector<std::string> columns = {"time [s]", "broken_joints [-]", "fragments [-]"};
+  for (const auto name : account_names) columns.push_back(fmt::format("energy_{} [J]", name));
+  for (const char* rest : {"energy_residual [J]", "smallest_step [s]", "pair_evaluations [-]", "wall_seconds [s]"})
+    columns.emplace_back(rest);
+  return columns;
+}
+
+const std::vector<std::string> fragment_columns = {
+    "fragment [-]",     "elements [-]",     "volume [m3]",      "mass [kg]",  "size [m]",
+    "center_x [m]",     "center_y [m]",     "center_z [m]",     "velocity_x [m/s]",
+    "velocity_y [m/s]", "velocity_z [m/s]", "throw [m]"};
+
+std::vector<observe::CsvField> fragment_row(const Fragment& fragment) {
+  std::vector<observe::CsvField> row = {std::int64_t{fragment.number}, std::int64_t{fragment.elements}, fragment.volume,
+                                        fragment.mass, fragment.size};
+  row.insert(row.end(), fragment.center.begin(), fragment.center.end());
+  row.insert(row.end(), fragment.velocity.begin(), fragment.velocity.end());
+  row.emplace_back(fragment.throw_distance);
+  return row;
+}
+
+}  // namespace
+
+RunRecord::RunRecord(const RunFolder& folder, const cases::CaseFile& file, BlocksModel& model, const RunClocks& clocks)
+    : folder_(&folder), file_(&file), model_(&model), clocks_(clocks), gauges_(file, model.mesh),
+      snapshots_(folder.snapshots(), model) {}
+
+void RunRecord::begin() {
+  history_table_.emplace(folder_->history(), history_columns());
+  gauge_table_.emplace(folder_->gauges(), gauges_.column_names());
+}
+
+void RunRecord::resume() {
+  const auto rows = static_cast<std::size_t>(history_rows_);
+  history_table_ = observe::CsvWriter::resume(folder_->history(), history_columns(), rows);
+  gauge_table_ = observe::CsvWriter::resume(folder_->gauges(), gauges_.column_names(), rows);
+  snapshots_.resume(static_cast<std::size_t>(snapshot_count_));
+}
+
+void RunRecord::check_motion(Real time) const {
+  if (model_->simulation->find_invalid_body() >= 0) throw PhysicsError(describe_failure(*model_, *file_, time));
+}
+
+void RunRecord::observe(std::int64_t step, Real wall_seconds) {
+  if (!clocks_.is_row(step)) return;
+  const Real time = clocks_.time(step);
+  check_motion(time);
+  const engine::Snapshot<3> now = model_->simulation->snapshot();
+  for (const Vector3& velocity : now.velocity) peak_speed_ = std::max(peak_speed_, velocity.norm());
+  gauge_table_->add_row(gauges_.sample(time, model_->simulation->bodies(), now));
+  add_history_row(time, wall_seconds);
+  ++history_rows_;
+  if (!clocks_.is_snapshot(step)) return;
+  snapshots_.write(time, now, fragments());
+  ++snapshot_count_;
+}
+
+void RunRecord::add_history_row(Real time, Real wall_seconds) {
+  latest_smallest_step_ = model_->simulation->take_smallest_step();
+  smallest_step_ = smallest_step_ > 0 ? std::min(smallest_step_, latest_smallest_step_) : latest_smallest_step_;
+  const terms::Ledger ledger = model_->simulation->ledger();
+  std::vector<Real> row = {time, static_cast<Real>(model_->joints->broken_count()), static_cast<Real>(fragments().count)};
+  row.insert(row.end(), ledger.joules.begin(), ledger.joules.end());
+  row.push_back(ledger.residual());
+  row.push_back(latest_smallest_step_);
+  row.push_back(static_cast<Real>(model_->simulation->counters().pair_evaluations));
+  row.push_back(wall_seconds);
+  history_table_->add_row(row);
+}
+
+const FragmentMap& RunRecord::fragments() {
+  const Index broken = model_->joints->broken_count();
+  if (fragments_at_broken_ != broken) fragments_ = find_fragments(model_->simulation->bodies().size(), *model_->joints);
+  fragments_at_broken_ = broken;
+  return fragments_;
+}
+
+void RunRecord::flush(bool to_disk) {
+  if (history_table_) history_table_->flush(to_disk);
+  if (gauge_table_) gauge_table_->flush(to_disk);
+}
+
+void RunRecord::write_fragments() {
+  std::vector<std::vector<observe::CsvField>> rows;
+  for (const Fragment& fragment :
+       measure_fragments(fragments(), model_->volume, model_->simulation->bodies(), model_->simulation->snapshot()))
+    rows.push_back(fragment_row(fragment));
+  observe::write_csv(folder_->fragments(), fragment_columns, rows);
+}
+
+std::vector<std::pair<std::string, observe::Figure>> RunRecord::results(std::int64_t step, Real wall_seconds) {
+  const auto& simulation = *model_->simulation;
+  const engine::Counters& counters = simulation.counters();
+  const terms::Ledger ledger = simulation.ledger();
+  const auto pieces = measure_fragments(fragments(), model_->volume, simulation.bodies(), simulation.snapshot());
+  Real farthest = 0;
+  for (const Fragment& piece : pieces) farthest = std::max(farthest, piece.throw_distance);
+  std::vector<std::pair<std::string, observe::Figure>> results = {
+      {"broken_joints", std::int64_t{model_->joints->broken_count()}},
+      {"joints", static_cast<std::int64_t>(model_->joints->links().size())},
+      {"fragments", std::int64_t{fragments().count}},
+      {"elements", std::int64_t{simulation.bodies().size()}},
+      {"pair_evaluations", counters.pair_evaluations},
+      {"wall_seconds", wall_seconds},
+      {"steps", step},
+      {"kicks", counters.kicks},
+      {"ticks", counters.ticks},
+      {"smallest_step", smallest_step_}};
+  for (std::size_t i = 0; i < account_names.size(); ++i)
+    results.emplace_back(fmt::format("energy_{}", account_names[i]), ledger.joules[i]);
+  results.emplace_back("energy_residual", ledger.residual());
+  results.emplace_back("x50", passing_size(pieces, 0.5));
+  results.emplace_back("x80", passing_size(pieces, 0.8));
+  results.emplace_back("largest_fragment_volume", pieces.empty() ? 0 : pieces.front().volume);
+  results.emplace_back("throw_max", farthest);
+  results.emplace_back("peak_speed", peak_speed_);
+  return results;
+}
+
+void RunRecord::columns(Archive& archive) {
+  archive("history_rows", history_rows_);
+  archive("snapshots", snapshot_count_);
+  archive("smallest_step", smallest_step_);
+  archive("latest_smallest_step", latest_smallest_step_);
+  archive("peak_speed", peak_speed_);
+  archive.folder("gauges", [&] { gauges_.columns(archive); });
+}
+
+}  // namespace sazare::runs

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "sazare/observe/vtkhdf.hpp"
+#include "sazare/runs/blocks_model.hpp"
+#include "sazare/runs/fragments.hpp"
+
+namespace sazare::runs {
+
+/// Pictures of a run for ParaView and pyvista: the elements, and the joints between them, at the snapshot times.
+class Snapshots {
+ public:
+  /// Makes the folder.
+  Snapshots(const std::filesystem::path& folder, const BlocksModel& model);
+
+  void write(Real time, const engine::Snapshot<3>& now, const FragmentMap& fragments);
+
+  std::size_t size() const { return elements_.size(); }
+
+  /// Goes on after the first `count` of an earlier run.
+  void resume(std::size_t count);
+
+ private:
+  /// A joint's face as a face of its first element.
+  struct Face {
+    Index joint = 0;
+    std::array<Vector3, 3> corners;  ///< at the beginning [m]
+    Vector3 normal;                  ///< out of the first element, at the beginning
+  };
+
+  void write_elements(Real time, const engine::Snapshot<3>& now, const FragmentMap& fragments);
+  void write_joints(Real time, const engine::Snapshot<3>& now);
+  std::vector<Real> damage() const;
+
+  const BlocksModel* model_;
+  observe::SnapshotSeries elements_;
+  observe::SnapshotSeries joints_;
+  std::vector<Face> faces_;  ///< by joint
+  std::vector<std::int32_t> tags_;
+};
+
+}  // namespace sazare::runs

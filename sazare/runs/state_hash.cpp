@@ -1,0 +1,39 @@
+#include "sazare/runs/state_hash.hpp"
+
+#include <span>
+#include <vector>
+
+#include "sazare/observe/hash.hpp"
+#include "sazare/runs/joint_view.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+template <class Matrix>
+void append(std::vector<Real>& numbers, const Matrix& matrix) {
+  numbers.insert(numbers.end(), matrix.data(), matrix.data() + matrix.size());
+}
+
+}  // namespace
+
+std::uint64_t state_hash(const BlocksModel& model) {
+  const engine::Snapshot<3> now = model.simulation->snapshot();
+  std::vector<Real> motion, memory;
+  for (std::size_t element = 0; element < now.pose.size(); ++element) {
+    append(motion, now.pose[element].position);
+    append(motion, now.pose[element].rotation);
+    append(motion, now.velocity[element]);
+    append(motion, now.angular_momentum[element]);
+  }
+  for (Index joint = 0; joint < joint_count(*model.joints); ++joint) {
+    memory.push_back(static_cast<Real>(joint_state(*model.joints, joint)));
+    for (const Real value : joint_memory(*model.joints, joint)) memory.push_back(value);
+  }
+  observe::Hash hash;
+  hash.add(std::as_bytes(std::span(motion)));
+  hash.add(std::as_bytes(std::span(memory)));
+  return hash.value();
+}
+
+}  // namespace sazare::runs
