@@ -95,8 +95,10 @@ void LevelKeeper<D>::spread(std::vector<std::int8_t>& wanted) const {
   std::array<std::vector<Index>, schedule::level_count> at_level;
   for (Index body = 0; body < static_cast<Index>(wanted.size()); ++body)
     if (wanted[at(body)] > rules_.neighbor_levels) at_level[static_cast<std::size_t>(wanted[at(body)])].push_back(body);
-  for (int level = schedule::deepest_level; level > rules_.neighbor_levels; --level)
-    for (const Index body : at_level[static_cast<std::size_t>(level)]) {
+  for (int level = schedule::deepest_level; level > rules_.neighbor_levels; --level) {
+    const auto& bodies = at_level[static_cast<std::size_t>(level)];
+    for (std::size_t next = 0; next < bodies.size(); ++next) {  // grows while it is walked where no difference is allowed
+      const Index body = bodies[next];
       if (wanted[at(body)] != level) continue;
       const int least = level - rules_.neighbor_levels;
       for (const LinkOf& of : links_[at(body)]) {
@@ -108,6 +110,7 @@ void LevelKeeper<D>::spread(std::vector<std::int8_t>& wanted) const {
         at_level[static_cast<std::size_t>(least)].push_back(other);
       }
     }
+  }
 }
 
 template <int D>
