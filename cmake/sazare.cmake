@@ -28,10 +28,10 @@ add_library(sazare_options INTERFACE)
 add_library(sazare::options ALIAS sazare_options)
 target_include_directories(sazare_options INTERFACE
   "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/generated")
-# Two warnings of GCC 12 are off because it gives them for its own headers: -Wmaybe-uninitialized for vector intrinsics
-# (GCC bug 105593, on some processors only), and -Wrestrict for the sum of two strings (GCC bug 105651).
+# Warnings of GCC 12 that are off because it gives them for its own headers: those of uninitialized values for vector
+# intrinsics (GCC bug 105593, on some processors only), and -Wrestrict for the sum of two strings (GCC bug 105651).
 target_compile_options(sazare_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi -Wno-maybe-uninitialized -Wno-restrict
+  -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi -Wno-uninitialized -Wno-maybe-uninitialized -Wno-restrict
   -ffp-contract=off -fno-math-errno)
 if(SAZARE_WARNINGS_AS_ERRORS)
   target_compile_options(sazare_options INTERFACE -Werror)
