@@ -43,6 +43,20 @@ inline SphereTouch touch(const ContactSphere& a, const ContactSphere& b, const s
   return at;
 }
 
+/// How far two bodies that do not touch were apart, and where: while they have moved less than the gap they do not touch.
+struct Clearance {
+  Real gap = 0;  ///< between their nearest spheres; 0 when unknown or touching [m]
+  Vector3 apart;
+  Matrix3 first, second;
+
+  bool holds(const state::Pose<3>& a, const state::Pose<3>& b, Real first_reach, Real second_reach) const {
+    if (gap <= 0) return false;
+    const Real moved = (b.position - a.position - apart).norm() + first_reach * (a.rotation - first).norm() +
+                       second_reach * (b.rotation - second).norm();
+    return moved < gap;
+  }
+};
+
 /// What a pair gives to each of its bodies over the time it acts.
 struct ContactImpulse {
   state::Wrench<3> total;

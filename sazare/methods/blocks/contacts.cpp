@@ -1,6 +1,7 @@
 #include "sazare/methods/blocks/contacts.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "sazare/methods/blocks/contact_kernel.hpp"
@@ -39,6 +40,7 @@ Contacts::Contacts(const laws::SphereContact& law, int edge_division, Joints& jo
     : law_(law), joints_(&joints), corners_(std::move(corners)),
       surface_(bodies.size(), edge_division, choose_skin(corners_)) {
   table_.incidence = terms::ChangingIncidence(bodies.size());
+  fed_.assign(corners_.size(), -1);
   for (std::size_t body = 0; body < corners_.size(); ++body) {
     const auto& inertia = bodies.inertia[body];
     reach_.push_back(bodies.reach[body]);
@@ -59,34 +61,59 @@ std::vector<Index> Contacts::first_links() const {
 
 void Contacts::evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
   parallel::parallel_for(due.size(), serial_below, [&](std::size_t begin, std::size_t end) {
-    std::vector<std::pair<SphereTouch, Real>> touching;
-    for (const Due& given : due.subspan(begin, end - begin)) {
-      const Link& link = links_[at(given.link)];
-      const auto body = [&](Index number) {
-        const auto& motion = bodies.motion[at(number)];
-        return ContactBody{motion, bodies.inertia[at(number)], state::pose_at(motion, now)};
-      };
-      const ContactBody first = body(link.first), second = body(link.second);
-      touching.clear();
-      for (SpherePair& pair : spheres_[at(given.link)]) {
-        const SphereTouch touched = touch(surface_.sphere(pair.first), surface_.sphere(pair.second), first.pose, second.pose);
-        if (touched.overlap < pair.rest) pair.rest = std::max(touched.overlap, Real{0});
-        if (touched.overlap > pair.rest) touching.emplace_back(touched, touched.overlap - pair.rest);
-      }
-      const auto longest = std::max(first.motion.due - first.motion.last_kick, second.motion.due - second.motion.last_kick);
-      const Real shared_step = std::max(static_cast<Real>(longest) * now.tick_seconds, given.acting) *
-                               static_cast<Real>(touching.size());
-      ContactImpulse on_first, on_second;
-      for (const auto& [touched, pressed] : touching)
-        add_touch(law_, touched, pressed, shared_step, given.acting, first, second, on_first, on_second);
-      auto& slot = table_[given.link];
-      if (terms::deposit<3, 2>(slot, 0, first.motion, now, given, {on_first.total, {on_first.dashpot, on_first.friction}}))
-        struck_.add(link.first);
-      if (terms::deposit<3, 2>(slot, 1, second.motion, now, given, {on_second.total, {on_second.dashpot, on_second.friction}}))
-        struck_.add(link.second);
-      terms::mark(slot, now, given);
-    }
+    for (const Due& given : due.subspan(begin, end - begin)) evaluate_pair(now, given, bodies);
   });
+}
+
+void Contacts::evaluate_pair(const Moment& now, const Due& due, const state::Bodies<3>& bodies) {
+  const Link& link = links_[at(due.link)];
+  const auto body = [&](Index number) {
+    const auto& motion = bodies.motion[at(number)];
+    return ContactBody{motion, bodies.inertia[at(number)], state::pose_at(motion, now)};
+  };
+  const ContactBody first = body(link.first), second = body(link.second);
+  Clearance& clearance = clearance_[at(due.link)];
+  if (clearance.holds(first.pose, second.pose, reach_[at(link.first)], reach_[at(link.second)])) return;
+
+  thread_local std::vector<std::pair<SphereTouch, Real>> touching;
+  touching.clear();
+  Real nearest = surface_.skin();
+  for (SpherePair& pair : spheres_[at(due.link)]) {
+    const SphereTouch touched = touch(surface_.sphere(pair.first), surface_.sphere(pair.second), first.pose, second.pose);
+    nearest = std::min(nearest, -touched.overlap);
+    if (touched.overlap < pair.rest) pair.rest = std::max(touched.overlap, Real{0});
+    if (touched.overlap > pair.rest) touching.emplace_back(touched, touched.overlap - pair.rest);
+  }
+  clearance = {nearest, second.pose.position - first.pose.position, first.pose.rotation, second.pose.rotation};
+  if (touching.empty()) return;
+
+  const auto longest = std::max(first.motion.due - first.motion.last_kick, second.motion.due - second.motion.last_kick);
+  const Real step = std::max(static_cast<Real>(longest) * now.tick_seconds, due.acting);
+  ContactImpulse on_first, on_second;
+  for (const auto& [touched, pressed] : touching)
+    add_touch(law_, touched, pressed, step * static_cast<Real>(touching.size()), due.acting, first, second, on_first, on_second);
+  auto& slot = table_[due.link];
+  if (terms::deposit<3, 2>(slot, 0, first.motion, now, due, {on_first.total, {on_first.dashpot, on_first.friction}}))
+    struck_.add(link.first);
+  if (terms::deposit<3, 2>(slot, 1, second.motion, now, due, {on_second.total, {on_second.dashpot, on_second.friction}}))
+    struck_.add(link.second);
+  terms::mark(slot, now, due);
+  for (const Index of : {link.first, link.second}) std::atomic_ref(fed_[at(of)]).store(now.tick, std::memory_order_relaxed);
+}
+
+/// Few blocks touch others: those that have not been fed since their last kick are passed over.
+void Contacts::gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies,
+                      std::span<state::Impulse<3>> sum) const {
+  for (std::size_t i = 0; i < which.size(); ++i)
+    if (fed_[at(which[i])] > bodies.motion[at(which[i])].last_kick)
+      table_.gather(now, which.subspan(i, 1), bodies, sum.subspan(i, 1));
+}
+
+void Contacts::book(std::span<const Index> which, std::span<const Tick> previous_kick,
+                    std::span<const state::MeanMotion<3>> mean) {
+  for (std::size_t i = 0; i < which.size(); ++i)
+    if (fed_[at(which[i])] > previous_kick[i])
+      table_.book(which.subspan(i, 1), previous_kick.subspan(i, 1), mean.subspan(i, 1));
 }
 
 void Contacts::open_face(const FreeFace& face, const state::Bodies<3>& bodies) {
@@ -157,6 +184,7 @@ void Contacts::merge(Index body, std::vector<NearPair> found, bool may_end, term
       for (const SpherePair& known : spheres_[at(pair)])
         if (known.first == sphere.first && known.second == sphere.second) sphere.rest = known.rest;
     spheres_[at(pair)] = std::move(near.spheres);
+    clearance_[at(pair)].gap = 0;
   }
   if (!may_end) return;
   for (const Index pair : gone) end_pair(pair, changes);
@@ -184,6 +212,7 @@ void Contacts::begin_pair(NearPair near, terms::Changes& changes) {
   if (idle_.empty()) {
     links_.emplace_back();
     spheres_.emplace_back();
+    clearance_.emplace_back();
     table_.slots.emplace_back();
   } else {
     pair = idle_.back();
@@ -192,6 +221,7 @@ void Contacts::begin_pair(NearPair near, terms::Changes& changes) {
   }
   links_[at(pair)] = {near.first, near.second};
   spheres_[at(pair)] = std::move(near.spheres);
+  clearance_[at(pair)].gap = 0;
   list_side(near.first, {pair, 0});
   list_side(near.second, {pair, 1});
   changes.new_links.push_back(pair);
@@ -204,8 +234,8 @@ void Contacts::end_pair(Index pair, terms::Changes& changes) {
     std::erase_if(table_.incidence.list(body), [&](const terms::SlotSide& side) { return side.slot == pair; });
     changes.softer.push_back(body);
   }
-  for (const auto& side : table_[pair].side)
-    for (std::size_t cause = 0; cause < ended_work_.size(); ++cause) ended_work_[cause] += side.work[cause];
+  for (const auto& work : table_[pair].work)
+    for (std::size_t cause = 0; cause < ended_work_.size(); ++cause) ended_work_[cause] += work[cause];
   table_[pair] = {};
   spheres_[at(pair)].clear();
   changes.ended_links.push_back(pair);
@@ -259,10 +289,12 @@ void Contacts::columns(Archive& archive) {
   archive("slots", table_.slots);
   archive("ended_work", ended);
   archive("base_steps", base_steps_);
+  archive("fed", fed_);
   archive.folder("surface", [&] { surface_.columns(archive); });
   if (!archive.reading()) return;
   std::copy(ended.begin(), ended.end(), ended_work_.begin());
   spheres_.assign(counts.size(), {});
+  clearance_.assign(counts.size(), {});
   auto next = flat.begin();
   for (std::size_t pair = 0; pair < counts.size(); ++pair) {
     spheres_[pair].assign(next, next + counts[pair]);

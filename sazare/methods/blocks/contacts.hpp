@@ -5,10 +5,10 @@
 /// Which spheres may touch is searched anew for a body when it may have moved by a third of the skin, and for both
 /// bodies when their joint breaks. Bodies that share a joint that holds do not touch.
 
-#include <map>
 #include <vector>
 
 #include "sazare/laws/sphere_contact.hpp"
+#include "sazare/methods/blocks/contact_kernel.hpp"
 #include "sazare/methods/blocks/contact_surface.hpp"
 #include "sazare/methods/blocks/joints.hpp"
 
@@ -25,13 +25,9 @@ class Contacts final : public terms::Term<3> {
   std::vector<Index> first_links() const override;
   void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
   void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies,
-              std::span<state::Impulse<3>> sum) const override {
-    table_.gather(now, which, bodies, sum);
-  }
+              std::span<state::Impulse<3>> sum) const override;
   void book(std::span<const Index> which, std::span<const Tick> previous_kick,
-            std::span<const state::MeanMotion<3>> mean) override {
-    table_.book(which, previous_kick, mean);
-  }
+            std::span<const state::MeanMotion<3>> mean) override;
   void settle(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies,
               terms::Changes& changes) override;
   void settle_base(const Moment& now, const state::Bodies<3>& bodies, terms::Changes& changes) override;
@@ -46,6 +42,7 @@ class Contacts final : public terms::Term<3> {
  private:
   enum Cause : int { dashpot, friction };
 
+  void evaluate_pair(const Moment& now, const Due& due, const state::Bodies<3>& bodies);
   void open_face(const FreeFace& face, const state::Bodies<3>& bodies);
   void search(std::span<const Index> which, bool may_end, const Moment& now, const state::Bodies<3>& bodies,
               terms::Changes& changes);
@@ -64,6 +61,8 @@ class Contacts final : public terms::Term<3> {
   ContactSurface surface_;
   std::vector<Link> links_;
   std::vector<std::vector<SpherePair>> spheres_;  ///< by pair
+  std::vector<Clearance> clearance_;              ///< by pair
+  std::vector<Tick> fed_;                         ///< by body: when it was last given an impulse
   std::vector<Index> idle_;    ///< numbers of pairs that have ended
   std::vector<Index> ending_;  ///< of those that ended in this step: free from the next one on
   terms::SlotTable<3, 2, terms::ChangingIncidence> table_;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The force of a bonded face, in every lane of a block.
+/// The force of a bonded face, in every lane.
 ///
 ///     d = E^T (x_j + R_j b - x_i) - a       relative displacement of the slave's vertex in face axes
 ///     E = R_i Q                             face axes: normal out of the master, two tangents
@@ -11,8 +11,7 @@
 /// potential and conserves linear and angular momentum exactly. Everything is worked out in face axes and turned to
 /// world axes once. [Konno2018], 2.1, figs. 1 and 2.
 
-#include "sazare/core/lane_records.hpp"
-#include "sazare/methods/blocks/joint_block.hpp"
+#include "sazare/methods/blocks/joint_record.hpp"
 #include "sazare/state/bodies.hpp"
 
 namespace sazare::methods::blocks {
@@ -48,15 +47,15 @@ struct FaceGeometry {
   std::array<LaneVector, vertex_count> displacement;  ///< d [m]
 };
 
-inline FaceGeometry face_geometry(const JointBlock& block, const LaneBodies& master, const LaneBodies& slave) {
+inline FaceGeometry face_geometry(const JointShape<Lanes, LaneVector>& shape, const LaneBodies& master, const LaneBodies& slave) {
   FaceGeometry at;
-  at.axes = master.rotation * block.frame;
+  at.axes = master.rotation * LaneMatrix{shape.frame};
   at.apart = transposed(at.axes, slave.position - master.position);
   LaneMatrix slave_axes;  // slave's body frame to face axes
   for (int i = 0; i < 3; ++i) slave_axes[i] = transposed(at.axes, slave.rotation[i]);
   for (std::size_t v = 0; v < vertex_count; ++v) {
-    at.point[v] = slave_axes * block.arm[v] + at.apart;
-    at.displacement[v] = at.point[v] - block.corner[v];
+    at.point[v] = slave_axes * shape.arm[v] + at.apart;
+    at.displacement[v] = at.point[v] - shape.corner[v];
   }
   return at;
 }
@@ -71,79 +70,95 @@ struct JointImpulses {
 };
 
 /// Recoverable energy [J].
-inline Lanes elastic_energy(const JointBlock& block, const JointParameters<Lanes>& kind, const FaceGeometry& at) {
+inline Lanes elastic_energy(const LaneJoints& joints, const JointParameters<Lanes>& kind, const FaceGeometry& at) {
+  const auto& memory = joints.memory;
   Lanes energy{};
   for (std::size_t v = 0; v < vertex_count; ++v) {
     const LaneVector& d = at.displacement[v];
-    const Lanes x = d[1] - block.slip[v][0], y = d[2] - block.slip[v][1];
-    energy += laws::tension_energy(kind.tension, d[0], block.unloading[v]) + 0.5 * kind.shear.stiffness * (x * x + y * y);
+    const Lanes x = d[1] - memory.slip[v][0], y = d[2] - memory.slip[v][1];
+    energy += laws::tension_energy(kind.tension, d[0], memory.unloading[static_cast<int>(v)]) + 0.5 * kind.shear.stiffness * (x * x + y * y);
   }
-  return energy * block.vertex_area;
+  return energy * joints.shape.vertex_area;
 }
 
-/// Raises the memory of the `due` joints to the present opening. Says which have failed at a vertex: their whole face
-/// comes apart, and what was stored in it is lost.
-inline LaneMask soften(JointBlock& block, const JointParameters<Lanes>& kind, const FaceGeometry& at, LaneMask due) {
-  LaneMask failed{};
-  for (std::size_t v = 0; v < vertex_count; ++v) {
-    const LaneMask opens = due & (at.displacement[v][0] > block.peak[v]);
-    const Lanes peak = select(opens, at.displacement[v][0], block.peak[v]);
-    block.peak[v] = peak;
-    block.unloading[v] = select(opens, laws::unloading_stiffness(kind.tension, peak), block.unloading[v]);
-    failed |= due & (peak >= kind.tension.failure_opening);
-    for (int lane = 0; lane < lane_count; ++lane)
-      if (opens[lane] != 0) block.state[static_cast<std::size_t>(lane)] = JointState::softening;
+/// What an evaluation has done to its joints.
+struct JointChange {
+  LaneMask softened{};  ///< the memory of opening has grown
+  LaneMask slipped{};
+  LaneMask failed{};    ///< a vertex has failed: the whole face comes apart and gives nothing
+};
+
+/// Raises the memory to the present opening; what is stored in a face that fails is lost.
+inline void soften(LaneJoints& joints, const JointParameters<Lanes>& kind, const FaceGeometry& at, JointChange& change) {
+  auto& memory = joints.memory;
+  for (int v = 0; v < vertex_count; ++v) {
+    const Lanes opening = at.displacement[static_cast<std::size_t>(v)][0];
+    const LaneMask opens = opening > memory.peak[v];
+    memory.peak[v] = select(opens, opening, memory.peak[v]);
+    memory.unloading[v] = select(opens, laws::unloading_stiffness(kind.tension, memory.peak[v]), memory.unloading[v]);
+    change.softened |= opens;
+    change.failed |= memory.peak[v] >= kind.tension.failure_opening;
   }
-  if (any(failed)) {
-    block.released = select(failed, elastic_energy(block, kind, at), block.released);
-    for (int lane = 0; lane < lane_count; ++lane)
-      if (failed[lane] != 0) block.state[static_cast<std::size_t>(lane)] = JointState::broken;
-  }
-  return failed;
+  if (any(change.failed)) memory.released = select(change.failed, elastic_energy(joints, kind, at), memory.released);
 }
 
-/// Evaluates the `due` joints of a block over the time each acts. Returns those that have failed: they give nothing.
-inline LaneMask evaluate(JointBlock& block, const JointParameters<Lanes>& kind, const LaneBodies& master,
-                         const LaneBodies& slave, LaneMask due, Lanes acting, JointImpulses& given) {
-  const FaceGeometry at = face_geometry(block, master, slave);
-  LaneMask opening{}, failed{};
-  for (std::size_t v = 0; v < vertex_count; ++v) opening |= at.displacement[v][0] > block.peak[v];
-  if (any(due & opening)) failed = soften(block, kind, at, due);
+/// Elastic shear displacement of a vertex, after it has slipped where it must.
+inline std::array<Lanes, 2> shear(LaneJoints& joints, const JointParameters<Lanes>& kind, std::size_t v, const LaneVector& d,
+                                  Lanes stress, JointChange& change) {
+  auto& slip = joints.memory.slip[v];
+  laws::Slip<Lanes> at{{d[1] - slip[0], d[2] - slip[1]}, {slip[0], slip[1]}, {}};
+  const Lanes strength = laws::shear_strength(kind.shear, stress);
+  const LaneMask slips = laws::slips(kind.shear, at, strength);
+  if (any(slips)) {
+    laws::slip_back(kind.shear, at, strength);
+    slip = {at.memory[0], at.memory[1]};
+    joints.memory.slip_work += select(change.failed, Lanes{}, joints.shape.vertex_area * at.dissipation);
+    change.slipped |= slips;
+  }
+  return {at.elastic[0], at.elastic[1]};
+}
+
+/// Sums over the vertices of forces and of their moments about the master's centre, in face axes.
+struct FaceSums {
+  LaneVector force, moment;
+
+  void add(const LaneVector& point, const LaneVector& at_point) {
+    force = force + at_point;
+    moment = moment + cross(point, at_point);
+  }
+};
+
+/// Evaluates joints over the time each acts.
+inline JointChange evaluate(LaneJoints& joints, const JointParameters<Lanes>& kind, const LaneBodies& master,
+                            const LaneBodies& slave, Lanes acting, JointImpulses& given) {
+  const FaceGeometry at = face_geometry(joints.shape, master, slave);
+  JointChange change;
+  LaneMask opening{};
+  for (int v = 0; v < vertex_count; ++v) opening |= at.displacement[static_cast<std::size_t>(v)][0] > joints.memory.peak[v];
+  if (any(opening)) soften(joints, kind, at, change);
 
   const LaneVector slave_spin = transposed(at.axes, slave.spin);
   const LaneVector spin = slave_spin - transposed(at.axes, master.spin);
   const LaneVector velocity = transposed(at.axes, slave.velocity - master.velocity) - cross(slave_spin, at.apart);
-  const Lanes area = -block.vertex_area * acting;
-  LaneVector spring_sum, dashpot_sum, spring_moment, dashpot_moment;  // about the master, in face axes
+  const Lanes area = -joints.shape.vertex_area * acting;
+  const Lanes shear_area = area * kind.shear.stiffness;
+  const Lanes across = area * kind.normal_damping, along = area * kind.shear_damping;
+  FaceSums springs, dashpots;
   for (std::size_t v = 0; v < vertex_count; ++v) {
     const LaneVector& d = at.displacement[v];
-    const Lanes stress = laws::tension_stress(kind.tension, d[0], block.unloading[v]);
-    laws::Slip<Lanes> shear{{d[1] - block.slip[v][0], d[2] - block.slip[v][1]}, {block.slip[v][0], block.slip[v][1]}, {}};
-    const Lanes strength = laws::shear_strength(kind.shear, stress);
-    if (any(due & laws::slips(kind.shear, shear, strength))) {
-      laws::slip_back(kind.shear, shear, strength);
-      const LaneMask holds = due & ~failed;
-      for (std::size_t axis = 0; axis < 2; ++axis)
-        block.slip[v][axis] = select(holds, shear.memory[axis], block.slip[v][axis]);
-      block.slip_work += select(holds, block.vertex_area * shear.dissipation, Lanes{});
-    }
+    const Lanes stress = laws::tension_stress(kind.tension, d[0], joints.memory.unloading[static_cast<int>(v)]);
+    const auto elastic = shear(joints, kind, v, d, stress, change);
+    springs.add(at.point[v], {{area * stress, shear_area * elastic[0], shear_area * elastic[1]}});
     const LaneVector speed = velocity + cross(spin, at.point[v]);
-    const LaneVector spring{{area * stress, area * (kind.shear.stiffness * shear.elastic[0]),
-                             area * (kind.shear.stiffness * shear.elastic[1])}};
-    const LaneVector dashpot{{area * (kind.normal_damping * speed[0]), area * (kind.shear_damping * speed[1]),
-                              area * (kind.shear_damping * speed[2])}};
-    spring_sum = spring_sum + spring;
-    dashpot_sum = dashpot_sum + dashpot;
-    spring_moment = spring_moment + cross(at.point[v], spring);
-    dashpot_moment = dashpot_moment + cross(at.point[v], dashpot);
+    dashpots.add(at.point[v], {{across * speed[0], along * speed[1], along * speed[2]}});
   }
-  const LaneVector sum = spring_sum + dashpot_sum, moment = spring_moment + dashpot_moment;
-  const LaneVector zero;
-  given.slave = {at.axes * sum, at.axes * (moment - cross(at.apart, sum)), at.axes * dashpot_sum,
-                 at.axes * (dashpot_moment - cross(at.apart, dashpot_sum))};
-  given.master = {zero - given.slave.linear, zero - at.axes * moment, zero - given.slave.dashpot_linear,
-                  zero - at.axes * dashpot_moment};
-  return failed;
+  const LaneVector sum = springs.force + dashpots.force, moment = springs.moment + dashpots.moment;
+  const LaneVector none;
+  given.slave = {at.axes * sum, at.axes * (moment - cross(at.apart, sum)), at.axes * dashpots.force,
+                 at.axes * (dashpots.moment - cross(at.apart, dashpots.force))};
+  given.master = {none - given.slave.linear, none - at.axes * moment, none - given.slave.dashpot_linear,
+                  none - at.axes * dashpots.moment};
+  return change;
 }
 
 }  // namespace sazare::methods::blocks

@@ -2,6 +2,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "sazare/parallel/threads.hpp"
+
 namespace sazare::methods::blocks {
 
 namespace {
@@ -28,6 +30,11 @@ Real largest_eigenvalue(const FreeMatrix& matrix, const FreeMatrix& mass) {
   return solver.eigenvalues().maxCoeff();
 }
 
+/// Springs of a kind over an area, their corners still to be set.
+FaceSprings springs_of(const JointKind& kind, Real corner_area) {
+  return {{}, corner_area, kind.tension.stiffness, kind.shear.stiffness, kind.normal_damping, kind.shear_damping};
+}
+
 }  // namespace
 
 void add_face(BodyMatrices& matrices, const FaceSprings& face) {
@@ -46,19 +53,35 @@ void add_face(BodyMatrices& matrices, const FaceSprings& face) {
   }
 }
 
-FaceSprings face_springs(const JointBlock& block, int lane, const JointKind& kind, bool as_master) {
-  const auto vector_of = [&](const LaneVector& lanes) { return Vector3(lanes[0][lane], lanes[1][lane], lanes[2][lane]); };
-  Matrix3 frame;
-  for (int axis = 0; axis < 3; ++axis) frame.col(axis) = vector_of(block.frame[axis]);
-  FaceSprings face;
-  for (std::size_t v = 0; v < vertex_count; ++v)
-    face.corners[v] = as_master ? Vector3(frame * vector_of(block.corner[v])) : vector_of(block.arm[v]);
-  face.corner_area = block.vertex_area[lane];
-  face.normal_stiffness = kind.tension.stiffness;
-  face.shear_stiffness = kind.shear.stiffness;
-  face.normal_damping = kind.normal_damping;
-  face.shear_damping = kind.shear_damping;
+FaceSprings face_springs(const JointRecord& joint, const JointKind& kind, bool as_master) {
+  FaceSprings face = springs_of(kind, joint.shape.vertex_area);
+  const auto& [normal, first, second] = joint.shape.frame;
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    const Vector3& corner = joint.shape.corner[v];
+    face.corners[v] = as_master ? Vector3(corner.x() * normal + corner.y() * first + corner.z() * second) : joint.shape.arm[v];
+  }
   return face;
+}
+
+std::vector<terms::Rates> joint_rates(std::span<const JointKind> kinds, std::span<const JointFace> faces,
+                                      const state::Bodies<3>& bodies) {
+  const auto at = [](Index index) { return static_cast<std::size_t>(index); };
+  std::vector<BodyMatrices> matrices(at(bodies.size()));
+  for (const JointFace& face : faces)
+    for (const Index body : {face.master, face.slave}) {
+      const auto& motion = bodies.motion[at(body)];
+      const auto& c = face.corners;
+      FaceSprings springs = springs_of(kinds[at(face.kind)], (c[1] - c[0]).cross(c[2] - c[0]).norm() / 6);
+      for (std::size_t v = 0; v < vertex_count; ++v)
+        springs.corners[v] = motion.rotation.transpose() * (c[v] - motion.position);
+      add_face(matrices[at(body)], springs);
+    }
+  std::vector<terms::Rates> rates(matrices.size());
+  parallel::parallel_for(rates.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t body = begin; body < end; ++body)
+      rates[body] = largest_rates(matrices[body], bodies.inertia[body], bodies.start_rotation[body], bodies.locks[body]);
+  });
+  return rates;
 }
 
 terms::Rates largest_rates(const BodyMatrices& matrices, const state::Inertia<3>& inertia, const Matrix3& rotation,

@@ -3,13 +3,27 @@
 /// What binds the step of a block whose neighbours are held: the largest eigenvalues of M^-1 K and M^-1 C of its six
 /// freedoms, from its own joints.
 
-#include "sazare/methods/blocks/joint_block.hpp"
+#include <array>
+#include <span>
+#include <vector>
+
+#include "sazare/methods/blocks/joint_record.hpp"
 #include "sazare/state/bodies.hpp"
 #include "sazare/terms/term.hpp"
 
 namespace sazare::methods::blocks {
 
 using Matrix6 = Eigen::Matrix<Real, 6, 6>;
+
+/// A face to be bonded.
+struct JointFace {
+  Index master = 0;
+  Index slave = 0;
+  Index kind = 0;
+  int master_face = 0;  ///< local faces 0..3
+  int slave_face = 0;
+  std::array<Vector3, 3> corners;  ///< counter-clockwise seen from outside the master [m]
+};
 
 /// Stiffness and damping of one block: three translations, three rotations about its centre, in its body frame.
 struct BodyMatrices {
@@ -30,7 +44,11 @@ struct FaceSprings {
 void add_face(BodyMatrices& matrices, const FaceSprings& face);
 
 /// The springs of a joint as one of its two bodies has them at the beginning.
-FaceSprings face_springs(const JointBlock& block, int lane, const JointKind& kind, bool as_master);
+FaceSprings face_springs(const JointRecord& joint, const JointKind& kind, bool as_master);
+
+/// Rates of every body from the faces that are to be bonded.
+std::vector<terms::Rates> joint_rates(std::span<const JointKind> kinds, std::span<const JointFace> faces,
+                                      const state::Bodies<3>& bodies);
 
 /// Freedoms locked in world axes are left out; `rotation` is body frame to world.
 terms::Rates largest_rates(const BodyMatrices& matrices, const state::Inertia<3>& inertia, const Matrix3& rotation,

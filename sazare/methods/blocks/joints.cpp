@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "sazare/methods/blocks/joint_rates.hpp"
 #include "sazare/parallel/threads.hpp"
 
 namespace sazare::methods::blocks {
@@ -24,52 +23,57 @@ Matrix3 face_axes(const std::array<Vector3, 3>& corners) {
   return axes;
 }
 
-void set_lane(LaneVector& lanes, int lane, const Vector3& value) {
-  for (int axis = 0; axis < 3; ++axis) lanes[axis][lane] = value[axis];
+void set_lane(JointParameters<Lanes>& lanes, int lane, const JointKind& kind) {
+  lanes.tension.stiffness[lane] = kind.tension.stiffness;
+  lanes.tension.strength[lane] = kind.tension.strength;
+  lanes.tension.elastic_opening[lane] = kind.tension.elastic_opening;
+  lanes.tension.failure_opening[lane] = kind.tension.failure_opening;
+  lanes.shear.stiffness[lane] = kind.shear.stiffness;
+  lanes.shear.cohesion[lane] = kind.shear.cohesion;
+  lanes.shear.friction[lane] = kind.shear.friction;
+  lanes.normal_damping[lane] = kind.normal_damping;
+  lanes.shear_damping[lane] = kind.shear_damping;
 }
 
-void set_joint(JointBlock& block, int lane, const JointFace& face, const JointKind& kind, const state::Bodies<3>& bodies) {
+JointRecord make_joint(const JointFace& face, const JointKind& kind, const state::Bodies<3>& bodies) {
   const auto &master = bodies.motion[at(face.master)], &slave = bodies.motion[at(face.slave)];
   const auto& c = face.corners;
   const Matrix3 frame = master.rotation.transpose() * face_axes(c);
-  for (int axis = 0; axis < 3; ++axis) set_lane(block.frame[axis], lane, frame.col(axis));
+  JointRecord joint;
+  joint.shape.frame = {frame.col(0), frame.col(1), frame.col(2)};
   for (std::size_t v = 0; v < vertex_count; ++v) {
-    set_lane(block.corner[v], lane, frame.transpose() * (master.rotation.transpose() * (c[v] - master.position)));
-    set_lane(block.arm[v], lane, slave.rotation.transpose() * (c[v] - slave.position));
-    block.peak[v][lane] = kind.tension.elastic_opening;
-    block.unloading[v][lane] = kind.tension.stiffness;
+    joint.shape.corner[v] = frame.transpose() * (master.rotation.transpose() * (c[v] - master.position));
+    joint.shape.arm[v] = slave.rotation.transpose() * (c[v] - slave.position);
   }
-  block.vertex_area[lane] = (c[1] - c[0]).cross(c[2] - c[0]).norm() / 6;
-  block.master[at(lane)] = face.master;
-  block.slave[at(lane)] = face.slave;
-  block.kind[at(lane)] = face.kind;
+  joint.shape.vertex_area = (c[1] - c[0]).cross(c[2] - c[0]).norm() / 6;
+  joint.memory.peak.setConstant(kind.tension.elastic_opening);
+  joint.memory.unloading.setConstant(kind.tension.stiffness);
+  joint.master = face.master;
+  joint.slave = face.slave;
+  joint.kind = face.kind;
+  return joint;
 }
 
 }  // namespace
 
-/// Lanes of one block that are due.
-struct Joints::DueBlock {
-  std::size_t block = 0;
-  std::array<const Due*, lane_count> lanes{};
-};
-
 Joints::Joints(std::vector<JointKind> kinds, std::span<const JointFace> faces, const state::Bodies<3>& bodies)
-    : kinds_(std::move(kinds)),
-      blocks_((faces.size() + lane_count - 1) / lane_count, JointBlock{}),
-      at_face_(at(bodies.size()), {-1, -1, -1, -1}),
-      rates_(at(bodies.size())) {
+    : Joints(kinds, faces, joint_rates(kinds, faces, bodies), bodies) {}
+
+Joints::Joints(std::vector<JointKind> kinds, std::span<const JointFace> faces, std::vector<terms::Rates> rates,
+               const state::Bodies<3>& bodies)
+    : kinds_(std::move(kinds)), at_face_(at(bodies.size()), {-1, -1, -1, -1}), rates_(std::move(rates)) {
+  for (const JointKind& kind : kinds_) {
+    lane_kinds_.emplace_back();
+    for (int lane = 0; lane < lane_count; ++lane) set_lane(lane_kinds_.back(), lane, kind);
+  }
   for (const JointFace& face : faces) {
-    const auto joint = static_cast<Index>(links_.size());
-    at_face_[at(face.master)][at(face.master_face)] = joint;
-    at_face_[at(face.slave)][at(face.slave_face)] = joint;
+    at_face_[at(face.master)][at(face.master_face)] = count();
+    at_face_[at(face.slave)][at(face.slave_face)] = count();
+    records_.push_back(make_joint(face, kinds_[at(face.kind)], bodies));
     links_.push_back({face.master, face.slave});
-    set_joint(blocks_[place_of(joint).block], place_of(joint).lane, face, kinds_[at(face.kind)], bodies);
   }
   table_.slots.resize(faces.size());
   table_.incidence = terms::FixedIncidence(bodies.size(), links_);
-  parallel::parallel_for(rates_.size(), 256, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t body = begin; body < end; ++body) update_rates(static_cast<Index>(body), bodies);
-  });
 }
 
 std::vector<Index> Joints::first_links() const {
@@ -81,80 +85,81 @@ std::vector<Index> Joints::first_links() const {
 
 void Joints::evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
   parallel::parallel_for(due.size(), serial_below, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end;) {  // joints of one block that follow one another go together
-      DueBlock together{place_of(due[i].link).block, {}};
-      for (; i < end && place_of(due[i].link).block == together.block; ++i) together.lanes[at(place_of(due[i].link).lane)] = &due[i];
-      evaluate_block(now, together, bodies);
-    }
+    for (std::size_t i = begin; i < end; i += lane_count)
+      evaluate_lanes(now, due.subspan(i, std::min<std::size_t>(lane_count, end - i)), bodies);
   });
 }
 
-void Joints::evaluate_block(const Moment& now, const DueBlock& due, const state::Bodies<3>& bodies) {
-  JointBlock& block = blocks_[due.block];
+/// Evaluates as many joints as there are lanes, or fewer: idle lanes repeat the first.
+void Joints::evaluate_lanes(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
+  LanePointers<JointRecord> records;
   LanePointers<const state::Motion<3>> masters, slaves;
   Lanes acting{};
-  LaneMask active{};
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
-    masters[lane] = &bodies.motion[at(block.master[lane])];
-    slaves[lane] = &bodies.motion[at(block.slave[lane])];
-    if (due.lanes[lane] == nullptr) continue;
-    acting[static_cast<int>(lane)] = due.lanes[lane]->acting;
-    active[static_cast<int>(lane)] = -1;
+    const Due& link = due[lane < due.size() ? lane : 0];
+    records[lane] = &records_[at(link.link)];
+    masters[lane] = &bodies.motion[at(records[lane]->master)];
+    slaves[lane] = &bodies.motion[at(records[lane]->slave)];
+    acting[static_cast<int>(lane)] = link.acting;
   }
+  LaneJoints joints = load_joints(records);
+  JointParameters<Lanes> mixed;
   JointImpulses given;
-  const LaneMask failed =
-      blocks::evaluate(block, kinds_of(block), load_bodies(masters, now), load_bodies(slaves, now), active, acting, given);
-  deliver(now, due, failed, given, bodies);
+  const JointChange change = blocks::evaluate(joints, kinds_of(records, mixed), load_bodies(masters, now),
+                                              load_bodies(slaves, now), acting, given);
+  if (any(change.softened | change.slipped)) store_memory(joints.memory, records, static_cast<int>(due.size()));
+  deliver(now, due, change, given, bodies);
 }
 
 /// From lanes to the slots.
-void Joints::deliver(const Moment& now, const DueBlock& due, LaneMask failed, const JointImpulses& given,
+void Joints::deliver(const Moment& now, std::span<const Due> due, const JointChange& change, const JointImpulses& given,
                      const state::Bodies<3>& bodies) {
   struct alignas(64) Record {
     terms::Deposit<3, 1> master, slave;
   };
   static_assert(sizeof(Record) == 24 * sizeof(Real));
-  std::array<Record, lane_count> records;
+  std::array<Record, lane_count> impulses;
   LanePointers<Record> rows;
-  for (std::size_t lane = 0; lane < lane_count; ++lane) rows[lane] = &records[lane];
-  std::array<Lanes, 24> fields;
-  std::size_t next = 0;
-  for (const FaceImpulse* side : {&given.master, &given.slave})
-    for (const LaneVector* vector : {&side->linear, &side->angular, &side->dashpot_linear, &side->dashpot_angular})
-      for (int axis = 0; axis < 3; ++axis) fields[next++] = (*vector)[axis];
-  store_records<24>(fields, rows);
-  const JointBlock& block = blocks_[due.block];
-  for (std::size_t lane = 0; lane < lane_count; ++lane) {
-    const Due* link = due.lanes[lane];
-    if (link == nullptr) continue;
-    if (failed[static_cast<int>(lane)] != 0) {
-      failed_.add(link->link);
-      continue;
+  for (std::size_t lane = 0; lane < lane_count; ++lane) rows[lane] = &impulses[lane];
+  const FaceImpulse &m = given.master, &s = given.slave;
+  store_records<24>({m.linear[0], m.linear[1], m.linear[2], m.angular[0], m.angular[1], m.angular[2],
+                     m.dashpot_linear[0], m.dashpot_linear[1], m.dashpot_linear[2],
+                     m.dashpot_angular[0], m.dashpot_angular[1], m.dashpot_angular[2],
+                     s.linear[0], s.linear[1], s.linear[2], s.angular[0], s.angular[1], s.angular[2],
+                     s.dashpot_linear[0], s.dashpot_linear[1], s.dashpot_linear[2],
+                     s.dashpot_angular[0], s.dashpot_angular[1], s.dashpot_angular[2]}, rows);
+  for (std::size_t lane = 0; lane < due.size(); ++lane) {
+    JointRecord& joint = records_[at(due[lane].link)];
+    if (change.softened[static_cast<int>(lane)] != 0) joint.state = JointState::softening;
+    if (change.failed[static_cast<int>(lane)] == 0) {
+      deliver_one(now, due[lane], joint, impulses[lane].master, impulses[lane].slave, bodies);
+    } else {
+      joint.state = JointState::broken;
+      failed_.add(due[lane].link);
     }
-    auto& slot = table_[link->link];
-    const Index master = block.master[lane], slave = block.slave[lane];
-    if (terms::deposit(slot, 0, bodies.motion[at(master)], now, *link, records[lane].master)) struck_.add(master);
-    if (terms::deposit(slot, 1, bodies.motion[at(slave)], now, *link, records[lane].slave)) struck_.add(slave);
-    terms::mark(slot, now, *link);
   }
 }
 
-/// Parameters of each lane.
-JointParameters<Lanes> Joints::kinds_of(const JointBlock& block) const {
-  JointParameters<Lanes> lanes;
-  for (int lane = 0; lane < lane_count; ++lane) {
-    const JointKind& kind = kinds_[at(block.kind[at(lane)])];
-    lanes.tension.stiffness[lane] = kind.tension.stiffness;
-    lanes.tension.strength[lane] = kind.tension.strength;
-    lanes.tension.elastic_opening[lane] = kind.tension.elastic_opening;
-    lanes.tension.failure_opening[lane] = kind.tension.failure_opening;
-    lanes.shear.stiffness[lane] = kind.shear.stiffness;
-    lanes.shear.cohesion[lane] = kind.shear.cohesion;
-    lanes.shear.friction[lane] = kind.shear.friction;
-    lanes.normal_damping[lane] = kind.normal_damping;
-    lanes.shear_damping[lane] = kind.shear_damping;
+void Joints::deliver_one(const Moment& now, const Due& due, const JointRecord& joint, const terms::Deposit<3, 1>& on_master,
+                         const terms::Deposit<3, 1>& on_slave, const state::Bodies<3>& bodies) {
+  auto& slot = table_[due.link];
+  const auto &master = bodies.motion[at(joint.master)], &slave = bodies.motion[at(joint.slave)];
+  if (slot.lagging < 0 && master.due == now.tick && slave.due == now.tick) {  // the usual way, and much the shortest
+    slot.waiting = {on_master, on_slave};
+    slot.acting = {due.acting, due.acting};
+  } else {
+    if (terms::deposit(slot, 0, master, now, due, on_master)) struck_.add(joint.master);
+    if (terms::deposit(slot, 1, slave, now, due, on_slave)) struck_.add(joint.slave);
   }
-  return lanes;
+  terms::mark(slot, now, due);
+}
+
+/// Parameters of each lane; `mixed` holds them where the lanes are of several kinds.
+const JointParameters<Lanes>& Joints::kinds_of(const LanePointers<JointRecord>& joints, JointParameters<Lanes>& mixed) const {
+  const Index kind = joints[0]->kind;
+  if (std::ranges::all_of(joints, [&](const JointRecord* joint) { return joint->kind == kind; })) return lane_kinds_[at(kind)];
+  for (int lane = 0; lane < lane_count; ++lane) set_lane(mixed, lane, kinds_[at(joints[at(lane)]->kind)]);
+  return mixed;
 }
 
 void Joints::settle(const Moment&, std::span<const Due>, const state::Bodies<3>& bodies, terms::Changes& changes) {
@@ -181,64 +186,62 @@ bool Joints::bonded(Index first, Index second) const {
 }
 
 JointReport Joints::report(Index joint) const {
-  const auto [number, lane] = place_of(joint);
-  const JointBlock& block = blocks_[number];
-  JointReport report{block.master[at(lane)], block.slave[at(lane)], block.kind[at(lane)], block.state[at(lane)],
-                     vertex_count * block.vertex_area[lane], 0, 0};
-  for (std::size_t v = 0; v < vertex_count; ++v) {
-    report.opening = std::max(report.opening, block.peak[v][lane]);
-    report.slip = std::max(report.slip, std::hypot(block.slip[v][0][lane], block.slip[v][1][lane]));
-  }
+  const JointRecord& record = records_[at(joint)];
+  JointReport report{record.master, record.slave, record.kind, record.state, vertex_count * record.shape.vertex_area,
+                     record.memory.peak.maxCoeff(), 0};
+  for (const auto& slip : record.memory.slip) report.slip = std::max(report.slip, std::hypot(slip[0], slip[1]));
   return report;
 }
 
 void Joints::update_rates(Index body, const state::Bodies<3>& bodies) {
   BodyMatrices matrices;
-  for (const Index joint : at_face_[at(body)])
-    if (joint >= 0 && state(joint) != JointState::broken) {
-      const auto [block, lane] = place_of(joint);
-      const JointBlock& of = blocks_[block];
-      add_face(matrices, face_springs(of, lane, kinds_[at(of.kind[at(lane)])], of.master[at(lane)] == body));
+  for (const Index number : at_face_[at(body)])
+    if (number >= 0 && state(number) != JointState::broken) {
+      const JointRecord& joint = records_[at(number)];
+      add_face(matrices, face_springs(joint, kinds_[at(joint.kind)], joint.master == body));
     }
   rates_[at(body)] = largest_rates(matrices, bodies.inertia[at(body)], bodies.start_rotation[at(body)], bodies.locks[at(body)]);
 }
 
 namespace {
 
-/// Bodies of a block's lanes in their places at a base step.
-LaneBodies bodies_at(const std::array<Index, lane_count>& which, const terms::Synchronized<3>& synchronized) {
-  LaneBodies bodies{};
-  for (int lane = 0; lane < lane_count; ++lane) {
-    const auto& pose = synchronized.pose_of(which[at(lane)]);
-    set_lane(bodies.position, lane, pose.position);
-    for (int axis = 0; axis < 3; ++axis) set_lane(bodies.rotation[axis], lane, pose.rotation.col(axis));
+void set_lane(LaneBodies& bodies, int lane, const state::Pose<3>& pose) {
+  for (int row = 0; row < 3; ++row) {
+    bodies.position[row][lane] = pose.position[row];
+    for (int column = 0; column < 3; ++column) bodies.rotation[column][row][lane] = pose.rotation(row, column);
   }
-  return bodies;
 }
 
 }  // namespace
 
+/// Elastic energy of the joint in the places of a base step [J].
+Real Joints::elastic_energy_of(JointRecord& joint, const terms::Synchronized<3>& synchronized) const {
+  LanePointers<JointRecord> same;
+  same.fill(&joint);
+  LaneBodies master{}, slave{};
+  for (int lane = 0; lane < lane_count; ++lane) {
+    set_lane(master, lane, synchronized.pose_of(joint.master));
+    set_lane(slave, lane, synchronized.pose_of(joint.slave));
+  }
+  const LaneJoints joints = load_joints(same);
+  return elastic_energy(joints, lane_kinds_[at(joint.kind)], face_geometry(joints.shape, master, slave))[0];
+}
+
 void Joints::add_energies(const terms::Synchronized<3>& synchronized, terms::Ledger& ledger) const {
-  for (std::size_t number = 0; number < blocks_.size(); ++number) {
-    const JointBlock& block = blocks_[number];
-    const LaneBodies masters = bodies_at(block.master, synchronized), slaves = bodies_at(block.slave, synchronized);
-    const Lanes elastic = elastic_energy(block, kinds_of(block), face_geometry(block, masters, slaves));
-    for (int lane = 0; lane < lane_count; ++lane) {
-      const auto joint = static_cast<Index>(number * lane_count) + lane;
-      if (joint >= count()) break;
-      ledger[terms::Account::joint_dashpot] -= table_.work_until(joint, links_[at(joint)], 0, synchronized);
-      ledger[terms::Account::slip] += block.slip_work[lane];
-      ledger[terms::Account::release] += block.released[lane];
-      for (std::size_t v = 0; v < vertex_count; ++v)
-        ledger[terms::Account::fracture] +=
-            block.vertex_area[lane] * laws::fracture_dissipation(kinds_[at(block.kind[at(lane)])].tension, block.peak[v][lane]);
-      if (block.state[at(lane)] != JointState::broken) ledger[terms::Account::elastic] += elastic[lane];
-    }
+  for (Index number = 0; number < count(); ++number) {
+    JointRecord joint = records_[at(number)];
+    ledger[terms::Account::joint_dashpot] -= table_.work_until(number, links_[at(number)], 0, synchronized);
+    ledger[terms::Account::slip] += joint.memory.slip_work;
+    ledger[terms::Account::release] += joint.memory.released;
+    for (int v = 0; v < vertex_count; ++v)
+      ledger[terms::Account::fracture] +=
+          joint.shape.vertex_area * laws::fracture_dissipation(kinds_[at(joint.kind)].tension, joint.memory.peak[v]);
+    if (joint.state != JointState::broken) ledger[terms::Account::elastic] += elastic_energy_of(joint, synchronized);
   }
 }
 
 void Joints::columns(Archive& archive) {
-  archive("blocks", blocks_);
+  archive("joints", records_);
   archive("slots", table_.slots);
   archive("rates", rates_);
   archive("broken", broken_);

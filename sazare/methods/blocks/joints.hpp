@@ -7,19 +7,10 @@
 #include <vector>
 
 #include "sazare/methods/blocks/joint_kernel.hpp"
+#include "sazare/methods/blocks/joint_rates.hpp"
 #include "sazare/terms/slot_table.hpp"
 
 namespace sazare::methods::blocks {
-
-/// A face to be bonded.
-struct JointFace {
-  Index master = 0;
-  Index slave = 0;
-  Index kind = 0;
-  int master_face = 0;  ///< local faces 0..3
-  int slave_face = 0;
-  std::array<Vector3, 3> corners;  ///< counter-clockwise seen from outside the master [m]
-};
 
 /// A joint as results show it.
 struct JointReport {
@@ -34,9 +25,11 @@ struct JointReport {
 
 class Joints final : public terms::Term<3> {
  public:
-  /// `bodies` stand where the faces are given. Faces that follow one another are evaluated together: those of like steps
-  /// and places should stand together.
+  /// `bodies` stand where the faces are given.
   Joints(std::vector<JointKind> kinds, std::span<const JointFace> faces, const state::Bodies<3>& bodies);
+  /// With the rates that `joint_rates` has found.
+  Joints(std::vector<JointKind> kinds, std::span<const JointFace> faces, std::vector<terms::Rates> rates,
+         const state::Bodies<3>& bodies);
 
   std::string_view name() const override { return "joints"; }
   std::span<const Link> links() const override { return links_; }
@@ -59,7 +52,7 @@ class Joints final : public terms::Term<3> {
 
   Index count() const { return static_cast<Index>(links_.size()); }
   JointReport report(Index joint) const;
-  JointState state(Index joint) const { return blocks_[place_of(joint).block].state[static_cast<std::size_t>(place_of(joint).lane)]; }
+  JointState state(Index joint) const { return records_[static_cast<std::size_t>(joint)].state; }
 
   /// Joint on a body's local face, or -1.
   Index joint_at(Index body, int face) const {
@@ -75,15 +68,18 @@ class Joints final : public terms::Term<3> {
   std::vector<Index> take_broken();
 
  private:
-  struct DueBlock;
-  void evaluate_block(const Moment& now, const DueBlock& due, const state::Bodies<3>& bodies);
-  void deliver(const Moment& now, const DueBlock& due, LaneMask failed, const JointImpulses& given,
+  void evaluate_lanes(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies);
+  void deliver(const Moment& now, std::span<const Due> due, const JointChange& change, const JointImpulses& given,
                const state::Bodies<3>& bodies);
-  JointParameters<Lanes> kinds_of(const JointBlock& block) const;
+  void deliver_one(const Moment& now, const Due& due, const JointRecord& joint, const terms::Deposit<3, 1>& on_master,
+                   const terms::Deposit<3, 1>& on_slave, const state::Bodies<3>& bodies);
+  const JointParameters<Lanes>& kinds_of(const LanePointers<JointRecord>& joints, JointParameters<Lanes>& mixed) const;
   void update_rates(Index body, const state::Bodies<3>& bodies);
+  Real elastic_energy_of(JointRecord& joint, const terms::Synchronized<3>& synchronized) const;
 
   std::vector<JointKind> kinds_;
-  std::vector<JointBlock> blocks_;
+  std::vector<JointParameters<Lanes>> lane_kinds_;  ///< each kind in all lanes
+  std::vector<JointRecord> records_;
   std::vector<Link> links_;
   terms::SlotTable<3, 1, terms::FixedIncidence> table_;
   std::vector<std::array<Index, 4>> at_face_;  ///< joint by body and local face
