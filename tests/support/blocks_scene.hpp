@@ -1,0 +1,75 @@
+#pragma once
+
+/// Small scenes of blocks for tests: meshes written down by hand and the concrete of the blasting paper.
+
+#include "sazare/runs/blocks_model.hpp"
+
+namespace sazare::test {
+
+/// Two tetrahedra, mirror images in the plane x = 0, that share the triangle in it. Element 0 lies at x < 0.
+inline geometry::TetraMesh two_blocks(Real size = 0.1) {
+  geometry::TetraMesh mesh;
+  const Real half = 0.5 * size, low = -size / std::sqrt(12.0), high = size / std::sqrt(3.0), tall = size * std::sqrt(2.0 / 3);
+  mesh.nodes = {{0, -half, low}, {0, half, low}, {0, 0, high}, {-tall, 0, 0}, {tall, 0, 0}};
+  mesh.tetrahedra = {{3, 0, 1, 2}, {4, 0, 2, 1}};
+  mesh.region = {0, 1};
+  mesh.region_names = {"left", "right"};
+  return mesh;
+}
+
+inline cases::Joint concrete_joint(const std::string& first, const std::string& second) {
+  cases::Joint joint;
+  joint.name = first + " " + second;
+  joint.between = {first, second};
+  joint.normal_stiffness = 450e9;
+  joint.shear_stiffness = 90e9;
+  joint.normal_damping = 22.6e6;
+  joint.shear_damping = 10.1e6;
+  joint.cohesion = 6.66e6;
+  joint.friction_coefficient = 0.58;
+  joint.tensile_strength = 6.66e6;
+  joint.fracture_energy = 99.67;
+  return joint;
+}
+
+/// The two blocks as concrete, free in space, with a joint between them that is bonded or not.
+inline cases::BlocksCase two_block_case(bool bonded) {
+  cases::BlocksCase blocks;
+  blocks.materials = {{"left", {"left"}, 2390.0}, {"right", {"right"}, 2390.0}};
+  cases::Joint joint = concrete_joint("left", "right");
+  joint.bonded = bonded;
+  blocks.joints = {joint};
+  blocks.contact.normal_stiffness = 1.5e9;
+  blocks.contact.normal_damping = 3.08e6;
+  blocks.contact.friction_coefficient = 0.58;
+  blocks.time.limiter = cases::Limiter::none;
+  blocks.time.base_step = 1e-8;
+  blocks.time.history_interval = 1e-6;
+  return blocks;
+}
+
+inline void move(cases::BlocksCase& blocks, const std::string& region, const Vector3& velocity) {
+  blocks.initial_velocities.push_back({{region}, velocity});
+}
+
+/// The scene of the paper with the limits given; the mesh is read from the repository's root.
+inline cases::BlocksCase blast_case() {
+  cases::BlocksCase blocks;
+  blocks.materials = {{"concrete", {"concrete"}, 2390.0}};
+  blocks.joints = {concrete_joint("concrete", "concrete")};
+  blocks.contact.normal_stiffness = 1.5e9;
+  blocks.contact.normal_damping = 3.08e6;
+  blocks.contact.friction_coefficient = 0.58;
+  cases::Blast blast;
+  blast.name = blast.surface = "hole";
+  blast.pressure = cases::PressurePulse{5.75e8, 1.33e-4, 2.75};
+  blocks.blasts = {blast};
+  cases::Constraint in_plane;
+  in_plane.regions = {"concrete"};
+  in_plane.translation = {false, false, true};
+  blocks.constraints = {in_plane};
+  blocks.time.history_interval = 1e-6;
+  return blocks;
+}
+
+}  // namespace sazare::test

@@ -1,0 +1,87 @@
+#pragma once
+
+/// Asks a term for the forces it has in a given place: one evaluation of some links, gathered body by body.
+
+#include <vector>
+
+#include "sazare/terms/term.hpp"
+
+namespace sazare::test {
+
+template <int D>
+class ForceProbe {
+ public:
+  ForceProbe(terms::Term<D>& term, state::Bodies<D>& bodies) : term_(term), bodies_(bodies) {}
+
+  /// Force and moment on every body from the links given; each call stands at a new tick.
+  std::vector<state::Impulse<D>> forces(const std::vector<Index>& links) {
+    const Moment now{++tick_, 1.0};
+    std::vector<Due> due;
+    for (const Index link : links) due.push_back({link, 1.0, 0.5});  // acts for a second: the impulse is the force
+    std::vector<Index> all;
+    for (Index body = 0; body < bodies_.size(); ++body) {
+      auto& motion = bodies_.motion[static_cast<std::size_t>(body)];
+      motion.due = now.tick;
+      motion.last_kick = now.tick - 1;
+      all.push_back(body);
+    }
+    term_.evaluate(now, due, bodies_);
+    std::vector<state::Impulse<D>> sum(all.size());
+    term_.gather(now, all, bodies_, sum);
+    return sum;
+  }
+  std::vector<state::Impulse<D>> forces() { return forces(term_.first_links()); }
+
+  /// The term's ledger with all bodies where they are now.
+  terms::Ledger ledger() const {
+    std::vector<state::Pose<D>> poses;
+    for (const auto& motion : bodies_.motion) poses.push_back({motion.position, motion.rotation});
+    const std::vector<state::MeanMotion<D>> still(
+        poses.size(), state::MeanMotion<D>{Vector<D>::Zero(), Angular<D>::Zero()});
+    terms::Ledger ledger;
+    term_.add_energies({tick_ + 1, poses, still}, ledger);
+    return ledger;
+  }
+
+  terms::Changes settle() {
+    terms::Changes changes;
+    term_.settle(Moment{tick_, 1.0}, {}, bodies_, changes);
+    return changes;
+  }
+
+  Tick tick() const { return tick_; }
+
+ private:
+  terms::Term<D>& term_;
+  state::Bodies<D>& bodies_;
+  Tick tick_ = 0;
+};
+
+/// Force on one freedom of a body (its translations, then its rotations) as minus the slope of the elastic energy, by a
+/// central difference. Rotations are about world axes by small angles.
+template <int D>
+Real energy_slope(const ForceProbe<D>& probe, state::Bodies<D>& bodies, Index body, int freedom, Real step) {
+  auto& motion = bodies.motion[static_cast<std::size_t>(body)];
+  const auto original = motion;
+  const auto energy = [&](Real by) {
+    motion = original;
+    if (freedom < D) {
+      motion.position[freedom] += by;
+    } else {
+      Angular<D> axis = Angular<D>::Zero();
+      axis[freedom - D] = 1;
+      motion.rotation = state::turn(axis, by) * original.rotation;
+    }
+    const Real joules = probe.ledger()[terms::Account::elastic];
+    motion = original;
+    return joules;
+  };
+  return -(energy(step) - energy(-step)) / (2 * step);
+}
+
+template <int D>
+Real component(const state::Impulse<D>& force, int freedom) {
+  return freedom < D ? force.linear[freedom] : force.angular[freedom - D];
+}
+
+}  // namespace sazare::test
