@@ -6,8 +6,6 @@
 #include <numeric>
 #include <utility>
 
-#include "sazare/runs/joint_view.hpp"
-
 namespace sazare::runs {
 
 namespace {
@@ -42,8 +40,8 @@ class Sets {
 FragmentMap find_fragments(Index elements, const methods::blocks::Joints& joints) {
   Sets sets(elements);
   const auto links = joints.links();
-  for (Index joint = 0; joint < joint_count(joints); ++joint)
-    if (joint_holds(joints, joint)) sets.join(links[at(joint)].first, links[at(joint)].second);
+  for (Index joint = 0; joint < joints.count(); ++joint)
+    if (joints.state(joint) != methods::blocks::JointState::broken) sets.join(links[at(joint)].first, links[at(joint)].second);
   FragmentMap map;
   for (Index element = 0; element < elements; ++element) {
     const Index root = sets.root(element);

@@ -11,7 +11,6 @@
 #include "sazare/core/error.hpp"
 #include "sazare/core/version.hpp"
 #include "sazare/observe/hash.hpp"
-#include "sazare/runs/joint_view.hpp"
 #include "sazare/state/bodies.hpp"
 
 namespace sazare::runs {
@@ -58,8 +57,8 @@ std::string tables_hash(const cases::BlocksCase& blocks) {
 }
 
 std::string program_text() {
-  return fmt::format("Sazare {}, commit {}, GCC {}, records of {}, {} and {} bytes", version, commit, __VERSION__,
-                     sizeof(state::Motion<3>), sizeof(state::Inertia<3>), joint_record_size);
+  return fmt::format("Sazare {}, commit {}, GCC {}, records of {} and {} bytes", version, commit, __VERSION__,
+                     sizeof(state::Motion<3>), sizeof(state::Inertia<3>));
 }
 
 std::vector<std::string> lines_of(const std::string& text) {

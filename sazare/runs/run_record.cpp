@@ -94,6 +94,7 @@ const FragmentMap& RunRecord::fragments() {
 void RunRecord::flush(bool to_disk) {
   if (history_table_) history_table_->flush(to_disk);
   if (gauge_table_) gauge_table_->flush(to_disk);
+  if (to_disk) snapshots_.sync();
 }
 
 void RunRecord::write_fragments() {

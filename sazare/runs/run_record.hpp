@@ -28,7 +28,7 @@ class RunRecord {
   /// Writes what is due at a base step. Throws PhysicsError when the motion of an element is no number.
   void observe(std::int64_t step, Real wall_seconds);
 
-  /// Hands the tables to the system, or to the disk.
+  /// Hands the tables to the system; all that was written to the disk where `to_disk`.
   void flush(bool to_disk);
 
   /// Throws PhysicsError when the motion of an element is no number.

@@ -1,10 +1,10 @@
 #include "sazare/runs/snapshots.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "sazare/geometry/tetrahedron.hpp"
-#include "sazare/runs/joint_view.hpp"
 #include "sazare/runs/material_points.hpp"
 
 namespace sazare::runs {
@@ -38,7 +38,7 @@ Integers own_points(std::size_t points) {
 Snapshots::Snapshots(const std::filesystem::path& folder, const BlocksModel& model)
     : model_(&model), elements_(folder, "elements"), joints_(folder, "joints") {
   const auto links = model.joints->links();
-  faces_.resize(at(joint_count(*model.joints)));
+  faces_.resize(at(model.joints->count()));
   const auto elements = static_cast<Index>(model.mesh.tetrahedra.size());
   for (Index element = 0; element < elements; ++element) {
     tags_.push_back(static_cast<std::int32_t>(geometry::element_tag(model.mesh, element)));
@@ -53,6 +53,11 @@ Snapshots::Snapshots(const std::filesystem::path& folder, const BlocksModel& mod
       made.normal = geometry::outward_normal(corners, face);
     }
   }
+}
+
+void Snapshots::sync() {
+  elements_.sync();
+  joints_.sync();
 }
 
 void Snapshots::resume(std::size_t count) {
@@ -73,7 +78,7 @@ std::vector<Real> Snapshots::damage() const {
       const Index joint = model_->joints->joint_at(element, face);
       if (joint < 0) continue;
       ++joints;
-      if (!joint_holds(*model_->joints, joint)) ++broken;
+      if (model_->joints->state(joint) == methods::blocks::JointState::broken) ++broken;
     }
     damage.push_back(joints > 0 ? broken / joints : 0);
   }
@@ -124,8 +129,9 @@ void Snapshots::write_joints(Real time, const engine::Snapshot<3>& now) {
     }
     opening.push_back(widest);
     slip.push_back(farthest);
-    state.push_back(static_cast<std::int32_t>(joint_state(*model_->joints, face.joint)));
-    kind.push_back(joint_kind(*model_->joints, face.joint));
+    const methods::blocks::JointReport report = model_->joints->report(face.joint);
+    state.push_back(static_cast<std::int32_t>(report.state));
+    kind.push_back(report.kind);
   }
   const Integers connectivity = own_points(points.size());
   joints_.write({observe::Grid::Cell::triangle, points, connectivity,

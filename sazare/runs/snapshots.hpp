@@ -14,7 +14,8 @@ class Snapshots {
 
   void write(Real time, const engine::Snapshot<3>& now, const FragmentMap& fragments);
 
-  std::size_t size() const { return elements_.size(); }
+  /// Brings what was written to the disk; to be called before a checkpoint counts on it.
+  void sync();
 
   /// Goes on after the first `count` of an earlier run.
   void resume(std::size_t count);

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "sazare/observe/hash.hpp"
-#include "sazare/runs/joint_view.hpp"
 
 namespace sazare::runs {
 
@@ -26,9 +25,9 @@ std::uint64_t state_hash(const BlocksModel& model) {
     append(motion, now.velocity[element]);
     append(motion, now.angular_momentum[element]);
   }
-  for (Index joint = 0; joint < joint_count(*model.joints); ++joint) {
-    memory.push_back(static_cast<Real>(joint_state(*model.joints, joint)));
-    for (const Real value : joint_memory(*model.joints, joint)) memory.push_back(value);
+  for (Index joint = 0; joint < model.joints->count(); ++joint) {
+    const methods::blocks::JointReport report = model.joints->report(joint);
+    memory.insert(memory.end(), {static_cast<Real>(report.state), report.opening, report.slip});
   }
   observe::Hash hash;
   hash.add(std::as_bytes(std::span(motion)));
