@@ -176,10 +176,12 @@ void LevelKeeper<D>::refined(Index body, int level) {
 
 template <int D>
 void LevelKeeper<D>::apply(std::size_t term, const terms::Changes& changes, Tick now) {
-  for (const Index link : changes.ended_links) part(term, link);
+  for (const Index link : changes.ended_links)
+    if (clocks_[term].holds(link)) part(term, link);
   for (const Index link : changes.new_links) {
-    join(term, link, now);
     const Link& bodies = (*terms_)[term]->links()[at(link)];
+    if (bodies.first == Link::outside) continue;  // begun and ended in the same step
+    join(term, link, now);
     if (bodies.second == Link::outside) continue;
     ask(bodies.first, bodies_.level(bodies.second) - rules_.neighbor_levels);
     ask(bodies.second, bodies_.level(bodies.first) - rules_.neighbor_levels);
