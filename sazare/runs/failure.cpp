@@ -17,13 +17,21 @@ bool is_number(const state::Motion<3>& motion) {
   return std::isfinite(motion.position.sum() + motion.velocity.sum() + motion.angular_momentum.sum() + motion.rotation.sum());
 }
 
-/// Of the elements whose motion is no number, the one whose step is the farthest above its limit: failure spreads.
+bool has_failed(const BlocksModel& model, Index element) {
+  const auto& simulation = *model.simulation;
+  const state::Motion<3>& motion = simulation.bodies().motion[at(element)];
+  const Real farthest = simulation.bodies().reach[at(element)];
+  const Real step = simulation.levels().step(simulation.levels().level(element));
+  return !(motion.velocity.squaredNorm() * step * step <= farthest * farthest) || !is_number(motion);
+}
+
+/// Of the elements that have failed, the one whose step is the farthest above its limit: failure spreads.
 Index likely_first(const BlocksModel& model) {
   const auto& simulation = *model.simulation;
   Index worst = -1;
   Real highest = -1;
   for (Index element = 0; element < simulation.bodies().size(); ++element) {
-    if (is_number(simulation.bodies().motion[at(element)])) continue;
+    if (!has_failed(model, element)) continue;
     const Real share = simulation.levels().step(simulation.levels().level(element)) / model.stable_step[at(element)];
     if (share <= highest) continue;
     highest = share;
@@ -54,10 +62,20 @@ std::string likely_reason(const BlocksModel& model, const cases::CaseFile& file,
 
 }  // namespace
 
+Index find_failed_element(const BlocksModel& model) {
+  for (Index element = 0; element < model.simulation->bodies().size(); ++element)
+    if (has_failed(model, element)) return element;
+  return -1;
+}
+
 std::string describe_failure(const BlocksModel& model, const cases::CaseFile& file, Real time) {
   const Index element = likely_first(model);
-  return fmt::format("the motion of {} (its place at the beginning) is no number any more, found at t = {} s\n  {}",
-                     element_text(model.mesh, element), cases::short_number(time), likely_reason(model, file, element));
+  const state::Motion<3>& motion = model.simulation->bodies().motion[at(element)];
+  const std::string what = is_number(motion) ? fmt::format("moves at {} m/s, farther in a step than it is large",
+                                                           cases::short_number(motion.velocity.norm(), 3))
+                                             : std::string("has a motion that is no number any more");
+  return fmt::format("{} (its place at the beginning) {}, found at t = {} s\n  {}", element_text(model.mesh, element), what,
+                     cases::short_number(time), likely_reason(model, file, element));
 }
 
 }  // namespace sazare::runs

@@ -7,7 +7,11 @@
 
 namespace sazare::runs {
 
-/// Says which element's motion is no number any more, where it was, when, and what probably drove it there.
+/// An element whose motion makes no sense any more: it is no number, or goes farther in a step than the element is large.
+/// -1 when there is none.
+Index find_failed_element(const BlocksModel& model);
+
+/// Says which element has failed in this sense, where it was, when, and what probably drove it there.
 std::string describe_failure(const BlocksModel& model, const cases::CaseFile& file, Real time);
 
 }  // namespace sazare::runs

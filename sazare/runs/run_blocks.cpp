@@ -26,6 +26,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr auto flush_interval = std::chrono::seconds(2);
+constexpr std::int64_t motion_check_steps = 8;  // a failing motion grows by some orders of magnitude in a step
 
 observe::Manifest new_manifest(const cases::CaseFile& file) {
   observe::Manifest manifest;
@@ -112,6 +113,7 @@ class BlocksRun {
       if (options_.stop_asked != nullptr && options_.stop_asked->load(std::memory_order_relaxed)) return true;
       simulation().advance();
       ++step_;
+      check_motion();
       observe();
       if (progress.is_due()) progress.show(state());
       const auto now = Clock::now();
@@ -124,6 +126,11 @@ class BlocksRun {
       next_checkpoint = Clock::now() + checkpoint_interval();
     }
     return false;
+  }
+
+  void check_motion() {
+    const bool mixed = simulation().levels().finest() > 0;  // then a base step is many
+    if (mixed || clocks_.is_row(step_) || step_ % motion_check_steps == 0) record_.check_motion(clocks_.time(step_));
   }
 
   Clock::duration checkpoint_interval() const {

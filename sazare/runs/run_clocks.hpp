@@ -16,10 +16,11 @@ struct RunClocks {
   bool is_row(std::int64_t step) const { return step % steps_per_row == 0; }
   bool is_snapshot(std::int64_t step) const { return step % (steps_per_row * rows_per_snapshot) == 0; }
 
-  /// Time of a base step [s].
+  /// Time of a base step [s]; over the steps in a second, which is a whole number more often than the step is a short one.
   Real time(std::int64_t step) const {
-    return is_row(step) ? end * static_cast<Real>(step / steps_per_row) / static_cast<Real>(rows)
-                        : end * static_cast<Real>(step) / static_cast<Real>(steps());
+    if (step == steps()) return end;
+    if (!is_row(step)) return static_cast<Real>(step) / (static_cast<Real>(steps()) / end);
+    return static_cast<Real>(step / steps_per_row) / (static_cast<Real>(rows) / end);
   }
 };
 

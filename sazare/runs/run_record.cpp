@@ -54,13 +54,12 @@ void RunRecord::resume() {
 }
 
 void RunRecord::check_motion(Real time) const {
-  if (model_->simulation->find_invalid_body() >= 0) throw PhysicsError(describe_failure(*model_, *file_, time));
+  if (find_failed_element(*model_) >= 0) throw PhysicsError(describe_failure(*model_, *file_, time));
 }
 
 void RunRecord::observe(std::int64_t step, Real wall_seconds) {
   if (!clocks_.is_row(step)) return;
   const Real time = clocks_.time(step);
-  check_motion(time);
   const engine::Snapshot<3> now = model_->simulation->snapshot();
   for (const Vector3& velocity : now.velocity) peak_speed_ = std::max(peak_speed_, velocity.norm());
   gauge_table_->add_row(gauges_.sample(time, model_->simulation->bodies(), now));

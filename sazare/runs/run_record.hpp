@@ -25,13 +25,13 @@ class RunRecord {
   /// Goes on with the tables and snapshots of an earlier run, of which `columns` has read how far they count.
   void resume();
 
-  /// Writes what is due at a base step. Throws PhysicsError when the motion of an element is no number.
+  /// Writes what is due at a base step.
   void observe(std::int64_t step, Real wall_seconds);
 
   /// Hands the tables to the system; all that was written to the disk where `to_disk`.
   void flush(bool to_disk);
 
-  /// Throws PhysicsError when the motion of an element is no number.
+  /// Throws PhysicsError when the motion of an element makes no sense any more.
   void check_motion(Real time) const;
 
   /// Writes fragments.csv.
