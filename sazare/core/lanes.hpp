@@ -3,6 +3,10 @@
 /// Several doubles worked on together. Laws are written once as templates and run on `Real` (tests, single evaluations)
 /// or on `Lanes` (kernels: several joints or several bodies at a time).
 
+#ifdef __AVX512F__
+#include <immintrin.h>
+#endif
+
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -25,9 +29,14 @@ inline Lanes select(LaneMask mask, Lanes yes, Lanes no) { return mask ? yes : no
 inline Real select(bool condition, Real yes, Real no) { return condition ? yes : no; }
 
 inline bool any(LaneMask mask) {
+#ifdef __AVX512F__
+  const auto bits = reinterpret_cast<__m512i>(mask);
+  return _mm512_test_epi64_mask(bits, bits) != 0;  // the compiler makes eight steps of the loop below
+#else
   std::int64_t bits = 0;
   for (int lane = 0; lane < lane_count; ++lane) bits |= mask[lane];
   return bits != 0;
+#endif
 }
 inline bool any(bool condition) { return condition; }
 
@@ -37,6 +46,9 @@ inline Lanes maximum(Lanes a, Lanes b) { return a > b ? a : b; }
 inline Real maximum(Real a, Real b) { return a > b ? a : b; }
 
 inline Lanes square_root(Lanes a) {
+#ifdef __AVX512F__
+  return _mm512_sqrt_pd(a);
+#endif
   for (int lane = 0; lane < lane_count; ++lane) a[lane] = std::sqrt(a[lane]);
   return a;
 }
