@@ -88,6 +88,19 @@ void LevelKeeper<D>::ask_neighbors(Index body) {
   }
 }
 
+/// Whoever stepped more often than a body that is woken now must step now as well: only one side of a link may have impulses
+/// that wait, and until now it was the woken one.
+template <int D>
+void LevelKeeper<D>::ask_finer_partners(Index body, const Moment& now, const state::Bodies<D>& bodies) {
+  for (const LinkOf& of : links_[at(body)]) {
+    const Link& link = bodies_of(of);
+    if (link.second == Link::outside) continue;
+    const Index other = link.first == body ? link.second : link.first;
+    if (bodies_.level(other) > bodies_.level(body) && bodies.motion[at(other)].due != now.tick)
+      ask(other, bodies_.level(other) + 1);
+  }
+}
+
 /// Raises levels until linked bodies differ by `neighbor_levels` at most: from the finest level downwards, each body once
 /// per level.
 template <int D>
@@ -147,7 +160,10 @@ void LevelKeeper<D>::wake(const Moment& now, state::Bodies<D>& bodies) {
     const Index body = asking_[next];
     int level = std::exchange(asked_[at(body)], std::int8_t{-1});
     auto& motion = bodies.motion[at(body)];
-    if (motion.due != now.tick) motion::drift_back(motion, bodies.inertia[at(body)], now);
+    if (motion.due != now.tick) {
+      motion::drift_back(motion, bodies.inertia[at(body)], now);
+      ask_finer_partners(body, now, bodies);
+    }
     while (!schedule::due_at(level, now.tick)) ++level;  // the coarsest in phase
     if (level > bodies_.level(body)) set_level(body, level);
     ask_neighbors(body);

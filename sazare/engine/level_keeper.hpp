@@ -64,6 +64,7 @@ class LevelKeeper {
   void set_level(Index body, int level);
   void ask(Index body, int level);
   void ask_neighbors(Index body);
+  void ask_finer_partners(Index body, const Moment& now, const state::Bodies<D>& bodies);
   void spread(std::vector<std::int8_t>& wanted) const;
 
   StepRules rules_;

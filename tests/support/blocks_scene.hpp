@@ -52,6 +52,46 @@ inline void move(cases::BlocksCase& blocks, const std::string& region, const Vec
   blocks.initial_velocities.push_back({{region}, velocity});
 }
 
+/// A bar of cubes of six blocks each, along x; the first cubes are the region "head", its far end the surface "end".
+inline geometry::TetraMesh cube_bar(int cubes, Real size, int head) {
+  geometry::TetraMesh mesh;
+  const auto node = [](int i, int j, int k) { return 4 * i + 2 * j + k; };
+  for (int i = 0; i <= cubes; ++i)
+    for (int j = 0; j < 2; ++j)
+      for (int k = 0; k < 2; ++k) mesh.nodes.push_back(size * Vector3(i, j, k));
+  // Six blocks about the long diagonal: between them, a walk round the other six corners.
+  constexpr std::array<std::array<int, 3>, 6> round = {
+      {{1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}, {1, 0, 1}}};
+  for (int i = 0; i < cubes; ++i)
+    for (std::size_t side = 0; side < 6; ++side) {
+      const auto &a = round[side], &b = round[(side + 1) % 6];
+      mesh.tetrahedra.push_back({node(i, 0, 0), node(i + a[0], a[1], a[2]), node(i + b[0], b[1], b[2]), node(i + 1, 1, 1)});
+      mesh.region.push_back(i < head ? 0 : 1);
+    }
+  mesh.region_names = {"head", "rest"};
+  mesh.surfaces.push_back({"end", {{node(cubes, 0, 0), node(cubes, 1, 0), node(cubes, 1, 1)},
+                                   {node(cubes, 0, 0), node(cubes, 1, 1), node(cubes, 0, 1)}}});
+  return mesh;
+}
+
+/// Roughly the speed of a wave along the bar below [m/s].
+inline constexpr Real bar_speed = 2000;
+
+/// A bar that cannot break and has no dashpots, its head in motion along it.
+inline cases::BlocksCase bar_case() {
+  cases::BlocksCase blocks;
+  blocks.materials = {{"concrete", {"head", "rest"}, 2390.0}};
+  cases::Joint joint = concrete_joint("concrete", "concrete");
+  joint.normal_damping = joint.shear_damping = 0;
+  joint.cohesion = joint.tensile_strength = 1e9;
+  joint.fracture_energy = 1e7;
+  blocks.joints = {joint};
+  blocks.contact.normal_stiffness = 1e9;
+  blocks.initial_velocities = {{{"head"}, {0.01, 0, 0}}};
+  blocks.time.history_interval = 1e-6;
+  return blocks;
+}
+
 /// The scene of the paper with the limits given; the mesh is read from the repository's root.
 inline cases::BlocksCase blast_case() {
   cases::BlocksCase blocks;

@@ -1,0 +1,46 @@
+#include "sazare/engine/limiters.hpp"
+
+#include <gtest/gtest.h>
+
+namespace sazare::engine {
+namespace {
+
+TEST(limiters, without_dashpots_the_limit_is_two_over_the_frequency) {
+  EXPECT_DOUBLE_EQ(stable_step({100.0, 0}), 0.2);
+}
+
+TEST(limiters, without_springs_it_is_two_over_the_rate_of_the_dashpot) { EXPECT_DOUBLE_EQ(stable_step({0, 10.0}), 0.2); }
+
+TEST(limiters, a_free_body_has_no_limit) {
+  EXPECT_TRUE(std::isinf(stable_step({})));
+  EXPECT_TRUE(std::isinf(travel_step(0, 1e-8)));
+}
+
+TEST(limiters, both_together_it_is_the_root_of_the_formula) {
+  const Real h = stable_step({100.0, 7.0});
+  EXPECT_NEAR(100 * h * h + 2 * 7 * h, 4, 1e-13);
+}
+
+/// Largest displacement of one mass after many steps of leapfrog with the dashpot's velocity half a step old.
+Real swing(Real stiffness, Real damping, Real h) {
+  Real x = 1, v = 0, largest = 0;
+  for (int step = 0; step < 2000; ++step) {
+    v += (step == 0 ? h / 2 : h) * (-stiffness * x - damping * v);
+    x += h * v;
+    if (step > 1000) largest = std::max(largest, std::abs(x));
+  }
+  return largest;
+}
+
+TEST(limiters, just_below_the_limit_a_swing_stays_and_just_above_it_grows) {
+  for (const Real damping : {0.0, 1.0, 7.0, 40.0}) {
+    const Real h = stable_step({100.0, damping});
+    EXPECT_LT(swing(100, damping, 0.99 * h), 100) << damping;
+    EXPECT_GT(swing(100, damping, 1.01 * h), 1e6) << damping;
+  }
+}
+
+TEST(limiters, travel_is_the_length_over_the_speed) { EXPECT_DOUBLE_EQ(travel_step(100, 1e-8), 1e-10); }
+
+}  // namespace
+}  // namespace sazare::engine
