@@ -52,7 +52,9 @@ class Joints final : public terms::Term<3> {
 
   Index count() const { return static_cast<Index>(links_.size()); }
   JointReport report(Index joint) const;
-  JointState state(Index joint) const { return records_[static_cast<std::size_t>(joint)].state; }
+  const JointRecord& record(Index joint) const { return records_[static_cast<std::size_t>(joint)]; }
+  const JointKind& kind(Index joint) const { return kinds_[static_cast<std::size_t>(record(joint).kind)]; }
+  JointState state(Index joint) const { return record(joint).state; }
 
   /// Joint on a body's local face, or -1.
   Index joint_at(Index body, int face) const {
