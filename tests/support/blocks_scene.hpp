@@ -75,7 +75,7 @@ inline geometry::TetraMesh cube_bar(int cubes, Real size, int head) {
 }
 
 /// Roughly the speed of a wave along the bar below [m/s].
-inline constexpr Real bar_speed = 2000;
+inline constexpr Real bar_speed = 1300;
 
 /// A bar that cannot break and has no dashpots, its head in motion along it.
 inline cases::BlocksCase bar_case() {

@@ -1,0 +1,141 @@
+/// Contact between blocks that are not bonded, through whole simulations of two blocks.
+
+#include <gtest/gtest.h>
+
+#include "tests/support/blocks_scene.hpp"
+
+namespace sazare::methods::blocks {
+namespace {
+
+using terms::Account;
+
+constexpr Real mass_of_block = 2390 * 0.1 * 0.1 * 0.1 / (6 * std::numbers::sqrt2);  // edge of 0.1 m
+
+Vector3 velocity(const runs::BlocksModel& model, std::size_t body) { return model.simulation->snapshot().velocity[body]; }
+
+void run(runs::BlocksModel& model, int base_steps) {
+  for (int step = 0; step < base_steps; ++step) model.simulation->advance();
+}
+
+cases::BlocksCase head_on(Real speed) {
+  auto blocks = test::two_block_case(false);
+  test::move(blocks, "left", {speed, 0, 0});
+  test::move(blocks, "right", {-speed, 0, 0});
+  blocks.time.base_step = 5e-8;
+  return blocks;
+}
+
+runs::BlocksModel started(const cases::BlocksCase& blocks) {
+  auto model = runs::build_blocks(blocks, test::two_blocks());
+  model.simulation->start();
+  return model;
+}
+
+TEST(contacts, blocks_that_touch_at_rest_stay_at_rest) {
+  auto model = started(head_on(0));
+  EXPECT_EQ(model.contacts->pair_count(), 1);
+  run(model, 200);
+  EXPECT_LT(velocity(model, 0).norm(), 1e-12);  // overlaps of 1e-17 m are rounding
+  EXPECT_LT(velocity(model, 1).norm(), 1e-12);
+}
+
+TEST(contacts, without_dashpot_they_part_as_fast_as_they_met) {
+  auto blocks = head_on(1);
+  blocks.contact.normal_damping = 0;
+  auto model = started(blocks);
+  Real largest = 0;
+  for (int step = 0; step < 200; ++step) {
+    run(model, 1);
+    largest = std::max(largest, model.simulation->ledger()[Account::elastic]);
+  }
+  EXPECT_NEAR(largest, mass_of_block, 0.02 * mass_of_block);  // two blocks at 1 m/s, all of it stored at the turn
+  EXPECT_NEAR(velocity(model, 0).x(), -1, 1e-3);
+  EXPECT_NEAR(velocity(model, 1).x(), 1, 1e-3);
+  EXPECT_EQ(model.simulation->ledger()[Account::elastic], 0);
+  EXPECT_LT(std::abs(model.simulation->ledger().residual()), 1e-3 * mass_of_block);
+}
+
+TEST(contacts, a_dashpot_takes_energy_and_the_ledger_finds_it) {
+  auto blocks = head_on(1);
+  blocks.contact.normal_damping = 2e3;
+  auto model = started(blocks);
+  run(model, 1200);
+  const auto ledger = model.simulation->ledger();
+  EXPECT_LT(velocity(model, 1).x(), 0.98);
+  EXPECT_GT(velocity(model, 1).x(), 0);
+  EXPECT_GT(ledger[Account::contact_dashpot], 0.01 * mass_of_block);
+  EXPECT_NEAR(ledger[Account::kinetic], -ledger[Account::contact_dashpot], 1e-3 * mass_of_block);
+}
+
+TEST(contacts, blocks_that_part_are_not_held_and_forgotten_once_they_are_far) {
+  auto model = started(head_on(-100));
+  run(model, 2000);  // 20 mm apart; the skin is 3 mm
+  EXPECT_EQ(velocity(model, 0).x(), -100);
+  EXPECT_EQ(velocity(model, 1).x(), 100);
+  EXPECT_EQ(model.contacts->pair_count(), 0);
+}
+
+TEST(contacts, friction_slows_the_slide_and_is_booked) {
+  auto blocks = head_on(1);
+  blocks.initial_velocities.clear();
+  test::move(blocks, "left", {1, 0.3, 0});
+  test::move(blocks, "right", {-1, -0.3, 0});
+  blocks.contact.normal_damping = 0;
+  auto rough = started(blocks);
+  blocks.contact.friction_coefficient = 0;
+  auto smooth = started(blocks);
+  run(rough, 1200);
+  run(smooth, 1200);
+  EXPECT_LT(std::abs(velocity(rough, 0).y()), std::abs(velocity(smooth, 0).y()) - 0.05);
+  const auto ledger = rough.simulation->ledger();
+  EXPECT_GT(ledger[Account::friction], 0.01 * mass_of_block);
+  EXPECT_LT(std::abs(ledger.residual()), 5e-3 * mass_of_block);
+  EXPECT_LT(smooth.simulation->ledger()[Account::friction], 1e-12);
+}
+
+TEST(contacts, action_equals_reaction_through_a_rough_collision) {
+  auto blocks = head_on(1);
+  blocks.initial_velocities.clear();
+  test::move(blocks, "left", {1, 0.3, 0.1});
+  test::move(blocks, "right", {-1, -0.3, 0.2});
+  blocks.time.limiter = cases::Limiter::stability;
+  auto model = started(blocks);
+  const auto momentum = [&] {
+    const auto& bodies = model.simulation->bodies();
+    Vector3 linear = Vector3::Zero(), angular = Vector3::Zero();
+    for (std::size_t body = 0; body < 2; ++body) {
+      const auto& motion = bodies.motion[body];
+      const Vector3 own = bodies.inertia[body].mass * motion.velocity;
+      linear += own;
+      angular += motion.angular_momentum + state::pose_at(motion, model.simulation->now()).position.cross(own);
+    }
+    return std::pair(linear, angular);
+  };
+  const auto [linear, angular] = momentum();
+  run(model, 1200);
+  EXPECT_LT((momentum().first - linear).norm(), 1e-13 * mass_of_block);
+  EXPECT_LT((momentum().second - angular).norm(), 1e-13 * mass_of_block);
+  EXPECT_GT(velocity(model, 1).x(), 0);
+}
+
+/// Every cap leaves a collision that loses energy and never gives any.
+TEST(contacts, no_cap_of_the_dashpot_gives_energy) {
+  for (const auto cap : {cases::DampingCap::literal, cases::DampingCap::critical, cases::DampingCap::step}) {
+    auto blocks = head_on(1);
+    blocks.contact.damping_cap = cap;
+    blocks.time.base_step = cap == cases::DampingCap::literal ? 1e-9 : 1e-7;
+    auto model = started(blocks);
+    Real last = 0;
+    for (int round = 0; round < 40; ++round) {
+      run(model, 50);
+      const Real lost = model.simulation->ledger()[Account::contact_dashpot];
+      EXPECT_GE(lost, last);
+      last = lost;
+    }
+    EXPECT_GT(last, 0.1 * mass_of_block);
+    EXPECT_LT(model.simulation->ledger()[Account::kinetic], 0);
+  }
+}
+
+}  // namespace
+}  // namespace sazare::methods::blocks
