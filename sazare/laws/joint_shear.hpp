@@ -47,7 +47,7 @@ template <class P, class T>
 void slip_back(const ShearParameters<P>& law, Slip<T>& at, T strength) {
   const T length = square_root(at.elastic[0] * at.elastic[0] + at.elastic[1] * at.elastic[1]);
   const T stress = law.stiffness * length;
-  const auto over = stress > strength;
+  const auto over = slips(law, at, strength);  // the very same question: in lanes, who else slips must not matter
   const T keep = select(over, strength / select(over, stress, T{} + 1.0), T{} + 1.0);
   const T slipped = length * (1.0 - keep);
   at.dissipation = slipped * strength;

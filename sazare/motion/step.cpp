@@ -48,6 +48,17 @@ void rotate(LaneState& body, const LaneVector& half) {
                     LaneVector{{xz + wy, yz - wx, 1.0 - xx - yy}}}};
 }
 
+/// Takes over another's rotation in some lanes. The others keep every bit: who else stands in the lanes must not matter.
+void take_rotation(LaneState& body, const LaneState& other, LaneMask where) {
+  body.w = select(where, other.w, body.w);
+  body.x = select(where, other.x, body.x);
+  body.y = select(where, other.y, body.y);
+  body.z = select(where, other.z, body.z);
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row)
+      body.rotation[column][row] = select(where, other.rotation[column][row], body.rotation[column][row]);
+}
+
 struct LaneImpulse {
   LaneVector linear, angular, shift, twist;
 };
@@ -60,7 +71,9 @@ LaneVector kick(LaneState& body, LaneImpulse given, LaneVector& mean_velocity) {
     const LaneVector moved = inverse_mass * given.shift;
     body.position = body.position + moved;
     given.angular = given.angular - cross(moved, given.linear);
-    rotate(body, broadcast(0.5) * inverse_inertia(body, given.twist));
+    LaneState turned = body;
+    rotate(turned, broadcast(0.5) * inverse_inertia(body, given.twist));
+    take_rotation(body, turned, late != 0.0);
   }
   const LaneVector gained = inverse_mass * given.linear;
   mean_velocity = body.velocity + broadcast(0.5) * gained;
