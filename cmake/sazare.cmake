@@ -107,6 +107,7 @@ endfunction()
 
 # sazare_test(<name> SOURCES file ... DEPENDS module ... [LIBRARIES target ...])
 # One GoogleTest program <name>_test; each of its tests is a test of ctest, run in the source folder's root.
+# Idle threads wait passively: several tests run at a time, and threads that spin would take the others' cores.
 function(sazare_test module)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;DEPENDS;LIBRARIES")
   if(arg_UNPARSED_ARGUMENTS)
@@ -128,5 +129,5 @@ function(sazare_test module)
     TEST_PREFIX "${name}."
     WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
     DISCOVERY_MODE PRE_TEST
-    PROPERTIES TIMEOUT 300)
+    PROPERTIES TIMEOUT 300 ENVIRONMENT OMP_WAIT_POLICY=passive)
 endfunction()

@@ -1,0 +1,29 @@
+#pragma once
+
+/// The blast of cases/free-face-blast, short: the charge is full at the beginning, so that joints break within tens of
+/// microseconds.
+
+#include <string>
+#include <vector>
+
+#include "tests/support/blocks_scene.hpp"
+
+namespace sazare::test {
+
+struct SlabRules {
+  cases::Limiter limiter = cases::Limiter::stability;
+  cases::Levels levels = cases::Levels::per_element;
+};
+
+/// Not started. The mesh is that of the case.
+runs::BlocksModel slab(const SlabRules& rules = {});
+
+/// The levels of all bodies, positions, velocities and rotations, states of joints, ledger and counters, as bytes.
+std::string fingerprint(const runs::BlocksModel& model);
+
+void advance(runs::BlocksModel& model, int base_steps);
+
+/// Lowest and highest level in use.
+std::pair<int, int> levels_in_use(const runs::BlocksModel& model);
+
+}  // namespace sazare::test
