@@ -26,7 +26,7 @@ TEST(bodies, in_the_plane_too) {
   Bodies<2> bodies;
   add_body(bodies, 2.0, Vector<2>(1, 2), 0.5, 0.7);
   EXPECT_EQ(bodies.inertia[0].inverse_moments[0], 2.0);
-  EXPECT_EQ(bodies.inertia[0].reach, 0.7);
+  EXPECT_EQ(bodies.reach[0], 0.7);
   EXPECT_TRUE(bodies.motion[0].rotation.isIdentity(0));
 }
 
