@@ -47,7 +47,10 @@ int report(const fs::path& folder) {
   int status = 0;
   while (waitpid(child, &status, 0) < 0)
     if (errno != EINTR) throw MachineError(fmt::format("{}: was lost: {}", program, std::generic_category().message(errno)));
-  if (WIFEXITED(status)) return WEXITSTATUS(status);
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  if (code == done || code == UserError::exit_code || code == MachineError::exit_code) return code;
+  if (WIFEXITED(status))
+    throw MachineError(fmt::format("{} could not make the report. If it says that a module is missing: run make setup", program));
   throw MachineError(fmt::format("{}: was ended by signal {} while it made the report", program, WTERMSIG(status)));
 }
 

@@ -1,0 +1,52 @@
+"""Runs the program on the small block. SAZARE_PROGRAM names the program; without it the one of build/release is tested."""
+
+import json
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = Path(os.environ.get("SAZARE_PROGRAM", ROOT / "build/release/apps/sazare/sazare"))
+BLOCK = Path(__file__).parent / "block" / "case.toml"
+DONE, USER_ERROR, PHYSICS_FAILED, MACHINE_FAILED = 0, 2, 3, 4
+
+
+class Sazare:
+    """The program, with what tests ask of it."""
+
+    program = PROGRAM
+    block = BLOCK
+
+    def command(self, *arguments):
+        """The arguments of a process, as text."""
+        return [str(PROGRAM), *map(str, arguments)]
+
+    def __call__(self, *arguments, **options):
+        """Runs to the end; output as text."""
+        return subprocess.run(self.command(*arguments), capture_output=True, text=True, check=False, timeout=120, **options)
+
+    def start(self, *arguments):
+        """A process that goes on."""
+        return subprocess.Popen(self.command(*arguments), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+    def run_block(self, folder, *settings, options=(), **more):
+        """Runs the small block into a folder."""
+        sets = [word for setting in settings for word in ("--set", setting)]
+        return self("run", BLOCK, "--out", folder, "--threads", 1, *sets, *options, **more)
+
+
+@pytest.fixture
+def sazare():
+    return Sazare()
+
+
+def manifest(folder):
+    """manifest.json of a run."""
+    return json.loads((folder / "manifest.json").read_text())
+
+
+def rows_without_wall_time(table):
+    """The lines of history.csv without their last column."""
+    return [line.rpartition(",")[0] for line in table.read_text().splitlines()]

@@ -1,0 +1,134 @@
+"""The command line: what it prints, and its exit codes."""
+
+import json
+import os
+import pty
+import subprocess
+
+from conftest import DONE, PHYSICS_FAILED, ROOT, USER_ERROR, manifest
+
+SHORT = "time.end=4e-5"
+
+
+def test_run_ends_with_the_figures_and_where_the_files_are(sazare, tmp_path):
+    done = sazare.run_block(tmp_path / "run", SHORT)
+    assert done.returncode == DONE
+    assert done.stderr == ""
+    for words in ("Small block: ", "joints broken", "fragments", "energy", "unaccounted", "wall time", f"results in      {tmp_path / 'run'}"):
+        assert words in done.stdout
+
+
+def test_run_without_out_names_the_folder_after_the_case(sazare, tmp_path):
+    done = sazare("run", sazare.block, "--set", SHORT, cwd=tmp_path)
+    assert done.returncode == DONE
+    assert manifest(tmp_path / "runs" / "block")["status"] == "done"
+
+
+def test_quiet_run_says_nothing(sazare, tmp_path):
+    done = sazare.run_block(tmp_path / "run", SHORT, options=["--quiet"])
+    assert (done.returncode, done.stdout, done.stderr) == (DONE, "", "")
+
+
+def test_progress_is_a_bar_on_a_terminal(sazare, tmp_path):
+    ours, theirs = pty.openpty()
+    arguments = sazare.command("run", sazare.block, "--out", tmp_path / "run", "--set", "time.end=2e-3", "--threads", 1)
+    process = subprocess.Popen(arguments, stdout=theirs, stderr=theirs)
+    os.close(theirs)
+    text = b""
+    while chunk := read_some(ours):
+        text += chunk
+    assert process.wait(timeout=120) == DONE
+    assert b"] " in text and b" left" in text and b"evaluations/s" in text
+
+
+def read_some(descriptor):
+    try:
+        return os.read(descriptor, 4096)
+    except OSError:  # the other end has closed
+        return b""
+
+
+def test_a_run_is_not_overwritten_in_silence(sazare, tmp_path):
+    assert sazare.run_block(tmp_path, SHORT).returncode == DONE
+    again = sazare.run_block(tmp_path, SHORT)
+    assert again.returncode == USER_ERROR
+    assert "there is a run in this folder already, and it is done. Use --overwrite to replace it" in again.stderr
+    resumed = sazare.run_block(tmp_path, SHORT, options=["--resume"])
+    assert resumed.returncode == USER_ERROR
+    assert "is done, there is nothing to resume" in resumed.stderr
+    assert sazare.run_block(tmp_path, SHORT, options=["--overwrite"]).returncode == DONE
+
+
+def test_a_case_with_errors_is_not_run(sazare, tmp_path):
+    bad = sazare.run_block(tmp_path / "run", "materials.0.density=-1", "joints.0.cohesion=-2")
+    assert bad.returncode == USER_ERROR
+    assert "2 errors; nothing was run" in bad.stderr
+    assert not (tmp_path / "run").exists()
+
+
+def test_a_gauge_outside_is_an_error_at_its_line(sazare, tmp_path):
+    bad = sazare.run_block(tmp_path / "run", "gauges.0.point=[9, 9, 9]")
+    assert bad.returncode == USER_ERROR
+    assert 'gauge "G1" at (9, 9, 9) m lies in no element' in bad.stderr
+    assert not (tmp_path / "run" / "manifest.json").exists()
+
+
+def test_a_motion_that_makes_no_sense_ends_the_run(sazare, tmp_path):
+    absurd = ("time.limiter=none", "time.base_step=2e-5", "time.history_interval=2e-5", "time.end=4e-3", "time.snapshot_interval=4e-3")
+    failed = sazare.run_block(tmp_path, *absurd)
+    assert failed.returncode == PHYSICS_FAILED
+    assert "warning: step above stability" in failed.stderr
+    assert "the physics failed: element " in failed.stderr
+    assert "is kept in" in failed.stderr
+    assert manifest(tmp_path)["status"] == "failed"
+    assert (tmp_path / "checkpoint" / "state.h5").exists()
+
+
+def test_a_strict_case_refuses_a_step_above_stability(sazare, tmp_path):
+    strict = sazare.run_block(tmp_path, "time.limiter=none", "time.base_step=2e-6", "time.strict=true")
+    assert strict.returncode == USER_ERROR
+    assert "error: step above stability" in strict.stderr
+
+
+def test_check_tells_what_the_case_will_do(sazare):
+    checked = sazare("check", sazare.block)
+    assert checked.returncode == DONE, checked.stderr
+    for words in ("Small block", "levels at the beginning", "elements that limit the step", "The case is sound"):
+        assert words in checked.stdout
+
+
+def test_check_of_a_bad_case_is_an_error(sazare):
+    checked = sazare("check", sazare.block, "--set", "mesh.file=none.msh")
+    assert checked.returncode == USER_ERROR
+    assert "none.msh" in checked.stderr
+
+
+def test_case_of_a_geometry_is_meshed_into_the_folder(sazare, tmp_path):
+    done = sazare.run_block(tmp_path / "run", SHORT, "mesh.file=block.geo")
+    assert done.returncode == DONE, done.stderr
+    assert (tmp_path / "run" / "mesh.msh").exists()
+    again = sazare("run", tmp_path / "run" / "case.toml", "--out", tmp_path / "again", "--threads", 1)
+    assert manifest(tmp_path / "again")["state_hash"] == manifest(tmp_path / "run")["state_hash"], again.stderr
+
+
+def test_schema_is_json_and_the_page_of_the_reference(sazare):
+    assert json.loads(sazare("schema").stdout)["properties"]["joints"]
+    assert sazare("schema", "--markdown").stdout == (ROOT / "docs" / "reference" / "case.md").read_text()
+
+
+def test_info_and_version(sazare):
+    info = sazare("info")
+    assert info.returncode == DONE
+    for words in ("sazare ", "commit ", "compiler ", "threads ", "MPI "):
+        assert words in info.stdout
+    assert sazare("--version").stdout.startswith("sazare 0.")
+
+
+def test_a_wrong_command_line_is_an_error_of_the_user(sazare):
+    assert sazare("run").returncode == USER_ERROR
+    assert sazare("dance").returncode == USER_ERROR
+    assert sazare("run", sazare.block, "--resume", "--overwrite").returncode == USER_ERROR
+
+
+def test_report_of_no_run_is_an_error_of_the_user(sazare, tmp_path):
+    assert sazare("report", tmp_path / "none").returncode == USER_ERROR

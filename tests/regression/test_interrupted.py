@@ -1,0 +1,102 @@
+"""A run that is interrupted in any way, and resumed, gives the bits of one that is not."""
+
+import itertools
+import signal
+import time
+from subprocess import TimeoutExpired
+
+import pytest
+from conftest import DONE, MACHINE_FAILED, USER_ERROR, manifest, rows_without_wall_time
+
+OFTEN = "output.checkpoint_interval=0.02"
+LATER = "time.end=8e-4"
+
+
+def assert_same_results(whole, parts):
+    one, many = manifest(whole), manifest(parts)
+    assert one["status"] == many["status"] == "done"
+    assert one["state_hash"] == many["state_hash"]
+    one["results"].pop("wall_seconds")
+    many["results"].pop("wall_seconds")
+    assert one["results"] == many["results"]
+    assert rows_without_wall_time(whole / "history.csv") == rows_without_wall_time(parts / "history.csv")
+    for name in ("gauges.csv", "fragments.csv"):
+        assert (whole / name).read_bytes() == (parts / name).read_bytes()
+    assert snapshots(whole) == snapshots(parts)
+
+
+def snapshots(folder):
+    return sorted(path.name for path in (folder / "snapshots").iterdir())
+
+
+@pytest.fixture
+def whole(sazare, tmp_path):
+    """The run that nobody disturbs."""
+    done = sazare.run_block(tmp_path / "whole", OFTEN, LATER)
+    assert done.returncode == DONE, done.stderr
+    return tmp_path / "whole"
+
+
+def start(sazare, folder, *options):
+    return sazare.start("run", sazare.block, "--out", folder, "--threads", 1, "--set", OFTEN, "--set", LATER, *options)
+
+
+def test_killed_again_and_again(sazare, tmp_path, whole):
+    parts = tmp_path / "parts"
+    kills = 0
+    # Kills ever later, so that they come at any moment and the run gets to its end on any machine.
+    for wait in itertools.accumulate(itertools.repeat(0.03), initial=0.01):
+        process = start(sazare, parts, "--resume", "--quiet")
+        try:
+            process.communicate(timeout=wait)
+        except TimeoutExpired:
+            process.send_signal(signal.SIGKILL)
+            process.communicate()
+            kills += 1
+            continue
+        assert process.returncode == DONE
+        break
+    assert kills > 3
+    assert_same_results(whole, parts)
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT])
+def test_stopped_by_a_signal(sazare, tmp_path, whole, number):
+    parts = tmp_path / "parts"
+    process = start(sazare, parts)
+    wait_for(parts / "checkpoint" / "state.h5")
+    process.send_signal(number)
+    _, words = process.communicate(timeout=60)
+    assert process.returncode == MACHINE_FAILED
+    assert "stopped at t = " in words and "with a checkpoint. To go on:" in words
+    assert f"--out {parts} --resume" in words
+    assert manifest(parts)["status"] == "stopped"
+    resumed = start(sazare, parts, "--resume")
+    out, words = resumed.communicate(timeout=120)
+    assert resumed.returncode == DONE, words
+    assert "resumed at t = " in out
+    assert_same_results(whole, parts)
+
+
+def test_two_at_once_are_kept_apart(sazare, tmp_path):
+    first = start(sazare, tmp_path / "run")
+    wait_for(tmp_path / "run" / "checkpoint" / "state.h5")
+    second = sazare.run_block(tmp_path / "run", options=["--resume"])
+    first.send_signal(signal.SIGTERM)
+    first.communicate(timeout=60)
+    assert second.returncode == USER_ERROR
+    assert "another sazare is at work" in second.stderr
+
+
+@pytest.mark.parametrize("threads", [2, 4])
+def test_threads_do_not_change_the_bits(sazare, tmp_path, whole, threads):
+    done = sazare("run", sazare.block, "--out", tmp_path / "threads", "--threads", threads, "--set", OFTEN, "--set", LATER)
+    assert done.returncode == DONE, done.stderr
+    assert manifest(tmp_path / "threads")["state_hash"] == manifest(whole)["state_hash"]
+
+
+def wait_for(path):
+    end = time.monotonic() + 60
+    while not path.exists():
+        assert time.monotonic() < end, f"{path} did not appear"
+        time.sleep(0.002)

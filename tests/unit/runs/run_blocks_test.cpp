@@ -1,0 +1,150 @@
+#include "sazare/runs/run_blocks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sazare/core/error.hpp"
+#include "sazare/parallel/threads.hpp"
+#include "tests/unit/runs/support.hpp"
+
+namespace sazare::runs {
+namespace {
+
+namespace fs = std::filesystem;
+using test::block_case, test::read_manifest, test::read_text, test::run_quietly, test::TemporaryFolder;
+
+std::vector<std::string> keys_of(const nlohmann::json& object) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : object.items()) keys.push_back(key);
+  std::ranges::sort(keys);
+  return keys;
+}
+
+std::string first_line(const fs::path& file) {
+  const std::string text = read_text(file);
+  return text.substr(0, text.find('\n'));
+}
+
+std::size_t lines_of(const fs::path& file) {
+  const std::string text = read_text(file);
+  return static_cast<std::size_t>(std::ranges::count(text, '\n'));
+}
+
+/// One run for all tests that only look at what it left.
+class FinishedRun : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder = new TemporaryFolder;
+    outcome = new RunOutcome(run_quietly(block_case(), *folder / "run"));
+  }
+  static void TearDownTestSuite() {
+    delete outcome;
+    delete folder;
+  }
+  static fs::path run() { return *folder / "run"; }
+
+  static TemporaryFolder* folder;
+  static RunOutcome* outcome;
+};
+
+TemporaryFolder* FinishedRun::folder = nullptr;
+RunOutcome* FinishedRun::outcome = nullptr;
+
+/// Scripts of users read these names.
+TEST_F(FinishedRun, ManifestHasTheNamesOfTheInterface) {
+  const nlohmann::json manifest = read_manifest(run());
+  EXPECT_EQ(keys_of(manifest), (std::vector<std::string>{"case", "commit", "finished", "machine", "method", "results", "sazare",
+                                                         "started", "state_hash", "status"}));
+  EXPECT_EQ(keys_of(manifest["machine"]), (std::vector<std::string>{"cores", "cpu", "threads"}));
+  EXPECT_EQ(keys_of(manifest["results"]),
+            (std::vector<std::string>{
+                "broken_joints", "elements", "energy_boundary", "energy_contact_dashpot", "energy_elastic", "energy_fracture",
+                "energy_friction", "energy_joint_dashpot", "energy_kinetic", "energy_release", "energy_residual",
+                "energy_slip", "energy_work", "fragments", "joints", "kicks", "largest_fragment_volume",
+                "pair_evaluations", "peak_speed", "ppv", "smallest_step", "steps", "throw_max", "ticks", "wall_seconds",
+                "x50", "x80"}));
+  EXPECT_EQ(keys_of(manifest["results"]["ppv"]), (std::vector<std::string>{"G1", "G2"}));
+  EXPECT_EQ(manifest["status"], "done");
+  EXPECT_EQ(manifest["case"], "Small block");
+  EXPECT_EQ(manifest["method"], "blocks");
+}
+
+TEST_F(FinishedRun, FiguresBelongToABlockThatBreaks) {
+  const nlohmann::json results = read_manifest(run())["results"];
+  EXPECT_GT(results["broken_joints"], 0);
+  EXPECT_GT(results["energy_work"], 0);
+  EXPECT_LT(std::abs(results["energy_residual"].get<Real>()), 1e-2 * results["energy_work"].get<Real>());
+  EXPECT_GT(results["ppv"]["G1"], 0);
+  EXPECT_GE(results["peak_speed"], results["ppv"]["G1"]);
+  EXPECT_GT(results["x80"], 0);
+  EXPECT_GE(results["x80"], results["x50"]);
+  EXPECT_GT(results["steps"], 0);
+}
+
+TEST_F(FinishedRun, TablesHaveUnitsInTheirHeadersAndARowForEveryInterval) {
+  EXPECT_EQ(first_line(run() / "history.csv"),
+            "time [s],broken_joints [-],fragments [-],energy_work [J],energy_kinetic [J],energy_elastic "
+            "[J],energy_joint_dashpot [J],energy_slip [J],energy_fracture [J],energy_release [J],energy_contact_dashpot "
+            "[J],energy_friction [J],energy_boundary [J],energy_residual [J],smallest_step [s],pair_evaluations "
+            "[-],wall_seconds [s]");
+  EXPECT_EQ(first_line(run() / "gauges.csv"),
+            "time [s],G1.velocity_x [m/s],G1.velocity_y [m/s],G1.velocity_z [m/s],G2.velocity_x [m/s],G2.velocity_y "
+            "[m/s],G2.velocity_z [m/s]");
+  EXPECT_EQ(first_line(run() / "fragments.csv"),
+            "fragment [-],elements [-],volume [m3],mass [kg],size [m],center_x [m],center_y [m],center_z [m],velocity_x "
+            "[m/s],velocity_y [m/s],velocity_z [m/s],throw [m]");
+  EXPECT_EQ(first_line(run() / "timing.csv"), "part,seconds [s],share [-]");
+  EXPECT_EQ(lines_of(run() / "history.csv"), 102u);
+  EXPECT_EQ(lines_of(run() / "gauges.csv"), 102u);
+  EXPECT_EQ(lines_of(run() / "fragments.csv"), 1 + read_manifest(run())["results"]["fragments"].get<std::size_t>());
+}
+
+TEST_F(FinishedRun, LeavesSnapshotsAndNoCheckpoint) {
+  for (const char* name : {"elements_00000.vtkhdf", "elements_00002.vtkhdf", "joints_00002.vtkhdf", "elements.vtkhdf.series",
+                           "joints.vtkhdf.series"})
+    EXPECT_TRUE(fs::exists(run() / "snapshots" / name)) << name;
+  EXPECT_FALSE(fs::exists(run() / "snapshots/elements_00003.vtkhdf"));
+  EXPECT_FALSE(fs::exists(run() / "checkpoint"));
+}
+
+TEST_F(FinishedRun, ItsResolvedCaseGivesTheSameRun) {
+  const TemporaryFolder other;
+  const cases::CaseFile resolved = cases::read_case(run() / "case.toml");
+  EXPECT_EQ(run_quietly(resolved, other / "run").manifest.state_hash, outcome->manifest.state_hash);
+}
+
+TEST_F(FinishedRun, IsTheSameOnAnyNumberOfThreads) {
+  for (const int threads : {1, 2, 3, 4}) {
+    const TemporaryFolder other;
+    parallel::set_threads(threads);
+    EXPECT_EQ(run_quietly(block_case(), other / "run").manifest.state_hash, outcome->manifest.state_hash) << threads;
+  }
+  parallel::set_threads(0);
+}
+
+TEST_F(FinishedRun, IsNotDisturbedByBeingObserved) {
+  const TemporaryFolder other;
+  const std::string base_step = "time.base_step=1e-7";
+  const auto often = run_quietly(block_case({base_step}), other / "often");
+  const auto seldom =
+      run_quietly(block_case({base_step, "time.history_interval=2e-5", "output.checkpoint_interval=0.01"}), other / "seldom");
+  EXPECT_EQ(often.manifest.state_hash, seldom.manifest.state_hash);
+}
+
+TEST(RunBlocks, AMotionThatMakesNoSenseEndsTheRunAndKeepsTheCheckpoint) {
+  const TemporaryFolder folder;
+  const cases::CaseFile absurd = block_case({"time.limiter=none", "time.base_step=2e-5", "time.history_interval=2e-5", "time.end=1e-3", "time.snapshot_interval=1e-3"});
+  const std::string words = test::words_of<PhysicsError>([&] { run_quietly(absurd, folder / "run"); });
+  EXPECT_TRUE(words.starts_with("element ")) << words;
+  EXPECT_NE(words.find("farther in a step than it is large, found at t = "), std::string::npos) << words;
+  EXPECT_NE(words.find("times the longest that the dashpots of its joints and boundaries allow"), std::string::npos) << words;
+  EXPECT_NE(words.find("set time.limiter = \"stability\", or time.base_step to "), std::string::npos) << words;
+  EXPECT_NE(words.find("the checkpoint of t = 0 s is kept in "), std::string::npos) << words;
+  EXPECT_TRUE(fs::exists(folder / "run/checkpoint/state.h5"));
+  EXPECT_EQ(read_manifest(folder / "run")["status"], "failed");
+}
+
+}  // namespace
+}  // namespace sazare::runs

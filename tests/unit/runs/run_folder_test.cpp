@@ -1,0 +1,89 @@
+#include "sazare/runs/run_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "sazare/core/error.hpp"
+#include "tests/unit/runs/support.hpp"
+
+namespace sazare::runs {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string words_of_opening(const fs::path& folder, Begin begin) {
+  return test::words_of<UserError>([&] { RunFolder(folder, begin); });
+}
+
+void write(const fs::path& file, const std::string& text) {
+  fs::create_directories(file.parent_path());
+  std::ofstream(file) << text;
+}
+
+TEST(RunFolder, IsMade) {
+  const test::TemporaryFolder folder;
+  const RunFolder made(folder / "a/b", Begin::fresh);
+  EXPECT_TRUE(fs::is_directory(folder / "a/b"));
+  EXPECT_FALSE(made.resumes());
+}
+
+TEST(RunFolder, WithOtherFilesIsTaken) {
+  const test::TemporaryFolder folder;
+  write(folder / "run/notes.txt", "mine");
+  EXPECT_EQ(words_of_opening(folder / "run", Begin::fresh), "");
+}
+
+TEST(RunFolder, WithARunIsNotOverwrittenInSilence) {
+  const test::TemporaryFolder folder;
+  const fs::path run = folder / "run";
+  write(run / "manifest.json", R"({"status": "running"})");
+  EXPECT_EQ(words_of_opening(run, Begin::fresh),
+            run.string() + ": there is a run in this folder already, and it is not done. Use --resume to go on with it, "
+                           "--overwrite to replace it, or another folder (--out)");
+  write(run / "manifest.json", R"({"status": "done"})");
+  EXPECT_EQ(words_of_opening(run, Begin::fresh),
+            run.string() + ": there is a run in this folder already, and it is done. Use --overwrite to replace it, or "
+                           "another folder (--out)");
+}
+
+TEST(RunFolder, WithADoneRunIsNotResumed) {
+  const test::TemporaryFolder folder;
+  const fs::path run = folder / "run";
+  write(run / "manifest.json", R"({"status": "done"})");
+  EXPECT_EQ(words_of_opening(run, Begin::resume),
+            run.string() + ": the run in this folder is done, there is nothing to resume. Its figures are in manifest.json; "
+                           "use --overwrite to run the case again");
+}
+
+TEST(RunFolder, OverwritingRemovesTheRunAndNothingElse) {
+  const test::TemporaryFolder folder;
+  const fs::path run = folder / "run";
+  for (const char* name : {"manifest.json", "history.csv", "checkpoint/state.h5", "snapshots/elements_00007.vtkhdf",
+                           "snapshots/.joints_00007.vtkhdf.part", "snapshots/elements.vtkhdf.series", "report.html"})
+    write(run / name, "old");
+  write(run / "notes.txt", "mine");
+  write(run / "snapshots/picture.png", "mine");
+  const RunFolder opened(run, Begin::overwrite);
+  std::vector<std::string> left;
+  for (const auto& entry : fs::recursive_directory_iterator(run))
+    if (entry.is_regular_file()) left.push_back(entry.path().filename().string());
+  std::ranges::sort(left);
+  EXPECT_EQ(left, (std::vector<std::string>{"notes.txt", "picture.png"}));
+}
+
+TEST(RunFolder, IsHeldByOneAtATime) {
+  const test::TemporaryFolder folder;
+  const RunFolder first(folder / "run", Begin::fresh);
+  EXPECT_NE(words_of_opening(folder / "run", Begin::resume).find("another sazare is at work"), std::string::npos);
+}
+
+TEST(RunFolder, ThatIsAFileIsRefused) {
+  const test::TemporaryFolder folder;
+  write(folder / "run", "a file");
+  EXPECT_NE(words_of_opening(folder / "run", Begin::fresh).find("is a file"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sazare::runs
