@@ -167,8 +167,7 @@ Snapshot<D> Simulation<D>::snapshot() const {
 }
 
 template <int D>
-terms::Ledger Simulation<D>::ledger() const {
-  const Snapshot<D> at_now = snapshot();
+terms::Ledger Simulation<D>::ledger(const Snapshot<D>& at_now) const {
   terms::Ledger ledger;
   std::vector<state::MeanMotion<D>> ahead;
   Real kinetic = 0;

@@ -53,7 +53,8 @@ class Simulation {
 
   /// Positions and velocities at `now()`: the part of the last kicks that acts after it is taken back.
   Snapshot<D> snapshot() const;
-  terms::Ledger ledger() const;
+  terms::Ledger ledger() const { return ledger(snapshot()); }
+  terms::Ledger ledger(const Snapshot<D>& at_now) const;  ///< where the snapshot is at hand
 
   /// Smallest step since the last call [s].
   Real take_smallest_step();

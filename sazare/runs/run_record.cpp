@@ -63,17 +63,17 @@ void RunRecord::observe(std::int64_t step, Real wall_seconds) {
   const engine::Snapshot<3> now = model_->simulation->snapshot();
   for (const Vector3& velocity : now.velocity) peak_speed_ = std::max(peak_speed_, velocity.norm());
   gauge_table_->add_row(gauges_.sample(time, model_->simulation->bodies(), now));
-  add_history_row(time, wall_seconds);
+  add_history_row(time, now, wall_seconds);
   ++history_rows_;
   if (!clocks_.is_snapshot(step)) return;
   snapshots_.write(time, now, fragments());
   ++snapshot_count_;
 }
 
-void RunRecord::add_history_row(Real time, Real wall_seconds) {
+void RunRecord::add_history_row(Real time, const engine::Snapshot<3>& now, Real wall_seconds) {
   latest_smallest_step_ = model_->simulation->take_smallest_step();
   smallest_step_ = smallest_step_ > 0 ? std::min(smallest_step_, latest_smallest_step_) : latest_smallest_step_;
-  const terms::Ledger ledger = model_->simulation->ledger();
+  const terms::Ledger ledger = model_->simulation->ledger(now);
   std::vector<Real> row = {time, static_cast<Real>(model_->joints->broken_count()), static_cast<Real>(fragments().count)};
   row.insert(row.end(), ledger.joules.begin(), ledger.joules.end());
   row.push_back(ledger.residual());
@@ -107,8 +107,9 @@ void RunRecord::write_fragments() {
 std::vector<std::pair<std::string, observe::Figure>> RunRecord::results(std::int64_t step, Real wall_seconds) {
   const auto& simulation = *model_->simulation;
   const engine::Counters& counters = simulation.counters();
-  const terms::Ledger ledger = simulation.ledger();
-  const auto pieces = measure_fragments(fragments(), model_->volume, simulation.bodies(), simulation.snapshot());
+  const engine::Snapshot<3> now = simulation.snapshot();
+  const terms::Ledger ledger = simulation.ledger(now);
+  const auto pieces = measure_fragments(fragments(), model_->volume, simulation.bodies(), now);
   Real farthest = 0;
   for (const Fragment& piece : pieces) farthest = std::max(farthest, piece.throw_distance);
   std::vector<std::pair<std::string, observe::Figure>> results = {

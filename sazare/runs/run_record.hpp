@@ -48,7 +48,7 @@ class RunRecord {
 
  private:
   const FragmentMap& fragments();
-  void add_history_row(Real time, Real wall_seconds);
+  void add_history_row(Real time, const engine::Snapshot<3>& now, Real wall_seconds);
 
   const RunFolder* folder_;
   const cases::CaseFile* file_;

@@ -35,6 +35,18 @@ Integers own_points(std::size_t points) {
 
 }  // namespace
 
+struct Snapshots::ElementData {
+  std::vector<Vector3> points, displacement, velocity;
+  Numbers speed, step, damage;
+  Integers level, fragment;
+};
+
+struct Snapshots::JointData {
+  std::vector<Vector3> points;
+  Integers state, kind;
+  Numbers opening, slip;
+};
+
 Snapshots::Snapshots(const std::filesystem::path& folder, const BlocksModel& model)
     : model_(&model), elements_(folder, "elements"), joints_(folder, "joints") {
   const auto links = model.joints->links();
@@ -55,7 +67,12 @@ Snapshots::Snapshots(const std::filesystem::path& folder, const BlocksModel& mod
   }
 }
 
+void Snapshots::finish_writing() {
+  if (writing_.valid()) writing_.get();
+}
+
 void Snapshots::sync() {
+  finish_writing();
   elements_.sync();
   joints_.sync();
 }
@@ -66,8 +83,11 @@ void Snapshots::resume(std::size_t count) {
 }
 
 void Snapshots::write(Real time, const engine::Snapshot<3>& now, const FragmentMap& fragments) {
-  write_elements(time, now, fragments);
-  write_joints(time, now);
+  finish_writing();
+  writing_ = std::async(std::launch::async, [this, time, elements = element_data(now, fragments), joints = joint_data(now)] {
+    write_elements(time, elements);
+    write_joints(time, joints);
+  });
 }
 
 std::vector<Real> Snapshots::damage() const {
@@ -85,36 +105,28 @@ std::vector<Real> Snapshots::damage() const {
   return damage;
 }
 
-void Snapshots::write_elements(Real time, const engine::Snapshot<3>& now, const FragmentMap& fragments) {
+Snapshots::ElementData Snapshots::element_data(const engine::Snapshot<3>& now, const FragmentMap& fragments) const {
   const state::Bodies<3>& bodies = model_->simulation->bodies();
   const auto& levels = model_->simulation->levels();
-  std::vector<Vector3> points, displacement;
-  Numbers speed, step;
-  Integers level;
+  ElementData data;
   for (Index element = 0; element < bodies.size(); ++element) {
     for (const Vector3& corner : geometry::corners_of(model_->mesh, element))
-      points.push_back(moved_point(bodies, now, element, corner));
-    displacement.push_back(now.pose[at(element)].position - bodies.start[at(element)]);
-    speed.push_back(now.velocity[at(element)].norm());
-    level.push_back(levels.level(element));
-    step.push_back(levels.step(level.back()));
+      data.points.push_back(moved_point(bodies, now, element, corner));
+    data.displacement.push_back(now.pose[at(element)].position - bodies.start[at(element)]);
+    data.speed.push_back(now.velocity[at(element)].norm());
+    data.level.push_back(levels.level(element));
+    data.step.push_back(levels.step(data.level.back()));
   }
-  const Integers connectivity = own_points(points.size());
-  const Numbers shares = damage();
-  elements_.write({observe::Grid::Cell::tetrahedron, points, connectivity,
-                   {cell_data("element", tags_), cell_data("region", model_->mesh.region),
-                    cell_data("material", model_->material), cell_data("displacement", displacement),
-                    cell_data("velocity", now.velocity), cell_data("speed", speed), cell_data("level", level),
-                    cell_data("step", step), cell_data("fragment", fragments.of_element), cell_data("damage", shares)},
-                   time});
+  data.velocity = now.velocity;
+  data.damage = damage();
+  data.fragment = fragments.of_element;
+  return data;
 }
 
-void Snapshots::write_joints(Real time, const engine::Snapshot<3>& now) {
+Snapshots::JointData Snapshots::joint_data(const engine::Snapshot<3>& now) const {
   const state::Bodies<3>& bodies = model_->simulation->bodies();
   const auto links = model_->joints->links();
-  std::vector<Vector3> points;
-  Integers state, kind;
-  Numbers opening, slip;
+  JointData data;
   for (const Face& face : faces_) {
     const Link& link = links[at(face.joint)];
     const Matrix3 turned = now.pose[at(link.first)].rotation * bodies.start_rotation[at(link.first)].transpose();
@@ -123,20 +135,33 @@ void Snapshots::write_joints(Real time, const engine::Snapshot<3>& now) {
     for (const Vector3& corner : face.corners) {
       const Vector3 near = moved_point(bodies, now, link.first, corner);
       const Vector3 apart = moved_point(bodies, now, link.second, corner) - near;
-      points.push_back(near);
+      data.points.push_back(near);
       widest = std::max(widest, normal.dot(apart));
       farthest = std::max(farthest, (apart - normal.dot(apart) * normal).norm());
     }
-    opening.push_back(widest);
-    slip.push_back(farthest);
-    const methods::blocks::JointReport report = model_->joints->report(face.joint);
-    state.push_back(static_cast<std::int32_t>(report.state));
-    kind.push_back(report.kind);
+    data.opening.push_back(widest);
+    data.slip.push_back(farthest);
+    data.state.push_back(static_cast<std::int32_t>(model_->joints->state(face.joint)));
+    data.kind.push_back(model_->joints->report(face.joint).kind);
   }
-  const Integers connectivity = own_points(points.size());
-  joints_.write({observe::Grid::Cell::triangle, points, connectivity,
-                 {cell_data("state", state), cell_data("opening", opening), cell_data("slip", slip),
-                  cell_data("kind", kind)},
+  return data;
+}
+
+void Snapshots::write_elements(Real time, const ElementData& data) {
+  const Integers connectivity = own_points(data.points.size());
+  elements_.write({observe::Grid::Cell::tetrahedron, data.points, connectivity,
+                   {cell_data("element", tags_), cell_data("region", model_->mesh.region),
+                    cell_data("material", model_->material), cell_data("displacement", data.displacement),
+                    cell_data("velocity", data.velocity), cell_data("speed", data.speed), cell_data("level", data.level),
+                    cell_data("step", data.step), cell_data("fragment", data.fragment), cell_data("damage", data.damage)},
+                   time});
+}
+
+void Snapshots::write_joints(Real time, const JointData& data) {
+  const Integers connectivity = own_points(data.points.size());
+  joints_.write({observe::Grid::Cell::triangle, data.points, connectivity,
+                 {cell_data("state", data.state), cell_data("opening", data.opening), cell_data("slip", data.slip),
+                  cell_data("kind", data.kind)},
                  time});
 }
 

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <future>
+
 #include "sazare/observe/vtkhdf.hpp"
 #include "sazare/runs/blocks_model.hpp"
 #include "sazare/runs/fragments.hpp"
 
 namespace sazare::runs {
 
-/// Pictures of a run for ParaView and pyvista: the elements, and the joints between them, at the snapshot times.
+/// Pictures of a run for ParaView and pyvista: the elements, and the joints between them, at the snapshot times. Files are
+/// written while the run goes on; what goes wrong then is thrown by the next call.
 class Snapshots {
  public:
   /// Makes the folder.
@@ -28,15 +31,21 @@ class Snapshots {
     Vector3 normal;                  ///< out of the first element, at the beginning
   };
 
-  void write_elements(Real time, const engine::Snapshot<3>& now, const FragmentMap& fragments);
-  void write_joints(Real time, const engine::Snapshot<3>& now);
+  struct ElementData;
+  struct JointData;
+  ElementData element_data(const engine::Snapshot<3>& now, const FragmentMap& fragments) const;
+  JointData joint_data(const engine::Snapshot<3>& now) const;
+  void write_elements(Real time, const ElementData& data);
+  void write_joints(Real time, const JointData& data);
   std::vector<Real> damage() const;
+  void finish_writing();
 
   const BlocksModel* model_;
   observe::SnapshotSeries elements_;
   observe::SnapshotSeries joints_;
   std::vector<Face> faces_;  ///< by joint
   std::vector<std::int32_t> tags_;
+  std::future<void> writing_;  ///< the snapshot in the making; last, so that it ends before the rest goes
 };
 
 }  // namespace sazare::runs

@@ -26,15 +26,17 @@ def limit_file_size(size):
 def test_file_that_may_not_grow(sazare, tmp_path):
     """The history grows past the limit while the run goes on."""
     limited = sazare.run_block(tmp_path, "time.history_interval=1e-7", "time.snapshot_interval=4e-4", CHECKPOINTS,
-                               preexec_fn=limit_file_size(300_000))
+                               preexec_fn=limit_file_size(700_000))
     assert limited.returncode == MACHINE_FAILED, limited.stdout + limited.stderr
-    assert "cannot be written" in limited.stderr
+    assert "history.csv: cannot be written" in limited.stderr
+    assert "the checkpoint of t = " in limited.stderr
     assert_nothing_half_written(tmp_path)
 
 
 def test_resumed_when_there_is_room_again(sazare, tmp_path):
     settings = ("time.history_interval=1e-7", "time.snapshot_interval=4e-4", CHECKPOINTS)
-    sazare.run_block(tmp_path / "run", *settings, preexec_fn=limit_file_size(300_000))
+    sazare.run_block(tmp_path / "run", *settings, preexec_fn=limit_file_size(700_000))
+    assert manifest(tmp_path / "run")["status"] == "stopped"
     resumed = sazare.run_block(tmp_path / "run", *settings, options=["--resume"])
     assert resumed.returncode == DONE, resumed.stderr
     whole = sazare.run_block(tmp_path / "whole", *settings)

@@ -214,29 +214,35 @@ void set_lane(LaneBodies& bodies, int lane, const state::Pose<3>& pose) {
 
 }  // namespace
 
-/// Elastic energy of the joint in the places of a base step [J].
-Real Joints::elastic_energy_of(JointRecord& joint, const terms::Synchronized<3>& synchronized) const {
-  LanePointers<JointRecord> same;
-  same.fill(&joint);
+/// Elastic energy [J] of as many joints as there are lanes, in the places of a base step; lanes beyond the last joint
+/// repeat it.
+Lanes Joints::elastic_energies(Index first, const terms::Synchronized<3>& synchronized) const {
+  std::array<JointRecord, lane_count> own;
+  LanePointers<JointRecord> records;
   LaneBodies master{}, slave{};
   for (int lane = 0; lane < lane_count; ++lane) {
+    const JointRecord& joint = own[at(lane)] = records_[at(std::min(first + lane, count() - 1))];
+    records[at(lane)] = &own[at(lane)];
     set_lane(master, lane, synchronized.pose_of(joint.master));
     set_lane(slave, lane, synchronized.pose_of(joint.slave));
   }
-  const LaneJoints joints = load_joints(same);
-  return elastic_energy(joints, lane_kinds_[at(joint.kind)], face_geometry(joints.shape, master, slave))[0];
+  const LaneJoints joints = load_joints(records);
+  JointParameters<Lanes> mixed;
+  return elastic_energy(joints, kinds_of(records, mixed), face_geometry(joints.shape, master, slave));
 }
 
 void Joints::add_energies(const terms::Synchronized<3>& synchronized, terms::Ledger& ledger) const {
+  Lanes elastic{};
   for (Index number = 0; number < count(); ++number) {
-    JointRecord joint = records_[at(number)];
+    const JointRecord& joint = records_[at(number)];
     ledger[terms::Account::joint_dashpot] -= table_.work_until(number, links_[at(number)], 0, synchronized);
     ledger[terms::Account::slip] += joint.memory.slip_work;
     ledger[terms::Account::release] += joint.memory.released;
     for (int v = 0; v < vertex_count; ++v)
       ledger[terms::Account::fracture] +=
           joint.shape.vertex_area * laws::fracture_dissipation(kinds_[at(joint.kind)].tension, joint.memory.peak[v]);
-    if (joint.state != JointState::broken) ledger[terms::Account::elastic] += elastic_energy_of(joint, synchronized);
+    if (number % lane_count == 0) elastic = elastic_energies(number, synchronized);
+    if (joint.state != JointState::broken) ledger[terms::Account::elastic] += elastic[static_cast<int>(number % lane_count)];
   }
 }
 

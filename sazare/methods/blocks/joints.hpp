@@ -77,7 +77,7 @@ class Joints final : public terms::Term<3> {
                    const terms::Deposit<3, 1>& on_slave, const state::Bodies<3>& bodies);
   const JointParameters<Lanes>& kinds_of(const LanePointers<JointRecord>& joints, JointParameters<Lanes>& mixed) const;
   void update_rates(Index body, const state::Bodies<3>& bodies);
-  Real elastic_energy_of(JointRecord& joint, const terms::Synchronized<3>& synchronized) const;
+  Lanes elastic_energies(Index first, const terms::Synchronized<3>& synchronized) const;
 
   std::vector<JointKind> kinds_;
   std::vector<JointParameters<Lanes>> lane_kinds_;  ///< each kind in all lanes

@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
-#include "tests/unit/blocks/bonded_pair.hpp"
+#include "tests/support/bonded_pair.hpp"
 
 namespace sazare::methods::blocks {
 namespace {
 
-using test::BondedPair;
+using sazare::test::BondedPair;
 
 constexpr Real elastic_opening = 6.66e6 / 450e9, failure_opening = 2 * 99.67 / 6.66e6;
 

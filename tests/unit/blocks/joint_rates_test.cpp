@@ -4,12 +4,12 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "tests/unit/blocks/bonded_pair.hpp"
+#include "tests/support/bonded_pair.hpp"
 
 namespace sazare::methods::blocks {
 namespace {
 
-using test::BondedPair;
+using sazare::test::BondedPair;
 
 /// Change of the force on a block per displacement (or velocity) of its own six freedoms, in world axes, by differences
 /// of the forces of the joint itself.

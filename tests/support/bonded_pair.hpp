@@ -6,11 +6,11 @@
 #include "tests/support/blocks_scene.hpp"
 #include "tests/support/force_probe.hpp"
 
-namespace sazare::methods::blocks::test {
+namespace sazare::test {
 
 class BondedPair {
  public:
-  explicit BondedPair(const cases::Joint& joint = sazare::test::concrete_joint("left", "right"));
+  explicit BondedPair(const cases::Joint& joint = concrete_joint("left", "right"));
 
   /// Moves the second block from its place at the beginning: n across the face (positive opens), s and t along it.
   void place(Real n, Real s = 0, Real t = 0);
@@ -21,17 +21,17 @@ class BondedPair {
   /// Stress on the face [Pa]: across it (tension positive) and along it (against s and t).
   Vector3 stress();
 
-  sazare::test::ForceProbe<3>& probe() { return probe_; }
+  ForceProbe<3>& probe() { return probe_; }
   state::Bodies<3>& bodies() { return bodies_; }
-  Joints& joints() { return joints_; }
+  methods::blocks::Joints& joints() { return joints_; }
   Real area() const { return area_; }
   const Vector3& start() const { return bodies_.start[1]; }
 
  private:
   state::Bodies<3> bodies_;
-  Joints joints_;
-  sazare::test::ForceProbe<3> probe_;
+  methods::blocks::Joints joints_;
+  ForceProbe<3> probe_;
   Real area_;
 };
 
-}  // namespace sazare::methods::blocks::test
+}  // namespace sazare::test

@@ -1,21 +1,21 @@
-#include "tests/unit/blocks/bonded_pair.hpp"
+#include "tests/support/bonded_pair.hpp"
 
 #include "sazare/geometry/tetrahedron.hpp"
 #include "sazare/runs/blocks_parts.hpp"
 
-namespace sazare::methods::blocks::test {
+namespace sazare::test {
 
 namespace {
 
 state::Bodies<3> make_bodies(const geometry::TetraMesh& mesh) {
-  const auto blocks = sazare::test::two_block_case(true);
+  const auto blocks = two_block_case(true);
   return runs::make_bodies(blocks, mesh, runs::materials_by_element(blocks, mesh));
 }
 
-Joints make_joints(const cases::Joint& joint, const geometry::TetraMesh& mesh, const state::Bodies<3>& bodies) {
+methods::blocks::Joints make_joints(const cases::Joint& joint, const geometry::TetraMesh& mesh, const state::Bodies<3>& bodies) {
   const auto map = geometry::build_face_map(mesh);
   const auto& shared = map.interior.at(0);
-  JointFace face{shared.element_i, shared.element_j, 0, shared.face_i, shared.face_j, {}};
+  methods::blocks::JointFace face{shared.element_i, shared.element_j, 0, shared.face_i, shared.face_j, {}};
   for (std::size_t corner = 0; corner < 3; ++corner)
     face.corners[corner] = mesh.nodes[static_cast<std::size_t>(shared.nodes[corner])];
   return {{runs::make_joint_kind(joint)}, std::vector{face}, bodies};
@@ -24,8 +24,8 @@ Joints make_joints(const cases::Joint& joint, const geometry::TetraMesh& mesh, c
 }  // namespace
 
 BondedPair::BondedPair(const cases::Joint& joint)
-    : bodies_(make_bodies(sazare::test::two_blocks())),
-      joints_(make_joints(joint, sazare::test::two_blocks(), bodies_)),
+    : bodies_(make_bodies(two_blocks())),
+      joints_(make_joints(joint, two_blocks(), bodies_)),
       probe_(joints_, bodies_),
       area_(0.1 * 0.1 * std::sqrt(3.0) / 4) {}
 
@@ -33,4 +33,4 @@ void BondedPair::place(Real n, Real s, Real t) { bodies_.motion[1].position = st
 
 Vector3 BondedPair::stress() { return -forces()[1].linear / area_; }
 
-}  // namespace sazare::methods::blocks::test
+}  // namespace sazare::test
