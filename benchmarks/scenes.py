@@ -26,7 +26,9 @@ class Scene:
 SLAB_END = 5e-4  # of cases/free-face-blast [s]
 SLAB = Scene("slab-stability", "cases/free-face-blast/case.toml")
 SLAB_UNIFORM = SLAB.with_settings("slab-uniform", "time.levels=uniform", "time.limiter=none", "time.base_step=1e-8")
-SLAB_TRAVEL = SLAB.with_settings("slab-travel", "time.limiter=travel", "time.base_step=1e-8", "time.travel_length=1e-8")
+# The paper lets neighbours differ by any number of levels.
+SLAB_TRAVEL = SLAB.with_settings("slab-travel", "time.limiter=travel", "time.base_step=1e-8", "time.travel_length=1e-8",
+                                 "time.neighbor_levels=20")
 SLAB_SMALLEST = SLAB_TRAVEL.with_settings("slab-smallest", "time.levels=uniform", long=True)
 FULL = Scene("full-stability", "cases/free-face-blast-full/case.toml")
 
