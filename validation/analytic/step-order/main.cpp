@@ -1,0 +1,65 @@
+#include <cmath>
+
+#include "tests/support/networks.hpp"
+#include "validation/common/rows.hpp"
+
+namespace {
+
+using namespace sazare;
+
+constexpr Real end = 1.28;
+constexpr int coarse_steps = 1024;
+
+/// A ladder of turning bodies and springs at the end; with mixed levels the base step's fraction of the limit falls with it,
+/// so that every body keeps its level.
+template <int D>
+engine::Snapshot<D> state_at_end(bool mixed, int base_steps) {
+  engine::StepRules rules;
+  rules.base_step = end / base_steps;
+  rules.stability = mixed;
+  rules.stability_fraction = 0.1 * 32 / base_steps;
+  auto simulation = test::ladder<D>().simulation(rules);
+  simulation.start();
+  test::run(simulation, base_steps);
+  return simulation.snapshot();
+}
+
+template <int D>
+Real distance(const engine::Snapshot<D>& a, const engine::Snapshot<D>& b) {
+  Real sum = 0;
+  for (std::size_t body = 0; body < a.pose.size(); ++body)
+    sum += (a.pose[body].position - b.pose[body].position).squaredNorm() +
+           (a.pose[body].rotation - b.pose[body].rotation).squaredNorm() +
+           (a.velocity[body] - b.velocity[body]).squaredNorm() +
+           (a.angular_momentum[body] - b.angular_momentum[body]).squaredNorm();
+  return std::sqrt(sum);
+}
+
+template <int D>
+Real observed_order(bool mixed) {
+  const auto exact = state_at_end<D>(false, 32 * coarse_steps);
+  const Real coarse = distance(state_at_end<D>(mixed, coarse_steps), exact);
+  const Real fine = distance(state_at_end<D>(mixed, 2 * coarse_steps), exact);
+  return std::log2(coarse / fine);
+}
+
+template <int D>
+Real level_difference() {
+  engine::StepRules rules;
+  rules.base_step = end / coarse_steps;
+  rules.stability_fraction = 0.1 * 32 / coarse_steps;
+  auto simulation = test::ladder<D>().simulation(rules);
+  simulation.start();
+  const auto [lowest, highest] = test::level_range(simulation);
+  return highest - lowest;
+}
+
+}  // namespace
+
+int main() {
+  validation::print_row("plane-one-level", observed_order<2>(false));
+  validation::print_row("plane-mixed", observed_order<2>(true));
+  validation::print_row("space-one-level", observed_order<3>(false));
+  validation::print_row("space-mixed", observed_order<3>(true));
+  validation::print_row("levels", std::min(level_difference<2>(), level_difference<3>()));
+}

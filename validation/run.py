@@ -1,0 +1,214 @@
+"""Runs the validation programs and puts their results beside the expected values.
+
+    python validation/run.py [--build build/release] [--only PART_OF_A_FOLDER ...] [--jobs 2] [--write-docs]
+
+Each folder with an expected.csv has one program of the same path under <build>/validation. It prints `row,ours` or, where
+the expected value is computed by other means, `row,ours,expected`. Written are build/validation/results.csv
+(id,quantity,unit,expected,source,ours,tolerance,verdict) and the same as a page, build/validation/index.html; with
+--write-docs also docs/reference/validation.md. With --only nothing is written: the table has all rows or none. Ends with 1
+when a row failed or could not be run.
+"""
+
+import argparse
+import csv
+import html
+import math
+import os
+import subprocess
+import sys
+import time
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import astuple, dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+COLUMNS = ("id", "quantity", "unit", "expected", "source", "ours", "tolerance", "verdict")
+PASSED, FAILED, NOT_RUN = "passed", "FAILED", "not run"
+TIME_LIMIT = 1800  # seconds of one program
+BEGUN_FIRST = ("papers/blasting-dem/figure-13", "papers/blasting-dem/section-4-3")  # the longest
+INTRODUCTION = ("Expected values beside ours, as `make validate` found them. The folder of a row, under `validation/`, says "
+                "in its README what is compared and why the tolerance is what it is.")
+
+
+@dataclass
+class Row:
+    id: str
+    quantity: str
+    unit: str
+    expected: str
+    source: str
+    ours: str
+    tolerance: str
+    verdict: str
+
+
+def short(value):
+    """A number with five significant digits, whole numbers in full."""
+    whole = math.isfinite(value) and value == int(value) and abs(value) < 1e9
+    return f"{value:.0f}" if whole else f"{value:.5g}"
+
+
+def tolerance_text(entry):
+    """How the comparison of a row reads in the table."""
+    compare, tolerance = entry["compare"], entry["tolerance"]
+    if compare == "relative":
+        return f"{short(100 * float(tolerance))} %"
+    if compare == "absolute":
+        return f"+-{short(float(tolerance))}" if float(tolerance) else "equal"
+    return compare
+
+
+def agrees(compare, tolerance, expected, ours):
+    """Whether our value is as it should be."""
+    if not math.isfinite(ours):
+        return False
+    if compare == "relative":
+        return abs(ours - expected) <= float(tolerance) * abs(expected)
+    if compare == "absolute":
+        return abs(ours - expected) <= float(tolerance)
+    if compare == "at most":
+        return ours <= expected
+    if compare == "at least":
+        return ours >= expected
+    raise ValueError(f"unknown comparison {compare!r}: use relative, absolute, at most or at least")
+
+
+def parse_output(text):
+    """What a program printed by row, as (ours, expected or None)."""
+    values = {}
+    for line in csv.reader(text.splitlines()):
+        values[line[0]] = (float(line[1]), float(line[2]) if len(line) > 2 else None)
+    return values
+
+
+def run_program(program):
+    """What a program printed by row; or why there is nothing. A program that ends badly has no rows that count."""
+    if not program.exists():
+        return {}, f"{program} is not built"
+    # One thread each, since several programs run at once; whoever asks for more does not spin while it waits for the others.
+    environment = os.environ | {"OMP_NUM_THREADS": "1", "OMP_WAIT_POLICY": "passive"}
+    try:
+        done = subprocess.run([program], cwd=ROOT, env=environment, capture_output=True, text=True, timeout=TIME_LIMIT,
+                              check=False)
+    except subprocess.TimeoutExpired:
+        return {}, f"no end after {TIME_LIMIT} s"
+    if done.returncode != 0:
+        return {}, f"exit code {done.returncode}: {done.stderr.strip()[-200:]}"
+    try:
+        return parse_output(done.stdout), ""
+    except (ValueError, IndexError) as error:
+        return {}, f"printed what is no row: {error}"
+
+
+def compare_row(folder, entry, values, why):
+    """One row of the table."""
+    row = Row(f"{folder}/{entry['row']}", entry["quantity"], entry["unit"], entry["expected"], entry["source"], "",
+              tolerance_text(entry), NOT_RUN)
+    if entry["row"] not in values:
+        row.ours = why or "not printed by the program"
+        return row
+    ours, computed = values[entry["row"]]
+    expected = float(entry["expected"]) if computed is None else computed
+    row.expected, row.ours = short(expected), short(ours)
+    row.verdict = PASSED if agrees(entry["compare"], entry["tolerance"], expected, ours) else FAILED
+    return row
+
+
+def validate(folder, build):
+    """All rows of one folder, as soon as they are known also on the screen."""
+    began = time.monotonic()
+    with open(ROOT / "validation" / folder / "expected.csv", newline="", encoding="utf-8") as file:
+        entries = list(csv.DictReader(file))
+    values, why = run_program(build / "validation" / folder)
+    rows = [compare_row(folder, entry, values, why) for entry in entries]
+    for name in sorted(values.keys() - {entry["row"] for entry in entries}):
+        rows.append(Row(f"{folder}/{name}", "", "", "", "not in expected.csv", short(values[name][0]), "", FAILED))
+    lines = [f"{folder} ({time.monotonic() - began:.0f} s)"]
+    for row in rows:
+        name = row.id.rsplit("/", 1)[1]
+        lines.append(f"  {row.verdict:8s} {name}: ours {row.ours} {row.unit}, expected {row.expected} ({row.tolerance})")
+    print("\n".join(lines), flush=True)
+    return rows
+
+
+def summary(rows):
+    counts = {verdict: sum(row.verdict == verdict for row in rows) for verdict in (PASSED, FAILED, NOT_RUN)}
+    return f"{len(rows)} rows: " + ", ".join(f"{count} {verdict}" for verdict, count in counts.items())
+
+
+def write_csv(rows, path):
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow(COLUMNS)
+        writer.writerows(astuple(row) for row in rows)
+
+
+def write_page(rows, path):
+    """The table as a page that opens in a browser."""
+    colors = {PASSED: "#e6f4e6", FAILED: "#f9d6d5", NOT_RUN: "#fff3cd"}
+    lines = ["<!doctype html>", '<html lang="en"><meta charset="utf-8"><title>Sazare: validation</title>',
+             "<style>body{font-family:sans-serif;margin:2em}td,th{padding:.2em .6em;text-align:left;vertical-align:top}",
+             "table{border-collapse:collapse;font-size:90%}tr{border-bottom:1px solid #ddd}</style>", "<h1>Validation</h1>",
+             f"<p>{html.escape(INTRODUCTION)}</p>", f"<p>{summary(rows)}.</p>",
+             "<table><tr>" + "".join(f"<th>{column}</th>" for column in COLUMNS) + "</tr>"]
+    for row in rows:
+        cells = "".join(f"<td>{html.escape(cell)}</td>" for cell in astuple(row))
+        lines.append(f'<tr style="background:{colors[row.verdict]}">{cells}</tr>')
+    path.write_text("\n".join(lines) + "\n</table></html>\n", encoding="utf-8")
+
+
+def write_docs(rows, path):
+    """The table as a page of the documentation: one section per folder."""
+    lines = ["# Validation", "", "<!-- written by validation/run.py --write-docs -->", "", INTRODUCTION, "",
+             f"{summary(rows)}."]
+    last = None
+    for row in rows:
+        folder, name = row.id.rsplit("/", 1)
+        if folder != last:
+            lines += ["", f"## [{folder}](../../validation/{folder}/README.md)", "",
+                      "| row | " + " | ".join(COLUMNS[1:]) + " |", "|" + "---|" * len(COLUMNS)]
+            last = folder
+        cells = (name, *astuple(row)[1:])
+        lines.append("| " + " | ".join(cell.replace("|", "\\|").replace("\n", " ") for cell in cells) + " |")
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description="Compare with theory and papers.")
+    parser.add_argument("--build", default="build/release", help="where the programs were built")
+    parser.add_argument("--only", nargs="*", default=[], help="parts of the names of folders")
+    parser.add_argument("--jobs", type=int, default=2, help="programs at a time")
+    parser.add_argument("--write-docs", action="store_true", help="write docs/reference/validation.md as well")
+    options = parser.parse_args()
+    if options.only and options.write_docs:
+        parser.error("--write-docs takes all folders: leave out --only")
+    return options
+
+
+def main():
+    options = parse_arguments()
+    folders = sorted(path.parent.relative_to(ROOT / "validation").as_posix()
+                     for path in (ROOT / "validation").rglob("expected.csv"))
+    chosen = [folder for folder in folders if not options.only or any(part in folder for part in options.only)]
+    began = time.monotonic()
+    with ThreadPoolExecutor(max_workers=max(1, options.jobs)) as pool:
+        order = sorted(chosen, key=lambda folder: folder not in BEGUN_FIRST)
+        found = {folder: pool.submit(validate, folder, ROOT / options.build) for folder in order}
+        rows = [row for folder in chosen for row in found[folder].result()]
+    if not options.only:
+        out = ROOT / "build" / "validation"
+        out.mkdir(parents=True, exist_ok=True)
+        write_csv(rows, out / "results.csv")
+        write_page(rows, out / "index.html")
+    if options.write_docs:
+        write_docs(rows, ROOT / "docs" / "reference" / "validation.md")
+    for row in rows:
+        if row.verdict != PASSED:
+            print(f"{row.verdict}: {row.id}: ours {row.ours} {row.unit}, expected {row.expected} ({row.tolerance})")
+    where = "" if options.only else "; build/validation/results.csv and index.html"
+    print(f"{summary(rows)}, in {time.monotonic() - began:.0f} s{where}")
+    return 0 if rows and all(row.verdict == PASSED for row in rows) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
