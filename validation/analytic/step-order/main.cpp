@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "tests/support/networks.hpp"
@@ -10,15 +11,24 @@ using namespace sazare;
 constexpr Real end = 1.28;
 constexpr int coarse_steps = 1024;
 
+enum class Levels { one, mixed };
+
+/// Of the dashpot beside each spring, over its stiffness [s].
+struct Damping {
+  Real time = 0;
+};
+
 /// A ladder of turning bodies and springs at the end; with mixed levels the base step's fraction of the limit falls with it,
 /// so that every body keeps its level.
 template <int D>
-engine::Snapshot<D> state_at_end(bool mixed, int base_steps) {
+engine::Snapshot<D> state_at_end(Levels levels, Damping damping, int base_steps) {
   engine::StepRules rules;
   rules.base_step = end / base_steps;
-  rules.stability = mixed;
+  rules.stability = levels == Levels::mixed;
   rules.stability_fraction = 0.1 * 32 / base_steps;
-  auto simulation = test::ladder<D>().simulation(rules);
+  auto network = test::ladder<D>();
+  for (auto& spring : network.springs) spring.damping = damping.time * spring.stiffness;
+  auto simulation = network.simulation(rules);
   simulation.start();
   test::run(simulation, base_steps);
   return simulation.snapshot();
@@ -36,10 +46,10 @@ Real distance(const engine::Snapshot<D>& a, const engine::Snapshot<D>& b) {
 }
 
 template <int D>
-Real observed_order(bool mixed) {
-  const auto exact = state_at_end<D>(false, 32 * coarse_steps);
-  const Real coarse = distance(state_at_end<D>(mixed, coarse_steps), exact);
-  const Real fine = distance(state_at_end<D>(mixed, 2 * coarse_steps), exact);
+Real observed_order(Levels levels, Damping damping = {}) {
+  const auto exact = state_at_end<D>(Levels::one, damping, 32 * coarse_steps);
+  const Real coarse = distance(state_at_end<D>(levels, damping, coarse_steps), exact);
+  const Real fine = distance(state_at_end<D>(levels, damping, 2 * coarse_steps), exact);
   return std::log2(coarse / fine);
 }
 
@@ -57,9 +67,13 @@ Real level_difference() {
 }  // namespace
 
 int main() {
-  validation::print_row("plane-one-level", observed_order<2>(false));
-  validation::print_row("plane-mixed", observed_order<2>(true));
-  validation::print_row("space-one-level", observed_order<3>(false));
-  validation::print_row("space-mixed", observed_order<3>(true));
-  validation::print_row("levels", std::min(level_difference<2>(), level_difference<3>()));
+  using validation::print_row;
+  print_row("plane-one-level", observed_order<2>(Levels::one));
+  print_row("plane-mixed", observed_order<2>(Levels::mixed));
+  print_row("space-one-level", observed_order<3>(Levels::one));
+  print_row("space-mixed", observed_order<3>(Levels::mixed));
+  print_row("levels", std::min(level_difference<2>(), level_difference<3>()));
+  constexpr Damping damping{0.02};
+  print_row("damped-one-level", observed_order<3>(Levels::one, damping));
+  print_row("damped-mixed", observed_order<3>(Levels::mixed, damping));
 }
