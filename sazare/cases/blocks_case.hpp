@@ -120,7 +120,7 @@ struct Time {
   Levels levels = Levels::per_element;
   Limiter limiter = Limiter::stability;
   std::optional<Real> base_step;  // s; absent: the engine chooses it so that it divides history_interval
-  Real stability_fraction = 0.25;
+  Real stability_fraction = 0.5;
   Real travel_length = 1e-8;  // m
   int neighbor_levels = 2;
   Real history_interval = 0;   // s; a whole number of base steps where base_step is given

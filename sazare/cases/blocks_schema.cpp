@@ -317,7 +317,7 @@ constexpr std::array time_keys{
     Key{.name = "stability_fraction",
         .type = Type::number,
         .range = {.low = 0, .high = 1, .low_open = true},
-        .default_text = "0.25",
+        .default_text = "0.5",
         .sentence =
             "Step of an element over the limit of its own springs and dashpots with its neighbours held."},
     Key{.name = "travel_length",

@@ -6,8 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "sazare/motion/kick.hpp"
-
 namespace sazare::engine {
 
 namespace {
@@ -16,11 +14,11 @@ std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
 template <int D>
 LevelKeeper<D>::LevelKeeper(const StepRules& rules, const TermList<D>& terms, const state::Bodies<D>& bodies)
-    : rules_(rules), clocks_(terms.size()), links_(at(bodies.size())), by_rates_(at(bodies.size())),
+    : rules_(rules), clocks_(terms.size()), resting_(terms.size()), links_(at(bodies.size())), level_(at(bodies.size()), 0), by_rates_(at(bodies.size())),
       asked_(at(bodies.size()), -1), terms_(&terms) {
   for (Index body = 0; body < bodies.size(); ++body) {
     by_rates_[at(body)] = static_cast<std::int8_t>(wanted_by_rates(body));
-    bodies_.insert(body, 0);
+    paces_.insert(body, 0);
   }
   for (std::size_t term = 0; term < terms.size(); ++term)
     for (const Index link : terms[term]->first_links()) join(term, link, 0);
@@ -40,23 +38,36 @@ const Link& LevelKeeper<D>::bodies_of(const LinkOf& link) const {
 }
 
 template <int D>
-int LevelKeeper<D>::link_level(const Link& link) const {
-  const int first = bodies_.level(link.first);
-  return link.second == Link::outside ? first : std::max(first, bodies_.level(link.second));
+bool LevelKeeper<D>::rests(const LinkOf& of) const {
+  const auto& resting = resting_[at(of.term)];
+  return at(of.link) < resting.size() && resting[at(of.link)] != 0;
+}
+
+template <int D>
+int LevelKeeper<D>::link_level(const LinkOf& of) const {
+  if (rests(of)) return 0;
+  const Link& link = bodies_of(of);
+  const int first = level(link.first);
+  return link.second == Link::outside ? first : std::max(first, level(link.second));
 }
 
 template <int D>
 void LevelKeeper<D>::join(std::size_t term, Index link, Tick now) {
   const Link& bodies = (*terms_)[term]->links()[at(link)];
-  clocks_[term].add(link, link_level(bodies), now);
-  for (const Index body : {bodies.first, bodies.second})
-    if (body != Link::outside) links_[at(body)].push_back({static_cast<Index>(term), link});
+  const LinkOf of{static_cast<Index>(term), link};
+  clocks_[term].add(link, link_level(of), now);
+  for (const Index body : {bodies.first, bodies.second}) {
+    if (body == Link::outside) continue;
+    links_[at(body)].push_back(of);
+    quicken(body, link_level(of));
+  }
 }
 
 template <int D>
 void LevelKeeper<D>::part(std::size_t term, Index link) {
   const Link& bodies = (*terms_)[term]->links()[at(link)];
   clocks_[term].remove(link);
+  if (rests({static_cast<Index>(term), link})) resting_[term][at(link)] = 0;
   for (const Index body : {bodies.first, bodies.second})
     if (body != Link::outside)
       std::erase_if(links_[at(body)], [&](const LinkOf& of) { return at(of.term) == term && of.link == link; });
@@ -64,14 +75,34 @@ void LevelKeeper<D>::part(std::size_t term, Index link) {
 
 template <int D>
 void LevelKeeper<D>::set_level(Index body, int level) {
-  if (bodies_.level(body) == level) return;
-  bodies_.move(body, level);
-  for (const LinkOf& of : links_[at(body)]) clocks_[at(of.term)].set_level(of.link, link_level(bodies_of(of)));
+  if (level_[at(body)] == level) return;
+  level_[at(body)] = static_cast<std::int8_t>(level);
+  quicken(body, level);
+  for (const LinkOf& of : links_[at(body)]) {
+    const Link& link = bodies_of(of);
+    const int finer = link_level(of);
+    clocks_[at(of.term)].set_level(of.link, finer);
+    quicken(link.first, finer);
+    if (link.second != Link::outside) quicken(link.second, finer);
+  }
+}
+
+template <int D>
+void LevelKeeper<D>::quicken(Index body, int level) {
+  if (level > paces_.level(body)) paces_.move(body, level);
+}
+
+/// The finest level among a body's links, and its own.
+template <int D>
+int LevelKeeper<D>::pace_of(Index body) const {
+  int finest = level(body);
+  for (const LinkOf& of : links_[at(body)]) finest = std::max(finest, link_level(of));
+  return finest;
 }
 
 template <int D>
 void LevelKeeper<D>::ask(Index body, int level) {
-  if (level <= bodies_.level(body)) return;
+  if (level <= level_[at(body)]) return;
   auto& asked = asked_[at(body)];
   if (asked < 0) asking_.push_back(body);
   asked = std::max(asked, static_cast<std::int8_t>(level));
@@ -80,7 +111,7 @@ void LevelKeeper<D>::ask(Index body, int level) {
 /// Whoever is linked to a body of this level may be coarser by `neighbor_levels` at most.
 template <int D>
 void LevelKeeper<D>::ask_neighbors(Index body) {
-  const int least = bodies_.level(body) - rules_.neighbor_levels;
+  const int least = level(body) - rules_.neighbor_levels;
   if (least <= 0) return;
   for (const LinkOf& of : links_[at(body)]) {
     const Link& link = bodies_of(of);
@@ -88,16 +119,17 @@ void LevelKeeper<D>::ask_neighbors(Index body) {
   }
 }
 
-/// Whoever stepped more often than a body that is woken now must step now as well: only one side of a link may have impulses
-/// that wait, and until now it was the woken one.
 template <int D>
-void LevelKeeper<D>::ask_finer_partners(Index body, const Moment& now, const state::Bodies<D>& bodies) {
-  for (const LinkOf& of : links_[at(body)]) {
-    const Link& link = bodies_of(of);
-    if (link.second == Link::outside) continue;
-    const Index other = link.first == body ? link.second : link.first;
-    if (bodies_.level(other) > bodies_.level(body) && bodies.motion[at(other)].due != now.tick)
-      ask(other, bodies_.level(other) + 1);
+void LevelKeeper<D>::rest(const LinkOf& of, bool rests) {
+  auto& resting = resting_[at(of.term)];
+  if (resting.size() <= at(of.link)) resting.resize(at(of.link) + 1, 0);
+  resting[at(of.link)] = rests;
+  const int level = link_level(of);
+  clocks_[at(of.term)].set_level(of.link, level);
+  for (const Index body : {bodies_of(of).first, bodies_of(of).second}) {
+    if (body == Link::outside) continue;
+    quicken(body, level);
+    if (rests) calmed_.push_back(body);
   }
 }
 
@@ -130,7 +162,10 @@ template <int D>
 void LevelKeeper<D>::relevel(const state::Bodies<D>& bodies) {
   for (const Index body : asking_) asked_[at(body)] = -1;
   asking_.clear();
-  bodies_.sort();
+  for (const Index body : calmed_)
+    if (const int pace = pace_of(body); pace != paces_.level(body)) paces_.move(body, pace);
+  calmed_.clear();
+  paces_.sort();
   for (auto& clock : clocks_) clock.sort();
   const bool travels = rules_.travel_length < std::numeric_limits<Real>::infinity();
   if (!stale_ && !travels) return;
@@ -145,27 +180,23 @@ void LevelKeeper<D>::relevel(const state::Bodies<D>& bodies) {
   else
     spread(wanted);
   for (Index body = 0; body < bodies.size(); ++body) set_level(body, wanted[at(body)]);
+  for (Index body = 0; body < bodies.size(); ++body)
+    if (const int pace = pace_of(body); pace != paces_.level(body)) paces_.move(body, pace);
   stale_ = false;
 }
 
 template <int D>
-void LevelKeeper<D>::wake(const Moment& now, state::Bodies<D>& bodies) {
+void LevelKeeper<D>::refine_asked() {
   if (asking_.empty()) return;
   if (rules_.uniform) {
     const int level = *std::max_element(asked_.begin(), asked_.end());
-    for (Index body = 0; body < bodies.size(); ++body) ask(body, level);
+    for (Index body = 0; body < static_cast<Index>(level_.size()); ++body) ask(body, level);
   }
   stale_ = true;
   for (std::size_t next = 0; next < asking_.size(); ++next) {  // grows while it is walked
     const Index body = asking_[next];
-    int level = std::exchange(asked_[at(body)], std::int8_t{-1});
-    auto& motion = bodies.motion[at(body)];
-    if (motion.due != now.tick) {
-      motion::drift_back(motion, bodies.inertia[at(body)], now);
-      ask_finer_partners(body, now, bodies);
-    }
-    while (!schedule::due_at(level, now.tick)) ++level;  // the coarsest in phase
-    if (level > bodies_.level(body)) set_level(body, level);
+    const int asked = std::exchange(asked_[at(body)], std::int8_t{-1});
+    if (asked > level(body)) set_level(body, asked);
     ask_neighbors(body);
   }
   asking_.clear();
@@ -173,7 +204,7 @@ void LevelKeeper<D>::wake(const Moment& now, state::Bodies<D>& bodies) {
 
 template <int D>
 int LevelKeeper<D>::level_for_speed(Index body, Real speed) const {
-  int level = bodies_.level(body);
+  int level = level_[at(body)];
   const Real longest = travel_step(speed, rules_.travel_length);
   while (level < schedule::deepest_level && step(level) > longest) ++level;
   return level;
@@ -199,32 +230,38 @@ void LevelKeeper<D>::apply(std::size_t term, const terms::Changes& changes, Tick
     if (bodies.first == Link::outside) continue;  // begun and ended in the same step
     join(term, link, now);
     if (bodies.second == Link::outside) continue;
-    ask(bodies.first, bodies_.level(bodies.second) - rules_.neighbor_levels);
-    ask(bodies.second, bodies_.level(bodies.first) - rules_.neighbor_levels);
+    ask(bodies.first, level(bodies.second) - rules_.neighbor_levels);
+    ask(bodies.second, level(bodies.first) - rules_.neighbor_levels);
   }
+  for (const Index link : changes.resting) rest({static_cast<Index>(term), link}, true);
+  for (const Index link : changes.watching) rest({static_cast<Index>(term), link}, false);
   for (const Index body : changes.softer) by_rates_[at(body)] = static_cast<std::int8_t>(wanted_by_rates(body));
   for (const Index body : changes.stiffer) {
     by_rates_[at(body)] = static_cast<std::int8_t>(wanted_by_rates(body));
     ask(body, by_rates_[at(body)]);
   }
-  for (const Index body : changes.struck) ask(body, bodies_.level(body) + 1);
   stale_ = stale_ || !changes.softer.empty() || !changes.stiffer.empty() || !changes.new_links.empty();
 }
 
 template <int D>
 void LevelKeeper<D>::columns(Archive& archive) {
-  std::vector<std::int8_t> levels = bodies_.levels();
-  archive("level", levels);
+  std::vector<std::int8_t> paces = paces_.levels();
+  archive("level", level_);
+  archive("pace", paces);
   archive("by_rates", by_rates_);
   archive("asked", asked_);
   archive("asking", asking_);
+  archive("calmed", calmed_);
   std::int8_t stale = stale_;
   archive("stale", stale);
   for (std::size_t term = 0; term < clocks_.size(); ++term)
-    archive.folder(std::string((*terms_)[term]->name()), [&] { clocks_[term].columns(archive); });
+    archive.folder(std::string((*terms_)[term]->name()), [&] {
+      clocks_[term].columns(archive);
+      archive("resting", resting_[term]);
+    });
   if (!archive.reading()) return;
   stale_ = stale != 0;
-  bodies_.assign(std::move(levels));
+  paces_.assign(std::move(paces));
   for (auto& list : links_) list.clear();
   for (std::size_t term = 0; term < clocks_.size(); ++term) {
     const auto links = (*terms_)[term]->links();

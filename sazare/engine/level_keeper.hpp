@@ -1,9 +1,12 @@
 #pragma once
 
-/// Keeps every body's time level and, through them, the clock of every link.
+/// Keeps every body's time level and, through them, the clock of every link and the pace of every body.
 ///
-/// A level is refined at any time of the body's own, or at once when the body is woken; it is coarsened only at base
-/// steps, where every coarser step is in phase.
+/// A link has the finer level of its two bodies (or rests at level 0), and a body is kicked whenever one of its links is due: its pace is the
+/// finest level among its links. So no impulse ever waits, whatever is evaluated sees every body as it is, and the scheme
+/// is an asynchronous variational integrator (Lew, Marsden, Ortiz, West 2003): undamped energy keeps its bounds at any mix
+/// of levels, which it does not where coarse bodies collect impulses until their own time.
+/// A level is refined at any tick, and coarsened only at base steps, where every coarser step is in phase.
 
 #include <memory>
 #include <span>
@@ -31,18 +34,18 @@ class LevelKeeper {
   LevelKeeper(const StepRules& rules, const TermList<D>& terms, const state::Bodies<D>& bodies);
 
   const StepRules& rules() const { return rules_; }
-  int level(Index body) const { return bodies_.level(body); }
-  int finest() const { return bodies_.finest(); }
+  int level(Index body) const { return level_[static_cast<std::size_t>(body)]; }
+  int pace(Index body) const { return paces_.level(body); }
+  int finest() const { return paces_.finest(); }
   Real step(int level) const { return rules_.base_step / static_cast<Real>(Tick{1} << level); }
-  std::span<const Index> bodies_at(int level) const { return bodies_.at(level); }
+  std::span<const Index> bodies_at_pace(int level) const { return paces_.at(level); }
   schedule::LinkClock& clock(std::size_t term) { return clocks_[term]; }
 
   /// At a base step: gives every body the coarsest level that the rules allow.
   void relevel(const state::Bodies<D>& bodies);
 
-  /// Between base steps: refines what was asked for since the last tick. A body that is not due now is taken back to now
-  /// and steps on from here, with a level that is in phase.
-  void wake(const Moment& now, state::Bodies<D>& bodies);
+  /// Between base steps: refines what was asked for since the last tick.
+  void refine_asked();
 
   /// Level for the coming step of a body that has just been kicked; finer than its present one where its speed asks for it.
   int level_for_speed(Index body, Real speed) const;
@@ -58,22 +61,28 @@ class LevelKeeper {
  private:
   int wanted_by_rates(Index body) const;
   const Link& bodies_of(const LinkOf& link) const;
-  int link_level(const Link& link) const;
+  int link_level(const LinkOf& of) const;
+  bool rests(const LinkOf& of) const;
+  void rest(const LinkOf& of, bool rests);
   void join(std::size_t term, Index link, Tick now);
   void part(std::size_t term, Index link);
   void set_level(Index body, int level);
+  void quicken(Index body, int level);
+  int pace_of(Index body) const;
   void ask(Index body, int level);
   void ask_neighbors(Index body);
-  void ask_finer_partners(Index body, const Moment& now, const state::Bodies<D>& bodies);
   void spread(std::vector<std::int8_t>& wanted) const;
 
   StepRules rules_;
-  schedule::Buckets bodies_;
+  schedule::Buckets paces_;                       ///< bodies by the level at which they are kicked
   std::vector<schedule::LinkClock> clocks_;       ///< by term
+  std::vector<std::vector<std::int8_t>> resting_;  ///< by term and link; shorter than there are links
   std::vector<std::vector<LinkOf>> links_;        ///< by body
+  std::vector<std::int8_t> level_;                ///< by body
   std::vector<std::int8_t> by_rates_;             ///< level that a body's own springs and dashpots ask for
   std::vector<std::int8_t> asked_;                ///< level asked for since the last tick, where in `asking_`
   std::vector<Index> asking_;
+  std::vector<Index> calmed_;                     ///< bodies whose pace may fall at the next base step
   const TermList<D>* terms_ = nullptr;
   bool stale_ = true;  ///< whether a relevel could change anything
 };

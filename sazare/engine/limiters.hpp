@@ -15,20 +15,21 @@ struct StepRules {
   Real base_step = 0;           ///< level 0 [s]
   bool uniform = false;         ///< all bodies take the finest level that any asks for
   bool stability = true;        ///< limit by each body's own springs and dashpots
-  Real stability_fraction = 0.25;  ///< of the limit with the neighbours held
+  Real stability_fraction = 0.5;  ///< of the limit with the neighbours held
   Real travel_length = std::numeric_limits<Real>::infinity();  ///< largest travel in a step [m]
   int neighbor_levels = 2;      ///< largest difference of level between linked bodies
 };
 
-/// Largest stable step [s] of a body with its neighbours held, by leapfrog with the dashpot's velocity half a step old: the
-/// positive root of
+/// Largest stable step [s] of a body with its neighbours held, by leapfrog with the dashpot's velocity foreseen from the last
+/// kick: the positive root of
 ///
-///     w^2 h^2 + 2 c h = 4        w^2, c  largest eigenvalues of M^-1 K [1/s2] and M^-1 C [1/s]
+///     w^2 h^2 + 4 c h = 4        w^2, c  largest eigenvalues of M^-1 K [1/s2] and M^-1 C [1/s]
 ///
-/// so 2/w without dashpots and 2/c without springs.
+/// so 2/w without dashpots and 1/c without springs. Where the neighbours move as well, half of it is stable whatever they
+/// do: a link's energy |a - b|^2 is at most 2 |a|^2 + 2 |b|^2.
 inline Real stable_step(const terms::Rates& rates) {
   if (rates.stiffness <= 0 && rates.damping <= 0) return std::numeric_limits<Real>::infinity();
-  return 4 / (rates.damping + std::sqrt(rates.damping * rates.damping + 4 * rates.stiffness));
+  return 2 / (rates.damping + std::sqrt(rates.damping * rates.damping + rates.stiffness));
 }
 
 /// Largest step [s] in which a body travels no farther than the rule's length. [Konno2018], 3.1.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -14,8 +15,7 @@ namespace sazare::engine {
 
 namespace {
 
-constexpr std::size_t chunk_size = 64;      // its sums stay in the first-level cache
-constexpr std::size_t serial_below = 128;   // a kick takes some 50 ns, waking a thread some microseconds
+constexpr std::size_t serial_below = 1024;  // a kick takes some 70 ns, waking a thread some microseconds
 
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
@@ -26,6 +26,7 @@ std::int64_t clock_now() { return std::chrono::steady_clock::now().time_since_ep
 template <int D>
 Simulation<D>::Simulation(state::Bodies<D> bodies, TermList<D> terms, const StepRules& rules)
     : bodies_(std::move(bodies)), terms_(std::move(terms)), levels_(rules, terms_, bodies_), due_links_(terms_.size()) {
+  work_.resize(at(bodies_.size()));
   now_.tick_seconds = rules.base_step / static_cast<Real>(schedule::base_stride);
   for (const auto& term : terms_) times_.push_back({std::string(term->name()), 0});
   times_.push_back({"bodies", 0});
@@ -63,7 +64,7 @@ void Simulation<D>::tick() {
   if (base)
     levels_.relevel(bodies_);
   else
-    levels_.wake(now_, bodies_);
+    levels_.refine_asked();
   finest_seen_ = std::max(finest_seen_, levels_.finest());
   collect_due();
   add_time(terms_.size() + 1, begin);
@@ -85,7 +86,9 @@ template <int D>
 void Simulation<D>::collect_due() {
   due_bodies_.clear();
   for (int level = schedule::coarsest_due(now_.tick); level <= schedule::deepest_level; ++level)
-    due_bodies_.insert(due_bodies_.end(), levels_.bodies_at(level).begin(), levels_.bodies_at(level).end());
+    due_bodies_.insert(due_bodies_.end(), levels_.bodies_at_pace(level).begin(), levels_.bodies_at_pace(level).end());
+  for (const Index body : due_bodies_)  // those whose pace has quickened had planned to be due later
+    if (bodies_.motion[at(body)].due != now_.tick) motion::drift_back(bodies_.motion[at(body)], bodies_.inertia[at(body)], now_);
   std::int64_t all_links = 0;
   for (std::size_t term = 0; term < terms_.size(); ++term) {
     auto& due = due_links_[term];
@@ -100,40 +103,41 @@ void Simulation<D>::collect_due() {
 
 template <int D>
 void Simulation<D>::kick_all() {
-  stepped_level_.resize(due_bodies_.size());
+  const bool travels = levels_.rules().travel_length < std::numeric_limits<Real>::infinity();
+  if (travels) stepped_level_.resize(due_bodies_.size());
   parallel::parallel_for(due_bodies_.size(), serial_below, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t chunk = begin; chunk < end; chunk += chunk_size)
-      kick_chunk(std::span(due_bodies_).subspan(chunk, std::min(chunk_size, end - chunk)));
+    for (std::size_t chunk = begin; chunk < end; chunk += terms::chunk_size)
+      kick_chunk(std::span(due_bodies_).subspan(chunk, std::min(terms::chunk_size, end - chunk)));
   });
+  if (!travels) return;
   for (std::size_t i = 0; i < due_bodies_.size(); ++i)
     if (stepped_level_[i] > levels_.level(due_bodies_[i])) levels_.refined(due_bodies_[i], stepped_level_[i]);
 }
 
 template <int D>
 void Simulation<D>::kick_chunk(std::span<const Index> which) {
-  std::array<state::Impulse<D>, chunk_size> impulses{};
-  std::array<state::MeanMotion<D>, chunk_size> means;
-  std::array<motion::Stride, chunk_size> strides;
-  std::array<Tick, chunk_size> previous_kick;
+  thread_local std::array<state::Impulse<D>, terms::chunk_size> impulses;
+  std::memset(static_cast<void*>(impulses.data()), 0, which.size() * sizeof(impulses[0]));  // in the width of the gathers
+  std::array<state::MeanMotion<D>, terms::chunk_size> means;
+  std::array<motion::Stride, terms::chunk_size> strides;
+  thread_local terms::CauseImpulses<D> parts;
+  parts.clear();
   const std::span sums(impulses.data(), which.size());
-  for (const auto& term : terms_) term->gather(now_, which, bodies_, sums);
+  for (const auto& term : terms_) term->gather(now_, which, bodies_, sums, parts);
   const bool travels = levels_.rules().travel_length < std::numeric_limits<Real>::infinity();
   for (std::size_t i = 0; i < which.size(); ++i) {
     const Index body = which[i];
-    auto& motion = bodies_.motion[at(body)];
-    previous_kick[i] = motion.last_kick;
-    int level = levels_.level(body);
+    int pace = levels_.pace(body);
     if (travels) {
-      const Real mass = bodies_.inertia[at(body)].mass;
-      const Real speed = (motion.velocity + impulses[i].linear / mass).norm();
-      level = levels_.level_for_speed(body, speed);
-      motion.wake_impulse = mass * std::max(levels_.rules().travel_length / levels_.step(level) - speed, Real{0});
+      const Real speed = (bodies_.motion[at(body)].velocity + impulses[i].linear / bodies_.inertia[at(body)].mass).norm();
+      const int level = levels_.level_for_speed(body, speed);
+      stepped_level_[static_cast<std::size_t>(&which[i] - due_bodies_.data())] = static_cast<std::int8_t>(level);
+      pace = std::max(pace, level);
     }
-    stepped_level_[static_cast<std::size_t>(&which[i] - due_bodies_.data())] = static_cast<std::int8_t>(level);
-    strides[i] = {now_.tick + schedule::stride(level), levels_.step(level)};
+    strides[i] = {now_.tick + schedule::stride(pace), levels_.step(pace)};
   }
   motion::step(bodies_, which, sums, std::span(strides.data(), which.size()), std::span(means.data(), which.size()));
-  for (const auto& term : terms_) term->book(which, std::span(previous_kick.data(), which.size()), std::span(means.data(), which.size()));
+  for (std::size_t i = 0; i < which.size(); ++i) parts.book(i, means[i], work_[at(which[i])]);
 }
 
 template <int D>
@@ -152,16 +156,17 @@ void Simulation<D>::settle() {
 
 template <int D>
 Snapshot<D> Simulation<D>::snapshot() const {
-  const auto count = at(bodies_.size());
-  std::vector<state::Impulse<D>> ahead(count);
-  for (const auto& term : terms_) term->gather_ahead(now_.tick, ahead);
   Snapshot<D> at_now;
-  for (std::size_t body = 0; body < count; ++body) {
-    const auto& motion = bodies_.motion[body];
-    motion::clear_locked(ahead[body], bodies_.locks[body]);
+  terms::CauseImpulses<D> parts;
+  for (Index body = 0; body < bodies_.size(); ++body) {
+    state::Impulse<D> given;
+    parts.clear();
+    for (const auto& term : terms_) term->gather(now_, std::span(&body, 1), bodies_, std::span(&given, 1), parts);
+    motion::clear_locked(given, bodies_.locks[at(body)]);
+    const auto& motion = bodies_.motion[at(body)];
     at_now.pose.push_back(state::pose_at(motion, now_));
-    at_now.velocity.push_back(motion.velocity - ahead[body].linear / bodies_.inertia[body].mass);
-    at_now.angular_momentum.push_back(motion.angular_momentum - ahead[body].angular);
+    at_now.velocity.push_back(motion.velocity - given.linear_ahead / bodies_.inertia[at(body)].mass);
+    at_now.angular_momentum.push_back(motion.angular_momentum - given.angular_ahead);
   }
   return at_now;
 }
@@ -181,7 +186,10 @@ terms::Ledger Simulation<D>::ledger(const Snapshot<D>& at_now) const {
     kinetic += motion::kinetic_energy(motion, inertia, locks, at_now.velocity[body], at_now.angular_momentum[body]);
   }
   ledger[terms::Account::kinetic] = kinetic - kinetic_at_start_;
-  for (const auto& term : terms_) term->add_energies({now_.tick, at_now.pose, ahead}, ledger);
+  for (const terms::CauseWork& work : work_)
+    for (std::size_t cause = 0; cause < terms::cause_count; ++cause)
+      terms::book(static_cast<terms::Cause>(cause), work[cause], ledger);
+  for (const auto& term : terms_) term->add_energies({at_now.pose, ahead}, ledger);
   return ledger;
 }
 
@@ -206,6 +214,7 @@ void Simulation<D>::columns(Archive& archive) {
   archive("motion", bodies_.motion);
   archive("inertia", bodies_.inertia);
   archive("kinetic_at_start", kinetic_at_start_);
+  archive("work", work_);
   archive("finest_seen", finest_seen_);
   archive("ticks", counters_.ticks);
   archive("kicks", counters_.kicks);

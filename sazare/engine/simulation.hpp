@@ -38,6 +38,8 @@ template <int D>
 class Simulation {
  public:
   Simulation(state::Bodies<D> bodies, TermList<D> terms, const StepRules& rules);
+  Simulation(const Simulation&) = delete;  // the levels look at its terms
+  Simulation& operator=(const Simulation&) = delete;
 
   /// Evaluates the beginning; call once before the first `advance`, not after a resume.
   void start();
@@ -79,7 +81,8 @@ class Simulation {
   Moment now_;
   std::vector<Index> due_bodies_;
   std::vector<std::vector<Due>> due_links_;  ///< by term
-  std::vector<std::int8_t> stepped_level_;   ///< by place in `due_bodies_`: the level of the coming step
+  std::vector<std::int8_t> stepped_level_;   ///< by place in `due_bodies_`: level of the coming step, under a travel limit
+  std::vector<terms::CauseWork> work_;       ///< by body
   Counters counters_;
   std::vector<PartTime> times_;
   int finest_seen_ = 0;

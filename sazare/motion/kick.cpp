@@ -69,34 +69,32 @@ Angular<2> spin_of(const state::Motion<2>&, const state::Inertia<2>& inertia, st
 template <int D>
 void clear_locked(state::Impulse<D>& given, state::Locks locks) {
   if (!locks.any()) return;
-  clear_axes<D>(given.linear, locks.translation);
-  clear_axes<D>(given.shift, locks.translation);
-  clear_axes<angular_dimension<D>>(given.angular, locks.rotation);
-  clear_axes<angular_dimension<D>>(given.twist, locks.rotation);
+  for (Vector<D>* const each : {&given.linear, &given.force, &given.linear_ahead}) clear_axes<D>(*each, locks.translation);
+  for (Angular<D>* const each : {&given.angular, &given.torque, &given.angular_ahead})
+    clear_axes<angular_dimension<D>>(*each, locks.rotation);
 }
 
 template <int D>
-state::MeanMotion<D> kick(state::Motion<D>& motion, state::Inertia<D>& inertia, state::Locks locks, state::Impulse<D> given) {
+state::MeanMotion<D> kick(state::Motion<D>& motion, const state::Inertia<D>& inertia, state::Locks locks,
+                          state::Impulse<D> given) {
   clear_locked(given, locks);
-  auto& [linear, angular, shift, twist] = given;
-  const Real inverse_mass = 1 / inertia.mass;
-  if (shift.squaredNorm() + twist.squaredNorm() != 0) {
-    const Vector<D> moved = inverse_mass * shift;
-    motion.position += moved;
-    angular -= moment(moved, linear);
-    const Angular<D> spin = motion.spin;
-    motion.spin = spin_of(motion, inertia, locks, twist);
-    rotate(motion, inertia, 1);
-    motion.spin = spin;
-  }
   state::MeanMotion<D> mean;
-  const Vector<D> gained = inverse_mass * linear;
+  const Vector<D> gained = (1 / inertia.mass) * given.linear;
   mean.velocity = motion.velocity + 0.5 * gained;
   motion.velocity += gained;
   const Angular<D> before = motion.angular_momentum;
-  motion.angular_momentum += angular;
-  mean.spin = spin_of(motion, inertia, locks, before + 0.5 * angular);
+  motion.angular_momentum += given.angular;
+  mean.spin = spin_of(motion, inertia, locks, before + 0.5 * given.angular);
   return mean;
+}
+
+template <int D>
+void foresee(state::Motion<D>& motion, const state::Inertia<D>& inertia, state::Locks locks,
+             state::Impulse<D> given, Real seconds) {
+  clear_locked(given, locks);
+  motion.velocity_lead = (1 / inertia.mass) * (seconds * given.force - given.linear_ahead);
+  const Angular<D> lead = seconds * given.torque - given.angular_ahead;
+  motion.spin_lead = spin_of(motion, inertia, locks, motion.angular_momentum + lead) - motion.spin;
 }
 
 template <>
@@ -124,6 +122,10 @@ void drift_back(state::Motion<D>& motion, state::Inertia<D>& inertia, const Mome
   const Real seconds = now.seconds_since(motion.due);
   motion.position += seconds * motion.velocity;
   rotate(motion, inertia, seconds);
+  // As if the velocity changed evenly: no lead in the middle of the step.
+  const Real kept = 1 - 2 * static_cast<Real>(motion.due - now.tick) / static_cast<Real>(motion.due - motion.last_kick);
+  motion.velocity_lead *= kept;
+  motion.spin_lead *= kept;
   motion.due = now.tick;
 }
 
@@ -131,7 +133,9 @@ template void clear_locked(state::Impulse<2>&, state::Locks);
 template void clear_locked(state::Impulse<3>&, state::Locks);
 template void drift_back(state::Motion<2>&, state::Inertia<2>&, const Moment&);
 template void drift_back(state::Motion<3>&, state::Inertia<3>&, const Moment&);
-template state::MeanMotion<2> kick(state::Motion<2>&, state::Inertia<2>&, state::Locks, state::Impulse<2>);
-template state::MeanMotion<3> kick(state::Motion<3>&, state::Inertia<3>&, state::Locks, state::Impulse<3>);
+template state::MeanMotion<2> kick(state::Motion<2>&, const state::Inertia<2>&, state::Locks, state::Impulse<2>);
+template state::MeanMotion<3> kick(state::Motion<3>&, const state::Inertia<3>&, state::Locks, state::Impulse<3>);
+template void foresee(state::Motion<2>&, const state::Inertia<2>&, state::Locks, state::Impulse<2>, Real);
+template void foresee(state::Motion<3>&, const state::Inertia<3>&, state::Locks, state::Impulse<3>, Real);
 
 }  // namespace sazare::motion

@@ -1,15 +1,15 @@
 #pragma once
 
-/// A body's own step: the impulses it has gathered change its momenta, then it drifts to its next time.
+/// A body's own step: the impulses it has gathered change its momenta, then it drifts to its next time, and its velocity
+/// there is foreseen.
 ///
-/// Impulses that were evaluated before the kick count as given at their own moments t_k: the position moves by
-/// X/m, X = sum J_k (T - t_k), and the angular momentum by
+/// The impulse of a link acts from the middle of the link's last interval to the middle of its next one, whatever the
+/// levels of its bodies. So after a kick at T the momentum p holds what link l gives until e_l, and
 ///
-///     dL = sum of angular impulses - (X/m) x sum J_k
+///     p(t) = p + sum f_l (t - e_l) = p - sum f_l (e_l - T) + (t - T) sum f_l
 ///
-/// With arms taken about the drifted position at t_k this leaves the total angular momentum unchanged exactly: the orbital
-/// part changes by X x v + x x S + X x S/m (S = sum J_k, x the position before the shift), the angular impulses hold
-/// sum p_k x J_k - x x S + v x X, and what remains is the last term above.
+/// with the forces f_l as last evaluated: of second order in time, for every body at any mix of levels. Dashpots and
+/// contacts take velocities from it; positions drift with p/m, which is the leapfrog step.
 
 #include "sazare/core/time.hpp"
 #include "sazare/state/bodies.hpp"
@@ -21,15 +21,21 @@ namespace sazare::motion {
 template <int D>
 void clear_locked(state::Impulse<D>& given, state::Locks locks);
 
-/// Kicks a body that stands at its own time. Position and rotation are shifted, momenta changed; `due` stays.
+/// Kicks a body that stands at its own time.
 template <int D>
-state::MeanMotion<D> kick(state::Motion<D>& motion, state::Inertia<D>& inertia, state::Locks locks, state::Impulse<D> given);
+state::MeanMotion<D> kick(state::Motion<D>& motion, const state::Inertia<D>& inertia, state::Locks locks,
+                          state::Impulse<D> given);
 
 /// Moves a body from its time to `due`, `seconds` later.
 template <int D>
 void drift(state::Motion<D>& motion, state::Inertia<D>& inertia, state::Locks locks, Tick due, Real seconds);
 
-/// Takes a body that is woken before its time back from `due` to `now`, which becomes its own time.
+/// Foresees the velocity at `due`, where the body stands, `seconds` after the kick at which this was given.
+template <int D>
+void foresee(state::Motion<D>& motion, const state::Inertia<D>& inertia, state::Locks locks,
+             state::Impulse<D> given, Real seconds);
+
+/// Takes a body that a link needs before its time back from `due` to `now`, which becomes its own time.
 template <int D>
 void drift_back(state::Motion<D>& motion, state::Inertia<D>& inertia, const Moment& now);
 

@@ -16,11 +16,12 @@ void step_one(state::Bodies<D>& bodies, Index body, const state::Impulse<D>& giv
   auto& inertia = bodies.inertia[at(body)];
   mean = kick(motion, inertia, bodies.locks[at(body)], given);
   drift(motion, inertia, bodies.locks[at(body)], stride.due, stride.seconds);
+  foresee(motion, inertia, bodies.locks[at(body)], given, stride.seconds);
 }
 
 /// Bodies in lanes, with all that their step changes.
 struct LaneState {
-  LaneVector position, velocity, spin, angular_momentum;
+  LaneVector position, velocity, spin, velocity_lead, spin_lead, angular_momentum;
   LaneMatrix rotation;
   Lanes w, x, y, z;  ///< orientation
   LaneVector inverse_moments;
@@ -48,34 +49,13 @@ void rotate(LaneState& body, const LaneVector& half) {
                     LaneVector{{xz + wy, yz - wx, 1.0 - xx - yy}}}};
 }
 
-/// Takes over another's rotation in some lanes. The others keep every bit: who else stands in the lanes must not matter.
-void take_rotation(LaneState& body, const LaneState& other, LaneMask where) {
-  body.w = select(where, other.w, body.w);
-  body.x = select(where, other.x, body.x);
-  body.y = select(where, other.y, body.y);
-  body.z = select(where, other.z, body.z);
-  for (int column = 0; column < 3; ++column)
-    for (int row = 0; row < 3; ++row)
-      body.rotation[column][row] = select(where, other.rotation[column][row], body.rotation[column][row]);
-}
-
 struct LaneImpulse {
-  LaneVector linear, angular, shift, twist;
+  LaneVector linear, angular, force, torque, linear_ahead, angular_ahead;
 };
 
 /// See kick.hpp.
-LaneVector kick(LaneState& body, LaneImpulse given, LaneVector& mean_velocity) {
-  const Lanes inverse_mass = 1.0 / body.mass;
-  const Lanes late = dot(given.shift, given.shift) + dot(given.twist, given.twist);
-  if (any(late != 0.0)) {
-    const LaneVector moved = inverse_mass * given.shift;
-    body.position = body.position + moved;
-    given.angular = given.angular - cross(moved, given.linear);
-    LaneState turned = body;
-    rotate(turned, broadcast(0.5) * inverse_inertia(body, given.twist));
-    take_rotation(body, turned, late != 0.0);
-  }
-  const LaneVector gained = inverse_mass * given.linear;
+LaneVector kick(LaneState& body, const LaneImpulse& given, LaneVector& mean_velocity) {
+  const LaneVector gained = (1.0 / body.mass) * given.linear;
   mean_velocity = body.velocity + broadcast(0.5) * gained;
   body.velocity = body.velocity + gained;
   const LaneVector before = body.angular_momentum;
@@ -91,6 +71,12 @@ void drift(LaneState& body, Lanes seconds) {
   rotate(body, (0.5 * seconds) * body.spin);
 }
 
+void foresee(LaneState& body, const LaneImpulse& given, Lanes seconds) {
+  body.velocity_lead = (1.0 / body.mass) * (seconds * given.force - given.linear_ahead);
+  const LaneVector lead = seconds * given.torque - given.angular_ahead;
+  body.spin_lead = inverse_inertia(body, body.angular_momentum + lead) - body.spin;
+}
+
 /// Bodies whose rotation is free, one per lane; lanes beyond `count` repeat the first and are not written back.
 struct Batch {
   std::array<Index, lane_count> body{};
@@ -99,20 +85,22 @@ struct Batch {
 };
 
 LaneState load(const LanePointers<state::Motion<3>>& motions, const LanePointers<state::Inertia<3>>& inertias) {
-  const auto m = load_records<24>(motions);
+  const auto m = load_records<32>(motions);
   const auto i = load_records<8>(inertias);
-  return {{{m[0], m[1], m[2]}}, {{m[3], m[4], m[5]}}, {{m[17], m[18], m[19]}}, {{m[20], m[21], m[22]}},
-          {{LaneVector{{m[8], m[9], m[10]}}, LaneVector{{m[11], m[12], m[13]}}, LaneVector{{m[14], m[15], m[16]}}}},
+  return {{{m[0], m[1], m[2]}}, {{m[12], m[13], m[14]}}, {}, {}, {}, {{m[24], m[25], m[26]}},
+          {{LaneVector{{m[3], m[4], m[5]}}, LaneVector{{m[6], m[7], m[8]}}, LaneVector{{m[9], m[10], m[11]}}}},
           i[3], i[0], i[1], i[2], {{i[4], i[5], i[6]}}, i[7]};
 }
 
-void store(const LaneState& body, Lanes wake_impulse, const LongLanes& kicked, const LongLanes& due, int count,
+void store(const LaneState& body, const LongLanes& kicked, const LongLanes& due, int count,
            const LanePointers<state::Motion<3>>& motions, const LanePointers<state::Inertia<3>>& inertias) {
   const LaneVector &p = body.position, &v = body.velocity, &s = body.spin, &l = body.angular_momentum;
+  const LaneVector &u = body.velocity_lead, &t = body.spin_lead;
   const LaneMatrix& r = body.rotation;
-  store_records<24>({p[0], p[1], p[2], v[0], v[1], v[2], reinterpret_cast<Lanes>(kicked), reinterpret_cast<Lanes>(due),
-                     r[0][0], r[0][1], r[0][2], r[1][0], r[1][1], r[1][2], r[2][0], r[2][1], r[2][2],
-                     s[0], s[1], s[2], l[0], l[1], l[2], wake_impulse}, motions, count);
+  store_records<32>({p[0], p[1], p[2], r[0][0], r[0][1], r[0][2], r[1][0], r[1][1], r[1][2], r[2][0], r[2][1], r[2][2],
+                     v[0], v[1], v[2], s[0], s[1], s[2], u[0], u[1], u[2], t[0], t[1], t[2], l[0], l[1], l[2],
+                     reinterpret_cast<Lanes>(kicked), reinterpret_cast<Lanes>(due), Lanes{}, Lanes{}, Lanes{}},
+                    motions, count);
   const LaneVector& i = body.inverse_moments;
   store_records<8>({body.x, body.y, body.z, body.w, i[0], i[1], i[2], body.mass}, inertias, count);
 }
@@ -132,7 +120,7 @@ void step_batch(state::Bodies<3>& bodies, const Batch& batch, std::span<const st
   LanePointers<state::Inertia<3>> inertias;
   LanePointers<const state::Impulse<3>> impulses;
   LanePointers<state::MeanMotion<3>> means;
-  Lanes seconds, wake;
+  Lanes seconds;
   LongLanes kicked, due;
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
     const auto i = static_cast<int>(lane);
@@ -143,20 +131,22 @@ void step_batch(state::Bodies<3>& bodies, const Batch& batch, std::span<const st
     seconds[i] = strides[batch.place[lane]].seconds;
     due[i] = strides[batch.place[lane]].due;
     kicked[i] = motions[lane]->due;
-    wake[i] = motions[lane]->wake_impulse;
   }
-  const auto f = load_records<16>(impulses);
-  LaneImpulse impulse{{{f[0], f[1], f[2]}}, {{f[3], f[4], f[5]}}, {{f[6], f[7], f[8]}}, {{f[9], f[10], f[11]}}};
+  const auto f = load_records<24>(impulses);
+  LaneImpulse impulse{{{f[0], f[1], f[2]}},    {{f[3], f[4], f[5]}},    {{f[8], f[9], f[10]}},
+                      {{f[11], f[12], f[13]}}, {{f[16], f[17], f[18]}}, {{f[19], f[20], f[21]}}};
   const LaneVector free = free_axes(bodies, batch);
   for (int axis = 0; axis < 3; ++axis) {
     impulse.linear[axis] *= free[axis];
-    impulse.shift[axis] *= free[axis];
+    impulse.force[axis] *= free[axis];
+    impulse.linear_ahead[axis] *= free[axis];
   }
   LaneState body = load(motions, inertias);
   LaneVector mean_velocity;
   const LaneVector mean_spin = kick(body, impulse, mean_velocity);
   drift(body, seconds);
-  store(body, wake, kicked, due, batch.count, motions, inertias);
+  foresee(body, impulse, seconds);
+  store(body, kicked, due, batch.count, motions, inertias);
   store_records<8>({mean_velocity[0], mean_velocity[1], mean_velocity[2], mean_spin[0], mean_spin[1], mean_spin[2], Lanes{}, Lanes{}},
                    means, batch.count);
 }

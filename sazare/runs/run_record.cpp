@@ -118,6 +118,7 @@ std::vector<std::pair<std::string, observe::Figure>> RunRecord::results(std::int
       {"fragments", std::int64_t{fragments().count}},
       {"elements", std::int64_t{simulation.bodies().size()}},
       {"pair_evaluations", counters.pair_evaluations},
+      {"uniform_evaluations", counters.uniform_evaluations},
       {"wall_seconds", wall_seconds},
       {"steps", step},
       {"kicks", counters.kicks},

@@ -88,7 +88,7 @@ std::string check_stability(const cases::CaseFile& file, const BlocksModel& mode
                                 "is as far as steps are stable when the neighbours move as well")
                   : fmt::format("step above stability: base_step = {} s is too long for {}", cases::short_number(base_step), who);
   const std::string help =
-      by_fraction ? std::string("set stability_fraction = 0.25")
+      by_fraction ? std::string("set stability_fraction = 0.5")
                   : fmt::format("set limiter = \"stability\", which gives every element its own step, or base_step = {}",
                                 cases::number_text(stable_base_step(time, smallest.stable_step)));
   if (time.strict) refuse(file, key, what, help);

@@ -2,11 +2,10 @@
 
 /// Everything that moves, as records in columns; no behaviour. A body's number is its place and never changes.
 ///
-/// `Motion` is what every force needs of a body and stands in one record of three cache lines, because forces gather
-/// bodies in any order. What only the body's own kick needs is apart, in `Inertia`.
+/// `Motion` begins with what every force needs of a body, in three cache lines, because forces gather bodies in any order.
+/// What only the body's own kick needs follows, and stands apart in `Inertia`.
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "sazare/core/rotation.hpp"
@@ -14,17 +13,23 @@
 
 namespace sazare::state {
 
-/// Position and rotation are those at `due`, the body's next own time; a force evaluated between drifts them back.
+/// Position and rotation are those at `due`, the body's next own time: every force on it is evaluated at its own times.
 template <int D>
 struct alignas(64) Motion {
-  Vector<D> position;         ///< centre of mass at `due` [m]
-  Vector<D> velocity;         ///< constant from `last_kick` to `due` [m/s]
+  Vector<D> position;      ///< centre of mass at `due` [m]
+  Rotation<D> rotation;    ///< body frame to world, at `due`
+  Vector<D> velocity;      ///< constant from `last_kick` to `due` [m/s]
+  Angular<D> spin;         ///< angular velocity from `last_kick` to `due` [rad/s]
+  Vector<D> velocity_lead = Vector<D>::Zero();  ///< to be added to have the velocity at `due` [m/s]
+  Angular<D> spin_lead = Angular<D>::Zero();    ///< to be added to have the angular velocity at `due` [rad/s]
+  Angular<D> angular_momentum;  ///< [kg m2/s]
   Tick last_kick = -1;
   Tick due = 0;
-  Rotation<D> rotation;       ///< body frame to world, at `due`
-  Angular<D> spin;            ///< angular velocity from `last_kick` to `due` [rad/s]
-  Angular<D> angular_momentum;  ///< [kg m2/s]
-  Real wake_impulse = std::numeric_limits<Real>::infinity();  ///< waiting impulse that wakes it before `due` [N s]
+
+  /// Velocity at `due` of a point of the body, an arm from its centre [m/s].
+  Vector<D> velocity_at(const Vector<D>& arm) const {
+    return velocity + velocity_lead + turned(Angular<D>(spin + spin_lead), arm);
+  }
 };
 
 /// Axes along or about which a body may not move.

@@ -6,13 +6,19 @@
 
 namespace sazare::state {
 
-/// What one body receives at a kick.
+/// What one body receives at a kick, and what pulls at it then: the sums over its links of
+///
+///     impulse given since its last kick
+///     force f as last evaluated
+///     f x (end of the time for which it has been given - now), so that momentum - this is the momentum at now
 template <int D>
 struct alignas(64) Impulse {
   Vector<D> linear = Vector<D>::Zero();     ///< [N s]
   Angular<D> angular = Angular<D>::Zero();  ///< about the centre of mass [N m s]
-  Vector<D> shift = Vector<D>::Zero();      ///< sum of impulse x its lateness [N s2]
-  Angular<D> twist = Angular<D>::Zero();    ///< sum of angular impulse x its lateness [N m s2]
+  alignas(64) Vector<D> force = Vector<D>::Zero();  ///< [N]; each pair begins a cache line, for gathers
+  Angular<D> torque = Angular<D>::Zero();           ///< about the centre of mass [N m]
+  alignas(64) Vector<D> linear_ahead = Vector<D>::Zero();  ///< [N s]
+  Angular<D> angular_ahead = Angular<D>::Zero();           ///< [N m s]
 };
 
 /// Mean of a body's motion before and after a kick: impulse times this is exactly the work done.

@@ -20,6 +20,7 @@ FacePressure::FacePressure(std::vector<PressureLoad> loads, std::vector<PressedF
                            const state::Bodies<3>& bodies)
     : loads_(std::move(loads)), faces_(std::move(faces)) {
   for (const PressedFace& face : faces_) links_.push_back({face.body, Link::outside});
+  table_.causes = {Cause::load};
   table_.slots.resize(faces_.size());
   table_.incidence = FixedIncidence(bodies.size(), links_);
 }
@@ -37,22 +38,19 @@ void FacePressure::evaluate(const Moment& now, std::span<const Due> due, const s
     for (const Due& at : due.subspan(begin, end - begin)) {
       PressedFace& face = faces_[static_cast<std::size_t>(at.link)];
       const auto& body = bodies.motion[static_cast<std::size_t>(face.body)];
-      const auto pose = state::pose_at(body, now);
-      const Vector3 arm = pose.rotation * face.centre;
+      const Vector3 arm = body.rotation * face.centre;
       const PressureLoad& load = loads_[static_cast<std::size_t>(face.load)];
-      if ((pose.position + arm - face.start).norm() > load.cut_distance) face.acts = 0;
-      const Real size = -pressures[static_cast<std::size_t>(face.load)] * at.acting * face.acts;
-      const Vector3 impulse = size * (pose.rotation * face.area);
-      const Wrench<3> wrench{impulse, arm.cross(impulse)};
-      deposit<3, 1>(table_[at.link], 0, body, now, at, {wrench, {wrench}});
-      mark(table_[at.link], now, at);
+      if ((body.position + arm - face.start).norm() > load.cut_distance) face.acts = 0;
+      const Vector3 force = (-pressures[static_cast<std::size_t>(face.load)] * face.acts) * (body.rotation * face.area);
+      const PairForce<3> push{arm.cross(force), -force, {}};
+      write<3, 1>(table_[at.link], now, at, push, {push});
     }
   });
 }
 
 void FacePressure::add_energies(const Synchronized<3>& at, Ledger& ledger) const {
   for (std::size_t face = 0; face < faces_.size(); ++face)
-    ledger[Account::work] += table_.work_until(static_cast<Index>(face), links_[face], 0, at);
+    table_.take_back(static_cast<Index>(face), links_[face], at, ledger);
 }
 
 void FacePressure::columns(Archive& archive) {

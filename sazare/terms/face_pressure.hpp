@@ -37,15 +37,10 @@ class FacePressure final : public Term<3> {
   std::vector<Index> first_links() const override;
   void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
   void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies,
-              std::span<Impulse<3>> sum) const override {
-    table_.gather(now, which, bodies, sum);
-  }
-  void book(std::span<const Index> which, std::span<const Tick> previous_kick,
-            std::span<const MeanMotion<3>> mean) override {
-    table_.book(which, previous_kick, mean);
+              std::span<Impulse<3>> sum, CauseImpulses<3>& parts) const override {
+    table_.gather(now, which, bodies, sum, parts);
   }
   Rates rates(Index) const override { return {}; }
-  void gather_ahead(Tick now, std::span<Impulse<3>> sum) const override { table_.gather_ahead(now, sum); }
   void add_energies(const Synchronized<3>& at, Ledger& ledger) const override;
   void columns(Archive& archive) override;
 

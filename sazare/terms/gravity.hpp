@@ -34,21 +34,18 @@ class Gravity final : public Term<D> {
     for (const Due& at : due) given_[static_cast<std::size_t>(at.link)] = {now.tick, at.acting, at.ahead};
   }
 
-  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<D>&,
-              std::span<Impulse<D>> sum) const override {
+  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<D>& bodies, std::span<Impulse<D>> sum,
+              CauseImpulses<D>&) const override {
     for (std::size_t i = 0; i < which.size(); ++i) {
       const auto at = static_cast<std::size_t>(which[i]);
-      if (given_[at].tick == now.tick) sum[i].linear += (mass_[at] * given_[at].acting) * acceleration_;
+      const Vector<D> weight = mass_[at] * acceleration_;
+      if (given_[at].tick > bodies.motion[at].last_kick) sum[i].linear += given_[at].acting * weight;
+      sum[i].force += weight;
+      sum[i].linear_ahead += (given_[at].ahead - now.seconds_since(given_[at].tick)) * weight;
     }
   }
 
-  void book(std::span<const Index>, std::span<const Tick>, std::span<const MeanMotion<D>>) override {}
   Rates rates(Index) const override { return {}; }
-
-  void gather_ahead(Tick now, std::span<Impulse<D>> sum) const override {
-    for (std::size_t body = 0; body < sum.size(); ++body)
-      if (given_[body].tick == now) sum[body].linear += (mass_[body] * given_[body].ahead) * acceleration_;
-  }
 
   /// The work of gravity is known from the places alone.
   void add_energies(const Synchronized<D>& at, Ledger& ledger) const override {

@@ -1,8 +1,9 @@
 #pragma once
 
-/// The slots of a term and who waits for which: the loops that every term shares.
+/// The slots of a term and whose they are: the loops that every term shares.
 
 #include <algorithm>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -18,16 +19,16 @@ struct SlotSide {
   Index side = 0;
 };
 
-/// Sides by body, for links that are known at the beginning; in the order of the links.
+/// Sides by body, for links that are known at the beginning: those where it is the second body, then those where it is the
+/// first, each in the order of the links.
 class FixedIncidence {
  public:
   FixedIncidence() = default;
   FixedIncidence(Index bodies, std::span<const Link> links) : begin_(static_cast<std::size_t>(bodies) + 1, 0) {
     const auto each_side = [&](auto&& visit) {
-      for (std::size_t link = 0; link < links.size(); ++link) {
-        visit(links[link].first, SlotSide{static_cast<Index>(link), 0});
+      for (std::size_t link = 0; link < links.size(); ++link)
         if (links[link].second != Link::outside) visit(links[link].second, SlotSide{static_cast<Index>(link), 1});
-      }
+      for (std::size_t link = 0; link < links.size(); ++link) visit(links[link].first, SlotSide{static_cast<Index>(link), 0});
     };
     each_side([&](Index body, SlotSide) { ++begin_[static_cast<std::size_t>(body) + 1]; });
     for (std::size_t body = 1; body < begin_.size(); ++body) begin_[body] += begin_[body - 1];
@@ -46,7 +47,8 @@ class FixedIncidence {
   std::vector<SlotSide> sides_;
 };
 
-/// Sides by body, for links that come and go; the owner keeps each list in a fixed order (by partner).
+/// Sides by body, for links that come and go; the owner keeps each list in a fixed order, second sides first (by partner,
+/// where every link's first body is the one with the smaller number).
 class ChangingIncidence {
  public:
   ChangingIncidence() = default;
@@ -59,40 +61,104 @@ class ChangingIncidence {
   std::vector<std::vector<SlotSide>> lists_;
 };
 
-template <int D, int Causes, class Incidence>
+/// As many numbers as fit a register: the force and the moment on one body, and a few that follow.
+template <int D>
+struct WideOf {};
+template <>
+struct WideOf<3> {
+  using Type = Real __attribute__((vector_size(64)));
+};
+template <>
+struct WideOf<2> {
+  using Type = Real __attribute__((vector_size(32)));
+};
+template <int D>
+using Wide = typename WideOf<D>::Type;
+
+/// Sums over the slots on one side of a body, in the order of PairForce from that side's first number on: (moment, force)
+/// on side 0, (force, moment) on side 1.
+template <int D, int Parts>
+struct SideSums {
+  Wide<D> given{}, force{}, ahead{};
+  std::array<Wide<D>, Parts> part{};
+
+  /// What it reads beyond the six (or three) numbers that count lies within the slot and is never used.
+  static Wide<D> read(const PairForce<D>& from, int side) {
+    Wide<D> read;
+    std::memcpy(&read, side == 0 ? from.first_moment.data() : from.linear.data(), sizeof(read));
+    return read;
+  }
+
+  void add(const Slot<D, Parts>& slot, int side, Tick last_kick, const Moment& now) {
+    const Real acting = slot.evaluated > last_kick ? slot.acting : 0;
+    const Wide<D> acts = read(slot.total, side);
+    given += acting * acts;
+    force += acts;
+    ahead += (slot.ahead - now.seconds_since(slot.evaluated)) * acts;
+    for (std::size_t p = 0; p < Parts; ++p) part[p] += acting * read(slot.part[p], side);
+  }
+};
+
+/// Force and moment on the body, then zeros: what it is as the second of its pairs and what it is as the first.
+inline Wide<3> join(const Wide<3>& first, const Wide<3>& second) {
+  constexpr Wide<3> sign = {-1, -1, -1, 1, 1, 1, 0, 0};
+  return __builtin_shufflevector(second, Wide<3>{}, 0, 1, 2, 3, 4, 5, 8, 8) +
+         sign * __builtin_shufflevector(first, Wide<3>{}, 3, 4, 5, 0, 1, 2, 8, 8);
+}
+inline Wide<2> join(const Wide<2>& first, const Wide<2>& second) {
+  constexpr Wide<2> sign = {-1, -1, 1, 0};
+  return __builtin_shufflevector(second, Wide<2>{}, 0, 1, 2, 4) + sign * __builtin_shufflevector(first, Wide<2>{}, 1, 2, 0, 4);
+}
+
+/// Adds force and moment to neighbouring members of a record.
+template <int D>
+void add_to(Vector<D>& linear, const Wide<D>& wide) {
+  Wide<D> sum;
+  std::memcpy(&sum, linear.data(), sizeof(sum));
+  sum += wide;
+  std::memcpy(linear.data(), &sum, sizeof(sum));
+}
+
+/// The slots of a term; the work of each part of the force is booked on its cause.
+template <int D, int Parts, class Incidence>
 struct SlotTable {
-  std::vector<Slot<D, Causes>> slots;
+  std::array<Cause, Parts> causes{};
+  std::vector<Slot<D, Parts>> slots;
   Incidence incidence;
 
-  Slot<D, Causes>& operator[](Index slot) { return slots[static_cast<std::size_t>(slot)]; }
-  const Slot<D, Causes>& operator[](Index slot) const { return slots[static_cast<std::size_t>(slot)]; }
+  Slot<D, Parts>& operator[](Index slot) { return slots[static_cast<std::size_t>(slot)]; }
+  const Slot<D, Parts>& operator[](Index slot) const { return slots[static_cast<std::size_t>(slot)]; }
 
-  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<D>& bodies,
-              std::span<Impulse<D>> sum) const {
-    for (std::size_t i = 0; i < which.size(); ++i) {
-      const auto& body = bodies.motion[static_cast<std::size_t>(which[i])];
-      for (const SlotSide at : incidence.of(which[i])) terms::gather((*this)[at.slot], at.side, body, now, sum[i]);
-    }
+  /// Adds the slots of one body, which stands at a place of a chunk.
+  void gather_one(const Moment& now, Index body, Tick last_kick, std::size_t place, Impulse<D>& sum,
+                  CauseImpulses<D>& parts) const {
+    const auto sides = incidence.of(body);
+    if (sides.empty()) return;
+    SideSums<D, Parts> first, second;
+    auto at = sides.begin();
+    for (; at != sides.end() && at->side == 1; ++at) second.add((*this)[at->slot], 1, last_kick, now);
+    for (; at != sides.end(); ++at) first.add((*this)[at->slot], 0, last_kick, now);
+    add_to<D>(sum.linear, join(first.given, second.given));
+    add_to<D>(sum.force, join(first.force, second.force));
+    add_to<D>(sum.linear_ahead, join(first.ahead, second.ahead));
+    for (std::size_t p = 0; p < Parts; ++p) parts.add(causes[p], place, join(first.part[p], second.part[p]));
   }
 
-  void book(std::span<const Index> which, std::span<const Tick> previous_kick, std::span<const MeanMotion<D>> mean) {
+  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<D>& bodies, std::span<Impulse<D>> sum,
+              CauseImpulses<D>& parts) const {
     for (std::size_t i = 0; i < which.size(); ++i)
-      for (const SlotSide at : incidence.of(which[i]))
-        terms::book((*this)[at.slot], at.side, previous_kick[i], mean[i]);
+      gather_one(now, which[i], bodies.motion[static_cast<std::size_t>(which[i])].last_kick, i, sum[i], parts);
   }
 
-  void gather_ahead(Tick now, std::span<Impulse<D>> sum) const {
-    for (std::size_t body = 0; body < sum.size(); ++body)
-      for (const SlotSide at : incidence.of(static_cast<Index>(body)))
-        terms::gather_ahead((*this)[at.slot], at.side, now, sum[body]);
-  }
-
-  /// Work of a cause on the bodies of a link [J].
-  Real work_until(Index slot, const Link& link, int cause, const Synchronized<D>& at) const {
-    Real work = terms::work_until((*this)[slot], 0, cause, at.now, at.ahead[static_cast<std::size_t>(link.first)]);
-    if (link.second != Link::outside)
-      work += terms::work_until((*this)[slot], 1, cause, at.now, at.ahead[static_cast<std::size_t>(link.second)]);
-    return work;
+  /// Books what the parts of a link's force will have done after now, taken back: the kicks at now had it in them.
+  void take_back(Index slot, const Link& link, const Synchronized<D>& at, Ledger& ledger) const {
+    const auto& of = (*this)[slot];
+    for (std::size_t p = 0; p < Parts; ++p) {
+      Real work = of.part[p].on_first().power(at.ahead[static_cast<std::size_t>(link.first)]);
+      if (link.second != Link::outside)
+        work += of.part[p].on_second().power(at.ahead[static_cast<std::size_t>(link.second)]);
+      book(causes[p], -of.ahead * work, ledger);
+    }
   }
 };
 

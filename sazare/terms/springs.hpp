@@ -37,6 +37,7 @@ class Springs final : public Term<D> {
       add_rates(spring, spring.first, spring.first_arm, bodies);
       if (spring.second != Link::outside) add_rates(spring, spring.second, spring.second_arm, bodies);
     }
+    table_.causes = {Cause::joint_dashpot};
     table_.slots.resize(springs_.size());
     table_.incidence = FixedIncidence(bodies.size(), links_);
   }
@@ -56,25 +57,17 @@ class Springs final : public Term<D> {
   }
 
   void gather(const Moment& now, std::span<const Index> which, const state::Bodies<D>& bodies,
-              std::span<Impulse<D>> sum) const override {
-    table_.gather(now, which, bodies, sum);
-  }
-  void book(std::span<const Index> which, std::span<const Tick> previous_kick,
-            std::span<const MeanMotion<D>> mean) override {
-    table_.book(which, previous_kick, mean);
-  }
-  void settle(const Moment&, std::span<const Due>, const state::Bodies<D>&, Changes& changes) override {
-    changes.struck = struck_.take();
+              std::span<Impulse<D>> sum, CauseImpulses<D>& parts) const override {
+    table_.gather(now, which, bodies, sum, parts);
   }
   Rates rates(Index body) const override { return rates_[static_cast<std::size_t>(body)]; }
-  void gather_ahead(Tick now, std::span<Impulse<D>> sum) const override { table_.gather_ahead(now, sum); }
 
   void add_energies(const Synchronized<D>& at, Ledger& ledger) const override {
     for (std::size_t i = 0; i < springs_.size(); ++i) {
       const Real stretch = place(springs_[i], [&](Index body) { return at.pose_of(body); }).elongation;
       if (!springs_[i].pushes_only || stretch < 0)
         ledger[Account::elastic] += 0.5 * springs_[i].stiffness * stretch * stretch;
-      ledger[Account::joint_dashpot] -= table_.work_until(static_cast<Index>(i), links_[i], 0, at);
+      table_.take_back(static_cast<Index>(i), links_[i], at, ledger);
     }
   }
 
@@ -106,26 +99,16 @@ class Springs final : public Term<D> {
 
   void evaluate_one(const Moment& now, const Due& due, const state::Bodies<D>& bodies) {
     const Spring<D>& spring = springs_[static_cast<std::size_t>(due.link)];
-    const auto pose_of = [&](Index body) { return state::pose_at(bodies.motion[static_cast<std::size_t>(body)], now); };
-    const Place at = place(spring, pose_of);
-    const auto& first = bodies.motion[static_cast<std::size_t>(spring.first)];
-    Vector<D> opening = -(first.velocity + turned(first.spin, at.first_arm));
-    if (spring.second != Link::outside) {
-      const auto& second = bodies.motion[static_cast<std::size_t>(spring.second)];
-      opening += second.velocity + turned(second.spin, at.second_arm);
-    }
-    const Real on = spring.pushes_only && at.elongation > 0 ? 0 : due.acting;
+    const auto body = [&](Index number) -> const state::Motion<D>& { return bodies.motion[static_cast<std::size_t>(number)]; };
+    const Place at = place(spring, [&](Index number) { return state::Pose<D>{body(number).position, body(number).rotation}; });
+    Vector<D> opening = -body(spring.first).velocity_at(at.first_arm);
+    if (spring.second != Link::outside) opening += body(spring.second).velocity_at(at.second_arm);
+    const Real on = spring.pushes_only && at.elongation > 0 ? 0 : 1;
     const Vector<D> dashpot = (-on * spring.damping * opening.dot(at.direction)) * at.direction;
-    const Vector<D> impulse = (-on * spring.stiffness * at.elongation) * at.direction + dashpot;
-    const auto on_body = [&](const Vector<D>& arm, Real sign) {
-      return Deposit<D, 1>{{sign * impulse, moment(arm, sign * impulse)}, {Wrench<D>{sign * dashpot, moment(arm, sign * dashpot)}}};
-    };
-    auto& slot = table_[due.link];
-    if (deposit(slot, 0, first, now, due, on_body(at.first_arm, -1))) struck_.add(spring.first);
-    if (spring.second != Link::outside)
-      if (deposit(slot, 1, bodies.motion[static_cast<std::size_t>(spring.second)], now, due, on_body(at.second_arm, 1)))
-        struck_.add(spring.second);
-    mark(slot, now, due);
+    PairForce<D> total, dashpots;
+    dashpots.add_at(at.first_arm, at.second_arm, dashpot);
+    total.add_at(at.first_arm, at.second_arm, (-on * spring.stiffness * at.elongation) * at.direction + dashpot);
+    write<D, 1>(table_[due.link], now, due, total, {dashpots});
   }
 
   void add_rates(const Spring<D>& spring, Index body, const Vector<D>& arm, const state::Bodies<D>& bodies) {
@@ -137,7 +120,6 @@ class Springs final : public Term<D> {
   std::vector<Spring<D>> springs_;
   std::vector<Link> links_;
   std::vector<Rates> rates_;
-  Events struck_;
   SlotTable<D, 1, FixedIncidence> table_;
 };
 

@@ -3,8 +3,8 @@
 /// A term brings state to a law and delivers impulses: one virtual call per term and phase, loops inside.
 ///
 /// In a step the engine calls, for all terms in their fixed order: `evaluate` on the links that are due (in parallel,
-/// each link writes only its own slot), then for chunks of due bodies `gather`, and after their kick `book`; then, on
-/// one thread, `settle`, where a term may change what is linked.
+/// each link writes only its own slot), then for chunks of due bodies `gather`; then, on one thread, `settle`, where a
+/// term may change what is linked. Whenever a link is due both its bodies stand at that tick.
 
 #include <span>
 #include <string_view>
@@ -13,6 +13,7 @@
 #include "sazare/core/archive.hpp"
 #include "sazare/terms/ledger.hpp"
 #include "sazare/terms/slot.hpp"
+#include "sazare/terms/work.hpp"
 
 namespace sazare::terms {
 
@@ -32,9 +33,10 @@ struct Rates {
 struct Changes {
   std::vector<Index> new_links;      ///< links that begin; the term's `links()` knows their bodies
   std::vector<Index> ended_links;    ///< links whose force has ended for good (until it is new again)
+  std::vector<Index> resting;        ///< links that cannot act before the next base step: base steps are enough for them
+  std::vector<Index> watching;       ///< links that were resting and may act from now on
   std::vector<Index> stiffer;        ///< bodies whose rates may have grown: their step is checked at once
   std::vector<Index> softer;         ///< bodies whose rates have fallen: their step may grow at the next base step
-  std::vector<Index> struck;         ///< bodies for which more impulse waits than their step allows: they wake at once
 
   void clear() { *this = {}; }
 };
@@ -42,7 +44,6 @@ struct Changes {
 /// All bodies at a base step, for the ledger: the part of the last kicks that acts after now has been taken back.
 template <int D>
 struct Synchronized {
-  Tick now = 0;
   std::span<const state::Pose<D>> pose;  ///< per body
   std::span<const MeanMotion<D>> ahead;  ///< mean motion over the part that was taken back, per body
 
@@ -67,13 +68,10 @@ class Term {
 
   virtual void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<D>& bodies) = 0;
 
-  /// Adds to `sum`, body by body, what waits for it.
+  /// Adds to `sum`, body by body, what it receives; the impulses whose work is booked go into `parts` as well. A chunk of
+  /// bodies at most.
   virtual void gather(const Moment& now, std::span<const Index> which, const state::Bodies<D>& bodies,
-                      std::span<Impulse<D>> sum) const = 0;
-
-  /// Books the work of what was just gathered; `previous_kick` is the tick of each body's kick before this one.
-  virtual void book(std::span<const Index> which, std::span<const Tick> previous_kick,
-                    std::span<const MeanMotion<D>> mean) = 0;
+                      std::span<Impulse<D>> sum, CauseImpulses<D>& parts) const = 0;
 
   /// Work on one thread after a step, on the links that were due.
   virtual void settle(const Moment&, std::span<const Due>, const state::Bodies<D>&, Changes&) {}
@@ -83,10 +81,7 @@ class Term {
 
   virtual Rates rates(Index body) const = 0;
 
-  /// The share of each body's last kick that acts after now, added to `sum`.
-  virtual void gather_ahead(Tick now, std::span<Impulse<D>> sum) const = 0;
-
-  /// Adds this term's energies at a base step.
+  /// Adds this term's energies at a base step, and takes back the work of parts that act after now.
   virtual void add_energies(const Synchronized<D>& at, Ledger& ledger) const = 0;
 
   /// Columns of a checkpoint.

@@ -27,10 +27,18 @@ class ForceProbe {
     }
     term_.evaluate(now, due, bodies_);
     std::vector<state::Impulse<D>> sum(all.size());
-    term_.gather(now, all, bodies_, sum);
+    parts_.clear();
+    term_.gather(now, all, bodies_, sum, parts_);
     return sum;
   }
   std::vector<state::Impulse<D>> forces() { return forces(term_.first_links()); }
+
+  /// Work [J] on a body, by cause, of the impulses of the last call when the body moved so over the kick.
+  terms::CauseWork work(std::size_t body, const state::MeanMotion<D>& mean) const {
+    terms::CauseWork work{};
+    parts_.book(body, mean, work);
+    return work;
+  }
 
   /// The term's ledger with all bodies where they are now.
   terms::Ledger ledger() const {
@@ -39,7 +47,7 @@ class ForceProbe {
     const std::vector<state::MeanMotion<D>> still(
         poses.size(), state::MeanMotion<D>{Vector<D>::Zero(), Angular<D>::Zero()});
     terms::Ledger ledger;
-    term_.add_energies({tick_ + 1, poses, still}, ledger);
+    term_.add_energies({poses, still}, ledger);
     return ledger;
   }
 
@@ -54,6 +62,7 @@ class ForceProbe {
  private:
   terms::Term<D>& term_;
   state::Bodies<D>& bodies_;
+  terms::CauseImpulses<D> parts_;
   Tick tick_ = 0;
 };
 

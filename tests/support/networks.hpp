@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sazare/engine/simulation.hpp"
+#include "sazare/motion/kick.hpp"
 #include "sazare/terms/springs.hpp"
 
 namespace sazare::test {
@@ -54,6 +55,7 @@ Network<D> ladder() {
     auto& motion = made.bodies.motion[static_cast<std::size_t>(body)];
     motion.velocity = vector_of<D>(0.1 * body - 0.2, 0.1 - 0.05 * body, 0.05 * body);
     motion.angular_momentum.setConstant(0.005 * (body - 2));
+    motion.spin = motion::spin_of(motion, made.bodies.inertia[static_cast<std::size_t>(body)], {}, motion.angular_momentum);
   }
   const auto join = [&](Index first, Index second, Real stiffness) {
     terms::Spring<D> spring;
@@ -129,13 +131,12 @@ class Watcher final : public terms::Term<D> {
   bool joins_bodies() const override { return false; }
   std::vector<Index> first_links() const override { return {}; }
   void evaluate(const Moment&, std::span<const Due>, const state::Bodies<D>&) override {}
-  void gather(const Moment&, std::span<const Index>, const state::Bodies<D>&, std::span<state::Impulse<D>>) const override {}
-  void book(std::span<const Index>, std::span<const Tick>, std::span<const state::MeanMotion<D>>) override {}
+  void gather(const Moment&, std::span<const Index>, const state::Bodies<D>&, std::span<state::Impulse<D>>,
+              terms::CauseImpulses<D>&) const override {}
   void settle(const Moment& now, std::span<const Due>, const state::Bodies<D>& bodies, terms::Changes&) override {
     watch_(now, bodies);
   }
   terms::Rates rates(Index) const override { return {}; }
-  void gather_ahead(Tick, std::span<state::Impulse<D>>) const override {}
   void add_energies(const terms::Synchronized<D>&, terms::Ledger&) const override {}
   void columns(Archive&) override {}
 

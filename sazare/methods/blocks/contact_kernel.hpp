@@ -2,11 +2,8 @@
 
 /// The touching spheres of one pair of blocks.
 
-#include <span>
-
-#include "sazare/laws/sphere_contact.hpp"
 #include "sazare/methods/blocks/contact_surface.hpp"
-#include "sazare/state/impulse.hpp"
+#include "sazare/terms/slot.hpp"
 
 namespace sazare::methods::blocks {
 
@@ -14,14 +11,14 @@ namespace sazare::methods::blocks {
 struct ContactBody {
   const state::Motion<3>& motion;
   const state::Inertia<3>& inertia;
-  state::Pose<3> pose;
+
+  state::Pose<3> pose() const { return {motion.position, motion.rotation}; }
 
   /// 1/mass that the block shows to an impulse along a unit vector at the end of an arm [1/kg].
   Real softness(const Vector3& arm, const Vector3& direction) const {
-    const Vector3 turning = pose.rotation.transpose() * arm.cross(direction);
+    const Vector3 turning = motion.rotation.transpose() * arm.cross(direction);
     return 1 / inertia.mass + turning.cwiseAbs2().dot(inertia.inverse_moments);
   }
-  Vector3 velocity_at(const Vector3& arm) const { return motion.velocity + motion.spin.cross(arm); }
 };
 
 /// Overlap of two spheres, and where.
@@ -43,55 +40,53 @@ inline SphereTouch touch(const ContactSphere& a, const ContactSphere& b, const s
   return at;
 }
 
-/// How far two bodies that do not touch were apart, and where: while they have moved less than the gap they do not touch.
+/// How far two bodies were apart, and where: what they have moved since then tells which spheres cannot touch.
 struct Clearance {
-  Real gap = 0;  ///< between their nearest spheres; 0 when unknown or touching [m]
+  Real gap = 0;       ///< between their nearest spheres [m], negative when they overlap
+  std::int8_t is_known = 0;
+  std::int8_t is_distant = 0;  ///< too far apart to meet within two base steps, when last evaluated
+  std::int8_t rests = 0;       ///< evaluated at base steps only
   Vector3 apart;
   Matrix3 first, second;
 
-  bool holds(const state::Pose<3>& a, const state::Pose<3>& b, Real first_reach, Real second_reach) const {
-    if (gap <= 0) return false;
-    const Real moved = (b.position - a.position - apart).norm() + first_reach * (a.rotation - first).norm() +
-                       second_reach * (b.rotation - second).norm();
-    return moved < gap;
+  /// How far any point of either has moved against the other since then, at most [m].
+  Real moved(const state::Pose<3>& a, const state::Pose<3>& b, Real first_reach, Real second_reach) const {
+    return (b.position - a.position - apart).norm() + first_reach * (a.rotation - first).norm() +
+           second_reach * (b.rotation - second).norm();
   }
 };
 
-/// What a pair gives to each of its bodies over the time it acts.
-struct ContactImpulse {
-  state::Wrench<3> total;
-  state::Wrench<3> dashpot;
-  state::Wrench<3> friction;
+/// Forces of a pair.
+struct ContactForce {
+  terms::PairForce<3> total, dashpot, friction;
 };
 
-inline void add_force(state::Wrench<3>& sum, const Vector3& arm, const Vector3& impulse) {
-  sum += {impulse, arm.cross(impulse)};
-}
+/// Two touching spheres and how their pair is evaluated.
+struct Touching {
+  SphereTouch at;
+  SpherePair* pair = nullptr;
+};
 
-/// Adds one touching pair of spheres to the impulses of both bodies.
-inline void add_touch(const laws::SphereContact& law, const SphereTouch& at, Real pressed, Real shared_step, Real acting,
-                      const ContactBody& first, const ContactBody& second, ContactImpulse& on_first,
-                      ContactImpulse& on_second) {
-  const Vector3 arm = at.point - first.pose.position, other_arm = at.point - second.pose.position;
-  const Vector3 opening = second.velocity_at(other_arm) - first.velocity_at(arm);
-  laws::SphereMotion motion;
-  motion.overlap = pressed;
-  motion.opening_speed = opening.dot(at.normal);
-  const Vector3 sliding = opening - motion.opening_speed * at.normal;
-  motion.sliding_speed = sliding.norm();
-  const Vector3 direction = motion.sliding_speed > 0 ? Vector3(sliding / motion.sliding_speed) : Vector3(Vector3::Zero());
-  motion.normal_mass = 1 / (first.softness(arm, at.normal) + second.softness(other_arm, at.normal));
-  motion.sliding_mass = 1 / (first.softness(arm, direction) + second.softness(other_arm, direction));
-  motion.shared_step = shared_step;
-  const laws::SphereForce force = laws::sphere_force(law, motion);
-  const Vector3 dashpot = (acting * force.dashpot) * at.normal, friction = (-acting * force.friction) * direction;
-  const Vector3 all = (acting * force.elastic) * at.normal + dashpot + friction;
-  add_force(on_second.total, other_arm, all);
-  add_force(on_second.dashpot, other_arm, dashpot);
-  add_force(on_second.friction, other_arm, friction);
-  add_force(on_first.total, arm, -all);
-  add_force(on_first.dashpot, arm, -dashpot);
-  add_force(on_first.friction, arm, -friction);
+/// Adds touching spheres to the force of their pair. `shared` holds what all spheres of the pair have in common.
+inline void add_touch(const laws::SphereContact& law, const Touching& touching, laws::SphereMotion shared,
+                      const ContactBody& first, const ContactBody& second, ContactForce& sum) {
+  const SphereTouch& at = touching.at;
+  laws::SphereMemory& memory = touching.pair->memory;
+  const Vector3 arm = at.point - first.motion.position, other_arm = at.point - second.motion.position;
+  const Vector3 opening = second.motion.velocity_at(other_arm) - first.motion.velocity_at(arm);
+  shared.overlap = at.overlap - touching.pair->rest;
+  shared.opening_speed = opening.dot(at.normal);
+  shared.sliding = opening - shared.opening_speed * at.normal;
+  const Real speed = shared.sliding.norm();
+  const Vector3 direction = speed > 0 ? Vector3(shared.sliding / speed) : Vector3(Vector3::Zero());
+  shared.normal_mass = 1 / (first.softness(arm, at.normal) + second.softness(other_arm, at.normal));
+  shared.sliding_mass = 1 / (first.softness(arm, direction) + second.softness(other_arm, direction));
+  memory.friction -= at.normal.dot(memory.friction) * at.normal;  // the plane of contact turns
+  const laws::SphereForce force = laws::sphere_force(law, shared, memory);
+  const Vector3 dashpot = force.dashpot * at.normal;
+  sum.dashpot.add_at(arm, other_arm, dashpot);
+  sum.friction.add_at(arm, other_arm, force.friction);
+  sum.total.add_at(arm, other_arm, force.elastic * at.normal + dashpot + force.friction);
 }
 
 }  // namespace sazare::methods::blocks

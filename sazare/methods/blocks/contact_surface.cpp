@@ -59,7 +59,7 @@ void ContactSurface::match(const Patch& mine, const Patch& theirs, NearPair& nea
       const Real overlap = a.radius + b.radius - (other.position + other.rotation * b.centre - centre).norm();
       if (overlap < -skin_) continue;
       const bool in_order = mine.body < theirs.body;
-      near.spheres.push_back({in_order ? i : j, in_order ? j : i, std::max(overlap, Real{0})});
+      near.spheres.push_back({in_order ? i : j, in_order ? j : i, std::max(overlap, Real{0}), 0, {}});
     }
   }
 }

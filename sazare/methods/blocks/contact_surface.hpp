@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sazare/core/archive.hpp"
+#include "sazare/laws/sphere_contact.hpp"
 #include "sazare/methods/blocks/contact_spheres.hpp"
 #include "sazare/neighbors/sphere_grid.hpp"
 #include "sazare/state/bodies.hpp"
@@ -24,6 +25,8 @@ struct SpherePair {
   Index first = 0;   ///< sphere of the body with the smaller number
   Index second = 0;
   Real rest = 0;     ///< overlap that they had when they met the first time; it gives no force until they part [m]
+  Real gap = 0;      ///< between them in the pair's clearance [m], negative when they overlap
+  laws::SphereMemory memory;
 };
 
 /// The near spheres of two bodies.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <utility>
 
 #include "sazare/methods/blocks/contact_kernel.hpp"
 #include "sazare/parallel/threads.hpp"
@@ -11,7 +12,7 @@ namespace sazare::methods::blocks {
 
 namespace {
 
-constexpr std::size_t serial_below = 64;
+constexpr std::size_t serial_below = 512;  // most pairs do not touch
 constexpr int base_steps_between_searches = 8;
 constexpr Real skin_of_radius = 0.15;  // of the median inscribed radius: few false neighbours, few searches (measured)
 
@@ -39,8 +40,9 @@ Contacts::Contacts(const laws::SphereContact& law, int edge_division, Joints& jo
                    const state::Bodies<3>& bodies)
     : law_(law), joints_(&joints), corners_(std::move(corners)),
       surface_(bodies.size(), edge_division, choose_skin(corners_)) {
+  table_.causes = {terms::Cause::contact_dashpot, terms::Cause::friction};
   table_.incidence = terms::ChangingIncidence(bodies.size());
-  fed_.assign(corners_.size(), -1);
+  touching_.assign(corners_.size(), 0);
   for (std::size_t body = 0; body < corners_.size(); ++body) {
     const auto& inertia = bodies.inertia[body];
     reach_.push_back(bodies.reach[body]);
@@ -67,53 +69,76 @@ void Contacts::evaluate(const Moment& now, std::span<const Due> due, const state
 
 void Contacts::evaluate_pair(const Moment& now, const Due& due, const state::Bodies<3>& bodies) {
   const Link& link = links_[at(due.link)];
-  const auto body = [&](Index number) {
-    const auto& motion = bodies.motion[at(number)];
-    return ContactBody{motion, bodies.inertia[at(number)], state::pose_at(motion, now)};
-  };
+  const auto body = [&](Index number) { return ContactBody{bodies.motion[at(number)], bodies.inertia[at(number)]}; };
   const ContactBody first = body(link.first), second = body(link.second);
   Clearance& clearance = clearance_[at(due.link)];
-  if (clearance.holds(first.pose, second.pose, reach_[at(link.first)], reach_[at(link.second)])) return;
-
-  thread_local std::vector<std::pair<SphereTouch, Real>> touching;
-  touching.clear();
-  Real nearest = surface_.skin();
-  for (SpherePair& pair : spheres_[at(due.link)]) {
-    const SphereTouch touched = touch(surface_.sphere(pair.first), surface_.sphere(pair.second), first.pose, second.pose);
-    nearest = std::min(nearest, -touched.overlap);
-    if (touched.overlap < pair.rest) pair.rest = std::max(touched.overlap, Real{0});
-    if (touched.overlap > pair.rest) touching.emplace_back(touched, touched.overlap - pair.rest);
+  const state::Pose<3> first_pose = first.pose(), second_pose = second.pose();
+  Real moved = 0;
+  if (clearance.is_known) moved = clearance.moved(first_pose, second_pose, reach_[at(link.first)], reach_[at(link.second)]);
+  if (!clearance.is_known || moved > surface_.skin() / 8) {
+    measure(spheres_[at(due.link)], first_pose, second_pose, clearance);
+    moved = 0;
   }
-  clearance = {nearest, second.pose.position - first.pose.position, first.pose.rotation, second.pose.rotation};
-  if (touching.empty()) return;
+  const Real closing = (second.motion.velocity - first.motion.velocity).norm() + reach_[at(link.first)] * first.motion.spin.norm() +
+                       reach_[at(link.second)] * second.motion.spin.norm();
+  clearance.is_distant = clearance.gap - moved > 2 * base_step_ * closing + surface_.skin() / 100;
+  if (moved < clearance.gap && table_[due.link].evaluated < 0) return;  // apart, as they were before
 
-  const auto longest = std::max(first.motion.due - first.motion.last_kick, second.motion.due - second.motion.last_kick);
-  const Real step = std::max(static_cast<Real>(longest) * now.tick_seconds, due.acting);
-  ContactImpulse on_first, on_second;
-  for (const auto& [touched, pressed] : touching)
-    add_touch(law_, touched, pressed, step * static_cast<Real>(touching.size()), due.acting, first, second, on_first, on_second);
+  thread_local std::vector<Touching> touching;
+  touching.clear();
+  for (SpherePair& pair : spheres_[at(due.link)]) {
+    if (moved < pair.gap) {
+      pair.memory = {};
+      continue;
+    }
+    const SphereTouch touched = touch(surface_.sphere(pair.first), surface_.sphere(pair.second), first_pose, second_pose);
+    if (touched.overlap < pair.rest) pair.rest = std::max(touched.overlap, Real{0});
+    if (touched.overlap > pair.rest)
+      touching.push_back({touched, &pair});
+    else
+      pair.memory = {};
+  }
   auto& slot = table_[due.link];
-  if (terms::deposit<3, 2>(slot, 0, first.motion, now, due, {on_first.total, {on_first.dashpot, on_first.friction}}))
-    struck_.add(link.first);
-  if (terms::deposit<3, 2>(slot, 1, second.motion, now, due, {on_second.total, {on_second.dashpot, on_second.friction}}))
-    struck_.add(link.second);
-  terms::mark(slot, now, due);
-  for (const Index of : {link.first, link.second}) std::atomic_ref(fed_[at(of)]).store(now.tick, std::memory_order_relaxed);
+  count_touching(link, static_cast<int>(!touching.empty()) - static_cast<int>(slot.evaluated >= 0));
+  if (touching.empty()) {
+    slot = {};
+    return;
+  }
+  laws::SphereMotion shared;
+  shared.contacts = static_cast<Real>(touching.size());
+  shared.step = std::max(due.acting, 2 * due.ahead);
+  shared.elapsed = due.acting;
+  ContactForce force;
+  for (const Touching& each : touching) add_touch(law_, each, shared, first, second, force);
+  terms::write<3, 2>(slot, now, due, force.total, {force.dashpot, force.friction});
 }
 
-/// Few blocks touch others: those that have not been fed since their last kick are passed over.
+/// Clearance of a pair where it stands, with the gaps of its spheres.
+void Contacts::measure(std::vector<SpherePair>& spheres, const state::Pose<3>& first, const state::Pose<3>& second,
+                       Clearance& clearance) const {
+  clearance.gap = surface_.skin();
+  clearance.is_known = 1;
+  clearance.apart = second.position - first.position;
+  clearance.first = first.rotation;
+  clearance.second = second.rotation;
+  for (SpherePair& pair : spheres) {
+    pair.gap = -touch(surface_.sphere(pair.first), surface_.sphere(pair.second), first, second).overlap;
+    clearance.gap = std::min(clearance.gap, pair.gap);
+  }
+}
+
+void Contacts::count_touching(const Link& link, int change) {
+  if (change == 0) return;
+  for (const Index body : {link.first, link.second})
+    std::atomic_ref(touching_[at(body)]).fetch_add(change, std::memory_order_relaxed);
+}
+
+/// Few blocks touch others.
 void Contacts::gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies,
-                      std::span<state::Impulse<3>> sum) const {
+                      std::span<state::Impulse<3>> sum, terms::CauseImpulses<3>& parts) const {
   for (std::size_t i = 0; i < which.size(); ++i)
-    if (fed_[at(which[i])] > bodies.motion[at(which[i])].last_kick)
-      table_.gather(now, which.subspan(i, 1), bodies, sum.subspan(i, 1));
-}
-
-void Contacts::book(std::span<const Index> which, std::span<const Tick> previous_kick,
-                    std::span<const state::MeanMotion<3>> mean) {
-  for (std::size_t i = 0; i < which.size(); ++i)
-    if (fed_[at(which[i])] > previous_kick[i])
-      table_.book(which.subspan(i, 1), previous_kick.subspan(i, 1), mean.subspan(i, 1));
+    if (touching_[at(which[i])] > 0)
+      table_.gather_one(now, which[i], bodies.motion[at(which[i])].last_kick, i, sum[i], parts);
 }
 
 void Contacts::open_face(const FreeFace& face, const state::Bodies<3>& bodies) {
@@ -121,7 +146,6 @@ void Contacts::open_face(const FreeFace& face, const state::Bodies<3>& bodies) {
 }
 
 void Contacts::settle(const Moment& now, std::span<const Due>, const state::Bodies<3>& bodies, terms::Changes& changes) {
-  changes.struck = struck_.take();
   for (const Index pair : ending_) links_[at(pair)] = {};
   idle_.insert(idle_.end(), ending_.begin(), ending_.end());
   ending_.clear();
@@ -142,6 +166,7 @@ void Contacts::settle(const Moment& now, std::span<const Due>, const state::Bodi
 }
 
 void Contacts::settle_base(const Moment& now, const state::Bodies<3>& bodies, terms::Changes& changes) {
+  rest_the_distant(now, changes);
   if (++base_steps_ % base_steps_between_searches != 0) return;
   std::vector<Index> moved;
   for (const Index body : surface_.bodies())
@@ -150,6 +175,17 @@ void Contacts::settle_base(const Moment& now, const state::Bodies<3>& bodies, te
   if (moved.empty()) return;
   std::ranges::sort(moved);
   search(moved, true, now, bodies, changes);
+}
+
+/// Those pairs rest that were found, at the evaluation of this base step, too far apart to meet before the one after the next.
+void Contacts::rest_the_distant(const Moment& now, terms::Changes& changes) {
+  base_step_ = now.seconds_since(std::exchange(last_base_, now.tick));
+  for (Index pair = 0; pair < static_cast<Index>(links_.size()); ++pair) {
+    Clearance& clearance = clearance_[at(pair)];
+    if (clearance.is_distant == clearance.rests || is_idle(links_[at(pair)])) continue;
+    clearance.rests = clearance.is_distant;
+    (clearance.rests ? changes.resting : changes.watching).push_back(pair);
+  }
 }
 
 void Contacts::search(std::span<const Index> which, bool may_end, const Moment& now, const state::Bodies<3>& bodies,
@@ -182,9 +218,9 @@ void Contacts::merge(Index body, std::vector<NearPair> found, bool may_end, term
     }
     for (SpherePair& sphere : near.spheres)  // known spheres keep their memory
       for (const SpherePair& known : spheres_[at(pair)])
-        if (known.first == sphere.first && known.second == sphere.second) sphere.rest = known.rest;
+        if (known.first == sphere.first && known.second == sphere.second) sphere = known;
     spheres_[at(pair)] = std::move(near.spheres);
-    clearance_[at(pair)].gap = 0;
+    clearance_[at(pair)].is_known = 0;
   }
   if (!may_end) return;
   for (const Index pair : gone) end_pair(pair, changes);
@@ -221,7 +257,7 @@ void Contacts::begin_pair(NearPair near, terms::Changes& changes) {
   }
   links_[at(pair)] = {near.first, near.second};
   spheres_[at(pair)] = std::move(near.spheres);
-  clearance_[at(pair)].gap = 0;
+  clearance_[at(pair)] = {};
   list_side(near.first, {pair, 0});
   list_side(near.second, {pair, 1});
   changes.new_links.push_back(pair);
@@ -234,8 +270,7 @@ void Contacts::end_pair(Index pair, terms::Changes& changes) {
     std::erase_if(table_.incidence.list(body), [&](const terms::SlotSide& side) { return side.slot == pair; });
     changes.softer.push_back(body);
   }
-  for (const auto& work : table_[pair].work)
-    for (std::size_t cause = 0; cause < ended_work_.size(); ++cause) ended_work_[cause] += work[cause];
+  if (table_[pair].evaluated >= 0) count_touching(link, -1);
   table_[pair] = {};
   spheres_[at(pair)].clear();
   changes.ended_links.push_back(pair);
@@ -249,19 +284,17 @@ terms::Rates Contacts::rates(Index body) const {
     Real damping = 0;  // the step's cap needs no smaller step
     if (law_.cap == laws::DampingCap::literal) damping = law_.damping;
     if (law_.cap == laws::DampingCap::critical)
-      damping = std::min(law_.damping, 2 * std::sqrt(law_.stiffness / softness_[at(body)]));
+      damping = std::min(law_.damping, 2 * std::sqrt(law_.stiffness / (softness_[at(body)] * count)));
     sum += {count * law_.stiffness * softness_[at(body)], count * damping * softness_[at(body)]};
   }
   return sum;
 }
 
 void Contacts::add_energies(const terms::Synchronized<3>& at_time, terms::Ledger& ledger) const {
-  std::array<Real, 2> work = ended_work_;
   for (std::size_t pair = 0; pair < links_.size(); ++pair) {
     const Link& link = links_[pair];
     if (is_idle(link)) continue;
-    for (const int cause : {dashpot, friction})
-      work[static_cast<std::size_t>(cause)] += table_.work_until(static_cast<Index>(pair), link, cause, at_time);
+    table_.take_back(static_cast<Index>(pair), link, at_time, ledger);
     for (const SpherePair& sphere : spheres_[pair]) {
       const SphereTouch touched = touch(surface_.sphere(sphere.first), surface_.sphere(sphere.second),
                                         at_time.pose_of(link.first), at_time.pose_of(link.second));
@@ -269,8 +302,6 @@ void Contacts::add_energies(const terms::Synchronized<3>& at_time, terms::Ledger
         ledger[terms::Account::elastic] += laws::sphere_energy(law_, touched.overlap - sphere.rest);
     }
   }
-  ledger[terms::Account::contact_dashpot] -= work[dashpot];
-  ledger[terms::Account::friction] -= work[friction];
 }
 
 void Contacts::columns(Archive& archive) {
@@ -280,21 +311,20 @@ void Contacts::columns(Archive& archive) {
     flat.insert(flat.end(), pairs.begin(), pairs.end());
     counts.push_back(static_cast<Index>(pairs.size()));
   }
-  std::vector<Real> ended(ended_work_.begin(), ended_work_.end());
   archive("links", links_);
   archive("spheres", flat);
   archive("counts", counts);
   archive("idle", idle_);
   archive("ending", ending_);
   archive("slots", table_.slots);
-  archive("ended_work", ended);
   archive("base_steps", base_steps_);
-  archive("fed", fed_);
+  archive("touching", touching_);
+  archive("clearance", clearance_);
+  archive("last_base", last_base_);
+  archive("base_step", base_step_);
   archive.folder("surface", [&] { surface_.columns(archive); });
   if (!archive.reading()) return;
-  std::copy(ended.begin(), ended.end(), ended_work_.begin());
   spheres_.assign(counts.size(), {});
-  clearance_.assign(counts.size(), {});
   auto next = flat.begin();
   for (std::size_t pair = 0; pair < counts.size(); ++pair) {
     spheres_[pair].assign(next, next + counts[pair]);

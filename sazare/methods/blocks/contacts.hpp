@@ -5,9 +5,9 @@
 /// Which spheres may touch is searched anew for a body when it may have moved by a third of the skin, and for both
 /// bodies when their joint breaks. Bodies that share a joint that holds do not touch.
 
+#include <limits>
 #include <vector>
 
-#include "sazare/laws/sphere_contact.hpp"
 #include "sazare/methods/blocks/contact_kernel.hpp"
 #include "sazare/methods/blocks/contact_surface.hpp"
 #include "sazare/methods/blocks/joints.hpp"
@@ -25,14 +25,11 @@ class Contacts final : public terms::Term<3> {
   std::vector<Index> first_links() const override;
   void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
   void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies,
-              std::span<state::Impulse<3>> sum) const override;
-  void book(std::span<const Index> which, std::span<const Tick> previous_kick,
-            std::span<const state::MeanMotion<3>> mean) override;
+              std::span<state::Impulse<3>> sum, terms::CauseImpulses<3>& parts) const override;
   void settle(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies,
               terms::Changes& changes) override;
   void settle_base(const Moment& now, const state::Bodies<3>& bodies, terms::Changes& changes) override;
   terms::Rates rates(Index body) const override;
-  void gather_ahead(Tick now, std::span<state::Impulse<3>> sum) const override { table_.gather_ahead(now, sum); }
   void add_energies(const terms::Synchronized<3>& at, terms::Ledger& ledger) const override;
   void columns(Archive& archive) override;
 
@@ -40,9 +37,11 @@ class Contacts final : public terms::Term<3> {
   Index pair_count() const { return static_cast<Index>(links_.size() - idle_.size()); }
 
  private:
-  enum Cause : int { dashpot, friction };
-
   void evaluate_pair(const Moment& now, const Due& due, const state::Bodies<3>& bodies);
+  void rest_the_distant(const Moment& now, terms::Changes& changes);
+  void measure(std::vector<SpherePair>& spheres, const state::Pose<3>& first, const state::Pose<3>& second,
+               Clearance& clearance) const;
+  void count_touching(const Link& link, int change);
   void open_face(const FreeFace& face, const state::Bodies<3>& bodies);
   void search(std::span<const Index> which, bool may_end, const Moment& now, const state::Bodies<3>& bodies,
               terms::Changes& changes);
@@ -62,13 +61,13 @@ class Contacts final : public terms::Term<3> {
   std::vector<Link> links_;
   std::vector<std::vector<SpherePair>> spheres_;  ///< by pair
   std::vector<Clearance> clearance_;              ///< by pair
-  std::vector<Tick> fed_;                         ///< by body: when it was last given an impulse
+  std::vector<int> touching_;                     ///< by body: how many others it touches
   std::vector<Index> idle_;    ///< numbers of pairs that have ended
   std::vector<Index> ending_;  ///< of those that ended in this step: free from the next one on
   terms::SlotTable<3, 2, terms::ChangingIncidence> table_;
-  std::array<Real, 2> ended_work_{};  ///< booked by pairs that have ended [J]
-  terms::Events struck_;
   std::int64_t base_steps_ = 0;
+  Tick last_base_ = 0;
+  Real base_step_ = std::numeric_limits<Real>::infinity();  ///< unknown at first: no pair is distant then [s]
 };
 
 }  // namespace sazare::methods::blocks

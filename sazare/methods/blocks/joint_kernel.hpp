@@ -22,21 +22,13 @@ struct LaneBodies {
   LaneMatrix rotation;
 };
 
-/// Loads bodies and drifts those back that have their next time later than now: x + v t, and R + [w t] R + [w t]^2 R / 2.
-inline LaneBodies load_bodies(const LanePointers<const state::Motion<3>>& bodies, const Moment& now) {
+/// Bodies that stand at their own time.
+inline LaneBodies load_bodies(const LanePointers<const state::Motion<3>>& bodies) {
   const auto f = load_records<24>(bodies);
-  LaneBodies at{{{f[0], f[1], f[2]}}, {{f[3], f[4], f[5]}}, {{f[17], f[18], f[19]}},
-                {{LaneVector{{f[8], f[9], f[10]}}, LaneVector{{f[11], f[12], f[13]}}, LaneVector{{f[14], f[15], f[16]}}}}};
-  const LongLanes late = now.tick - reinterpret_cast<LongLanes>(f[7]);
-  if (!any(late != 0)) return at;
-  const Lanes seconds = __builtin_convertvector(late, Lanes) * now.tick_seconds;
-  at.position = at.position + seconds * at.velocity;
-  const LaneVector angle = seconds * at.spin;
-  for (int axis = 0; axis < 3; ++axis) {
-    const LaneVector turned = cross(angle, at.rotation[axis]);
-    at.rotation[axis] = at.rotation[axis] + turned + broadcast(0.5) * cross(angle, turned);
-  }
-  return at;
+  return {{{f[0], f[1], f[2]}},
+          {{f[12] + f[18], f[13] + f[19], f[14] + f[20]}},
+          {{f[15] + f[21], f[16] + f[22], f[17] + f[23]}},
+          {{LaneVector{{f[3], f[4], f[5]}}, LaneVector{{f[6], f[7], f[8]}}, LaneVector{{f[9], f[10], f[11]}}}}};
 }
 
 /// Vertices in face axes.
@@ -60,13 +52,12 @@ inline FaceGeometry face_geometry(const JointShape<Lanes, LaneVector>& shape, co
   return at;
 }
 
-/// Impulses that a face gives to both its bodies, about their centres, in world axes.
-struct FaceImpulse {
-  LaneVector linear, angular;                  ///< on the body, all of it
-  LaneVector dashpot_linear, dashpot_angular;  ///< part of it
+/// Action and reaction in world axes: the force on the slave and its moments about both centres.
+struct FaceForce {
+  LaneVector master_moment, linear, slave_moment;
 };
-struct JointImpulses {
-  FaceImpulse master, slave;
+struct JointForce {
+  FaceForce total, dashpots;
 };
 
 /// Recoverable energy [J].
@@ -128,9 +119,15 @@ struct FaceSums {
   }
 };
 
-/// Evaluates joints over the time each acts.
+/// From face axes to world axes.
+inline FaceForce face_force(const FaceGeometry& at, const FaceSums& sums) {
+  const LaneVector none, moment = at.axes * sums.moment;
+  return {none - moment, at.axes * sums.force, at.axes * (sums.moment - cross(at.apart, sums.force))};
+}
+
+/// Evaluates joints. A face that fails has no force any more.
 inline JointChange evaluate(LaneJoints& joints, const JointParameters<Lanes>& kind, const LaneBodies& master,
-                            const LaneBodies& slave, Lanes acting, JointImpulses& given) {
+                            const LaneBodies& slave, JointForce& force) {
   const FaceGeometry at = face_geometry(joints.shape, master, slave);
   JointChange change;
   LaneMask opening{};
@@ -140,24 +137,20 @@ inline JointChange evaluate(LaneJoints& joints, const JointParameters<Lanes>& ki
   const LaneVector slave_spin = transposed(at.axes, slave.spin);
   const LaneVector spin = slave_spin - transposed(at.axes, master.spin);
   const LaneVector velocity = transposed(at.axes, slave.velocity - master.velocity) - cross(slave_spin, at.apart);
-  const Lanes area = -joints.shape.vertex_area * acting;
+  const Lanes area = select(change.failed, Lanes{}, -joints.shape.vertex_area);
   const Lanes shear_area = area * kind.shear.stiffness;
   const Lanes across = area * kind.normal_damping, along = area * kind.shear_damping;
-  FaceSums springs, dashpots;
+  FaceSums all, dashpots;
   for (std::size_t v = 0; v < vertex_count; ++v) {
     const LaneVector& d = at.displacement[v];
     const Lanes stress = laws::tension_stress(kind.tension, d[0], joints.memory.unloading[static_cast<int>(v)]);
     const auto elastic = shear(joints, kind, v, d, stress, change);
-    springs.add(at.point[v], {{area * stress, shear_area * elastic[0], shear_area * elastic[1]}});
     const LaneVector speed = velocity + cross(spin, at.point[v]);
-    dashpots.add(at.point[v], {{across * speed[0], along * speed[1], along * speed[2]}});
+    const LaneVector dashpot{{across * speed[0], along * speed[1], along * speed[2]}};
+    dashpots.add(at.point[v], dashpot);
+    all.add(at.point[v], dashpot + LaneVector{{area * stress, shear_area * elastic[0], shear_area * elastic[1]}});
   }
-  const LaneVector sum = springs.force + dashpots.force, moment = springs.moment + dashpots.moment;
-  const LaneVector none;
-  given.slave = {at.axes * sum, at.axes * (moment - cross(at.apart, sum)), at.axes * dashpots.force,
-                 at.axes * (dashpots.moment - cross(at.apart, dashpots.force))};
-  given.master = {none - given.slave.linear, none - at.axes * moment, none - given.slave.dashpot_linear,
-                  none - at.axes * dashpots.moment};
+  force = {face_force(at, all), face_force(at, dashpots)};
   return change;
 }
 

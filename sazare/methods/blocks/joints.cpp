@@ -10,7 +10,7 @@ namespace sazare::methods::blocks {
 
 namespace {
 
-constexpr std::size_t serial_below = 128;  // a joint takes some 20 ns, waking a thread some microseconds
+constexpr std::size_t serial_below = 1024;  // a joint takes some 45 ns, waking a thread some microseconds
 
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
@@ -72,6 +72,7 @@ Joints::Joints(std::vector<JointKind> kinds, std::span<const JointFace> faces, s
     records_.push_back(make_joint(face, kinds_[at(face.kind)], bodies));
     links_.push_back({face.master, face.slave});
   }
+  table_.causes = {terms::Cause::joint_dashpot};
   table_.slots.resize(faces.size());
   table_.incidence = terms::FixedIncidence(bodies.size(), links_);
 }
@@ -94,64 +95,46 @@ void Joints::evaluate(const Moment& now, std::span<const Due> due, const state::
 void Joints::evaluate_lanes(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
   LanePointers<JointRecord> records;
   LanePointers<const state::Motion<3>> masters, slaves;
-  Lanes acting{};
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
-    const Due& link = due[lane < due.size() ? lane : 0];
-    records[lane] = &records_[at(link.link)];
+    records[lane] = &records_[at(due[lane < due.size() ? lane : 0].link)];
     masters[lane] = &bodies.motion[at(records[lane]->master)];
     slaves[lane] = &bodies.motion[at(records[lane]->slave)];
-    acting[static_cast<int>(lane)] = link.acting;
   }
   LaneJoints joints = load_joints(records);
   JointParameters<Lanes> mixed;
-  JointImpulses given;
-  const JointChange change = blocks::evaluate(joints, kinds_of(records, mixed), load_bodies(masters, now),
-                                              load_bodies(slaves, now), acting, given);
+  JointForce force;
+  const JointChange change =
+      blocks::evaluate(joints, kinds_of(records, mixed), load_bodies(masters), load_bodies(slaves), force);
   if (any(change.softened | change.slipped)) store_memory(joints.memory, records, static_cast<int>(due.size()));
-  deliver(now, due, change, given, bodies);
+  write_slots(now, due, force);
+  if (any(change.softened)) note_changes(due, change);
 }
 
-/// From lanes to the slots.
-void Joints::deliver(const Moment& now, std::span<const Due> due, const JointChange& change, const JointImpulses& given,
-                     const state::Bodies<3>& bodies) {
-  struct alignas(64) Record {
-    terms::Deposit<3, 1> master, slave;
-  };
-  static_assert(sizeof(Record) == 24 * sizeof(Real));
-  std::array<Record, lane_count> impulses;
-  LanePointers<Record> rows;
-  for (std::size_t lane = 0; lane < lane_count; ++lane) rows[lane] = &impulses[lane];
-  const FaceImpulse &m = given.master, &s = given.slave;
-  store_records<24>({m.linear[0], m.linear[1], m.linear[2], m.angular[0], m.angular[1], m.angular[2],
-                     m.dashpot_linear[0], m.dashpot_linear[1], m.dashpot_linear[2],
-                     m.dashpot_angular[0], m.dashpot_angular[1], m.dashpot_angular[2],
-                     s.linear[0], s.linear[1], s.linear[2], s.angular[0], s.angular[1], s.angular[2],
-                     s.dashpot_linear[0], s.dashpot_linear[1], s.dashpot_linear[2],
-                     s.dashpot_angular[0], s.dashpot_angular[1], s.dashpot_angular[2]}, rows);
+void Joints::write_slots(const Moment& now, std::span<const Due> due, const JointForce& force) {
+  LanePointers<terms::Slot<3, 1>> slots;
+  Lanes acting{}, ahead{};
   for (std::size_t lane = 0; lane < due.size(); ++lane) {
-    JointRecord& joint = records_[at(due[lane].link)];
-    if (change.softened[static_cast<int>(lane)] != 0) joint.state = JointState::softening;
-    if (change.failed[static_cast<int>(lane)] == 0) {
-      deliver_one(now, due[lane], joint, impulses[lane].master, impulses[lane].slave, bodies);
-    } else {
-      joint.state = JointState::broken;
-      failed_.add(due[lane].link);
-    }
+    slots[lane] = &table_[due[lane].link];
+    acting[static_cast<int>(lane)] = due[lane].acting;
+    ahead[static_cast<int>(lane)] = due[lane].ahead;
   }
+  const FaceForce &t = force.total, &d = force.dashpots;
+  static_assert(sizeof(terms::Slot<3, 1>) == 24 * sizeof(Real));
+  store_records<24>({t.master_moment[0], t.master_moment[1], t.master_moment[2], t.linear[0], t.linear[1], t.linear[2],
+                     t.slave_moment[0], t.slave_moment[1], t.slave_moment[2],
+                     d.master_moment[0], d.master_moment[1], d.master_moment[2], d.linear[0], d.linear[1], d.linear[2],
+                     d.slave_moment[0], d.slave_moment[1], d.slave_moment[2],
+                     acting, ahead, reinterpret_cast<Lanes>(LongLanes{} + now.tick), Lanes{}, Lanes{}, Lanes{}},
+                    slots, static_cast<int>(due.size()));
 }
 
-void Joints::deliver_one(const Moment& now, const Due& due, const JointRecord& joint, const terms::Deposit<3, 1>& on_master,
-                         const terms::Deposit<3, 1>& on_slave, const state::Bodies<3>& bodies) {
-  auto& slot = table_[due.link];
-  const auto &master = bodies.motion[at(joint.master)], &slave = bodies.motion[at(joint.slave)];
-  if (slot.lagging < 0 && master.due == now.tick && slave.due == now.tick) {  // the usual way, and much the shortest
-    slot.waiting = {on_master, on_slave};
-    slot.acting = {due.acting, due.acting};
-  } else {
-    if (terms::deposit(slot, 0, master, now, due, on_master)) struck_.add(joint.master);
-    if (terms::deposit(slot, 1, slave, now, due, on_slave)) struck_.add(joint.slave);
+void Joints::note_changes(std::span<const Due> due, const JointChange& change) {
+  for (std::size_t lane = 0; lane < due.size(); ++lane) {
+    if (change.softened[static_cast<int>(lane)] == 0) continue;
+    const bool failed = change.failed[static_cast<int>(lane)] != 0;
+    records_[at(due[lane].link)].state = failed ? JointState::broken : JointState::softening;
+    if (failed) failed_.add(due[lane].link);
   }
-  terms::mark(slot, now, due);
 }
 
 /// Parameters of each lane; `mixed` holds them where the lanes are of several kinds.
@@ -163,7 +146,6 @@ const JointParameters<Lanes>& Joints::kinds_of(const LanePointers<JointRecord>& 
 }
 
 void Joints::settle(const Moment&, std::span<const Due>, const state::Bodies<3>& bodies, terms::Changes& changes) {
-  changes.struck = struck_.take();
   for (const Index joint : failed_.take()) {
     changes.ended_links.push_back(joint);
     for (const Index body : {links_[at(joint)].first, links_[at(joint)].second}) {
@@ -235,7 +217,7 @@ void Joints::add_energies(const terms::Synchronized<3>& synchronized, terms::Led
   Lanes elastic{};
   for (Index number = 0; number < count(); ++number) {
     const JointRecord& joint = records_[at(number)];
-    ledger[terms::Account::joint_dashpot] -= table_.work_until(number, links_[at(number)], 0, synchronized);
+    table_.take_back(number, links_[at(number)], synchronized, ledger);
     ledger[terms::Account::slip] += joint.memory.slip_work;
     ledger[terms::Account::release] += joint.memory.released;
     for (int v = 0; v < vertex_count; ++v)

@@ -36,17 +36,12 @@ class Joints final : public terms::Term<3> {
   std::vector<Index> first_links() const override;
   void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
   void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies,
-              std::span<state::Impulse<3>> sum) const override {
-    table_.gather(now, which, bodies, sum);
-  }
-  void book(std::span<const Index> which, std::span<const Tick> previous_kick,
-            std::span<const state::MeanMotion<3>> mean) override {
-    table_.book(which, previous_kick, mean);
+              std::span<state::Impulse<3>> sum, terms::CauseImpulses<3>& parts) const override {
+    table_.gather(now, which, bodies, sum, parts);
   }
   void settle(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies,
               terms::Changes& changes) override;
   terms::Rates rates(Index body) const override { return rates_[static_cast<std::size_t>(body)]; }
-  void gather_ahead(Tick now, std::span<state::Impulse<3>> sum) const override { table_.gather_ahead(now, sum); }
   void add_energies(const terms::Synchronized<3>& at, terms::Ledger& ledger) const override;
   void columns(Archive& archive) override;
 
@@ -71,10 +66,8 @@ class Joints final : public terms::Term<3> {
 
  private:
   void evaluate_lanes(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies);
-  void deliver(const Moment& now, std::span<const Due> due, const JointChange& change, const JointImpulses& given,
-               const state::Bodies<3>& bodies);
-  void deliver_one(const Moment& now, const Due& due, const JointRecord& joint, const terms::Deposit<3, 1>& on_master,
-                   const terms::Deposit<3, 1>& on_slave, const state::Bodies<3>& bodies);
+  void write_slots(const Moment& now, std::span<const Due> due, const JointForce& force);
+  void note_changes(std::span<const Due> due, const JointChange& change);
   const JointParameters<Lanes>& kinds_of(const LanePointers<JointRecord>& joints, JointParameters<Lanes>& mixed) const;
   void update_rates(Index body, const state::Bodies<3>& bodies);
   Lanes elastic_energies(Index first, const terms::Synchronized<3>& synchronized) const;
@@ -87,7 +80,6 @@ class Joints final : public terms::Term<3> {
   std::vector<std::array<Index, 4>> at_face_;  ///< joint by body and local face
   std::vector<terms::Rates> rates_;
   terms::Events failed_;  ///< joints, in the present step
-  terms::Events struck_;  ///< bodies, in the present step
   std::vector<Index> broken_;  ///< not yet taken
   Index broken_count_ = 0;
 };

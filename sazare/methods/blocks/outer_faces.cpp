@@ -28,6 +28,7 @@ OuterFaces::OuterFaces(std::vector<OuterFace> faces, const state::Bodies<3>& bod
     const auto at = static_cast<std::size_t>(body);
     rates_[at] = largest_rates(sum, bodies.inertia[at], bodies.start_rotation[at], bodies.locks[at]);
   }
+  table_.causes = {terms::Cause::boundary};
   table_.slots.resize(faces_.size());
   table_.incidence = terms::FixedIncidence(bodies.size(), links_);
 }
@@ -44,20 +45,18 @@ void OuterFaces::evaluate(const Moment& now, std::span<const Due> due, const sta
       const OuterFace& face = faces_[static_cast<std::size_t>(at.link)];
       const FaceSprings& springs = face.springs;
       const auto& body = bodies.motion[static_cast<std::size_t>(face.body)];
-      const auto pose = state::pose_at(body, now);
-      state::Wrench<3> total, dashpots;
+      terms::PairForce<3> total, dashpots;
       for (std::size_t corner = 0; corner < 3; ++corner) {
-        const Vector3 arm = pose.rotation * springs.corners[corner];
-        const Vector3 moved = pose.position + arm - face.place[corner];
-        const Vector3 velocity = body.velocity + body.spin.cross(arm);
-        const Real weight = -springs.corner_area * at.acting;
-        const Vector3 spring = weight * stress(face.normal, springs.normal_stiffness, springs.shear_stiffness, moved);
-        const Vector3 dashpot = weight * stress(face.normal, springs.normal_damping, springs.shear_damping, velocity);
-        dashpots += {dashpot, arm.cross(dashpot)};
-        total += {spring + dashpot, arm.cross(spring + dashpot)};
+        const Vector3 arm = body.rotation * springs.corners[corner];
+        const Vector3 moved = body.position + arm - face.place[corner];
+        const Real area = springs.corner_area;
+        const Vector3 spring = area * stress(face.normal, springs.normal_stiffness, springs.shear_stiffness, moved);
+        const Vector3 dashpot =
+            area * stress(face.normal, springs.normal_damping, springs.shear_damping, body.velocity_at(arm));
+        dashpots.add_at(arm, Vector3::Zero(), dashpot);  // the ground is the second body
+        total.add_at(arm, Vector3::Zero(), spring + dashpot);
       }
-      terms::deposit<3, 1>(table_[at.link], 0, body, now, at, {total, {dashpots}});
-      terms::mark(table_[at.link], now, at);
+      terms::write<3, 1>(table_[at.link], now, at, total, {dashpots});
     }
   });
 }
@@ -66,7 +65,7 @@ void OuterFaces::add_energies(const terms::Synchronized<3>& at, terms::Ledger& l
   for (std::size_t i = 0; i < faces_.size(); ++i) {
     const OuterFace& face = faces_[i];
     const auto& body = at.pose_of(face.body);
-    ledger[terms::Account::boundary] -= table_.work_until(static_cast<Index>(i), links_[i], 0, at);
+    table_.take_back(static_cast<Index>(i), links_[i], at, ledger);
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const Vector3 moved = body.position + body.rotation * face.springs.corners[corner] - face.place[corner];
       ledger[terms::Account::elastic] += 0.5 * face.springs.corner_area *

@@ -31,15 +31,10 @@ class OuterFaces final : public terms::Term<3> {
   std::vector<Index> first_links() const override;
   void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
   void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies,
-              std::span<state::Impulse<3>> sum) const override {
-    table_.gather(now, which, bodies, sum);
-  }
-  void book(std::span<const Index> which, std::span<const Tick> previous_kick,
-            std::span<const state::MeanMotion<3>> mean) override {
-    table_.book(which, previous_kick, mean);
+              std::span<state::Impulse<3>> sum, terms::CauseImpulses<3>& parts) const override {
+    table_.gather(now, which, bodies, sum, parts);
   }
   terms::Rates rates(Index body) const override { return rates_[static_cast<std::size_t>(body)]; }
-  void gather_ahead(Tick now, std::span<state::Impulse<3>> sum) const override { table_.gather_ahead(now, sum); }
   void add_energies(const terms::Synchronized<3>& at, terms::Ledger& ledger) const override;
   void columns(Archive& archive) override { archive("slots", table_.slots); }
 

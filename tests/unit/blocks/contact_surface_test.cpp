@@ -51,7 +51,7 @@ class Crowd {
         const Real overlap = surface_.sphere(i).radius + surface_.sphere(j).radius - (centre(i) - centre(j)).norm();
         if (overlap < -skin) continue;
         const bool in_order = body < of(j);
-        found[of(j)].push_back({in_order ? i : j, in_order ? j : i, std::max(overlap, Real{0})});
+        found[of(j)].push_back({in_order ? i : j, in_order ? j : i, std::max(overlap, Real{0}), 0, {}});
       }
     for (auto& [partner, pairs] : found)
       std::ranges::sort(pairs, {}, [](const SpherePair& pair) { return std::pair(pair.first, pair.second); });

@@ -23,7 +23,7 @@ TEST(Reader, TakesDefaultsFromTheSchema) {
   EXPECT_EQ(blocks.time.levels, Levels::per_element);
   EXPECT_EQ(blocks.time.limiter, Limiter::stability);
   EXPECT_FALSE(blocks.time.base_step);
-  EXPECT_EQ(blocks.time.stability_fraction, 0.25);
+  EXPECT_EQ(blocks.time.stability_fraction, 0.5);
   EXPECT_EQ(blocks.time.travel_length, 1e-8);
   EXPECT_EQ(blocks.time.neighbor_levels, 2);
   EXPECT_FALSE(blocks.time.strict);

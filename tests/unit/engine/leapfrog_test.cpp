@@ -21,24 +21,24 @@ StepRules one_level() {
   return rules;
 }
 
-/// Force of a spring with a dashpot on its second body, times the time that it acts, and where its ends stand.
+/// Force of a spring with a dashpot on its second body, and where its ends stand.
 template <int D>
 struct Pull {
-  Vector<D> impulse, first_arm, second_arm;
+  Vector<D> force, first_arm, second_arm;
 };
 
 template <int D>
-Pull<D> pull(const terms::Spring<D>& spring, const state::Motion<D>& first, const state::Motion<D>& second, Real acting) {
+Pull<D> pull(const terms::Spring<D>& spring, const state::Motion<D>& first, const state::Motion<D>& second) {
   Pull<D> at;
   at.first_arm = first.rotation * spring.first_arm;
   at.second_arm = second.rotation * spring.second_arm;
   const Vector<D> apart = second.position + at.second_arm - first.position - at.first_arm;
   const Real length = apart.norm();
   const Vector<D> direction = apart / length;
-  Vector<D> opening = -(first.velocity + turned(first.spin, at.first_arm));
-  opening += second.velocity + turned(second.spin, at.second_arm);
-  const Vector<D> dashpot = (-acting * spring.damping * opening.dot(direction)) * direction;
-  at.impulse = (-acting * spring.stiffness * (length - spring.length)) * direction + dashpot;
+  Vector<D> opening = -first.velocity_at(at.first_arm);
+  opening += second.velocity_at(at.second_arm);
+  const Vector<D> dashpot = (-spring.damping * opening.dot(direction)) * direction;
+  at.force = (-spring.stiffness * (length - spring.length)) * direction + dashpot;
   return at;
 }
 
@@ -49,20 +49,29 @@ test::Network<D> damped_ladder() {
   return network;
 }
 
-/// Impulses of all springs on all bodies, in the order of the springs.
+/// What all springs give to all bodies, in the order of the springs: as second bodies, and from that as first bodies.
 template <int D>
 std::vector<state::Impulse<D>> impulses(const test::Network<D>& network, Real acting) {
   const auto& motion = network.bodies.motion;
-  std::vector<state::Impulse<D>> sum(motion.size());
+  std::vector<state::Impulse<D>> as_first(motion.size()), as_second(motion.size());
+  const auto add = [acting](state::Impulse<D>& sum, const Vector<D>& force, const Angular<D>& torque) {
+    sum.linear += acting * force, sum.angular += acting * torque;
+    sum.force += force, sum.torque += torque;
+    sum.linear_ahead += (h / 2) * force, sum.angular_ahead += (h / 2) * torque;
+  };
   for (const auto& spring : network.springs) {
     const auto first = static_cast<std::size_t>(spring.first), second = static_cast<std::size_t>(spring.second);
-    const auto at = pull(spring, motion[first], motion[second], acting);
-    sum[first].linear -= at.impulse;
-    sum[first].angular -= moment(at.first_arm, at.impulse);
-    sum[second].linear += at.impulse;
-    sum[second].angular += moment(at.second_arm, at.impulse);
+    const auto at = pull(spring, motion[first], motion[second]);
+    add(as_first[first], at.force, -moment(at.first_arm, at.force));
+    add(as_second[second], at.force, moment(at.second_arm, at.force));
   }
-  return sum;
+  for (std::size_t body = 0; body < motion.size(); ++body) {
+    auto& sum = as_second[body];
+    const auto& first = as_first[body];
+    sum.linear -= first.linear, sum.force -= first.force, sum.linear_ahead -= first.linear_ahead;
+    sum.angular += first.angular, sum.torque += first.torque, sum.angular_ahead += first.angular_ahead;
+  }
+  return as_second;
 }
 
 /// Every number that a two-dimensional body has, by hand.
@@ -73,11 +82,14 @@ void step_by_hand(test::Network<2>& network, Real acting) {
     auto& inertia = network.bodies.inertia[body];
     const Real inverse_mass = 1 / inertia.mass;
     for (int i = 0; i < 2; ++i) {
+      motion.velocity_lead[i] = inverse_mass * (h * sum[body].force[i] - sum[body].linear_ahead[i]);
       motion.velocity[i] = motion.velocity[i] + inverse_mass * sum[body].linear[i];
       motion.position[i] = motion.position[i] + h * motion.velocity[i];
     }
     motion.angular_momentum[0] = motion.angular_momentum[0] + sum[body].angular[0];
     motion.spin[0] = inertia.inverse_moments[0] * motion.angular_momentum[0];
+    const Real lead = h * sum[body].torque[0] - sum[body].angular_ahead[0];
+    motion.spin_lead[0] = inertia.inverse_moments[0] * (motion.angular_momentum[0] + lead) - motion.spin[0];
     inertia.angle = inertia.angle + motion.spin[0] * h;
     const Real c = std::cos(inertia.angle), s = std::sin(inertia.angle);
     motion.rotation << c, -s, s, c;
@@ -122,6 +134,7 @@ TEST(leapfrog, one_level_in_space_is_the_step_by_hand_bit_for_bit) {
       auto& motion = by_hand.bodies.motion[body];
       const Real inverse_mass = 1 / by_hand.bodies.inertia[body].mass;
       for (int i = 0; i < 3; ++i) {
+        motion.velocity_lead[i] = inverse_mass * (h * sum[body].force[i] - sum[body].linear_ahead[i]);
         motion.velocity[i] = motion.velocity[i] + inverse_mass * sum[body].linear[i];
         motion.position[i] = motion.position[i] + h * motion.velocity[i];
       }

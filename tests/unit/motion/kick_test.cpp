@@ -61,51 +61,38 @@ TEST(kick, in_the_plane_too) {
   EXPECT_NEAR(energy(bodies) - before, work, 1e-14);
 }
 
-TEST(kick, an_impulse_that_comes_late_counts_from_its_own_moment) {
-  // Half a second late: the body is then where it would be had it been given in time.
-  auto late = moving_body(), in_time = moving_body();
-  const Vector3 linear(1, 2, 4);
-  constexpr Real lateness = 0.5;
-  state::Impulse<3> given;
-  given.linear = linear;
-  given.shift = lateness * linear;
-  kick<3>(late.motion[0], late.inertia[0], {}, given);
-  in_time.motion[0].position += lateness / 2.0 * linear;  // mass 2 kg
-  EXPECT_LT((late.motion[0].position - in_time.motion[0].position).norm(), 1e-15);
-}
-
-TEST(kick, a_late_pair_of_impulses_keeps_the_angular_momentum) {
-  // Impulses at two earlier moments at points of space; the arms are about where the body was drifting then.
+TEST(foresee, the_velocity_follows_the_forces_from_the_end_of_their_impulses) {
+  // Two constant forces since long ago; one has been given until 0.1 s after now, the other until 0.3 s before it.
   auto bodies = moving_body();
   auto& motion = bodies.motion[0];
-  const Real mass = bodies.inertia[0].mass;
-  const auto total = [&] { return Vector3(mass * motion.position.cross(motion.velocity) + motion.angular_momentum); };
-  Vector3 expected = total();
+  const Vector3 one(1, 2, 4), other(-3, 1, 0.5);
   state::Impulse<3> given;
-  for (const auto& [lateness, linear, point] :
-       {std::tuple(0.75, Vector3(1, 2, 4), Vector3(0.7, 2.1, 3.3)), std::tuple(0.25, Vector3(-3, 1, 0.5), Vector3(1.4, 2.2, 2.9))}) {
-    const Vector3 centre = motion.position - lateness * motion.velocity;
-    given.linear += linear;
-    given.shift += lateness * linear;
-    given.angular += (point - centre).cross(linear);
-    expected += point.cross(linear);
-  }
-  kick<3>(motion, bodies.inertia[0], {}, given);
-  EXPECT_LT((total() - expected).norm(), 1e-14 * expected.norm());
+  given.force = one + other;
+  given.linear_ahead = 0.1 * one - 0.3 * other;
+  const Vector3 now = motion.velocity - 0.5 * given.linear_ahead;  // mass 2 kg
+  foresee<3>(motion, bodies.inertia[0], {}, given, 0.4);
+  EXPECT_LT((motion.velocity + motion.velocity_lead - (now + 0.4 * 0.5 * (one + other))).norm(), 1e-15);
 }
 
-TEST(kick, a_late_angular_impulse_turns_the_body_for_the_time_it_was_late) {
+TEST(foresee, the_spin_follows_the_torques_likewise) {
   auto bodies = moving_body();
   auto& motion = bodies.motion[0];
-  motion.angular_momentum.setZero();
-  const Matrix3 before = motion.rotation;
-  const Vector3 angular = motion.rotation * Vector3(1e-3, 0, 0);  // about the first principal axis, 1 kg m2
+  motion.spin = spin_of(motion, bodies.inertia[0], {}, motion.angular_momentum);
+  const Vector3 torque = motion.rotation * Vector3(0, 4, 0);  // about the second principal axis, 2 kg m2
   state::Impulse<3> given;
-  given.angular = angular;
-  given.twist = 0.5 * angular;
-  kick<3>(motion, bodies.inertia[0], {}, given);
-  const Matrix3 expected = state::turn(angular, 0.5) * before;
-  EXPECT_LT((motion.rotation - expected).norm(), 1e-15);
+  given.torque = torque;
+  given.angular_ahead = 0.1 * torque;
+  foresee<3>(motion, bodies.inertia[0], {}, given, 0.4);
+  EXPECT_LT((motion.spin_lead - 0.3 * 0.5 * torque).norm(), 1e-15);
+}
+
+TEST(foresee, nothing_leads_along_locked_axes) {
+  auto bodies = moving_body();
+  state::Impulse<3> given;
+  given.force = {1, 2, 4};
+  foresee<3>(bodies.motion[0], bodies.inertia[0], {0b100, 0}, given, 0.4);
+  EXPECT_EQ(bodies.motion[0].velocity_lead.z(), 0);
+  EXPECT_GT(bodies.motion[0].velocity_lead.x(), 0);
 }
 
 TEST(drift, back_to_an_earlier_moment_is_where_the_body_was_then) {
@@ -120,6 +107,17 @@ TEST(drift, back_to_an_earlier_moment_is_where_the_body_was_then) {
   EXPECT_LT((motion.position - expected.position).norm(), 1e-15);
   EXPECT_LT((motion.rotation - expected.rotation).norm(), 1e-14);
   EXPECT_LT((bodies.inertia[0].orientation.toRotationMatrix() - motion.rotation).norm(), 1e-14);
+}
+
+TEST(drift, back_takes_the_lead_along) {
+  auto bodies = moving_body();
+  auto& motion = bodies.motion[0];
+  drift<3>(motion, bodies.inertia[0], {}, 16, 4.0);
+  motion.velocity_lead = {1, 0, 0};  // at tick 16; none in the middle of the step, at tick 8
+  motion.spin_lead = {0, 2, 0};
+  drift_back<3>(motion, bodies.inertia[0], Moment{12, 0.25});
+  EXPECT_EQ(motion.velocity_lead, Vector3(0.5, 0, 0));
+  EXPECT_EQ(motion.spin_lead, Vector3(0, 1, 0));
 }
 
 TEST(drift, there_and_back_is_the_beginning) {

@@ -19,8 +19,8 @@ state::Impulse<3> from_all_sides() {
   state::Impulse<3> given;
   given.linear = {1, 2, 4};
   given.angular = {-1, 0.5, 0.25};
-  given.shift = {0.1, 0.1, 0.1};
-  given.twist = {0.1, 0.1, 0.1};
+  given.force = given.linear_ahead = {0.1, 0.1, 0.1};
+  given.torque = given.angular_ahead = {0.1, 0.1, 0.1};
   return given;
 }
 
@@ -28,9 +28,11 @@ TEST(locks, an_impulse_loses_what_they_take_up) {
   state::Impulse<3> given = from_all_sides();
   clear_locked<3>(given, out_of_plane);
   EXPECT_EQ(given.linear, Vector3(1, 2, 0));
-  EXPECT_EQ(given.shift, Vector3(0.1, 0.1, 0));
+  EXPECT_EQ(given.force, Vector3(0.1, 0.1, 0));
+  EXPECT_EQ(given.linear_ahead, Vector3(0.1, 0.1, 0));
   EXPECT_EQ(given.angular, Vector3(0, 0, 0.25));
-  EXPECT_EQ(given.twist, Vector3(0, 0, 0.1));
+  EXPECT_EQ(given.torque, Vector3(0, 0, 0.1));
+  EXPECT_EQ(given.angular_ahead, Vector3(0, 0, 0.1));
 }
 
 TEST(locks, a_locked_body_keeps_its_plane_and_axis) {
@@ -61,9 +63,7 @@ TEST(locks, the_free_axis_answers_with_its_own_moment_of_inertia) {
 TEST(locks, the_impulse_times_the_mean_motion_is_still_the_energy_gained) {
   auto bodies = locked_body(out_of_plane);
   auto& motion = bodies.motion[0];
-  state::Impulse<3> given = from_all_sides();
-  given.shift.setZero();
-  given.twist.setZero();
+  const state::Impulse<3> given = from_all_sides();
   const auto mean = kick<3>(motion, bodies.inertia[0], out_of_plane, given);
   const Real gained = kinetic_energy<3>(motion, bodies.inertia[0], out_of_plane, motion.velocity, motion.angular_momentum);
   EXPECT_NEAR((state::Wrench<3>{given.linear, given.angular}.power(mean)), gained, 1e-14);

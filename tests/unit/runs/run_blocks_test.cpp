@@ -63,8 +63,8 @@ TEST_F(FinishedRun, ManifestHasTheNamesOfTheInterface) {
                 "broken_joints", "elements", "energy_boundary", "energy_contact_dashpot", "energy_elastic", "energy_fracture",
                 "energy_friction", "energy_joint_dashpot", "energy_kinetic", "energy_release", "energy_residual",
                 "energy_slip", "energy_work", "fragments", "joints", "kicks", "largest_fragment_volume",
-                "pair_evaluations", "peak_speed", "ppv", "smallest_step", "steps", "throw_max", "ticks", "wall_seconds",
-                "x50", "x80"}));
+                "pair_evaluations", "peak_speed", "ppv", "smallest_step", "steps", "throw_max", "ticks",
+                "uniform_evaluations", "wall_seconds", "x50", "x80"}));
   EXPECT_EQ(keys_of(manifest["results"]["ppv"]), (std::vector<std::string>{"G1", "G2"}));
   EXPECT_EQ(manifest["status"], "done");
   EXPECT_EQ(manifest["case"], "Small block");

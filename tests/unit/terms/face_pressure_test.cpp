@@ -91,11 +91,8 @@ TEST(face_pressure, never_cut_unless_asked) {
 TEST(face_pressure, books_the_work_at_the_mean_motion_of_the_kick) {
   PressedBody pressed(constant(1e6));
   pressed.force();
-  const std::vector<Index> which{0};
-  const std::vector<Tick> previous{0};
-  const std::vector<MeanMotion<3>> mean{{Vector3(-2, 0, 0), Vector3::Zero()}};
-  pressed.pressure.book(which, previous, mean);
-  EXPECT_NEAR(pressed.probe.ledger()[Account::work], 0.5e6 * 2, 1e-6);
+  const MeanMotion<3> mean{Vector3(-2, 0, 0), Vector3::Zero()};
+  EXPECT_NEAR(pressed.probe.work(0, mean)[static_cast<std::size_t>(Cause::load)], 0.5e6 * 2, 1e-6);
 }
 
 }  // namespace

@@ -50,8 +50,9 @@ Real contact_error() {
   for (const Real overlap : {1e-9, 1e-7, 1e-5, 1e-3}) {
     laws::SphereMotion at;
     at.overlap = overlap;
-    at.shared_step = 1;
-    const Real force = laws::sphere_force(law, at).elastic;
+    at.step = 1;
+    laws::SphereMemory memory;
+    const Real force = laws::sphere_force(law, at, memory).elastic;
     const Real derivative = slope([&](Real d) { return laws::sphere_energy(law, d); }, overlap, 1e-3 * overlap);
     worst = std::max(worst, std::abs(derivative - force) / force);
   }

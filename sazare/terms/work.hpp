@@ -1,0 +1,78 @@
+#pragma once
+
+/// Work that is known from impulses: an impulse times the mean motion of its body over the kick is exactly the work done.
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+
+#include "sazare/state/impulse.hpp"
+#include "sazare/terms/ledger.hpp"
+
+namespace sazare::terms {
+
+/// Where the work of a part of a force goes.
+enum class Cause : std::uint8_t { load, joint_dashpot, contact_dashpot, friction, boundary };
+
+inline constexpr std::size_t cause_count = 5;
+
+/// Work on a body by cause [J].
+using CauseWork = std::array<Real, cause_count>;
+
+/// Books work on the bodies: that of loads comes in, all other is taken from them.
+inline void book(Cause cause, Real work, Ledger& ledger) {
+  switch (cause) {
+    case Cause::load: ledger[Account::work] += work; break;
+    case Cause::joint_dashpot: ledger[Account::joint_dashpot] -= work; break;
+    case Cause::contact_dashpot: ledger[Account::contact_dashpot] -= work; break;
+    case Cause::friction: ledger[Account::friction] -= work; break;
+    case Cause::boundary: ledger[Account::boundary] -= work; break;
+  }
+}
+
+/// Bodies that are kicked together; what they gather stays in the first-level cache.
+inline constexpr std::size_t chunk_size = 64;
+
+/// Impulses by cause that the bodies of a chunk receive, until their mean motion is known.
+template <int D>
+class CauseImpulses {
+ public:
+  void clear() { received_.fill(0); }
+
+  /// Adds force and moment, given as neighbouring numbers.
+  template <class Numbers>
+  void add(Cause cause, std::size_t place, const Numbers& impulse) {
+    static_assert(sizeof(Numbers) <= sizeof(Record));
+    const auto c = static_cast<std::size_t>(cause);
+    Record& record = impulse_[c][place];
+    Numbers sum = impulse;
+    if (received_[place] >> c & 1) {
+      std::memcpy(&sum, record.numbers.data(), sizeof(sum));
+      sum += impulse;
+    }
+    std::memcpy(record.numbers.data(), &sum, sizeof(sum));
+    received_[place] = static_cast<std::uint8_t>(received_[place] | 1U << c);
+  }
+
+  /// Adds the work of all that one body has received.
+  void book(std::size_t place, const state::MeanMotion<D>& mean, CauseWork& work) const {
+    for (std::size_t c = 0; c < cause_count; ++c)
+      if (received_[place] >> c & 1) work[c] += impulse_[c][place].power(mean);
+  }
+
+ private:
+  struct alignas(64) Record {
+    std::array<Real, 8> numbers;  ///< force, then moment
+
+    Real power(const state::MeanMotion<D>& mean) const {
+      const Eigen::Map<const Vector<D>> linear(numbers.data());
+      const Eigen::Map<const Angular<D>> angular(numbers.data() + D);
+      return linear.dot(mean.velocity) + angular.dot(mean.spin);
+    }
+  };
+
+  std::array<std::array<Record, chunk_size>, cause_count> impulse_;
+  std::array<std::uint8_t, chunk_size> received_{};
+};
+
+}  // namespace sazare::terms
