@@ -9,7 +9,7 @@ namespace {
 using namespace sazare;
 
 constexpr Real end = 1.28;
-constexpr int coarse_steps = 1024;
+constexpr int coarse_steps = 256;
 
 enum class Levels { one, mixed };
 
@@ -47,7 +47,7 @@ Real distance(const engine::Snapshot<D>& a, const engine::Snapshot<D>& b) {
 
 template <int D>
 Real observed_order(Levels levels, Damping damping = {}) {
-  const auto exact = state_at_end<D>(Levels::one, damping, 32 * coarse_steps);
+  const auto exact = state_at_end<D>(Levels::one, damping, 256 * coarse_steps);
   const Real coarse = distance(state_at_end<D>(levels, damping, coarse_steps), exact);
   const Real fine = distance(state_at_end<D>(levels, damping, 2 * coarse_steps), exact);
   return std::log2(coarse / fine);
