@@ -171,8 +171,8 @@ constexpr std::array contact_keys{
         .type = Type::choice,
         .default_text = "\"step\"",
         .sentence =
-            "How far a dashpot too stiff for the masses is trusted: literal as given, at most critical, or "
-            "at most what half stops the pair within a step.",
+            "How a dashpot too stiff for the masses acts: literal as given, at most critical, or built up over "
+            "the steps as fast as they bear.",
         .choices = damping_caps},
     Key{.name = "edge_division",
         .type = Type::integer,
@@ -319,7 +319,8 @@ constexpr std::array time_keys{
         .range = {.low = 0, .high = 1, .low_open = true},
         .default_text = "0.5",
         .sentence =
-            "Step of an element over the limit of its own springs and dashpots with its neighbours held."},
+            "Step of an element over the limit of its own springs and dashpots with its neighbours held; up to "
+            "0.5 is stable whatever the neighbours do."},
     Key{.name = "travel_length",
         .type = Type::number,
         .unit = "m",
