@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "sazare/geometry/tetrahedron.hpp"
+#include "sazare/methods/blocks/coupled_rates.hpp"
 #include "sazare/runs/base_step.hpp"
 #include "sazare/runs/blocks_parts.hpp"
 #include "sazare/terms/gravity.hpp"
@@ -62,6 +63,8 @@ BlocksModel build_blocks(const cases::BlocksCase& blocks, geometry::TetraMesh me
   const std::vector<Index> joint_of_face = joint_by_face(blocks, faces, model.material);
   auto joint_faces = make_joint_faces(blocks, faces, joint_of_face);
   auto joint_rates = methods::blocks::joint_rates(kinds, joint_faces, bodies);
+  const Real coupling = methods::blocks::coupled_damping(kinds, joint_faces, bodies, joint_rates);
+  for (terms::Rates& rates : joint_rates) rates.damping *= coupling / 2;
   std::vector<Real> steps;
   for (const terms::Rates& rates : joint_rates) steps.push_back(blocks.time.stability_fraction * engine::stable_step(rates));
   const Real base_step = blocks.time.base_step.value_or(choose_base_step(steps, joint_faces, blocks.time.history_interval));

@@ -47,14 +47,14 @@ struct alignas(64) Slot {
   std::array<PairForce<D>, Parts> part;
   Real acting = 0;      ///< time for which the force was given at the last evaluation [s]
   Real ahead = 0;       ///< how much of the time given until then lies after that evaluation [s]
-  Tick evaluated = -1;  ///< tick of the last evaluation
+  Real evaluated = -1;  ///< tick of the last evaluation; a double, for gathers, and exact far beyond the longest run
 };
 
 /// Writes what an evaluation has found.
 template <int D, int Parts>
 void write(Slot<D, Parts>& slot, const Moment& now, const Due& due, const PairForce<D>& total,
            const std::array<PairForce<D>, Parts>& part) {
-  slot = {total, part, due.acting, due.ahead, now.tick};
+  slot = {total, part, due.acting, due.ahead, static_cast<Real>(now.tick)};
 }
 
 }  // namespace sazare::terms

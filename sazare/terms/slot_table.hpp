@@ -89,12 +89,13 @@ struct SideSums {
     return read;
   }
 
-  void add(const Slot<D, Parts>& slot, int side, Tick last_kick, const Moment& now) {
-    const Real acting = slot.evaluated > last_kick ? slot.acting : 0;
-    const Wide<D> acts = read(slot.total, side);
+  /// All in registers and without branches: at a mix of levels no processor guesses which slots are new.
+  void add(const Slot<D, Parts>& slot, int side, Real last_kick, Real now, Real tick_seconds) {
+    const Wide<D> acts = read(slot.total, side), evaluated = Wide<D>{} + slot.evaluated;
+    const Wide<D> acting = evaluated > last_kick ? Wide<D>{} + slot.acting : Wide<D>{};
     given += acting * acts;
     force += acts;
-    ahead += (slot.ahead - now.seconds_since(slot.evaluated)) * acts;
+    ahead += (slot.ahead - (now - evaluated) * tick_seconds) * acts;
     for (std::size_t p = 0; p < Parts; ++p) part[p] += acting * read(slot.part[p], side);
   }
 };
@@ -135,9 +136,10 @@ struct SlotTable {
     const auto sides = incidence.of(body);
     if (sides.empty()) return;
     SideSums<D, Parts> first, second;
+    const auto kicked = static_cast<Real>(last_kick), tick = static_cast<Real>(now.tick);
     auto at = sides.begin();
-    for (; at != sides.end() && at->side == 1; ++at) second.add((*this)[at->slot], 1, last_kick, now);
-    for (; at != sides.end(); ++at) first.add((*this)[at->slot], 0, last_kick, now);
+    for (; at != sides.end() && at->side == 1; ++at) second.add((*this)[at->slot], 1, kicked, tick, now.tick_seconds);
+    for (; at != sides.end(); ++at) first.add((*this)[at->slot], 0, kicked, tick, now.tick_seconds);
     add_to<D>(sum.linear, join(first.given, second.given));
     add_to<D>(sum.force, join(first.force, second.force));
     add_to<D>(sum.linear_ahead, join(first.ahead, second.ahead));

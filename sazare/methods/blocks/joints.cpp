@@ -124,7 +124,7 @@ void Joints::write_slots(const Moment& now, std::span<const Due> due, const Join
                      t.slave_moment[0], t.slave_moment[1], t.slave_moment[2],
                      d.master_moment[0], d.master_moment[1], d.master_moment[2], d.linear[0], d.linear[1], d.linear[2],
                      d.slave_moment[0], d.slave_moment[1], d.slave_moment[2],
-                     acting, ahead, reinterpret_cast<Lanes>(LongLanes{} + now.tick), Lanes{}, Lanes{}, Lanes{}},
+                     acting, ahead, broadcast(static_cast<Real>(now.tick)), Lanes{}, Lanes{}, Lanes{}},
                     slots, static_cast<int>(due.size()));
 }
 
@@ -182,7 +182,10 @@ void Joints::update_rates(Index body, const state::Bodies<3>& bodies) {
       const JointRecord& joint = records_[at(number)];
       add_face(matrices, face_springs(joint, kinds_[at(joint.kind)], joint.master == body));
     }
-  rates_[at(body)] = largest_rates(matrices, bodies.inertia[at(body)], bodies.start_rotation[at(body)], bodies.locks[at(body)]);
+  const terms::Rates held =
+      largest_rates(matrices, bodies.inertia[at(body)], bodies.start_rotation[at(body)], bodies.locks[at(body)]);
+  auto& rates = rates_[at(body)];
+  rates = {std::min(rates.stiffness, held.stiffness), std::min(rates.damping, held.damping)};
 }
 
 namespace {
