@@ -69,6 +69,10 @@ SAZARE_HIDE_FORK void fork(Work* work, int parts) {
 
 void set_threads(int count) { chosen_threads = std::max(count, 0); }
 
+void limit_threads(int most) {
+  if (chosen_threads == 0) chosen_threads = std::clamp(most, 1, omp_get_max_threads());
+}
+
 int threads() {
   const int chosen = chosen_threads;
   return chosen > 0 ? chosen : omp_get_max_threads();

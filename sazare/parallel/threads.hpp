@@ -8,6 +8,9 @@ namespace sazare::parallel {
 /// Sets the number of threads of parallel_for; 0 or less: as many as the machine (or OMP_NUM_THREADS) offers.
 void set_threads(int count);
 
+/// Lets parallel_for use so many threads at most (at least one), unless a number was set.
+void limit_threads(int most);
+
 /// The number of threads that parallel_for uses.
 int threads();
 

@@ -121,5 +121,14 @@ TEST_F(Threads, constant_function_objects_will_do) {
   EXPECT_EQ(seen, std::vector<char>(10, 1));
 }
 
+TEST_F(Threads, a_limit_holds_unless_a_number_was_set) {
+  set_threads(3);
+  limit_threads(1);
+  EXPECT_EQ(threads(), 3);
+  set_threads(0);
+  limit_threads(0);
+  EXPECT_EQ(threads(), 1);
+}
+
 }  // namespace
 }  // namespace sazare::parallel
