@@ -319,8 +319,8 @@ constexpr std::array time_keys{
         .range = {.low = 0, .high = 1, .low_open = true},
         .default_text = "0.5",
         .sentence =
-            "Step of an element over the limit of its own springs and dashpots with its neighbours held; up to "
-            "0.5 is stable whatever the neighbours do."},
+            "Step of an element over the limit of its own springs and dashpots with its neighbours held; 0.5 "
+            "allows for neighbours that move as well."},
     Key{.name = "travel_length",
         .type = Type::number,
         .unit = "m",
