@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <new>
 
 #include "apps/sazare/commands.hpp"
@@ -75,8 +76,10 @@ int fail(const std::string& kind, const std::string& what, int exit_code) {
 /// where other programs want the processors. It reads this before main, so the program begins anew.
 void spin_briefly(char** argv) {
   if (std::getenv("OMP_WAIT_POLICY") != nullptr || std::getenv("GOMP_SPINCOUNT") != nullptr) return;
+  std::error_code unknown;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
   setenv("GOMP_SPINCOUNT", "10000", 1);
-  execv("/proc/self/exe", argv);  // where it fails, all is as it was
+  if (!unknown) execv(program.c_str(), argv);  // where it fails, all is as it was
 }
 
 }  // namespace

@@ -13,8 +13,8 @@
 ///     D = E - c' v_n     dE/dt = -s v_n - s E/(c - c')      c' = min(c, m/(4 n h))     s = m/(16 n h^2)
 ///     T = S - c' v_t     dS/dt = -s v_t                     |S|, |T| <= mu N
 ///
-/// m is the mass that the two bodies show at the point, n the number of contacts that share it. For slow motion D = -c v_n
-/// and T is Coulomb's friction, with an error of order h^2. So it is for the cap `step`; `critical` keeps c under critical
+/// m is the mass that the two bodies show at the point, n the number of contacts that share it; three heavy bodies at a time
+/// may touch a light one before the step bears no more. For slow motion D = -c v_n and T is Coulomb's friction, with an error of order h^2. So it is for the cap `step`; `critical` keeps c under critical
 /// damping instead, and `literal` takes c as it is.
 
 #include <algorithm>

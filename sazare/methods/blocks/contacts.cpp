@@ -193,12 +193,13 @@ void Contacts::search(std::span<const Index> which, bool may_end, const Moment& 
   for (const Index body : which) surface_.place(body, state::pose_at(bodies.motion[at(body)], now));
   for (const Index body : which) {
     auto found = surface_.search(body, [&](Index partner) { return joints_->bonded(body, partner); });
-    merge(body, std::move(found), may_end, changes);
+    merge(body, std::move(found), may_end, now, bodies, changes);
   }
 }
 
 /// Brings the pairs of a body up to what has been found near it; both lists rise by partner.
-void Contacts::merge(Index body, std::vector<NearPair> found, bool may_end, terms::Changes& changes) {
+void Contacts::merge(Index body, std::vector<NearPair> found, bool may_end, const Moment& now, const state::Bodies<3>& bodies,
+                     terms::Changes& changes) {
   const auto listed = table_.incidence.of(body);
   std::vector<Index> gone;
   for (const terms::SlotSide side : listed) {
@@ -211,6 +212,7 @@ void Contacts::merge(Index body, std::vector<NearPair> found, bool may_end, term
       changes.stiffer.insert(changes.stiffer.end(), {link.first, link.second});
   }
   for (NearPair& near : found) {
+    rest_where_they_are(near, now, bodies);
     const Index pair = pair_of(near.first, near.second);
     if (pair < 0) {
       begin_pair(std::move(near), changes);
@@ -224,6 +226,13 @@ void Contacts::merge(Index body, std::vector<NearPair> found, bool may_end, term
   }
   if (!may_end) return;
   for (const Index pair : gone) end_pair(pair, changes);
+}
+
+/// The search knows where the partner was when it was last searched; the overlap that gives no force is the present one.
+void Contacts::rest_where_they_are(NearPair& near, const Moment& now, const state::Bodies<3>& bodies) const {
+  const auto first = state::pose_at(bodies.motion[at(near.first)], now), second = state::pose_at(bodies.motion[at(near.second)], now);
+  for (SpherePair& pair : near.spheres)
+    pair.rest = std::max(touch(surface_.sphere(pair.first), surface_.sphere(pair.second), first, second).overlap, Real{0});
 }
 
 Index Contacts::pair_of(Index first, Index second) const {

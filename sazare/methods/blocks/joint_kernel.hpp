@@ -26,8 +26,8 @@ struct LaneBodies {
 inline LaneBodies load_bodies(const LanePointers<const state::Motion<3>>& bodies) {
   const auto f = load_records<24>(bodies);
   return {{{f[0], f[1], f[2]}},
-          {{f[12] + f[18], f[13] + f[19], f[14] + f[20]}},
-          {{f[15] + f[21], f[16] + f[22], f[17] + f[23]}},
+          {{f[12], f[13], f[14]}},
+          {{f[15], f[16], f[17]}},
           {{LaneVector{{f[3], f[4], f[5]}}, LaneVector{{f[6], f[7], f[8]}}, LaneVector{{f[9], f[10], f[11]}}}}};
 }
 
