@@ -16,6 +16,8 @@ template <int D>
 LevelKeeper<D>::LevelKeeper(const StepRules& rules, const TermList<D>& terms, const state::Bodies<D>& bodies)
     : rules_(rules), clocks_(terms.size()), resting_(terms.size()), links_(at(bodies.size())), level_(at(bodies.size()), 0), by_rates_(at(bodies.size())),
       asked_(at(bodies.size()), -1), terms_(&terms) {
+  for (int level = 0; level < schedule::level_count; ++level)
+    steps_[static_cast<std::size_t>(level)] = rules_.base_step / static_cast<Real>(Tick{1} << level);
   for (Index body = 0; body < bodies.size(); ++body) {
     by_rates_[at(body)] = static_cast<std::int8_t>(wanted_by_rates(body));
     paces_.insert(body, 0);
@@ -205,8 +207,7 @@ void LevelKeeper<D>::refine_asked() {
 template <int D>
 int LevelKeeper<D>::level_for_speed(Index body, Real speed) const {
   int level = level_[at(body)];
-  const Real longest = travel_step(speed, rules_.travel_length);
-  while (level < schedule::deepest_level && step(level) > longest) ++level;
+  while (level < schedule::deepest_level && step(level) * speed > rules_.travel_length) ++level;
   return level;
 }
 

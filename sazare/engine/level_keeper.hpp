@@ -8,6 +8,7 @@
 /// of levels, which it does not where coarse bodies collect impulses until their own time.
 /// A level is refined at any tick, and coarsened only at base steps, where every coarser step is in phase.
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -37,7 +38,7 @@ class LevelKeeper {
   int level(Index body) const { return level_[static_cast<std::size_t>(body)]; }
   int pace(Index body) const { return paces_.level(body); }
   int finest() const { return paces_.finest(); }
-  Real step(int level) const { return rules_.base_step / static_cast<Real>(Tick{1} << level); }
+  Real step(int level) const { return steps_[static_cast<std::size_t>(level)]; }
   std::span<const Index> bodies_at_pace(int level) const { return paces_.at(level); }
   schedule::LinkClock& clock(std::size_t term) { return clocks_[term]; }
 
@@ -74,6 +75,7 @@ class LevelKeeper {
   void spread(std::vector<std::int8_t>& wanted) const;
 
   StepRules rules_;
+  std::array<Real, schedule::level_count> steps_{};  ///< by level [s]
   schedule::Buckets paces_;                       ///< bodies by the level at which they are kicked
   std::vector<schedule::LinkClock> clocks_;       ///< by term
   std::vector<std::vector<std::int8_t>> resting_;  ///< by term and link; shorter than there are links

@@ -31,6 +31,10 @@ Simulation<D>::Simulation(state::Bodies<D> bodies, TermList<D> terms, const Step
   for (const auto& term : terms_) times_.push_back({std::string(term->name()), 0});
   times_.push_back({"bodies", 0});
   times_.push_back({"schedule", 0});
+  for (auto& motion : bodies_.motion) {
+    motion.foreseen_velocity = motion.velocity;
+    motion.foreseen_spin = motion.spin;
+  }
   for (Index body = 0; body < bodies_.size(); ++body)
     kinetic_at_start_ += motion::kinetic_energy(bodies_.motion[at(body)], bodies_.inertia[at(body)], bodies_.locks[at(body)],
                                                 bodies_.motion[at(body)].velocity, bodies_.motion[at(body)].angular_momentum);

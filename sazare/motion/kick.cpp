@@ -92,9 +92,9 @@ template <int D>
 void foresee(state::Motion<D>& motion, const state::Inertia<D>& inertia, state::Locks locks,
              state::Impulse<D> given, Real seconds) {
   clear_locked(given, locks);
-  motion.velocity_lead = (1 / inertia.mass) * (seconds * given.force - given.linear_ahead);
+  motion.foreseen_velocity = motion.velocity + (1 / inertia.mass) * (seconds * given.force - given.linear_ahead);
   const Angular<D> lead = seconds * given.torque - given.angular_ahead;
-  motion.spin_lead = spin_of(motion, inertia, locks, motion.angular_momentum + lead) - motion.spin;
+  motion.foreseen_spin = spin_of(motion, inertia, locks, motion.angular_momentum + lead);
 }
 
 template <>
@@ -122,10 +122,10 @@ void drift_back(state::Motion<D>& motion, state::Inertia<D>& inertia, const Mome
   const Real seconds = now.seconds_since(motion.due);
   motion.position += seconds * motion.velocity;
   rotate(motion, inertia, seconds);
-  // As if the velocity changed evenly: no lead in the middle of the step.
+  // As if the velocity changed evenly: in the middle of the step it is the mean.
   const Real kept = 1 - 2 * static_cast<Real>(motion.due - now.tick) / static_cast<Real>(motion.due - motion.last_kick);
-  motion.velocity_lead *= kept;
-  motion.spin_lead *= kept;
+  motion.foreseen_velocity = motion.velocity + kept * (motion.foreseen_velocity - motion.velocity);
+  motion.foreseen_spin = motion.spin + kept * (motion.foreseen_spin - motion.spin);
   motion.due = now.tick;
 }
 

@@ -21,7 +21,7 @@ void step_one(state::Bodies<D>& bodies, Index body, const state::Impulse<D>& giv
 
 /// Bodies in lanes, with all that their step changes.
 struct LaneState {
-  LaneVector position, velocity, spin, velocity_lead, spin_lead, angular_momentum;
+  LaneVector position, velocity, spin, foreseen_velocity, foreseen_spin, angular_momentum;
   LaneMatrix rotation;
   Lanes w, x, y, z;  ///< orientation
   LaneVector inverse_moments;
@@ -72,9 +72,9 @@ void drift(LaneState& body, Lanes seconds) {
 }
 
 void foresee(LaneState& body, const LaneImpulse& given, Lanes seconds) {
-  body.velocity_lead = (1.0 / body.mass) * (seconds * given.force - given.linear_ahead);
+  body.foreseen_velocity = body.velocity + (1.0 / body.mass) * (seconds * given.force - given.linear_ahead);
   const LaneVector lead = seconds * given.torque - given.angular_ahead;
-  body.spin_lead = inverse_inertia(body, body.angular_momentum + lead) - body.spin;
+  body.foreseen_spin = inverse_inertia(body, body.angular_momentum + lead);
 }
 
 /// Bodies whose rotation is free, one per lane; lanes beyond `count` repeat the first and are not written back.
@@ -85,9 +85,9 @@ struct Batch {
 };
 
 LaneState load(const LanePointers<state::Motion<3>>& motions, const LanePointers<state::Inertia<3>>& inertias) {
-  const auto m = load_records<32>(motions);
+  const auto m = load_records<24>(motions);
   const auto i = load_records<8>(inertias);
-  return {{{m[0], m[1], m[2]}}, {{m[12], m[13], m[14]}}, {}, {}, {}, {{m[24], m[25], m[26]}},
+  return {{{m[0], m[1], m[2]}}, {{m[18], m[19], m[20]}}, {}, {}, {}, {{m[21], m[22], m[23]}},
           {{LaneVector{{m[3], m[4], m[5]}}, LaneVector{{m[6], m[7], m[8]}}, LaneVector{{m[9], m[10], m[11]}}}},
           i[3], i[0], i[1], i[2], {{i[4], i[5], i[6]}}, i[7]};
 }
@@ -95,10 +95,10 @@ LaneState load(const LanePointers<state::Motion<3>>& motions, const LanePointers
 void store(const LaneState& body, const LongLanes& kicked, const LongLanes& due, int count,
            const LanePointers<state::Motion<3>>& motions, const LanePointers<state::Inertia<3>>& inertias) {
   const LaneVector &p = body.position, &v = body.velocity, &s = body.spin, &l = body.angular_momentum;
-  const LaneVector &u = body.velocity_lead, &t = body.spin_lead;
+  const LaneVector &u = body.foreseen_velocity, &t = body.foreseen_spin;
   const LaneMatrix& r = body.rotation;
   store_records<32>({p[0], p[1], p[2], r[0][0], r[0][1], r[0][2], r[1][0], r[1][1], r[1][2], r[2][0], r[2][1], r[2][2],
-                     v[0], v[1], v[2], s[0], s[1], s[2], u[0], u[1], u[2], t[0], t[1], t[2], l[0], l[1], l[2],
+                     u[0], u[1], u[2], t[0], t[1], t[2], v[0], v[1], v[2], l[0], l[1], l[2], s[0], s[1], s[2],
                      reinterpret_cast<Lanes>(kicked), reinterpret_cast<Lanes>(due), Lanes{}, Lanes{}, Lanes{}},
                     motions, count);
   const LaneVector& i = body.inverse_moments;

@@ -2,8 +2,8 @@
 
 /// Everything that moves, as records in columns; no behaviour. A body's number is its place and never changes.
 ///
-/// `Motion` begins with what every force needs of a body, in three cache lines, because forces gather bodies in any order.
-/// What only the body's own kick needs follows, and stands apart in `Inertia`.
+/// `Motion` begins with what forces and kicks need of a body, in three cache lines, because forces gather bodies in any
+/// order. What only the body's own kick needs follows, and stands apart in `Inertia`.
 
 #include <cstdint>
 #include <vector>
@@ -18,18 +18,16 @@ template <int D>
 struct alignas(64) Motion {
   Vector<D> position;      ///< centre of mass at `due` [m]
   Rotation<D> rotation;    ///< body frame to world, at `due`
-  Vector<D> velocity;      ///< constant from `last_kick` to `due` [m/s]
-  Angular<D> spin;         ///< angular velocity from `last_kick` to `due` [rad/s]
-  Vector<D> velocity_lead = Vector<D>::Zero();  ///< to be added to have the velocity at `due` [m/s]
-  Angular<D> spin_lead = Angular<D>::Zero();    ///< to be added to have the angular velocity at `due` [rad/s]
-  Angular<D> angular_momentum;  ///< [kg m2/s]
+  Vector<D> foreseen_velocity;   ///< at `due` [m/s]
+  Angular<D> foreseen_spin;      ///< at `due` [rad/s]
+  Vector<D> velocity;            ///< constant from `last_kick` to `due` [m/s]
+  Angular<D> angular_momentum;   ///< [kg m2/s]
+  Angular<D> spin;               ///< angular velocity from `last_kick` to `due` [rad/s]
   Tick last_kick = -1;
   Tick due = 0;
 
   /// Velocity at `due` of a point of the body, an arm from its centre [m/s].
-  Vector<D> velocity_at(const Vector<D>& arm) const {
-    return velocity + velocity_lead + turned(Angular<D>(spin + spin_lead), arm);
-  }
+  Vector<D> velocity_at(const Vector<D>& arm) const { return foreseen_velocity + turned(foreseen_spin, arm); }
 };
 
 /// Axes along or about which a body may not move.

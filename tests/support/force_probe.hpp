@@ -22,6 +22,8 @@ class ForceProbe {
     for (Index body = 0; body < bodies_.size(); ++body) {
       auto& motion = bodies_.motion[static_cast<std::size_t>(body)];
       motion.due = now.tick;
+      motion.foreseen_velocity = motion.velocity;
+      motion.foreseen_spin = motion.spin;
       motion.last_kick = now.tick - 1;
       all.push_back(body);
     }

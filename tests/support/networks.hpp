@@ -56,6 +56,8 @@ Network<D> ladder() {
     motion.velocity = vector_of<D>(0.1 * body - 0.2, 0.1 - 0.05 * body, 0.05 * body);
     motion.angular_momentum.setConstant(0.005 * (body - 2));
     motion.spin = motion::spin_of(motion, made.bodies.inertia[static_cast<std::size_t>(body)], {}, motion.angular_momentum);
+    motion.foreseen_velocity = motion.velocity;
+    motion.foreseen_spin = motion.spin;
   }
   const auto join = [&](Index first, Index second, Real stiffness) {
     terms::Spring<D> spring;

@@ -82,14 +82,15 @@ void step_by_hand(test::Network<2>& network, Real acting) {
     auto& inertia = network.bodies.inertia[body];
     const Real inverse_mass = 1 / inertia.mass;
     for (int i = 0; i < 2; ++i) {
-      motion.velocity_lead[i] = inverse_mass * (h * sum[body].force[i] - sum[body].linear_ahead[i]);
       motion.velocity[i] = motion.velocity[i] + inverse_mass * sum[body].linear[i];
+      motion.foreseen_velocity[i] =
+          motion.velocity[i] + inverse_mass * (h * sum[body].force[i] - sum[body].linear_ahead[i]);
       motion.position[i] = motion.position[i] + h * motion.velocity[i];
     }
     motion.angular_momentum[0] = motion.angular_momentum[0] + sum[body].angular[0];
     motion.spin[0] = inertia.inverse_moments[0] * motion.angular_momentum[0];
     const Real lead = h * sum[body].torque[0] - sum[body].angular_ahead[0];
-    motion.spin_lead[0] = inertia.inverse_moments[0] * (motion.angular_momentum[0] + lead) - motion.spin[0];
+    motion.foreseen_spin[0] = inertia.inverse_moments[0] * (motion.angular_momentum[0] + lead);
     inertia.angle = inertia.angle + motion.spin[0] * h;
     const Real c = std::cos(inertia.angle), s = std::sin(inertia.angle);
     motion.rotation << c, -s, s, c;
@@ -124,7 +125,11 @@ TEST(leapfrog, one_level_in_space_is_the_step_by_hand_bit_for_bit) {
     spring.first_arm.setZero();
     spring.second_arm.setZero();
   }
-  for (auto& motion : by_hand.bodies.motion) motion.angular_momentum.setZero();
+  for (auto& motion : by_hand.bodies.motion) {
+    motion.angular_momentum.setZero();
+    motion.spin.setZero();
+    motion.foreseen_spin.setZero();
+  }
   auto simulation = by_hand.simulation(one_level());
   simulation.start();
   for (int step = 0; step < steps; ++step) {
@@ -134,8 +139,9 @@ TEST(leapfrog, one_level_in_space_is_the_step_by_hand_bit_for_bit) {
       auto& motion = by_hand.bodies.motion[body];
       const Real inverse_mass = 1 / by_hand.bodies.inertia[body].mass;
       for (int i = 0; i < 3; ++i) {
-        motion.velocity_lead[i] = inverse_mass * (h * sum[body].force[i] - sum[body].linear_ahead[i]);
         motion.velocity[i] = motion.velocity[i] + inverse_mass * sum[body].linear[i];
+        motion.foreseen_velocity[i] =
+            motion.velocity[i] + inverse_mass * (h * sum[body].force[i] - sum[body].linear_ahead[i]);
         motion.position[i] = motion.position[i] + h * motion.velocity[i];
       }
     }
