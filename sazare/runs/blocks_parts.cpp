@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sazare/core/error.hpp"
 #include "sazare/geometry/tetrahedron.hpp"
@@ -123,8 +124,15 @@ std::vector<methods::blocks::JointFace> make_joint_faces(const cases::BlocksCase
     const Index entry = joint_of_face[face];
     if (entry < 0 || !blocks.joints[at(entry)].bonded) continue;
     const auto& shared = faces.map.interior[face];
-    made.push_back({shared.element_i, shared.element_j, entry, shared.face_i, shared.face_j,
-                    face_corners(faces.mesh, shared.nodes)});
+    methods::blocks::JointFace bonded{shared.element_i, shared.element_j, entry, shared.face_i, shared.face_j,
+                                      face_corners(faces.mesh, shared.nodes)};
+    // The master is the one that comes first in the file, however elements are sorted in memory.
+    if (element_tag(faces.mesh, bonded.slave) < element_tag(faces.mesh, bonded.master)) {
+      std::swap(bonded.master, bonded.slave);
+      std::swap(bonded.master_face, bonded.slave_face);
+      std::swap(bonded.corners[1], bonded.corners[2]);  // counter-clockwise from the other side
+    }
+    made.push_back(bonded);
   }
   return made;
 }

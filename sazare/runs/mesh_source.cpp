@@ -1,5 +1,6 @@
 #include "sazare/runs/mesh_source.hpp"
 
+#include "sazare/geometry/element_order.hpp"
 #include "sazare/geometry/face_map.hpp"
 #include "sazare/geometry/gmsh_mesher.hpp"
 #include "sazare/geometry/gmsh_reader.hpp"
@@ -26,6 +27,7 @@ geometry::TetraMesh load_mesh(const cases::CaseFile& file, const std::filesystem
     geometry::mesh_geometry({mesh.file, made, mesh.parameters, mesh.size_factor});
   geometry::TetraMesh loaded = geometry::read_gmsh(mesh.is_geometry() ? made : mesh.file, mesh.scale);
   check_against_mesh(file, groups_of(loaded));
+  geometry::sort_along_curve(loaded);
   return loaded;
 }
 
