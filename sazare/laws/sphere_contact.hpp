@@ -14,8 +14,9 @@
 ///     T = S - c' v_t     dS/dt = -s v_t                     |S|, |T| <= mu N
 ///
 /// m is the mass that the two bodies show at the point, n the number of contacts that share it; three heavy bodies at a time
-/// may touch a light one before the step bears no more. For slow motion D = -c v_n and T is Coulomb's friction, with an error of order h^2. So it is for the cap `step`; `critical` keeps c under critical
-/// damping instead, and `literal` takes c as it is.
+/// may touch a light one before the step bears no more. For slow motion D = -c v_n and T is Coulomb's friction, with an
+/// error of order h^2. So it is for the cap `step`; `critical` keeps c under critical damping instead, and `literal` takes c
+/// as it is.
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +76,8 @@ inline SphereForce sphere_force(const SphereContact& law, const SphereMotion& at
   force.elastic = law.stiffness * at.overlap;
   if (damping > direct) {
     const Real spring = stiffness * at.normal_mass * at.elapsed;
-    memory.dashpot = std::max((memory.dashpot - spring * at.opening_speed) / (1 + spring / (damping - direct)), -force.elastic);
+    const Real leak = 1 + spring / (damping - direct);
+    memory.dashpot = std::max((memory.dashpot - spring * at.opening_speed) / leak, -force.elastic);
   }
   force.dashpot = std::max(memory.dashpot - direct * at.opening_speed, -force.elastic);
   const Real most = law.friction * (force.elastic + force.dashpot);

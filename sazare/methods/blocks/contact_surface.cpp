@@ -47,8 +47,8 @@ void ContactSurface::place(Index body, const state::Pose<3>& pose) {
     if (patch >= 0) place_patch(patch);
 }
 
-void ContactSurface::match(const Patch& mine, const Patch& theirs, NearPair& near) const {
-  const auto &pose = searched_[at(open_of_[at(mine.body)])], &other = searched_[at(open_of_[at(theirs.body)])];
+void ContactSurface::match(const Patch& mine, const state::Pose<3>& pose, const Patch& theirs, const state::Pose<3>& other,
+                           NearPair& near) const {
   const Vector3 bound = other.position + other.rotation * theirs.bound.centre;
   for (Index i = mine.first_sphere; i < mine.first_sphere + mine.count; ++i) {
     const ContactSphere& a = sphere(i);
@@ -64,9 +64,10 @@ void ContactSurface::match(const Patch& mine, const Patch& theirs, NearPair& nea
   }
 }
 
-std::vector<NearPair> ContactSurface::search(Index body, const std::function<bool(Index)>& skip) const {
+std::vector<NearPair> ContactSurface::search(Index body, const std::function<bool(Index)>& skip,
+                                             const std::function<state::Pose<3>(Index)>& pose_of) const {
   const Index open = open_of_[at(body)];
-  const auto& pose = searched_[at(open)];
+  const state::Pose<3> pose = pose_of(body);
   std::map<Index, NearPair> by_partner;
   for (const Index number : patches_of_[at(open)]) {
     if (number < 0) continue;
@@ -76,9 +77,9 @@ std::vector<NearPair> ContactSurface::search(Index body, const std::function<boo
     grid_.visit_near(centre, reach, [&](Index item) {
       const Patch& theirs = patches_[at(item)];
       if (theirs.body == body || skip(theirs.body)) return;
-      const auto& other = searched_[at(open_of_[at(theirs.body)])];
+      const state::Pose<3> other = pose_of(theirs.body);
       const Vector3 apart = other.position + other.rotation * theirs.bound.centre - centre;
-      if (apart.norm() < reach + theirs.bound.radius) match(mine, theirs, by_partner[theirs.body]);
+      if (apart.norm() < reach + theirs.bound.radius) match(mine, pose, theirs, other, by_partner[theirs.body]);
     });
   }
   std::vector<NearPair> found;

@@ -25,7 +25,7 @@ struct SpherePair {
   Index first = 0;   ///< sphere of the body with the smaller number
   Index second = 0;
   Real rest = 0;     ///< overlap that they had when they met the first time; it gives no force until they part [m]
-  Real gap = 0;      ///< between them in the pair's clearance [m], negative when they overlap
+  Real gap = 0;      ///< between them at the pair's clearance [m], negative when they overlap
   laws::SphereMemory memory;
 };
 
@@ -55,8 +55,10 @@ class ContactSurface {
   /// Places of bodies that are to be searched.
   void place(Index body, const state::Pose<3>& pose);
 
-  /// Near pairs of a body with all others, rising by partner; pairs for which `skip(partner)` are left out.
-  std::vector<NearPair> search(Index body, const std::function<bool(Index)>& skip) const;
+  /// Near pairs of a body with all others, rising by partner; pairs for which `skip(partner)` are left out. `pose_of` says
+  /// where bodies are: partners may have moved by a third of the skin since they were placed.
+  std::vector<NearPair> search(Index body, const std::function<bool(Index)>& skip,
+                               const std::function<state::Pose<3>(Index)>& pose_of) const;
 
   void columns(Archive& archive);
 
@@ -69,7 +71,8 @@ class ContactSurface {
   };
 
   void place_patch(Index patch);
-  void match(const Patch& mine, const Patch& theirs, NearPair& near) const;
+  void match(const Patch& mine, const state::Pose<3>& pose, const Patch& theirs, const state::Pose<3>& other,
+             NearPair& near) const;
 
   int edge_division_;
   Real skin_;

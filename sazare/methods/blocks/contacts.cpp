@@ -79,8 +79,8 @@ void Contacts::evaluate_pair(const Moment& now, const Due& due, const state::Bod
     measure(spheres_[at(due.link)], first_pose, second_pose, clearance);
     moved = 0;
   }
-  const Real closing = (second.motion.velocity - first.motion.velocity).norm() + reach_[at(link.first)] * first.motion.spin.norm() +
-                       reach_[at(link.second)] * second.motion.spin.norm();
+  const Real closing = (second.motion.velocity - first.motion.velocity).norm() +
+                       reach_[at(link.first)] * first.motion.spin.norm() + reach_[at(link.second)] * second.motion.spin.norm();
   clearance.is_distant = clearance.gap - moved > 2 * base_step_ * closing + surface_.skin() / 100;
   if (moved < clearance.gap && table_[due.link].evaluated < 0) return;  // apart, as they were before
 
@@ -177,7 +177,7 @@ void Contacts::settle_base(const Moment& now, const state::Bodies<3>& bodies, te
   search(moved, true, now, bodies, changes);
 }
 
-/// Those pairs rest that were found, at the evaluation of this base step, too far apart to meet before the one after the next.
+/// Those pairs rest that the evaluation of this base step has found too far apart to meet before the one after the next.
 void Contacts::rest_the_distant(const Moment& now, terms::Changes& changes) {
   base_step_ = now.seconds_since(std::exchange(last_base_, now.tick));
   for (Index pair = 0; pair < static_cast<Index>(links_.size()); ++pair) {
@@ -190,16 +190,16 @@ void Contacts::rest_the_distant(const Moment& now, terms::Changes& changes) {
 
 void Contacts::search(std::span<const Index> which, bool may_end, const Moment& now, const state::Bodies<3>& bodies,
                       terms::Changes& changes) {
-  for (const Index body : which) surface_.place(body, state::pose_at(bodies.motion[at(body)], now));
+  const auto pose_of = [&](Index body) { return state::pose_at(bodies.motion[at(body)], now); };
+  for (const Index body : which) surface_.place(body, pose_of(body));
   for (const Index body : which) {
-    auto found = surface_.search(body, [&](Index partner) { return joints_->bonded(body, partner); });
-    merge(body, std::move(found), may_end, now, bodies, changes);
+    auto found = surface_.search(body, [&](Index partner) { return joints_->bonded(body, partner); }, pose_of);
+    merge(body, std::move(found), may_end, changes);
   }
 }
 
 /// Brings the pairs of a body up to what has been found near it; both lists rise by partner.
-void Contacts::merge(Index body, std::vector<NearPair> found, bool may_end, const Moment& now, const state::Bodies<3>& bodies,
-                     terms::Changes& changes) {
+void Contacts::merge(Index body, std::vector<NearPair> found, bool may_end, terms::Changes& changes) {
   const auto listed = table_.incidence.of(body);
   std::vector<Index> gone;
   for (const terms::SlotSide side : listed) {
@@ -212,7 +212,6 @@ void Contacts::merge(Index body, std::vector<NearPair> found, bool may_end, cons
       changes.stiffer.insert(changes.stiffer.end(), {link.first, link.second});
   }
   for (NearPair& near : found) {
-    rest_where_they_are(near, now, bodies);
     const Index pair = pair_of(near.first, near.second);
     if (pair < 0) {
       begin_pair(std::move(near), changes);
@@ -222,17 +221,11 @@ void Contacts::merge(Index body, std::vector<NearPair> found, bool may_end, cons
       for (const SpherePair& known : spheres_[at(pair)])
         if (known.first == sphere.first && known.second == sphere.second) sphere = known;
     spheres_[at(pair)] = std::move(near.spheres);
-    clearance_[at(pair)].is_known = 0;
+    if (clearance_[at(pair)].rests) changes.watching.push_back(pair);  // its new spheres may be near
+    clearance_[at(pair)] = {};
   }
   if (!may_end) return;
   for (const Index pair : gone) end_pair(pair, changes);
-}
-
-/// The search knows where the partner was when it was last searched; the overlap that gives no force is the present one.
-void Contacts::rest_where_they_are(NearPair& near, const Moment& now, const state::Bodies<3>& bodies) const {
-  const auto first = state::pose_at(bodies.motion[at(near.first)], now), second = state::pose_at(bodies.motion[at(near.second)], now);
-  for (SpherePair& pair : near.spheres)
-    pair.rest = std::max(touch(surface_.sphere(pair.first), surface_.sphere(pair.second), first, second).overlap, Real{0});
 }
 
 Index Contacts::pair_of(Index first, Index second) const {

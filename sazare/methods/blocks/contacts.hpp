@@ -45,9 +45,7 @@ class Contacts final : public terms::Term<3> {
   void open_face(const FreeFace& face, const state::Bodies<3>& bodies);
   void search(std::span<const Index> which, bool may_end, const Moment& now, const state::Bodies<3>& bodies,
               terms::Changes& changes);
-  void merge(Index body, std::vector<NearPair> found, bool may_end, const Moment& now, const state::Bodies<3>& bodies,
-             terms::Changes& changes);
-  void rest_where_they_are(NearPair& near, const Moment& now, const state::Bodies<3>& bodies) const;
+  void merge(Index body, std::vector<NearPair> found, bool may_end, terms::Changes& changes);
   Index pair_of(Index first, Index second) const;
   void begin_pair(NearPair near, terms::Changes& changes);
   void end_pair(Index pair, terms::Changes& changes);

@@ -40,6 +40,14 @@ class Crowd {
   }
 
   ContactSurface& surface() { return surface_; }
+  std::function<state::Pose<3>(Index)> pose_of() const {
+    return [this](Index body) { return poses_[static_cast<std::size_t>(body)]; };
+  }
+
+  /// Moves all bodies a little; the surface does not know.
+  void drift(Real by) {
+    for (auto& pose : poses_) pose.position += Vector3(number(-by, by), number(-by, by), number(-by, by));
+  }
 
   /// Pairs of spheres nearer than the skin, by partner.
   std::map<Index, std::vector<SpherePair>> by_brute_force(Index body) const {
@@ -81,7 +89,7 @@ class Crowd {
 
 int expect_as_brute_force(const Crowd& crowd, const ContactSurface& surface, Index body) {
   const auto expected = crowd.by_brute_force(body);
-  const auto found = surface.search(body, [](Index) { return false; });
+  const auto found = surface.search(body, [](Index) { return false; }, crowd.pose_of());
   EXPECT_EQ(found.size(), expected.size());
   auto next = expected.begin();
   int pairs = 0;
@@ -113,10 +121,27 @@ TEST(contact_surface, finds_the_near_spheres_that_brute_force_finds) {
   EXPECT_GT(pairs, 1000);
 }
 
+TEST(contact_surface, overlaps_are_those_of_the_present_places) {
+  Crowd crowd(6);
+  crowd.drift(0.1 * skin);  // as between two searches
+  int overlapping = 0;
+  for (const Index body : crowd.surface().bodies()) {
+    const auto expected = crowd.by_brute_force(body);
+    for (const NearPair& near : crowd.surface().search(body, [](Index) { return false; }, crowd.pose_of()))
+      for (const SpherePair& pair : near.spheres)
+        for (const SpherePair& same : expected.at(near.first == body ? near.second : near.first))
+          if (same.first == pair.first && same.second == pair.second) {
+            EXPECT_NEAR(pair.rest, same.rest, 1e-14);
+            overlapping += pair.rest > 0;
+          }
+  }
+  EXPECT_GT(overlapping, 10);
+}
+
 TEST(contact_surface, leaves_out_partners_that_are_skipped) {
   Crowd crowd(3);
   for (const Index body : crowd.surface().bodies())
-    for (const auto& near : crowd.surface().search(body, [](Index partner) { return partner % 2 == 0; }))
+    for (const auto& near : crowd.surface().search(body, [](Index partner) { return partner % 2 == 0; }, crowd.pose_of()))
       EXPECT_EQ((near.first == body ? near.second : near.first) % 2, 1);
 }
 
