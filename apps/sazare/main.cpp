@@ -25,7 +25,9 @@ void add_case_options(CLI::App& command, command::CaseArguments& arguments) {
       ->type_name("table.key=value")
       ->expected(1)
       ->take_all();
-  command.add_option("--threads", arguments.threads, "number of threads (default: OMP_NUM_THREADS, or all processors; fewer for less than 4000 elements each)")
+  command
+      .add_option("--threads", arguments.threads,
+                  "number of threads (default: OMP_NUM_THREADS, or all processors; fewer for less than 4000 elements each)")
       ->check(CLI::Range(1, 4096))
       ->type_name("N");
 }

@@ -14,8 +14,8 @@ std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
 template <int D>
 LevelKeeper<D>::LevelKeeper(const StepRules& rules, const TermList<D>& terms, const state::Bodies<D>& bodies)
-    : rules_(rules), clocks_(terms.size()), resting_(terms.size()), links_(at(bodies.size())), level_(at(bodies.size()), 0), by_rates_(at(bodies.size())),
-      asked_(at(bodies.size()), -1), terms_(&terms) {
+    : rules_(rules), clocks_(terms.size()), resting_(terms.size()), links_(at(bodies.size())), level_(at(bodies.size()), 0),
+      by_rates_(at(bodies.size())), asked_(at(bodies.size()), -1), terms_(&terms) {
   for (int level = 0; level < schedule::level_count; ++level)
     steps_[static_cast<std::size_t>(level)] = rules_.base_step / static_cast<Real>(Tick{1} << level);
   for (Index body = 0; body < bodies.size(); ++body) {
@@ -94,12 +94,12 @@ void LevelKeeper<D>::quicken(Index body, int level) {
   if (level > paces_.level(body)) paces_.move(body, level);
 }
 
-/// The finest level among a body's links, and its own.
+/// To the finest level among its links, and its own.
 template <int D>
-int LevelKeeper<D>::pace_of(Index body) const {
+void LevelKeeper<D>::set_pace(Index body) {
   int finest = level(body);
   for (const LinkOf& of : links_[at(body)]) finest = std::max(finest, link_level(of));
-  return finest;
+  if (finest != paces_.level(body)) paces_.move(body, finest);
 }
 
 template <int D>
@@ -164,8 +164,7 @@ template <int D>
 void LevelKeeper<D>::relevel(const state::Bodies<D>& bodies) {
   for (const Index body : asking_) asked_[at(body)] = -1;
   asking_.clear();
-  for (const Index body : calmed_)
-    if (const int pace = pace_of(body); pace != paces_.level(body)) paces_.move(body, pace);
+  for (const Index body : calmed_) set_pace(body);
   calmed_.clear();
   paces_.sort();
   for (auto& clock : clocks_) clock.sort();
@@ -173,17 +172,15 @@ void LevelKeeper<D>::relevel(const state::Bodies<D>& bodies) {
   if (!stale_ && !travels) return;
   std::vector<std::int8_t> wanted = by_rates_;
   if (travels)
-    for (Index body = 0; body < bodies.size(); ++body) {
-      const Real step = travel_step(bodies.motion[at(body)].velocity.norm(), rules_.travel_length);
-      wanted[at(body)] = std::max(wanted[at(body)], static_cast<std::int8_t>(schedule::level_for(step, rules_.base_step)));
-    }
+    for (Index body = 0; body < bodies.size(); ++body)
+      wanted[at(body)] =
+          static_cast<std::int8_t>(level_for_speed(wanted[at(body)], bodies.motion[at(body)].velocity.norm()));
   if (rules_.uniform)
     std::fill(wanted.begin(), wanted.end(), wanted.empty() ? std::int8_t{0} : *std::max_element(wanted.begin(), wanted.end()));
   else
     spread(wanted);
   for (Index body = 0; body < bodies.size(); ++body) set_level(body, wanted[at(body)]);
-  for (Index body = 0; body < bodies.size(); ++body)
-    if (const int pace = pace_of(body); pace != paces_.level(body)) paces_.move(body, pace);
+  for (Index body = 0; body < bodies.size(); ++body) set_pace(body);
   stale_ = false;
 }
 
@@ -205,9 +202,9 @@ void LevelKeeper<D>::refine_asked() {
 }
 
 template <int D>
-int LevelKeeper<D>::level_for_speed(Index body, Real speed) const {
-  int level = level_[at(body)];
-  while (level < schedule::deepest_level && step(level) * speed > rules_.travel_length) ++level;
+int LevelKeeper<D>::level_for_speed(int level, Real speed) const {
+  const Real longest = travel_step(speed, rules_.travel_length);
+  while (level < schedule::deepest_level && step(level) > longest) ++level;
   return level;
 }
 

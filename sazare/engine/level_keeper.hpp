@@ -2,10 +2,10 @@
 
 /// Keeps every body's time level and, through them, the clock of every link and the pace of every body.
 ///
-/// A link has the finer level of its two bodies (or rests at level 0), and a body is kicked whenever one of its links is due: its pace is the
-/// finest level among its links. So no impulse ever waits, whatever is evaluated sees every body as it is, and the scheme
-/// is an asynchronous variational integrator (Lew, Marsden, Ortiz, West 2003): undamped energy keeps its bounds at any mix
-/// of levels, which it does not where coarse bodies collect impulses until their own time.
+/// A link has the finer level of its two bodies, or rests at level 0. A body is kicked whenever one of its links is due: its
+/// pace is the finest level among its links. So no impulse ever waits, whatever is evaluated sees every body as it is, and
+/// the scheme is an asynchronous variational integrator (Lew, Marsden, Ortiz, West 2003): undamped energy keeps its bounds
+/// at any mix of levels, which it does not where coarse bodies collect impulses until their own time.
 /// A level is refined at any tick, and coarsened only at base steps, where every coarser step is in phase.
 
 #include <array>
@@ -48,8 +48,8 @@ class LevelKeeper {
   /// Between base steps: refines what was asked for since the last tick.
   void refine_asked();
 
-  /// Level for the coming step of a body that has just been kicked; finer than its present one where its speed asks for it.
-  int level_for_speed(Index body, Real speed) const;
+  /// The coarsest level from a given one on that a speed allows.
+  int level_for_speed(int level, Real speed) const;
 
   /// Takes over a finer level that a body has begun to step with.
   void refined(Index body, int level);
@@ -69,7 +69,7 @@ class LevelKeeper {
   void part(std::size_t term, Index link);
   void set_level(Index body, int level);
   void quicken(Index body, int level);
-  int pace_of(Index body) const;
+  void set_pace(Index body);
   void ask(Index body, int level);
   void ask_neighbors(Index body);
   void spread(std::vector<std::int8_t>& wanted) const;

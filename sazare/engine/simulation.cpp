@@ -92,7 +92,8 @@ void Simulation<D>::collect_due() {
   for (int level = schedule::coarsest_due(now_.tick); level <= schedule::deepest_level; ++level)
     due_bodies_.insert(due_bodies_.end(), levels_.bodies_at_pace(level).begin(), levels_.bodies_at_pace(level).end());
   for (const Index body : due_bodies_)  // those whose pace has quickened had planned to be due later
-    if (bodies_.motion[at(body)].due != now_.tick) motion::drift_back(bodies_.motion[at(body)], bodies_.inertia[at(body)], now_);
+    if (bodies_.motion[at(body)].due != now_.tick)
+      motion::drift_back(bodies_.motion[at(body)], bodies_.inertia[at(body)], now_);
   std::int64_t all_links = 0;
   for (std::size_t term = 0; term < terms_.size(); ++term) {
     auto& due = due_links_[term];
@@ -134,7 +135,7 @@ void Simulation<D>::kick_chunk(std::span<const Index> which) {
     int pace = levels_.pace(body);
     if (travels) {
       const Real speed = (bodies_.motion[at(body)].velocity + impulses[i].linear / bodies_.inertia[at(body)].mass).norm();
-      const int level = levels_.level_for_speed(body, speed);
+      const int level = levels_.level_for_speed(levels_.level(body), speed);
       stepped_level_[static_cast<std::size_t>(&which[i] - due_bodies_.data())] = static_cast<std::int8_t>(level);
       pace = std::max(pace, level);
     }
@@ -204,11 +205,8 @@ Real Simulation<D>::take_smallest_step() {
 
 template <int D>
 Index Simulation<D>::find_invalid_body() const {
-  for (Index body = 0; body < bodies_.size(); ++body) {
-    const auto& motion = bodies_.motion[at(body)];
-    const Real sum = motion.position.sum() + motion.velocity.sum() + motion.angular_momentum.sum() + motion.rotation.sum();
-    if (!std::isfinite(sum)) return body;
-  }
+  for (Index body = 0; body < bodies_.size(); ++body)
+    if (!state::is_finite(bodies_.motion[at(body)])) return body;
   return -1;
 }
 

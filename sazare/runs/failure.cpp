@@ -13,16 +13,12 @@ namespace {
 
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
-bool is_number(const state::Motion<3>& motion) {
-  return std::isfinite(motion.position.sum() + motion.velocity.sum() + motion.angular_momentum.sum() + motion.rotation.sum());
-}
-
 bool has_failed(const BlocksModel& model, Index element) {
   const auto& simulation = *model.simulation;
   const state::Motion<3>& motion = simulation.bodies().motion[at(element)];
   const Real farthest = simulation.bodies().reach[at(element)];
   const Real step = simulation.levels().step(simulation.levels().level(element));
-  return !(motion.velocity.squaredNorm() * step * step <= farthest * farthest) || !is_number(motion);
+  return !(motion.velocity.squaredNorm() * step * step <= farthest * farthest) || !state::is_finite(motion);
 }
 
 /// Of the elements that have failed, the one whose step is the farthest above its limit: failure spreads.
@@ -71,7 +67,7 @@ Index find_failed_element(const BlocksModel& model) {
 std::string describe_failure(const BlocksModel& model, const cases::CaseFile& file, Real time) {
   const Index element = likely_first(model);
   const state::Motion<3>& motion = model.simulation->bodies().motion[at(element)];
-  const std::string what = is_number(motion) ? fmt::format("moves at {} m/s, farther in a step than it is large",
+  const std::string what = state::is_finite(motion) ? fmt::format("moves at {} m/s, farther in a step than it is large",
                                                            cases::short_number(motion.velocity.norm(), 3))
                                              : std::string("has a motion that is no number any more");
   return fmt::format("{} (its place at the beginning) {}, found at t = {} s\n  {}", element_text(model.mesh, element), what,

@@ -5,6 +5,7 @@
 /// `Motion` begins with what forces and kicks need of a body, in three cache lines, because forces gather bodies in any
 /// order. What only the body's own kick needs follows, and stands apart in `Inertia`.
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -67,6 +68,12 @@ struct Bodies {
 
   Index size() const { return static_cast<Index>(motion.size()); }
 };
+
+/// False when a body's motion is infinite or no number.
+template <int D>
+bool is_finite(const Motion<D>& motion) {
+  return std::isfinite(motion.position.sum() + motion.velocity.sum() + motion.angular_momentum.sum() + motion.rotation.sum());
+}
 
 /// Adds a body at rest.
 Index add_body(Bodies<3>& bodies, Real mass, const Vector3& centre, const Vector3& principal_moments,
