@@ -3,6 +3,7 @@
 /// Small networks of bodies and springs for tests of the step.
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -89,6 +90,18 @@ inline Real mechanical(const terms::Ledger& ledger) {
 template <int D>
 void run(engine::Simulation<D>& simulation, int base_steps) {
   for (int step = 0; step < base_steps; ++step) simulation.advance();
+}
+
+/// Distance in places, turns, velocities and angular momenta.
+template <int D>
+Real distance(const engine::Snapshot<D>& a, const engine::Snapshot<D>& b) {
+  Real sum = 0;
+  for (std::size_t body = 0; body < a.pose.size(); ++body)
+    sum += (a.pose[body].position - b.pose[body].position).squaredNorm() +
+           (a.pose[body].rotation - b.pose[body].rotation).squaredNorm() +
+           (a.velocity[body] - b.velocity[body]).squaredNorm() +
+           (a.angular_momentum[body] - b.angular_momentum[body]).squaredNorm();
+  return std::sqrt(sum);
 }
 
 /// Lowest and highest level in use.

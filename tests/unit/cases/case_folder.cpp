@@ -1,9 +1,5 @@
 #include "case_folder.hpp"
 
-#include <unistd.h>
-
-#include <atomic>
-#include <fstream>
 
 #include <gtest/gtest.h>
 
@@ -13,23 +9,9 @@ namespace sazare::cases {
 namespace fs = std::filesystem;
 
 CaseFolder::CaseFolder() {
-  static std::atomic<int> count{0};
-  path_ = fs::temp_directory_path() /
-          ("sazare-cases-" + std::to_string(getpid()) + "-" + std::to_string(count++));
-  fs::create_directories(path_);
   write("slab.msh", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n");
   write("block.geo", "// an empty geometry\n");
   write("pressure.csv", "time [s],pressure [Pa]\r\n0,0\r\n1.33e-4, 5.75e8\r\n5e-4,0\r\n");
-}
-
-CaseFolder::~CaseFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
-fs::path CaseFolder::write(const std::string& name, const std::string& text) const {
-  std::ofstream(path_ / name, std::ios::binary) << text;
-  return path_ / name;
 }
 
 CaseFile CaseFolder::read(const std::string& text, const std::vector<std::string>& overrides) const {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "sazare/cases/case_file.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace sazare::cases {
 
@@ -12,18 +13,15 @@ namespace sazare::cases {
 class CaseFolder {
 public:
   CaseFolder();
-  ~CaseFolder();
-  CaseFolder(const CaseFolder&) = delete;
-  CaseFolder& operator=(const CaseFolder&) = delete;
 
-  const std::filesystem::path& path() const { return path_; }
-  std::filesystem::path write(const std::string& name, const std::string& text) const;
+  const std::filesystem::path& path() const { return folder_.path(); }
+  std::filesystem::path write(const std::string& name, const std::string& text) const { return folder_.write(name, text); }
   CaseFile read(const std::string& text, const std::vector<std::string>& overrides = {}) const;
   /// The message with which the text is refused; fails the test when it is not.
   std::string refusal(const std::string& text, const std::vector<std::string>& overrides = {}) const;
 
 private:
-  std::filesystem::path path_;
+  test::TemporaryFolder folder_;
 };
 
 /// The smallest case: only keys without a default.

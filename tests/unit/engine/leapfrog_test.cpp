@@ -74,6 +74,18 @@ std::vector<state::Impulse<D>> impulses(const test::Network<D>& network, Real ac
   return as_second;
 }
 
+template <int D>
+void expect_same_bits(const Simulation<D>& simulation, const test::Network<D>& by_hand) {
+  for (std::size_t body = 0; body < by_hand.bodies.motion.size(); ++body) {
+    const auto &ours = simulation.bodies().motion[body], &hand = by_hand.bodies.motion[body];
+    EXPECT_EQ(ours.position, hand.position);
+    EXPECT_EQ(ours.velocity, hand.velocity);
+    EXPECT_EQ(ours.angular_momentum, hand.angular_momentum);
+    EXPECT_EQ(ours.rotation, hand.rotation);
+    EXPECT_EQ(ours.spin, hand.spin);
+  }
+}
+
 /// Every number that a two-dimensional body has, by hand.
 void step_by_hand(test::Network<2>& network, Real acting) {
   const auto sum = impulses(network, acting);
@@ -106,14 +118,7 @@ TEST(leapfrog, one_level_in_the_plane_is_the_step_by_hand_bit_for_bit) {
     simulation.advance();
     step_by_hand(by_hand, h);
   }
-  for (std::size_t body = 0; body < by_hand.bodies.motion.size(); ++body) {
-    const auto &ours = simulation.bodies().motion[body], &hand = by_hand.bodies.motion[body];
-    EXPECT_EQ(ours.position, hand.position);
-    EXPECT_EQ(ours.velocity, hand.velocity);
-    EXPECT_EQ(ours.angular_momentum, hand.angular_momentum);
-    EXPECT_EQ(ours.rotation, hand.rotation);
-    EXPECT_EQ(ours.spin, hand.spin);
-  }
+  expect_same_bits(simulation, by_hand);
   const auto& start = damped_ladder<2>().bodies.motion[5];  // it did move
   EXPECT_GT((simulation.bodies().motion[5].position - start.position).norm(), 0.1);
 }
@@ -168,13 +173,7 @@ TEST(leapfrog, one_level_in_space_is_the_step_of_all_bodies_bit_for_bit) {
     stride.seconds = h;
     motion::step(by_hand.bodies, all, sum, std::vector<motion::Stride>(all.size(), stride), mean);
   }
-  for (std::size_t body = 0; body < by_hand.bodies.motion.size(); ++body) {
-    const auto &ours = simulation.bodies().motion[body], &hand = by_hand.bodies.motion[body];
-    EXPECT_EQ(ours.position, hand.position);
-    EXPECT_EQ(ours.velocity, hand.velocity);
-    EXPECT_EQ(ours.angular_momentum, hand.angular_momentum);
-    EXPECT_EQ(ours.rotation, hand.rotation);
-  }
+  expect_same_bits(simulation, by_hand);
 }
 
 TEST(leapfrog, levels_that_all_are_the_same_deep_one_give_the_bits_of_that_step) {

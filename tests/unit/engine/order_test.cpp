@@ -31,25 +31,13 @@ Snapshot<D> state_at_end(bool mixed, int base_steps, Real damping) {
   return simulation.snapshot();
 }
 
-/// Distance in places, turns and velocities.
-template <int D>
-Real distance(const Snapshot<D>& a, const Snapshot<D>& b) {
-  Real sum = 0;
-  for (std::size_t body = 0; body < a.pose.size(); ++body)
-    sum += (a.pose[body].position - b.pose[body].position).squaredNorm() +
-           (a.pose[body].rotation - b.pose[body].rotation).squaredNorm() +
-           (a.velocity[body] - b.velocity[body]).squaredNorm() +
-           (a.angular_momentum[body] - b.angular_momentum[body]).squaredNorm();
-  return std::sqrt(sum);
-}
-
 /// Order seen between two steps, against one 128 times smaller than the finer of them. With mixed levels the error is that
 /// of the finest one, eight times smaller: (8/128)^2 of the error is left, 0.01 of the order.
 template <int D>
 Real observed_order(bool mixed, Real damping = 0) {
   const auto exact = state_at_end<D>(false, 65536, damping);
-  const Real coarse = distance(state_at_end<D>(mixed, 256, damping), exact),
-             fine = distance(state_at_end<D>(mixed, 512, damping), exact);
+  const Real coarse = test::distance(state_at_end<D>(mixed, 256, damping), exact),
+             fine = test::distance(state_at_end<D>(mixed, 512, damping), exact);
   return std::log2(coarse / fine);
 }
 
@@ -64,7 +52,7 @@ TEST(order, is_two_with_dashpots_and_mixed_levels) { EXPECT_NEAR(observed_order<
 TEST(order, mixed_levels_are_as_accurate_as_their_coarsest) {
   // Fine levels where they are needed cannot be worse than the base step everywhere.
   const auto exact = state_at_end<3>(false, 8192, 0);
-  EXPECT_LT(distance(state_at_end<3>(true, 256, 0), exact), 1.2 * distance(state_at_end<3>(false, 256, 0), exact));
+  EXPECT_LT(test::distance(state_at_end<3>(true, 256, 0), exact), 1.2 * test::distance(state_at_end<3>(false, 256, 0), exact));
 }
 
 }  // namespace

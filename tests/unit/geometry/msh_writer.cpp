@@ -1,11 +1,7 @@
 #include "msh_writer.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <atomic>
-#include <fstream>
-#include <iterator>
 
 namespace sazare::geometry::test {
 namespace {
@@ -135,28 +131,6 @@ MshWriter two_tetrahedra() {
   mesh.elements = {
       {2, 2, 1, {1, 2, 3}}, {2, 2, 1, {2, 5, 3}}, {4, 3, 1, {1, 2, 3, 4}}, {4, 3, 2, {2, 5, 3, 4}}};
   return mesh;
-}
-
-TemporaryFolder::TemporaryFolder() {
-  static std::atomic<int> counter{0};
-  path_ = std::filesystem::temp_directory_path() / fmt::format("sazare-test-{}-{}", getpid(), counter++);
-  std::filesystem::create_directories(path_);
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
-std::filesystem::path TemporaryFolder::write(const std::string& name, const std::string& content) const {
-  const std::filesystem::path file = path_ / name;
-  std::ofstream(file, std::ios::binary) << content;
-  return file;
-}
-
-std::string read_text(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 }  // namespace sazare::geometry::test

@@ -2,14 +2,17 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "sazare/core/vector.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace sazare::geometry::test {
+
+using sazare::test::read_text;
+using sazare::test::TemporaryFolder;
 
 /// A Gmsh file in the making; what a test spoils in it, a reader must notice.
 struct MshWriter {
@@ -40,23 +43,5 @@ struct MshWriter {
 /// Two tetrahedra that share a face, in the groups "left" and "right", with the surface "floor" (2
 /// triangles): nodes 1..5, elements 101 and 102 are the triangles, 103 and 104 the tetrahedra.
 MshWriter two_tetrahedra();
-
-/// A folder that is removed with everything in it.
-class TemporaryFolder {
-public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-  /// Writes a file and returns its path.
-  std::filesystem::path write(const std::string& name, const std::string& content) const;
-
-private:
-  std::filesystem::path path_;
-};
-
-std::string read_text(const std::filesystem::path& file);
 
 }  // namespace sazare::geometry::test

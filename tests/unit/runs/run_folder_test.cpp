@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "sazare/core/error.hpp"
 #include "tests/unit/runs/support.hpp"
@@ -17,9 +16,10 @@ std::string words_of_opening(const fs::path& folder, Begin begin) {
   return test::words_of<UserError>([&] { RunFolder(folder, begin); });
 }
 
-void write(const fs::path& file, const std::string& text) {
-  fs::create_directories(file.parent_path());
-  std::ofstream(file) << text;
+/// What is said to opening the folder of a run of this status.
+std::string refusal(const fs::path& run, const std::string& status, Begin begin) {
+  sazare::test::write_text(run / "manifest.json", R"({"status": ")" + status + R"("})");
+  return words_of_opening(run, begin);
 }
 
 TEST(RunFolder, IsMade) {
@@ -31,19 +31,17 @@ TEST(RunFolder, IsMade) {
 
 TEST(RunFolder, WithOtherFilesIsTaken) {
   const test::TemporaryFolder folder;
-  write(folder / "run/notes.txt", "mine");
+  sazare::test::write_text(folder / "run/notes.txt", "mine");
   EXPECT_EQ(words_of_opening(folder / "run", Begin::fresh), "");
 }
 
 TEST(RunFolder, WithARunIsNotOverwrittenInSilence) {
   const test::TemporaryFolder folder;
   const fs::path run = folder / "run";
-  write(run / "manifest.json", R"({"status": "running"})");
-  EXPECT_EQ(words_of_opening(run, Begin::fresh),
+  EXPECT_EQ(refusal(run, "running", Begin::fresh),
             run.string() + ": there is a run in this folder already, and it is not done. Use --resume to go on with it, "
                            "--overwrite to replace it, or another folder (--out)");
-  write(run / "manifest.json", R"({"status": "done"})");
-  EXPECT_EQ(words_of_opening(run, Begin::fresh),
+  EXPECT_EQ(refusal(run, "done", Begin::fresh),
             run.string() + ": there is a run in this folder already, and it is done. Use --overwrite to replace it, or "
                            "another folder (--out)");
 }
@@ -51,8 +49,7 @@ TEST(RunFolder, WithARunIsNotOverwrittenInSilence) {
 TEST(RunFolder, WithADoneRunIsNotResumed) {
   const test::TemporaryFolder folder;
   const fs::path run = folder / "run";
-  write(run / "manifest.json", R"({"status": "done"})");
-  EXPECT_EQ(words_of_opening(run, Begin::resume),
+  EXPECT_EQ(refusal(run, "done", Begin::resume),
             run.string() + ": the run in this folder is done, there is nothing to resume. Its figures are in manifest.json; "
                            "use --overwrite to run the case again");
 }
@@ -62,9 +59,9 @@ TEST(RunFolder, OverwritingRemovesTheRunAndNothingElse) {
   const fs::path run = folder / "run";
   for (const char* name : {"manifest.json", "history.csv", "checkpoint/state.h5", "snapshots/elements_00007.vtkhdf",
                            "snapshots/.joints_00007.vtkhdf.part", "snapshots/elements.vtkhdf.series", "report.html"})
-    write(run / name, "old");
-  write(run / "notes.txt", "mine");
-  write(run / "snapshots/picture.png", "mine");
+    sazare::test::write_text(run / name, "old");
+  sazare::test::write_text(run / "notes.txt", "mine");
+  sazare::test::write_text(run / "snapshots/picture.png", "mine");
   const RunFolder opened(run, Begin::overwrite);
   std::vector<std::string> left;
   for (const auto& entry : fs::recursive_directory_iterator(run))
@@ -81,7 +78,7 @@ TEST(RunFolder, IsHeldByOneAtATime) {
 
 TEST(RunFolder, ThatIsAFileIsRefused) {
   const test::TemporaryFolder folder;
-  write(folder / "run", "a file");
+  sazare::test::write_text(folder / "run", "a file");
   EXPECT_NE(words_of_opening(folder / "run", Begin::fresh).find("is a file"), std::string::npos);
 }
 

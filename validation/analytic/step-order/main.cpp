@@ -35,21 +35,10 @@ engine::Snapshot<D> state_at_end(Levels levels, Damping damping, int base_steps)
 }
 
 template <int D>
-Real distance(const engine::Snapshot<D>& a, const engine::Snapshot<D>& b) {
-  Real sum = 0;
-  for (std::size_t body = 0; body < a.pose.size(); ++body)
-    sum += (a.pose[body].position - b.pose[body].position).squaredNorm() +
-           (a.pose[body].rotation - b.pose[body].rotation).squaredNorm() +
-           (a.velocity[body] - b.velocity[body]).squaredNorm() +
-           (a.angular_momentum[body] - b.angular_momentum[body]).squaredNorm();
-  return std::sqrt(sum);
-}
-
-template <int D>
 Real observed_order(Levels levels, Damping damping = {}) {
   const auto exact = state_at_end<D>(Levels::one, damping, 256 * coarse_steps);
-  const Real coarse = distance(state_at_end<D>(levels, damping, coarse_steps), exact);
-  const Real fine = distance(state_at_end<D>(levels, damping, 2 * coarse_steps), exact);
+  const Real coarse = test::distance(state_at_end<D>(levels, damping, coarse_steps), exact);
+  const Real fine = test::distance(state_at_end<D>(levels, damping, 2 * coarse_steps), exact);
   return std::log2(coarse / fine);
 }
 
