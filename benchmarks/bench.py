@@ -84,21 +84,14 @@ class Bench:
 
     def run(self, scene):
         """The Measurement of a scene. Raises NotRun."""
-        return self._once(("run", scene), self._measure, scene)
-
-    def count(self, scene):
-        """Pair evaluations of a scene, and what they would have been with the smallest step for all. Raises NotRun."""
-        return self._once(("count", scene), self._count, scene)
-
-    def _once(self, key, function, scene):
-        if key not in self._found:
+        if scene not in self._found:
             try:
-                self._found[key] = function(scene)
+                self._found[scene] = self._measure(scene)
             except NotRun as reason:
-                self._found[key] = reason
-        if isinstance(self._found[key], NotRun):
-            raise self._found[key]
-        return self._found[key]
+                self._found[scene] = reason
+        if isinstance(self._found[scene], NotRun):
+            raise self._found[scene]
+        return self._found[scene]
 
     def _measure(self, scene):
         if scene.long and not self.options.long:
@@ -124,19 +117,13 @@ class Bench:
                    "--quiet", "--threads", str(scene.threads)]
         command += [word for setting in settings for word in ("--set", setting)]
         before = _processor_seconds_of_children()
-        peak = self._carry_out(command)[1]
+        peak = self._carry_out(command)
         spent = _processor_seconds_of_children() - before
         manifest = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))
         with (folder / "timing.csv").open(newline="", encoding="utf-8") as file:
             parts = {line[0]: float(line[1]) for line in list(csv.reader(file))[1:]}
         return Measurement(folder, manifest["results"]["wall_seconds"], spent, peak, manifest["state_hash"],
                            manifest["results"], parts)
-
-    def _count(self, scene):
-        print(f"    {scene.name}: counting evaluations", flush=True)
-        command = [self.options.build / "benchmarks/evaluations", ROOT / scene.case, *scene.settings]
-        text = self._carry_out(command)[0]
-        return {name: int(value) for name, value in csv.reader(text.splitlines())}
 
     def _mesh_settings(self, scene):
         """The setting that names the scene's mesh, which is made where it is not there, or older than its geometry."""
@@ -156,7 +143,7 @@ class Bench:
         return (f"mesh.file={mesh}",)
 
     def _carry_out(self, command):
-        """Standard output of a program and its largest resident memory [bytes]."""
+        """Runs a program; its largest resident memory [bytes]."""
         program = Path(command[0])
         if program.is_absolute() and not program.exists():
             raise NotRun(f"{program} is not built")
@@ -171,7 +158,7 @@ class Bench:
             text = output.read()
         if process.returncode != 0:
             raise NotRun(f"{program.name} ended with {process.returncode}: {text.strip()[-300:]}")
-        return text, peak
+        return peak
 
 
 def _wait(process, time_limit):
