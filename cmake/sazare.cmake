@@ -4,7 +4,7 @@ include(GNUInstallDirs)
 include(GoogleTest)
 
 option(SAZARE_NATIVE "Compile for the processor of this machine (-march=native)" ON)
-option(SAZARE_MPI "Build with MPI, for runs on several ranks" OFF)
+set(SAZARE_MPI "AUTO" CACHE STRING "Build with MPI, for runs on several ranks: ON, OFF, or AUTO where it is installed")
 option(SAZARE_TESTS "Build the C++ tests" ON)
 option(SAZARE_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" ON)
 set(SAZARE_SANITIZE "" CACHE STRING "Comma-separated sanitizers, such as address,undefined or thread")

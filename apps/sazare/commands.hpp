@@ -2,14 +2,23 @@
 
 /// The commands of the program, each from its arguments to an exit code. They throw UserError, PhysicsError, MachineError.
 
+#include <array>
+#include <atomic>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sazare/parallel/ranks.hpp"
 #include "sazare/runs/run_folder.hpp"
 
 namespace sazare::command {
+
+/// Set by Ctrl-C and SIGTERM: the run stops after its present step.
+extern std::atomic<bool> stop_asked;
+
+/// Words for distribute::Policy, in its order.
+inline constexpr std::array<std::string_view, 3> balance_policies = {"fixed", "measured", "predicted"};
 
 inline constexpr int done = 0;
 inline constexpr int stopped = 4;
@@ -27,6 +36,8 @@ struct RunArguments {
   bool resume = false;
   bool overwrite = false;
   bool quiet = false;
+  std::string balance = "predicted";  ///< how ranks share the work: fixed, measured or predicted
+  int balance_interval = 50;          ///< base steps between new shares
 };
 
 int run(const RunArguments& arguments, const parallel::Ranks& ranks);

@@ -4,10 +4,12 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <new>
+#include <thread>
 
 #include "apps/sazare/commands.hpp"
 #include "sazare/core/error.hpp"
@@ -18,6 +20,7 @@ namespace {
 using namespace sazare;
 
 constexpr int program_error = 1;
+constexpr std::chrono::seconds time_for_the_first(3);
 
 void add_case_options(CLI::App& command, command::CaseArguments& arguments) {
   command.add_option("CASE", arguments.file, "the case file (TOML)")->required();
@@ -48,6 +51,13 @@ void describe(CLI::App& app, Arguments& arguments) {
   run.add_option("--out", arguments.run.folder, "the run's folder (default: runs/<name of the case>)")->type_name("DIR");
   auto* resume = run.add_flag("--resume", arguments.run.resume, "go on from the checkpoint of a stopped or killed run");
   run.add_flag("--overwrite", arguments.run.overwrite, "replace the run that is in the folder")->excludes(resume);
+  run.add_option("--balance", arguments.run.balance,
+                 "with mpirun: how ranks share the work: fixed, measured (by the last interval's time) or predicted (default)")
+      ->check(CLI::IsMember(std::vector<std::string>(command::balance_policies.begin(), command::balance_policies.end())))
+      ->type_name("POLICY");
+  run.add_option("--balance-interval", arguments.run.balance_interval, "base steps between new shares (default 50)")
+      ->check(CLI::Range(1, 1000000))
+      ->type_name("N");
   run.add_flag("--quiet", arguments.run.quiet, "print warnings and errors only");
   auto& check = *app.add_subcommand("check", "every error of a case, or what it will do: steps, levels, who limits them");
   add_case_options(check, arguments.check);
@@ -68,10 +78,9 @@ int carry_out(const CLI::App& app, const Arguments& arguments, const parallel::R
   return command::info(ranks);
 }
 
-int fail(const std::string& kind, const std::string& what, int exit_code) {
+void print_failure(const std::string& kind, const std::string& what) {
   fmt::print(stderr, "{}{}\n", what.starts_with("error") || what.find(": error") != std::string::npos ? "" : kind + ": ",
              what.ends_with('\n') ? what.substr(0, what.size() - 1) : what);
-  return exit_code;
 }
 
 /// Lets idle threads spin for a moment only. OpenMP's own choice, some milliseconds, makes a run up to thirty times slower
@@ -84,28 +93,49 @@ void spin_briefly(char** argv) {
   if (!unknown) execv(program.c_str(), argv);  // where it fails, all is as it was
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  spin_briefly(argv);
-  const parallel::Ranks ranks(argc, argv);
-  CLI::App app("Sazare: dynamic failure of ground, rock and concrete", "sazare");
-  Arguments arguments;
-  describe(app, arguments);
+/// Carries out the command; errors become messages and exit codes. Of several ranks the first one speaks; an error that the
+/// others may not have ends them all.
+int run_command(const CLI::App& app, const Arguments& arguments, const parallel::Ranks& ranks) {
+  const auto fail = [&](const std::string& kind, const std::string& what, int exit_code, bool everywhere = false) {
+    if (everywhere && !ranks.is_first()) return exit_code;
+    if (!ranks.is_first()) std::this_thread::sleep_for(time_for_the_first);  // it most likely fails as well, and ends this one
+    print_failure(kind, what);
+    if (ranks.size() > 1 && !everywhere) ranks.abort(exit_code);
+    return exit_code;
+  };
   try {
-    app.parse(argc, argv);
     return carry_out(app, arguments, ranks);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : UserError::exit_code;
   } catch (const UserError& error) {
     return fail("error", error.what(), UserError::exit_code);
   } catch (const PhysicsError& error) {
-    return fail("the physics failed", error.what(), PhysicsError::exit_code);
+    return fail("the physics failed", error.what(), PhysicsError::exit_code, true);
   } catch (const MachineError& error) {
     return fail("the machine failed", error.what(), MachineError::exit_code);
   } catch (const std::bad_alloc&) {
     return fail("the machine failed", "not enough memory: use a coarser mesh, or a machine with more", MachineError::exit_code);
   } catch (const std::exception& error) {
     return fail("error of the program", fmt::format("{}. Please report it", error.what()), program_error);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  spin_briefly(argv);
+  try {
+    parallel::Ranks ranks(argc, argv);
+    ranks.watch(&command::stop_asked);
+    CLI::App app("Sazare: dynamic failure of ground, rock and concrete", "sazare");
+    Arguments arguments;
+    describe(app, arguments);
+    try {
+      app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      return !ranks.is_first() ? UserError::exit_code : app.exit(error) == 0 ? 0 : UserError::exit_code;
+    }
+    return run_command(app, arguments, ranks);
+  } catch (const UserError& error) {  // of the launch
+    print_failure("error", error.what());
+    return UserError::exit_code;
   }
 }

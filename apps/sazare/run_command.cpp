@@ -16,11 +16,12 @@
 
 namespace sazare::command {
 
+std::atomic<bool> stop_asked{false};
+
 namespace {
 
 namespace fs = std::filesystem;
 
-std::atomic<bool> stop_asked{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "set by a signal handler");
 
 /// The run stops after its present step. A second Ctrl-C ends the process at once.
@@ -70,6 +71,11 @@ runs::Begin begin_of(const RunArguments& arguments) {
   return arguments.resume ? runs::Begin::resume : arguments.overwrite ? runs::Begin::overwrite : runs::Begin::fresh;
 }
 
+engine::Sharing sharing_of(const RunArguments& arguments, const parallel::Ranks& ranks) {
+  const auto policy = std::ranges::find(balance_policies, arguments.balance) - balance_policies.begin();
+  return {ranks.size() > 1 ? &ranks : nullptr, static_cast<distribute::Policy>(policy), arguments.balance_interval};
+}
+
 std::string resume_text(const RunArguments& arguments, const fs::path& folder) {
   std::string text = fmt::format("sazare run {} --out {} --resume", arguments.of_case.file.string(), folder.string());
   for (const std::string& setting : arguments.of_case.settings) text += fmt::format(" --set '{}'", setting);
@@ -79,15 +85,15 @@ std::string resume_text(const RunArguments& arguments, const fs::path& folder) {
 }  // namespace
 
 int run(const RunArguments& arguments, const parallel::Ranks& ranks) {
-  if (ranks.size() > 1)
-    throw UserError(fmt::format("method blocks runs in one process, and {} were started: leave mpirun out, and use --threads",
-                                ranks.size()));
   stop_on_signals();
   parallel::set_threads(arguments.of_case.threads);
   const cases::CaseFile file = cases::read_case(arguments.of_case.file, arguments.of_case.settings);
-  fmt::print(stderr, "{}", file.warnings);
+  if (ranks.is_first()) fmt::print(stderr, "{}", file.warnings);
   const fs::path folder = arguments.folder.empty() ? default_folder(arguments.of_case.file) : arguments.folder;
-  const runs::RunOutcome outcome = runs::run_blocks(file, {folder, begin_of(arguments), arguments.quiet, &stop_asked});
+  const bool quiet = arguments.quiet || !ranks.is_first();
+  const runs::RunOutcome outcome =
+      runs::run_blocks(file, {folder, begin_of(arguments), quiet, &stop_asked, sharing_of(arguments, ranks)});
+  if (!ranks.is_first()) return outcome.stopped ? stopped : done;
   if (outcome.stopped) {
     fmt::print(stderr, "stopped at t = {} s, with a checkpoint. To go on:\n  {}\n", cases::short_number(outcome.time),
                resume_text(arguments, folder));

@@ -41,6 +41,7 @@ class LevelKeeper {
   Real step(int level) const { return steps_[static_cast<std::size_t>(level)]; }
   std::span<const Index> bodies_at_pace(int level) const { return paces_.at(level); }
   schedule::LinkClock& clock(std::size_t term) { return clocks_[term]; }
+  const schedule::LinkClock& clock(std::size_t term) const { return clocks_[term]; }
 
   /// At a base step: gives every body the coarsest level that the rules allow.
   void relevel(const state::Bodies<D>& bodies);

@@ -24,8 +24,12 @@ std::int64_t clock_now() { return std::chrono::steady_clock::now().time_since_ep
 }  // namespace
 
 template <int D>
-Simulation<D>::Simulation(state::Bodies<D> bodies, TermList<D> terms, const StepRules& rules)
-    : bodies_(std::move(bodies)), terms_(std::move(terms)), levels_(rules, terms_, bodies_), due_links_(terms_.size()) {
+Simulation<D>::Simulation(state::Bodies<D> bodies, TermList<D> terms, const StepRules& rules, const Sharing& sharing)
+    : bodies_(std::move(bodies)), terms_(std::move(terms)), levels_(rules, terms_, bodies_), due_links_(terms_.size()),
+      balance_(sharing.policy), interval_(sharing.interval) {
+  if (sharing.ranks != nullptr && sharing.ranks->size() > 1)
+    replicas_ = std::make_unique<distribute::Replicas<D>>(*sharing.ranks, bodies_, terms_);
+  own_work_ = {std::vector<Real>(terms_.size() + 1, 0), std::vector<std::int64_t>(terms_.size() + 1, 0)};
   work_.resize(at(bodies_.size()));
   now_.tick_seconds = rules.base_step / static_cast<Real>(schedule::base_stride);
   for (const auto& term : terms_) times_.push_back({std::string(term->name()), 0});
@@ -58,6 +62,7 @@ void Simulation<D>::advance() {
     now_.tick -= now_.tick % schedule::stride(levels_.finest());
     tick();
   }
+  if (replicas_ && now_.tick / schedule::base_stride % interval_ == 0) divide_anew();
 }
 
 /// The step, as a list: choose levels, find what is due, evaluate, kick and drift, settle what has changed.
@@ -65,6 +70,7 @@ template <int D>
 void Simulation<D>::tick() {
   const std::int64_t begin = clock_now();
   const bool base = now_.tick % schedule::base_stride == 0;
+  if (base && replicas_ && travels()) replicas_->fetch_all();
   if (base)
     levels_.relevel(bodies_);
   else
@@ -75,7 +81,9 @@ void Simulation<D>::tick() {
   for (std::size_t term = 0; term < terms_.size(); ++term) {
     if (due_links_[term].empty()) continue;
     const std::int64_t before = clock_now();
+    const Real worked = replicas_ ? parallel::processor_seconds() : 0;
     terms_[term]->evaluate(now_, due_links_[term], bodies_);
+    if (replicas_) count_work(term, due_links_[term].size(), worked);
     add_time(term, before);
   }
   const std::int64_t before = clock_now();
@@ -83,7 +91,6 @@ void Simulation<D>::tick() {
   add_time(terms_.size(), before);
   settle();
   ++counters_.ticks;
-  counters_.kicks += static_cast<std::int64_t>(due_bodies_.size());
 }
 
 template <int D>
@@ -91,9 +98,6 @@ void Simulation<D>::collect_due() {
   due_bodies_.clear();
   for (int level = schedule::coarsest_due(now_.tick); level <= schedule::deepest_level; ++level)
     due_bodies_.insert(due_bodies_.end(), levels_.bodies_at_pace(level).begin(), levels_.bodies_at_pace(level).end());
-  for (const Index body : due_bodies_)  // those whose pace has quickened had planned to be due later
-    if (bodies_.motion[at(body)].due != now_.tick)
-      motion::drift_back(bodies_.motion[at(body)], bodies_.inertia[at(body)], now_);
   std::int64_t all_links = 0;
   for (std::size_t term = 0; term < terms_.size(); ++term) {
     auto& due = due_links_[term];
@@ -104,19 +108,38 @@ void Simulation<D>::collect_due() {
     all_links += static_cast<std::int64_t>(levels_.clock(term).size());
   }
   if (now_.tick % schedule::base_stride == 0) counters_.uniform_evaluations += all_links << levels_.finest();
+  counters_.kicks += static_cast<std::int64_t>(due_bodies_.size());
+  if (replicas_) leave_to_others();
+  for (const auto* due : {&due_bodies_, &due_elsewhere_})
+    for (const Index body : *due)  // those whose pace has quickened had planned to be due later
+      if (bodies_.motion[at(body)].due != now_.tick)
+        motion::drift_back(bodies_.motion[at(body)], bodies_.inertia[at(body)], now_);
 }
 
 template <int D>
 void Simulation<D>::kick_all() {
-  const bool travels = levels_.rules().travel_length < std::numeric_limits<Real>::infinity();
-  if (travels) stepped_level_.resize(due_bodies_.size());
+  const Real worked = replicas_ ? parallel::processor_seconds() : 0;
+  if (travels()) stepped_level_.resize(due_bodies_.size());
   parallel::parallel_for(due_bodies_.size(), serial_below, [&](std::size_t begin, std::size_t end) {
     for (std::size_t chunk = begin; chunk < end; chunk += terms::chunk_size)
       kick_chunk(std::span(due_bodies_).subspan(chunk, std::min(terms::chunk_size, end - chunk)));
   });
-  if (!travels) return;
+  if (replicas_) {
+    count_work(terms_.size(), due_bodies_.size(), worked);
+    replicas_->exchange(due_bodies_, due_elsewhere_);
+  }
+  if (travels()) take_refined();
+}
+
+/// Levels that kicked bodies have given themselves.
+template <int D>
+void Simulation<D>::take_refined() {
+  std::vector<Index> refined;
   for (std::size_t i = 0; i < due_bodies_.size(); ++i)
-    if (stepped_level_[i] > levels_.level(due_bodies_[i])) levels_.refined(due_bodies_[i], stepped_level_[i]);
+    if (stepped_level_[i] > levels_.level(due_bodies_[i]))
+      refined.push_back(due_bodies_[i] * schedule::level_count + stepped_level_[i]);
+  peers().unite(refined);
+  for (const Index both : refined) levels_.refined(both / schedule::level_count, both % schedule::level_count);
 }
 
 template <int D>
@@ -129,7 +152,7 @@ void Simulation<D>::kick_chunk(std::span<const Index> which) {
   parts.clear();
   const std::span sums(impulses.data(), which.size());
   for (const auto& term : terms_) term->gather(now_, which, bodies_, sums, parts);
-  const bool travels = levels_.rules().travel_length < std::numeric_limits<Real>::infinity();
+  const bool travels = this->travels();
   for (std::size_t i = 0; i < which.size(); ++i) {
     const Index body = which[i];
     int pace = levels_.pace(body);
@@ -152,9 +175,11 @@ void Simulation<D>::settle() {
   for (std::size_t term = 0; term < terms_.size(); ++term) {
     const std::int64_t before = clock_now();
     changes.clear();
-    terms_[term]->settle(now_, due_links_[term], bodies_, changes);
-    if (base) terms_[term]->settle_base(now_, bodies_, changes);
+    terms_[term]->settle(now_, bodies_, peers(), changes);
+    if (base) terms_[term]->settle_base(now_, bodies_, peers(), changes);
     levels_.apply(term, changes, now_.tick);
+    if (replicas_)
+      for (const Index link : changes.new_links) replicas_->add_link(terms_[term]->links()[at(link)]);
     add_time(term, before);
   }
 }
@@ -211,6 +236,11 @@ Index Simulation<D>::find_invalid_body() const {
 }
 
 template <int D>
+bool Simulation<D>::travels() const {
+  return levels_.rules().travel_length < std::numeric_limits<Real>::infinity();
+}
+
+template <int D>
 void Simulation<D>::columns(Archive& archive) {
   archive("tick", now_.tick);
   archive("motion", bodies_.motion);
@@ -224,6 +254,7 @@ void Simulation<D>::columns(Archive& archive) {
   archive("uniform_evaluations", counters_.uniform_evaluations);
   for (const auto& term : terms_) archive.folder(std::string(term->name()), [&] { term->columns(archive); });
   archive.folder("levels", [&] { levels_.columns(archive); });
+  if (replicas_ && archive.reading()) replicas_->divide(replicas_->ranges());
 }
 
 template class Simulation<2>;

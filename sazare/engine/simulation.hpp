@@ -4,9 +4,13 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "sazare/distribute/balance.hpp"
+#include "sazare/distribute/replicas.hpp"
 #include "sazare/engine/level_keeper.hpp"
 #include "sazare/terms/term.hpp"
 
@@ -34,10 +38,27 @@ struct Snapshot {
   std::vector<Angular<D>> angular_momentum;
 };
 
+/// How the work is shared out among the processes of a run.
+struct Sharing {
+  const parallel::Ranks* ranks = nullptr;  ///< none: this process does it all
+  distribute::Policy policy = distribute::Policy::predicted;
+  std::int64_t interval = 50;  ///< base steps between cuts
+};
+
+/// What one rank had to do until a cut.
+struct RankWork {
+  Tick tick = 0;
+  int rank = 0;
+  Real seconds = 0;         ///< of processor time in evaluations and kicks, since the last cut
+  Real talking = 0;         ///< of wall time in exchanges with others, since the run began [s]
+  std::int64_t bytes = 0;   ///< sent to others, since the run began
+  Index first_body = 0;     ///< of its range until then
+};
+
 template <int D>
 class Simulation {
  public:
-  Simulation(state::Bodies<D> bodies, TermList<D> terms, const StepRules& rules);
+  Simulation(state::Bodies<D> bodies, TermList<D> terms, const StepRules& rules, const Sharing& sharing = {});
   Simulation(const Simulation&) = delete;  // the levels look at its terms
   Simulation& operator=(const Simulation&) = delete;
 
@@ -52,6 +73,16 @@ class Simulation {
   const LevelKeeper<D>& levels() const { return levels_; }
   const Counters& counters() const { return counters_; }
   const std::vector<PartTime>& part_times() const { return times_; }
+
+  /// With several processes: makes all that is read below true in the first one, for the present base step. All call it.
+  void collect();
+
+  /// With several processes: the same list in all of them, rising. All call it.
+  void unite(std::vector<Index>& list) { peers().unite(list); }
+  bool owns(Index body) const { return replicas_ == nullptr || replicas_->owns(body); }
+
+  /// With several processes: work of every rank since the last call, interval by interval. Empty when alone.
+  std::vector<RankWork> take_rank_work() { return std::exchange(rank_work_, {}); }
 
   /// Positions and velocities at `now()`: the part of the last kicks that acts after it is taken back.
   Snapshot<D> snapshot() const;
@@ -70,6 +101,13 @@ class Simulation {
  private:
   void tick();
   void collect_due();
+  void leave_to_others();
+  void take_refined();
+  void divide_anew();
+  std::vector<std::vector<Real>> due_in_base_step() const;
+  void count_work(std::size_t kind, std::size_t count, Real since);
+  terms::Peers& peers() { return replicas_ ? static_cast<terms::Peers&>(*replicas_) : alone_; }
+  bool travels() const;
   void kick_all();
   void kick_chunk(std::span<const Index> which);
   void settle();
@@ -80,6 +118,7 @@ class Simulation {
   LevelKeeper<D> levels_;
   Moment now_;
   std::vector<Index> due_bodies_;
+  std::vector<Index> due_elsewhere_;         ///< with several processes: those of others that are seen here
   std::vector<std::vector<Due>> due_links_;  ///< by term
   std::vector<std::int8_t> stepped_level_;   ///< by place in `due_bodies_`: level of the coming step, under a travel limit
   std::vector<terms::CauseWork> work_;       ///< by body
@@ -87,6 +126,13 @@ class Simulation {
   std::vector<PartTime> times_;
   int finest_seen_ = 0;
   Real kinetic_at_start_ = 0;
+
+  terms::Peers alone_;
+  std::unique_ptr<distribute::Replicas<D>> replicas_;  ///< none when alone
+  distribute::Balance balance_;
+  distribute::Work own_work_;
+  std::int64_t interval_ = 0;
+  std::vector<RankWork> rank_work_;
 };
 
 extern template class Simulation<2>;

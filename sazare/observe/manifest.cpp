@@ -56,7 +56,7 @@ void write_manifest(const std::filesystem::path& file, const Manifest& manifest)
       {"status", manifest.status},
       {"started", manifest.started},
       {"finished", manifest.finished},
-      {"machine", {{"cpu", machine.cpu}, {"cores", machine.cores}, {"threads", machine.threads}}},
+      {"machine", {{"cpu", machine.cpu}, {"cores", machine.cores}, {"threads", machine.threads}, {"ranks", machine.ranks}}},
       {"state_hash", to_hex(manifest.state_hash)},
       {"results", results_of(manifest)}};
   // Texts of the user may hold bytes that are no UTF-8; they are replaced.

@@ -15,7 +15,8 @@ namespace sazare::observe {
 struct Machine {
   std::string cpu;  ///< model name
   int cores = 0;    ///< processors that the system offers
-  int threads = 0;  ///< threads that the run uses
+  int threads = 0;  ///< threads that each process of the run uses
+  int ranks = 1;    ///< processes of the run
 };
 
 /// This machine, and the threads set at present.

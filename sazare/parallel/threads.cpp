@@ -1,6 +1,7 @@
 #include "sazare/parallel/threads.hpp"
 
 #include <omp.h>
+#include <time.h>
 
 #include <algorithm>
 #include <atomic>
@@ -76,6 +77,12 @@ void limit_threads(int most) {
 int threads() {
   const int chosen = chosen_threads;
   return chosen > 0 ? chosen : omp_get_max_threads();
+}
+
+double processor_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 namespace detail {

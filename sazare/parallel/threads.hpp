@@ -14,6 +14,9 @@ void limit_threads(int most);
 /// The number of threads that parallel_for uses.
 int threads();
 
+/// Processor time of this thread so far [s]; what it waits does not count.
+double processor_seconds();
+
 namespace detail {
 using RangeFunction = void (*)(void* context, std::size_t begin, std::size_t end);
 void run_ranges(std::size_t n, RangeFunction function, void* context);

@@ -48,7 +48,7 @@ engine::StepRules step_rules(const cases::Time& time, Real base_step) {
 
 }  // namespace
 
-BlocksModel build_blocks(const cases::BlocksCase& blocks, geometry::TetraMesh mesh) {
+BlocksModel build_blocks(const cases::BlocksCase& blocks, geometry::TetraMesh mesh, const engine::Sharing& sharing) {
   BlocksModel model;
   model.mesh = std::move(mesh);
   for (Index element = 0; element < static_cast<Index>(model.mesh.tetrahedra.size()); ++element)
@@ -86,8 +86,8 @@ BlocksModel build_blocks(const cases::BlocksCase& blocks, geometry::TetraMesh me
 
   model.rates = rates_of(terms, bodies.size());
   for (const terms::Rates& rates : model.rates) model.stable_step.push_back(engine::stable_step(rates));
-  model.simulation =
-      std::make_unique<engine::Simulation<3>>(std::move(bodies), std::move(terms), step_rules(blocks.time, base_step));
+  model.simulation = std::make_unique<engine::Simulation<3>>(std::move(bodies), std::move(terms),
+                                                              step_rules(blocks.time, base_step), sharing);
   return model;
 }
 

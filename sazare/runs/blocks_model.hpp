@@ -26,6 +26,6 @@ struct BlocksModel {
 };
 
 /// Throws UserError when the case does not fit its mesh in a way only the faces show.
-BlocksModel build_blocks(const cases::BlocksCase& blocks, geometry::TetraMesh mesh);
+BlocksModel build_blocks(const cases::BlocksCase& blocks, geometry::TetraMesh mesh, const engine::Sharing& sharing = {});
 
 }  // namespace sazare::runs

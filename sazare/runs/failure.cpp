@@ -58,10 +58,14 @@ std::string likely_reason(const BlocksModel& model, const cases::CaseFile& file,
 
 }  // namespace
 
-Index find_failed_element(const BlocksModel& model) {
-  for (Index element = 0; element < model.simulation->bodies().size(); ++element)
-    if (has_failed(model, element)) return element;
-  return -1;
+Index find_failed_element(BlocksModel& model) {
+  std::vector<Index> failed;
+  for (Index element = 0; element < model.simulation->bodies().size() && failed.empty(); ++element)
+    if (model.simulation->owns(element) && has_failed(model, element)) failed.push_back(element);
+  model.simulation->unite(failed);
+  if (failed.empty()) return -1;
+  model.simulation->collect();
+  return failed.front();
 }
 
 std::string describe_failure(const BlocksModel& model, const cases::CaseFile& file, Real time) {

@@ -9,7 +9,7 @@ namespace sazare::runs {
 
 /// An element whose motion makes no sense any more: it is no number, or goes farther in a step than the element is large.
 /// -1 when there is none.
-Index find_failed_element(const BlocksModel& model);
+Index find_failed_element(BlocksModel& model);
 
 /// Says which element has failed in this sense, where it was, when, and what probably drove it there.
 std::string describe_failure(const BlocksModel& model, const cases::CaseFile& file, Real time);

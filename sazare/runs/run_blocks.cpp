@@ -15,6 +15,7 @@
 #include "sazare/runs/checkpoint_archive.hpp"
 #include "sazare/runs/mesh_source.hpp"
 #include "sazare/runs/progress.hpp"
+#include "sazare/runs/rank_times.hpp"
 #include "sazare/runs/run_identity.hpp"
 #include "sazare/runs/run_record.hpp"
 #include "sazare/runs/run_times.hpp"
@@ -45,12 +46,13 @@ observe::Manifest new_manifest(const cases::CaseFile& file) {
 class BlocksRun {
  public:
   BlocksRun(const cases::CaseFile& file, const RunOptions& options)
-      : file_(file), options_(options), folder_(options.folder, options.begin), manifest_(new_manifest(file)),
-        model_(build_blocks(file.blocks, load_mesh(file, folder_.mesh(), folder_.resumes()))),
+      : file_(file), options_(options), folder_(enter_folder()), manifest_(new_manifest(file)),
+        model_(build_blocks(file.blocks, mesh(), options.sharing)),
         identity_(identify(file.blocks, model_.mesh)), clocks_(make_clocks(file.blocks.time, simulation().levels().step(0))),
         record_(folder_, file, model_, clocks_) {
     parallel::limit_threads(simulation().bodies().size() / elements_per_thread);
     manifest_.machine.threads = parallel::threads();
+    if (options.sharing.ranks != nullptr) manifest_.machine.ranks = options.sharing.ranks->size();
     const std::string warning = check_stability(file, model_);
     if (!warning.empty()) fmt::print(stderr, "{}", warning);
     times_.add(RunTimes::Part::setup, times_.now());
@@ -75,6 +77,25 @@ class BlocksRun {
   }
 
  private:
+  /// Of several processes, only the first one writes. The others come when it has made the folder and the mesh.
+  bool writes() const { return options_.sharing.ranks == nullptr || options_.sharing.ranks->is_first(); }
+
+  RunFolder enter_folder() const {
+    if (writes()) return {options_.folder, options_.begin};
+    options_.sharing.ranks->barrier();
+    return RunFolder::of_another(options_.folder, options_.begin);
+  }
+
+  geometry::TetraMesh mesh() const {
+    geometry::TetraMesh loaded = load_mesh(file_, folder_.mesh(), folder_.resumes() || !writes());
+    if (writes() && options_.sharing.ranks != nullptr) options_.sharing.ranks->barrier();
+    return loaded;
+  }
+
+  bool agree(bool by_first) const {
+    return options_.sharing.ranks == nullptr ? by_first : options_.sharing.ranks->from_first(by_first) != 0;
+  }
+
   engine::Simulation<3>& simulation() { return *model_.simulation; }
 
   void say(const std::string& line) const {
@@ -87,10 +108,10 @@ class BlocksRun {
     if (options_.begin == Begin::resume)
       say(fmt::format("{}: no checkpoint to resume from, so the run begins anew", folder_.path().string()));
     write_manifest("running");
-    observe::write_file(folder_.case_file(), cases::write_resolved(file_.blocks, folder_.path()));
+    if (writes()) observe::write_file(folder_.case_file(), cases::write_resolved(file_.blocks, folder_.path()));
     say(fmt::format("{}: {} elements, {} joints, base step {} s", file_.blocks.title, simulation().bodies().size(),
                     model_.joints->links().size(), cases::short_number(simulation().levels().step(0), 4)));
-    record_.begin();
+    if (writes()) record_.begin();
     simulation().start();
     observe();
     save_checkpoint();
@@ -101,7 +122,7 @@ class BlocksRun {
     check_identity(in, folder_.path(), identity_);
     CheckpointLoader loader(in);
     columns(loader);
-    record_.resume();
+    if (writes()) record_.resume();
     checkpoint_step_ = step_;
     write_manifest("running");
     say(fmt::format("{}: resumed at t = {} s of {} s", file_.blocks.title, cases::short_number(clocks_.time(step_)),
@@ -114,18 +135,18 @@ class BlocksRun {
     auto next_checkpoint = Clock::now() + checkpoint_interval();
     auto next_flush = Clock::now() + flush_interval;
     while (step_ < clocks_.steps()) {
-      if (options_.stop_asked != nullptr && options_.stop_asked->load(std::memory_order_relaxed)) return true;
+      if (agree(options_.stop_asked != nullptr && options_.stop_asked->load(std::memory_order_relaxed))) return true;
       simulation().advance();
       ++step_;
       check_motion();
       observe();
       if (progress.is_due()) progress.show(state());
       const auto now = Clock::now();
-      if (now >= next_flush) {
+      if (writes() && now >= next_flush) {
         record_.flush(false);
         next_flush = now + flush_interval;
       }
-      if (now < next_checkpoint || step_ == clocks_.steps()) continue;
+      if (!agree(now >= next_checkpoint && step_ < clocks_.steps())) continue;
       save_checkpoint();
       next_checkpoint = Clock::now() + checkpoint_interval();
     }
@@ -151,20 +172,24 @@ class BlocksRun {
   void observe() {
     if (!clocks_.is_row(step_)) return;
     const Real before = times_.now();
+    simulation().collect();
+    if (!writes()) return;
     record_.observe(step_, before);
     times_.add(RunTimes::Part::output, times_.now() - before);
   }
 
   void end(const std::string& status) {
+    if (status != "done") save_checkpoint();
+    simulation().collect();
+    if (!writes()) return;
     if (status == "done") {
       const Real before = times_.now();
       record_.flush(true);
       record_.write_fragments();
       times_.add(RunTimes::Part::output, times_.now() - before);
-    } else {
-      save_checkpoint();
     }
     times_.write(folder_.timing(), simulation().part_times());
+    rank_times_.write(folder_.ranks(), simulation());
     write_manifest(status);
     if (status == "done") folder_.remove_checkpoint();
   }
@@ -173,6 +198,8 @@ class BlocksRun {
   void save_checkpoint() {
     record_.check_motion(clocks_.time(step_));
     const Real before = times_.now();
+    simulation().collect();
+    if (!writes()) return;
     record_.flush(true);
     observe::CheckpointWriter out(folder_.checkpoint());
     write_identity(out, identity_);
@@ -195,6 +222,7 @@ class BlocksRun {
   }
 
   void write_manifest(const std::string& status) {
+    if (!writes()) return;
     manifest_.status = status;
     manifest_.finished = status == "running" ? "" : observe::time_of_day();
     manifest_.results = record_.results(step_, times_.now());
@@ -206,7 +234,7 @@ class BlocksRun {
   /// As much as can still be written after an error.
   void leave_behind(const std::string& status) {
     try {
-      record_.flush(false);
+      if (writes()) record_.flush(false);
     } catch (const MachineError&) {  // the error that led here is the one to report
     }
     try {
@@ -224,6 +252,7 @@ class BlocksRun {
   const cases::CaseFile& file_;
   const RunOptions& options_;
   RunTimes times_;
+  RankTimes rank_times_;
   RunFolder folder_;
   observe::Manifest manifest_;
   BlocksModel model_;

@@ -5,6 +5,7 @@
 #include <atomic>
 
 #include "sazare/cases/case_file.hpp"
+#include "sazare/engine/simulation.hpp"
 #include "sazare/observe/manifest.hpp"
 #include "sazare/runs/run_folder.hpp"
 
@@ -15,6 +16,7 @@ struct RunOptions {
   Begin begin = Begin::fresh;
   bool quiet = false;                              ///< no progress, no words about the beginning
   const std::atomic<bool>* stop_asked = nullptr;   ///< looked at after every base step
+  engine::Sharing sharing = {};                    ///< with several processes: all carry out the same, the first one writes
 };
 
 struct RunOutcome {

@@ -62,7 +62,18 @@ RunFolder::RunFolder(fs::path folder, Begin begin) : path_(std::move(folder)) {
   }
 }
 
-RunFolder::~RunFolder() { close(descriptor_); }
+RunFolder RunFolder::of_another(fs::path folder, Begin begin) {
+  RunFolder names(std::move(folder));
+  names.resumes_ = begin == Begin::resume && fs::exists(names.checkpoint());
+  return names;
+}
+
+RunFolder::RunFolder(RunFolder&& other) noexcept
+    : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)), resumes_(other.resumes_) {}
+
+RunFolder::~RunFolder() {
+  if (descriptor_ >= 0) close(descriptor_);
+}
 
 /// The lock goes with the process, however it ends.
 void RunFolder::hold() {
@@ -106,7 +117,7 @@ void RunFolder::remove_checkpoint() const {
 void RunFolder::remove_run() const {
   std::error_code ignored;
   remove_checkpoint();
-  std::vector<fs::path> files = {history(), gauges(), fragments(), timing(), mesh(), case_file(), path_ / "report.html"};
+  std::vector<fs::path> files = {history(), gauges(), fragments(), timing(), ranks(), mesh(), case_file(), path_ / "report.html"};
   for (const auto& entry : fs::directory_iterator(snapshots(), ignored))
     if (is_snapshot(entry.path())) files.push_back(entry.path());
   files.push_back(manifest());

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 
 namespace sazare::runs {
 
@@ -20,7 +21,10 @@ class RunFolder {
   /// Makes the folder. Throws UserError when it holds a run and `begin` does not say what to do with it, when the run
   /// to be resumed is done, or when another process is at work there; MachineError when it cannot be written.
   RunFolder(std::filesystem::path folder, Begin begin);
+  /// For a process that helps another one with its run: only the names. The folder must have been made.
+  static RunFolder of_another(std::filesystem::path folder, Begin begin);
   ~RunFolder();
+  RunFolder(RunFolder&& other) noexcept;
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
 
@@ -30,6 +34,7 @@ class RunFolder {
   std::filesystem::path history() const { return path_ / "history.csv"; }
   std::filesystem::path gauges() const { return path_ / "gauges.csv"; }
   std::filesystem::path fragments() const { return path_ / "fragments.csv"; }
+  std::filesystem::path ranks() const { return path_ / "ranks.csv"; }
   std::filesystem::path timing() const { return path_ / "timing.csv"; }
   std::filesystem::path mesh() const { return path_ / "mesh.msh"; }
   std::filesystem::path snapshots() const { return path_ / "snapshots"; }
@@ -41,6 +46,7 @@ class RunFolder {
   void remove_checkpoint() const;
 
  private:
+  explicit RunFolder(std::filesystem::path folder) : path_(std::move(folder)) {}
   void hold();
   void refuse_unless_free() const;
   void refuse_when_done() const;

@@ -53,6 +53,11 @@ void FacePressure::add_energies(const Synchronized<3>& at, Ledger& ledger) const
     table_.take_back(static_cast<Index>(face), links_[face], at, ledger);
 }
 
+void FacePressure::carry(Index link, Parcel& parcel) {
+  parcel(faces_[static_cast<std::size_t>(link)].acts);
+  parcel(table_[link]);
+}
+
 void FacePressure::columns(Archive& archive) {
   archive("faces", faces_);
   archive("slots", table_.slots);

@@ -42,6 +42,7 @@ class FacePressure final : public Term<3> {
   }
   Rates rates(Index) const override { return {}; }
   void add_energies(const Synchronized<3>& at, Ledger& ledger) const override;
+  void carry(Index link, Parcel& parcel) override;
   void columns(Archive& archive) override;
 
  private:

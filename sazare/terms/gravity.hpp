@@ -54,6 +54,7 @@ class Gravity final : public Term<D> {
           mass_[body] * acceleration_.dot(at.pose[body].position - start_[body]);
   }
 
+  void carry(Index link, Parcel& parcel) override { parcel(given_[static_cast<std::size_t>(link)]); }
   void columns(Archive& archive) override { archive("given", given_); }
 
  private:

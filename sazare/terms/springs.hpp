@@ -71,6 +71,7 @@ class Springs final : public Term<D> {
     }
   }
 
+  void carry(Index link, Parcel& parcel) override { parcel(table_[link]); }
   void columns(Archive& archive) override { archive("slots", table_.slots); }
 
  private:

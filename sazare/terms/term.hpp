@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "sazare/core/archive.hpp"
+#include "sazare/core/parcel.hpp"
 #include "sazare/terms/ledger.hpp"
+#include "sazare/terms/peers.hpp"
 #include "sazare/terms/slot.hpp"
 #include "sazare/terms/work.hpp"
 
@@ -73,16 +75,20 @@ class Term {
   virtual void gather(const Moment& now, std::span<const Index> which, const state::Bodies<D>& bodies,
                       std::span<Impulse<D>> sum, CauseImpulses<D>& parts) const = 0;
 
-  /// Work on one thread after a step, on the links that were due.
-  virtual void settle(const Moment&, std::span<const Due>, const state::Bodies<D>&, Changes&) {}
+  /// Work on one thread after a step. All processes of a run do it, and must come to the same changes.
+  virtual void settle(const Moment&, const state::Bodies<D>&, Peers&, Changes&) {}
 
-  /// Work on one thread after a base step, when every body stands at the same time.
-  virtual void settle_base(const Moment&, const state::Bodies<D>&, Changes&) {}
+  /// Work on one thread after a base step, when every body stands at the same time; by all processes, as above.
+  virtual void settle_base(const Moment&, const state::Bodies<D>&, Peers&, Changes&) {}
 
   virtual Rates rates(Index body) const = 0;
 
   /// Adds this term's energies at a base step, and takes back the work of parts that act after now.
   virtual void add_energies(const Synchronized<D>& at, Ledger& ledger) const = 0;
+
+  /// What a link remembers, on its way to other processes; and what is to be done when all that come have arrived.
+  virtual void carry(Index link, Parcel& parcel) = 0;
+  virtual void carried() {}
 
   /// Columns of a checkpoint.
   virtual void columns(Archive& archive) = 0;

@@ -10,6 +10,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = Path(os.environ.get("SAZARE_PROGRAM", ROOT / "build/release/apps/sazare/sazare"))
 BLOCK = Path(__file__).parent / "block" / "case.toml"
+MPI_ENVIRONMENT = os.environ | {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 DONE, USER_ERROR, PHYSICS_FAILED, MACHINE_FAILED = 0, 2, 3, 4
 
 
@@ -22,6 +23,16 @@ class Sazare:
     def command(self, *arguments):
         """The arguments of a process, as text."""
         return [str(PROGRAM), *map(str, arguments)]
+
+    def ranks_command(self, ranks, *arguments):
+        """The same as so many processes."""
+        return ["mpirun", "--oversubscribe", "-n", str(ranks), *self.command(*arguments)]
+
+    def on_ranks(self, ranks, *arguments):
+        """Runs to the end as so many processes; output as text."""
+        return subprocess.run(
+            self.ranks_command(ranks, *arguments), capture_output=True, text=True, check=False, timeout=240, env=MPI_ENVIRONMENT
+        )
 
     def __call__(self, *arguments, **options):
         """Runs to the end; output as text."""

@@ -55,7 +55,8 @@ class ForceProbe {
 
   terms::Changes settle() {
     terms::Changes changes;
-    term_.settle(Moment{tick_, 1.0}, {}, bodies_, changes);
+    terms::Peers alone;
+    term_.settle(Moment{tick_, 1.0}, bodies_, alone, changes);
     return changes;
   }
 

@@ -148,11 +148,12 @@ class Watcher final : public terms::Term<D> {
   void evaluate(const Moment&, std::span<const Due>, const state::Bodies<D>&) override {}
   void gather(const Moment&, std::span<const Index>, const state::Bodies<D>&, std::span<state::Impulse<D>>,
               terms::CauseImpulses<D>&) const override {}
-  void settle(const Moment& now, std::span<const Due>, const state::Bodies<D>& bodies, terms::Changes&) override {
+  void settle(const Moment& now, const state::Bodies<D>& bodies, terms::Peers&, terms::Changes&) override {
     watch_(now, bodies);
   }
   terms::Rates rates(Index) const override { return {}; }
   void add_energies(const terms::Synchronized<D>&, terms::Ledger&) const override {}
+  void carry(Index, Parcel&) override {}
   void columns(Archive&) override {}
 
  private:

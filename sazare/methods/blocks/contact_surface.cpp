@@ -64,24 +64,40 @@ void ContactSurface::match(const Patch& mine, const state::Pose<3>& pose, const 
   }
 }
 
-std::vector<NearPair> ContactSurface::search(Index body, const std::function<bool(Index)>& skip,
-                                             const std::function<state::Pose<3>(Index)>& pose_of) const {
-  const Index open = open_of_[at(body)];
-  const state::Pose<3> pose = pose_of(body);
-  std::map<Index, NearPair> by_partner;
-  for (const Index number : patches_of_[at(open)]) {
+/// Calls visit(own patch, its centre, another body's patch) for all patches that may be near those of a body.
+template <class Visit>
+void ContactSurface::visit_near(Index body, const state::Pose<3>& pose, Visit&& visit) const {
+  for (const Index number : patches_of_[at(open_of_[at(body)])]) {
     if (number < 0) continue;
     const Patch& mine = patches_[at(number)];
     const Vector3 centre = pose.position + pose.rotation * mine.bound.centre;
-    const Real reach = mine.bound.radius + skin_;
-    grid_.visit_near(centre, reach, [&](Index item) {
-      const Patch& theirs = patches_[at(item)];
-      if (theirs.body == body || skip(theirs.body)) return;
-      const state::Pose<3> other = pose_of(theirs.body);
-      const Vector3 apart = other.position + other.rotation * theirs.bound.centre - centre;
-      if (apart.norm() < reach + theirs.bound.radius) match(mine, pose, theirs, other, by_partner[theirs.body]);
+    grid_.visit_near(centre, mine.bound.radius + skin_, [&](Index item) {
+      if (patches_[at(item)].body != body) visit(mine, centre, patches_[at(item)]);
     });
   }
+}
+
+std::vector<Index> ContactSurface::candidates(std::span<const Index> searched,
+                                              const std::function<state::Pose<3>(Index)>& pose_of) const {
+  std::vector<Index> near;
+  for (const Index body : searched)
+    visit_near(body, pose_of(body), [&](const Patch&, const Vector3&, const Patch& theirs) { near.push_back(theirs.body); });
+  std::ranges::sort(near);
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  return near;
+}
+
+std::vector<NearPair> ContactSurface::search(Index body, const std::function<bool(Index)>& skip,
+                                             const std::function<state::Pose<3>(Index)>& pose_of) const {
+  const state::Pose<3> pose = pose_of(body);
+  std::map<Index, NearPair> by_partner;
+  visit_near(body, pose, [&](const Patch& mine, const Vector3& centre, const Patch& theirs) {
+    if (skip(theirs.body)) return;
+    const state::Pose<3> other = pose_of(theirs.body);
+    const Vector3 apart = other.position + other.rotation * theirs.bound.centre - centre;
+    if (apart.norm() < mine.bound.radius + skin_ + theirs.bound.radius)
+      match(mine, pose, theirs, other, by_partner[theirs.body]);
+  });
   std::vector<NearPair> found;
   for (auto& [partner, near] : by_partner) {
     if (near.spheres.empty()) continue;

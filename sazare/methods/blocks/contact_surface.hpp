@@ -55,6 +55,9 @@ class ContactSurface {
   /// Places of bodies that are to be searched.
   void place(Index body, const state::Pose<3>& pose);
 
+  /// Bodies, rising, that a search of these may look at, which must be known where they are.
+  std::vector<Index> candidates(std::span<const Index> searched, const std::function<state::Pose<3>(Index)>& pose_of) const;
+
   /// Near pairs of a body with all others, rising by partner; pairs for which `skip(partner)` are left out. `pose_of` says
   /// where bodies are: partners may have moved by a third of the skin since they were placed.
   std::vector<NearPair> search(Index body, const std::function<bool(Index)>& skip,
@@ -71,6 +74,8 @@ class ContactSurface {
   };
 
   void place_patch(Index patch);
+  template <class Visit>
+  void visit_near(Index body, const state::Pose<3>& pose, Visit&& visit) const;
   void match(const Patch& mine, const state::Pose<3>& pose, const Patch& theirs, const state::Pose<3>& other,
              NearPair& near) const;
 

@@ -145,7 +145,7 @@ void Contacts::open_face(const FreeFace& face, const state::Bodies<3>& bodies) {
   surface_.open(face, corners_[at(face.body)], {bodies.start[at(face.body)], bodies.start_rotation[at(face.body)]});
 }
 
-void Contacts::settle(const Moment& now, std::span<const Due>, const state::Bodies<3>& bodies, terms::Changes& changes) {
+void Contacts::settle(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) {
   for (const Index pair : ending_) links_[at(pair)] = {};
   idle_.insert(idle_.end(), ending_.begin(), ending_.end());
   ending_.clear();
@@ -162,12 +162,17 @@ void Contacts::settle(const Moment& now, std::span<const Due>, const state::Bodi
   }
   std::ranges::sort(opened);
   opened.erase(std::unique(opened.begin(), opened.end()), opened.end());
+  if (!peers.alone()) {
+    peers.fetch(opened);
+    peers.fetch(surface_.candidates(opened, [&](Index body) { return state::pose_at(bodies.motion[at(body)], now); }));
+  }
   search(opened, false, now, bodies, changes);
 }
 
-void Contacts::settle_base(const Moment& now, const state::Bodies<3>& bodies, terms::Changes& changes) {
-  rest_the_distant(now, changes);
+void Contacts::settle_base(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) {
+  rest_the_distant(now, peers, changes);
   if (++base_steps_ % base_steps_between_searches != 0) return;
+  peers.fetch(surface_.bodies());
   std::vector<Index> moved;
   for (const Index body : surface_.bodies())
     if (surface_.moved(body, state::pose_at(bodies.motion[at(body)], now), reach_[at(body)]) > surface_.skin() / 3)
@@ -178,12 +183,19 @@ void Contacts::settle_base(const Moment& now, const state::Bodies<3>& bodies, te
 }
 
 /// Those pairs rest that the evaluation of this base step has found too far apart to meet before the one after the next.
-void Contacts::rest_the_distant(const Moment& now, terms::Changes& changes) {
+void Contacts::rest_the_distant(const Moment& now, terms::Peers& peers, terms::Changes& changes) {
   base_step_ = now.seconds_since(std::exchange(last_base_, now.tick));
+  std::vector<Index> changed;
   for (Index pair = 0; pair < static_cast<Index>(links_.size()); ++pair) {
-    Clearance& clearance = clearance_[at(pair)];
+    const Clearance& clearance = clearance_[at(pair)];
     if (clearance.is_distant == clearance.rests || is_idle(links_[at(pair)])) continue;
-    clearance.rests = clearance.is_distant;
+    if (peers.owns(links_[at(pair)].first)) changed.push_back(pair);
+  }
+  peers.unite(changed);
+  for (const Index pair : changed) {
+    Clearance& clearance = clearance_[at(pair)];
+    clearance.rests = !clearance.rests;
+    clearance.is_distant = clearance.rests;
     (clearance.rests ? changes.resting : changes.watching).push_back(pair);
   }
 }
@@ -304,6 +316,18 @@ void Contacts::add_energies(const terms::Synchronized<3>& at_time, terms::Ledger
         ledger[terms::Account::elastic] += laws::sphere_energy(law_, touched.overlap - sphere.rest);
     }
   }
+}
+
+void Contacts::carry(Index pair, Parcel& parcel) {
+  parcel(spheres_[at(pair)]);
+  parcel(clearance_[at(pair)]);
+  parcel(table_[pair]);
+}
+
+void Contacts::carried() {
+  std::ranges::fill(touching_, 0);
+  for (std::size_t pair = 0; pair < links_.size(); ++pair)
+    if (!is_idle(links_[pair]) && table_.slots[pair].evaluated >= 0) count_touching(links_[pair], 1);
 }
 
 void Contacts::columns(Archive& archive) {

@@ -26,11 +26,12 @@ class Contacts final : public terms::Term<3> {
   void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
   void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies,
               std::span<state::Impulse<3>> sum, terms::CauseImpulses<3>& parts) const override;
-  void settle(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies,
-              terms::Changes& changes) override;
-  void settle_base(const Moment& now, const state::Bodies<3>& bodies, terms::Changes& changes) override;
+  void settle(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
+  void settle_base(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
   terms::Rates rates(Index body) const override;
   void add_energies(const terms::Synchronized<3>& at, terms::Ledger& ledger) const override;
+  void carry(Index pair, Parcel& parcel) override;
+  void carried() override;
   void columns(Archive& archive) override;
 
   /// Pairs of bodies that are near each other.
@@ -38,7 +39,7 @@ class Contacts final : public terms::Term<3> {
 
  private:
   void evaluate_pair(const Moment& now, const Due& due, const state::Bodies<3>& bodies);
-  void rest_the_distant(const Moment& now, terms::Changes& changes);
+  void rest_the_distant(const Moment& now, terms::Peers& peers, terms::Changes& changes);
   void measure(std::vector<SpherePair>& spheres, const state::Pose<3>& first, const state::Pose<3>& second,
                Clearance& clearance) const;
   void count_touching(const Link& link, int change);

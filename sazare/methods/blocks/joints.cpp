@@ -145,8 +145,11 @@ const JointParameters<Lanes>& Joints::kinds_of(const LanePointers<JointRecord>& 
   return mixed;
 }
 
-void Joints::settle(const Moment&, std::span<const Due>, const state::Bodies<3>& bodies, terms::Changes& changes) {
-  for (const Index joint : failed_.take()) {
+void Joints::settle(const Moment&, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) {
+  std::vector<Index> failed = failed_.take();
+  peers.unite(failed);
+  for (const Index joint : failed) {
+    records_[at(joint)].state = JointState::broken;  // it may have failed in another process
     changes.ended_links.push_back(joint);
     for (const Index body : {links_[at(joint)].first, links_[at(joint)].second}) {
       update_rates(body, bodies);
@@ -229,6 +232,12 @@ void Joints::add_energies(const terms::Synchronized<3>& synchronized, terms::Led
     if (number % lane_count == 0) elastic = elastic_energies(number, synchronized);
     if (joint.state != JointState::broken) ledger[terms::Account::elastic] += elastic[static_cast<int>(number % lane_count)];
   }
+}
+
+void Joints::carry(Index joint, Parcel& parcel) {
+  parcel(records_[at(joint)].memory);
+  parcel(records_[at(joint)].state);
+  parcel(table_[joint]);
 }
 
 void Joints::columns(Archive& archive) {

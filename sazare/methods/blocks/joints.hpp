@@ -39,10 +39,10 @@ class Joints final : public terms::Term<3> {
               std::span<state::Impulse<3>> sum, terms::CauseImpulses<3>& parts) const override {
     table_.gather(now, which, bodies, sum, parts);
   }
-  void settle(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies,
-              terms::Changes& changes) override;
+  void settle(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
   terms::Rates rates(Index body) const override { return rates_[static_cast<std::size_t>(body)]; }
   void add_energies(const terms::Synchronized<3>& at, terms::Ledger& ledger) const override;
+  void carry(Index joint, Parcel& parcel) override;
   void columns(Archive& archive) override;
 
   Index count() const { return static_cast<Index>(links_.size()); }

@@ -36,6 +36,7 @@ class OuterFaces final : public terms::Term<3> {
   }
   terms::Rates rates(Index body) const override { return rates_[static_cast<std::size_t>(body)]; }
   void add_energies(const terms::Synchronized<3>& at, terms::Ledger& ledger) const override;
+  void carry(Index link, Parcel& parcel) override { parcel(table_[link]); }
   void columns(Archive& archive) override { archive("slots", table_.slots); }
 
  private:

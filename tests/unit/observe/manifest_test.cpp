@@ -42,7 +42,7 @@ TEST(manifest, has_the_names_that_scripts_read) {
   EXPECT_EQ(json.at("status"), "done");
   EXPECT_EQ(json.at("started"), "2026-01-31T12:00:00Z");
   EXPECT_EQ(json.at("finished"), "2026-01-31T12:00:03Z");
-  EXPECT_EQ(json.at("machine"), (nlohmann::json{{"cpu", "A processor"}, {"cores", 2}, {"threads", 1}}));
+  EXPECT_EQ(json.at("machine"), (nlohmann::json{{"cpu", "A processor"}, {"cores", 2}, {"threads", 1}, {"ranks", 1}}));
   EXPECT_EQ(json.at("state_hash"), "0000000000000abc");
   EXPECT_EQ(json.at("results").at("broken_joints"), 418);
   EXPECT_TRUE(json.at("results").at("broken_joints").is_number_integer());

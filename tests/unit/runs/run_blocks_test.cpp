@@ -57,7 +57,7 @@ TEST_F(FinishedRun, ManifestHasTheNamesOfTheInterface) {
   const nlohmann::json manifest = read_manifest(run());
   EXPECT_EQ(keys_of(manifest), (std::vector<std::string>{"case", "commit", "finished", "machine", "method", "results", "sazare",
                                                          "started", "state_hash", "status"}));
-  EXPECT_EQ(keys_of(manifest["machine"]), (std::vector<std::string>{"cores", "cpu", "threads"}));
+  EXPECT_EQ(keys_of(manifest["machine"]), (std::vector<std::string>{"cores", "cpu", "ranks", "threads"}));
   EXPECT_EQ(keys_of(manifest["results"]),
             (std::vector<std::string>{
                 "broken_joints", "elements", "energy_boundary", "energy_contact_dashpot", "energy_elastic", "energy_fracture",

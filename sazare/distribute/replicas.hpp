@@ -1,0 +1,80 @@
+#pragma once
+
+/// Every rank holds every body and every link, but works only for its own range of bodies.
+///
+/// A rank kicks its own bodies and evaluates all links that have one of them: those between two ranges are evaluated twice,
+/// with the same result, and no force ever travels. What travels at a tick is the motion of those kicked bodies that share
+/// a link with another range; lists of what has broken; and, where a search looks farther, the bodies it looks at. All else
+/// of other ranges grows old here until `collect`.
+///
+/// What is linked, and every level, is known everywhere: all ranks take the same decisions from the same lists.
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "sazare/distribute/ranges.hpp"
+#include "sazare/parallel/ranks.hpp"
+#include "sazare/terms/peers.hpp"
+#include "sazare/terms/term.hpp"
+
+namespace sazare::distribute {
+
+template <int D>
+class Replicas final : public terms::Peers {
+ public:
+  using Terms = std::vector<std::unique_ptr<terms::Term<D>>>;
+
+  /// The bodies and terms are those of the simulation, and stay. Begins with equal ranges.
+  Replicas(const parallel::Ranks& ranks, state::Bodies<D>& bodies, const Terms& terms);
+
+  const parallel::Ranks& ranks() const { return *ranks_; }
+  const Ranges& ranges() const { return ranges_; }
+
+  bool alone() const override { return false; }
+  bool owns(Index body) const override { return ranges_.owner(body) == ranks_->rank(); }
+  /// Whether a link is evaluated here.
+  bool holds(const Link& link) const { return owns(link.first) || (link.second != Link::outside && owns(link.second)); }
+  /// Whether the motion of another range's body is known here at every tick.
+  bool sees(Index body) const;
+
+  /// Makes a new link's bodies seen by both their owners.
+  void add_link(const Link& link);
+
+  /// Hands on the motion of own bodies that were kicked, and takes over that of seen bodies that were kicked elsewhere.
+  /// Both lists are in the order in which bodies are due everywhere.
+  void exchange(std::span<const Index> kicked, std::span<const Index> kicked_elsewhere);
+
+  void unite(std::vector<Index>& list) const override;
+  void fetch(std::span<const Index> bodies) override;
+
+  void fetch_all();
+
+  /// Brings everything up to date, everywhere or in the first rank: bodies, their work, and what links remember.
+  void collect(std::vector<terms::CauseWork>& work, parallel::To to);
+
+  /// New ranges; everything must have been collected before.
+  void divide(Ranges ranges);
+
+ private:
+  struct Moving {
+    state::Motion<D> motion;
+    state::Inertia<D> inertia;
+  };
+
+  Moving moving(Index body) const;
+  void take(Index body, const Moving& moving);
+  void carry_range(int rank, std::vector<terms::CauseWork>& work, Parcel& parcel);
+
+  const parallel::Ranks* ranks_;
+  state::Bodies<D>* bodies_;
+  const Terms* terms_;
+  Ranges ranges_;
+  std::vector<std::vector<int>> viewers_;  ///< by body: other ranks that see it
+  std::vector<parallel::Message> sent_, received_;
+};
+
+extern template class Replicas<2>;
+extern template class Replicas<3>;
+
+}  // namespace sazare::distribute

@@ -1,0 +1,24 @@
+#include "sazare/runs/rank_times.hpp"
+
+#include "sazare/observe/csv_writer.hpp"
+
+namespace sazare::runs {
+
+void RankTimes::write(const std::filesystem::path& file, engine::Simulation<3>& simulation) {
+  const auto latest = simulation.take_rank_work();
+  work_.insert(work_.end(), latest.begin(), latest.end());
+  if (work_.empty()) return;
+  const Real tick_seconds = simulation.now().tick_seconds;
+  std::vector<Real> worked;
+  std::vector<std::vector<observe::CsvField>> rows;
+  for (const engine::RankWork& of : work_) {
+    worked.resize(std::max(worked.size(), static_cast<std::size_t>(of.rank) + 1), 0);
+    Real& sum = worked[static_cast<std::size_t>(of.rank)] += of.seconds;
+    rows.push_back({static_cast<Real>(of.tick) * tick_seconds, std::int64_t{of.rank}, sum, of.talking, of.bytes,
+                    std::int64_t{of.first_body}});
+  }
+  observe::write_csv(
+      file, {"time [s]", "rank [-]", "processor_time [s]", "exchange_time [s]", "bytes_sent [B]", "first_element [-]"}, rows);
+}
+
+}  // namespace sazare::runs

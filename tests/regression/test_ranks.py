@@ -1,0 +1,151 @@
+"""Many processes on one run give the bits of one process, whatever they do with the work, and however they end."""
+
+import csv
+import os
+import shutil
+import signal
+import subprocess
+import time
+
+import pytest
+from conftest import DONE, MACHINE_FAILED, MPI_ENVIRONMENT, USER_ERROR, PROGRAM, manifest, rows_without_wall_time
+
+OFTEN = "output.checkpoint_interval=0.02"
+LATER = "time.end=8e-4"
+
+
+def has_mpi():
+    return shutil.which("mpirun") and "MPI       yes" in subprocess.run([PROGRAM, "info"], capture_output=True, text=True).stdout
+
+
+pytestmark = pytest.mark.skipif(not has_mpi(), reason="this sazare is built without MPI, or there is no mpirun")
+
+
+def block_run(sazare, folder, *options, threads=1):
+    return ("run", sazare.block, "--out", folder, "--threads", threads, "--set", OFTEN, "--set", LATER, *options)
+
+
+@pytest.fixture(scope="module")
+def alone(tmp_path_factory):
+    """The run of one process."""
+    from conftest import Sazare
+
+    folder = tmp_path_factory.mktemp("alone") / "run"
+    done = Sazare()(*block_run(Sazare(), folder))
+    assert done.returncode == DONE, done.stderr
+    return folder
+
+
+def assert_same_results(one, many):
+    first, second = manifest(one), manifest(many)
+    assert first["status"] == second["status"] == "done"
+    assert first["state_hash"] == second["state_hash"]
+    first["results"].pop("wall_seconds")
+    second["results"].pop("wall_seconds")
+    assert first["results"] == second["results"]
+    assert rows_without_wall_time(one / "history.csv") == rows_without_wall_time(many / "history.csv")
+    for name in ("gauges.csv", "fragments.csv"):
+        assert (one / name).read_bytes() == (many / name).read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("ranks", "threads", "options"),
+    [
+        (2, 1, []),
+        (3, 1, ["--balance", "measured", "--balance-interval", 7]),
+        (4, 1, ["--balance", "predicted", "--balance-interval", 5]),
+        (5, 2, ["--balance", "fixed"]),
+    ],
+)
+def test_any_number_of_ranks_gives_the_same_bits(sazare, tmp_path, alone, ranks, threads, options):
+    done = sazare.on_ranks(ranks, *block_run(sazare, tmp_path / "run", *options, threads=threads))
+    assert done.returncode == DONE, done.stderr
+    assert manifest(alone)["results"]["broken_joints"] > 0
+    assert_same_results(alone, tmp_path / "run")
+
+
+def test_under_a_travel_limit_bodies_refine_each_other_across_ranks(sazare, tmp_path):
+    travel = ["--set", "time.limiter=travel", "--set", "time.travel_length=2e-6", "--set", "time.base_step=1e-6"]
+    one = sazare(*block_run(sazare, tmp_path / "one", *travel))
+    assert one.returncode == DONE, one.stderr
+    many = sazare.on_ranks(3, *block_run(sazare, tmp_path / "many", "--balance-interval", 10, *travel))
+    assert many.returncode == DONE, many.stderr
+    assert manifest(tmp_path / "one")["results"]["smallest_step"] < 1e-6
+    assert_same_results(tmp_path / "one", tmp_path / "many")
+
+
+def test_what_each_rank_did_is_written(sazare, tmp_path):
+    sazare.on_ranks(3, *block_run(sazare, tmp_path / "run", "--balance-interval", 10))
+    with open(tmp_path / "run" / "ranks.csv", newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    assert {row["rank [-]"] for row in rows} == {"0", "1", "2"}
+    for rank in "012":
+        own = [row for row in rows if row["rank [-]"] == rank]
+        for column in ("time [s]", "processor_time [s]", "exchange_time [s]", "bytes_sent [B]"):
+            values = [float(row[column]) for row in own]
+            assert values == sorted(values) and values[-1] > 0
+    assert manifest(tmp_path / "run")["machine"]["ranks"] == 3
+
+
+def kill_one(process, folder):
+    """Waits for a checkpoint, then kills a process of the run that is not the first one."""
+    wait_for(folder / "checkpoint" / "state.h5")
+    children = subprocess.run(["pgrep", "-P", str(process.pid)], capture_output=True, text=True, check=True).stdout.split()
+    os.kill(int(children[-1]), signal.SIGKILL)
+
+
+def test_a_process_that_dies_ends_the_run_and_leaves_a_checkpoint_for_any_number(sazare, tmp_path, alone):
+    for ranks_then, ranks_after in ((3, 2), (2, 1)):
+        folder = tmp_path / f"run{ranks_then}"
+        process = subprocess.Popen(
+            sazare.ranks_command(ranks_then, *block_run(sazare, folder)),
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=MPI_ENVIRONMENT,
+        )
+        kill_one(process, folder)
+        _, words = process.communicate(timeout=60)
+        assert process.returncode != DONE
+        assert "signal 9" in words
+        assert manifest(folder)["status"] in ("running", "stopped")
+        resumed = sazare.on_ranks(ranks_after, *block_run(sazare, folder, "--resume"))
+        assert resumed.returncode == DONE, resumed.stderr
+        assert_same_results(alone, folder)
+
+
+def test_a_run_of_one_process_goes_on_as_several(sazare, tmp_path, alone):
+    folder = tmp_path / "run"
+    process = sazare.start(*block_run(sazare, folder))
+    wait_for(folder / "checkpoint" / "state.h5")
+    process.send_signal(signal.SIGTERM)
+    process.communicate(timeout=60)
+    assert process.returncode == MACHINE_FAILED
+    resumed = sazare.on_ranks(3, *block_run(sazare, folder, "--resume"))
+    assert resumed.returncode == DONE, resumed.stderr
+    assert_same_results(alone, folder)
+
+
+def test_ctrl_c_leaves_a_checkpoint(sazare, tmp_path, alone):
+    folder = tmp_path / "run"
+    process = subprocess.Popen(
+        sazare.ranks_command(2, *block_run(sazare, folder)),
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=MPI_ENVIRONMENT,
+    )
+    wait_for(folder / "checkpoint" / "state.h5")
+    process.send_signal(signal.SIGINT)
+    process.communicate(timeout=60)
+    resumed = sazare.on_ranks(2, *block_run(sazare, folder, "--resume"))
+    assert resumed.returncode == DONE, resumed.stderr
+    assert_same_results(alone, folder)
+
+
+def test_errors_are_said_once(sazare, tmp_path):
+    refused = sazare.on_ranks(3, "run", sazare.block, "--out", tmp_path / "run", "--set", "time.end=-1")
+    assert refused.returncode == USER_ERROR
+    assert refused.stderr.count("time.end") + refused.stderr.count("end = -1") >= 1
+    assert refused.stderr.count("nothing was run") == 1
+
+
+def wait_for(path):
+    end = time.monotonic() + 60
+    while not path.exists():
+        assert time.monotonic() < end, f"{path} did not appear"
+        time.sleep(0.002)

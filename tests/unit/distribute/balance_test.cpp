@@ -1,0 +1,83 @@
+#include "sazare/distribute/balance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace sazare::distribute {
+namespace {
+
+constexpr Index bodies = 1000;
+
+/// What bodies really cost: the first tenth thirty times the rest, as around a hole.
+std::vector<Real> true_costs() {
+  std::vector<Real> costs(bodies, 1e-6);
+  std::fill_n(costs.begin(), bodies / 10, 30e-6);
+  return costs;
+}
+
+Real cost_of(const Ranges& ranges, int rank) {
+  const auto costs = true_costs();
+  return std::accumulate(costs.begin() + ranges.begin(rank), costs.begin() + ranges.end(rank), Real{0});
+}
+
+std::vector<Work> work_of(const Ranges& ranges) {
+  std::vector<Work> work;
+  for (int rank = 0; rank < ranges.count(); ++rank) work.push_back({{cost_of(ranges, rank)}, {ranges.size(rank)}});
+  return work;
+}
+
+/// Largest over smallest cost after some intervals.
+Real imbalance_after(Policy policy, int intervals, const std::vector<Real>& due) {
+  Balance balance(policy);
+  Ranges ranges = cut_evenly(std::vector<Real>(bodies, 1), 4);
+  for (int interval = 0; interval < intervals; ++interval) ranges = balance.cut(ranges, work_of(ranges), {due});
+  Real smallest = 1e9, largest = 0;
+  for (int rank = 0; rank < ranges.count(); ++rank) {
+    smallest = std::min(smallest, cost_of(ranges, rank));
+    largest = std::max(largest, cost_of(ranges, rank));
+  }
+  return largest / smallest;
+}
+
+TEST(balance, fixed_ranges_stay) {
+  EXPECT_NEAR(imbalance_after(Policy::fixed, 5, {}), (3000 + 150.0) / 250, 1e-9);
+}
+
+TEST(balance, measured_times_make_ranges_of_equal_cost) { EXPECT_LT(imbalance_after(Policy::measured, 12, {}), 1.5); }
+
+TEST(balance, a_right_prediction_needs_one_interval) {
+  std::vector<Real> due(bodies, 1);
+  std::fill_n(due.begin(), bodies / 10, 30);
+  EXPECT_LT(imbalance_after(Policy::predicted, 1, due), 1.5);
+}
+
+TEST(balance, a_wrong_prediction_is_corrected_by_what_ranks_took) {
+  const std::vector<Real> due(bodies, 1);
+  EXPECT_GT(imbalance_after(Policy::predicted, 1, due), 10);
+  EXPECT_LT(imbalance_after(Policy::predicted, 15, due), 2);
+}
+
+TEST(balance, noise_of_the_clock_moves_no_cut) {
+  for (const Policy policy : {Policy::measured, Policy::predicted}) {
+    Balance balance(policy);
+    const Ranges equal = cut_evenly(std::vector<Real>(bodies, 1), 4);
+    const std::vector<Real> due(bodies, 1);
+    for (const Real noise : {0.01, -0.01, 0.005}) {
+      auto work = std::vector<Work>(4, {{250e-6}, {250}});
+      work[1].seconds[0] *= 1 + noise;
+      EXPECT_TRUE(balance.cut(equal, work, {due}) == equal);
+    }
+  }
+}
+
+TEST(balance, an_interval_without_work_changes_nothing_that_harms) {
+  Balance balance(Policy::predicted);
+  const Ranges equal = cut_evenly(std::vector<Real>(bodies, 1), 4);
+  const Ranges next = balance.cut(equal, std::vector<Work>(4, {{0}, {0}}), {std::vector<Real>(bodies, 0)});
+  EXPECT_EQ(next.cuts().back(), bodies);
+}
+
+}  // namespace
+}  // namespace sazare::distribute
