@@ -2,7 +2,7 @@
 
     python validation/run.py [--build build/release] [--only PART_OF_A_FOLDER ...] [--jobs 2] [--write-docs]
 
-Each folder with an expected.csv has one program of the same path under <build>/validation. It prints `row,ours` or, where
+Each folder with an expected.csv has one program of the same path under <build>/validation, or a main.py. It prints `row,ours` or, where
 the expected value is computed by other means, `row,ours,expected`. Written are build/validation/results.csv
 (id,quantity,unit,expected,source,ours,tolerance,verdict) and the same as a page, build/validation/index.html; with
 --write-docs also docs/reference/validation.md. With --only nothing is written: the table has all rows or none. Ends with 1
@@ -25,7 +25,7 @@ ROOT = Path(__file__).resolve().parent.parent
 COLUMNS = ("id", "quantity", "unit", "expected", "source", "ours", "tolerance", "verdict")
 PASSED, FAILED, NOT_RUN = "passed", "FAILED", "not run"
 TIME_LIMIT = 1800  # seconds of one program
-BEGUN_FIRST = ("papers/blasting-dem/figure-13", "papers/blasting-dem/section-4-3")  # the longest
+BEGUN_FIRST = ("papers/blasting-dem/figure-15", "papers/blasting-dem/figure-13", "papers/blasting-dem/section-4-3")  # the longest
 INTRODUCTION = ("Expected values beside ours, as `make validate` found them. The folder of a row, under `validation/`, says "
                 "in its README what is compared and why the tolerance is what it is.")
 
@@ -85,10 +85,11 @@ def run_program(program):
     """What a program printed by row; or why there is nothing. A program that ends badly has no rows that count."""
     if not program.exists():
         return {}, f"{program} is not built"
+    command = [sys.executable, program] if program.suffix == ".py" else [program]
     # One thread each, since several programs run at once; whoever asks for more does not spin while it waits for the others.
     environment = os.environ | {"OMP_NUM_THREADS": "1", "OMP_WAIT_POLICY": "passive"}
     try:
-        done = subprocess.run([program], cwd=ROOT, env=environment, capture_output=True, text=True, timeout=TIME_LIMIT,
+        done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, timeout=TIME_LIMIT,
                               check=False)
     except subprocess.TimeoutExpired:
         return {}, f"no end after {TIME_LIMIT} s"
@@ -119,7 +120,8 @@ def validate(folder, build):
     began = time.monotonic()
     with open(ROOT / "validation" / folder / "expected.csv", newline="", encoding="utf-8") as file:
         entries = list(csv.DictReader(file))
-    values, why = run_program(build / "validation" / folder)
+    script = ROOT / "validation" / folder / "main.py"
+    values, why = run_program(script if script.exists() else build / "validation" / folder)
     rows = [compare_row(folder, entry, values, why) for entry in entries]
     for name in sorted(values.keys() - {entry["row"] for entry in entries}):
         rows.append(Row(f"{folder}/{name}", "", "", "", "not in expected.csv", short(values[name][0]), "", FAILED))

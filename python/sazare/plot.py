@@ -1,5 +1,6 @@
 """Curves of a run: energy, broken joints, gauges, fragments, steps, time. Each returns a matplotlib Figure, or None without data."""
 
+import matplotlib
 import numpy as np
 from matplotlib.ticker import NullFormatter
 
@@ -165,4 +166,31 @@ def timing(results):
     axes.set_xlabel("time [s]")
     axes.grid(axis="y", visible=False)
     axes.margins(x=0.12)
+    return figure
+
+
+@style.styled
+def ranks(results):
+    """What every rank of a run did: processor time cumulated, imbalance of the intervals, and where the ranges are cut."""
+    table = results.ranks
+    if table.rows < 1:
+        return None
+    count = int(table["rank"].max()) + 1
+    time = table["time"].reshape(-1, count)[:, 0] * 1e6
+    worked, first = (table[name].reshape(-1, count) for name in ("processor_time", "first_element"))
+    spent = np.diff(worked, axis=0, prepend=0)
+    figure = style.figure(7.4, 7.2)
+    total, share, cuts = figure.subplots(3, 1, sharex=True, gridspec_kw={"height_ratios": [3, 2, 3]})
+    colors = matplotlib.colormaps["viridis"](np.linspace(0, 0.9, count))
+    for rank in range(count):
+        total.plot(time, worked[:, rank], color=colors[rank], linewidth=1.2)
+        cuts.step(time, first[:, rank], color=colors[rank], linewidth=1.2, where="pre")
+    total.set_ylabel("processor time [s]")
+    total.set_title(f"{count} ranks; at the end largest over smallest {worked[-1].max() / worked[-1].min():.3g}")
+    share.plot(time, spent.max(axis=1) / spent.mean(axis=1), color=style.ACCENT, linewidth=1.2)
+    share.set_ylabel("largest over mean\nof an interval")
+    share.set_ylim(bottom=1)
+    cuts.set_ylabel("first element")
+    cuts.set_xlabel("time [us]")
+    figure.align_ylabels()
     return figure

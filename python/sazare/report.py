@@ -81,7 +81,17 @@ def curve_sections(results):
             "timing", "Where the time went", "Computing time by part of the step.",
             partial(plot.timing, results), "The run wrote no timing.", wide=False,
         ),
-    ]
+    ] + ([rank_section(results)] if results.ranks.rows > 0 else [])
+
+
+def rank_section(results):
+    """The picture of a run of several processes."""
+    return Section(
+        "ranks", "Ranks",
+        "Processor time of each rank in evaluations and kicks, cumulated; how far the busiest rank of an interval is above the "
+        "mean; and with which element each rank's range begins.",
+        partial(plot.ranks, results), "",
+    )
 
 
 def _drawn(section, folder):

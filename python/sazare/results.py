@@ -204,6 +204,12 @@ class Results:
         return self._table("timing.csv")
 
     @cached_property
+    def ranks(self):
+        """ranks.csv of a run of several processes, interval by interval between cuts: time, rank, processor_time [s] and
+        bytes_sent [B], both cumulated, exchange_time [s], first_element. Empty for a run of one process."""
+        return self._table("ranks.csv")
+
+    @cached_property
     def gauges(self):
         """gauges.csv as a dict of Gauge by name."""
         table = self._table("gauges.csv")

@@ -202,7 +202,7 @@ class SyntheticRun:
         return {
             "sazare": "0.1.0", "commit": "0123456789ab", "case": title, "method": "blocks", "status": "done",
             "started": "2025-01-02T03:04:05Z", "finished": "2025-01-02T03:04:08Z",
-            "machine": {"cpu": "A processor", "cores": 2, "threads": 2},
+            "machine": {"cpu": "A processor", "cores": 2, "threads": 2, "ranks": 1},
             "state_hash": "0123456789abcdef", "results": results,
         }
 
