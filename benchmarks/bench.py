@@ -96,8 +96,10 @@ class Bench:
     def _measure(self, scene):
         if scene.long and not self.options.long:
             raise NotChosen("takes long; --long runs it")
-        if scene.threads > self.cores:
-            raise NotRun(f"needs {scene.threads} processors, this machine has {self.cores}")
+        if scene.threads * scene.ranks > self.cores:
+            raise NotRun(f"needs {scene.threads * scene.ranks} processors, this machine has {self.cores}")
+        if scene.ranks > 1 and shutil.which("mpirun") is None:
+            raise NotRun("there is no mpirun")
         settings = scene.settings + self._mesh_settings(scene)
         runs, began = [], time.monotonic()
         while not runs or (len(runs) < self.options.repeats and time.monotonic() - began < REPEAT_WITHIN):
@@ -116,6 +118,8 @@ class Bench:
         command = [self.options.build / "apps/sazare/sazare", "run", ROOT / scene.case, "--out", folder, "--overwrite",
                    "--quiet", "--threads", str(scene.threads)]
         command += [word for setting in settings for word in ("--set", setting)]
+        if scene.ranks > 1:
+            command = ["mpirun", "-n", str(scene.ranks), *command]
         before = _processor_seconds_of_children()
         peak = self._carry_out(command)
         spent = _processor_seconds_of_children() - before
@@ -149,6 +153,7 @@ class Bench:
             raise NotRun(f"{program} is not built")
         # Threads are set by option alone, whatever the shell has set.
         environment = {name: value for name, value in os.environ.items() if not name.startswith(("OMP_", "GOMP_"))}
+        environment |= {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
         log = self.options.out / "log"
         with log.open("w+", encoding="utf-8") as output:
             process = subprocess.Popen([str(word) for word in command], cwd=ROOT, env=environment, stdout=output,

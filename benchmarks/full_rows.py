@@ -15,6 +15,14 @@ def thread_speed(bench):
     return two.engine_seconds, one.engine_seconds
 
 
+def rank_speed(bench):
+    """Wall-clock times on two ranks and on one, without making the mesh [s]."""
+    one, two = bench.run(scenes.FULL), bench.run(scenes.FULL.on_ranks(2))
+    if one.state_hash != two.state_hash:
+        raise NotRun("the states at the end differ between 1 and 2 ranks")
+    return two.wall_seconds - two.parts["setup"], one.wall_seconds - one.parts["setup"]
+
+
 def rows():
     """All rows of the whole specimen."""
     two = scenes.FULL.on(2)
@@ -23,6 +31,8 @@ def rows():
             Peer("paper, 1 processor: over a month", MONTH), Limit("ours", high=60)),
         Row("blocks/ourselves-full-threads", "wall time of the steps on 2 threads, against 1", "s", thread_speed,
             Peer("ourselves, 1 thread"), Limit("ratio", low=1.7)),
+        Row("blocks/ourselves-full-ranks", "wall time without set-up on 2 ranks, against 1", "s", rank_speed,
+            Peer("ourselves, 1 rank"), Limit("ratio", low=1.6)),
         Row("blocks/ourselves-full-output", "share of wall time in histories, ledger, snapshots, checkpoints", "-",
             output_share(two), limit=Limit("ours", high=0.05)),
         Row("blocks/ourselves-full-memory", "resident memory per element", "B",

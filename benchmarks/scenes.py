@@ -1,4 +1,4 @@
-"""The scenes: which case with which settings, and on how many threads."""
+"""The scenes: which case with which settings, and on how many threads or ranks."""
 
 from dataclasses import dataclass, replace
 
@@ -11,12 +11,17 @@ class Scene:
     case: str  # from the repository's root
     settings: tuple = ()  # "table.key=value"
     threads: int = 1
+    ranks: int = 1
     mesh: tuple = ()  # (geometry, name, value) of a mesh to be made for it; the case then reads that mesh
     long: bool = False  # only when asked for
 
     def on(self, threads):
         """The same on more threads."""
         return replace(self, name=f"{self.name}-{threads}-threads", threads=threads)
+
+    def on_ranks(self, ranks):
+        """The same as several processes."""
+        return replace(self, name=f"{self.name}-{ranks}-ranks", ranks=ranks)
 
     def with_settings(self, name, *settings, long=False):
         """The same case, set otherwise."""
