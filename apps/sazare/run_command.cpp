@@ -12,7 +12,7 @@
 #include "sazare/core/error.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "sazare/runs/progress.hpp"
-#include "sazare/runs/run_blocks.hpp"
+#include "sazare/runs/run_case.hpp"
 
 namespace sazare::command {
 
@@ -54,7 +54,19 @@ std::string balance_text(const observe::Manifest& manifest) {
   return fmt::format("work {} J, unaccounted {} J{}", cases::short_number(work, 4), cases::short_number(residual, 2), share);
 }
 
+void print_mps_figures(const observe::Manifest& manifest, const fs::path& folder) {
+  const auto number = [&](std::string_view name, int digits = 4) { return cases::short_number(figure(manifest, name), digits); };
+  const Real seconds = figure(manifest, "wall_seconds");
+  fmt::print("particles       {}, step {} s, predicted limit {} s\n", number("particles", 12), number("step"), number("predicted_limit"));
+  fmt::print("peaks           {} m, {} m/s, {} m/s2\n", number("peak_displacement"), number("peak_speed"), number("peak_acceleration"));
+  fmt::print("wall time       {:.2f} s, {} particle-steps per second, {} thread{}\n", seconds,
+             cases::short_number(seconds > 0 ? figure(manifest, "particle_steps") / seconds : 0, 3), manifest.machine.threads,
+             manifest.machine.threads == 1 ? "" : "s");
+  fmt::print("results in      {}\n", folder.string());
+}
+
 void print_figures(const observe::Manifest& manifest, const fs::path& folder) {
+  if (manifest.method == "mps") return print_mps_figures(manifest, folder);
   const auto number = [&](std::string_view name, int digits = 4) { return cases::short_number(figure(manifest, name), digits); };
   fmt::print("joints broken   {} of {}\n", number("broken_joints", 12), number("joints", 12));
   fmt::print("fragments       {} of {} elements, X50 {} m, X80 {} m\n", number("fragments", 12), number("elements", 12),
@@ -87,7 +99,7 @@ int run(const RunArguments& arguments, const parallel::Ranks& ranks) {
   const cases::CaseFile file = cases::read_case(arguments.of_case.file, arguments.of_case.settings);
   fmt::print(stderr, "{}", file.warnings);
   const fs::path folder = arguments.folder.empty() ? default_folder(arguments.of_case.file) : arguments.folder;
-  const runs::RunOutcome outcome = runs::run_blocks(file, {folder, begin_of(arguments), arguments.quiet, &stop_asked});
+  const runs::RunOutcome outcome = runs::run_case(file, {folder, begin_of(arguments), arguments.quiet, &stop_asked});
   if (outcome.stopped) {
     fmt::print(stderr, "stopped at t = {} s, with a checkpoint. To go on:\n  {}\n", cases::short_number(outcome.time),
                resume_text(arguments, folder));

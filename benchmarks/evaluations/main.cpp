@@ -21,10 +21,10 @@ using namespace sazare;
 
 engine::Counters count_evaluations(const std::string& path, const std::vector<std::string>& overrides) {
   const auto file = cases::read_case(path, overrides);
-  auto model = runs::build_blocks(file.blocks, runs::load_mesh(file, {}, false));
+  auto model = runs::build_blocks(file.blocks(), runs::load_mesh(file, {}, false));
   auto& simulation = *model.simulation;
   simulation.start();
-  const Real nearly_the_end = file.blocks.time.end - 0.5 * simulation.levels().step(0);
+  const Real nearly_the_end = file.blocks().time.end - 0.5 * simulation.levels().step(0);
   while (simulation.now().seconds() < nearly_the_end) simulation.advance();
   return simulation.counters();
 }

@@ -109,8 +109,7 @@ void UniformStepper<D>::drive() {
   for (const laws::GroundMotion& motion : supports_.motions) now.push_back(motion.at(time()));
   for (const terms::DrivenFreedom& driven : supports_.driven) {
     const auto axis = static_cast<std::size_t>(driven.freedom);
-    particles_.position[axis][at(driven.particle)] =
-        particles_.start[axis][at(driven.particle)] + driven.factor * now[at(driven.motion)].displacement;
+    particles_.displacement[axis][at(driven.particle)] = driven.factor * now[at(driven.motion)].displacement;
   }
 }
 
@@ -129,9 +128,9 @@ void UniformStepper<D>::turn(std::size_t begin, std::size_t end) {
 template <int D>
 void UniformStepper<D>::drift(std::size_t begin, std::size_t end, Real factor) {
   for (std::size_t axis = 0; axis < D; ++axis) {
-    Real* const position = particles_.position[axis].data();
+    Real* const displacement = particles_.displacement[axis].data();
     const Real* const velocity = particles_.velocity[axis].data();
-    for (std::size_t i = begin; i < end; ++i) position[i] += factor * velocity[i];
+    for (std::size_t i = begin; i < end; ++i) displacement[i] += factor * velocity[i];
   }
   if constexpr (D == 2) {
     for (std::size_t i = begin; i < end; ++i) particles_.angle[i] += factor * particles_.velocity[2][i];

@@ -57,11 +57,11 @@ struct LinkStrain {
   T stretch{};                     ///< c [m]
 };
 
-/// `apart` is r, `turned` the mean of R_i r0 and R_j r0. A missing link may have r = 0 where `filler` is 1.
+/// `apart` is r, `turned` the mean of R_i r0 and R_j r0.
 template <int D, class T>
-LinkStrain<D, T> link_strain(const Components<D, T>& apart, const Components<D, T>& turned, T filler) {
+LinkStrain<D, T> link_strain(const Components<D, T>& apart, const Components<D, T>& turned) {
   LinkStrain<D, T> strain;
-  strain.inverse_length = 1.0 / square_root(product<D, T>(apart, apart) + filler);
+  strain.inverse_length = 1.0 / square_root(product<D, T>(apart, apart));
   for (std::size_t i = 0; i < D; ++i) {
     strain.deformation[i] = apart[i] - turned[i];
     strain.direction[i] = strain.inverse_length * apart[i];

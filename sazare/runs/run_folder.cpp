@@ -30,8 +30,8 @@ void make_folder(const fs::path& folder) {
 /// Snapshots, their lists, and parts of them that a killed run has left.
 bool is_snapshot(const fs::path& file) {
   const std::string name = file.filename().string();
-  const bool ours = name.starts_with("elements") || name.starts_with("joints") || name.starts_with(".elements") ||
-                    name.starts_with(".joints");
+  const std::string_view visible = std::string_view(name).substr(name.starts_with('.') ? 1 : 0);
+  const bool ours = visible.starts_with("elements") || visible.starts_with("joints") || visible.starts_with("particles");
   return ours && (name.ends_with(".vtkhdf") || name.ends_with(".series") || name.ends_with(".part"));
 }
 

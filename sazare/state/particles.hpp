@@ -32,7 +32,7 @@ struct Particles {
   Index count = 0;                  ///< without the padding
   Real spacing = 0;                 ///< D [m]
   std::array<Column, D> start;      ///< [m]
-  std::array<Column, D> position;   ///< [m]
+  std::array<Column, D> displacement;  ///< from there [m]
   Column angle;                     ///< 2-D only: angle from which the rotation follows [rad]
   std::array<Column, rotation_numbers<D>> rotation;
   FreedomColumns<D> velocity;       ///< [m/s], [rad/s]
@@ -56,11 +56,13 @@ struct Particles {
   /// Inverse mass or inertia, whatever moves along a degree of freedom.
   const Column& inverse_inertia_of(std::size_t freedom) const { return freedom < D ? inverse_mass : inverse_inertia; }
 
+  Real position(std::size_t axis, std::size_t particle) const { return start[axis][particle] + displacement[axis][particle]; }
+
   /// All columns at their size: at rest, unturned, of mass and inertia 1.
   void resize(Index particles) {
     count = particles;
     const std::size_t n = padded();
-    for (auto* group : {&start, &position})
+    for (auto* group : {&start, &displacement})
       for (Column& column : *group) column.assign(n, 0);
     for (Column& column : rotation) column.assign(n, 0);
     for (std::size_t i = 0; i < rotation.size(); i += D + 1) rotation[i].assign(n, 1);
@@ -73,7 +75,7 @@ struct Particles {
 
   /// What moves.
   void columns(Archive& archive) {
-    for (std::size_t i = 0; i < D; ++i) archive("position" + std::to_string(i), position[i]);
+    for (std::size_t i = 0; i < D; ++i) archive("displacement" + std::to_string(i), displacement[i]);
     for (std::size_t i = 0; i < rotation.size(); ++i) archive("rotation" + std::to_string(i), rotation[i]);
     for (std::size_t i = 0; i < velocity.size(); ++i) archive("velocity" + std::to_string(i), velocity[i]);
     archive("angle", angle);

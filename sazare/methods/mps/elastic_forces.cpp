@@ -30,7 +30,7 @@ template <int D>
 class Block {
  public:
   Block(const state::Particles<D>& particles, std::size_t block) : particles_(particles), begin_(block * lane_count) {
-    for (std::size_t i = 0; i < D; ++i) position_[i] = own(particles.position[i]);
+    for (std::size_t i = 0; i < D; ++i) displacement_[i] = own(particles.displacement[i]);
     for (std::size_t i = 0; i < rotation_.size(); ++i) rotation_[i] = own(particles.rotation[i]);
   }
 
@@ -48,28 +48,33 @@ class Block {
   }
 
   template <RotationRemoval removal>
-  laws::LinkStrain<D, Lanes> strain(const laws::LinkDirection<D>& law, Lanes present) const {
+  laws::LinkStrain<D, Lanes> strain(const laws::LinkDirection<D>& law) const {
     std::array<Lanes, state::rotation_numbers<D>> mean;
     for (std::size_t i = 0; i < mean.size(); ++i) mean[i] = 0.5 * (rotation_[i] + others(particles_.rotation[i]));
     if constexpr (removal == RotationRemoval::mean_angle) {
       const Lanes scale = 1.0 / square_root(mean[0] * mean[0] + mean[1] * mean[1]);
       for (Lanes& number : mean) number *= scale;
     }
-    LaneComponents<D> apart;
-    for (std::size_t i = 0; i < D; ++i) apart[i] = others(particles_.position[i]) - position_[i];
-    return laws::link_strain<D, Lanes>(apart, turned(mean, law), 1.0 - present);
+    return laws::link_strain<D, Lanes>(apart(law), turned(mean, law));
   }
 
   /// R r0 for the particles' own rotation where that is what turns the link, else for the mean angle's.
   template <RotationRemoval removal>
   LaneComponents<D> arm(const laws::LinkStrain<D, Lanes>& strain, const laws::LinkDirection<D>& law) const {
     if constexpr (removal == RotationRemoval::mean_rotation) return turned(rotation_, law);
-    LaneComponents<D> mean;
-    for (std::size_t i = 0; i < D; ++i) mean[i] = others(particles_.position[i]) - position_[i] - strain.deformation[i];
+    LaneComponents<D> mean = apart(law);
+    for (std::size_t i = 0; i < D; ++i) mean[i] -= strain.deformation[i];
     return mean;
   }
 
  private:
+  /// r, which a missing neighbour (the particle itself) leaves as it began.
+  LaneComponents<D> apart(const laws::LinkDirection<D>& law) const {
+    LaneComponents<D> result;
+    for (std::size_t i = 0; i < D; ++i) result[i] = law.start[i] + (others(particles_.displacement[i]) - displacement_[i]);
+    return result;
+  }
+
   static LaneComponents<D> turned(const std::array<Lanes, state::rotation_numbers<D>>& rotation, const laws::LinkDirection<D>& law) {
     LaneComponents<D> arm{};
     if constexpr (D == 2) {
@@ -84,7 +89,7 @@ class Block {
 
   const state::Particles<D>& particles_;
   std::size_t begin_;
-  LaneComponents<D> position_;
+  LaneComponents<D> displacement_;
   std::array<Lanes, state::rotation_numbers<D>> rotation_;
   bool in_a_row_ = false;
   std::size_t first_ = 0;
@@ -100,7 +105,7 @@ Lanes volume_strain(const state::Particles<D>& particles, const LinkTable<D>& li
     if (direction.present[block] == 0) continue;
     at.look(direction);
     const Lanes present = ones_of(direction.present[block]);
-    sum += present * direction.law.divergence * at.template strain<removal>(direction.law, present).stretch;
+    sum += present * direction.law.divergence * at.template strain<removal>(direction.law).stretch;
   }
   return sum;
 }
@@ -124,7 +129,7 @@ void block_accelerations(const state::Particles<D>& particles, const LinkTable<D
     if (direction.present[block] == 0) continue;
     at.look(direction);
     const Lanes present = ones_of(direction.present[block]);
-    const auto strain = at.template strain<removal>(direction.law, present);
+    const auto strain = at.template strain<removal>(direction.law);
     const Lanes spring = present * direction.law.spring * 0.5 * (own_modulus + at.others(particles.shear_modulus));
     const Lanes push = present * direction.law.divergence * (own_pressure + at.others(pressure));
     const auto force = laws::link_force<D, Lanes>(strain, spring, push);
@@ -179,8 +184,8 @@ Real ElasticForces<D>::energy(const state::Particles<D>& particles) {
       const Lanes present = ones_of(direction.present[block]);
       const auto strain = [&] {
         if constexpr (D == 2)
-          if (mean_angle) return at.template strain<RotationRemoval::mean_angle>(direction.law, present);
-        return at.template strain<RotationRemoval::mean_rotation>(direction.law, present);
+          if (mean_angle) return at.template strain<RotationRemoval::mean_angle>(direction.law);
+        return at.template strain<RotationRemoval::mean_rotation>(direction.law);
       }();
       const Lanes spring = direction.law.spring * 0.5 * (at.own(particles.shear_modulus) + at.others(particles.shear_modulus));
       // Half of a link's energy: its other particle has the other half.

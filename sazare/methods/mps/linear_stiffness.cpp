@@ -81,8 +81,9 @@ void LinearStiffness<D>::apply(std::span<const Real> x, std::span<Real> y) {
   for (std::size_t row = 0; row < scale_.size(); ++row) motion_[row] = scale_[row] * x[row];
   const auto each_link = [&](auto&& visit) {
     for (std::size_t i = 0; i < particles_.size(); ++i)
-      for (const auto& direction : links_.directions)
-        if (const auto j = static_cast<std::size_t>(direction.neighbor[i]); j != i) visit(direction.law, i, j);
+      for (std::size_t n = 0; n < links_.directions.size(); ++n)
+        if (links_.is_present(n, static_cast<Index>(i)))
+          visit(links_.directions[n].law, i, static_cast<std::size_t>(links_.directions[n].neighbor[i]));
   };
   std::ranges::fill(pressure_, 0);
   each_link([&](const laws::LinkDirection<D>& law, std::size_t i, std::size_t j) {

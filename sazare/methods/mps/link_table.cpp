@@ -45,20 +45,15 @@ laws::LinkDirection<D> make_direction(const Site<D>& offset, Real spacing, Real 
   return law;
 }
 
-/// Fills in what the blocks of a direction look like.
+/// Finds where the neighbours of a block stand in a row.
 template <class Direction>
-void describe_blocks(Direction& direction) {
+void find_rows(Direction& direction) {
   const std::size_t blocks = direction.neighbor.size() / lane_count;
-  direction.present.assign(blocks, 0);
   direction.first.assign(blocks, -1);
   for (std::size_t block = 0; block < blocks; ++block) {
     const Index* neighbors = &direction.neighbor[block * lane_count];
     bool in_a_row = true;
-    for (int lane = 0; lane < lane_count; ++lane) {
-      if (neighbors[lane] != static_cast<Index>(block * lane_count) + lane)
-        direction.present[block] = static_cast<std::uint8_t>(direction.present[block] | 1 << lane);
-      in_a_row = in_a_row && neighbors[lane] == neighbors[0] + lane;
-    }
+    for (int lane = 0; lane < lane_count; ++lane) in_a_row = in_a_row && neighbors[lane] == neighbors[0] + lane;
     if (in_a_row) direction.first[block] = neighbors[0];
   }
 }
@@ -66,7 +61,7 @@ void describe_blocks(Direction& direction) {
 }  // namespace
 
 template <int D>
-LinkTable<D> make_links(std::span<const Site<D>> sites, Real spacing, Real influence) {
+LinkTable<D> make_links(std::span<const Site<D>> sites, Real spacing, Real influence, const Site<D>& period) {
   LinkTable<D> table;
   const std::vector<Site<D>> offsets = offsets_within<D>(influence);
   for (const Site<D>& offset : offsets) table.number_density += laws::link_weight(length_of<D>(offset), influence);
@@ -79,17 +74,25 @@ LinkTable<D> make_links(std::span<const Site<D>> sites, Real spacing, Real influ
     direction.law = make_direction<D>(offset, spacing, influence, table.number_density);
     direction.neighbor.resize(padded);
     std::iota(direction.neighbor.begin(), direction.neighbor.end(), 0);
+    direction.present.assign(padded / lane_count, 0);
     for (std::size_t i = 0; i < sites.size(); ++i) {
       Site<D> site = sites[i];
-      for (std::size_t axis = 0; axis < D; ++axis) site[axis] += offset[axis];
-      if (const auto found = particle_at.find(site); found != particle_at.end()) direction.neighbor[i] = found->second;
+      for (std::size_t axis = 0; axis < D; ++axis) {
+        site[axis] += offset[axis];
+        if (period[axis] > 0) site[axis] = (site[axis] + period[axis]) % period[axis];
+      }
+      const auto found = particle_at.find(site);
+      if (found == particle_at.end()) continue;
+      direction.neighbor[i] = found->second;
+      auto& bits = direction.present[i / lane_count];
+      bits = static_cast<std::uint8_t>(bits | 1 << i % lane_count);
     }
-    describe_blocks(direction);
+    find_rows(direction);
   }
   return table;
 }
 
-template LinkTable<2> make_links<2>(std::span<const Site<2>>, Real, Real);
-template LinkTable<3> make_links<3>(std::span<const Site<3>>, Real, Real);
+template LinkTable<2> make_links<2>(std::span<const Site<2>>, Real, Real, const Site<2>&);
+template LinkTable<3> make_links<3>(std::span<const Site<3>>, Real, Real, const Site<3>&);
 
 }  // namespace sazare::methods::mps

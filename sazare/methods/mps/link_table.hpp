@@ -36,11 +36,12 @@ struct LinkTable {
   }
 };
 
-/// Links of particles at these sites. `influence` is the influence radius over the spacing.
+/// Links of particles at these sites. `influence` is the influence radius over the spacing; a `period` of an axis, in spacings, links
+/// both ends of the body along it (0: none).
 template <int D>
-LinkTable<D> make_links(std::span<const Site<D>> sites, Real spacing, Real influence);
+LinkTable<D> make_links(std::span<const Site<D>> sites, Real spacing, Real influence, const Site<D>& period = {});
 
-extern template LinkTable<2> make_links<2>(std::span<const Site<2>>, Real, Real);
-extern template LinkTable<3> make_links<3>(std::span<const Site<3>>, Real, Real);
+extern template LinkTable<2> make_links<2>(std::span<const Site<2>>, Real, Real, const Site<2>&);
+extern template LinkTable<3> make_links<3>(std::span<const Site<3>>, Real, Real, const Site<3>&);
 
 }  // namespace sazare::methods::mps

@@ -25,7 +25,7 @@ state::Particles<D> make_particles(const std::vector<Site<D>>& sites, Real spaci
   const Real mu = soil.density * soil.shear_velocity * soil.shear_velocity;
   for (std::size_t i = 0; i < sites.size(); ++i) {
     for (std::size_t axis = 0; axis < D; ++axis)
-      particles.start[axis][i] = particles.position[axis][i] = (sites[i][axis] + 0.5) * spacing;
+      particles.start[axis][i] = (sites[i][axis] + 0.5) * spacing;
     particles.set_density(static_cast<Index>(i), soil.density);
     particles.shear_modulus[i] = mu;
     particles.lame[i] = soil.density * soil.pressure_velocity * soil.pressure_velocity - 2 * mu;

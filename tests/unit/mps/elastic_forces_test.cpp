@@ -34,7 +34,7 @@ struct Deformed {
     links = make_links<D>(sites, 0.8, 1.5);
     Noise noise;
     for (std::size_t i = 0; i < particles.size(); ++i) {
-      for (auto& position : particles.position) position[i] += 0.15 * noise();
+      for (auto& column : particles.displacement) column[i] += 0.15 * noise();
       for (int axis = 0; axis < angular_dimension<D>; ++axis) turn<D>(particles, i, axis, 0.4 * noise());
       particles.shear_modulus[i] *= 1 + 0.5 * noise();
       particles.lame[i] *= 1 + 0.5 * noise();
@@ -66,7 +66,7 @@ void expect_derivatives_of_energy(RotationRemoval removal) {
       const auto moved = [&](Real by) {
         state::Particles<D> particles = deformed.particles;
         if (freedom < D)
-          particles.position[freedom][i] += by;
+          particles.displacement[freedom][i] += by;
         else
           turn<D>(particles, i, static_cast<int>(freedom) - D, by);
         return elastic.energy(particles);
@@ -94,7 +94,7 @@ void expect_balance(RotationRemoval removal) {
     Vector<D> own, place;
     for (int axis = 0; axis < D; ++axis) {
       own[axis] = forces[static_cast<std::size_t>(axis)][i];
-      place[axis] = deformed.particles.position[static_cast<std::size_t>(axis)][i];
+      place[axis] = deformed.particles.position(static_cast<std::size_t>(axis), i);
     }
     force += own;
     torque += moment(place, own);
@@ -117,8 +117,8 @@ TEST(elastic_forces, of_a_body_turned_as_a_whole_are_nothing) {
   const Real angle = 1.2, c = std::cos(angle), s = std::sin(angle);
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const Real x = particles.start[0][i], y = particles.start[1][i];
-    particles.position[0][i] = 3 + c * x - s * y;
-    particles.position[1][i] = -2 + s * x + c * y;
+    particles.displacement[0][i] = 3 + c * x - s * y - x;
+    particles.displacement[1][i] = -2 + s * x + c * y - y;
     turn<2>(particles, i, 0, angle);
   }
   ElasticForces<2> elastic(make_links<2>(sites, 1.0, 1.5), RotationRemoval::mean_rotation);
@@ -137,8 +137,8 @@ TEST(elastic_forces, have_the_moduli_of_the_continuum) {
   const Real xx = 1e-6, yy = -4e-7, xy = 3e-7;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const Real x = particles.start[0][i], y = particles.start[1][i];
-    particles.position[0][i] += xx * x + xy * y;
-    particles.position[1][i] += xy * x + yy * y;
+    particles.displacement[0][i] += xx * x + xy * y;
+    particles.displacement[1][i] += xy * x + yy * y;
   }
   // Stretch of the links of the middle particle, by hand.
   Real shear = 0, divergence = 0;
@@ -153,11 +153,33 @@ TEST(elastic_forces, have_the_moduli_of_the_continuum) {
   EXPECT_NEAR(links.number_density, 4 * 0.5 + 4 * (1.5 / std::sqrt(2.0) - 1), 1e-15);
 }
 
+/// A layer without end in simple shear: every particle turns by half the shear and no force is left but at top and bottom.
+TEST(elastic_forces, of_a_periodic_layer_in_simple_shear) {
+  const auto sites = box_sites<2>({2, 7});
+  state::Particles<2> particles = make_particles<2>(sites, 1.0, {});
+  constexpr Real shear = 1e-6;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    particles.displacement[0][i] = shear * particles.start[1][i];
+    turn<2>(particles, i, 0, -shear / 2);
+  }
+  ElasticForces<2> elastic(make_links<2>(sites, 1.0, 1.5, {2, 0}), RotationRemoval::mean_rotation);
+  const auto forces = forces_of<2>(particles, elastic);
+  const Real stress = particles.shear_modulus[0] * shear;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const int row = sites[i][1];
+    const Real expected = row == 0 ? stress : row == 6 ? -stress : 0;
+    EXPECT_NEAR(forces[0][i], expected, 1e-5 * stress);
+    if (row > 0 && row < 6) {
+      EXPECT_NEAR(forces[2][i], 0, 1e-5 * stress);
+    }
+  }
+}
+
 TEST(elastic_forces, have_the_same_bits_with_any_number_of_threads) {
   const auto sites = box_sites<2>({60, 40});
   state::Particles<2> particles = make_particles<2>(sites, 1.0, {});
   Noise noise;
-  for (std::size_t i = 0; i < particles.size(); ++i) particles.position[0][i] += 0.1 * noise();
+  for (std::size_t i = 0; i < particles.size(); ++i) particles.displacement[0][i] += 0.1 * noise();
   ElasticForces<2> elastic(make_links<2>(sites, 1.0, 1.5), RotationRemoval::mean_rotation);
   parallel::set_threads(1);
   const auto one = forces_of<2>(particles, elastic);

@@ -49,7 +49,7 @@ TEST(uniform_stepper, verlet_and_leapfrog_are_the_same_but_for_round_off) {
     leapfrog.advance();
   }
   for (std::size_t i = 0; i < verlet.particles().size(); ++i)
-    EXPECT_NEAR(verlet.particles().position[0][i], leapfrog.particles().position[0][i], 1e-9);
+    EXPECT_NEAR(verlet.particles().displacement[0][i], leapfrog.particles().displacement[0][i], 1e-9);
 }
 
 /// Error against a fine solution at a fixed time.
@@ -57,7 +57,7 @@ Real error_at(Real step, Integrator integrator, const engine::UniformStepper<2>&
   auto stepper = free_body(step, integrator, 0.05);
   stepper.start();
   while (stepper.time() < 0.1 - 1e-9) stepper.advance();
-  return std::abs(stepper.particles().position[0][3] - fine.particles().position[0][3]);
+  return std::abs(stepper.particles().displacement[0][3] - fine.particles().displacement[0][3]);
 }
 
 TEST(uniform_stepper, orders_of_the_integrators) {
@@ -73,7 +73,7 @@ TEST(uniform_stepper, orders_of_the_integrators) {
     auto stepper = free_body(step, Integrator::verlet);
     stepper.start();
     while (stepper.time() < 0.1 - 1e-9) stepper.advance();
-    return stepper.particles().position[0][3];
+    return stepper.particles().displacement[0][3];
   };
   const Real exact = undamped(1e-5);
   EXPECT_NEAR((undamped(2e-4) - exact) / (undamped(1e-4) - exact), 4, 0.3);
@@ -91,7 +91,7 @@ TEST(uniform_stepper, goes_on_bit_for_bit_after_a_checkpoint) {
   saved.turn_round();
   second.columns(saved);
   for (int i = 17; i < 40; ++i) second.advance();
-  EXPECT_EQ(whole.particles().position, second.particles().position);
+  EXPECT_EQ(whole.particles().displacement, second.particles().displacement);
   EXPECT_EQ(whole.particles().velocity, second.particles().velocity);
   EXPECT_EQ(whole.particles().rotation, second.particles().rotation);
 }
