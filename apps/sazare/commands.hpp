@@ -29,7 +29,17 @@ struct RunArguments {
   bool quiet = false;
 };
 
+struct StudyArguments {
+  std::filesystem::path file;
+  std::filesystem::path folder;  ///< empty: runs/<name of the study>
+  int threads = 0;               ///< cases at a time; 0: as many as the machine offers
+  bool resume = false;
+  bool overwrite = false;
+  bool quiet = false;
+};
+
 int run(const RunArguments& arguments, const parallel::Ranks& ranks);
+int study(const StudyArguments& arguments);
 int check(const CaseArguments& arguments);
 int report(const std::filesystem::path& folder);
 int schema(bool markdown);

@@ -1,12 +1,11 @@
 #include <fmt/format.h>
-#include <signal.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdio>
 
 #include "apps/sazare/commands.hpp"
+#include "apps/sazare/signals.hpp"
 #include "sazare/cases/case_file.hpp"
 #include "sazare/cases/number_text.hpp"
 #include "sazare/core/error.hpp"
@@ -19,28 +18,6 @@ namespace sazare::command {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::atomic<bool> stop_asked{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "set by a signal handler");
-
-/// The run stops after its present step. A second Ctrl-C ends the process at once.
-void stop_on_signals() {
-  struct sigaction action {};
-  action.sa_handler = [](int) { stop_asked = true; };
-  sigemptyset(&action.sa_mask);
-  action.sa_flags = SA_RESTART;
-  sigaction(SIGTERM, &action, nullptr);
-  action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);
-  sigaction(SIGINT, &action, nullptr);
-  signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of the write, not the end of the process
-}
-
-/// runs/<name>, where case.toml is called by its folder.
-fs::path default_folder(const fs::path& case_file) {
-  const fs::path full = fs::absolute(case_file).lexically_normal();
-  const std::string stem = full.stem().string(), parent = full.parent_path().filename().string();
-  return fs::path("runs") / (stem == "case" && !parent.empty() ? parent : stem);
-}
 
 Real figure(const observe::Manifest& manifest, std::string_view name) {
   for (const auto& [key, value] : manifest.results)

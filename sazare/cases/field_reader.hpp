@@ -51,6 +51,7 @@ private:
   void assign(const Value& value, std::array<bool, 3>& axes);
   void assign(const Value& value, std::vector<std::pair<std::string, Real>>& member);
   void assign(const Value& value, std::vector<std::array<Real, 2>>& member);
+  void assign(const Value& value, std::vector<Real>& member);
 
   template <class Enum>
   requires requires { EnumWords<Enum>::words; }

@@ -70,6 +70,8 @@ std::string type_text(const Key& key) {
       return "a file name";
     case Type::numbers:
       return "a table of names and numbers such as { depth = 3.0 }";
+    case Type::values:
+      return "a list of numbers" + in_unit;
     case Type::points:
       return "a list of three points [x, y] or more" + in_unit;
   }

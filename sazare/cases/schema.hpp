@@ -24,6 +24,7 @@ enum class Type {
   file,       // a path relative to the case file
   numbers,    // an inline table of free keys and numbers
   points,     // a list of [x, y]
+  values,     // a list of numbers, at least one
 };
 
 struct Range {
@@ -72,6 +73,9 @@ std::span<const Table> blocks_schema();
 
 /// The tables of method mps.
 std::span<const Table> mps_schema();
+
+/// The tables of a study file.
+std::span<const Table> study_schema();
 
 /// The tables of the method with this name; those of blocks where there is no such method.
 std::span<const Table> schema_of(std::string_view method);

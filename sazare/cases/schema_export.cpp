@@ -61,6 +61,8 @@ Json type_json(const Key& key) {
       return list_of({{"type", "string"}, {"enum", {"x", "y", "z"}}}, 0, 3);
     case Type::numbers:
       return {{"type", "object"}, {"additionalProperties", {{"type", "number"}}}};
+    case Type::values:
+      return list_of({{"type", "number"}}, 1, 0);
     case Type::points:
       return list_of(list_of({{"type", "number"}}, 2, 2), 3, 0);
   }
@@ -123,6 +125,8 @@ std::string markdown_type(const Key& key) {
         return "file";
       case Type::points:
         return "points";
+      case Type::values:
+        return "numbers";
       default:
         return "names and numbers";
     }
@@ -179,6 +183,8 @@ std::string schema_markdown() {
     out += fmt::format("\n# Method `{}`\n", method);
     for (const Table& table : schema_of(method)) append_table(out, table);
   }
+  out += "\n# Study files\n\nFamilies of cases for `sazare study`: every combination of the parameters, for every family.\n";
+  for (const Table& table : study_schema()) append_table(out, table);
   return out;
 }
 

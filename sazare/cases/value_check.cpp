@@ -48,6 +48,8 @@ public:
         return is_numbers(value);
       case Type::points:
         return is_points(value);
+      case Type::values:
+        return is_values(value);
     }
     return false;
   }
@@ -184,6 +186,21 @@ private:
       problems_.error(item.place,
                       fmt::format("{}: an axis was expected, found {}", key_.name, describe(item)),
                       "the axes are \"x\", \"y\" and \"z\"");
+      good = false;
+    }
+    return good;
+  }
+
+  bool is_values(const Value& value) {
+    const auto* items = value.items();
+    if (items == nullptr || items->empty()) return refuse(value, "write [1.0, 2.0], for example");
+    bool good = true;
+    for (const Value& item : *items) {
+      if (number_in(item)) {
+        good = is_in_range(item, *number_in(item)) && good;
+        continue;
+      }
+      problems_.error(item.place, fmt::format("{}: a number was expected, found {}", key_.name, describe(item)), help_for_number(item));
       good = false;
     }
     return good;
