@@ -103,8 +103,8 @@ static_assert(static_cast<int>(laws::GroundMotion::Shape::record) == static_cast
 template <int D>
 class SupportMaker {
  public:
-  SupportMaker(const cases::MpsCase& mps, const Filling<D>& filling, const std::vector<Index>& material, state::Particles<D>& particles)
-      : mps_(mps), filling_(filling), material_(material), particles_(particles) {
+  SupportMaker(const cases::MpsCase& mps, MpsParts<D>& parts)
+      : mps_(mps), filling_(parts.filling), material_(parts.material), particles_(parts.particles), links_(parts.links) {
     for (const cases::Motion& motion : mps_.motions) supports_.motions.push_back(make_motion(motion));
     for (int axis = 0; axis < D; ++axis) supports_.gravity[axis] = mps_.gravity.acceleration[axis];
   }
@@ -123,8 +123,18 @@ class SupportMaker {
     const std::vector<Index> particles = particles_at<D>(boundary.side, filling_.sites);
     for (const Index particle : particles)
       for (std::size_t axis = 0; axis < D; ++axis) add(boundary, particle, axis);
-    if (boundary.kind != SideKind::viscous) return;
-    for (const Index particle : particles) particles_.inverse_mass[static_cast<std::size_t>(particle)] *= 2;
+    if (boundary.kind != SideKind::roller) cut_in_half(particles);
+  }
+
+  /// The boundary goes through the centres of its particles: half of their volume lies beyond it.
+  void cut_in_half(const std::vector<Index>& particles) {
+    links_.halve_among(particles);
+    for (const Index particle : particles) {
+      const auto i = static_cast<std::size_t>(particle);
+      particles_.inverse_mass[i] *= 2;
+      particles_.inverse_inertia[i] *= 2;
+      particles_.lame[i] *= 2;  // half of the volume, and twice the strain that half of its links tell
+    }
   }
 
   void add(const cases::SideBoundary& boundary, Index particle, std::size_t axis) {
@@ -142,10 +152,9 @@ class SupportMaker {
       supports_.driven.push_back({particle, freedom, motion, 1});
     } else if (boundary.kind == SideKind::viscous) {
       const auto i = static_cast<std::size_t>(particle);
-      const Real density = mps_.materials[static_cast<std::size_t>(material_[i])].density;
-      const Real modulus = axis == normal ? particles_.lame[i] + 2 * particles_.shear_modulus[i] : particles_.shear_modulus[i];
+      const cases::Ground& ground = mps_.materials[static_cast<std::size_t>(material_[i])];
       // Impedance times the area of a particle, over half of its mass.
-      const Real rate = 2 * std::sqrt(modulus / density) / particles_.spacing;
+      const Real rate = 2 * (axis == normal ? ground.pressure_velocity : ground.shear_velocity) / particles_.spacing;
       supports_.dashpots.push_back({particle, freedom, rate, motion, 1});
     } else {
       return;
@@ -163,6 +172,7 @@ class SupportMaker {
   const Filling<D>& filling_;
   const std::vector<Index>& material_;
   state::Particles<D>& particles_;
+  methods::mps::LinkTable<D>& links_;
   terms::ParticleSupports<D> supports_;
   std::set<std::pair<Index, int>> taken_;
 };
@@ -213,7 +223,7 @@ MpsParts<D> make_parts(const cases::CaseFile& file) {
   parts.links = methods::mps::make_links<D>(parts.filling.sites, mps.particles.spacing, mps.particles.influence,
                                            period_of<D>(mps, parts.filling));
   if (mps.damping.f2 > 0) parts.damping = laws::RayleighDamping::make(mps.damping.f1, mps.damping.f2);
-  parts.supports = SupportMaker<D>(mps, parts.filling, parts.material, parts.particles).make();
+  parts.supports = SupportMaker<D>(mps, parts).make();
   return parts;
 }
 

@@ -14,17 +14,6 @@ constexpr std::size_t serial_below = 128;  // blocks; one takes about half a mic
 template <int D>
 using LaneComponents = laws::Components<D, Lanes>;
 
-/// 1 in the lanes whose bit is set, else 0.
-Lanes ones_of(std::uint8_t bits) {
-  static const auto table = [] {
-    std::array<Lanes, 1 << lane_count> ones{};
-    for (std::size_t mask = 0; mask < ones.size(); ++mask)
-      for (int lane = 0; lane < lane_count; ++lane) ones[mask][lane] = static_cast<Real>(mask >> lane & 1);
-    return ones;
-  }();
-  return table[bits];
-}
-
 /// The particles of a block and their neighbours in one direction.
 template <int D>
 class Block {
@@ -102,10 +91,10 @@ Lanes volume_strain(const state::Particles<D>& particles, const LinkTable<D>& li
   Block<D> at(particles, block);
   Lanes sum{};
   for (const auto& direction : links.directions) {
-    if (direction.present[block] == 0) continue;
+    if (direction.pattern[block] == 0) continue;
     at.look(direction);
-    const Lanes present = ones_of(direction.present[block]);
-    sum += present * direction.law.divergence * at.template strain<removal>(direction.law).stretch;
+    const Lanes share = links.patterns[static_cast<std::size_t>(direction.pattern[block])].lanes;
+    sum += share * direction.law.divergence * at.template strain<removal>(direction.law).stretch;
   }
   return sum;
 }
@@ -126,12 +115,12 @@ void block_accelerations(const state::Particles<D>& particles, const LinkTable<D
   const Lanes own_modulus = at.own(particles.shear_modulus), own_pressure = at.own(pressure);
   std::array<Lanes, state::particle_freedoms<D>> sum{};
   for (const auto& direction : links.directions) {
-    if (direction.present[block] == 0) continue;
+    if (direction.pattern[block] == 0) continue;
     at.look(direction);
-    const Lanes present = ones_of(direction.present[block]);
+    const Lanes share = links.patterns[static_cast<std::size_t>(direction.pattern[block])].lanes;
     const auto strain = at.template strain<removal>(direction.law);
-    const Lanes spring = present * direction.law.spring * 0.5 * (own_modulus + at.others(particles.shear_modulus));
-    const Lanes push = present * direction.law.divergence * (own_pressure + at.others(pressure));
+    const Lanes spring = share * direction.law.spring * 0.5 * (own_modulus + at.others(particles.shear_modulus));
+    const Lanes push = share * direction.law.divergence * (own_pressure + at.others(pressure));
     const auto force = laws::link_force<D, Lanes>(strain, spring, push);
     const LaneComponents<D> arm = at.template arm<removal>(strain, direction.law);
     for (std::size_t i = 0; i < D; ++i) sum[i] += force.force[i];
@@ -179,9 +168,9 @@ Real ElasticForces<D>::energy(const state::Particles<D>& particles) {
     Block<D> at(particles, block);
     Lanes energy{}, divergence{};
     for (const auto& direction : links_.directions) {
-      if (direction.present[block] == 0) continue;
+      if (direction.pattern[block] == 0) continue;
       at.look(direction);
-      const Lanes present = ones_of(direction.present[block]);
+      const Lanes share = links_.patterns[static_cast<std::size_t>(direction.pattern[block])].lanes;
       const auto strain = [&] {
         if constexpr (D == 2)
           if (mean_angle) return at.template strain<RotationRemoval::mean_angle>(direction.law);
@@ -189,8 +178,8 @@ Real ElasticForces<D>::energy(const state::Particles<D>& particles) {
       }();
       const Lanes spring = direction.law.spring * 0.5 * (at.own(particles.shear_modulus) + at.others(particles.shear_modulus));
       // Half of a link's energy: its other particle has the other half.
-      energy += present * 0.25 * spring * laws::product<D, Lanes>(strain.deformation, strain.deformation);
-      divergence += present * direction.law.divergence * strain.stretch;
+      energy += share * 0.25 * spring * laws::product<D, Lanes>(strain.deformation, strain.deformation);
+      divergence += share * direction.law.divergence * strain.stretch;
     }
     energy += 0.5 * particles.volume() * at.own(particles.lame) * divergence * divergence;
     for (int lane = 0; lane < lane_count; ++lane) total += energy[lane];

@@ -64,9 +64,9 @@ std::array<Real, D> LinearStiffness<D>::deformation(const laws::LinkDirection<D>
 }
 
 template <int D>
-void LinearStiffness<D>::add_force(const laws::LinkDirection<D>& law, std::size_t i, std::size_t j, std::span<Real> y) const {
-  const Real spring = law.spring * 0.5 * (particles_.shear_modulus[i] + particles_.shear_modulus[j]);
-  const Real push = law.divergence * (pressure_[i] + pressure_[j]);
+void LinearStiffness<D>::add_force(const laws::LinkDirection<D>& law, Real share, std::size_t i, std::size_t j, std::span<Real> y) const {
+  const Real spring = share * law.spring * 0.5 * (particles_.shear_modulus[i] + particles_.shear_modulus[j]);
+  const Real push = share * law.divergence * (pressure_[i] + pressure_[j]);
   std::array<Real, D> force = deformation(law, i, j);
   Real length = 0;
   for (std::size_t axis = 0; axis < D; ++axis) length += law.start[axis] * law.start[axis];
@@ -82,16 +82,16 @@ void LinearStiffness<D>::apply(std::span<const Real> x, std::span<Real> y) {
   const auto each_link = [&](auto&& visit) {
     for (std::size_t i = 0; i < particles_.size(); ++i)
       for (std::size_t n = 0; n < links_.directions.size(); ++n)
-        if (links_.is_present(n, static_cast<Index>(i)))
-          visit(links_.directions[n].law, i, static_cast<std::size_t>(links_.directions[n].neighbor[i]));
+        if (const Real share = links_.share(n, static_cast<Index>(i)); share > 0)
+          visit(links_.directions[n].law, share, i, static_cast<std::size_t>(links_.directions[n].neighbor[i]));
   };
   std::ranges::fill(pressure_, 0);
-  each_link([&](const laws::LinkDirection<D>& law, std::size_t i, std::size_t j) {
-    pressure_[i] += law.divergence * along(law.start, deformation(law, i, j));
+  each_link([&](const laws::LinkDirection<D>& law, Real share, std::size_t i, std::size_t j) {
+    pressure_[i] += share * law.divergence * along(law.start, deformation(law, i, j));
   });
   for (std::size_t i = 0; i < pressure_.size(); ++i) pressure_[i] *= particles_.volume() * particles_.lame[i];
   std::ranges::fill(y, 0);
-  each_link([&](const laws::LinkDirection<D>& law, std::size_t i, std::size_t j) { add_force(law, i, j, y); });
+  each_link([&](const laws::LinkDirection<D>& law, Real share, std::size_t i, std::size_t j) { add_force(law, share, i, j, y); });
   for (std::size_t row = 0; row < scale_.size(); ++row) y[row] *= scale_[row];
 }
 

@@ -23,7 +23,7 @@ class LinearStiffness {
   static constexpr std::size_t freedoms = state::particle_freedoms<D>;
 
   std::array<Real, D> deformation(const laws::LinkDirection<D>& law, std::size_t i, std::size_t j) const;
-  void add_force(const laws::LinkDirection<D>& law, std::size_t i, std::size_t j, std::span<Real> y) const;
+  void add_force(const laws::LinkDirection<D>& law, Real share, std::size_t i, std::size_t j, std::span<Real> y) const;
 
   const state::Particles<D>& particles_;
   const LinkTable<D>& links_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 
 namespace sazare::methods::mps {
 
@@ -61,8 +62,32 @@ void find_rows(Direction& direction) {
 }  // namespace
 
 template <int D>
+void LinkTable<D>::set_share(std::size_t direction, Index particle, Real share) {
+  Index& pattern = directions[direction].pattern[static_cast<std::size_t>(particle / lane_count)];
+  auto shares = patterns[static_cast<std::size_t>(pattern)].share;
+  shares[static_cast<std::size_t>(particle % lane_count)] = share;
+  if (known_.empty()) known_[patterns.front().share] = 0;
+  const auto [found, is_new] = known_.try_emplace(shares, static_cast<Index>(patterns.size()));
+  if (is_new) {
+    patterns.emplace_back().share = shares;
+    for (std::size_t lane = 0; lane < lane_count; ++lane) patterns.back().lanes[lane] = shares[lane];
+  }
+  pattern = found->second;
+}
+
+template <int D>
+void LinkTable<D>::halve_among(std::span<const Index> particles) {
+  const std::set<Index> members(particles.begin(), particles.end());
+  for (std::size_t direction = 0; direction < directions.size(); ++direction)
+    for (const Index particle : members)
+      if (is_present(direction, particle) && members.contains(directions[direction].neighbor[static_cast<std::size_t>(particle)]))
+        set_share(direction, particle, 0.5 * share(direction, particle));
+}
+
+template <int D>
 LinkTable<D> make_links(std::span<const Site<D>> sites, Real spacing, Real influence, const Site<D>& period) {
   LinkTable<D> table;
+  table.patterns.emplace_back();
   const std::vector<Site<D>> offsets = offsets_within<D>(influence);
   for (const Site<D>& offset : offsets) table.number_density += laws::link_weight(length_of<D>(offset), influence);
   std::map<Site<D>, Index> particle_at;
@@ -74,7 +99,7 @@ LinkTable<D> make_links(std::span<const Site<D>> sites, Real spacing, Real influ
     direction.law = make_direction<D>(offset, spacing, influence, table.number_density);
     direction.neighbor.resize(padded);
     std::iota(direction.neighbor.begin(), direction.neighbor.end(), 0);
-    direction.present.assign(padded / lane_count, 0);
+    direction.pattern.assign(padded / lane_count, 0);
     for (std::size_t i = 0; i < sites.size(); ++i) {
       Site<D> site = sites[i];
       for (std::size_t axis = 0; axis < D; ++axis) {
@@ -84,14 +109,15 @@ LinkTable<D> make_links(std::span<const Site<D>> sites, Real spacing, Real influ
       const auto found = particle_at.find(site);
       if (found == particle_at.end()) continue;
       direction.neighbor[i] = found->second;
-      auto& bits = direction.present[i / lane_count];
-      bits = static_cast<std::uint8_t>(bits | 1 << i % lane_count);
+      table.set_share(table.directions.size() - 1, static_cast<Index>(i), 1);
     }
     find_rows(direction);
   }
   return table;
 }
 
+template struct LinkTable<2>;
+template struct LinkTable<3>;
 template LinkTable<2> make_links<2>(std::span<const Site<2>>, Real, Real, const Site<2>&);
 template LinkTable<3> make_links<3>(std::span<const Site<3>>, Real, Real, const Site<3>&);
 
