@@ -7,14 +7,14 @@
 #include "sazare/cases/case_file.hpp"
 #include "sazare/cases/schema.hpp"
 #include "sazare/parallel/threads.hpp"
-#include "sazare/runs/check_blocks.hpp"
+#include "sazare/runs/run_case.hpp"
 
 namespace sazare::command {
 
 int check(const CaseArguments& arguments) {
   parallel::set_threads(arguments.threads);
   const cases::CaseFile file = cases::read_case(arguments.file, arguments.settings);
-  const std::string text = runs::check_blocks(file);
+  const std::string text = runs::check_case(file);
   fmt::print("{}", text);
   fmt::print(stderr, "{}", file.warnings);
   fmt::print("\nThe case is sound. To run it: sazare run {}\n", arguments.file.string());

@@ -3,7 +3,6 @@
 /// The commands of the program, each from its arguments to an exit code. They throw UserError, PhysicsError, MachineError.
 
 #include <array>
-#include <atomic>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -13,9 +12,6 @@
 #include "sazare/runs/run_folder.hpp"
 
 namespace sazare::command {
-
-/// Set by Ctrl-C and SIGTERM: the run stops after its present step.
-extern std::atomic<bool> stop_asked;
 
 /// Words for distribute::Policy, in its order.
 inline constexpr std::array<std::string_view, 3> balance_policies = {"fixed", "measured", "predicted"};
@@ -40,7 +36,17 @@ struct RunArguments {
   int balance_interval = 50;          ///< base steps between new shares
 };
 
+struct StudyArguments {
+  std::filesystem::path file;
+  std::filesystem::path folder;  ///< empty: runs/<name of the study>
+  int threads = 0;               ///< cases at a time; 0: as many as the machine offers
+  bool resume = false;
+  bool overwrite = false;
+  bool quiet = false;
+};
+
 int run(const RunArguments& arguments, const parallel::Ranks& ranks);
+int study(const StudyArguments& arguments);
 int check(const CaseArguments& arguments);
 int report(const std::filesystem::path& folder);
 int schema(bool markdown);

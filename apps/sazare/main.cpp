@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "apps/sazare/commands.hpp"
+#include "apps/sazare/signals.hpp"
 #include "sazare/core/error.hpp"
 #include "sazare/core/version.hpp"
 
@@ -35,9 +36,19 @@ void add_case_options(CLI::App& command, command::CaseArguments& arguments) {
       ->type_name("N");
 }
 
+void describe_study(CLI::App& study, command::StudyArguments& arguments) {
+  study.add_option("STUDY", arguments.file, "the study file (TOML)")->required();
+  study.add_option("--out", arguments.folder, "the study's folder (default: runs/<name of the study>)")->type_name("DIR");
+  study.add_option("--threads", arguments.threads, "cases at a time (default: all processors)")->check(CLI::Range(1, 4096))->type_name("N");
+  auto* resume = study.add_flag("--resume", arguments.resume, "go on with a stopped study");
+  study.add_flag("--overwrite", arguments.overwrite, "replace the study that is in the folder")->excludes(resume);
+  study.add_flag("--quiet", arguments.quiet, "print warnings and errors only");
+}
+
 struct Arguments {
   command::RunArguments run;
   command::CaseArguments check;
+  command::StudyArguments study;
   std::filesystem::path report_folder;
   bool markdown = false;
 };
@@ -61,6 +72,7 @@ void describe(CLI::App& app, Arguments& arguments) {
   run.add_flag("--quiet", arguments.run.quiet, "print warnings and errors only");
   auto& check = *app.add_subcommand("check", "every error of a case, or what it will do: steps, levels, who limits them");
   add_case_options(check, arguments.check);
+  describe_study(*app.add_subcommand("study", "families of cases: the limit step of each, by bisection"), arguments.study);
   app.add_subcommand("report", "pictures, plots and one HTML page of a run")
       ->add_option("DIR", arguments.report_folder, "the run's folder")
       ->required();
@@ -72,6 +84,7 @@ void describe(CLI::App& app, Arguments& arguments) {
 
 int carry_out(const CLI::App& app, const Arguments& arguments, const parallel::Ranks& ranks) {
   if (app.got_subcommand("run")) return command::run(arguments.run, ranks);
+  if (app.got_subcommand("study")) return command::study(arguments.study);
   if (app.got_subcommand("check")) return command::check(arguments.check);
   if (app.got_subcommand("report")) return command::report(arguments.report_folder);
   if (app.got_subcommand("schema")) return command::schema(arguments.markdown);

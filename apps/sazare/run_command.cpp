@@ -1,47 +1,23 @@
 #include <fmt/format.h>
-#include <signal.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdio>
 
 #include "apps/sazare/commands.hpp"
+#include "apps/sazare/signals.hpp"
 #include "sazare/cases/case_file.hpp"
 #include "sazare/cases/number_text.hpp"
 #include "sazare/core/error.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "sazare/runs/progress.hpp"
-#include "sazare/runs/run_blocks.hpp"
+#include "sazare/runs/run_case.hpp"
 
 namespace sazare::command {
-
-std::atomic<bool> stop_asked{false};
 
 namespace {
 
 namespace fs = std::filesystem;
-
-static_assert(std::atomic<bool>::is_always_lock_free, "set by a signal handler");
-
-/// The run stops after its present step. A second Ctrl-C ends the process at once.
-void stop_on_signals() {
-  struct sigaction action {};
-  action.sa_handler = [](int) { stop_asked = true; };
-  sigemptyset(&action.sa_mask);
-  action.sa_flags = SA_RESTART;
-  sigaction(SIGTERM, &action, nullptr);
-  action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);
-  sigaction(SIGINT, &action, nullptr);
-  signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of the write, not the end of the process
-}
-
-/// runs/<name>, where case.toml is called by its folder.
-fs::path default_folder(const fs::path& case_file) {
-  const fs::path full = fs::absolute(case_file).lexically_normal();
-  const std::string stem = full.stem().string(), parent = full.parent_path().filename().string();
-  return fs::path("runs") / (stem == "case" && !parent.empty() ? parent : stem);
-}
 
 Real figure(const observe::Manifest& manifest, std::string_view name) {
   for (const auto& [key, value] : manifest.results)
@@ -55,7 +31,19 @@ std::string balance_text(const observe::Manifest& manifest) {
   return fmt::format("work {} J, unaccounted {} J{}", cases::short_number(work, 4), cases::short_number(residual, 2), share);
 }
 
+void print_mps_figures(const observe::Manifest& manifest, const fs::path& folder) {
+  const auto number = [&](std::string_view name, int digits = 4) { return cases::short_number(figure(manifest, name), digits); };
+  const Real seconds = figure(manifest, "wall_seconds");
+  fmt::print("particles       {}, step {} s, predicted limit {} s\n", number("particles", 12), number("step"), number("predicted_limit"));
+  fmt::print("peaks           {} m, {} m/s, {} m/s2\n", number("peak_displacement"), number("peak_speed"), number("peak_acceleration"));
+  fmt::print("wall time       {:.2f} s, {} particle-steps per second, {} thread{}\n", seconds,
+             cases::short_number(seconds > 0 ? figure(manifest, "particle_steps") / seconds : 0, 3), manifest.machine.threads,
+             manifest.machine.threads == 1 ? "" : "s");
+  fmt::print("results in      {}\n", folder.string());
+}
+
 void print_figures(const observe::Manifest& manifest, const fs::path& folder) {
+  if (manifest.method == "mps") return print_mps_figures(manifest, folder);
   const auto number = [&](std::string_view name, int digits = 4) { return cases::short_number(figure(manifest, name), digits); };
   fmt::print("joints broken   {} of {}\n", number("broken_joints", 12), number("joints", 12));
   fmt::print("fragments       {} of {} elements, X50 {} m, X80 {} m\n", number("fragments", 12), number("elements", 12),
@@ -88,11 +76,13 @@ int run(const RunArguments& arguments, const parallel::Ranks& ranks) {
   stop_on_signals();
   parallel::set_threads(arguments.of_case.threads);
   const cases::CaseFile file = cases::read_case(arguments.of_case.file, arguments.of_case.settings);
+  if (ranks.size() > 1 && std::holds_alternative<cases::MpsCase>(file.content))
+    throw UserError(fmt::format("method mps runs in one process, and {} were started: leave mpirun out, and use --threads", ranks.size()));
   if (ranks.is_first()) fmt::print(stderr, "{}", file.warnings);
   const fs::path folder = arguments.folder.empty() ? default_folder(arguments.of_case.file) : arguments.folder;
   const bool quiet = arguments.quiet || !ranks.is_first();
   const runs::RunOutcome outcome =
-      runs::run_blocks(file, {folder, begin_of(arguments), quiet, &stop_asked, sharing_of(arguments, ranks)});
+      runs::run_case(file, {folder, begin_of(arguments), quiet, &stop_asked, sharing_of(arguments, ranks)});
   if (!ranks.is_first()) return outcome.stopped ? stopped : done;
   if (outcome.stopped) {
     fmt::print(stderr, "stopped at t = {} s, with a checkpoint. To go on:\n  {}\n", cases::short_number(outcome.time),

@@ -1,11 +1,10 @@
 #include <array>
 
-#include "sazare/cases/schema.hpp"
+#include "sazare/cases/case_keys.hpp"
 
 namespace sazare::cases {
 namespace {
 
-constexpr std::array<std::string_view, 1> methods{"blocks"};
 constexpr std::array<std::string_view, 3> damping_caps{"literal", "critical", "step"};
 constexpr std::array<std::string_view, 3> boundary_kinds{"fixed", "frictionless", "absorbing"};
 constexpr std::array<std::string_view, 2> level_choices{"per_element", "uniform"};
@@ -13,18 +12,6 @@ constexpr std::array<std::string_view, 3> limiters{"stability", "travel", "none"
 
 constexpr std::string_view when_bonded = "required when bonded";
 constexpr std::string_view geo_only = "only for a .geo file";
-
-constexpr std::array case_keys{
-    Key{.name = "title",
-        .type = Type::text,
-        .need = Need::required,
-        .sentence = "What the case is called in reports."},
-    Key{.name = "method",
-        .type = Type::choice,
-        .need = Need::required,
-        .sentence = "How the body is modelled: blocks are bonded tetrahedra that can break apart.",
-        .choices = methods},
-};
 
 constexpr std::array mesh_keys{
     Key{.name = "file",
@@ -228,14 +215,6 @@ constexpr std::array blast_keys{
         .sentence = "The pressure on a face ends for good once the face has moved this far; inf: never."},
 };
 
-constexpr std::array gravity_keys{
-    Key{.name = "acceleration",
-        .type = Type::vector,
-        .unit = "m/s2",
-        .default_text = "[0.0, 0.0, 0.0]",
-        .sentence = "Acceleration of free fall."},
-};
-
 constexpr std::array boundary_keys{
     Key{.name = "surface",
         .type = Type::text,
@@ -350,17 +329,8 @@ constexpr std::array time_keys{
         .sentence = "Refuse what would only be warned about, such as a step above the stable one."},
 };
 
-constexpr std::array output_keys{
-    Key{.name = "checkpoint_interval",
-        .type = Type::number,
-        .unit = "s",
-        .range = positive,
-        .default_text = "60.0",
-        .sentence = "Wall-clock time between checkpoints."},
-};
-
 constexpr std::array tables{
-    Table{"case", false, Need::required, "What the case is.", case_keys},
+    case_table,
     Table{"mesh", false, Need::required, "The body: tetrahedra with named volumes and surfaces.", mesh_keys},
     Table{"materials", true, Need::required, "What the named volumes are made of.", material_keys},
     Table{"joints", true, Need::required,
@@ -369,7 +339,7 @@ constexpr std::array tables{
           contact_keys},
     Table{"blasts", true, Need::optional,
           "Pressure on the walls of holes: a pulse, or a table from a CSV file.", blast_keys},
-    Table{"gravity", false, Need::optional, "Body force.", gravity_keys},
+    gravity_table,
     Table{"boundaries", true, Need::optional, "How outer faces are held; all others are free.",
           boundary_keys},
     Table{"constraints", true, Need::optional, "Axes along or about which whole volumes cannot move.",
@@ -379,7 +349,7 @@ constexpr std::array tables{
     Table{"gauges", true, Need::optional, "Points whose velocity is recorded.", gauge_keys},
     Table{"time", false, Need::required, "How long, in which steps, and when results are written.",
           time_keys},
-    Table{"output", false, Need::optional, "What is written besides histories and snapshots.", output_keys},
+    output_table,
 };
 
 }  // namespace

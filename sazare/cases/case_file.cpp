@@ -9,6 +9,7 @@
 #include "sazare/cases/case_text.hpp"
 #include "sazare/cases/checks.hpp"
 #include "sazare/cases/field_reader.hpp"
+#include "sazare/cases/mps_fields.hpp"
 #include "sazare/cases/structure_check.hpp"
 #include "sazare/core/error.hpp"
 
@@ -30,50 +31,41 @@ std::string read_text(const fs::path& path) {
   return text.str();
 }
 
+/// Fills a case from the document; the visitor of `visit_tables`.
 class CaseReader {
 public:
-  CaseReader(const Value& root, const fs::path& folder) : root_(root), folder_(folder) {}
+  CaseReader(const Value& root, std::span<const Table> schema, const fs::path& folder)
+      : root_(root), schema_(schema), folder_(folder) {}
 
-  BlocksCase read() {
-    BlocksCase blocks;
+  template <class Case>
+  Case read() {
+    Case result;
     const Entry head = entries_of("case").front();
-    FieldReader(head, folder_)("title", blocks.title);
-    read_one("mesh", blocks.mesh);
-    read_list("materials", blocks.materials);
-    read_list("joints", blocks.joints);
-    read_one("contact", blocks.contact);
-    read_list("blasts", blocks.blasts);
-    read_one("gravity", blocks.gravity);
-    read_list("boundaries", blocks.boundaries);
-    read_list("constraints", blocks.constraints);
-    read_list("initial_velocities", blocks.initial_velocities);
-    read_list("gauges", blocks.gauges);
-    read_one("time", blocks.time);
-    read_one("output", blocks.output);
-    return blocks;
-  }
-
-private:
-  std::vector<Entry> entries_of(std::string_view table) const {
-    return entries(root_, *find_table(blocks_schema(), table));
+    FieldReader(head, folder_)("title", result.title);
+    visit_tables(*this, result);
+    return result;
   }
 
   template <class Item>
-  void read_one(std::string_view table, Item& item) {
+  void one(std::string_view table, Item& item) {
     const Entry entry = entries_of(table).front();
     FieldReader reader(entry, folder_);
     visit_fields(reader, item);
   }
 
   template <class Item>
-  void read_list(std::string_view table, std::vector<Item>& items) {
+  void list(std::string_view table, std::vector<Item>& items) {
     for (const Entry& entry : entries_of(table)) {
       FieldReader reader(entry, folder_);
       visit_fields(reader, items.emplace_back());
     }
   }
 
+private:
+  std::vector<Entry> entries_of(std::string_view table) const { return entries(root_, *find_table(schema_, table)); }
+
   const Value& root_;
+  std::span<const Table> schema_;
   const fs::path& folder_;
 };
 
@@ -85,6 +77,26 @@ void check_meaning(const CheckContext& context, BlocksCase& blocks) {
   check_blasts(context, blocks);
   check_constraints(context, blocks);
   resolve_clocks(context, blocks.time);
+}
+
+void check_meaning(const CheckContext& context, MpsCase& mps) {
+  check_mps(context, mps);
+  resolve_clocks(context, mps.time);
+}
+
+template <class Case>
+MethodCase read_method(const CheckContext& context, const fs::path& folder) {
+  Case result = CaseReader(context.root, context.schema, folder).read<Case>();
+  check_meaning(context, result);
+  if (result.time.strict) context.problems.turn_warnings_into_errors();
+  return result;
+}
+
+/// Name of the method as the file gives it; empty where it does not.
+std::string method_name(const Value& root) {
+  const Value* head = root.find("case");
+  const Value* method = head == nullptr || !head->is_table() ? nullptr : head->find("method");
+  return method == nullptr || method->text() == nullptr ? "" : *method->text();
 }
 
 /// The place of "joints.0.cohesion", or of as much of it as the file gives.
@@ -109,7 +121,7 @@ Place find_place(const Value& root, std::string_view key) {
 }  // namespace
 
 std::vector<Entry> CheckContext::entries_of(std::string_view table) const {
-  return entries(root, *find_table(blocks_schema(), table));
+  return entries(root, *find_table(schema, table));
 }
 
 CaseFile read_case(const fs::path& path, std::span<const std::string> overrides) {
@@ -121,14 +133,15 @@ CaseFile read_case(const fs::path& path, std::span<const std::string> overrides)
   problems.throw_if_errors();
   text->root = std::move(*root);
   for (const std::string& setting : overrides) apply_override(text->root, setting, problems);
-  check_structure(text->root, blocks_schema(), problems);
+  const std::string method = method_name(text->root);
+  const std::span<const Table> schema = schema_of(method);
+  check_structure(text->root, schema, problems);
 
   const fs::path folder = fs::absolute(path).parent_path();
-  BlocksCase blocks = CaseReader(text->root, folder).read();
-  check_meaning({text->root, path.parent_path(), problems}, blocks);
-  if (blocks.time.strict) problems.turn_warnings_into_errors();
+  const CheckContext context{text->root, schema, path.parent_path(), problems};
+  MethodCase checked = method == "mps" ? read_method<MpsCase>(context, folder) : read_method<BlocksCase>(context, folder);
   problems.throw_if_errors();
-  return {path, std::move(blocks), problems.warning_text(), text};
+  return {path, std::move(checked), problems.warning_text(), text};
 }
 
 std::string warning(const CaseFile& file, const std::string& key, std::string what, std::string help) {

@@ -4,20 +4,28 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "sazare/cases/blocks_case.hpp"
+#include "sazare/cases/mps_case.hpp"
 
 namespace sazare::cases {
 
 struct CaseText;
 
+/// A case of any method.
+using MethodCase = std::variant<BlocksCase, MpsCase>;
+
 /// A case that was read and checked, with its text for messages about what only the mesh can show.
 struct CaseFile {
   std::filesystem::path path;
-  BlocksCase blocks;
+  MethodCase content;
   std::string warnings;  // ready to print; empty when there are none
   std::shared_ptr<const CaseText> text;
+
+  const BlocksCase& blocks() const { return std::get<BlocksCase>(content); }
+  const MpsCase& mps() const { return std::get<MpsCase>(content); }
 };
 
 /// Reads and checks a case. `overrides` are texts such as "time.end=1e-3" or "joints.0.cohesion=5e6". Throws

@@ -6,6 +6,7 @@
 
 #include "sazare/cases/blocks_case.hpp"
 #include "sazare/cases/case_text.hpp"
+#include "sazare/cases/mps_case.hpp"
 
 /// What can be found wrong from the text of a case alone, after types and ranges: each function reports what
 /// it finds.
@@ -14,6 +15,7 @@ namespace sazare::cases {
 /// What the checks look at: the document for places and for what was given, the case for values.
 struct CheckContext {
   const Value& root;
+  std::span<const Table> schema;
   std::filesystem::path shown_folder;  // the case file's folder as the user typed it, for messages
   Problems& problems;
 
@@ -31,5 +33,16 @@ void check_blasts(const CheckContext& context, BlocksCase& blocks);
 
 /// Checks that the clocks nest, and fills in the intervals that are not given.
 void resolve_clocks(const CheckContext& context, Time& time);
+void resolve_clocks(const CheckContext& context, UniformTime& time);
+
+/// All checks of a case of method mps after types and ranges; reads its records.
+void check_mps(const CheckContext& context, MpsCase& mps);
+
+/// Reports names that stand twice in a list of tables, and names that cannot head a column.
+void check_unique_names(const CheckContext& context, std::string_view table, std::span<const std::string> names);
+
+/// The file that a key names, as it can be opened; reports one that is not there (then nothing).
+bool check_file(const CheckContext& context, const Place& place, std::string_view what, const std::filesystem::path& file,
+                const std::string& as_written);
 
 }  // namespace sazare::cases

@@ -14,14 +14,23 @@ namespace {
 constexpr std::int64_t usual_history_rows = 200;
 constexpr std::int64_t usual_snapshots = 20;
 
-/// From the longest clock to the shortest: end, snapshot_interval, history_interval, base_step.
+/// The clocks of a case, by whatever method.
+struct Clocks {
+  Real end;                 // s
+  std::string_view step_key;
+  std::optional<Real> step;  // s
+  Real& history_interval;   // s
+  Real& snapshot_interval;  // s
+};
+
+/// From the longest clock to the shortest: end, snapshot_interval, history_interval, step.
 class ClockCheck {
 public:
-  ClockCheck(const CheckContext& context, const Entry& entry, Time& time)
-      : context_(context), entry_(entry), time_(time) {}
+  ClockCheck(const CheckContext& context, const Entry& entry, Clocks clocks)
+      : context_(context), entry_(entry), time_(clocks) {}
 
   void run() {
-    check_base_step();
+    check_step();
     history_ = entry_.has("history_interval") ? check_history() : choose_history();
     if (entry_.has("snapshot_interval"))
       check_snapshots();
@@ -49,18 +58,13 @@ private:
         fmt::format("the nearest {} that does is {}{}", wrong.name, number_text(nearest), also));
   }
 
-  void check_base_step() {
-    if (time_.limiter != Limiter::stability && entry_.is_sound("limiter") && !entry_.has("base_step"))
-      context_.problems.error(
-          entry_.place("limiter"),
-          fmt::format("limiter \"{}\" needs base_step", time_.limiter == Limiter::travel ? "travel" : "none"),
-          "add base_step = ... (a number in s, greater than 0): the largest step");
-    if (!entry_.gives("base_step")) return;
-    if (whole_multiple(time_.end, *time_.base_step)) {
-      base_ = time_.base_step;
+  void check_step() {
+    if (!entry_.gives(time_.step_key)) return;
+    if (whole_multiple(time_.end, *time_.step)) {
+      base_ = time_.step;
       return;
     }
-    const Clock base{"base_step", *time_.base_step};
+    const Clock base{time_.step_key, *time_.step};
     refuse(base, end(), base, nearest_fraction(time_.end, base.interval));
   }
 
@@ -85,7 +89,7 @@ private:
     const auto steps = base_ ? whole_multiple(time_.end, *base_) : std::nullopt;
     const Real nearest = nearest_interval(steps, history.interval);
     if (fits_end)
-      refuse(history, history, {"base_step", *base_}, nearest, base_);
+      refuse(history, history, {time_.step_key, *base_}, nearest, base_);
     else
       refuse(history, end(), history, nearest, base_);
     return false;
@@ -121,7 +125,7 @@ private:
 
   const CheckContext& context_;
   const Entry& entry_;
-  Time& time_;
+  Clocks time_;
   std::optional<Real> base_;  // given, and the end is a whole number of it
   bool history_ = false;      // the end is a whole number of history intervals
 };
@@ -130,7 +134,19 @@ private:
 
 void resolve_clocks(const CheckContext& context, Time& time) {
   const Entry entry = context.entries_of("time").front();
-  if (entry.gives("end")) ClockCheck(context, entry, time).run();
+  if (!entry.gives("end")) return;
+  if (time.limiter != Limiter::stability && entry.is_sound("limiter") && !entry.has("base_step"))
+    context.problems.error(
+        entry.place("limiter"),
+        fmt::format("limiter \"{}\" needs base_step", time.limiter == Limiter::travel ? "travel" : "none"),
+        "add base_step = ... (a number in s, greater than 0): the largest step");
+  ClockCheck(context, entry, {time.end, "base_step", time.base_step, time.history_interval, time.snapshot_interval}).run();
+}
+
+void resolve_clocks(const CheckContext& context, UniformTime& time) {
+  const Entry entry = context.entries_of("time").front();
+  if (!entry.gives("end")) return;
+  ClockCheck(context, entry, {time.end, "step", time.step, time.history_interval, time.snapshot_interval}).run();
 }
 
 }  // namespace sazare::cases

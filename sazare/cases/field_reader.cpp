@@ -64,6 +64,19 @@ void FieldReader::assign(const Value& value, std::array<bool, 3>& axes) {
   for (const Value& item : *value.items()) axes.at(static_cast<std::size_t>((*item.text())[0] - 'x')) = true;
 }
 
+void FieldReader::assign(const Value& value, std::vector<Real>& member) {
+  member.assign(value.items()->size(), 0);
+  for (std::size_t i = 0; i < member.size(); ++i) assign((*value.items())[i], member[i]);
+}
+
+void FieldReader::assign(const Value& value, std::vector<std::array<Real, 2>>& member) {
+  member.clear();
+  for (const Value& item : *value.items()) {
+    auto& point = member.emplace_back();
+    for (std::size_t i = 0; i < 2; ++i) assign((*item.items())[i], point[i]);
+  }
+}
+
 void FieldReader::assign(const Value& value, std::vector<std::pair<std::string, Real>>& member) {
   member.clear();
   for (const Member& item : *value.members()) {

@@ -50,6 +50,8 @@ private:
   void assign(const Value& value, std::array<std::string, 2>& member);
   void assign(const Value& value, std::array<bool, 3>& axes);
   void assign(const Value& value, std::vector<std::pair<std::string, Real>>& member);
+  void assign(const Value& value, std::vector<std::array<Real, 2>>& member);
+  void assign(const Value& value, std::vector<Real>& member);
 
   template <class Enum>
   requires requires { EnumWords<Enum>::words; }

@@ -148,4 +148,21 @@ void visit_fields(Visitor& visit, Output& output) {
   visit("checkpoint_interval", output.checkpoint_interval);
 }
 
+/// All tables of a case: visit.one(table, member) for [table], visit.list(table, members) for [[table]].
+template <class Visitor>
+void visit_tables(Visitor& visit, BlocksCase& blocks) {
+  visit.one("mesh", blocks.mesh);
+  visit.list("materials", blocks.materials);
+  visit.list("joints", blocks.joints);
+  visit.one("contact", blocks.contact);
+  visit.list("blasts", blocks.blasts);
+  visit.one("gravity", blocks.gravity);
+  visit.list("boundaries", blocks.boundaries);
+  visit.list("constraints", blocks.constraints);
+  visit.list("initial_velocities", blocks.initial_velocities);
+  visit.list("gauges", blocks.gauges);
+  visit.one("time", blocks.time);
+  visit.one("output", blocks.output);
+}
+
 }  // namespace sazare::cases

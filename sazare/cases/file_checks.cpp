@@ -75,6 +75,13 @@ void check_table(const CheckContext& context, const Entry& entry, PressureTable&
 
 }  // namespace
 
+bool check_file(const CheckContext& context, const Place& place, std::string_view what, const fs::path& file,
+                const std::string& as_written) {
+  if (is_file(file)) return true;
+  report_missing_file(context, place, what, file, as_written);
+  return false;
+}
+
 void check_mesh_file(const CheckContext& context, const Mesh& mesh) {
   const Entry entry = context.entries_of("mesh").front();
   if (!entry.gives("file")) return;

@@ -13,7 +13,7 @@ namespace {
 class MeshCheck {
 public:
   MeshCheck(const CaseFile& file, const MeshGroups& groups, Problems& problems)
-      : blocks_(file.blocks), groups_(groups), context_{file.text->root, {}, problems} {
+      : blocks_(file.blocks()), groups_(groups), context_{file.text->root, blocks_schema(), {}, problems} {
     for (const MeshSurface& surface : groups.surfaces) surface_names_.push_back(surface.name);
   }
 

@@ -28,20 +28,9 @@ std::string other_line(const Place& place) {
 
 template <class Item>
 void check_unique(const CheckContext& context, std::string_view table, const std::vector<Item>& items) {
-  SeenNames seen;
-  const auto list = context.entries_of(table);
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const std::string& name = items[i].name;
-    if (name.empty()) continue;
-    const Place place = list[i].has("name") ? list[i].place("name") : list[i].place("surface");
-    if (name.find_first_of(",\"\n\r") != std::string::npos)
-      context.problems.error(place,
-                             fmt::format("the name \"{}\" contains a comma, a quote or a line break", name),
-                             "names become columns of CSV files; use letters, digits, blanks, '-' and '_'");
-    if (const Place* before = seen.before(name, place))
-      context.problems.error(place, fmt::format("two of the {} are called \"{}\"", table, name),
-                             fmt::format("give each a name of its own; {}", other_line(*before)));
-  }
+  std::vector<std::string> names;
+  for (const Item& item : items) names.push_back(item.name);
+  check_unique_names(context, table, names);
 }
 
 void check_materials(const CheckContext& context, const BlocksCase& blocks) {
@@ -102,6 +91,23 @@ void check_initial_velocities(const CheckContext& context, const BlocksCase& blo
 }
 
 }  // namespace
+
+void check_unique_names(const CheckContext& context, std::string_view table, std::span<const std::string> names) {
+  SeenNames seen;
+  const auto list = context.entries_of(table);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string& name = names[i];
+    if (name.empty()) continue;
+    const Place place = list[i].has("name") ? list[i].place("name") : list[i].place("surface");
+    if (name.find_first_of(",\"\n\r") != std::string::npos)
+      context.problems.error(place,
+                             fmt::format("the name \"{}\" contains a comma, a quote or a line break", name),
+                             "names become columns of CSV files; use letters, digits, blanks, '-' and '_'");
+    if (const Place* before = seen.before(name, place))
+      context.problems.error(place, fmt::format("two of the {} are called \"{}\"", table, name),
+                             fmt::format("give each a name of its own; {}", other_line(*before)));
+  }
+}
 
 void check_names(const CheckContext& context, const BlocksCase& blocks) {
   check_unique(context, "materials", blocks.materials);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "sazare/cases/fields.hpp"
+#include "sazare/cases/mps_fields.hpp"
 #include "sazare/cases/number_text.hpp"
 #include "sazare/cases/schema.hpp"
 #include "sazare/cases/structure_check.hpp"
@@ -74,6 +75,9 @@ private:
       if (axes[i]) names.emplace_back(1, static_cast<char>('x' + i));
     return list_text(names, string_text);
   }
+  static std::string text(const std::vector<std::array<Real, 2>>& points) {
+    return list_text(points, [](const auto& point) { return fmt::format("[{}, {}]", number_text(point[0]), number_text(point[1])); });
+  }
   static std::string text(const std::vector<std::pair<std::string, Real>>& value) {
     if (value.empty()) return "{}";
     const std::string list = list_text(value, [](const auto& item) {
@@ -92,13 +96,14 @@ private:
   const fs::path& folder_;
 };
 
+/// The visitor of `visit_tables`.
 class CaseWriter {
 public:
-  explicit CaseWriter(const fs::path& folder) : folder_(folder) {}
+  CaseWriter(std::span<const Table> schema, const fs::path& folder) : schema_(schema), folder_(folder) {}
 
   template <class Item>
   void one(std::string_view table, Item item) {
-    FieldWriter writer(out, *find_table(blocks_schema(), table), folder_);
+    FieldWriter writer(out, *find_table(schema_, table), folder_);
     visit_fields(writer, item);
   }
 
@@ -107,36 +112,27 @@ public:
     for (const Item& item : items) one(table, item);
   }
 
-  void head(const std::string& title) {
-    FieldWriter writer(out, *find_table(blocks_schema(), "case"), folder_);
-    writer("title", title);
-    writer("method", std::string("blocks"));
+  template <class Case>
+  std::string write(Case content, const std::string& method) {
+    FieldWriter head(out, *find_table(schema_, "case"), folder_);
+    head("title", content.title);
+    head("method", method);
+    visit_tables(*this, content);
+    return out;
   }
 
-  std::string out = "# Every key of the case with the value that was used; SI units.\n";
-
 private:
+  std::string out = "# Every key of the case with the value that was used; SI units.\n";
+  std::span<const Table> schema_;
   const fs::path& folder_;
 };
 
 }  // namespace
 
 std::string write_resolved(const BlocksCase& blocks, const fs::path& folder) {
-  CaseWriter writer(folder);
-  writer.head(blocks.title);
-  writer.one("mesh", blocks.mesh);
-  writer.list("materials", blocks.materials);
-  writer.list("joints", blocks.joints);
-  writer.one("contact", blocks.contact);
-  writer.list("blasts", blocks.blasts);
-  writer.one("gravity", blocks.gravity);
-  writer.list("boundaries", blocks.boundaries);
-  writer.list("constraints", blocks.constraints);
-  writer.list("initial_velocities", blocks.initial_velocities);
-  writer.list("gauges", blocks.gauges);
-  writer.one("time", blocks.time);
-  writer.one("output", blocks.output);
-  return writer.out;
+  return CaseWriter(blocks_schema(), folder).write(blocks, "blocks");
 }
+
+std::string write_resolved(const MpsCase& mps, const fs::path& folder) { return CaseWriter(mps_schema(), folder).write(mps, "mps"); }
 
 }  // namespace sazare::cases

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "sazare/cases/blocks_case.hpp"
+#include "sazare/cases/mps_case.hpp"
 
 namespace sazare::cases {
 
@@ -11,8 +11,10 @@ namespace sazare::cases {
 /// case. Files are written relative to `folder`, where the text will be saved, or as full paths when it is
 /// empty.
 std::string write_resolved(const BlocksCase& blocks, const std::filesystem::path& folder = {});
+std::string write_resolved(const MpsCase& mps, const std::filesystem::path& folder = {});
 
 /// The case in words, with what follows from its numbers: what `sazare check` prints.
 std::string explain(const BlocksCase& blocks);
+std::string explain(const MpsCase& mps);
 
 }  // namespace sazare::cases

@@ -31,6 +31,8 @@ bool in_range(const Range& range, Real value) {
   return above && below;
 }
 
+std::span<const Table> schema_of(std::string_view method) { return method == "mps" ? mps_schema() : blocks_schema(); }
+
 const Table* find_table(std::span<const Table> schema, std::string_view name) {
   const auto found = std::ranges::find(schema, name, &Table::name);
   return found == schema.end() ? nullptr : &*found;
@@ -68,6 +70,10 @@ std::string type_text(const Key& key) {
       return "a file name";
     case Type::numbers:
       return "a table of names and numbers such as { depth = 3.0 }";
+    case Type::values:
+      return "a list of numbers" + in_unit;
+    case Type::points:
+      return "a list of three points [x, y] or more" + in_unit;
   }
   return "";
 }

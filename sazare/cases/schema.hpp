@@ -23,6 +23,8 @@ enum class Type {
   axes,       // a list of "x", "y", "z"
   file,       // a path relative to the case file
   numbers,    // an inline table of free keys and numbers
+  points,     // a list of [x, y]
+  values,     // a list of numbers, at least one
 };
 
 struct Range {
@@ -69,6 +71,15 @@ struct Table {
 /// The tables of method blocks, in the order of the reference page.
 std::span<const Table> blocks_schema();
 
+/// The tables of method mps.
+std::span<const Table> mps_schema();
+
+/// The tables of a study file.
+std::span<const Table> study_schema();
+
+/// The tables of the method with this name; those of blocks where there is no such method.
+std::span<const Table> schema_of(std::string_view method);
+
 /// nullptr when there is none.
 const Table* find_table(std::span<const Table> schema, std::string_view name);
 const Key* find_key(const Table& table, std::string_view name);
@@ -76,7 +87,7 @@ const Key* find_key(const Table& table, std::string_view name);
 /// "a number in Pa", "a list of names": what a value of this key looks like.
 std::string type_text(const Key& key);
 
-/// A JSON schema of the case file, for editors.
+/// A JSON schema of the case file, for editors: one for each method.
 std::string schema_json();
 
 /// The reference page of the case file.

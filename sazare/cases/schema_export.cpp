@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "sazare/cases/schema.hpp"
+#include "sazare/cases/case_keys.hpp"
 #include "sazare/cases/structure_check.hpp"
 
 namespace sazare::cases {
@@ -61,6 +61,10 @@ Json type_json(const Key& key) {
       return list_of({{"type", "string"}, {"enum", {"x", "y", "z"}}}, 0, 3);
     case Type::numbers:
       return {{"type", "object"}, {"additionalProperties", {{"type", "number"}}}};
+    case Type::values:
+      return list_of({{"type", "number"}}, 1, 0);
+    case Type::points:
+      return list_of(list_of({{"type", "number"}}, 2, 2), 3, 0);
   }
   return {};
 }
@@ -119,6 +123,10 @@ std::string markdown_type(const Key& key) {
         return "axes";
       case Type::file:
         return "file";
+      case Type::points:
+        return "points";
+      case Type::values:
+        return "numbers";
       default:
         return "names and numbers";
     }
@@ -133,37 +141,50 @@ std::string markdown_range(const Key& key) {
   return key.range.infinite ? range + ", or inf" : range;
 }
 
-}  // namespace
-
-std::string schema_json() {
+Json method_json(std::string_view method) {
   Json properties = Json::object();
   std::vector<std::string_view> required;
-  for (const Table& table : blocks_schema()) {
+  for (const Table& table : schema_of(method)) {
     properties[std::string(table.name)] = table_json(table);
     if (table.need == Need::required) required.push_back(table.name);
   }
-  const Json json{{"$schema", "http://json-schema.org/draft-07/schema#"},
-                  {"title", "Sazare case, method blocks"},
-                  {"type", "object"},
-                  {"properties", std::move(properties)},
-                  {"required", required},
-                  {"additionalProperties", false}};
+  properties["case"]["properties"]["method"] = {{"const", method}};
+  return {{"title", fmt::format("Sazare case, method {}", method)},
+          {"type", "object"},
+          {"properties", std::move(properties)},
+          {"required", required},
+          {"additionalProperties", false}};
+}
+
+void append_table(std::string& out, const Table& table) {
+  const std::string_view how = table.repeated
+                                   ? (table.need == Need::required ? " At least one." : " Any number.")
+                               : table.need == Need::required ? " Required."
+                                                              : " Optional.";
+  out += fmt::format("\n## `{}`\n\n{}{}\n\n", table_header(table), table.sentence, how);
+  out += "| key | value | unit | range | default or need | meaning |\n|---|---|---|---|---|---|\n";
+  for (const Key& key : table.keys)
+    out += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name, markdown_type(key), key.unit,
+                       markdown_range(key), need_text(key), key.sentence);
+}
+
+}  // namespace
+
+std::string schema_json() {
+  Json alternatives = Json::array();
+  for (const std::string_view method : method_names) alternatives.push_back(method_json(method));
+  const Json json{{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "Sazare case"}, {"oneOf", std::move(alternatives)}};
   return json.dump(2) + "\n";
 }
 
 std::string schema_markdown() {
   std::string out = page_head;
-  for (const Table& table : blocks_schema()) {
-    const std::string_view how = table.repeated
-                                     ? (table.need == Need::required ? " At least one." : " Any number.")
-                                 : table.need == Need::required ? " Required."
-                                                                : " Optional.";
-    out += fmt::format("\n## `{}`\n\n{}{}\n\n", table_header(table), table.sentence, how);
-    out += "| key | value | unit | range | default or need | meaning |\n|---|---|---|---|---|---|\n";
-    for (const Key& key : table.keys)
-      out += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name, markdown_type(key), key.unit,
-                         markdown_range(key), need_text(key), key.sentence);
+  for (const std::string_view method : method_names) {
+    out += fmt::format("\n# Method `{}`\n", method);
+    for (const Table& table : schema_of(method)) append_table(out, table);
   }
+  out += "\n# Study files\n\nFamilies of cases for `sazare study`: every combination of the parameters, for every family.\n";
+  for (const Table& table : study_schema()) append_table(out, table);
   return out;
 }
 

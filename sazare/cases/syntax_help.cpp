@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "sazare/cases/number_text.hpp"
-#include "sazare/cases/schema.hpp"
+#include "sazare/cases/case_keys.hpp"
 #include "sazare/cases/units.hpp"
 
 namespace sazare::cases {
@@ -29,13 +29,13 @@ bool split_assignment(const std::string& line, Assignment& result) {
 
 /// Keys are looked up by name alone: which table the line stands in is not known where the text is not TOML.
 std::string help_for_unit(const std::string& name, const Quantity& quantity) {
-  for (const Table& table : blocks_schema()) {
-    const Key* key = find_key(table, name);
-    const auto number = key == nullptr ? std::nullopt : converted(quantity, key->unit);
-    if (number)
-      return fmt::format("write {} = {}, without unit; the unit is {}", name, short_number(*number, 12),
-                         key->unit);
-  }
+  for (const std::string_view method : method_names)
+    for (const Table& table : schema_of(method)) {
+      const Key* key = find_key(table, name);
+      const auto number = key == nullptr ? std::nullopt : converted(quantity, key->unit);
+      if (number)
+        return fmt::format("write {} = {}, without unit; the unit is {}", name, short_number(*number, 12), key->unit);
+    }
   return "write the number alone; the reference page names the unit of each key";
 }
 

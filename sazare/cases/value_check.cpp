@@ -46,6 +46,10 @@ public:
         return is_axes(value);
       case Type::numbers:
         return is_numbers(value);
+      case Type::points:
+        return is_points(value);
+      case Type::values:
+        return is_values(value);
     }
     return false;
   }
@@ -182,6 +186,36 @@ private:
       problems_.error(item.place,
                       fmt::format("{}: an axis was expected, found {}", key_.name, describe(item)),
                       "the axes are \"x\", \"y\" and \"z\"");
+      good = false;
+    }
+    return good;
+  }
+
+  bool is_values(const Value& value) {
+    const auto* items = value.items();
+    if (items == nullptr || items->empty()) return refuse(value, "write [1.0, 2.0], for example");
+    bool good = true;
+    for (const Value& item : *items) {
+      if (number_in(item)) {
+        good = is_in_range(item, *number_in(item)) && good;
+        continue;
+      }
+      problems_.error(item.place, fmt::format("{}: a number was expected, found {}", key_.name, describe(item)), help_for_number(item));
+      good = false;
+    }
+    return good;
+  }
+
+  bool is_points(const Value& value) {
+    const auto* items = value.items();
+    if (items == nullptr || items->size() < 3) return refuse(value, "write [[x, y], [x, y], [x, y]]");
+    bool good = true;
+    for (const Value& item : *items) {
+      const auto* pair = item.items();
+      const auto is_finite = [](const Value& part) { return number_in(part) && std::isfinite(*number_in(part)); };
+      if (pair != nullptr && pair->size() == 2 && std::ranges::all_of(*pair, is_finite)) continue;
+      problems_.error(item.place, fmt::format("{}: a point [x, y] was expected, found {}", key_.name, describe(item)),
+                      "a point is a list of two finite numbers");
       good = false;
     }
     return good;

@@ -18,7 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::size_t corners_of(Grid::Cell cell) { return cell == Grid::Cell::triangle ? 3 : 4; }
+std::size_t corners_of(Grid::Cell cell) {
+  return cell == Grid::Cell::vertex ? 1 : cell == Grid::Cell::triangle ? 3 : 4;
+}
 
 void write_count(Hdf5Writer& out, const std::string& name, std::size_t count) {
   const std::vector<std::int64_t> value = {static_cast<std::int64_t>(count)};

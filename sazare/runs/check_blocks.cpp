@@ -94,12 +94,12 @@ std::string step_text(const BlocksModel& model, const RunClocks& clocks) {
 
 std::string check_blocks(const cases::CaseFile& file) {
   const TemporaryFolder folder;
-  BlocksModel model = build_blocks(file.blocks, load_mesh(file, folder.path() / "mesh.msh", false));
+  BlocksModel model = build_blocks(file.blocks(), load_mesh(file, folder.path() / "mesh.msh", false));
   const Gauges gauges(file, model.mesh);
-  const RunClocks clocks = make_clocks(file.blocks.time, model.simulation->levels().step(0));
+  const RunClocks clocks = make_clocks(file.blocks().time, model.simulation->levels().step(0));
   const std::string warning = check_stability(file, model);
   model.simulation->start();
-  return cases::explain(file.blocks) + body_text(model) + step_text(model, clocks) + level_text(model) +
+  return cases::explain(file.blocks()) + body_text(model) + step_text(model, clocks) + level_text(model) +
          limiting_text(model) + (warning.empty() ? "" : "\n" + warning);
 }
 

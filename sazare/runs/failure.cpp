@@ -41,7 +41,7 @@ std::string likely_reason(const BlocksModel& model, const cases::CaseFile& file,
   const Real step = model.simulation->levels().step(model.simulation->levels().level(element));
   const Real limit = stable_share * model.stable_step[at(element)];
   const std::string cure =
-      file.blocks.time.limiter == cases::Limiter::stability
+      file.blocks().time.limiter == cases::Limiter::stability
           ? "set time.stability_fraction = 0.25"
           : fmt::format("set time.limiter = \"stability\", or time.base_step to {} s at most",
                         cases::short_number(stable_share * smallest.stable_step, 3));
@@ -49,7 +49,7 @@ std::string likely_reason(const BlocksModel& model, const cases::CaseFile& file,
     return fmt::format("its step of {} s is {} times the longest that the {} of its joints and boundaries allow ({} s): {}",
                        cases::short_number(step, 3), cases::short_number(step / limit, 3), bound_by_dashpots(model, element) ? "dashpots" : "springs",
                        cases::short_number(limit, 3), cure);
-  if (file.blocks.contact.damping_cap == cases::DampingCap::literal)
+  if (file.blocks().contact.damping_cap == cases::DampingCap::literal)
     return "its step suits its joints; the dashpot of its contacts is not capped and may be too stiff for the step: set "
            "contact.damping_cap = \"step\"";
   return "its step suits its joints and boundaries; look at the loads on it (pressures, gravity) and at the stiffness of "

@@ -53,8 +53,8 @@ Index element_at(const geometry::TetraMesh& mesh, const Vector3& point) {
 }
 
 Gauges::Gauges(const cases::CaseFile& file, const geometry::TetraMesh& mesh) {
-  for (std::size_t i = 0; i < file.blocks.gauges.size(); ++i) {
-    const cases::Gauge& gauge = file.blocks.gauges[i];
+  for (std::size_t i = 0; i < file.blocks().gauges.size(); ++i) {
+    const cases::Gauge& gauge = file.blocks().gauges[i];
     const Index element = element_at(mesh, gauge.point);
     if (element < 0) {
       const Index nearest = nearest_element(mesh, gauge.point);

@@ -22,7 +22,7 @@ cases::MeshGroups groups_of(const geometry::TetraMesh& mesh) {
 }  // namespace
 
 geometry::TetraMesh load_mesh(const cases::CaseFile& file, const std::filesystem::path& made, bool keep) {
-  const cases::Mesh& mesh = file.blocks.mesh;
+  const cases::Mesh& mesh = file.blocks().mesh;
   if (mesh.is_geometry() && !(keep && std::filesystem::exists(made)))
     geometry::mesh_geometry({mesh.file, made, mesh.parameters, mesh.size_factor});
   geometry::TetraMesh loaded = geometry::read_gmsh(mesh.is_geometry() ? made : mesh.file, mesh.scale);

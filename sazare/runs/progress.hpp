@@ -16,7 +16,8 @@ struct ProgressState {
   Real time = 0;   ///< simulated [s]
   std::int64_t pair_evaluations = 0;
   Real smallest_step = 0;  ///< [s]
-  std::int64_t broken_joints = 0;
+  std::int64_t broken_joints = 0;         ///< negative: the method has none
+  const char* evaluated = "evaluations";  ///< what is counted
 };
 
 /// "41 %  12 s left  2.3e7 evaluations/s ..." from what was done since `first` in `seconds`.

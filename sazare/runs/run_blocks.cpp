@@ -35,7 +35,7 @@ observe::Manifest new_manifest(const cases::CaseFile& file) {
   observe::Manifest manifest;
   manifest.version = version;
   manifest.commit = commit;
-  manifest.case_title = file.blocks.title;
+  manifest.case_title = file.blocks().title;
   manifest.method = "blocks";
   manifest.status = "running";
   manifest.started = observe::time_of_day();
@@ -47,8 +47,8 @@ class BlocksRun {
  public:
   BlocksRun(const cases::CaseFile& file, const RunOptions& options)
       : file_(file), options_(options), folder_(enter_folder()), manifest_(new_manifest(file)),
-        model_(build_blocks(file.blocks, mesh(), options.sharing)),
-        identity_(identify(file.blocks, model_.mesh)), clocks_(make_clocks(file.blocks.time, simulation().levels().step(0))),
+        model_(build_blocks(file.blocks(), mesh(), options.sharing)),
+        identity_(identify(file.blocks(), model_.mesh)), clocks_(make_clocks(file.blocks().time, simulation().levels().step(0))),
         record_(folder_, file, model_, clocks_) {
     parallel::limit_threads(simulation().bodies().size() / elements_per_thread);
     manifest_.machine.threads = parallel::threads();
@@ -108,8 +108,8 @@ class BlocksRun {
     if (options_.begin == Begin::resume)
       say(fmt::format("{}: no checkpoint to resume from, so the run begins anew", folder_.path().string()));
     write_manifest("running");
-    if (writes()) observe::write_file(folder_.case_file(), cases::write_resolved(file_.blocks, folder_.path()));
-    say(fmt::format("{}: {} elements, {} joints, base step {} s", file_.blocks.title, simulation().bodies().size(),
+    if (writes()) observe::write_file(folder_.case_file(), cases::write_resolved(file_.blocks(), folder_.path()));
+    say(fmt::format("{}: {} elements, {} joints, base step {} s", file_.blocks().title, simulation().bodies().size(),
                     model_.joints->links().size(), cases::short_number(simulation().levels().step(0), 4)));
     if (writes()) record_.begin();
     simulation().start();
@@ -125,7 +125,7 @@ class BlocksRun {
     if (writes()) record_.resume();
     checkpoint_step_ = step_;
     write_manifest("running");
-    say(fmt::format("{}: resumed at t = {} s of {} s", file_.blocks.title, cases::short_number(clocks_.time(step_)),
+    say(fmt::format("{}: resumed at t = {} s of {} s", file_.blocks().title, cases::short_number(clocks_.time(step_)),
                     cases::short_number(clocks_.end)));
   }
 
@@ -160,7 +160,7 @@ class BlocksRun {
 
   Clock::duration checkpoint_interval() const {
     return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<Real>(
-        std::min(file_.blocks.output.checkpoint_interval, Real{1e8})));
+        std::min(file_.blocks().output.checkpoint_interval, Real{1e8})));
   }
 
   ProgressState state() {

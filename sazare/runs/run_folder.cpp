@@ -30,8 +30,8 @@ void make_folder(const fs::path& folder) {
 /// Snapshots, their lists, and parts of them that a killed run has left.
 bool is_snapshot(const fs::path& file) {
   const std::string name = file.filename().string();
-  const bool ours = name.starts_with("elements") || name.starts_with("joints") || name.starts_with(".elements") ||
-                    name.starts_with(".joints");
+  const std::string_view visible = std::string_view(name).substr(name.starts_with('.') ? 1 : 0);
+  const bool ours = visible.starts_with("elements") || visible.starts_with("joints") || visible.starts_with("particles");
   return ours && (name.ends_with(".vtkhdf") || name.ends_with(".series") || name.ends_with(".part"));
 }
 
@@ -117,7 +117,8 @@ void RunFolder::remove_checkpoint() const {
 void RunFolder::remove_run() const {
   std::error_code ignored;
   remove_checkpoint();
-  std::vector<fs::path> files = {history(), gauges(), fragments(), timing(), ranks(), mesh(), case_file(), path_ / "report.html"};
+  std::vector<fs::path> files = {history(), gauges(), fragments(), timing(), ranks(), mesh(), case_file(), path_ / "report.html",
+                                 path_ / "study.csv", path_ / "study.id", path_ / "regression.csv", path_ / "regression_lines.csv"};
   for (const auto& entry : fs::directory_iterator(snapshots(), ignored))
     if (is_snapshot(entry.path())) files.push_back(entry.path());
   files.push_back(manifest());

@@ -97,6 +97,18 @@ RunIdentity identify(const cases::BlocksCase& blocks, const geometry::TetraMesh&
   return {text_of(blocks), mesh_hash(mesh), tables_hash(blocks), program_text()};
 }
 
+RunIdentity identify(const cases::MpsCase& mps, const std::string& filling) {
+  cases::MpsCase plain = mps;
+  observe::Hash records;
+  for (cases::Motion& motion : plain.motions) {
+    motion.file = motion.file.filename();
+    records.add(bytes_of(motion.record.value));
+  }
+  for (cases::ParticleRegion& region : plain.regions) region.file = region.file.filename();
+  plain.output = {};
+  return {cases::write_resolved(plain), filling, observe::to_hex(records.value()), program_text()};
+}
+
 void write_identity(observe::CheckpointWriter& out, const RunIdentity& identity) {
   add(out, "identity.case", identity.case_text);
   add(out, "identity.mesh", identity.mesh);
@@ -121,8 +133,8 @@ void check_identity(const observe::CheckpointReader& in, const std::filesystem::
   if (read(in, "identity.mesh") != now.mesh)
     refuse("the mesh is not the one that the checkpoint was written for", "Bring back the mesh of the first part of the run");
   if (read(in, "identity.tables") != now.tables)
-    refuse("a pressure table is not the one that the checkpoint was written for",
-           "Bring back the table of the first part of the run");
+    refuse("a pressure table or record is not the one that the checkpoint was written for",
+           "Bring back the file of the first part of the run");
 }
 
 }  // namespace sazare::runs

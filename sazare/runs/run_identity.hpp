@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "sazare/cases/blocks_case.hpp"
+#include "sazare/cases/mps_case.hpp"
 #include "sazare/geometry/tetra_mesh.hpp"
 #include "sazare/observe/checkpoint.hpp"
 
@@ -18,6 +18,9 @@ struct RunIdentity {
 };
 
 RunIdentity identify(const cases::BlocksCase& blocks, const geometry::TetraMesh& mesh);
+
+/// `filling` is a hash of where the particles stand.
+RunIdentity identify(const cases::MpsCase& mps, const std::string& filling);
 
 void write_identity(observe::CheckpointWriter& out, const RunIdentity& identity);
 

@@ -70,7 +70,7 @@ Real evaluations_per_second(const BlocksModel& model) {
 }
 
 std::string check_stability(const cases::CaseFile& file, const BlocksModel& model) {
-  const cases::Time& time = file.blocks.time;
+  const cases::Time& time = file.blocks().time;
   const bool by_fraction = time.limiter == cases::Limiter::stability;
   const Real base_step = model.simulation->levels().step(0);
   if (by_fraction && time.stability_fraction <= stable_share) return {};

@@ -10,7 +10,7 @@ namespace sazare::validation {
 
 runs::BlocksModel started_blast(const std::vector<std::string>& overrides) {
   const auto file = cases::read_case("cases/free-face-blast/case.toml", overrides);
-  auto model = runs::build_blocks(file.blocks, runs::load_mesh(file, {}, false));
+  auto model = runs::build_blocks(file.blocks(), runs::load_mesh(file, {}, false));
   model.simulation->start();
   return model;
 }

@@ -8,7 +8,7 @@ namespace {
 
 TEST(Explain, SaysWhatFollowsFromTheNumbers) {
   const CaseFolder folder;
-  const std::string text = explain(folder.read(full_case()).blocks);
+  const std::string text = explain(folder.read(full_case()).blocks());
   for (const char* words : {
            "mesh        block.geo, coordinates times 0.001, meshed by gmsh",
            "rock: 2700 kg/m3, regions rock, roof",

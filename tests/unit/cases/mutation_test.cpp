@@ -15,7 +15,7 @@ bool read_or_refused(const CaseFolder& folder, const std::string& text,
                      const std::vector<std::string>& overrides = {}) {
   try {
     const CaseFile file = folder.read(text, overrides);
-    EXPECT_NO_THROW(folder.read(write_resolved(file.blocks))) << text;
+    EXPECT_NO_THROW(folder.read(write_resolved(file.blocks()))) << text;
     return true;
   } catch (const UserError& failure) {
     const std::string message = failure.what();

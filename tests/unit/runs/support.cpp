@@ -16,12 +16,12 @@ cases::CaseFile block_case(std::vector<std::string> settings) {
 
 cases::CaseFile loose_case() {
   cases::CaseFile file = block_case();
-  cases::Joint& joint = file.blocks.joints.front();
+  cases::Joint& joint = std::get<cases::BlocksCase>(file.content).joints.front();
   joint = {joint.name, joint.between, "", false};
   return file;
 }
 
-BlocksModel block_model(const cases::CaseFile& file) { return build_blocks(file.blocks, load_mesh(file, {}, true)); }
+BlocksModel block_model(const cases::CaseFile& file) { return build_blocks(file.blocks(), load_mesh(file, {}, true)); }
 
 RunOutcome run_quietly(const cases::CaseFile& file, const fs::path& folder, Begin begin, const std::atomic<bool>* stop) {
   return run_blocks(file, {folder, begin, true, stop});

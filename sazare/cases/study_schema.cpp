@@ -1,0 +1,60 @@
+#include <array>
+
+#include "sazare/cases/schema.hpp"
+
+namespace sazare::cases {
+namespace {
+
+constexpr std::array study_keys{
+    Key{.name = "title", .type = Type::text, .need = Need::required, .sentence = "What the study is called in reports."},
+};
+
+constexpr std::array family_keys{
+    Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name of the family in results."},
+    Key{.name = "case",
+        .type = Type::file,
+        .need = Need::required,
+        .sentence = "Case file of method mps that the family varies, relative to the study file."},
+};
+
+constexpr std::array parameter_keys{
+    Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name of the parameter in results."},
+    Key{.name = "unit", .type = Type::text, .default_text = "\"-\"", .sentence = "Its unit in results."},
+    Key{.name = "keys",
+        .type = Type::names,
+        .need = Need::required,
+        .sentence = "Key of the case that it sets, as for --set; one for all families, or one for each in their order."},
+    Key{.name = "values", .type = Type::values, .need = Need::required, .sentence = "Values that it takes."},
+};
+
+constexpr std::array limit_keys{
+    Key{.name = "ratio",
+        .type = Type::number,
+        .range = {.low = 1, .high = 10, .low_open = true},
+        .default_text = "1.01",
+        .sentence = "Ratio of the smallest step that diverged to the largest that held, at which the search ends."},
+    Key{.name = "steps",
+        .type = Type::integer,
+        .range = {.low = 0, .high = 1e9},
+        .default_text = "4000",
+        .sentence = "Steps of a trial; 0: to the end of the case."},
+    Key{.name = "divergence",
+        .type = Type::number,
+        .unit = "m/s2",
+        .range = positive,
+        .default_text = "1e15",
+        .sentence = "Acceleration above which a trial has diverged."},
+};
+
+constexpr std::array tables{
+    Table{"study", false, Need::required, "What the study is.", study_keys},
+    Table{"families", true, Need::required, "Cases that are varied.", family_keys},
+    Table{"parameters", true, Need::required, "What is varied: all combinations are taken.", parameter_keys},
+    Table{"limit", false, Need::optional, "How the limit step is sought by bisection.", limit_keys},
+};
+
+}  // namespace
+
+std::span<const Table> study_schema() { return tables; }
+
+}  // namespace sazare::cases

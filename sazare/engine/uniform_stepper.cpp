@@ -1,0 +1,269 @@
+#include "sazare/engine/uniform_stepper.hpp"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "sazare/core/lane_math.hpp"
+#include "sazare/parallel/threads.hpp"
+
+namespace sazare::engine {
+
+namespace {
+
+constexpr std::size_t serial_below = 128;  // blocks of lanes
+
+std::size_t at(Index index) { return static_cast<std::size_t>(index); }
+
+/// Calls f(begin, end) in parallel for ranges of whole blocks.
+template <class F>
+void for_blocks(std::size_t padded, F&& f) {
+  parallel::parallel_for(padded / lane_count, serial_below,
+                         [&](std::size_t begin, std::size_t end) { f(begin * lane_count, end * lane_count); });
+}
+
+/// exp of the rotation vector, times the matrix.
+void turn_matrix(std::array<state::Column, 9>& rotation, std::size_t i, const Vector3& turned) {
+  Matrix3 matrix;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) matrix(row, column) = rotation[static_cast<std::size_t>(3 * row + column)][i];
+  const Real angle = turned.norm();
+  if (!(angle > 0)) return;
+  matrix = Eigen::AngleAxis<Real>(angle, turned / angle).toRotationMatrix() * matrix;
+  matrix = 0.5 * matrix * (3 * Matrix3::Identity() - matrix.transpose() * matrix);  // keeps it orthonormal to round-off
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) rotation[static_cast<std::size_t>(3 * row + column)][i] = matrix(row, column);
+}
+
+}  // namespace
+
+template <int D>
+UniformStepper<D>::UniformStepper(state::Particles<D> particles, std::unique_ptr<terms::ParticleForces<D>> forces,
+                                  terms::ParticleSupports<D> supports, const UniformRules& rules)
+    : particles_(std::move(particles)), forces_(std::move(forces)), supports_(std::move(supports)), rules_(rules) {
+  for (auto* group : {&elastic_, &previous_, &load_, &keep_, &gain_})
+    for (state::Column& column : *group) column.assign(particles_.padded(), 0);
+  prepare_factors();
+}
+
+template <int D>
+void UniformStepper<D>::prepare_factors() {
+  const Real dt = rules_.step;
+  const bool euler = rules_.integrator == Integrator::euler;
+  memory_.resize(particles_.padded());
+  for (std::size_t i = 0; i < memory_.size(); ++i)
+    memory_[i] = rules_.damping.stiffness_time * particles_.damping_ratio[i] / dt;
+  const auto set = [&](std::size_t freedom, std::size_t i, Real rate) {
+    keep_[freedom][i] = euler ? 1 - dt * rate : (1 - 0.5 * dt * rate) / (1 + 0.5 * dt * rate);
+    gain_[freedom][i] = euler ? dt : dt / (1 + 0.5 * dt * rate);
+  };
+  for (std::size_t freedom = 0; freedom < keep_.size(); ++freedom)
+    for (std::size_t i = 0; i < particles_.padded(); ++i)
+      set(freedom, i, rules_.damping.mass_rate * particles_.damping_ratio[i]);
+  for (const terms::Dashpot& dashpot : supports_.dashpots) {
+    const Real own = rules_.damping.mass_rate * particles_.damping_ratio[at(dashpot.particle)];
+    set(static_cast<std::size_t>(dashpot.freedom), at(dashpot.particle), own + dashpot.rate);
+  }
+  const auto hold = [&](Index particle, int freedom) {
+    keep_[static_cast<std::size_t>(freedom)][at(particle)] = 0;
+    gain_[static_cast<std::size_t>(freedom)][at(particle)] = 0;
+    particles_.velocity[static_cast<std::size_t>(freedom)][at(particle)] = 0;
+  };
+  for (const auto& held : supports_.held) hold(held.particle, held.freedom);
+  for (const auto& driven : supports_.driven) hold(driven.particle, driven.freedom);
+  for (std::size_t axis = 0; axis < D; ++axis)
+    for (std::size_t i = 0; i < particles_.size(); ++i) load_[axis][i] = supports_.gravity[static_cast<int>(axis)];
+}
+
+template <int D>
+void UniformStepper<D>::start() {
+  drive();
+  forces_->evaluate(particles_, elastic_);
+  previous_ = elastic_;
+  add_loads();
+  if (rules_.integrator == Integrator::euler) return;
+  // From the velocity at the beginning to that half a step before: the kick that the first step gives, backwards by a half.
+  for (std::size_t freedom = 0; freedom < keep_.size(); ++freedom)
+    for (std::size_t i = 0; i < particles_.size(); ++i)
+      if (gain_[freedom][i] > 0)
+        particles_.velocity[freedom][i] -= 0.5 * rules_.step * (elastic_[freedom][i] + load_[freedom][i]);
+}
+
+/// Loads at the present time. Those of gravity stand in the columns already.
+template <int D>
+void UniformStepper<D>::add_loads() {
+  std::vector<laws::MotionState> now;
+  for (const laws::GroundMotion& motion : supports_.motions) now.push_back(motion.at(time()));
+  for (const terms::Dashpot& dashpot : supports_.dashpots) {
+    if (dashpot.motion == terms::Dashpot::no_motion) continue;
+    const auto freedom = static_cast<std::size_t>(dashpot.freedom);
+    const Real gravity = freedom < D ? supports_.gravity[dashpot.freedom] : 0;
+    load_[freedom][at(dashpot.particle)] = gravity + 2 * dashpot.rate * dashpot.factor * now[at(dashpot.motion)].velocity;
+  }
+}
+
+/// Puts what is driven where its history has it at the present time.
+template <int D>
+void UniformStepper<D>::drive() {
+  std::vector<laws::MotionState> now;
+  for (const laws::GroundMotion& motion : supports_.motions) now.push_back(motion.at(time()));
+  for (const terms::DrivenFreedom& driven : supports_.driven) {
+    const auto axis = static_cast<std::size_t>(driven.freedom);
+    particles_.displacement[axis][at(driven.particle)] = driven.factor * now[at(driven.motion)].displacement;
+  }
+}
+
+template <int D>
+void UniformStepper<D>::turn(std::size_t begin, std::size_t end) {
+  if constexpr (D == 2) {
+    for (std::size_t i = begin; i < end; i += lane_count) {
+      const SineCosine turned = sine_cosine(load_lanes(&particles_.angle[i]));
+      store_lanes(&particles_.rotation[0][i], turned.cosine);
+      store_lanes(&particles_.rotation[1][i], turned.sine);
+    }
+  }
+}
+
+/// Moves by the velocity over dt; `factor` is the step.
+template <int D>
+void UniformStepper<D>::drift(std::size_t begin, std::size_t end, Real factor) {
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    Real* const displacement = particles_.displacement[axis].data();
+    const Real* const velocity = particles_.velocity[axis].data();
+    for (std::size_t i = begin; i < end; ++i) displacement[i] += factor * velocity[i];
+  }
+  if constexpr (D == 2) {
+    for (std::size_t i = begin; i < end; ++i) particles_.angle[i] += factor * particles_.velocity[2][i];
+  } else {
+    for (std::size_t i = begin; i < end; ++i)
+      turn_matrix(particles_.rotation, i,
+                  factor * Vector3(particles_.velocity[3][i], particles_.velocity[4][i], particles_.velocity[5][i]));
+  }
+  turn(begin, end);
+}
+
+/// Leapfrog, and Verlet's step, whose difference x(k) - x(k-1) is kept as a velocity.
+template <int D>
+void UniformStepper<D>::kick_and_drift() {
+  const Real dt = rules_.step;
+  const bool verlet = rules_.integrator == Integrator::verlet;
+  for_blocks(particles_.padded(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t freedom = 0; freedom < keep_.size(); ++freedom) {
+      Real* const velocity = particles_.velocity[freedom].data();
+      const Real* const elastic = elastic_[freedom].data();
+      const Real* const previous = previous_[freedom].data();
+      const Real* const load = load_[freedom].data();
+      const Real* const keep = keep_[freedom].data();
+      const Real* const gain = gain_[freedom].data();
+      const Real* const memory = memory_.data();
+      for (std::size_t i = begin; i < end; ++i) {
+        const Real acceleration = elastic[i] + memory[i] * (elastic[i] - previous[i]) + load[i];
+        velocity[i] = verlet ? (keep[i] * (dt * velocity[i]) + dt * gain[i] * acceleration) / dt
+                             : keep[i] * velocity[i] + gain[i] * acceleration;
+      }
+    }
+    drift(begin, end, dt);
+  });
+  ++step_;
+  drive();
+  std::swap(elastic_, previous_);
+  forces_->evaluate(particles_, elastic_);
+}
+
+/// Euler's step.
+template <int D>
+void UniformStepper<D>::drift_and_kick() {
+  for_blocks(particles_.padded(), [&](std::size_t begin, std::size_t end) { drift(begin, end, rules_.step); });
+  ++step_;
+  drive();
+  std::swap(elastic_, previous_);
+  forces_->evaluate(particles_, elastic_);
+  for_blocks(particles_.padded(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t freedom = 0; freedom < keep_.size(); ++freedom)
+      for (std::size_t i = begin; i < end; ++i) {
+        const Real before = previous_[freedom][i];
+        const Real acceleration = before + memory_[i] * (elastic_[freedom][i] - before) + load_[freedom][i];
+        particles_.velocity[freedom][i] = keep_[freedom][i] * particles_.velocity[freedom][i] + gain_[freedom][i] * acceleration;
+      }
+  });
+}
+
+template <int D>
+void UniformStepper<D>::advance() {
+  if (rules_.integrator == Integrator::euler)
+    drift_and_kick();
+  else
+    kick_and_drift();
+  add_loads();
+}
+
+template <int D>
+state::FreedomColumns<D> UniformStepper<D>::acceleration() const {
+  state::FreedomColumns<D> result = elastic_;
+  const Real dt = rules_.step;
+  for (std::size_t freedom = 0; freedom < keep_.size(); ++freedom)
+    for (std::size_t i = 0; i < particles_.padded(); ++i) {
+      // The change of velocity that the coming kick gives, over the step.
+      const Real kick = gain_[freedom][i] * (total_acceleration(freedom, i) + load_[freedom][i]);
+      const Real kept = keep_[freedom][i] > 0 || gain_[freedom][i] > 0 ? (keep_[freedom][i] - 1) * particles_.velocity[freedom][i] : 0;
+      result[freedom][i] = (kick + kept) / dt;
+    }
+  for (const terms::DrivenFreedom& driven : supports_.driven)
+    result[static_cast<std::size_t>(driven.freedom)][at(driven.particle)] =
+        driven.factor * supports_.motions[at(driven.motion)].at(time()).acceleration;
+  return result;
+}
+
+template <int D>
+state::FreedomColumns<D> UniformStepper<D>::velocity() const {
+  state::FreedomColumns<D> result = particles_.velocity;
+  if (rules_.integrator != Integrator::euler) {
+    const state::FreedomColumns<D> change = acceleration();
+    for (std::size_t freedom = 0; freedom < keep_.size(); ++freedom)
+      for (std::size_t i = 0; i < particles_.padded(); ++i)
+        result[freedom][i] += 0.5 * rules_.step * change[freedom][i];
+  }
+  for (const terms::DrivenFreedom& driven : supports_.driven)
+    result[static_cast<std::size_t>(driven.freedom)][at(driven.particle)] =
+        driven.factor * supports_.motions[at(driven.motion)].at(time()).velocity;
+  return result;
+}
+
+template <int D>
+Real UniformStepper<D>::kinetic_energy() const {
+  const state::FreedomColumns<D> now = velocity();
+  Real total = 0;
+  for (std::size_t freedom = 0; freedom < now.size(); ++freedom)
+    for (std::size_t i = 0; i < particles_.size(); ++i)
+      total += 0.5 * now[freedom][i] * now[freedom][i] / particles_.inverse_inertia_of(freedom)[i];
+  return total;
+}
+
+template <int D>
+Real UniformStepper<D>::largest_acceleration() const {
+  Real largest = 0;
+  for (std::size_t axis = 0; axis < D; ++axis)
+    for (std::size_t i = 0; i < particles_.size(); ++i) {
+      const Real size = gain_[axis][i] > 0 ? std::abs(total_acceleration(axis, i)) : 0;
+      if (!(size <= std::numeric_limits<Real>::max())) return std::numeric_limits<Real>::infinity();
+      largest = size > largest ? size : largest;
+    }
+  return largest;
+}
+
+template <int D>
+void UniformStepper<D>::columns(Archive& archive) {
+  archive("steps", step_);
+  archive.folder("particles", [&] { particles_.columns(archive); });
+  for (std::size_t freedom = 0; freedom < keep_.size(); ++freedom) {
+    archive("elastic" + std::to_string(freedom), elastic_[freedom]);
+    archive("previous" + std::to_string(freedom), previous_[freedom]);
+    archive("load" + std::to_string(freedom), load_[freedom]);
+  }
+  archive.folder("forces", [&] { forces_->columns(archive); });
+}
+
+template class UniformStepper<2>;
+template class UniformStepper<3>;
+
+}  // namespace sazare::engine

@@ -1,0 +1,89 @@
+#pragma once
+
+/// Walks in equal steps: all particles at once, by one of three integrators.
+
+#include <memory>
+#include <vector>
+
+#include "sazare/laws/rayleigh_damping.hpp"
+#include "sazare/terms/particle_forces.hpp"
+#include "sazare/terms/particle_supports.hpp"
+
+namespace sazare::engine {
+
+/// How a step goes, with a(x, v) the acceleration; [Yoshida2010], section 2.
+enum class Integrator {
+  verlet,    ///< x(k+1) = x(k) + (x(k) - x(k-1)) + dt^2 a(k)                            (8)
+  leapfrog,  ///< v(k+1/2) = v(k-1/2) + dt a(k), then x(k+1) = x(k) + dt v(k+1/2)        (4), (5)
+  euler,     ///< x(k+1) = x(k) + dt v(k), then v(k+1) = v(k) + dt a(x(k), v(k))         (2), (3)
+};
+
+struct UniformRules {
+  Real step = 0;  ///< dt [s]
+  Integrator integrator = Integrator::verlet;
+  laws::RayleighDamping damping;
+};
+
+/// The damping of a particle follows from its ratio h. Its part a2 h K v is a2 h (g(k) - g(k-1))/dt, g the elastic acceleration: one
+/// stored vector per particle, (A24). In Euler's step, where x(k+1) is known before v(k+1), it is the difference g(k+1) - g(k), which
+/// is that of the velocity v(k). The part a1 h v and dashpots of supports take the mean of the velocities before and after the kick.
+template <int D>
+class UniformStepper {
+ public:
+  UniformStepper(state::Particles<D> particles, std::unique_ptr<terms::ParticleForces<D>> forces,
+                 terms::ParticleSupports<D> supports, const UniformRules& rules);
+
+  /// Evaluates the beginning; call once before the first `advance`, not after a resume.
+  void start();
+
+  void advance();
+
+  std::int64_t steps() const { return step_; }
+  Real time() const { return static_cast<Real>(step_) * rules_.step; }
+  const UniformRules& rules() const { return rules_; }
+  const state::Particles<D>& particles() const { return particles_; }
+  const terms::ParticleSupports<D>& supports() const { return supports_; }
+  terms::ParticleForces<D>& forces() { return *forces_; }
+
+  /// At `time()`: translations [m/s], [m/s2] and rotations [rad/s], [rad/s2].
+  state::FreedomColumns<D> velocity() const;
+  state::FreedomColumns<D> acceleration() const;
+
+  Real kinetic_energy() const;
+  Real elastic_energy() { return forces_->energy(particles_); }
+
+  /// The largest acceleration of any translation [m/s2]; infinite when one is no number.
+  Real largest_acceleration() const;
+
+  void columns(Archive& archive);
+
+ private:
+  void prepare_factors();
+  Real total_acceleration(std::size_t freedom, std::size_t i) const {
+    const Real g = elastic_[freedom][i];
+    return g + memory_[i] * (g - previous_[freedom][i]);
+  }
+  void kick_and_drift();
+  void drift_and_kick();
+  void drift(std::size_t begin, std::size_t end, Real factor);
+  void turn(std::size_t begin, std::size_t end);
+  void add_loads();
+  void drive();
+
+  state::Particles<D> particles_;
+  std::unique_ptr<terms::ParticleForces<D>> forces_;
+  terms::ParticleSupports<D> supports_;
+  UniformRules rules_;
+  std::int64_t step_ = 0;
+  state::FreedomColumns<D> elastic_;   ///< g(k) [m/s2], [rad/s2]
+  state::FreedomColumns<D> previous_;  ///< g(k-1)
+  state::FreedomColumns<D> load_;      ///< from nowhere: gravity, incoming waves
+  state::FreedomColumns<D> keep_;      ///< what a kick leaves of the velocity
+  state::FreedomColumns<D> gain_;      ///< what it adds per acceleration [s]
+  state::Column memory_;               ///< a2 h/dt
+};
+
+extern template class UniformStepper<2>;
+extern template class UniformStepper<3>;
+
+}  // namespace sazare::engine

@@ -1,0 +1,221 @@
+#include "sazare/runs/mps_record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sazare/cases/number_text.hpp"
+#include "sazare/core/error.hpp"
+#include "sazare/observe/hash.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+constexpr Real senseless_acceleration = 1e15;  // m/s2; [Yoshida2010], 3.3
+
+/// The translations of a particle as a vector of three.
+template <class Columns>
+Vector3 vector_of(const Columns& columns, int dimension, std::size_t i) {
+  Vector3 vector = Vector3::Zero();
+  for (int axis = 0; axis < dimension; ++axis) vector[axis] = columns[static_cast<std::size_t>(axis)][i];
+  return vector;
+}
+
+template <int D>
+std::vector<std::size_t> find_gauges(const cases::CaseFile& file, const Filling<D>& filling) {
+  std::vector<std::size_t> found;
+  for (std::size_t number = 0; number < file.mps().gauges.size(); ++number) {
+    const cases::Gauge& gauge = file.mps().gauges[number];
+    std::size_t nearest = 0;
+    Real shortest = std::numeric_limits<Real>::infinity();
+    for (std::size_t i = 0; i < filling.sites.size(); ++i) {
+      const Real distance = (filling.place(i) - gauge.point.template head<D>()).norm();
+      if (distance >= shortest - 1e-9 * filling.spacing) continue;
+      shortest = distance;
+      nearest = i;
+    }
+    if (shortest > filling.spacing)
+      refuse(file, fmt::format("gauges.{}.point", number),
+             fmt::format("gauge \"{}\" is {} m from the nearest particle", gauge.name, cases::short_number(shortest, 3)),
+             "put it within a spacing of the body");
+    found.push_back(nearest);
+  }
+  return found;
+}
+
+}  // namespace
+
+template <int D>
+MpsRecord<D>::MpsRecord(const RunFolder& folder, const cases::CaseFile& file, MpsModel<D>& model, const RunClocks& clocks)
+    : folder_(&folder), file_(&file), model_(&model), clocks_(clocks), gauge_particles_(find_gauges<D>(file, model.filling)),
+      snapshots_(folder.snapshots(), "particles"), peaks_(gauge_particles_.size(), 0) {}
+
+namespace {
+
+const std::vector<std::string> history_columns = {"time [s]",           "energy_kinetic [J]",   "energy_elastic [J]",
+                                                  "displacement_max [m]", "speed_max [m/s]",    "acceleration_max [m/s2]",
+                                                  "wall_seconds [s]"};
+
+}  // namespace
+
+template <int D>
+std::vector<std::string> MpsRecord<D>::gauge_columns() const {
+  std::vector<std::string> columns = {"time [s]"};
+  for (const cases::Gauge& gauge : file_->mps().gauges)
+    for (const auto& [quantity, unit] : {std::pair{"displacement", "m"}, {"velocity", "m/s"}, {"acceleration", "m/s2"}})
+      for (const char axis : {'x', 'y', 'z'}) columns.push_back(fmt::format("{}.{}_{} [{}]", gauge.name, quantity, axis, unit));
+  return columns;
+}
+
+template <int D>
+void MpsRecord<D>::begin() {
+  history_.emplace(folder_->history(), history_columns);
+  gauges_.emplace(folder_->gauges(), gauge_columns());
+}
+
+template <int D>
+void MpsRecord<D>::resume() {
+  history_ = observe::CsvWriter::resume(folder_->history(), history_columns, static_cast<std::size_t>(rows_));
+  gauges_ = observe::CsvWriter::resume(folder_->gauges(), gauge_columns(), static_cast<std::size_t>(rows_));
+  snapshots_.resume(static_cast<std::size_t>(snapshot_count_));
+}
+
+template <int D>
+void MpsRecord<D>::observe(std::int64_t step, Real wall_seconds) {
+  if (!clocks_.is_row(step)) return;
+  const Real time = clocks_.time(step);
+  const auto& particles = model_->stepper->particles();
+  const auto velocity = model_->stepper->velocity(), acceleration = model_->stepper->acceleration();
+  Real displacement = 0, speed = 0, largest = 0;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    displacement = std::max(displacement, vector_of(particles.displacement, D, i).norm());
+    speed = std::max(speed, vector_of(velocity, D, i).norm());
+    largest = std::max(largest, vector_of(acceleration, D, i).norm());
+  }
+  kinetic_ = model_->stepper->kinetic_energy();
+  elastic_ = model_->stepper->elastic_energy();
+  history_->add_row(std::vector<Real>{time, kinetic_, elastic_, displacement, speed, largest, wall_seconds});
+  largest_displacement_ = std::max(largest_displacement_, displacement);
+  largest_speed_ = std::max(largest_speed_, speed);
+  largest_acceleration_ = std::max(largest_acceleration_, largest);
+  std::vector<Real> row = {time};
+  for (std::size_t gauge = 0; gauge < gauge_particles_.size(); ++gauge) {
+    const std::size_t i = gauge_particles_[gauge];
+    for (const Vector3& value : {vector_of(particles.displacement, D, i), vector_of(velocity, D, i), vector_of(acceleration, D, i)})
+      row.insert(row.end(), value.begin(), value.end());
+    peaks_[gauge] = std::max(peaks_[gauge], vector_of(velocity, D, i).norm());
+  }
+  gauges_->add_row(row);
+  ++rows_;
+  if (!clocks_.is_snapshot(step)) return;
+  write_snapshot(time, velocity, acceleration);
+  ++snapshot_count_;
+}
+
+template <int D>
+void MpsRecord<D>::write_snapshot(Real time, const state::FreedomColumns<D>& velocity, const state::FreedomColumns<D>& acceleration) {
+  const auto& particles = model_->stepper->particles();
+  std::vector<Vector3> place, displacement, speed, change;
+  std::vector<Real> size(particles.size(), particles.spacing);
+  std::vector<std::int32_t> number(particles.size());
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    displacement.push_back(vector_of(particles.displacement, D, i));
+    place.push_back(vector_of(particles.start, D, i) + displacement.back());
+    speed.push_back(vector_of(velocity, D, i));
+    change.push_back(vector_of(acceleration, D, i));
+    number[i] = static_cast<std::int32_t>(i);
+  }
+  const auto of_vectors = [](const std::string& name, const std::vector<Vector3>& values) {
+    return observe::CellData{name, 3, std::span<const Real>(values.empty() ? nullptr : values.front().data(), 3 * values.size())};
+  };
+  const auto of_integers = [](const std::string& name, const std::vector<std::int32_t>& values) {
+    return observe::CellData{name, 1, std::span<const std::int32_t>(values)};
+  };
+  snapshots_.write({observe::Grid::Cell::vertex, place, number,
+                    {of_vectors("displacement", displacement), of_vectors("velocity", speed), of_vectors("acceleration", change),
+                     of_integers("region", model_->filling.region), of_integers("material", model_->material),
+                     {"spacing", 1, std::span<const Real>(size)}},
+                    time});
+}
+
+template <int D>
+void MpsRecord<D>::flush(bool to_disk) {
+  if (history_) history_->flush(to_disk);
+  if (gauges_) gauges_->flush(to_disk);
+  if (to_disk) snapshots_.sync();
+}
+
+template <int D>
+void MpsRecord<D>::check_motion(Real time) const {
+  const Real largest = model_->stepper->largest_acceleration();
+  if (largest < senseless_acceleration) return;
+  const Real limit = model_->stable_step(file_->mps().time.integrator);
+  throw PhysicsError(fmt::format(
+      "the motion of the particles makes no sense any more at t = {} s: the largest acceleration is {} m/s2, above {} m/s2\n"
+      "  the step of {} s is {} times the limit of {} s predicted for small motion: set time.stability_fraction = 0.5, or look at the "
+      "loads",
+      cases::short_number(time), cases::short_number(largest, 3), cases::short_number(senseless_acceleration, 3),
+      cases::short_number(model_->step, 4), cases::short_number(model_->step / limit, 3), cases::short_number(limit, 4)));
+}
+
+template <int D>
+std::vector<std::pair<std::string, observe::Figure>> MpsRecord<D>::results(std::int64_t step, Real wall_seconds) const {
+  const auto particles = static_cast<std::int64_t>(model_->filling.sites.size());
+  std::vector<std::pair<std::string, observe::Figure>> results = {
+      {"particles", particles},
+      {"steps", step},
+      {"step", model_->step},
+      {"predicted_limit", model_->stable_step(file_->mps().time.integrator)},
+      {"largest_frequency", model_->limit.frequency},
+      {"particle_steps", particles * step},
+      {"wall_seconds", wall_seconds},
+      {"energy_kinetic", kinetic_},
+      {"energy_elastic", elastic_},
+      {"peak_displacement", largest_displacement_},
+      {"peak_speed", largest_speed_},
+      {"peak_acceleration", largest_acceleration_}};
+  for (const cases::Motion& motion : file_->mps().motions) {
+    if (motion.type != cases::MotionShape::record || motion.quantity != laws::MotionQuantity::acceleration) continue;
+    results.emplace_back(fmt::format("drift_velocity_{}", motion.name), motion.amplitude * motion.record.first.back());
+    results.emplace_back(fmt::format("drift_displacement_{}", motion.name), motion.amplitude * motion.record.second.back());
+  }
+  return results;
+}
+
+template <int D>
+std::vector<std::pair<std::string, Real>> MpsRecord<D>::peak_particle_velocity() const {
+  std::vector<std::pair<std::string, Real>> peaks;
+  for (std::size_t i = 0; i < peaks_.size(); ++i) peaks.emplace_back(file_->mps().gauges[i].name, peaks_[i]);
+  return peaks;
+}
+
+template <int D>
+std::uint64_t MpsRecord<D>::state_hash() const {
+  observe::Hash hash;
+  const auto& particles = model_->stepper->particles();
+  const auto add = [&](const state::Column& column) { hash.add(std::as_bytes(std::span(column.data(), particles.size()))); };
+  for (const auto& column : particles.displacement) add(column);
+  for (const auto& column : particles.rotation) add(column);
+  for (const auto& column : particles.velocity) add(column);
+  return hash.value();
+}
+
+template <int D>
+void MpsRecord<D>::columns(Archive& archive) {
+  archive("rows", rows_);
+  archive("snapshots", snapshot_count_);
+  archive("largest_displacement", largest_displacement_);
+  archive("largest_speed", largest_speed_);
+  archive("largest_acceleration", largest_acceleration_);
+  archive("kinetic", kinetic_);
+  archive("elastic", elastic_);
+  archive("peaks", peaks_);
+}
+
+template class MpsRecord<2>;
+template class MpsRecord<3>;
+
+}  // namespace sazare::runs

@@ -1,0 +1,57 @@
+#pragma once
+
+/// What a run of method mps writes down: histories, gauges, snapshots, headline figures. It never changes the run.
+
+#include <optional>
+
+#include "sazare/observe/csv_writer.hpp"
+#include "sazare/observe/manifest.hpp"
+#include "sazare/observe/vtkhdf.hpp"
+#include "sazare/runs/mps_model.hpp"
+#include "sazare/runs/run_clocks.hpp"
+#include "sazare/runs/run_folder.hpp"
+
+namespace sazare::runs {
+
+template <int D>
+class MpsRecord {
+ public:
+  /// Writes nothing yet. Throws UserError when a gauge is farther than a spacing from every particle.
+  MpsRecord(const RunFolder& folder, const cases::CaseFile& file, MpsModel<D>& model, const RunClocks& clocks);
+
+  void begin();
+  void resume();
+  void observe(std::int64_t step, Real wall_seconds);
+  void flush(bool to_disk);
+
+  /// Throws PhysicsError when an acceleration is no number or makes no sense any more.
+  void check_motion(Real time) const;
+
+  std::vector<std::pair<std::string, observe::Figure>> results(std::int64_t step, Real wall_seconds) const;
+  std::vector<std::pair<std::string, Real>> peak_particle_velocity() const;
+  std::uint64_t state_hash() const;
+
+  void columns(Archive& archive);
+
+ private:
+  std::vector<std::string> gauge_columns() const;
+  void write_snapshot(Real time, const state::FreedomColumns<D>& velocity, const state::FreedomColumns<D>& acceleration);
+
+  const RunFolder* folder_;
+  const cases::CaseFile* file_;
+  MpsModel<D>* model_;
+  RunClocks clocks_;
+  std::vector<std::size_t> gauge_particles_;
+  observe::SnapshotSeries snapshots_;
+  std::optional<observe::CsvWriter> history_;
+  std::optional<observe::CsvWriter> gauges_;
+  std::vector<Real> peaks_;  ///< largest speed by gauge [m/s]
+  Real largest_displacement_ = 0, largest_speed_ = 0, largest_acceleration_ = 0;
+  Real kinetic_ = 0, elastic_ = 0;
+  std::int64_t rows_ = 0, snapshot_count_ = 0;
+};
+
+extern template class MpsRecord<2>;
+extern template class MpsRecord<3>;
+
+}  // namespace sazare::runs
