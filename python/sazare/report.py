@@ -7,7 +7,7 @@ from pathlib import Path
 
 import jinja2
 
-from sazare import maps, plot, style
+from sazare import ground, maps, plot, study, style
 from sazare.results import open_run
 from sazare.scenes import Body
 from sazare.summary import headlines, verdict
@@ -94,6 +94,37 @@ def rank_section(results):
     )
 
 
+def ground_sections(results):
+    """The pictures of a run of method mps."""
+    return [
+        Section("accelerations", "Accelerations", "Acceleration at the gauges along the axis of strongest motion; the dot is the peak.",
+                partial(ground.accelerations, results), "The case has no gauges."),
+        Section("spectra", "Spectra", "Fourier amplitudes at the first and the last gauge, and their ratio.",
+                partial(ground.spectra, results), "There are fewer than two gauges."),
+        Section("displaced", "Displaced particles", "Particles where they are, coloured by displacement; enlarged where the title says so.",
+                partial(ground.displaced, results), "The run wrote no snapshots."),
+        Section("energies", "Energies", "Kinetic and elastic energy of the particles.", partial(ground.energies, results),
+                "The run wrote no history.", wide=False),
+        Section("timing", "Where the time went", "Computing time by part of the run.", partial(plot.timing, results),
+                "The run wrote no timing.", wide=False),
+    ]
+
+
+def study_sections(results):
+    """The pictures of a study of limit steps."""
+    missing = "The study varies other parameters, or is not done."
+    pictures = [
+        ("damping", "Limit and damping", "Dots: bisection; lines: predicted from the linearised operator. Figure 4 of the paper.", study.damping_curves),
+        ("radius", "Limit and radius", "Dots: bisection; lines: predicted. Figure 5 of the paper.", study.radius_curves),
+        ("scaled", "Limit and radius over velocity", "Dots: bisection; lines: (14). Figures 6 and 8 of the paper.", study.scaled),
+        ("families", "Families compared", "Figure 7 of the paper.", study.families_compared),
+        ("coefficients", "Coefficients", "Dots: (14) for each damping ratio; lines: (15), (16), ours and the paper's. Figure 9.",
+         study.coefficients),
+        ("quality", "Estimated and found", "Regressions, and the prediction from the linearised operator. Figure 10.", study.fit_quality),
+    ]
+    return [Section(name, heading, caption, partial(draw, results), missing) for name, heading, caption, draw in pictures]
+
+
 def _drawn(section, folder):
     """The section as the template wants it, its picture written and embedded."""
     figure = section.draw()
@@ -164,12 +195,19 @@ def write_report(path):
     folder.mkdir(exist_ok=True)
     for old in folder.glob("*.png"):
         old.unlink()
-    if len(results.snapshots):
+    method = results.manifest.get("method")
+    if method == "mps":
+        chosen = ground_sections(results)
+    elif method == "study":
+        chosen = study_sections(results)
+    elif len(results.snapshots):
         chosen = body_sections(Body(results.snapshots))
     else:
         missing = "The run wrote no snapshots."
         chosen = [Section("cracks", "Crack pattern, shape, levels, fragments", "", lambda: None, missing)]
-    sections = [_drawn(section, folder) for section in [*chosen, *curve_sections(results)]]
+    if method not in ("mps", "study"):
+        chosen = [*chosen, *curve_sections(results)]
+    sections = [_drawn(section, folder) for section in chosen]
     page = results.path / "report.html"
     page.write_text(_page(results, sections), encoding="utf-8")
     return page

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 HEADER = re.compile(r"^\s*(?P<name>.*?)\s*(?:\[(?P<unit>[^\]]*)\])?\s*$")
-SNAPSHOT_FILE = re.compile(r"elements_(\d+)\.vtkhdf$")
+SNAPSHOT_FILE = re.compile(r"(?:elements|particles)_(\d+)\.vtkhdf$")
 
 
 class NotARun(Exception):
@@ -210,9 +210,29 @@ class Results:
         return self._table("ranks.csv")
 
     @cached_property
+    def gauge_table(self):
+        """gauges.csv: time, and for every gauge its velocity; method mps also writes displacement and acceleration."""
+        return self._table("gauges.csv")
+
+    @cached_property
+    def study(self):
+        """study.csv: a row for each case of a study, with its parameters, predicted, stable, unstable, limit."""
+        return self._table("study.csv")
+
+    @cached_property
+    def regression(self):
+        """regression.csv: coefficients of (15) and (16) by family."""
+        return self._table("regression.csv")
+
+    @cached_property
+    def regression_lines(self):
+        """regression_lines.csv: a1 and a2 of (14) by family and damping."""
+        return self._table("regression_lines.csv")
+
+    @cached_property
     def gauges(self):
         """gauges.csv as a dict of Gauge by name."""
-        table = self._table("gauges.csv")
+        table = self.gauge_table
         ending = ".velocity_x"
         names = [column.removesuffix(ending) for column in table if column.endswith(ending)]
         return {
@@ -223,17 +243,25 @@ class Results:
     @cached_property
     def snapshots(self):
         """The snapshots whose files are there, by their list or, where that is missing, by their names."""
+        return self._snapshots("elements")
+
+    @cached_property
+    def particle_snapshots(self):
+        """The same of a run of method mps: points with displacement, velocity and acceleration."""
+        return self._snapshots("particles")
+
+    def _snapshots(self, kind):
         folder = self.path / "snapshots"
         if not folder.is_dir():
             return Snapshots([])
-        series = folder / "elements.vtkhdf.series"
+        series = folder / f"{kind}.vtkhdf.series"
         if series.exists():
             try:
                 files = [(entry["name"], float(entry["time"])) for entry in json.loads(series.read_text())["files"]]
             except (ValueError, KeyError, TypeError) as error:
                 raise NotARun(f"{series}: not a list of snapshots: {error}") from error
         else:
-            names = sorted(path.name for path in folder.iterdir() if SNAPSHOT_FILE.search(path.name))
+            names = sorted(path.name for path in folder.iterdir() if path.name.startswith(kind) and SNAPSHOT_FILE.search(path.name))
             files = [(name, _time_in(folder / name)) for name in names]
         return Snapshots(_snapshot(folder, name, time) for name, time in files if (folder / name).exists())
 

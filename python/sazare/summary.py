@@ -33,6 +33,12 @@ def verdict(results):
         return "fair", "The run is still going, or was cut off. What follows is as far as it came."
     if status != "done":
         return "bad", f"The run ended early; its status is “{status}”. What follows is as far as it came."
+    if results.manifest.get("method") == "mps":
+        share = _share_of_limit(results.figures)
+        return "good", "The run is done." + (f" Its step is {share:.2f} of the predicted limit." if share else "")
+    if results.manifest.get("method") == "study":
+        largest = results.figures.get("largest_log_difference", 0.0)
+        return "good", f"The study is done. Prediction and bisection differ by at most {100 * largest:.2f} %."
     if balance is None:
         return "fair", "The run is done. Its energy balance is not known."
     words = f"The run is done. The energy ledger closes within {balance:.1e} of the work done."
@@ -54,6 +60,11 @@ def headlines(results):
         ("throw_max", "largest throw", lambda x: quantity(x, "m"), ""),
         ("peak_speed", "peak speed", lambda x: quantity(x, "m/s"), ""),
         ("energy_work", "work of the loads", lambda x: quantity(x, "J"), ""),
+        ("particles", "particles", count, ""),
+        ("peak_acceleration", "peak acceleration", lambda x: quantity(x, "m/s²"), ""),
+        ("peak_displacement", "peak displacement", lambda x: quantity(x, "m"), ""),
+        ("step", "step", lambda x: quantity(x, "s"), _note(figures, "predicted_limit", "limit ", "s")),
+        ("cases", "cases", count, _of(figures, "cases_done", "done")),
     ]
     found = [Headline(name, words(figures[key]), note) for key, name, words, note in rows if figures.get(key) is not None]
     if balance is not None:
@@ -61,6 +72,11 @@ def headlines(results):
     if figures.get("wall_seconds") is not None:
         found.append(Headline("wall time", quantity(figures["wall_seconds"], "s"), _machine(results.manifest)))
     return found
+
+
+def _share_of_limit(figures):
+    limit = figures.get("predicted_limit")
+    return figures["step"] / limit if limit and figures.get("step") else None
 
 
 def _share(figures, part, whole):

@@ -41,6 +41,7 @@ constexpr std::array symbols{
     Symbol{"degree", {1, {0, 0, 0, 1}}, false},
     Symbol{"degrees", {1, {0, 0, 0, 1}}, false},
     Symbol{"°", {1, {0, 0, 0, 1}}, false},
+    Symbol{"Hz", {1, {0, 0, -1, 0}}, true},
     Symbol{"rad", {degrees_per_radian, {0, 0, 0, 1}}, false},
 };
 

@@ -195,8 +195,14 @@ std::string check_step(const cases::CaseFile& file, const MpsModel<D>& model) {
   const cases::UniformTime& time = file.mps().time;
   const Real limit = model.stable_step(time.integrator);
   const std::string what = fmt::format("the step of {} s is {} times the predicted limit of {} s", cases::short_number(model.step, 4),
-                                       cases::short_number(model.step / limit, 3), cases::short_number(limit, 4));
+                                       cases::short_number(model.step / limit, 4), cases::short_number(limit, 4));
   const bool euler = time.integrator == cases::Integrator::euler;
+  if (!(limit > 0)) {
+    const std::string never = "Euler's step without damping is never stable";
+    const std::string help = "short runs may bear it; use integrator \"verlet\", or give every material a damping_ratio";
+    if (time.strict) refuse(file, "time.integrator", never, help);
+    return warning(file, "time.integrator", never, help);
+  }
   if (model.step > limit && !(euler && !time.strict))
     refuse(file, "time.step", what, fmt::format("choose {} s or less, or give no step", cases::short_number(0.9 * limit, 3)));
   if (model.step > limit)

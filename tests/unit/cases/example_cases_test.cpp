@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sazare/cases/case_file.hpp"
+#include "sazare/cases/study_file.hpp"
 
 namespace sazare::cases {
 namespace {
@@ -14,7 +15,10 @@ TEST(ExampleCases, AreAllValid) {
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "README.md")) << folder.path();
     for (const auto& file : std::filesystem::directory_iterator(folder.path())) {
       if (file.path().extension() != ".toml") continue;
-      EXPECT_NO_THROW(read_case(file.path())) << file.path();
+      if (file.path().filename() == "study.toml")
+        EXPECT_NO_THROW(read_study(file.path())) << file.path();
+      else
+        EXPECT_NO_THROW(read_case(file.path())) << file.path();
       ++count;
     }
   }

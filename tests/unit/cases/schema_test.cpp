@@ -9,14 +9,21 @@
 #include <nlohmann/json.hpp>
 
 #include "case_folder.hpp"
-#include "sazare/cases/fields.hpp"
+#include "sazare/cases/mps_fields.hpp"
 #include "sazare/cases/units.hpp"
 
 namespace sazare::cases {
 namespace {
 
+/// Tables of all methods and of studies.
+std::vector<Table> all_tables() {
+  std::vector<Table> tables;
+  for (const auto schema : {blocks_schema(), mps_schema(), study_schema()}) tables.insert(tables.end(), schema.begin(), schema.end());
+  return tables;
+}
+
 TEST(Schema, DescribesEveryKey) {
-  for (const Table& table : blocks_schema()) {
+  for (const Table& table : all_tables()) {
     EXPECT_FALSE(table.sentence.empty()) << table.name;
     std::set<std::string_view> names;
     for (const Key& key : table.keys) {
@@ -37,8 +44,8 @@ TEST(Schema, DescribesEveryKey) {
 }
 
 template <class Enum>
-void expect_same_words(std::string_view table, std::string_view key) {
-  const Key* found = find_key(*find_table(blocks_schema(), table), key);
+void expect_same_words(std::string_view table, std::string_view key, std::span<const Table> schema = blocks_schema()) {
+  const Key* found = find_key(*find_table(schema, table), key);
   ASSERT_NE(found, nullptr);
   EXPECT_TRUE(std::ranges::equal(found->choices, EnumWords<Enum>::words)) << table << "." << key;
 }
@@ -48,10 +55,23 @@ TEST(Schema, ChoicesAreInTheOrderOfTheEnums) {
   expect_same_words<Levels>("time", "levels");
   expect_same_words<Limiter>("time", "limiter");
   expect_same_words<BoundaryKind>("boundaries", "kind");
+  expect_same_words<ParticleFit>("particles", "fit", mps_schema());
+  expect_same_words<RotationRemoval>("particles", "rotation", mps_schema());
+  expect_same_words<RegionShape>("regions", "shape", mps_schema());
+  expect_same_words<MotionShape>("motions", "type", mps_schema());
+  expect_same_words<laws::MotionQuantity>("motions", "quantity", mps_schema());
+  expect_same_words<Baseline>("motions", "baseline", mps_schema());
+  expect_same_words<Side>("boundaries", "side", mps_schema());
+  expect_same_words<SideKind>("boundaries", "kind", mps_schema());
+  expect_same_words<Integrator>("time", "integrator", mps_schema());
 }
 
 TEST(Schema, JsonIsValidAndClosed) {
-  const auto json = nlohmann::json::parse(schema_json());
+  const auto all = nlohmann::json::parse(schema_json());
+  ASSERT_EQ(all["oneOf"].size(), 2);
+  EXPECT_EQ(all["oneOf"][1]["properties"]["case"]["properties"]["method"]["const"], "mps");
+  EXPECT_EQ(all["oneOf"][1]["properties"].size(), mps_schema().size());
+  const auto& json = all["oneOf"][0];
   EXPECT_EQ(json["additionalProperties"], false);
   EXPECT_EQ(json["properties"].size(), blocks_schema().size());
   const auto& joints = json["properties"]["joints"];
@@ -66,7 +86,7 @@ TEST(Schema, JsonIsValidAndClosed) {
 
 TEST(Schema, MarkdownHasARowForEveryKey) {
   const std::string text = schema_markdown();
-  for (const Table& table : blocks_schema())
+  for (const Table& table : all_tables())
     for (const Key& key : table.keys)
       EXPECT_NE(text.find("| `" + std::string(key.name) + "` |"), std::string::npos)
           << table.name << "." << key.name;

@@ -1,0 +1,82 @@
+#include "sazare/laws/ground_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <tuple>
+
+namespace sazare::laws {
+namespace {
+
+/// Velocity is the slope of the displacement, acceleration that of the velocity.
+void expect_consistent(const GroundMotion& motion, Real time, Real scale) {
+  constexpr Real small = 1e-5;
+  const MotionState before = motion.at(time - small), now = motion.at(time), after = motion.at(time + small);
+  EXPECT_NEAR((after.displacement - before.displacement) / (2 * small), now.velocity, 1e-6 * scale) << time;
+  EXPECT_NEAR((after.velocity - before.velocity) / (2 * small), now.acceleration, 1e-5 * scale) << time;
+}
+
+TEST(ground_motion, ricker_has_the_values_of_its_formula) {
+  const Ricker wave{4, 0.25};
+  EXPECT_DOUBLE_EQ(ricker(wave, 0.25), -1);
+  const Real zero = 0.25 + 1 / (std::sqrt(2.0) * std::numbers::pi * 4);
+  EXPECT_NEAR(ricker(wave, zero), 0, 1e-12);
+  // Two peaks of 2 exp(-1.5) beside it.
+  EXPECT_NEAR(ricker(wave, 0.25 + std::sqrt(1.5) / (std::numbers::pi * 4)), 2 * std::exp(-1.5), 1e-12);
+}
+
+TEST(ground_motion, displacement_velocity_and_acceleration_belong_together) {
+  for (const auto quantity : {MotionQuantity::displacement, MotionQuantity::velocity, MotionQuantity::acceleration}) {
+    GroundMotion motion;
+    motion.quantity = quantity;
+    motion.ricker_wave = {2, 0.6};
+    motion.sine_wave = {2, 3};
+    for (const Real time : {0.3, 0.55, 0.61, 0.9, 1.2}) {
+      motion.shape = GroundMotion::Shape::ricker;
+      expect_consistent(motion, time, 200);
+      motion.shape = GroundMotion::Shape::sine;
+      expect_consistent(motion, time, 200);
+    }
+  }
+  GroundMotion record;
+  record.shape = GroundMotion::Shape::record;
+  record.record = Record::make(0.1, {0, 1, -2, 0.5, 0});
+  for (const Real time : {0.05, 0.17, 0.33, 0.36, 0.7}) expect_consistent(record, time, 10);
+}
+
+TEST(ground_motion, record_is_integrated_exactly) {
+  // Acceleration t: velocity t^2/2, displacement t^3/6.
+  GroundMotion motion;
+  motion.shape = GroundMotion::Shape::record;
+  motion.record = Record::make(0.25, {0, 0.25, 0.5, 0.75, 1});
+  EXPECT_DOUBLE_EQ(motion.at(0.6).velocity, 0.18);
+  EXPECT_DOUBLE_EQ(motion.at(1).displacement, 1.0 / 6);
+  // It goes on with the velocity it has.
+  EXPECT_DOUBLE_EQ(motion.at(3).velocity, 0.5);
+  EXPECT_DOUBLE_EQ(motion.at(3).displacement, 1.0 / 6 + 1);
+  EXPECT_EQ(motion.at(-1).displacement, 0);
+}
+
+TEST(ground_motion, baseline_takes_off_a_constant_and_a_line) {
+  std::vector<Real> pure, shifted, tilted;
+  for (int i = 0; i <= 1000; ++i) {
+    const Real value = std::cos(2 * std::numbers::pi * i / 50.0);
+    pure.push_back(value);
+    shifted.push_back(value + 0.3);
+    tilted.push_back(value + 0.3 - 0.001 * i);
+  }
+  Record plain = Record::make(0.01, pure), constant = Record::make(0.01, shifted), line = Record::make(0.01, tilted);
+  EXPECT_GT(std::abs(constant.first.back()), 2.9);
+  // What was added goes whole; what the pure record has of it goes with it.
+  Record level = plain, straight = plain;
+  for (const auto& [record, expected, degree] : {std::tuple{&constant, &level, 0}, {&line, &straight, 1}}) {
+    take_off_baseline(*record, degree);
+    take_off_baseline(*expected, degree);
+    for (std::size_t i = 0; i < pure.size(); i += 50) {
+      EXPECT_NEAR(record->first[i], expected->first[i], 1e-11);
+      EXPECT_NEAR(record->first[i], 0, 0.1);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sazare::laws

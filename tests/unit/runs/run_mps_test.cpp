@@ -1,0 +1,190 @@
+#include "sazare/runs/run_case.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "sazare/core/error.hpp"
+#include "sazare/parallel/threads.hpp"
+#include "sazare/runs/limit_regression.hpp"
+#include "sazare/runs/run_study.hpp"
+#include "tests/unit/runs/support.hpp"
+
+namespace sazare::runs {
+namespace {
+
+namespace fs = std::filesystem;
+using test::read_manifest, test::read_text, test::TemporaryFolder, test::words_of;
+
+cases::CaseFile column(std::vector<std::string> settings = {}) {
+  settings.insert(settings.begin(), {"particles.spacing=2", "time.end=0.5", "time.snapshot_interval=0.05",
+                                     "materials.0.damping_ratio=0.02", "damping.f1=1", "damping.f2=15"});
+  return cases::read_case("cases/column-ricker/case.toml", settings);
+}
+
+RunOutcome run_quietly(const cases::CaseFile& file, const fs::path& folder, Begin begin = Begin::fresh,
+                       const std::atomic<bool>* stop = nullptr) {
+  return run_case(file, {folder, begin, true, stop});
+}
+
+/// The words of refusing a step.
+std::string refused(const std::vector<std::string>& settings) {
+  return words_of<UserError>([&] { check_case(column(settings)); });
+}
+
+TEST(run_mps, writes_its_folder_and_its_figures) {
+  const TemporaryFolder folder;
+  const RunOutcome outcome = run_quietly(column(), folder / "run");
+  EXPECT_FALSE(outcome.stopped);
+  const nlohmann::json manifest = read_manifest(folder / "run");
+  EXPECT_EQ(manifest["method"], "mps");
+  EXPECT_EQ(manifest["status"], "done");
+  EXPECT_EQ(manifest["results"]["particles"], 250);
+  EXPECT_EQ(manifest["results"]["steps"], 5000);
+  EXPECT_NEAR(manifest["results"]["peak_acceleration"].get<double>(), 1, 0.05);
+  EXPECT_TRUE(fs::exists(folder / "run/snapshots/particles_00010.vtkhdf"));
+  EXPECT_TRUE(read_text(folder / "run/gauges.csv").starts_with("time [s],GL -100 m.displacement_x [m],"));
+}
+
+TEST(run_mps, in_many_parts_gives_the_bits_of_one_run) {
+  const TemporaryFolder folder;
+  const cases::CaseFile file = column({"time.end=1"});
+  run_quietly(file, folder / "whole");
+  for (int parts = 1;; ++parts) {
+    std::atomic<bool> stop = false;
+    std::jthread alarm([&](const std::stop_token& over) {
+      const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(5 * parts);
+      while (!over.stop_requested() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      stop = true;
+    });
+    if (run_quietly(file, folder / "parts", Begin::resume, &stop).stopped) continue;
+    EXPECT_GT(parts, 1);
+    break;
+  }
+  const nlohmann::json one = read_manifest(folder / "whole"), many = read_manifest(folder / "parts");
+  EXPECT_EQ(one["state_hash"], many["state_hash"]);
+  EXPECT_EQ(read_text(folder / "whole/gauges.csv"), read_text(folder / "parts/gauges.csv"));
+  EXPECT_EQ(test::without_last_column(read_text(folder / "whole/history.csv")),
+            test::without_last_column(read_text(folder / "parts/history.csv")));
+}
+
+TEST(run_mps, has_the_same_bits_with_any_number_of_threads) {
+  const TemporaryFolder folder;
+  const cases::CaseFile file = column({"particles.spacing=0.5", "time.end=0.02", "time.snapshot_interval=0.02"});
+  for (const int threads : {1, 2, 3}) {
+    parallel::set_threads(threads);
+    run_quietly(file, folder / std::to_string(threads));
+  }
+  parallel::set_threads(0);
+  const auto hash = [&](const char* name) { return read_manifest(folder / name)["state_hash"]; };
+  EXPECT_EQ(hash("1"), hash("2"));
+  EXPECT_EQ(hash("1"), hash("3"));
+}
+
+TEST(run_mps, refuses_a_step_above_the_limit_and_warns_of_one_near_it) {
+  const std::vector<std::string> undamped = {"materials.0.damping_ratio=0", "time.end=0.504", "time.history_interval=0.0084",
+                                             "time.snapshot_interval=0.504"};
+  auto above = undamped, near = undamped;
+  above.push_back("time.step=0.0084");
+  const std::string words = refused(above);
+  EXPECT_NE(words.find("--set time.step: error: the step of 0.0084 s is 1.004 times the predicted limit of 0.008366 s"), std::string::npos) << words;
+  EXPECT_NE(words.find("help: choose 0.00753 s or less, or give no step"), std::string::npos) << words;
+  near.insert(near.end(), {"time.end=0.498", "time.history_interval=0.0083", "time.snapshot_interval=0.498", "time.step=0.0083"});
+  EXPECT_EQ(refused(near), "");
+  EXPECT_NE(check_case(column(near)).find("0.9 of it leaves room for motion that is not small"), std::string::npos);
+}
+
+TEST(run_mps, refuses_what_does_not_fit_its_particles) {
+  EXPECT_NE(refused({"gauges.0.point=[50,0,0]"}).find("gauge \"GL -100 m\" is 41"), std::string::npos)
+      << refused({"gauges.0.point=[50,0,0]"});
+  EXPECT_NE(refused({"time.integrator=\"euler\"", "materials.0.damping_ratio=0", "time.step=1e-3", "time.strict=true"})
+                .find("Euler's step without damping is never stable"),
+            std::string::npos);
+}
+
+TEST(run_mps, a_body_in_3d_has_the_limit_and_motion_of_one_in_2d_between_rollers) {
+  // A column of cubes periodic across both ways moves as the plane one.
+  const TemporaryFolder folder;
+  const auto settings = [](bool solid) {
+    std::vector<std::string> list = {"time.end=0.4", "time.history_interval=0.1", "time.snapshot_interval=0.4", "time.step=1e-3"};
+    if (solid)
+      list.insert(list.end(), {"particles.dimension=3", "particles.periodic=[\"x\",\"y\"]", "regions.0.upper=[4,4,100]",
+                               "gauges.0.point=[2,2,0]", "gauges.1.point=[2,2,25]", "gauges.2.point=[2,2,50]", "gauges.3.point=[2,2,75]",
+                               "gauges.4.point=[2,2,100]"});
+    return list;
+  };
+  run_quietly(column(settings(false)), folder / "plane");
+  run_quietly(column(settings(true)), folder / "solid");
+  const auto peak = [&](const char* name) { return read_manifest(folder / name)["results"]["peak_displacement"].get<double>(); };
+  EXPECT_NEAR(peak("plane"), peak("solid"), 0.01 * peak("plane"));
+}
+
+TEST(limit_regression, finds_the_coefficients_that_made_the_points) {
+  std::vector<LimitPoint> points;
+  for (const Real radius : {0.25, 0.5, 1.0})
+    for (const Real velocity : {100.0, 400.0})
+      for (const Real damping : {0.001, 0.01, 0.05, 0.22}) {
+        points.push_back({radius, velocity, damping, 0});
+        points.back().limit = paper_shear_fit.predict(points.back());
+      }
+  const LimitFit fit = fit_limits(points);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(fit.b1[i], paper_shear_fit.b1[i], 1e-9);
+    EXPECT_NEAR(fit.b2[i], paper_shear_fit.b2[i], 1e-9);
+  }
+  EXPECT_NEAR(log_error(fit, points), 0, 1e-9);
+  // The values that its equations give: 4.49e-3 s and 9.26e-3 s at h = 0.001, 2.48e-3 s at h = 0.1.
+  EXPECT_NEAR(paper_shear_fit.predict({0.5, 100, 0.001, 0}), 4.49e-3, 5e-6);
+  EXPECT_NEAR(paper_shear_fit.predict({1.0, 100, 0.001, 0}), 9.26e-3, 5e-6);
+  EXPECT_NEAR(paper_shear_fit.predict({0.5, 100, 0.1, 0}), 2.48e-3, 5e-6);
+}
+
+/// A study of four small cases.
+cases::Study small_study(const TemporaryFolder& folder) {
+  std::ofstream(folder / "study.toml") << R"([study]
+title = "small"
+[[families]]
+name = "S"
+case = ")" << fs::absolute("cases/stability-study/column-s.toml").string() << R"("
+[[parameters]]
+name = "spacing"
+keys = ["particles.spacing"]
+values = [3.2, 5.0]
+[[parameters]]
+name = "damping"
+keys = ["materials.0.damping_ratio"]
+values = [0.0, 0.1]
+[limit]
+divergence = 1e3
+)";
+  return cases::read_study(folder / "study.toml");
+}
+
+TEST(study, finds_predicted_limits_and_goes_on_where_it_stopped) {
+  const TemporaryFolder folder;
+  const cases::Study study = small_study(folder);
+  const StudyOutcome whole = run_study(study, {folder / "whole", Begin::fresh, true, 2, nullptr});
+  EXPECT_EQ(whole.done, 4);
+  EXPECT_LT(whole.largest_difference, 0.02);
+  const std::string rows = test::without_last_column(read_text(folder / "whole/study.csv"));
+
+  // A study of which only one row is left goes on with the other three.
+  fs::copy(folder / "whole", folder / "part", fs::copy_options::recursive);
+  const std::string text = read_text(folder / "whole/study.csv");
+  std::ofstream(folder / "part/study.csv") << text.substr(0, text.find('\n', text.find('\n') + 1) + 1);
+  std::ofstream(folder / "part/manifest.json") << R"({"status": "stopped"})";
+  EXPECT_EQ(run_study(study, {folder / "part", Begin::resume, true, 1, nullptr}).done, 4);
+  EXPECT_EQ(test::without_last_column(read_text(folder / "part/study.csv")), rows);
+
+  std::ofstream(folder / "part/manifest.json") << R"({"status": "stopped"})";
+  std::ofstream(folder / "study.toml", std::ios::app) << "ratio = 1.1\n";
+  const std::string words = words_of<UserError>(
+      [&] { run_study(cases::read_study(folder / "study.toml"), {folder / "part", Begin::resume, true, 1, nullptr}); });
+  EXPECT_NE(words.find("cannot be resumed: the study, its cases or the program have changed"), std::string::npos) << words;
+}
+
+}  // namespace
+}  // namespace sazare::runs
