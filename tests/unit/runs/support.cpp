@@ -32,7 +32,7 @@ cases::CaseFile block_case(std::vector<std::string> settings) {
 
 cases::CaseFile loose_case() {
   cases::CaseFile file = block_case();
-  cases::Joint& joint = file.blocks().joints.front();
+  cases::Joint& joint = std::get<cases::BlocksCase>(file.content).joints.front();
   joint = {joint.name, joint.between, "", false};
   return file;
 }
