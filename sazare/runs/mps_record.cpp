@@ -24,8 +24,10 @@ Vector3 vector_of(const Columns& columns, int dimension, std::size_t i) {
   return vector;
 }
 
+}  // namespace
+
 template <int D>
-std::vector<std::size_t> find_gauges(const cases::CaseFile& file, const Filling<D>& filling) {
+std::vector<std::size_t> gauge_particles(const cases::CaseFile& file, const Filling<D>& filling) {
   std::vector<std::size_t> found;
   for (std::size_t number = 0; number < file.mps().gauges.size(); ++number) {
     const cases::Gauge& gauge = file.mps().gauges[number];
@@ -46,11 +48,9 @@ std::vector<std::size_t> find_gauges(const cases::CaseFile& file, const Filling<
   return found;
 }
 
-}  // namespace
-
 template <int D>
 MpsRecord<D>::MpsRecord(const RunFolder& folder, const cases::CaseFile& file, MpsModel<D>& model, const RunClocks& clocks)
-    : folder_(&folder), file_(&file), model_(&model), clocks_(clocks), gauge_particles_(find_gauges<D>(file, model.filling)),
+    : folder_(&folder), file_(&file), model_(&model), clocks_(clocks), gauge_particles_(gauge_particles<D>(file, model.filling)),
       snapshots_(folder.snapshots(), "particles"), peaks_(gauge_particles_.size(), 0) {}
 
 namespace {
@@ -215,6 +215,8 @@ void MpsRecord<D>::columns(Archive& archive) {
   archive("peaks", peaks_);
 }
 
+template std::vector<std::size_t> gauge_particles<2>(const cases::CaseFile&, const Filling<2>&);
+template std::vector<std::size_t> gauge_particles<3>(const cases::CaseFile&, const Filling<3>&);
 template class MpsRecord<2>;
 template class MpsRecord<3>;
 

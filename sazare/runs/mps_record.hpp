@@ -13,6 +13,10 @@
 
 namespace sazare::runs {
 
+/// The particle nearest to each gauge of a case. Throws UserError when one is farther than a spacing from all.
+template <int D>
+std::vector<std::size_t> gauge_particles(const cases::CaseFile& file, const Filling<D>& filling);
+
 template <int D>
 class MpsRecord {
  public:
@@ -51,6 +55,8 @@ class MpsRecord {
   std::int64_t rows_ = 0, snapshot_count_ = 0;
 };
 
+extern template std::vector<std::size_t> gauge_particles<2>(const cases::CaseFile&, const Filling<2>&);
+extern template std::vector<std::size_t> gauge_particles<3>(const cases::CaseFile&, const Filling<3>&);
 extern template class MpsRecord<2>;
 extern template class MpsRecord<3>;
 

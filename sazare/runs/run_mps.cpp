@@ -223,6 +223,7 @@ class MpsRun {
 template <int D>
 std::string check(const cases::CaseFile& file) {
   const MpsModel<D> model = build_mps<D>(file);
+  gauge_particles<D>(file, model.filling);
   const RunClocks clocks = make_clocks(file.mps().time, model.step);
   const Real limit = model.stable_step(file.mps().time.integrator);
   const auto& supports = model.stepper->supports();
