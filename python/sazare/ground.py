@@ -108,6 +108,7 @@ def displaced(results):
         axes.set_title(f"{snapshots[index].time:.3g} s" + (f", × {factor:g}" if factor != 1.0 and not thin else ""))
         if thin:
             axes.set_xlabel("displacement [m]")
+            axes.locator_params(axis="x", nbins=2)
         axes.grid(False)
     figure.colorbar(drawn, ax=list(panels), label="displacement [m]", shrink=0.8)
     return figure

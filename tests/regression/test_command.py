@@ -117,6 +117,44 @@ def test_schema_is_json_and_the_page_of_the_reference(sazare):
     assert sazare("schema", "--markdown").stdout == (ROOT / "docs" / "reference" / "case.md").read_text()
 
 
+COLUMN = ROOT / "cases" / "column-ricker" / "case.toml"
+
+
+def test_column_of_particles_is_checked_run_and_its_resolved_case_gives_the_same_bits(sazare, tmp_path):
+    settings = ("--set", "particles.spacing=2", "--set", "time.end=0.4")
+    checked = sazare("check", COLUMN, *settings)
+    assert checked.returncode == DONE, checked.stderr
+    for words in ("limit 0.00816", "predicted from the largest frequency", "250 particles", "The case is sound"):
+        assert words in checked.stdout
+    done = sazare("run", COLUMN, "--out", tmp_path / "run", "--threads", 1, *settings)
+    assert done.returncode == DONE, done.stderr
+    assert "particle-steps per second" in done.stdout
+    again = sazare("run", tmp_path / "run" / "case.toml", "--out", tmp_path / "again", "--threads", 2)
+    assert manifest(tmp_path / "again")["state_hash"] == manifest(tmp_path / "run")["state_hash"], again.stderr
+
+
+def test_step_above_the_limit_is_an_error_and_nothing_is_run(sazare, tmp_path):
+    refused = sazare("run", COLUMN, "--out", tmp_path / "run", "--set", "time.step=5e-3", "--set", "time.history_interval=5e-3")
+    assert refused.returncode == USER_ERROR
+    assert "times the predicted limit of" in refused.stderr
+    assert not (tmp_path / "run").exists()
+
+
+def test_study_writes_its_table(sazare, tmp_path):
+    text = (ROOT / "cases" / "stability-study" / "study.toml").read_text()
+    folder = tmp_path / "study"
+    folder.mkdir()
+    for name in ("column-s.toml", "column-p.toml"):
+        (folder / name).write_text((ROOT / "cases" / "stability-study" / name).read_text())
+    short = text.replace("[0.5, 1.0, 2.0, 3.2]", "[3.2]").replace("[100.0, 200.0, 400.0, 800.0]", "[100.0]")
+    (folder / "study.toml").write_text(short.replace("0.001, 0.0022, 0.0048, 0.01, 0.022, 0.048, 0.1, 0.22, 0.48, ", "0.1, "))
+    done = sazare("study", folder / "study.toml", "--out", tmp_path / "out", "--threads", 2)
+    assert done.returncode == DONE, done.stderr
+    assert "within" in done.stdout and "4 of 4 cases" in done.stdout
+    assert len((tmp_path / "out" / "study.csv").read_text().splitlines()) == 5
+    assert sazare("study", folder / "study.toml", "--out", tmp_path / "out", "--resume").returncode == USER_ERROR
+
+
 def test_info_and_version(sazare):
     info = sazare("info")
     assert info.returncode == DONE
