@@ -8,10 +8,11 @@ import subprocess
 import time
 
 import pytest
-from conftest import DONE, MACHINE_FAILED, MPI_ENVIRONMENT, USER_ERROR, PROGRAM, manifest, rows_without_wall_time
+from conftest import DONE, MACHINE_FAILED, MPI_ENVIRONMENT, PROGRAM, USER_ERROR, Sazare, manifest, rows_without_wall_time
 
 OFTEN = "output.checkpoint_interval=0.02"
 LATER = "time.end=8e-4"
+LONG = ("--set", "time.end=1e-2")  # some seconds: whoever interrupts it comes before its end
 
 
 def has_mpi():
@@ -25,15 +26,22 @@ def block_run(sazare, folder, *options, threads=1):
     return ("run", sazare.block, "--out", folder, "--threads", threads, "--set", OFTEN, "--set", LATER, *options)
 
 
+def run_alone(folder, *options):
+    done = Sazare()(*block_run(Sazare(), folder, *options))
+    assert done.returncode == DONE, done.stderr
+    return folder
+
+
 @pytest.fixture(scope="module")
 def alone(tmp_path_factory):
     """The run of one process."""
-    from conftest import Sazare
+    return run_alone(tmp_path_factory.mktemp("alone") / "run")
 
-    folder = tmp_path_factory.mktemp("alone") / "run"
-    done = Sazare()(*block_run(Sazare(), folder))
-    assert done.returncode == DONE, done.stderr
-    return folder
+
+@pytest.fixture(scope="module")
+def long_alone(tmp_path_factory):
+    """The same, to a later end."""
+    return run_alone(tmp_path_factory.mktemp("long_alone") / "run", *LONG)
 
 
 def assert_same_results(one, many):
@@ -94,11 +102,11 @@ def kill_one(process, folder):
     os.kill(int(children[-1]), signal.SIGKILL)
 
 
-def test_a_process_that_dies_ends_the_run_and_leaves_a_checkpoint_for_any_number(sazare, tmp_path, alone):
+def test_a_process_that_dies_ends_the_run_and_leaves_a_checkpoint_for_any_number(sazare, tmp_path, long_alone):
     for ranks_then, ranks_after in ((3, 2), (2, 1)):
         folder = tmp_path / f"run{ranks_then}"
         process = subprocess.Popen(
-            sazare.ranks_command(ranks_then, *block_run(sazare, folder)),
+            sazare.ranks_command(ranks_then, *block_run(sazare, folder, *LONG)),
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=MPI_ENVIRONMENT,
         )
         kill_one(process, folder)
@@ -106,35 +114,35 @@ def test_a_process_that_dies_ends_the_run_and_leaves_a_checkpoint_for_any_number
         assert process.returncode != DONE
         assert "signal 9" in words
         assert manifest(folder)["status"] in ("running", "stopped")
-        resumed = sazare.on_ranks(ranks_after, *block_run(sazare, folder, "--resume"))
+        resumed = sazare.on_ranks(ranks_after, *block_run(sazare, folder, "--resume", *LONG))
         assert resumed.returncode == DONE, resumed.stderr
-        assert_same_results(alone, folder)
+        assert_same_results(long_alone, folder)
 
 
-def test_a_run_of_one_process_goes_on_as_several(sazare, tmp_path, alone):
+def test_a_run_of_one_process_goes_on_as_several(sazare, tmp_path, long_alone):
     folder = tmp_path / "run"
-    process = sazare.start(*block_run(sazare, folder))
+    process = sazare.start(*block_run(sazare, folder, *LONG))
     wait_for(folder / "checkpoint" / "state.h5")
     process.send_signal(signal.SIGTERM)
     process.communicate(timeout=60)
     assert process.returncode == MACHINE_FAILED
-    resumed = sazare.on_ranks(3, *block_run(sazare, folder, "--resume"))
+    resumed = sazare.on_ranks(3, *block_run(sazare, folder, "--resume", *LONG))
     assert resumed.returncode == DONE, resumed.stderr
-    assert_same_results(alone, folder)
+    assert_same_results(long_alone, folder)
 
 
-def test_ctrl_c_leaves_a_checkpoint(sazare, tmp_path, alone):
+def test_ctrl_c_leaves_a_checkpoint(sazare, tmp_path, long_alone):
     folder = tmp_path / "run"
     process = subprocess.Popen(
-        sazare.ranks_command(2, *block_run(sazare, folder)),
+        sazare.ranks_command(2, *block_run(sazare, folder, *LONG)),
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=MPI_ENVIRONMENT,
     )
     wait_for(folder / "checkpoint" / "state.h5")
     process.send_signal(signal.SIGINT)
     process.communicate(timeout=60)
-    resumed = sazare.on_ranks(2, *block_run(sazare, folder, "--resume"))
+    resumed = sazare.on_ranks(2, *block_run(sazare, folder, "--resume", *LONG))
     assert resumed.returncode == DONE, resumed.stderr
-    assert_same_results(alone, folder)
+    assert_same_results(long_alone, folder)
 
 
 def test_errors_are_said_once(sazare, tmp_path):
