@@ -83,6 +83,14 @@ void Balance::predict(const Ranges& now, const std::vector<Work>& work, const st
   for (std::size_t body = 0; body < correction_.size(); ++body) cost_[body] *= correction_[body];
 }
 
+Ranges Balance::first(const Ranges& now, const std::vector<std::vector<Real>>& due) const {
+  if (policy_ != Policy::predicted) return now;
+  std::vector<Real> cost(at(now.end(now.count() - 1)), 0);
+  for (const std::vector<Real>& kind : due)
+    for (std::size_t body = 0; body < cost.size(); ++body) cost[body] += kind[body];
+  return cut_evenly(cost, now.count());
+}
+
 Ranges Balance::cut(const Ranges& now, const std::vector<Work>& work, const std::vector<std::vector<Real>>& due) {
   if (policy_ == Policy::fixed) return now;
   if (policy_ == Policy::measured)

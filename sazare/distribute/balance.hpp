@@ -29,6 +29,9 @@ class Balance {
 
   Policy policy() const { return policy_; }
 
+  /// Ranges for the first interval, of which nothing is measured yet: `predicted` takes all kinds of work for equally dear.
+  Ranges first(const Ranges& now, const std::vector<std::vector<Real>>& due) const;
+
   /// Ranges for the next interval. `work` is by rank; `due` is by kind and body: how often a body's share of that kind
   /// will be done in a base step (looked at by `predicted` only).
   /// Noise of the clocks does not move the cuts: costs are smoothed over intervals and have a floor, and cuts stay where

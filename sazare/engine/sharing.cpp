@@ -78,6 +78,11 @@ void Simulation<D>::divide_anew() {
   const bool looks_ahead = balance_.policy() == distribute::Policy::predicted;
   distribute::Ranges next =
       balance_.cut(replicas_->ranges(), work, looks_ahead ? due_in_base_step() : std::vector<std::vector<Real>>{});
+  take_ranges(std::move(next));
+}
+
+template <int D>
+void Simulation<D>::take_ranges(distribute::Ranges next) {
   if (next == replicas_->ranges()) return;
   replicas_->collect(work_, parallel::To::all);
   replicas_->divide(std::move(next));
@@ -91,6 +96,8 @@ template void Simulation<2>::collect();
 template void Simulation<3>::collect();
 template std::vector<std::vector<Real>> Simulation<2>::due_in_base_step() const;
 template std::vector<std::vector<Real>> Simulation<3>::due_in_base_step() const;
+template void Simulation<2>::take_ranges(distribute::Ranges);
+template void Simulation<3>::take_ranges(distribute::Ranges);
 template void Simulation<2>::divide_anew();
 template void Simulation<3>::divide_anew();
 

@@ -52,6 +52,7 @@ void Simulation<D>::add_time(std::size_t part, std::int64_t since) {
 template <int D>
 void Simulation<D>::start() {
   tick();
+  if (replicas_) take_ranges(balance_.first(replicas_->ranges(), due_in_base_step()));
 }
 
 template <int D>

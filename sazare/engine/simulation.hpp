@@ -104,6 +104,7 @@ class Simulation {
   void leave_to_others();
   void take_refined();
   void divide_anew();
+  void take_ranges(distribute::Ranges next);
   std::vector<std::vector<Real>> due_in_base_step() const;
   void count_work(std::size_t kind, std::size_t count, Real since);
   terms::Peers& peers() { return replicas_ ? static_cast<terms::Peers&>(*replicas_) : alone_; }

@@ -53,6 +53,15 @@ TEST(balance, a_right_prediction_needs_one_interval) {
   EXPECT_LT(imbalance_after(Policy::predicted, 1, due), 1.5);
 }
 
+TEST(balance, the_first_ranges_follow_the_schedule_where_it_is_looked_at) {
+  const Ranges equal = cut_evenly(std::vector<Real>(bodies, 1), 4);
+  std::vector<Real> due(bodies, 1);
+  std::fill_n(due.begin(), bodies / 10, 30);
+  EXPECT_TRUE(Balance(Policy::measured).first(equal, {due}) == equal);
+  const Ranges first = Balance(Policy::predicted).first(equal, {due});
+  EXPECT_LT(cost_of(first, 0), 1.2 * cost_of(first, 3));
+}
+
 TEST(balance, a_wrong_prediction_is_corrected_by_what_ranks_took) {
   const std::vector<Real> due(bodies, 1);
   EXPECT_GT(imbalance_after(Policy::predicted, 1, due), 10);
