@@ -18,7 +18,7 @@ build: setup ## build the program in build/release (PRESET=debug|asan|tsan|mpi f
 	@scripts/build $(PRESET) $(JOBS)
 
 demo: build ## run the blast near a free face and write its report to build/demo
-	@$(SAZARE) run $(DEMO_CASE) --out build/demo
+	@$(SAZARE) run $(DEMO_CASE) --out build/demo --overwrite
 	@$(PYTHON) -m sazare report build/demo
 	@$(PYTHON) -m sazare summary build/demo
 
