@@ -1,17 +1,19 @@
 #include "sazare/runs/rank_times.hpp"
 
+#include <algorithm>
+#include <vector>
+
 #include "sazare/observe/csv_writer.hpp"
 
 namespace sazare::runs {
 
-void RankTimes::write(const std::filesystem::path& file, engine::Simulation<3>& simulation) {
-  const auto latest = simulation.take_rank_work();
-  work_.insert(work_.end(), latest.begin(), latest.end());
-  if (work_.empty()) return;
+void write_rank_times(const std::filesystem::path& file, engine::Simulation<3>& simulation) {
+  const std::vector<engine::RankWork> work = simulation.take_rank_work();
+  if (work.empty()) return;
   const Real tick_seconds = simulation.now().tick_seconds;
   std::vector<Real> worked;
   std::vector<std::vector<observe::CsvField>> rows;
-  for (const engine::RankWork& of : work_) {
+  for (const engine::RankWork& of : work) {
     worked.resize(std::max(worked.size(), static_cast<std::size_t>(of.rank) + 1), 0);
     Real& sum = worked[static_cast<std::size_t>(of.rank)] += of.seconds;
     rows.push_back({static_cast<Real>(of.tick) * tick_seconds, std::int64_t{of.rank}, sum, of.talking, of.bytes,

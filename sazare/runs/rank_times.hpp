@@ -8,13 +8,7 @@
 
 namespace sazare::runs {
 
-class RankTimes {
- public:
-  /// Writes ranks.csv: rows by interval between cuts and rank, times and bytes cumulated. Nothing when the process is alone.
-  void write(const std::filesystem::path& file, engine::Simulation<3>& simulation);
-
- private:
-  std::vector<engine::RankWork> work_;
-};
+/// Writes ranks.csv: rows by interval between cuts and rank, times and bytes cumulated. Nothing when the process is alone.
+void write_rank_times(const std::filesystem::path& file, engine::Simulation<3>& simulation);
 
 }  // namespace sazare::runs

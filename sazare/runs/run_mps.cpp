@@ -1,45 +1,18 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <chrono>
-#include <cstdio>
-
-#include "sazare/cases/number_text.hpp"
 #include "sazare/cases/resolved.hpp"
-#include "sazare/core/error.hpp"
-#include "sazare/core/version.hpp"
 #include "sazare/observe/atomic_file.hpp"
 #include "sazare/observe/hash.hpp"
-#include "sazare/parallel/threads.hpp"
-#include "sazare/runs/checkpoint_archive.hpp"
+#include "sazare/runs/case_run.hpp"
 #include "sazare/runs/mps_record.hpp"
-#include "sazare/runs/progress.hpp"
 #include "sazare/runs/run_case.hpp"
-#include "sazare/runs/run_identity.hpp"
-#include "sazare/runs/run_times.hpp"
 
 namespace sazare::runs {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-constexpr auto flush_interval = std::chrono::seconds(2);
-constexpr Index particles_per_thread = 4000;    // with fewer a second thread takes more time than it saves
+constexpr int particles_per_thread = 4000;  // with fewer a second thread takes more time than it saves
 constexpr std::int64_t motion_check_steps = 32;
 
 std::string number(Real value, int digits = 4) { return cases::short_number(value, digits); }
-
-observe::Manifest new_manifest(const cases::CaseFile& file) {
-  observe::Manifest manifest;
-  manifest.version = version;
-  manifest.commit = commit;
-  manifest.case_title = file.mps().title;
-  manifest.method = "mps";
-  manifest.status = "running";
-  manifest.started = observe::time_of_day();
-  manifest.machine = observe::this_machine();
-  return manifest;
-}
 
 template <int D>
 std::string filling_hash(const Filling<D>& filling) {
@@ -49,176 +22,60 @@ std::string filling_hash(const Filling<D>& filling) {
   return observe::to_hex(hash.value());
 }
 
+/// The part of method mps in a run, see CaseRun.
 template <int D>
-class MpsRun {
- public:
-  MpsRun(const cases::CaseFile& file, const RunOptions& options)
-      : file_(file), options_(options), model_(build_mps<D>(file)), folder_(options.folder, options.begin),
-        manifest_(new_manifest(file)), identity_(identify(file.mps(), filling_hash(model_.filling))),
-        clocks_(make_clocks(file.mps().time, model_.step)), record_(folder_, file, model_, clocks_) {
-    parallel::limit_threads(static_cast<int>(model_.filling.sites.size()) / particles_per_thread);
-    manifest_.machine.threads = parallel::threads();
-    fmt::print(stderr, "{}", model_.warning);
-    times_.add(RunTimes::Part::setup, times_.now());
+struct MpsWork {
+  const cases::CaseFile& file;
+  RunTimes times;
+  MpsModel<D> model;
+  RunFolder folder;
+  RunIdentity identity;
+  RunClocks clocks;
+  MpsRecord<D> record;
+
+  MpsWork(const cases::CaseFile& of, const RunOptions& options)
+      : file(of), model(build_mps<D>(of)), folder(options.folder, options.begin),
+        identity(identify(of.mps(), filling_hash(model.filling))), clocks(make_clocks(of.mps().time, model.step)),
+        record(folder, of, model, clocks) {
+    parallel::limit_threads(static_cast<int>(particles()) / particles_per_thread);
   }
 
-  RunOutcome run() {
-    try {
-      folder_.resumes() ? resume() : begin();
-      const bool stopped = walk();
-      end(stopped ? "stopped" : "done");
-      return {stopped, clocks_.time(step()), manifest_};
-    } catch (const PhysicsError& error) {
-      leave_behind("failed");
-      throw PhysicsError(fmt::format("{}\n  {}", error.what(), where_it_can_go_on()));
-    } catch (const MachineError& error) {
-      leave_behind("stopped");
-      throw MachineError(fmt::format("{}\n  {}", error.what(), where_it_can_go_on()));
-    }
+  std::int64_t particles() const { return static_cast<std::int64_t>(model.filling.sites.size()); }
+
+  const std::string& title() const { return file.mps().title; }
+  static std::string method() { return "mps"; }
+  const std::string& warning() const { return model.warning; }
+  std::string words() const {
+    return fmt::format("{} particles, step {} s, {} of the predicted limit", particles(), number(model.step),
+                       number(model.step / model.stable_step(file.mps().time.integrator), 3));
   }
+  Real checkpoint_interval() const { return file.mps().output.checkpoint_interval; }
 
- private:
-  std::int64_t step() const { return model_.stepper->steps(); }
+  void start() { model.stepper->start(); }
+  void advance() { model.stepper->advance(); }
+  std::int64_t step() const { return model.stepper->steps(); }
+  bool must_check() const { return step() % motion_check_steps == 0; }
+  void collect() {}
 
-  void say(const std::string& line) const {
-    if (options_.quiet) return;
-    fmt::print("{}\n", line);
-    std::fflush(stdout);
+  ProgressState progress(Real share, Real time) const {
+    return {share, time, step() * particles(), model.step, -1, "particle-steps"};
   }
-
-  void begin() {
-    if (options_.begin == Begin::resume)
-      say(fmt::format("{}: no checkpoint to resume from, so the run begins anew", folder_.path().string()));
-    write_manifest("running");
-    observe::write_file(folder_.case_file(), cases::write_resolved(file_.mps(), folder_.path()));
-    say(fmt::format("{}: {} particles, step {} s, {} of the predicted limit", file_.mps().title, model_.filling.sites.size(),
-                    number(model_.step), number(model_.step / model_.stable_step(file_.mps().time.integrator), 3)));
-    record_.begin();
-    model_.stepper->start();
-    observe();
-    save_checkpoint();
-  }
-
-  void resume() {
-    const observe::CheckpointReader in(folder_.checkpoint());
-    check_identity(in, folder_.path(), identity_);
-    CheckpointLoader loader(in);
-    columns(loader);
-    record_.resume();
-    checkpoint_step_ = step();
-    write_manifest("running");
-    say(fmt::format("{}: resumed at t = {} s of {} s", file_.mps().title, number(clocks_.time(step())), number(clocks_.end)));
-  }
-
-  /// To the end, or until asked to stop: then true.
-  bool walk() {
-    Progress progress(options_.quiet, state());
-    auto next_checkpoint = Clock::now() + checkpoint_interval();
-    auto next_flush = Clock::now() + flush_interval;
-    while (step() < clocks_.steps()) {
-      if (options_.stop_asked != nullptr && options_.stop_asked->load(std::memory_order_relaxed)) return true;
-      model_.stepper->advance();
-      if (clocks_.is_row(step()) || step() % motion_check_steps == 0) record_.check_motion(clocks_.time(step()));
-      observe();
-      if (progress.is_due()) progress.show(state());
-      const auto now = Clock::now();
-      if (now >= next_flush) {
-        record_.flush(false);
-        next_flush = now + flush_interval;
-      }
-      if (now < next_checkpoint || step() == clocks_.steps()) continue;
-      save_checkpoint();
-      next_checkpoint = Clock::now() + checkpoint_interval();
-    }
-    return false;
-  }
-
-  Clock::duration checkpoint_interval() const {
-    return std::chrono::duration_cast<Clock::duration>(
-        std::chrono::duration<Real>(std::min(file_.mps().output.checkpoint_interval, Real{1e8})));
-  }
-
-  ProgressState state() const {
-    const Real share = static_cast<Real>(step()) / static_cast<Real>(clocks_.steps());
-    const auto done = step() * static_cast<std::int64_t>(model_.filling.sites.size());
-    return {share, clocks_.time(step()), done, model_.step, -1, "particle-steps"};
-  }
-
-  void observe() {
-    if (!clocks_.is_row(step())) return;
-    const Real before = times_.now();
-    record_.observe(step(), before);
-    times_.add(RunTimes::Part::output, times_.now() - before);
-  }
-
-  void end(const std::string& status) {
-    if (status == "done") {
-      record_.flush(true);
-    } else {
-      save_checkpoint();
-    }
-    times_.write(folder_.timing(), {});
-    write_manifest(status);
-    if (status == "done") folder_.remove_checkpoint();
-  }
-
-  void save_checkpoint() {
-    record_.check_motion(clocks_.time(step()));
-    const Real before = times_.now();
-    record_.flush(true);
-    observe::CheckpointWriter out(folder_.checkpoint());
-    write_identity(out, identity_);
-    CheckpointSaver saver(out);
-    columns(saver);
-    out.commit();
-    checkpoint_step_ = step();
-    times_.add(RunTimes::Part::checkpoints, times_.now() - before);
-    write_manifest("running");
-  }
-
   void columns(Archive& archive) {
-    archive.folder("times", [&] { times_.columns(archive, {}); });
-    archive.folder("record", [&] { record_.columns(archive); });
-    archive.folder("stepper", [&] { model_.stepper->columns(archive); });
-    std::vector<char> started(manifest_.started.begin(), manifest_.started.end());
-    archive("started", started);
-    manifest_.started.assign(started.begin(), started.end());
+    archive.folder("stepper", [&] { model.stepper->columns(archive); });
   }
 
-  void write_manifest(const std::string& status) {
-    manifest_.status = status;
-    manifest_.finished = status == "running" ? "" : observe::time_of_day();
-    manifest_.results = record_.results(step(), times_.now());
-    manifest_.peak_particle_velocity = record_.peak_particle_velocity();
-    manifest_.state_hash = record_.state_hash();
-    observe::write_manifest(folder_.manifest(), manifest_);
-  }
-
-  /// As much as can still be written after an error, which is the one to report.
-  void leave_behind(const std::string& status) {
-    try {
-      record_.flush(false);
-      write_manifest(status);
-    } catch (const MachineError&) {
-    }
-  }
-
-  std::string where_it_can_go_on() const {
-    if (checkpoint_step_ < 0) return "nothing of the run can be resumed: it had no checkpoint yet";
-    return fmt::format("the checkpoint of t = {} s is kept in {}", number(clocks_.time(checkpoint_step_)), folder_.checkpoint().string());
-  }
-
-  const cases::CaseFile& file_;
-  const RunOptions& options_;
-  RunTimes times_;
-  MpsModel<D> model_;
-  RunFolder folder_;
-  observe::Manifest manifest_;
-  RunIdentity identity_;
-  RunClocks clocks_;
-  MpsRecord<D> record_;
-  std::int64_t checkpoint_step_ = -1;
+  std::uint64_t state_hash() const { return record.state_hash(); }
+  static std::span<const engine::PartTime> part_times() { return {}; }
+  void write_case() const { observe::write_file(folder.case_file(), cases::write_resolved(file.mps(), folder.path())); }
+  void write_end() {}
+  void write_rank_times() {}
 };
+
+template <int D>
+RunOutcome carry_out(const cases::CaseFile& file, const RunOptions& options) {
+  MpsWork<D> work(file, options);
+  return CaseRun(work, options).run();
+}
 
 template <int D>
 std::string check(const cases::CaseFile& file) {
@@ -243,7 +100,7 @@ std::string check(const cases::CaseFile& file) {
 }  // namespace
 
 RunOutcome run_mps(const cases::CaseFile& file, const RunOptions& options) {
-  return file.mps().particles.dimension == 2 ? MpsRun<2>(file, options).run() : MpsRun<3>(file, options).run();
+  return file.mps().particles.dimension == 2 ? carry_out<2>(file, options) : carry_out<3>(file, options);
 }
 
 std::string check_mps(const cases::CaseFile& file) { return file.mps().particles.dimension == 2 ? check<2>(file) : check<3>(file); }

@@ -1,0 +1,228 @@
+#pragma once
+
+/// The course of a run, whatever its method: begin or resume, step, observe, checkpoint, end.
+///
+/// `Work` is a method's part of it, with the members
+///
+///     times, folder, identity, clocks, record     see RunTimes, RunFolder, RunIdentity, RunClocks, RunRecord
+///     title(), method(), words()                  what is to be said of the case at its beginning
+///     warning()                                   what is to be warned of; empty where all is well
+///     checkpoint_interval()                       [s] of wall clock
+///     start(), advance(), step()                  the beginning, a step, how many there have been
+///     must_check()                                whether the motion is to be looked at after this step
+///     collect()                                   makes all true in the first process
+///     progress(share, time)                       what there is to tell on the way
+///     columns(archive)                            its state in a checkpoint
+///     state_hash(), part_times()                  for the manifest and timing.csv
+///     write_case(), write_end(), write_rank_times()   the files that only it knows
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include "sazare/cases/number_text.hpp"
+#include "sazare/core/error.hpp"
+#include "sazare/core/version.hpp"
+#include "sazare/parallel/threads.hpp"
+#include "sazare/runs/checkpoint_archive.hpp"
+#include "sazare/runs/progress.hpp"
+#include "sazare/runs/run_identity.hpp"
+#include "sazare/runs/run_options.hpp"
+#include "sazare/runs/run_times.hpp"
+
+namespace sazare::runs {
+
+/// Of several processes, only the first one writes.
+inline bool is_writer(const RunOptions& options) { return options.sharing.ranks == nullptr || options.sharing.ranks->is_first(); }
+
+template <class Work>
+class CaseRun {
+ public:
+  CaseRun(Work& work, const RunOptions& options) : work_(work), options_(options) {
+    manifest_.version = version;
+    manifest_.commit = commit;
+    manifest_.case_title = work.title();
+    manifest_.method = work.method();
+    manifest_.started = observe::time_of_day();
+    manifest_.machine = observe::this_machine();
+    if (options.sharing.ranks != nullptr) manifest_.machine.ranks = options.sharing.ranks->size();
+    if (is_writer(options)) fmt::print(stderr, "{}", work.warning());
+    work.times.add(RunTimes::Part::setup, work.times.now());
+  }
+
+  RunOutcome run() {
+    try {
+      work_.folder.resumes() ? resume() : begin();
+      const bool stopped = walk();
+      end(stopped ? "stopped" : "done");
+      return {stopped, time(), manifest_};
+    } catch (const PhysicsError& error) {
+      leave_behind("failed");
+      throw PhysicsError(fmt::format("{}\n  {}", error.what(), where_it_can_go_on()));
+    } catch (const MachineError& error) {
+      leave_behind("stopped");
+      throw MachineError(fmt::format("{}\n  {}", error.what(), where_it_can_go_on()));
+    }
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr auto flush_interval = std::chrono::seconds(2);
+
+  bool writes() const { return is_writer(options_); }
+  bool agree(bool by_first) const {
+    return options_.sharing.ranks == nullptr ? by_first : options_.sharing.ranks->from_first(by_first) != 0;
+  }
+  Real time() const { return work_.clocks.time(work_.step()); }
+  bool is_over() const { return work_.step() >= work_.clocks.steps(); }
+
+  void say(const std::string& line) const {
+    if (options_.quiet) return;
+    fmt::print("{}\n", line);
+    std::fflush(stdout);
+  }
+
+  void begin() {
+    if (options_.begin == Begin::resume)
+      say(fmt::format("{}: no checkpoint to resume from, so the run begins anew", work_.folder.path().string()));
+    write_manifest("running");
+    if (writes()) work_.write_case();
+    say(fmt::format("{}: {}", work_.title(), work_.words()));
+    if (writes()) work_.record.begin();
+    work_.start();
+    observe();
+    save_checkpoint();
+  }
+
+  void resume() {
+    const observe::CheckpointReader in(work_.folder.checkpoint());
+    check_identity(in, work_.folder.path(), work_.identity);
+    CheckpointLoader loader(in);
+    columns(loader);
+    if (writes()) work_.record.resume();
+    checkpoint_step_ = work_.step();
+    write_manifest("running");
+    say(fmt::format("{}: resumed at t = {} s of {} s", work_.title(), cases::short_number(time()),
+                    cases::short_number(work_.clocks.end)));
+  }
+
+  /// To the end, or until asked to stop: then true.
+  bool walk() {
+    Progress progress(options_.quiet, state());
+    auto next_checkpoint = Clock::now() + checkpoint_interval();
+    auto next_flush = Clock::now() + flush_interval;
+    while (!is_over()) {
+      if (agree(options_.stop_asked != nullptr && options_.stop_asked->load(std::memory_order_relaxed))) return true;
+      work_.advance();
+      if (work_.must_check() || work_.clocks.is_row(work_.step())) work_.record.check_motion(time());
+      observe();
+      if (progress.is_due()) progress.show(state());
+      const auto now = Clock::now();
+      if (writes() && now >= next_flush) {
+        work_.record.flush(false);
+        next_flush = now + flush_interval;
+      }
+      if (!agree(now >= next_checkpoint && !is_over())) continue;
+      save_checkpoint();
+      next_checkpoint = Clock::now() + checkpoint_interval();
+    }
+    return false;
+  }
+
+  Clock::duration checkpoint_interval() const {
+    return std::chrono::duration_cast<Clock::duration>(
+        std::chrono::duration<Real>(std::min(work_.checkpoint_interval(), Real{1e8})));
+  }
+
+  ProgressState state() const {
+    return work_.progress(static_cast<Real>(work_.step()) / static_cast<Real>(work_.clocks.steps()), time());
+  }
+
+  void observe() {
+    if (!work_.clocks.is_row(work_.step())) return;
+    const Real before = work_.times.now();
+    work_.collect();
+    if (!writes()) return;
+    work_.record.observe(work_.step(), before);
+    work_.times.add(RunTimes::Part::output, work_.times.now() - before);
+  }
+
+  void end(const std::string& status) {
+    if (status != "done") save_checkpoint();
+    work_.collect();
+    if (!writes()) return;
+    if (status == "done") {
+      const Real before = work_.times.now();
+      work_.record.flush(true);
+      work_.write_end();
+      work_.times.add(RunTimes::Part::output, work_.times.now() - before);
+    }
+    work_.times.write(work_.folder.timing(), work_.part_times());
+    work_.write_rank_times();
+    write_manifest(status);
+    if (status == "done") work_.folder.remove_checkpoint();
+  }
+
+  /// Never of a state that is no number: the last good checkpoint stays.
+  void save_checkpoint() {
+    work_.record.check_motion(time());
+    const Real before = work_.times.now();
+    work_.collect();
+    if (!writes()) return;
+    work_.record.flush(true);
+    observe::CheckpointWriter out(work_.folder.checkpoint());
+    write_identity(out, work_.identity);
+    CheckpointSaver saver(out);
+    columns(saver);
+    out.commit();
+    checkpoint_step_ = work_.step();
+    work_.times.add(RunTimes::Part::checkpoints, work_.times.now() - before);
+    write_manifest("running");
+  }
+
+  void columns(Archive& archive) {
+    archive.folder("times", [&] { work_.times.columns(archive, work_.part_times()); });
+    archive.folder("record", [&] { work_.record.columns(archive); });
+    work_.columns(archive);
+    std::vector<char> started(manifest_.started.begin(), manifest_.started.end());
+    archive("started", started);
+    manifest_.started.assign(started.begin(), started.end());
+  }
+
+  void write_manifest(const std::string& status) {
+    if (!writes()) return;
+    manifest_.status = status;
+    manifest_.finished = status == "running" ? "" : observe::time_of_day();
+    manifest_.results = work_.record.results(work_.step(), work_.times.now());
+    manifest_.peak_particle_velocity = work_.record.peak_particle_velocity();
+    manifest_.state_hash = work_.state_hash();
+    observe::write_manifest(work_.folder.manifest(), manifest_);
+  }
+
+  /// As much as can still be written after an error.
+  void leave_behind(const std::string& status) {
+    try {
+      if (writes()) work_.record.flush(false);
+    } catch (const MachineError&) {  // the error that led here is the one to report
+    }
+    try {
+      write_manifest(status);
+    } catch (const MachineError&) {
+    }
+  }
+
+  std::string where_it_can_go_on() const {
+    if (checkpoint_step_ < 0) return "nothing of the run can be resumed: it had no checkpoint yet";
+    return fmt::format("the checkpoint of t = {} s is kept in {}", cases::short_number(work_.clocks.time(checkpoint_step_)),
+                       work_.folder.checkpoint().string());
+  }
+
+  Work& work_;
+  const RunOptions& options_;
+  observe::Manifest manifest_;
+  std::int64_t checkpoint_step_ = -1;
+};
+
+}  // namespace sazare::runs

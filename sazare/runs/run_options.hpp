@@ -1,0 +1,28 @@
+#pragma once
+
+/// How a case is to be carried out, and what comes of it: the same for every method.
+
+#include <atomic>
+#include <filesystem>
+
+#include "sazare/engine/simulation.hpp"
+#include "sazare/observe/manifest.hpp"
+#include "sazare/runs/run_folder.hpp"
+
+namespace sazare::runs {
+
+struct RunOptions {
+  std::filesystem::path folder;
+  Begin begin = Begin::fresh;
+  bool quiet = false;                              ///< no progress, no words about the beginning
+  const std::atomic<bool>* stop_asked = nullptr;   ///< looked at after every base step
+  engine::Sharing sharing = {};                    ///< with several processes: all carry out the same, the first one writes
+};
+
+struct RunOutcome {
+  bool stopped = false;  ///< asked to, before its end; the checkpoint is written
+  Real time = 0;         ///< simulated [s]
+  observe::Manifest manifest;
+};
+
+}  // namespace sazare::runs
