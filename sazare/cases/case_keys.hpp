@@ -39,6 +39,33 @@ inline constexpr std::array output_keys{
         .sentence = "Wall-clock time between checkpoints."},
 };
 
+inline constexpr Key end_key{
+    .name = "end",
+    .type = Type::number,
+    .unit = "s",
+    .range = positive,
+    .need = Need::required,
+    .sentence = "Time at which the run ends; it begins at 0.",
+};
+
+inline constexpr Key history_interval_key{
+    .name = "history_interval",
+    .type = Type::number,
+    .unit = "s",
+    .range = positive,
+    .note = "default: about end/200",
+    .sentence = "Time between rows of the histories; the end is a whole multiple of it.",
+};
+
+inline constexpr Key snapshot_interval_key{
+    .name = "snapshot_interval",
+    .type = Type::number,
+    .unit = "s",
+    .range = positive,
+    .note = "default: about end/20",
+    .sentence = "Time between snapshots; a whole multiple of history_interval, and the end one of it.",
+};
+
 inline constexpr Table case_table{"case", false, Need::required, "What the case is.", case_keys};
 inline constexpr Table gravity_table{"gravity", false, Need::optional, "Body force.", gravity_keys};
 inline constexpr Table output_table{"output", false, Need::optional, "What is written besides histories and snapshots.",

@@ -1,25 +1,17 @@
-"""Many processes on one run give the bits of one process, whatever they do with the work, and however they end."""
+"""Many processes on one run give the bits of one process, whatever they do with the work, and however they end. For a build with MPI."""
 
 import csv
 import os
-import shutil
 import signal
 import subprocess
 import time
 
 import pytest
-from conftest import DONE, MACHINE_FAILED, MPI_ENVIRONMENT, PROGRAM, USER_ERROR, Sazare, manifest, rows_without_wall_time
+from conftest import DONE, MACHINE_FAILED, MPI_ENVIRONMENT, USER_ERROR, Sazare, manifest, rows_without_wall_time
 
 OFTEN = "output.checkpoint_interval=0.02"
 LATER = "time.end=8e-4"
 LONG = ("--set", "time.end=1e-2")  # some seconds: whoever interrupts it comes before its end
-
-
-def has_mpi():
-    return shutil.which("mpirun") and "MPI       yes" in subprocess.run([PROGRAM, "info"], capture_output=True, text=True).stdout
-
-
-pytestmark = pytest.mark.skipif(not has_mpi(), reason="this sazare is built without MPI, or there is no mpirun")
 
 
 def block_run(sazare, folder, *options, threads=1):
