@@ -47,6 +47,12 @@ struct Ground {
   Real shear_velocity = 0;     // m/s; of the three, two are given and the third follows
   Real pressure_velocity = 0;  // m/s
   Real damping_ratio = 0;
+  bool yields = false;         // whether it has a strength
+  Real cohesion = 0;           // Pa
+  Real friction_angle = 0;     // degrees
+  Real dilation_angle = 0;     // degrees
+  Real tensile_strength = 0;   // Pa
+  Real rupture_strain = 0;
 };
 
 struct Damping {
@@ -75,6 +81,16 @@ struct SideBoundary {
   std::array<std::string, 3> motion;              // names of motions by axis, or empty
 };
 
+struct GroundGravity : Gravity {
+  bool settle = false;
+  int settling_steps = 0;  // at most
+};
+
+/// Contacts of particles whose links broke.
+struct LooseContact {
+  Real damping_ratio = 0;
+};
+
 /// Random velocities at the start, so that every motion that can grow is there.
 struct Noise {
   Real velocity = 0;  // m/s
@@ -99,7 +115,8 @@ struct MpsCase {
   Damping damping;
   std::vector<Motion> motions;
   std::vector<SideBoundary> boundaries;
-  Gravity gravity;
+  LooseContact contact;
+  GroundGravity gravity;
   Noise noise;
   std::vector<Gauge> gauges;
   UniformTime time;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -144,6 +145,44 @@ void check_materials(const CheckContext& context, const MpsCase& mps) {
                              "name it in the regions of one of the [[materials]]");
 }
 
+void check_strengths(const CheckContext& context, const MpsCase& mps) {
+  const auto list = context.entries_of("materials");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Entry& entry = list[i];
+    const Ground& ground = mps.materials[i];
+    if (!ground.yields) {
+      check_keys(context, entry, "a material without cohesion", {},
+                 {"friction_angle", "dilation_angle", "tensile_strength", "rupture_strain"});
+      continue;
+    }
+    check_keys(context, entry, "a material with a cohesion", {"friction_angle"}, {});
+    if (!entry.gives("friction_angle")) continue;
+    if (ground.dilation_angle > ground.friction_angle)
+      context.problems.error(entry.place("dilation_angle"), "dilation_angle must be at most friction_angle",
+                             "above it the ground would win energy by flowing");
+    const Real most = ground.cohesion / std::tan(ground.friction_angle * std::numbers::pi / 180);
+    if (ground.friction_angle > 0 && ground.tensile_strength > most * (1 + 1e-9))
+      context.problems.error(entry.place("tensile_strength"),
+                             fmt::format("tensile_strength must be at most cohesion/tan(friction_angle) = {} Pa, found {}",
+                                         short_number(most), short_number(ground.tensile_strength)),
+                             "the strength in shear is gone there");
+  }
+}
+
+void check_gravity(const CheckContext& context, const MpsCase& mps) {
+  const Entry entry = context.entries_of("gravity").front();
+  check_flat(context, entry, "acceleration", mps.gravity.acceleration, mps.particles.dimension);
+  if (mps.gravity.settle && mps.gravity.acceleration.norm() == 0)
+    context.problems.error(entry.place("settle"), "there is no gravity to settle under", "give gravity an acceleration");
+  if (mps.gravity.settle && mps.noise.velocity > 0)
+    context.problems.error(entry.place("settle"), "noise and settle exclude each other", "remove [noise], or settle");
+  if (mps.gravity.settle || mps.gravity.acceleration.norm() == 0) return;
+  for (const SideBoundary& boundary : mps.boundaries)
+    if (boundary.kind == SideKind::viscous)
+      context.problems.error(entry.header(), "under gravity a viscous boundary gives way without end",
+                             "add settle = true to [gravity]: the boundary then carries what it carries at rest");
+}
+
 void check_damping(const CheckContext& context, const MpsCase& mps) {
   const Entry entry = context.entries_of("damping").front();
   const auto list = context.entries_of("materials");
@@ -233,12 +272,17 @@ void check_mps(const CheckContext& context, MpsCase& mps) {
   const Entry particles = context.entries_of("particles").front();
   if (mps.particles.dimension == 3 && mps.particles.rotation == RotationRemoval::mean_angle)
     context.problems.error(particles.place("rotation"), "rotation \"mean_angle\" is for 2-D", "in 3-D use \"mean_rotation\"");
+  if (mps.particles.rotation == RotationRemoval::mean_angle &&
+      std::ranges::any_of(mps.materials, [](const Ground& ground) { return ground.yields; }))
+    context.problems.error(particles.place("rotation"), "rotation \"mean_angle\" is for elastic ground",
+                           "with a cohesion use \"mean_rotation\"");
   check_regions(context, mps);
   check_materials(context, mps);
+  check_strengths(context, mps);
   check_damping(context, mps);
   check_motions(context, mps);
   check_boundaries(context, mps);
-  check_flat(context, context.entries_of("gravity").front(), "acceleration", mps.gravity.acceleration, mps.particles.dimension);
+  check_gravity(context, mps);
   const auto gauges = context.entries_of("gauges");
   for (std::size_t i = 0; i < gauges.size(); ++i)
     if (gauges[i].exists()) check_flat(context, gauges[i], "point", mps.gauges[i].point, mps.particles.dimension);

@@ -50,6 +50,11 @@ std::string explain(const MpsCase& mps) {
     text += line("materials", fmt::format("{}: {} kg/m3, S {} m/s, P {} m/s, damping {}, regions {}", ground.name, number(ground.density),
                                           number(ground.shear_velocity), number(ground.pressure_velocity), number(ground.damping_ratio),
                                           fmt::join(ground.regions, ", ")));
+  for (const Ground& ground : mps.materials)
+    if (ground.yields)
+      text += line("strength", fmt::format("{}: cohesion {} Pa, friction {} degrees, dilation {} degrees, tension {} Pa, links break at a slip of {}",
+                                           ground.name, number(ground.cohesion), number(ground.friction_angle), number(ground.dilation_angle),
+                                           number(ground.tensile_strength), number(ground.rupture_strain)));
   if (mps.damping.f2 > 0) text += line("damping", fmt::format("at {} and {} Hz", number(mps.damping.f1), number(mps.damping.f2)));
   for (const Motion& motion : mps.motions) text += line("motions", motion_text(motion));
   for (const SideBoundary& boundary : mps.boundaries) text += line("boundaries", boundary_text(boundary));

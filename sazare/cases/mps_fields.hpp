@@ -87,6 +87,13 @@ void visit_fields(Visitor& visit, Ground& ground) {
       ground.shear_velocity = ground.pressure_velocity * std::sqrt(square);
   }
   visit("damping_ratio", ground.damping_ratio);
+  ground.yields = visit.has("cohesion", ground.yields);
+  if (!ground.yields) return;
+  visit("cohesion", ground.cohesion);
+  visit("friction_angle", ground.friction_angle);
+  visit("dilation_angle", ground.dilation_angle);
+  visit("tensile_strength", ground.tensile_strength);
+  visit("rupture_strain", ground.rupture_strain);
 }
 
 template <class Visitor>
@@ -125,6 +132,18 @@ void visit_fields(Visitor& visit, SideBoundary& boundary) {
 }
 
 template <class Visitor>
+void visit_fields(Visitor& visit, LooseContact& contact) {
+  visit("damping_ratio", contact.damping_ratio);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, GroundGravity& gravity) {
+  visit("acceleration", gravity.acceleration);
+  visit("settle", gravity.settle);
+  visit("settling_steps", gravity.settling_steps);
+}
+
+template <class Visitor>
 void visit_fields(Visitor& visit, Noise& noise) {
   visit("velocity", noise.velocity);
   visit("seed", noise.seed);
@@ -149,6 +168,7 @@ void visit_tables(Visitor& visit, MpsCase& mps) {
   visit.one("damping", mps.damping);
   visit.list("motions", mps.motions);
   visit.list("boundaries", mps.boundaries);
+  visit.one("contact", mps.contact);
   visit.one("gravity", mps.gravity);
   visit.one("noise", mps.noise);
   visit.list("gauges", mps.gauges);

@@ -16,6 +16,7 @@ constexpr std::array<std::string_view, 4> side_kinds{"fixed", "roller", "prescri
 constexpr std::array<std::string_view, 3> integrators{"verlet", "leapfrog", "euler"};
 
 constexpr std::string_view two_of_three = "exactly two of shear_velocity, pressure_velocity and poisson_ratio";
+constexpr std::string_view with_strength = "required with a cohesion";
 constexpr std::string_view with_motion = "kinds prescribed and viscous only";
 
 constexpr std::array particle_keys{
@@ -120,6 +121,38 @@ constexpr std::array material_keys{
         .range = {.low = 0, .high = 2},
         .default_text = "0.0",
         .sentence = "Share of critical damping at the frequencies f1 and f2 of [damping]."},
+    Key{.name = "cohesion",
+        .type = Type::number,
+        .unit = "Pa",
+        .range = not_negative,
+        .note = "default: the material is elastic and never fails",
+        .sentence = "Cohesion of Mohr and Coulomb's strength."},
+    Key{.name = "friction_angle",
+        .type = Type::number,
+        .unit = "degrees",
+        .range = {.low = 0, .high = 60},
+        .note = with_strength,
+        .sentence = "Angle of friction, in the ground and, once links are broken, between particles."},
+    Key{.name = "dilation_angle",
+        .type = Type::number,
+        .unit = "degrees",
+        .range = {.low = 0, .high = 60},
+        .default_text = "0.0",
+        .note = "only with a cohesion",
+        .sentence = "Angle of dilation; at most the friction angle."},
+    Key{.name = "tensile_strength",
+        .type = Type::number,
+        .unit = "Pa",
+        .range = not_negative,
+        .default_text = "0.0",
+        .note = "only with a cohesion",
+        .sentence = "Largest tensile stress; at most cohesion/tan(friction_angle)."},
+    Key{.name = "rupture_strain",
+        .type = Type::number,
+        .range = positive,
+        .default_text = "0.1",
+        .note = "only with a cohesion",
+        .sentence = "Plastic slip (of engineering shear strain) or opening at which links break."},
 };
 
 constexpr std::array damping_keys{
@@ -205,6 +238,28 @@ constexpr std::array boundary_keys{
     Key{.name = "motion_z", .type = Type::text, .note = with_motion, .sentence = "Motion along z."},
 };
 
+constexpr std::array contact_keys{
+    Key{.name = "damping_ratio",
+        .type = Type::number,
+        .range = {.low = 0, .high = 2},
+        .default_text = "0.2",
+        .sentence = "Dashpots of contacts between particles whose links broke, over critical ones."},
+};
+
+constexpr std::array ground_gravity_keys{
+    gravity_keys.front(),
+    Key{.name = "settle",
+        .type = Type::boolean,
+        .default_text = "false",
+        .sentence = "Begin at rest under gravity: the equilibrium is found first, viscous boundaries carry what they carry in it, and "
+                    "displacements count from there."},
+    Key{.name = "settling_steps",
+        .type = Type::integer,
+        .range = {.low = 1, .high = 1000000000},
+        .default_text = "200000",
+        .sentence = "After so many steps without rest the ground is said not to stand."},
+};
+
 constexpr std::array noise_keys{
     Key{.name = "velocity",
         .type = Type::number,
@@ -265,7 +320,8 @@ constexpr std::array tables{
     Table{"damping", false, Need::optional, "Rayleigh damping: its two frequencies.", damping_keys},
     Table{"motions", true, Need::optional, "Waves and histories of the ground's motion.", motion_keys},
     Table{"boundaries", true, Need::optional, "How the sides are held; all others are free.", boundary_keys},
-    gravity_table,
+    Table{"contact", false, Need::optional, "Contacts of particles whose links broke.", contact_keys},
+    Table{"gravity", false, Need::optional, "Body force.", ground_gravity_keys},
     Table{"noise", false, Need::optional, "Small random motion at the start, so that whatever can grow does.", noise_keys},
     Table{"gauges", true, Need::optional, "Points whose motion is recorded.", gauge_keys},
     Table{"time", false, Need::required, "How long, in which steps, and when results are written.", time_keys},

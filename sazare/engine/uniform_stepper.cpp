@@ -1,5 +1,6 @@
 #include "sazare/engine/uniform_stepper.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -43,7 +44,15 @@ UniformStepper<D>::UniformStepper(state::Particles<D> particles, std::unique_ptr
     : particles_(std::move(particles)), forces_(std::move(forces)), supports_(std::move(supports)), rules_(rules) {
   for (auto* group : {&elastic_, &previous_, &load_, &keep_, &gain_})
     for (state::Column& column : *group) column.assign(particles_.padded(), 0);
+  settled_ = particles_.displacement;
   prepare_factors();
+}
+
+template <int D>
+void UniformStepper<D>::hold(Index particle, int freedom) {
+  keep_[static_cast<std::size_t>(freedom)][at(particle)] = 0;
+  gain_[static_cast<std::size_t>(freedom)][at(particle)] = 0;
+  particles_.velocity[static_cast<std::size_t>(freedom)][at(particle)] = 0;
 }
 
 template <int D>
@@ -64,15 +73,12 @@ void UniformStepper<D>::prepare_factors() {
     const Real own = rules_.damping.mass_rate * particles_.damping_ratio[at(dashpot.particle)];
     set(static_cast<std::size_t>(dashpot.freedom), at(dashpot.particle), own + dashpot.rate);
   }
-  const auto hold = [&](Index particle, int freedom) {
-    keep_[static_cast<std::size_t>(freedom)][at(particle)] = 0;
-    gain_[static_cast<std::size_t>(freedom)][at(particle)] = 0;
-    particles_.velocity[static_cast<std::size_t>(freedom)][at(particle)] = 0;
-  };
   for (const auto& held : supports_.held) hold(held.particle, held.freedom);
   for (const auto& driven : supports_.driven) hold(driven.particle, driven.freedom);
   for (std::size_t axis = 0; axis < D; ++axis)
     for (std::size_t i = 0; i < particles_.size(); ++i) load_[axis][i] = supports_.gravity[static_cast<int>(axis)];
+  for (const terms::Dashpot& dashpot : supports_.dashpots)
+    load_[static_cast<std::size_t>(dashpot.freedom)][at(dashpot.particle)] = at_rest(dashpot);
 }
 
 template <int D>
@@ -81,8 +87,12 @@ void UniformStepper<D>::start() {
   forces_->evaluate(particles_, elastic_);
   previous_ = elastic_;
   add_loads();
-  if (rules_.integrator == Integrator::euler) return;
-  // From the velocity at the beginning to that half a step before: the kick that the first step gives, backwards by a half.
+  if (rules_.integrator != Integrator::euler) begin_halfway();
+}
+
+/// From the velocity at the beginning to that half a step before: the kick that the first step gives, backwards by a half.
+template <int D>
+void UniformStepper<D>::begin_halfway() {
   for (std::size_t freedom = 0; freedom < keep_.size(); ++freedom)
     for (std::size_t i = 0; i < particles_.size(); ++i)
       if (gain_[freedom][i] > 0)
@@ -97,9 +107,47 @@ void UniformStepper<D>::add_loads() {
   for (const terms::Dashpot& dashpot : supports_.dashpots) {
     if (dashpot.motion == terms::Dashpot::no_motion) continue;
     const auto freedom = static_cast<std::size_t>(dashpot.freedom);
-    const Real gravity = freedom < D ? supports_.gravity[dashpot.freedom] : 0;
-    load_[freedom][at(dashpot.particle)] = gravity + 2 * dashpot.rate * dashpot.factor * now[at(dashpot.motion)].velocity;
+    load_[freedom][at(dashpot.particle)] = at_rest(dashpot) + 2 * dashpot.rate * dashpot.factor * now[at(dashpot.motion)].velocity;
   }
+}
+
+template <int D>
+Real UniformStepper<D>::at_rest(const terms::Dashpot& dashpot) const {
+  return (dashpot.freedom < D ? supports_.gravity[dashpot.freedom] : 0) + dashpot.reaction;
+}
+
+/// From now on, from rest.
+template <int D>
+void UniformStepper<D>::stand_still() {
+  for (state::Column& column : particles_.velocity) std::ranges::fill(column, 0);
+  begin_halfway();
+}
+
+template <int D>
+Real UniformStepper<D>::settle(const Settling& rules) {
+  const auto velocity = particles_.velocity;
+  for (const terms::Dashpot& dashpot : supports_.dashpots) hold(dashpot.particle, dashpot.freedom);
+  drive();
+  forces_->evaluate(particles_, elastic_);
+  previous_ = elastic_;
+  stand_still();
+  Real before = 0, left = largest_unbalance();
+  for (std::int64_t i = 0; i < rules.most_steps && left > rules.tolerance; ++i) {
+    step_ = -1;  // so that the time stays 0
+    kick_and_drift();
+    const Real now = kinetic_sum();
+    if (now < before) stand_still();
+    before = now < before ? 0 : now;
+    left = largest_unbalance();
+  }
+  for (terms::Dashpot& dashpot : supports_.dashpots) {
+    const auto freedom = static_cast<std::size_t>(dashpot.freedom);
+    dashpot.reaction = -elastic_[freedom][at(dashpot.particle)] - (dashpot.freedom < D ? supports_.gravity[dashpot.freedom] : 0);
+  }
+  settled_ = particles_.displacement;
+  particles_.velocity = velocity;
+  prepare_factors();
+  return left;
 }
 
 /// Puts what is driven where its history has it at the present time.
@@ -240,6 +288,26 @@ Real UniformStepper<D>::kinetic_energy() const {
 }
 
 template <int D>
+Real UniformStepper<D>::kinetic_sum() const {
+  Real total = 0;
+  for (std::size_t freedom = 0; freedom < keep_.size(); ++freedom)
+    for (std::size_t i = 0; i < particles_.size(); ++i) {
+      const Real speed = particles_.velocity[freedom][i];
+      total += 0.5 * speed * speed / particles_.inverse_inertia_of(freedom)[i];
+    }
+  return total;
+}
+
+template <int D>
+Real UniformStepper<D>::largest_unbalance() const {
+  Real largest = 0;
+  for (std::size_t axis = 0; axis < D; ++axis)
+    for (std::size_t i = 0; i < particles_.size(); ++i)
+      if (gain_[axis][i] > 0) largest = std::max(largest, std::abs(elastic_[axis][i] + supports_.gravity[static_cast<int>(axis)]));
+  return largest;
+}
+
+template <int D>
 Real UniformStepper<D>::largest_acceleration() const {
   Real largest = 0;
   for (std::size_t axis = 0; axis < D; ++axis)
@@ -260,6 +328,11 @@ void UniformStepper<D>::columns(Archive& archive) {
     archive("previous" + std::to_string(freedom), previous_[freedom]);
     archive("load" + std::to_string(freedom), load_[freedom]);
   }
+  for (std::size_t axis = 0; axis < D; ++axis) archive("settled" + std::to_string(axis), settled_[axis]);
+  std::vector<Real> reactions;
+  for (const terms::Dashpot& dashpot : supports_.dashpots) reactions.push_back(dashpot.reaction);
+  archive("reactions", reactions);
+  for (std::size_t i = 0; i < supports_.dashpots.size() && i < reactions.size(); ++i) supports_.dashpots[i].reaction = reactions[i];
   archive.folder("forces", [&] { forces_->columns(archive); });
 }
 

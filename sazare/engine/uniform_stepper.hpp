@@ -24,6 +24,11 @@ struct UniformRules {
   laws::RayleighDamping damping;
 };
 
+struct Settling {
+  Real tolerance = 0;           ///< largest acceleration left at rest [m/s2]
+  std::int64_t most_steps = 0;
+};
+
 /// The damping of a particle follows from its ratio h. Its part a2 h K v is a2 h (g(k) - g(k-1))/dt, g the elastic acceleration: one
 /// stored vector per particle, (A24). In Euler's step, where x(k+1) is known before v(k+1), it is the difference g(k+1) - g(k), which
 /// is that of the velocity v(k). The part a1 h v and dashpots of supports take the mean of the velocities before and after the kick.
@@ -38,12 +43,20 @@ class UniformStepper {
 
   void advance();
 
+  /// Finds the rest under gravity before the beginning: `start` begins from there, with viscous boundaries that carry what they
+  /// carry at rest and motions from t = 0. They are held meanwhile. Kinetic damping: all stand still whenever the kinetic energy has
+  /// passed a maximum. Cundall, The Explicit Finite-Difference Method (1982). Returns the largest acceleration left [m/s2].
+  Real settle(const Settling& rules);
+
   std::int64_t steps() const { return step_; }
   Real time() const { return static_cast<Real>(step_) * rules_.step; }
   const UniformRules& rules() const { return rules_; }
   const state::Particles<D>& particles() const { return particles_; }
   const terms::ParticleSupports<D>& supports() const { return supports_; }
   terms::ParticleForces<D>& forces() { return *forces_; }
+
+  /// Displacements at the beginning, after settling [m].
+  const std::array<state::Column, D>& settled() const { return settled_; }
 
   /// At `time()`: translations [m/s], [m/s2] and rotations [rad/s], [rad/s2].
   state::FreedomColumns<D> velocity() const;
@@ -59,6 +72,12 @@ class UniformStepper {
 
  private:
   void prepare_factors();
+  void hold(Index particle, int freedom);
+  void stand_still();
+  void begin_halfway();
+  Real at_rest(const terms::Dashpot& dashpot) const;
+  Real kinetic_sum() const;
+  Real largest_unbalance() const;
   Real total_acceleration(std::size_t freedom, std::size_t i) const {
     const Real g = elastic_[freedom][i];
     return g + memory_[i] * (g - previous_[freedom][i]);
@@ -81,6 +100,7 @@ class UniformStepper {
   state::FreedomColumns<D> keep_;      ///< what a kick leaves of the velocity
   state::FreedomColumns<D> gain_;      ///< what it adds per acceleration [s]
   state::Column memory_;               ///< a2 h/dt
+  std::array<state::Column, D> settled_;  ///< displacements at the beginning [m]
 };
 
 extern template class UniformStepper<2>;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <utility>
 
@@ -36,6 +37,16 @@ state::Particles<D> make_particles(const cases::MpsCase& mps, const Filling<D>& 
     particles.damping_ratio[i] = ground.damping_ratio;
   }
   return particles;
+}
+
+methods::mps::StrengthOfGround strength_of(const cases::Ground& ground) {
+  constexpr Real degree = std::numbers::pi / 180;
+  const Real mu = ground.density * ground.shear_velocity * ground.shear_velocity;
+  return {ground.yields,
+          laws::MohrCoulomb::make(ground.cohesion, ground.friction_angle * degree, ground.dilation_angle * degree, ground.tensile_strength),
+          {mu, ground.density * ground.pressure_velocity * ground.pressure_velocity - 2 * mu},
+          ground.density,
+          ground.rupture_strain};
 }
 
 /// The same numbers whatever the number of threads.
@@ -234,11 +245,22 @@ MpsParts<D> make_parts(const cases::CaseFile& file) {
 }
 
 template <int D>
+std::unique_ptr<terms::ParticleForces<D>> MpsParts<D>::forces(const cases::MpsCase& mps, Real step) const {
+  if (std::ranges::none_of(mps.materials, [](const cases::Ground& ground) { return ground.yields; }))
+    return std::make_unique<methods::mps::ElasticForces<D>>(links, static_cast<methods::mps::RotationRemoval>(mps.particles.rotation));
+  std::vector<methods::mps::StrengthOfGround> grounds;
+  for (const cases::Ground& ground : mps.materials) grounds.push_back(strength_of(ground));
+  methods::mps::LooseRules rules{.step = step, .damping_ratio = mps.contact.damping_ratio, .period = {}};
+  const Site<D> period = period_of<D>(mps, filling);
+  for (std::size_t axis = 0; axis < D; ++axis) rules.period[axis] = period[axis] * particles.spacing;
+  return std::make_unique<methods::mps::FailingForces<D>>(
+      particles, links, methods::mps::GroundStrength<D>(particles, links, std::move(grounds), material), rules);
+}
+
+template <int D>
 std::unique_ptr<engine::UniformStepper<D>> MpsParts<D>::stepper(const cases::MpsCase& mps, Real step) const {
-  const auto removal = static_cast<methods::mps::RotationRemoval>(mps.particles.rotation);
   const engine::UniformRules rules{step, static_cast<engine::Integrator>(mps.time.integrator), damping};
-  return std::make_unique<engine::UniformStepper<D>>(particles, std::make_unique<methods::mps::ElasticForces<D>>(links, removal),
-                                                     supports, rules);
+  return std::make_unique<engine::UniformStepper<D>>(particles, forces(mps, step), supports, rules);
 }
 
 template <int D>
@@ -252,6 +274,7 @@ MpsModel<D> build_mps(const cases::CaseFile& file) {
   model.step = choose_step<D>(file, model);
   model.warning = check_step<D>(file, model);
   model.stepper = parts.stepper(file.mps(), model.step);
+  model.failing = dynamic_cast<const methods::mps::FailingForces<D>*>(&model.stepper->forces());
   return model;
 }
 

@@ -7,6 +7,7 @@
 
 #include "sazare/cases/case_file.hpp"
 #include "sazare/engine/uniform_stepper.hpp"
+#include "sazare/methods/mps/failing_forces.hpp"
 #include "sazare/methods/mps/stable_step.hpp"
 #include "sazare/runs/particle_filling.hpp"
 
@@ -21,6 +22,7 @@ struct MpsModel {
   Real step = 0;                         ///< [s]
   std::string warning;                   ///< about the step, ready to print; empty when there is none
   std::unique_ptr<engine::UniformStepper<D>> stepper;
+  const methods::mps::FailingForces<D>* failing = nullptr;  ///< the stepper's forces, where the ground has a strength
 
   /// The predicted limit of the case's integrator [s].
   Real stable_step(cases::Integrator integrator) const {
@@ -39,6 +41,7 @@ struct MpsParts {
   laws::RayleighDamping damping;
 
   methods::mps::StableStep predict() const { return methods::mps::stable_step<D>(particles, links, supports, damping); }
+  std::unique_ptr<terms::ParticleForces<D>> forces(const cases::MpsCase& mps, Real step) const;
   std::unique_ptr<engine::UniformStepper<D>> stepper(const cases::MpsCase& mps, Real step) const;
 };
 

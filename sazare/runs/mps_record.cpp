@@ -53,13 +53,19 @@ MpsRecord<D>::MpsRecord(const RunFolder& folder, const cases::CaseFile& file, Mp
     : folder_(&folder), file_(&file), model_(&model), clocks_(clocks), gauge_particles_(gauge_particles<D>(file, model.filling)),
       snapshots_(folder.snapshots(), "particles"), peaks_(gauge_particles_.size(), 0) {}
 
-namespace {
+template <int D>
+std::vector<std::string> MpsRecord<D>::history_columns() const {
+  std::vector<std::string> columns = {"time [s]",        "energy_kinetic [J]",      "energy_elastic [J]", "displacement_max [m]",
+                                      "speed_max [m/s]", "acceleration_max [m/s2]", "wall_seconds [s]"};
+  if (model_->failing != nullptr)
+    columns.insert(columns.end(), {"energy_flow [J]", "energy_rupture [J]", "energy_contact [J]", "links_broken", "contacts"});
+  return columns;
+}
 
-const std::vector<std::string> history_columns = {"time [s]",           "energy_kinetic [J]",   "energy_elastic [J]",
-                                                  "displacement_max [m]", "speed_max [m/s]",    "acceleration_max [m/s2]",
-                                                  "wall_seconds [s]"};
-
-}  // namespace
+template <int D>
+Vector3 MpsRecord<D>::displacement_of(std::size_t i) const {
+  return vector_of(model_->stepper->particles().displacement, D, i) - vector_of(model_->stepper->settled(), D, i);
+}
 
 template <int D>
 std::vector<std::string> MpsRecord<D>::gauge_columns() const {
@@ -71,14 +77,22 @@ std::vector<std::string> MpsRecord<D>::gauge_columns() const {
 }
 
 template <int D>
+Real MpsRecord<D>::settlement() const {
+  Real largest = 0;
+  for (std::size_t i = 0; i < model_->filling.sites.size(); ++i)
+    largest = std::max(largest, vector_of(model_->stepper->settled(), D, i).norm());
+  return largest;
+}
+
+template <int D>
 void MpsRecord<D>::begin() {
-  history_.emplace(folder_->history(), history_columns);
+  history_.emplace(folder_->history(), history_columns());
   gauges_.emplace(folder_->gauges(), gauge_columns());
 }
 
 template <int D>
 void MpsRecord<D>::resume() {
-  history_ = observe::CsvWriter::resume(folder_->history(), history_columns, static_cast<std::size_t>(rows_));
+  history_ = observe::CsvWriter::resume(folder_->history(), history_columns(), static_cast<std::size_t>(rows_));
   gauges_ = observe::CsvWriter::resume(folder_->gauges(), gauge_columns(), static_cast<std::size_t>(rows_));
   snapshots_.resume(static_cast<std::size_t>(snapshot_count_));
 }
@@ -91,20 +105,27 @@ void MpsRecord<D>::observe(std::int64_t step, Real wall_seconds) {
   const auto velocity = model_->stepper->velocity(), acceleration = model_->stepper->acceleration();
   Real displacement = 0, speed = 0, largest = 0;
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    displacement = std::max(displacement, vector_of(particles.displacement, D, i).norm());
+    displacement = std::max(displacement, displacement_of(i).norm());
     speed = std::max(speed, vector_of(velocity, D, i).norm());
     largest = std::max(largest, vector_of(acceleration, D, i).norm());
   }
   kinetic_ = model_->stepper->kinetic_energy();
   elastic_ = model_->stepper->elastic_energy();
-  history_->add_row(std::vector<Real>{time, kinetic_, elastic_, displacement, speed, largest, wall_seconds});
+  std::vector<Real> history = {time, kinetic_, elastic_, displacement, speed, largest, wall_seconds};
+  if (const auto* failing = model_->failing) {
+    const auto work = failing->work();
+    history.insert(history.end(), {work.flow, work.rupture, work.contact, static_cast<Real>(failing->broken_links()),
+                                   static_cast<Real>(failing->contacts())});
+  }
+  history_->add_row(history);
+  displacement_ = displacement;
   largest_displacement_ = std::max(largest_displacement_, displacement);
   largest_speed_ = std::max(largest_speed_, speed);
   largest_acceleration_ = std::max(largest_acceleration_, largest);
   std::vector<Real> row = {time};
   for (std::size_t gauge = 0; gauge < gauge_particles_.size(); ++gauge) {
     const std::size_t i = gauge_particles_[gauge];
-    for (const Vector3& value : {vector_of(particles.displacement, D, i), vector_of(velocity, D, i), vector_of(acceleration, D, i)})
+    for (const Vector3& value : {displacement_of(i), vector_of(velocity, D, i), vector_of(acceleration, D, i)})
       row.insert(row.end(), value.begin(), value.end());
     peaks_[gauge] = std::max(peaks_[gauge], vector_of(velocity, D, i).norm());
   }
@@ -122,8 +143,8 @@ void MpsRecord<D>::write_snapshot(Real time, const state::FreedomColumns<D>& vel
   std::vector<Real> size(particles.size(), particles.spacing);
   std::vector<std::int32_t> number(particles.size());
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    displacement.push_back(vector_of(particles.displacement, D, i));
-    place.push_back(vector_of(particles.start, D, i) + displacement.back());
+    displacement.push_back(displacement_of(i));
+    place.push_back(vector_of(particles.start, D, i) + vector_of(particles.displacement, D, i));
     speed.push_back(vector_of(velocity, D, i));
     change.push_back(vector_of(acceleration, D, i));
     number[i] = static_cast<std::int32_t>(i);
@@ -134,11 +155,16 @@ void MpsRecord<D>::write_snapshot(Real time, const state::FreedomColumns<D>& vel
   const auto of_integers = [](const std::string& name, const std::vector<std::int32_t>& values) {
     return observe::CellData{name, 1, std::span<const std::int32_t>(values)};
   };
-  snapshots_.write({observe::Grid::Cell::vertex, place, number,
-                    {of_vectors("displacement", displacement), of_vectors("velocity", speed), of_vectors("acceleration", change),
-                     of_integers("region", model_->filling.region), of_integers("material", model_->material),
-                     {"spacing", 1, std::span<const Real>(size)}},
-                    time});
+  std::vector<observe::CellData> data = {of_vectors("displacement", displacement), of_vectors("velocity", speed),
+                                         of_vectors("acceleration", change), of_integers("region", model_->filling.region),
+                                         of_integers("material", model_->material), {"spacing", 1, std::span<const Real>(size)}};
+  std::vector<Real> broken;
+  if (const auto* failing = model_->failing) {
+    for (std::size_t i = 0; i < particles.size(); ++i) broken.push_back(failing->broken_share(static_cast<Index>(i)));
+    data.push_back({"slip", 1, std::span<const Real>(failing->strength().slip().data(), particles.size())});
+    data.push_back({"broken_share", 1, std::span<const Real>(broken)});
+  }
+  snapshots_.write({observe::Grid::Cell::vertex, place, number, data, time});
 }
 
 template <int D>
@@ -177,6 +203,15 @@ std::vector<std::pair<std::string, observe::Figure>> MpsRecord<D>::results(std::
       {"peak_displacement", largest_displacement_},
       {"peak_speed", largest_speed_},
       {"peak_acceleration", largest_acceleration_}};
+  results.emplace_back("final_displacement", displacement_);
+  if (file_->mps().gravity.settle) results.emplace_back("settlement", settlement());
+  if (const auto* failing = model_->failing) {
+    const auto work = failing->work();
+    results.insert(results.end(), {{"links_broken", static_cast<std::int64_t>(failing->broken_links())},
+                                   {"energy_flow", work.flow},
+                                   {"energy_rupture", work.rupture},
+                                   {"energy_contact", work.contact}});
+  }
   for (const cases::Motion& motion : file_->mps().motions) {
     if (motion.type != cases::MotionShape::record || motion.quantity != laws::MotionQuantity::acceleration) continue;
     results.emplace_back(fmt::format("drift_velocity_{}", motion.name), motion.amplitude * motion.record.first.back());
@@ -207,6 +242,7 @@ template <int D>
 void MpsRecord<D>::columns(Archive& archive) {
   archive("rows", rows_);
   archive("snapshots", snapshot_count_);
+  archive("displacement", displacement_);
   archive("largest_displacement", largest_displacement_);
   archive("largest_speed", largest_speed_);
   archive("largest_acceleration", largest_acceleration_);

@@ -38,7 +38,10 @@ class MpsRecord {
   void columns(Archive& archive);
 
  private:
+  std::vector<std::string> history_columns() const;
   std::vector<std::string> gauge_columns() const;
+  Vector3 displacement_of(std::size_t i) const;  ///< since the beginning [m]
+  Real settlement() const;                       ///< largest displacement until the rest under gravity [m]
   void write_snapshot(Real time, const state::FreedomColumns<D>& velocity, const state::FreedomColumns<D>& acceleration);
 
   const RunFolder* folder_;
@@ -50,6 +53,7 @@ class MpsRecord {
   std::optional<observe::CsvWriter> history_;
   std::optional<observe::CsvWriter> gauges_;
   std::vector<Real> peaks_;  ///< largest speed by gauge [m/s]
+  Real displacement_ = 0;    ///< largest of the last row [m]
   Real largest_displacement_ = 0, largest_speed_ = 0, largest_acceleration_ = 0;
   Real kinetic_ = 0, elastic_ = 0;
   std::int64_t rows_ = 0, snapshot_count_ = 0;

@@ -11,6 +11,7 @@ namespace {
 
 constexpr int particles_per_thread = 4000;  // with fewer a second thread takes more time than it saves
 constexpr std::int64_t motion_check_steps = 32;
+constexpr Real settled_share = 1e-5;               // of gravity
 
 std::string number(Real value, int digits = 4) { return cases::short_number(value, digits); }
 
@@ -51,7 +52,21 @@ struct MpsWork {
   }
   Real checkpoint_interval() const { return file.mps().output.checkpoint_interval; }
 
-  void start() { model.stepper->start(); }
+  void start() {
+    if (file.mps().gravity.settle) settle();
+    model.stepper->start();
+  }
+
+  void settle() {
+    const Real tolerance = settled_share * file.mps().gravity.acceleration.norm();
+    const Real left = model.stepper->settle({tolerance, file.mps().gravity.settling_steps});
+    if (left <= tolerance) return;
+    throw PhysicsError(fmt::format(
+        "the ground does not come to rest under gravity: after {} steps an acceleration of {} m/s2 is left, {} are asked for\n"
+        "  it does not stand, or is hardly held: look at its strength, and at the boundaries that carry it",
+        file.mps().gravity.settling_steps, number(left, 3), number(tolerance, 3)));
+  }
+
   void advance() { model.stepper->advance(); }
   std::int64_t step() const { return model.stepper->steps(); }
   bool must_check() const { return step() % motion_check_steps == 0; }

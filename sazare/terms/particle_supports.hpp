@@ -24,7 +24,7 @@ struct DrivenFreedom {
 };
 
 /// A viscous boundary: the impedance of the ground beyond, and the wave that comes in through it. The force is
-/// -c (v - 2 v_in): half of it lets waves leave, the other half brings in the wave that would stand alone in the ground beyond.
+/// -c (v - 2 v_in), besides what it carries at rest: half of it lets waves leave, the other half brings in the wave that would stand alone in the ground beyond.
 /// Lysmer and Kuhlemeyer, J. Eng. Mech. Div. ASCE 95 (1969) 859-877.
 struct Dashpot {
   static constexpr Index no_motion = -1;
@@ -34,6 +34,7 @@ struct Dashpot {
   Real rate = 0;  ///< c over the mass [1/s]
   Index motion = no_motion;
   Real factor = 1;
+  Real reaction = 0;  ///< what the ground beyond carries at rest, over the mass [m/s2]
 };
 
 template <int D>

@@ -1,20 +1,11 @@
 #pragma once
 
-#include <vector>
-
-#include "sazare/methods/mps/link_table.hpp"
+#include "sazare/methods/mps/link_forces.hpp"
 #include "sazare/terms/particle_forces.hpp"
 
 namespace sazare::methods::mps {
 
-/// How the rotation is taken out of a link's deformation.
-enum class RotationRemoval {
-  mean_rotation,  ///< by the mean of the two rotations, (12)
-  mean_angle,     ///< by the rotation of the mean angle, (11); 2-D only
-};
-
-/// Elastic forces of all links (laws/particle_link.hpp). Each particle evaluates all its own links, in the order of the table, in
-/// two passes: volume strains, then forces. Results do not depend on the number of threads.
+/// Elastic forces of all links (laws/particle_link.hpp).
 template <int D>
 class ElasticForces final : public terms::ParticleForces<D> {
  public:
@@ -24,15 +15,10 @@ class ElasticForces final : public terms::ParticleForces<D> {
   Real energy(const state::Particles<D>& particles) override;
   void columns(Archive&) override {}
 
-  const LinkTable<D>& links() const { return links_; }
-
  private:
-  template <RotationRemoval removal>
-  void evaluate_with(const state::Particles<D>& particles, state::FreedomColumns<D>& acceleration);
-
   LinkTable<D> links_;
   RotationRemoval removal_;
-  state::Column pressure_;  ///< V lambda div of every particle [N m; N in 2-D]
+  state::Column pressure_;  ///< see evaluate_links
 };
 
 extern template class ElasticForces<2>;

@@ -96,5 +96,43 @@ TEST(uniform_stepper, goes_on_bit_for_bit_after_a_checkpoint) {
   EXPECT_EQ(whole.particles().rotation, second.particles().rotation);
 }
 
+/// A layer without end on a viscous base: under gravity the surface sinks by rho g H^2/(2 M), the base carries the weight, and nothing
+/// moves afterwards.
+TEST(uniform_stepper, settles_on_a_viscous_base_and_stays_at_rest) {
+  constexpr int high = 40;
+  constexpr Real spacing = 0.5, gravity = 9.81;
+  const Soil soil{.damping_ratio = 0.02};
+  const auto sites = box_sites<2>({3, high});
+  auto particles = make_particles<2>(sites, spacing, soil);
+  auto links = make_links<2>(sites, spacing, 1.5, {3, 0});
+  terms::ParticleSupports<2> supports;
+  supports.gravity = {0, -gravity};
+  std::vector<Index> base;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    if (sites[i][1] != 0) continue;
+    base.push_back(static_cast<Index>(i));
+    particles.inverse_mass[i] *= 2;
+    particles.inverse_inertia[i] *= 2;
+    particles.lame[i] *= 2;
+    for (const int axis : {0, 1})
+      supports.dashpots.push_back({base.back(), axis, 2 * (axis == 1 ? soil.pressure_velocity : soil.shear_velocity) / spacing});
+  }
+  links.halve_among(base);
+  engine::UniformStepper<2> stepper(particles, std::make_unique<ElasticForces<2>>(links, RotationRemoval::mean_rotation), supports,
+                                    {1e-3, engine::Integrator::verlet, laws::RayleighDamping::make(1, 10)});
+  EXPECT_LT(stepper.settle({1e-6, 20000}), 1e-6);
+  const Real length = (high - 1) * spacing, modulus = soil.density * soil.pressure_velocity * soil.pressure_velocity;
+  const Real expected = -soil.density * gravity * (0.5 * length * length + 0.5 * spacing * length) / modulus;
+  EXPECT_NEAR(stepper.settled()[1][high - 1], expected, 1e-3 * std::abs(expected));
+  for (const terms::Dashpot& dashpot : stepper.supports().dashpots) {
+    const Real weight = dashpot.freedom == 1 ? gravity * (2 * high - 1) : 0;
+    EXPECT_NEAR(dashpot.reaction, weight, 1e-6 * gravity * high);
+  }
+  stepper.start();
+  for (int step = 0; step < 2000; ++step) stepper.advance();
+  EXPECT_LT(std::abs(stepper.particles().displacement[1][high - 1] - stepper.settled()[1][high - 1]), 1e-6);
+  EXPECT_LT(std::abs(stepper.velocity()[1][high - 1]), 1e-5);
+}
+
 }  // namespace
 }  // namespace sazare::methods::mps

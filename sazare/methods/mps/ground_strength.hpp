@@ -1,0 +1,71 @@
+#pragma once
+
+/// Ground that flows: each particle remembers a plastic strain, to which its links relax.
+
+#include "sazare/laws/mohr_coulomb.hpp"
+#include "sazare/methods/mps/link_forces.hpp"
+
+namespace sazare::methods::mps {
+
+/// What the particles of one material are made of.
+struct StrengthOfGround {
+  bool yields = false;  ///< else it is elastic whatever happens
+  laws::MohrCoulomb law;
+  laws::Elasticity elastic;
+  Real density = 0;         ///< [kg/m3]
+  Real rupture_strain = 0;  ///< slip at which links break [-]
+};
+
+/// Strains of particles from their links, and the plastic strains that keep the stresses within the strength.
+///
+///     e = sym(R^T H S^-1) - 1 - e_p,   H = sum_j g r r0^T,   S = sum_j g r0 r0^T,   g = d w/(n0 |r0|^2)
+///
+/// is exact for any homogeneous strain, with however many links a particle has left. A particle whose links no longer span the space
+/// has no strain to tell, and does not flow. The frame of a particle is A = R (1 + e_p): a link relaxes to the mean plastic strain of its
+/// particles. The strain of a particle takes its own alone; with the mean of the links instead, every second particle would flow, twice
+/// as much.
+template <int D>
+class GroundStrength {
+ public:
+  static constexpr std::size_t numbers = static_cast<std::size_t>(D) * D;
+
+  /// `material` says by particle which of the grounds it is made of.
+  GroundStrength(const state::Particles<D>& particles, const LinkTable<D>& links, std::vector<StrengthOfGround> grounds,
+                 std::vector<Index> material);
+
+  const StrengthOfGround& ground(Index particle) const {
+    return grounds_[static_cast<std::size_t>(material_[static_cast<std::size_t>(particle)])];
+  }
+
+  void make_frames(const state::Particles<D>& particles, Frames<numbers>& frames) const;
+
+  /// Lets every particle flow whose stress is beyond its strength; `stretch` as measure_stretch gives it.
+  void flow(const state::Particles<D>& particles, const Tensors<D>& stretch);
+
+  /// Which particles have flowed in the last call of `flow`: a byte each, not 0.
+  const std::vector<std::uint8_t>& flowed() const { return flowed_; }
+
+  /// To be called when links of a particle have changed.
+  void measure(Index particle, const LinkTable<D>& links);
+
+  const state::Column& slip() const { return slip_; }  ///< of each particle, summed up [-]
+  Real dissipated() const;                             ///< by plastic flow [J; J/m in 2-D]
+
+  void columns(Archive& archive);
+
+ private:
+  bool flow_one(const state::Particles<D>& particles, const Tensors<D>& stretch, std::size_t i);
+
+  std::vector<StrengthOfGround> grounds_;
+  std::vector<Index> material_;
+  Tensors<D> plastic_;       ///< e_p [-]
+  Tensors<D> inverse_;       ///< S^-1; zero where the links do not span the space
+  state::Column slip_;
+  state::Column dissipated_;
+  std::vector<std::uint8_t> flowed_;
+};
+
+extern template class GroundStrength<2>;
+extern template class GroundStrength<3>;
+
+}  // namespace sazare::methods::mps
