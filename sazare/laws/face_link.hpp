@@ -162,6 +162,7 @@ FaceForce<T> face_force(const FaceMotion<T>& motion, T normal, T tilt, T shear) 
 /// A spring that can break and slip; section 2 (3).
 struct SpringState {
   Real slip = 0;        ///< elastic shear displacement [m], or with formula exact what v is at rest
+  Real last_rate = 0, last_shear_rate = 0;  ///< that its dashpots saw when they last acted [m/s]
   bool joined = true;   ///< whether it acts
   bool whole = true;    ///< never broken: only then has it strength and cohesion
 };
@@ -169,7 +170,7 @@ struct SpringState {
 /// What a spring does in a step, and the energy it loses.
 struct SpringForce {
   Real normal = 0, shear = 0;  ///< P_i, Q_i [N]
-  Real dashpot_power = 0;      ///< [W]
+  Real dashpot_loss = 0;       ///< [J]
   Real friction_loss = 0;      ///< [J]
   Real fracture_loss = 0;      ///< [J]
 };
@@ -189,6 +190,9 @@ inline SpringForce advance_spring(SpringState& spring, const FaceSprings& face, 
   const Real closing = motion.closing + motion.slope * xi, rate = motion.closing_rate + motion.slope_rate * xi;
   const auto rest = [&](Real elastic) { spring.slip = formula == FaceFormula::exact ? motion.shear - elastic : elastic; };
   SpringForce result;
+  result.dashpot_loss = 0.5 * elapsed * (face.normal_damping * spring.last_rate * (spring.last_rate + rate) +
+                                         face.shear_damping * spring.last_shear_rate * (spring.last_shear_rate + motion.shear_rate));
+  spring.last_rate = spring.last_shear_rate = 0;
   if (!spring.joined) {
     if (closing < 0) return result;
     spring.joined = true;
@@ -197,14 +201,15 @@ inline SpringForce advance_spring(SpringState& spring, const FaceSprings& face, 
   Real elastic = elastic_shear(spring, formula, motion.shear, motion.shear_rate, elapsed);
   const Real pressure = face.normal * closing;
   if (pressure < (spring.whole ? -face.tension_limit : 0)) {
-    result.fracture_loss = 0.5 * (pressure * closing + face.shear * elastic * elastic);
+    // Its force ends half a step ago: what the leapfrog had stored is the product with the displacement of a step before.
+    result.fracture_loss = 0.5 * (pressure * (closing - elapsed * rate) + face.shear * elastic * (elastic - elapsed * motion.shear_rate));
     spring.joined = spring.whole = false;
     return result;
   }
   const Real limit = maximum((spring.whole ? face.cohesion_limit : 0) + pressure * face.friction, Real{0});
   const Real trial = face.shear * elastic;
   result.normal = pressure + face.normal_damping * rate;
-  result.dashpot_power = face.normal_damping * rate * rate;
+  spring.last_rate = rate;
   if (std::abs(trial) > limit) {
     result.shear = trial < 0 ? -limit : limit;
     elastic = result.shear / face.shear;
@@ -212,7 +217,7 @@ inline SpringForce advance_spring(SpringState& spring, const FaceSprings& face, 
     result.friction_loss = slip_loss(before, trial, result.shear, face.shear);
   } else {
     result.shear = trial + face.shear_damping * motion.shear_rate;
-    result.dashpot_power += face.shear_damping * motion.shear_rate * motion.shear_rate;
+    spring.last_shear_rate = motion.shear_rate;
   }
   rest(elastic);
   return result;

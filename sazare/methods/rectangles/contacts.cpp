@@ -152,6 +152,14 @@ void Contacts::evaluate(const state::Particles<2>& particles, const state::Outli
 void Contacts::evaluate(const state::Particles<2>& particles, const state::Outlines& outlines, Contact& contact, Real elapsed) const {
   const std::size_t i = at(contact.first), j = at(contact.second);
   const geometry::Overlap overlap = geometry::overlap(outlines.at(particles, i), outlines.at(particles, j));
+  const auto dashpot_power = [&] {  // by the present velocities
+    const auto& [x, y, first, second] = contact.dashpot;
+    const auto& v = particles.velocity;
+    return x * (v[0][i] - v[0][j]) + y * (v[1][i] - v[1][j]) - first * v[2][i] - second * v[2][j];
+  };
+  contact.loss.dashpot += 0.5 * elapsed * (contact.dashpot_power + dashpot_power());
+  contact.dashpot = {};
+  contact.dashpot_power = 0;
   contact.force.setZero();
   contact.first_moment = contact.second_moment = 0;
   if (overlap.count == 0 || contact.normal.dot(overlap.normal) < (contact.touches() ? same_direction : 0)) {
@@ -171,7 +179,7 @@ void Contacts::evaluate(const state::Particles<2>& particles, const state::Outli
             particles.velocity[1][i] + spin1 * arm1.x() - particles.velocity[1][j] - spin2 * arm2.x()};
   };
   Real pressure = 0, total = 0, shear_rate = 0;
-  std::array<Real, 2> normal{};
+  std::array<Real, 2> normal{}, dashpots{};
   contact.energy = 0;
   for (std::size_t point = 0; point < static_cast<std::size_t>(overlap.count); ++point) {
     const geometry::OverlapPoint& at_point = overlap.points[point];
@@ -179,35 +187,42 @@ void Contacts::evaluate(const state::Particles<2>& particles, const state::Outli
     const Real closing = overlap.normal.dot(rate), elastic = overlap.share * springs.normal * at_point.depth;
     const Real dashpot = maximum(overlap.share * springs.normal_damping * closing, -elastic);  // no pull
     normal[point] = elastic + dashpot;
+    dashpots[point] = dashpot;
     pressure += elastic;
     total += normal[point];
     shear_rate += elastic * tangent.dot(rate);
-    contact.loss.dashpot += elapsed * dashpot * closing;
     contact.energy += 0.5 * elastic * at_point.depth;
   }
   shear_rate = pressure > 0 ? shear_rate / pressure : 0;
   const Real trial = contact.shear + springs.shear * elapsed * shear_rate, limit = rules_.friction * pressure;
-  Real shear = trial;
+  Real shear = trial, shear_dashpot = 0;
   if (std::abs(trial) > limit) {
     shear = trial < 0 ? -limit : limit;
     contact.loss.friction += laws::slip_loss(contact.shear, trial, shear, springs.shear);
     contact.shear = shear;
   } else {
     contact.shear = trial;
-    shear += springs.shear_damping * shear_rate;
-    contact.loss.dashpot += elapsed * springs.shear_damping * shear_rate * shear_rate;
+    shear_dashpot = springs.shear_damping * shear_rate;
+    shear += shear_dashpot;
   }
   contact.energy += 0.5 * contact.shear * contact.shear / springs.shear;
   for (std::size_t point = 0; point < static_cast<std::size_t>(overlap.count); ++point) {
     const Real share = total > 0 ? normal[point] / total : 1.0 / overlap.count;
-    const Vector2 force = normal[point] * overlap.normal + share * shear * tangent, place = overlap.points[point].place;
+    const Vector2 place = overlap.points[point].place;
+    const Vector2 force = normal[point] * overlap.normal + share * shear * tangent;
+    const Vector2 dashpot = dashpots[point] * overlap.normal + share * shear_dashpot * tangent;
     const auto moment = [&](std::size_t element, const Vector2& of) {
       return (place.x() - particles.position(0, element)) * of.y() - (place.y() - particles.position(1, element)) * of.x();
     };
     contact.force += force;
     contact.first_moment -= moment(i, force);
     contact.second_moment += moment(j, force);
+    contact.dashpot[0] += dashpot.x();
+    contact.dashpot[1] += dashpot.y();
+    contact.dashpot[2] -= moment(i, dashpot);
+    contact.dashpot[3] += moment(j, dashpot);
   }
+  contact.dashpot_power = dashpot_power();
 }
 
 void Contacts::add_to(std::size_t element, std::array<Real, 3>& sum) const {

@@ -42,6 +42,8 @@ struct Contact {
   Real energy = 0;                                       ///< in its springs [J]
   geometry::Vector2 force = geometry::Vector2::Zero();   ///< on the second [N]
   Real first_moment = 0, second_moment = 0;              ///< [N m]
+  std::array<Real, 4> dashpot{};                         ///< of the force on the second and both moments, what the dashpots gave
+  Real dashpot_power = 0;                                ///< which they took when they were evaluated [W]
 
   bool touches() const { return !normal.isZero(); }
 };

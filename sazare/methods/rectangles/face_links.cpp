@@ -88,6 +88,7 @@ FaceLinks::FaceLinks(const state::Particles<2>& particles, std::vector<FaceKind>
       rest_[axis].push_back(particles.start[axis][at(link.second)] - particles.start[axis][at(link.first)]);
   }
   dashpot_loss_.assign(n, 0);
+  for (state::Column& column : last_rate_) column.assign(n, 0);
   for (state::Column* column : {&slots_.force_x, &slots_.force_y, &slots_.first_moment, &slots_.second_moment}) column->assign(n + 1, 0);
   yields_.assign(n, 0);
   open_.assign(n, 0);
@@ -164,10 +165,16 @@ bool FaceLinks::evaluate_whole(const state::Particles<2>& particles, const Group
       store_lanes(&slots_.force_y[i], select(stays, force.force[1], Lanes{}));
       store_lanes(&slots_.first_moment[i], select(stays, force.first_moment, Lanes{}));
       store_lanes(&slots_.second_moment[i], select(stays, force.second_moment, Lanes{}));
-      const Lanes power = springs.normal_damping * (count * motion.closing_rate * motion.closing_rate +
-                                                    squares * motion.slope_rate * motion.slope_rate) +
-                          springs.shear_damping * count * motion.shear_rate * motion.shear_rate;
-      store_lanes(&dashpot_loss_[i], load_lanes(&dashpot_loss_[i]) + select(stays, elapsed * power, Lanes{}));
+      // The work of the dashpots' last forces, by the mean of the rates before and after.
+      const std::array<Lanes, 3> rate = {motion.closing_rate, motion.slope_rate, motion.shear_rate};
+      const std::array<Real, 3> damping = {springs.normal_damping * count, springs.normal_damping * squares, springs.shear_damping * count};
+      Lanes power{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Lanes before = load_lanes(&last_rate_[k][i]);
+        power += 0.5 * damping[k] * before * (before + rate[k]);
+        store_lanes(&last_rate_[k][i], select(stays, rate[k], Lanes{}));
+      }
+      store_lanes(&dashpot_loss_[i], load_lanes(&dashpot_loss_[i]) + select(active, elapsed * power, Lanes{}));
     }
   });
   return any_yields;
@@ -186,7 +193,7 @@ void FaceLinks::damage(Index number) {
   damaged_of_[at(number)] = static_cast<Index>(damaged_.size());
   damaged_.push_back(number);
   first_spring_.push_back(static_cast<Index>(springs_.size()));
-  springs_.insert(springs_.end(), kind_of(number).springs.places.size(), {slip_[at(number)], true, true});
+  springs_.insert(springs_.end(), kind_of(number).springs.places.size(), {slip_[at(number)], 0, 0, true, true});
   damaged_loss_.push_back({});
   just_opened_.push_back(0);
 }
@@ -229,7 +236,7 @@ void FaceLinks::evaluate_damaged(const state::Particles<2>& particles, std::size
     tilt += xi * force.normal;
     shear += force.shear;
     joined = joined || spring.joined;
-    loss.dashpot += elapsed * force.dashpot_power;
+    loss.dashpot += force.dashpot_loss;
     loss.friction += force.friction_loss;
     loss.fracture += force.fracture_loss;
   }
@@ -282,7 +289,7 @@ Real FaceLinks::elastic_energy(const state::Particles<2>& particles) const {
     const FaceMotion<Real> motion = motion_of(particles, number);
     for (std::size_t i = 0; i < kind.springs.places.size(); ++i) {
       const laws::SpringState spring =
-          place == none ? laws::SpringState{slip_[number], true, true} : springs_[at(first_spring_[at(place)]) + i];
+          place == none ? laws::SpringState{slip_[number], 0, 0, true, true} : springs_[at(first_spring_[at(place)]) + i];
       if (!spring.joined) continue;
       const Real closing = motion.closing + motion.slope * kind.springs.places[i];
       const Real elastic = laws::elastic_shear(spring, kind.formula, motion.shear, motion.shear_rate, 0);
@@ -307,6 +314,7 @@ void FaceLinks::columns(Archive& archive) {
   archive("slip", slip_);
   archive("active", active_);
   archive("dashpot_loss", dashpot_loss_);
+  for (std::size_t k = 0; k < 3; ++k) archive("last_rate" + std::to_string(k), last_rate_[k]);
   archive("open", open_);
   archive("damaged", damaged_);
   archive("damaged_of", damaged_of_);

@@ -100,6 +100,7 @@ class FaceLinks {
   state::Column slip_;                       ///< of whole links, see laws::SpringState
   state::Column active_;                     ///< 1 for a whole link
   state::Column dashpot_loss_;               ///< of whole links so far [J]
+  std::array<state::Column, 3> last_rate_;   ///< of whole links when their dashpots were last evaluated: a', b', v' [m/s]
   std::vector<char> yields_;
   std::vector<char> open_;
   Slots slots_;
