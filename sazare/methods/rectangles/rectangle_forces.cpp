@@ -21,7 +21,10 @@ RectangleForces::RectangleForces(const state::Particles<2>& particles, Parts par
       if (links_.at_face(static_cast<Index>(i), face) != FaceLinks::none) outlines_.exposed[i] &= static_cast<std::uint8_t>(~(1U << face));
   radius_.assign(particles.padded(), 0);
   for (std::size_t i = 0; i < outlines_.size(); ++i) radius_[i] = outlines_.spring_radius(i);
-  if (base_friction_.coefficient > 0) base_work_.assign(particles.padded(), 0);
+  if (base_friction_.coefficient > 0) {
+    for (state::Column* column : {&base_work_, &base_power_, &base_force_[0], &base_force_[1], &base_force_[2]})
+      column->assign(particles.padded(), 0);
+  }
   support_force_.resize(static_cast<std::size_t>(parts.supports));
   support_place_.resize(support_force_.size());
 }
@@ -77,12 +80,18 @@ void RectangleForces::add_base_friction(const state::Particles<2>& particles, st
   const Lanes speed = square_root(x * x + y * y + turning * turning), least = broadcast(press * step_);
   const Lanes weight = select(inverse_mass > 0.0, press / inverse_mass, Lanes{});
   const Lanes factor = -weight / maximum(speed, least);
-  sum[0] += factor * x;
-  sum[1] += factor * y;
-  sum[2] += (2.0 / 3.0) * radius * factor * turning;
-  const Lanes power = factor * (x * load_lanes(&particles.velocity[0][i]) + y * load_lanes(&particles.velocity[1][i]) +
-                                (2.0 / 3.0) * turning * turning);
-  store_lanes(&base_work_[i], load_lanes(&base_work_[i]) + (begun_ ? step_ : 0) * power);
+  const std::array<Lanes, 3> force = {factor * x, factor * y, (2.0 / 3.0) * radius * factor * turning};
+  // The work of the last forces, by the mean of the velocities before and after.
+  Lanes last_power = load_lanes(&base_power_[i]), power{};
+  for (std::size_t freedom = 0; freedom < 3; ++freedom) {
+    const Lanes velocity = load_lanes(&particles.velocity[freedom][i]);
+    last_power += load_lanes(&base_force_[freedom][i]) * velocity;
+    power += force[freedom] * velocity;
+    store_lanes(&base_force_[freedom][i], force[freedom]);
+    sum[freedom] += force[freedom];
+  }
+  store_lanes(&base_power_[i], power);
+  store_lanes(&base_work_[i], load_lanes(&base_work_[i]) + (begun_ ? 0.5 * step_ : 0) * last_power);
 }
 
 /// The work of a support between two steps: the mean of its forces times its way.
@@ -106,7 +115,7 @@ EnergyBooks RectangleForces::books(const state::Particles<2>& particles) const {
   books.links = links_.losses();
   books.contacts = contacts_.losses();
   books.elastic = links_.elastic_energy(particles) + contacts_.elastic_energy();
-  for (const Real work : base_work_) books.base_friction += work;
+  for (std::size_t i = 0; i < outlines_.size() && !base_work_.empty(); ++i) books.base_friction += base_work_[i];  // without the padding
   books.supports = support_work_;
   return books;
 }
@@ -116,6 +125,8 @@ void RectangleForces::columns(Archive& archive) {
   archive.folder("contacts", [&] { contacts_.columns(archive); });
   archive("exposed", outlines_.exposed);
   archive("base_work", base_work_);
+  archive("base_power", base_power_);
+  for (std::size_t freedom = 0; freedom < 3; ++freedom) archive("base_force" + std::to_string(freedom), base_force_[freedom]);
   archive("support_force", support_force_);
   archive("support_place", support_place_);
   archive("support_work", support_work_);

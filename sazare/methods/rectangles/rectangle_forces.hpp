@@ -71,7 +71,8 @@ class RectangleForces : public terms::ParticleForces<2> {
   Real step_ = 0;
   bool begun_ = false;
   state::Column radius_;                                ///< r of (21), padded [m]
-  state::Column base_work_;                             ///< by element [J]
+  state::Column base_work_, base_power_;                ///< of the plate by element [J], and when last evaluated [W]
+  state::FreedomColumns<2> base_force_;                 ///< its last forces and moments [N], [N m]
   std::vector<std::array<Real, 3>> support_force_;
   std::vector<std::array<Real, 3>> support_place_;      ///< displacements and angle when its force was last summed up
   Real support_work_ = 0;
