@@ -6,6 +6,7 @@
 namespace sazare::cases {
 
 enum class BlockShape { rectangle, polygon, image };
+enum class ElementShape { squares, circles };
 enum class SpringLayout { centres, ends };
 enum class IncrementFormula { small, exact };
 
@@ -18,6 +19,7 @@ struct SquareBlock {
   std::string name;
   std::string material;
   BlockShape shape = BlockShape::rectangle;
+  ElementShape elements = ElementShape::squares;
   Real element_size = 0;                    // m; 0: the rectangle is one element
   Vector3 lower = Vector3::Zero();          // m, rectangle and image
   Vector3 upper = Vector3::Zero();          // m, rectangle

@@ -49,6 +49,8 @@ void check_block(const CheckContext& context, const Entry& entry, const SquareBl
   if (!entry.exists() || !entry.is_sound("shape")) return;
   check_in_plane(context, entry, "lower", block.lower);
   check_in_plane(context, entry, "upper", block.upper);
+  if (block.elements == ElementShape::circles && !entry.has("element_size"))
+    context.problems.error(entry.place("elements"), "circles need an element_size", "give their diameter as element_size");
   switch (block.shape) {
     case BlockShape::rectangle:
       check_keys(context, entry, "a rectangle", {"lower", "upper"}, {"points", "file"});

@@ -11,6 +11,10 @@ struct EnumWords<BlockShape> {
   static constexpr std::array<std::string_view, 3> words{"rectangle", "polygon", "image"};
 };
 template <>
+struct EnumWords<ElementShape> {
+  static constexpr std::array<std::string_view, 2> words{"squares", "circles"};
+};
+template <>
 struct EnumWords<SpringLayout> {
   static constexpr std::array<std::string_view, 2> words{"centres", "ends"};
 };
@@ -29,6 +33,7 @@ void visit_fields(Visitor& visit, SquareBlock& block) {
   visit("name", block.name);
   visit("material", block.material);
   visit("shape", block.shape);
+  visit("elements", block.elements);
   if (visit.has("element_size", block.element_size > 0)) visit("element_size", block.element_size);
   if (block.shape == BlockShape::polygon)
     visit("points", block.points);

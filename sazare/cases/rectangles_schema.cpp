@@ -6,6 +6,7 @@ namespace sazare::cases {
 namespace {
 
 constexpr std::array<std::string_view, 3> shapes{"rectangle", "polygon", "image"};
+constexpr std::array<std::string_view, 2> element_shapes{"squares", "circles"};
 constexpr std::array<std::string_view, 2> layouts{"centres", "ends"};
 constexpr std::array<std::string_view, 2> increments{"small", "exact"};
 
@@ -29,6 +30,11 @@ constexpr std::array block_keys{
         .default_text = "\"rectangle\"",
         .sentence = "A rectangle, the squares whose centres lie inside a polygon, or the dark pixels of an image.",
         .choices = shapes},
+    Key{.name = "elements",
+        .type = Type::choice,
+        .default_text = "\"squares\"",
+        .sentence = "Squares, or the circles inside them: with springs = 1 the ordinary circular elements.",
+        .choices = element_shapes},
     Key{.name = "element_size",
         .type = Type::number,
         .unit = "m",

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <tuple>
 
 #include "sazare/cases/number_text.hpp"
 #include "sazare/core/error.hpp"
@@ -75,13 +76,14 @@ class Assembler {
       refuse(file_, fmt::format("blocks.{}", number), fmt::format("the block \"{}\" holds no element", block.name), "choose a smaller element_size");
     const Real angle = radians(block.angle), half = 0.5 * block.element_size;
     const Vector2 axis(std::cos(angle), std::sin(angle)), other(-axis.y(), axis.x());
-    const Index kind = kind_of(material_of(block), half);
+    const OutlineKind outline = block.elements == cases::ElementShape::circles ? OutlineKind::circle : OutlineKind::rectangle;
+    const Index kind = kind_of(material_of(block), outline, half);
     std::map<std::pair<int, int>, Index> element;
     std::map<int, Index> part;  // the blocks of an image, by grey
     for (const auto& [site, grey] : lattice) {
       const Index own = part.try_emplace(grey, blocks_ + static_cast<Index>(part.size())).first->second;
       const Vector2 place = corner + half * ((2 * site.second + 1) * axis + (2 * site.first + 1) * other);
-      element[site] = add_element(OutlineKind::rectangle, half, half, own, {place, angle, densities_[static_cast<std::size_t>(material_of(block))]});
+      element[site] = add_element(outline, half, half, own, {place, angle, densities_[static_cast<std::size_t>(material_of(block))]});
     }
     blocks_ += static_cast<Index>(part.size());
     for (const auto& [site, own] : element)
@@ -135,15 +137,16 @@ class Assembler {
   }
 
   /// The springs of a material's faces of this half length; (6.3), (6.4), (7.3), (7.4), (8), (11).
-  Index kind_of(Index material, Real half) {
-    const auto [found, is_new] = kinds_.try_emplace({material, half}, static_cast<Index>(result_.parts.kinds.size()));
+  Index kind_of(Index material, OutlineKind outline, Real half) {
+    const auto [found, is_new] = kinds_.try_emplace({material, outline, half}, static_cast<Index>(result_.parts.kinds.size()));
     if (!is_new) return found->second;
     const cases::SquareMaterial& of = case_.materials[static_cast<std::size_t>(material)];
     FaceKind kind;
     kind.formula = of.increments == cases::IncrementFormula::small ? laws::FaceFormula::small : laws::FaceFormula::exact;
     laws::FaceSprings& springs = kind.springs;
     springs.places = laws::spring_places(static_cast<laws::SpringPlaces>(of.layout), of.springs);
-    const Real count = springs.count(), area = 2 * half * case_.elements.thickness, mass = 2 * half * area * of.density;
+    const Real count = springs.count(), area = 2 * half * case_.elements.thickness;
+    const Real mass = (outline == OutlineKind::circle ? std::numbers::pi / 4 : 1) * 2 * half * area * of.density;
     springs.first_reach = springs.second_reach = springs.half_face = half;
     springs.normal = of.normal_stiffness * area / (2 * half * count);
     springs.shear = of.shear_stiffness * area / (2 * half * count);
@@ -220,7 +223,7 @@ class Assembler {
   Assembly result_;
   std::vector<Place> places_;
   std::vector<Real> densities_;
-  std::map<std::pair<Index, Real>, Index> kinds_;
+  std::map<std::tuple<Index, OutlineKind, Real>, Index> kinds_;
   Index blocks_ = 0;
 };
 

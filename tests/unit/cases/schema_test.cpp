@@ -65,6 +65,7 @@ TEST(Schema, ChoicesAreInTheOrderOfTheEnums) {
   expect_same_words<SideKind>("boundaries", "kind", mps_schema());
   expect_same_words<Integrator>("time", "integrator", mps_schema());
   expect_same_words<BlockShape>("blocks", "shape", rectangles_schema());
+  expect_same_words<ElementShape>("blocks", "elements", rectangles_schema());
   expect_same_words<SpringLayout>("materials", "layout", rectangles_schema());
   expect_same_words<IncrementFormula>("materials", "increments", rectangles_schema());
   expect_same_words<MotionShape>("motions", "type", rectangles_schema());

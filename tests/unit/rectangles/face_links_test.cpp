@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "sazare/parallel/threads.hpp"
 #include "tests/support/memory_archive.hpp"
 #include "tests/support/blocks_of_squares.hpp"
@@ -100,6 +103,84 @@ TEST(face_links, a_bar_in_tension_stretches_as_its_springs) {
   stepper->start();
   for (int i = 0; i < 40000; ++i) stepper->advance();
   EXPECT_NEAR(stepper->particles().displacement[0][3], (3 + 2 + 1) * mass * 10 / 1e8, 1e-6 * 6 * mass * 10 / 1e8);
+}
+
+/// The ordinary circular element in two loops: springs along and across the line of centres, the latter by increments.
+struct PlainCircles {
+  struct Circle {
+    Real x, y, angle, vx, vy, spin;
+  };
+  struct Pair {
+    std::size_t first, second;
+    Real shear = 0;
+  };
+  Real radius, mass, normal, shear;
+  std::vector<Circle> circles;
+  std::vector<Pair> pairs;
+
+  void step(Real dt, bool begin) {
+    std::vector<std::array<Real, 3>> force(circles.size());
+    for (Pair& pair : pairs) {
+      const Circle &a = circles[pair.first], &b = circles[pair.second];
+      const Real distance = std::hypot(b.x - a.x, b.y - a.y), nx = (b.x - a.x) / distance, ny = (b.y - a.y) / distance;
+      const Real rate = ny * (a.vx - b.vx) - nx * (a.vy - b.vy) - radius * (a.spin + b.spin);
+      pair.shear += begin ? 0 : shear * dt * rate;
+      const Real pressure = normal * (2 * radius - distance);
+      const Real fx = pressure * nx + pair.shear * ny, fy = pressure * ny - pair.shear * nx;
+      force[pair.first][0] -= fx;
+      force[pair.first][1] -= fy;
+      force[pair.second][0] += fx;
+      force[pair.second][1] += fy;
+      force[pair.first][2] += radius * pair.shear;
+      force[pair.second][2] += radius * pair.shear;
+    }
+    for (std::size_t i = 0; i < circles.size(); ++i) {
+      Circle& c = circles[i];
+      const Real half = begin ? 0.5 : 1, inertia = 0.5 * mass * radius * radius;
+      c.vx += half * dt * force[i][0] / mass;
+      c.vy += half * dt * force[i][1] / mass;
+      c.spin += half * dt * force[i][2] / inertia;
+      c.x += dt * c.vx;
+      c.y += dt * c.vy;
+      c.angle += dt * c.spin;
+    }
+  }
+};
+
+TEST(face_links, circles_with_one_spring_are_ordinary_circular_elements) {
+  Scene scene;
+  const Real mass = std::numbers::pi * radius * radius * scene.density;
+  scene.kinds = {test::square_faces(radius, 1e8, 3e7, 1, FaceFormula::small, 0, mass)};
+  scene.contact = {1e8, 1e8, 0.2, 0.5, 1};
+  PlainCircles plain{radius, mass, 1e8, 3e7, {}, {}};
+  for (int row = 0; row < 2; ++row)
+    for (int column = 0; column < 3; ++column) {
+      const Real x = 2 * radius * column, y = 2 * radius * row;
+      const Index own = scene.add(geometry::OutlineKind::circle, {x, y}, radius, radius);
+      plain.circles.push_back({x, y, 0, 0.01 * (y + 0.1), 0.02 * x * x, 0.05});
+      const auto at = static_cast<std::size_t>(own);
+      if (column > 0) scene.link(own - 1, own, 0, 0), plain.pairs.push_back({at - 1, at});
+      if (row > 0) scene.link(own - 3, own, 1, 0), plain.pairs.push_back({at - 3, at});
+    }
+  scene.make(step);
+  auto& particles = scene.particles();
+  for (std::size_t i = 0; i < plain.circles.size(); ++i) {
+    particles.velocity[0][i] = plain.circles[i].vx;
+    particles.velocity[1][i] = plain.circles[i].vy;
+    particles.velocity[2][i] = plain.circles[i].spin;
+  }
+  auto stepper = scene.make(step);
+  stepper->start();
+  for (int i = 0; i < 1000; ++i) {
+    stepper->advance();
+    plain.step(step, i == 0);
+  }
+  for (std::size_t i = 0; i < plain.circles.size(); ++i) {  // but for the arm of the shear force, half of the distance here
+    EXPECT_NEAR(stepper->particles().position(0, i), plain.circles[i].x, 1e-9);
+    EXPECT_NEAR(stepper->particles().position(1, i), plain.circles[i].y, 1e-9);
+    EXPECT_NEAR(stepper->particles().angle[i], plain.circles[i].angle, 1e-7);
+    EXPECT_GT(std::abs(plain.circles[i].angle), 1e-5);
+  }
 }
 
 /// A bar that breaks where it is struck.
