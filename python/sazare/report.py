@@ -7,7 +7,7 @@ from pathlib import Path
 
 import jinja2
 
-from sazare import ground, maps, plot, study, style
+from sazare import ground, maps, plot, squares, study, style
 from sazare.results import open_run
 from sazare.scenes import Body
 from sazare.summary import headlines, verdict
@@ -110,6 +110,23 @@ def ground_sections(results):
     ]
 
 
+def square_sections(results):
+    """The pictures of a run of method rectangles."""
+    return [
+        Section("moving", "Elements", "Elements where they are, coloured by displacement. Faces that have broken are red.",
+                partial(squares.moving, results), "The run wrote no snapshots."),
+        Section("supports", "Supports", "Force between the supports and what they hold.", partial(squares.supports, results),
+                "The case has no supports."),
+        Section("square_gauges", "Gauges", "Displacement and rotation of the elements at the gauges.", partial(squares.gauges, results),
+                "The case has no gauges."),
+        Section("energy", "Where the work went",
+                "Energy stored and dissipated by cause, stacked, against the work of gravity and supports; below, the share of the work "
+                "that the ledger does not account for.", partial(plot.energy, results), "The run wrote no energies."),
+        Section("timing", "Where the time went", "Computing time by part of the run.", partial(plot.timing, results),
+                "The run wrote no timing.", wide=False),
+    ]
+
+
 def study_sections(results):
     """The pictures of a study of limit steps."""
     missing = "The study varies other parameters, or is not done."
@@ -198,6 +215,8 @@ def write_report(path):
     method = results.manifest.get("method")
     if method == "mps":
         chosen = ground_sections(results)
+    elif method == "rectangles":
+        chosen = square_sections(results)
     elif method == "study":
         chosen = study_sections(results)
     elif len(results.snapshots):
@@ -205,7 +224,7 @@ def write_report(path):
     else:
         missing = "The run wrote no snapshots."
         chosen = [Section("cracks", "Crack pattern, shape, levels, fragments", "", lambda: None, missing)]
-    if method not in ("mps", "study"):
+    if method not in ("mps", "rectangles", "study"):
         chosen = [*chosen, *curve_sections(results)]
     sections = [_drawn(section, folder) for section in chosen]
     page = results.path / "report.html"

@@ -250,6 +250,11 @@ class Results:
         """The same of a run of method mps: points with displacement, velocity and acceleration."""
         return self._snapshots("particles")
 
+    @cached_property
+    def square_snapshots(self):
+        """The same of a run of method rectangles: a quadrilateral for each element and support."""
+        return self._snapshots("rectangles")
+
     def _snapshots(self, kind):
         folder = self.path / "snapshots"
         if not folder.is_dir():

@@ -61,6 +61,8 @@ def headlines(results):
         ("peak_speed", "peak speed", lambda x: quantity(x, "m/s"), ""),
         ("energy_work", "work of the loads", lambda x: quantity(x, "J"), ""),
         ("particles", "particles", count, ""),
+        ("broken_springs", "springs broken", count, _of(figures, "elements", "elements")),
+        ("open_links", "faces open", count, ""),
         ("peak_acceleration", "peak acceleration", lambda x: quantity(x, "m/s²"), ""),
         ("peak_displacement", "peak displacement", lambda x: quantity(x, "m"), ""),
         ("step", "step", lambda x: quantity(x, "s"), _note(figures, "predicted_limit", "limit ", "s")),

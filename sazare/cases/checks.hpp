@@ -3,10 +3,12 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "sazare/cases/blocks_case.hpp"
 #include "sazare/cases/case_text.hpp"
-#include "sazare/cases/mps_case.hpp"
+#include "sazare/cases/rectangles_case.hpp"
 
 /// What can be found wrong from the text of a case alone, after types and ranges: each function reports what
 /// it finds.
@@ -38,8 +40,25 @@ void resolve_clocks(const CheckContext& context, UniformTime& time);
 /// All checks of a case of method mps after types and ranges; reads its records.
 void check_mps(const CheckContext& context, MpsCase& mps);
 
+/// Checks motions and reads their records.
+void check_motions(const CheckContext& context, std::vector<Motion>& motions);
+
+/// All checks of a case of method rectangles after types and ranges; reads its records and images.
+void check_rectangles(const CheckContext& context, RectanglesCase& rectangles);
+
+/// Reports keys that are missing, and those that do not belong to what was chosen.
+void check_keys(const CheckContext& context, const Entry& entry, const std::string& chosen, const std::vector<std::string_view>& needed,
+                const std::vector<std::string_view>& foreign);
+
 /// Reports names that stand twice in a list of tables, and names that cannot head a column.
 void check_unique_names(const CheckContext& context, std::string_view table, std::span<const std::string> names);
+
+template <class Item>
+void check_unique(const CheckContext& context, std::string_view table, const std::vector<Item>& items) {
+  std::vector<std::string> names;
+  for (const Item& item : items) names.push_back(item.name);
+  check_unique_names(context, table, names);
+}
 
 /// The file that a key names, as it can be opened; reports one that is not there (then nothing).
 bool check_file(const CheckContext& context, const Place& place, std::string_view what, const std::filesystem::path& file,

@@ -26,13 +26,6 @@ std::string other_line(const Place& place) {
   return place.line > 0 ? fmt::format("the other one is in line {}", place.line) : "";
 }
 
-template <class Item>
-void check_unique(const CheckContext& context, std::string_view table, const std::vector<Item>& items) {
-  std::vector<std::string> names;
-  for (const Item& item : items) names.push_back(item.name);
-  check_unique_names(context, table, names);
-}
-
 void check_materials(const CheckContext& context, const BlocksCase& blocks) {
   SeenNames seen;
   const auto list = context.entries_of("materials");

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "sazare/cases/fields.hpp"
-#include "sazare/cases/mps_fields.hpp"
+#include "sazare/cases/rectangles_fields.hpp"
 #include "sazare/cases/number_text.hpp"
 #include "sazare/cases/schema.hpp"
 #include "sazare/cases/structure_check.hpp"
@@ -134,5 +134,9 @@ std::string write_resolved(const BlocksCase& blocks, const fs::path& folder) {
 }
 
 std::string write_resolved(const MpsCase& mps, const fs::path& folder) { return CaseWriter(mps_schema(), folder).write(mps, "mps"); }
+
+std::string write_resolved(const RectanglesCase& rectangles, const fs::path& folder) {
+  return CaseWriter(rectangles_schema(), folder).write(rectangles, "rectangles");
+}
 
 }  // namespace sazare::cases

@@ -157,7 +157,11 @@ void UniformStepper<D>::drive() {
   for (const laws::GroundMotion& motion : supports_.motions) now.push_back(motion.at(time()));
   for (const terms::DrivenFreedom& driven : supports_.driven) {
     const auto axis = static_cast<std::size_t>(driven.freedom);
-    particles_.displacement[axis][at(driven.particle)] = driven.factor * now[at(driven.motion)].displacement;
+    Real& place = particles_.displacement[axis][at(driven.particle)];
+    const Real next = driven.factor * now[at(driven.motion)].displacement;
+    // Forces that ask for velocities see that of the last step, as of all others; a kick forgets it.
+    if (rules_.integrator != Integrator::euler) particles_.velocity[axis][at(driven.particle)] = step_ > 0 ? (next - place) / rules_.step : 0;
+    place = next;
   }
 }
 
@@ -283,7 +287,8 @@ Real UniformStepper<D>::kinetic_energy() const {
   Real total = 0;
   for (std::size_t freedom = 0; freedom < now.size(); ++freedom)
     for (std::size_t i = 0; i < particles_.size(); ++i)
-      total += 0.5 * now[freedom][i] * now[freedom][i] / particles_.inverse_inertia_of(freedom)[i];
+      if (const Real inverse = particles_.inverse_inertia_of(freedom)[i]; inverse > 0)  // what has no mass of its own is moved by others
+        total += 0.5 * now[freedom][i] * now[freedom][i] / inverse;
   return total;
 }
 

@@ -23,7 +23,7 @@ struct CellData {
 /// A grid of equal cells, as views on the caller's memory.
 struct Grid {
   /// Cell types by VTK's numbers.
-  enum class Cell : std::uint8_t { vertex = 1, triangle = 5, tetrahedron = 10 };
+  enum class Cell : std::uint8_t { vertex = 1, triangle = 5, quadrilateral = 9, tetrahedron = 10 };
 
   Cell cell = Cell::tetrahedron;
   std::span<const Vector3> points;             ///< positions [m], (n, 3)

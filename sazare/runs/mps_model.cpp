@@ -10,6 +10,7 @@
 
 #include "sazare/cases/number_text.hpp"
 #include "sazare/methods/mps/elastic_forces.hpp"
+#include "sazare/runs/motion_of_case.hpp"
 
 namespace sazare::runs {
 
@@ -98,25 +99,13 @@ std::vector<Index> particles_at(Side side, const std::vector<Site<D>>& sites) {
   return found;
 }
 
-laws::GroundMotion make_motion(const cases::Motion& motion) {
-  laws::GroundMotion result;
-  result.shape = static_cast<laws::GroundMotion::Shape>(motion.type);
-  result.quantity = motion.quantity;
-  result.amplitude = motion.amplitude;
-  result.ricker_wave = {motion.frequency, motion.peak_time};
-  result.sine_wave = {motion.frequency, motion.cycles};
-  result.record = motion.record;
-  return result;
-}
-static_assert(static_cast<int>(laws::GroundMotion::Shape::record) == static_cast<int>(cases::MotionShape::record));
-
 /// Supports of a case, boundary by boundary; what an earlier one holds stays held.
 template <int D>
 class SupportMaker {
  public:
   SupportMaker(const cases::MpsCase& mps, MpsParts<D>& parts)
       : mps_(mps), filling_(parts.filling), material_(parts.material), particles_(parts.particles), links_(parts.links) {
-    for (const cases::Motion& motion : mps_.motions) supports_.motions.push_back(make_motion(motion));
+    for (const cases::Motion& motion : mps_.motions) supports_.motions.push_back(motion_of_case(motion));
     for (int axis = 0; axis < D; ++axis) supports_.gravity[axis] = mps_.gravity.acceleration[axis];
   }
 

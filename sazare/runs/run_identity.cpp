@@ -56,6 +56,16 @@ std::string tables_hash(const cases::BlocksCase& blocks) {
   return observe::to_hex(hash.value());
 }
 
+/// Hash of all records; of their files only the names stay.
+std::string records_hash(std::vector<cases::Motion>& motions) {
+  observe::Hash records;
+  for (cases::Motion& motion : motions) {
+    motion.file = motion.file.filename();
+    records.add(bytes_of(motion.record.value));
+  }
+  return observe::to_hex(records.value());
+}
+
 std::string program_text() {
   return fmt::format("Sazare {}, commit {}, GCC {}, records of {} and {} bytes", version, commit, __VERSION__,
                      sizeof(state::Motion<3>), sizeof(state::Inertia<3>));
@@ -99,14 +109,18 @@ RunIdentity identify(const cases::BlocksCase& blocks, const geometry::TetraMesh&
 
 RunIdentity identify(const cases::MpsCase& mps, const std::string& filling) {
   cases::MpsCase plain = mps;
-  observe::Hash records;
-  for (cases::Motion& motion : plain.motions) {
-    motion.file = motion.file.filename();
-    records.add(bytes_of(motion.record.value));
-  }
+  const std::string records = records_hash(plain.motions);
   for (cases::ParticleRegion& region : plain.regions) region.file = region.file.filename();
   plain.output = {};
-  return {cases::write_resolved(plain), filling, observe::to_hex(records.value()), program_text()};
+  return {cases::write_resolved(plain), filling, records, program_text()};
+}
+
+RunIdentity identify(const cases::RectanglesCase& rectangles, const std::string& assembly) {
+  cases::RectanglesCase plain = rectangles;
+  const std::string records = records_hash(plain.motions);
+  for (cases::SquareBlock& block : plain.blocks) block.file = block.file.filename();
+  plain.output = {};
+  return {cases::write_resolved(plain), assembly, records, program_text()};
 }
 
 void write_identity(observe::CheckpointWriter& out, const RunIdentity& identity) {

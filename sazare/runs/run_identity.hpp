@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "sazare/cases/mps_case.hpp"
+#include "sazare/cases/rectangles_case.hpp"
 #include "sazare/geometry/tetra_mesh.hpp"
 #include "sazare/observe/checkpoint.hpp"
 
@@ -21,6 +21,9 @@ RunIdentity identify(const cases::BlocksCase& blocks, const geometry::TetraMesh&
 
 /// `filling` is a hash of where the particles stand.
 RunIdentity identify(const cases::MpsCase& mps, const std::string& filling);
+
+/// `assembly` is a hash of where the elements stand.
+RunIdentity identify(const cases::RectanglesCase& rectangles, const std::string& assembly);
 
 void write_identity(observe::CheckpointWriter& out, const RunIdentity& identity);
 

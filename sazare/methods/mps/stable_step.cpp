@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sazare/methods/mps/largest_eigenvalue.hpp"
+#include "sazare/core/largest_eigenvalue.hpp"
 #include "sazare/methods/mps/linear_stiffness.hpp"
 
 namespace sazare::methods::mps {

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "case_folder.hpp"
-#include "sazare/cases/mps_fields.hpp"
+#include "sazare/cases/rectangles_fields.hpp"
 #include "sazare/cases/units.hpp"
 
 namespace sazare::cases {
@@ -18,7 +18,7 @@ namespace {
 /// Tables of all methods and of studies.
 std::vector<Table> all_tables() {
   std::vector<Table> tables;
-  for (const auto schema : {blocks_schema(), mps_schema(), study_schema()}) tables.insert(tables.end(), schema.begin(), schema.end());
+  for (const auto schema : {blocks_schema(), mps_schema(), rectangles_schema(), study_schema()}) tables.insert(tables.end(), schema.begin(), schema.end());
   return tables;
 }
 
@@ -64,13 +64,19 @@ TEST(Schema, ChoicesAreInTheOrderOfTheEnums) {
   expect_same_words<Side>("boundaries", "side", mps_schema());
   expect_same_words<SideKind>("boundaries", "kind", mps_schema());
   expect_same_words<Integrator>("time", "integrator", mps_schema());
+  expect_same_words<BlockShape>("blocks", "shape", rectangles_schema());
+  expect_same_words<ElementShape>("blocks", "elements", rectangles_schema());
+  expect_same_words<SpringLayout>("materials", "layout", rectangles_schema());
+  expect_same_words<IncrementFormula>("materials", "increments", rectangles_schema());
+  expect_same_words<MotionShape>("motions", "type", rectangles_schema());
 }
 
 TEST(Schema, JsonIsValidAndClosed) {
   const auto all = nlohmann::json::parse(schema_json());
-  ASSERT_EQ(all["oneOf"].size(), 2);
+  ASSERT_EQ(all["oneOf"].size(), 3);
   EXPECT_EQ(all["oneOf"][1]["properties"]["case"]["properties"]["method"]["const"], "mps");
   EXPECT_EQ(all["oneOf"][1]["properties"].size(), mps_schema().size());
+  EXPECT_EQ(all["oneOf"][2]["properties"]["case"]["properties"]["method"]["const"], "rectangles");
   const auto& json = all["oneOf"][0];
   EXPECT_EQ(json["additionalProperties"], false);
   EXPECT_EQ(json["properties"].size(), blocks_schema().size());

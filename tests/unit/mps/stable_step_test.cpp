@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sazare/methods/mps/largest_eigenvalue.hpp"
+#include "sazare/core/largest_eigenvalue.hpp"
 #include "sazare/methods/mps/linear_stiffness.hpp"
 #include "tests/unit/mps/column.hpp"
 

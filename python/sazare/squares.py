@@ -1,0 +1,121 @@
+"""Pictures of a run of method rectangles: where its elements are, its supports, its gauges. Each returns a Figure, or None without data."""
+
+import numpy as np
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.patches import Circle
+
+from sazare import style
+
+MOST_GAUGES = 6
+MOST_PANELS = 4
+RECTANGLE, CIRCLE, WALL = 0, 1, 2
+FACES = ((1, 2), (2, 3), (3, 0), (0, 1))  # corners of the faces along +x, +y, -x, -y
+
+
+def _corners(grid):
+    """(n, 4, 2) corners of all outlines [m]."""
+    return np.asarray(grid.points)[:, :2].reshape(-1, 4, 2)
+
+
+def _window(frames):
+    """x and y limits that hold all elements of some frames, with a margin."""
+    points = np.concatenate([_corners(grid)[np.asarray(grid.cell_data["block"]) >= 0].reshape(-1, 2) for grid in frames])
+    lower, upper = points.min(axis=0), points.max(axis=0)
+    margin = 0.06 * max(upper - lower)
+    return lower - margin, upper + margin
+
+
+def _draw(axes, grid, top):
+    """Elements by displacement, broken faces, and supports."""
+    corners, kind = _corners(grid), np.asarray(grid.cell_data["kind"])
+    moved = np.linalg.norm(np.asarray(grid.cell_data["displacement"]), axis=1)
+    own = np.asarray(grid.cell_data["block"]) >= 0
+    squares = own & (kind == RECTANGLE)
+    edge = 0.5 if squares.sum() < 1500 else 0.0
+    drawn = axes.add_collection(PolyCollection(corners[squares], array=moved[squares], cmap=style.SPEED, edgecolors=style.INK, linewidths=edge))
+    drawn.set_clim(0.0, top)
+    broken = np.asarray(grid.cell_data["broken"])
+    cracks = [corners[i][list(FACES[face])] for face in range(4) for i in np.flatnonzero(broken >> face & 1)]
+    axes.add_collection(LineCollection(cracks, colors=style.ACCENT, linewidths=2.0))
+    for i in np.flatnonzero(kind == CIRCLE):
+        radius = 0.5 * np.linalg.norm(corners[i][1] - corners[i][0])
+        axes.add_patch(Circle(corners[i].mean(axis=0), radius, facecolor=style.STONE, edgecolor=style.INK))
+    axes.add_collection(LineCollection(corners[kind == WALL][:, :2], colors=style.INK, linewidths=2.0))
+    return drawn
+
+
+@style.styled
+def moving(results):
+    """Elements where they are at up to four times, coloured by displacement; faces that have broken are red."""
+    snapshots = results.square_snapshots
+    if not len(snapshots):
+        return None
+    chosen = sorted({int(i) for i in np.linspace(0, len(snapshots) - 1, MOST_PANELS).round()})
+    frames = [snapshots[i].elements for i in chosen]
+    top = max(np.linalg.norm(np.asarray(grid.cell_data["displacement"]), axis=1).max() for grid in frames) or 1.0
+    lower, upper = _window(frames)
+    wide = (upper - lower)[0] > 1.3 * (upper - lower)[1]
+    rows, columns = (len(frames), 1) if wide else ((len(frames) + 1) // 2, 2)
+    width = 9.0
+    height = np.clip(rows * (0.8 * width / columns) * (upper - lower)[1] / (upper - lower)[0] + 0.6 * rows, 3.0, 11.0)
+    figure = style.figure(width, float(height))
+    panels = np.ravel(figure.subplots(rows, columns, squeeze=False))
+    for axes in panels[len(frames):]:
+        axes.set_axis_off()
+    for axes, grid, index in zip(panels, frames, chosen):
+        drawn = _draw(axes, grid, top)
+        axes.set_xlim(lower[0], upper[0])
+        axes.set_ylim(lower[1], upper[1])
+        axes.set_aspect("equal")
+        axes.set_title(f"{snapshots[index].time:.3g} s")
+        axes.grid(False)
+    figure.colorbar(drawn, ax=list(panels), label="displacement [m]", shrink=0.7)
+    return figure
+
+
+def support_names(results):
+    """Supports in the order of the history."""
+    ending = ".force_x"
+    return [column.removesuffix(ending) for column in results.history if column.endswith(ending)]
+
+
+@style.styled
+def supports(results):
+    """Force on every support against time."""
+    names, history = support_names(results), results.history
+    if not names or history.rows < 2:
+        return None
+    forces = {name: np.hypot(history[f"{name}.force_x"], history[f"{name}.force_y"]) for name in names}
+    factor, prefix = style.prefix_for(max(force.max() for force in forces.values()))
+    figure = style.figure(9.0, 3.6)
+    axes = figure.subplots()
+    for name, force in forces.items():
+        peak = int(np.argmax(force))
+        axes.plot(history["time"], force / factor, linewidth=1.1, label=f"{name}: at most {style.quantity(force[peak], 'N')}")
+    axes.set_xlabel("time [s]")
+    axes.set_ylabel(f"force [{prefix}N]")
+    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    axes.margins(x=0)
+    return figure
+
+
+@style.styled
+def gauges(results):
+    """Displacement and rotation of the elements at the gauges."""
+    names, table = list(results.gauges)[:MOST_GAUGES], results.gauge_table
+    if not names or table.rows < 2:
+        return None
+    figure = style.figure(9.0, 3.6)
+    left, right = figure.subplots(1, 2)
+    moved = {name: np.hypot(table[f"{name}.displacement_x"], table[f"{name}.displacement_y"]) for name in names}
+    factor, prefix = style.prefix_for(max(way.max() for way in moved.values()))
+    for name, way in moved.items():
+        left.plot(table["time"], way / factor, linewidth=1.2, label=name)
+        right.plot(table["time"], np.degrees(table[f"{name}.rotation"]), linewidth=1.2)
+    left.set_ylabel(f"displacement [{prefix}m]")
+    right.set_ylabel("rotation [degrees]")
+    left.legend()
+    for axes in (left, right):
+        axes.set_xlabel("time [s]")
+        axes.margins(x=0)
+    return figure

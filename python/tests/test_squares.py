@@ -1,0 +1,56 @@
+"""Pictures of runs of method rectangles, from runs of the program where it is built."""
+
+import json
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from sazare import squares
+from sazare.report import write_report
+from sazare.results import open_run
+from sazare.summary import headlines
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = ROOT / "build/release/apps/sazare/sazare"
+
+
+@pytest.fixture(scope="module")
+def beam_run(tmp_path_factory):
+    """The mortar beam, loaded fast so that it breaks soon."""
+    folder = tmp_path_factory.mktemp("beam") / "run"
+    settings = ["rollers.2.velocity=[0,-0.1,0]", "time.end=0.004", "time.snapshot_interval=1e-3"]
+    command = [PROGRAM, "run", ROOT / "cases/mortar-beam/case.toml", "--out", folder, "--quiet", "--threads", "1"]
+    subprocess.run([*command, *(word for setting in settings for word in ("--set", setting))], check=True, timeout=120)
+    return folder
+
+
+def test_snapshots_hold_elements_and_supports(beam_run):
+    grid = open_run(beam_run).square_snapshots[0].elements
+    assert grid.n_cells == 144 + 3
+    assert list(grid.cell_data["kind"][-3:]) == [squares.CIRCLE] * 3
+    assert list(grid.cell_data["block"][-3:]) == [-1] * 3
+
+
+def test_supports_are_named_in_the_order_of_the_case(beam_run):
+    assert squares.support_names(open_run(beam_run)) == ["left", "right", "platen"]
+
+
+def test_broken_faces_are_in_the_last_snapshot(beam_run):
+    snapshots = open_run(beam_run).square_snapshots
+    assert not snapshots[0].elements.cell_data["broken"].any()
+    assert snapshots[-1].elements.cell_data["broken"].any()
+
+
+def test_report_has_all_pictures(beam_run):
+    page = write_report(beam_run)
+    drawn = {path.name for path in (beam_run / "report").glob("*.png")}
+    assert {"moving.png", "supports.png", "square_gauges.png", "energy.png"} <= drawn
+    assert "springs broken" in page.read_text()
+    assert any(row.name == "springs broken" for row in headlines(open_run(beam_run)))
+
+
+def test_manifest_names_the_figures(beam_run):
+    results = json.loads((beam_run / "manifest.json").read_text())["results"]
+    assert {"elements", "steps", "step", "predicted_limit", "broken_springs", "open_links", "peak_force_platen"} <= results.keys()
+    assert abs(results["energy_residual"]) < 1e-3 * results["energy_work"]

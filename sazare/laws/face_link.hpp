@@ -1,0 +1,226 @@
+#pragma once
+
+/// Two straight faces joined by N springs and dashpots: the link of two pseudo-rectangle elements, or of an element and a wall.
+///
+///     u(xi) = a + b xi                         displacement of the normal spring at xi, closing is positive [m]     (2.1), (14.1)
+///     v                                        displacement of the shear springs [m]                                (2.2), (14.2)
+///     P_i = K_n u(xi_i) + eta_n u'(xi_i)       force of a normal spring and its dashpot [N]                         (6.1), (7.1)
+///     Q_i = K_s v + eta_s v'                   force of a shear spring and its dashpot [N]                          (6.2), (7.2)
+///     xi_i = (2i - 1 - N)/N, or +-1            places of the springs over half of the face                          (13.1), (13.2)
+///
+///     n, s    from the first element to the second, and 90 degrees to the right of that
+///     theta   rotation of an element since they were joined [rad]
+///     r1, r2  distance of the face from the centres [m]       r   half of the face [m]
+///
+/// Formula `exact` (2), (3): n turns with the mean of both rotations, and with half of their difference d = (theta_1 - theta_2)/2
+///
+///     a = (r1 + r2) cos d - n.(x2 - x1),   b = 2 r sin d,   v = -s.(x2 - x1) + (r2 - r1) sin d
+///
+/// Formula `small` (14), (15): n along the line of centres, D its length, l_i = D r_i/(r1 + r2)
+///
+///     a = r1 + r2 - D,   b = r (theta_1 - theta_2),   v' = s.(x1' - x2') - l_1 theta_1' - l_2 theta_2'
+///
+/// and of a wall, where r1 = 0, n is the wall's and D the distance from it.
+///
+/// Formula `older` is (16): v' without the translations s.(x1' - x2'); for comparison only.
+///
+/// [Matsui1999]. Deviations: forces and moments are the exact derivatives of the springs' energy (work of the force for v of (15)). The
+/// paper's (12) takes the arms r and r xi of the unturned face, which is the same to first order. Its n is that of the first element or
+/// of the wall; turned by the mean rotation the link does not feel a common rotation, and v is the same for all springs. Its (2.2) with
+/// (2.4) counts r theta twice; here it counts once.
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "sazare/core/lanes.hpp"
+
+namespace sazare::laws {
+
+enum class FaceFormula { exact, small, older };
+
+/// Where the springs of a face stand: in the middles of N equal parts, or at its two ends.
+enum class SpringPlaces { centres, ends };
+
+/// Springs of a face and what they bear, each.
+struct FaceSprings {
+  Real first_reach = 0;     ///< r1 [m]
+  Real second_reach = 0;    ///< r2 [m]
+  Real half_face = 0;       ///< r [m]
+  Real normal = 0;          ///< K_n [N/m]
+  Real shear = 0;           ///< K_s [N/m]
+  Real normal_damping = 0;  ///< eta_n [N s/m]
+  Real shear_damping = 0;   ///< eta_s [N s/m]
+  Real tension_limit = 0;   ///< sigma_t A/N [N]
+  Real cohesion_limit = 0;  ///< c A/N [N]
+  Real friction = 0;        ///< tan phi
+  std::vector<Real> places; ///< xi
+
+  /// The first element is a wall: its face goes through its centre, and n is its own.
+  bool is_wall() const { return first_reach == 0; }
+  Real count() const { return static_cast<Real>(places.size()); }
+  Real last_place() const { return places.back(); }
+  Real square_sum() const {
+    Real sum = 0;
+    for (const Real xi : places) sum += xi * xi;
+    return sum;
+  }
+};
+
+/// (13.1) and (13.2).
+inline std::vector<Real> spring_places(SpringPlaces layout, int count) {
+  if (layout == SpringPlaces::ends) return {-1, 1};
+  std::vector<Real> places;
+  for (int i = 1; i <= count; ++i) places.push_back(static_cast<Real>(2 * i - 1 - count) / count);
+  return places;
+}
+
+/// Where two elements are and how they move; `T` is Real or Lanes.
+template <class T>
+struct FacePair {
+  std::array<T, 2> apart{};      ///< x2 - x1 [m]
+  std::array<T, 2> approach{};   ///< x1' - x2' [m/s]
+  T spin_sum{}, spin_difference{};  ///< theta_1' + theta_2', theta_1' - theta_2' [rad/s]
+  T turn{};                      ///< theta_1 - theta_2 [rad]
+  std::array<T, 2> first_axis{}, second_axis{};  ///< n as each element has turned it; formula exact, and walls
+};
+
+/// What the springs of a link do, linear along the face, and the arms of their forces.
+template <class T>
+struct FaceMotion {
+  std::array<T, 2> normal{};  ///< n; s is (n_y, -n_x)
+  T closing{}, slope{};       ///< a, b [m]
+  T closing_rate{}, slope_rate{};  ///< a', b' [m/s]
+  T shear{};                  ///< v of formula exact [m]
+  T shear_rate{};             ///< v' [m/s]
+  T offset{};                 ///< arm of the normal force that turns both alike [m]
+  T lag{}, arm{};             ///< of u(xi): (lag + arm xi) is its derivative by half of the difference of the spins [m]
+  T first_arm{}, second_arm{};  ///< l_1, l_2 [m]
+};
+
+template <FaceFormula formula, class T>
+FaceMotion<T> face_motion(const FacePair<T>& pair, const FaceSprings& face) {
+  FaceMotion<T> motion;
+  const Real reach = face.first_reach + face.second_reach;
+  if constexpr (formula == FaceFormula::exact) {
+    const T x = 0.5 * (pair.first_axis[0] + pair.second_axis[0]), y = 0.5 * (pair.first_axis[1] + pair.second_axis[1]);
+    const T cosine = square_root(x * x + y * y), inverse = 1.0 / cosine;
+    const T sine = 0.5 * inverse * (pair.first_axis[1] * pair.second_axis[0] - pair.first_axis[0] * pair.second_axis[1]);
+    motion.normal = {x * inverse, y * inverse};
+    const T along = motion.normal[0] * pair.apart[0] + motion.normal[1] * pair.apart[1];
+    const T across = motion.normal[1] * pair.apart[0] - motion.normal[0] * pair.apart[1];
+    const Real difference = face.second_reach - face.first_reach;
+    motion.closing = reach * cosine - along;
+    motion.slope = 2 * face.half_face * sine;
+    motion.shear = difference * sine - across;
+    motion.offset = 0.5 * across;
+    motion.lag = -0.5 * reach * sine;
+    motion.arm = face.half_face * cosine;
+    motion.first_arm = 0.5 * (along - difference * cosine);
+    motion.second_arm = 0.5 * (along + difference * cosine);
+  } else {
+    T distance = square_root(pair.apart[0] * pair.apart[0] + pair.apart[1] * pair.apart[1]);
+    const T inverse = 1.0 / distance;
+    motion.normal = {pair.apart[0] * inverse, pair.apart[1] * inverse};
+    if (face.is_wall()) {
+      motion.normal = pair.first_axis;
+      distance = motion.normal[0] * pair.apart[0] + motion.normal[1] * pair.apart[1];
+    }
+    motion.closing = reach - distance;
+    motion.slope = face.half_face * pair.turn;
+    motion.offset = T{};
+    motion.lag = T{};
+    motion.arm = T{} + face.half_face;
+    motion.first_arm = distance * (face.first_reach / reach);
+    motion.second_arm = distance * (face.second_reach / reach);
+  }
+  const T along = motion.normal[0] * pair.approach[0] + motion.normal[1] * pair.approach[1];
+  const T across = motion.normal[1] * pair.approach[0] - motion.normal[0] * pair.approach[1];
+  motion.closing_rate = along + motion.offset * pair.spin_sum + motion.lag * pair.spin_difference;
+  motion.slope_rate = motion.arm * pair.spin_difference;
+  const T turning = 0.5 * (motion.first_arm + motion.second_arm) * pair.spin_sum +
+                    0.5 * (motion.first_arm - motion.second_arm) * pair.spin_difference;
+  motion.shear_rate = formula == FaceFormula::older ? -turning : across - turning;
+  return motion;
+}
+
+/// On the second element; on the first the opposite force.
+template <class T>
+struct FaceForce {
+  std::array<T, 2> force{};  ///< [N]
+  T first_moment{}, second_moment{};  ///< [N m]
+};
+
+/// From P = sum P_i, `tilt` = sum P_i xi_i and Q = sum Q_i; (12) with the arms of the turned faces.
+template <class T>
+FaceForce<T> face_force(const FaceMotion<T>& motion, T normal, T tilt, T shear) {
+  const T turning = motion.lag * normal + motion.arm * tilt, common = motion.offset * normal;
+  return {{motion.normal[0] * normal + motion.normal[1] * shear, motion.normal[1] * normal - motion.normal[0] * shear},
+          motion.first_arm * shear - common - turning, motion.second_arm * shear - common + turning};
+}
+
+/// A spring that can break and slip; section 2 (3).
+struct SpringState {
+  Real slip = 0;        ///< elastic shear displacement [m], or with formula exact what v is at rest
+  Real last_rate = 0, last_shear_rate = 0;  ///< that its dashpots saw when they last acted [m/s]
+  bool joined = true;   ///< whether it acts
+  bool whole = true;    ///< never broken: only then has it strength and cohesion
+};
+
+/// What a spring does in a step, and the energy it loses.
+struct SpringForce {
+  Real normal = 0, shear = 0;  ///< P_i, Q_i [N]
+  Real dashpot_loss = 0;       ///< [J]
+  Real friction_loss = 0;      ///< [J]
+  Real fracture_loss = 0;      ///< [J]
+};
+
+/// The shear displacement that a spring has elastically before it slips. `exact`: v is known, otherwise it grows by v' over dt.
+inline Real elastic_shear(const SpringState& spring, FaceFormula formula, Real shear, Real shear_rate, Real elapsed) {
+  return formula == FaceFormula::exact ? shear - spring.slip : spring.slip + elapsed * shear_rate;
+}
+
+/// Energy lost where a spring slips in a step: the mean of its forces before and after times the slip. That is the work of the forces that
+/// act less what the spring gains.
+inline Real slip_loss(Real before, Real trial, Real after, Real stiffness) { return 0.5 * (before + after) * (trial - after) / stiffness; }
+
+/// One spring at xi through (8) to (11): `shear` is v of formula exact.
+inline SpringForce advance_spring(SpringState& spring, const FaceSprings& face, FaceFormula formula, const FaceMotion<Real>& motion,
+                                  Real xi, Real elapsed) {
+  const Real closing = motion.closing + motion.slope * xi, rate = motion.closing_rate + motion.slope_rate * xi;
+  const auto rest = [&](Real elastic) { spring.slip = formula == FaceFormula::exact ? motion.shear - elastic : elastic; };
+  SpringForce result;
+  result.dashpot_loss = 0.5 * elapsed * (face.normal_damping * spring.last_rate * (spring.last_rate + rate) +
+                                         face.shear_damping * spring.last_shear_rate * (spring.last_shear_rate + motion.shear_rate));
+  spring.last_rate = spring.last_shear_rate = 0;
+  if (!spring.joined) {
+    if (closing < 0) return result;
+    spring.joined = true;
+    rest(0);
+  }
+  Real elastic = elastic_shear(spring, formula, motion.shear, motion.shear_rate, elapsed);
+  const Real pressure = face.normal * closing;
+  if (pressure < (spring.whole ? -face.tension_limit : 0)) {
+    // Its force ends half a step ago: what the leapfrog had stored is the product with the displacement of a step before.
+    result.fracture_loss = 0.5 * (pressure * (closing - elapsed * rate) + face.shear * elastic * (elastic - elapsed * motion.shear_rate));
+    spring.joined = spring.whole = false;
+    return result;
+  }
+  const Real limit = maximum((spring.whole ? face.cohesion_limit : 0) + pressure * face.friction, Real{0});
+  const Real trial = face.shear * elastic;
+  result.normal = pressure + face.normal_damping * rate;
+  spring.last_rate = rate;
+  if (std::abs(trial) > limit) {
+    result.shear = trial < 0 ? -limit : limit;
+    elastic = result.shear / face.shear;
+    const Real before = trial - face.shear * elapsed * motion.shear_rate;
+    result.friction_loss = slip_loss(before, trial, result.shear, face.shear);
+  } else {
+    result.shear = trial + face.shear_damping * motion.shear_rate;
+    spring.last_shear_rate = motion.shear_rate;
+  }
+  rest(elastic);
+  return result;
+}
+
+}  // namespace sazare::laws

@@ -1,0 +1,330 @@
+#include "sazare/methods/rectangles/face_links.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <utility>
+
+#include "sazare/core/lane_math.hpp"
+#include "sazare/geometry/outline_contact.hpp"
+#include "sazare/parallel/threads.hpp"
+
+namespace sazare::methods::rectangles {
+
+namespace {
+
+using laws::FaceFormula;
+using laws::FaceMotion;
+constexpr std::size_t serial_below = 256;          // blocks of lanes
+constexpr std::size_t serial_damaged_below = 512;  // links
+
+std::size_t at(Index index) { return static_cast<std::size_t>(index); }
+
+/// Reads both elements of links, one by one (`T` Real) or in lanes.
+template <class T>
+struct Reader {
+  const Index* first;
+  const Index* second;
+
+  T of_first(const state::Column& column) const { return read(column, first); }
+  T of_second(const state::Column& column) const { return read(column, second); }
+
+ private:
+  static T read(const state::Column& column, const Index* where) {
+    if constexpr (std::is_same_v<T, Real>)
+      return column[at(*where)];
+    else
+      return gather_lanes(column.data(), where);
+  }
+};
+
+template <FaceFormula formula, class T>
+laws::FacePair<T> pair_of(const state::Particles<2>& particles, const Reader<T>& reader, const std::array<T, 2>& rest, int axis,
+                          bool is_wall) {
+  laws::FacePair<T> pair;
+  for (std::size_t i = 0; i < 2; ++i) {
+    pair.apart[i] = rest[i] + (reader.of_second(particles.displacement[i]) - reader.of_first(particles.displacement[i]));
+    pair.approach[i] = reader.of_first(particles.velocity[i]) - reader.of_second(particles.velocity[i]);
+  }
+  const T first_spin = reader.of_first(particles.velocity[2]), second_spin = reader.of_second(particles.velocity[2]);
+  pair.spin_sum = first_spin + second_spin;
+  pair.spin_difference = first_spin - second_spin;
+  if constexpr (formula != FaceFormula::exact) pair.turn = reader.of_first(particles.angle) - reader.of_second(particles.angle);
+  if (formula == FaceFormula::exact || is_wall) {
+    const T c1 = reader.of_first(particles.rotation[0]), s1 = reader.of_first(particles.rotation[1]);
+    const T c2 = reader.of_second(particles.rotation[0]), s2 = reader.of_second(particles.rotation[1]);
+    if (axis == 0) {
+      pair.first_axis = {c1, s1};
+      pair.second_axis = {c2, s2};
+    } else {
+      pair.first_axis = {-s1, c1};
+      pair.second_axis = {-s2, c2};
+    }
+  }
+  return pair;
+}
+
+}  // namespace
+
+FaceLinks::FaceLinks(const state::Particles<2>& particles, std::vector<FaceKind> kinds, std::vector<FaceLink> links)
+    : kinds_(std::move(kinds)) {
+  std::map<std::pair<Index, int>, std::vector<FaceLink>> sorted;
+  for (const FaceLink& link : links) sorted[{link.kind, link.axis}].push_back(link);
+  for (auto& [key, list] : sorted) {
+    Group group{key.first, key.second, links_.size(), 0};
+    links_.insert(links_.end(), list.begin(), list.end());
+    active_.resize(links_.size(), 1);
+    while (links_.size() % lane_count != 0) links_.push_back({0, 0, key.second, key.first, 0});
+    active_.resize(links_.size(), 0);
+    group.end = links_.size();
+    groups_.push_back(group);
+  }
+  const std::size_t n = links_.size();
+  for (const FaceLink& link : links_) {
+    first_.push_back(link.first);
+    second_.push_back(link.second);
+    slip_.push_back(link.slip);
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      rest_[axis].push_back(particles.start[axis][at(link.second)] - particles.start[axis][at(link.first)]);
+  }
+  dashpot_loss_.assign(n, 0);
+  for (state::Column& column : last_rate_) column.assign(n, 0);
+  for (state::Column* column : {&slots_.force_x, &slots_.force_y, &slots_.first_moment, &slots_.second_moment}) column->assign(n + 1, 0);
+  yields_.assign(n, 0);
+  open_.assign(n, 0);
+  damaged_of_.assign(n, none);
+  make_face_table(particles.padded());
+}
+
+void FaceLinks::make_face_table(std::size_t elements) {
+  for (auto& column : face_) column.assign(elements, count());
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    if (active_[i] == 0) continue;
+    face_[at(links_[i].axis)][at(links_[i].first)] = static_cast<Index>(i);
+    face_[at(links_[i].axis + 2)][at(links_[i].second)] = static_cast<Index>(i);
+  }
+}
+
+Index FaceLinks::at_face(Index element, int face) const {
+  const Index number = face_[at(face)][at(element)];
+  return number == count() || is_open(number) ? none : number;
+}
+
+bool FaceLinks::has_broken(Index number) const {
+  const Index place = damaged_of_[at(number)];
+  if (place == none) return false;
+  const auto begin = springs_.begin() + first_spring_[at(place)];
+  return std::any_of(begin, begin + static_cast<std::ptrdiff_t>(kind_of(number).springs.places.size()),
+                     [](const laws::SpringState& spring) { return !spring.whole; });
+}
+
+void FaceLinks::evaluate(const state::Particles<2>& particles, Real elapsed) {
+  opened_.clear();
+  bool any_yields = false;
+  for (const Group& group : groups_) {
+    switch (kinds_[at(group.kind)].formula) {
+      case FaceFormula::exact: any_yields |= evaluate_whole<FaceFormula::exact>(particles, group, elapsed); break;
+      case FaceFormula::small: any_yields |= evaluate_whole<FaceFormula::small>(particles, group, elapsed); break;
+      case FaceFormula::older: any_yields |= evaluate_whole<FaceFormula::older>(particles, group, elapsed); break;
+    }
+  }
+  if (any_yields) damage_those_that_yield();
+  evaluate_damaged(particles, elapsed);
+}
+
+template <FaceFormula formula>
+bool FaceLinks::evaluate_whole(const state::Particles<2>& particles, const Group& group, Real elapsed) {
+  const laws::FaceSprings& springs = kinds_[at(group.kind)].springs;
+  const Real count = springs.count(), squares = springs.square_sum(), last = springs.last_place();
+  const std::size_t blocks = (group.end - group.begin) / lane_count;
+  std::atomic<bool> any_yields = false;
+  parallel::parallel_for(blocks, serial_below, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = group.begin + begin * lane_count; i < group.begin + end * lane_count; i += lane_count) {
+      const LaneMask active = load_lanes(&active_[i]) > 0.0;
+      if (!any(active)) continue;
+      const std::array<Lanes, 2> rest = {load_lanes(&rest_[0][i]), load_lanes(&rest_[1][i])};
+      const auto pair = pair_of<formula>(particles, Reader<Lanes>{&first_[i], &second_[i]}, rest, group.axis, springs.is_wall());
+      const auto motion = laws::face_motion<formula>(pair, springs);
+      const Lanes slip = load_lanes(&slip_[i]);
+      const Lanes elastic = formula == FaceFormula::exact ? motion.shear - slip : slip + elapsed * motion.shear_rate;
+      const Lanes least = springs.normal * (motion.closing - last * maximum(motion.slope, -motion.slope));
+      const Lanes bears = maximum(springs.cohesion_limit + springs.friction * least, Lanes{});
+      const Lanes pull = springs.shear * maximum(elastic, -elastic);
+      const LaneMask yields = active & ((least < -springs.tension_limit) | (pull > bears));
+      const LaneMask stays = active & ~yields;
+      if (any(yields)) {
+        any_yields.store(true, std::memory_order_relaxed);
+        for (std::size_t lane = 0; lane < lane_count; ++lane) yields_[i + lane] = yields[lane] != 0 ? 1 : 0;
+      }
+      if constexpr (formula != FaceFormula::exact) store_lanes(&slip_[i], select(stays, elastic, slip));
+      const Lanes normal = count * (springs.normal * motion.closing + springs.normal_damping * motion.closing_rate);
+      const Lanes tilt = squares * (springs.normal * motion.slope + springs.normal_damping * motion.slope_rate);
+      const Lanes shear = count * (springs.shear * elastic + springs.shear_damping * motion.shear_rate);
+      const auto force = laws::face_force(motion, normal, tilt, shear);
+      store_lanes(&slots_.force_x[i], select(stays, force.force[0], Lanes{}));
+      store_lanes(&slots_.force_y[i], select(stays, force.force[1], Lanes{}));
+      store_lanes(&slots_.first_moment[i], select(stays, force.first_moment, Lanes{}));
+      store_lanes(&slots_.second_moment[i], select(stays, force.second_moment, Lanes{}));
+      // The work of the dashpots' last forces, by the mean of the rates before and after.
+      const std::array<Lanes, 3> rate = {motion.closing_rate, motion.slope_rate, motion.shear_rate};
+      const std::array<Real, 3> damping = {springs.normal_damping * count, springs.normal_damping * squares, springs.shear_damping * count};
+      Lanes power{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Lanes before = load_lanes(&last_rate_[k][i]);
+        power += 0.5 * damping[k] * before * (before + rate[k]);
+        store_lanes(&last_rate_[k][i], select(stays, rate[k], Lanes{}));
+      }
+      store_lanes(&dashpot_loss_[i], load_lanes(&dashpot_loss_[i]) + select(active, elapsed * power, Lanes{}));
+    }
+  });
+  return any_yields;
+}
+
+/// In the order of the links, whoever found them.
+void FaceLinks::damage_those_that_yield() {
+  for (auto found = std::ranges::find(yields_, 1); found != yields_.end(); found = std::find(found, yields_.end(), 1)) {
+    *found = 0;
+    damage(static_cast<Index>(found - yields_.begin()));
+  }
+}
+
+void FaceLinks::damage(Index number) {
+  active_[at(number)] = 0;
+  damaged_of_[at(number)] = static_cast<Index>(damaged_.size());
+  damaged_.push_back(number);
+  first_spring_.push_back(static_cast<Index>(springs_.size()));
+  springs_.insert(springs_.end(), kind_of(number).springs.places.size(), {slip_[at(number)], 0, 0, true, true});
+  damaged_loss_.push_back({});
+  just_opened_.push_back(0);
+}
+
+laws::FaceMotion<Real> FaceLinks::motion_of(const state::Particles<2>& particles, std::size_t number) const {
+  const FaceKind& kind = kinds_[at(links_[number].kind)];
+  const Reader<Real> reader{&first_[number], &second_[number]};
+  const std::array<Real, 2> rest = {rest_[0][number], rest_[1][number]};
+  const auto by = [&]<FaceFormula formula>() {
+    return laws::face_motion<formula>(pair_of<formula>(particles, reader, rest, links_[number].axis, kind.springs.is_wall()), kind.springs);
+  };
+  switch (kind.formula) {
+    case FaceFormula::exact: return by.template operator()<FaceFormula::exact>();
+    case FaceFormula::small: return by.template operator()<FaceFormula::small>();
+    default: return by.template operator()<FaceFormula::older>();
+  }
+}
+
+void FaceLinks::evaluate_damaged(const state::Particles<2>& particles, Real elapsed) {
+  if (damaged_.empty()) return;
+  parallel::parallel_for(damaged_.size(), serial_damaged_below, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t place = begin; place < end; ++place)
+      if (!is_open(damaged_[place])) evaluate_damaged(particles, place, elapsed);
+  });
+  close_books();
+}
+
+void FaceLinks::evaluate_damaged(const state::Particles<2>& particles, std::size_t place, Real elapsed) {
+  const std::size_t number = at(damaged_[place]);
+  const FaceKind& kind = kinds_[at(links_[number].kind)];
+  const FaceMotion<Real> motion = motion_of(particles, number);
+  Real normal = 0, tilt = 0, shear = 0;
+  bool joined = false;
+  SpringLosses& loss = damaged_loss_[place];
+  for (std::size_t i = 0; i < kind.springs.places.size(); ++i) {
+    laws::SpringState& spring = springs_[at(first_spring_[place]) + i];
+    const Real xi = kind.springs.places[i];
+    const laws::SpringForce force = laws::advance_spring(spring, kind.springs, kind.formula, motion, xi, elapsed);
+    normal += force.normal;
+    tilt += xi * force.normal;
+    shear += force.shear;
+    joined = joined || spring.joined;
+    loss.dashpot += force.dashpot_loss;
+    loss.friction += force.friction_loss;
+    loss.fracture += force.fracture_loss;
+  }
+  const laws::FaceForce<Real> force = laws::face_force(motion, normal, tilt, shear);
+  slots_.force_x[number] = force.force[0];
+  slots_.force_y[number] = force.force[1];
+  slots_.first_moment[number] = force.first_moment;
+  slots_.second_moment[number] = force.second_moment;
+  just_opened_[place] = joined ? 0 : 1;
+}
+
+/// Takes links that have opened out of the list.
+void FaceLinks::close_books() {
+  for (std::size_t place = 0; place < damaged_.size(); ++place) {
+    if (just_opened_[place] == 0 || is_open(damaged_[place])) continue;
+    open_[at(damaged_[place])] = 1;
+    opened_.push_back(damaged_[place]);
+    ++open_links_;
+  }
+  std::ranges::sort(opened_);
+}
+
+Index FaceLinks::broken_springs() const {
+  return static_cast<Index>(std::ranges::count(springs_, false, &laws::SpringState::whole));
+}
+
+void FaceLinks::gather(std::size_t block, std::array<Lanes, 3>& sum) const {
+  const std::size_t i = block * lane_count;
+  for (std::size_t face = 0; face < 4; ++face) {
+    const Index* const links = &face_[face][i];
+    const Lanes x = gather_lanes(slots_.force_x.data(), links), y = gather_lanes(slots_.force_y.data(), links);
+    if (face < 2) {
+      sum[0] -= x;
+      sum[1] -= y;
+      sum[2] += gather_lanes(slots_.first_moment.data(), links);
+    } else {
+      sum[0] += x;
+      sum[1] += y;
+      sum[2] += gather_lanes(slots_.second_moment.data(), links);
+    }
+  }
+}
+
+Real FaceLinks::elastic_energy(const state::Particles<2>& particles) const {
+  Real total = 0;
+  for (std::size_t number = 0; number < links_.size(); ++number) {
+    const Index place = damaged_of_[number];
+    if (is_open(static_cast<Index>(number)) || (active_[number] == 0 && place == none)) continue;
+    const FaceKind& kind = kinds_[at(links_[number].kind)];
+    const FaceMotion<Real> motion = motion_of(particles, number);
+    for (std::size_t i = 0; i < kind.springs.places.size(); ++i) {
+      const laws::SpringState spring =
+          place == none ? laws::SpringState{slip_[number], 0, 0, true, true} : springs_[at(first_spring_[at(place)]) + i];
+      if (!spring.joined) continue;
+      const Real closing = motion.closing + motion.slope * kind.springs.places[i];
+      const Real elastic = laws::elastic_shear(spring, kind.formula, motion.shear, motion.shear_rate, 0);
+      total += 0.5 * (kind.springs.normal * closing * closing + kind.springs.shear * elastic * elastic);
+    }
+  }
+  return total;
+}
+
+SpringLosses FaceLinks::losses() const {
+  SpringLosses total;
+  for (const Real loss : dashpot_loss_) total.dashpot += loss;
+  for (const SpringLosses& loss : damaged_loss_) {
+    total.dashpot += loss.dashpot;
+    total.friction += loss.friction;
+    total.fracture += loss.fracture;
+  }
+  return total;
+}
+
+void FaceLinks::columns(Archive& archive) {
+  archive("slip", slip_);
+  archive("active", active_);
+  archive("dashpot_loss", dashpot_loss_);
+  for (std::size_t k = 0; k < 3; ++k) archive("last_rate" + std::to_string(k), last_rate_[k]);
+  archive("open", open_);
+  archive("damaged", damaged_);
+  archive("damaged_of", damaged_of_);
+  archive("first_spring", first_spring_);
+  archive("springs", springs_);
+  archive("damaged_loss", damaged_loss_);
+  archive("just_opened", just_opened_);
+  archive("open_links", open_links_);
+  for (auto* column : {&slots_.force_x, &slots_.force_y, &slots_.first_moment, &slots_.second_moment})
+    for (std::size_t i = 0; i < column->size() && archive.reading(); ++i) (*column)[i] = 0;
+}
+
+}  // namespace sazare::methods::rectangles

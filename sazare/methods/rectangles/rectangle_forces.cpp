@@ -1,0 +1,138 @@
+#include "sazare/methods/rectangles/rectangle_forces.hpp"
+
+#include <utility>
+
+#include "sazare/core/lane_math.hpp"
+#include "sazare/parallel/threads.hpp"
+
+namespace sazare::methods::rectangles {
+
+namespace {
+
+constexpr std::size_t serial_below = 256;  // blocks of lanes
+
+}  // namespace
+
+RectangleForces::RectangleForces(const state::Particles<2>& particles, Parts parts, Real step)
+    : outlines_(std::move(parts.outlines)), links_(particles, std::move(parts.kinds), std::move(parts.links)),
+      contacts_(parts.contact, particles, outlines_), base_friction_(parts.base_friction), step_(step) {
+  for (std::size_t i = 0; i < outlines_.size(); ++i)
+    for (int face = 0; face < 4; ++face)
+      if (links_.at_face(static_cast<Index>(i), face) != FaceLinks::none) outlines_.exposed[i] &= static_cast<std::uint8_t>(~(1U << face));
+  radius_.assign(particles.padded(), 0);
+  for (std::size_t i = 0; i < outlines_.size(); ++i) radius_[i] = outlines_.spring_radius(i);
+  if (base_friction_.coefficient > 0) {
+    for (state::Column* column : {&base_work_, &base_power_, &base_force_[0], &base_force_[1], &base_force_[2]})
+      column->assign(particles.padded(), 0);
+  }
+  support_force_.resize(static_cast<std::size_t>(parts.supports));
+  support_place_.resize(support_force_.size());
+}
+
+void RectangleForces::expose(const FaceLinks& links, std::span<const Index> opened, state::Outlines& outlines) {
+  for (const Index number : opened) {
+    const FaceLink& link = links.link(number);
+    outlines.exposed[static_cast<std::size_t>(link.first)] |= static_cast<std::uint8_t>(1U << link.axis);
+    outlines.exposed[static_cast<std::size_t>(link.second)] |= static_cast<std::uint8_t>(1U << (link.axis + 2));
+  }
+}
+
+void RectangleForces::evaluate(const state::Particles<2>& particles, state::FreedomColumns<2>& acceleration) {
+  const Real elapsed = begun_ ? step_ : 0;
+  links_.evaluate(particles, elapsed);
+  if (!links_.opened().empty()) {
+    expose(links_, links_.opened(), outlines_);
+    contacts_.forget_pairs();
+  }
+  contacts_.evaluate(particles, outlines_, links_, elapsed);
+  gather(particles, acceleration);
+  sum_up_supports(particles);
+  begun_ = true;
+}
+
+void RectangleForces::gather(const state::Particles<2>& particles, state::FreedomColumns<2>& acceleration) {
+  parallel::parallel_for(particles.padded() / lane_count, serial_below, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t block = begin; block < end; ++block) {
+      std::array<Lanes, 3> sum{};
+      links_.gather(block, sum);
+      for (std::size_t lane = 0; lane < lane_count; ++lane) {
+        const std::size_t i = block * lane_count + lane;
+        if (i >= outlines_.size() || !contacts_.has_pairs(i)) continue;
+        std::array<Real, 3> own{};
+        contacts_.add_to(i, own);
+        for (std::size_t freedom = 0; freedom < 3; ++freedom) sum[freedom][lane] += own[freedom];
+      }
+      if (base_friction_.coefficient > 0) add_base_friction(particles, block, sum);
+      for (std::size_t freedom = 0; freedom < 3; ++freedom)
+        store_lanes(&acceleration[freedom][block * lane_count],
+                    sum[freedom] * load_lanes(&particles.inverse_inertia_of(freedom)[block * lane_count]));
+    }
+  });
+}
+
+void RectangleForces::add_base_friction(const state::Particles<2>& particles, std::size_t block, std::array<Lanes, 3>& sum) {
+  const std::size_t i = block * lane_count;
+  const Lanes radius = load_lanes(&radius_[i]), inverse_mass = load_lanes(&particles.inverse_mass[i]);
+  const Lanes x = load_lanes(&particles.velocity[0][i]) - base_friction_.velocity.x();
+  const Lanes y = load_lanes(&particles.velocity[1][i]) - base_friction_.velocity.y();
+  const Lanes turning = radius * load_lanes(&particles.velocity[2][i]);
+  const Real press = base_friction_.coefficient * base_friction_.gravity;
+  const Lanes speed = square_root(x * x + y * y + turning * turning), least = broadcast(press * step_);
+  const Lanes weight = select(inverse_mass > 0.0, press / inverse_mass, Lanes{});
+  const Lanes factor = -weight / maximum(speed, least);
+  const std::array<Lanes, 3> force = {factor * x, factor * y, (2.0 / 3.0) * radius * factor * turning};
+  // The work of the last forces, by the mean of the velocities before and after.
+  Lanes last_power = load_lanes(&base_power_[i]), power{};
+  for (std::size_t freedom = 0; freedom < 3; ++freedom) {
+    const Lanes velocity = load_lanes(&particles.velocity[freedom][i]);
+    last_power += load_lanes(&base_force_[freedom][i]) * velocity;
+    power += force[freedom] * velocity;
+    store_lanes(&base_force_[freedom][i], force[freedom]);
+    sum[freedom] += force[freedom];
+  }
+  store_lanes(&base_power_[i], power);
+  store_lanes(&base_work_[i], load_lanes(&base_work_[i]) + (begun_ ? 0.5 * step_ : 0) * last_power);
+}
+
+/// The work of a support between two steps: the mean of its forces times its way.
+void RectangleForces::sum_up_supports(const state::Particles<2>& particles) {
+  const std::size_t first = outlines_.size() - support_force_.size();
+  for (std::size_t k = 0; k < support_force_.size(); ++k) {
+    std::array<Real, 3> force{};
+    contacts_.add_to(first + k, force);
+    const std::array<Real, 3> place = {particles.displacement[0][first + k], particles.displacement[1][first + k], particles.angle[first + k]};
+    for (std::size_t freedom = 0; begun_ && freedom < 3; ++freedom)
+      support_work_ -= 0.5 * (force[freedom] + support_force_[k][freedom]) * (place[freedom] - support_place_[k][freedom]);
+    support_force_[k] = force;
+    support_place_[k] = place;
+  }
+}
+
+Real RectangleForces::energy(const state::Particles<2>& particles) { return links_.elastic_energy(particles) + contacts_.elastic_energy(); }
+
+EnergyBooks RectangleForces::books(const state::Particles<2>& particles) const {
+  EnergyBooks books;
+  books.links = links_.losses();
+  books.contacts = contacts_.losses();
+  books.elastic = links_.elastic_energy(particles) + contacts_.elastic_energy();
+  for (std::size_t i = 0; i < outlines_.size() && !base_work_.empty(); ++i) books.base_friction += base_work_[i];  // without the padding
+  books.supports = support_work_;
+  return books;
+}
+
+void RectangleForces::columns(Archive& archive) {
+  archive.folder("links", [&] { links_.columns(archive); });
+  archive.folder("contacts", [&] { contacts_.columns(archive); });
+  archive("exposed", outlines_.exposed);
+  archive("base_work", base_work_);
+  archive("base_power", base_power_);
+  for (std::size_t freedom = 0; freedom < 3; ++freedom) archive("base_force" + std::to_string(freedom), base_force_[freedom]);
+  archive("support_force", support_force_);
+  archive("support_place", support_place_);
+  archive("support_work", support_work_);
+  int begun = begun_ ? 1 : 0;
+  archive("begun", begun);
+  begun_ = begun != 0;
+}
+
+}  // namespace sazare::methods::rectangles

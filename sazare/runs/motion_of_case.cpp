@@ -1,0 +1,25 @@
+#include "sazare/runs/motion_of_case.hpp"
+
+namespace sazare::runs {
+
+laws::GroundMotion motion_of_case(const cases::Motion& motion) {
+  laws::GroundMotion result;
+  result.shape = static_cast<laws::GroundMotion::Shape>(motion.type);
+  result.quantity = motion.quantity;
+  result.amplitude = motion.amplitude;
+  result.ricker_wave = {motion.frequency, motion.peak_time};
+  result.sine_wave = {motion.frequency, motion.cycles};
+  result.record = motion.record;
+  return result;
+}
+static_assert(static_cast<int>(laws::GroundMotion::Shape::record) == static_cast<int>(cases::MotionShape::record));
+
+laws::GroundMotion constant_velocity(Real velocity, Real end) {
+  laws::GroundMotion result;
+  result.shape = laws::GroundMotion::Shape::record;
+  result.quantity = laws::MotionQuantity::velocity;
+  result.record = laws::Record::make(2 * end, {velocity, velocity});
+  return result;
+}
+
+}  // namespace sazare::runs

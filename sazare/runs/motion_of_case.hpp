@@ -1,0 +1,13 @@
+#pragma once
+
+#include "sazare/cases/mps_case.hpp"
+
+namespace sazare::runs {
+
+/// The motion that a case describes.
+laws::GroundMotion motion_of_case(const cases::Motion& motion);
+
+/// A constant velocity from 0 to the end of a run.
+laws::GroundMotion constant_velocity(Real velocity, Real end);
+
+}  // namespace sazare::runs

@@ -1,0 +1,27 @@
+#pragma once
+
+/// From a checked case of method rectangles to elements that can be stepped.
+
+#include <memory>
+#include <string>
+
+#include "sazare/engine/uniform_stepper.hpp"
+#include "sazare/methods/rectangles/stable_step.hpp"
+#include "sazare/runs/block_assembly.hpp"
+
+namespace sazare::runs {
+
+struct RectanglesModel {
+  Index elements = 0;                        ///< supports stand after them
+  std::vector<Index> case_block;             ///< of the case, by block
+  methods::rectangles::StableStep limit;     ///< predicted
+  Real step = 0;                             ///< [s]
+  std::string warning;                       ///< about the step, ready to print; empty when there is none
+  std::unique_ptr<engine::UniformStepper<2>> stepper;
+  methods::rectangles::RectangleForces* forces = nullptr;  ///< of the stepper
+};
+
+/// Also chooses the step. Throws UserError when the case does not fit together, or the step given is above the predicted limit.
+RectanglesModel build_rectangles(const cases::CaseFile& file);
+
+}  // namespace sazare::runs

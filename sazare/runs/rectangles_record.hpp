@@ -1,0 +1,71 @@
+#pragma once
+
+/// What a run of method rectangles writes down: histories, gauges, snapshots, headline figures. It never changes the run.
+
+#include <optional>
+
+#include "sazare/observe/csv_writer.hpp"
+#include "sazare/observe/manifest.hpp"
+#include "sazare/observe/vtkhdf.hpp"
+#include "sazare/runs/rectangles_model.hpp"
+#include "sazare/runs/run_clocks.hpp"
+#include "sazare/runs/run_folder.hpp"
+
+namespace sazare::runs {
+
+/// The element that holds each gauge of a case. Throws UserError when none does.
+std::vector<std::size_t> gauge_elements(const cases::CaseFile& file, const RectanglesModel& model);
+
+/// Energies at a time [J].
+struct EnergyBalance {
+  Real kinetic = 0;
+  Real work = 0;      ///< of gravity, supports and the plate, and what was there at the beginning
+  Real residual = 0;  ///< of the work, that no cause accounts for
+  methods::rectangles::EnergyBooks books;
+};
+
+class RectanglesRecord {
+ public:
+  /// Writes nothing yet. Throws UserError when a gauge lies in no element.
+  RectanglesRecord(const RunFolder& folder, const cases::CaseFile& file, RectanglesModel& model, const RunClocks& clocks);
+
+  void begin();
+  void resume();
+  void observe(std::int64_t step, Real wall_seconds);
+  void flush(bool to_disk);
+
+  /// Throws PhysicsError when an acceleration is no number.
+  void check_motion(Real time) const;
+
+  std::vector<std::pair<std::string, observe::Figure>> results(std::int64_t step, Real wall_seconds) const;
+  std::vector<std::pair<std::string, Real>> peak_particle_velocity() const;
+  std::uint64_t state_hash() const;
+
+  void columns(Archive& archive);
+
+ private:
+  std::vector<std::string> history_columns() const;
+  std::vector<std::string> gauge_columns() const;
+  EnergyBalance balance() const;
+  void add_history(Real time, Real wall_seconds);
+  void add_gauges(Real time, const state::FreedomColumns<2>& velocity, const state::FreedomColumns<2>& acceleration);
+  void write_snapshot(Real time, const state::FreedomColumns<2>& velocity);
+
+  const RunFolder* folder_;
+  const cases::CaseFile* file_;
+  RectanglesModel* model_;
+  RunClocks clocks_;
+  std::vector<std::string> supports_;   ///< names
+  std::vector<std::size_t> gauge_elements_;
+  observe::SnapshotSeries snapshots_;
+  std::optional<observe::CsvWriter> history_;
+  std::optional<observe::CsvWriter> gauges_;
+  std::vector<Real> peaks_;             ///< largest speed by gauge [m/s]
+  std::vector<Real> largest_force_;     ///< by support [N]
+  Real largest_displacement_ = 0, largest_speed_ = 0;
+  Real energy_at_beginning_ = 0;
+  EnergyBalance balance_;
+  std::int64_t rows_ = 0, snapshot_count_ = 0;
+};
+
+}  // namespace sazare::runs

@@ -1,0 +1,89 @@
+#include "sazare/cases/resolved.hpp"
+#include "sazare/observe/atomic_file.hpp"
+#include "sazare/observe/hash.hpp"
+#include "sazare/runs/case_run.hpp"
+#include "sazare/runs/rectangles_record.hpp"
+#include "sazare/runs/run_case.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+constexpr int elements_per_thread = 4000;  // with fewer a second thread takes more time than it saves
+constexpr std::int64_t motion_check_steps = 64;
+
+std::string number(Real value, int digits = 4) { return cases::short_number(value, digits); }
+
+std::string assembly_hash(const state::Particles<2>& particles) {
+  observe::Hash hash;
+  for (const state::Column* column : {&particles.start[0], &particles.start[1], &particles.angle}) hash.add(std::as_bytes(std::span(*column)));
+  return observe::to_hex(hash.value());
+}
+
+/// The part of method rectangles in a run, see CaseRun.
+struct RectanglesWork {
+  const cases::CaseFile& file;
+  RunTimes times;
+  RectanglesModel model;
+  RunFolder folder;
+  RunIdentity identity;
+  RunClocks clocks;
+  RectanglesRecord record;
+
+  RectanglesWork(const cases::CaseFile& of, const RunOptions& options)
+      : file(of), model(build_rectangles(of)), folder(options.folder, options.begin),
+        identity(identify(of.rectangles(), assembly_hash(model.stepper->particles()))),
+        clocks(make_clocks(of.rectangles().time, model.step)), record(folder, of, model, clocks) {
+    parallel::limit_threads(model.elements / elements_per_thread);
+  }
+
+  const std::string& title() const { return file.rectangles().title; }
+  static std::string method() { return "rectangles"; }
+  const std::string& warning() const { return model.warning; }
+  std::string words() const {
+    return fmt::format("{} elements, step {} s, {} of the predicted limit", model.elements, number(model.step),
+                       number(model.step / model.limit.limit, 3));
+  }
+  Real checkpoint_interval() const { return file.rectangles().output.checkpoint_interval; }
+
+  void start() { model.stepper->start(); }
+  void advance() { model.stepper->advance(); }
+  std::int64_t step() const { return model.stepper->steps(); }
+  bool must_check() const { return step() % motion_check_steps == 0; }
+  void collect() {}
+
+  ProgressState progress(Real share, Real time) const { return {share, time, step() * model.elements, model.step, -1, "element-steps"}; }
+  void columns(Archive& archive) {
+    archive.folder("stepper", [&] { model.stepper->columns(archive); });
+  }
+
+  std::uint64_t state_hash() const { return record.state_hash(); }
+  static std::span<const engine::PartTime> part_times() { return {}; }
+  void write_case() const { observe::write_file(folder.case_file(), cases::write_resolved(file.rectangles(), folder.path())); }
+  void write_end() {}
+  void write_rank_times() {}
+};
+
+}  // namespace
+
+RunOutcome run_rectangles(const cases::CaseFile& file, const RunOptions& options) {
+  RectanglesWork work(file, options);
+  return CaseRun(work, options).run();
+}
+
+std::string check_rectangles(const cases::CaseFile& file) {
+  const RectanglesModel model = build_rectangles(file);
+  gauge_elements(file, model);
+  const RunClocks clocks = make_clocks(file.rectangles().time, model.step);
+  const auto line = [](std::string_view topic, const std::string& text) { return fmt::format("  {:<12}{}\n", topic, text); };
+  const std::string paper = model.limit.paper > 0 ? fmt::format("; (26) of the paper: {} s", number(model.limit.paper)) : "";
+  return cases::explain(file.rectangles()) + line("body", fmt::format("{} elements", model.elements)) +
+         line("stability", fmt::format("limit {} s, predicted from the largest frequency, {} rad/s, and the dashpots{}", number(model.limit.limit),
+                                       number(model.limit.largest_frequency), paper)) +
+         line("step", fmt::format("{} s, {} of the limit, {} to a history row", number(model.step, 5), number(model.step / model.limit.limit, 3),
+                                  clocks.steps_per_row)) +
+         line("work", fmt::format("{} steps, {} element-steps", clocks.steps(), number(static_cast<Real>(model.elements) * static_cast<Real>(clocks.steps())))) +
+         (model.warning.empty() ? "" : "\n" + model.warning);
+}
+
+}  // namespace sazare::runs

@@ -1,0 +1,131 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "sazare/core/error.hpp"
+#include "sazare/parallel/threads.hpp"
+#include "sazare/runs/block_assembly.hpp"
+#include "sazare/runs/run_case.hpp"
+#include "tests/unit/runs/support.hpp"
+
+namespace sazare::runs {
+namespace {
+
+namespace fs = std::filesystem;
+using test::read_manifest, test::read_text, test::TemporaryFolder, test::words_of;
+
+/// The mortar beam, coarse and loaded fast, so that it breaks soon.
+cases::CaseFile beam(std::vector<std::string> settings = {}) {
+  settings.insert(settings.begin(), {"blocks.0.element_size=0.01", "rollers.2.velocity=[0,-0.1,0]", "time.end=0.003", "gauges.0.point=[0.081,0.002,0]",
+                                     "time.snapshot_interval=5e-4", "rollers.0.center=[0.035,-0.005,0]", "rollers.1.center=[0.125,-0.005,0]"});
+  return cases::read_case("cases/mortar-beam/case.toml", settings);
+}
+
+std::string refused(const std::vector<std::string>& settings) {
+  return words_of<UserError>([&] { check_case(beam(settings)); });
+}
+
+TEST(run_rectangles, writes_its_folder_and_its_figures) {
+  const TemporaryFolder folder;
+  EXPECT_FALSE(run_case(beam(), {folder / "run", Begin::fresh, true}).stopped);
+  const nlohmann::json manifest = read_manifest(folder / "run");
+  EXPECT_EQ(manifest["method"], "rectangles");
+  EXPECT_EQ(manifest["status"], "done");
+  EXPECT_EQ(manifest["results"]["elements"], 64);
+  EXPECT_GT(manifest["results"]["broken_springs"], 0);
+  EXPECT_GT(manifest["results"]["peak_force_platen"], 1500);
+  EXPECT_TRUE(fs::exists(folder / "run/snapshots/rectangles_00006.vtkhdf"));
+  EXPECT_NE(read_text(folder / "run/history.csv").find("platen.force_y [N]"), std::string::npos);
+  EXPECT_TRUE(read_text(folder / "run/gauges.csv").starts_with("time [s],middle.displacement_x [m],"));
+}
+
+TEST(run_rectangles, in_many_parts_gives_the_bits_of_one_run) {
+  const TemporaryFolder folder;
+  const cases::CaseFile file = beam();
+  run_case(file, {folder / "whole", Begin::fresh, true});
+  for (int parts = 1;; ++parts) {
+    std::atomic<bool> stop = false;
+    std::jthread alarm([&](const std::stop_token& over) {
+      const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(5 * parts);
+      while (!over.stop_requested() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      stop = true;
+    });
+    if (run_case(file, {folder / "parts", Begin::resume, true, &stop}).stopped) continue;
+    EXPECT_GT(parts, 1);
+    break;
+  }
+  const nlohmann::json one = read_manifest(folder / "whole"), many = read_manifest(folder / "parts");
+  EXPECT_EQ(one["state_hash"], many["state_hash"]);
+  EXPECT_EQ(read_text(folder / "whole/gauges.csv"), read_text(folder / "parts/gauges.csv"));
+  EXPECT_EQ(test::without_last_column(read_text(folder / "whole/history.csv")),
+            test::without_last_column(read_text(folder / "parts/history.csv")));
+}
+
+TEST(run_rectangles, refuses_a_step_above_the_limit_and_warns_of_one_near_it) {
+  const std::string words = refused({"time.step=2.5e-6"});
+  EXPECT_NE(words.find("--set time.step: error: the step of 2.5e-6 s is 1.2"), std::string::npos) << words;
+  EXPECT_NE(words.find("(26) of the paper gives"), std::string::npos) << words;
+}
+
+TEST(run_rectangles, refuses_what_overlaps_at_the_start) {
+  const std::string words = refused({"blocks=[{name=\"beam\",material=\"mortar\",element_size=0.01,lower=[0,0,0],upper=[0.16,0.04,0]},"
+                                     "{name=\"other\",material=\"mortar\",lower=[0.1,0.037,0],upper=[0.15,0.087,0]}]"});
+  EXPECT_NE(words.find("overlaps what stands there already, by 0.003"), std::string::npos) << words;
+}
+
+TEST(run_rectangles, refuses_a_support_below_nothing) {
+  const std::string words = refused({"rollers.0.center=[0.035,-0.009,0]"});
+  EXPECT_NE(words.find("the support \"left\" stands below nothing"), std::string::npos) << words;
+}
+
+TEST(run_rectangles, refuses_a_gauge_outside) {
+  EXPECT_NE(refused({"gauges.0.point=[0.5,0,0]"}).find("gauge \"middle\" lies in no element"), std::string::npos);
+}
+
+TEST(block_assembly, takes_polygons_and_images_and_turned_lattices) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "two.pgm") << "P2\n# two blocks\n3 2\n9\n9 5 5\n3 5 5\n";
+  std::ofstream(folder / "case.toml") << R"([case]
+title = "shapes"
+method = "rectangles"
+[[blocks]]
+name = "triangle"
+material = "stone"
+shape = "polygon"
+element_size = 0.25
+points = [[0.0, 0.0], [2.0, 0.0], [0.0, 2.0], [0.0, 0.0]]
+angle = 30.0
+[[blocks]]
+name = "picture"
+material = "stone"
+shape = "image"
+file = "two.pgm"
+element_size = 0.5
+lower = [5.0, 0.0, 0.0]
+[[materials]]
+name = "stone"
+density = 2500.0
+normal_stiffness = 1e9
+shear_stiffness = 4e8
+[contact]
+normal_stiffness = 1e9
+shear_stiffness = 4e8
+friction_angle = 30.0
+[time]
+end = 1.0
+)";
+  const Assembly assembly = assemble(cases::read_case(folder / "case.toml"));
+  EXPECT_EQ(assembly.elements, 36 - 8 + 5);  // centres on the polygon's edge lie outside
+  EXPECT_EQ(assembly.case_block, (std::vector<Index>{0, 1, 1}));
+  EXPECT_NEAR(assembly.particles.angle[0], std::numbers::pi / 6, 1e-15);
+  EXPECT_NEAR(assembly.particles.start[0][0], 0.125 * (std::cos(std::numbers::pi / 6) - 0.5), 1e-15);
+  std::ofstream(folder / "two.pgm") << "P2\n3 2\n9\n9 5 5\n3 5\n";
+  const std::string words = words_of<UserError>([&] { assemble(cases::read_case(folder / "case.toml")); });
+  EXPECT_NE(words.find("the image ends before its 3 x 2 pixels"), std::string::npos) << words;
+}
+
+}  // namespace
+}  // namespace sazare::runs
