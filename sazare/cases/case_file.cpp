@@ -9,7 +9,7 @@
 #include "sazare/cases/case_text.hpp"
 #include "sazare/cases/checks.hpp"
 #include "sazare/cases/field_reader.hpp"
-#include "sazare/cases/mps_fields.hpp"
+#include "sazare/cases/spheres_fields.hpp"
 #include "sazare/cases/structure_check.hpp"
 #include "sazare/core/error.hpp"
 
@@ -84,6 +84,11 @@ void check_meaning(const CheckContext& context, MpsCase& mps) {
   resolve_clocks(context, mps.time);
 }
 
+void check_meaning(const CheckContext& context, SpheresCase& spheres) {
+  check_spheres(context, spheres);
+  resolve_clocks(context, spheres.time);
+}
+
 template <class Case>
 MethodCase read_method(const CheckContext& context, const fs::path& folder) {
   Case result = CaseReader(context.root, context.schema, folder).read<Case>();
@@ -139,7 +144,9 @@ CaseFile read_case(const fs::path& path, std::span<const std::string> overrides)
 
   const fs::path folder = fs::absolute(path).parent_path();
   const CheckContext context{text->root, schema, path.parent_path(), problems};
-  MethodCase checked = method == "mps" ? read_method<MpsCase>(context, folder) : read_method<BlocksCase>(context, folder);
+  MethodCase checked = method == "mps"       ? read_method<MpsCase>(context, folder)
+                       : method == "spheres" ? read_method<SpheresCase>(context, folder)
+                                             : read_method<BlocksCase>(context, folder);
   problems.throw_if_errors();
   return {path, std::move(checked), problems.warning_text(), text};
 }

@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "sazare/cases/blocks_case.hpp"
-#include "sazare/cases/mps_case.hpp"
+#include "sazare/cases/spheres_case.hpp"
 
 namespace sazare::cases {
 
 struct CaseText;
 
 /// A case of any method.
-using MethodCase = std::variant<BlocksCase, MpsCase>;
+using MethodCase = std::variant<BlocksCase, MpsCase, SpheresCase>;
 
 /// A case that was read and checked, with its text for messages about what only the mesh can show.
 struct CaseFile {
@@ -26,6 +26,7 @@ struct CaseFile {
 
   const BlocksCase& blocks() const { return std::get<BlocksCase>(content); }
   const MpsCase& mps() const { return std::get<MpsCase>(content); }
+  const SpheresCase& spheres() const { return std::get<SpheresCase>(content); }
 };
 
 /// Reads and checks a case. `overrides` are texts such as "time.end=1e-3" or "joints.0.cohesion=5e6". Throws

@@ -7,7 +7,7 @@
 /// Keys and tables that the methods share.
 namespace sazare::cases {
 
-inline constexpr std::array<std::string_view, 2> method_names{"blocks", "mps"};
+inline constexpr std::array<std::string_view, 3> method_names{"blocks", "mps", "spheres"};
 
 inline constexpr std::array case_keys{
     Key{.name = "title",
@@ -18,7 +18,7 @@ inline constexpr std::array case_keys{
         .type = Type::choice,
         .need = Need::required,
         .sentence = "How the body is modelled: blocks are bonded tetrahedra that can break apart, mps are moving particles of an "
-                    "elastic ground in an earthquake.",
+                    "elastic ground in an earthquake, spheres are grains that touch.",
         .choices = method_names},
 };
 
@@ -37,6 +37,55 @@ inline constexpr std::array output_keys{
         .range = positive,
         .default_text = "60.0",
         .sentence = "Wall-clock time between checkpoints."},
+};
+
+inline constexpr std::array<std::string_view, 3> motion_shapes{"ricker", "sine", "record"};
+inline constexpr std::array<std::string_view, 3> quantities{"displacement", "velocity", "acceleration"};
+inline constexpr std::array<std::string_view, 3> baselines{"none", "constant", "linear"};
+
+inline constexpr std::array motion_keys{
+    Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name by which boundaries refer to it."},
+    Key{.name = "type",
+        .type = Type::choice,
+        .need = Need::required,
+        .sentence = "A Ricker wavelet, a sine from t = 0, or a record from a file.",
+        .choices = motion_shapes},
+    Key{.name = "quantity",
+        .type = Type::choice,
+        .default_text = "\"acceleration\"",
+        .note = "not for a record, whose file says it",
+        .sentence = "What the formula describes; the other two follow by integration from rest or differentiation.",
+        .choices = quantities},
+    Key{.name = "amplitude",
+        .type = Type::number,
+        .default_text = "1.0",
+        .sentence = "Factor of the formula, in m, m/s or m/s2 as the quantity is; of a record, a plain factor."},
+    Key{.name = "frequency",
+        .type = Type::number,
+        .unit = "Hz",
+        .range = positive,
+        .note = "required except for a record",
+        .sentence = "Frequency of the sine, central frequency of the wavelet."},
+    Key{.name = "peak_time",
+        .type = Type::number,
+        .unit = "s",
+        .range = positive,
+        .note = "required for a wavelet",
+        .sentence = "Time of the wavelet's peak; at least 1/frequency, so that it begins from rest."},
+    Key{.name = "cycles",
+        .type = Type::number,
+        .range = not_negative,
+        .default_text = "0.0",
+        .sentence = "Number of periods of the sine; 0: without end."},
+    Key{.name = "file",
+        .type = Type::file,
+        .note = "required for a record",
+        .sentence = "CSV with units in its header, PEER .AT2, or K-NET ASCII (.EW .NS .UD)."},
+    Key{.name = "baseline",
+        .type = Type::choice,
+        .default_text = "\"none\"",
+        .sentence = "What is taken off a record so that its integral has no trend: nothing, a constant or a straight line.",
+        .choices = baselines},
 };
 
 inline constexpr Key end_key{

@@ -6,7 +6,7 @@
 
 #include "sazare/cases/blocks_case.hpp"
 #include "sazare/cases/case_text.hpp"
-#include "sazare/cases/mps_case.hpp"
+#include "sazare/cases/spheres_case.hpp"
 
 /// What can be found wrong from the text of a case alone, after types and ranges: each function reports what
 /// it finds.
@@ -34,9 +34,20 @@ void check_blasts(const CheckContext& context, BlocksCase& blocks);
 /// Checks that the clocks nest, and fills in the intervals that are not given.
 void resolve_clocks(const CheckContext& context, Time& time);
 void resolve_clocks(const CheckContext& context, UniformTime& time);
+void resolve_clocks(const CheckContext& context, SphereTime& time);
 
 /// All checks of a case of method mps after types and ranges; reads its records.
 void check_mps(const CheckContext& context, MpsCase& mps);
+
+/// Checks the motions of a case and reads their records.
+void check_motions(const CheckContext& context, std::vector<Motion>& motions);
+
+/// All checks of a case of method spheres after types and ranges.
+void check_spheres(const CheckContext& context, SpheresCase& spheres);
+
+/// Reports keys that `chosen` needs and that are missing, and those that are not for it.
+void check_keys(const CheckContext& context, const Entry& entry, const std::string& chosen, std::vector<std::string_view> needed,
+                std::vector<std::string_view> foreign);
 
 /// Reports names that stand twice in a list of tables, and names that cannot head a column.
 void check_unique_names(const CheckContext& context, std::string_view table, std::span<const std::string> names);

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "sazare/cases/checks.hpp"
-#include "sazare/cases/motion_file.hpp"
 #include "sazare/cases/mps_fields.hpp"
 #include "sazare/cases/number_text.hpp"
 #include "sazare/cases/structure_check.hpp"
@@ -19,19 +18,6 @@ constexpr Real fit_tolerance = 1e-6;  // of a spacing
 template <class Enum>
 std::string word(Enum value) {
   return std::string(EnumWords<Enum>::words.at(static_cast<std::size_t>(value)));
-}
-
-/// Reports keys that are missing, and those that do not belong to what was chosen.
-void check_keys(const CheckContext& context, const Entry& entry, const std::string& chosen, std::vector<std::string_view> needed,
-                std::vector<std::string_view> foreign) {
-  if (!entry.exists()) return;
-  for (const std::string_view key : needed)
-    if (!entry.has(key))
-      context.problems.error(entry.header(), fmt::format("{} has no \"{}\", which {} needs", table_header(*entry.table), key, chosen),
-                             how_to_add(*find_key(*entry.table, key)));
-  for (const std::string_view key : foreign)
-    if (entry.has(key))
-      context.problems.error(*entry.value->key_place(key), fmt::format("{} is not for {}", key, chosen), "remove it, or choose another kind");
 }
 
 void check_flat(const CheckContext& context, const Entry& entry, std::string_view key, const Vector3& value, int dimension) {
@@ -160,37 +146,6 @@ void check_damping(const CheckContext& context, const MpsCase& mps) {
                            "f1 is the lower frequency");
 }
 
-void check_record(const CheckContext& context, const Entry& entry, Motion& motion) {
-  check_keys(context, entry, "a record", {"file"}, {"quantity", "frequency", "peak_time", "cycles"});
-  if (!entry.gives("file")) return;
-  const std::string as_written = *entry.value->find("file")->text();
-  if (!check_file(context, entry.place("file"), "record", motion.file, as_written)) return;
-  read_motion_file(motion, (context.shown_folder / as_written).lexically_normal().string(), entry.place("file"), context.problems);
-  if (motion.baseline != Baseline::none && motion.record.value.size() > 2)
-    laws::take_off_baseline(motion.record, motion.baseline == Baseline::linear ? 1 : 0);
-}
-
-void check_motions(const CheckContext& context, MpsCase& mps) {
-  const auto list = context.entries_of("motions");
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const Entry& entry = list[i];
-    Motion& motion = mps.motions[i];
-    if (!entry.gives("type")) continue;
-    if (motion.type == MotionShape::record) {
-      check_record(context, entry, motion);
-    } else if (motion.type == MotionShape::sine) {
-      check_keys(context, entry, "a sine", {"frequency"}, {"file", "baseline", "peak_time"});
-    } else {
-      check_keys(context, entry, "a Ricker wavelet", {"frequency", "peak_time"}, {"file", "baseline", "cycles"});
-      if (entry.gives("frequency") && entry.gives("peak_time") && motion.peak_time * motion.frequency < 1 - 1e-9)
-        context.problems.error(entry.place("peak_time"),
-                               fmt::format("the wavelet has begun before t = 0: peak_time is {} s and 1/frequency {} s",
-                                           short_number(motion.peak_time), short_number(1 / motion.frequency)),
-                               "choose a peak_time of 1/frequency or more");
-    }
-  }
-}
-
 void check_boundaries(const CheckContext& context, const MpsCase& mps) {
   std::vector<std::string> names;
   for (const Motion& motion : mps.motions) names.push_back(motion.name);
@@ -236,7 +191,7 @@ void check_mps(const CheckContext& context, MpsCase& mps) {
   check_regions(context, mps);
   check_materials(context, mps);
   check_damping(context, mps);
-  check_motions(context, mps);
+  check_motions(context, mps.motions);
   check_boundaries(context, mps);
   check_flat(context, context.entries_of("gravity").front(), "acceleration", mps.gravity.acceleration, mps.particles.dimension);
   const auto gauges = context.entries_of("gauges");

@@ -8,9 +8,6 @@ namespace {
 constexpr std::array<std::string_view, 2> fits{"exact", "inside"};
 constexpr std::array<std::string_view, 2> removals{"mean_rotation", "mean_angle"};
 constexpr std::array<std::string_view, 3> shapes{"rectangle", "polygon", "mesh"};
-constexpr std::array<std::string_view, 3> motion_shapes{"ricker", "sine", "record"};
-constexpr std::array<std::string_view, 3> quantities{"displacement", "velocity", "acceleration"};
-constexpr std::array<std::string_view, 3> baselines{"none", "constant", "linear"};
 constexpr std::array<std::string_view, 7> sides{"left", "right", "bottom", "top", "front", "back", "all"};
 constexpr std::array<std::string_view, 4> side_kinds{"fixed", "roller", "prescribed", "viscous"};
 constexpr std::array<std::string_view, 3> integrators{"verlet", "leapfrog", "euler"};
@@ -135,51 +132,6 @@ constexpr std::array damping_keys{
         .range = positive,
         .note = "required where a material has a damping_ratio",
         .sentence = "Higher frequency at which the damping is that of the material."},
-};
-
-constexpr std::array motion_keys{
-    Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name by which boundaries refer to it."},
-    Key{.name = "type",
-        .type = Type::choice,
-        .need = Need::required,
-        .sentence = "A Ricker wavelet, a sine from t = 0, or a record from a file.",
-        .choices = motion_shapes},
-    Key{.name = "quantity",
-        .type = Type::choice,
-        .default_text = "\"acceleration\"",
-        .note = "not for a record, whose file says it",
-        .sentence = "What the formula describes; the other two follow by integration from rest or differentiation.",
-        .choices = quantities},
-    Key{.name = "amplitude",
-        .type = Type::number,
-        .default_text = "1.0",
-        .sentence = "Factor of the formula, in m, m/s or m/s2 as the quantity is; of a record, a plain factor."},
-    Key{.name = "frequency",
-        .type = Type::number,
-        .unit = "Hz",
-        .range = positive,
-        .note = "required except for a record",
-        .sentence = "Frequency of the sine, central frequency of the wavelet."},
-    Key{.name = "peak_time",
-        .type = Type::number,
-        .unit = "s",
-        .range = positive,
-        .note = "required for a wavelet",
-        .sentence = "Time of the wavelet's peak; at least 1/frequency, so that it begins from rest."},
-    Key{.name = "cycles",
-        .type = Type::number,
-        .range = not_negative,
-        .default_text = "0.0",
-        .sentence = "Number of periods of the sine; 0: without end."},
-    Key{.name = "file",
-        .type = Type::file,
-        .note = "required for a record",
-        .sentence = "CSV with units in its header, PEER .AT2, or K-NET ASCII (.EW .NS .UD)."},
-    Key{.name = "baseline",
-        .type = Type::choice,
-        .default_text = "\"none\"",
-        .sentence = "What is taken off a record so that its integral has no trend: nothing, a constant or a straight line.",
-        .choices = baselines},
 };
 
 constexpr std::array boundary_keys{

@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include "sazare/cases/fields.hpp"
-#include "sazare/cases/mps_fields.hpp"
 #include "sazare/cases/number_text.hpp"
 #include "sazare/cases/schema.hpp"
+#include "sazare/cases/spheres_fields.hpp"
 #include "sazare/cases/structure_check.hpp"
 
 namespace sazare::cases {
@@ -134,5 +134,9 @@ std::string write_resolved(const BlocksCase& blocks, const fs::path& folder) {
 }
 
 std::string write_resolved(const MpsCase& mps, const fs::path& folder) { return CaseWriter(mps_schema(), folder).write(mps, "mps"); }
+
+std::string write_resolved(const SpheresCase& spheres, const fs::path& folder) {
+  return CaseWriter(spheres_schema(), folder).write(spheres, "spheres");
+}
 
 }  // namespace sazare::cases

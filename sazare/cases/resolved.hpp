@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "sazare/cases/mps_case.hpp"
+#include "sazare/cases/spheres_case.hpp"
 
 namespace sazare::cases {
 
@@ -12,9 +12,11 @@ namespace sazare::cases {
 /// empty.
 std::string write_resolved(const BlocksCase& blocks, const std::filesystem::path& folder = {});
 std::string write_resolved(const MpsCase& mps, const std::filesystem::path& folder = {});
+std::string write_resolved(const SpheresCase& spheres, const std::filesystem::path& folder = {});
 
 /// The case in words, with what follows from its numbers: what `sazare check` prints.
 std::string explain(const BlocksCase& blocks);
 std::string explain(const MpsCase& mps);
+std::string explain(const SpheresCase& spheres);
 
 }  // namespace sazare::cases

@@ -31,7 +31,9 @@ bool in_range(const Range& range, Real value) {
   return above && below;
 }
 
-std::span<const Table> schema_of(std::string_view method) { return method == "mps" ? mps_schema() : blocks_schema(); }
+std::span<const Table> schema_of(std::string_view method) {
+  return method == "mps" ? mps_schema() : method == "spheres" ? spheres_schema() : blocks_schema();
+}
 
 const Table* find_table(std::span<const Table> schema, std::string_view name) {
   const auto found = std::ranges::find(schema, name, &Table::name);

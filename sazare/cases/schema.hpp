@@ -74,6 +74,9 @@ std::span<const Table> blocks_schema();
 /// The tables of method mps.
 std::span<const Table> mps_schema();
 
+/// The tables of method spheres.
+std::span<const Table> spheres_schema();
+
 /// The tables of a study file.
 std::span<const Table> study_schema();
 

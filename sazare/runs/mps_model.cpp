@@ -9,6 +9,7 @@
 
 #include "sazare/cases/number_text.hpp"
 #include "sazare/methods/mps/elastic_forces.hpp"
+#include "sazare/runs/ground_motions.hpp"
 
 namespace sazare::runs {
 
@@ -86,18 +87,6 @@ std::vector<Index> particles_at(Side side, const std::vector<Site<D>>& sites) {
   }
   return found;
 }
-
-laws::GroundMotion make_motion(const cases::Motion& motion) {
-  laws::GroundMotion result;
-  result.shape = static_cast<laws::GroundMotion::Shape>(motion.type);
-  result.quantity = motion.quantity;
-  result.amplitude = motion.amplitude;
-  result.ricker_wave = {motion.frequency, motion.peak_time};
-  result.sine_wave = {motion.frequency, motion.cycles};
-  result.record = motion.record;
-  return result;
-}
-static_assert(static_cast<int>(laws::GroundMotion::Shape::record) == static_cast<int>(cases::MotionShape::record));
 
 /// Supports of a case, boundary by boundary; what an earlier one holds stays held.
 template <int D>

@@ -5,11 +5,15 @@
 namespace sazare::runs {
 
 RunOutcome run_case(const cases::CaseFile& file, const RunOptions& options) {
-  return std::holds_alternative<cases::MpsCase>(file.content) ? run_mps(file, options) : run_blocks(file, options);
+  if (std::holds_alternative<cases::MpsCase>(file.content)) return run_mps(file, options);
+  if (std::holds_alternative<cases::SpheresCase>(file.content)) return run_spheres(file, options);
+  return run_blocks(file, options);
 }
 
 std::string check_case(const cases::CaseFile& file) {
-  return std::holds_alternative<cases::MpsCase>(file.content) ? check_mps(file) : check_blocks(file);
+  if (std::holds_alternative<cases::MpsCase>(file.content)) return check_mps(file);
+  if (std::holds_alternative<cases::SpheresCase>(file.content)) return check_spheres(file);
+  return check_blocks(file);
 }
 
 }  // namespace sazare::runs

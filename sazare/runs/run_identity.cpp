@@ -56,6 +56,16 @@ std::string tables_hash(const cases::BlocksCase& blocks) {
   return observe::to_hex(hash.value());
 }
 
+/// Takes the folders off the records' names; a hash of what they hold.
+std::string plain_records(std::vector<cases::Motion>& motions) {
+  observe::Hash records;
+  for (cases::Motion& motion : motions) {
+    motion.file = motion.file.filename();
+    records.add(bytes_of(motion.record.value));
+  }
+  return observe::to_hex(records.value());
+}
+
 std::string program_text() {
   return fmt::format("Sazare {}, commit {}, GCC {}, records of {} and {} bytes", version, commit, __VERSION__,
                      sizeof(state::Motion<3>), sizeof(state::Inertia<3>));
@@ -99,14 +109,19 @@ RunIdentity identify(const cases::BlocksCase& blocks, const geometry::TetraMesh&
 
 RunIdentity identify(const cases::MpsCase& mps, const std::string& filling) {
   cases::MpsCase plain = mps;
-  observe::Hash records;
-  for (cases::Motion& motion : plain.motions) {
-    motion.file = motion.file.filename();
-    records.add(bytes_of(motion.record.value));
-  }
+  const std::string records = plain_records(plain.motions);
   for (cases::ParticleRegion& region : plain.regions) region.file = region.file.filename();
   plain.output = {};
-  return {cases::write_resolved(plain), filling, observe::to_hex(records.value()), program_text()};
+  return {cases::write_resolved(plain), filling, records, program_text()};
+}
+
+RunIdentity identify(const cases::SpheresCase& spheres, const std::string& start) {
+  cases::SpheresCase plain = spheres;
+  const std::string records = plain_records(plain.motions);
+  for (cases::SphereGroup& group : plain.spheres) group.file = group.file.filename();
+  for (cases::WallRules& wall : plain.walls) wall.file = wall.file.filename();
+  plain.output = {};
+  return {cases::write_resolved(plain), start, records, program_text()};
 }
 
 void write_identity(observe::CheckpointWriter& out, const RunIdentity& identity) {

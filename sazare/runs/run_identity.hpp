@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "sazare/cases/mps_case.hpp"
+#include "sazare/cases/spheres_case.hpp"
 #include "sazare/geometry/tetra_mesh.hpp"
 #include "sazare/observe/checkpoint.hpp"
 
@@ -21,6 +21,9 @@ RunIdentity identify(const cases::BlocksCase& blocks, const geometry::TetraMesh&
 
 /// `filling` is a hash of where the particles stand.
 RunIdentity identify(const cases::MpsCase& mps, const std::string& filling);
+
+/// `start` is a hash of where spheres and walls stand at the start.
+RunIdentity identify(const cases::SpheresCase& spheres, const std::string& start);
 
 void write_identity(observe::CheckpointWriter& out, const RunIdentity& identity);
 

@@ -1,0 +1,186 @@
+#pragma once
+
+/// Forces of as many touching pairs as there are lanes.
+
+#include <bit>
+
+#include "sazare/core/lane_records.hpp"
+#include "sazare/methods/spheres/pair_contacts.hpp"
+
+namespace sazare::methods::spheres {
+
+/// Rounds to the nearest whole number, up to 2^51.
+inline Lanes nearest(const Lanes& number) {
+  constexpr Real shift = 6755399441055744.0;  // 1.5 * 2^52
+  return (number + shift) - shift;
+}
+
+/// Adds the first `lanes` columns of eight rows to records of eight doubles, one after the other.
+inline void add_records(std::array<Lanes, 8>& fields, Real* const* to, int lanes) {
+  static_assert(8 % lane_count == 0);
+  for (std::size_t first = 0; first < 8; first += lane_count) {
+    std::array<Lanes, lane_count> rows;
+    for (std::size_t i = 0; i < lane_count; ++i) rows[i] = fields[first + i];
+    transpose(rows);
+    for (std::size_t i = 0; i < lane_count; ++i) fields[first + i] = rows[i];
+  }
+  for (int lane = 0; lane < lanes; ++lane)
+    for (std::size_t first = 0; first < 8; first += lane_count) {
+      Lanes sum;
+      std::memcpy(&sum, to[lane] + first, sizeof(Lanes));
+      sum += fields[first + static_cast<std::size_t>(lane)];
+      std::memcpy(to[lane] + first, &sum, sizeof(Lanes));
+    }
+}
+
+template <laws::ContactModel model, bool rolls>
+class ContactKernel {
+ public:
+  ContactKernel(PairContacts& contacts, const state::Spheres& spheres, Real step, LoadTable& loads)
+      : contacts_(contacts), spheres_(spheres), loads_(loads), step_(broadcast(step)), repeats_(spheres.box.repeats()),
+        is_one_material_(contacts.table_.materials == 1) {
+    const Vector3 inverse = spheres.box.inverse();
+    for (int axis = 0; axis < 3; ++axis) {
+      length_[static_cast<std::size_t>(axis)] = broadcast(spheres.box.length[axis]);
+      inverse_[static_cast<std::size_t>(axis)] = broadcast(inverse[axis]);
+    }
+    if (is_one_material_) {
+      const auto& one = contacts.table_.of(0, 0);
+      constants_ = {broadcast(one.normal),   broadcast(one.tangential), broadcast(one.normal_damping), broadcast(one.tangential_damping),
+                    broadcast(one.friction), broadcast(one.rolling)};
+    }
+  }
+
+  /// The first `lanes` of the hits; the rest repeats one of them and does not count.
+  void evaluate(const PairContacts::Hit* hits, int lanes) {
+    for (int lane = 0; lane < lane_count; ++lane) point(static_cast<std::size_t>(lane), hits[lane < lanes ? lane : 0]);
+    const auto first = load_records<8>(first_place_), second = load_records<8>(second_place_);
+    const auto first_spin = load_quads(first_spin_), second_spin = load_quads(second_spin_);
+    const Triple<Lanes> apart = apart_from(first, second);
+    const Lanes distance = square_root(dot(apart, apart)), reach = first[3] + second[3];
+    laws::ContactMotion<Lanes> at;
+    at.normal = (1.0 / distance) * apart;
+    at.overlap = reach - distance;
+    at.reduced_radius = first[3] * second[3] / reach;
+    at.reduced_mass = first[7] * second[7] / (first[7] + second[7]);
+    at.step = step_;
+    const Lanes half = 0.5 * at.overlap, first_arm = first[3] - half, second_arm = second[3] - half;
+    const Triple<Lanes> one{first_spin[0], first_spin[1], first_spin[2]}, other{second_spin[0], second_spin[1], second_spin[2]};
+    const Triple<Lanes> velocity{second[4] - first[4], second[5] - first[5], second[6] - first[6]};
+    at.velocity = velocity - cross(first_arm * one + second_arm * other, at.normal);
+    if constexpr (rolls) at.rolling = at.reduced_radius * cross(other - one, at.normal);
+    if (!is_one_material_) look_up(first_spin[3], second_spin[3]);
+    auto memory = recall();
+    const auto force = laws::contact_force<model, rolls>(constants_, at, memory);
+    remember(memory, lanes);
+    deliver(force, at, first_arm, second_arm, lanes);
+    book(force, lanes);
+  }
+
+  ContactSums sums() const {
+    ContactSums total;
+    for (int lane = 0; lane < lane_count; ++lane) {
+      total.elastic += elastic_[lane];
+      total.sliding += sliding_[lane];
+      total.dashpot_work += dashpot_work_[lane];
+      total.sliding_work += sliding_work_[lane];
+    }
+    total.contacts = contacts_evaluated_;
+    return total;
+  }
+
+ private:
+  void point(std::size_t lane, const PairContacts::Hit& hit) {
+    const auto i = static_cast<std::size_t>(hit.sphere);
+    const auto j = static_cast<std::size_t>(contacts_.pairs_.other[hit.pair]);
+    first_place_[lane] = &spheres_.place[i];
+    second_place_[lane] = &spheres_.place[j];
+    first_spin_[lane] = &spheres_.spin[i].x;
+    second_spin_[lane] = &spheres_.spin[j].x;
+    sliding_memory_[lane] = &contacts_.sliding_[hit.pair].x;
+    if constexpr (rolls) rolling_memory_[lane] = &contacts_.rolling_[hit.pair].x;
+    first_load_[lane] = &loads_.data()[i].fx;
+    second_load_[lane] = &loads_.data()[static_cast<std::size_t>(loads_.slots()[hit.pair])].fx;
+  }
+
+  Triple<Lanes> apart_from(const std::array<Lanes, 8>& first, const std::array<Lanes, 8>& second) const {
+    Triple<Lanes> apart{second[0] - first[0], second[1] - first[1], second[2] - first[2]};
+    if (repeats_) {
+      apart.x -= length_[0] * nearest(apart.x * inverse_[0]);
+      apart.y -= length_[1] * nearest(apart.y * inverse_[1]);
+      apart.z -= length_[2] * nearest(apart.z * inverse_[2]);
+    }
+    return apart;
+  }
+
+  void look_up(const Lanes& one, const Lanes& other) {
+    std::array<const Real*, lane_count> from, further;
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      from[lane] = contacts_.table_.numbers(static_cast<Index>(one[lane]) * contacts_.table_.materials + static_cast<Index>(other[lane]));
+      further[lane] = from[lane] + 4;
+    }
+    const auto numbers = load_quads(from), more = load_quads(further);
+    constants_ = {numbers[0], numbers[1], numbers[2], numbers[3], more[0], more[1]};
+  }
+
+  laws::ContactMemory<Lanes> recall() const {
+    laws::ContactMemory<Lanes> memory;
+    const auto slid = load_quads(as_source(sliding_memory_));
+    memory.sliding = {slid[0], slid[1], slid[2]};
+    if constexpr (rolls) {
+      const auto rolled = load_quads(as_source(rolling_memory_));
+      memory.rolling = {rolled[0], rolled[1], rolled[2]};
+    }
+    return memory;
+  }
+
+  void remember(const laws::ContactMemory<Lanes>& memory, int lanes) const {
+    store_quads({memory.sliding.x, memory.sliding.y, memory.sliding.z, Lanes{}}, sliding_memory_, lanes);
+    if constexpr (rolls) store_quads({memory.rolling.x, memory.rolling.y, memory.rolling.z, Lanes{}}, rolling_memory_, lanes);
+  }
+
+  /// Equal and opposite forces; moments about both centres, whose arms together are the distance.
+  void deliver(const laws::ContactForce<Lanes>& force, const laws::ContactMotion<Lanes>& at, const Lanes& first_arm,
+               const Lanes& second_arm, int lanes) const {
+    const Triple<Lanes> push = force.normal * at.normal + force.friction, turn = cross(force.friction, at.normal);
+    Triple<Lanes> first_moment = first_arm * turn, second_moment = second_arm * turn;
+    if constexpr (rolls) {
+      const Triple<Lanes> roll = at.reduced_radius * cross(at.normal, force.rolling);
+      first_moment = first_moment - roll;
+      second_moment = second_moment + roll;
+    }
+    std::array<Lanes, 8> on_first{-push.x, -push.y, -push.z, Lanes{}, first_moment.x, first_moment.y, first_moment.z, Lanes{}};
+    std::array<Lanes, 8> on_second{push.x, push.y, push.z, Lanes{}, second_moment.x, second_moment.y, second_moment.z, Lanes{}};
+    add_records(on_first, first_load_.data(), lanes);
+    add_records(on_second, second_load_.data(), lanes);
+  }
+
+  void book(const laws::ContactForce<Lanes>& force, int lanes) {
+    Lanes counts{};
+    for (int lane = 0; lane < lanes; ++lane) counts[lane] = 1;
+    elastic_ += counts * force.elastic_energy;
+    sliding_ += counts * force.sliding_energy;
+    dashpot_work_ += counts * step_ * force.dashpot_power;
+    sliding_work_ += counts * step_ * force.sliding_power;
+    contacts_evaluated_ += lanes;
+  }
+
+  static std::array<const Real*, lane_count> as_source(const std::array<Real*, lane_count>& pointers) {
+    return std::bit_cast<std::array<const Real*, lane_count>>(pointers);
+  }
+
+  PairContacts& contacts_;
+  const state::Spheres& spheres_;
+  LoadTable& loads_;
+  Lanes step_;
+  bool repeats_, is_one_material_;
+  std::array<Lanes, 3> length_, inverse_;
+  laws::ContactConstants<Lanes> constants_;
+  LanePointers<const state::SpherePlace> first_place_, second_place_;
+  std::array<const Real*, lane_count> first_spin_, second_spin_;
+  std::array<Real*, lane_count> sliding_memory_, rolling_memory_, first_load_, second_load_;
+  Lanes elastic_{}, sliding_{}, dashpot_work_{}, sliding_work_{};
+  std::int64_t contacts_evaluated_ = 0;
+};
+
+}  // namespace sazare::methods::spheres
