@@ -145,7 +145,7 @@ void SphereStepper::evaluate() {
   parallel::parallel_for(loads_.blocks(), serial_below, [&](std::size_t begin, std::size_t end) {
     for (std::size_t block = begin; block < end; ++block) {
       loads_.clear(block);
-      sums[block] = pairs_.evaluate(spheres_, block, step, loads_);
+      sums[block] = pairs_.evaluate(spheres_, block, approach_, step, loads_);
       if (!walls_.walls().empty()) sums[block] += walls_.evaluate(spheres_, block, step, loads_);
     }
   });

@@ -4,7 +4,8 @@
 ///
 ///     T = -S x - c v     |T| <= L     x  elastic displacement [m]     v  sliding velocity [m/s]
 ///
-/// S is the stiffness [N/m], c the damping [N s/m], L the force at which it slips [N]. While it slips, x follows so that |T| = L.
+/// S is the stiffness [N/m], c the damping [N s/m], L the force at which it slips [N]. Spring and dashpot together hold no more than L, and the spring
+/// is never stretched beyond L/S, whatever the dashpot does: S, c and L change while a contact is pressed together.
 /// The memory is x half a step back, m: x = m + h v/2 at the evaluation, and m = x + h v/2 after it, h being the step [s]; so x is
 /// the integral of v by the trapezoidal rule.
 
@@ -24,15 +25,17 @@ SliderForce<Number> slide(const Number& stiffness, const Number& damping, const 
   const Number half = 0.5 * step;
   SliderForce<Number> result;
   result.stretch = memory + half * velocity;
+  const Number spring = stiffness * stiffness * dot(result.stretch, result.stretch), most = limit * limit;
+  if (const auto slips = spring > most; any(slips)) {
+    const Number share = select(slips, limit / square_root(spring), Number{} + 1);
+    result.stretch = share * result.stretch;
+  }
   const Triple<Number> pull = stiffness * result.stretch + damping * velocity;
   result.force = Triple<Number>{} - pull;
   const Number square = dot(pull, pull);
-  const auto slips = square > limit * limit;
-  if (any(slips)) {
+  if (const auto slips = square > most; any(slips)) {
     const Number share = select(slips, limit / square_root(square), Number{} + 1);
     result.force = share * result.force;
-    const Triple<Number> slipped = share * result.stretch - ((1 - share) * damping / stiffness) * velocity;
-    result.stretch = select(slips, slipped, result.stretch);
   }
   memory = result.stretch + half * velocity;
   return result;

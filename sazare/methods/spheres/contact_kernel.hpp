@@ -2,7 +2,9 @@
 
 /// Forces of as many touching pairs as there are lanes.
 
+#include <algorithm>
 #include <bit>
+#include <limits>
 
 #include "sazare/core/lane_records.hpp"
 #include "sazare/methods/spheres/pair_contacts.hpp"
@@ -36,8 +38,8 @@ inline void add_records(std::array<Lanes, 8>& fields, Real* const* to, int lanes
 template <laws::ContactModel model, bool rolls>
 class ContactKernel {
  public:
-  ContactKernel(PairContacts& contacts, const state::Spheres& spheres, Real step, LoadTable& loads)
-      : contacts_(contacts), spheres_(spheres), loads_(loads), step_(broadcast(step)), repeats_(spheres.box.repeats()),
+  ContactKernel(PairContacts& contacts, const state::Spheres& spheres, Real approach, Real step, LoadTable& loads)
+      : contacts_(contacts), spheres_(spheres), loads_(loads), approach_(approach), step_(broadcast(step)), repeats_(spheres.box.repeats()),
         is_one_material_(contacts.table_.materials == 1) {
     const Vector3 inverse = spheres.box.inverse();
     for (int axis = 0; axis < 3; ++axis) {
@@ -51,16 +53,18 @@ class ContactKernel {
     }
   }
 
-  /// The first `lanes` of the hits; the rest repeats one of them and does not count.
-  void evaluate(const PairContacts::Hit* hits, int lanes) {
-    for (int lane = 0; lane < lane_count; ++lane) point(static_cast<std::size_t>(lane), hits[lane < lanes ? lane : 0]);
+  /// The first `lanes` of the pairs; the rest repeats one of them and does not count.
+  void evaluate(const std::uint32_t* pairs, int lanes) {
+    for (int lane = 0; lane < lane_count; ++lane) point(static_cast<std::size_t>(lane), pairs[lane < lanes ? lane : 0]);
     const auto first = load_records<8>(first_place_), second = load_records<8>(second_place_);
     const auto first_spin = load_quads(first_spin_), second_spin = load_quads(second_spin_);
     const Triple<Lanes> apart = apart_from(first, second);
     const Lanes distance = square_root(dot(apart, apart)), reach = first[3] + second[3];
     laws::ContactMotion<Lanes> at;
     at.normal = (1.0 / distance) * apart;
-    at.overlap = reach - distance;
+    const Lanes gap = distance - reach;
+    const LaneMask touches = gap < 0.0;
+    at.overlap = touches ? -gap : Lanes{} + tiny;
     at.reduced_radius = first[3] * second[3] / reach;
     at.reduced_mass = first[7] * second[7] / (first[7] + second[7]);
     at.step = step_;
@@ -71,10 +75,20 @@ class ContactKernel {
     if constexpr (rolls) at.rolling = at.reduced_radius * cross(other - one, at.normal);
     if (!is_one_material_) look_up(first_spin[3], second_spin[3]);
     auto memory = recall();
-    const auto force = laws::contact_force<model, rolls>(constants_, at, memory);
+    auto force = laws::contact_force<model, rolls>(constants_, at, memory);
+    if (any(~touches)) part(touches, force, memory);
+    sleep(pairs, touches, gap, lanes);
     remember(memory, lanes);
     deliver(force, at, first_arm, second_arm, lanes);
-    book(force, lanes);
+    book(force, touches, lanes);
+  }
+
+  /// Asks for what a pair will read of its second sphere.
+  void fetch(std::uint32_t pair) const {
+    const auto j = static_cast<std::size_t>(contacts_.pairs_.other[pair]);
+    __builtin_prefetch(&spheres_.place[j]);
+    __builtin_prefetch(&spheres_.spin[j]);
+    __builtin_prefetch(&loads_.data()[static_cast<std::size_t>(loads_.slots()[pair])], 1);
   }
 
   ContactSums sums() const {
@@ -84,23 +98,39 @@ class ContactKernel {
       total.sliding += sliding_[lane];
       total.dashpot_work += dashpot_work_[lane];
       total.sliding_work += sliding_work_[lane];
+      total.contacts += static_cast<std::int64_t>(touching_[lane]);
     }
-    total.contacts = contacts_evaluated_;
     return total;
   }
 
  private:
-  void point(std::size_t lane, const PairContacts::Hit& hit) {
-    const auto i = static_cast<std::size_t>(hit.sphere);
-    const auto j = static_cast<std::size_t>(contacts_.pairs_.other[hit.pair]);
+  static constexpr float least_ = std::numeric_limits<float>::min();  // 0 says that a pair touches
+  static constexpr Real tiny = 1e-30;  // an overlap at which nothing of the law fails
+
+  void point(std::size_t lane, std::uint32_t pair) {
+    const auto i = static_cast<std::size_t>(contacts_.owner_[pair]);
+    const auto j = static_cast<std::size_t>(contacts_.pairs_.other[pair]);
     first_place_[lane] = &spheres_.place[i];
     second_place_[lane] = &spheres_.place[j];
     first_spin_[lane] = &spheres_.spin[i].x;
     second_spin_[lane] = &spheres_.spin[j].x;
-    sliding_memory_[lane] = &contacts_.sliding_[hit.pair].x;
-    if constexpr (rolls) rolling_memory_[lane] = &contacts_.rolling_[hit.pair].x;
+    sliding_memory_[lane] = &contacts_.sliding_[pair].x;
+    if constexpr (rolls) rolling_memory_[lane] = &contacts_.rolling_[pair].x;
     first_load_[lane] = &loads_.data()[i].fx;
-    second_load_[lane] = &loads_.data()[static_cast<std::size_t>(loads_.slots()[hit.pair])].fx;
+    second_load_[lane] = &loads_.data()[static_cast<std::size_t>(loads_.slots()[pair])].fx;
+  }
+
+  /// Pairs that do not touch: no force, and no memory.
+  static void part(LaneMask touches, laws::ContactForce<Lanes>& force, laws::ContactMemory<Lanes>& memory) {
+    const Triple<Lanes> none;
+    force.normal = select(touches, force.normal, Lanes{});
+    for (auto* part : {&force.friction, &force.rolling, &memory.sliding, &memory.rolling}) *part = select(touches, *part, none);
+  }
+
+  void sleep(const std::uint32_t* pairs, LaneMask touches, const Lanes& gap, int lanes) {
+    constexpr float rounded_down = 1 - 1e-6F;
+    for (int lane = 0; lane < lanes; ++lane)
+      contacts_.sleeps_until_[pairs[lane]] = touches[lane] != 0 ? 0 : std::max(rounded_down * static_cast<float>(approach_ + gap[lane]), least_);
   }
 
   Triple<Lanes> apart_from(const std::array<Lanes, 8>& first, const std::array<Lanes, 8>& second) const {
@@ -155,14 +185,14 @@ class ContactKernel {
     add_records(on_second, second_load_.data(), lanes);
   }
 
-  void book(const laws::ContactForce<Lanes>& force, int lanes) {
-    Lanes counts{};
-    for (int lane = 0; lane < lanes; ++lane) counts[lane] = 1;
+  void book(const laws::ContactForce<Lanes>& force, LaneMask touches, int lanes) {
+    Lanes counts = touches ? Lanes{} + 1 : Lanes{};
+    for (int lane = lanes; lane < lane_count; ++lane) counts[lane] = 0;
     elastic_ += counts * force.elastic_energy;
     sliding_ += counts * force.sliding_energy;
     dashpot_work_ += counts * step_ * force.dashpot_power;
     sliding_work_ += counts * step_ * force.sliding_power;
-    contacts_evaluated_ += lanes;
+    touching_ += counts;
   }
 
   static std::array<const Real*, lane_count> as_source(const std::array<Real*, lane_count>& pointers) {
@@ -172,6 +202,7 @@ class ContactKernel {
   PairContacts& contacts_;
   const state::Spheres& spheres_;
   LoadTable& loads_;
+  Real approach_;
   Lanes step_;
   bool repeats_, is_one_material_;
   std::array<Lanes, 3> length_, inverse_;
@@ -179,8 +210,7 @@ class ContactKernel {
   LanePointers<const state::SpherePlace> first_place_, second_place_;
   std::array<const Real*, lane_count> first_spin_, second_spin_;
   std::array<Real*, lane_count> sliding_memory_, rolling_memory_, first_load_, second_load_;
-  Lanes elastic_{}, sliding_{}, dashpot_work_{}, sliding_work_{};
-  std::int64_t contacts_evaluated_ = 0;
+  Lanes elastic_{}, sliding_{}, dashpot_work_{}, sliding_work_{}, touching_{};
 };
 
 }  // namespace sazare::methods::spheres

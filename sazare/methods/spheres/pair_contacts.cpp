@@ -1,7 +1,7 @@
 #include "sazare/methods/spheres/pair_contacts.hpp"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
 #include "sazare/methods/spheres/contact_kernel.hpp"
@@ -34,18 +34,22 @@ std::vector<Index> PairContacts::find(state::Spheres& spheres, Real margin) {
 }
 
 void PairContacts::carry_over(const neighbors::SpherePairs& before, const std::vector<Index>& new_place) {
-  const auto touched = std::exchange(touches_, std::vector<std::uint8_t>(pairs_.other.size()));
-  const auto slid = std::exchange(sliding_, std::vector<Memory>(pairs_.other.size()));
-  const auto rolled = std::exchange(rolling_, std::vector<Memory>(table_.rolls ? pairs_.other.size() : 0));
-  if (before.first.empty()) return;
+  const std::size_t count = pairs_.other.size();
+  owner_.resize(count);
+  for (std::size_t i = 0; i + 1 < pairs_.first.size(); ++i)
+    std::fill(owner_.begin() + pairs_.first[i], owner_.begin() + pairs_.first[i + 1], static_cast<Index>(i));
+  constexpr float looked_at_next = -1;
+  const auto slept = std::exchange(sleeps_until_, std::vector<float>(count, looked_at_next));
+  const auto slid = std::exchange(sliding_, std::vector<Memory>(count));
+  const auto rolled = std::exchange(rolling_, std::vector<Memory>(table_.rolls ? count : 0));
   for (std::size_t i = 0; i + 1 < before.first.size(); ++i)
     for (std::size_t p = before.first[i]; p < before.first[i + 1]; ++p) {
-      if (touched[p] == 0) continue;
+      if (slept[p] != 0) continue;
       const Index one = new_place[i], other = new_place[static_cast<std::size_t>(before.other[p])];
       const auto row = static_cast<std::size_t>(std::min(one, other));
       for (std::size_t q = pairs_.first[row]; q < pairs_.first[row + 1]; ++q) {
         if (pairs_.other[q] != std::max(one, other)) continue;
-        touches_[q] = 1;
+        sleeps_until_[q] = 0;
         sliding_[q] = slid[p];
         // Seen from the other sphere, sliding changes its sign; rolling does not.
         if (one > other) sliding_[q] = {-slid[p].x, -slid[p].y, -slid[p].z, 0};
@@ -54,67 +58,48 @@ void PairContacts::carry_over(const neighbors::SpherePairs& before, const std::v
     }
 }
 
-void PairContacts::forget(std::size_t pair) {
-  sliding_[pair] = {};
-  if (table_.rolls) rolling_[pair] = {};
-}
-
-template <bool periodic>
-std::size_t PairContacts::find_hits(const state::Spheres& spheres, std::size_t sphere, Hit* hits) {
-  const state::SpherePlace own = spheres.place[sphere];
-  const Vector3 length = spheres.box.length, inverse = spheres.box.inverse();
-  std::size_t count = 0;
-  for (std::uint32_t p = pairs_.first[sphere]; p < pairs_.first[sphere + 1]; ++p) {
-    const state::SpherePlace& other = spheres.place[static_cast<std::size_t>(pairs_.other[p])];
-    Real dx = other.x - own.x, dy = other.y - own.y, dz = other.z - own.z;
-    if constexpr (periodic) {
-      dx -= length.x() * std::nearbyint(dx * inverse.x());
-      dy -= length.y() * std::nearbyint(dy * inverse.y());
-      dz -= length.z() * std::nearbyint(dz * inverse.z());
-    }
-    const Real reach = own.radius + other.radius;
-    const bool now = dx * dx + dy * dy + dz * dz < reach * reach;
-    hits[count] = {static_cast<Index>(sphere), p};
-    count += now ? 1 : 0;
-    if (touches_[p] > static_cast<std::uint8_t>(now)) forget(p);
-    touches_[p] = static_cast<std::uint8_t>(now);
-  }
-  return count;
-}
-
 template <laws::ContactModel model, bool rolls>
-ContactSums PairContacts::evaluate_with(const state::Spheres& spheres, std::size_t block, Real step, LoadTable& loads) {
-  constexpr std::size_t enough = 256;
-  std::vector<Hit> hits(enough);
-  ContactKernel<model, rolls> kernel(*this, spheres, step, loads);
+ContactSums PairContacts::evaluate_with(const state::Spheres& spheres, std::size_t block, Real approach, Real step, LoadTable& loads) {
+  constexpr std::size_t at_once = 512;  // candidates; what they touch stays in the cache
+  constexpr std::size_t ahead = 48;     // pairs whose spheres are on their way to the cache: the second ones stand anywhere
+  std::array<std::uint32_t, at_once + lane_count> awake;
+  ContactKernel<model, rolls> kernel(*this, spheres, approach, step, loads);
   std::size_t count = 0;
-  const bool periodic = spheres.box.repeats();
-  for (std::size_t i = loads.begin_of(block); i < loads.end_of(block); ++i) {
-    const std::size_t most = count + pairs_.first[i + 1] - pairs_.first[i];
-    if (most >= hits.size()) hits.resize(2 * most);
-    count += periodic ? find_hits<true>(spheres, i, &hits[count]) : find_hits<false>(spheres, i, &hits[count]);
-    if (count < enough) continue;
+  const std::size_t end = pairs_.first[loads.end_of(block)];
+  const auto now = static_cast<float>(approach);
+  for (std::size_t begin = pairs_.first[loads.begin_of(block)]; begin < end; begin += at_once) {
+    for (std::size_t p = begin; p < std::min(begin + at_once, end); ++p) {
+      awake[count] = static_cast<std::uint32_t>(p);
+      count += sleeps_until_[p] <= now ? 1 : 0;
+    }
     std::size_t next = 0;
-    for (; next + lane_count <= count; next += lane_count) kernel.evaluate(&hits[next], lane_count);
-    std::copy(hits.begin() + static_cast<std::ptrdiff_t>(next), hits.begin() + static_cast<std::ptrdiff_t>(count), hits.begin());
+    for (std::size_t soon = 0; soon < std::min(count, ahead); ++soon) kernel.fetch(awake[soon]);
+    for (; next + lane_count <= count; next += lane_count) {
+      for (std::size_t soon = next + ahead; soon < std::min(next + ahead + lane_count, count); ++soon) kernel.fetch(awake[soon]);
+      kernel.evaluate(&awake[next], lane_count);
+    }
+    std::copy(awake.begin() + next, awake.begin() + count, awake.begin());
     count -= next;
   }
-  for (std::size_t next = 0; next < count; next += lane_count)
-    kernel.evaluate(&hits[next], static_cast<int>(std::min<std::size_t>(count - next, lane_count)));
+  if (count > 0) kernel.evaluate(awake.data(), static_cast<int>(count));
   return kernel.sums();
 }
 
-ContactSums PairContacts::evaluate(const state::Spheres& spheres, std::size_t block, Real step, LoadTable& loads) {
+ContactSums PairContacts::evaluate(const state::Spheres& spheres, std::size_t block, Real approach, Real step, LoadTable& loads) {
   using enum laws::ContactModel;
-  if (table_.model == hertz)
-    return table_.rolls ? evaluate_with<hertz, true>(spheres, block, step, loads) : evaluate_with<hertz, false>(spheres, block, step, loads);
-  return table_.rolls ? evaluate_with<linear, true>(spheres, block, step, loads) : evaluate_with<linear, false>(spheres, block, step, loads);
+  const bool is_hertz = table_.model == hertz;
+  if (table_.rolls)
+    return is_hertz ? evaluate_with<hertz, true>(spheres, block, approach, step, loads)
+                    : evaluate_with<linear, true>(spheres, block, approach, step, loads);
+  return is_hertz ? evaluate_with<hertz, false>(spheres, block, approach, step, loads)
+                  : evaluate_with<linear, false>(spheres, block, approach, step, loads);
 }
 
 void PairContacts::columns(Archive& archive) {
   archive("first", pairs_.first);
   archive("other", pairs_.other);
-  archive("touches", touches_);
+  archive("owner", owner_);
+  archive("sleeps_until", sleeps_until_);
   archive("sliding", sliding_);
   archive("rolling", rolling_);
 }

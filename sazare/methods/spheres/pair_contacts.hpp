@@ -1,6 +1,9 @@
 #pragma once
 
 /// Contacts between spheres: candidates, which of them touch, what they remember, and their forces in lanes.
+///
+/// A pair that does not touch sleeps: it is looked at again when any two spheres may have come nearer to each other by as much as its
+/// gap. So a step reads one small number of each candidate, and evaluates little more than the pairs that touch.
 
 #include <cstdint>
 #include <vector>
@@ -18,12 +21,12 @@ class PairContacts {
   /// Returns the place before of each sphere.
   std::vector<Index> find(state::Spheres& spheres, Real margin);
 
-  /// Adds the forces of a block's pairs to the loads.
-  ContactSums evaluate(const state::Spheres& spheres, std::size_t block, Real step, LoadTable& loads);
+  /// Adds the forces of a block's pairs to the loads. `approach` is how much nearer any two spheres may have come since `find` [m].
+  ContactSums evaluate(const state::Spheres& spheres, std::size_t block, Real approach, Real step, LoadTable& loads);
 
   const neighbors::SpherePairs& pairs() const { return pairs_; }
   const ContactTable& table() const { return table_; }
-  bool touches(std::size_t pair) const { return touches_[pair] != 0; }
+  bool touches(std::size_t pair) const { return sleeps_until_[pair] == 0; }
 
   void columns(Archive& archive);
 
@@ -33,25 +36,18 @@ class PairContacts {
   };
 
  private:
-  struct Hit {
-    Index sphere = 0;
-    std::uint32_t pair = 0;
-  };
-
-  template <bool periodic>
-  std::size_t find_hits(const state::Spheres& spheres, std::size_t sphere, Hit* hits);
-  void forget(std::size_t pair);
   void carry_over(const neighbors::SpherePairs& before, const std::vector<Index>& new_place);
 
   template <laws::ContactModel model, bool rolls>
-  ContactSums evaluate_with(const state::Spheres& spheres, std::size_t block, Real step, LoadTable& loads);
+  ContactSums evaluate_with(const state::Spheres& spheres, std::size_t block, Real approach, Real step, LoadTable& loads);
 
   template <laws::ContactModel model, bool rolls>
   friend class ContactKernel;
 
   ContactTable table_;
   neighbors::SpherePairs pairs_;
-  std::vector<std::uint8_t> touches_;  ///< by pair
+  std::vector<Index> owner_;           ///< by pair: its first sphere
+  std::vector<float> sleeps_until_;    ///< by pair: the approach at which it may touch [m]; 0 while it touches, -1 when it is new
   std::vector<Memory> sliding_;        ///< by pair; zero where they do not touch
   std::vector<Memory> rolling_;        ///< by pair; empty where nothing resists rolling
 };

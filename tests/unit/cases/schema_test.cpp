@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "case_folder.hpp"
-#include "sazare/cases/mps_fields.hpp"
+#include "sazare/cases/spheres_fields.hpp"
 #include "sazare/cases/units.hpp"
 
 namespace sazare::cases {
@@ -18,7 +18,7 @@ namespace {
 /// Tables of all methods and of studies.
 std::vector<Table> all_tables() {
   std::vector<Table> tables;
-  for (const auto schema : {blocks_schema(), mps_schema(), study_schema()}) tables.insert(tables.end(), schema.begin(), schema.end());
+  for (const auto schema : {blocks_schema(), mps_schema(), spheres_schema(), study_schema()}) tables.insert(tables.end(), schema.begin(), schema.end());
   return tables;
 }
 
@@ -64,11 +64,14 @@ TEST(Schema, ChoicesAreInTheOrderOfTheEnums) {
   expect_same_words<Side>("boundaries", "side", mps_schema());
   expect_same_words<SideKind>("boundaries", "kind", mps_schema());
   expect_same_words<Integrator>("time", "integrator", mps_schema());
+  expect_same_words<ContactModel>("contact", "model", spheres_schema());
+  expect_same_words<SphereSource>("spheres", "source", spheres_schema());
+  expect_same_words<WallShape>("walls", "shape", spheres_schema());
 }
 
 TEST(Schema, JsonIsValidAndClosed) {
   const auto all = nlohmann::json::parse(schema_json());
-  ASSERT_EQ(all["oneOf"].size(), 2);
+  ASSERT_EQ(all["oneOf"].size(), 3);
   EXPECT_EQ(all["oneOf"][1]["properties"]["case"]["properties"]["method"]["const"], "mps");
   EXPECT_EQ(all["oneOf"][1]["properties"].size(), mps_schema().size());
   const auto& json = all["oneOf"][0];

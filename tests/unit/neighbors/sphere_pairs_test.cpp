@@ -66,7 +66,7 @@ TEST(sphere_pairs, are_all_pairs_of_sizes_one_to_twenty) {
 }
 
 TEST(sphere_pairs, reach_through_periodic_sides) {
-  for (const Vector3 length : {Vector3(1, 1, 0), Vector3(0.25, 1, 1), Vector3(0, 0.5, 0)}) {
+  for (const Vector3& length : {Vector3(1, 1, 0), Vector3(0.25, 1, 1), Vector3(0, 0.5, 0)}) {
     auto spheres = scattered(1500, 0.02, 0.05, {1, 1, 1});
     spheres.box = {Vector3(-0.1, 0.2, 0), length};
     EXPECT_EQ(found(spheres, 0.005), by_hand(spheres, 0.005));

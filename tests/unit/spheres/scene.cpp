@@ -22,7 +22,7 @@ engine::SphereStepper make_stepper(const std::vector<Grain>& grains, const Rules
   return {std::move(spheres), table(rules), std::move(walls), {rules.step, rules.gravity, rules.margin, 5e-3}};
 }
 
-std::vector<Grain> heap(int across, Real speed) {
+std::vector<Grain> heap(int across, Real speed, Real spacing) {
   std::uint64_t state = 5;
   const auto random = [&] {
     state = state * 6364136223846793005ULL + 1442695040888963407ULL;
@@ -33,7 +33,7 @@ std::vector<Grain> heap(int across, Real speed) {
     for (int j = 0; j < across; ++j)
       for (int k = 0; k < across; ++k) {
         Grain grain;
-        grain.centre = 0.021 * Vector3(i, j, k) + Vector3(0.02, 0.02, 0.02);
+        grain.centre = spacing * Vector3(i, j, k) + Vector3(0.02, 0.02, 0.02);
         grain.radius = 0.009 + 0.001 * random();
         grain.velocity = speed * Vector3(random(), random(), random());
         grain.spin = 20 * speed * Vector3(random(), random(), random());

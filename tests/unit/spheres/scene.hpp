@@ -28,7 +28,7 @@ ContactTable table(const Rules& rules);
 engine::SphereStepper make_stepper(const std::vector<Grain>& grains, const Rules& rules, std::vector<Wall> walls = {});
 
 /// A heap of some hundred spheres of several sizes that fall into each other.
-std::vector<Grain> heap(int across, Real speed);
+std::vector<Grain> heap(int across, Real speed, Real spacing = 0.021);
 
 /// Where the sphere with a number stands in memory.
 std::size_t place_of(const engine::SphereStepper& stepper, Index number);

@@ -41,7 +41,7 @@ TEST(wall_contacts, a_flat_surface_pushes_once_wherever_its_edges_are) {
   const Vector3 plane = force_at({0, 0, pressed}, {Wall{}});
   EXPECT_GT(plane.z(), 0);
   for (const int pieces : {3, 7, 40})
-    for (const Vector3 place : {Vector3(0, 0, pressed), Vector3(1e-4, 0, pressed), Vector3(5e-4, 3e-4, pressed), Vector3(0.3, 1e-5, pressed)}) {
+    for (const Vector3& place : {Vector3(0, 0, pressed), Vector3(1e-4, 0, pressed), Vector3(5e-4, 3e-4, pressed), Vector3(0.3, 1e-5, pressed)}) {
       const Vector3 force = force_at(place, {fan(pieces)});
       EXPECT_NEAR((force - plane).norm(), 0, 1e-9 * plane.z()) << pieces << " " << place.transpose();
     }
