@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "sazare/engine/sphere_stepper.hpp"
 #include "sazare/parallel/threads.hpp"
@@ -108,34 +109,64 @@ void restitutions(const Solid& solid) {
   }
 }
 
-/// Tests 4 and 5, where the ball slides throughout: the impulse across is mu (1 + e) m v_n.
+/// What a contact that slides throughout brings across: the integral of N where it pushes, and that of N d/2, by which the arm is shorter.
+struct Push {
+  Real impulse = 0;   ///< [N s]
+  Real short_arm = 0;  ///< [N m s]
+};
+
+/// Integrates m d'' = -K sqrt(R) d^(3/2) - c(d) d' alone, the damping that of Antypov and Elliott.
+Push push_of(Real mass, Real radius, Real modulus, Real restitution, Real speed) {
+  const Real stiffness = 4.0 / 3 * modulus * std::sqrt(radius), log = std::log(restitution);
+  const Real damping = -std::sqrt(5.0) * log / std::sqrt(log * log + std::numbers::pi * std::numbers::pi) * std::sqrt(mass * stiffness);
+  const Real step = duration(mass, radius, modulus, speed) / 2e5;
+  Push push;
+  Real depth = speed * step, rate = speed;
+  while (depth > 0) {
+    const Real force = stiffness * std::pow(depth, 1.5) + damping * std::pow(depth, 0.25) * rate;
+    push.impulse += step * std::max(force, Real{0});
+    push.short_arm += step * std::max(force, Real{0}) * depth / 2;
+    rate -= step * force / mass;
+    depth += step * rate;
+  }
+  return push;
+}
+
+/// Tests 4 and 5: sliding throughout.
 void oblique(const std::string& name, const Solid& solid, Real radius, const Vector3& velocity) {
   const After after = on_plane(solid, radius, velocity);
-  const Real change = solid.friction * (1 + solid.restitution) * -velocity.z();
-  print_row(name + "-tangential", after.velocity[0].x() / velocity.x(), 1 - change / velocity.x());
-  print_row(name + "-spin", after.spin[0].y(), 2.5 * change / radius);
+  const Real mass = mass_of(solid.density, radius);
+  const Push push = push_of(mass, radius, modulus_of(solid.elasticity), solid.restitution, -velocity.z());
+  print_row(name + "-tangential", after.velocity[0].x() / velocity.x(), 1 - solid.friction * push.impulse / mass / velocity.x());
+  print_row(name + "-spin", after.spin[0].y(), 2.5 * solid.friction * (push.impulse * radius - push.short_arm) / (mass * radius * radius));
 }
 
 /// Test 6: with spin, at a normal speed of 0.2 m/s.
 void spinning(const Solid& solid) {
-  const Real radius = 0.1, speed = 0.2, spin = -24, change = solid.friction * (1 + solid.restitution) * speed;
+  const Real radius = 0.1, speed = 0.2, spin = -24, mass = mass_of(solid.density, radius);
+  const Push push = push_of(mass, radius, modulus_of(solid.elasticity), solid.restitution, speed);
   const After after = on_plane(solid, radius, {0, 0, -speed}, {0, spin, 0});
-  print_row("6-velocity", after.velocity[0].x(), -change);
-  print_row("6-spin", after.spin[0].y(), spin + 2.5 * change / radius);
+  print_row("6-velocity", after.velocity[0].x(), -solid.friction * push.impulse / mass);
+  print_row("6-spin", after.spin[0].y(), spin + 2.5 * solid.friction * (push.impulse * radius - push.short_arm) / (mass * radius * radius));
 }
 
-/// Tests 7 and 8: two spheres with spin at a closing speed of 0.4 m/s. Sliding throughout; momentum across and spin go over whole.
+/// Tests 7 and 8: two spheres with spin at a closing speed of 0.4 m/s.
 void spinning_pair(const std::string& name, const Solid& solid, Real first_radius, Real second_radius) {
   const Real speed = 0.2, spin = 30;
   const Real m1 = mass_of(solid.density, first_radius), m2 = mass_of(solid.density, second_radius), mass = m1 * m2 / (m1 + m2);
-  const Real radius = first_radius * second_radius / (first_radius + second_radius);
-  const After after = impact(solid, {{first_radius, {0, 0, -first_radius}, {0, 0, speed}, {0, spin, 0}}, {second_radius, {0, 0, second_radius}, {0, 0, -speed}, {0, spin, 0}}},
-                             duration(mass, radius, 0.5 * modulus_of(solid.elasticity), 2 * speed));
+  const Real radius = first_radius * second_radius / (first_radius + second_radius), modulus = 0.5 * modulus_of(solid.elasticity);
+  const After after = impact(solid,
+                             {{first_radius, {0, 0, -first_radius}, {0, 0, speed}, {0, spin, 0}},
+                              {second_radius, {0, 0, second_radius}, {0, 0, -speed}, {0, spin, 0}}},
+                             duration(mass, radius, modulus, 2 * speed));
   // The first one's upper side moves along +x, so friction pushes it along -x.
-  const Real impulse = solid.friction * (1 + solid.restitution) * mass * 2 * speed;
-  print_row(name + "-velocity", after.velocity[0].x(), -impulse / m1);
-  print_row(name + "-spin", after.spin[0].y(), spin - 2.5 * impulse / (m1 * first_radius));
-  print_row(name + "-other-spin", after.spin[1].y(), spin - 2.5 * impulse / (m2 * second_radius));
+  const Push push = push_of(mass, radius, modulus, solid.restitution, 2 * speed);
+  const auto slowed = [&](Real own_mass, Real own_radius) {
+    return spin - 2.5 * solid.friction * (push.impulse * own_radius - push.short_arm) / (own_mass * own_radius * own_radius);
+  };
+  print_row(name + "-velocity", after.velocity[0].x(), -solid.friction * push.impulse / m1);
+  print_row(name + "-spin", after.spin[0].y(), slowed(m1, first_radius));
+  print_row(name + "-other-spin", after.spin[1].y(), slowed(m2, second_radius));
 }
 
 }  // namespace
