@@ -76,6 +76,7 @@ int main(int count, char** arguments) {
   const auto began = std::chrono::steady_clock::now();
   for (int k = 0; k < 1000; ++k) stepper.advance();
   const Real seconds = std::chrono::duration<Real>(std::chrono::steady_clock::now() - began).count();
+  stepper.settle();
   std::printf("%.0f,%.4g,%.3g,%.4g\n", spheres, 1000 * spheres / seconds, static_cast<Real>(stepper.contacts()) / spheres,
               (resident_bytes() - before) / spheres);
 }

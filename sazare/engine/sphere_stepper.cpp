@@ -49,7 +49,7 @@ Vector3 SphereStepper::spin(std::size_t sphere) const {
 
 void SphereStepper::start() {
   find_pairs();
-  evaluate();
+  settle();
   sums_.dashpot_work = sums_.sliding_work = wall_work_ = 0;
   for (std::size_t i = 0; i < spheres_.size(); ++i) {
     const Vector3 back = 0.5 * rules_.step * acceleration(i), turn_back = 0.5 * rules_.step * angular_acceleration(i);
@@ -89,15 +89,16 @@ void SphereStepper::find_walls(std::span<const Index> places_before) {
   wall_approach_ = 0;
 }
 
-SphereStepper::Speeds SphereStepper::kick_and_drift(std::size_t block) {
+SphereStepper::Speeds SphereStepper::kick_and_drift(std::size_t block, const state::SphereLoad* loads) {
   const Real h = rules_.step, half = 0.5 * h;
   const Vector3 gravity = rules_.gravity;
   Real first = 0, second = 0, largest = 0;
-  for (std::size_t i = loads_.begin_of(block); i < loads_.end_of(block); ++i) {
+  const std::size_t begin = loads_.begin_of(block);
+  for (std::size_t i = begin; i < loads_.end_of(block); ++i) {
     state::SphereKick& kick = spheres_.kick[i];
     state::SpherePlace& place = spheres_.place[i];
     state::SphereSpin& spin = spheres_.spin[i];
-    const state::SphereLoad& load = loads_.of(i);
+    const state::SphereLoad& load = loads[i - begin];
     const Real inverse = kick.inverse_mass, falls = inverse > 0 ? 1 : 0;
     const Real ax = inverse * load.fx + falls * gravity.x(), ay = inverse * load.fy + falls * gravity.y(),
                az = inverse * load.fz + falls * gravity.z();
@@ -126,9 +127,9 @@ SphereStepper::Speeds SphereStepper::kick_and_drift(std::size_t block) {
   return {std::sqrt(first), std::sqrt(second), std::sqrt(largest)};
 }
 
-void SphereStepper::measure(const std::vector<Speeds>& speeds) {
+void SphereStepper::measure() {
   Speeds all;
-  for (const Speeds& one : speeds) {
+  for (const Speeds& one : speeds_) {
     all.second = std::max({all.second, std::min(all.first, one.first), one.second});
     all.first = one.first <= all.first ? all.first : one.first;
     all.largest = std::max(all.largest, one.largest);
@@ -138,40 +139,87 @@ void SphereStepper::measure(const std::vector<Speeds>& speeds) {
   wall_approach_ += rules_.step * (all.largest + walls_.largest_speed(wall_radius_ + rules_.wall_margin));
 }
 
-void SphereStepper::evaluate() {
-  walls_.move(time());
-  std::vector<methods::spheres::ContactSums> sums(loads_.blocks());
-  const Real step = rules_.step;
-  parallel::parallel_for(loads_.blocks(), serial_below, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t block = begin; block < end; ++block) {
-      loads_.clear(block);
-      sums[block] = pairs_.evaluate(spheres_, block, approach_, step, loads_);
-      if (!walls_.walls().empty()) sums[block] += walls_.evaluate(spheres_, block, step, loads_);
+methods::spheres::ContactSums SphereStepper::evaluate(std::size_t block, state::SphereLoad* loads) {
+  loads_.clear(block, loads);
+  auto sums = pairs_.evaluate(spheres_, {block, approach_, rules_.step, loads_, loads});
+  if (!walls_.walls().empty()) sums += walls_.evaluate(spheres_, block, rules_.step, loads);
+  return sums;
+}
+
+/// Forces and kicks of some blocks, each while it is in the cache. A block that others look at, before this range, waits for them all.
+void SphereStepper::walk(std::size_t begin, std::size_t end) {
+  std::vector<state::SphereLoad> passing(neighbors::block_size);
+  for (std::size_t block = begin; block < end; ++block) {
+    waits_[block] = loads_.first_visitor(block) < begin ? 1 : 0;
+    state::SphereLoad* const loads = waits_[block] != 0 ? loads_.kept(block) : passing.data();
+    block_sums_[block] = evaluate(block, loads);
+    if (waits_[block] != 0) continue;
+    loads_.gather(block, loads);
+    speeds_[block] = kick_and_drift(block, loads);
+  }
+}
+
+void SphereStepper::kick_those_that_waited() {
+  std::vector<std::size_t> late;
+  for (std::size_t block = 0; block < waits_.size(); ++block)
+    if (waits_[block] != 0) late.push_back(block);
+  parallel::parallel_for(late.size(), serial_below, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      loads_.gather(late[n], loads_.kept(late[n]));
+      speeds_[late[n]] = kick_and_drift(late[n], loads_.kept(late[n]));
     }
   });
+}
+
+void SphereStepper::kick_kept() {
   parallel::parallel_for(loads_.blocks(), serial_below, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t block = begin; block < end; ++block) loads_.gather(block);
+    for (std::size_t block = begin; block < end; ++block) speeds_[block] = kick_and_drift(block, loads_.kept(block));
   });
+}
+
+/// Adds up the sums of the blocks.
+void SphereStepper::book() {
   methods::spheres::ContactSums now;
-  for (const auto& one : sums) now += one;
+  for (const auto& one : block_sums_) now += one;
   now.dashpot_work += sums_.dashpot_work;
   now.sliding_work += sums_.sliding_work;
   sums_ = now;
   for (const auto& load : walls_.loads()) wall_work_ += load.work;
 }
 
-void SphereStepper::advance() {
-  std::vector<Speeds> speeds(loads_.blocks());
+void SphereStepper::settle() {
+  if (settled_) return;
+  walls_.move(time());
+  block_sums_.resize(loads_.blocks());
   parallel::parallel_for(loads_.blocks(), serial_below, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t block = begin; block < end; ++block) speeds[block] = kick_and_drift(block);
+    for (std::size_t block = begin; block < end; ++block) block_sums_[block] = evaluate(block, loads_.kept(block));
   });
+  parallel::parallel_for(loads_.blocks(), serial_below, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t block = begin; block < end; ++block) loads_.gather(block, loads_.kept(block));
+  });
+  book();
+  settled_ = true;
+}
+
+void SphereStepper::advance() {
+  block_sums_.resize(loads_.blocks());
+  speeds_.resize(loads_.blocks());
+  if (settled_) {
+    kick_kept();
+  } else {
+    walls_.move(time());
+    waits_.assign(loads_.blocks(), 0);
+    parallel::parallel_for(loads_.blocks(), serial_below, [&](std::size_t begin, std::size_t end) { walk(begin, end); });
+    kick_those_that_waited();
+    book();
+  }
+  settled_ = false;
   ++step_;
-  measure(speeds);
+  measure();
   if (approach_ >= rules_.margin)
     find_pairs();
   else if (!walls_.walls().empty() && wall_approach_ >= rules_.wall_margin)
     find_walls({});
-  evaluate();
 }
 
 SphereEnergies SphereStepper::energies() const {
@@ -205,6 +253,9 @@ Vector3 SphereStepper::angular_momentum() const {
 
 void SphereStepper::columns(Archive& archive) {
   archive("steps", step_);
+  int settled = settled_ ? 1 : 0;
+  archive("settled", settled);
+  settled_ = settled != 0;
   archive("searches", searches_);
   archive.folder("spheres", [&] { spheres_.columns(archive); });
   archive.folder("pairs", [&] { pairs_.columns(archive); });

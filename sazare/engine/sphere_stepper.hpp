@@ -39,7 +39,13 @@ class SphereStepper {
 
   /// Evaluates the beginning; call once before the first `advance`, not after a resume.
   void start();
+
+  /// A step: forces at `time()`, kick and drift, block by block in one go.
   void advance();
+
+  /// Evaluates the forces at `time()` and keeps them: to be called before anything below is asked for. The next `advance` goes on from them,
+  /// with the same bits.
+  void settle();
 
   std::int64_t steps() const { return step_; }
   Real time() const { return static_cast<Real>(step_) * rules_.step; }
@@ -74,11 +80,15 @@ class SphereStepper {
 
   Vector3 acceleration(std::size_t sphere) const;
   Vector3 angular_acceleration(std::size_t sphere) const;
-  Speeds kick_and_drift(std::size_t block);
-  void measure(const std::vector<Speeds>& speeds);
+  Speeds kick_and_drift(std::size_t block, const state::SphereLoad* loads);
+  methods::spheres::ContactSums evaluate(std::size_t block, state::SphereLoad* loads);
+  void walk(std::size_t begin, std::size_t end);
+  void kick_those_that_waited();
+  void kick_kept();
+  void book();
+  void measure();
   void find_pairs();
   void find_walls(std::span<const Index> places_before);
-  void evaluate();
 
   state::Spheres spheres_;
   methods::spheres::PairContacts pairs_;
@@ -86,11 +96,15 @@ class SphereStepper {
   methods::spheres::LoadTable loads_;
   SphereRules rules_;
   std::int64_t step_ = 0, searches_ = 0;
+  bool settled_ = false;             ///< the forces at `time()` are kept, and the kick is still to come
   Vector3 drift_ = Vector3::Zero();  ///< mean velocity when pairs were last found [m/s]
   Real approach_ = 0;                ///< how much nearer any two may have come since then [m]
   Real wall_approach_ = 0;           ///< the same of spheres and walls [m]
   Real wall_radius_ = 0;             ///< of the spheres about the pivots of the walls [m]
   Real largest_speed_ = 0;
+  std::vector<Speeds> speeds_;                             ///< by block
+  std::vector<std::uint8_t> waits_;                        ///< by block: to be kicked when all are evaluated
+  std::vector<methods::spheres::ContactSums> block_sums_;  ///< by block
   methods::spheres::ContactSums sums_;  ///< of the last evaluation; works since the start
   Real wall_work_ = 0;
 };

@@ -9,7 +9,7 @@ namespace sazare::runs {
 
 namespace {
 
-constexpr int spheres_per_thread = static_cast<int>(neighbors::block_size);
+constexpr int spheres_per_thread = 4000;  // with fewer a second thread takes more time than it saves
 constexpr std::int64_t motion_check_steps = 32;
 
 std::string number(Real value, int digits = 4) { return cases::short_number(value, digits); }

@@ -63,7 +63,8 @@ void SpheresRecord::resume() {
 void SpheresRecord::observe(std::int64_t step, Real wall_seconds) {
   if (!clocks_.is_row(step)) return;
   const Real time = clocks_.time(step);
-  const engine::SphereStepper& stepper = *model_->stepper;
+  engine::SphereStepper& stepper = *model_->stepper;
+  stepper.settle();
   energies_ = stepper.energies();
   if (rows_ == 0) first_sum_ = energies_.sum();
   const Real speed = stepper.largest_speed();

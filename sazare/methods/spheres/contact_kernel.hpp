@@ -6,6 +6,7 @@
 #include <bit>
 #include <limits>
 
+#include "sazare/core/lane_math.hpp"
 #include "sazare/core/lane_records.hpp"
 #include "sazare/methods/spheres/pair_contacts.hpp"
 
@@ -17,29 +18,48 @@ inline Lanes nearest(const Lanes& number) {
   return (number + shift) - shift;
 }
 
-/// Adds the first `lanes` columns of eight rows to records of eight doubles, one after the other.
-inline void add_records(std::array<Lanes, 8>& fields, Real* const* to, int lanes) {
-  static_assert(8 % lane_count == 0);
-  for (std::size_t first = 0; first < 8; first += lane_count) {
-    std::array<Lanes, lane_count> rows;
-    for (std::size_t i = 0; i < lane_count; ++i) rows[i] = fields[first + i];
-    transpose(rows);
-    for (std::size_t i = 0; i < lane_count; ++i) fields[first + i] = rows[i];
-  }
-  for (int lane = 0; lane < lanes; ++lane)
-    for (std::size_t first = 0; first < 8; first += lane_count) {
-      Lanes sum;
-      std::memcpy(&sum, to[lane] + first, sizeof(Lanes));
-      sum += fields[first + static_cast<std::size_t>(lane)];
-      std::memcpy(to[lane] + first, &sum, sizeof(Lanes));
-    }
+/// Four numbers of one kind and four of another.
+inline std::array<Lanes, 8 / lane_count> halves(Real first, Real second) {
+#ifdef __AVX512F__
+  return {__builtin_shufflevector(broadcast(first), broadcast(second), 0, 1, 2, 3, 12, 13, 14, 15)};
+#else
+  return {broadcast(first), broadcast(second)};
+#endif
 }
+
+/// Force and moment in lanes, to be added to loads one after the other.
+class LoadRows {
+ public:
+  LoadRows(const Triple<Lanes>& force, const Triple<Lanes>& moment) : rows_{force.x, force.y, force.z, Lanes{}, moment.x, moment.y, moment.z, Lanes{}} {
+    for (std::size_t first = 0; first < 8; first += lane_count) {
+      std::array<Lanes, lane_count> square;
+      for (std::size_t i = 0; i < lane_count; ++i) square[i] = rows_[first + i];
+      transpose(square);
+      for (std::size_t i = 0; i < lane_count; ++i) rows_[first + i] = square[i];
+    }
+  }
+
+  /// Adds a lane's force times one number and its moment times another.
+  void add(std::size_t lane, Real of_force, Real of_moment, state::SphereLoad* to) const {
+    const auto factors = halves(of_force, of_moment);
+    auto* const numbers = reinterpret_cast<Real*>(to);
+    for (std::size_t part = 0; part < factors.size(); ++part) {
+      Lanes sum = load_lanes(numbers + part * lane_count);
+      sum += factors[part] * rows_[part * lane_count + lane];
+      store_lanes(numbers + part * lane_count, sum);
+    }
+  }
+
+ private:
+  std::array<Lanes, 8> rows_;
+};
 
 template <laws::ContactModel model, bool rolls>
 class ContactKernel {
  public:
-  ContactKernel(PairContacts& contacts, const state::Spheres& spheres, Real approach, Real step, LoadTable& loads)
-      : contacts_(contacts), spheres_(spheres), loads_(loads), approach_(approach), step_(broadcast(step)), repeats_(spheres.box.repeats()),
+  ContactKernel(PairContacts& contacts, const state::Spheres& spheres, const PairContacts::Task& task)
+      : contacts_(contacts), spheres_(spheres), loads_(task.loads), own_(task.own), begin_(task.loads.begin_of(task.block)), approach_(task.approach),
+        step_(broadcast(task.step)), repeats_(spheres.box.repeats()),
         is_one_material_(contacts.table_.materials == 1) {
     const Vector3 inverse = spheres.box.inverse();
     for (int axis = 0; axis < 3; ++axis) {
@@ -54,8 +74,9 @@ class ContactKernel {
   }
 
   /// The first `lanes` of the pairs; the rest repeats one of them and does not count.
-  void evaluate(const std::uint32_t* pairs, int lanes) {
-    for (int lane = 0; lane < lane_count; ++lane) point(static_cast<std::size_t>(lane), pairs[lane < lanes ? lane : 0]);
+  void evaluate(PairContacts::AwakePair* pairs, int lanes) {
+    for (int lane = lanes; lane < lane_count; ++lane) pairs[lane] = pairs[0];
+    for (std::size_t lane = 0; lane < lane_count; ++lane) point(lane, pairs[lane]);
     const auto first = load_records<8>(first_place_), second = load_records<8>(second_place_);
     const auto first_spin = load_quads(first_spin_), second_spin = load_quads(second_spin_);
     const Triple<Lanes> apart = apart_from(first, second);
@@ -79,16 +100,16 @@ class ContactKernel {
     if (any(~touches)) part(touches, force, memory);
     sleep(pairs, touches, gap, lanes);
     remember(memory, lanes);
-    deliver(force, at, first_arm, second_arm, lanes);
+    deliver(force, at, first_arm, second_arm, pairs, lanes);
     book(force, touches, lanes);
   }
 
   /// Asks for what a pair will read of its second sphere.
-  void fetch(std::uint32_t pair) const {
-    const auto j = static_cast<std::size_t>(contacts_.pairs_.other[pair]);
+  void fetch(const PairContacts::AwakePair& pair) const {
+    const auto j = static_cast<std::size_t>(pair.second);
     __builtin_prefetch(&spheres_.place[j]);
     __builtin_prefetch(&spheres_.spin[j]);
-    __builtin_prefetch(&loads_.data()[static_cast<std::size_t>(loads_.slots()[pair])], 1);
+    __builtin_prefetch(loads_.second(pair.pair, own_), 1);
   }
 
   ContactSums sums() const {
@@ -107,17 +128,14 @@ class ContactKernel {
   static constexpr float least_ = std::numeric_limits<float>::min();  // 0 says that a pair touches
   static constexpr Real tiny = 1e-30;  // an overlap at which nothing of the law fails
 
-  void point(std::size_t lane, std::uint32_t pair) {
-    const auto i = static_cast<std::size_t>(contacts_.owner_[pair]);
-    const auto j = static_cast<std::size_t>(contacts_.pairs_.other[pair]);
+  void point(std::size_t lane, const PairContacts::AwakePair& pair) {
+    const auto i = static_cast<std::size_t>(pair.first), j = static_cast<std::size_t>(pair.second);
     first_place_[lane] = &spheres_.place[i];
     second_place_[lane] = &spheres_.place[j];
     first_spin_[lane] = &spheres_.spin[i].x;
     second_spin_[lane] = &spheres_.spin[j].x;
-    sliding_memory_[lane] = &contacts_.sliding_[pair].x;
-    if constexpr (rolls) rolling_memory_[lane] = &contacts_.rolling_[pair].x;
-    first_load_[lane] = &loads_.data()[i].fx;
-    second_load_[lane] = &loads_.data()[static_cast<std::size_t>(loads_.slots()[pair])].fx;
+    sliding_memory_[lane] = &contacts_.sliding_[pair.pair].x;
+    if constexpr (rolls) rolling_memory_[lane] = &contacts_.rolling_[pair.pair].x;
   }
 
   /// Pairs that do not touch: no force, and no memory.
@@ -127,10 +145,14 @@ class ContactKernel {
     for (auto* part : {&force.friction, &force.rolling, &memory.sliding, &memory.rolling}) *part = select(touches, *part, none);
   }
 
-  void sleep(const std::uint32_t* pairs, LaneMask touches, const Lanes& gap, int lanes) {
+  void sleep(const PairContacts::AwakePair* pairs, LaneMask touches, const Lanes& gap, int lanes) {
     constexpr float rounded_down = 1 - 1e-6F;
+    if (!any(~touches)) {
+      for (int lane = 0; lane < lanes; ++lane) contacts_.sleeps_until_[pairs[lane].pair] = 0;
+      return;
+    }
     for (int lane = 0; lane < lanes; ++lane)
-      contacts_.sleeps_until_[pairs[lane]] = touches[lane] != 0 ? 0 : std::max(rounded_down * static_cast<float>(approach_ + gap[lane]), least_);
+      contacts_.sleeps_until_[pairs[lane].pair] = touches[lane] != 0 ? 0 : std::max(rounded_down * static_cast<float>(approach_ + gap[lane]), least_);
   }
 
   Triple<Lanes> apart_from(const std::array<Lanes, 8>& first, const std::array<Lanes, 8>& second) const {
@@ -171,18 +193,22 @@ class ContactKernel {
 
   /// Equal and opposite forces; moments about both centres, whose arms together are the distance.
   void deliver(const laws::ContactForce<Lanes>& force, const laws::ContactMotion<Lanes>& at, const Lanes& first_arm,
-               const Lanes& second_arm, int lanes) const {
-    const Triple<Lanes> push = force.normal * at.normal + force.friction, turn = cross(force.friction, at.normal);
-    Triple<Lanes> first_moment = first_arm * turn, second_moment = second_arm * turn;
-    if constexpr (rolls) {
-      const Triple<Lanes> roll = at.reduced_radius * cross(at.normal, force.rolling);
-      first_moment = first_moment - roll;
-      second_moment = second_moment + roll;
+               const Lanes& second_arm, const PairContacts::AwakePair* pairs, int lanes) {
+    const LoadRows rows(force.normal * at.normal + force.friction, cross(force.friction, at.normal));
+    std::array<Real, lane_count> first, second;
+    store_lanes(first.data(), first_arm);
+    store_lanes(second.data(), second_arm);
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(lanes); ++lane) {
+      rows.add(lane, -1, first[lane], &own_[static_cast<std::size_t>(pairs[lane].first) - begin_]);
+      rows.add(lane, 1, second[lane], loads_.second(pairs[lane].pair, own_));
     }
-    std::array<Lanes, 8> on_first{-push.x, -push.y, -push.z, Lanes{}, first_moment.x, first_moment.y, first_moment.z, Lanes{}};
-    std::array<Lanes, 8> on_second{push.x, push.y, push.z, Lanes{}, second_moment.x, second_moment.y, second_moment.z, Lanes{}};
-    add_records(on_first, first_load_.data(), lanes);
-    add_records(on_second, second_load_.data(), lanes);
+    if constexpr (rolls) {
+      const LoadRows rolling(Triple<Lanes>{}, at.reduced_radius * cross(at.normal, force.rolling));
+      for (std::size_t lane = 0; lane < static_cast<std::size_t>(lanes); ++lane) {
+        rolling.add(lane, 0, -1, &own_[static_cast<std::size_t>(pairs[lane].first) - begin_]);
+        rolling.add(lane, 0, 1, loads_.second(pairs[lane].pair, own_));
+      }
+    }
   }
 
   void book(const laws::ContactForce<Lanes>& force, LaneMask touches, int lanes) {
@@ -202,6 +228,8 @@ class ContactKernel {
   PairContacts& contacts_;
   const state::Spheres& spheres_;
   LoadTable& loads_;
+  state::SphereLoad* own_;
+  std::size_t begin_;
   Real approach_;
   Lanes step_;
   bool repeats_, is_one_material_;
@@ -209,7 +237,7 @@ class ContactKernel {
   laws::ContactConstants<Lanes> constants_;
   LanePointers<const state::SpherePlace> first_place_, second_place_;
   std::array<const Real*, lane_count> first_spin_, second_spin_;
-  std::array<Real*, lane_count> sliding_memory_, rolling_memory_, first_load_, second_load_;
+  std::array<Real*, lane_count> sliding_memory_, rolling_memory_;
   Lanes elastic_{}, sliding_{}, dashpot_work_{}, sliding_work_{}, touching_{};
 };
 

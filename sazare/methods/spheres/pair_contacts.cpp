@@ -59,17 +59,17 @@ void PairContacts::carry_over(const neighbors::SpherePairs& before, const std::v
 }
 
 template <laws::ContactModel model, bool rolls>
-ContactSums PairContacts::evaluate_with(const state::Spheres& spheres, std::size_t block, Real approach, Real step, LoadTable& loads) {
+ContactSums PairContacts::evaluate_with(const state::Spheres& spheres, const Task& task) {
   constexpr std::size_t at_once = 512;  // candidates; what they touch stays in the cache
   constexpr std::size_t ahead = 48;     // pairs whose spheres are on their way to the cache: the second ones stand anywhere
-  std::array<std::uint32_t, at_once + lane_count> awake;
-  ContactKernel<model, rolls> kernel(*this, spheres, approach, step, loads);
+  std::array<AwakePair, at_once + lane_count> awake;
+  ContactKernel<model, rolls> kernel(*this, spheres, task);
   std::size_t count = 0;
-  const std::size_t end = pairs_.first[loads.end_of(block)];
-  const auto now = static_cast<float>(approach);
-  for (std::size_t begin = pairs_.first[loads.begin_of(block)]; begin < end; begin += at_once) {
+  const std::size_t end = pairs_.first[task.loads.end_of(task.block)];
+  const auto now = static_cast<float>(task.approach);
+  for (std::size_t begin = pairs_.first[task.loads.begin_of(task.block)]; begin < end; begin += at_once) {
     for (std::size_t p = begin; p < std::min(begin + at_once, end); ++p) {
-      awake[count] = static_cast<std::uint32_t>(p);
+      awake[count] = {owner_[p], pairs_.other[p], static_cast<std::uint32_t>(p)};
       count += sleeps_until_[p] <= now ? 1 : 0;
     }
     std::size_t next = 0;
@@ -85,14 +85,10 @@ ContactSums PairContacts::evaluate_with(const state::Spheres& spheres, std::size
   return kernel.sums();
 }
 
-ContactSums PairContacts::evaluate(const state::Spheres& spheres, std::size_t block, Real approach, Real step, LoadTable& loads) {
+ContactSums PairContacts::evaluate(const state::Spheres& spheres, const Task& task) {
   using enum laws::ContactModel;
-  const bool is_hertz = table_.model == hertz;
-  if (table_.rolls)
-    return is_hertz ? evaluate_with<hertz, true>(spheres, block, approach, step, loads)
-                    : evaluate_with<linear, true>(spheres, block, approach, step, loads);
-  return is_hertz ? evaluate_with<hertz, false>(spheres, block, approach, step, loads)
-                  : evaluate_with<linear, false>(spheres, block, approach, step, loads);
+  if (table_.model == hertz) return table_.rolls ? evaluate_with<hertz, true>(spheres, task) : evaluate_with<hertz, false>(spheres, task);
+  return table_.rolls ? evaluate_with<linear, true>(spheres, task) : evaluate_with<linear, false>(spheres, task);
 }
 
 void PairContacts::columns(Archive& archive) {

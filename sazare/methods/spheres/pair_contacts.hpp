@@ -21,8 +21,17 @@ class PairContacts {
   /// Returns the place before of each sphere.
   std::vector<Index> find(state::Spheres& spheres, Real margin);
 
-  /// Adds the forces of a block's pairs to the loads. `approach` is how much nearer any two spheres may have come since `find` [m].
-  ContactSums evaluate(const state::Spheres& spheres, std::size_t block, Real approach, Real step, LoadTable& loads);
+  /// A block, and where its forces go.
+  struct Task {
+    std::size_t block = 0;
+    Real approach = 0;  ///< how much nearer any two spheres may have come since `find` [m]
+    Real step = 0;      ///< [s]
+    LoadTable& loads;
+    state::SphereLoad* own;  ///< the loads of the block's spheres
+  };
+
+  /// Adds the forces of a block's pairs to the loads.
+  ContactSums evaluate(const state::Spheres& spheres, const Task& task);
 
   const neighbors::SpherePairs& pairs() const { return pairs_; }
   const ContactTable& table() const { return table_; }
@@ -36,10 +45,15 @@ class PairContacts {
   };
 
  private:
+  struct AwakePair {
+    Index first, second;
+    std::uint32_t pair;
+  };
+
   void carry_over(const neighbors::SpherePairs& before, const std::vector<Index>& new_place);
 
   template <laws::ContactModel model, bool rolls>
-  ContactSums evaluate_with(const state::Spheres& spheres, std::size_t block, Real approach, Real step, LoadTable& loads);
+  ContactSums evaluate_with(const state::Spheres& spheres, const Task& task);
 
   template <laws::ContactModel model, bool rolls>
   friend class ContactKernel;

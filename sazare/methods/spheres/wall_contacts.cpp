@@ -87,7 +87,7 @@ void WallContacts::find_touches(const state::SpherePlace& place, std::span<const
 
 template <laws::ContactModel model>
 ContactSums WallContacts::push(const state::Spheres& spheres, const Point& point, Touch& touch, Real step, Block& block,
-                               LoadTable& loads) const {
+                               state::SphereLoad& load) const {
   const auto i = static_cast<std::size_t>(touch.sphere), w = static_cast<std::size_t>(point.wall);
   const state::SpherePlace& place = spheres.place[i];
   const Real arm = place.radius - 0.5 * point.overlap;
@@ -108,7 +108,6 @@ ContactSums WallContacts::push(const state::Spheres& spheres, const Point& point
   touch.rolling = vector(memory.rolling);
   const Vector3 push = force.normal * point.normal + vector(force.friction);
   const Vector3 moment = -arm * point.normal.cross(push) + place.radius * point.normal.cross(vector(force.rolling));
-  state::SphereLoad& load = loads.data()[i];
   load.fx += push.x();
   load.fy += push.y();
   load.fz += push.z();
@@ -121,7 +120,7 @@ ContactSums WallContacts::push(const state::Spheres& spheres, const Point& point
   return {force.elastic_energy, force.sliding_energy, step * force.dashpot_power, step * force.sliding_power, 1};
 }
 
-ContactSums WallContacts::evaluate(const state::Spheres& spheres, std::size_t number, Real step, LoadTable& loads) {
+ContactSums WallContacts::evaluate(const state::Spheres& spheres, std::size_t number, Real step, state::SphereLoad* own) {
   ContactSums sums;
   Block& block = blocks_[number];
   std::swap(block.before, block.touches);
@@ -151,8 +150,9 @@ ContactSums WallContacts::evaluate(const state::Spheres& spheres, std::size_t nu
           old->wall = -1;  // each goes on once
           break;
         }
-      sums += table_.model == laws::ContactModel::hertz ? push<laws::ContactModel::hertz>(spheres, point, touch, step, block, loads)
-                                                        : push<laws::ContactModel::linear>(spheres, point, touch, step, block, loads);
+      state::SphereLoad& load = own[static_cast<std::size_t>(sphere) - number * neighbors::block_size];
+      sums += table_.model == laws::ContactModel::hertz ? push<laws::ContactModel::hertz>(spheres, point, touch, step, block, load)
+                                                        : push<laws::ContactModel::linear>(spheres, point, touch, step, block, load);
       block.touches.push_back(touch);
     }
   }

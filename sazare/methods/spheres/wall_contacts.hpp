@@ -26,8 +26,8 @@ class WallContacts {
   /// To be called once before the blocks of a step.
   void move(Real time);
 
-  /// Adds the forces on a block's spheres to their loads.
-  ContactSums evaluate(const state::Spheres& spheres, std::size_t block, Real step, LoadTable& loads);
+  /// Adds the forces on a block's spheres to their loads, `own`.
+  ContactSums evaluate(const state::Spheres& spheres, std::size_t block, Real step, state::SphereLoad* own);
 
   const std::vector<Wall>& walls() const { return walls_; }
   std::vector<WallLoad> loads() const;
@@ -64,7 +64,7 @@ class WallContacts {
 
   void find_touches(const state::SpherePlace& place, std::span<const Near> near, std::vector<Point>& points) const;
   template <laws::ContactModel model>
-  ContactSums push(const state::Spheres& spheres, const Point& point, Touch& touch, Real step, Block& block, LoadTable& loads) const;
+  ContactSums push(const state::Spheres& spheres, const Point& point, Touch& touch, Real step, Block& block, state::SphereLoad& load) const;
 
   ContactTable table_;
   std::vector<Wall> walls_;

@@ -30,7 +30,7 @@ TEST(sphere_stepper, contact_lasts_as_hertz_says) {
   int touching = 0;
   Real deepest = 0;
   for (int k = 0; k < 20000; ++k) {
-    stepper.advance();
+    advance(stepper, 1);
     touching += stepper.contacts() > 0 ? 1 : 0;
     deepest = std::max(deepest, 0.02 - (centre_of(stepper, 1) - centre_of(stepper, 0)).norm());
   }
@@ -79,7 +79,7 @@ TEST(sphere_stepper, keeps_momentum_and_angular_momentum) {
     const Vector3 momentum = stepper.momentum(), turning = stepper.angular_momentum();
     std::int64_t touched = 0;
     for (int k = 0; k < 2000; ++k) {
-      stepper.advance();
+      advance(stepper, 1);
       touched += stepper.contacts();
     }
     EXPECT_GT(touched, 1000);

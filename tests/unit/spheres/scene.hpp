@@ -39,6 +39,7 @@ inline Vector3 spin_of(const engine::SphereStepper& stepper, Index number) { ret
 
 inline void advance(engine::SphereStepper& stepper, int steps) {
   for (int step = 0; step < steps; ++step) stepper.advance();
+  stepper.settle();
 }
 
 }  // namespace sazare::methods::spheres
