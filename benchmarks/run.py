@@ -18,6 +18,7 @@ import full_rows
 import particle_rows
 import slab_rows
 import square_rows
+import sphere_rows
 from bench import ROOT, Bench, Options
 from table import NotChosen, keep, print_summary, write_table
 
@@ -67,7 +68,7 @@ def measure(row, bench):
 
 def main():
     options = read_options()
-    rows = slab_rows.rows() + full_rows.rows() + block_rows.rows() + particle_rows.rows() + square_rows.rows()
+    rows = slab_rows.rows() + full_rows.rows() + block_rows.rows() + particle_rows.rows() + square_rows.rows() + sphere_rows.rows()
     if options.list:
         print("\n".join(f"{row.id}: {row.quantity}" for row in rows))
         return 0

@@ -55,9 +55,22 @@ void print_rectangles_figures(const observe::Manifest& manifest, const fs::path&
   fmt::print("results in      {}\n", folder.string());
 }
 
+void print_spheres_figures(const observe::Manifest& manifest, const fs::path& folder) {
+  const auto number = [&](std::string_view name, int digits = 4) { return cases::short_number(figure(manifest, name), digits); };
+  const Real seconds = figure(manifest, "wall_seconds");
+  fmt::print("spheres         {}, {} contacts at the end, step {} s\n", number("particles", 12), number("contacts", 12), number("step"));
+  fmt::print("energy          lost {} J, unaccounted {} J; peak speed {} m/s\n", number("energy_lost"), number("energy_residual", 2),
+             number("peak_speed"));
+  fmt::print("wall time       {:.2f} s, {} sphere-steps per second, {} thread{}\n", seconds,
+             cases::short_number(seconds > 0 ? figure(manifest, "particle_steps") / seconds : 0, 3), manifest.machine.threads,
+             manifest.machine.threads == 1 ? "" : "s");
+  fmt::print("results in      {}\n", folder.string());
+}
+
 void print_figures(const observe::Manifest& manifest, const fs::path& folder) {
   if (manifest.method == "mps") return print_mps_figures(manifest, folder);
   if (manifest.method == "rectangles") return print_rectangles_figures(manifest, folder);
+  if (manifest.method == "spheres") return print_spheres_figures(manifest, folder);
   const auto number = [&](std::string_view name, int digits = 4) { return cases::short_number(figure(manifest, name), digits); };
   fmt::print("joints broken   {} of {}\n", number("broken_joints", 12), number("joints", 12));
   fmt::print("fragments       {} of {} elements, X50 {} m, X80 {} m\n", number("fragments", 12), number("elements", 12),
@@ -91,8 +104,7 @@ int run(const RunArguments& arguments, const parallel::Ranks& ranks) {
   parallel::set_threads(arguments.of_case.threads);
   const cases::CaseFile file = cases::read_case(arguments.of_case.file, arguments.of_case.settings);
   if (ranks.size() > 1 && !std::holds_alternative<cases::BlocksCase>(file.content))
-    throw UserError(fmt::format("methods mps and rectangles run in one process, and {} were started: leave mpirun out, and use --threads",
-                                ranks.size()));
+    throw UserError(fmt::format("this method runs in one process, and {} were started: leave mpirun out, and use --threads", ranks.size()));
   if (ranks.is_first()) fmt::print(stderr, "{}", file.warnings);
   const fs::path folder = arguments.folder.empty() ? default_folder(arguments.of_case.file) : arguments.folder;
   const bool quiet = arguments.quiet || !ranks.is_first();

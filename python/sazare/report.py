@@ -7,7 +7,7 @@ from pathlib import Path
 
 import jinja2
 
-from sazare import ground, maps, plot, squares, study, style
+from sazare import granular, ground, maps, plot, squares, study, style
 from sazare.results import open_run
 from sazare.scenes import Body
 from sazare.summary import headlines, verdict
@@ -127,6 +127,25 @@ def square_sections(results):
     ]
 
 
+def granular_sections(results):
+    """The pictures of a run of method spheres."""
+    return [
+        Section("spheres", "Spheres", "Spheres coloured by speed, the front half cut away; the fastest hundredth shares one colour.",
+                partial(granular.pictures, results), "The run wrote no snapshots."),
+        Section("groups", "Groups", "Centre of mass of the recorded groups along the axis of their longest way.", partial(granular.groups, results),
+                "The case has no gauges."),
+        Section("energies", "Where the energy went", "Energy of motion and in contacts, and what was lost by cause, stacked; below, what the "
+                "ledger does not account for. Gravity and moving walls bring energy in.", partial(granular.energies, results),
+                "The run wrote no history."),
+        Section("walls", "Walls", "Force of the spheres on the walls, along the axis on which it is largest.", partial(granular.walls, results),
+                "The case has no walls."),
+        Section("contacts", "Contacts", "Number of contacts, and the largest speed of any sphere.", partial(granular.contacts, results),
+                "The run wrote no history.", wide=False),
+        Section("timing", "Where the time went", "Computing time by part of the run.", partial(plot.timing, results),
+                "The run wrote no timing.", wide=False),
+    ]
+
+
 def study_sections(results):
     """The pictures of a study of limit steps."""
     missing = "The study varies other parameters, or is not done."
@@ -217,6 +236,8 @@ def write_report(path):
         chosen = ground_sections(results)
     elif method == "rectangles":
         chosen = square_sections(results)
+    elif method == "spheres":
+        chosen = granular_sections(results)
     elif method == "study":
         chosen = study_sections(results)
     elif len(results.snapshots):
@@ -224,7 +245,7 @@ def write_report(path):
     else:
         missing = "The run wrote no snapshots."
         chosen = [Section("cracks", "Crack pattern, shape, levels, fragments", "", lambda: None, missing)]
-    if method not in ("mps", "rectangles", "study"):
+    if method not in ("mps", "rectangles", "spheres", "study"):
         chosen = [*chosen, *curve_sections(results)]
     sections = [_drawn(section, folder) for section in chosen]
     page = results.path / "report.html"

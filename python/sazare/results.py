@@ -211,8 +211,13 @@ class Results:
 
     @cached_property
     def gauge_table(self):
-        """gauges.csv: time, and for every gauge its velocity; method mps also writes displacement and acceleration."""
+        """gauges.csv: time, and for every gauge its velocity; method mps also writes displacement and acceleration, spheres the position."""
         return self._table("gauges.csv")
+
+    @cached_property
+    def wall_table(self):
+        """walls.csv of method spheres: time, and for every wall force [N] and moment [N m]."""
+        return self._table("walls.csv")
 
     @cached_property
     def study(self):
@@ -247,7 +252,7 @@ class Results:
 
     @cached_property
     def particle_snapshots(self):
-        """The same of a run of method mps: points with displacement, velocity and acceleration."""
+        """The same of a run of method mps or spheres: points with velocity and more."""
         return self._snapshots("particles")
 
     @cached_property

@@ -36,6 +36,8 @@ def verdict(results):
     if results.manifest.get("method") == "mps":
         share = _share_of_limit(results.figures)
         return "good", "The run is done." + (f" Its step is {share:.2f} of the predicted limit." if share else "")
+    if results.manifest.get("method") == "spheres" and balance is not None:
+        return "good" if balance <= BAD_BALANCE else "fair", f"The run is done. The energy ledger closes within {balance:.1e} of the work done."
     if results.manifest.get("method") == "study":
         largest = results.figures.get("largest_log_difference", 0.0)
         return "good", f"The study is done. Prediction and bisection differ by at most {100 * largest:.2f} %."
@@ -63,6 +65,7 @@ def headlines(results):
         ("particles", "particles", count, ""),
         ("broken_springs", "springs broken", count, _of(figures, "elements", "elements")),
         ("open_links", "faces open", count, ""),
+        ("contacts", "contacts at the end", count, ""),
         ("peak_acceleration", "peak acceleration", lambda x: quantity(x, "m/s²"), ""),
         ("peak_displacement", "peak displacement", lambda x: quantity(x, "m"), ""),
         ("step", "step", lambda x: quantity(x, "s"), _note(figures, "predicted_limit", "limit ", "s")),

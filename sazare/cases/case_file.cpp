@@ -10,6 +10,7 @@
 #include "sazare/cases/checks.hpp"
 #include "sazare/cases/field_reader.hpp"
 #include "sazare/cases/rectangles_fields.hpp"
+#include "sazare/cases/spheres_fields.hpp"
 #include "sazare/cases/structure_check.hpp"
 #include "sazare/core/error.hpp"
 
@@ -89,6 +90,11 @@ void check_meaning(const CheckContext& context, RectanglesCase& rectangles) {
   resolve_clocks(context, rectangles.time);
 }
 
+void check_meaning(const CheckContext& context, SpheresCase& spheres) {
+  check_spheres(context, spheres);
+  resolve_clocks(context, spheres.time);
+}
+
 template <class Case>
 MethodCase read_method(const CheckContext& context, const fs::path& folder) {
   Case result = CaseReader(context.root, context.schema, folder).read<Case>();
@@ -146,6 +152,7 @@ CaseFile read_case(const fs::path& path, std::span<const std::string> overrides)
   const CheckContext context{text->root, schema, path.parent_path(), problems};
   MethodCase checked = method == "mps"          ? read_method<MpsCase>(context, folder)
                        : method == "rectangles" ? read_method<RectanglesCase>(context, folder)
+                       : method == "spheres"    ? read_method<SpheresCase>(context, folder)
                                                 : read_method<BlocksCase>(context, folder);
   problems.throw_if_errors();
   return {path, std::move(checked), problems.warning_text(), text};

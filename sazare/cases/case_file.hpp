@@ -9,13 +9,14 @@
 
 #include "sazare/cases/blocks_case.hpp"
 #include "sazare/cases/rectangles_case.hpp"
+#include "sazare/cases/spheres_case.hpp"
 
 namespace sazare::cases {
 
 struct CaseText;
 
 /// A case of any method.
-using MethodCase = std::variant<BlocksCase, MpsCase, RectanglesCase>;
+using MethodCase = std::variant<BlocksCase, MpsCase, RectanglesCase, SpheresCase>;
 
 /// A case that was read and checked, with its text for messages about what only the mesh can show.
 struct CaseFile {
@@ -27,6 +28,7 @@ struct CaseFile {
   const BlocksCase& blocks() const { return std::get<BlocksCase>(content); }
   const MpsCase& mps() const { return std::get<MpsCase>(content); }
   const RectanglesCase& rectangles() const { return std::get<RectanglesCase>(content); }
+  const SpheresCase& spheres() const { return std::get<SpheresCase>(content); }
 };
 
 /// Reads and checks a case. `overrides` are texts such as "time.end=1e-3" or "joints.0.cohesion=5e6". Throws

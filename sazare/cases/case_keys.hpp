@@ -7,7 +7,7 @@
 /// Keys and tables that the methods share.
 namespace sazare::cases {
 
-inline constexpr std::array<std::string_view, 3> method_names{"blocks", "mps", "rectangles"};
+inline constexpr std::array<std::string_view, 4> method_names{"blocks", "mps", "rectangles", "spheres"};
 
 inline constexpr std::array case_keys{
     Key{.name = "title",
@@ -18,7 +18,7 @@ inline constexpr std::array case_keys{
         .type = Type::choice,
         .need = Need::required,
         .sentence = "How the body is modelled: blocks are bonded tetrahedra that can break apart, mps are moving particles of an "
-                    "elastic ground in an earthquake, rectangles are blocks and beams of squares in the plane.",
+                    "elastic ground in an earthquake, rectangles are blocks and beams of squares in the plane, spheres are grains that touch.",
         .choices = method_names},
 };
 

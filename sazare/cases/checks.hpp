@@ -9,6 +9,7 @@
 #include "sazare/cases/blocks_case.hpp"
 #include "sazare/cases/case_text.hpp"
 #include "sazare/cases/rectangles_case.hpp"
+#include "sazare/cases/spheres_case.hpp"
 
 /// What can be found wrong from the text of a case alone, after types and ranges: each function reports what
 /// it finds.
@@ -36,6 +37,7 @@ void check_blasts(const CheckContext& context, BlocksCase& blocks);
 /// Checks that the clocks nest, and fills in the intervals that are not given.
 void resolve_clocks(const CheckContext& context, Time& time);
 void resolve_clocks(const CheckContext& context, UniformTime& time);
+void resolve_clocks(const CheckContext& context, SphereTime& time);
 
 /// All checks of a case of method mps after types and ranges; reads its records.
 void check_mps(const CheckContext& context, MpsCase& mps);
@@ -45,6 +47,9 @@ void check_motions(const CheckContext& context, std::vector<Motion>& motions);
 
 /// All checks of a case of method rectangles after types and ranges; reads its records and images.
 void check_rectangles(const CheckContext& context, RectanglesCase& rectangles);
+
+/// All checks of a case of method spheres after types and ranges.
+void check_spheres(const CheckContext& context, SpheresCase& spheres);
 
 /// Reports keys that are missing, and those that do not belong to what was chosen.
 void check_keys(const CheckContext& context, const Entry& entry, const std::string& chosen, const std::vector<std::string_view>& needed,

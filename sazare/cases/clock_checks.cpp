@@ -143,10 +143,18 @@ void resolve_clocks(const CheckContext& context, Time& time) {
   ClockCheck(context, entry, {time.end, "base_step", time.base_step, time.history_interval, time.snapshot_interval}).run();
 }
 
-void resolve_clocks(const CheckContext& context, UniformTime& time) {
+namespace {
+
+template <class StepTime>
+void resolve_step_clocks(const CheckContext& context, StepTime& time) {
   const Entry entry = context.entries_of("time").front();
   if (!entry.gives("end")) return;
   ClockCheck(context, entry, {time.end, "step", time.step, time.history_interval, time.snapshot_interval}).run();
 }
+
+}  // namespace
+
+void resolve_clocks(const CheckContext& context, UniformTime& time) { resolve_step_clocks(context, time); }
+void resolve_clocks(const CheckContext& context, SphereTime& time) { resolve_step_clocks(context, time); }
 
 }  // namespace sazare::cases

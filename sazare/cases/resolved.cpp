@@ -5,9 +5,10 @@
 #include <fmt/format.h>
 
 #include "sazare/cases/fields.hpp"
-#include "sazare/cases/rectangles_fields.hpp"
 #include "sazare/cases/number_text.hpp"
+#include "sazare/cases/rectangles_fields.hpp"
 #include "sazare/cases/schema.hpp"
+#include "sazare/cases/spheres_fields.hpp"
 #include "sazare/cases/structure_check.hpp"
 
 namespace sazare::cases {
@@ -137,6 +138,10 @@ std::string write_resolved(const MpsCase& mps, const fs::path& folder) { return 
 
 std::string write_resolved(const RectanglesCase& rectangles, const fs::path& folder) {
   return CaseWriter(rectangles_schema(), folder).write(rectangles, "rectangles");
+}
+
+std::string write_resolved(const SpheresCase& spheres, const fs::path& folder) {
+  return CaseWriter(spheres_schema(), folder).write(spheres, "spheres");
 }
 
 }  // namespace sazare::cases

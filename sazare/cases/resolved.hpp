@@ -4,6 +4,7 @@
 #include <string>
 
 #include "sazare/cases/rectangles_case.hpp"
+#include "sazare/cases/spheres_case.hpp"
 
 namespace sazare::cases {
 
@@ -13,10 +14,12 @@ namespace sazare::cases {
 std::string write_resolved(const BlocksCase& blocks, const std::filesystem::path& folder = {});
 std::string write_resolved(const MpsCase& mps, const std::filesystem::path& folder = {});
 std::string write_resolved(const RectanglesCase& rectangles, const std::filesystem::path& folder = {});
+std::string write_resolved(const SpheresCase& spheres, const std::filesystem::path& folder = {});
 
 /// The case in words, with what follows from its numbers: what `sazare check` prints.
 std::string explain(const BlocksCase& blocks);
 std::string explain(const MpsCase& mps);
 std::string explain(const RectanglesCase& rectangles);
+std::string explain(const SpheresCase& spheres);
 
 }  // namespace sazare::cases

@@ -32,7 +32,9 @@ bool in_range(const Range& range, Real value) {
 }
 
 std::span<const Table> schema_of(std::string_view method) {
-  return method == "mps" ? mps_schema() : method == "rectangles" ? rectangles_schema() : blocks_schema();
+  if (method == "mps") return mps_schema();
+  if (method == "rectangles") return rectangles_schema();
+  return method == "spheres" ? spheres_schema() : blocks_schema();
 }
 
 const Table* find_table(std::span<const Table> schema, std::string_view name) {

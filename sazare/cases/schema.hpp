@@ -77,6 +77,9 @@ std::span<const Table> mps_schema();
 /// The tables of method rectangles.
 std::span<const Table> rectangles_schema();
 
+/// The tables of method spheres.
+std::span<const Table> spheres_schema();
+
 /// The tables of a study file.
 std::span<const Table> study_schema();
 

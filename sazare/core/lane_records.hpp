@@ -36,6 +36,53 @@ inline void transpose(std::array<Lanes, lane_count>& rows) {
 #endif
 }
 
+/// Four doubles of `lane_count` records become four `Lanes`.
+inline std::array<Lanes, 4> load_quads(const std::array<const Real*, lane_count>& from) {
+#ifdef __AVX512F__
+  std::array<Lanes, 4> halves, pairs;
+  for (std::size_t i = 0; i < 4; ++i)
+    halves[i] = _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(from[i])), _mm256_loadu_pd(from[i + 4]), 1);
+  for (std::size_t i = 0; i < 4; i += 2) {
+    pairs[i] = __builtin_shufflevector(halves[i], halves[i + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+    pairs[i + 1] = __builtin_shufflevector(halves[i], halves[i + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+  }
+  std::array<Lanes, 4> fields;
+  for (std::size_t i = 0; i < 2; ++i) {
+    fields[i] = __builtin_shufflevector(pairs[i], pairs[i + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+    fields[i + 2] = __builtin_shufflevector(pairs[i], pairs[i + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+  }
+  return fields;
+#else
+  std::array<Lanes, lane_count> rows;
+  for (std::size_t lane = 0; lane < lane_count; ++lane) std::memcpy(&rows[lane], from[lane], sizeof(Lanes));
+  transpose(rows);
+  return rows;
+#endif
+}
+
+/// Back again, for the first `lanes` records.
+inline void store_quads(const std::array<Lanes, 4>& fields, const std::array<Real*, lane_count>& to, int lanes = lane_count) {
+#ifdef __AVX512F__
+  std::array<Lanes, 4> pairs, halves;
+  for (std::size_t i = 0; i < 4; i += 2) {
+    pairs[i] = __builtin_shufflevector(fields[i], fields[i + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+    pairs[i + 1] = __builtin_shufflevector(fields[i], fields[i + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    halves[i] = __builtin_shufflevector(pairs[i], pairs[i + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+    halves[i + 2] = __builtin_shufflevector(pairs[i], pairs[i + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+  }
+  for (int lane = 0; lane < lanes; ++lane) {
+    const Lanes& half = halves[static_cast<std::size_t>(lane % 4)];
+    std::memcpy(to[static_cast<std::size_t>(lane)], reinterpret_cast<const char*>(&half) + lane / 4 * 4 * sizeof(Real), 4 * sizeof(Real));
+  }
+#else
+  std::array<Lanes, lane_count> rows = fields;
+  transpose(rows);
+  for (int lane = 0; lane < lanes; ++lane) std::memcpy(to[static_cast<std::size_t>(lane)], &rows[static_cast<std::size_t>(lane)], sizeof(Lanes));
+#endif
+}
+
 /// A record read or written as `Count` doubles, a multiple of `lane_count`; one pointer per lane.
 template <class Record>
 using LanePointers = std::array<Record*, lane_count>;

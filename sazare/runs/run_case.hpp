@@ -22,4 +22,8 @@ std::string check_mps(const cases::CaseFile& file);
 RunOutcome run_rectangles(const cases::CaseFile& file, const RunOptions& options);
 std::string check_rectangles(const cases::CaseFile& file);
 
+/// The same for method spheres alone.
+RunOutcome run_spheres(const cases::CaseFile& file, const RunOptions& options);
+std::string check_spheres(const cases::CaseFile& file);
+
 }  // namespace sazare::runs

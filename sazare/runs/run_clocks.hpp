@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sazare/cases/mps_case.hpp"
+#include "sazare/cases/spheres_case.hpp"
 #include "sazare/core/time.hpp"
 
 namespace sazare::runs {
@@ -27,5 +27,6 @@ struct RunClocks {
 /// Throws UserError when the clocks of the case do not nest in whole base steps.
 RunClocks make_clocks(const cases::Time& time, Real base_step);
 RunClocks make_clocks(const cases::UniformTime& time, Real step);
+RunClocks make_clocks(const cases::SphereTime& time, Real step);
 
 }  // namespace sazare::runs

@@ -117,7 +117,7 @@ void RunFolder::remove_checkpoint() const {
 void RunFolder::remove_run() const {
   std::error_code ignored;
   remove_checkpoint();
-  std::vector<fs::path> files = {history(), gauges(), fragments(), timing(), ranks(), mesh(), case_file(), path_ / "report.html",
+  std::vector<fs::path> files = {history(), gauges(), walls(), fragments(), timing(), ranks(), mesh(), case_file(), path_ / "report.html",
                                  path_ / "study.csv", path_ / "study.id", path_ / "regression.csv", path_ / "regression_lines.csv"};
   for (const auto& entry : fs::directory_iterator(snapshots(), ignored))
     if (is_snapshot(entry.path())) files.push_back(entry.path());

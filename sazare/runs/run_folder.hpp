@@ -33,6 +33,7 @@ class RunFolder {
   std::filesystem::path manifest() const { return path_ / "manifest.json"; }
   std::filesystem::path history() const { return path_ / "history.csv"; }
   std::filesystem::path gauges() const { return path_ / "gauges.csv"; }
+  std::filesystem::path walls() const { return path_ / "walls.csv"; }
   std::filesystem::path fragments() const { return path_ / "fragments.csv"; }
   std::filesystem::path ranks() const { return path_ / "ranks.csv"; }
   std::filesystem::path timing() const { return path_ / "timing.csv"; }

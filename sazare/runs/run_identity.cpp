@@ -123,6 +123,15 @@ RunIdentity identify(const cases::RectanglesCase& rectangles, const std::string&
   return {cases::write_resolved(plain), assembly, records, program_text()};
 }
 
+RunIdentity identify(const cases::SpheresCase& spheres, const std::string& start) {
+  cases::SpheresCase plain = spheres;
+  const std::string records = records_hash(plain.motions);
+  for (cases::SphereGroup& group : plain.spheres) group.file = group.file.filename();
+  for (cases::WallRules& wall : plain.walls) wall.file = wall.file.filename();
+  plain.output = {};
+  return {cases::write_resolved(plain), start, records, program_text()};
+}
+
 void write_identity(observe::CheckpointWriter& out, const RunIdentity& identity) {
   add(out, "identity.case", identity.case_text);
   add(out, "identity.mesh", identity.mesh);

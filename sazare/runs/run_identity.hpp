@@ -5,6 +5,7 @@
 #include <string>
 
 #include "sazare/cases/rectangles_case.hpp"
+#include "sazare/cases/spheres_case.hpp"
 #include "sazare/geometry/tetra_mesh.hpp"
 #include "sazare/observe/checkpoint.hpp"
 
@@ -24,6 +25,9 @@ RunIdentity identify(const cases::MpsCase& mps, const std::string& filling);
 
 /// `assembly` is a hash of where the elements stand.
 RunIdentity identify(const cases::RectanglesCase& rectangles, const std::string& assembly);
+
+/// `start` is a hash of where spheres and walls stand at the start.
+RunIdentity identify(const cases::SpheresCase& spheres, const std::string& start);
 
 void write_identity(observe::CheckpointWriter& out, const RunIdentity& identity);
 

@@ -1,6 +1,7 @@
 #include "sazare/methods/mps/failing_forces.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -15,7 +16,7 @@ std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 template <int D>
 FailingForces<D>::FailingForces(const state::Particles<D>& particles, LinkTable<D> links, GroundStrength<D> strength,
                                 const LooseRules& rules)
-    : links_(std::move(links)), strength_(std::move(strength)), contacts_(particles, links_, rules),
+    : links_(std::move(links)), strength_(std::move(strength)), contacts_(particles, links_, rules), spacing_(particles.spacing),
       whole_links_(particles.size(), 0), lost_links_(particles.size(), 0) {
   for (auto* tensors : {&frames_, &stretch_})
     for (state::Column& column : *tensors) column.assign(particles.padded(), 0);
@@ -53,13 +54,9 @@ void FailingForces<D>::break_links(const state::Particles<D>& particles) {
   for (auto next = std::ranges::find(flowed, 1); next != flowed.end(); next = std::find(next + 1, flowed.end(), 1))
     find_ruptured(static_cast<Index>(next - flowed.begin()), ruptured);
   if (ruptured.empty()) return;
-  const Real before = energy_around(particles, ruptured);
-  Real in_contacts = 0;
-  for (const Link& link : ruptured) {
-    cut(link);
-    in_contacts += contacts_.pair_energy(particles, strength_, link.first, link.second);
-  }
-  rupture_ += before - energy_around(particles, ruptured) - in_contacts;
+  const Real before = energy_around(particles, ruptured) + contacts_.energy(particles, strength_);
+  for (const Link& link : ruptured) cut(link);
+  rupture_ += before - energy_around(particles, ruptured) - contacts_.energy(particles, strength_);
   broken_.insert(broken_.end(), ruptured.begin(), ruptured.end());
 }
 
@@ -71,7 +68,21 @@ void FailingForces<D>::cut(const Link& link) {
     strength_.measure(particle, links_);
     ++lost_links_[at(particle)];
   }
-  contacts_.add(link.first, link.second);
+  const laws::LinkDirection<D>& law = links_.directions[at(link.direction)].law;
+  contacts_.add(link.first, link.second, std::sqrt(laws::product<D, Real>(law.start, law.start)), share_of_column(law));
+}
+
+/// Stiffness of a link over that of all links that a column has in one direction: shortened by a strain e along one axis, they hold
+/// as much energy as the column's lambda + 2 mu.
+template <int D>
+Real FailingForces<D>::share_of_column(const laws::LinkDirection<D>& law) const {
+  Real column = 0;
+  for (const auto& direction : links_.directions) {
+    const auto& start = direction.law.start;
+    const Real square = laws::product<D, Real>(start, start), along = start[0] * start[0] / square;
+    column += 0.5 * direction.law.spring * along * along * square;  // every link belongs to two particles
+  }
+  return law.spring * spacing_ * spacing_ / column;
 }
 
 /// Energy of all blocks that have a particle of these links.

@@ -42,11 +42,13 @@ class FailingForces final : public terms::ParticleForces<D> {
   void break_links(const state::Particles<D>& particles);
   void find_ruptured(Index particle, std::vector<Link>& found) const;
   void cut(const Link& link);
+  Real share_of_column(const laws::LinkDirection<D>& law) const;
   Real energy_around(const state::Particles<D>& particles, const std::vector<Link>& links) const;
 
   LinkTable<D> links_;
   GroundStrength<D> strength_;
   LooseContacts<D> contacts_;
+  Real spacing_ = 0;  ///< [m]
   Frames<GroundStrength<D>::numbers> frames_;
   Tensors<D> stretch_;       ///< see measure_stretch
   state::Column pressure_;   ///< see evaluate_links

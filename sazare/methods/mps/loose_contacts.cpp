@@ -85,12 +85,20 @@ Vector<D> LooseContacts<D>::apart(const state::Particles<D>& particles, Index fi
 }
 
 template <int D>
-void LooseContacts<D>::add(Index first, Index second) {
+void LooseContacts<D>::add(Index first, Index second, Real length, Real share) {
   loose_[at(first)] = loose_[at(second)] = 1;
-  const Pair pair{std::min(first, second), std::max(first, second), {}};
+  const Pair pair{std::min(first, second), std::max(first, second), length, share, {}};
   const auto before = [](const Pair& a, const Pair& b) { return std::tie(a.first, a.second) < std::tie(b.first, b.second); };
   const auto place = std::lower_bound(pairs_.begin(), pairs_.end(), pair, before);
   if (place == pairs_.end() || before(pair, *place)) pairs_.insert(place, pair);
+}
+
+/// Whether a pair whose link broke is still together.
+template <int D>
+bool LooseContacts<D>::are_neighbors(const state::Particles<D>& particles, const Pair& pair) const {
+  const Real lattice = 1e-9 * particles.spacing;
+  if (pair.share == 1 && pair.length <= particles.spacing + lattice) return false;
+  return apart(particles, pair.first, pair.second).norm() < pair.length + skin * particles.spacing;
 }
 
 /// Whether two particles may have come nearer to each other than the skin since the last search. What all have in common, as
@@ -120,7 +128,7 @@ void LooseContacts<D>::find_near(const state::Particles<D>& particles, const Lin
     grid_.visit_near(in_space<D>(place), 0.5 * reach, [&](Index other) {
       if (other == particle || (loose_[at(other)] != 0 && other < particle)) return;  // the other one finds this pair
       if (apart(particles, particle, other).norm() > reach || are_linked(links, particle, other)) return;
-      found.push_back({std::min(particle, other), std::max(particle, other), {}});
+      found.push_back({std::min(particle, other), std::max(particle, other), particles.spacing, 1, {}});
     });
   };
   const Vector<D> place = place_of(particles, particle);
@@ -134,10 +142,12 @@ template <int D>
 void LooseContacts<D>::search(const state::Particles<D>& particles, const LinkTable<D>& links) {
   for (Index i = 0; i < particles.count; ++i) grid_.place(i, in_space<D>(place_of(particles, i)), 0.5 * particles.spacing);
   std::vector<Pair> found;
+  for (const Pair& pair : pairs_)
+    if (are_neighbors(particles, pair)) found.push_back(pair);
   for (Index i = 0; i < particles.count; ++i)
     if (loose_[at(i)] != 0) find_near(particles, links, i, found);
   const auto key = [](const Pair& pair) { return std::tie(pair.first, pair.second); };
-  std::ranges::sort(found, {}, key);
+  std::ranges::stable_sort(found, {}, key);  // of two equal ones that which was there before stays
   const auto same = [&](const Pair& a, const Pair& b) { return key(a) == key(b); };
   found.erase(std::unique(found.begin(), found.end(), same), found.end());
   auto old = pairs_.begin();
@@ -154,7 +164,7 @@ typename LooseContacts<D>::Force LooseContacts<D>::force(const state::Particles<
                                                          Pair& pair) const {
   Force result;
   const Vector<D> way = apart(particles, pair.first, pair.second);
-  const Real distance = way.norm(), overlap = particles.spacing - distance;
+  const Real distance = way.norm(), overlap = pair.length - distance;
   if (!(overlap > 0)) {
     pair.memory = {};
     return result;
@@ -176,7 +186,7 @@ typename LooseContacts<D>::Force LooseContacts<D>::force(const state::Particles<
   motion.contacts = contacts_around<D>;
   motion.step = motion.elapsed = rules_.step;
   laws::SphereContact law;
-  law.stiffness = stiffness_of(particles, a, b);
+  law.stiffness = pair.share * stiffness_of(particles, a, b);
   law.damping = 2 * rules_.damping_ratio * std::sqrt(law.stiffness * motion.normal_mass);
   law.friction = std::min(a.law.tan_friction, b.law.tan_friction);
   const laws::SphereForce push = laws::sphere_force(law, motion, pair.memory);
@@ -213,16 +223,15 @@ void LooseContacts<D>::evaluate(const state::Particles<D>& particles, const Link
 }
 
 template <int D>
-Real LooseContacts<D>::pair_energy(const state::Particles<D>& particles, const GroundStrength<D>& strength, Index first,
-                                   Index second) const {
-  const Real overlap = std::max(particles.spacing - apart(particles, first, second).norm(), Real{0});
-  return 0.5 * stiffness_of(particles, strength.ground(first), strength.ground(second)) * overlap * overlap;
+Real LooseContacts<D>::energy_of(const state::Particles<D>& particles, const GroundStrength<D>& strength, const Pair& pair) const {
+  const Real overlap = std::max(pair.length - apart(particles, pair.first, pair.second).norm(), Real{0});
+  return 0.5 * pair.share * stiffness_of(particles, strength.ground(pair.first), strength.ground(pair.second)) * overlap * overlap;
 }
 
 template <int D>
 Real LooseContacts<D>::energy(const state::Particles<D>& particles, const GroundStrength<D>& strength) const {
   Real total = 0;
-  for (const Pair& pair : pairs_) total += pair_energy(particles, strength, pair.first, pair.second);
+  for (const Pair& pair : pairs_) total += energy_of(particles, strength, pair);
   return total;
 }
 

@@ -15,9 +15,11 @@ struct LooseRules {
   std::array<Real, 3> period{};              ///< length of the body along periodic axes [m]; 0: none
 };
 
-/// Two loose particles press on each other with the stiffness of a column of ground as wide as they are, lambda + 2 mu, and slide
-/// with the friction of the weaker of their grounds (laws/sphere_contact.hpp). So a link that breaks under pressure leaves that
-/// pressure as it is, and of the shear what friction bears.
+/// Two loose particles that meet press on each other as discs or spheres as wide as the spacing, with the stiffness of a column of ground as
+/// wide as they are, lambda + 2 mu, and slide with the friction of the weaker of their grounds (laws/sphere_contact.hpp). Two
+/// particles whose link has just broken touch at the length the link had instead, as its two sides did, with its share of
+/// lambda + 2 mu; so the pressure stays, of the shear what friction bears, and the lattice does not collapse. They are such
+/// neighbours until a gap as wide as the skin has opened between them.
 ///
 /// Loose are particles without some of their links, so those of free surfaces too. Pairs are kept while they may touch, in
 /// the order of their numbers; they are searched again when a particle has moved by more than half the skin against another.
@@ -26,15 +28,14 @@ class LooseContacts {
  public:
   LooseContacts(const state::Particles<D>& particles, const LinkTable<D>& links, const LooseRules& rules);
 
-  /// Two particles whose link has just broken.
-  void add(Index first, Index second);
+  /// Two particles whose link has just broken, its length [m] and its share of the stiffness [-].
+  void add(Index first, Index second, Real length, Real share);
 
   /// Adds the accelerations that contacts give.
   void evaluate(const state::Particles<D>& particles, const LinkTable<D>& links, const GroundStrength<D>& strength,
                 state::FreedomColumns<D>& acceleration);
 
   Real energy(const state::Particles<D>& particles, const GroundStrength<D>& strength) const;  ///< [J; J/m in 2-D]
-  Real pair_energy(const state::Particles<D>& particles, const GroundStrength<D>& strength, Index first, Index second) const;
   Real dissipated() const { return dissipated_; }  ///< by friction and dashpots [J; J/m in 2-D]
   Index touching() const { return touching_; }     ///< pairs at the last evaluation
 
@@ -43,6 +44,8 @@ class LooseContacts {
  private:
   struct Pair {
     Index first = 0, second = 0;
+    Real length = 0;  ///< below which they touch [m]
+    Real share = 1;   ///< of the stiffness [-]
     laws::SphereMemory memory;
   };
   struct Force {
@@ -53,6 +56,8 @@ class LooseContacts {
   };
 
   Vector<D> apart(const state::Particles<D>& particles, Index first, Index second) const;
+  Real energy_of(const state::Particles<D>& particles, const GroundStrength<D>& strength, const Pair& pair) const;
+  bool are_neighbors(const state::Particles<D>& particles, const Pair& pair) const;
   Force force(const state::Particles<D>& particles, const GroundStrength<D>& strength, Pair& pair) const;
   bool must_search(const state::Particles<D>& particles) const;
   void search(const state::Particles<D>& particles, const LinkTable<D>& links);

@@ -10,6 +10,7 @@
 
 #include "case_folder.hpp"
 #include "sazare/cases/rectangles_fields.hpp"
+#include "sazare/cases/spheres_fields.hpp"
 #include "sazare/cases/units.hpp"
 
 namespace sazare::cases {
@@ -18,7 +19,7 @@ namespace {
 /// Tables of all methods and of studies.
 std::vector<Table> all_tables() {
   std::vector<Table> tables;
-  for (const auto schema : {blocks_schema(), mps_schema(), rectangles_schema(), study_schema()}) tables.insert(tables.end(), schema.begin(), schema.end());
+  for (const auto schema : {blocks_schema(), mps_schema(), rectangles_schema(), spheres_schema(), study_schema()}) tables.insert(tables.end(), schema.begin(), schema.end());
   return tables;
 }
 
@@ -69,6 +70,9 @@ TEST(Schema, ChoicesAreInTheOrderOfTheEnums) {
   expect_same_words<SpringLayout>("materials", "layout", rectangles_schema());
   expect_same_words<IncrementFormula>("materials", "increments", rectangles_schema());
   expect_same_words<MotionShape>("motions", "type", rectangles_schema());
+  expect_same_words<ContactModel>("contact", "model", spheres_schema());
+  expect_same_words<SphereSource>("spheres", "source", spheres_schema());
+  expect_same_words<WallShape>("walls", "shape", spheres_schema());
 }
 
 TEST(Schema, JsonIsValidAndClosed) {

@@ -1,0 +1,114 @@
+"""Rows of method spheres: sphere-steps per second, beside other codes with the same grains."""
+
+import math
+import os
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+from table import Limit, NotRun, Peer, Row
+
+HERE = Path(__file__).resolve().parent / "spheres"
+ACROSS = 46  # 97 336 spheres
+STEPS = 1000
+YADE_STEPS = 200
+SCENE = "97 336 spheres that settle, Hertz-Mindlin with history"
+_found = {}
+
+
+def ours(bench, threads, across=ACROSS):
+    """(spheres, sphere-steps per second, contacts per sphere, bytes per sphere). Raises NotRun."""
+    key = (threads, across)
+    if key not in _found:
+        folder = bench.options.out / "spheres"
+        folder.mkdir(parents=True, exist_ok=True)
+        program = (bench.options.build / "benchmarks" / "spheres").resolve()
+        best = None
+        for _ in range(bench.options.repeats if across <= ACROSS else 1):
+            done = subprocess.run([program, str(threads), str(across), "start.txt" if across == ACROSS else "-"], cwd=folder, capture_output=True,
+                                  text=True, check=False, env=os.environ | {"GOMP_SPINCOUNT": "10000"})
+            if done.returncode != 0:
+                raise NotRun(f"exit code {done.returncode}: {done.stderr.strip()}")
+            values = tuple(float(word) for word in done.stdout.split(","))
+            best = values if best is None or values[1] > best[1] else best
+        _found[key] = best
+    return _found[key]
+
+
+def write_start(bench):
+    """The grains for the other codes; the folder."""
+    ours(bench, 1)
+    folder = bench.options.out / "spheres"
+    rows = [line.split() for line in (folder / "start.txt").read_text(encoding="utf-8").splitlines()]
+    length = 1.0005e-3 * ACROSS
+    (folder / "length.txt").write_text(f"{length!r}\n", encoding="utf-8")
+    with (folder / "start.lammps").open("w", encoding="utf-8") as file:
+        file.write(f"grains\n\n{len(rows)} atoms\n1 atom types\n0 {length!r} xlo xhi\n0 {length!r} ylo yhi\n-0.001 {2 * length!r} zlo zhi\n\nAtoms\n\n")
+        file.writelines(f"{i + 1} 1 {2 * float(r[0])!r} 2500 {r[1]} {r[2]} {r[3]}\n" for i, r in enumerate(rows))
+        file.write("\nVelocities\n\n")
+        file.writelines(f"{i + 1} {r[4]} {r[5]} {r[6]} 0 0 0\n" for i, r in enumerate(rows))
+    return folder
+
+
+def peer_rate(bench, name, command, pattern, steps):
+    """Sphere-steps per second of another code on one core. Raises NotRun where it is not installed."""
+    if shutil.which(command[0]) is None:
+        raise NotRun(f"{name} is not installed")
+    if name not in _found:
+        folder = write_start(bench)
+        best = math.inf
+        for _ in range(1 if name == "yade" else bench.options.repeats):
+            done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False, stdin=subprocess.DEVNULL,
+                                  timeout=bench.options.time_limit, env=os.environ | {"OMP_NUM_THREADS": "1"})
+            seconds = re.findall(pattern, done.stdout)
+            if not seconds:
+                raise NotRun(f"{name} ended with {done.returncode}: {(done.stdout + done.stderr).strip()[-200:]}")
+            best = min(best, float(seconds[-1]))
+        _found[name] = steps * ours(bench, 1)[0] / best
+    return _found[name]
+
+
+LOOP_TIME = r"Loop time of (\S+)"
+PEERS = {
+    "lammps": (["lmp", "-in", str(HERE / "settling.lammps"), "-log", "none"], LOOP_TIME, STEPS, 3),
+    "liggghts": (["liggghts", "-in", str(HERE / "settling.liggghts"), "-log", "none"], LOOP_TIME, STEPS, 5),
+    "yade": (["yade", "-j1", "-n", "-x", str(HERE / "settling_yade.py")], r"seconds (\S+)", YADE_STEPS, 25),
+}
+
+
+def peer_row(name):
+    """Our rate beside that of another code, on one core."""
+    command, pattern, steps, goal = PEERS[name]
+
+    def measure(bench):
+        theirs = peer_rate(bench, name, command, pattern, steps)
+        return ours(bench, 1)[1], theirs
+
+    return Row(f"spheres/{name}-settling", f"sphere-steps per second, {SCENE}, 1 thread", "1/s", measure, peer=Peer(name),
+               limit=Limit("ratio", low=goal), more_is_better=True)
+
+
+def growth(bench):
+    """Slope of cost over spheres, both logarithmic, from a hundred thousand to two million."""
+    few, many = ours(bench, 1), ours(bench, 1, 126)
+    return 1 + math.log(few[1] / many[1]) / math.log(many[0] / few[0])
+
+
+def speed_up(bench):
+    """Rate of two threads over that of one."""
+    if (os.cpu_count() or 1) < 2:
+        raise NotRun("this machine has one core")
+    return ours(bench, 2)[1] / ours(bench, 1)[1]
+
+
+def rows():
+    """All rows of method spheres."""
+    return [
+        *(peer_row(name) for name in PEERS),
+        Row("spheres/ourselves-settling-two-threads", f"rate with 2 threads over that with 1, {SCENE}", "-", speed_up, limit=Limit("ours", low=1.8),
+            more_is_better=True),
+        Row("spheres/ourselves-memory", f"bytes per sphere with its contacts, {SCENE}", "B", lambda bench: ours(bench, 1)[3],
+            limit=Limit("ours", high=400)),
+        Row("spheres/ourselves-exponent", "slope of cost over spheres, 97 336 to 2 000 376", "-", growth, limit=Limit("ours", high=1.15)),
+    ]

@@ -1,0 +1,148 @@
+"""Pictures of a run of method spheres: the spheres, their energies, groups and walls. Each returns a Figure, or None without data."""
+
+import numpy as np
+
+from sazare import style
+
+AXES = "xyz"
+MOST_CURVES = 6
+MOST_PICTURES = 4
+FINE_BELOW = 3000  # spheres; above it each is drawn with fewer faces
+KINDS = [
+    ("translation", "energy_translation"), ("rotation", "energy_rotation"), ("contacts", "energy_elastic"), ("sliders", "energy_sliding"),
+    ("lost in dashpots", "work_dashpots"), ("lost in friction", "work_friction"),
+]
+KIND_COLORS = ["#35618f", "#6fa3c7", "#4f7f52", "#9bbf8a", "#b5472f", "#d9a441"]
+
+
+def _balls(snapshot):
+    """The spheres of a snapshot as a surface, with their speed [m/s]."""
+    import pyvista
+
+    cloud = snapshot.elements
+    points = pyvista.PolyData(np.asarray(cloud.points))
+    points["radius"] = np.asarray(cloud.cell_data["radius"])
+    points["speed"] = np.linalg.norm(cloud.cell_data["velocity"], axis=1)
+    corners = 16 if len(cloud.points) < FINE_BELOW else 7
+    ball = pyvista.Sphere(radius=1.0, theta_resolution=corners, phi_resolution=corners)
+    return points.glyph(geom=ball, scale="radius", orient=False)
+
+
+def _cut(mesh, bounds):
+    """What lies behind the middle of the body, so that its inside shows."""
+    middle = 0.5 * (bounds[2] + bounds[3])
+    return mesh.clip(normal="-y", origin=(0.0, middle, 0.0))
+
+
+@style.styled
+def pictures(results):
+    """The spheres at some times, coloured by speed, the front half cut away."""
+    from sazare.scenes import Layer, SolidView, render
+
+    snapshots = results.particle_snapshots
+    if not len(snapshots):
+        return None
+    chosen = sorted(set(np.linspace(0, len(snapshots) - 1, MOST_PICTURES).round().astype(int)))
+    clouds = [snapshots[index].elements for index in chosen]
+    box = np.array([cloud.bounds for cloud in clouds])
+    bounds = tuple(np.where(np.arange(6) % 2 == 0, box.min(axis=0), box.max(axis=0)))
+    speeds = np.concatenate([np.linalg.norm(cloud.cell_data["velocity"], axis=1) for cloud in clouds])
+    top = float(np.percentile(speeds, 99)) or float(speeds.max(initial=0.0)) or 1.0
+    view = SolidView(bounds, np.array([1.0, -1.0, 1.0]))
+    figure = style.figure(9.0, 1.0 + 3.6 * ((len(chosen) + 1) // 2))
+    panels = np.ravel(figure.subplots((len(chosen) + 1) // 2, min(2, len(chosen)), squeeze=False))
+    for axes in panels:
+        axes.set_axis_off()
+    for axes, index in zip(panels, chosen):
+        mesh = _cut(_balls(snapshots[index]), bounds)
+        options = {"scalars": "speed", "cmap": style.SPEED, "clim": (0.0, top), "smooth_shading": False}
+        axes.imshow(render(view, [Layer(mesh, options)]).image)
+        axes.set_title(f"{snapshots[index].time:.3g} s")
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+
+    figure.colorbar(ScalarMappable(Normalize(0.0, top), style.SPEED), ax=list(panels), label="speed [m/s]", shrink=0.7)
+    return figure
+
+
+@style.styled
+def energies(results):
+    """Energy stored and lost by cause, stacked, and what the ledger does not account for."""
+    history = results.history
+    if "energy_translation" not in history or history.rows < 2:
+        return None
+    parts = np.array([history[column] for _, column in KINDS])
+    factor, prefix = style.prefix_for(parts.sum(axis=0).max(initial=0.0))
+    figure = style.figure(9.0, 4.4)
+    upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=[3, 1])
+    upper.stackplot(history["time"], np.maximum(parts, 0.0) / factor, labels=[name for name, _ in KINDS], colors=KIND_COLORS, linewidth=0)
+    upper.set_ylabel(f"energy [{prefix}J]")
+    upper.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    lower.plot(history["time"], history["energy_residual"] / factor, color=style.INK, linewidth=0.9)
+    lower.set_ylabel(f"residual [{prefix}J]")
+    lower.set_xlabel("time [s]")
+    upper.margins(x=0)
+    return figure
+
+
+@style.styled
+def groups(results):
+    """Place and velocity of the recorded groups along their axis of strongest motion."""
+    table, names = results.gauge_table, list(results.gauges)[:MOST_CURVES]
+    if not names or table.rows < 2:
+        return None
+    figure = style.figure(9.0, 0.6 + 2.4 * len(names))
+    rows = figure.subplots(len(names), 2, sharex=True, squeeze=False)
+    for (left, right), name in zip(rows, names):
+        places = np.stack([table[f"{name}.position_{axis}"] for axis in AXES], axis=1)
+        axis = int(np.argmax(np.ptp(places, axis=0)))
+        left.plot(table["time"], places[:, axis], color=style.SECOND, linewidth=1.2)
+        left.set_ylabel(f"{AXES[axis]} [m]")
+        left.set_title(name)
+        right.plot(table["time"], table[f"{name}.velocity_{AXES[axis]}"], color=style.ACCENT, linewidth=1.2)
+        right.set_ylabel(f"velocity along {AXES[axis]} [m/s]")
+        left.margins(x=0)
+    for axes in rows[-1]:
+        axes.set_xlabel("time [s]")
+    return figure
+
+
+@style.styled
+def walls(results):
+    """Force of the spheres on each wall along the axis on which it is largest."""
+    table = results.wall_table
+    names = [column.removesuffix(".force_x") for column in table if column.endswith(".force_x")][:MOST_CURVES]
+    if not names or table.rows < 2:
+        return None
+    figure = style.figure(9.0, 3.4)
+    axes = figure.subplots()
+    for name in names:
+        force = np.stack([table[f"{name}.force_{axis}"] for axis in AXES], axis=1)
+        axis = int(np.argmax(np.abs(force).max(axis=0)))
+        axes.plot(table["time"], force[:, axis], linewidth=1.0, label=f"{name}, {AXES[axis]}")
+    axes.set_xlabel("time [s]")
+    axes.set_ylabel("force [N]")
+    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3)
+    axes.margins(x=0)
+    return figure
+
+
+@style.styled
+def contacts(results):
+    """Number of contacts and largest speed against time."""
+    history = results.history
+    if "contacts" not in history or history.rows < 2:
+        return None
+    figure = style.figure(6.2, 3.6)
+    axes = figure.subplots()
+    axes.plot(history["time"], history["contacts"], color=style.SECOND, linewidth=1.2)
+    axes.set_xlabel("time [s]")
+    axes.set_ylabel("contacts")
+    axes.set_ylim(bottom=0)
+    other = axes.twinx()
+    other.plot(history["time"], history["speed_max"], color=style.ACCENT, linewidth=0.9)
+    other.set_ylabel("largest speed [m/s]")
+    other.set_ylim(bottom=0)
+    other.grid(False)
+    axes.margins(x=0)
+    return figure

@@ -1,0 +1,177 @@
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "sazare/cases/checks.hpp"
+#include "sazare/cases/number_text.hpp"
+#include "sazare/cases/spheres_fields.hpp"
+#include "sazare/cases/structure_check.hpp"
+#include "sazare/cases/suggest.hpp"
+
+namespace sazare::cases {
+namespace {
+
+template <class Item>
+std::vector<std::string> names_of(const std::vector<Item>& items) {
+  std::vector<std::string> names;
+  for (const Item& item : items) names.push_back(item.name);
+  return names;
+}
+
+/// Reports a name that is not among those that exist.
+void check_known(const CheckContext& context, const Entry& entry, std::string_view key, const Place& place, const std::string& name,
+                 const std::vector<std::string>& names, std::string_view what) {
+  if (!entry.gives(key) || std::ranges::find(names, name) != names.end()) return;
+  context.problems.error(place, fmt::format("there is no {} \"{}\"", what, name), full_suggestion(name, names, fmt::format("{}s", what)));
+}
+
+void check_box(const CheckContext& context, const Entry& entry, const Vector3& lower, const Vector3& upper,
+               const std::array<bool, 3>& axes = {true, true, true}) {
+  if (!entry.gives("lower") || !entry.gives("upper")) return;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (axes[axis] && !(upper[static_cast<int>(axis)] > lower[static_cast<int>(axis)]))
+      context.problems.error(entry.place("upper"), fmt::format("upper must be above lower on the axis {}", "xyz"[axis]),
+                             "lower is the corner with the smallest coordinates");
+}
+
+void check_domain(const CheckContext& context, const Domain& domain) {
+  const Entry entry = context.entries_of("domain").front();
+  const auto& axes = domain.periodic;
+  if (axes[0] || axes[1] || axes[2]) check_keys(context, entry, "a periodic axis", {"lower", "upper"}, {});
+  check_box(context, entry, domain.lower, domain.upper, axes);
+}
+
+void check_materials(const CheckContext& context, const SpheresCase& spheres) {
+  const bool hertz = spheres.contact.model == ContactModel::hertz;
+  for (const Entry& entry : context.entries_of("materials"))
+    if (hertz) check_keys(context, entry, "model hertz", {"youngs_modulus", "poisson_ratio"}, {});
+  const Entry contact = context.entries_of("contact").front();
+  if (hertz) check_keys(context, contact, "model hertz", {}, {"normal_stiffness", "shear_stiffness"});
+  if (contact.has("friction_coefficient") && contact.has("friction_angle"))
+    context.problems.error(contact.place("friction_angle"), "friction_coefficient and friction_angle are both given", "keep one of them");
+}
+
+void check_pairs(const CheckContext& context, const SpheresCase& spheres) {
+  const auto names = names_of(spheres.materials);
+  const auto list = context.entries_of("pairs");
+  std::set<std::array<std::string, 2>> seen;
+  for (std::size_t i = 0; i < list.size() && i < spheres.pairs.size(); ++i) {
+    if (spheres.contact.model == ContactModel::hertz)
+      check_keys(context, list[i], "model hertz", {}, {"normal_stiffness", "shear_stiffness"});
+    auto between = spheres.pairs[i].between;
+    for (std::size_t k = 0; k < 2; ++k) check_known(context, list[i], "between", list[i].place("between", k), between[k], names, "material");
+    std::ranges::sort(between);
+    if (list[i].gives("between") && !seen.insert(between).second)
+      context.problems.error(list[i].place("between"), fmt::format("the pair \"{}\" and \"{}\" stands twice", between[0], between[1]),
+                             "keep one of them; the order of the two does not matter");
+  }
+}
+
+/// Linear springs of every pair of materials that there is.
+void check_stiffness(const CheckContext& context, const SpheresCase& spheres) {
+  if (spheres.contact.model == ContactModel::hertz) return;
+  const Entry contact = context.entries_of("contact").front();
+  for (const std::string_view key : {"normal_stiffness", "shear_stiffness"}) {
+    if (!contact.exists() || contact.has(key)) continue;
+    const auto list = context.entries_of("pairs");
+    const std::size_t kinds = spheres.materials.size();
+    const auto given = std::ranges::count_if(list, [&](const Entry& entry) { return entry.has(key); });
+    if (static_cast<std::size_t>(given) < kinds * (kinds + 1) / 2)
+      context.problems.error(contact.header(), fmt::format("[contact] has no \"{}\", which model linear needs", key),
+                             how_to_add(*find_key(*contact.table, key)));
+  }
+}
+
+void check_groups(const CheckContext& context, const SpheresCase& spheres) {
+  const auto materials = names_of(spheres.materials);
+  const auto list = context.entries_of("spheres");
+  for (std::size_t i = 0; i < list.size() && i < spheres.spheres.size(); ++i) {
+    const Entry& entry = list[i];
+    const SphereGroup& group = spheres.spheres[i];
+    if (!entry.exists() || !entry.is_sound("source")) continue;
+    check_known(context, entry, "material", entry.place("material"), group.material, materials, "material");
+    switch (group.source) {
+      case SphereSource::one:
+        check_keys(context, entry, "one sphere", {"centre", "radius"}, {"file", "lower", "upper", "spacing", "count", "largest_radius"});
+        break;
+      case SphereSource::file:
+        check_keys(context, entry, "a file", {"file"}, {"centre", "radius", "lower", "upper", "spacing", "count", "largest_radius"});
+        if (entry.gives("file")) check_file(context, entry.place("file"), "file of spheres", group.file, *entry.value->find("file")->text());
+        break;
+      case SphereSource::lattice:
+        check_keys(context, entry, "a lattice", {"radius", "lower", "upper"}, {"centre", "file", "count", "largest_radius"});
+        if (entry.gives("spacing") && entry.gives("radius") && *group.spacing < 2 * group.radius * (1 - 1e-9))
+          context.problems.error(entry.place("spacing"),
+                                 fmt::format("spacing {} m is below the diameter, {} m", short_number(*group.spacing), short_number(2 * group.radius)),
+                                 "neighbours on the lattice would overlap");
+        break;
+      case SphereSource::random:
+        check_keys(context, entry, "random places", {"radius", "lower", "upper", "count"}, {"centre", "file", "spacing"});
+        if (entry.gives("largest_radius") && entry.gives("radius") && *group.largest_radius < group.radius)
+          context.problems.error(entry.place("largest_radius"), "largest_radius must be at least radius", "radius is the smallest of the two");
+        break;
+    }
+    check_box(context, entry, group.lower, group.upper);
+  }
+}
+
+void check_walls(const CheckContext& context, const SpheresCase& spheres) {
+  const auto materials = names_of(spheres.materials), motions = names_of(spheres.motions);
+  const auto list = context.entries_of("walls");
+  for (std::size_t i = 0; i < list.size() && i < spheres.walls.size(); ++i) {
+    const Entry& entry = list[i];
+    const WallRules& wall = spheres.walls[i];
+    if (!entry.exists() || !entry.is_sound("shape")) continue;
+    check_known(context, entry, "material", entry.place("material"), wall.material, materials, "material");
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::string key = fmt::format("motion_{}", "xyz"[axis]);
+      check_known(context, entry, key, entry.place(key), wall.motion[axis], motions, "motion");
+    }
+    if (wall.shape == WallShape::plane) {
+      check_keys(context, entry, "a plane", {"point", "normal"}, {"lower", "upper", "file", "group", "scale"});
+      if (entry.gives("normal") && !(wall.normal.norm() > 0))
+        context.problems.error(entry.place("normal"), "normal has no length", "write the direction across the plane, such as [0.0, 0.0, 1.0]");
+    } else if (wall.shape == WallShape::box) {
+      check_keys(context, entry, "a box", {"lower", "upper"}, {"point", "normal", "file", "group", "scale"});
+      check_box(context, entry, wall.lower, wall.upper);
+    } else {
+      check_keys(context, entry, "a mesh", {"file"}, {"point", "normal", "lower", "upper"});
+      if (!entry.gives("file")) continue;
+      const std::string ending = wall.file.extension().string();
+      if (ending != ".stl" && ending != ".STL" && ending != ".msh")
+        context.problems.error(entry.place("file"), fmt::format("the surface must be an .stl or a .msh, found \"{}\"", ending),
+                               "other formats can be turned into STL by most programs that draw");
+      else
+        check_file(context, entry.place("file"), "surface", wall.file, *entry.value->find("file")->text());
+    }
+  }
+}
+
+void check_gauges(const CheckContext& context, const SpheresCase& spheres) {
+  const auto groups = names_of(spheres.spheres);
+  const auto list = context.entries_of("gauges");
+  for (std::size_t i = 0; i < list.size() && i < spheres.gauges.size(); ++i)
+    check_known(context, list[i], "group", list[i].place("group"), spheres.gauges[i].group, groups, "group");
+}
+
+}  // namespace
+
+void check_spheres(const CheckContext& context, SpheresCase& spheres) {
+  check_unique_names(context, "materials", names_of(spheres.materials));
+  check_unique_names(context, "spheres", names_of(spheres.spheres));
+  check_unique_names(context, "walls", names_of(spheres.walls));
+  check_unique_names(context, "motions", names_of(spheres.motions));
+  check_unique_names(context, "gauges", names_of(spheres.gauges));
+  check_domain(context, spheres.domain);
+  check_materials(context, spheres);
+  check_pairs(context, spheres);
+  check_stiffness(context, spheres);
+  check_groups(context, spheres);
+  check_walls(context, spheres);
+  check_motions(context, spheres.motions);
+  check_gauges(context, spheres);
+}
+
+}  // namespace sazare::cases

@@ -1,0 +1,59 @@
+#include <fmt/format.h>
+
+#include "sazare/cases/clocks.hpp"
+#include "sazare/cases/number_text.hpp"
+#include "sazare/cases/resolved.hpp"
+#include "sazare/cases/spheres_fields.hpp"
+
+namespace sazare::cases {
+namespace {
+
+std::string number(Real value) { return short_number(value, 4); }
+
+template <class Enum>
+std::string_view word(Enum value) {
+  return EnumWords<Enum>::words.at(static_cast<std::size_t>(value));
+}
+
+std::string line(std::string_view topic, const std::string& text) { return fmt::format("  {:<12}{}\n", topic, text); }
+
+std::string contact_text(Real restitution, Real friction, Real rolling) {
+  return fmt::format("restitution {}, friction {}, rolling {}", number(restitution), number(friction), number(rolling));
+}
+
+std::string wall_text(const WallRules& wall) {
+  std::string text = fmt::format("{}: {} of {}", wall.name, word(wall.shape), wall.material);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (!wall.motion[axis].empty()) text += fmt::format(", {} moves as {}", "xyz"[axis], wall.motion[axis]);
+  if (wall.spin.norm() > 0) text += fmt::format(", turns at {} rad/s", number(wall.spin.norm()));
+  return text;
+}
+
+}  // namespace
+
+std::string explain(const SpheresCase& spheres) {
+  std::string text = spheres.title + "\n";
+  const GranularContact& contact = spheres.contact;
+  for (const SphereMaterial& material : spheres.materials)
+    text += line("materials", contact.model == ContactModel::hertz
+                                  ? fmt::format("{}: {} kg/m3, E {} Pa, Poisson's ratio {}", material.name, number(material.density),
+                                                number(material.youngs_modulus), number(material.poisson_ratio))
+                                  : fmt::format("{}: {} kg/m3", material.name, number(material.density)));
+  text += line("contact", fmt::format("{}: {}", word(contact.model),
+                                      contact_text(contact.restitution, contact.friction_coefficient, contact.rolling_friction)));
+  for (const MaterialPair& pair : spheres.pairs)
+    text += line("pairs", fmt::format("{} and {}: {}", pair.between[0], pair.between[1],
+                                      contact_text(pair.restitution.value_or(contact.restitution),
+                                                   pair.friction_coefficient.value_or(contact.friction_coefficient),
+                                                   pair.rolling_friction.value_or(contact.rolling_friction))));
+  for (const SphereGroup& group : spheres.spheres)
+    text += line("spheres", fmt::format("{}: {} of {}{}", group.name, word(group.source), group.material, group.held ? ", held" : ""));
+  for (const WallRules& wall : spheres.walls) text += line("walls", wall_text(wall));
+  for (const GroupGauge& gauge : spheres.gauges) text += line("gauges", fmt::format("{}: centre of mass of {}", gauge.name, gauge.group));
+  const auto count = [&](Real interval) { return whole_multiple(spheres.time.end, interval).value_or(0); };
+  text += line("time", fmt::format("to {} s, {} history rows, {} snapshots", number(spheres.time.end), count(spheres.time.history_interval),
+                                   count(spheres.time.snapshot_interval)));
+  return text;
+}
+
+}  // namespace sazare::cases

@@ -1,0 +1,227 @@
+#include <array>
+
+#include "sazare/cases/case_keys.hpp"
+
+namespace sazare::cases {
+namespace {
+
+constexpr std::array<std::string_view, 2> models{"hertz", "linear"};
+constexpr std::array<std::string_view, 4> sources{"one", "file", "lattice", "random"};
+constexpr std::array<std::string_view, 3> wall_shapes{"plane", "box", "mesh"};
+
+constexpr Range restitution_range{.low = 0, .high = 1, .low_open = true};
+constexpr std::string_view for_hertz = "required for model hertz";
+constexpr std::string_view for_linear = "required for model linear, here or in every pair";
+constexpr std::string_view of_contact = "default: that of [contact]";
+constexpr std::string_view in_region = "required for lattice and random";
+
+constexpr std::array domain_keys{
+    Key{.name = "periodic",
+        .type = Type::axes,
+        .default_text = "[]",
+        .sentence = "Axes along which the room repeats itself: what leaves at one end comes in at the other."},
+    Key{.name = "lower",
+        .type = Type::vector,
+        .unit = "m",
+        .note = "required where an axis is periodic",
+        .sentence = "Lower ends of the periodic axes; the other axes do not count."},
+    Key{.name = "upper",
+        .type = Type::vector,
+        .unit = "m",
+        .note = "required where an axis is periodic",
+        .sentence = "Upper ends of the periodic axes; the other axes do not count."},
+};
+
+constexpr std::array material_keys{
+    Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name by which spheres, walls and pairs refer to it."},
+    Key{.name = "density",
+        .type = Type::number,
+        .unit = "kg/m3",
+        .range = positive,
+        .need = Need::required,
+        .sentence = "Mass per volume."},
+    Key{.name = "youngs_modulus",
+        .type = Type::number,
+        .unit = "Pa",
+        .range = positive,
+        .note = for_hertz,
+        .sentence = "Young's modulus."},
+    Key{.name = "poisson_ratio",
+        .type = Type::number,
+        .range = {.low = 0, .high = 0.5},
+        .note = for_hertz,
+        .sentence = "Poisson's ratio."},
+};
+
+constexpr std::array contact_keys{
+    Key{.name = "model",
+        .type = Type::choice,
+        .default_text = "\"hertz\"",
+        .sentence = "Hertz-Mindlin from the elasticity of the materials, or linear springs.",
+        .choices = models},
+    Key{.name = "restitution",
+        .type = Type::number,
+        .range = restitution_range,
+        .need = Need::required,
+        .sentence = "Speed after a central impact over the speed before, at any speed."},
+    Key{.name = "friction_coefficient",
+        .type = Type::number,
+        .range = not_negative,
+        .default_text = "0.0",
+        .sentence = "Coulomb's coefficient of friction."},
+    Key{.name = "friction_angle",
+        .type = Type::number,
+        .unit = "deg",
+        .range = {.low = 0, .high = 90, .high_open = true},
+        .note = "instead of friction_coefficient",
+        .sentence = "Angle whose tangent is the coefficient of friction."},
+    Key{.name = "rolling_friction",
+        .type = Type::number,
+        .range = not_negative,
+        .default_text = "0.0",
+        .sentence = "Largest moment against rolling over normal force and reduced radius."},
+    Key{.name = "normal_stiffness", .type = Type::number, .unit = "N/m", .range = positive, .note = for_linear, .sentence = "Spring along the normal."},
+    Key{.name = "shear_stiffness", .type = Type::number, .unit = "N/m", .range = positive, .note = for_linear, .sentence = "Spring across the normal."},
+    Key{.name = "overlap_limit",
+        .type = Type::number,
+        .range = {.low = 0, .high = 1},
+        .default_text = "0.05",
+        .sentence = "Largest overlap at the start over the smaller radius; more is refused."},
+    Key{.name = "margin",
+        .type = Type::number,
+        .range = {.low = 0, .high = 10, .low_open = true},
+        .default_text = "0.1",
+        .sentence = "Spheres nearer than this, over the smallest diameter, are kept as pairs; it changes the speed only."},
+};
+
+constexpr std::array pair_keys{
+    Key{.name = "between", .type = Type::two_names, .need = Need::required, .sentence = "The two materials; the same twice for spheres of one."},
+    Key{.name = "restitution", .type = Type::number, .range = restitution_range, .note = of_contact, .sentence = "As in [contact]."},
+    Key{.name = "friction_coefficient", .type = Type::number, .range = not_negative, .note = of_contact, .sentence = "As in [contact]."},
+    Key{.name = "rolling_friction", .type = Type::number, .range = not_negative, .note = of_contact, .sentence = "As in [contact]."},
+    Key{.name = "normal_stiffness", .type = Type::number, .unit = "N/m", .range = positive, .note = of_contact, .sentence = "As in [contact]."},
+    Key{.name = "shear_stiffness", .type = Type::number, .unit = "N/m", .range = positive, .note = of_contact, .sentence = "As in [contact]."},
+};
+
+constexpr std::array sphere_keys{
+    Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name of the group, for gauges and messages."},
+    Key{.name = "material", .type = Type::text, .need = Need::required, .sentence = "What it is made of."},
+    Key{.name = "source",
+        .type = Type::choice,
+        .default_text = "\"one\"",
+        .sentence = "One sphere, a file of them, a cubic lattice in a box, or random places in a box without overlap.",
+        .choices = sources},
+    Key{.name = "centre", .type = Type::vector, .unit = "m", .note = "required for one", .sentence = "Where the sphere is at the start."},
+    Key{.name = "radius",
+        .type = Type::number,
+        .unit = "m",
+        .range = positive,
+        .note = "required except for a file",
+        .sentence = "Radius; of random spheres the smallest, where largest_radius is given."},
+    Key{.name = "largest_radius",
+        .type = Type::number,
+        .unit = "m",
+        .range = positive,
+        .note = "random only; default: radius",
+        .sentence = "Radii are equally likely between the two; the largest are placed first."},
+    Key{.name = "file",
+        .type = Type::file,
+        .note = "required for a file",
+        .sentence = "Rows of radius, x, y, z in m, parted by blanks or commas; a line that begins with a letter or # is skipped."},
+    Key{.name = "lower", .type = Type::vector, .unit = "m", .note = in_region, .sentence = "Corner of the box with the smallest coordinates."},
+    Key{.name = "upper", .type = Type::vector, .unit = "m", .note = in_region, .sentence = "Corner of the box with the largest coordinates."},
+    Key{.name = "spacing",
+        .type = Type::number,
+        .unit = "m",
+        .range = positive,
+        .note = "lattice only; default: the diameter",
+        .sentence = "Distance of neighbours on the lattice; as many as fit stand in the middle of the box."},
+    Key{.name = "count",
+        .type = Type::integer,
+        .range = {.low = 1, .high = 50000000},
+        .note = "required for random",
+        .sentence = "Number of spheres."},
+    Key{.name = "seed",
+        .type = Type::integer,
+        .range = {.low = 1, .high = 1000000},
+        .default_text = "1",
+        .sentence = "Which random numbers are taken."},
+    Key{.name = "velocity", .type = Type::vector, .unit = "m/s", .default_text = "[0.0, 0.0, 0.0]", .sentence = "At the start."},
+    Key{.name = "spin", .type = Type::vector, .unit = "rad/s", .default_text = "[0.0, 0.0, 0.0]", .sentence = "Angular velocity at the start."},
+    Key{.name = "noise",
+        .type = Type::number,
+        .unit = "m/s",
+        .range = not_negative,
+        .default_text = "0.0",
+        .sentence = "Largest random velocity along each axis, beside the velocity."},
+    Key{.name = "held", .type = Type::boolean, .default_text = "false", .sentence = "Whether the spheres neither move nor turn."},
+};
+
+constexpr std::array wall_keys{
+    Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name of the wall; its columns in walls.csv begin with it."},
+    Key{.name = "material", .type = Type::text, .need = Need::required, .sentence = "What it is made of."},
+    Key{.name = "shape",
+        .type = Type::choice,
+        .default_text = "\"plane\"",
+        .sentence = "A plane with room on one side, the six planes of a box with room inside, or the triangles of a file.",
+        .choices = wall_shapes},
+    Key{.name = "point", .type = Type::vector, .unit = "m", .note = "required for a plane", .sentence = "Any point of the plane."},
+    Key{.name = "normal", .type = Type::vector, .note = "required for a plane", .sentence = "Across the plane, into the room; of any length."},
+    Key{.name = "lower", .type = Type::vector, .unit = "m", .note = "required for a box", .sentence = "Corner with the smallest coordinates."},
+    Key{.name = "upper", .type = Type::vector, .unit = "m", .note = "required for a box", .sentence = "Corner with the largest coordinates."},
+    Key{.name = "file", .type = Type::file, .note = "required for a mesh", .sentence = "Triangles: .stl (text or binary) or a Gmsh .msh (format 4.1)."},
+    Key{.name = "group", .type = Type::text, .note = "mesh of a .msh; default: all", .sentence = "Physical surface group that is the wall."},
+    Key{.name = "scale", .type = Type::number, .range = positive, .default_text = "1.0", .sentence = "Length of the file's unit in m."},
+    Key{.name = "motion_x", .type = Type::text, .note = "none: at rest", .sentence = "Motion along x."},
+    Key{.name = "motion_y", .type = Type::text, .note = "none: at rest", .sentence = "Motion along y."},
+    Key{.name = "motion_z", .type = Type::text, .note = "none: at rest", .sentence = "Motion along z."},
+    Key{.name = "spin", .type = Type::vector, .unit = "rad/s", .default_text = "[0.0, 0.0, 0.0]", .sentence = "Steady turn about the pivot."},
+    Key{.name = "pivot", .type = Type::vector, .unit = "m", .default_text = "[0.0, 0.0, 0.0]", .sentence = "A point of the axis, at the start."},
+};
+
+constexpr std::array gauge_keys{
+    Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name of the gauge; its columns in gauges.csv begin with it."},
+    Key{.name = "group", .type = Type::text, .need = Need::required, .sentence = "Group of spheres whose centre of mass is recorded."},
+};
+
+constexpr std::array time_keys{
+    end_key,
+    Key{.name = "step",
+        .type = Type::number,
+        .unit = "s",
+        .range = positive,
+        .note = "default: stability_fraction of the limit, or a little less",
+        .sentence = "Step of all spheres; above the limit the case is refused."},
+    Key{.name = "stability_fraction",
+        .type = Type::number,
+        .range = {.low = 0, .high = 1, .low_open = true, .high_open = true},
+        .default_text = "0.2",
+        .sentence = "Step over the limit where no step is given: Rayleigh's time of the smallest sphere, or with linear springs 2/frequency of a contact."},
+    history_interval_key,
+    snapshot_interval_key,
+    Key{.name = "strict",
+        .type = Type::boolean,
+        .default_text = "false",
+        .sentence = "Refuse what would only be warned about."},
+};
+
+constexpr std::array tables{
+    case_table,
+    Table{"domain", false, Need::optional, "The room, where it repeats itself.", domain_keys},
+    Table{"materials", true, Need::required, "What spheres and walls are made of.", material_keys},
+    Table{"contact", false, Need::required, "How spheres touch.", contact_keys},
+    Table{"pairs", true, Need::optional, "What is different between two materials.", pair_keys},
+    Table{"spheres", true, Need::required, "Groups of spheres.", sphere_keys},
+    Table{"walls", true, Need::optional, "Planes and surfaces that spheres cannot pass.", wall_keys},
+    Table{"motions", true, Need::optional, "Histories of the walls' motion.", motion_keys},
+    gravity_table,
+    Table{"gauges", true, Need::optional, "Groups whose motion is recorded.", gauge_keys},
+    Table{"time", false, Need::required, "How long, in which steps, and when results are written.", time_keys},
+    output_table,
+};
+
+}  // namespace
+
+std::span<const Table> spheres_schema() { return tables; }
+
+}  // namespace sazare::cases

@@ -1,0 +1,112 @@
+#pragma once
+
+/// Walks spheres in equal steps: leapfrog, with contacts evaluated at the velocity foreseen for their time.
+///
+///     v(k+1/2) = v(k-1/2) + h a(k)     x(k+1) = x(k) + h v(k+1/2)     foreseen v(k+1) = v(k+1/2) + h a(k)/2
+///
+/// so the step is of second order with dashpots too. The spheres stand in memory along a curve, sorted anew whenever pairs are.
+
+#include "sazare/methods/spheres/pair_contacts.hpp"
+#include "sazare/methods/spheres/wall_contacts.hpp"
+
+namespace sazare::engine {
+
+struct SphereRules {
+  Real step = 0;                      ///< h [s]
+  Vector3 gravity = Vector3::Zero();  ///< [m/s2]
+  Real margin = 0;                    ///< spheres nearer than this are kept as pairs until they may have come closer [m]
+  Real wall_margin = 0;               ///< the same for walls [m]
+};
+
+/// Where the energy is, and where it went; their sum without the works of walls stays.
+struct SphereEnergies {
+  Real translation = 0;   ///< [J]
+  Real rotation = 0;      ///< [J]
+  Real elastic = 0;       ///< in normal springs of contacts [J]
+  Real sliding = 0;       ///< in springs of sliders [J]
+  Real potential = 0;     ///< of gravity [J]
+  Real dashpot_work = 0;  ///< lost in normal dashpots since the start [J]
+  Real sliding_work = 0;  ///< lost in sliders since the start [J]
+  Real wall_work = 0;     ///< brought in by moving walls since the start [J]
+
+  Real sum() const { return translation + rotation + elastic + sliding + potential + dashpot_work + sliding_work - wall_work; }
+};
+
+class SphereStepper {
+ public:
+  SphereStepper(state::Spheres spheres, methods::spheres::ContactTable table, std::vector<methods::spheres::Wall> walls,
+                const SphereRules& rules);
+
+  /// Evaluates the beginning; call once before the first `advance`, not after a resume.
+  void start();
+
+  /// A step: forces at `time()`, kick and drift, block by block in one go.
+  void advance();
+
+  /// Evaluates the forces at `time()` and keeps them: to be called before anything below is asked for. The next `advance` goes on from them,
+  /// with the same bits.
+  void settle();
+
+  std::int64_t steps() const { return step_; }
+  Real time() const { return static_cast<Real>(step_) * rules_.step; }
+  const SphereRules& rules() const { return rules_; }
+  const state::Spheres& spheres() const { return spheres_; }
+  const methods::spheres::PairContacts& pairs() const { return pairs_; }
+  const methods::spheres::WallContacts& walls() const { return walls_; }
+  const methods::spheres::LoadTable& loads() const { return loads_; }
+
+  /// At `time()`.
+  Vector3 velocity(std::size_t sphere) const;
+  Vector3 spin(std::size_t sphere) const;
+  SphereEnergies energies() const;
+  Vector3 momentum() const;
+  /// About the origin [kg m2/s].
+  Vector3 angular_momentum() const;
+
+  /// Touching pairs of spheres, and of spheres and walls.
+  std::int64_t contacts() const { return sums_.contacts; }
+  std::int64_t searches() const { return searches_; }
+  /// The largest speed in the last step [m/s]; infinite when one is no number.
+  Real largest_speed() const { return largest_speed_; }
+
+  void columns(Archive& archive);
+
+ private:
+  /// How fast a block's spheres were.
+  struct Speeds {
+    Real first = 0, second = 0;  ///< the two largest, seen from the drift [m/s]
+    Real largest = 0;            ///< [m/s]
+  };
+
+  Vector3 acceleration(std::size_t sphere) const;
+  Vector3 angular_acceleration(std::size_t sphere) const;
+  Speeds kick_and_drift(std::size_t block, const state::SphereLoad* loads);
+  methods::spheres::ContactSums evaluate(std::size_t block, state::SphereLoad* loads);
+  void walk(std::size_t begin, std::size_t end);
+  void kick_those_that_waited();
+  void kick_kept();
+  void book();
+  void measure();
+  void find_pairs();
+  void find_walls(std::span<const Index> places_before);
+
+  state::Spheres spheres_;
+  methods::spheres::PairContacts pairs_;
+  methods::spheres::WallContacts walls_;
+  methods::spheres::LoadTable loads_;
+  SphereRules rules_;
+  std::int64_t step_ = 0, searches_ = 0;
+  bool settled_ = false;             ///< the forces at `time()` are kept, and the kick is still to come
+  Vector3 drift_ = Vector3::Zero();  ///< mean velocity when pairs were last found [m/s]
+  Real approach_ = 0;                ///< how much nearer any two may have come since then [m]
+  Real wall_approach_ = 0;           ///< the same of spheres and walls [m]
+  Real wall_radius_ = 0;             ///< of the spheres about the pivots of the walls [m]
+  Real largest_speed_ = 0;
+  std::vector<Speeds> speeds_;                             ///< by block
+  std::vector<std::uint8_t> waits_;                        ///< by block: to be kicked when all are evaluated
+  std::vector<methods::spheres::ContactSums> block_sums_;  ///< by block
+  methods::spheres::ContactSums sums_;  ///< of the last evaluation; works since the start
+  Real wall_work_ = 0;
+};
+
+}  // namespace sazare::engine

@@ -1,0 +1,145 @@
+#include "sazare/geometry/surface_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "sazare/core/error.hpp"
+#include "sazare/geometry/gmsh_file.hpp"
+
+namespace sazare::geometry {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_listed = 5;
+constexpr Real least_height = 1e-9;  // of the longest edge; below it a triangle is a line
+
+std::string read_bytes(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream) throw UserError(fmt::format("{}: the surface cannot be read", file.string()));
+  return text.str();
+}
+
+/// A binary STL has 80 bytes of anything, the number of triangles, and 50 bytes for each; one that begins with "solid" may still be binary.
+bool is_binary_stl(const std::string& bytes) {
+  if (bytes.size() < 84) return false;
+  std::uint32_t count = 0;
+  std::memcpy(&count, bytes.data() + 80, sizeof count);
+  return bytes.size() == 84 + std::size_t{50} * count;
+}
+
+std::vector<Triangle> binary_stl(const std::string& bytes) {
+  std::vector<Triangle> triangles;
+  for (std::size_t at = 84; at + 50 <= bytes.size(); at += 50) {
+    float numbers[12];  // the normal, which follows from the corners, and these
+    std::memcpy(numbers, bytes.data() + at, sizeof numbers);
+    Triangle& triangle = triangles.emplace_back();
+    for (int corner = 0; corner < 3; ++corner)
+      for (int axis = 0; axis < 3; ++axis) triangle[static_cast<std::size_t>(corner)][axis] = static_cast<Real>(numbers[3 + 3 * corner + axis]);
+  }
+  return triangles;
+}
+
+std::vector<Triangle> text_stl(const fs::path& file, const std::string& text) {
+  std::vector<Triangle> triangles;
+  std::istringstream stream(text);
+  std::string line, word;
+  std::size_t number = 0, corner = 0;
+  for (; std::getline(stream, line); ++number) {
+    std::istringstream words(line);
+    if (!(words >> word) || word != "vertex") continue;
+    if (corner == 0) triangles.emplace_back();
+    Vector3& at = triangles.back()[corner];
+    if (!(words >> at.x() >> at.y() >> at.z()))
+      throw UserError(fmt::format("{}:{}: three numbers were expected after \"vertex\", found \"{}\"", file.string(), number + 1, line));
+    corner = (corner + 1) % 3;
+  }
+  if (corner != 0) throw UserError(fmt::format("{}: the last triangle has {} corners: the file was cut short", file.string(), corner));
+  return triangles;
+}
+
+/// Numbers of the physical surface group, or nothing where all count.
+std::vector<std::int32_t> group_numbers(const GmshFile& mesh, const fs::path& file, const std::string& group) {
+  std::vector<std::int32_t> numbers;
+  std::vector<std::string> names;
+  for (const auto& [key, name] : mesh.physical_names) {
+    if (key.first != 2) continue;
+    names.push_back(name);
+    if (name == group) numbers.push_back(key.second);
+  }
+  if (!group.empty() && numbers.empty())
+    throw UserError(fmt::format("{}: the mesh has no surface group \"{}\"; its groups: {}", file.string(), group, fmt::join(names, ", ")));
+  return numbers;
+}
+
+std::vector<Triangle> gmsh_surface(const fs::path& file, const std::string& group) {
+  const GmshFile mesh = read_gmsh_file(file);
+  const std::vector<std::int32_t> wanted = group_numbers(mesh, file, group);
+  std::map<std::int64_t, std::size_t> node_at;
+  for (std::size_t i = 0; i < mesh.node_tags.size(); ++i) node_at[mesh.node_tags[i]] = i;
+  std::vector<Triangle> triangles;
+  for (std::size_t i = 0; i < mesh.triangles.nodes.size(); ++i) {
+    const auto groups = mesh.physical_groups.find({2, mesh.triangles.entities[i]});
+    const bool counts = group.empty() || (groups != mesh.physical_groups.end() && std::ranges::any_of(groups->second, [&](std::int32_t number) {
+                                            return std::ranges::find(wanted, number) != wanted.end();
+                                          }));
+    if (!counts) continue;
+    Triangle& triangle = triangles.emplace_back();
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const auto node = node_at.find(mesh.triangles.nodes[i][corner]);
+      if (node == node_at.end())
+        throw UserError(fmt::format("{}: triangle {} names node {}, which the file does not have", file.string(), mesh.triangles.tags[i],
+                                    mesh.triangles.nodes[i][corner]));
+      triangle[corner] = mesh.nodes[node->second];
+    }
+  }
+  return triangles;
+}
+
+bool is_flat(const Triangle& corners) {
+  const Real longest = std::max({(corners[1] - corners[0]).norm(), (corners[2] - corners[1]).norm(), (corners[0] - corners[2]).norm()});
+  return !(2 * area_vector(corners).norm() > least_height * longest * longest);
+}
+
+void check_areas(const fs::path& file, const std::vector<Triangle>& triangles) {
+  std::vector<std::size_t> flat;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    if (is_flat(triangles[i])) flat.push_back(i + 1);
+  if (flat.empty()) return;
+  const std::size_t shown = std::min(flat.size(), most_listed);
+  throw UserError(fmt::format("{}: {} of {} triangles have no area, counted from 1: {}{}; remove them or mesh the surface anew", file.string(),
+                              flat.size(), triangles.size(), fmt::join(flat.begin(), flat.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
+                              flat.size() > shown ? " ..." : ""));
+}
+
+}  // namespace
+
+std::vector<Triangle> read_surface(const fs::path& file, const std::string& group, Real scale) {
+  std::vector<Triangle> triangles;
+  if (file.extension() == ".msh") {
+    triangles = gmsh_surface(file, group);
+  } else {
+    const std::string bytes = read_bytes(file);
+    triangles = is_binary_stl(bytes) ? binary_stl(bytes) : text_stl(file, bytes);
+  }
+  if (triangles.empty()) throw UserError(fmt::format("{}: the surface has no triangles", file.string()));
+  for (Triangle& triangle : triangles)
+    for (Vector3& corner : triangle) {
+      corner *= scale;
+      if (!corner.allFinite()) throw UserError(fmt::format("{}: a corner of the surface is no finite number", file.string()));
+    }
+  check_areas(file, triangles);
+  return triangles;
+}
+
+}  // namespace sazare::geometry

@@ -1,0 +1,147 @@
+#pragma once
+
+/// Contact of two spheres, or of a sphere and a wall: an elastic normal force, dashpots from a coefficient of restitution, friction
+/// with memory, and resistance to rolling.
+///
+///     N = K a d - C sqrt(a m) v_n        T = slider(G a, D sqrt(a m), mu N)        M = R n x slider(G a, D sqrt(a m), mu_r N)
+///
+/// d    overlap [m]                                        v_n  opening speed [m/s], v_t sliding velocity [m/s]
+/// R    reduced radius [m]                                 m    reduced mass [kg]
+///
+/// Hertz-Mindlin: a = sqrt(R d) is the radius of the contact [m], and with 1/E = sum (1 - nu^2)/E_i, 1/G_ = sum (2 - nu)/G_i
+///
+///     K = 4/3 E      G = 8 G_      C = 2 sqrt(5/6) b sqrt(3/2 K)      D = 2 sqrt(5/6) b sqrt(G)      b = -ln e/sqrt(pi^2 + ln^2 e)
+///
+/// [Hertz1881]; [Mindlin1953] without the slip history of partial unloading; dashpots [Tsuji1992] with the damping that gives the
+/// restitution e exactly and at any speed [Antypov2011], eq. (17): sqrt(5) b sqrt(K m) R^(1/4) d^(1/4) v_n. For that N may pull at the
+/// very end of a contact; friction never sees a negative N.
+///
+/// Linear: a = 1, K and G are springs [N/m], C = 2 b sqrt(K), D = 2 b sqrt(G). A contact lasts pi/sqrt(K/m (1 - b^2)).
+///
+/// The slider's memory turns with the contact: its part along n is taken off, which shortens it by 1 - cos of the step's turn.
+
+#include <cmath>
+#include <numbers>
+
+#include "sazare/laws/slider.hpp"
+
+namespace sazare::laws {
+
+enum class ContactModel { hertz, linear };
+
+/// Constants of two materials in contact, as lanes read them.
+template <class Number>
+struct ContactConstants {
+  Number normal{};              ///< K [Pa], linear [N/m]
+  Number tangential{};          ///< G [Pa], linear [N/m]
+  Number normal_damping{};      ///< C [sqrt(Pa)]
+  Number tangential_damping{};  ///< D [sqrt(Pa)]
+  Number friction{};            ///< mu [-]
+  Number rolling{};             ///< mu_r [-]
+};
+
+/// b of a coefficient of restitution, 0 < e <= 1.
+inline Real damping_share(Real restitution) {
+  const Real log = std::log(restitution);
+  return -log / std::sqrt(std::numbers::pi * std::numbers::pi + log * log);
+}
+
+struct Elasticity {
+  Real youngs_modulus = 0;  ///< [Pa]
+  Real poisson_ratio = 0;   ///< [-]
+};
+
+inline ContactConstants<Real> hertz_constants(const Elasticity& one, const Elasticity& other, Real restitution, Real friction,
+                                              Real rolling) {
+  const auto softness = [](const Elasticity& of) { return (1 - of.poisson_ratio * of.poisson_ratio) / of.youngs_modulus; };
+  const auto shear_softness = [](const Elasticity& of) {
+    return (2 - of.poisson_ratio) * 2 * (1 + of.poisson_ratio) / of.youngs_modulus;
+  };
+  ContactConstants<Real> constants;
+  constants.normal = 4.0 / 3.0 / (softness(one) + softness(other));
+  constants.tangential = 8 / (shear_softness(one) + shear_softness(other));
+  const Real damping = 2 * std::sqrt(5.0 / 6.0) * damping_share(restitution);
+  constants.normal_damping = damping * std::sqrt(1.5 * constants.normal);
+  constants.tangential_damping = damping * std::sqrt(constants.tangential);
+  constants.friction = friction;
+  constants.rolling = rolling;
+  return constants;
+}
+
+inline ContactConstants<Real> linear_constants(Real normal_stiffness, Real shear_stiffness, Real restitution, Real friction,
+                                               Real rolling) {
+  const Real damping = 2 * damping_share(restitution);
+  return {normal_stiffness, shear_stiffness, damping * std::sqrt(normal_stiffness), damping * std::sqrt(shear_stiffness), friction, rolling};
+}
+
+/// What the law needs to know of a touching pair.
+template <class Number>
+struct ContactMotion {
+  Number overlap;           ///< d [m], > 0
+  Number reduced_radius;    ///< R [m]
+  Number reduced_mass;      ///< m [kg]
+  Triple<Number> normal;    ///< n, from the first to the second
+  Triple<Number> velocity;  ///< of the second relative to the first where they touch [m/s]
+  Triple<Number> rolling;   ///< R (w_2 - w_1) x n [m/s]; read where there is resistance to rolling
+  Number step;              ///< h [s]
+};
+
+/// What a pair remembers until it parts.
+template <class Number>
+struct ContactMemory {
+  Triple<Number> sliding;  ///< [m]
+  Triple<Number> rolling;  ///< [m]
+};
+
+template <class Number>
+struct ContactForce {
+  Number normal{};          ///< N on the second, along n [N]
+  Triple<Number> friction;  ///< T on the second [N]
+  Triple<Number> rolling;   ///< slider's force of rolling [N]; the moment on the second is R n x it
+  Number elastic_energy{};  ///< of the normal spring [J]
+  Number sliding_energy{};  ///< in the sliders' springs [J]
+  Number dashpot_power{};   ///< taken by the normal dashpot [W]
+  Number sliding_power{};   ///< work against the sliders: stored and lost [W]
+};
+
+template <class Number>
+Triple<Number> across(const Triple<Number>& vector, const Triple<Number>& normal) {
+  return vector - dot(vector, normal) * normal;
+}
+
+/// `model` is known at compile time: a kernel runs one of them. With `rolls` false the resistance to rolling is left out.
+template <ContactModel model, bool rolls, class Number>
+ContactForce<Number> contact_force(const ContactConstants<Number>& constants, const ContactMotion<Number>& at,
+                                   ContactMemory<Number>& memory) {
+  ContactForce<Number> result;
+  Number width{}, root = square_root(at.reduced_mass);
+  if constexpr (model == ContactModel::hertz) {
+    width = square_root(at.reduced_radius * at.overlap);
+    root = square_root(width * at.reduced_mass);
+  } else {
+    width = Number{} + 1;
+  }
+  const Number opening = dot(at.velocity, at.normal);
+  const Number spring = constants.normal * width * at.overlap, dashpot = constants.normal_damping * root * opening;
+  result.normal = spring - dashpot;
+  result.elastic_energy = (model == ContactModel::hertz ? 0.4 : 0.5) * spring * at.overlap;
+  result.dashpot_power = dashpot * opening;
+  const Number pressing = maximum(result.normal, Number{});
+  const Number stiffness = constants.tangential * width, damping = constants.tangential_damping * root;
+  const Triple<Number> sliding = at.velocity - opening * at.normal;
+  memory.sliding = across(memory.sliding, at.normal);
+  const auto slid = slide(stiffness, damping, Number(constants.friction * pressing), sliding, at.step, memory.sliding);
+  result.friction = slid.force;
+  result.sliding_power = Number{} - dot(slid.force, sliding);
+  result.sliding_energy = 0.5 * stiffness * dot(slid.stretch, slid.stretch);
+  if constexpr (rolls) {
+    memory.rolling = across(memory.rolling, at.normal);
+    const auto rolled = slide(stiffness, damping, Number(constants.rolling * pressing), at.rolling, at.step, memory.rolling);
+    result.rolling = rolled.force;
+    result.sliding_power = result.sliding_power - dot(rolled.force, at.rolling);
+    result.sliding_energy = result.sliding_energy + 0.5 * stiffness * dot(rolled.stretch, rolled.stretch);
+  }
+  return result;
+}
+
+}  // namespace sazare::laws

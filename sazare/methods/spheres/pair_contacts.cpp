@@ -1,0 +1,103 @@
+#include "sazare/methods/spheres/pair_contacts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "sazare/methods/spheres/contact_kernel.hpp"
+#include "sazare/parallel/threads.hpp"
+
+namespace sazare::methods::spheres {
+
+namespace {
+
+template <class T>
+void permute(std::vector<T>& records, const std::vector<Index>& order) {
+  std::vector<T> sorted(records.size());
+  for (std::size_t n = 0; n < order.size(); ++n) sorted[n] = records[static_cast<std::size_t>(order[n])];
+  records = std::move(sorted);
+}
+
+}  // namespace
+
+std::vector<Index> PairContacts::find(state::Spheres& spheres, Real margin) {
+  std::vector<Index> order = neighbors::order_along_curve(spheres, margin);
+  permute(spheres.place, order);
+  permute(spheres.spin, order);
+  permute(spheres.kick, order);
+  permute(spheres.number, order);
+  std::vector<Index> new_place(order.size());
+  for (std::size_t n = 0; n < order.size(); ++n) new_place[static_cast<std::size_t>(order[n])] = static_cast<Index>(n);
+  const neighbors::SpherePairs before = std::exchange(pairs_, neighbors::find_pairs(spheres, margin));
+  carry_over(before, new_place);
+  return order;
+}
+
+void PairContacts::carry_over(const neighbors::SpherePairs& before, const std::vector<Index>& new_place) {
+  const std::size_t count = pairs_.other.size();
+  owner_.resize(count);
+  for (std::size_t i = 0; i + 1 < pairs_.first.size(); ++i)
+    std::fill(owner_.begin() + pairs_.first[i], owner_.begin() + pairs_.first[i + 1], static_cast<Index>(i));
+  constexpr float looked_at_next = -1;
+  const auto slept = std::exchange(sleeps_until_, std::vector<float>(count, looked_at_next));
+  const auto slid = std::exchange(sliding_, std::vector<Memory>(count));
+  const auto rolled = std::exchange(rolling_, std::vector<Memory>(table_.rolls ? count : 0));
+  for (std::size_t i = 0; i + 1 < before.first.size(); ++i)
+    for (std::size_t p = before.first[i]; p < before.first[i + 1]; ++p) {
+      if (slept[p] != 0) continue;
+      const Index one = new_place[i], other = new_place[static_cast<std::size_t>(before.other[p])];
+      const auto row = static_cast<std::size_t>(std::min(one, other));
+      for (std::size_t q = pairs_.first[row]; q < pairs_.first[row + 1]; ++q) {
+        if (pairs_.other[q] != std::max(one, other)) continue;
+        sleeps_until_[q] = 0;
+        sliding_[q] = slid[p];
+        // Seen from the other sphere, sliding changes its sign; rolling does not.
+        if (one > other) sliding_[q] = {-slid[p].x, -slid[p].y, -slid[p].z, 0};
+        if (table_.rolls) rolling_[q] = rolled[p];
+      }
+    }
+}
+
+template <laws::ContactModel model, bool rolls>
+ContactSums PairContacts::evaluate_with(const state::Spheres& spheres, const Task& task) {
+  constexpr std::size_t at_once = 512;  // candidates; what they touch stays in the cache
+  constexpr std::size_t ahead = 48;     // pairs whose spheres are on their way to the cache: the second ones stand anywhere
+  std::array<AwakePair, at_once + lane_count> awake;
+  ContactKernel<model, rolls> kernel(*this, spheres, task);
+  std::size_t count = 0;
+  const std::size_t end = pairs_.first[task.loads.end_of(task.block)];
+  const auto now = static_cast<float>(task.approach);
+  for (std::size_t begin = pairs_.first[task.loads.begin_of(task.block)]; begin < end; begin += at_once) {
+    for (std::size_t p = begin; p < std::min(begin + at_once, end); ++p) {
+      awake[count] = {owner_[p], pairs_.other[p], static_cast<std::uint32_t>(p)};
+      count += sleeps_until_[p] <= now ? 1 : 0;
+    }
+    std::size_t next = 0;
+    for (std::size_t soon = 0; soon < std::min(count, ahead); ++soon) kernel.fetch(awake[soon]);
+    for (; next + lane_count <= count; next += lane_count) {
+      for (std::size_t soon = next + ahead; soon < std::min(next + ahead + lane_count, count); ++soon) kernel.fetch(awake[soon]);
+      kernel.evaluate(&awake[next], lane_count);
+    }
+    std::copy(awake.begin() + next, awake.begin() + count, awake.begin());
+    count -= next;
+  }
+  if (count > 0) kernel.evaluate(awake.data(), static_cast<int>(count));
+  return kernel.sums();
+}
+
+ContactSums PairContacts::evaluate(const state::Spheres& spheres, const Task& task) {
+  using enum laws::ContactModel;
+  if (table_.model == hertz) return table_.rolls ? evaluate_with<hertz, true>(spheres, task) : evaluate_with<hertz, false>(spheres, task);
+  return table_.rolls ? evaluate_with<linear, true>(spheres, task) : evaluate_with<linear, false>(spheres, task);
+}
+
+void PairContacts::columns(Archive& archive) {
+  archive("first", pairs_.first);
+  archive("other", pairs_.other);
+  archive("owner", owner_);
+  archive("sleeps_until", sleeps_until_);
+  archive("sliding", sliding_);
+  archive("rolling", rolling_);
+}
+
+}  // namespace sazare::methods::spheres

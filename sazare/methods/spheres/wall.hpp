@@ -1,0 +1,81 @@
+#pragma once
+
+/// Walls: planes, with room for spheres on one side, and surfaces of triangles, which both sides see. They move as rigid bodies.
+
+#include <array>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "sazare/core/archive.hpp"
+#include "sazare/core/time.hpp"
+#include "sazare/geometry/triangle_grid.hpp"
+#include "sazare/laws/ground_motion.hpp"
+
+namespace sazare::methods::spheres {
+
+/// How a wall moves: histories along the axes, and a steady turn about an axis that moves with it.
+struct WallMotion {
+  std::vector<std::pair<int, laws::GroundMotion>> histories;  ///< axis and history
+  Vector3 pivot = Vector3::Zero();                            ///< a point of the axis at the start [m]
+  Vector3 spin = Vector3::Zero();                             ///< [rad/s]
+
+  bool moves() const { return !histories.empty() || spin.norm() > 0; }
+};
+
+/// Where a wall is at a moment.
+struct WallPose {
+  Vector3 shift = Vector3::Zero();     ///< [m]
+  Vector3 velocity = Vector3::Zero();  ///< of the pivot [m/s]
+  Vector3 spin = Vector3::Zero();      ///< [rad/s]
+  Vector3 pivot = Vector3::Zero();     ///< at the start [m]
+  Matrix3 turn = Matrix3::Identity();
+
+  static WallPose of(const WallMotion& motion, Real time) {
+    WallPose pose;
+    for (const auto& [axis, history] : motion.histories) {
+      const laws::MotionState now = history.at(time);
+      pose.shift[axis] += now.displacement;
+      pose.velocity[axis] += now.velocity;
+    }
+    pose.pivot = motion.pivot;
+    pose.spin = motion.spin;
+    const Real rate = motion.spin.norm();
+    if (rate > 0)
+      pose.turn = Eigen::AngleAxis<Real>(std::remainder(rate * time, 2 * std::numbers::pi), motion.spin / rate).toRotationMatrix();
+    return pose;
+  }
+
+  /// A place as the wall at the start would have it.
+  Vector3 into(const Vector3& place) const { return turn.transpose() * (place - pivot - shift) + pivot; }
+  Vector3 direction_out(const Vector3& direction) const { return turn * direction; }
+  Vector3 velocity_at(const Vector3& place) const { return velocity + spin.cross(place - pivot - shift); }
+};
+
+struct Wall {
+  std::string name;
+  Index material = 0;
+  Vector3 point = Vector3::Zero();    ///< of a plane, at the start [m]
+  Vector3 normal = Vector3::UnitZ();  ///< of a plane, into the room for spheres
+  std::vector<geometry::Triangle> triangles;  ///< at the start [m]; none: a plane
+  WallMotion motion;
+
+  bool is_plane() const { return triangles.empty(); }
+};
+
+/// Force and moment of all spheres on a wall, the moment about its pivot, and the work of the wall on the spheres in this step.
+struct WallLoad {
+  Vector3 force = Vector3::Zero();   ///< [N]
+  Vector3 moment = Vector3::Zero();  ///< [N m]
+  Real work = 0;                     ///< [J]
+
+  WallLoad& operator+=(const WallLoad& more) {
+    force += more.force;
+    moment += more.moment;
+    work += more.work;
+    return *this;
+  }
+};
+
+}  // namespace sazare::methods::spheres

@@ -1,0 +1,194 @@
+#include "sazare/methods/spheres/wall_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sazare/parallel/threads.hpp"
+
+namespace sazare::methods::spheres {
+
+namespace {
+
+constexpr Real same_plane = 1e-6;      // of a radius: a point that little before a tangent plane lies in it
+constexpr Real same_direction = 0.9;   // cosine between the normals of one contact at two steps
+
+}  // namespace
+
+WallContacts::WallContacts(ContactTable table, std::vector<Wall> walls, Real reach) : table_(std::move(table)), walls_(std::move(walls)) {
+  for (const Wall& wall : walls_) grids_.emplace_back(wall.triangles, reach);
+  poses_.resize(walls_.size());
+  move(0);
+}
+
+void WallContacts::move(Real time) {
+  for (std::size_t w = 0; w < walls_.size(); ++w) poses_[w] = WallPose::of(walls_[w].motion, time);
+}
+
+void WallContacts::find(const state::Spheres& spheres, Real time, Real margin, std::span<const Index> places_before) {
+  move(time);
+  std::vector<Touch> kept;
+  for (const Block& block : blocks_) kept.insert(kept.end(), block.touches.begin(), block.touches.end());
+  if (!places_before.empty()) {
+    std::vector<Index> place(places_before.size());
+    for (std::size_t n = 0; n < place.size(); ++n) place[static_cast<std::size_t>(places_before[n])] = static_cast<Index>(n);
+    for (Touch& touch : kept) touch.sphere = place[static_cast<std::size_t>(touch.sphere)];
+    std::ranges::stable_sort(kept, {}, &Touch::sphere);
+  }
+  blocks_.assign((spheres.size() + neighbors::block_size - 1) / neighbors::block_size, {});
+  for (Block& block : blocks_) block.loads.resize(walls_.size());
+  for (const Touch& touch : kept) blocks_[static_cast<std::size_t>(touch.sphere) / neighbors::block_size].touches.push_back(touch);
+  parallel::parallel_for(blocks_.size(), 2, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin * neighbors::block_size; i < std::min(end * neighbors::block_size, spheres.size()); ++i) {
+      const state::SpherePlace& place = spheres.place[i];
+      auto& near = blocks_[i / neighbors::block_size].near;
+      const Real reach = place.radius + margin;
+      for (std::size_t w = 0; w < walls_.size(); ++w) {
+        const Wall& wall = walls_[w];
+        const Vector3 centre = poses_[w].into(spheres.box.wrapped(place.centre()));
+        const auto sphere = static_cast<Index>(i), number = static_cast<Index>(w);
+        if (wall.is_plane()) {
+          if ((centre - wall.point).dot(wall.normal) < reach) near.push_back({sphere, number, -1});
+          continue;
+        }
+        for (const std::int32_t t : grids_[w].near(centre))
+          if ((geometry::nearest_point(wall.triangles[static_cast<std::size_t>(t)], centre) - centre).norm() < reach)
+            near.push_back({sphere, number, t});
+      }
+    }
+  });
+}
+
+void WallContacts::find_touches(const state::SpherePlace& place, std::span<const Near> near, std::vector<Point>& points) const {
+  points.clear();
+  for (const Near& one : near) {
+    const auto w = static_cast<std::size_t>(one.wall);
+    const Wall& wall = walls_[w];
+    const Vector3 centre = poses_[w].into(place.centre());
+    if (wall.is_plane()) {
+      const Real distance = (centre - wall.point).dot(wall.normal);
+      if (distance < place.radius) points.push_back({one.wall, place.radius - distance, centre - distance * wall.normal, wall.normal});
+      continue;
+    }
+    const Vector3 foot = geometry::nearest_point(wall.triangles[static_cast<std::size_t>(one.triangle)], centre);
+    const Real distance = (centre - foot).norm();
+    if (distance < place.radius && distance > 0) points.push_back({one.wall, place.radius - distance, foot, (centre - foot) / distance});
+  }
+  std::ranges::stable_sort(points, [](const Point& a, const Point& b) { return a.wall != b.wall ? a.wall < b.wall : a.overlap > b.overlap; });
+  std::size_t kept = 0;
+  for (const Point& point : points) {
+    const bool counts = std::all_of(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(kept), [&](const Point& before) {
+      return before.wall != point.wall || (point.place - before.place).dot(before.normal) > same_plane * place.radius;
+    });
+    if (counts) points[kept++] = point;
+  }
+  points.resize(kept);
+  for (Point& point : points) point.normal = poses_[static_cast<std::size_t>(point.wall)].direction_out(point.normal);
+}
+
+template <laws::ContactModel model>
+ContactSums WallContacts::push(const state::Spheres& spheres, const Point& point, Touch& touch, Real step, Block& block,
+                               state::SphereLoad& load) const {
+  const auto i = static_cast<std::size_t>(touch.sphere), w = static_cast<std::size_t>(point.wall);
+  const state::SpherePlace& place = spheres.place[i];
+  const Real arm = place.radius - 0.5 * point.overlap;
+  const Vector3 centre = spheres.box.wrapped(place.centre()), spin = spheres.spin[i].spin();
+  const Vector3 wall_velocity = poses_[w].velocity_at(centre - arm * point.normal);
+  laws::ContactMotion<Real> at;
+  at.overlap = point.overlap;
+  at.reduced_radius = place.radius;
+  at.reduced_mass = place.mass;
+  at.normal = triple(point.normal);
+  at.velocity = triple(place.velocity() - arm * spin.cross(point.normal) - wall_velocity);
+  at.rolling = triple(Vector3(place.radius * (spin - poses_[w].spin).cross(point.normal)));
+  at.step = step;
+  laws::ContactMemory<Real> memory{triple(touch.sliding), triple(touch.rolling)};
+  const auto& constants = table_.of(static_cast<Index>(spheres.spin[i].material), walls_[w].material);
+  const auto force = laws::contact_force<model, true>(constants, at, memory);
+  touch.sliding = vector(memory.sliding);
+  touch.rolling = vector(memory.rolling);
+  const Vector3 push = force.normal * point.normal + vector(force.friction);
+  const Vector3 moment = -arm * point.normal.cross(push) + place.radius * point.normal.cross(vector(force.rolling));
+  load.fx += push.x();
+  load.fy += push.y();
+  load.fz += push.z();
+  load.mx += moment.x();
+  load.my += moment.y();
+  load.mz += moment.z();
+  const Vector3 foot = centre - arm * point.normal - poses_[w].pivot - poses_[w].shift;
+  const Vector3 rolling_moment = -place.radius * point.normal.cross(vector(force.rolling));
+  block.loads[w] += {-push, rolling_moment - foot.cross(push), step * (push.dot(wall_velocity) - rolling_moment.dot(poses_[w].spin))};
+  return {force.elastic_energy, force.sliding_energy, step * force.dashpot_power, step * force.sliding_power, 1};
+}
+
+ContactSums WallContacts::evaluate(const state::Spheres& spheres, std::size_t number, Real step, state::SphereLoad* own) {
+  ContactSums sums;
+  Block& block = blocks_[number];
+  std::swap(block.before, block.touches);
+  block.touches.clear();
+  std::fill(block.loads.begin(), block.loads.end(), WallLoad{});
+  std::vector<Point> points;
+  auto remembered = block.before.begin();
+  for (auto from = block.near.begin(); from != block.near.end();) {
+    const Index sphere = from->sphere;
+    const auto to = std::find_if(from, block.near.end(), [&](const Near& one) { return one.sphere != sphere; });
+    state::SpherePlace place = spheres.place[static_cast<std::size_t>(sphere)];
+    if (spheres.box.repeats()) {
+      const Vector3 within = spheres.box.wrapped(place.centre());
+      place.x = within.x();
+      place.y = within.y();
+      place.z = within.z();
+    }
+    find_touches(place, {from, to}, points);
+    from = to;
+    while (remembered != block.before.end() && remembered->sphere < sphere) ++remembered;
+    for (const Point& point : points) {
+      Touch touch{sphere, point.wall, point.normal, Vector3::Zero(), Vector3::Zero()};
+      for (auto old = remembered; old != block.before.end() && old->sphere == sphere; ++old)
+        if (old->wall == point.wall && old->normal.dot(point.normal) > same_direction) {
+          touch.sliding = old->sliding;
+          touch.rolling = old->rolling;
+          old->wall = -1;  // each goes on once
+          break;
+        }
+      state::SphereLoad& load = own[static_cast<std::size_t>(sphere) - number * neighbors::block_size];
+      sums += table_.model == laws::ContactModel::hertz ? push<laws::ContactModel::hertz>(spheres, point, touch, step, block, load)
+                                                        : push<laws::ContactModel::linear>(spheres, point, touch, step, block, load);
+      block.touches.push_back(touch);
+    }
+  }
+  return sums;
+}
+
+std::vector<WallLoad> WallContacts::loads() const {
+  std::vector<WallLoad> total(walls_.size());
+  for (const Block& block : blocks_)
+    for (std::size_t w = 0; w < total.size(); ++w) total[w] += block.loads[w];
+  return total;
+}
+
+Real WallContacts::largest_speed(Real radius) const {
+  Real largest = 0;
+  for (const WallPose& pose : poses_) largest = std::max(largest, pose.velocity.norm() + pose.spin.norm() * radius);
+  return largest;
+}
+
+void WallContacts::columns(Archive& archive) {
+  std::vector<Touch> touches;
+  std::vector<std::uint64_t> counts;
+  for (const Block& block : blocks_) {
+    touches.insert(touches.end(), block.touches.begin(), block.touches.end());
+    counts.push_back(block.touches.size());
+  }
+  archive("touches", touches);
+  archive("counts", counts);
+  if (!archive.reading()) return;
+  blocks_.assign(counts.size(), {});
+  auto next = touches.begin();
+  for (std::size_t b = 0; b < counts.size(); ++b) {
+    blocks_[b].loads.resize(walls_.size());
+    blocks_[b].touches.assign(next, next + static_cast<std::ptrdiff_t>(counts[b]));
+    next += static_cast<std::ptrdiff_t>(counts[b]);
+  }
+}
+
+}  // namespace sazare::methods::spheres

@@ -1,0 +1,76 @@
+#pragma once
+
+/// Contacts of spheres with walls.
+///
+/// A sphere touches a surface of triangles in the points where it is nearest to one of them. Of these the deepest comes first, and
+/// each further one counts only when it lies in front of the tangent planes of those before: so a flat surface, an outer edge or a
+/// corner pushes once, however many triangles share it, and the two sides of a groove push both.
+
+#include <span>
+
+#include "sazare/methods/spheres/contact_table.hpp"
+#include "sazare/methods/spheres/load_table.hpp"
+#include "sazare/methods/spheres/wall.hpp"
+
+namespace sazare::methods::spheres {
+
+class WallContacts {
+ public:
+  /// Materials of walls are numbered like those of the spheres. `reach`: largest radius and margin together [m].
+  WallContacts(ContactTable table, std::vector<Wall> walls, Real reach);
+
+  /// Finds which spheres are nearer to a wall than the margin [m]. `places_before` says where each sphere stood when they
+  /// were last found; empty where all stand as they did.
+  void find(const state::Spheres& spheres, Real time, Real margin, std::span<const Index> places_before);
+
+  /// To be called once before the blocks of a step.
+  void move(Real time);
+
+  /// Adds the forces on a block's spheres to their loads, `own`.
+  ContactSums evaluate(const state::Spheres& spheres, std::size_t block, Real step, state::SphereLoad* own);
+
+  const std::vector<Wall>& walls() const { return walls_; }
+  std::vector<WallLoad> loads() const;
+  /// Of any wall, anywhere near the spheres [m/s]: within `radius` of its pivot.
+  Real largest_speed(Real radius) const;
+
+  void columns(Archive& archive);
+
+  /// A point where a sphere touches, and what it remembers.
+  struct Touch {
+    Index sphere = 0;
+    Index wall = 0;
+    Vector3 normal = Vector3::Zero();   ///< from the wall to the sphere
+    Vector3 sliding = Vector3::Zero();  ///< [m]
+    Vector3 rolling = Vector3::Zero();  ///< [m]
+  };
+
+ private:
+  struct Near {
+    Index sphere = 0, wall = 0;
+    std::int32_t triangle = -1;
+  };
+  struct Block {
+    std::vector<Near> near;    ///< by sphere
+    std::vector<Touch> touches;  ///< by sphere
+    std::vector<Touch> before;
+    std::vector<WallLoad> loads;  ///< by wall
+  };
+  struct Point {
+    Index wall = 0;
+    Real overlap = 0;
+    Vector3 place, normal;
+  };
+
+  void find_touches(const state::SpherePlace& place, std::span<const Near> near, std::vector<Point>& points) const;
+  template <laws::ContactModel model>
+  ContactSums push(const state::Spheres& spheres, const Point& point, Touch& touch, Real step, Block& block, state::SphereLoad& load) const;
+
+  ContactTable table_;
+  std::vector<Wall> walls_;
+  std::vector<geometry::TriangleGrid> grids_;  ///< by wall
+  std::vector<WallPose> poses_;
+  std::vector<Block> blocks_;
+};
+
+}  // namespace sazare::methods::spheres

@@ -1,0 +1,27 @@
+#pragma once
+
+/// Pairs of spheres that may touch before anything has moved by more than a margin, and an order of spheres in which neighbours
+/// stand near each other. Spheres of any sizes: each size class (a factor of two) has its own grid of cells.
+
+#include <vector>
+
+#include "sazare/state/spheres.hpp"
+
+namespace sazare::neighbors {
+
+/// Spheres are worked on by blocks of so many, whatever the number of threads.
+inline constexpr std::size_t block_size = 1024;
+
+/// Pairs by their first sphere: those of sphere i are other[first[i]] .. other[first[i + 1] - 1], all beyond i.
+struct SpherePairs {
+  std::vector<std::uint32_t> first;
+  std::vector<Index> other;
+};
+
+/// The order along a Morton curve: the n-th is the sphere that should stand n-th.
+std::vector<Index> order_along_curve(const state::Spheres& spheres, Real margin);
+
+/// All pairs whose surfaces are nearer than the margin [m]. Each pair once, by the nearest image in a periodic box.
+SpherePairs find_pairs(const state::Spheres& spheres, Real margin);
+
+}  // namespace sazare::neighbors

@@ -1,0 +1,89 @@
+#include "sazare/cases/resolved.hpp"
+#include "sazare/observe/atomic_file.hpp"
+#include "sazare/observe/hash.hpp"
+#include "sazare/runs/case_run.hpp"
+#include "sazare/runs/run_case.hpp"
+#include "sazare/runs/spheres_record.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+constexpr int spheres_per_thread = 4000;  // with fewer a second thread takes more time than it saves
+constexpr std::int64_t motion_check_steps = 32;
+
+std::string number(Real value, int digits = 4) { return cases::short_number(value, digits); }
+
+/// The part of method spheres in a run, see CaseRun.
+struct SpheresWork {
+  const cases::CaseFile& file;
+  RunTimes times;
+  SpheresModel model;
+  RunFolder folder;
+  RunIdentity identity;
+  RunClocks clocks;
+  SpheresRecord record;
+  std::string no_warning;
+
+  SpheresWork(const cases::CaseFile& of, const RunOptions& options)
+      : file(of), model(build_spheres(of)), folder(options.folder, options.begin),
+        identity(identify(of.spheres(), observe::to_hex(model.start))), clocks(make_clocks(of.spheres().time, model.step)),
+        record(folder, of, model, clocks) {
+    parallel::limit_threads(static_cast<int>(spheres()) / spheres_per_thread);
+  }
+
+  std::int64_t spheres() const { return static_cast<std::int64_t>(model.group.size()); }
+
+  const std::string& title() const { return file.spheres().title; }
+  static std::string method() { return "spheres"; }
+  const std::string& warning() const { return no_warning; }
+  std::string words() const {
+    return fmt::format("{} spheres, step {} s, {} of the limit", spheres(), number(model.step), number(model.step / model.limit, 3));
+  }
+  Real checkpoint_interval() const { return file.spheres().output.checkpoint_interval; }
+
+  void start() { model.stepper->start(); }
+  void advance() { model.stepper->advance(); }
+  std::int64_t step() const { return model.stepper->steps(); }
+  bool must_check() const { return step() % motion_check_steps == 0; }
+  void collect() {}
+
+  ProgressState progress(Real share, Real time) const { return {share, time, step() * spheres(), model.step, -1, "particle-steps"}; }
+  void columns(Archive& archive) {
+    archive.folder("stepper", [&] { model.stepper->columns(archive); });
+  }
+
+  std::uint64_t state_hash() const { return record.state_hash(); }
+  static std::span<const engine::PartTime> part_times() { return {}; }
+  void write_case() const { observe::write_file(folder.case_file(), cases::write_resolved(file.spheres(), folder.path())); }
+  void write_end() {}
+  void write_rank_times() {}
+};
+
+}  // namespace
+
+RunOutcome run_spheres(const cases::CaseFile& file, const RunOptions& options) {
+  SpheresWork work(file, options);
+  return CaseRun(work, options).run();
+}
+
+std::string check_spheres(const cases::CaseFile& file) {
+  const SpheresModel model = build_spheres(file);
+  const RunClocks clocks = make_clocks(file.spheres().time, model.step);
+  const auto spheres = static_cast<Real>(model.group.size());
+  Real mass = 0, smallest = 0, largest = 0;
+  for (const auto& place : model.stepper->spheres().place) {
+    mass += place.mass;
+    smallest = smallest > 0 ? std::min(smallest, place.radius) : place.radius;
+    largest = std::max(largest, place.radius);
+  }
+  return cases::explain(file.spheres()) +
+         fmt::format("  {:<12}{} spheres of radius {} to {} m, {} kg, {} walls\n", "body", model.group.size(), number(smallest), number(largest),
+                     number(mass), model.stepper->walls().walls().size()) +
+         fmt::format("  {:<12}limit {} s\n", "stability", number(model.limit, 5)) +
+         fmt::format("  {:<12}{} s, {} of the limit, {} to a history row\n", "step", number(model.step, 5), number(model.step / model.limit, 3),
+                     clocks.steps_per_row) +
+         fmt::format("  {:<12}{} steps, {} particle-steps\n", "work", clocks.steps(), number(spheres * static_cast<Real>(clocks.steps())));
+}
+
+}  // namespace sazare::runs

@@ -1,0 +1,177 @@
+#include "sazare/runs/spheres_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "sazare/cases/number_text.hpp"
+#include "sazare/geometry/surface_file.hpp"
+#include "sazare/observe/hash.hpp"
+#include "sazare/runs/motion_of_case.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+using cases::ContactModel;
+using cases::SpheresCase;
+using methods::spheres::Wall;
+
+constexpr Real wall_margin = 0.5;  // of the smallest diameter; near walls there are few spheres, so that more costs little
+
+const cases::MaterialPair* find_pair(const SpheresCase& spheres, const std::string& one, const std::string& other) {
+  for (const cases::MaterialPair& pair : spheres.pairs)
+    if ((pair.between[0] == one && pair.between[1] == other) || (pair.between[0] == other && pair.between[1] == one)) return &pair;
+  return nullptr;
+}
+
+laws::ContactConstants<Real> constants_of(const SpheresCase& spheres, std::size_t one, std::size_t other) {
+  const cases::GranularContact& contact = spheres.contact;
+  const cases::SphereMaterial &a = spheres.materials[one], &b = spheres.materials[other];
+  const cases::MaterialPair none, *found = find_pair(spheres, a.name, b.name);
+  const cases::MaterialPair& pair = found == nullptr ? none : *found;
+  const Real restitution = pair.restitution.value_or(contact.restitution), friction = pair.friction_coefficient.value_or(contact.friction_coefficient),
+             rolling = pair.rolling_friction.value_or(contact.rolling_friction);
+  if (contact.model == ContactModel::linear)
+    return laws::linear_constants(pair.normal_stiffness.value_or(contact.normal_stiffness), pair.shear_stiffness.value_or(contact.shear_stiffness),
+                                  restitution, friction, rolling);
+  return laws::hertz_constants({a.youngs_modulus, a.poisson_ratio}, {b.youngs_modulus, b.poisson_ratio}, restitution, friction, rolling);
+}
+
+Wall plane(const cases::WallRules& rules, const Vector3& point, const Vector3& normal) {
+  Wall wall;
+  wall.name = rules.name;
+  wall.point = point;
+  wall.normal = normal.normalized();
+  return wall;
+}
+
+/// The walls of one entry of a case: six for a box.
+std::vector<Wall> walls_of(const cases::WallRules& rules) {
+  std::vector<Wall> walls;
+  if (rules.shape == cases::WallShape::plane) walls.push_back(plane(rules, rules.point, rules.normal));
+  if (rules.shape == cases::WallShape::box)
+    for (int axis = 0; axis < 3; ++axis) {
+      walls.push_back(plane(rules, rules.lower, Vector3::Unit(axis)));
+      walls.push_back(plane(rules, rules.upper, -Vector3::Unit(axis)));
+    }
+  if (rules.shape == cases::WallShape::mesh) {
+    walls.emplace_back().name = rules.name;
+    walls.back().triangles = geometry::read_surface(rules.file, rules.group, rules.scale);
+  }
+  return walls;
+}
+
+void add_walls(const SpheresCase& spheres, SpheresModel& model, std::vector<Wall>& walls) {
+  for (std::size_t i = 0; i < spheres.walls.size(); ++i) {
+    const cases::WallRules& rules = spheres.walls[i];
+    const auto material = std::ranges::find(spheres.materials, rules.material, &cases::SphereMaterial::name);
+    for (Wall& wall : walls_of(rules)) {
+      wall.material = static_cast<Index>(material - spheres.materials.begin());
+      wall.motion.pivot = rules.pivot;
+      wall.motion.spin = rules.spin;
+      for (int axis = 0; axis < 3; ++axis)
+        for (const cases::Motion& motion : spheres.motions)
+          if (!motion.name.empty() && motion.name == rules.motion[static_cast<std::size_t>(axis)])
+            wall.motion.histories.emplace_back(axis, motion_of_case(motion));
+      walls.push_back(std::move(wall));
+      model.case_wall.push_back(static_cast<Index>(i));
+    }
+  }
+}
+
+/// Rayleigh's time of the smallest sphere of each material: in it a surface wave goes half around a sphere [s].
+Real rayleigh_limit(const SpheresCase& spheres, const state::Spheres& placed) {
+  Real limit = std::numeric_limits<Real>::infinity();
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    const cases::SphereMaterial& material = spheres.materials[static_cast<std::size_t>(placed.spin[i].material)];
+    const Real shear_modulus = 0.5 * material.youngs_modulus / (1 + material.poisson_ratio);
+    limit = std::min(limit, std::numbers::pi * placed.place[i].radius * std::sqrt(material.density / shear_modulus) /
+                                (0.1631 * material.poisson_ratio + 0.8766));
+  }
+  return limit;
+}
+
+/// Twice over the frequency of the lightest sphere between two like it on the stiffest springs [s].
+Real spring_limit(const SpheresCase& spheres, const methods::spheres::ContactTable& table, const state::Spheres& placed) {
+  Real stiffest = 0, lightest = std::numeric_limits<Real>::infinity();
+  for (Index a = 0; a < table.materials; ++a)
+    for (Index b = 0; b < table.materials; ++b) stiffest = std::max({stiffest, table.of(a, b).normal, table.of(a, b).tangential});
+  for (const auto& place : placed.place) lightest = std::min(lightest, place.mass);
+  return spheres.contact.model == ContactModel::linear ? 2 * std::sqrt(0.5 * lightest / stiffest) : 0;
+}
+
+/// The step of a run, which divides the history interval.
+Real choose_step(const cases::CaseFile& file, Real limit) {
+  const cases::SphereTime& time = file.spheres().time;
+  if (!time.step) return time.history_interval / std::ceil(time.history_interval / (time.stability_fraction * limit));
+  if (*time.step > limit)
+    refuse(file, "time.step",
+           fmt::format("the step of {} s is {} times the limit of {} s", cases::short_number(*time.step, 4),
+                       cases::short_number(*time.step / limit, 4), cases::short_number(limit, 4)),
+           fmt::format("choose {} s or less, or give no step", cases::short_number(0.2 * limit, 3)));
+  return *time.step;
+}
+
+std::uint64_t hash_of(const Placement& placement, const std::vector<Wall>& walls) {
+  observe::Hash hash;
+  hash.add(std::as_bytes(std::span(placement.spheres.place)));
+  hash.add(std::as_bytes(std::span(placement.group)));
+  for (const Wall& wall : walls) hash.add(std::as_bytes(std::span(wall.triangles)));
+  return hash.value();
+}
+
+/// Spheres that begin beyond a wall by more than contact.overlap_limit are refused.
+void check_walls(const cases::CaseFile& file, const SpheresModel& model, const std::vector<Wall>& walls, const state::Spheres& placed) {
+  const SpheresCase& spheres = file.spheres();
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    if (!walls[w].is_plane()) continue;
+    long beyond = 0;
+    Real deepest = 0;
+    for (const auto& place : placed.place) {
+      const Real share = 1 - (place.centre() - walls[w].point).dot(walls[w].normal) / place.radius;
+      if (share > spheres.contact.overlap_limit) ++beyond;
+      deepest = std::max(deepest, share);
+    }
+    if (beyond == 0) continue;
+    refuse(file, fmt::format("walls.{}", model.case_wall[w]),
+           fmt::format("{} spheres begin beyond the wall \"{}\", by {} of their radius or less", beyond, walls[w].name,
+                       cases::short_number(deepest, 3)),
+           "the normal of a plane points into the room for spheres; overlap_limit in [contact] says how much is allowed");
+  }
+}
+
+}  // namespace
+
+methods::spheres::ContactTable contact_table(const SpheresCase& spheres) {
+  const auto model = spheres.contact.model == ContactModel::hertz ? laws::ContactModel::hertz : laws::ContactModel::linear;
+  methods::spheres::ContactTable table(model, static_cast<Index>(spheres.materials.size()));
+  for (std::size_t a = 0; a < spheres.materials.size(); ++a)
+    for (std::size_t b = a; b < spheres.materials.size(); ++b)
+      table.set(static_cast<Index>(a), static_cast<Index>(b), constants_of(spheres, a, b));
+  return table;
+}
+
+SpheresModel build_spheres(const cases::CaseFile& file) {
+  const SpheresCase& spheres = file.spheres();
+  SpheresModel model;
+  Placement placement = place_spheres(file);
+  std::vector<Wall> walls;
+  add_walls(spheres, model, walls);
+  check_walls(file, model, walls, placement.spheres);
+  const methods::spheres::ContactTable table = contact_table(spheres);
+  model.limit = spheres.contact.model == ContactModel::hertz ? rayleigh_limit(spheres, placement.spheres)
+                                                             : spring_limit(spheres, table, placement.spheres);
+  model.step = choose_step(file, model.limit);
+  model.start = hash_of(placement, walls);
+  model.group = std::move(placement.group);
+  const Real margin = search_margin(spheres, placement.spheres);
+  const engine::SphereRules rules{model.step, spheres.gravity.acceleration, margin, wall_margin / spheres.contact.margin * margin};
+  model.stepper = std::make_unique<engine::SphereStepper>(std::move(placement.spheres), table, std::move(walls), rules);
+  return model;
+}
+
+}  // namespace sazare::runs

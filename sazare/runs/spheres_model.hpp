@@ -1,0 +1,27 @@
+#pragma once
+
+/// From a checked case of method spheres to spheres that can be stepped.
+
+#include <memory>
+
+#include "sazare/engine/sphere_stepper.hpp"
+#include "sazare/runs/sphere_placement.hpp"
+
+namespace sazare::runs {
+
+struct SpheresModel {
+  std::vector<Index> group;     ///< by number of the sphere
+  std::uint64_t start = 0;      ///< hash of where everything stands at the start
+  Real limit = 0;               ///< of the step [s]
+  Real step = 0;                ///< [s]
+  std::vector<Index> case_wall;  ///< by wall of the stepper: which of the case; a box has six
+  std::unique_ptr<engine::SphereStepper> stepper;
+};
+
+/// Throws UserError when the case does not fit its spheres or its step is above the limit.
+SpheresModel build_spheres(const cases::CaseFile& file);
+
+/// The constants of every pair of materials of a case.
+methods::spheres::ContactTable contact_table(const cases::SpheresCase& spheres);
+
+}  // namespace sazare::runs

@@ -1,0 +1,203 @@
+#include "sazare/runs/spheres_record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sazare/cases/number_text.hpp"
+#include "sazare/core/error.hpp"
+#include "sazare/observe/hash.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+constexpr Real senseless_speed = 1e5;  // m/s; no grain moves so fast
+
+const std::vector<std::string> history_columns = {
+    "time [s]",          "energy_translation [J]", "energy_rotation [J]",      "energy_elastic [J]",  "energy_sliding [J]", "energy_potential [J]",
+    "work_dashpots [J]", "work_friction [J]",      "work_walls [J]",           "energy_residual [J]", "contacts [-]",       "speed_max [m/s]",
+    "wall_seconds [s]"};
+
+}  // namespace
+
+SpheresRecord::SpheresRecord(const RunFolder& folder, const cases::CaseFile& file, SpheresModel& model, const RunClocks& clocks)
+    : folder_(&folder), file_(&file), model_(&model), clocks_(clocks), snapshots_(folder.snapshots(), "particles"),
+      peaks_(file.spheres().gauges.size(), 0) {
+  const auto& groups = file.spheres().spheres;
+  for (const cases::GroupGauge& gauge : file.spheres().gauges)
+    gauge_group_.push_back(static_cast<Index>(std::ranges::find(groups, gauge.group, &cases::SphereGroup::name) - groups.begin()));
+}
+
+std::vector<std::string> SpheresRecord::gauge_columns() const {
+  std::vector<std::string> columns = {"time [s]"};
+  for (const cases::GroupGauge& gauge : file_->spheres().gauges)
+    for (const auto& [quantity, unit] : {std::pair{"position", "m"}, {"velocity", "m/s"}})
+      for (const char axis : {'x', 'y', 'z'}) columns.push_back(fmt::format("{}.{}_{} [{}]", gauge.name, quantity, axis, unit));
+  return columns;
+}
+
+std::vector<std::string> SpheresRecord::wall_columns() const {
+  std::vector<std::string> columns = {"time [s]"};
+  for (const cases::WallRules& wall : file_->spheres().walls)
+    for (const auto& [quantity, unit] : {std::pair{"force", "N"}, {"moment", "N m"}})
+      for (const char axis : {'x', 'y', 'z'}) columns.push_back(fmt::format("{}.{}_{} [{}]", wall.name, quantity, axis, unit));
+  return columns;
+}
+
+void SpheresRecord::begin() {
+  history_.emplace(folder_->history(), history_columns);
+  gauges_.emplace(folder_->gauges(), gauge_columns());
+  walls_.emplace(folder_->walls(), wall_columns());
+}
+
+void SpheresRecord::resume() {
+  const auto rows = static_cast<std::size_t>(rows_);
+  history_ = observe::CsvWriter::resume(folder_->history(), history_columns, rows);
+  gauges_ = observe::CsvWriter::resume(folder_->gauges(), gauge_columns(), rows);
+  walls_ = observe::CsvWriter::resume(folder_->walls(), wall_columns(), rows);
+  snapshots_.resume(static_cast<std::size_t>(snapshot_count_));
+}
+
+void SpheresRecord::observe(std::int64_t step, Real wall_seconds) {
+  if (!clocks_.is_row(step)) return;
+  const Real time = clocks_.time(step);
+  engine::SphereStepper& stepper = *model_->stepper;
+  stepper.settle();
+  energies_ = stepper.energies();
+  if (rows_ == 0) first_sum_ = energies_.sum();
+  const Real speed = stepper.largest_speed();
+  history_->add_row(std::vector<Real>{time, energies_.translation, energies_.rotation, energies_.elastic, energies_.sliding, energies_.potential,
+                                      energies_.dashpot_work, energies_.sliding_work, energies_.wall_work, energies_.sum() - first_sum_,
+                                      static_cast<Real>(stepper.contacts()), speed, wall_seconds});
+  largest_speed_ = std::max(largest_speed_, speed);
+  peak_kinetic_ = std::max(peak_kinetic_, energies_.translation + energies_.rotation);
+  add_gauge_row(time);
+  add_wall_row(time);
+  ++rows_;
+  if (!clocks_.is_snapshot(step)) return;
+  write_snapshot(time);
+  ++snapshot_count_;
+}
+
+void SpheresRecord::add_gauge_row(Real time) {
+  const state::Spheres& spheres = model_->stepper->spheres();
+  const std::size_t groups = file_->spheres().spheres.size();
+  std::vector<Real> mass(groups, 0);
+  std::vector<Vector3> place(groups, Vector3::Zero()), momentum(groups, Vector3::Zero());
+  if (!gauge_group_.empty())
+    for (std::size_t i = 0; i < spheres.size(); ++i) {
+      const auto g = static_cast<std::size_t>(model_->group[static_cast<std::size_t>(spheres.number[i])]);
+      mass[g] += spheres.place[i].mass;
+      place[g] += spheres.place[i].mass * spheres.place[i].centre();
+      momentum[g] += spheres.place[i].mass * model_->stepper->velocity(i);
+    }
+  std::vector<Real> row = {time};
+  for (std::size_t gauge = 0; gauge < gauge_group_.size(); ++gauge) {
+    const auto g = static_cast<std::size_t>(gauge_group_[gauge]);
+    const Vector3 centre = place[g] / mass[g], velocity = momentum[g] / mass[g];
+    for (const Vector3& value : {centre, velocity}) row.insert(row.end(), value.begin(), value.end());
+    peaks_[gauge] = std::max(peaks_[gauge], velocity.norm());
+  }
+  gauges_->add_row(row);
+}
+
+void SpheresRecord::add_wall_row(Real time) {
+  std::vector<methods::spheres::WallLoad> total(file_->spheres().walls.size());
+  const auto loads = model_->stepper->walls().loads();
+  for (std::size_t w = 0; w < loads.size(); ++w) total[static_cast<std::size_t>(model_->case_wall[w])] += loads[w];
+  std::vector<Real> row = {time};
+  for (const auto& load : total)
+    for (const Vector3& value : {load.force, load.moment}) row.insert(row.end(), value.begin(), value.end());
+  walls_->add_row(row);
+}
+
+void SpheresRecord::write_snapshot(Real time) {
+  const state::Spheres& spheres = model_->stepper->spheres();
+  const std::size_t n = spheres.size();
+  std::vector<Vector3> place(n), velocity(n), spin(n);
+  std::vector<Real> radius(n);
+  std::vector<std::int32_t> cell(n), group(n), material(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto number = static_cast<std::size_t>(spheres.number[i]);
+    place[number] = spheres.box.wrapped(spheres.place[i].centre());
+    velocity[number] = model_->stepper->velocity(i);
+    spin[number] = model_->stepper->spin(i);
+    radius[number] = spheres.place[i].radius;
+    group[number] = model_->group[number];
+    material[number] = static_cast<std::int32_t>(spheres.spin[i].material);
+    cell[number] = static_cast<std::int32_t>(number);
+  }
+  const auto of_vectors = [&](const std::string& name, const std::vector<Vector3>& values) {
+    return observe::CellData{name, 3, std::span<const Real>(n == 0 ? nullptr : values.front().data(), 3 * n)};
+  };
+  const auto of_integers = [](const std::string& name, const std::vector<std::int32_t>& values) {
+    return observe::CellData{name, 1, std::span<const std::int32_t>(values)};
+  };
+  snapshots_.write({observe::Grid::Cell::vertex, place, cell,
+                    {of_vectors("velocity", velocity), of_vectors("spin", spin), {"radius", 1, std::span<const Real>(radius)},
+                     of_integers("group", group), of_integers("material", material)},
+                    time});
+}
+
+void SpheresRecord::flush(bool to_disk) {
+  for (auto* table : {&history_, &gauges_, &walls_})
+    if (*table) (*table)->flush(to_disk);
+  if (to_disk) snapshots_.sync();
+}
+
+void SpheresRecord::check_motion(Real time) const {
+  const Real speed = model_->stepper->largest_speed();
+  if (speed < senseless_speed) return;
+  throw PhysicsError(fmt::format(
+      "the motion of the spheres makes no sense any more at t = {} s: the largest speed is {} m/s, above {} m/s\n"
+      "  the step of {} s is {} times the limit of {} s: set time.stability_fraction = 0.1, or look at spheres that overlap at the start",
+      cases::short_number(time), cases::short_number(speed, 3), cases::short_number(senseless_speed, 3),
+      cases::short_number(model_->step, 4), cases::short_number(model_->step / model_->limit, 3), cases::short_number(model_->limit, 4)));
+}
+
+std::vector<std::pair<std::string, observe::Figure>> SpheresRecord::results(std::int64_t step, Real wall_seconds) const {
+  const auto spheres = static_cast<std::int64_t>(model_->group.size());
+  const Real lost = energies_.dashpot_work + energies_.sliding_work;
+  return {{"particles", spheres},
+          {"steps", step},
+          {"step", model_->step},
+          {"predicted_limit", model_->limit},
+          {"particle_steps", spheres * step},
+          {"contacts", model_->stepper->contacts()},
+          {"searches", model_->stepper->searches()},
+          {"wall_seconds", wall_seconds},
+          {"energy_kinetic", energies_.translation + energies_.rotation},
+          {"energy_lost", lost},
+          {"energy_work", std::max({lost, peak_kinetic_, std::abs(energies_.wall_work)})},
+          {"energy_residual", rows_ > 0 ? energies_.sum() - first_sum_ : 0},
+          {"peak_speed", largest_speed_}};
+}
+
+std::vector<std::pair<std::string, Real>> SpheresRecord::peak_particle_velocity() const {
+  std::vector<std::pair<std::string, Real>> peaks;
+  for (std::size_t i = 0; i < peaks_.size(); ++i) peaks.emplace_back(file_->spheres().gauges[i].name, peaks_[i]);
+  return peaks;
+}
+
+std::uint64_t SpheresRecord::state_hash() const {
+  observe::Hash hash;
+  const state::Spheres& spheres = model_->stepper->spheres();
+  hash.add(std::as_bytes(std::span(spheres.place)));
+  hash.add(std::as_bytes(std::span(spheres.spin)));
+  hash.add(std::as_bytes(std::span(spheres.kick)));
+  hash.add(std::as_bytes(std::span(spheres.number)));
+  return hash.value();
+}
+
+void SpheresRecord::columns(Archive& archive) {
+  archive("rows", rows_);
+  archive("snapshots", snapshot_count_);
+  archive("first_sum", first_sum_);
+  archive("largest_speed", largest_speed_);
+  archive("peak_kinetic", peak_kinetic_);
+  archive("peaks", peaks_);
+}
+
+}  // namespace sazare::runs

@@ -1,0 +1,85 @@
+#include "sazare/geometry/surface_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "msh_writer.hpp"
+#include "sazare/core/error.hpp"
+
+namespace sazare::geometry {
+namespace {
+
+using test::TemporaryFolder;
+
+const char* two_triangles = R"(solid floor
+ facet normal 0 0 1
+  outer loop
+   vertex 0 0 0
+   vertex 1 0 0
+   vertex 0 1 0
+  endloop
+ endfacet
+ facet normal 0 0 1
+  outer loop
+   vertex 1 0 0
+   vertex 1 1 0
+   vertex 0 1 5e-1
+  endloop
+ endfacet
+endsolid floor
+)";
+
+/// The same triangles in the binary format.
+std::string as_binary(const std::vector<Triangle>& triangles) {
+  std::string bytes(84, ' ');
+  const auto count = static_cast<std::uint32_t>(triangles.size());
+  std::memcpy(bytes.data() + 80, &count, sizeof count);
+  for (const Triangle& triangle : triangles) {
+    float numbers[12] = {};
+    for (int corner = 0; corner < 3; ++corner)
+      for (int axis = 0; axis < 3; ++axis) numbers[3 + 3 * corner + axis] = static_cast<float>(triangle[static_cast<std::size_t>(corner)][axis]);
+    bytes.append(reinterpret_cast<const char*>(numbers), sizeof numbers);
+    bytes.append(2, '\0');
+  }
+  return bytes;
+}
+
+std::string words(const std::filesystem::path& file, const std::string& group = "") {
+  try {
+    read_surface(file, group, 1);
+  } catch (const UserError& error) {
+    return error.what();
+  }
+  return "nothing";
+}
+
+TEST(surface_file, reads_text_and_binary_stl_alike) {
+  const TemporaryFolder folder;
+  const auto text = read_surface(folder.write("a.stl", two_triangles), "", 2);
+  ASSERT_EQ(text.size(), 2);
+  EXPECT_EQ(text[1][2], Vector3(0, 2, 1));
+  EXPECT_EQ(read_surface(folder.write("b.stl", as_binary(text)), "", 1), text);
+}
+
+TEST(surface_file, reads_a_surface_group_of_a_mesh) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("a.msh", test::two_tetrahedra().text());
+  EXPECT_EQ(read_surface(file, "floor", 1).size(), 2);
+  EXPECT_EQ(read_surface(file, "", 1).size(), 2);
+  EXPECT_NE(words(file, "flor").find("the mesh has no surface group \"flor\"; its groups: floor"), std::string::npos) << words(file, "flor");
+}
+
+TEST(surface_file, says_what_is_wrong) {
+  const TemporaryFolder folder;
+  EXPECT_NE(words(folder / "none.stl").find("cannot be read"), std::string::npos);
+  EXPECT_NE(words(folder.write("empty.stl", "solid\nendsolid\n")).find("has no triangles"), std::string::npos);
+  EXPECT_NE(words(folder.write("cut.stl", "solid\nvertex 0 0 0\nvertex 1 0 0\n")).find("cut short"), std::string::npos);
+  EXPECT_NE(words(folder.write("word.stl", "solid\nvertex 0 zero 0\n")).find("word.stl:2: three numbers were expected"), std::string::npos);
+  const std::string flat = words(folder.write("flat.stl", as_binary({{Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0)},
+                                                                     {Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(2, 0, 0)}})));
+  EXPECT_NE(flat.find("1 of 2 triangles have no area, counted from 1: 2;"), std::string::npos) << flat;
+}
+
+}  // namespace
+}  // namespace sazare::geometry

@@ -1,0 +1,52 @@
+#include "sazare/geometry/triangle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "sazare/geometry/triangle_grid.hpp"
+
+namespace sazare::geometry {
+namespace {
+
+const Triangle corner{Vector3(0, 0, 0), Vector3(2, 0, 0), Vector3(0, 2, 0)};
+
+TEST(triangle, nearest_point_is_on_face_edges_and_corners) {
+  EXPECT_EQ(nearest_point(corner, {0.5, 0.5, 3}), Vector3(0.5, 0.5, 0));
+  EXPECT_EQ(nearest_point(corner, {1, -1, 1}), Vector3(1, 0, 0));
+  EXPECT_EQ(nearest_point(corner, {-1, 1, 1}), Vector3(0, 1, 0));
+  EXPECT_LT((nearest_point(corner, {2, 2, -1}) - Vector3(1, 1, 0)).norm(), 1e-15);
+  EXPECT_EQ(nearest_point(corner, {-1, -1, 0}), Vector3(0, 0, 0));
+  EXPECT_EQ(nearest_point(corner, {5, -1, 0}), Vector3(2, 0, 0));
+  EXPECT_EQ(nearest_point(corner, {-1, 5, 0}), Vector3(0, 2, 0));
+}
+
+TEST(triangle_grid, knows_all_that_are_near) {
+  std::uint64_t state = 3;
+  const auto random = [&] {
+    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+    return static_cast<Real>(state >> 11) / 9007199254740992.0;
+  };
+  std::vector<Triangle> triangles;
+  for (int i = 0; i < 200; ++i) {
+    const Vector3 at(random(), random(), random());
+    triangles.push_back({at, at + 0.2 * Vector3(random(), random(), random()), at + 0.2 * Vector3(random(), random(), random())});
+  }
+  for (const Real reach : {0.02, 0.3}) {
+    const TriangleGrid grid(triangles, reach);
+    std::size_t met = 0;
+    for (int i = 0; i < 2000; ++i) {
+      const Vector3 place = 2 * Vector3(random(), random(), random()) - Vector3(0.5, 0.5, 0.5);
+      const auto near = grid.near(place);
+      for (std::size_t t = 0; t < triangles.size(); ++t) {
+        if ((nearest_point(triangles[t], place) - place).norm() > reach) continue;
+        ++met;
+        EXPECT_NE(std::ranges::find(near, static_cast<std::int32_t>(t)), near.end());
+      }
+    }
+    EXPECT_GT(met, 20);
+  }
+}
+
+}  // namespace
+}  // namespace sazare::geometry

@@ -1,0 +1,181 @@
+#include "sazare/laws/granular_contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace sazare::laws {
+namespace {
+
+const Elasticity glass{70e9, 0.25};
+
+ContactConstants<Real> constants(ContactModel model, Real restitution = 1, Real friction = 0.5, Real rolling = 0) {
+  return model == ContactModel::hertz ? hertz_constants(glass, glass, restitution, friction, rolling)
+                                      : linear_constants(1e6, 8e5, restitution, friction, rolling);
+}
+
+ContactMotion<Real> touching(Real overlap) {
+  ContactMotion<Real> at{};
+  at.overlap = overlap;
+  at.reduced_radius = 0.005;
+  at.reduced_mass = 0.01;
+  at.normal = {0, 0, 1};
+  at.step = 1e-7;
+  return at;
+}
+
+template <ContactModel model>
+ContactForce<Real> at_rest(Real overlap, Triple<Real> stretch = {}) {
+  ContactMemory<Real> memory{stretch, {}};
+  return contact_force<model, false>(constants(model, 1, 1e9), touching(overlap), memory);
+}
+
+template <ContactModel model>
+void expect_derivatives() {
+  for (const Real overlap : {1e-7, 1e-6, 1e-5}) {
+    const Real small = 1e-4 * overlap;
+    const Real normal = (at_rest<model>(overlap + small).elastic_energy - at_rest<model>(overlap - small).elastic_energy) / (2 * small);
+    EXPECT_NEAR(at_rest<model>(overlap).normal, normal, 1e-7 * normal);
+    const Real x = 0.3 * overlap;
+    const Real across = (at_rest<model>(overlap, {x + small, 0, 0}).sliding_energy - at_rest<model>(overlap, {x - small, 0, 0}).sliding_energy) / (2 * small);
+    EXPECT_NEAR(-at_rest<model>(overlap, {x, 0, 0}).friction.x, across, 1e-7 * across);
+  }
+}
+
+TEST(granular_contact, forces_are_slopes_of_the_energies) {
+  expect_derivatives<ContactModel::hertz>();
+  expect_derivatives<ContactModel::linear>();
+}
+
+TEST(granular_contact, hertz_force_is_that_of_the_formula) {
+  const Real modulus = 70e9 / (2 * (1 - 0.25 * 0.25));
+  EXPECT_NEAR(at_rest<ContactModel::hertz>(1e-6).normal, 4.0 / 3 * modulus * std::sqrt(0.005) * 1e-9, 1e-9);
+}
+
+TEST(granular_contact, linear_shear_and_normal_springs_of_mindlin_have_their_ratio) {
+  // k_t/k_n = 2 (1 - nu)/(2 - nu) for two spheres alike: G a over 3/2 K a.
+  const auto hertz = constants(ContactModel::hertz);
+  EXPECT_NEAR(hertz.tangential / (1.5 * hertz.normal), 2 * (1 - 0.25) / (2 - 0.25), 1e-12);
+}
+
+TEST(granular_contact, the_same_from_the_other_side) {
+  ContactMemory<Real> memory{{1e-8, -2e-8, 0}, {}}, mirrored{{-1e-8, 2e-8, 0}, {}};
+  auto at = touching(1e-6);
+  at.velocity = {0.1, 0.2, -0.3};
+  const auto force = contact_force<ContactModel::hertz, false>(constants(ContactModel::hertz, 0.5), at, memory);
+  at.velocity = {-0.1, -0.2, 0.3};
+  at.normal = {0, 0, -1};
+  const auto other = contact_force<ContactModel::hertz, false>(constants(ContactModel::hertz, 0.5), at, mirrored);
+  EXPECT_DOUBLE_EQ(force.normal, other.normal);
+  EXPECT_DOUBLE_EQ(force.friction.x, -other.friction.x);
+  EXPECT_DOUBLE_EQ(force.friction.y, -other.friction.y);
+  EXPECT_DOUBLE_EQ(memory.sliding.x, -mirrored.sliding.x);
+}
+
+TEST(granular_contact, friction_stays_on_coulombs_line) {
+  ContactMemory<Real> memory{};
+  auto at = touching(1e-6);
+  at.velocity = {3, 4, 0};
+  const auto law = constants(ContactModel::hertz, 0.8, 0.25);
+  ContactForce<Real> force{};
+  for (int step = 0; step < 20; ++step) force = contact_force<ContactModel::hertz, false>(law, at, memory);
+  EXPECT_NEAR(std::sqrt(dot(force.friction, force.friction)), 0.25 * force.normal, 1e-12 * force.normal);
+  EXPECT_NEAR(force.friction.x / force.friction.y, 0.75, 1e-12);
+  EXPECT_LT(force.friction.x, 0);
+}
+
+TEST(granular_contact, without_friction_nothing_pulls_across) {
+  ContactMemory<Real> memory{};
+  auto at = touching(1e-6);
+  at.velocity = {3, 4, 0};
+  const auto force = contact_force<ContactModel::hertz, false>(constants(ContactModel::hertz, 1, 0), at, memory);
+  EXPECT_EQ(dot(force.friction, force.friction), 0);
+}
+
+TEST(granular_contact, memory_turns_with_the_contact) {
+  ContactMemory<Real> memory{{1e-8, 0, 0}, {}};
+  auto at = touching(1e-6);
+  at.normal = {std::sin(1e-3), 0, std::cos(1e-3)};
+  contact_force<ContactModel::hertz, false>(constants(ContactModel::hertz), at, memory);
+  EXPECT_NEAR(dot(memory.sliding, at.normal), 0, 1e-22);
+  EXPECT_NEAR(std::sqrt(dot(memory.sliding, memory.sliding)), 1e-8, 1e-14);
+}
+
+TEST(granular_contact, rolling_moment_has_its_limit) {
+  ContactMemory<Real> memory{};
+  auto at = touching(1e-6);
+  at.rolling = {1, 0, 0};
+  ContactForce<Real> force{};
+  const auto law = constants(ContactModel::hertz, 1, 0.5, 0.1);
+  for (int step = 0; step < 20; ++step) force = contact_force<ContactModel::hertz, true>(law, at, memory);
+  EXPECT_NEAR(force.rolling.x, -0.1 * force.normal, 1e-12 * force.normal);
+}
+
+/// Speed after a central impact of the reduced mass over that before.
+template <ContactModel model>
+Real restitution_of(Real restitution, Real speed) {
+  const auto law = constants(model, restitution);
+  const Real mass = 0.01, step = 1e-9;
+  Real place = 0, velocity = -speed;
+  while (place <= 0) {
+    ContactMemory<Real> memory{};
+    auto at = touching(-place);
+    at.velocity = {0, 0, velocity};
+    at.step = step;
+    const Real middle = velocity + 0.5 * step / mass * contact_force<model, false>(law, at, memory).normal;
+    at.velocity = {0, 0, middle};
+    velocity += step / mass * contact_force<model, false>(law, at, memory).normal;
+    place += step * velocity;
+  }
+  return velocity / speed;
+}
+
+TEST(granular_contact, restitution_is_the_one_asked_for_at_any_speed) {
+  for (const Real restitution : {0.2, 0.5, 0.9, 1.0}) {
+    EXPECT_NEAR(restitution_of<ContactModel::hertz>(restitution, 0.1), restitution, 2e-3);
+    EXPECT_NEAR(restitution_of<ContactModel::hertz>(restitution, 5), restitution, 2e-3);
+    EXPECT_NEAR(restitution_of<ContactModel::linear>(restitution, 1), restitution, 2e-3);
+  }
+}
+
+TEST(granular_contact, lanes_compute_what_one_number_does) {
+  ContactMotion<Lanes> lanes{};
+  ContactMemory<Lanes> lane_memory{};
+  ContactConstants<Lanes> law{};
+  const auto one_law = constants(ContactModel::hertz, 0.6, 0.3, 0.1);
+  law = {broadcast(one_law.normal),   broadcast(one_law.tangential), broadcast(one_law.normal_damping), broadcast(one_law.tangential_damping),
+         broadcast(one_law.friction), broadcast(one_law.rolling)};
+  const auto scene = [](int lane) {
+    auto at = touching(1e-6 * (1 + lane));
+    at.velocity = {0.3 * lane, -0.1, 0.05 * lane - 0.1};
+    at.rolling = {0.02 * lane, 0.01, 0};
+    return at;
+  };
+  for (int lane = 0; lane < lane_count; ++lane) {
+    const auto at = scene(lane);
+    lanes.overlap[lane] = at.overlap;
+    lanes.reduced_radius[lane] = at.reduced_radius;
+    lanes.reduced_mass[lane] = at.reduced_mass;
+    lanes.normal.z[lane] = 1;
+    lanes.velocity.x[lane] = at.velocity.x;
+    lanes.velocity.y[lane] = at.velocity.y;
+    lanes.velocity.z[lane] = at.velocity.z;
+    lanes.rolling.x[lane] = at.rolling.x;
+    lanes.rolling.y[lane] = at.rolling.y;
+    lanes.step[lane] = at.step;
+  }
+  const auto together = contact_force<ContactModel::hertz, true>(law, lanes, lane_memory);
+  for (int lane = 0; lane < lane_count; ++lane) {
+    ContactMemory<Real> memory{};
+    const auto alone = contact_force<ContactModel::hertz, true>(one_law, scene(lane), memory);
+    EXPECT_EQ(alone.normal, together.normal[lane]);
+    EXPECT_EQ(alone.friction.x, together.friction.x[lane]);
+    EXPECT_EQ(alone.rolling.y, together.rolling.y[lane]);
+    EXPECT_EQ(memory.sliding.y, lane_memory.sliding.y[lane]);
+    EXPECT_EQ(memory.rolling.x, lane_memory.rolling.x[lane]);
+  }
+}
+
+}  // namespace
+}  // namespace sazare::laws

@@ -1,0 +1,91 @@
+#include "sazare/neighbors/sphere_pairs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace sazare::neighbors {
+namespace {
+
+class Random {
+ public:
+  Real operator()() {
+    state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
+    return static_cast<Real>(state_ >> 11) / 9007199254740992.0;
+  }
+
+ private:
+  std::uint64_t state_ = 7;
+};
+
+state::Spheres scattered(int count, Real smallest, Real largest, const Vector3& room) {
+  state::Spheres spheres;
+  Random random;
+  for (int i = 0; i < count; ++i) {
+    const Vector3 centre(room.x() * random(), room.y() * random(), room.z() * random());
+    spheres.add(centre, smallest * std::pow(largest / smallest, random()), 1000, 0);
+  }
+  return spheres;
+}
+
+using Pairs = std::set<std::pair<Index, Index>>;
+
+Pairs found(const state::Spheres& spheres, Real margin) {
+  const SpherePairs list = find_pairs(spheres, margin);
+  Pairs pairs;
+  EXPECT_EQ(list.first.size(), spheres.size() + 1);
+  for (std::size_t i = 0; i < spheres.size(); ++i)
+    for (std::size_t p = list.first[i]; p < list.first[i + 1]; ++p) {
+      EXPECT_GT(list.other[p], static_cast<Index>(i));
+      EXPECT_TRUE(pairs.insert({static_cast<Index>(i), list.other[p]}).second) << "twice";
+    }
+  return pairs;
+}
+
+Pairs by_hand(const state::Spheres& spheres, Real margin) {
+  Pairs pairs;
+  for (std::size_t i = 0; i < spheres.size(); ++i)
+    for (std::size_t j = i + 1; j < spheres.size(); ++j) {
+      Vector3 apart = spheres.place[j].centre() - spheres.place[i].centre();
+      for (int axis = 0; axis < 3; ++axis)
+        if (spheres.box.length[axis] > 0) apart[axis] = std::remainder(apart[axis], spheres.box.length[axis]);
+      if (apart.norm() < spheres.place[i].radius + spheres.place[j].radius + margin) pairs.insert({static_cast<Index>(i), static_cast<Index>(j)});
+    }
+  return pairs;
+}
+
+TEST(sphere_pairs, are_all_pairs_of_one_size) {
+  const auto spheres = scattered(2000, 0.05, 0.05, {1, 1, 1});
+  EXPECT_EQ(found(spheres, 0.01), by_hand(spheres, 0.01));
+}
+
+TEST(sphere_pairs, are_all_pairs_of_sizes_one_to_twenty) {
+  const auto spheres = scattered(3000, 0.01, 0.2, {2, 1, 1.5});
+  EXPECT_EQ(found(spheres, 0.002), by_hand(spheres, 0.002));
+}
+
+TEST(sphere_pairs, reach_through_periodic_sides) {
+  for (const Vector3& length : {Vector3(1, 1, 0), Vector3(0.25, 1, 1), Vector3(0, 0.5, 0)}) {
+    auto spheres = scattered(1500, 0.02, 0.05, {1, 1, 1});
+    spheres.box = {Vector3(-0.1, 0.2, 0), length};
+    EXPECT_EQ(found(spheres, 0.005), by_hand(spheres, 0.005));
+  }
+}
+
+TEST(sphere_pairs, are_found_however_far_some_have_gone) {
+  auto spheres = scattered(500, 0.05, 0.05, {1, 1, 1});
+  for (std::size_t i = 0; i < 10; ++i) spheres.place[i].z += 1e9;
+  EXPECT_EQ(found(spheres, 0.01), by_hand(spheres, 0.01));
+}
+
+TEST(sphere_pairs, order_along_the_curve_holds_each_once) {
+  const auto spheres = scattered(1000, 0.02, 0.05, {1, 1, 1});
+  const auto order = order_along_curve(spheres, 0.01);
+  EXPECT_EQ(std::set<Index>(order.begin(), order.end()).size(), spheres.size());
+}
+
+TEST(sphere_pairs, of_no_spheres_are_none) { EXPECT_TRUE(find_pairs({}, 0.1).other.empty()); }
+
+}  // namespace
+}  // namespace sazare::neighbors

@@ -1,0 +1,183 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "sazare/core/error.hpp"
+#include "sazare/parallel/threads.hpp"
+#include "sazare/runs/run_case.hpp"
+#include "sazare/runs/spheres_model.hpp"
+#include "tests/unit/runs/support.hpp"
+
+namespace sazare::runs {
+namespace {
+
+namespace fs = std::filesystem;
+using test::read_manifest, test::read_text, test::TemporaryFolder, test::words_of;
+
+const char* head = R"([case]
+title = "grains"
+method = "spheres"
+[[materials]]
+name = "glass"
+density = 2500.0
+youngs_modulus = 1e7
+poisson_ratio = 0.2
+[contact]
+restitution = 0.6
+friction_coefficient = 0.4
+rolling_friction = 0.05
+[gravity]
+acceleration = [0.0, 0.0, -9.81]
+[time]
+end = 0.2
+history_interval = 0.01
+snapshot_interval = 0.1
+[[walls]]
+name = "floor"
+material = "glass"
+point = [0.0, 0.0, 0.0]
+normal = [0.0, 0.0, 2.0]
+[domain]
+periodic = ["x", "y"]
+lower = [0.0, 0.0, 0.0]
+upper = [0.08, 0.08, 0.0]
+)";
+
+const char* scattered = R"([[spheres]]
+name = "grains"
+material = "glass"
+source = "random"
+radius = 0.003
+largest_radius = 0.005
+lower = [0.0, 0.0, 0.0]
+upper = [0.08, 0.08, 0.2]
+count = 500
+[[gauges]]
+name = "all of them"
+group = "grains"
+)";
+
+cases::CaseFile case_of(const TemporaryFolder& folder, const std::string& rest, const std::vector<std::string>& settings = {}) {
+  return cases::read_case(folder.write("case.toml", head + rest), settings);
+}
+
+RunOutcome carry_out(const cases::CaseFile& file, const fs::path& folder, Begin begin = Begin::fresh, const std::atomic<bool>* stop = nullptr) {
+  return run_case(file, {folder, begin, true, stop});
+}
+
+std::string refused(const std::string& rest, const std::vector<std::string>& settings = {}) {
+  const TemporaryFolder folder;
+  return words_of<UserError>([&] { check_case(case_of(folder, rest, settings)); });
+}
+
+TEST(run_spheres, writes_its_folder_and_its_figures) {
+  const TemporaryFolder folder;
+  const auto file = case_of(folder, scattered, {"time.stability_fraction=0.05"});
+  carry_out(file, folder / "run");
+  const nlohmann::json manifest = read_manifest(folder / "run");
+  EXPECT_EQ(manifest["method"], "spheres");
+  EXPECT_EQ(manifest["status"], "done");
+  EXPECT_EQ(manifest["results"]["particles"], 500);
+  EXPECT_GT(manifest["results"]["contacts"], 500);
+  EXPECT_LT(std::abs(manifest["results"]["energy_residual"].get<double>()), 1e-3 * manifest["results"]["energy_lost"].get<double>());
+  EXPECT_TRUE(fs::exists(folder / "run/snapshots/particles_00002.vtkhdf"));
+  EXPECT_TRUE(read_text(folder / "run/gauges.csv").starts_with("time [s],all of them.position_x [m],"));
+  EXPECT_TRUE(read_text(folder / "run/walls.csv").starts_with("time [s],floor.force_x [N],"));
+  const cases::CaseFile again = cases::read_case(folder / "run/case.toml");
+  carry_out(again, folder / "again");
+  EXPECT_EQ(read_manifest(folder / "again")["state_hash"], manifest["state_hash"]);
+}
+
+TEST(run_spheres, in_many_parts_gives_the_bits_of_one_run) {
+  const TemporaryFolder folder;
+  const auto file = case_of(folder, scattered);
+  carry_out(file, folder / "whole");
+  for (int parts = 1;; ++parts) {
+    std::atomic<bool> stop = false;
+    std::jthread alarm([&](const std::stop_token& over) {
+      const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(20 * parts);
+      while (!over.stop_requested() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      stop = true;
+    });
+    if (carry_out(file, folder / "parts", Begin::resume, &stop).stopped) continue;
+    EXPECT_GT(parts, 1);
+    break;
+  }
+  EXPECT_EQ(read_manifest(folder / "whole")["state_hash"], read_manifest(folder / "parts")["state_hash"]);
+  for (const char* table : {"gauges.csv", "walls.csv"})
+    EXPECT_EQ(read_text(folder / "whole" / table), read_text(folder / "parts" / table));
+  EXPECT_EQ(test::without_last_column(read_text(folder / "whole/history.csv")), test::without_last_column(read_text(folder / "parts/history.csv")));
+}
+
+TEST(run_spheres, places_lattices_in_the_middle_of_their_box) {
+  const TemporaryFolder folder;
+  const auto file = case_of(folder, R"([[spheres]]
+name = "a"
+material = "glass"
+source = "lattice"
+radius = 0.005
+lower = [0.0, 0.0, 0.0]
+upper = [0.034, 0.02, 0.011]
+)");
+  const Placement placement = place_spheres(file);
+  ASSERT_EQ(placement.spheres.size(), 6);
+  EXPECT_LT((placement.spheres.place[0].centre() - Vector3(0.007, 0.005, 0.0055)).norm(), 1e-12);
+}
+
+TEST(run_spheres, pairs_of_materials_have_their_own_constants) {
+  const TemporaryFolder folder;
+  const auto file = case_of(folder, std::string(scattered) + R"([[materials]]
+name = "steel"
+density = 7800.0
+youngs_modulus = 2e11
+poisson_ratio = 0.3
+[[pairs]]
+between = ["steel", "glass"]
+friction_coefficient = 0.1
+)");
+  const auto table = contact_table(file.spheres());
+  EXPECT_EQ(table.of(0, 0).friction, 0.4);
+  EXPECT_EQ(table.of(0, 1).friction, 0.1);
+  EXPECT_EQ(table.of(1, 0).friction, 0.1);
+  EXPECT_EQ(table.of(0, 1).rolling, 0.05);
+  EXPECT_NEAR(table.of(0, 1).normal / table.of(0, 0).normal, 2, 1e-3);
+}
+
+TEST(run_spheres, says_what_does_not_fit) {
+  EXPECT_NE(refused("[[spheres]]\nname = \"a\"\nmaterial = \"glass\"\ncentre = [0.0, 0.0, 0.1]\nradius = 0.03\n")
+                .find("error: the room is 0.08 m along the periodic axis x, and the largest sphere 0.06 m wide"),
+            std::string::npos);
+  const std::string overlap = refused(R"([[spheres]]
+name = "a"
+material = "glass"
+centre = [0.01, 0.0, 0.02]
+radius = 0.005
+[[spheres]]
+name = "b"
+material = "glass"
+centre = [0.018, 0.0, 0.02]
+radius = 0.005
+)");
+  EXPECT_NE(overlap.find("error: 1 pairs of spheres overlap at the start by more than 0.05 of the smaller radius: a 1 at (0.01, 0, 0.02) and b 1 at "
+                         "(0.018, 0, 0.02) by 0.4"),
+            std::string::npos)
+      << overlap;
+  const std::string full = refused(scattered, {"spheres.0.count=20000"});
+  EXPECT_NE(full.find("error: no room for sphere"), std::string::npos) << full;
+  const std::string beyond = refused(scattered, {"walls.0.point=[0.0, 0.0, 0.1]"});
+  EXPECT_NE(beyond.find("spheres begin beyond the wall \"floor\""), std::string::npos) << beyond;
+  const std::string step = refused(scattered, {"time.step=1e-3"});
+  EXPECT_NE(step.find("error: the step of 0.001 s is"), std::string::npos) << step;
+  const TemporaryFolder folder;
+  const std::string row = words_of<UserError>([&] {
+    const auto file = case_of(folder, "[[spheres]]\nname = \"a\"\nmaterial = \"glass\"\nsource = \"file\"\nfile = \"" +
+                                          folder.write("a.txt", "# comment\n0.005 0 0 0.01\n0.005, 0, 0\n").string() + "\"\n");
+    check_case(file);
+  });
+  EXPECT_NE(row.find("a.txt:3: four numbers were expected, radius, x, y and z in m, found"), std::string::npos) << row;
+}
+
+}  // namespace
+}  // namespace sazare::runs

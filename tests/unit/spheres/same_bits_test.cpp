@@ -1,0 +1,57 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "sazare/parallel/threads.hpp"
+#include "scene.hpp"
+#include "tests/support/memory_archive.hpp"
+
+namespace sazare::methods::spheres {
+namespace {
+
+std::vector<Wall> box_walls() {
+  Wall floor, side;
+  side.normal = Vector3::UnitX();
+  Wall slope;
+  slope.triangles = {{Vector3(-1, -1, 0.0), Vector3(1, -1, 0.0), Vector3(0, 1, 0.01)}};
+  return {floor, side, slope};
+}
+
+Rules rules() { return {.restitution = 0.6, .friction = 0.4, .rolling = 0.05, .step = 1e-5, .gravity = {0, 0, -9.81}}; }
+
+test::MemoryArchive state_of(engine::SphereStepper& stepper) {
+  test::MemoryArchive archive;
+  stepper.columns(archive);
+  return archive;
+}
+
+TEST(spheres, give_the_same_bits_on_any_number_of_threads) {
+  const auto run = [](int threads) {
+    parallel::set_threads(threads);
+    auto stepper = make_stepper(heap(21, 0.5, 0.0195), rules(), box_walls());  // 9261 spheres: three blocks
+    stepper.start();
+    advance(stepper, 150);
+    EXPECT_GT(stepper.searches(), 2);
+    EXPECT_GT(stepper.contacts(), 300);
+    parallel::set_threads(1);
+    return state_of(stepper);
+  };
+  const auto alone = run(1);
+  for (const int threads : {2, 3}) EXPECT_TRUE(run(threads) == alone) << threads;
+}
+
+TEST(spheres, go_on_from_a_checkpoint_as_if_nothing_had_been) {
+  auto through = make_stepper(heap(8, 0.5, 0.0195), rules(), box_walls()), resumed = make_stepper(heap(8, 0.5, 0.0195), rules(), box_walls());
+  through.start();
+  advance(through, 777);
+  test::MemoryArchive checkpoint = state_of(through);
+  checkpoint.turn_round();
+  resumed.columns(checkpoint);
+  advance(through, 500);
+  advance(resumed, 500);
+  EXPECT_GT(through.contacts(), 30);
+  EXPECT_TRUE(state_of(through) == state_of(resumed));
+}
+
+}  // namespace
+}  // namespace sazare::methods::spheres

@@ -1,0 +1,50 @@
+#include "scene.hpp"
+
+#include <algorithm>
+
+namespace sazare::methods::spheres {
+
+ContactTable table(const Rules& rules) {
+  ContactTable contacts(rules.model, 1);
+  contacts.set(0, 0,
+               rules.model == laws::ContactModel::hertz ? laws::hertz_constants(soft, soft, rules.restitution, rules.friction, rules.rolling)
+                                                        : laws::linear_constants(1e5, 8e4, rules.restitution, rules.friction, rules.rolling));
+  return contacts;
+}
+
+engine::SphereStepper make_stepper(const std::vector<Grain>& grains, const Rules& rules, std::vector<Wall> walls) {
+  state::Spheres spheres;
+  spheres.box = rules.box;
+  for (const Grain& grain : grains) {
+    spheres.add(grain.centre, grain.radius, 2500, 0);
+    spheres.set_motion(spheres.size() - 1, grain.velocity, grain.spin);
+  }
+  return {std::move(spheres), table(rules), std::move(walls), {rules.step, rules.gravity, rules.margin, 5e-3}};
+}
+
+std::vector<Grain> heap(int across, Real speed, Real spacing) {
+  std::uint64_t state = 5;
+  const auto random = [&] {
+    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+    return static_cast<Real>(state >> 11) / 4503599627370496.0 - 1;
+  };
+  std::vector<Grain> grains;
+  for (int i = 0; i < across; ++i)
+    for (int j = 0; j < across; ++j)
+      for (int k = 0; k < across; ++k) {
+        Grain grain;
+        grain.centre = spacing * Vector3(i, j, k) + Vector3(0.02, 0.02, 0.02);
+        grain.radius = 0.009 + 0.001 * random();
+        grain.velocity = speed * Vector3(random(), random(), random());
+        grain.spin = 20 * speed * Vector3(random(), random(), random());
+        grains.push_back(grain);
+      }
+  return grains;
+}
+
+std::size_t place_of(const engine::SphereStepper& stepper, Index number) {
+  const auto& numbers = stepper.spheres().number;
+  return static_cast<std::size_t>(std::ranges::find(numbers, number) - numbers.begin());
+}
+
+}  // namespace sazare::methods::spheres

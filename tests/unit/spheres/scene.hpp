@@ -1,0 +1,45 @@
+#pragma once
+
+/// Small bodies of spheres for the tests.
+
+#include "sazare/engine/sphere_stepper.hpp"
+
+namespace sazare::methods::spheres {
+
+inline constexpr laws::Elasticity soft{1e8, 0.3};
+
+struct Grain {
+  Vector3 centre = Vector3::Zero();    ///< [m]
+  Real radius = 0.01;                  ///< [m]
+  Vector3 velocity = Vector3::Zero();  ///< [m/s]
+  Vector3 spin = Vector3::Zero();      ///< [rad/s]
+};
+
+struct Rules {
+  Real restitution = 1, friction = 0, rolling = 0;
+  Real step = 1e-6;
+  Vector3 gravity = Vector3::Zero();
+  Real margin = 1e-3;
+  laws::ContactModel model = laws::ContactModel::hertz;
+  state::PeriodicBox box = {};
+};
+
+ContactTable table(const Rules& rules);
+engine::SphereStepper make_stepper(const std::vector<Grain>& grains, const Rules& rules, std::vector<Wall> walls = {});
+
+/// A heap of some hundred spheres of several sizes that fall into each other.
+std::vector<Grain> heap(int across, Real speed, Real spacing = 0.021);
+
+/// Where the sphere with a number stands in memory.
+std::size_t place_of(const engine::SphereStepper& stepper, Index number);
+
+inline Vector3 centre_of(const engine::SphereStepper& stepper, Index number) { return stepper.spheres().place[place_of(stepper, number)].centre(); }
+inline Vector3 velocity_of(const engine::SphereStepper& stepper, Index number) { return stepper.velocity(place_of(stepper, number)); }
+inline Vector3 spin_of(const engine::SphereStepper& stepper, Index number) { return stepper.spin(place_of(stepper, number)); }
+
+inline void advance(engine::SphereStepper& stepper, int steps) {
+  for (int step = 0; step < steps; ++step) stepper.advance();
+  stepper.settle();
+}
+
+}  // namespace sazare::methods::spheres
