@@ -112,8 +112,8 @@ def test_case_of_a_geometry_is_meshed_into_the_folder(sazare, tmp_path):
 
 
 def test_schema_is_json_and_the_page_of_the_reference(sazare):
-    blocks, mps = json.loads(sazare("schema").stdout)["oneOf"]
-    assert blocks["properties"]["joints"] and mps["properties"]["particles"]
+    blocks, mps, rectangles = json.loads(sazare("schema").stdout)["oneOf"]
+    assert blocks["properties"]["joints"] and mps["properties"]["particles"] and rectangles["properties"]["walls"]
     assert sazare("schema", "--markdown").stdout == (ROOT / "docs" / "reference" / "case.md").read_text()
 
 
