@@ -41,10 +41,13 @@ def rows():
     return [
         *(Row(f"rectangles/ourselves-{scene}-rate", f"element-steps per second, {words}, 1 thread", "1/s",
               lambda bench, scene=scene: rates_of(bench, 1)[scene], more_is_better=True) for scene, words in RATES.items()),
-        Row("rectangles/ourselves-five-springs", "time per step with 5 springs on a face over that of the circular element, whole links", "-",
+        Row("rectangles/ourselves-five-springs",
+            "time per step with 5 springs on a face over that of the circular element, whole links", "-",
             ratio("lattice-10k-N5", "lattice-10k-N1"), limit=Limit("ours", high=MOST_FOR_FIVE)),
-        Row("rectangles/ourselves-five-springs-slipping", "the same, every link slipping", "-", ratio("bent-10k-N5", "bent-10k-N1")),
+        Row("rectangles/ourselves-five-springs-slipping", "the same, every link slipping", "-",
+            ratio("bent-10k-N5", "bent-10k-N1")),
         Row("rectangles/ourselves-growth", "time per element-step of 1 million elements over that of 10 000", "-",
             ratio("lattice-1m-N5", "lattice-10k-N5")),
-        Row("rectangles/ourselves-two-threads", "rate of 1 million elements with 2 threads over that with 1", "-", two_threads, more_is_better=True),
+        Row("rectangles/ourselves-two-threads", "rate of 1 million elements with 2 threads over that with 1", "-", two_threads,
+            more_is_better=True),
     ]

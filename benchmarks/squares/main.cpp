@@ -2,8 +2,8 @@
 ///
 ///     squares THREADS
 ///
-/// prints `scene,elements,element_steps_per_second`, the fastest of three measurements. Nothing is written. The scenes lattice-* are a free
-/// plate that vibrates, N springs on a face; bent-* is a plate in which every link has lost a spring.
+/// prints `scene,elements,element_steps_per_second`, the fastest of three measurements. Nothing is written. The scenes
+/// lattice-* are a free plate that vibrates, N springs on a face; bent-* is a plate in which every link has lost a spring.
 
 #include <algorithm>
 #include <chrono>

@@ -32,7 +32,8 @@ def _draw(axes, grid, top):
     own = np.asarray(grid.cell_data["block"]) >= 0
     squares = own & (kind == RECTANGLE)
     edge = 0.5 if squares.sum() < 1500 else 0.0
-    drawn = axes.add_collection(PolyCollection(corners[squares], array=moved[squares], cmap=style.SPEED, edgecolors=style.INK, linewidths=edge))
+    drawn = axes.add_collection(PolyCollection(corners[squares], array=moved[squares], cmap=style.SPEED, edgecolors=style.INK,
+                                               linewidths=edge))
     drawn.set_clim(0.0, top)
     broken = np.asarray(grid.cell_data["broken"])
     cracks = [corners[i][list(FACES[face])] for face in range(4) for i in np.flatnonzero(broken >> face & 1)]

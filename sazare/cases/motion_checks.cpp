@@ -7,7 +7,8 @@
 
 namespace sazare::cases {
 
-void check_keys(const CheckContext& context, const Entry& entry, const std::string& chosen, const std::vector<std::string_view>& needed, const std::vector<std::string_view>& foreign) {
+void check_keys(const CheckContext& context, const Entry& entry, const std::string& chosen,
+                const std::vector<std::string_view>& needed, const std::vector<std::string_view>& foreign) {
   if (!entry.exists()) return;
   for (const std::string_view key : needed)
     if (!entry.has(key))
@@ -15,7 +16,8 @@ void check_keys(const CheckContext& context, const Entry& entry, const std::stri
                              how_to_add(*find_key(*entry.table, key)));
   for (const std::string_view key : foreign)
     if (entry.has(key))
-      context.problems.error(*entry.value->key_place(key), fmt::format("{} is not for {}", key, chosen), "remove it, or choose another kind");
+      context.problems.error(*entry.value->key_place(key), fmt::format("{} is not for {}", key, chosen),
+                             "remove it, or choose another kind");
 }
 
 namespace {

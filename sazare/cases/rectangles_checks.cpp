@@ -86,7 +86,8 @@ void check_material(const CheckContext& context, const Entry& entry, const Squar
   const bool springs = entry.has("normal_stiffness") && entry.has("shear_stiffness");
   const bool moduli = entry.has("youngs_modulus") && entry.has("poisson_ratio");
   const int given = static_cast<int>(std::ranges::count_if(
-      std::array{"normal_stiffness", "shear_stiffness", "youngs_modulus", "poisson_ratio"}, [&](const char* key) { return entry.has(key); }));
+      std::array{"normal_stiffness", "shear_stiffness", "youngs_modulus", "poisson_ratio"},
+      [&](const char* key) { return entry.has(key); }));
   if (given != 2 || !(springs || moduli))
     context.problems.error(entry.header(), fmt::format("the stiffness of the material \"{}\" is not given by two numbers", material.name),
                            "give normal_stiffness and shear_stiffness, or youngs_modulus and poisson_ratio, and no others");

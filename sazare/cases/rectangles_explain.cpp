@@ -22,7 +22,9 @@ std::string moves_text(const SupportMotion& moves) {
 
 std::string block_text(const SquareBlock& block) {
   const std::string_view shape = EnumWords<BlockShape>::words.at(static_cast<std::size_t>(block.shape));
-  const std::string how = block.element_size > 0 ? fmt::format("{} of {} m", EnumWords<ElementShape>::words.at(static_cast<std::size_t>(block.elements)), number(block.element_size)) : std::string("one element");
+  const std::string_view elements = EnumWords<ElementShape>::words.at(static_cast<std::size_t>(block.elements));
+  const std::string how =
+      block.element_size > 0 ? fmt::format("{} of {} m", elements, number(block.element_size)) : std::string("one element");
   return fmt::format("{}: {} of {}, {}", block.name, shape, block.material, how) +
          (block.angle != 0 ? fmt::format(", turned by {} deg", number(block.angle)) : "");
 }
@@ -51,8 +53,9 @@ std::string explain(const RectanglesCase& rectangles) {
     text += line("plate", fmt::format("friction {}, moves with ({}, {}) m/s", number(rectangles.plate.friction_coefficient),
                                       number(rectangles.plate.velocity.x()), number(rectangles.plate.velocity.y())));
   const auto count = [&](Real interval) { return whole_multiple(rectangles.time.end, interval).value_or(0); };
-  text += line("time", fmt::format("to {} s, {} history rows, {} snapshots", number(rectangles.time.end), count(rectangles.time.history_interval),
-                                   count(rectangles.time.snapshot_interval)));
+  const UniformTime& time = rectangles.time;
+  text += line("time", fmt::format("to {} s, {} history rows, {} snapshots", number(time.end), count(time.history_interval),
+                                   count(time.snapshot_interval)));
   return text;
 }
 

@@ -44,8 +44,8 @@ void visit_fields(Visitor& visit, SquareBlock& block) {
   visit("angle", block.angle);
 }
 
-/// Young's modulus and Poisson's ratio of a square lattice: k_n = (1 - nu) E/((1 + nu)(1 - 2 nu)), k_s = (1 - 2 nu) k_n/(2 (1 - nu)).
-/// [Matsui1999], eq. (25) of its section 3 (3).
+/// Young's modulus and Poisson's ratio of a square lattice: k_n = (1 - nu) E/((1 + nu)(1 - 2 nu)), k_s = (1 - 2 nu) k_n/(2 (1 -
+/// nu)). [Matsui1999], eq. (25) of its section 3 (3).
 template <class Visitor>
 void visit_fields(Visitor& visit, SquareMaterial& material) {
   visit("name", material.name);

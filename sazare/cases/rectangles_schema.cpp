@@ -173,7 +173,10 @@ constexpr Key motion_x_key{.name = "motion_x", .type = Type::text, .note = "not 
 constexpr Key motion_y_key{.name = "motion_y", .type = Type::text, .note = "not with a velocity", .sentence = "Motion along y."};
 
 constexpr std::array wall_keys{
-    Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name of the wall; its columns in history.csv begin with it."},
+    Key{.name = "name",
+        .type = Type::text,
+        .need = Need::required,
+        .sentence = "Name of the wall; its columns in history.csv begin with it."},
     Key{.name = "from",
         .type = Type::vector,
         .unit = "m",
@@ -186,9 +189,17 @@ constexpr std::array wall_keys{
 };
 
 constexpr std::array roller_keys{
-    Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name of the roller; its columns in history.csv begin with it."},
+    Key{.name = "name",
+        .type = Type::text,
+        .need = Need::required,
+        .sentence = "Name of the roller; its columns in history.csv begin with it."},
     Key{.name = "center", .type = Type::vector, .unit = "m", .need = Need::required, .sentence = "Its middle; z is 0."},
-    Key{.name = "radius", .type = Type::number, .unit = "m", .range = positive, .need = Need::required, .sentence = "Its radius; it does not turn."},
+    Key{.name = "radius",
+        .type = Type::number,
+        .unit = "m",
+        .range = positive,
+        .need = Need::required,
+        .sentence = "Its radius; it does not turn."},
     velocity_key,
     motion_x_key,
     motion_y_key,
@@ -214,7 +225,10 @@ constexpr std::array plate_keys{
 };
 
 constexpr std::array gauge_keys{
-    Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name of the gauge; its columns in gauges.csv begin with it."},
+    Key{.name = "name",
+        .type = Type::text,
+        .need = Need::required,
+        .sentence = "Name of the gauge; its columns in gauges.csv begin with it."},
     Key{.name = "point",
         .type = Type::vector,
         .unit = "m",

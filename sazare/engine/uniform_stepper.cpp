@@ -160,7 +160,8 @@ void UniformStepper<D>::drive() {
     Real& place = particles_.displacement[axis][at(driven.particle)];
     const Real next = driven.factor * now[at(driven.motion)].displacement;
     // Forces that ask for velocities see that of the last step, as of all others; a kick forgets it.
-    if (rules_.integrator != Integrator::euler) particles_.velocity[axis][at(driven.particle)] = step_ > 0 ? (next - place) / rules_.step : 0;
+    Real& velocity = particles_.velocity[axis][at(driven.particle)];
+    if (rules_.integrator != Integrator::euler) velocity = step_ > 0 ? (next - place) / rules_.step : 0;
     place = next;
   }
 }

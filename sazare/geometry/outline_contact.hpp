@@ -44,10 +44,10 @@ struct Overlap {
   Real share = 1;                    ///< of the shorter face that lies over the other
 };
 
-/// Two rectangles, and a rectangle and a wall: the face of least overlap, and the opposite face cut to it (Gottschalk's separating axis).
-/// Only faces that are exposed on both sides count, so that what slides over a row of joined rectangles does not catch at their joints.
-/// Circles: the nearest point. A wall holds what comes from above its x axis, to a depth of the smaller half of the other.
-/// Two walls never overlap.
+/// Two rectangles, and a rectangle and a wall: the face of least overlap, and the opposite face cut to it (Gottschalk's
+/// separating axis). Only faces that are exposed on both sides count, so that what slides over a row of joined rectangles does
+/// not catch at their joints. Circles: the nearest point. A wall holds what comes from above its x axis, to a depth of the
+/// smaller half of the other. Two walls never overlap.
 Overlap overlap(const Outline& first, const Outline& second);
 
 /// Radius of a circle about its centre that holds it [m].

@@ -24,10 +24,10 @@
 ///
 /// Formula `older` is (16): v' without the translations s.(x1' - x2'); for comparison only.
 ///
-/// [Matsui1999]. Deviations: forces and moments are the exact derivatives of the springs' energy (work of the force for v of (15)). The
-/// paper's (12) takes the arms r and r xi of the unturned face, which is the same to first order. Its n is that of the first element or
-/// of the wall; turned by the mean rotation the link does not feel a common rotation, and v is the same for all springs. Its (2.2) with
-/// (2.4) counts r theta twice; here it counts once.
+/// [Matsui1999]. Deviations: forces and moments are the exact derivatives of the springs' energy (work of the force for v of
+/// (15)). The paper's (12) takes the arms r and r xi of the unturned face, which is the same to first order. Its n is that of
+/// the first element or of the wall; turned by the mean rotation the link does not feel a common rotation, and v is the same
+/// for all springs. Its (2.2) with (2.4) counts r theta twice; here it counts once.
 
 #include <array>
 #include <cstddef>
@@ -180,9 +180,11 @@ inline Real elastic_shear(const SpringState& spring, FaceFormula formula, Real s
   return formula == FaceFormula::exact ? shear - spring.slip : spring.slip + elapsed * shear_rate;
 }
 
-/// Energy lost where a spring slips in a step: the mean of its forces before and after times the slip. That is the work of the forces that
-/// act less what the spring gains.
-inline Real slip_loss(Real before, Real trial, Real after, Real stiffness) { return 0.5 * (before + after) * (trial - after) / stiffness; }
+/// Energy lost where a spring slips in a step: the mean of its forces before and after times the slip. That is the work of the
+/// forces that act less what the spring gains.
+inline Real slip_loss(Real before, Real trial, Real after, Real stiffness) {
+  return 0.5 * (before + after) * (trial - after) / stiffness;
+}
 
 /// One spring at xi through (8) to (11): `shear` is v of formula exact.
 inline SpringForce advance_spring(SpringState& spring, const FaceSprings& face, FaceFormula formula, const FaceMotion<Real>& motion,
@@ -202,7 +204,8 @@ inline SpringForce advance_spring(SpringState& spring, const FaceSprings& face, 
   const Real pressure = face.normal * closing;
   if (pressure < (spring.whole ? -face.tension_limit : 0)) {
     // Its force ends half a step ago: what the leapfrog had stored is the product with the displacement of a step before.
-    result.fracture_loss = 0.5 * (pressure * (closing - elapsed * rate) + face.shear * elastic * (elastic - elapsed * motion.shear_rate));
+    result.fracture_loss =
+        0.5 * (pressure * (closing - elapsed * rate) + face.shear * elastic * (elastic - elapsed * motion.shear_rate));
     spring.joined = spring.whole = false;
     return result;
   }

@@ -16,7 +16,8 @@ struct Assembly {
   std::vector<Index> case_block;                       ///< of the case, by block of the outlines: an image may hold several
 };
 
-/// Throws UserError when a block holds no element, an image cannot be read, blocks or supports overlap, or a support holds nothing.
+/// Throws UserError when a block holds no element, an image cannot be read, blocks or supports overlap, or a support holds
+/// nothing.
 Assembly assemble(const cases::CaseFile& file);
 
 }  // namespace sazare::runs

@@ -10,7 +10,7 @@ struct GreyImage {
   int width = 0, height = 0, white = 255;
   std::vector<int> grey;
 
-  int at(int column, int row) const { return grey[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)]; }
+  int at(int column, int row) const { return grey[static_cast<std::size_t>(row * width + column)]; }
 };
 
 /// Reads a PGM file, plain (P2) or of one byte per pixel (P5). Throws UserError saying what is wrong with it.

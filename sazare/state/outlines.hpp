@@ -1,7 +1,7 @@
 #pragma once
 
-/// Shapes of the elements of method rectangles, as columns beside their motion in Particles<2>: rectangles and circles that move, and
-/// the supports after them, walls and circles that stand or are moved.
+/// Shapes of the elements of method rectangles, as columns beside their motion in Particles<2>: rectangles and circles that
+/// move, and the supports after them, walls and circles that stand or are moved.
 
 #include <cmath>
 #include <numbers>
@@ -34,7 +34,9 @@ struct Outlines {
   }
 
   /// Half of the side of the square of equal area, the radius of a circle, 0 of a wall [m]: the r of the springs.
-  Real spring_radius(std::size_t i) const { return kind[i] == geometry::OutlineKind::wall ? 0 : std::sqrt(half_width[i] * half_height[i]); }
+  Real spring_radius(std::size_t i) const {
+    return kind[i] == geometry::OutlineKind::wall ? 0 : std::sqrt(half_width[i] * half_height[i]);
+  }
 
   /// Mass of an element of this thickness [kg]; (17), (18).
   Real mass(std::size_t i, Real density, Real thickness) const {

@@ -43,7 +43,7 @@ void FailingForces<D>::find_ruptured(Index particle, std::vector<Link>& found) c
     const Real slip = strength_.slip()[at(particle)] + strength_.slip()[at(other)];
     const StrengthOfGround &own = strength_.ground(particle), &others = strength_.ground(other);
     if (own.yields && others.yields && slip >= own.rupture_strain + others.rupture_strain)
-      found.push_back({particle, other, static_cast<Index>(n)});
+      found.push_back({particle, other, static_cast<std::int64_t>(n)});
   }
 }
 
@@ -55,21 +55,37 @@ void FailingForces<D>::break_links(const state::Particles<D>& particles) {
     find_ruptured(static_cast<Index>(next - flowed.begin()), ruptured);
   if (ruptured.empty()) return;
   const Real before = energy_around(particles, ruptured) + contacts_.energy(particles, strength_);
-  for (const Link& link : ruptured) cut(link);
+  for (Link& link : ruptured) {
+    link.length = unstressed_length(link);
+    cut(link);
+  }
   rupture_ += before - energy_around(particles, ruptured) - contacts_.energy(particles, strength_);
   broken_.insert(broken_.end(), ruptured.begin(), ruptured.end());
 }
 
 template <int D>
 void FailingForces<D>::cut(const Link& link) {
-  links_.set_share(at(link.direction), link.first, 0);
-  links_.set_share(links_.opposite(at(link.direction)), link.second, 0);
+  links_.set_share(static_cast<std::size_t>(link.direction), link.first, 0);
+  links_.set_share(links_.opposite(static_cast<std::size_t>(link.direction)), link.second, 0);
   for (const Index particle : {link.first, link.second}) {
     strength_.measure(particle, links_);
     ++lost_links_[at(particle)];
   }
-  const laws::LinkDirection<D>& law = links_.directions[at(link.direction)].law;
-  contacts_.add(link.first, link.second, std::sqrt(laws::product<D, Real>(law.start, law.start)), share_of_column(law));
+  const laws::LinkDirection<D>& law = links_.directions[static_cast<std::size_t>(link.direction)].law;
+  contacts_.add(link.first, link.second, link.length, share_of_column(law));
+}
+
+/// Of the link as it began in the mean frame of its particles.
+template <int D>
+Real FailingForces<D>::unstressed_length(const Link& link) const {
+  const auto& start = links_.directions[static_cast<std::size_t>(link.direction)].law.start;
+  laws::Components<D, Real> relaxed{};
+  for (std::size_t i = 0; i < D; ++i)
+    for (std::size_t k = 0; k < D; ++k) {
+      const state::Column& frame = frames_[D * i + k];
+      relaxed[i] += 0.5 * (frame[at(link.first)] + frame[at(link.second)]) * start[k];
+    }
+  return std::sqrt(laws::product<D, Real>(relaxed, relaxed));
 }
 
 /// Stiffness of a link over that of all links that a column has in one direction: shortened by a strain e along one axis, they hold

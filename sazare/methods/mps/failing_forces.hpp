@@ -36,12 +36,15 @@ class FailingForces final : public terms::ParticleForces<D> {
 
  private:
   struct Link {
-    Index first = 0, second = 0, direction = 0;  ///< the direction is that of the first
+    Index first = 0, second = 0;
+    std::int64_t direction = 0;  ///< that of the first
+    Real length = 0;             ///< without stress, when it broke [m]
   };
 
   void break_links(const state::Particles<D>& particles);
   void find_ruptured(Index particle, std::vector<Link>& found) const;
   void cut(const Link& link);
+  Real unstressed_length(const Link& link) const;
   Real share_of_column(const laws::LinkDirection<D>& law) const;
   Real energy_around(const state::Particles<D>& particles, const std::vector<Link>& links) const;
 

@@ -2,9 +2,10 @@
 
 /// Elements and supports that meet: squares against squares, walls and circles, wherever they touch.
 ///
-/// Each point at which two outlines overlap has a spring and a dashpot normal to the face; along the face one spring serves both points of
-/// a pair, which slips when it exceeds tan(phi) times their pressure. A spring at each end of a face is the paper's layout (13.2): an
-/// element that lies on a wall has the forces of (3) and (12), however far it turns. Circles have one point: the ordinary circular element.
+/// Each point at which two outlines overlap has a spring and a dashpot normal to the face; along the face one spring serves
+/// both points of a pair, which slips when it exceeds tan(phi) times their pressure. A spring at each end of a face is the
+/// paper's layout (13.2): an element that lies on a wall has the forces of (3) and (12), however far it turns. Circles have one
+/// point: the ordinary circular element.
 
 #include <span>
 #include <vector>

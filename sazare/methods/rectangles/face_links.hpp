@@ -2,9 +2,10 @@
 
 /// Links of elements that stand side by side on the lattice of a block.
 ///
-/// A link none of whose springs has slipped or broken is whole: its force follows in closed form from one number of memory, whatever the
-/// number of its springs, and lanes of links are evaluated together. A link whose weakest spring reaches its limit becomes damaged: from
-/// then on it has a memory for each spring. It opens when no spring is joined any more; then its elements meet as squares.
+/// A link none of whose springs has slipped or broken is whole: its force follows in closed form from one number of memory,
+/// whatever the number of its springs, and lanes of links are evaluated together. A link whose weakest spring reaches its limit
+/// becomes damaged: from then on it has a memory for each spring. It opens when no spring is joined any more; then its elements
+/// meet as squares.
 
 #include <span>
 #include <vector>

@@ -10,8 +10,9 @@
 
 namespace sazare::methods::rectangles {
 
-/// A plate below all elements drags them while it moves: friction of each element's area in the direction of its motion on the plate,
-/// turning counted as r theta'. [Matsui1999], eq. (21). Where a step's friction would turn that motion round, only as much acts as stops it.
+/// A plate below all elements drags them while it moves: friction of each element's area in the direction of its motion on the
+/// plate, turning counted as r theta'. [Matsui1999], eq. (21). Where a step's friction would turn that motion round, only as
+/// much acts as stops it.
 struct BaseFriction {
   Real coefficient = 0;                                         ///< mu_B; 0: no plate
   geometry::Vector2 velocity = geometry::Vector2::Zero();       ///< of the plate [m/s]

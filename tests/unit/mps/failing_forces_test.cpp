@@ -168,14 +168,16 @@ TEST(failing_forces, break_links_at_the_rupture_strain) {
   box.shear(yields + 0.0095);
   box.evaluate();
   EXPECT_EQ(box.forces.broken_links(), 0);
+  const Real before = box.forces.energy(box.particles);
   box.shear(yields + 0.0105);
   box.evaluate();
   EXPECT_EQ(box.forces.broken_links(), 4 * 3 * 2 + 2 * 3 * 3);
   for (Index i = 0; i < 16; ++i) EXPECT_EQ(box.forces.broken_share(i), 1);
   box.evaluate();
-  EXPECT_NEAR(box.forces.energy(box.particles), 0, 1e-3 * box.forces.work().rupture);
-  const Real stored = 16 * 0.25 * 0.5 * 10e3 * yields;
-  EXPECT_NEAR(box.forces.work().rupture, stored, 0.3 * stored);
+  // The shortened diagonals still press: a small part of what was stored.
+  const Real stored = before;
+  EXPECT_LT(box.forces.energy(box.particles), 0.1 * stored);
+  EXPECT_NEAR(box.forces.work().rupture + box.forces.energy(box.particles), stored, 0.05 * stored);
 }
 
 /// Two bodies that were never linked: the free surfaces of two boxes.

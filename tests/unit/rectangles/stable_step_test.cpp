@@ -21,7 +21,8 @@ Scene lattice(Real damping_ratio, int count) {
   return scene;
 }
 
-/// Energy after some thousand steps over that at the beginning, of a small random motion; as soon as it is a million times as large.
+/// Energy after some thousand steps over that at the beginning, of a small random motion; as soon as it is a million times as
+/// large.
 Real growth(Scene scene, Real step) {
   scene.make(step);
   std::uint64_t state = 1;

@@ -21,8 +21,8 @@ runs::RectanglesModel table(const Settings& settings) {
   return model;
 }
 
-/// The block's width and height, and the table's acceleration as a triangle that rises by `rate` in a second: a sine of so low a frequency
-/// that it is straight.
+/// The block's width and height, and the table's acceleration as a triangle that rises by `rate` in a second: a sine of so low
+/// a frequency that it is straight.
 Settings rising(Real width, Real height, Real rate, Real friction) {
   constexpr Real frequency = 1e-3;
   return {fmt::format("blocks.0.lower=[{},0.0,0.0]", -0.5 * width), fmt::format("blocks.0.upper=[{},{},0.0]", 0.5 * width, height),
@@ -80,8 +80,8 @@ Real overturning(Real width, Real frequency, Real low, Real high) {
   return 0.5 * (low + high);
 }
 
-/// Housner's rocking block of small angles, theta'' = p^2 (theta - alpha + a/g), p^2 = 3 g/(4 R), in closed form: A sin(w t) rocks it from
-/// sin(w s) = 1/q on, q = A/(g alpha), and overturns it when what grows as exp(p t) is positive after the pulse,
+/// Housner's rocking block of small angles, theta'' = p^2 (theta - alpha + a/g), p^2 = 3 g/(4 R), in closed form: A sin(w t)
+/// rocks it from sin(w s) = 1/q on, q = A/(g alpha), and overturns it when what grows as exp(p t) is positive after the pulse,
 ///
 ///     w/p = sqrt(q^2 - 1) + q exp(-p (pi/w - s)).
 ///

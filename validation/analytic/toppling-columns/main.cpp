@@ -15,9 +15,9 @@ constexpr Real slope = 30 * std::numbers::pi / 180, width = 1, weight_of_volume 
 
 enum class Verdict { stable, slides, topples };
 
-/// Goodman and Bray (1976), from the crest down: a column is pushed by P from above at the height of the lower of both tops, and needs
-/// from below the larger of what keeps it from toppling and from sliding. Heights stand from the toe up. The prop at the toe moves with
-/// the column, so it has no friction.
+/// Goodman and Bray (1976), from the crest down: a column is pushed by P from above at the height of the lower of both tops,
+/// and needs from below the larger of what keeps it from toppling and from sliding. Heights stand from the toe up. The prop at
+/// the toe moves with the column, so it has no friction.
 std::vector<Verdict> limit_equilibrium(const std::vector<Real>& height, Real friction) {
   const Real c = std::cos(slope), s = std::sin(slope);
   std::vector<Verdict> verdict(height.size(), Verdict::stable);

@@ -15,7 +15,8 @@ struct LatticeBeam {
   int load = 0;                       ///< column of the left load
 };
 
-/// The total load at which the tension of a spring reaches a strength [Pa] first [N]: linear statics of all springs, solved directly.
+/// The total load at which the tension of a spring reaches a strength [Pa] first [N]: linear statics of all springs, solved
+/// directly.
 Real load_at_first_break(const LatticeBeam& beam, Real strength);
 
 }  // namespace sazare::validation

@@ -21,8 +21,8 @@ struct Test {
   Real speed = 0.005;  ///< of the platens [m/s]
 };
 
-/// Supports stand below the middles of the elements nearest to the nominal span; two platens above the middles of the inner elements, as
-/// a circle presses that touches two circles.
+/// Supports stand below the middles of the elements nearest to the nominal span; two platens above the middles of the inner
+/// elements, as a circle presses that touches two circles.
 struct Span {
   Real support = 0;  ///< from the middle of the beam [m]
   Real platen = 0;
@@ -30,9 +30,9 @@ struct Span {
 
 Span span_of(const Test& test) {
   const Real size = height / test.rows;
-  const Real half = (std::floor(0.5 * nominal_span / size) + 0.5) * size;
-  return {half > 0.5 * nominal_span + 1e-9 && half - size > 0 && 0.5 * nominal_span - (half - size) < half - 0.5 * nominal_span ? half - size : half,
-          0.5 * size};
+  const Real outer = (std::floor(0.5 * nominal_span / size) + 0.5) * size, inner = outer - size;
+  const bool inner_is_nearer = inner > 0 && 0.5 * nominal_span - inner < outer - 0.5 * nominal_span - 1e-9;
+  return {inner_is_nearer ? inner : outer, 0.5 * size};
 }
 
 std::vector<std::string> settings(const Test& test) {

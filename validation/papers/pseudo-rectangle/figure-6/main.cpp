@@ -12,8 +12,8 @@ namespace {
 using namespace sazare;
 constexpr Real slope = 40 * std::numbers::pi / 180, friction = 38 * std::numbers::pi / 180, begin = 0.02, end = 0.5;
 
-/// How far the block has slid between `begin` and the end, less what its velocity at `begin` makes of it [m]. Placed on the slope without
-/// pressing on it, the block meets less friction until it has settled, within a millisecond.
+/// How far the block has slid between `begin` and the end, less what its velocity at `begin` makes of it [m]. Placed on the
+/// slope without pressing on it, the block meets less friction until it has settled, within a millisecond.
 Real slip(Real normal, Real ratio, Real step) {
   const cases::CaseFile file = cases::read_case(
       "cases/block-on-slope/case.toml",

@@ -12,8 +12,8 @@ namespace {
 using namespace sazare;
 constexpr Real width = 0.025, height = 0.075, plate_speed = 0.005;
 
-/// Rotation at an inclination psi of the base by way of the plate [rad/m]: the root of Bray and Goodman's moments about the corner,
-/// [Matsui1999], eq. (25) of its section 3 (2), by the midpoint rule over the block and bisection.
+/// Rotation at an inclination psi of the base by way of the plate [rad/m]: the root of Bray and Goodman's moments about the
+/// corner, [Matsui1999], eq. (25) of its section 3 (2), by the midpoint rule over the block and bisection.
 Real rotation_rate(Real psi) {
   constexpr int across = 25, up = 75;
   const auto moment = [&](Real rate) {
