@@ -115,19 +115,42 @@ def displaced(results):
 
 
 @style.styled
+def failure(results):
+    """Slip of the ground and the share of its links that broke, at the end, where the particles are."""
+    snapshots = results.particle_snapshots
+    if not len(snapshots) or "slip" not in snapshots[-1].elements.cell_data:
+        return None
+    grid = snapshots[-1].elements
+    points = np.asarray(grid.points)
+    up = 2 if np.ptp(points[:, 2]) > 0.0 else 1
+    fields = [("slip", "plastic slip [-]"), ("broken_share", "links broken [-]")]
+    figure = style.figure(9.0, 6.0)
+    for axes, (name, label) in zip(figure.subplots(2, 1, sharex=True), fields):
+        values = np.asarray(grid.cell_data[name])
+        drawn = axes.scatter(points[:, 0], points[:, up], c=values, cmap=style.SPEED, vmin=0.0, vmax=max(values.max(initial=0.0), 1e-9), s=2.0,
+                             linewidths=0)
+        axes.set_aspect("equal")
+        axes.grid(False)
+        figure.colorbar(drawn, ax=axes, label=label, shrink=0.8)
+    return figure
+
+
+@style.styled
 def energies(results):
-    """Kinetic and elastic energy against time."""
+    """Kinetic and elastic energy against time, and what failing has dissipated."""
     history = results.history
     if "energy_kinetic" not in history or history.rows < 2:
         return None
     figure = style.figure(6.2, 3.6)
     axes = figure.subplots()
-    total = history["energy_kinetic"] + history["energy_elastic"]
-    factor, prefix = style.prefix_for(total.max(initial=0.0))
-    axes.stackplot(history["time"], history["energy_kinetic"] / factor, history["energy_elastic"] / factor,
-                   labels=["kinetic", "elastic"], colors=["#35618f", "#6fa3c7"], linewidth=0)
+    names = [("energy_kinetic", "kinetic", "#35618f"), ("energy_elastic", "elastic", "#6fa3c7"), ("energy_flow", "flow", "#c98a3d"),
+             ("energy_rupture", "rupture", "#a64b3c"), ("energy_contact", "contacts", "#8a8f3d")]
+    shown = [(history[key], label, color) for key, label, color in names if key in history]
+    factor, prefix = style.prefix_for(sum(values for values, _, _ in shown).max(initial=0.0))
+    axes.stackplot(history["time"], *[values / factor for values, _, _ in shown], labels=[label for _, label, _ in shown],
+                   colors=[color for _, _, color in shown], linewidth=0)
     axes.set_xlabel("time [s]")
     axes.set_ylabel(f"energy [{prefix}J]")
-    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=2)
+    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=len(shown))
     axes.margins(x=0)
     return figure

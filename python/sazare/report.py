@@ -96,6 +96,8 @@ def rank_section(results):
 
 def ground_sections(results):
     """The pictures of a run of method mps."""
+    failure = [Section("failure", "Failure", "Plastic slip, and the share of its links that a particle has lost, at the end.",
+                       partial(ground.failure, results), "The run wrote no snapshots.")] if "energy_flow" in results.history else []
     return [
         Section("accelerations", "Accelerations", "Acceleration at the gauges along the axis of strongest motion; the dot is the peak.",
                 partial(ground.accelerations, results), "The case has no gauges."),
@@ -103,7 +105,8 @@ def ground_sections(results):
                 partial(ground.spectra, results), "There are fewer than two gauges."),
         Section("displaced", "Displaced particles", "Particles where they are, coloured by displacement; enlarged where the title says so.",
                 partial(ground.displaced, results), "The run wrote no snapshots."),
-        Section("energies", "Energies", "Kinetic and elastic energy of the particles.", partial(ground.energies, results),
+        *failure,
+        Section("energies", "Energies", "Kinetic and elastic energy of the particles, and what failing has dissipated.", partial(ground.energies, results),
                 "The run wrote no history.", wide=False),
         Section("timing", "Where the time went", "Computing time by part of the run.", partial(plot.timing, results),
                 "The run wrote no timing.", wide=False),

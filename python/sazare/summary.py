@@ -66,6 +66,8 @@ def headlines(results):
         ("broken_springs", "springs broken", count, _of(figures, "elements", "elements")),
         ("open_links", "faces open", count, ""),
         ("contacts", "contacts at the end", count, ""),
+        ("links_broken", "links broken", count, ""),
+        ("final_displacement", "displacement at the end", lambda x: quantity(x, "m"), ""),
         ("peak_acceleration", "peak acceleration", lambda x: quantity(x, "m/s²"), ""),
         ("peak_displacement", "peak displacement", lambda x: quantity(x, "m"), ""),
         ("step", "step", lambda x: quantity(x, "s"), _note(figures, "predicted_limit", "limit ", "s")),
