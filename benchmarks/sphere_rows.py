@@ -7,7 +7,7 @@ import shutil
 import subprocess
 from pathlib import Path
 
-from table import Limit, NotRun, Peer, Row
+from table import Limit, NotChosen, NotRun, Peer, Row
 
 HERE = Path(__file__).resolve().parent / "spheres"
 ACROSS = 46  # 97 336 spheres
@@ -91,6 +91,8 @@ def peer_row(name):
 
 def growth(bench):
     """Slope of cost over spheres, both logarithmic, from a hundred thousand to two million."""
+    if not bench.options.long:
+        raise NotChosen("--long: two million spheres take some ten minutes")
     few, many = ours(bench, 1), ours(bench, 1, 126)
     return 1 + math.log(few[1] / many[1]) / math.log(many[0] / few[0])
 

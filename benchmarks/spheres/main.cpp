@@ -65,7 +65,7 @@ int main(int count, char** arguments) {
   parallel::set_threads(threads);
   const Real before = resident_bytes();
   state::Spheres start = bed(across);
-  if (count > 3) write(start, arguments[3]);
+  if (count > 3 && std::string(arguments[3]) != "-") write(start, arguments[3]);
   const auto spheres = static_cast<Real>(start.size());
   methods::spheres::ContactTable table(laws::ContactModel::hertz, 1);
   const laws::Elasticity grain{1e8, 0.3};

@@ -7,7 +7,8 @@ from sazare import style
 AXES = "xyz"
 MOST_CURVES = 6
 MOST_PICTURES = 4
-FINE_BELOW = 3000  # spheres; above it each is drawn with fewer faces
+FINE_BELOW = 3000  # spheres; above it those of the usual size are drawn with fewer faces
+LARGE = 2.0  # usual radii; above it a sphere is drawn with more faces in any case
 KINDS = [
     ("translation", "energy_translation"), ("rotation", "energy_rotation"), ("contacts", "energy_elastic"), ("sliders", "energy_sliding"),
     ("lost in dashpots", "work_dashpots"), ("lost in friction", "work_friction"),
@@ -23,9 +24,17 @@ def _balls(snapshot):
     points = pyvista.PolyData(np.asarray(cloud.points))
     points["radius"] = np.asarray(cloud.cell_data["radius"])
     points["speed"] = np.linalg.norm(cloud.cell_data["velocity"], axis=1)
-    corners = 16 if len(cloud.points) < FINE_BELOW else 7
+    large = points["radius"] > LARGE * np.median(points["radius"])
+    usual_corners = 16 if len(cloud.points) < FINE_BELOW else 7
+    parts = [_glyphs(points, chosen, corners) for chosen, corners in ((~large, usual_corners), (large, 40)) if chosen.any()]
+    return parts[0].merge(parts[1:]) if len(parts) > 1 else parts[0]
+
+
+def _glyphs(points, chosen, corners):
+    import pyvista
+
     ball = pyvista.Sphere(radius=1.0, theta_resolution=corners, phi_resolution=corners)
-    return points.glyph(geom=ball, scale="radius", orient=False)
+    return points.extract_points(chosen, include_cells=False).glyph(geom=ball, scale="radius", orient=False)
 
 
 def _cut(mesh, bounds):

@@ -28,34 +28,58 @@ std::vector<Index> PairContacts::find(state::Spheres& spheres, Real margin) {
   permute(spheres.number, order);
   std::vector<Index> new_place(order.size());
   for (std::size_t n = 0; n < order.size(); ++n) new_place[static_cast<std::size_t>(order[n])] = static_cast<Index>(n);
-  const neighbors::SpherePairs before = std::exchange(pairs_, neighbors::find_pairs(spheres, margin));
-  carry_over(before, new_place);
+  const Touches touches = take_touches(new_place);
+  pairs_ = neighbors::find_pairs(spheres, margin);
+  lay_out();
+  for (std::size_t n = 0; n < touches.pairs.size(); ++n) remember(touches.pairs[n], table_.rolls ? touches.rolling[n] : Memory{});
   return order;
 }
 
-void PairContacts::carry_over(const neighbors::SpherePairs& before, const std::vector<Index>& new_place) {
+/// The touching pairs by the new places of their spheres. What was remembered by pair is given up before new pairs are sought.
+PairContacts::Touches PairContacts::take_touches(const std::vector<Index>& new_place) {
+  Touches touches;
+  touches.pairs.reserve(static_cast<std::size_t>(std::ranges::count(sleeps_until_, 0.0F)));
+  for (std::size_t p = 0; p < owner_.size(); ++p) {
+    if (sleeps_until_[p] != 0) continue;
+    const Memory& slid = sliding_[p];
+    Touch touch{new_place[static_cast<std::size_t>(owner_[p])], new_place[static_cast<std::size_t>(pairs_.other[p])], {slid.x, slid.y, slid.z}};
+    if (touch.one > touch.other) {
+      // Seen from the other sphere, sliding changes its sign; rolling does not.
+      std::swap(touch.one, touch.other);
+      touch.sliding = Triple<Real>{} - touch.sliding;
+    }
+    touches.pairs.push_back(touch);
+    if (table_.rolls) touches.rolling.push_back(rolling_[p]);
+  }
+  pairs_ = {};
+  owner_ = {};
+  sleeps_until_ = {};
+  sliding_ = {};
+  rolling_ = {};
+  return touches;
+}
+
+/// All that stands beside the pairs, as for pairs that are new.
+void PairContacts::lay_out() {
+  constexpr float looked_at_next = -1;
   const std::size_t count = pairs_.other.size();
   owner_.resize(count);
   for (std::size_t i = 0; i + 1 < pairs_.first.size(); ++i)
     std::fill(owner_.begin() + pairs_.first[i], owner_.begin() + pairs_.first[i + 1], static_cast<Index>(i));
-  constexpr float looked_at_next = -1;
-  const auto slept = std::exchange(sleeps_until_, std::vector<float>(count, looked_at_next));
-  const auto slid = std::exchange(sliding_, std::vector<Memory>(count));
-  const auto rolled = std::exchange(rolling_, std::vector<Memory>(table_.rolls ? count : 0));
-  for (std::size_t i = 0; i + 1 < before.first.size(); ++i)
-    for (std::size_t p = before.first[i]; p < before.first[i + 1]; ++p) {
-      if (slept[p] != 0) continue;
-      const Index one = new_place[i], other = new_place[static_cast<std::size_t>(before.other[p])];
-      const auto row = static_cast<std::size_t>(std::min(one, other));
-      for (std::size_t q = pairs_.first[row]; q < pairs_.first[row + 1]; ++q) {
-        if (pairs_.other[q] != std::max(one, other)) continue;
-        sleeps_until_[q] = 0;
-        sliding_[q] = slid[p];
-        // Seen from the other sphere, sliding changes its sign; rolling does not.
-        if (one > other) sliding_[q] = {-slid[p].x, -slid[p].y, -slid[p].z, 0};
-        if (table_.rolls) rolling_[q] = rolled[p];
-      }
-    }
+  sleeps_until_.assign(count, looked_at_next);
+  sliding_.resize(count);
+  if (table_.rolls) rolling_.resize(count);
+}
+
+void PairContacts::remember(const Touch& touch, const Memory& rolled) {
+  const auto row = static_cast<std::size_t>(touch.one);
+  for (std::size_t p = pairs_.first[row]; p < pairs_.first[row + 1]; ++p) {
+    if (pairs_.other[p] != touch.other) continue;
+    sleeps_until_[p] = 0;
+    sliding_[p] = {touch.sliding.x, touch.sliding.y, touch.sliding.z, 0};
+    if (table_.rolls) rolling_[p] = rolled;
+    return;
+  }
 }
 
 template <laws::ContactModel model, bool rolls>

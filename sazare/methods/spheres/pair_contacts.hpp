@@ -35,7 +35,6 @@ class PairContacts {
 
   const neighbors::SpherePairs& pairs() const { return pairs_; }
   const ContactTable& table() const { return table_; }
-  bool touches(std::size_t pair) const { return sleeps_until_[pair] == 0; }
 
   void columns(Archive& archive);
 
@@ -50,7 +49,19 @@ class PairContacts {
     std::uint32_t pair;
   };
 
-  void carry_over(const neighbors::SpherePairs& before, const std::vector<Index>& new_place);
+  struct Touch {
+    Index one, other;
+    Triple<Real> sliding;
+  };
+
+  struct Touches {
+    std::vector<Touch> pairs;
+    std::vector<Memory> rolling;  ///< by pair; empty where nothing resists rolling
+  };
+
+  Touches take_touches(const std::vector<Index>& new_place);
+  void lay_out();
+  void remember(const Touch& touch, const Memory& rolled);
 
   template <laws::ContactModel model, bool rolls>
   ContactSums evaluate_with(const state::Spheres& spheres, const Task& task);

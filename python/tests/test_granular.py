@@ -1,0 +1,48 @@
+"""Pictures of runs of method spheres, from a small folder made here."""
+
+import json
+
+import numpy as np
+import pytest
+
+from sazare import granular
+from sazare.report import write_report
+from sazare.results import open_run
+
+
+@pytest.fixture
+def granular_run(tmp_path):
+    """A ball that falls along z onto a floor; no snapshots."""
+    time = np.linspace(0.0, 1.0, 21)
+    columns = [name for _, name in granular.KINDS]
+    rows = [[t, 1.0 - t, 0.1 * t, 0.0, 0.0, 0.0, 0.5 * t, 0.4 * t, 0.0, 1e-4 * t, 3.0, 2.0, 0.1] for t in time]
+    head = ["time [s]", *(f"{name} [J]" for name in columns[:4]), "energy_potential [J]", *(f"{name} [J]" for name in columns[4:]),
+            "work_walls [J]", "energy_residual [J]", "contacts [-]", "speed_max [m/s]", "wall_seconds [s]"]
+    _write(tmp_path / "history.csv", head, rows)
+    gauge = [f"ball.{quantity}_{axis} [{unit}]" for quantity, unit in (("position", "m"), ("velocity", "m/s")) for axis in "xyz"]
+    _write(tmp_path / "gauges.csv", ["time [s]", *gauge], [[t, 0.0, 0.0, 1.0 - t, 0.0, 0.0, -1.0] for t in time])
+    wall = [f"floor.{quantity}_{axis} [{unit}]" for quantity, unit in (("force", "N"), ("moment", "N m")) for axis in "xyz"]
+    _write(tmp_path / "walls.csv", ["time [s]", *wall], [[t, 0.0, 0.0, -5.0 * t, 0.0, 0.0, 0.0] for t in time])
+    manifest = {"method": "spheres", "status": "done", "case": "drop",
+                "results": {"particles": 1, "contacts": 3, "energy_work": 1.0, "energy_residual": 1e-4}}
+    (tmp_path / "manifest.json").write_text(json.dumps(manifest))
+    return tmp_path
+
+
+def _write(path, head, rows):
+    path.write_text("\n".join([",".join(head), *(",".join(f"{value:.9g}" for value in row) for row in rows)]) + "\n")
+
+
+def test_groups_and_walls_are_drawn_along_their_main_axis(granular_run):
+    results = open_run(granular_run)
+    assert granular.groups(results).axes[0].get_ylabel() == "z [m]"
+    line = granular.walls(results).axes[0].lines[0]
+    assert line.get_label() == "floor, z"
+    assert line.get_ydata()[-1] == pytest.approx(-5.0)
+
+
+def test_report_has_its_pictures_and_says_what_is_missing(granular_run):
+    page = write_report(granular_run).read_text()
+    assert "The energy ledger closes within 1.0e-04 of the work done." in page
+    assert sorted(path.stem for path in (granular_run / "report").glob("*.png")) == ["contacts", "energies", "groups", "walls"]
+    assert "The run wrote no snapshots." in page
