@@ -67,7 +67,7 @@ struct PlasticFlow {
 /// has a plane f_s = 0, each direction one f_t = 0; their amounts dg >= 0 are found by projected Gauss-Seidel sweeps.
 template <std::size_t D>
 PlasticFlow<D> plastic_flow(const MohrCoulomb& law, const Elasticity& elastic, const std::array<Real, D>& strain) {
-  constexpr int most_sweeps = 2000;
+  constexpr int most_sweeps = 5000;
   const Real mu = elastic.shear_modulus, lambda = elastic.lame;
   const Real tolerance = 1e-9 * (law.cohesion + law.tensile_strength + 1e-6 * mu);
   const Real opening = 1 + law.sin_dilation, closing = 1 - law.sin_dilation, growth = lambda * (opening - closing);
