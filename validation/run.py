@@ -5,8 +5,8 @@
 Each folder with an expected.csv has one program of the same path under <build>/validation, or a main.py. It prints `row,ours` or, where
 the expected value is computed by other means, `row,ours,expected`. Written are build/validation/results.csv
 (id,quantity,unit,expected,source,ours,tolerance,verdict) and the same as a page, build/validation/index.html; with
---write-docs also docs/reference/validation.md. With --only nothing is written: the table has all rows or none. Ends with 1
-when a row failed or could not be run.
+--write-docs also docs/reference/validation.md. With --only these two are not written: the table has all rows or none; of the page only
+the sections of the chosen folders are. Ends with 1 when a row failed or could not be run.
 """
 
 import argparse
@@ -115,11 +115,19 @@ def compare_row(folder, entry, values, why):
     return row
 
 
+def all_folders():
+    return sorted(path.parent.relative_to(ROOT / "validation").as_posix() for path in (ROOT / "validation").rglob("expected.csv"))
+
+
+def expected_rows(folder):
+    with open(ROOT / "validation" / folder / "expected.csv", newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
 def validate(folder, build):
     """All rows of one folder, as soon as they are known also on the screen."""
     began = time.monotonic()
-    with open(ROOT / "validation" / folder / "expected.csv", newline="", encoding="utf-8") as file:
-        entries = list(csv.DictReader(file))
+    entries = expected_rows(folder)
     script = ROOT / "validation" / folder / "main.py"
     values, why = run_program(script if script.exists() else build / "validation" / folder)
     rows = [compare_row(folder, entry, values, why) for entry in entries]
@@ -133,9 +141,9 @@ def validate(folder, build):
     return rows
 
 
-def summary(rows):
-    counts = {verdict: sum(row.verdict == verdict for row in rows) for verdict in (PASSED, FAILED, NOT_RUN)}
-    return f"{len(rows)} rows: " + ", ".join(f"{count} {verdict}" for verdict, count in counts.items())
+def summary(verdicts):
+    counts = {verdict: verdicts.count(verdict) for verdict in (PASSED, FAILED, NOT_RUN)}
+    return f"{len(verdicts)} rows: " + ", ".join(f"{count} {verdict}" for verdict, count in counts.items())
 
 
 def write_csv(rows, path):
@@ -151,7 +159,7 @@ def write_page(rows, path):
     lines = ["<!doctype html>", '<html lang="en"><meta charset="utf-8"><title>Sazare: validation</title>',
              "<style>body{font-family:sans-serif;margin:2em}td,th{padding:.2em .6em;text-align:left;vertical-align:top}",
              "table{border-collapse:collapse;font-size:90%}tr{border-bottom:1px solid #ddd}</style>", "<h1>Validation</h1>",
-             f"<p>{html.escape(INTRODUCTION)}</p>", f"<p>{summary(rows)}.</p>",
+             f"<p>{html.escape(INTRODUCTION)}</p>", f"<p>{summary([row.verdict for row in rows])}.</p>",
              "<table><tr>" + "".join(f"<th>{column}</th>" for column in COLUMNS) + "</tr>"]
     for row in rows:
         cells = "".join(f"<td>{html.escape(cell)}</td>" for cell in astuple(row))
@@ -159,20 +167,36 @@ def write_page(rows, path):
     path.write_text("\n".join(lines) + "\n</table></html>\n", encoding="utf-8")
 
 
-def write_docs(rows, path):
-    """The table as a page of the documentation: one section per folder."""
-    lines = ["# Validation", "", "<!-- written by validation/run.py --write-docs -->", "", INTRODUCTION, "",
-             f"{summary(rows)}."]
-    last = None
+def docs_section(folder, rows):
+    """The section of a folder on the page of the documentation."""
+    lines = [f"## [{folder}](../../validation/{folder}/README.md)", "", "| row | " + " | ".join(COLUMNS[1:]) + " |", "|" + "---|" * len(COLUMNS)]
     for row in rows:
-        folder, name = row.id.rsplit("/", 1)
-        if folder != last:
-            lines += ["", f"## [{folder}](../../validation/{folder}/README.md)", "",
-                      "| row | " + " | ".join(COLUMNS[1:]) + " |", "|" + "---|" * len(COLUMNS)]
-            last = folder
-        cells = (name, *astuple(row)[1:])
+        cells = (row.id.rsplit("/", 1)[1], *astuple(row)[1:])
         lines.append("| " + " | ".join(cell.replace("|", "\\|").replace("\n", " ") for cell in cells) + " |")
-    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    return "\n".join(lines) + "\n"
+
+
+def sections_of(page):
+    """The sections of the page by folder, as they stand there."""
+    sections = {}
+    for section in page.split("\n## [")[1:]:
+        folder = section.split("]", 1)[0]
+        if (ROOT / "validation" / folder / "expected.csv").exists():
+            sections[folder] = "## [" + section.rstrip("\n") + "\n"
+    return sections
+
+
+def write_docs(rows, path):
+    """The table as a page of the documentation: one section per folder. Sections of folders without rows here stay as they are; folders that
+    have none yet are said not to have been run."""
+    sections = sections_of(path.read_text(encoding="utf-8")) if path.exists() else {}
+    for folder in dict.fromkeys(row.id.rsplit("/", 1)[0] for row in rows):
+        sections[folder] = docs_section(folder, [row for row in rows if row.id.rsplit("/", 1)[0] == folder])
+    for folder in set(all_folders()) - set(sections):
+        sections[folder] = docs_section(folder, [compare_row(folder, entry, {}, "not run yet") for entry in expected_rows(folder)])
+    verdicts = [line.rsplit("| ", 1)[1].removesuffix(" |") for section in sections.values() for line in section.splitlines()[4:]]
+    head = ["# Validation", "", "<!-- written by validation/run.py --write-docs -->", "", INTRODUCTION, "", f"{summary(verdicts)}.", ""]
+    path.write_text("\n".join(head + [sections[folder] for folder in sorted(sections)]), encoding="utf-8")
 
 
 def parse_arguments():
@@ -181,17 +205,12 @@ def parse_arguments():
     parser.add_argument("--only", nargs="*", default=[], help="parts of the names of folders")
     parser.add_argument("--jobs", type=int, default=2, help="programs at a time")
     parser.add_argument("--write-docs", action="store_true", help="write docs/reference/validation.md as well")
-    options = parser.parse_args()
-    if options.only and options.write_docs:
-        parser.error("--write-docs takes all folders: leave out --only")
-    return options
+    return parser.parse_args()
 
 
 def main():
     options = parse_arguments()
-    folders = sorted(path.parent.relative_to(ROOT / "validation").as_posix()
-                     for path in (ROOT / "validation").rglob("expected.csv"))
-    chosen = [folder for folder in folders if not options.only or any(part in folder for part in options.only)]
+    chosen = [folder for folder in all_folders() if not options.only or any(part in folder for part in options.only)]
     began = time.monotonic()
     with ThreadPoolExecutor(max_workers=max(1, options.jobs)) as pool:
         order = sorted(chosen, key=lambda folder: folder not in BEGUN_FIRST)
@@ -208,7 +227,7 @@ def main():
         if row.verdict != PASSED:
             print(f"{row.verdict}: {row.id}: ours {row.ours} {row.unit}, expected {row.expected} ({row.tolerance})")
     where = "" if options.only else "; build/validation/results.csv and index.html"
-    print(f"{summary(rows)}, in {time.monotonic() - began:.0f} s{where}")
+    print(f"{summary([row.verdict for row in rows])}, in {time.monotonic() - began:.0f} s{where}")
     return 0 if rows and all(row.verdict == PASSED for row in rows) else 1
 
 

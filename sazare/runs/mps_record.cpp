@@ -55,10 +55,11 @@ MpsRecord<D>::MpsRecord(const RunFolder& folder, const cases::CaseFile& file, Mp
 
 template <int D>
 std::vector<std::string> MpsRecord<D>::history_columns() const {
-  std::vector<std::string> columns = {"time [s]",        "energy_kinetic [J]",      "energy_elastic [J]", "displacement_max [m]",
-                                      "speed_max [m/s]", "acceleration_max [m/s2]", "wall_seconds [s]"};
+  std::vector<std::string> columns = {"time [s]",        "energy_kinetic [J]", "energy_elastic [J]", "displacement_max [m]",
+                                      "speed_max [m/s]", "acceleration_max [m/s2]"};
   if (model_->failing != nullptr)
     columns.insert(columns.end(), {"energy_flow [J]", "energy_rupture [J]", "energy_contact [J]", "links_broken", "contacts"});
+  columns.emplace_back("wall_seconds [s]");
   return columns;
 }
 
@@ -111,12 +112,13 @@ void MpsRecord<D>::observe(std::int64_t step, Real wall_seconds) {
   }
   kinetic_ = model_->stepper->kinetic_energy();
   elastic_ = model_->stepper->elastic_energy();
-  std::vector<Real> history = {time, kinetic_, elastic_, displacement, speed, largest, wall_seconds};
+  std::vector<Real> history = {time, kinetic_, elastic_, displacement, speed, largest};
   if (const auto* failing = model_->failing) {
     const auto work = failing->work();
     history.insert(history.end(), {work.flow, work.rupture, work.contact, static_cast<Real>(failing->broken_links()),
                                    static_cast<Real>(failing->contacts())});
   }
+  history.push_back(wall_seconds);
   history_->add_row(history);
   displacement_ = displacement;
   largest_displacement_ = std::max(largest_displacement_, displacement);

@@ -51,9 +51,15 @@ TEST(run_mps, writes_its_folder_and_its_figures) {
   EXPECT_TRUE(read_text(folder / "run/gauges.csv").starts_with("time [s],GL -100 m.displacement_x [m],"));
 }
 
-TEST(run_mps, in_many_parts_gives_the_bits_of_one_run) {
+/// A coarse slope in which links break.
+cases::CaseFile slope() {
+  const std::vector<std::string> settings = {"particles.spacing=2", "materials.0.rupture_strain=2e-3", "time.end=3",
+                                             "time.snapshot_interval=1"};
+  return cases::read_case("cases/slope-el-centro/case.toml", settings);
+}
+
+void expect_the_same_in_parts(const cases::CaseFile& file) {
   const TemporaryFolder folder;
-  const cases::CaseFile file = column({"time.end=1"});
   run_quietly(file, folder / "whole");
   for (int parts = 1;; ++parts) {
     std::atomic<bool> stop = false;
@@ -71,6 +77,23 @@ TEST(run_mps, in_many_parts_gives_the_bits_of_one_run) {
   EXPECT_EQ(read_text(folder / "whole/gauges.csv"), read_text(folder / "parts/gauges.csv"));
   EXPECT_EQ(test::without_last_column(read_text(folder / "whole/history.csv")),
             test::without_last_column(read_text(folder / "parts/history.csv")));
+}
+
+TEST(run_mps, in_many_parts_gives_the_bits_of_one_run) { expect_the_same_in_parts(column({"time.end=1"})); }
+
+TEST(run_mps, slides_in_many_parts_with_the_bits_of_one_run) { expect_the_same_in_parts(slope()); }
+
+TEST(run_mps, slides_with_the_same_bits_with_any_number_of_threads) {
+  const TemporaryFolder folder;
+  for (const int threads : {1, 2, 3}) {
+    parallel::set_threads(threads);
+    run_quietly(slope(), folder / std::to_string(threads));
+  }
+  parallel::set_threads(0);
+  const nlohmann::json one = read_manifest(folder / "1");
+  EXPECT_GT(one["results"]["links_broken"], 10);
+  EXPECT_GT(one["results"]["energy_contact"], 0);
+  for (const char* other : {"2", "3"}) EXPECT_EQ(one["state_hash"], read_manifest(folder / other)["state_hash"]);
 }
 
 TEST(run_mps, has_the_same_bits_with_any_number_of_threads) {
