@@ -257,10 +257,7 @@ constexpr std::array initial_velocity_keys{
 };
 
 constexpr std::array gauge_keys{
-    Key{.name = "name",
-        .type = Type::text,
-        .need = Need::required,
-        .sentence = "Name of the gauge; its columns in gauges.csv begin with it."},
+    gauge_name_key,
     Key{.name = "point",
         .type = Type::vector,
         .unit = "m",

@@ -97,6 +97,22 @@ inline constexpr Key end_key{
     .sentence = "Time at which the run ends; it begins at 0.",
 };
 
+inline constexpr Range stability_fraction_range{.low = 0, .high = 1, .low_open = true, .high_open = true};
+
+inline constexpr Key strict_key{
+    .name = "strict",
+    .type = Type::boolean,
+    .default_text = "false",
+    .sentence = "Refuse what would only be warned about.",
+};
+
+inline constexpr Key gauge_name_key{
+    .name = "name",
+    .type = Type::text,
+    .need = Need::required,
+    .sentence = "Name of the gauge; its columns in gauges.csv begin with it.",
+};
+
 inline constexpr Key history_interval_key{
     .name = "history_interval",
     .type = Type::number,

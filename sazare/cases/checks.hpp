@@ -37,7 +37,6 @@ void check_blasts(const CheckContext& context, BlocksCase& blocks);
 /// Checks that the clocks nest, and fills in the intervals that are not given.
 void resolve_clocks(const CheckContext& context, Time& time);
 void resolve_clocks(const CheckContext& context, UniformTime& time);
-void resolve_clocks(const CheckContext& context, SphereTime& time);
 
 /// All checks of a case of method mps after types and ranges; reads its records.
 void check_mps(const CheckContext& context, MpsCase& mps);

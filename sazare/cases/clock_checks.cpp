@@ -155,6 +155,5 @@ void resolve_step_clocks(const CheckContext& context, StepTime& time) {
 }  // namespace
 
 void resolve_clocks(const CheckContext& context, UniformTime& time) { resolve_step_clocks(context, time); }
-void resolve_clocks(const CheckContext& context, SphereTime& time) { resolve_step_clocks(context, time); }
 
 }  // namespace sazare::cases

@@ -107,6 +107,9 @@ struct UniformTime {
   bool strict = false;
 };
 
+/// The clocks of a run in leapfrog steps.
+struct LeapfrogTime : UniformTime {};
+
 struct MpsCase {
   std::string title;
   ParticleRules particles;

@@ -161,6 +161,16 @@ void visit_fields(Visitor& visit, UniformTime& time) {
 }
 
 template <class Visitor>
+void visit_fields(Visitor& visit, LeapfrogTime& time) {
+  visit("end", time.end);
+  visit("step", time.step);
+  visit("stability_fraction", time.stability_fraction);
+  visit("history_interval", time.history_interval);
+  visit("snapshot_interval", time.snapshot_interval);
+  visit("strict", time.strict);
+}
+
+template <class Visitor>
 void visit_tables(Visitor& visit, MpsCase& mps) {
   visit.one("particles", mps.particles);
   visit.list("regions", mps.regions);

@@ -126,13 +126,13 @@ constexpr std::array material_keys{
         .sentence = "Cohesion of Mohr and Coulomb's strength."},
     Key{.name = "friction_angle",
         .type = Type::number,
-        .unit = "degrees",
+        .unit = "deg",
         .range = {.low = 0, .high = 60},
         .note = with_strength,
         .sentence = "Angle of friction, in the ground and, once links are broken, between particles."},
     Key{.name = "dilation_angle",
         .type = Type::number,
-        .unit = "degrees",
+        .unit = "deg",
         .range = {.low = 0, .high = 60},
         .default_text = "0.0",
         .note = "only with a cohesion",
@@ -227,10 +227,7 @@ constexpr std::array noise_keys{
 };
 
 constexpr std::array gauge_keys{
-    Key{.name = "name",
-        .type = Type::text,
-        .need = Need::required,
-        .sentence = "Name of the gauge; its columns in gauges.csv begin with it."},
+    gauge_name_key,
     Key{.name = "point",
         .type = Type::vector,
         .unit = "m",
@@ -248,7 +245,7 @@ constexpr std::array time_keys{
         .sentence = "Step of all particles; above the predicted limit the case is refused."},
     Key{.name = "stability_fraction",
         .type = Type::number,
-        .range = {.low = 0, .high = 1, .low_open = true, .high_open = true},
+        .range = stability_fraction_range,
         .default_text = "0.9",
         .sentence = "Step over the predicted limit where no step is given."},
     Key{.name = "integrator",
@@ -258,10 +255,7 @@ constexpr std::array time_keys{
         .choices = integrators},
     history_interval_key,
     snapshot_interval_key,
-    Key{.name = "strict",
-        .type = Type::boolean,
-        .default_text = "false",
-        .sentence = "Refuse what would only be warned about."},
+    strict_key,
 };
 
 constexpr std::array tables{

@@ -75,9 +75,6 @@ struct Plate {
   Real gravity = 9.81;                 // m/s2
 };
 
-/// The clocks of a run in leapfrog steps.
-struct LeapfrogTime : UniformTime {};
-
 struct RectanglesCase {
   std::string title;
   SquareRules elements;

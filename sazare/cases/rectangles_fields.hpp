@@ -108,16 +108,6 @@ void visit_fields(Visitor& visit, Plate& plate) {
 }
 
 template <class Visitor>
-void visit_fields(Visitor& visit, LeapfrogTime& time) {
-  visit("end", time.end);
-  visit("step", time.step);
-  visit("stability_fraction", time.stability_fraction);
-  visit("history_interval", time.history_interval);
-  visit("snapshot_interval", time.snapshot_interval);
-  visit("strict", time.strict);
-}
-
-template <class Visitor>
 void visit_tables(Visitor& visit, RectanglesCase& rectangles) {
   visit.one("elements", rectangles.elements);
   visit.list("blocks", rectangles.blocks);

@@ -225,10 +225,7 @@ constexpr std::array plate_keys{
 };
 
 constexpr std::array gauge_keys{
-    Key{.name = "name",
-        .type = Type::text,
-        .need = Need::required,
-        .sentence = "Name of the gauge; its columns in gauges.csv begin with it."},
+    gauge_name_key,
     Key{.name = "point",
         .type = Type::vector,
         .unit = "m",
@@ -246,12 +243,12 @@ constexpr std::array time_keys{
         .sentence = "Step of all elements; above the predicted limit the case is refused."},
     Key{.name = "stability_fraction",
         .type = Type::number,
-        .range = {.low = 0, .high = 1, .low_open = true, .high_open = true},
+        .range = stability_fraction_range,
         .default_text = "0.8",
         .sentence = "Step over the predicted limit where no step is given."},
     history_interval_key,
     snapshot_interval_key,
-    Key{.name = "strict", .type = Type::boolean, .default_text = "false", .sentence = "Refuse what would only be warned about."},
+    strict_key,
 };
 
 constexpr std::array tables{

@@ -84,15 +84,6 @@ struct GroupGauge {
   std::string group;
 };
 
-struct SphereTime {
-  Real end = 0;                   // s
-  std::optional<Real> step;       // s
-  Real stability_fraction = 0.2;  // of the limit
-  Real history_interval = 0;      // s
-  Real snapshot_interval = 0;     // s
-  bool strict = false;
-};
-
 struct SpheresCase {
   std::string title;
   Domain domain;
@@ -104,7 +95,7 @@ struct SpheresCase {
   std::vector<Motion> motions;
   Gravity gravity;
   std::vector<GroupGauge> gauges;
-  SphereTime time;
+  LeapfrogTime time;
   Output output;
 };
 

@@ -116,16 +116,6 @@ void visit_fields(Visitor& visit, GroupGauge& gauge) {
 }
 
 template <class Visitor>
-void visit_fields(Visitor& visit, SphereTime& time) {
-  visit("end", time.end);
-  visit("step", time.step);
-  visit("stability_fraction", time.stability_fraction);
-  visit("history_interval", time.history_interval);
-  visit("snapshot_interval", time.snapshot_interval);
-  visit("strict", time.strict);
-}
-
-template <class Visitor>
 void visit_tables(Visitor& visit, SpheresCase& spheres) {
   visit.one("domain", spheres.domain);
   visit.list("materials", spheres.materials);

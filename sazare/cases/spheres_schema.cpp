@@ -180,7 +180,7 @@ constexpr std::array wall_keys{
 };
 
 constexpr std::array gauge_keys{
-    Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name of the gauge; its columns in gauges.csv begin with it."},
+    gauge_name_key,
     Key{.name = "group", .type = Type::text, .need = Need::required, .sentence = "Group of spheres whose centre of mass is recorded."},
 };
 
@@ -194,15 +194,12 @@ constexpr std::array time_keys{
         .sentence = "Step of all spheres; above the limit the case is refused."},
     Key{.name = "stability_fraction",
         .type = Type::number,
-        .range = {.low = 0, .high = 1, .low_open = true, .high_open = true},
+        .range = stability_fraction_range,
         .default_text = "0.2",
         .sentence = "Step over the limit where no step is given: Rayleigh's time of the smallest sphere, or with linear springs 2/frequency of a contact."},
     history_interval_key,
     snapshot_interval_key,
-    Key{.name = "strict",
-        .type = Type::boolean,
-        .default_text = "false",
-        .sentence = "Refuse what would only be warned about."},
+    strict_key,
 };
 
 constexpr std::array tables{

@@ -29,6 +29,5 @@ RunClocks clocks_of(const Time& time, std::string_view step_name, Real step) {
 
 RunClocks make_clocks(const cases::Time& time, Real base_step) { return clocks_of(time, "base_step", base_step); }
 RunClocks make_clocks(const cases::UniformTime& time, Real step) { return clocks_of(time, "step", step); }
-RunClocks make_clocks(const cases::SphereTime& time, Real step) { return clocks_of(time, "step", step); }
 
 }  // namespace sazare::runs

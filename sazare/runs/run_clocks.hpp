@@ -27,6 +27,5 @@ struct RunClocks {
 /// Throws UserError when the clocks of the case do not nest in whole base steps.
 RunClocks make_clocks(const cases::Time& time, Real base_step);
 RunClocks make_clocks(const cases::UniformTime& time, Real step);
-RunClocks make_clocks(const cases::SphereTime& time, Real step);
 
 }  // namespace sazare::runs

@@ -106,7 +106,7 @@ Real spring_limit(const SpheresCase& spheres, const methods::spheres::ContactTab
 
 /// The step of a run, which divides the history interval.
 Real choose_step(const cases::CaseFile& file, Real limit) {
-  const cases::SphereTime& time = file.spheres().time;
+  const cases::LeapfrogTime& time = file.spheres().time;
   if (!time.step) return time.history_interval / std::ceil(time.history_interval / (time.stability_fraction * limit));
   if (*time.step > limit)
     refuse(file, "time.step",
