@@ -39,7 +39,9 @@ void add_case_options(CLI::App& command, command::CaseArguments& arguments) {
 void describe_study(CLI::App& study, command::StudyArguments& arguments) {
   study.add_option("STUDY", arguments.file, "the study file (TOML)")->required();
   study.add_option("--out", arguments.folder, "the study's folder (default: runs/<name of the study>)")->type_name("DIR");
-  study.add_option("--threads", arguments.threads, "cases at a time (default: all processors)")->check(CLI::Range(1, 4096))->type_name("N");
+  study.add_option("--threads", arguments.threads, "cases at a time (default: all processors)")
+      ->check(CLI::Range(1, 4096))
+      ->type_name("N");
   auto* resume = study.add_flag("--resume", arguments.resume, "go on with a stopped study");
   study.add_flag("--overwrite", arguments.overwrite, "replace the study that is in the folder")->excludes(resume);
   study.add_flag("--quiet", arguments.quiet, "print warnings and errors only");

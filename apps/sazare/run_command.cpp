@@ -34,8 +34,10 @@ std::string balance_text(const observe::Manifest& manifest) {
 void print_mps_figures(const observe::Manifest& manifest, const fs::path& folder) {
   const auto number = [&](std::string_view name, int digits = 4) { return cases::short_number(figure(manifest, name), digits); };
   const Real seconds = figure(manifest, "wall_seconds");
-  fmt::print("particles       {}, step {} s, predicted limit {} s\n", number("particles", 12), number("step"), number("predicted_limit"));
-  fmt::print("peaks           {} m, {} m/s, {} m/s2\n", number("peak_displacement"), number("peak_speed"), number("peak_acceleration"));
+  fmt::print("particles       {}, step {} s, predicted limit {} s\n", number("particles", 12), number("step"),
+             number("predicted_limit"));
+  fmt::print("peaks           {} m, {} m/s, {} m/s2\n", number("peak_displacement"), number("peak_speed"),
+             number("peak_acceleration"));
   fmt::print("wall time       {:.2f} s, {} particle-steps per second, {} thread{}\n", seconds,
              cases::short_number(seconds > 0 ? figure(manifest, "particle_steps") / seconds : 0, 3), manifest.machine.threads,
              manifest.machine.threads == 1 ? "" : "s");
@@ -45,7 +47,8 @@ void print_mps_figures(const observe::Manifest& manifest, const fs::path& folder
 void print_rectangles_figures(const observe::Manifest& manifest, const fs::path& folder) {
   const auto number = [&](std::string_view name, int digits = 4) { return cases::short_number(figure(manifest, name), digits); };
   const Real seconds = figure(manifest, "wall_seconds");
-  fmt::print("elements        {}, step {} s, predicted limit {} s\n", number("elements", 12), number("step"), number("predicted_limit"));
+  fmt::print("elements        {}, step {} s, predicted limit {} s\n", number("elements", 12), number("step"),
+             number("predicted_limit"));
   fmt::print("springs broken  {}, faces open {}\n", number("broken_springs", 12), number("open_links", 12));
   fmt::print("peaks           {} m, {} m/s\n", number("peak_displacement"), number("peak_speed"));
   fmt::print("energy          {}\n", balance_text(manifest));
@@ -58,9 +61,10 @@ void print_rectangles_figures(const observe::Manifest& manifest, const fs::path&
 void print_spheres_figures(const observe::Manifest& manifest, const fs::path& folder) {
   const auto number = [&](std::string_view name, int digits = 4) { return cases::short_number(figure(manifest, name), digits); };
   const Real seconds = figure(manifest, "wall_seconds");
-  fmt::print("spheres         {}, {} contacts at the end, step {} s\n", number("particles", 12), number("contacts", 12), number("step"));
-  fmt::print("energy          lost {} J, unaccounted {} J; peak speed {} m/s\n", number("energy_lost"), number("energy_residual", 2),
-             number("peak_speed"));
+  fmt::print("spheres         {}, {} contacts at the end, step {} s\n", number("particles", 12), number("contacts", 12),
+             number("step"));
+  fmt::print("energy          lost {} J, unaccounted {} J; peak speed {} m/s\n", number("energy_lost"),
+             number("energy_residual", 2), number("peak_speed"));
   fmt::print("wall time       {:.2f} s, {} sphere-steps per second, {} thread{}\n", seconds,
              cases::short_number(seconds > 0 ? figure(manifest, "particle_steps") / seconds : 0, 3), manifest.machine.threads,
              manifest.machine.threads == 1 ? "" : "s");
@@ -104,7 +108,8 @@ int run(const RunArguments& arguments, const parallel::Ranks& ranks) {
   parallel::set_threads(arguments.of_case.threads);
   const cases::CaseFile file = cases::read_case(arguments.of_case.file, arguments.of_case.settings);
   if (ranks.size() > 1 && !std::holds_alternative<cases::BlocksCase>(file.content))
-    throw UserError(fmt::format("this method runs in one process, and {} were started: leave mpirun out, and use --threads", ranks.size()));
+    throw UserError(
+        fmt::format("this method runs in one process, and {} were started: leave mpirun out, and use --threads", ranks.size()));
   if (ranks.is_first()) fmt::print(stderr, "{}", file.warnings);
   const fs::path folder = arguments.folder.empty() ? default_folder(arguments.of_case.file) : arguments.folder;
   const bool quiet = arguments.quiet || !ranks.is_first();

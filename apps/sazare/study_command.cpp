@@ -15,17 +15,19 @@ int study(const StudyArguments& arguments) {
   parallel::set_threads(arguments.threads);
   const cases::Study study = cases::read_study(arguments.file);
   const std::filesystem::path folder = arguments.folder.empty() ? default_folder(arguments.file) : arguments.folder;
-  const runs::Begin begin = arguments.resume ? runs::Begin::resume : arguments.overwrite ? runs::Begin::overwrite : runs::Begin::fresh;
-  const runs::StudyOutcome outcome =
-      runs::run_study(study, {folder, begin, arguments.quiet, parallel::threads(), &stop_asked});
+  const runs::Begin begin = arguments.resume      ? runs::Begin::resume
+                            : arguments.overwrite ? runs::Begin::overwrite
+                                                  : runs::Begin::fresh;
+  const runs::StudyOutcome outcome = runs::run_study(study, {folder, begin, arguments.quiet, parallel::threads(), &stop_asked});
   if (outcome.done < outcome.cases) {
-    fmt::print(stderr, "stopped after {} of {} cases. To go on:\n  sazare study {} --out {} --resume\n", outcome.done, outcome.cases,
-               arguments.file.string(), folder.string());
+    fmt::print(stderr, "stopped after {} of {} cases. To go on:\n  sazare study {} --out {} --resume\n", outcome.done,
+               outcome.cases, arguments.file.string(), folder.string());
     return stopped;
   }
   if (!arguments.quiet) {
     fmt::print("cases           {}\n", outcome.cases);
-    fmt::print("prediction      within {:.2f} % of the bisection in all cases\n", 100 * (std::exp(outcome.largest_difference) - 1));
+    fmt::print("prediction      within {:.2f} % of the bisection in all cases\n",
+               100 * (std::exp(outcome.largest_difference) - 1));
     fmt::print("wall time       {:.1f} s\n", outcome.wall_seconds);
     fmt::print("results in      {}\n", folder.string());
   }

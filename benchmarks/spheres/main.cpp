@@ -1,10 +1,11 @@
-/// Sphere-steps per second of method spheres: grains of 1 mm that settle under gravity on a floor, periodic sides, Hertz-Mindlin with
-/// history.
+/// Sphere-steps per second of method spheres: grains of 1 mm that settle under gravity on a floor, periodic sides, Hertz-Mindlin
+/// with history.
 ///
 ///     spheres THREADS ACROSS FILE
 ///
-/// prints `spheres,sphere_steps_per_second,contacts_per_sphere,bytes_per_sphere`: steps 500 to 1500, the first 500 make the contacts. Where
-/// FILE is given and not "-", it gets the start as rows of radius, x, y, z, vx, vy, vz, from which other codes can begin.
+/// prints `spheres,sphere_steps_per_second,contacts_per_sphere,bytes_per_sphere`: steps 500 to 1500, the first 500 make the
+/// contacts. Where FILE is given and not "-", it gets the start as rows of radius, x, y, z, vx, vy, vz, from which other codes
+/// can begin.
 
 #include <sys/resource.h>
 

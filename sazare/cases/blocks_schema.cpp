@@ -17,9 +17,8 @@ constexpr std::array mesh_keys{
     Key{.name = "file",
         .type = Type::file,
         .need = Need::required,
-        .sentence =
-            "Gmsh mesh (.msh, format 4.1) or geometry (.geo, meshed by gmsh when the case is run), relative "
-            "to the case file."},
+        .sentence = "Gmsh mesh (.msh, format 4.1) or geometry (.geo, meshed by gmsh when the case is run), relative "
+                    "to the case file."},
     Key{.name = "scale",
         .type = Type::number,
         .range = positive,
@@ -39,10 +38,7 @@ constexpr std::array mesh_keys{
 };
 
 constexpr std::array material_keys{
-    Key{.name = "name",
-        .type = Type::text,
-        .need = Need::required,
-        .sentence = "Name by which joints refer to the material."},
+    Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name by which joints refer to the material."},
     Key{.name = "regions",
         .type = Type::names,
         .need = Need::required,
@@ -56,16 +52,12 @@ constexpr std::array material_keys{
 };
 
 constexpr std::array joint_keys{
-    Key{.name = "name",
-        .type = Type::text,
-        .need = Need::required,
-        .sentence = "Name of the joint in results and messages."},
+    Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name of the joint in results and messages."},
     Key{.name = "between",
         .type = Type::two_names,
         .note = "exactly one of between and surface",
-        .sentence =
-            "The two materials (the same one twice for faces inside a material) whose shared faces it "
-            "joins."},
+        .sentence = "The two materials (the same one twice for faces inside a material) whose shared faces it "
+                    "joins."},
     Key{.name = "surface",
         .type = Type::text,
         .note = "exactly one of between and surface",
@@ -120,8 +112,7 @@ constexpr std::array joint_keys{
         .unit = "Pa",
         .range = positive,
         .note = when_bonded,
-        .sentence =
-            "Normal stress at which softening begins; at most sqrt(2 fracture_energy normal_stiffness)."},
+        .sentence = "Normal stress at which softening begins; at most sqrt(2 fracture_energy normal_stiffness)."},
     Key{.name = "fracture_energy",
         .type = Type::number,
         .unit = "N/m",
@@ -157,17 +148,15 @@ constexpr std::array contact_keys{
     Key{.name = "damping_cap",
         .type = Type::choice,
         .default_text = "\"step\"",
-        .sentence =
-            "How a dashpot too stiff for the masses acts: literal as given, at most critical, or built up over "
-            "the steps as fast as they bear.",
+        .sentence = "How a dashpot too stiff for the masses acts: literal as given, at most critical, or built up over "
+                    "the steps as fast as they bear.",
         .choices = damping_caps},
     Key{.name = "edge_division",
         .type = Type::integer,
         .range = {.low = 3, .high = 20},
         .default_text = "5",
-        .sentence =
-            "Contact spheres sit at the interior points when each edge of a face is divided into this many "
-            "equal parts."},
+        .sentence = "Contact spheres sit at the interior points when each edge of a face is divided into this many "
+                    "equal parts."},
 };
 
 constexpr std::array blast_keys{
@@ -175,10 +164,7 @@ constexpr std::array blast_keys{
         .type = Type::text,
         .note = "default: the surface's name",
         .sentence = "Name of the hole in results and messages."},
-    Key{.name = "surface",
-        .type = Type::text,
-        .need = Need::required,
-        .sentence = "Physical surface group of the hole's wall."},
+    Key{.name = "surface", .type = Type::text, .need = Need::required, .sentence = "Physical surface group of the hole's wall."},
     Key{.name = "delay",
         .type = Type::number,
         .unit = "s",
@@ -205,8 +191,7 @@ constexpr std::array blast_keys{
     Key{.name = "table",
         .type = Type::file,
         .note = "instead of peak_pressure, rise_time and decay_ratio",
-        .sentence =
-            "CSV file with header \"time [s],pressure [Pa]\" and times that increase; linear between rows."},
+        .sentence = "CSV file with header \"time [s],pressure [Pa]\" and times that increase; linear between rows."},
     Key{.name = "cut_distance",
         .type = Type::number,
         .unit = "m",
@@ -223,9 +208,8 @@ constexpr std::array boundary_keys{
     Key{.name = "kind",
         .type = Type::choice,
         .need = Need::required,
-        .sentence =
-            "fixed does not move, frictionless slides along the plane of each face, absorbing lets waves "
-            "leave (dashpots).",
+        .sentence = "fixed does not move, frictionless slides along the plane of each face, absorbing lets waves "
+                    "leave (dashpots).",
         .choices = boundary_kinds},
 };
 
@@ -238,10 +222,7 @@ constexpr std::array constraint_keys{
         .type = Type::axes,
         .default_text = "[]",
         .sentence = "Axes along which the elements cannot move."},
-    Key{.name = "rotation",
-        .type = Type::axes,
-        .default_text = "[]",
-        .sentence = "Axes about which the elements cannot turn."},
+    Key{.name = "rotation", .type = Type::axes, .default_text = "[]", .sentence = "Axes about which the elements cannot turn."},
 };
 
 constexpr std::array initial_velocity_keys{
@@ -275,9 +256,8 @@ constexpr std::array time_keys{
     Key{.name = "limiter",
         .type = Type::choice,
         .default_text = "\"stability\"",
-        .sentence =
-            "What sets the step of an element: its own stable step, the distance it travels in a step, or "
-            "nothing (base_step for all).",
+        .sentence = "What sets the step of an element: its own stable step, the distance it travels in a step, or "
+                    "nothing (base_step for all).",
         .choices = limiters},
     Key{.name = "base_step",
         .type = Type::number,
@@ -289,9 +269,8 @@ constexpr std::array time_keys{
         .type = Type::number,
         .range = {.low = 0, .high = 1, .low_open = true},
         .default_text = "0.5",
-        .sentence =
-            "Step of an element over the limit of its own springs and dashpots with its neighbours held; 0.5 "
-            "allows for neighbours that move as well."},
+        .sentence = "Step of an element over the limit of its own springs and dashpots with its neighbours held; 0.5 "
+                    "allows for neighbours that move as well."},
     Key{.name = "travel_length",
         .type = Type::number,
         .unit = "m",
@@ -315,22 +294,16 @@ constexpr std::array tables{
     case_table,
     Table{"mesh", false, Need::required, "The body: tetrahedra with named volumes and surfaces.", mesh_keys},
     Table{"materials", true, Need::required, "What the named volumes are made of.", material_keys},
-    Table{"joints", true, Need::required,
-          "How faces hold together; where several entries match a face, the last one wins.", joint_keys},
-    Table{"contact", false, Need::required, "What acts between faces after failure and between free faces.",
-          contact_keys},
-    Table{"blasts", true, Need::optional,
-          "Pressure on the walls of holes: a pulse, or a table from a CSV file.", blast_keys},
+    Table{"joints", true, Need::required, "How faces hold together; where several entries match a face, the last one wins.",
+          joint_keys},
+    Table{"contact", false, Need::required, "What acts between faces after failure and between free faces.", contact_keys},
+    Table{"blasts", true, Need::optional, "Pressure on the walls of holes: a pulse, or a table from a CSV file.", blast_keys},
     gravity_table,
-    Table{"boundaries", true, Need::optional, "How outer faces are held; all others are free.",
-          boundary_keys},
-    Table{"constraints", true, Need::optional, "Axes along or about which whole volumes cannot move.",
-          constraint_keys},
-    Table{"initial_velocities", true, Need::optional, "Volumes that move at the start.",
-          initial_velocity_keys},
+    Table{"boundaries", true, Need::optional, "How outer faces are held; all others are free.", boundary_keys},
+    Table{"constraints", true, Need::optional, "Axes along or about which whole volumes cannot move.", constraint_keys},
+    Table{"initial_velocities", true, Need::optional, "Volumes that move at the start.", initial_velocity_keys},
     Table{"gauges", true, Need::optional, "Points whose velocity is recorded.", gauge_keys},
-    Table{"time", false, Need::required, "How long, in which steps, and when results are written.",
-          time_keys},
+    Table{"time", false, Need::required, "How long, in which steps, and when results are written.", time_keys},
     output_table,
 };
 

@@ -27,8 +27,7 @@ std::string read_text(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream text;
   text << stream.rdbuf();
-  if (!stream)
-    throw UserError(fmt::format("cannot read the case file {}: is the path right?", path.string()));
+  if (!stream) throw UserError(fmt::format("cannot read the case file {}: is the path right?", path.string()));
   return text.str();
 }
 
@@ -131,9 +130,7 @@ Place find_place(const Value& root, std::string_view key) {
 
 }  // namespace
 
-std::vector<Entry> CheckContext::entries_of(std::string_view table) const {
-  return entries(root, *find_table(schema, table));
-}
+std::vector<Entry> CheckContext::entries_of(std::string_view table) const { return entries(root, *find_table(schema, table)); }
 
 CaseFile read_case(const fs::path& path, std::span<const std::string> overrides) {
   const std::string content = read_text(path);
@@ -160,8 +157,7 @@ CaseFile read_case(const fs::path& path, std::span<const std::string> overrides)
 
 std::string warning(const CaseFile& file, const std::string& key, std::string what, std::string help) {
   Problems problems;
-  for (int i = 0; i < file.text->problems.source_count(); ++i)
-    problems.add_source(file.text->problems.source(i));
+  for (int i = 0; i < file.text->problems.source_count(); ++i) problems.add_source(file.text->problems.source(i));
   problems.warning(find_place(file.text->root, key), std::move(what), std::move(help));
   return problems.warning_text();
 }

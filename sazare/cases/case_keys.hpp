@@ -10,15 +10,13 @@ namespace sazare::cases {
 inline constexpr std::array<std::string_view, 4> method_names{"blocks", "mps", "rectangles", "spheres"};
 
 inline constexpr std::array case_keys{
-    Key{.name = "title",
-        .type = Type::text,
-        .need = Need::required,
-        .sentence = "What the case is called in reports."},
+    Key{.name = "title", .type = Type::text, .need = Need::required, .sentence = "What the case is called in reports."},
     Key{.name = "method",
         .type = Type::choice,
         .need = Need::required,
         .sentence = "How the body is modelled: blocks are bonded tetrahedra that can break apart, mps are moving particles of an "
-                    "elastic ground in an earthquake, rectangles are blocks and beams of squares in the plane, spheres are grains that touch.",
+                    "elastic ground in an earthquake, rectangles are blocks and beams of squares in the plane, spheres are "
+                    "grains that touch.",
         .choices = method_names},
 };
 

@@ -51,8 +51,8 @@ void check_rectangles(const CheckContext& context, RectanglesCase& rectangles);
 void check_spheres(const CheckContext& context, SpheresCase& spheres);
 
 /// Reports keys that are missing, and those that do not belong to what was chosen.
-void check_keys(const CheckContext& context, const Entry& entry, const std::string& chosen, const std::vector<std::string_view>& needed,
-                const std::vector<std::string_view>& foreign);
+void check_keys(const CheckContext& context, const Entry& entry, const std::string& chosen,
+                const std::vector<std::string_view>& needed, const std::vector<std::string_view>& foreign);
 
 /// Reports names that stand twice in a list of tables, and names that cannot head a column.
 void check_unique_names(const CheckContext& context, std::string_view table, std::span<const std::string> names);

@@ -16,18 +16,17 @@ constexpr std::int64_t usual_snapshots = 20;
 
 /// The clocks of a case, by whatever method.
 struct Clocks {
-  Real end;                 // s
+  Real end;  // s
   std::string_view step_key;
   std::optional<Real> step;  // s
-  Real& history_interval;   // s
-  Real& snapshot_interval;  // s
+  Real& history_interval;    // s
+  Real& snapshot_interval;   // s
 };
 
 /// From the longest clock to the shortest: end, snapshot_interval, history_interval, step.
 class ClockCheck {
 public:
-  ClockCheck(const CheckContext& context, const Entry& entry, Clocks clocks)
-      : context_(context), entry_(entry), time_(clocks) {}
+  ClockCheck(const CheckContext& context, const Entry& entry, Clocks clocks) : context_(context), entry_(entry), time_(clocks) {}
 
   void run() {
     check_step();
@@ -35,8 +34,7 @@ public:
     if (entry_.has("snapshot_interval"))
       check_snapshots();
     else
-      time_.snapshot_interval =
-          whole_fraction(time_.end, nearest_divisor(rows().value_or(1), usual_snapshots));
+      time_.snapshot_interval = whole_fraction(time_.end, nearest_divisor(rows().value_or(1), usual_snapshots));
   }
 
 private:
@@ -46,16 +44,13 @@ private:
   };
 
   /// `nearest` is the interval that nests; a rounder one is offered beside it.
-  void refuse(const Clock& wrong, const Clock& longer, const Clock& shorter, Real nearest,
-              std::optional<Real> beneath = {}) {
+  void refuse(const Clock& wrong, const Clock& longer, const Clock& shorter, Real nearest, std::optional<Real> beneath = {}) {
     const auto round = round_fraction(time_.end, wrong.interval, beneath);
-    const std::string also =
-        round && *round != nearest ? fmt::format(", a round one {}", number_text(*round)) : "";
-    context_.problems.error(
-        entry_.place(wrong.name),
-        fmt::format("clocks do not nest: {} = {} s is not a whole multiple of {} = {} s", longer.name,
-                    short_number(longer.interval, 12), shorter.name, short_number(shorter.interval, 12)),
-        fmt::format("the nearest {} that does is {}{}", wrong.name, number_text(nearest), also));
+    const std::string also = round && *round != nearest ? fmt::format(", a round one {}", number_text(*round)) : "";
+    context_.problems.error(entry_.place(wrong.name),
+                            fmt::format("clocks do not nest: {} = {} s is not a whole multiple of {} = {} s", longer.name,
+                                        short_number(longer.interval, 12), shorter.name, short_number(shorter.interval, 12)),
+                            fmt::format("the nearest {} that does is {}{}", wrong.name, number_text(nearest), also));
   }
 
   void check_step() {
@@ -70,8 +65,7 @@ private:
 
   /// About 200 rows, so many that they fit the clocks that are given.
   bool choose_history() {
-    const auto snapshots =
-        entry_.gives("snapshot_interval") ? whole_multiple(time_.end, time_.snapshot_interval) : std::nullopt;
+    const auto snapshots = entry_.gives("snapshot_interval") ? whole_multiple(time_.end, time_.snapshot_interval) : std::nullopt;
     const std::int64_t outer = snapshots.value_or(1);
     const std::int64_t wanted = std::max<std::int64_t>(1, usual_history_rows / outer);
     const auto steps = base_ ? whole_multiple(time_.end / static_cast<Real>(outer), *base_) : std::nullopt;
@@ -99,8 +93,7 @@ private:
     if (!entry_.is_sound("snapshot_interval")) return;
     const Clock snapshot{"snapshot_interval", time_.snapshot_interval};
     const bool fits_end = whole_multiple(time_.end, snapshot.interval).has_value();
-    const bool fits_history =
-        !history_ || whole_multiple(snapshot.interval, time_.history_interval).has_value();
+    const bool fits_history = !history_ || whole_multiple(snapshot.interval, time_.history_interval).has_value();
     if (fits_end && fits_history) return;
     const Real nearest = nearest_interval(rows(), snapshot.interval);
     const auto beneath = history_ ? std::optional(time_.history_interval) : base_;
@@ -117,9 +110,7 @@ private:
     return whole_fraction(time_.end, nearest_divisor_by_length(*shorter, time_.end / given));
   }
 
-  std::optional<std::int64_t> rows() const {
-    return history_ ? whole_multiple(time_.end, time_.history_interval) : std::nullopt;
-  }
+  std::optional<std::int64_t> rows() const { return history_ ? whole_multiple(time_.end, time_.history_interval) : std::nullopt; }
 
   Clock end() const { return {"end", time_.end}; }
 
@@ -136,10 +127,9 @@ void resolve_clocks(const CheckContext& context, Time& time) {
   const Entry entry = context.entries_of("time").front();
   if (!entry.gives("end")) return;
   if (time.limiter != Limiter::stability && entry.is_sound("limiter") && !entry.has("base_step"))
-    context.problems.error(
-        entry.place("limiter"),
-        fmt::format("limiter \"{}\" needs base_step", time.limiter == Limiter::travel ? "travel" : "none"),
-        "add base_step = ... (a number in s, greater than 0): the largest step");
+    context.problems.error(entry.place("limiter"),
+                           fmt::format("limiter \"{}\" needs base_step", time.limiter == Limiter::travel ? "travel" : "none"),
+                           "add base_step = ... (a number in s, greater than 0): the largest step");
   ClockCheck(context, entry, {time.end, "base_step", time.base_step, time.history_interval, time.snapshot_interval}).run();
 }
 

@@ -42,8 +42,7 @@ std::int64_t nearest_divisor(std::int64_t count, std::int64_t wanted) {
 }
 
 std::int64_t nearest_divisor_by_length(std::int64_t count, Real parts) {
-  return std::ranges::min(divisors(count), {},
-                          [&](std::int64_t d) { return std::abs(1 / static_cast<Real>(d) - 1 / parts); });
+  return std::ranges::min(divisors(count), {}, [&](std::int64_t d) { return std::abs(1 / static_cast<Real>(d) - 1 / parts); });
 }
 
 Real whole_fraction(Real time, std::int64_t parts) {
@@ -61,8 +60,7 @@ std::optional<Real> round_fraction(Real time, Real interval, std::optional<Real>
   for (int shift = -1; shift <= 1; ++shift) {
     for (int mantissa = 10; mantissa < 100; ++mantissa) {
       const Real candidate = std::strtod(fmt::format("{}e{}", mantissa, exponent + shift).c_str(), nullptr);
-      if (candidate < 0.7 * interval || candidate > 1.4 * interval || !whole_multiple(time, candidate))
-        continue;
+      if (candidate < 0.7 * interval || candidate > 1.4 * interval || !whole_multiple(time, candidate)) continue;
       if (shorter && !whole_multiple(candidate, *shorter)) continue;
       if (!best || std::abs(candidate - interval) < std::abs(*best - interval)) best = candidate;
     }

@@ -79,9 +79,8 @@ std::string describe(const Value& value) {
   if (const auto* whole = std::get_if<std::int64_t>(&value.data)) return fmt::format("the number {}", *whole);
   if (const auto* flag = std::get_if<bool>(&value.data)) return *flag ? "true" : "false";
   if (const auto* items = value.items())
-    return items->empty()
-               ? "an empty list"
-               : fmt::format("a list with {} entr{}", items->size(), items->size() == 1 ? "y" : "ies");
+    return items->empty() ? "an empty list"
+                          : fmt::format("a list with {} entr{}", items->size(), items->size() == 1 ? "y" : "ies");
   if (value.is_table()) return "a table";
   return "a date or time";
 }

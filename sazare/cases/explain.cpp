@@ -55,36 +55,31 @@ void explain_body(Explanation& text, const BlocksCase& blocks) {
   }
   text.add("mesh", mesh.file.filename().string() + how);
   for (const Material& material : blocks.materials)
-    text.add("materials", fmt::format("{}: {} kg/m3, regions {}", material.name, number(material.density),
-                                      fmt::join(material.regions, ", ")));
+    text.add("materials",
+             fmt::format("{}: {} kg/m3, regions {}", material.name, number(material.density), fmt::join(material.regions, ", ")));
 }
 
 void explain_joint(Explanation& text, const Joint& joint) {
-  const std::string where = joint.on_surface()
-                                ? "on surface " + joint.surface
-                                : fmt::format("between {} and {}", joint.between[0], joint.between[1]);
+  const std::string where =
+      joint.on_surface() ? "on surface " + joint.surface : fmt::format("between {} and {}", joint.between[0], joint.between[1]);
   text.add("joints", fmt::format("{}: {}{}", joint.name, where, joint.bonded ? "" : ", never bonded"));
   if (!joint.bonded) return;
   const Real elastic = joint.tensile_strength / joint.normal_stiffness;
   const Real broken = 2 * joint.fracture_energy / joint.tensile_strength;
   text.more(fmt::format("tension: elastic to {} Pa at an opening of {} m, broken at {} m ({} J/m2)",
-                        number(joint.tensile_strength), number(elastic), number(broken),
-                        number(joint.fracture_energy)));
-  text.more(fmt::format("shear: slips at {} Pa + {} times the pressure (friction angle {} deg)",
-                        number(joint.cohesion), number(joint.friction_coefficient),
+                        number(joint.tensile_strength), number(elastic), number(broken), number(joint.fracture_energy)));
+  text.more(fmt::format("shear: slips at {} Pa + {} times the pressure (friction angle {} deg)", number(joint.cohesion),
+                        number(joint.friction_coefficient),
                         number(std::atan(joint.friction_coefficient) * 180 / std::numbers::pi)));
-  text.more(fmt::format("springs {} and {} Pa/m, dashpots {} and {} Pa s/m (normal, shear)",
-                        number(joint.normal_stiffness), number(joint.shear_stiffness),
-                        number(joint.normal_damping), number(joint.shear_damping)));
+  text.more(fmt::format("springs {} and {} Pa/m, dashpots {} and {} Pa s/m (normal, shear)", number(joint.normal_stiffness),
+                        number(joint.shear_stiffness), number(joint.normal_damping), number(joint.shear_damping)));
 }
 
 void explain_contact(Explanation& text, const Contact& contact) {
   const int spheres = (contact.edge_division - 1) * (contact.edge_division - 2) / 2;
-  text.add("contact",
-           fmt::format("{} spheres on each free face (edge_division {})", spheres, contact.edge_division));
-  text.more(fmt::format("spring {} N/m, dashpot {} N s/m (cap: {}), friction {}",
-                        number(contact.normal_stiffness), number(contact.normal_damping),
-                        word(contact.damping_cap), number(contact.friction_coefficient)));
+  text.add("contact", fmt::format("{} spheres on each free face (edge_division {})", spheres, contact.edge_division));
+  text.more(fmt::format("spring {} N/m, dashpot {} N s/m (cap: {}), friction {}", number(contact.normal_stiffness),
+                        number(contact.normal_damping), word(contact.damping_cap), number(contact.friction_coefficient)));
 }
 
 void explain_blast(Explanation& text, const Blast& blast) {
@@ -93,51 +88,42 @@ void explain_blast(Explanation& text, const Blast& blast) {
   if (const auto* pulse = std::get_if<PressurePulse>(&blast.pressure)) {
     peak = pulse->peak_pressure;
     duration = pulse->rise_time * (1 + pulse->decay_ratio);
-    pressure = fmt::format("{} Pa after {} s, zero again after {} s", number(peak), number(pulse->rise_time),
-                           number(duration));
+    pressure = fmt::format("{} Pa after {} s, zero again after {} s", number(peak), number(pulse->rise_time), number(duration));
   } else {
     const auto& table = std::get<PressureTable>(blast.pressure);
     pressure = fmt::format("{} rows of {}, to {} s", table.time.size(), table.file.filename().string(),
                            table.time.empty() ? "0" : number(table.time.back()));
   }
-  text.add("blasts", fmt::format("{}: on surface {} from {} s: {}", blast.name, blast.surface,
-                                 number(blast.delay), pressure));
-  if (std::isfinite(blast.cut_distance))
-    text.more(fmt::format("ends on a face that has moved {} m", number(blast.cut_distance)));
+  text.add("blasts", fmt::format("{}: on surface {} from {} s: {}", blast.name, blast.surface, number(blast.delay), pressure));
+  if (std::isfinite(blast.cut_distance)) text.more(fmt::format("ends on a face that has moved {} m", number(blast.cut_distance)));
 }
 
 void explain_conditions(Explanation& text, const BlocksCase& blocks) {
   for (const Blast& blast : blocks.blasts) explain_blast(text, blast);
-  if (!blocks.gravity.acceleration.isZero())
-    text.add("gravity", vector_text(blocks.gravity.acceleration) + " m/s2");
+  if (!blocks.gravity.acceleration.isZero()) text.add("gravity", vector_text(blocks.gravity.acceleration) + " m/s2");
   for (const Boundary& boundary : blocks.boundaries)
     text.add("boundaries", fmt::format("{}: {}", boundary.surface, word(boundary.kind)));
   for (const Constraint& constraint : blocks.constraints)
     text.add("locked", fmt::format("{}: translation {}, rotation {}", fmt::join(constraint.regions, ", "),
                                    axes_text(constraint.translation), axes_text(constraint.rotation)));
   for (const InitialVelocity& velocity : blocks.initial_velocities)
-    text.add("moving",
-             fmt::format("{}: {} m/s", fmt::join(velocity.regions, ", "), vector_text(velocity.velocity)));
-  for (const Gauge& gauge : blocks.gauges)
-    text.add("gauges", fmt::format("{}: {} m", gauge.name, vector_text(gauge.point)));
+    text.add("moving", fmt::format("{}: {} m/s", fmt::join(velocity.regions, ", "), vector_text(velocity.velocity)));
+  for (const Gauge& gauge : blocks.gauges) text.add("gauges", fmt::format("{}: {} m", gauge.name, vector_text(gauge.point)));
 }
 
 void explain_time(Explanation& text, const Time& time) {
   const auto count = [&](Real interval) { return whole_multiple(time.end, interval).value_or(0); };
   const std::string base = time.base_step ? number(*time.base_step) + " s" : "chosen from the stable steps";
-  text.add("time", fmt::format("to {} s, {} history rows, {} snapshots", number(time.end),
-                               count(time.history_interval), count(time.snapshot_interval)));
+  text.add("time", fmt::format("to {} s, {} history rows, {} snapshots", number(time.end), count(time.history_interval),
+                               count(time.snapshot_interval)));
   const std::string limiter =
-      time.limiter == Limiter::stability
-          ? fmt::format("{} of each element's stable step", number(time.stability_fraction))
-      : time.limiter == Limiter::travel
-          ? fmt::format("at most {} m of travel in a step", number(time.travel_length))
-          : std::string("the base step for all");
+      time.limiter == Limiter::stability ? fmt::format("{} of each element's stable step", number(time.stability_fraction))
+      : time.limiter == Limiter::travel  ? fmt::format("at most {} m of travel in a step", number(time.travel_length))
+                                         : std::string("the base step for all");
   text.more(fmt::format("steps: {}; largest {}", limiter, base));
-  text.more(
-      time.levels == Levels::uniform
-          ? std::string("all elements take the finest level that any asks for")
-          : fmt::format("a level for each element, at most {} apart where linked", time.neighbor_levels));
+  text.more(time.levels == Levels::uniform
+                ? std::string("all elements take the finest level that any asks for")
+                : fmt::format("a level for each element, at most {} apart where linked", time.neighbor_levels));
 }
 
 }  // namespace

@@ -39,9 +39,7 @@ private:
 
   void assign(const Value& value, std::string& member) { member = *value.text(); }
   void assign(const Value& value, bool& member) { member = std::get<bool>(value.data); }
-  void assign(const Value& value, int& member) {
-    member = static_cast<int>(std::get<std::int64_t>(value.data));
-  }
+  void assign(const Value& value, int& member) { member = static_cast<int>(std::get<std::int64_t>(value.data)); }
   void assign(const Value& value, Real& member);
   void assign(const Value& value, std::optional<Real>& member);
   void assign(const Value& value, Vector3& member);

@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 std::vector<std::string> files_beside(const fs::path& file) {
   std::vector<std::string> names;
   std::error_code failure;
-  for (auto entry = fs::directory_iterator(file.parent_path(), failure);
-       !failure && entry != fs::directory_iterator(); entry.increment(failure)) {
+  for (auto entry = fs::directory_iterator(file.parent_path(), failure); !failure && entry != fs::directory_iterator();
+       entry.increment(failure)) {
     const bool same_kind = entry->path().extension() == file.extension();
     if (same_kind && entry->is_regular_file(failure)) names.push_back(entry->path().filename());
   }
@@ -26,8 +26,8 @@ std::vector<std::string> files_beside(const fs::path& file) {
   return names;
 }
 
-void report_missing_file(const CheckContext& context, const Place& place, std::string_view what,
-                         const fs::path& file, const std::string& as_written) {
+void report_missing_file(const CheckContext& context, const Place& place, std::string_view what, const fs::path& file,
+                         const std::string& as_written) {
   std::error_code failure;
   if (fs::exists(file, failure)) {
     context.problems.error(place, fmt::format("{} is not a file: {}", what, as_written), "name a file");
@@ -37,9 +37,8 @@ void report_missing_file(const CheckContext& context, const Place& place, std::s
   const auto others = files_beside(file);
   const std::string other_files =
       others.empty() ? "" : fmt::format("; {}", suggestion(file.filename().string(), others, "files there"));
-  context.problems.error(
-      place, fmt::format("{} not found: {}", what, as_written),
-      fmt::format("paths are relative to the case file; looked for {}{}", shown, other_files));
+  context.problems.error(place, fmt::format("{} not found: {}", what, as_written),
+                         fmt::format("paths are relative to the case file; looked for {}{}", shown, other_files));
 }
 
 bool is_file(const fs::path& file) {
@@ -50,17 +49,15 @@ bool is_file(const fs::path& file) {
 void check_pulse(const CheckContext& context, const Entry& entry) {
   for (std::string_view key : {"peak_pressure", "rise_time", "decay_ratio"}) {
     if (!entry.has(key))
-      context.problems.error(
-          entry.header(), fmt::format("[[blasts]] has no \"{}\"", key),
-          "add peak_pressure, rise_time and decay_ratio for a pulse, or table = \"file.csv\"");
+      context.problems.error(entry.header(), fmt::format("[[blasts]] has no \"{}\"", key),
+                             "add peak_pressure, rise_time and decay_ratio for a pulse, or table = \"file.csv\"");
   }
 }
 
 void check_table(const CheckContext& context, const Entry& entry, PressureTable& table) {
   for (std::string_view key : {"peak_pressure", "rise_time", "decay_ratio"}) {
     if (!entry.has(key)) continue;
-    context.problems.error(*entry.value->key_place(key),
-                           fmt::format("the blast has both a table and {}", key),
+    context.problems.error(*entry.value->key_place(key), fmt::format("the blast has both a table and {}", key),
                            "keep either the table, or peak_pressure, rise_time and decay_ratio");
   }
   if (!entry.is_sound("table")) return;
@@ -88,13 +85,11 @@ void check_mesh_file(const CheckContext& context, const Mesh& mesh) {
   const std::string& as_written = *entry.value->find("file")->text();
   const std::string kind = mesh.file.extension().string();
   if (kind != ".msh" && kind != ".geo") {
-    context.problems.error(entry.place("file"),
-                           fmt::format("{} is neither a .msh nor a .geo file", as_written),
+    context.problems.error(entry.place("file"), fmt::format("{} is neither a .msh nor a .geo file", as_written),
                            "save the mesh by Gmsh as .msh, format 4.1, or name the geometry (.geo)");
     return;
   }
-  if (!is_file(mesh.file))
-    report_missing_file(context, entry.place("file"), "mesh file", mesh.file, as_written);
+  if (!is_file(mesh.file)) report_missing_file(context, entry.place("file"), "mesh file", mesh.file, as_written);
   for (std::string_view key : {"size_factor", "parameters"}) {
     if (mesh.is_geometry() || !entry.has(key)) continue;
     context.problems.error(*entry.value->key_place(key), fmt::format("{} is only for a .geo file", key),
@@ -110,14 +105,12 @@ void check_blasts(const CheckContext& context, BlocksCase& blocks) {
       check_table(context, list[i], std::get<PressureTable>(blocks.blasts[i].pressure));
     else
       check_pulse(context, list[i]);
-    const bool never =
-        blocks.time.end > 0 && list[i].gives("delay") && blocks.blasts[i].delay >= blocks.time.end;
+    const bool never = blocks.time.end > 0 && list[i].gives("delay") && blocks.blasts[i].delay >= blocks.time.end;
     if (never)
-      context.problems.warning(
-          list[i].place("delay"),
-          fmt::format("the blast begins at {} s, after the end of the run at {} s",
-                      short_number(blocks.blasts[i].delay), short_number(blocks.time.end)),
-          "choose a later end in [time], or remove the blast");
+      context.problems.warning(list[i].place("delay"),
+                               fmt::format("the blast begins at {} s, after the end of the run at {} s",
+                                           short_number(blocks.blasts[i].delay), short_number(blocks.time.end)),
+                               "choose a later end in [time], or remove the blast");
   }
 }
 

@@ -12,11 +12,11 @@
 namespace sazare::cases {
 namespace {
 
-constexpr std::array<std::string_view, 9> bond_keys{
-    "normal_stiffness", "shear_stiffness",      "normal_damping",  "shear_damping",   "cohesion",
-    "friction_angle",   "friction_coefficient", "fracture_energy", "tensile_strength"};
-constexpr std::array<std::string_view, 5> keys_of_bonded{"normal_stiffness", "shear_stiffness", "cohesion",
-                                                         "tensile_strength", "fracture_energy"};
+constexpr std::array<std::string_view, 9> bond_keys{"normal_stiffness",     "shear_stiffness", "normal_damping",
+                                                    "shear_damping",        "cohesion",        "friction_angle",
+                                                    "friction_coefficient", "fracture_energy", "tensile_strength"};
+constexpr std::array<std::string_view, 5> keys_of_bonded{"normal_stiffness", "shear_stiffness", "cohesion", "tensile_strength",
+                                                         "fracture_energy"};
 
 std::string header_of(const Entry& entry) { return table_header(*entry.table); }
 
@@ -36,8 +36,7 @@ void check_friction(const CheckContext& context, const Entry& entry) {
   const bool coefficient = entry.has("friction_coefficient");
   if (angle && coefficient)
     context.problems.error(entry.place("friction_angle"),
-                           "friction is given twice, as friction_coefficient and as friction_angle",
-                           "keep one");
+                           "friction is given twice, as friction_coefficient and as friction_angle", "keep one");
   if (!angle && !coefficient)
     context.problems.error(entry.header(), header_of(entry) + " has no friction",
                            "add friction_coefficient = ..., or friction_angle = ... (deg)");
@@ -50,8 +49,7 @@ void check_unbonded(const CheckContext& context, const Entry& entry) {
   if (given.empty()) return;
   context.problems.error(
       *entry.value->key_place(given.front()),
-      fmt::format("{} mean{} nothing when bonded = false", fmt::join(given, ", "),
-                  given.size() == 1 ? "s" : ""),
+      fmt::format("{} mean{} nothing when bonded = false", fmt::join(given, ", "), given.size() == 1 ? "s" : ""),
       "remove what belongs to a bond, or set bonded = true; free faces touch as [contact] says");
 }
 
@@ -68,14 +66,12 @@ void check_strength(const CheckContext& context, const Entry& entry, const Joint
   };
   context.problems.error(
       entry.place("tensile_strength"),
-      fmt::format("tensile_strength {} Pa is too large for this fracture_energy and normal_stiffness",
-                  short_number(strength)),
-      fmt::format(
-          "softening would end at an opening of {} m, before the strength is reached at {} m; the largest "
-          "strength that does is sqrt(2 fracture_energy normal_stiffness) = {} Pa, the smallest "
-          "fracture_energy for this strength {} N/m",
-          short_number(2 * energy / strength, 4), short_number(strength / stiffness, 4), rounded(largest, -1),
-          rounded(strength * strength / (2 * stiffness), +1)));
+      fmt::format("tensile_strength {} Pa is too large for this fracture_energy and normal_stiffness", short_number(strength)),
+      fmt::format("softening would end at an opening of {} m, before the strength is reached at {} m; the largest "
+                  "strength that does is sqrt(2 fracture_energy normal_stiffness) = {} Pa, the smallest "
+                  "fracture_energy for this strength {} N/m",
+                  short_number(2 * energy / strength, 4), short_number(strength / stiffness, 4), rounded(largest, -1),
+                  rounded(strength * strength / (2 * stiffness), +1)));
 }
 
 void check_bonded(const CheckContext& context, const Entry& entry, const Joint& joint) {
@@ -83,8 +79,7 @@ void check_bonded(const CheckContext& context, const Entry& entry, const Joint& 
     if (entry.has(key)) continue;
     const bool half_strength = key == "fracture_energy" && entry.has("tensile_strength");
     if (half_strength)
-      context.problems.error(*entry.value->key_place("tensile_strength"),
-                             "tensile_strength without fracture_energy",
+      context.problems.error(*entry.value->key_place("tensile_strength"), "tensile_strength without fracture_energy",
                              how_to_add(*find_key(*entry.table, key)));
     else
       context.problems.error(entry.header(), fmt::format("[[joints]] has no \"{}\"", key),
@@ -106,14 +101,13 @@ void check_order(const CheckContext& context, const std::vector<Entry>& list, co
   const auto& joints = blocks.joints;
   for (std::size_t i = 0; i < list.size(); ++i) {
     for (std::size_t j = i + 1; j < list.size(); ++j) {
-      const bool covers_all = blocks.materials.size() == 1 && joints[i].on_surface() &&
-                              !joints[j].on_surface() && joints[j].between[0] == blocks.materials[0].name;
+      const bool covers_all = blocks.materials.size() == 1 && joints[i].on_surface() && !joints[j].on_surface() &&
+                              joints[j].between[0] == blocks.materials[0].name;
       if (!covers_all && !same_faces(joints[i], joints[j])) continue;
-      context.problems.error(
-          list[i].header(),
-          fmt::format("joint \"{}\" is never used: joint \"{}\" below it holds for the same faces",
-                      joints[i].name, joints[j].name),
-          "where several joints match a face the last one wins; put the special one last");
+      context.problems.error(list[i].header(),
+                             fmt::format("joint \"{}\" is never used: joint \"{}\" below it holds for the same faces",
+                                         joints[i].name, joints[j].name),
+                             "where several joints match a face the last one wins; put the special one last");
       break;
     }
   }

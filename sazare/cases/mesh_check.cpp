@@ -35,8 +35,7 @@ private:
       for (std::size_t k = 0; k < items[i].regions.size(); ++k) {
         const std::string& name = items[i].regions[k];
         if (std::ranges::find(groups_.regions, name) != groups_.regions.end()) continue;
-        context_.problems.error(list[i].place("regions", k),
-                                fmt::format("the mesh has no region \"{}\"", name),
+        context_.problems.error(list[i].place("regions", k), fmt::format("the mesh has no region \"{}\"", name),
                                 full_suggestion(name, groups_.regions, "regions (physical volume groups)"));
       }
     }
@@ -62,8 +61,7 @@ private:
       return nullptr;
     }
     if (found->outer_faces + found->inner_faces > 0) return &*found;
-    context_.problems.error(entry.place("surface"),
-                            fmt::format("surface \"{}\" of the mesh has no faces", name),
+    context_.problems.error(entry.place("surface"), fmt::format("surface \"{}\" of the mesh has no faces", name),
                             "is the physical group in the .geo file empty, or were its triangles not saved?");
     return nullptr;
   }
@@ -81,14 +79,13 @@ private:
   }
 
   template <class Item>
-  void check_outer_surfaces(std::string_view table, const std::vector<Item>& items,
-                            const std::string& reason) {
+  void check_outer_surfaces(std::string_view table, const std::vector<Item>& items, const std::string& reason) {
     const auto list = context_.entries_of(table);
     for (std::size_t i = 0; i < list.size(); ++i) {
       const MeshSurface* surface = find_surface(list[i], items[i].surface);
       if (surface == nullptr || surface->outer_faces > 0) continue;
-      context_.problems.error(list[i].place("surface"),
-                              fmt::format("surface \"{}\" lies inside the body", items[i].surface), reason);
+      context_.problems.error(list[i].place("surface"), fmt::format("surface \"{}\" lies inside the body", items[i].surface),
+                              reason);
     }
   }
 

@@ -12,7 +12,8 @@ void check_keys(const CheckContext& context, const Entry& entry, const std::stri
   if (!entry.exists()) return;
   for (const std::string_view key : needed)
     if (!entry.has(key))
-      context.problems.error(entry.header(), fmt::format("{} has no \"{}\", which {} needs", table_header(*entry.table), key, chosen),
+      context.problems.error(entry.header(),
+                             fmt::format("{} has no \"{}\", which {} needs", table_header(*entry.table), key, chosen),
                              how_to_add(*find_key(*entry.table, key)));
   for (const std::string_view key : foreign)
     if (entry.has(key))
@@ -27,7 +28,8 @@ void check_record(const CheckContext& context, const Entry& entry, Motion& motio
   if (!entry.gives("file")) return;
   const std::string as_written = *entry.value->find("file")->text();
   if (!check_file(context, entry.place("file"), "record", motion.file, as_written)) return;
-  read_motion_file(motion, (context.shown_folder / as_written).lexically_normal().string(), entry.place("file"), context.problems);
+  read_motion_file(motion, (context.shown_folder / as_written).lexically_normal().string(), entry.place("file"),
+                   context.problems);
   if (motion.baseline != Baseline::none && motion.record.value.size() > 2)
     laws::take_off_baseline(motion.record, motion.baseline == Baseline::linear ? 1 : 0);
 }

@@ -50,10 +50,10 @@ struct Unit {
 };
 
 constexpr std::array units{
-    Unit{"m/s2", laws::MotionQuantity::acceleration, 1}, Unit{"g", laws::MotionQuantity::acceleration, standard_gravity},
+    Unit{"m/s2", laws::MotionQuantity::acceleration, 1},   Unit{"g", laws::MotionQuantity::acceleration, standard_gravity},
     Unit{"gal", laws::MotionQuantity::acceleration, 0.01}, Unit{"cm/s2", laws::MotionQuantity::acceleration, 0.01},
-    Unit{"m/s", laws::MotionQuantity::velocity, 1},       Unit{"cm/s", laws::MotionQuantity::velocity, 0.01},
-    Unit{"m", laws::MotionQuantity::displacement, 1},     Unit{"cm", laws::MotionQuantity::displacement, 0.01},
+    Unit{"m/s", laws::MotionQuantity::velocity, 1},        Unit{"cm/s", laws::MotionQuantity::velocity, 0.01},
+    Unit{"m", laws::MotionQuantity::displacement, 1},      Unit{"cm", laws::MotionQuantity::displacement, 0.01},
 };
 
 class MotionReader {
@@ -81,14 +81,15 @@ public:
 private:
   void report(int line, const Word& word, const std::string& what, const std::string& help) {
     failed_ = true;
-    problems_.error_in_other_file({source_, line, word.column, std::max<int>(1, static_cast<int>(word.text.size()))}, named_at_, what,
-                                  help);
+    problems_.error_in_other_file({source_, line, word.column, std::max<int>(1, static_cast<int>(word.text.size()))}, named_at_,
+                                  what, help);
   }
 
   bool take_number(int line, const Word& word, std::string_view name, Real& value) {
     const auto number = number_of(word.text);
     if (!number) {
-      report(line, word, fmt::format("{}: a number was expected, found \"{}\"", name, word.text), "write numbers such as -1.5e-4");
+      report(line, word, fmt::format("{}: a number was expected, found \"{}\"", name, word.text),
+             "write numbers such as -1.5e-4");
       return false;
     }
     if (!std::isfinite(*number)) {
@@ -101,8 +102,9 @@ private:
   }
 
   void read_csv() {
-    static constexpr std::string_view help = "the first line is such as \"time [s],acceleration [m/s2]\"; units are m/s2, g, gal, "
-                                             "cm/s2, m/s, cm/s, m and cm";
+    static constexpr std::string_view help =
+        "the first line is such as \"time [s],acceleration [m/s2]\"; units are m/s2, g, gal, "
+        "cm/s2, m/s, cm/s, m and cm";
     static const std::regex header(R"(\s*time \[s\]\s*,\s*(acceleration|velocity|displacement)( \[([^\]]*)\])?\s*)");
     if (lines_.empty()) return report(0, {}, "the record is empty", std::string(help));
     std::smatch match;
@@ -152,8 +154,8 @@ private:
       report(line, word, "times must increase", "sort the rows by time");
     else
       report(line, word,
-             fmt::format("times are not uniform: {} s after the row before, and the first step is {} s", short_number(time - last, 6),
-                         short_number(step_, 6)),
+             fmt::format("times are not uniform: {} s after the row before, and the first step is {} s",
+                         short_number(time - last, 6), short_number(step_, 6)),
              "resample the record to equal steps");
     return false;
   }
@@ -170,7 +172,8 @@ private:
       return report(4, {lines_[3], 1}, "line 4 of a PEER record gives NPTS and DT", std::string(help));
     const std::string step_text = interval[1];
     step_ = number_of(step_text.starts_with('.') ? "0" + step_text : step_text).value_or(0);
-    if (!(step_ > 0)) return report(4, {lines_[3], 1}, fmt::format("DT must be greater than 0, found {}", step_text), std::string(help));
+    if (!(step_ > 0))
+      return report(4, {lines_[3], 1}, fmt::format("DT must be greater than 0, found {}", step_text), std::string(help));
     read_block(4, standard_gravity);
     const auto wanted = std::stoull(count[1]);
     if (!failed_ && values_.size() != wanted)

@@ -33,11 +33,11 @@ struct ParticleRules {
 struct ParticleRegion {
   std::string name;
   RegionShape shape = RegionShape::rectangle;
-  Vector3 lower = Vector3::Zero();            // m, rectangle
-  Vector3 upper = Vector3::Zero();            // m, rectangle
-  std::vector<std::array<Real, 2>> points;    // m, polygon
-  std::filesystem::path file;                 // mesh: .msh or .geo
-  std::string group;                          // mesh: its volume
+  Vector3 lower = Vector3::Zero();          // m, rectangle
+  Vector3 upper = Vector3::Zero();          // m, rectangle
+  std::vector<std::array<Real, 2>> points;  // m, polygon
+  std::filesystem::path file;               // mesh: .msh or .geo
+  std::string group;                        // mesh: its volume
 };
 
 struct Ground {
@@ -47,11 +47,11 @@ struct Ground {
   Real shear_velocity = 0;     // m/s; of the three, two are given and the third follows
   Real pressure_velocity = 0;  // m/s
   Real damping_ratio = 0;
-  bool yields = false;         // whether it has a strength
-  Real cohesion = 0;           // Pa
-  Real friction_angle = 0;     // degrees
-  Real dilation_angle = 0;     // degrees
-  Real tensile_strength = 0;   // Pa
+  bool yields = false;        // whether it has a strength
+  Real cohesion = 0;          // Pa
+  Real friction_angle = 0;    // degrees
+  Real dilation_angle = 0;    // degrees
+  Real tensile_strength = 0;  // Pa
   Real rupture_strain = 0;
 };
 
@@ -65,9 +65,9 @@ struct Motion {
   std::string name;
   MotionShape type = MotionShape::ricker;
   laws::MotionQuantity quantity = laws::MotionQuantity::acceleration;
-  Real amplitude = 1;   // in the unit of the quantity; a factor for a record
-  Real frequency = 0;   // Hz
-  Real peak_time = 0;   // s
+  Real amplitude = 1;  // in the unit of the quantity; a factor for a record
+  Real frequency = 0;  // Hz
+  Real peak_time = 0;  // s
   Real cycles = 0;
   std::filesystem::path file;
   Baseline baseline = Baseline::none;
@@ -98,8 +98,8 @@ struct Noise {
 };
 
 struct UniformTime {
-  Real end = 0;               // s
-  std::optional<Real> step;   // s
+  Real end = 0;              // s
+  std::optional<Real> step;  // s
   Real stability_fraction = 0.9;
   Integrator integrator = Integrator::verlet;
   Real history_interval = 0;   // s

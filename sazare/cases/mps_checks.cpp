@@ -44,8 +44,8 @@ void check_rectangle(const CheckContext& context, const Entry& entry, const Part
     const Real whole = std::max(std::round(count), Real{1});
     context.problems.error(
         entry.place("upper"),
-        fmt::format("the spacing does not fit the region: {} m on the axis {} is {} times {} m", short_number(length, 12), "xyz"[axis],
-                    short_number(count), short_number(rules.spacing, 12)),
+        fmt::format("the spacing does not fit the region: {} m on the axis {} is {} times {} m", short_number(length, 12),
+                    "xyz"[axis], short_number(count), short_number(rules.spacing, 12)),
         fmt::format("the nearest spacing that fits is {} m; fit = \"inside\" in [particles] takes as many particles as fit",
                     short_number(length / whole, 12)));
   }
@@ -59,8 +59,8 @@ void check_polygon(const CheckContext& context, const Entry& entry, const Partic
   if (points.front() != points.back())
     context.problems.error(entry.place("points"),
                            fmt::format("the region \"{}\" is not closed: it begins at ({}, {}) and ends at ({}, {})", region.name,
-                                       short_number(points.front()[0]), short_number(points.front()[1]), short_number(points.back()[0]),
-                                       short_number(points.back()[1])),
+                                       short_number(points.front()[0]), short_number(points.front()[1]),
+                                       short_number(points.back()[0]), short_number(points.back()[1])),
                            "write the first point again at the end");
 }
 
@@ -99,7 +99,8 @@ void check_velocities(const CheckContext& context, const Entry& entry, const Gro
                            "give exactly two of them");
     return;
   }
-  if (!sound || ground.pressure_velocity * ground.pressure_velocity >= 2 * ground.shear_velocity * ground.shear_velocity * (1 - 1e-12))
+  if (!sound ||
+      ground.pressure_velocity * ground.pressure_velocity >= 2 * ground.shear_velocity * ground.shear_velocity * (1 - 1e-12))
     return;
   context.problems.error(entry.place("pressure_velocity"),
                          fmt::format("pressure_velocity must be at least sqrt(2) times shear_velocity, found {} and {} m/s",
@@ -119,7 +120,8 @@ void check_materials(const CheckContext& context, const MpsCase& mps) {
     for (std::size_t k = 0; k < regions.size(); ++k) {
       const Place place = list[i].place("regions", k);
       if (std::ranges::find(names, regions[k]) == names.end())
-        context.problems.error(place, fmt::format("there is no region \"{}\"", regions[k]), full_suggestion(regions[k], names, "regions"));
+        context.problems.error(place, fmt::format("there is no region \"{}\"", regions[k]),
+                               full_suggestion(regions[k], names, "regions"));
       if (!seen.try_emplace(regions[k], place).second)
         context.problems.error(place, fmt::format("region \"{}\" has two materials", regions[k]), "name each region once");
     }
@@ -179,10 +181,10 @@ void check_damping(const CheckContext& context, const MpsCase& mps) {
     break;
   }
   if (entry.gives("f1") && entry.gives("f2") && !(mps.damping.f1 < mps.damping.f2))
-    context.problems.error(entry.place("f2"),
-                           fmt::format("f2 must be greater than f1, found {} and {} Hz", short_number(mps.damping.f2),
-                                       short_number(mps.damping.f1)),
-                           "f1 is the lower frequency");
+    context.problems.error(
+        entry.place("f2"),
+        fmt::format("f2 must be greater than f1, found {} and {} Hz", short_number(mps.damping.f2), short_number(mps.damping.f1)),
+        "f1 is the lower frequency");
 }
 
 void check_boundaries(const CheckContext& context, const MpsCase& mps) {
@@ -196,8 +198,10 @@ void check_boundaries(const CheckContext& context, const MpsCase& mps) {
     const bool moves = boundary.kind == SideKind::prescribed || boundary.kind == SideKind::viscous;
     check_keys(context, entry, "kind " + word(boundary.kind), {},
                moves ? std::vector<std::string_view>{"axes"} : std::vector<std::string_view>{"motion_x", "motion_y", "motion_z"});
-    if (mps.particles.dimension == 2 && (boundary.side == Side::front || boundary.side == Side::back || !boundary.motion[2].empty()))
-      context.problems.error(entry.place("side"), "there is no front, back or motion_z in 2-D", "set dimension = 3 in [particles]");
+    if (mps.particles.dimension == 2 &&
+        (boundary.side == Side::front || boundary.side == Side::back || !boundary.motion[2].empty()))
+      context.problems.error(entry.place("side"), "there is no front, back or motion_z in 2-D",
+                             "set dimension = 3 in [particles]");
     const auto& held = boundary.axes;
     if (boundary.side == Side::all && (boundary.kind != SideKind::roller || !(held[0] || held[1] || held[2])))
       context.problems.error(entry.place("side"), "side \"all\" takes kind roller with axes", "add axes = [\"y\"], for example");

@@ -20,8 +20,8 @@ std::string line(std::string_view topic, const std::string& text) { return fmt::
 
 std::string motion_text(const Motion& motion) {
   if (motion.type != MotionShape::record)
-    return fmt::format("{}: {} of {}, {} Hz, amplitude {}", motion.name, word(motion.type), word(motion.quantity), number(motion.frequency),
-                       number(motion.amplitude));
+    return fmt::format("{}: {} of {}, {} Hz, amplitude {}", motion.name, word(motion.type), word(motion.quantity),
+                       number(motion.frequency), number(motion.amplitude));
   const laws::Record& record = motion.record;
   std::string text = fmt::format("{}: {}, {} of {} samples every {} s, times {}", motion.name, motion.file.filename().string(),
                                  word(motion.quantity), record.value.size(), number(record.step), number(motion.amplitude));
@@ -47,14 +47,16 @@ std::string explain(const MpsCase& mps) {
   text += line("particles", fmt::format("spacing {} m in {}-D, influence radius {} spacings", number(mps.particles.spacing),
                                         mps.particles.dimension, number(mps.particles.influence)));
   for (const Ground& ground : mps.materials)
-    text += line("materials", fmt::format("{}: {} kg/m3, S {} m/s, P {} m/s, damping {}, regions {}", ground.name, number(ground.density),
-                                          number(ground.shear_velocity), number(ground.pressure_velocity), number(ground.damping_ratio),
-                                          fmt::join(ground.regions, ", ")));
+    text += line("materials", fmt::format("{}: {} kg/m3, S {} m/s, P {} m/s, damping {}, regions {}", ground.name,
+                                          number(ground.density), number(ground.shear_velocity), number(ground.pressure_velocity),
+                                          number(ground.damping_ratio), fmt::join(ground.regions, ", ")));
   for (const Ground& ground : mps.materials)
     if (ground.yields)
-      text += line("strength", fmt::format("{}: cohesion {} Pa, friction {} degrees, dilation {} degrees, tension {} Pa, links break at a slip of {}",
-                                           ground.name, number(ground.cohesion), number(ground.friction_angle), number(ground.dilation_angle),
-                                           number(ground.tensile_strength), number(ground.rupture_strain)));
+      text += line(
+          "strength",
+          fmt::format("{}: cohesion {} Pa, friction {} degrees, dilation {} degrees, tension {} Pa, links break at a slip of {}",
+                      ground.name, number(ground.cohesion), number(ground.friction_angle), number(ground.dilation_angle),
+                      number(ground.tensile_strength), number(ground.rupture_strain)));
   if (mps.damping.f2 > 0) text += line("damping", fmt::format("at {} and {} Hz", number(mps.damping.f1), number(mps.damping.f2)));
   for (const Motion& motion : mps.motions) text += line("motions", motion_text(motion));
   for (const SideBoundary& boundary : mps.boundaries) text += line("boundaries", boundary_text(boundary));
@@ -62,8 +64,9 @@ std::string explain(const MpsCase& mps) {
     text += line("gauges", fmt::format("{}: ({}, {}, {}) m", gauge.name, number(gauge.point.x()), number(gauge.point.y()),
                                        number(gauge.point.z())));
   const auto count = [&](Real interval) { return whole_multiple(mps.time.end, interval).value_or(0); };
-  text += line("time", fmt::format("to {} s by {}, {} history rows, {} snapshots", number(mps.time.end), word(mps.time.integrator),
-                                   count(mps.time.history_interval), count(mps.time.snapshot_interval)));
+  text +=
+      line("time", fmt::format("to {} s by {}, {} history rows, {} snapshots", number(mps.time.end), word(mps.time.integrator),
+                               count(mps.time.history_interval), count(mps.time.snapshot_interval)));
   return text;
 }
 

@@ -86,10 +86,7 @@ constexpr std::array region_keys{
 
 constexpr std::array material_keys{
     Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name of the material in messages."},
-    Key{.name = "regions",
-        .type = Type::names,
-        .need = Need::required,
-        .sentence = "Regions that are made of it."},
+    Key{.name = "regions", .type = Type::names, .need = Need::required, .sentence = "Regions that are made of it."},
     Key{.name = "density",
         .type = Type::number,
         .unit = "kg/m3",
@@ -171,14 +168,16 @@ constexpr std::array boundary_keys{
     Key{.name = "side",
         .type = Type::choice,
         .need = Need::required,
-        .sentence = "Particles without a neighbour in this direction: left and right are x, front and back y in 3-D, bottom and top "
-                    "the vertical; all takes every particle.",
+        .sentence =
+            "Particles without a neighbour in this direction: left and right are x, front and back y in 3-D, bottom and top "
+            "the vertical; all takes every particle.",
         .choices = sides},
     Key{.name = "kind",
         .type = Type::choice,
         .need = Need::required,
-        .sentence = "fixed does not move, roller is held across the side, prescribed moves as given (E + F), viscous lets waves leave "
-                    "and a wave E enter.",
+        .sentence =
+            "fixed does not move, roller is held across the side, prescribed moves as given (E + F), viscous lets waves leave "
+            "and a wave E enter.",
         .choices = side_kinds},
     Key{.name = "axes",
         .type = Type::axes,
@@ -203,8 +202,9 @@ constexpr std::array ground_gravity_keys{
     Key{.name = "settle",
         .type = Type::boolean,
         .default_text = "false",
-        .sentence = "Begin at rest under gravity: the equilibrium is found first, viscous boundaries carry what they carry in it, and "
-                    "displacements count from there."},
+        .sentence =
+            "Begin at rest under gravity: the equilibrium is found first, viscous boundaries carry what they carry in it, and "
+            "displacements count from there."},
     Key{.name = "settling_steps",
         .type = Type::integer,
         .range = {.low = 1, .high = 1000000000},

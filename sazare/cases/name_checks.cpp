@@ -93,8 +93,7 @@ void check_unique_names(const CheckContext& context, std::string_view table, std
     if (name.empty()) continue;
     const Place place = list[i].has("name") ? list[i].place("name") : list[i].place("surface");
     if (name.find_first_of(",\"\n\r") != std::string::npos)
-      context.problems.error(place,
-                             fmt::format("the name \"{}\" contains a comma, a quote or a line break", name),
+      context.problems.error(place, fmt::format("the name \"{}\" contains a comma, a quote or a line break", name),
                              "names become columns of CSV files; use letters, digits, blanks, '-' and '_'");
     if (const Place* before = seen.before(name, place))
       context.problems.error(place, fmt::format("two of the {} are called \"{}\"", table, name),
@@ -121,9 +120,8 @@ void check_constraints(const CheckContext& context, const BlocksCase& blocks) {
     const Constraint& constraint = blocks.constraints[i];
     const auto none = [](const std::array<bool, 3>& axes) { return !axes[0] && !axes[1] && !axes[2]; };
     if (!none(constraint.translation) || !none(constraint.rotation)) continue;
-    context.problems.error(
-        entry.header(), "this constraint locks nothing",
-        "add translation = [\"z\"] or rotation = [\"z\"] with the axes to lock, or remove it");
+    context.problems.error(entry.header(), "this constraint locks nothing",
+                           "add translation = [\"z\"] or rotation = [\"z\"] with the axes to lock, or remove it");
   }
 }
 

@@ -29,8 +29,7 @@ std::string with_point(const std::string& digits, int whole) {
   const int count = static_cast<int>(digits.size());
   if (whole <= 0) return "0." + std::string(static_cast<std::size_t>(-whole), '0') + digits;
   if (whole >= count) return digits + std::string(static_cast<std::size_t>(whole - count), '0');
-  return digits.substr(0, static_cast<std::size_t>(whole)) + '.' +
-         digits.substr(static_cast<std::size_t>(whole));
+  return digits.substr(0, static_cast<std::size_t>(whole)) + '.' + digits.substr(static_cast<std::size_t>(whole));
 }
 
 std::string engineering(const Decimal& number) {
@@ -64,9 +63,7 @@ std::string number_text(Real value) {
   return plain ? result + ".0" : result;
 }
 
-std::string short_number(Real value, int digits) {
-  return text(value, fmt::format("{:.{}e}", std::abs(value), digits - 1));
-}
+std::string short_number(Real value, int digits) { return text(value, fmt::format("{:.{}e}", std::abs(value), digits - 1)); }
 
 std::string string_text(const std::string& value) {
   std::string out = "\"";

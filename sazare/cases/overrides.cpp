@@ -54,8 +54,8 @@ struct Override {
 };
 
 /// The entry of `list` that the text numbers, or nullptr with a problem.
-Value* find_entry(Value::Items& list, const std::string& index_text, const std::string& list_name,
-                  const Place& place, Problems& problems) {
+Value* find_entry(Value::Items& list, const std::string& index_text, const std::string& list_name, const Place& place,
+                  Problems& problems) {
   std::size_t index = 0;
   const char* end = index_text.data() + index_text.size();
   const auto [stop, failure] = std::from_chars(index_text.data(), end, index);
@@ -63,10 +63,8 @@ Value* find_entry(Value::Items& list, const std::string& index_text, const std::
                            : list.size() == 1 ? "it has only entry 0"
                                               : fmt::format("it has entries 0 to {}", list.size() - 1);
   if (failure != std::errc{} || stop != end) {
-    problems.error(
-        place,
-        fmt::format("{} is a list: a number was expected after it, found \"{}\"", list_name, index_text),
-        fmt::format("write {}.0 for the first entry; {}", list_name, last));
+    problems.error(place, fmt::format("{} is a list: a number was expected after it, found \"{}\"", list_name, index_text),
+                   fmt::format("write {}.0 for the first entry; {}", list_name, last));
     return nullptr;
   }
   if (index >= list.size()) {
@@ -96,8 +94,7 @@ void put(Value& root, const Override& setting, Value value, Problems& problems) 
         std::ranges::find(*members, part, &Member::key)->key_place = setting.path_place;
       }
     } else {
-      problems.error(setting.path_place, fmt::format("{} is not a table, it has no key {}", name, part),
-                     std::string(form));
+      problems.error(setting.path_place, fmt::format("{} is not a table, it has no key {}", name, part), std::string(form));
       return;
     }
     name += (name.empty() ? "" : ".") + part;

@@ -50,14 +50,11 @@ public:
       report(0, {}, "the pressure table is empty", help_for_header());
       return;
     }
-    if (!is_header(lines[0]))
-      report(1, trimmed(lines[0], 0, lines[0].size()), "wrong header", help_for_header());
+    if (!is_header(lines[0])) report(1, trimmed(lines[0], 0, lines[0].size()), "wrong header", help_for_header());
     for (std::size_t i = 1; i < lines.size() && errors_ < most_errors; ++i)
       if (trimmed(lines[i], 0, lines[i].size()).text.size() > 0) read_row(static_cast<int>(i) + 1, lines[i]);
     if (errors_ == 0 && table_.time.size() < 2)
-      report(0, {},
-             fmt::format("the pressure table has {}, at least 2 are needed",
-                         table_.time.empty() ? "no rows" : "1 row"),
+      report(0, {}, fmt::format("the pressure table has {}, at least 2 are needed", table_.time.empty() ? "no rows" : "1 row"),
              "pressure is linear between rows, and zero before the first and after the last");
   }
 
@@ -96,8 +93,7 @@ private:
     const auto fields = split(text);
     if (fields.size() != 2) {
       report(line, trimmed(text, 0, text.size()),
-             fmt::format("two numbers were expected, found {} field{}", fields.size(),
-                         fields.size() == 1 ? "" : "s"),
+             fmt::format("two numbers were expected, found {} field{}", fields.size(), fields.size() == 1 ? "" : "s"),
              "a row is time and pressure with a comma between them");
       return;
     }
@@ -134,14 +130,12 @@ private:
 
 }  // namespace
 
-void read_pressure_table(PressureTable& table, const std::string& shown_name, const Place& named_at,
-                         Problems& problems) {
+void read_pressure_table(PressureTable& table, const std::string& shown_name, const Place& named_at, Problems& problems) {
   std::ifstream stream(table.file, std::ios::binary);
   std::ostringstream text;
   text << stream.rdbuf();
   if (!stream) {
-    problems.error(named_at, fmt::format("the pressure table {} cannot be read", shown_name),
-                   "is it a text file?");
+    problems.error(named_at, fmt::format("the pressure table {} cannot be read", shown_name), "is it a text file?");
     return;
   }
   const int source = problems.add_source(source_from_text(shown_name, text.str()));

@@ -18,9 +18,8 @@ struct Character {
 };
 
 bool is_wide(std::uint32_t code) {
-  return (code >= 0x1100 && code <= 0x115f) || (code >= 0x2e80 && code <= 0xa4cf) ||
-         (code >= 0xac00 && code <= 0xd7a3) || (code >= 0xf900 && code <= 0xfaff) ||
-         (code >= 0xfe30 && code <= 0xfe6f) || (code >= 0xff00 && code <= 0xff60) ||
+  return (code >= 0x1100 && code <= 0x115f) || (code >= 0x2e80 && code <= 0xa4cf) || (code >= 0xac00 && code <= 0xd7a3) ||
+         (code >= 0xf900 && code <= 0xfaff) || (code >= 0xfe30 && code <= 0xfe6f) || (code >= 0xff00 && code <= 0xff60) ||
          (code >= 0x1f300 && code <= 0x1faff) || (code >= 0x20000 && code <= 0x3fffd);
 }
 
@@ -31,8 +30,7 @@ std::vector<Character> characters(std::string_view line) {
     std::size_t size = lead < 0xc0 ? 1 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
     size = std::min(size, line.size() - i);
     std::uint32_t code = size == 1 ? lead : lead & (0xffU >> (size + 1));
-    for (std::size_t k = 1; k < size; ++k)
-      code = (code << 6) | (static_cast<unsigned char>(line[i + k]) & 0x3fU);
+    for (std::size_t k = 1; k < size; ++k) code = (code << 6) | (static_cast<unsigned char>(line[i + k]) & 0x3fU);
     result.push_back({i, size, is_wide(code) ? 2 : 1});
     i += size;
   }
@@ -123,8 +121,7 @@ std::string Problems::text(std::vector<Problem> list, std::string_view kind) con
     if (place.line == 0) place.line = 1 << 30;
     return std::tuple(place.source, place.line, place.column, problem.place);
   };
-  std::stable_sort(list.begin(), list.end(),
-                   [&](const Problem& a, const Problem& b) { return key(a) < key(b); });
+  std::stable_sort(list.begin(), list.end(), [&](const Problem& a, const Problem& b) { return key(a) < key(b); });
   std::string out;
   for (const Problem& problem : list) append(out, problem, kind);
   return out;

@@ -38,10 +38,11 @@ void check_fit(const CheckContext& context, const Entry& entry, const SquareBloc
     const Real count = block.element_size > 0 ? length / block.element_size : 1;
     if (std::abs(count - std::round(count)) <= fit_tolerance && count > 0.5) continue;
     const Real whole = std::max(std::round(count), Real{1});
-    context.problems.error(entry.place("element_size"),
-                           fmt::format("the lattice does not fit the block: {} m on the axis {} is {} times {} m", short_number(length, 12),
-                                       "xy"[axis], short_number(count), short_number(block.element_size, 12)),
-                           fmt::format("the nearest element_size that fits is {} m", short_number(length / whole, 12)));
+    context.problems.error(
+        entry.place("element_size"),
+        fmt::format("the lattice does not fit the block: {} m on the axis {} is {} times {} m", short_number(length, 12),
+                    "xy"[axis], short_number(count), short_number(block.element_size, 12)),
+        fmt::format("the nearest element_size that fits is {} m", short_number(length / whole, 12)));
   }
 }
 
@@ -85,18 +86,20 @@ void check_material(const CheckContext& context, const Entry& entry, const Squar
   if (!entry.exists()) return;
   const bool springs = entry.has("normal_stiffness") && entry.has("shear_stiffness");
   const bool moduli = entry.has("youngs_modulus") && entry.has("poisson_ratio");
-  const int given = static_cast<int>(std::ranges::count_if(
-      std::array{"normal_stiffness", "shear_stiffness", "youngs_modulus", "poisson_ratio"},
-      [&](const char* key) { return entry.has(key); }));
+  const int given =
+      static_cast<int>(std::ranges::count_if(std::array{"normal_stiffness", "shear_stiffness", "youngs_modulus", "poisson_ratio"},
+                                             [&](const char* key) { return entry.has(key); }));
   if (given != 2 || !(springs || moduli))
-    context.problems.error(entry.header(), fmt::format("the stiffness of the material \"{}\" is not given by two numbers", material.name),
+    context.problems.error(entry.header(),
+                           fmt::format("the stiffness of the material \"{}\" is not given by two numbers", material.name),
                            "give normal_stiffness and shear_stiffness, or youngs_modulus and poisson_ratio, and no others");
   if (material.layout == SpringLayout::ends && entry.has("springs") && material.springs != 2)
     context.problems.error(entry.place("springs"), fmt::format("layout \"ends\" has 2 springs, found {}", material.springs),
                            "leave springs out, or choose layout \"centres\"");
 }
 
-void check_support(const CheckContext& context, const Entry& entry, const SupportMotion& moves, const std::vector<std::string>& motions) {
+void check_support(const CheckContext& context, const Entry& entry, const SupportMotion& moves,
+                   const std::vector<std::string>& motions) {
   if (!entry.exists()) return;
   check_in_plane(context, entry, "velocity", moves.velocity);
   for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -106,7 +109,8 @@ void check_support(const CheckContext& context, const Entry& entry, const Suppor
       context.problems.error(entry.place(key), fmt::format("there is no motion \"{}\"", moves.motion[axis]),
                              full_suggestion(moves.motion[axis], motions, "motions"));
     if (!moves.velocity.isZero())
-      context.problems.error(entry.place(key), "a support moves with a velocity or as a motion says, not both", "leave one of them out");
+      context.problems.error(entry.place(key), "a support moves with a velocity or as a motion says, not both",
+                             "leave one of them out");
   }
 }
 

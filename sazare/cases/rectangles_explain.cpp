@@ -13,7 +13,8 @@ std::string number(Real value) { return short_number(value, 4); }
 std::string line(std::string_view topic, const std::string& text) { return fmt::format("  {:<12}{}\n", topic, text); }
 
 std::string moves_text(const SupportMotion& moves) {
-  if (!moves.velocity.isZero()) return fmt::format(", moves with ({}, {}) m/s", number(moves.velocity.x()), number(moves.velocity.y()));
+  if (!moves.velocity.isZero())
+    return fmt::format(", moves with ({}, {}) m/s", number(moves.velocity.x()), number(moves.velocity.y()));
   std::string text;
   for (std::size_t axis = 0; axis < 2; ++axis)
     if (!moves.motion[axis].empty()) text += fmt::format(", {} moves as {}", "xy"[axis], moves.motion[axis]);
@@ -43,9 +44,9 @@ std::string explain(const RectanglesCase& rectangles) {
   std::string text = rectangles.title + "\n";
   for (const SquareBlock& block : rectangles.blocks) text += line("blocks", block_text(block));
   for (const SquareMaterial& material : rectangles.materials) text += line("materials", material_text(material));
-  text += line("contact", fmt::format("k_n {} Pa, k_s {} Pa, damping {}, friction {} deg", number(rectangles.contact.normal_stiffness),
-                                      number(rectangles.contact.shear_stiffness), number(rectangles.contact.damping_ratio),
-                                      number(rectangles.contact.friction_angle)));
+  text += line("contact", fmt::format("k_n {} Pa, k_s {} Pa, damping {}, friction {} deg",
+                                      number(rectangles.contact.normal_stiffness), number(rectangles.contact.shear_stiffness),
+                                      number(rectangles.contact.damping_ratio), number(rectangles.contact.friction_angle)));
   for (const Wall& wall : rectangles.walls) text += line("walls", wall.name + moves_text(wall.moves));
   for (const Roller& roller : rectangles.rollers)
     text += line("rollers", fmt::format("{}: radius {} m", roller.name, number(roller.radius)) + moves_text(roller.moves));

@@ -164,11 +164,8 @@ constexpr std::array contact_keys{
         .sentence = "Angle of friction of the same."},
 };
 
-constexpr Key velocity_key{.name = "velocity",
-                           .type = Type::vector,
-                           .unit = "m/s",
-                           .default_text = "[0.0, 0.0, 0.0]",
-                           .sentence = "Constant velocity."};
+constexpr Key velocity_key{
+    .name = "velocity", .type = Type::vector, .unit = "m/s", .default_text = "[0.0, 0.0, 0.0]", .sentence = "Constant velocity."};
 constexpr Key motion_x_key{.name = "motion_x", .type = Type::text, .note = "not with a velocity", .sentence = "Motion along x."};
 constexpr Key motion_y_key{.name = "motion_y", .type = Type::text, .note = "not with a velocity", .sentence = "Motion along y."};
 
@@ -256,11 +253,13 @@ constexpr std::array tables{
     Table{"elements", false, Need::optional, "What all elements have in common.", element_keys},
     Table{"blocks", true, Need::required, "Bodies of squares that are joined on a lattice, or of one rectangle.", block_keys},
     Table{"materials", true, Need::required, "What the blocks are made of.", material_keys},
-    Table{"contact", false, Need::required, "Springs, dashpots and friction where elements meet that are not joined.", contact_keys},
+    Table{"contact", false, Need::required, "Springs, dashpots and friction where elements meet that are not joined.",
+          contact_keys},
     Table{"walls", true, Need::optional, "Straight supports.", wall_keys},
     Table{"rollers", true, Need::optional, "Circular supports and platens.", roller_keys},
     motions_table,
-    Table{"base_friction", false, Need::optional, "A plate that drags all elements: the base-friction model of a slope.", plate_keys},
+    Table{"base_friction", false, Need::optional, "A plate that drags all elements: the base-friction model of a slope.",
+          plate_keys},
     gravity_table,
     Table{"gauges", true, Need::optional, "Elements whose motion is recorded.", gauge_keys},
     Table{"time", false, Need::required, "How long, in which steps, and when results are written.", time_keys},

@@ -33,8 +33,7 @@ std::string key_text(const std::string& key) {
 /// Writes the keys of one table; the visitor of `visit_fields`.
 class FieldWriter {
 public:
-  FieldWriter(std::string& out, const Table& table, const fs::path& folder)
-      : out_(out), table_(table), folder_(folder) {
+  FieldWriter(std::string& out, const Table& table, const fs::path& folder) : out_(out), table_(table), folder_(folder) {
     out_ += fmt::format("\n{}\n", table_header(table));
   }
 
@@ -62,8 +61,7 @@ private:
   static std::string text(Real value) { return number_text(value); }
   static std::string text(const std::optional<Real>& value) { return value ? number_text(*value) : ""; }
   static std::string text(const Vector3& value) {
-    return fmt::format("[{}, {}, {}]", number_text(value.x()), number_text(value.y()),
-                       number_text(value.z()));
+    return fmt::format("[{}, {}, {}]", number_text(value.x()), number_text(value.y()), number_text(value.z()));
   }
   std::string text(const fs::path& value) const {
     return string_text((folder_.empty() ? value : value.lexically_relative(fs::absolute(folder_))).string());
@@ -77,13 +75,13 @@ private:
     return list_text(names, string_text);
   }
   static std::string text(const std::vector<std::array<Real, 2>>& points) {
-    return list_text(points, [](const auto& point) { return fmt::format("[{}, {}]", number_text(point[0]), number_text(point[1])); });
+    return list_text(points,
+                     [](const auto& point) { return fmt::format("[{}, {}]", number_text(point[0]), number_text(point[1])); });
   }
   static std::string text(const std::vector<std::pair<std::string, Real>>& value) {
     if (value.empty()) return "{}";
-    const std::string list = list_text(value, [](const auto& item) {
-      return fmt::format("{} = {}", key_text(item.first), number_text(item.second));
-    });
+    const std::string list =
+        list_text(value, [](const auto& item) { return fmt::format("{} = {}", key_text(item.first), number_text(item.second)); });
     return "{ " + list.substr(1, list.size() - 2) + " }";
   }
   template <class Enum>
@@ -134,7 +132,9 @@ std::string write_resolved(const BlocksCase& blocks, const fs::path& folder) {
   return CaseWriter(blocks_schema(), folder).write(blocks, "blocks");
 }
 
-std::string write_resolved(const MpsCase& mps, const fs::path& folder) { return CaseWriter(mps_schema(), folder).write(mps, "mps"); }
+std::string write_resolved(const MpsCase& mps, const fs::path& folder) {
+  return CaseWriter(mps_schema(), folder).write(mps, "mps");
+}
 
 std::string write_resolved(const RectanglesCase& rectangles, const fs::path& folder) {
   return CaseWriter(rectangles_schema(), folder).write(rectangles, "rectangles");

@@ -12,12 +12,10 @@
 namespace sazare::cases {
 
 std::string range_text(const Range& range) {
-  const bool closed =
-      std::isfinite(range.low) && std::isfinite(range.high) && !range.low_open && !range.high_open;
+  const bool closed = std::isfinite(range.low) && std::isfinite(range.high) && !range.low_open && !range.high_open;
   if (closed) return fmt::format("from {} to {}", short_number(range.low), short_number(range.high));
   std::string out;
-  if (std::isfinite(range.low))
-    out = fmt::format("{} {}", range.low_open ? "greater than" : "at least", short_number(range.low));
+  if (std::isfinite(range.low)) out = fmt::format("{} {}", range.low_open ? "greater than" : "at least", short_number(range.low));
   if (std::isfinite(range.high)) {
     if (!out.empty()) out += " and ";
     out += fmt::format("{} {}", range.high_open ? "less than" : "at most", short_number(range.high));

@@ -41,8 +41,7 @@ Json type_json(const Key& key) {
     case Type::file:
       return {{"type", "string"}, {"minLength", 1}};
     case Type::choice:
-      return {{"type", "string"},
-              {"enum", std::vector<std::string_view>(key.choices.begin(), key.choices.end())}};
+      return {{"type", "string"}, {"enum", std::vector<std::string_view>(key.choices.begin(), key.choices.end())}};
     case Type::boolean:
       return {{"type", "boolean"}};
     case Type::number:
@@ -157,15 +156,14 @@ Json method_json(std::string_view method) {
 }
 
 void append_table(std::string& out, const Table& table) {
-  const std::string_view how = table.repeated
-                                   ? (table.need == Need::required ? " At least one." : " Any number.")
+  const std::string_view how = table.repeated                 ? (table.need == Need::required ? " At least one." : " Any number.")
                                : table.need == Need::required ? " Required."
                                                               : " Optional.";
   out += fmt::format("\n## `{}`\n\n{}{}\n\n", table_header(table), table.sentence, how);
   out += "| key | value | unit | range | default or need | meaning |\n|---|---|---|---|---|---|\n";
   for (const Key& key : table.keys)
-    out += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name, markdown_type(key), key.unit,
-                       markdown_range(key), need_text(key), key.sentence);
+    out += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name, markdown_type(key), key.unit, markdown_range(key),
+                       need_text(key), key.sentence);
 }
 
 }  // namespace
@@ -173,7 +171,8 @@ void append_table(std::string& out, const Table& table) {
 std::string schema_json() {
   Json alternatives = Json::array();
   for (const std::string_view method : method_names) alternatives.push_back(method_json(method));
-  const Json json{{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "Sazare case"}, {"oneOf", std::move(alternatives)}};
+  const Json json{
+      {"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "Sazare case"}, {"oneOf", std::move(alternatives)}};
   return json.dump(2) + "\n";
 }
 

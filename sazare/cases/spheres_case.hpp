@@ -47,15 +47,15 @@ struct SphereGroup {
   std::string name;
   std::string material;
   SphereSource source = SphereSource::one;
-  Vector3 centre = Vector3::Zero();  // m, one
-  Real radius = 0;                   // m, one, lattice, random
+  Vector3 centre = Vector3::Zero();    // m, one
+  Real radius = 0;                     // m, one, lattice, random
   std::optional<Real> largest_radius;  // m, random
-  std::filesystem::path file;        // rows of radius, x, y, z in m
-  Vector3 lower = Vector3::Zero();   // m, lattice, random
-  Vector3 upper = Vector3::Zero();   // m, lattice, random
-  std::optional<Real> spacing;       // m, lattice
-  int count = 0;                     // random
-  int seed = 1;                      // random
+  std::filesystem::path file;          // rows of radius, x, y, z in m
+  Vector3 lower = Vector3::Zero();     // m, lattice, random
+  Vector3 upper = Vector3::Zero();     // m, lattice, random
+  std::optional<Real> spacing;         // m, lattice
+  int count = 0;                       // random
+  int seed = 1;                        // random
   Vector3 velocity = Vector3::Zero();  // m/s
   Vector3 spin = Vector3::Zero();      // rad/s
   Real noise = 0;                      // m/s, of every component
@@ -66,16 +66,16 @@ struct WallRules {
   std::string name;
   std::string material;
   WallShape shape = WallShape::plane;
-  Vector3 point = Vector3::Zero();   // m, plane
-  Vector3 normal = Vector3::UnitZ(); // plane, into the room for spheres
-  Vector3 lower = Vector3::Zero();   // m, box
-  Vector3 upper = Vector3::Zero();   // m, box
-  std::filesystem::path file;        // mesh: .stl or .msh
-  std::string group;                 // mesh: surface group of a .msh
-  Real scale = 1;                    // mesh: file's unit to m
-  std::array<std::string, 3> motion; // names of motions by axis, or empty
-  Vector3 spin = Vector3::Zero();    // rad/s
-  Vector3 pivot = Vector3::Zero();   // m
+  Vector3 point = Vector3::Zero();    // m, plane
+  Vector3 normal = Vector3::UnitZ();  // plane, into the room for spheres
+  Vector3 lower = Vector3::Zero();    // m, box
+  Vector3 upper = Vector3::Zero();    // m, box
+  std::filesystem::path file;         // mesh: .stl or .msh
+  std::string group;                  // mesh: surface group of a .msh
+  Real scale = 1;                     // mesh: file's unit to m
+  std::array<std::string, 3> motion;  // names of motions by axis, or empty
+  Vector3 spin = Vector3::Zero();     // rad/s
+  Vector3 pivot = Vector3::Zero();    // m
 };
 
 /// A group whose centre of mass is recorded.

@@ -21,10 +21,11 @@ std::vector<std::string> names_of(const std::vector<Item>& items) {
 }
 
 /// Reports a name that is not among those that exist.
-void check_known(const CheckContext& context, const Entry& entry, std::string_view key, const Place& place, const std::string& name,
-                 const std::vector<std::string>& names, std::string_view what) {
+void check_known(const CheckContext& context, const Entry& entry, std::string_view key, const Place& place,
+                 const std::string& name, const std::vector<std::string>& names, std::string_view what) {
   if (!entry.gives(key) || std::ranges::find(names, name) != names.end()) return;
-  context.problems.error(place, fmt::format("there is no {} \"{}\"", what, name), full_suggestion(name, names, fmt::format("{}s", what)));
+  context.problems.error(place, fmt::format("there is no {} \"{}\"", what, name),
+                         full_suggestion(name, names, fmt::format("{}s", what)));
 }
 
 void check_box(const CheckContext& context, const Entry& entry, const Vector3& lower, const Vector3& upper,
@@ -50,7 +51,8 @@ void check_materials(const CheckContext& context, const SpheresCase& spheres) {
   const Entry contact = context.entries_of("contact").front();
   if (hertz) check_keys(context, contact, "model hertz", {}, {"normal_stiffness", "shear_stiffness"});
   if (contact.has("friction_coefficient") && contact.has("friction_angle"))
-    context.problems.error(contact.place("friction_angle"), "friction_coefficient and friction_angle are both given", "keep one of them");
+    context.problems.error(contact.place("friction_angle"), "friction_coefficient and friction_angle are both given",
+                           "keep one of them");
 }
 
 void check_pairs(const CheckContext& context, const SpheresCase& spheres) {
@@ -61,10 +63,12 @@ void check_pairs(const CheckContext& context, const SpheresCase& spheres) {
     if (spheres.contact.model == ContactModel::hertz)
       check_keys(context, list[i], "model hertz", {}, {"normal_stiffness", "shear_stiffness"});
     auto between = spheres.pairs[i].between;
-    for (std::size_t k = 0; k < 2; ++k) check_known(context, list[i], "between", list[i].place("between", k), between[k], names, "material");
+    for (std::size_t k = 0; k < 2; ++k)
+      check_known(context, list[i], "between", list[i].place("between", k), between[k], names, "material");
     std::ranges::sort(between);
     if (list[i].gives("between") && !seen.insert(between).second)
-      context.problems.error(list[i].place("between"), fmt::format("the pair \"{}\" and \"{}\" stands twice", between[0], between[1]),
+      context.problems.error(list[i].place("between"),
+                             fmt::format("the pair \"{}\" and \"{}\" stands twice", between[0], between[1]),
                              "keep one of them; the order of the two does not matter");
   }
 }
@@ -94,23 +98,28 @@ void check_groups(const CheckContext& context, const SpheresCase& spheres) {
     check_known(context, entry, "material", entry.place("material"), group.material, materials, "material");
     switch (group.source) {
       case SphereSource::one:
-        check_keys(context, entry, "one sphere", {"centre", "radius"}, {"file", "lower", "upper", "spacing", "count", "largest_radius"});
+        check_keys(context, entry, "one sphere", {"centre", "radius"},
+                   {"file", "lower", "upper", "spacing", "count", "largest_radius"});
         break;
       case SphereSource::file:
-        check_keys(context, entry, "a file", {"file"}, {"centre", "radius", "lower", "upper", "spacing", "count", "largest_radius"});
-        if (entry.gives("file")) check_file(context, entry.place("file"), "file of spheres", group.file, *entry.value->find("file")->text());
+        check_keys(context, entry, "a file", {"file"},
+                   {"centre", "radius", "lower", "upper", "spacing", "count", "largest_radius"});
+        if (entry.gives("file"))
+          check_file(context, entry.place("file"), "file of spheres", group.file, *entry.value->find("file")->text());
         break;
       case SphereSource::lattice:
         check_keys(context, entry, "a lattice", {"radius", "lower", "upper"}, {"centre", "file", "count", "largest_radius"});
         if (entry.gives("spacing") && entry.gives("radius") && *group.spacing < 2 * group.radius * (1 - 1e-9))
           context.problems.error(entry.place("spacing"),
-                                 fmt::format("spacing {} m is below the diameter, {} m", short_number(*group.spacing), short_number(2 * group.radius)),
+                                 fmt::format("spacing {} m is below the diameter, {} m", short_number(*group.spacing),
+                                             short_number(2 * group.radius)),
                                  "neighbours on the lattice would overlap");
         break;
       case SphereSource::random:
         check_keys(context, entry, "random places", {"radius", "lower", "upper", "count"}, {"centre", "file", "spacing"});
         if (entry.gives("largest_radius") && entry.gives("radius") && *group.largest_radius < group.radius)
-          context.problems.error(entry.place("largest_radius"), "largest_radius must be at least radius", "radius is the smallest of the two");
+          context.problems.error(entry.place("largest_radius"), "largest_radius must be at least radius",
+                                 "radius is the smallest of the two");
         break;
     }
     check_box(context, entry, group.lower, group.upper);
@@ -132,7 +141,8 @@ void check_walls(const CheckContext& context, const SpheresCase& spheres) {
     if (wall.shape == WallShape::plane) {
       check_keys(context, entry, "a plane", {"point", "normal"}, {"lower", "upper", "file", "group", "scale"});
       if (entry.gives("normal") && !(wall.normal.norm() > 0))
-        context.problems.error(entry.place("normal"), "normal has no length", "write the direction across the plane, such as [0.0, 0.0, 1.0]");
+        context.problems.error(entry.place("normal"), "normal has no length",
+                               "write the direction across the plane, such as [0.0, 0.0, 1.0]");
     } else if (wall.shape == WallShape::box) {
       check_keys(context, entry, "a box", {"lower", "upper"}, {"point", "normal", "file", "group", "scale"});
       check_box(context, entry, wall.lower, wall.upper);

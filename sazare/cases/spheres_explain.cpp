@@ -35,10 +35,11 @@ std::string explain(const SpheresCase& spheres) {
   std::string text = spheres.title + "\n";
   const GranularContact& contact = spheres.contact;
   for (const SphereMaterial& material : spheres.materials)
-    text += line("materials", contact.model == ContactModel::hertz
-                                  ? fmt::format("{}: {} kg/m3, E {} Pa, Poisson's ratio {}", material.name, number(material.density),
-                                                number(material.youngs_modulus), number(material.poisson_ratio))
-                                  : fmt::format("{}: {} kg/m3", material.name, number(material.density)));
+    text +=
+        line("materials", contact.model == ContactModel::hertz
+                              ? fmt::format("{}: {} kg/m3, E {} Pa, Poisson's ratio {}", material.name, number(material.density),
+                                            number(material.youngs_modulus), number(material.poisson_ratio))
+                              : fmt::format("{}: {} kg/m3", material.name, number(material.density)));
   text += line("contact", fmt::format("{}: {}", word(contact.model),
                                       contact_text(contact.restitution, contact.friction_coefficient, contact.rolling_friction)));
   for (const MaterialPair& pair : spheres.pairs)
@@ -47,12 +48,14 @@ std::string explain(const SpheresCase& spheres) {
                                                    pair.friction_coefficient.value_or(contact.friction_coefficient),
                                                    pair.rolling_friction.value_or(contact.rolling_friction))));
   for (const SphereGroup& group : spheres.spheres)
-    text += line("spheres", fmt::format("{}: {} of {}{}", group.name, word(group.source), group.material, group.held ? ", held" : ""));
+    text += line("spheres",
+                 fmt::format("{}: {} of {}{}", group.name, word(group.source), group.material, group.held ? ", held" : ""));
   for (const WallRules& wall : spheres.walls) text += line("walls", wall_text(wall));
-  for (const GroupGauge& gauge : spheres.gauges) text += line("gauges", fmt::format("{}: centre of mass of {}", gauge.name, gauge.group));
+  for (const GroupGauge& gauge : spheres.gauges)
+    text += line("gauges", fmt::format("{}: centre of mass of {}", gauge.name, gauge.group));
   const auto count = [&](Real interval) { return whole_multiple(spheres.time.end, interval).value_or(0); };
-  text += line("time", fmt::format("to {} s, {} history rows, {} snapshots", number(spheres.time.end), count(spheres.time.history_interval),
-                                   count(spheres.time.snapshot_interval)));
+  text += line("time", fmt::format("to {} s, {} history rows, {} snapshots", number(spheres.time.end),
+                                   count(spheres.time.history_interval), count(spheres.time.snapshot_interval)));
   return text;
 }
 

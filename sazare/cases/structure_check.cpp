@@ -90,13 +90,11 @@ private:
         continue;
       }
       item.wrong = true;
-      problems_.error(item.place,
-                      fmt::format("an entry of {} is a table, found {}", member.key, describe(item)),
+      problems_.error(item.place, fmt::format("an entry of {} is a table, found {}", member.key, describe(item)),
                       fmt::format("write {} and the keys of the entry below it", table_header(table)));
     }
     if (items->empty() && table.need == Need::required)
-      problems_.error(member.key_place, fmt::format("{} needs at least one entry", member.key),
-                      std::string(table.sentence));
+      problems_.error(member.key_place, fmt::format("{} needs at least one entry", member.key), std::string(table.sentence));
   }
 
   void check_table(const Table& table, Value& value) {
@@ -109,8 +107,7 @@ private:
     }
     for (const Key& key : table.keys) {
       if (key.need != Need::required || value.find(key.name) != nullptr) continue;
-      problems_.error(value.place, fmt::format("{} has no \"{}\"", table_header(table), key.name),
-                      how_to_add(key));
+      problems_.error(value.place, fmt::format("{} has no \"{}\"", table_header(table), key.name), how_to_add(key));
     }
   }
 
@@ -118,9 +115,8 @@ private:
     const auto names = key_names(table);
     const std::string what = fmt::format("unknown key \"{}\" in {}", member.key, table_header(table));
     const std::string owners = tables_with_key(schema_, member.key);
-    problems_.error(
-        member.key_place, what,
-        owners.empty() ? suggestion(member.key, names, "keys") : fmt::format("it is a key of {}", owners));
+    problems_.error(member.key_place, what,
+                    owners.empty() ? suggestion(member.key, names, "keys") : fmt::format("it is a key of {}", owners));
   }
 
   std::span<const Table> schema_;
@@ -135,8 +131,7 @@ std::string table_header(const Table& table) {
 
 std::string how_to_add(const Key& key) {
   const std::string range = range_text(key.range);
-  return fmt::format("add {} = ... ({}{}{}): {}", key.name, type_text(key), range.empty() ? "" : ", ", range,
-                     key.sentence);
+  return fmt::format("add {} = ... ({}{}{}): {}", key.name, type_text(key), range.empty() ? "" : ", ", range, key.sentence);
 }
 
 void check_structure(Value& root, std::span<const Table> schema, Problems& problems) {

@@ -52,7 +52,8 @@ void check_study(const CheckContext& context, const Study& study) {
   const auto families = context.entries_of("families");
   for (std::size_t i = 0; i < families.size(); ++i)
     if (families[i].gives("case"))
-      check_file(context, families[i].place("case"), "case file", study.families[i].file, *families[i].value->find("case")->text());
+      check_file(context, families[i].place("case"), "case file", study.families[i].file,
+                 *families[i].value->find("case")->text());
   const auto parameters = context.entries_of("parameters");
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const std::size_t keys = study.parameters[i].keys.size();

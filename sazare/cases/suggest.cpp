@@ -60,8 +60,7 @@ std::string quoted_list(std::span<const std::string> words, std::string_view las
   return out;
 }
 
-std::string suggestion(std::string_view word, std::span<const std::string> candidates,
-                       std::string_view plural) {
+std::string suggestion(std::string_view word, std::span<const std::string> candidates, std::string_view plural) {
   if (candidates.empty()) return fmt::format("there are no {}", plural);
   const std::string near = nearest_word(word, candidates);
   if (!near.empty()) return fmt::format("did you mean \"{}\"?", near);
@@ -69,8 +68,7 @@ std::string suggestion(std::string_view word, std::span<const std::string> candi
   return fmt::format("the {} are {}", plural, quoted_list(candidates));
 }
 
-std::string full_suggestion(std::string_view word, std::span<const std::string> candidates,
-                            std::string_view plural) {
+std::string full_suggestion(std::string_view word, std::span<const std::string> candidates, std::string_view plural) {
   const std::string near = suggestion(word, candidates, plural);
   if (!near.starts_with("did you mean") || candidates.size() == 1) return near;
   return fmt::format("{} the {} are {}", near, plural, quoted_list(candidates));

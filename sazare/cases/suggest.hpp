@@ -15,12 +15,10 @@ int edit_distance(std::string_view from, std::string_view to);
 std::string nearest_word(std::string_view word, std::span<const std::string> candidates);
 
 /// `did you mean "x"?` where one is near, otherwise the list of what exists.
-std::string suggestion(std::string_view word, std::span<const std::string> candidates,
-                       std::string_view plural);
+std::string suggestion(std::string_view word, std::span<const std::string> candidates, std::string_view plural);
 
 /// The same with the list of what exists in any case.
-std::string full_suggestion(std::string_view word, std::span<const std::string> candidates,
-                            std::string_view plural);
+std::string full_suggestion(std::string_view word, std::span<const std::string> candidates, std::string_view plural);
 
 /// "a", "b" and "c"
 std::string quoted_list(std::span<const std::string> words, std::string_view last = "and");

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "sazare/cases/number_text.hpp"
 #include "sazare/cases/case_keys.hpp"
+#include "sazare/cases/number_text.hpp"
 #include "sazare/cases/units.hpp"
 
 namespace sazare::cases {
@@ -33,8 +33,7 @@ std::string help_for_unit(const std::string& name, const Quantity& quantity) {
     for (const Table& table : schema_of(method)) {
       const Key* key = find_key(table, name);
       const auto number = key == nullptr ? std::nullopt : converted(quantity, key->unit);
-      if (number)
-        return fmt::format("write {} = {}, without unit; the unit is {}", name, short_number(*number, 12), key->unit);
+      if (number) return fmt::format("write {} = {}, without unit; the unit is {}", name, short_number(*number, 12), key->unit);
     }
   return "write the number alone; the reference page names the unit of each key";
 }

@@ -23,26 +23,16 @@ struct Symbol {
 constexpr Real degrees_per_radian = 180 / std::numbers::pi;
 
 constexpr std::array symbols{
-    Symbol{"Pa", {1, {1, -1, -2, 0}}, true},
-    Symbol{"N", {1, {1, 1, -2, 0}}, true},
-    Symbol{"J", {1, {1, 2, -2, 0}}, true},
-    Symbol{"m", {1, {0, 1, 0, 0}}, true},
-    Symbol{"s", {1, {0, 0, 1, 0}}, true},
-    Symbol{"g", {1e-3, {1, 0, 0, 0}}, true},
-    Symbol{"t", {1e3, {1, 0, 0, 0}}, false},
-    Symbol{"bar", {1e5, {1, -1, -2, 0}}, true},
-    Symbol{"min", {60, {0, 0, 1, 0}}, false},
-    Symbol{"h", {3600, {0, 0, 1, 0}}, false},
-    Symbol{"sec", {1, {0, 0, 1, 0}}, false},
-    Symbol{"kgf", {9.80665, {1, 1, -2, 0}}, false},
-    Symbol{"tf", {9806.65, {1, 1, -2, 0}}, false},
-    Symbol{"psi", {6894.757293168, {1, -1, -2, 0}}, false},
-    Symbol{"deg", {1, {0, 0, 0, 1}}, false},
-    Symbol{"degree", {1, {0, 0, 0, 1}}, false},
-    Symbol{"degrees", {1, {0, 0, 0, 1}}, false},
-    Symbol{"°", {1, {0, 0, 0, 1}}, false},
-    Symbol{"Hz", {1, {0, 0, -1, 0}}, true},
-    Symbol{"rad", {degrees_per_radian, {0, 0, 0, 1}}, false},
+    Symbol{"Pa", {1, {1, -1, -2, 0}}, true},       Symbol{"N", {1, {1, 1, -2, 0}}, true},
+    Symbol{"J", {1, {1, 2, -2, 0}}, true},         Symbol{"m", {1, {0, 1, 0, 0}}, true},
+    Symbol{"s", {1, {0, 0, 1, 0}}, true},          Symbol{"g", {1e-3, {1, 0, 0, 0}}, true},
+    Symbol{"t", {1e3, {1, 0, 0, 0}}, false},       Symbol{"bar", {1e5, {1, -1, -2, 0}}, true},
+    Symbol{"min", {60, {0, 0, 1, 0}}, false},      Symbol{"h", {3600, {0, 0, 1, 0}}, false},
+    Symbol{"sec", {1, {0, 0, 1, 0}}, false},       Symbol{"kgf", {9.80665, {1, 1, -2, 0}}, false},
+    Symbol{"tf", {9806.65, {1, 1, -2, 0}}, false}, Symbol{"psi", {6894.757293168, {1, -1, -2, 0}}, false},
+    Symbol{"deg", {1, {0, 0, 0, 1}}, false},       Symbol{"degree", {1, {0, 0, 0, 1}}, false},
+    Symbol{"degrees", {1, {0, 0, 0, 1}}, false},   Symbol{"°", {1, {0, 0, 0, 1}}, false},
+    Symbol{"Hz", {1, {0, 0, -1, 0}}, true},        Symbol{"rad", {degrees_per_radian, {0, 0, 0, 1}}, false},
 };
 
 struct Prefix {
@@ -50,9 +40,8 @@ struct Prefix {
   Real factor;
 };
 
-constexpr std::array prefixes{Prefix{"G", 1e9},  Prefix{"M", 1e6},  Prefix{"k", 1e3},  Prefix{"c", 1e-2},
-                              Prefix{"m", 1e-3}, Prefix{"µ", 1e-6}, Prefix{"μ", 1e-6}, Prefix{"u", 1e-6},
-                              Prefix{"n", 1e-9}, Prefix{"h", 1e2}};
+constexpr std::array prefixes{Prefix{"G", 1e9},  Prefix{"M", 1e6},  Prefix{"k", 1e3},  Prefix{"c", 1e-2}, Prefix{"m", 1e-3},
+                              Prefix{"µ", 1e-6}, Prefix{"μ", 1e-6}, Prefix{"u", 1e-6}, Prefix{"n", 1e-9}, Prefix{"h", 1e2}};
 
 std::optional<Unit> simple_unit(std::string_view name) {
   for (const Symbol& symbol : symbols)

@@ -56,8 +56,7 @@ public:
 
 private:
   bool refuse(const Value& value, std::string help) {
-    problems_.error(value.place,
-                    fmt::format("{}: {} was expected, found {}", key_.name, type_text(key_), describe(value)),
+    problems_.error(value.place, fmt::format("{}: {} was expected, found {}", key_.name, type_text(key_), describe(value)),
                     std::move(help));
     return false;
   }
@@ -83,8 +82,7 @@ private:
     if (value.text() == nullptr) return refuse(value, "put the word between double quotes");
     if (std::ranges::find(words, *value.text()) != words.end()) return true;
     const std::string near = nearest_word(*value.text(), words);
-    return refuse(value,
-                  near.empty() ? std::string(key_.sentence) : fmt::format("did you mean \"{}\"?", near));
+    return refuse(value, near.empty() ? std::string(key_.sentence) : fmt::format("did you mean \"{}\"?", near));
   }
 
   bool is_boolean(const Value& value) {
@@ -96,13 +94,11 @@ private:
   std::string help_for_number(const Value& value) const {
     const auto quantity = value.text() != nullptr ? parse_quantity(*value.text()) : std::nullopt;
     if (!quantity) return std::string(key_.sentence);
-    const std::string in_unit =
-        key_.unit.empty() ? "it has no unit" : fmt::format("the unit is {}", key_.unit);
+    const std::string in_unit = key_.unit.empty() ? "it has no unit" : fmt::format("the unit is {}", key_.unit);
     if (const auto number = converted(*quantity, key_.unit))
-      return fmt::format("write {}{}, without quotes and unit; {}",
-                         key_.type == Type::vector ? "" : assignment(), short_number(*number, 12), in_unit);
-    return fmt::format("write the number alone; {}, and \"{}\" is not a unit of that kind", in_unit,
-                       quantity->unit);
+      return fmt::format("write {}{}, without quotes and unit; {}", key_.type == Type::vector ? "" : assignment(),
+                         short_number(*number, 12), in_unit);
+    return fmt::format("write the number alone; {}, and \"{}\" is not a unit of that kind", in_unit, quantity->unit);
   }
 
   bool is_number(const Value& value) {
@@ -117,16 +113,13 @@ private:
     std::string range = finite || std::isinf(number) ? range_text(key_.range) : "";
     if (!finite) range = range.empty() ? "a finite number" : "finite and " + range;
     const std::string unit = key_.unit.empty() ? "" : fmt::format(" {}", key_.unit);
-    problems_.error(
-        value.place,
-        fmt::format("{} must be {}, found {}{}", key_.name, range, short_number(number, 12), unit),
-        std::string(key_.sentence));
+    problems_.error(value.place, fmt::format("{} must be {}, found {}{}", key_.name, range, short_number(number, 12), unit),
+                    std::string(key_.sentence));
     return false;
   }
 
   bool is_integer(const Value& value) {
-    if (const auto* whole = std::get_if<std::int64_t>(&value.data))
-      return is_in_range(value, static_cast<Real>(*whole));
+    if (const auto* whole = std::get_if<std::int64_t>(&value.data)) return is_in_range(value, static_cast<Real>(*whole));
     return refuse(value, std::string(key_.sentence));
   }
 
@@ -139,8 +132,7 @@ private:
         good = is_in_range(item, *number_in(item)) && good;
         continue;
       }
-      problems_.error(item.place,
-                      fmt::format("{}: a number was expected, found {}", key_.name, describe(item)),
+      problems_.error(item.place, fmt::format("{}: a number was expected, found {}", key_.name, describe(item)),
                       help_for_number(item));
       good = false;
     }
@@ -156,19 +148,15 @@ private:
     bool good = true;
     for (auto item = items->begin(); item != items->end(); ++item) {
       if (item->text() == nullptr) {
-        problems_.error(item->place,
-                        fmt::format("{}: a name was expected, found {}", key_.name, describe(*item)),
+        problems_.error(item->place, fmt::format("{}: a name was expected, found {}", key_.name, describe(*item)),
                         "put names between double quotes");
         good = false;
         continue;
       }
       good = is_good_text(*item) && good;
-      const auto same = [&](const Value& other) {
-        return other.text() != nullptr && *other.text() == *item->text();
-      };
+      const auto same = [&](const Value& other) { return other.text() != nullptr && *other.text() == *item->text(); };
       if (most == 2 || std::none_of(items->begin(), item, same)) continue;
-      problems_.error(item->place,
-                      fmt::format("{}: \"{}\" stands twice in the list", key_.name, *item->text()),
+      problems_.error(item->place, fmt::format("{}: \"{}\" stands twice in the list", key_.name, *item->text()),
                       "write each name once");
       good = false;
     }
@@ -177,14 +165,12 @@ private:
 
   bool is_axes(const Value& value) {
     const auto* items = value.items();
-    if (items == nullptr)
-      return refuse(value, fmt::format("write {} = [\"x\", \"z\"], for example", key_.name));
+    if (items == nullptr) return refuse(value, fmt::format("write {} = [\"x\", \"z\"], for example", key_.name));
     bool good = true;
     for (const Value& item : *items) {
       const std::string axis = item.text() != nullptr ? *item.text() : "";
       if (axis == "x" || axis == "y" || axis == "z") continue;
-      problems_.error(item.place,
-                      fmt::format("{}: an axis was expected, found {}", key_.name, describe(item)),
+      problems_.error(item.place, fmt::format("{}: an axis was expected, found {}", key_.name, describe(item)),
                       "the axes are \"x\", \"y\" and \"z\"");
       good = false;
     }
@@ -200,7 +186,8 @@ private:
         good = is_in_range(item, *number_in(item)) && good;
         continue;
       }
-      problems_.error(item.place, fmt::format("{}: a number was expected, found {}", key_.name, describe(item)), help_for_number(item));
+      problems_.error(item.place, fmt::format("{}: a number was expected, found {}", key_.name, describe(item)),
+                      help_for_number(item));
       good = false;
     }
     return good;
@@ -227,10 +214,9 @@ private:
     for (const Member& member : *value.members()) {
       const auto number = number_in(member.value);
       if (number && std::isfinite(*number)) continue;
-      problems_.error(
-          member.value.place,
-          fmt::format("{}: a finite number was expected, found {}", member.key, describe(member.value)),
-          std::string(key_.sentence));
+      problems_.error(member.value.place,
+                      fmt::format("{}: a finite number was expected, found {}", member.key, describe(member.value)),
+                      std::string(key_.sentence));
       good = false;
     }
     return good;

@@ -15,7 +15,7 @@
 namespace sazare {
 
 class Archive {
- public:
+public:
   virtual ~Archive() = default;
   virtual bool reading() const = 0;
 
@@ -32,7 +32,7 @@ class Archive {
 
   /// A single plain value.
   template <class T>
-    requires std::is_arithmetic_v<T>
+  requires std::is_arithmetic_v<T>
   void operator()(const std::string& name, T& value) {
     std::vector<T> column{value};
     (*this)(name, column);
@@ -49,11 +49,11 @@ class Archive {
     prefix_ = outer;
   }
 
- protected:
+protected:
   virtual void write(const std::string& name, std::span<const std::byte> bytes) = 0;
   virtual std::vector<std::byte> read(const std::string& name) = 0;
 
- private:
+private:
   std::string prefix_;
 };
 

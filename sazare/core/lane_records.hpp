@@ -27,8 +27,10 @@ inline void transpose(std::array<Lanes, lane_count>& rows) {
     rows[k + 4] = __builtin_shufflevector(quads[k], quads[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
   }
 #else
-  const Lanes a = __builtin_shufflevector(rows[0], rows[1], 0, 4, 2, 6), b = __builtin_shufflevector(rows[0], rows[1], 1, 5, 3, 7);
-  const Lanes c = __builtin_shufflevector(rows[2], rows[3], 0, 4, 2, 6), d = __builtin_shufflevector(rows[2], rows[3], 1, 5, 3, 7);
+  const Lanes a = __builtin_shufflevector(rows[0], rows[1], 0, 4, 2, 6),
+              b = __builtin_shufflevector(rows[0], rows[1], 1, 5, 3, 7);
+  const Lanes c = __builtin_shufflevector(rows[2], rows[3], 0, 4, 2, 6),
+              d = __builtin_shufflevector(rows[2], rows[3], 1, 5, 3, 7);
   rows[0] = __builtin_shufflevector(a, c, 0, 1, 4, 5);
   rows[1] = __builtin_shufflevector(b, d, 0, 1, 4, 5);
   rows[2] = __builtin_shufflevector(a, c, 2, 3, 6, 7);
@@ -74,12 +76,14 @@ inline void store_quads(const std::array<Lanes, 4>& fields, const std::array<Rea
   }
   for (int lane = 0; lane < lanes; ++lane) {
     const Lanes& half = halves[static_cast<std::size_t>(lane % 4)];
-    std::memcpy(to[static_cast<std::size_t>(lane)], reinterpret_cast<const char*>(&half) + lane / 4 * 4 * sizeof(Real), 4 * sizeof(Real));
+    std::memcpy(to[static_cast<std::size_t>(lane)], reinterpret_cast<const char*>(&half) + lane / 4 * 4 * sizeof(Real),
+                4 * sizeof(Real));
   }
 #else
   std::array<Lanes, lane_count> rows = fields;
   transpose(rows);
-  for (int lane = 0; lane < lanes; ++lane) std::memcpy(to[static_cast<std::size_t>(lane)], &rows[static_cast<std::size_t>(lane)], sizeof(Lanes));
+  for (int lane = 0; lane < lanes; ++lane)
+    std::memcpy(to[static_cast<std::size_t>(lane)], &rows[static_cast<std::size_t>(lane)], sizeof(Lanes));
 #endif
 }
 

@@ -33,7 +33,9 @@ inline std::vector<Real> start_vector(std::size_t n) {
   return x;
 }
 
-inline Real dot(const std::vector<Real>& a, const std::vector<Real>& b) { return std::inner_product(a.begin(), a.end(), b.begin(), Real{0}); }
+inline Real dot(const std::vector<Real>& a, const std::vector<Real>& b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), Real{0});
+}
 
 /// Largest eigenvalue of the tridiagonal matrix, by counting those above a number (Sturm).
 inline Real largest_of_tridiagonal(const std::vector<Real>& diagonal, const std::vector<Real>& beside) {
@@ -58,8 +60,8 @@ inline Real largest_of_tridiagonal(const std::vector<Real>& diagonal, const std:
 
 }  // namespace eigenvalue
 
-/// Relative error about `tolerance`, of a positive semidefinite matrix of n rows: power iteration in Lanczos's form, which takes the best
-/// of all iterates. The starting vector is always the same.
+/// Relative error about `tolerance`, of a positive semidefinite matrix of n rows: power iteration in Lanczos's form, which takes
+/// the best of all iterates. The starting vector is always the same.
 inline Real largest_eigenvalue(std::size_t n, const LinearMap& map, Real tolerance = 1e-7) {
   std::vector<Real> x = eigenvalue::start_vector(n), before(n, 0), y(n);
   std::vector<Real> diagonal, beside;

@@ -12,7 +12,7 @@
 namespace sazare {
 
 class Parcel {
- public:
+public:
   /// To be packed.
   Parcel() = default;
   /// To be unpacked; the bytes must stay.
@@ -36,7 +36,7 @@ class Parcel {
     carry(records.data(), count * sizeof(T));
   }
 
- private:
+private:
   void carry(void* record, std::size_t size) {
     if (size == 0) return;
     if (!unpacks_) {

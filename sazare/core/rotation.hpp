@@ -23,8 +23,6 @@ inline Angular<2> moment(const Vector<2>& arm, const Vector<2>& force) {
 
 /// Velocity of a point on an arm that turns: spin x arm.
 inline Vector3 turned(const Vector3& spin, const Vector3& arm) { return spin.cross(arm); }
-inline Vector<2> turned(const Angular<2>& spin, const Vector<2>& arm) {
-  return Vector<2>(-spin[0] * arm.y(), spin[0] * arm.x());
-}
+inline Vector<2> turned(const Angular<2>& spin, const Vector<2>& arm) { return Vector<2>(-spin[0] * arm.y(), spin[0] * arm.x()); }
 
 }  // namespace sazare

@@ -7,8 +7,8 @@ namespace sazare::distribute {
 
 namespace {
 
-constexpr Real newest_share = 0.5;      // of the last interval in the smoothed costs
-constexpr Real least_cost = 0.02;       // of the mean cost of a body
+constexpr Real newest_share = 0.5;  // of the last interval in the smoothed costs
+constexpr Real least_cost = 0.02;   // of the mean cost of a body
 constexpr Real largest_correction = 4;
 constexpr Real tolerated_excess = 0.02;  // of the dearest range over the mean
 

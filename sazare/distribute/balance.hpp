@@ -24,7 +24,7 @@ struct Work {
 };
 
 class Balance {
- public:
+public:
   explicit Balance(Policy policy) : policy_(policy) {}
 
   Policy policy() const { return policy_; }
@@ -38,7 +38,7 @@ class Balance {
   /// they are unless the imbalance is worth it.
   Ranges cut(const Ranges& now, const std::vector<Work>& work, const std::vector<std::vector<Real>>& due);
 
- private:
+private:
   void predict(const Ranges& now, const std::vector<Work>& work, const std::vector<std::vector<Real>>& due);
   void learn_from_error(const Ranges& now, const std::vector<Work>& work);
 

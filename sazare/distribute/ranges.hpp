@@ -10,7 +10,7 @@
 namespace sazare::distribute {
 
 class Ranges {
- public:
+public:
   /// Everything to the first of one rank.
   Ranges() = default;
   /// `begin` by rank, and the end: rising from 0 to the number of bodies.
@@ -25,7 +25,7 @@ class Ranges {
 
   friend bool operator==(const Ranges& one, const Ranges& other) { return one.begin_ == other.begin_; }
 
- private:
+private:
   std::vector<Index> begin_ = {0, 0};
   std::vector<int> owner_;  ///< by body
 };

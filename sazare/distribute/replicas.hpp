@@ -22,7 +22,7 @@ namespace sazare::distribute {
 
 template <int D>
 class Replicas final : public terms::Peers {
- public:
+public:
   using Terms = std::vector<std::unique_ptr<terms::Term<D>>>;
 
   /// The bodies and terms are those of the simulation, and stay. Begins with equal ranges.
@@ -56,7 +56,7 @@ class Replicas final : public terms::Peers {
   /// New ranges; everything must have been collected before.
   void divide(Ranges ranges);
 
- private:
+private:
   struct Moving {
     state::Motion<D> motion;
     state::Inertia<D> inertia;

@@ -14,8 +14,14 @@ std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
 template <int D>
 LevelKeeper<D>::LevelKeeper(const StepRules& rules, const TermList<D>& terms, const state::Bodies<D>& bodies)
-    : rules_(rules), clocks_(terms.size()), resting_(terms.size()), links_(at(bodies.size())), level_(at(bodies.size()), 0),
-      by_rates_(at(bodies.size())), asked_(at(bodies.size()), -1), terms_(&terms) {
+    : rules_(rules),
+      clocks_(terms.size()),
+      resting_(terms.size()),
+      links_(at(bodies.size())),
+      level_(at(bodies.size()), 0),
+      by_rates_(at(bodies.size())),
+      asked_(at(bodies.size()), -1),
+      terms_(&terms) {
   for (int level = 0; level < schedule::level_count; ++level)
     steps_[static_cast<std::size_t>(level)] = rules_.base_step / static_cast<Real>(Tick{1} << level);
   for (Index body = 0; body < bodies.size(); ++body) {
@@ -173,8 +179,7 @@ void LevelKeeper<D>::relevel(const state::Bodies<D>& bodies) {
   std::vector<std::int8_t> wanted = by_rates_;
   if (travels)
     for (Index body = 0; body < bodies.size(); ++body)
-      wanted[at(body)] =
-          static_cast<std::int8_t>(level_for_speed(wanted[at(body)], bodies.motion[at(body)].velocity.norm()));
+      wanted[at(body)] = static_cast<std::int8_t>(level_for_speed(wanted[at(body)], bodies.motion[at(body)].velocity.norm()));
   if (rules_.uniform)
     std::fill(wanted.begin(), wanted.end(), wanted.empty() ? std::int8_t{0} : *std::max_element(wanted.begin(), wanted.end()));
   else

@@ -31,7 +31,7 @@ struct LinkOf {
 
 template <int D>
 class LevelKeeper {
- public:
+public:
   LevelKeeper(const StepRules& rules, const TermList<D>& terms, const state::Bodies<D>& bodies);
 
   const StepRules& rules() const { return rules_; }
@@ -60,7 +60,7 @@ class LevelKeeper {
 
   void columns(Archive& archive);
 
- private:
+private:
   int wanted_by_rates(Index body) const;
   const Link& bodies_of(const LinkOf& link) const;
   int link_level(const LinkOf& of) const;
@@ -77,15 +77,15 @@ class LevelKeeper {
 
   StepRules rules_;
   std::array<Real, schedule::level_count> steps_{};  ///< by level [s]
-  schedule::Buckets paces_;                       ///< bodies by the level at which they are kicked
-  std::vector<schedule::LinkClock> clocks_;       ///< by term
-  std::vector<std::vector<std::int8_t>> resting_;  ///< by term and link; shorter than there are links
-  std::vector<std::vector<LinkOf>> links_;        ///< by body
-  std::vector<std::int8_t> level_;                ///< by body
-  std::vector<std::int8_t> by_rates_;             ///< level that a body's own springs and dashpots ask for
-  std::vector<std::int8_t> asked_;                ///< level asked for since the last tick, where in `asking_`
+  schedule::Buckets paces_;                          ///< bodies by the level at which they are kicked
+  std::vector<schedule::LinkClock> clocks_;          ///< by term
+  std::vector<std::vector<std::int8_t>> resting_;    ///< by term and link; shorter than there are links
+  std::vector<std::vector<LinkOf>> links_;           ///< by body
+  std::vector<std::int8_t> level_;                   ///< by body
+  std::vector<std::int8_t> by_rates_;                ///< level that a body's own springs and dashpots ask for
+  std::vector<std::int8_t> asked_;                   ///< level asked for since the last tick, where in `asking_`
   std::vector<Index> asking_;
-  std::vector<Index> calmed_;                     ///< bodies whose pace may fall at the next base step
+  std::vector<Index> calmed_;  ///< bodies whose pace may fall at the next base step
   const TermList<D>* terms_ = nullptr;
   bool stale_ = true;  ///< whether a relevel could change anything
 };

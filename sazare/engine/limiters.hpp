@@ -12,12 +12,12 @@ namespace sazare::engine {
 
 /// How steps are chosen.
 struct StepRules {
-  Real base_step = 0;           ///< level 0 [s]
-  bool uniform = false;         ///< all bodies take the finest level that any asks for
-  bool stability = true;        ///< limit by each body's own springs and dashpots
-  Real stability_fraction = 0.5;  ///< of the limit with the neighbours held
+  Real base_step = 0;                                          ///< level 0 [s]
+  bool uniform = false;                                        ///< all bodies take the finest level that any asks for
+  bool stability = true;                                       ///< limit by each body's own springs and dashpots
+  Real stability_fraction = 0.5;                               ///< of the limit with the neighbours held
   Real travel_length = std::numeric_limits<Real>::infinity();  ///< largest travel in a step [m]
-  int neighbor_levels = 2;      ///< largest difference of level between linked bodies
+  int neighbor_levels = 2;                                     ///< largest difference of level between linked bodies
 };
 
 /// Largest stable step [s] of a body with its neighbours held, by leapfrog with the dashpot's velocity foreseen from the last

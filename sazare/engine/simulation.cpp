@@ -25,8 +25,12 @@ std::int64_t clock_now() { return std::chrono::steady_clock::now().time_since_ep
 
 template <int D>
 Simulation<D>::Simulation(state::Bodies<D> bodies, TermList<D> terms, const StepRules& rules, const Sharing& sharing)
-    : bodies_(std::move(bodies)), terms_(std::move(terms)), levels_(rules, terms_, bodies_), due_links_(terms_.size()),
-      balance_(sharing.policy), interval_(sharing.interval) {
+    : bodies_(std::move(bodies)),
+      terms_(std::move(terms)),
+      levels_(rules, terms_, bodies_),
+      due_links_(terms_.size()),
+      balance_(sharing.policy),
+      interval_(sharing.interval) {
   if (sharing.ranks != nullptr && sharing.ranks->size() > 1)
     replicas_ = std::make_unique<distribute::Replicas<D>>(*sharing.ranks, bodies_, terms_);
   own_work_ = {std::vector<Real>(terms_.size() + 1, 0), std::vector<std::int64_t>(terms_.size() + 1, 0)};

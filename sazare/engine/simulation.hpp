@@ -18,9 +18,9 @@ namespace sazare::engine {
 
 /// What the run has cost so far.
 struct Counters {
-  std::int64_t ticks = 0;             ///< ticks at which anything was due
-  std::int64_t kicks = 0;             ///< steps of bodies
-  std::int64_t pair_evaluations = 0;  ///< links of two bodies
+  std::int64_t ticks = 0;                ///< ticks at which anything was due
+  std::int64_t kicks = 0;                ///< steps of bodies
+  std::int64_t pair_evaluations = 0;     ///< links of two bodies
   std::int64_t uniform_evaluations = 0;  ///< what they would have been had all bodies stepped with the finest
 };
 
@@ -49,15 +49,15 @@ struct Sharing {
 struct RankWork {
   Tick tick = 0;
   int rank = 0;
-  Real seconds = 0;         ///< of processor time in evaluations and kicks, since the last cut
-  Real talking = 0;         ///< of wall time in exchanges with others, since the run began [s]
-  std::int64_t bytes = 0;   ///< sent to others, since the run began
-  Index first_body = 0;     ///< of its range until then
+  Real seconds = 0;        ///< of processor time in evaluations and kicks, since the last cut
+  Real talking = 0;        ///< of wall time in exchanges with others, since the run began [s]
+  std::int64_t bytes = 0;  ///< sent to others, since the run began
+  Index first_body = 0;    ///< of its range until then
 };
 
 template <int D>
 class Simulation {
- public:
+public:
   Simulation(state::Bodies<D> bodies, TermList<D> terms, const StepRules& rules, const Sharing& sharing = {});
   Simulation(const Simulation&) = delete;  // the levels look at its terms
   Simulation& operator=(const Simulation&) = delete;
@@ -98,7 +98,7 @@ class Simulation {
   /// All columns of a checkpoint. After reading, the run goes on as if it had never stopped.
   void columns(Archive& archive);
 
- private:
+private:
   void tick();
   void collect_due();
   void leave_to_others();

@@ -23,7 +23,9 @@ Real largest_radius(const state::Spheres& spheres) {
 
 SphereStepper::SphereStepper(state::Spheres spheres, methods::spheres::ContactTable table,
                              std::vector<methods::spheres::Wall> walls, const SphereRules& rules)
-    : spheres_(std::move(spheres)), pairs_(table), walls_(std::move(table), std::move(walls), largest_radius(spheres_) + rules.wall_margin),
+    : spheres_(std::move(spheres)),
+      pairs_(table),
+      walls_(std::move(table), std::move(walls), largest_radius(spheres_) + rules.wall_margin),
       rules_(rules) {}
 
 Vector3 SphereStepper::acceleration(std::size_t sphere) const {
@@ -146,7 +148,8 @@ methods::spheres::ContactSums SphereStepper::evaluate(std::size_t block, state::
   return sums;
 }
 
-/// Forces and kicks of some blocks, each while it is in the cache. A block that others look at, before this range, waits for them all.
+/// Forces and kicks of some blocks, each while it is in the cache. A block that others look at, before this range, waits for them
+/// all.
 void SphereStepper::walk(std::size_t begin, std::size_t end) {
   std::vector<state::SphereLoad> passing(neighbors::block_size);
   for (std::size_t block = begin; block < end; ++block) {

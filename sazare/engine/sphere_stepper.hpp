@@ -33,7 +33,7 @@ struct SphereEnergies {
 };
 
 class SphereStepper {
- public:
+public:
   SphereStepper(state::Spheres spheres, methods::spheres::ContactTable table, std::vector<methods::spheres::Wall> walls,
                 const SphereRules& rules);
 
@@ -43,8 +43,8 @@ class SphereStepper {
   /// A step: forces at `time()`, kick and drift, block by block in one go.
   void advance();
 
-  /// Evaluates the forces at `time()` and keeps them: to be called before anything below is asked for. The next `advance` goes on from them,
-  /// with the same bits.
+  /// Evaluates the forces at `time()` and keeps them: to be called before anything below is asked for. The next `advance` goes on
+  /// from them, with the same bits.
   void settle();
 
   std::int64_t steps() const { return step_; }
@@ -71,7 +71,7 @@ class SphereStepper {
 
   void columns(Archive& archive);
 
- private:
+private:
   /// How fast a block's spheres were.
   struct Speeds {
     Real first = 0, second = 0;  ///< the two largest, seen from the drift [m/s]
@@ -105,7 +105,7 @@ class SphereStepper {
   std::vector<Speeds> speeds_;                             ///< by block
   std::vector<std::uint8_t> waits_;                        ///< by block: to be kicked when all are evaluated
   std::vector<methods::spheres::ContactSums> block_sums_;  ///< by block
-  methods::spheres::ContactSums sums_;  ///< of the last evaluation; works since the start
+  methods::spheres::ContactSums sums_;                     ///< of the last evaluation; works since the start
   Real wall_work_ = 0;
 };
 

@@ -60,15 +60,13 @@ void UniformStepper<D>::prepare_factors() {
   const Real dt = rules_.step;
   const bool euler = rules_.integrator == Integrator::euler;
   memory_.resize(particles_.padded());
-  for (std::size_t i = 0; i < memory_.size(); ++i)
-    memory_[i] = rules_.damping.stiffness_time * particles_.damping_ratio[i] / dt;
+  for (std::size_t i = 0; i < memory_.size(); ++i) memory_[i] = rules_.damping.stiffness_time * particles_.damping_ratio[i] / dt;
   const auto set = [&](std::size_t freedom, std::size_t i, Real rate) {
     keep_[freedom][i] = euler ? 1 - dt * rate : (1 - 0.5 * dt * rate) / (1 + 0.5 * dt * rate);
     gain_[freedom][i] = euler ? dt : dt / (1 + 0.5 * dt * rate);
   };
   for (std::size_t freedom = 0; freedom < keep_.size(); ++freedom)
-    for (std::size_t i = 0; i < particles_.padded(); ++i)
-      set(freedom, i, rules_.damping.mass_rate * particles_.damping_ratio[i]);
+    for (std::size_t i = 0; i < particles_.padded(); ++i) set(freedom, i, rules_.damping.mass_rate * particles_.damping_ratio[i]);
   for (const terms::Dashpot& dashpot : supports_.dashpots) {
     const Real own = rules_.damping.mass_rate * particles_.damping_ratio[at(dashpot.particle)];
     set(static_cast<std::size_t>(dashpot.freedom), at(dashpot.particle), own + dashpot.rate);
@@ -107,7 +105,8 @@ void UniformStepper<D>::add_loads() {
   for (const terms::Dashpot& dashpot : supports_.dashpots) {
     if (dashpot.motion == terms::Dashpot::no_motion) continue;
     const auto freedom = static_cast<std::size_t>(dashpot.freedom);
-    load_[freedom][at(dashpot.particle)] = at_rest(dashpot) + 2 * dashpot.rate * dashpot.factor * now[at(dashpot.motion)].velocity;
+    load_[freedom][at(dashpot.particle)] =
+        at_rest(dashpot) + 2 * dashpot.rate * dashpot.factor * now[at(dashpot.motion)].velocity;
   }
 }
 
@@ -258,7 +257,8 @@ state::FreedomColumns<D> UniformStepper<D>::acceleration() const {
     for (std::size_t i = 0; i < particles_.padded(); ++i) {
       // The change of velocity that the coming kick gives, over the step.
       const Real kick = gain_[freedom][i] * (total_acceleration(freedom, i) + load_[freedom][i]);
-      const Real kept = keep_[freedom][i] > 0 || gain_[freedom][i] > 0 ? (keep_[freedom][i] - 1) * particles_.velocity[freedom][i] : 0;
+      const Real kept =
+          keep_[freedom][i] > 0 || gain_[freedom][i] > 0 ? (keep_[freedom][i] - 1) * particles_.velocity[freedom][i] : 0;
       result[freedom][i] = (kick + kept) / dt;
     }
   for (const terms::DrivenFreedom& driven : supports_.driven)
@@ -273,8 +273,7 @@ state::FreedomColumns<D> UniformStepper<D>::velocity() const {
   if (rules_.integrator != Integrator::euler) {
     const state::FreedomColumns<D> change = acceleration();
     for (std::size_t freedom = 0; freedom < keep_.size(); ++freedom)
-      for (std::size_t i = 0; i < particles_.padded(); ++i)
-        result[freedom][i] += 0.5 * rules_.step * change[freedom][i];
+      for (std::size_t i = 0; i < particles_.padded(); ++i) result[freedom][i] += 0.5 * rules_.step * change[freedom][i];
   }
   for (const terms::DrivenFreedom& driven : supports_.driven)
     result[static_cast<std::size_t>(driven.freedom)][at(driven.particle)] =
@@ -288,7 +287,8 @@ Real UniformStepper<D>::kinetic_energy() const {
   Real total = 0;
   for (std::size_t freedom = 0; freedom < now.size(); ++freedom)
     for (std::size_t i = 0; i < particles_.size(); ++i)
-      if (const Real inverse = particles_.inverse_inertia_of(freedom)[i]; inverse > 0)  // what has no mass of its own is moved by others
+      if (const Real inverse = particles_.inverse_inertia_of(freedom)[i];
+          inverse > 0)  // what has no mass of its own is moved by others
         total += 0.5 * now[freedom][i] * now[freedom][i] / inverse;
   return total;
 }
@@ -309,7 +309,8 @@ Real UniformStepper<D>::largest_unbalance() const {
   Real largest = 0;
   for (std::size_t axis = 0; axis < D; ++axis)
     for (std::size_t i = 0; i < particles_.size(); ++i)
-      if (gain_[axis][i] > 0) largest = std::max(largest, std::abs(elastic_[axis][i] + supports_.gravity[static_cast<int>(axis)]));
+      if (gain_[axis][i] > 0)
+        largest = std::max(largest, std::abs(elastic_[axis][i] + supports_.gravity[static_cast<int>(axis)]));
   return largest;
 }
 
@@ -338,7 +339,8 @@ void UniformStepper<D>::columns(Archive& archive) {
   std::vector<Real> reactions;
   for (const terms::Dashpot& dashpot : supports_.dashpots) reactions.push_back(dashpot.reaction);
   archive("reactions", reactions);
-  for (std::size_t i = 0; i < supports_.dashpots.size() && i < reactions.size(); ++i) supports_.dashpots[i].reaction = reactions[i];
+  for (std::size_t i = 0; i < supports_.dashpots.size() && i < reactions.size(); ++i)
+    supports_.dashpots[i].reaction = reactions[i];
   archive.folder("forces", [&] { forces_->columns(archive); });
 }
 

@@ -25,16 +25,17 @@ struct UniformRules {
 };
 
 struct Settling {
-  Real tolerance = 0;           ///< largest acceleration left at rest [m/s2]
+  Real tolerance = 0;  ///< largest acceleration left at rest [m/s2]
   std::int64_t most_steps = 0;
 };
 
-/// The damping of a particle follows from its ratio h. Its part a2 h K v is a2 h (g(k) - g(k-1))/dt, g the elastic acceleration: one
-/// stored vector per particle, (A24). In Euler's step, where x(k+1) is known before v(k+1), it is the difference g(k+1) - g(k), which
-/// is that of the velocity v(k). The part a1 h v and dashpots of supports take the mean of the velocities before and after the kick.
+/// The damping of a particle follows from its ratio h. Its part a2 h K v is a2 h (g(k) - g(k-1))/dt, g the elastic acceleration:
+/// one stored vector per particle, (A24). In Euler's step, where x(k+1) is known before v(k+1), it is the difference g(k+1) -
+/// g(k), which is that of the velocity v(k). The part a1 h v and dashpots of supports take the mean of the velocities before and
+/// after the kick.
 template <int D>
 class UniformStepper {
- public:
+public:
   UniformStepper(state::Particles<D> particles, std::unique_ptr<terms::ParticleForces<D>> forces,
                  terms::ParticleSupports<D> supports, const UniformRules& rules);
 
@@ -44,8 +45,8 @@ class UniformStepper {
   void advance();
 
   /// Finds the rest under gravity before the beginning: `start` begins from there, with viscous boundaries that carry what they
-  /// carry at rest and motions from t = 0. They are held meanwhile. Kinetic damping: all stand still whenever the kinetic energy has
-  /// passed a maximum. Cundall, The Explicit Finite-Difference Method (1982). Returns the largest acceleration left [m/s2].
+  /// carry at rest and motions from t = 0. They are held meanwhile. Kinetic damping: all stand still whenever the kinetic energy
+  /// has passed a maximum. Cundall, The Explicit Finite-Difference Method (1982). Returns the largest acceleration left [m/s2].
   Real settle(const Settling& rules);
 
   std::int64_t steps() const { return step_; }
@@ -70,7 +71,7 @@ class UniformStepper {
 
   void columns(Archive& archive);
 
- private:
+private:
   void prepare_factors();
   void hold(Index particle, int freedom);
   void stand_still();
@@ -94,12 +95,12 @@ class UniformStepper {
   terms::ParticleSupports<D> supports_;
   UniformRules rules_;
   std::int64_t step_ = 0;
-  state::FreedomColumns<D> elastic_;   ///< g(k) [m/s2], [rad/s2]
-  state::FreedomColumns<D> previous_;  ///< g(k-1)
-  state::FreedomColumns<D> load_;      ///< from nowhere: gravity, incoming waves
-  state::FreedomColumns<D> keep_;      ///< what a kick leaves of the velocity
-  state::FreedomColumns<D> gain_;      ///< what it adds per acceleration [s]
-  state::Column memory_;               ///< a2 h/dt
+  state::FreedomColumns<D> elastic_;      ///< g(k) [m/s2], [rad/s2]
+  state::FreedomColumns<D> previous_;     ///< g(k-1)
+  state::FreedomColumns<D> load_;         ///< from nowhere: gravity, incoming waves
+  state::FreedomColumns<D> keep_;         ///< what a kick leaves of the velocity
+  state::FreedomColumns<D> gain_;         ///< what it adds per acceleration [s]
+  state::Column memory_;                  ///< a2 h/dt
   std::array<state::Column, D> settled_;  ///< displacements at the beginning [m]
 };
 

@@ -26,8 +26,7 @@ constexpr std::int64_t no_side = -1;
 Triple nodes_of_side(const TetraMesh& mesh, std::int64_t side) {
   const auto& corners = mesh.tetrahedra[static_cast<std::size_t>(side / 4)];
   const auto& [a, b, c] = tetrahedron_faces[static_cast<std::size_t>(side % 4)];
-  return {corners[static_cast<std::size_t>(a)], corners[static_cast<std::size_t>(b)],
-          corners[static_cast<std::size_t>(c)]};
+  return {corners[static_cast<std::size_t>(a)], corners[static_cast<std::size_t>(b)], corners[static_cast<std::size_t>(c)]};
 }
 
 Triple sorted(Triple nodes) {
@@ -48,8 +47,7 @@ Buckets fill_buckets(const TetraMesh& mesh) {
   for (std::int64_t side = 0; side < sides; ++side) {
     ++buckets.start[static_cast<std::size_t>(sorted(nodes_of_side(mesh, side))[0]) + 1];
   }
-  for (std::size_t node = 1; node < buckets.start.size(); ++node)
-    buckets.start[node] += buckets.start[node - 1];
+  for (std::size_t node = 1; node < buckets.start.size(); ++node) buckets.start[node] += buckets.start[node - 1];
   buckets.half_faces.resize(static_cast<std::size_t>(sides));
   std::vector<std::int64_t> next(buckets.start.begin(), buckets.start.end() - 1);
   for (std::int64_t side = 0; side < sides; ++side) {
@@ -60,8 +58,7 @@ Buckets fill_buckets(const TetraMesh& mesh) {
   return buckets;
 }
 
-[[noreturn]] void refuse_third_element(const TetraMesh& mesh, std::int64_t a, std::int64_t b,
-                                       std::int64_t c) {
+[[noreturn]] void refuse_third_element(const TetraMesh& mesh, std::int64_t a, std::int64_t b, std::int64_t c) {
   const auto tag = [&](std::int64_t side) { return element_tag(mesh, static_cast<std::int32_t>(side / 4)); };
   throw UserError(
       fmt::format("elements {}, {} and {} share one face: elements overlap or stand in the mesh twice. Let "
@@ -132,17 +129,15 @@ FacePlaces locate_triangles(const TetraMesh& mesh, const FaceMap& faces) {
   return places;
 }
 
-[[noreturn]] void refuse_stray_triangle(const TetraMesh& mesh, const std::string& name,
-                                        const Triple& triangle) {
-  const Vector3 center =
-      (mesh.nodes[static_cast<std::size_t>(triangle[0])] + mesh.nodes[static_cast<std::size_t>(triangle[1])] +
-       mesh.nodes[static_cast<std::size_t>(triangle[2])]) /
-      3;
-  throw UserError(fmt::format(
-      "a triangle of the surface group '{}', with its centre at ({:g}, {:g}, {:g}), is no face of any "
-      "tetrahedron: the surface does not bound a meshed volume and is not embedded in one. Make it part "
-      "of a volume (Surface{{..}} In Volume{{..}}, BooleanFragments), or take it out of the group",
-      name, center.x(), center.y(), center.z()));
+[[noreturn]] void refuse_stray_triangle(const TetraMesh& mesh, const std::string& name, const Triple& triangle) {
+  const Vector3 center = (mesh.nodes[static_cast<std::size_t>(triangle[0])] + mesh.nodes[static_cast<std::size_t>(triangle[1])] +
+                          mesh.nodes[static_cast<std::size_t>(triangle[2])]) /
+                         3;
+  throw UserError(
+      fmt::format("a triangle of the surface group '{}', with its centre at ({:g}, {:g}, {:g}), is no face of any "
+                  "tetrahedron: the surface does not bound a meshed volume and is not embedded in one. Make it part "
+                  "of a volume (Surface{{..}} In Volume{{..}}, BooleanFragments), or take it out of the group",
+                  name, center.x(), center.y(), center.z()));
 }
 
 void sort_unique(std::vector<std::int32_t>& indices) {
@@ -163,8 +158,8 @@ FaceMap build_face_map(const TetraMesh& mesh) {
     if (other == no_side) {
       faces.outer.push_back({element, face, nodes_of_side(mesh, side)});
     } else if (side < other) {
-      faces.interior.push_back({element, static_cast<std::int32_t>(other / 4), face,
-                                static_cast<std::int32_t>(other % 4), nodes_of_side(mesh, side)});
+      faces.interior.push_back(
+          {element, static_cast<std::int32_t>(other / 4), face, static_cast<std::int32_t>(other % 4), nodes_of_side(mesh, side)});
     }
   }
   return faces;

@@ -21,16 +21,12 @@ constexpr int tetrahedron_type = 4;
 void read_format(GmshScanner& in) {
   const std::string version(in.read_word("the format's version"));
   if (version != "4.1") {
-    in.fail(fmt::format(
-        "Gmsh format {}: Sazare reads 4.1. Convert it: gmsh OLD.msh -save -format msh41 -o NEW.msh",
-        version));
+    in.fail(fmt::format("Gmsh format {}: Sazare reads 4.1. Convert it: gmsh OLD.msh -save -format msh41 -o NEW.msh", version));
   }
   const std::int64_t binary = in.read_text_integer("the file type (0 text, 1 binary)");
   const std::int64_t size = in.read_text_integer("the size of numbers");
-  if (binary != 0 && binary != 1)
-    in.fail(fmt::format("file type {}: should be 0 (text) or 1 (binary)", binary));
-  if (size != 8)
-    in.fail(fmt::format("numbers of {} bytes: Sazare reads 8. Write the file with a 64-bit gmsh", size));
+  if (binary != 0 && binary != 1) in.fail(fmt::format("file type {}: should be 0 (text) or 1 (binary)", binary));
+  if (size != 8) in.fail(fmt::format("numbers of {} bytes: Sazare reads 8. Write the file with a 64-bit gmsh", size));
   if (binary == 1) {
     in.skip_bytes(1);  // the line's end
     in.set_binary();
@@ -55,8 +51,7 @@ void read_entity(GmshScanner& in, GmshFile& file, int dimension) {
   const std::int32_t tag = in.read_integer("an entity's number");
   const int box_numbers = dimension == 0 ? 3 : 6;
   for (int i = 0; i < box_numbers; ++i) in.read_real("an entity's extent");
-  const std::int64_t groups =
-      in.read_count("the number of an entity's physical groups", sizeof(std::int32_t));
+  const std::int64_t groups = in.read_count("the number of an entity's physical groups", sizeof(std::int32_t));
   auto& numbers = file.physical_groups[{dimension, tag}];
   for (std::int64_t i = 0; i < groups; ++i) {
     const std::int64_t number = in.read_integer("a physical group's number");
@@ -71,8 +66,7 @@ void read_entities(GmshScanner& in, GmshFile& file) {
   std::array<std::int64_t, 4> counts{};
   for (auto& count : counts) count = in.read_count("the number of entities", sizeof(std::int32_t));
   for (int dimension = 0; dimension < 4; ++dimension) {
-    for (std::int64_t i = 0; i < counts[static_cast<std::size_t>(dimension)]; ++i)
-      read_entity(in, file, dimension);
+    for (std::int64_t i = 0; i < counts[static_cast<std::size_t>(dimension)]; ++i) read_entity(in, file, dimension);
   }
 }
 
@@ -87,27 +81,23 @@ void read_node_block(GmshScanner& in, GmshFile& file) {
     for (int axis = 0; axis < 3; ++axis) node[axis] = in.read_real("a node's coordinate");
     const std::size_t index = file.nodes.size();
     if (!node.allFinite()) {
-      in.fail(fmt::format(
-          "node {} has a coordinate that is not a finite number: ({}, {}, {}). Make the file again",
-          file.node_tags[index], node.x(), node.y(), node.z()));
+      in.fail(fmt::format("node {} has a coordinate that is not a finite number: ({}, {}, {}). Make the file again",
+                          file.node_tags[index], node.x(), node.y(), node.z()));
     }
     file.nodes.push_back(node);
-    for (int parameter = 0; parametric && parameter < dimension; ++parameter)
-      in.read_real("a node's parameter");
+    for (int parameter = 0; parametric && parameter < dimension; ++parameter) in.read_real("a node's parameter");
   }
 }
 
 void read_nodes(GmshScanner& in, GmshFile& file) {
   const std::int64_t blocks = in.read_count("the number of node blocks", sizeof(std::int32_t));
   const std::int64_t nodes = in.read_count("the number of nodes", sizeof(std::int64_t));
-  if (nodes >= INT32_MAX)
-    in.fail(fmt::format("{} nodes: Sazare can number {} at most", nodes, INT32_MAX - 1));
+  if (nodes >= INT32_MAX) in.fail(fmt::format("{} nodes: Sazare can number {} at most", nodes, INT32_MAX - 1));
   in.read_long("the smallest node number");
   in.read_long("the largest node number");
   for (std::int64_t i = 0; i < blocks; ++i) read_node_block(in, file);
   if (file.nodes.size() != static_cast<std::size_t>(nodes)) {
-    in.fail(fmt::format("the section announces {} nodes and holds {}. Make the file again", nodes,
-                        file.nodes.size()));
+    in.fail(fmt::format("the section announces {} nodes and holds {}. Make the file again", nodes, file.nodes.size()));
   }
 }
 
@@ -144,24 +134,21 @@ constexpr std::array<ElementType, 20> element_types = {{
 [[noreturn]] void refuse_type(const GmshScanner& in, std::int32_t type, std::int64_t first_tag) {
   for (const ElementType& known : element_types) {
     if (known.number != type) continue;
-    const std::string_view advice =
-        known.higher_order
-            ? "Mesh with first-order elements: gmsh -order 1, or Mesh.ElementOrder = 1"
-            : "Mesh with tetrahedra only: leave out Recombine and Layers{..}; Recombine, and set "
-              "Mesh.RecombineAll = 0 and Mesh.SubdivisionAlgorithm = 0";
-    in.fail(
-        fmt::format("element {} is of type {} ({}); Sazare reads first-order tetrahedra and triangles. {}",
-                    first_tag, type, known.name, advice));
+    const std::string_view advice = known.higher_order
+                                        ? "Mesh with first-order elements: gmsh -order 1, or Mesh.ElementOrder = 1"
+                                        : "Mesh with tetrahedra only: leave out Recombine and Layers{..}; Recombine, and set "
+                                          "Mesh.RecombineAll = 0 and Mesh.SubdivisionAlgorithm = 0";
+    in.fail(fmt::format("element {} is of type {} ({}); Sazare reads first-order tetrahedra and triangles. {}", first_tag, type,
+                        known.name, advice));
   }
-  in.fail(fmt::format(
-      "element {} is of type {}, which Sazare does not read; it reads first-order tetrahedra (4) and "
-      "triangles (2). Mesh with gmsh -3 -order 1, without Recombine",
-      first_tag, type));
+  in.fail(
+      fmt::format("element {} is of type {}, which Sazare does not read; it reads first-order tetrahedra (4) and "
+                  "triangles (2). Mesh with gmsh -3 -order 1, without Recombine",
+                  first_tag, type));
 }
 
 template <std::size_t Nodes>
-void read_elements_of_block(GmshScanner& in, GmshElements<Nodes>& elements, std::int32_t entity,
-                            std::int64_t count) {
+void read_elements_of_block(GmshScanner& in, GmshElements<Nodes>& elements, std::int32_t entity, std::int64_t count) {
   for (std::int64_t i = 0; i < count; ++i) {
     elements.tags.push_back(in.read_long("an element's number"));
     elements.entities.push_back(entity);
@@ -203,17 +190,14 @@ void read_elements(GmshScanner& in, GmshFile& file) {
   std::int64_t found = 0;
   for (std::int64_t i = 0; i < blocks; ++i) found += read_element_block(in, file);
   if (found != elements) {
-    in.fail(
-        fmt::format("the section announces {} elements and holds {}. Make the file again", elements, found));
+    in.fail(fmt::format("the section announces {} elements and holds {}. Make the file again", elements, found));
   }
 }
 
 using ReadSection = void (*)(GmshScanner&, GmshFile&);
 
-const std::map<std::string, ReadSection> sections_to_read = {{"PhysicalNames", read_physical_names},
-                                                             {"Entities", read_entities},
-                                                             {"Nodes", read_nodes},
-                                                             {"Elements", read_elements}};
+const std::map<std::string, ReadSection> sections_to_read = {
+    {"PhysicalNames", read_physical_names}, {"Entities", read_entities}, {"Nodes", read_nodes}, {"Elements", read_elements}};
 
 }  // namespace
 
@@ -221,8 +205,7 @@ GmshFile read_gmsh_file(const std::filesystem::path& path) {
   GmshScanner in(path);
   GmshFile file;
   in.next_section();
-  if (in.section() != "MeshFormat")
-    in.fail("not a Gmsh mesh: it should begin with $MeshFormat. Name a .msh file");
+  if (in.section() != "MeshFormat") in.fail("not a Gmsh mesh: it should begin with $MeshFormat. Name a .msh file");
   read_format(in);
   in.end_section();
   std::set<std::string> found;
@@ -233,8 +216,7 @@ GmshFile read_gmsh_file(const std::filesystem::path& path) {
       in.skip_section();
       continue;
     }
-    if (!found.insert(in.section()).second)
-      in.fail("the section stands in the file twice. Make the file again");
+    if (!found.insert(in.section()).second) in.fail("the section stands in the file twice. Make the file again");
     known->second(in, file);
     in.end_section();
   }

@@ -35,15 +35,12 @@ struct RemoveAtEnd {
   }
 };
 
-bool is_name_character(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
+bool is_name_character(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'; }
 
 bool holds_word(std::string_view text, std::string_view word) {
   for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
     const std::size_t end = at + word.size();
-    if ((at == 0 || !is_name_character(text[at - 1])) &&
-        (end == text.size() || !is_name_character(text[end]))) {
+    if ((at == 0 || !is_name_character(text[at - 1])) && (end == text.size() || !is_name_character(text[end]))) {
       return true;
     }
   }
@@ -53,8 +50,7 @@ bool holds_word(std::string_view text, std::string_view word) {
 std::string read_geometry(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream || fs::is_directory(file)) {
-    throw UserError(fmt::format("{}: there is no such geometry file, or it cannot be read. Check the name",
-                                file.string()));
+    throw UserError(fmt::format("{}: there is no such geometry file, or it cannot be read. Check the name", file.string()));
   }
   return {std::istreambuf_iterator<char>(stream), {}};
 }
@@ -64,12 +60,12 @@ void check_parameters(const MeshRequest& request, const std::string& text) {
   const bool has_other_files = holds_word(text, "Include") || holds_word(text, "Merge");
   for (const auto& [name, value] : request.parameters) {
     if (name.empty() || !std::all_of(name.begin(), name.end(), is_name_character)) {
-      throw UserError(fmt::format("{}: the parameter '{}' is no name: letters, digits and _ only",
-                                  request.geometry.string(), name));
+      throw UserError(
+          fmt::format("{}: the parameter '{}' is no name: letters, digits and _ only", request.geometry.string(), name));
     }
     if (!std::isfinite(value)) {
-      throw UserError(fmt::format("{}: the parameter '{}' is {}; it should be a finite number",
-                                  request.geometry.string(), name, value));
+      throw UserError(
+          fmt::format("{}: the parameter '{}' is {}; it should be a finite number", request.geometry.string(), name, value));
     }
     if (!has_other_files && !holds_word(text, name)) {
       throw UserError(
@@ -85,8 +81,8 @@ void check_parameters(const MeshRequest& request, const std::string& text) {
     }
   }
   if (!(request.size_factor > 0) || !std::isfinite(request.size_factor)) {
-    throw UserError(fmt::format("{}: the size factor is {}; it should be a finite number above zero",
-                                request.geometry.string(), request.size_factor));
+    throw UserError(fmt::format("{}: the size factor is {}; it should be a finite number above zero", request.geometry.string(),
+                                request.size_factor));
   }
 }
 
@@ -116,8 +112,7 @@ std::vector<std::string> environment_for_gmsh() {
   std::vector<std::string> variables;
   for (char** variable = environ; *variable != nullptr; ++variable) {
     const std::string_view text = *variable;
-    if (!text.starts_with("GMSH_HOME=") && !text.starts_with("OMP_NUM_THREADS="))
-      variables.emplace_back(text);
+    if (!text.starts_with("GMSH_HOME=") && !text.starts_with("OMP_NUM_THREADS=")) variables.emplace_back(text);
   }
   variables.insert(variables.end(), {"GMSH_HOME=/nonexistent", "OMP_NUM_THREADS=1"});
   return variables;
@@ -162,8 +157,8 @@ Outcome run(std::vector<std::string> arguments) {
   posix_spawn_file_actions_adddup2(&actions, pipe_ends[1], STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, pipe_ends[1], STDERR_FILENO);
   pid_t process = 0;
-  outcome.start_error = posix_spawnp(&process, arguments[0].c_str(), &actions, nullptr,
-                                     pointers(arguments).data(), pointers(environment).data());
+  outcome.start_error =
+      posix_spawnp(&process, arguments[0].c_str(), &actions, nullptr, pointers(arguments).data(), pointers(environment).data());
   posix_spawn_file_actions_destroy(&actions);
   close(pipe_ends[1]);
   if (outcome.start_error == 0) {
@@ -209,15 +204,15 @@ void check_outcome(const MeshRequest& request, const Outcome& outcome, const fs:
                     geometry, request.program));
   }
   if (outcome.start_error != 0) {
-    throw MachineError(fmt::format("{}: the program '{}' could not be started: {}", geometry, request.program,
-                                   reason(outcome.start_error)));
+    throw MachineError(
+        fmt::format("{}: the program '{}' could not be started: {}", geometry, request.program, reason(outcome.start_error)));
   }
   const Messages messages = split(outcome.messages);
   constexpr std::size_t shown = 8;
   const std::string words = last_lines(messages.errors.empty() ? messages.lines : messages.errors, shown);
   if (WIFSIGNALED(outcome.status)) {
-    throw MachineError(fmt::format("{}: gmsh was ended by signal {} (too little memory?).{}", geometry,
-                                   WTERMSIG(outcome.status), words));
+    throw MachineError(
+        fmt::format("{}: gmsh was ended by signal {} (too little memory?).{}", geometry, WTERMSIG(outcome.status), words));
   }
   std::error_code ignored;
   if (WEXITSTATUS(outcome.status) == 0 && messages.errors.empty() && fs::exists(output, ignored)) return;

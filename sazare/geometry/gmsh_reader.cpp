@@ -68,8 +68,7 @@ public:
     in_file.reserve(file.node_tags.size());
     for (std::size_t i = 0; i < file.node_tags.size(); ++i) {
       if (!in_file.emplace(file.node_tags[i], i).second) {
-        throw UserError(
-            fmt::format("$Nodes: node {} stands there twice. Make the file again", file.node_tags[i]));
+        throw UserError(fmt::format("$Nodes: node {} stands there twice. Make the file again", file.node_tags[i]));
       }
     }
     std::vector<char> used(file.nodes.size(), 0);
@@ -96,8 +95,8 @@ public:
 
 private:
   [[noreturn]] static void refuse_node(std::int64_t element, std::int64_t node) {
-    throw UserError(fmt::format(
-        "$Elements: element {} names node {}, which is not in $Nodes. Make the file again", element, node));
+    throw UserError(
+        fmt::format("$Elements: element {} names node {}, which is not in $Nodes. Make the file again", element, node));
   }
 
   std::unordered_map<std::int64_t, std::int32_t> places_;
@@ -117,17 +116,15 @@ private:
 /// The region of a volume, -1 for a volume in no group.
 std::int32_t region_of(const GmshFile& file, const GroupNames& groups, std::int32_t volume) {
   std::vector<std::int32_t> regions;
-  for (const std::int32_t number : groups_of(file, volume_dimension, volume))
-    regions.push_back(groups.place(number));
+  for (const std::int32_t number : groups_of(file, volume_dimension, volume)) regions.push_back(groups.place(number));
   std::sort(regions.begin(), regions.end());
   regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
   if (regions.size() > 1) {
     std::vector<std::string> names;
-    for (const std::int32_t region : regions)
-      names.push_back("'" + groups.names()[static_cast<std::size_t>(region)] + "'");
-    throw UserError(fmt::format(
-        "$Entities: volume {} is in {} physical groups: {}. A volume has one material: leave it in one group",
-        volume, names.size(), fmt::join(names, ", ")));
+    for (const std::int32_t region : regions) names.push_back("'" + groups.names()[static_cast<std::size_t>(region)] + "'");
+    throw UserError(
+        fmt::format("$Entities: volume {} is in {} physical groups: {}. A volume has one material: leave it in one group", volume,
+                    names.size(), fmt::join(names, ", ")));
   }
   return regions.empty() ? -1 : regions.front();
 }
@@ -141,8 +138,7 @@ void add_tetrahedra(const GmshFile& file, const NodeMap& nodes, TetraMesh& mesh)
     if (!regions.contains(volume)) regions[volume] = region_of(file, groups, volume);
     if (regions[volume] < 0) refuse_ungrouped(file, volume);
     auto& corners = mesh.tetrahedra.emplace_back();
-    for (std::size_t corner = 0; corner < 4; ++corner)
-      corners[corner] = nodes.find(file.tetrahedra.nodes[i][corner]);
+    for (std::size_t corner = 0; corner < 4; ++corner) corners[corner] = nodes.find(file.tetrahedra.nodes[i][corner]);
     mesh.region.push_back(regions[volume]);
   }
   mesh.tags = file.tetrahedra.tags;

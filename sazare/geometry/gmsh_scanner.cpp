@@ -31,21 +31,18 @@ std::string printable(std::string_view word) {
 std::string read_file(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) {
-    throw UserError(
-        fmt::format("{}: there is no such mesh file. Check the name, or make it with gmsh", file.string()));
+    throw UserError(fmt::format("{}: there is no such mesh file. Check the name, or make it with gmsh", file.string()));
   }
   if (!std::filesystem::is_regular_file(file, error)) {
     throw UserError(fmt::format("{}: is not a file. Name a Gmsh mesh (.msh)", file.string()));
   }
   std::ifstream stream(file, std::ios::binary);
   const std::string reason = std::generic_category().message(errno);
-  if (!stream)
-    throw UserError(fmt::format("{}: cannot be opened: {}. Check who may read it", file.string(), reason));
+  if (!stream) throw UserError(fmt::format("{}: cannot be opened: {}. Check who may read it", file.string(), reason));
   std::string text(static_cast<std::size_t>(std::filesystem::file_size(file, error)), '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.empty())
-    throw UserError(fmt::format("{}: the mesh file is empty. Make it again with gmsh", file.string()));
+  if (text.empty()) throw UserError(fmt::format("{}: the mesh file is empty. Make it again with gmsh", file.string()));
   return text;
 }
 
@@ -77,8 +74,7 @@ bool GmshScanner::next_section() {
   std::string_view name(text_.data() + position_, line_end - position_);
   while (!name.empty() && is_space(name.back())) name.remove_suffix(1);
   if (name.size() < 2 || name[0] != '$') {
-    fail(fmt::format("a section such as $Nodes should begin here, not '{}'. Is this a Gmsh mesh (.msh)?",
-                     printable(name)));
+    fail(fmt::format("a section such as $Nodes should begin here, not '{}'. Is this a Gmsh mesh (.msh)?", printable(name)));
   }
   section_ = name.substr(1);
   position_ = std::min(line_end + 1, text_.size());
@@ -92,9 +88,8 @@ void GmshScanner::end_section() {
   const std::string_view word = read_word(mark);
   if (word != mark) {
     if (mark.starts_with(word)) fail_truncated(mark);
-    fail(fmt::format(
-        "{} should be here, not '{}': the section holds more than it announces. Make the file again", mark,
-        printable(word)));
+    fail(fmt::format("{} should be here, not '{}': the section holds more than it announces. Make the file again", mark,
+                     printable(word)));
   }
   section_.clear();
 }
@@ -135,8 +130,7 @@ std::int64_t GmshScanner::read_text_integer(std::string_view what) {
   if (error == std::errc{} && end == word.data() + word.size()) return value;
   position_ -= word.size();
   if (word[0] == '$') {
-    fail(fmt::format(
-        "the section ends where {} should be: it holds less than it announces. Make the file again", what));
+    fail(fmt::format("the section ends where {} should be: it holds less than it announces. Make the file again", what));
   }
   fail(fmt::format("{} should be a whole number, not '{}'. Make the file again", what, printable(word)));
 }
@@ -172,10 +166,10 @@ std::int64_t GmshScanner::read_count(std::string_view what, std::size_t item_byt
   constexpr std::size_t shortest_word = 2;  // a digit and a space
   const std::size_t room = remaining() / (binary_ ? item_bytes : shortest_word);
   if (static_cast<std::size_t>(count) > room) {
-    fail(fmt::format(
-        "{} is {}, but the rest of the file has room for {} at most: it was cut short or damaged. "
-        "Make or copy it again",
-        what, count, room));
+    fail(
+        fmt::format("{} is {}, but the rest of the file has room for {} at most: it was cut short or damaged. "
+                    "Make or copy it again",
+                    what, count, room));
   }
   return count;
 }
@@ -191,8 +185,7 @@ Real GmshScanner::read_real(std::string_view what) {
   }
   position_ -= word.size();
   if (word[0] == '$') {
-    fail(fmt::format(
-        "the section ends where {} should be: it holds less than it announces. Make the file again", what));
+    fail(fmt::format("the section ends where {} should be: it holds less than it announces. Make the file again", what));
   }
   fail(fmt::format("{} should be a number, not '{}'. Make the file again", what, printable(word)));
 }

@@ -30,14 +30,11 @@ Real longest_edge(const Tetrahedron& corners) {
 /// "12 (volume -0.5 m3), 13 (volume ...), ... and 3 more".
 std::string list(const std::vector<std::string>& items) {
   const std::size_t shown = std::min(items.size(), listed_at_most);
-  std::string text =
-      fmt::format("{}", fmt::join(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(shown), ", "));
+  std::string text = fmt::format("{}", fmt::join(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(shown), ", "));
   return shown < items.size() ? fmt::format("{} and {} more", text, items.size() - shown) : text;
 }
 
-std::string elements(std::size_t count) {
-  return count == 1 ? "1 element" : fmt::format("{} elements", count);
-}
+std::string elements(std::size_t count) { return count == 1 ? "1 element" : fmt::format("{} elements", count); }
 
 void check_volumes(const TetraMesh& mesh) {
   std::vector<std::string> inverted;
@@ -53,10 +50,10 @@ void check_volumes(const TetraMesh& mesh) {
     bad.push_back(fmt::format("{} (volume {:g} m3)", element_tag(mesh, element), size));
   }
   if (!inverted.empty()) {
-    throw UserError(fmt::format(
-        "{} inverted, with a volume below zero: {}. Reverse the node order, or mesh again (gmsh Plugin "
-        "AnalyseMeshQuality shows them)",
-        elements(inverted.size()), list(inverted)));
+    throw UserError(
+        fmt::format("{} inverted, with a volume below zero: {}. Reverse the node order, or mesh again (gmsh Plugin "
+                    "AnalyseMeshQuality shows them)",
+                    elements(inverted.size()), list(inverted)));
   }
   if (!degenerate.empty()) {
     throw UserError(
@@ -74,13 +71,12 @@ void check_overlaps(const TetraMesh& mesh, const FaceMap& faces) {
     const Vector3 outward_j = face_area_vector(other, face.face_j);
     const Vector3 outward_i = face_area_vector(corners_of(mesh, face.element_i), face.face_i);
     if (outward_i.dot(outward_j) < 0) continue;
-    overlapping.push_back(
-        fmt::format("{} and {}", element_tag(mesh, face.element_i), element_tag(mesh, face.element_j)));
+    overlapping.push_back(fmt::format("{} and {}", element_tag(mesh, face.element_i), element_tag(mesh, face.element_j)));
   }
   if (overlapping.empty()) return;
-  throw UserError(fmt::format(
-      "{} of elements lie on the same side of the face they share, so they overlap: {}. Mesh again",
-      overlapping.size() == 1 ? "1 pair" : fmt::format("{} pairs", overlapping.size()), list(overlapping)));
+  throw UserError(fmt::format("{} of elements lie on the same side of the face they share, so they overlap: {}. Mesh again",
+                              overlapping.size() == 1 ? "1 pair" : fmt::format("{} pairs", overlapping.size()),
+                              list(overlapping)));
 }
 
 /// For each outer face whether a named surface group holds it.
@@ -97,9 +93,7 @@ void check_interfaces(const TetraMesh& mesh, const FaceMap& faces) {
   std::set<std::pair<std::int64_t, std::int64_t>> pairs;
   for (const auto& [a, b] : find_touching_outer_faces(mesh, faces)) {
     if (named[static_cast<std::size_t>(a)] != 0 && named[static_cast<std::size_t>(b)] != 0) continue;
-    const auto tag = [&](std::int32_t face) {
-      return element_tag(mesh, faces.outer[static_cast<std::size_t>(face)].element);
-    };
+    const auto tag = [&](std::int32_t face) { return element_tag(mesh, faces.outer[static_cast<std::size_t>(face)].element); };
     pairs.emplace(std::min(tag(a), tag(b)), std::max(tag(a), tag(b)));
   }
   if (pairs.empty()) return;

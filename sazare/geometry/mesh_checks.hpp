@@ -17,7 +17,6 @@ void check_mesh(const TetraMesh& mesh);
 
 /// Pairs of outer faces (indices into faces.outer, the smaller first) that lie in one plane back to back and
 /// overlap by more than a sliver; sorted.
-std::vector<std::pair<std::int32_t, std::int32_t>> find_touching_outer_faces(const TetraMesh& mesh,
-                                                                             const FaceMap& faces);
+std::vector<std::pair<std::int32_t, std::int32_t>> find_touching_outer_faces(const TetraMesh& mesh, const FaceMap& faces);
 
 }  // namespace sazare::geometry

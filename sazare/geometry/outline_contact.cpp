@@ -22,13 +22,14 @@ Face face_of(const Outline& outline, int number) {
   if (outline.kind == OutlineKind::wall) return {outline.centre, outline.other_axis(), outline.axis, outline.half_width};
   const bool across = number % 2 == 0;
   const Vector2 outward = (number < 2 ? 1 : -1) * (across ? outline.axis : outline.other_axis());
-  return {outline.centre + (across ? outline.half_width : outline.half_height) * outward, outward, Vector2(-outward.y(), outward.x()),
-          across ? outline.half_height : outline.half_width};
+  return {outline.centre + (across ? outline.half_width : outline.half_height) * outward, outward,
+          Vector2(-outward.y(), outward.x()), across ? outline.half_height : outline.half_width};
 }
 
 /// How far an outline reaches from its centre against a direction.
 Real reach(const Outline& outline, const Vector2& direction) {
-  return outline.half_width * std::abs(outline.axis.dot(direction)) + outline.half_height * std::abs(outline.other_axis().dot(direction));
+  return outline.half_width * std::abs(outline.axis.dot(direction)) +
+         outline.half_height * std::abs(outline.other_axis().dot(direction));
 }
 
 /// The face that looks most against a direction.
@@ -39,7 +40,9 @@ int opposite_face(const Outline& outline, const Vector2& direction) {
   return y > 0 ? 1 : 3;
 }
 
-bool is_exposed(const Outline& outline, int face) { return outline.kind == OutlineKind::wall || (outline.exposed >> face & 1) != 0; }
+bool is_exposed(const Outline& outline, int face) {
+  return outline.kind == OutlineKind::wall || (outline.exposed >> face & 1) != 0;
+}
 
 struct Reference {
   Real distance = -std::numeric_limits<Real>::infinity();  ///< negative where they overlap
@@ -134,7 +137,8 @@ Overlap circle_on_rectangle(const Outline& rectangle, const Outline& circle) {
   }
   // Beside one face, or inside: then the nearest face.
   const Real to_side = std::abs(own.x()) - half.x(), to_top = std::abs(own.y()) - half.y();
-  const bool by_side = is_exposed(rectangle, across) && (beside || (!above && (to_side > to_top || !is_exposed(rectangle, upward))));
+  const bool by_side =
+      is_exposed(rectangle, across) && (beside || (!above && (to_side > to_top || !is_exposed(rectangle, upward))));
   if (!by_side && (beside || !is_exposed(rectangle, upward))) return {};
   const int number = by_side ? across : upward;
   const Vector2 normal = face_of(rectangle, number).normal;

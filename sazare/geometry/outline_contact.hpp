@@ -41,7 +41,7 @@ struct Overlap {
   int count = 0;
   Vector2 normal = Vector2::Zero();  ///< from the first outline to the second
   std::array<OverlapPoint, 2> points;
-  Real share = 1;                    ///< of the shorter face that lies over the other
+  Real share = 1;  ///< of the shorter face that lies over the other
 };
 
 /// Two rectangles, and a rectangle and a wall: the face of least overlap, and the opposite face cut to it (Gottschalk's

@@ -30,7 +30,8 @@ std::string read_bytes(const fs::path& file) {
   return text.str();
 }
 
-/// A binary STL has 80 bytes of anything, the number of triangles, and 50 bytes for each; one that begins with "solid" may still be binary.
+/// A binary STL has 80 bytes of anything, the number of triangles, and 50 bytes for each; one that begins with "solid" may still
+/// be binary.
 bool is_binary_stl(const std::string& bytes) {
   if (bytes.size() < 84) return false;
   std::uint32_t count = 0;
@@ -45,7 +46,8 @@ std::vector<Triangle> binary_stl(const std::string& bytes) {
     std::memcpy(numbers, bytes.data() + at, sizeof numbers);
     Triangle& triangle = triangles.emplace_back();
     for (int corner = 0; corner < 3; ++corner)
-      for (int axis = 0; axis < 3; ++axis) triangle[static_cast<std::size_t>(corner)][axis] = static_cast<Real>(numbers[3 + 3 * corner + axis]);
+      for (int axis = 0; axis < 3; ++axis)
+        triangle[static_cast<std::size_t>(corner)][axis] = static_cast<Real>(numbers[3 + 3 * corner + axis]);
   }
   return triangles;
 }
@@ -61,10 +63,12 @@ std::vector<Triangle> text_stl(const fs::path& file, const std::string& text) {
     if (corner == 0) triangles.emplace_back();
     Vector3& at = triangles.back()[corner];
     if (!(words >> at.x() >> at.y() >> at.z()))
-      throw UserError(fmt::format("{}:{}: three numbers were expected after \"vertex\", found \"{}\"", file.string(), number + 1, line));
+      throw UserError(
+          fmt::format("{}:{}: three numbers were expected after \"vertex\", found \"{}\"", file.string(), number + 1, line));
     corner = (corner + 1) % 3;
   }
-  if (corner != 0) throw UserError(fmt::format("{}: the last triangle has {} corners: the file was cut short", file.string(), corner));
+  if (corner != 0)
+    throw UserError(fmt::format("{}: the last triangle has {} corners: the file was cut short", file.string(), corner));
   return triangles;
 }
 
@@ -78,7 +82,8 @@ std::vector<std::int32_t> group_numbers(const GmshFile& mesh, const fs::path& fi
     if (name == group) numbers.push_back(key.second);
   }
   if (!group.empty() && numbers.empty())
-    throw UserError(fmt::format("{}: the mesh has no surface group \"{}\"; its groups: {}", file.string(), group, fmt::join(names, ", ")));
+    throw UserError(
+        fmt::format("{}: the mesh has no surface group \"{}\"; its groups: {}", file.string(), group, fmt::join(names, ", ")));
   return numbers;
 }
 
@@ -90,16 +95,17 @@ std::vector<Triangle> gmsh_surface(const fs::path& file, const std::string& grou
   std::vector<Triangle> triangles;
   for (std::size_t i = 0; i < mesh.triangles.nodes.size(); ++i) {
     const auto groups = mesh.physical_groups.find({2, mesh.triangles.entities[i]});
-    const bool counts = group.empty() || (groups != mesh.physical_groups.end() && std::ranges::any_of(groups->second, [&](std::int32_t number) {
-                                            return std::ranges::find(wanted, number) != wanted.end();
-                                          }));
+    const bool counts =
+        group.empty() || (groups != mesh.physical_groups.end() && std::ranges::any_of(groups->second, [&](std::int32_t number) {
+                            return std::ranges::find(wanted, number) != wanted.end();
+                          }));
     if (!counts) continue;
     Triangle& triangle = triangles.emplace_back();
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const auto node = node_at.find(mesh.triangles.nodes[i][corner]);
       if (node == node_at.end())
-        throw UserError(fmt::format("{}: triangle {} names node {}, which the file does not have", file.string(), mesh.triangles.tags[i],
-                                    mesh.triangles.nodes[i][corner]));
+        throw UserError(fmt::format("{}: triangle {} names node {}, which the file does not have", file.string(),
+                                    mesh.triangles.tags[i], mesh.triangles.nodes[i][corner]));
       triangle[corner] = mesh.nodes[node->second];
     }
   }
@@ -107,7 +113,8 @@ std::vector<Triangle> gmsh_surface(const fs::path& file, const std::string& grou
 }
 
 bool is_flat(const Triangle& corners) {
-  const Real longest = std::max({(corners[1] - corners[0]).norm(), (corners[2] - corners[1]).norm(), (corners[0] - corners[2]).norm()});
+  const Real longest =
+      std::max({(corners[1] - corners[0]).norm(), (corners[2] - corners[1]).norm(), (corners[0] - corners[2]).norm()});
   return !(2 * area_vector(corners).norm() > least_height * longest * longest);
 }
 
@@ -117,8 +124,9 @@ void check_areas(const fs::path& file, const std::vector<Triangle>& triangles) {
     if (is_flat(triangles[i])) flat.push_back(i + 1);
   if (flat.empty()) return;
   const std::size_t shown = std::min(flat.size(), most_listed);
-  throw UserError(fmt::format("{}: {} of {} triangles have no area, counted from 1: {}{}; remove them or mesh the surface anew", file.string(),
-                              flat.size(), triangles.size(), fmt::join(flat.begin(), flat.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
+  throw UserError(fmt::format("{}: {} of {} triangles have no area, counted from 1: {}{}; remove them or mesh the surface anew",
+                              file.string(), flat.size(), triangles.size(),
+                              fmt::join(flat.begin(), flat.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
                               flat.size() > shown ? " ..." : ""));
 }
 

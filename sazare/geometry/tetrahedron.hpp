@@ -10,8 +10,7 @@ namespace sazare::geometry {
 using Tetrahedron = std::array<Vector3, 4>;
 
 /// Corners of local face f, the face opposite corner f, counter-clockwise seen from outside.
-inline constexpr std::array<std::array<int, 3>, 4> tetrahedron_faces = {
-    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+inline constexpr std::array<std::array<int, 3>, 4> tetrahedron_faces = {{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 /// Signed volume [m3]: negative when the corners are inverted.
 inline Real volume(const Tetrahedron& corners) {
@@ -22,9 +21,7 @@ inline Real volume(const Tetrahedron& corners) {
 }
 
 /// Centre of mass [m].
-inline Vector3 centroid(const Tetrahedron& corners) {
-  return (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
-}
+inline Vector3 centroid(const Tetrahedron& corners) { return (corners[0] + corners[1] + corners[2] + corners[3]) / 4; }
 
 /// Inertia tensor about the centroid for a density of 1 kg/m3 [kg m2].
 ///
@@ -54,9 +51,7 @@ inline Vector3 face_area_vector(const Tetrahedron& corners, int face) {
 inline Real face_area(const Tetrahedron& corners, int face) { return face_area_vector(corners, face).norm(); }
 
 /// Unit vector of local face f that points out of the tetrahedron.
-inline Vector3 outward_normal(const Tetrahedron& corners, int face) {
-  return face_area_vector(corners, face).normalized();
-}
+inline Vector3 outward_normal(const Tetrahedron& corners, int face) { return face_area_vector(corners, face).normalized(); }
 
 /// Unit vector of local face f that points into the tetrahedron.
 inline Vector3 inward_normal(const Tetrahedron& corners, int face) { return -outward_normal(corners, face); }

@@ -20,9 +20,7 @@ struct Face {
 };
 
 Face make_face(const TetraMesh& mesh, const OuterFace& outer) {
-  const auto at = [&](std::size_t corner) {
-    return mesh.nodes[static_cast<std::size_t>(outer.nodes[corner])];
-  };
+  const auto at = [&](std::size_t corner) { return mesh.nodes[static_cast<std::size_t>(outer.nodes[corner])]; };
   Face face;
   face.corners = {at(0), at(1), at(2)};
   const Vector3 low = at(0).cwiseMin(at(1)).cwiseMin(at(2));
@@ -41,8 +39,7 @@ bool overlap_in_plane(const Face& a, const Face& b, Real least) {
       const Vector3 edge = owner->corners[(side + 1) % 3] - owner->corners[side];
       const Vector3 across = edge.cross(owner->normal).normalized();
       const auto range = [&](const Face& face) {
-        const Vector3 at(face.corners[0].dot(across), face.corners[1].dot(across),
-                         face.corners[2].dot(across));
+        const Vector3 at(face.corners[0].dot(across), face.corners[1].dot(across), face.corners[2].dot(across));
         return std::pair(at.minCoeff(), at.maxCoeff());
       };
       const auto [low_a, high_a] = range(a);
@@ -57,9 +54,7 @@ bool touch(const Face& a, const Face& b) {
   const Real least = tolerance * std::min(a.size, b.size);
   if (((a.center - b.center).cwiseAbs().array() > (a.size + b.size) / 2 + least).any()) return false;
   if (a.normal.dot(b.normal) > -1 + tolerance) return false;
-  const auto in_plane = [&](const Vector3& corner) {
-    return std::abs((corner - a.corners[0]).dot(a.normal)) <= least;
-  };
+  const auto in_plane = [&](const Vector3& corner) { return std::abs((corner - a.corners[0]).dot(a.normal)) <= least; };
   if (!std::all_of(b.corners.begin(), b.corners.end(), in_plane)) return false;
   return overlap_in_plane(a, b, least);
 }
@@ -120,8 +115,7 @@ std::map<int, Grid> make_grids(const std::vector<Face>& faces) {
 
 }  // namespace
 
-std::vector<std::pair<std::int32_t, std::int32_t>> find_touching_outer_faces(const TetraMesh& mesh,
-                                                                             const FaceMap& map) {
+std::vector<std::pair<std::int32_t, std::int32_t>> find_touching_outer_faces(const TetraMesh& mesh, const FaceMap& map) {
   std::vector<Face> faces;
   faces.reserve(map.outer.size());
   for (const OuterFace& outer : map.outer) faces.push_back(make_face(mesh, outer));

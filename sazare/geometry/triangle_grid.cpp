@@ -44,7 +44,9 @@ TriangleGrid::TriangleGrid(std::span<const Triangle> triangles, Real reach) {
     for (auto x = static_cast<std::int64_t>(from.x()); x <= static_cast<std::int64_t>(to.x()); ++x)
       for (auto y = static_cast<std::int64_t>(from.y()); y <= static_cast<std::int64_t>(to.y()); ++y)
         for (auto z = static_cast<std::int64_t>(from.z()); z <= static_cast<std::int64_t>(to.z()); ++z) {
-          const Vector3 middle = lower_ + width_ * (Vector3(static_cast<Real>(x), static_cast<Real>(y), static_cast<Real>(z)).array() + 0.5).matrix();
+          const Vector3 middle =
+              lower_ +
+              width_ * (Vector3(static_cast<Real>(x), static_cast<Real>(y), static_cast<Real>(z)).array() + 0.5).matrix();
           if ((nearest_point(triangles[number], middle) - middle).norm() <= meets)
             cells_[key(x, y, z)].push_back(static_cast<std::int32_t>(number));
         }

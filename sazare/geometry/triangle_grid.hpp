@@ -11,14 +11,14 @@
 namespace sazare::geometry {
 
 class TriangleGrid {
- public:
+public:
   /// `reach` is the largest distance that is asked for [m], > 0.
   TriangleGrid(std::span<const Triangle> triangles, Real reach);
 
   /// All triangles within the reach of a place, and some beyond; in the order of the file.
   std::span<const std::int32_t> near(const Vector3& place) const;
 
- private:
+private:
   using Key = std::uint64_t;
   Key key_of(const Vector3& place) const;
 

@@ -2,11 +2,11 @@
 
 /// Two straight faces joined by N springs and dashpots: the link of two pseudo-rectangle elements, or of an element and a wall.
 ///
-///     u(xi) = a + b xi                         displacement of the normal spring at xi, closing is positive [m]     (2.1), (14.1)
-///     v                                        displacement of the shear springs [m]                                (2.2), (14.2)
-///     P_i = K_n u(xi_i) + eta_n u'(xi_i)       force of a normal spring and its dashpot [N]                         (6.1), (7.1)
-///     Q_i = K_s v + eta_s v'                   force of a shear spring and its dashpot [N]                          (6.2), (7.2)
-///     xi_i = (2i - 1 - N)/N, or +-1            places of the springs over half of the face                          (13.1), (13.2)
+///     u(xi) = a + b xi                         displacement of the normal spring at xi, closing is positive [m]     (2.1),
+///     (14.1) v                                        displacement of the shear springs [m] (2.2), (14.2) P_i = K_n u(xi_i) +
+///     eta_n u'(xi_i)       force of a normal spring and its dashpot [N]                         (6.1), (7.1) Q_i = K_s v + eta_s
+///     v'                   force of a shear spring and its dashpot [N]                          (6.2), (7.2) xi_i = (2i - 1 -
+///     N)/N, or +-1            places of the springs over half of the face                          (13.1), (13.2)
 ///
 ///     n, s    from the first element to the second, and 90 degrees to the right of that
 ///     theta   rotation of an element since they were joined [rad]
@@ -44,17 +44,17 @@ enum class SpringPlaces { centres, ends };
 
 /// Springs of a face and what they bear, each.
 struct FaceSprings {
-  Real first_reach = 0;     ///< r1 [m]
-  Real second_reach = 0;    ///< r2 [m]
-  Real half_face = 0;       ///< r [m]
-  Real normal = 0;          ///< K_n [N/m]
-  Real shear = 0;           ///< K_s [N/m]
-  Real normal_damping = 0;  ///< eta_n [N s/m]
-  Real shear_damping = 0;   ///< eta_s [N s/m]
-  Real tension_limit = 0;   ///< sigma_t A/N [N]
-  Real cohesion_limit = 0;  ///< c A/N [N]
-  Real friction = 0;        ///< tan phi
-  std::vector<Real> places; ///< xi
+  Real first_reach = 0;      ///< r1 [m]
+  Real second_reach = 0;     ///< r2 [m]
+  Real half_face = 0;        ///< r [m]
+  Real normal = 0;           ///< K_n [N/m]
+  Real shear = 0;            ///< K_s [N/m]
+  Real normal_damping = 0;   ///< eta_n [N s/m]
+  Real shear_damping = 0;    ///< eta_s [N s/m]
+  Real tension_limit = 0;    ///< sigma_t A/N [N]
+  Real cohesion_limit = 0;   ///< c A/N [N]
+  Real friction = 0;         ///< tan phi
+  std::vector<Real> places;  ///< xi
 
   /// The first element is a wall: its face goes through its centre, and n is its own.
   bool is_wall() const { return first_reach == 0; }
@@ -78,24 +78,24 @@ inline std::vector<Real> spring_places(SpringPlaces layout, int count) {
 /// Where two elements are and how they move; `T` is Real or Lanes.
 template <class T>
 struct FacePair {
-  std::array<T, 2> apart{};      ///< x2 - x1 [m]
-  std::array<T, 2> approach{};   ///< x1' - x2' [m/s]
-  T spin_sum{}, spin_difference{};  ///< theta_1' + theta_2', theta_1' - theta_2' [rad/s]
-  T turn{};                      ///< theta_1 - theta_2 [rad]
+  std::array<T, 2> apart{};                      ///< x2 - x1 [m]
+  std::array<T, 2> approach{};                   ///< x1' - x2' [m/s]
+  T spin_sum{}, spin_difference{};               ///< theta_1' + theta_2', theta_1' - theta_2' [rad/s]
+  T turn{};                                      ///< theta_1 - theta_2 [rad]
   std::array<T, 2> first_axis{}, second_axis{};  ///< n as each element has turned it; formula exact, and walls
 };
 
 /// What the springs of a link do, linear along the face, and the arms of their forces.
 template <class T>
 struct FaceMotion {
-  std::array<T, 2> normal{};  ///< n; s is (n_y, -n_x)
-  T closing{}, slope{};       ///< a, b [m]
+  std::array<T, 2> normal{};       ///< n; s is (n_y, -n_x)
+  T closing{}, slope{};            ///< a, b [m]
   T closing_rate{}, slope_rate{};  ///< a', b' [m/s]
-  T shear{};                  ///< v of formula exact [m]
-  T shear_rate{};             ///< v' [m/s]
-  T offset{};                 ///< arm of the normal force that turns both alike [m]
-  T lag{}, arm{};             ///< of u(xi): (lag + arm xi) is its derivative by half of the difference of the spins [m]
-  T first_arm{}, second_arm{};  ///< l_1, l_2 [m]
+  T shear{};                       ///< v of formula exact [m]
+  T shear_rate{};                  ///< v' [m/s]
+  T offset{};                      ///< arm of the normal force that turns both alike [m]
+  T lag{}, arm{};                  ///< of u(xi): (lag + arm xi) is its derivative by half of the difference of the spins [m]
+  T first_arm{}, second_arm{};     ///< l_1, l_2 [m]
 };
 
 template <FaceFormula formula, class T>
@@ -147,7 +147,7 @@ FaceMotion<T> face_motion(const FacePair<T>& pair, const FaceSprings& face) {
 /// On the second element; on the first the opposite force.
 template <class T>
 struct FaceForce {
-  std::array<T, 2> force{};  ///< [N]
+  std::array<T, 2> force{};           ///< [N]
   T first_moment{}, second_moment{};  ///< [N m]
 };
 
@@ -156,15 +156,16 @@ template <class T>
 FaceForce<T> face_force(const FaceMotion<T>& motion, T normal, T tilt, T shear) {
   const T turning = motion.lag * normal + motion.arm * tilt, common = motion.offset * normal;
   return {{motion.normal[0] * normal + motion.normal[1] * shear, motion.normal[1] * normal - motion.normal[0] * shear},
-          motion.first_arm * shear - common - turning, motion.second_arm * shear - common + turning};
+          motion.first_arm * shear - common - turning,
+          motion.second_arm * shear - common + turning};
 }
 
 /// A spring that can break and slip; section 2 (3).
 struct SpringState {
-  Real slip = 0;        ///< elastic shear displacement [m], or with formula exact what v is at rest
+  Real slip = 0;                            ///< elastic shear displacement [m], or with formula exact what v is at rest
   Real last_rate = 0, last_shear_rate = 0;  ///< that its dashpots saw when they last acted [m/s]
-  bool joined = true;   ///< whether it acts
-  bool whole = true;    ///< never broken: only then has it strength and cohesion
+  bool joined = true;                       ///< whether it acts
+  bool whole = true;                        ///< never broken: only then has it strength and cohesion
 };
 
 /// What a spring does in a step, and the energy it loses.
@@ -187,13 +188,14 @@ inline Real slip_loss(Real before, Real trial, Real after, Real stiffness) {
 }
 
 /// One spring at xi through (8) to (11): `shear` is v of formula exact.
-inline SpringForce advance_spring(SpringState& spring, const FaceSprings& face, FaceFormula formula, const FaceMotion<Real>& motion,
-                                  Real xi, Real elapsed) {
+inline SpringForce advance_spring(SpringState& spring, const FaceSprings& face, FaceFormula formula,
+                                  const FaceMotion<Real>& motion, Real xi, Real elapsed) {
   const Real closing = motion.closing + motion.slope * xi, rate = motion.closing_rate + motion.slope_rate * xi;
   const auto rest = [&](Real elastic) { spring.slip = formula == FaceFormula::exact ? motion.shear - elastic : elastic; };
   SpringForce result;
-  result.dashpot_loss = 0.5 * elapsed * (face.normal_damping * spring.last_rate * (spring.last_rate + rate) +
-                                         face.shear_damping * spring.last_shear_rate * (spring.last_shear_rate + motion.shear_rate));
+  result.dashpot_loss = 0.5 * elapsed *
+                        (face.normal_damping * spring.last_rate * (spring.last_rate + rate) +
+                         face.shear_damping * spring.last_shear_rate * (spring.last_shear_rate + motion.shear_rate));
   spring.last_rate = spring.last_shear_rate = 0;
   if (!spring.joined) {
     if (closing < 0) return result;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Contact of two spheres, or of a sphere and a wall: an elastic normal force, dashpots from a coefficient of restitution, friction
-/// with memory, and resistance to rolling.
+/// Contact of two spheres, or of a sphere and a wall: an elastic normal force, dashpots from a coefficient of restitution,
+/// friction with memory, and resistance to rolling.
 ///
 ///     N = K a d - C sqrt(a m) v_n        T = slider(G a, D sqrt(a m), mu N)        M = R n x slider(G a, D sqrt(a m), mu_r N)
 ///
@@ -10,11 +10,12 @@
 ///
 /// Hertz-Mindlin: a = sqrt(R d) is the radius of the contact [m], and with 1/E = sum (1 - nu^2)/E_i, 1/G_ = sum (2 - nu)/G_i
 ///
-///     K = 4/3 E      G = 8 G_      C = 2 sqrt(5/6) b sqrt(3/2 K)      D = 2 sqrt(5/6) b sqrt(G)      b = -ln e/sqrt(pi^2 + ln^2 e)
+///     K = 4/3 E      G = 8 G_      C = 2 sqrt(5/6) b sqrt(3/2 K)      D = 2 sqrt(5/6) b sqrt(G)      b = -ln e/sqrt(pi^2 + ln^2
+///     e)
 ///
 /// [Hertz1881]; [Mindlin1953] without the slip history of partial unloading; dashpots [Tsuji1992] with the damping that gives the
-/// restitution e exactly and at any speed [Antypov2011], eq. (17): sqrt(5) b sqrt(K m) R^(1/4) d^(1/4) v_n. For that N may pull at the
-/// very end of a contact; friction never sees a negative N.
+/// restitution e exactly and at any speed [Antypov2011], eq. (17): sqrt(5) b sqrt(K m) R^(1/4) d^(1/4) v_n. For that N may pull
+/// at the very end of a contact; friction never sees a negative N.
 ///
 /// Linear: a = 1, K and G are springs [N/m], C = 2 b sqrt(K), D = 2 b sqrt(G). A contact lasts pi/sqrt(K/m (1 - b^2)).
 ///
@@ -71,7 +72,8 @@ inline ContactConstants<Real> hertz_constants(const Elasticity& one, const Elast
 inline ContactConstants<Real> linear_constants(Real normal_stiffness, Real shear_stiffness, Real restitution, Real friction,
                                                Real rolling) {
   const Real damping = 2 * damping_share(restitution);
-  return {normal_stiffness, shear_stiffness, damping * std::sqrt(normal_stiffness), damping * std::sqrt(shear_stiffness), friction, rolling};
+  return {normal_stiffness, shear_stiffness, damping * std::sqrt(normal_stiffness), damping * std::sqrt(shear_stiffness),
+          friction,         rolling};
 }
 
 /// What the law needs to know of a touching pair.

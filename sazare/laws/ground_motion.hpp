@@ -42,11 +42,16 @@ inline Real ricker_order(const Ricker& wave, Real time, int order) {
   const Real b = std::numbers::pi * std::numbers::pi * wave.frequency * wave.frequency;
   const Real s = time - wave.peak_time, bell = std::exp(-b * s * s), z = b * s * s;
   switch (order) {
-    case 0: return bell / (2 * b);
-    case 1: return -s * bell;
-    case 2: return (2 * z - 1) * bell;
-    case 3: return b * s * (6 - 4 * z) * bell;
-    default: return b * (6 - 24 * z + 8 * z * z) * bell;
+    case 0:
+      return bell / (2 * b);
+    case 1:
+      return -s * bell;
+    case 2:
+      return (2 * z - 1) * bell;
+    case 3:
+      return b * s * (6 - 4 * z) * bell;
+    default:
+      return b * (6 - 24 * z + 8 * z * z) * bell;
   }
 }
 
@@ -60,10 +65,10 @@ struct Sine {
 
 /// Equal steps of time, linear between them; zero after the last.
 struct Record {
-  Real step = 0;              ///< [s]
-  std::vector<Real> value;    ///< of the motion's quantity
-  std::vector<Real> first;    ///< its integral from 0 at each sample
-  std::vector<Real> second;   ///< the integral of that
+  Real step = 0;             ///< [s]
+  std::vector<Real> value;   ///< of the motion's quantity
+  std::vector<Real> first;   ///< its integral from 0 at each sample
+  std::vector<Real> second;  ///< the integral of that
 
   static Record make(Real step, std::vector<Real> value) {
     Record record{step, std::move(value), {}, {}};
@@ -139,7 +144,7 @@ struct GroundMotion {
     return {motion[0], motion[1], motion[2]};
   }
 
- private:
+private:
   /// Order 2 is the shape itself, 1 its integral, 3 its derivative.
   Real order(Real time, int order) const {
     if (shape == Shape::ricker) return time < 0 ? 0 : ricker_order(ricker_wave, time, order);
@@ -153,11 +158,17 @@ struct GroundMotion {
     const Real length = sine_wave.cycles > 0 ? sine_wave.cycles / sine_wave.frequency : time;
     const Real t = std::min(time, length);
     switch (order) {
-      case 0: return (t - std::sin(omega * t) / omega) / omega + (time > length ? (1 - std::cos(omega * t)) / omega * (time - length) : 0);
-      case 1: return (1 - std::cos(omega * t)) / omega;
-      case 2: return time > length ? 0 : std::sin(omega * t);
-      case 3: return time > length ? 0 : omega * std::cos(omega * t);
-      default: return time > length ? 0 : -omega * omega * std::sin(omega * t);
+      case 0:
+        return (t - std::sin(omega * t) / omega) / omega +
+               (time > length ? (1 - std::cos(omega * t)) / omega * (time - length) : 0);
+      case 1:
+        return (1 - std::cos(omega * t)) / omega;
+      case 2:
+        return time > length ? 0 : std::sin(omega * t);
+      case 3:
+        return time > length ? 0 : omega * std::cos(omega * t);
+      default:
+        return time > length ? 0 : -omega * omega * std::sin(omega * t);
     }
   }
 };

@@ -10,8 +10,8 @@
 ///     phi       angle of friction                                                s_t  tensile strength [Pa]
 ///     psi       angle of dilation                                                e_p  plastic strain [-]
 ///
-/// In plane strain the principal stresses of the plane count: the one across it is taken to lie between them, as it does for ground that
-/// yields in shear. de Souza Neto, Peric and Owen, Computational Methods for Plasticity (2008), section 8.2.
+/// In plane strain the principal stresses of the plane count: the one across it is taken to lie between them, as it does for
+/// ground that yields in shear. de Souza Neto, Peric and Owen, Computational Methods for Plasticity (2008), section 8.2.
 
 #include <algorithm>
 #include <array>
@@ -31,8 +31,9 @@ struct MohrCoulomb {
 
   /// Angles in radians.
   static MohrCoulomb make(Real cohesion, Real friction_angle, Real dilation_angle, Real tensile_strength) {
-    return {cohesion,           std::tan(friction_angle), std::sin(friction_angle), std::cos(friction_angle),
-            std::sin(dilation_angle), tensile_strength};
+    return {
+        cohesion,        std::tan(friction_angle), std::sin(friction_angle), std::cos(friction_angle), std::sin(dilation_angle),
+        tensile_strength};
   }
 
   Real shear(Real largest, Real smallest) const {
@@ -63,15 +64,16 @@ struct PlasticFlow {
   Real slip = 0;                 ///< largest difference of its parts, or the largest opening [-]
 };
 
-/// What flows when an elastic strain, given by its principal parts, is brought back to the strength. Each ordered pair of directions
-/// has a plane f_s = 0, each direction one f_t = 0; their amounts dg >= 0 are found by projected Gauss-Seidel sweeps.
+/// What flows when an elastic strain, given by its principal parts, is brought back to the strength. Each ordered pair of
+/// directions has a plane f_s = 0, each direction one f_t = 0; their amounts dg >= 0 are found by projected Gauss-Seidel sweeps.
 template <std::size_t D>
 PlasticFlow<D> plastic_flow(const MohrCoulomb& law, const Elasticity& elastic, const std::array<Real, D>& strain) {
   constexpr int most_sweeps = 5000;
   const Real mu = elastic.shear_modulus, lambda = elastic.lame;
   const Real tolerance = 1e-9 * (law.cohesion + law.tensile_strength + 1e-6 * mu);
   const Real opening = 1 + law.sin_dilation, closing = 1 - law.sin_dilation, growth = lambda * (opening - closing);
-  const Real shear_relief = (1 + law.sin_friction) * (2 * mu * opening + growth) + (1 - law.sin_friction) * (2 * mu * closing - growth);
+  const Real shear_relief =
+      (1 + law.sin_friction) * (2 * mu * opening + growth) + (1 - law.sin_friction) * (2 * mu * closing - growth);
   std::array<std::array<Real, D>, D> amount{};  // dg: of the pair (i, k), and on the diagonal of tension along i
   std::array<Real, D> stress = elastic.stress(strain);
   const auto flow_along = [&](std::size_t i, Real part) {

@@ -14,10 +14,10 @@
 ///     r_e     influence radius [m]                          mu, lambda  Lame's constants [Pa]
 ///     d       dimension of space
 ///
-/// [Yoshida2010], appendix. The sum of its normal and shear terms (A6, A7) is the vector spring k u. Force and torque here are the
-/// exact derivatives of E, so that energy is conserved at any rotation and strain. The paper's differ from them by terms of second
-/// order in the strain: its torque is r x k u/2 instead of R_i r0 x (k u + S e)/2, and its pressure term (A10) has S e instead of
-/// S (e + (u - c e)/|r|), with S = V (lambda_i div_i + lambda_j div_j) d w/(n0 |r0|). Linearised they are the same.
+/// [Yoshida2010], appendix. The sum of its normal and shear terms (A6, A7) is the vector spring k u. Force and torque here are
+/// the exact derivatives of E, so that energy is conserved at any rotation and strain. The paper's differ from them by terms of
+/// second order in the strain: its torque is r x k u/2 instead of R_i r0 x (k u + S e)/2, and its pressure term (A10) has S e
+/// instead of S (e + (u - c e)/|r|), with S = V (lambda_i div_i + lambda_j div_j) d w/(n0 |r0|). Linearised they are the same.
 
 #include <array>
 
@@ -72,8 +72,8 @@ LinkStrain<D, T> link_strain(const Components<D, T>& apart, const Components<D, 
 
 template <int D, class T>
 struct LinkForce {
-  Components<D, T> force{};   ///< on the first particle [N]; the other way on the second
-  Components<D, T> turning{}; ///< k u + S e [N]: the torque on a particle is R r0 x this / 2
+  Components<D, T> force{};    ///< on the first particle [N]; the other way on the second
+  Components<D, T> turning{};  ///< k u + S e [N]: the torque on a particle is R r0 x this / 2
 };
 
 /// `spring` is k [N/m], `pressure` is S [N].

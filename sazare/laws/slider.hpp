@@ -4,10 +4,10 @@
 ///
 ///     T = -S x - c v     |T| <= L     x  elastic displacement [m]     v  sliding velocity [m/s]
 ///
-/// S is the stiffness [N/m], c the damping [N s/m], L the force at which it slips [N]. Spring and dashpot together hold no more than L, and the spring
-/// is never stretched beyond L/S, whatever the dashpot does: S, c and L change while a contact is pressed together.
-/// The memory is x half a step back, m: x = m + h v/2 at the evaluation, and m = x + h v/2 after it, h being the step [s]; so x is
-/// the integral of v by the trapezoidal rule.
+/// S is the stiffness [N/m], c the damping [N s/m], L the force at which it slips [N]. Spring and dashpot together hold no more
+/// than L, and the spring is never stretched beyond L/S, whatever the dashpot does: S, c and L change while a contact is pressed
+/// together. The memory is x half a step back, m: x = m + h v/2 at the evaluation, and m = x + h v/2 after it, h being the step
+/// [s]; so x is the integral of v by the trapezoidal rule.
 
 #include "sazare/core/triple.hpp"
 

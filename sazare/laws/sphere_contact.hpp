@@ -36,14 +36,14 @@ struct SphereContact {
 
 /// What the law needs to know of one touching pair of spheres.
 struct SphereMotion {
-  Real overlap = 0;        ///< d [m], > 0
-  Real opening_speed = 0;  ///< v_n [m/s], positive when the spheres part
+  Real overlap = 0;                   ///< d [m], > 0
+  Real opening_speed = 0;             ///< v_n [m/s], positive when the spheres part
   Vector3 sliding = Vector3::Zero();  ///< v_t [m/s]
-  Real normal_mass = 0;    ///< m along the normal [kg]
-  Real sliding_mass = 0;   ///< m along the sliding direction [kg]
-  Real contacts = 1;       ///< n
-  Real step = 0;           ///< h, the longer of two evaluations' distances [s]
-  Real elapsed = 0;        ///< since the last evaluation [s]
+  Real normal_mass = 0;               ///< m along the normal [kg]
+  Real sliding_mass = 0;              ///< m along the sliding direction [kg]
+  Real contacts = 1;                  ///< n
+  Real step = 0;                      ///< h, the longer of two evaluations' distances [s]
+  Real elapsed = 0;                   ///< since the last evaluation [s]
 };
 
 /// What a touching pair remembers until it parts.

@@ -89,8 +89,8 @@ state::MeanMotion<D> kick(state::Motion<D>& motion, const state::Inertia<D>& ine
 }
 
 template <int D>
-void foresee(state::Motion<D>& motion, const state::Inertia<D>& inertia, state::Locks locks,
-             state::Impulse<D> given, Real seconds) {
+void foresee(state::Motion<D>& motion, const state::Inertia<D>& inertia, state::Locks locks, state::Impulse<D> given,
+             Real seconds) {
   clear_locked(given, locks);
   motion.foreseen_velocity = motion.velocity + (1 / inertia.mass) * (seconds * given.force - given.linear_ahead);
   const Angular<D> lead = seconds * given.torque - given.angular_ahead;

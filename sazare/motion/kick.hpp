@@ -32,8 +32,8 @@ void drift(state::Motion<D>& motion, state::Inertia<D>& inertia, state::Locks lo
 
 /// Foresees the velocity at `due`, where the body stands, `seconds` after the kick at which this was given.
 template <int D>
-void foresee(state::Motion<D>& motion, const state::Inertia<D>& inertia, state::Locks locks,
-             state::Impulse<D> given, Real seconds);
+void foresee(state::Motion<D>& motion, const state::Inertia<D>& inertia, state::Locks locks, state::Impulse<D> given,
+             Real seconds);
 
 /// Takes a body that a link needs before its time back from `due` to `now`, which becomes its own time.
 template <int D>
@@ -49,8 +49,7 @@ Angular<2> spin_of(const state::Motion<2>& motion, const state::Inertia<2>& iner
 template <int D>
 Real kinetic_energy(const state::Motion<D>& motion, const state::Inertia<D>& inertia, state::Locks locks,
                     const Vector<D>& velocity, const Angular<D>& angular_momentum) {
-  return 0.5 * (inertia.mass * velocity.squaredNorm() +
-                angular_momentum.dot(spin_of(motion, inertia, locks, angular_momentum)));
+  return 0.5 * (inertia.mass * velocity.squaredNorm() + angular_momentum.dot(spin_of(motion, inertia, locks, angular_momentum)));
 }
 
 }  // namespace sazare::motion

@@ -87,9 +87,19 @@ struct Batch {
 LaneState load(const LanePointers<state::Motion<3>>& motions, const LanePointers<state::Inertia<3>>& inertias) {
   const auto m = load_records<24>(motions);
   const auto i = load_records<8>(inertias);
-  return {{{m[0], m[1], m[2]}}, {{m[18], m[19], m[20]}}, {}, {}, {}, {{m[21], m[22], m[23]}},
+  return {{{m[0], m[1], m[2]}},
+          {{m[18], m[19], m[20]}},
+          {},
+          {},
+          {},
+          {{m[21], m[22], m[23]}},
           {{LaneVector{{m[3], m[4], m[5]}}, LaneVector{{m[6], m[7], m[8]}}, LaneVector{{m[9], m[10], m[11]}}}},
-          i[3], i[0], i[1], i[2], {{i[4], i[5], i[6]}}, i[7]};
+          i[3],
+          i[0],
+          i[1],
+          i[2],
+          {{i[4], i[5], i[6]}},
+          i[7]};
 }
 
 void store(const LaneState& body, const LongLanes& kicked, const LongLanes& due, int count,
@@ -97,9 +107,38 @@ void store(const LaneState& body, const LongLanes& kicked, const LongLanes& due,
   const LaneVector &p = body.position, &v = body.velocity, &s = body.spin, &l = body.angular_momentum;
   const LaneVector &u = body.foreseen_velocity, &t = body.foreseen_spin;
   const LaneMatrix& r = body.rotation;
-  store_records<32>({p[0], p[1], p[2], r[0][0], r[0][1], r[0][2], r[1][0], r[1][1], r[1][2], r[2][0], r[2][1], r[2][2],
-                     u[0], u[1], u[2], t[0], t[1], t[2], v[0], v[1], v[2], l[0], l[1], l[2], s[0], s[1], s[2],
-                     reinterpret_cast<Lanes>(kicked), reinterpret_cast<Lanes>(due), Lanes{}, Lanes{}, Lanes{}},
+  store_records<32>({p[0],
+                     p[1],
+                     p[2],
+                     r[0][0],
+                     r[0][1],
+                     r[0][2],
+                     r[1][0],
+                     r[1][1],
+                     r[1][2],
+                     r[2][0],
+                     r[2][1],
+                     r[2][2],
+                     u[0],
+                     u[1],
+                     u[2],
+                     t[0],
+                     t[1],
+                     t[2],
+                     v[0],
+                     v[1],
+                     v[2],
+                     l[0],
+                     l[1],
+                     l[2],
+                     s[0],
+                     s[1],
+                     s[2],
+                     reinterpret_cast<Lanes>(kicked),
+                     reinterpret_cast<Lanes>(due),
+                     Lanes{},
+                     Lanes{},
+                     Lanes{}},
                     motions, count);
   const LaneVector& i = body.inverse_moments;
   store_records<8>({body.x, body.y, body.z, body.w, i[0], i[1], i[2], body.mass}, inertias, count);
@@ -147,8 +186,9 @@ void step_batch(state::Bodies<3>& bodies, const Batch& batch, std::span<const st
   drift(body, seconds);
   foresee(body, impulse, seconds);
   store(body, kicked, due, batch.count, motions, inertias);
-  store_records<8>({mean_velocity[0], mean_velocity[1], mean_velocity[2], mean_spin[0], mean_spin[1], mean_spin[2], Lanes{}, Lanes{}},
-                   means, batch.count);
+  store_records<8>(
+      {mean_velocity[0], mean_velocity[1], mean_velocity[2], mean_spin[0], mean_spin[1], mean_spin[2], Lanes{}, Lanes{}}, means,
+      batch.count);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace sazare::neighbors {
 
 class SphereGrid {
- public:
+public:
   /// Puts an item at a place, from wherever it was.
   void place(Index item, const Vector3& centre, Real radius);
   void remove(Index item);
@@ -32,7 +32,7 @@ class SphereGrid {
     }
   }
 
- private:
+private:
   struct Cell {
     int width = 0;  ///< exponent of two of the cell's edge
     std::int64_t x = 0, y = 0, z = 0;

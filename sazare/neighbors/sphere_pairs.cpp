@@ -81,7 +81,7 @@ struct Grid {
 
 /// Spheres of one size class by cell.
 class Cells {
- public:
+public:
   struct Range {
     std::uint32_t begin = 0, end = 0;
   };
@@ -113,7 +113,7 @@ class Cells {
   Grid grid;
   std::vector<Index> items;
 
- private:
+private:
   struct Entry {
     std::uint64_t key = 0;
     Range range;
@@ -158,7 +158,7 @@ struct Sizes {
 
 /// Looks for pairs in the size classes of a body.
 class Search {
- public:
+public:
   Search(const state::Spheres& spheres, Real margin)
       : spheres_(spheres), margin_(margin), length_(spheres.box.length), inverse_(spheres.box.inverse()) {
     const Sizes sizes(spheres);
@@ -188,7 +188,7 @@ class Search {
     return join(found, mixed);
   }
 
- private:
+private:
   struct Block {
     std::vector<std::uint32_t> counts;
     std::vector<Index> other;
@@ -282,7 +282,8 @@ std::vector<Index> order_along_curve(const state::Spheres& spheres, Real margin)
   const Grid grid(spheres.box, sizes.lower, 2 * sizes.smallest() + margin);
   std::vector<std::pair<std::uint64_t, Index>> keyed(spheres.size());
   parallel::parallel_for(spheres.size(), 20000, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) keyed[i] = {Grid::key(grid.place_of(spheres.place[i].centre())), static_cast<Index>(i)};
+    for (std::size_t i = begin; i < end; ++i)
+      keyed[i] = {Grid::key(grid.place_of(spheres.place[i].centre())), static_cast<Index>(i)};
   });
   std::ranges::sort(keyed);
   std::vector<Index> order(keyed.size());

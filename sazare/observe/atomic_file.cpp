@@ -15,9 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path folder_of(const fs::path& file) {
-  return file.has_parent_path() ? file.parent_path() : fs::path(".");
-}
+fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
 
 std::string_view advice_for(int error) {
   switch (error) {
@@ -51,8 +49,8 @@ void sync_folder(const fs::path& folder) {
 }  // namespace
 
 void fail_to_write(const fs::path& file, int error) {
-  throw MachineError(fmt::format("{}: cannot be written: {}. {}", file.string(),
-                                 std::generic_category().message(error), advice_for(error)));
+  throw MachineError(
+      fmt::format("{}: cannot be written: {}. {}", file.string(), std::generic_category().message(error), advice_for(error)));
 }
 
 AtomicFile::AtomicFile(fs::path file) : file_(std::move(file)) {

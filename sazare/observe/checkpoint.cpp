@@ -23,8 +23,7 @@ std::vector<std::int64_t> seal_of(std::span<const std::byte> bytes) {
 
 }  // namespace
 
-CheckpointWriter::CheckpointWriter(const std::filesystem::path& file)
-    : file_(file, Hdf5Writer::Tables::checked) {
+CheckpointWriter::CheckpointWriter(const std::filesystem::path& file) : file_(file, Hdf5Writer::Tables::checked) {
   file_.make_group(group);
   file_.set_attribute(group, "format", format_name);
   file_.set_attribute(group, "version", std::vector<std::int64_t>{format_version});
@@ -42,15 +41,13 @@ void CheckpointWriter::add(const std::string& name, std::span<const std::byte> b
 void CheckpointWriter::commit() { file_.commit(); }
 
 CheckpointReader::CheckpointReader(const std::filesystem::path& path) try : path_(path), file_(path) {
-  if (!file_.has(group) || !file_.has_attribute(group, "format") ||
-      file_.read_text_attribute(group, "format") != format_name) {
+  if (!file_.has(group) || !file_.has_attribute(group, "format") || file_.read_text_attribute(group, "format") != format_name) {
     throw UserError(fmt::format("{}: is not a checkpoint of Sazare", path.string()));
   }
   const std::vector<std::int64_t> version = file_.read_attribute(group, "version");
   if (version != std::vector<std::int64_t>{format_version}) {
-    throw UserError(
-        fmt::format("{}: checkpoint format {}, this Sazare reads {}. Resume with the Sazare that wrote it",
-                    path.string(), version.empty() ? 0 : version[0], format_version));
+    throw UserError(fmt::format("{}: checkpoint format {}, this Sazare reads {}. Resume with the Sazare that wrote it",
+                                path.string(), version.empty() ? 0 : version[0], format_version));
   }
 } catch (const UserError& error) {
   throw UserError(fmt::format("{}. Start the run again without --resume", error.what()));

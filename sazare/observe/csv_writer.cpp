@@ -62,8 +62,7 @@ std::size_t length_of_rows(const std::string& text, std::size_t header, std::siz
 
 }  // namespace
 
-CsvWriter::CsvWriter(fs::path file, std::vector<std::string> columns)
-    : file_(std::move(file)), columns_(columns.size()) {
+CsvWriter::CsvWriter(fs::path file, std::vector<std::string> columns) : file_(std::move(file)), columns_(columns.size()) {
   append_row(buffer_, columns);
   descriptor_ = open(file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (descriptor_ < 0) fail_to_write(file_, errno);
@@ -123,8 +122,7 @@ CsvWriter::~CsvWriter() {
 
 void CsvWriter::add_row(std::span<const Real> values) {
   if (values.size() != columns_) {
-    throw std::invalid_argument(
-        fmt::format("{}: a row of {} numbers for {} columns", file_.string(), values.size(), columns_));
+    throw std::invalid_argument(fmt::format("{}: a row of {} numbers for {} columns", file_.string(), values.size(), columns_));
   }
   append_row(buffer_, values);
   ++rows_;
@@ -134,8 +132,7 @@ void CsvWriter::add_row(std::span<const Real> values) {
 void CsvWriter::flush(bool to_disk) {
   std::size_t done = 0;
   while (done < buffer_.size()) {
-    const ssize_t count = pwrite(descriptor_, buffer_.data() + done, buffer_.size() - done,
-                                 static_cast<off_t>(written_ + done));
+    const ssize_t count = pwrite(descriptor_, buffer_.data() + done, buffer_.size() - done, static_cast<off_t>(written_ + done));
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) {
       const int error = errno;
@@ -149,8 +146,7 @@ void CsvWriter::flush(bool to_disk) {
   if (to_disk && fsync(descriptor_) != 0) fail_to_write(file_, errno);
 }
 
-void write_csv(const fs::path& file, const std::vector<std::string>& columns,
-               const std::vector<std::vector<CsvField>>& rows) {
+void write_csv(const fs::path& file, const std::vector<std::string>& columns, const std::vector<std::vector<CsvField>>& rows) {
   std::string text;
   append_row(text, columns);
   for (const auto& row : rows) {

@@ -22,20 +22,15 @@ inline constexpr std::uint64_t prime_5 = 0x27D4EB2F165667C5ULL;
 
 template <class T>
 T load(const std::byte* bytes) {
-  static_assert(std::endian::native == std::endian::little,
-                "hashes would differ from those of other machines");
+  static_assert(std::endian::native == std::endian::little, "hashes would differ from those of other machines");
   T value;
   std::memcpy(&value, bytes, sizeof(T));
   return value;
 }
 
-inline std::uint64_t mixed(std::uint64_t lane, std::uint64_t input) {
-  return std::rotl(lane + input * prime_2, 31) * prime_1;
-}
+inline std::uint64_t mixed(std::uint64_t lane, std::uint64_t input) { return std::rotl(lane + input * prime_2, 31) * prime_1; }
 
-inline std::uint64_t merged(std::uint64_t hash, std::uint64_t lane) {
-  return (hash ^ mixed(0, lane)) * prime_1 + prime_4;
-}
+inline std::uint64_t merged(std::uint64_t hash, std::uint64_t lane) { return (hash ^ mixed(0, lane)) * prime_1 + prime_4; }
 
 /// The last bytes, fewer than 32, and the avalanche.
 inline std::uint64_t finished(std::uint64_t hash, const std::byte* bytes, std::size_t count) {
@@ -71,8 +66,7 @@ inline std::uint64_t hash_bytes(std::span<const std::byte> input, std::uint64_t 
         bytes += 8;
       }
     }
-    hash =
-        std::rotl(lanes[0], 1) + std::rotl(lanes[1], 7) + std::rotl(lanes[2], 12) + std::rotl(lanes[3], 18);
+    hash = std::rotl(lanes[0], 1) + std::rotl(lanes[1], 7) + std::rotl(lanes[2], 12) + std::rotl(lanes[3], 18);
     for (const std::uint64_t lane : lanes) hash = merged(hash, lane);
   }
   return finished(hash + input.size(), bytes, count);

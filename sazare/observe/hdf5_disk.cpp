@@ -42,8 +42,7 @@ herr_t close_file(H5FD_t* file) {
 }
 
 herr_t query(const H5FD_t*, unsigned long* flags) {
-  *flags = H5FD_FEAT_AGGREGATE_METADATA | H5FD_FEAT_ACCUMULATE_METADATA | H5FD_FEAT_DATA_SIEVE |
-           H5FD_FEAT_AGGREGATE_SMALLDATA;
+  *flags = H5FD_FEAT_AGGREGATE_METADATA | H5FD_FEAT_ACCUMULATE_METADATA | H5FD_FEAT_DATA_SIEVE | H5FD_FEAT_AGGREGATE_SMALLDATA;
   return 0;
 }
 
@@ -92,8 +91,7 @@ herr_t write_file(H5FD_t* base, H5FD_mem_t, hid_t, haddr_t address, std::size_t 
 
 herr_t truncate_file(H5FD_t* base, hid_t, hbool_t) {
   DiskFile& file = disk_file(base);
-  if (ftruncate(file.disk->descriptor, static_cast<off_t>(file.end_of_addresses)) != 0)
-    note(*file.disk, errno);
+  if (ftruncate(file.disk->descriptor, static_cast<off_t>(file.end_of_addresses)) != 0) note(*file.disk, errno);
   file.end_of_file = file.end_of_addresses;
   return 0;
 }

@@ -74,8 +74,7 @@ void Hdf5Writer::make_group(const std::string& path) {
 }
 
 template <class T>
-void Hdf5Writer::write(const std::string& path, std::span<const T> values,
-                       const std::vector<std::size_t>& shape) {
+void Hdf5Writer::write(const std::string& path, std::span<const T> values, const std::vector<std::size_t>& shape) {
   const std::vector<hsize_t> sizes(shape.begin(), shape.end());
   const Space space(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr));
   const Properties properties(H5Pcreate(H5P_DATASET_CREATE));
@@ -87,21 +86,16 @@ void Hdf5Writer::write(const std::string& path, std::span<const T> values,
 }
 
 template void Hdf5Writer::write(const std::string&, std::span<const double>, const std::vector<std::size_t>&);
-template void Hdf5Writer::write(const std::string&, std::span<const std::int32_t>,
-                                const std::vector<std::size_t>&);
-template void Hdf5Writer::write(const std::string&, std::span<const std::int64_t>,
-                                const std::vector<std::size_t>&);
-template void Hdf5Writer::write(const std::string&, std::span<const std::uint8_t>,
-                                const std::vector<std::size_t>&);
-template void Hdf5Writer::write(const std::string&, std::span<const std::byte>,
-                                const std::vector<std::size_t>&);
+template void Hdf5Writer::write(const std::string&, std::span<const std::int32_t>, const std::vector<std::size_t>&);
+template void Hdf5Writer::write(const std::string&, std::span<const std::int64_t>, const std::vector<std::size_t>&);
+template void Hdf5Writer::write(const std::string&, std::span<const std::uint8_t>, const std::vector<std::size_t>&);
+template void Hdf5Writer::write(const std::string&, std::span<const std::byte>, const std::vector<std::size_t>&);
 
-void Hdf5Writer::set_attribute(const std::string& path, const std::string& name,
-                               std::span<const std::int64_t> values) {
+void Hdf5Writer::set_attribute(const std::string& path, const std::string& name, std::span<const std::int64_t> values) {
   const hsize_t count = values.size();
   const Space space(H5Screate_simple(1, &count, nullptr));
-  const Attribute attribute(H5Acreate_by_name(file_, path.c_str(), name.c_str(), H5T_NATIVE_INT64, space,
-                                              H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+  const Attribute attribute(
+      H5Acreate_by_name(file_, path.c_str(), name.c_str(), H5T_NATIVE_INT64, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
   check(attribute);
   check(H5Awrite(attribute, H5T_NATIVE_INT64, values.data()));
 }
@@ -111,8 +105,8 @@ void Hdf5Writer::set_attribute(const std::string& path, const std::string& name,
   const Type type(H5Tcopy(H5T_C_S1));
   H5Tset_size(type, text.size());
   H5Tset_strpad(type, H5T_STR_NULLPAD);
-  const Attribute attribute(H5Acreate_by_name(file_, path.c_str(), name.c_str(), type, space, H5P_DEFAULT,
-                                              H5P_DEFAULT, H5P_DEFAULT));
+  const Attribute attribute(
+      H5Acreate_by_name(file_, path.c_str(), name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
   check(attribute);
   check(H5Awrite(attribute, type, text.data()));
 }
@@ -140,13 +134,10 @@ Hdf5Reader::~Hdf5Reader() {
 
 void Hdf5Reader::fail() const {
   throw UserError(
-      fmt::format("{}: cannot be read as an HDF5 file: it is damaged, cut short or another kind of file",
-                  path_.string()));
+      fmt::format("{}: cannot be read as an HDF5 file: it is damaged, cut short or another kind of file", path_.string()));
 }
 
-bool Hdf5Reader::has(const std::string& path) const {
-  return H5Lexists(file_, path.c_str(), H5P_DEFAULT) > 0;
-}
+bool Hdf5Reader::has(const std::string& path) const { return H5Lexists(file_, path.c_str(), H5P_DEFAULT) > 0; }
 
 std::vector<std::byte> Hdf5Reader::read_bytes(const std::string& path) const {
   const Dataset dataset(H5Dopen2(file_, path.c_str(), H5P_DEFAULT));
@@ -157,8 +148,7 @@ std::vector<std::byte> Hdf5Reader::read_bytes(const std::string& path) const {
   const auto file_size = std::filesystem::file_size(path_, error);
   if (count < 0 || error || static_cast<std::uintmax_t>(count) > file_size) fail();
   std::vector<std::byte> bytes(static_cast<std::size_t>(count));
-  if (count > 0 && H5Dread(dataset, H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) < 0)
-    fail();
+  if (count > 0 && H5Dread(dataset, H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) < 0) fail();
   return bytes;
 }
 

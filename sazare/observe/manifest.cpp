@@ -37,9 +37,7 @@ nlohmann::ordered_json results_of(const Manifest& manifest) {
 
 }  // namespace
 
-Machine this_machine() {
-  return {cpu_model(), static_cast<int>(std::thread::hardware_concurrency()), parallel::threads()};
-}
+Machine this_machine() { return {cpu_model(), static_cast<int>(std::thread::hardware_concurrency()), parallel::threads()}; }
 
 std::string time_of_day() {
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());

@@ -18,9 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::size_t corners_of(Grid::Cell cell) {
-  return cell == Grid::Cell::vertex ? 1 : cell == Grid::Cell::triangle ? 3 : 4;
-}
+std::size_t corners_of(Grid::Cell cell) { return cell == Grid::Cell::vertex ? 1 : cell == Grid::Cell::triangle ? 3 : 4; }
 
 void write_count(Hdf5Writer& out, const std::string& name, std::size_t count) {
   const std::vector<std::int64_t> value = {static_cast<std::int64_t>(count)};
@@ -42,8 +40,7 @@ void write_cell_data(Hdf5Writer& out, const CellData& data, std::size_t cells) {
   std::visit(
       [&](const auto& values) {
         if (values.size() != cells * data.components) {
-          throw std::invalid_argument(
-              fmt::format("cell data '{}' has {} numbers for {} cells", data.name, values.size(), cells));
+          throw std::invalid_argument(fmt::format("cell data '{}' has {} numbers for {} cells", data.name, values.size(), cells));
         }
         std::vector<std::size_t> shape = {cells};
         if (data.components > 1) shape.push_back(data.components);
@@ -74,16 +71,13 @@ void write_vtkhdf(const fs::path& file, const Grid& grid, Sync sync) {
   out.commit(sync);
 }
 
-SnapshotSeries::SnapshotSeries(fs::path folder, std::string name)
-    : folder_(std::move(folder)), name_(std::move(name)) {
+SnapshotSeries::SnapshotSeries(fs::path folder, std::string name) : folder_(std::move(folder)), name_(std::move(name)) {
   std::error_code error;
   fs::create_directories(folder_, error);
   if (error) fail_to_write(folder_, error.value());
 }
 
-std::string SnapshotSeries::file_name(std::size_t index) const {
-  return fmt::format("{}_{:05}.vtkhdf", name_, index);
-}
+std::string SnapshotSeries::file_name(std::size_t index) const { return fmt::format("{}_{:05}.vtkhdf", name_, index); }
 
 fs::path SnapshotSeries::series_file(const std::string& ending) const {
   return folder_ / fmt::format("{}.{}.series", name_, ending);
@@ -102,8 +96,7 @@ void SnapshotSeries::sync() {
 }
 
 void SnapshotSeries::write_series() const {
-  nlohmann::ordered_json series = {{"file-series-version", "1.0"},
-                                   {"files", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json series = {{"file-series-version", "1.0"}, {"files", nlohmann::ordered_json::array()}};
   for (std::size_t i = 0; i < times_.size(); ++i) {
     series["files"].push_back({{"name", file_name(i)}, {"time", times_[i]}});
   }

@@ -43,7 +43,7 @@ int count_of(std::size_t bytes) { return static_cast<int>(bytes); }
 
 /// Waits for requests of MPI: looks often, then rarely.
 class Ranks::Wait {
- public:
+public:
   explicit Wait(const Ranks& ranks) : ranks_(&ranks), begin_(Clock::now()) {}
   ~Wait() { ranks_->traffic_.seconds += seconds_since(begin_); }
   Wait(const Wait&) = delete;
@@ -65,7 +65,7 @@ class Ranks::Wait {
     }
   }
 
- private:
+private:
   using Clock = std::chrono::steady_clock;
   static double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
@@ -160,7 +160,8 @@ void Ranks::gather_round(Gathered& gathered, std::span<const std::byte> own, To 
   wait({&request, 1});
   for (std::size_t rank = 0; !at_once && rank < n; ++rank)
     std::copy_n(round.begin() + places[rank], counts[rank],
-                gathered.bytes.begin() + static_cast<std::ptrdiff_t>(gathered.begin[rank] + std::min(done, gathered.of(static_cast<int>(rank)).size())));
+                gathered.bytes.begin() + static_cast<std::ptrdiff_t>(gathered.begin[rank] +
+                                                                     std::min(done, gathered.of(static_cast<int>(rank)).size())));
 }
 
 std::int64_t Ranks::from_first(std::int64_t number) const {
@@ -195,8 +196,9 @@ void Ranks::abort(int exit_code) const {
 Ranks::Ranks(int&, char**&) {
   const char* size = std::getenv("OMPI_COMM_WORLD_SIZE");
   if (is_launched() && (size == nullptr || std::string(size) != "1"))
-    throw UserError("this sazare is built without MPI, and cannot be one of several processes: leave mpirun out, or build it "
-                    "with `make build` where Open MPI is installed");
+    throw UserError(
+        "this sazare is built without MPI, and cannot be one of several processes: leave mpirun out, or build it "
+        "with `make build` where Open MPI is installed");
 }
 
 Ranks::~Ranks() = default;

@@ -41,7 +41,7 @@ struct Traffic {
 ///
 /// Whoever waits gives the processor away after a moment, so that ranks may be more than there are processors.
 class Ranks {
- public:
+public:
   /// Joins the processes of the launch; argc and argv may be changed by MPI. Throws UserError when there are several and
   /// Sazare was built without MPI.
   Ranks(int& argc, char**& argv);
@@ -77,7 +77,7 @@ class Ranks {
 
   const Traffic& traffic() const { return traffic_; }
 
- private:
+private:
   class Wait;
   void gather_round(Gathered& gathered, std::span<const std::byte> own, To to, std::size_t done, std::size_t part) const;
 

@@ -62,8 +62,7 @@ void run_thread(Work* work, std::size_t thread, std::size_t thread_count) {
 
 SAZARE_HIDE_FORK void fork(Work* work, int parts) {
 #pragma omp parallel num_threads(parts) default(none) firstprivate(work)
-  run_thread(work, static_cast<std::size_t>(omp_get_thread_num()),
-             static_cast<std::size_t>(omp_get_num_threads()));
+  run_thread(work, static_cast<std::size_t>(omp_get_thread_num()), static_cast<std::size_t>(omp_get_num_threads()));
 }
 
 }  // namespace

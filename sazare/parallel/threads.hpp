@@ -36,10 +36,7 @@ void parallel_for(std::size_t n, std::size_t serial_below, F&& f) {
   }
   using Function = std::remove_reference_t<F>;
   detail::run_ranges(
-      n,
-      [](void* context, std::size_t begin, std::size_t end) {
-        (*static_cast<Function*>(context))(begin, end);
-      },
+      n, [](void* context, std::size_t begin, std::size_t end) { (*static_cast<Function*>(context))(begin, end); },
       const_cast<void*>(static_cast<const void*>(&f)));
 }
 

@@ -40,7 +40,7 @@ bool holds(const std::vector<std::array<Real, 2>>& points, Real x, Real y) {
 }
 
 class Assembler {
- public:
+public:
   explicit Assembler(const cases::CaseFile& file) : file_(file), case_(file.rectangles()) {}
 
   Assembly assemble() {
@@ -57,7 +57,7 @@ class Assembler {
     return std::move(result_);
   }
 
- private:
+private:
   struct Place {
     Vector2 centre;
     Real angle = 0;
@@ -65,7 +65,8 @@ class Assembler {
   };
 
   Index material_of(const cases::SquareBlock& block) const {
-    return static_cast<Index>(std::ranges::find(case_.materials, block.material, &cases::SquareMaterial::name) - case_.materials.begin());
+    return static_cast<Index>(std::ranges::find(case_.materials, block.material, &cases::SquareMaterial::name) -
+                              case_.materials.begin());
   }
 
   void add_block(std::size_t number) {
@@ -73,7 +74,8 @@ class Assembler {
     if (block.shape == BlockShape::rectangle && !(block.element_size > 0)) return add_single(block);
     const auto [corner, lattice] = lattice_of(number, block);
     if (lattice.empty())
-      refuse(file_, fmt::format("blocks.{}", number), fmt::format("the block \"{}\" holds no element", block.name), "choose a smaller element_size");
+      refuse(file_, fmt::format("blocks.{}", number), fmt::format("the block \"{}\" holds no element", block.name),
+             "choose a smaller element_size");
     const Real angle = radians(block.angle), half = 0.5 * block.element_size;
     const Vector2 axis(std::cos(angle), std::sin(angle)), other(-axis.y(), axis.x());
     const OutlineKind outline = block.elements == cases::ElementShape::circles ? OutlineKind::circle : OutlineKind::rectangle;
@@ -83,13 +85,15 @@ class Assembler {
     for (const auto& [site, grey] : lattice) {
       const Index own = part.try_emplace(grey, blocks_ + static_cast<Index>(part.size())).first->second;
       const Vector2 place = corner + half * ((2 * site.second + 1) * axis + (2 * site.first + 1) * other);
-      element[site] = add_element(outline, half, half, own, {place, angle, densities_[static_cast<std::size_t>(material_of(block))]});
+      element[site] =
+          add_element(outline, half, half, own, {place, angle, densities_[static_cast<std::size_t>(material_of(block))]});
     }
     blocks_ += static_cast<Index>(part.size());
     for (const auto& [site, own] : element)
       for (const int along : {0, 1}) {
         const auto next = element.find({site.first + along, site.second + 1 - along});
-        if (next != element.end() && lattice.at(next->first) == lattice.at(site)) result_.parts.links.push_back({own, next->second, along, kind, 0});
+        if (next != element.end() && lattice.at(next->first) == lattice.at(site))
+          result_.parts.links.push_back({own, next->second, along, kind, 0});
       }
   }
 
@@ -98,7 +102,8 @@ class Assembler {
     const Real angle = radians(block.angle);
     const Vector2 axis(std::cos(angle), std::sin(angle)), other(-axis.y(), axis.x());
     add_element(OutlineKind::rectangle, 0.5 * size.x(), 0.5 * size.y(), blocks_++,
-                {block.lower.head<2>() + 0.5 * (size.x() * axis + size.y() * other), angle, densities_[static_cast<std::size_t>(material_of(block))]});
+                {block.lower.head<2>() + 0.5 * (size.x() * axis + size.y() * other), angle,
+                 densities_[static_cast<std::size_t>(material_of(block))]});
   }
 
   /// Lower corner and sites (row, column).
@@ -123,7 +128,8 @@ class Assembler {
     }
     for (int row = 0; row < count(upper.y() - lower.y()); ++row)
       for (int column = 0; column < count(upper.x() - lower.x()); ++column)
-        if (block.shape == BlockShape::rectangle || holds(block.points, lower.x() + (column + 0.5) * size, lower.y() + (row + 0.5) * size))
+        if (block.shape == BlockShape::rectangle ||
+            holds(block.points, lower.x() + (column + 0.5) * size, lower.y() + (row + 0.5) * size))
           lattice[{row, column}] = 0;
     return {lower, lattice};
   }
@@ -167,7 +173,8 @@ class Assembler {
 
   void add_wall(const cases::Wall& wall) {
     const Vector2 way = (wall.to - wall.from).head<2>();
-    add_support(OutlineKind::wall, 0.5 * way.norm(), 0, {0.5 * (wall.from + wall.to).head<2>(), std::atan2(way.y(), way.x())}, wall.moves);
+    add_support(OutlineKind::wall, 0.5 * way.norm(), 0, {0.5 * (wall.from + wall.to).head<2>(), std::atan2(way.y(), way.x())},
+                wall.moves);
   }
 
   void add_roller(const cases::Roller& roller) {
@@ -229,8 +236,9 @@ class Assembler {
 
 /// Looks at the beginning for what overlaps, and for supports that hold nothing.
 class BeginningCheck {
- public:
-  BeginningCheck(const cases::CaseFile& file, const Assembly& assembly) : file_(file), case_(file.rectangles()), assembly_(assembly) {}
+public:
+  BeginningCheck(const cases::CaseFile& file, const Assembly& assembly)
+      : file_(file), case_(file.rectangles()), assembly_(assembly) {}
 
   void check() const {
     methods::rectangles::RectangleForces forces(assembly_.particles, assembly_.parts, 1);
@@ -240,18 +248,20 @@ class BeginningCheck {
     std::vector<bool> holds_something(assembly_.parts.outlines.size(), false);
     for (const methods::rectangles::Contact& pair : forces.contacts().pairs()) {
       check(static_cast<std::size_t>(pair.first), static_cast<std::size_t>(pair.second));
-      holds_something[static_cast<std::size_t>(pair.second)] = holds_something[static_cast<std::size_t>(pair.second)] || is_near(pair);
+      holds_something[static_cast<std::size_t>(pair.second)] =
+          holds_something[static_cast<std::size_t>(pair.second)] || is_near(pair);
     }
     for (std::size_t i = 0; i < case_.rollers.size(); ++i) {
       const cases::Roller& roller = case_.rollers[i];
       const bool still = roller.moves.velocity.isZero() && roller.moves.motion[0].empty() && roller.moves.motion[1].empty();
       if (still && !holds_something[first_roller() + i])
-        refuse(file_, fmt::format("rollers.{}.center", i), fmt::format("the support \"{}\" stands below nothing: no element touches it", roller.name),
+        refuse(file_, fmt::format("rollers.{}.center", i),
+               fmt::format("the support \"{}\" stands below nothing: no element touches it", roller.name),
                "move it to the block, or give it a velocity");
     }
   }
 
- private:
+private:
   std::size_t first_roller() const { return static_cast<std::size_t>(assembly_.elements) + case_.walls.size(); }
 
   /// A roller a little larger would touch.
@@ -265,19 +275,22 @@ class BeginningCheck {
   void check(std::size_t first, std::size_t second) const {
     const auto& outlines = assembly_.parts.outlines;
     if (outlines.block[first] == outlines.block[second]) return;
-    const geometry::Overlap found = geometry::overlap(outlines.at(assembly_.particles, first), outlines.at(assembly_.particles, second));
+    const geometry::Overlap found =
+        geometry::overlap(outlines.at(assembly_.particles, first), outlines.at(assembly_.particles, second));
     Real depth = 0;
     for (int i = 0; i < found.count; ++i) depth = std::max(depth, found.points[static_cast<std::size_t>(i)].depth);
     if (depth <= overlap_tolerance * outlines.spring_radius(first)) return;
-    refuse(file_, key_of(second), fmt::format("an element of the block at ({}, {}) m overlaps what stands there already, by {} m",
-                                              cases::short_number(assembly_.particles.start[0][first], 4),
-                                              cases::short_number(assembly_.particles.start[1][first], 4), cases::short_number(depth, 3)),
+    refuse(file_, key_of(second),
+           fmt::format("an element of the block at ({}, {}) m overlaps what stands there already, by {} m",
+                       cases::short_number(assembly_.particles.start[0][first], 4),
+                       cases::short_number(assembly_.particles.start[1][first], 4), cases::short_number(depth, 3)),
            "bodies may touch at the start, but not overlap: move one of them");
   }
 
   std::string key_of(std::size_t outline) const {
     if (outline >= first_roller()) return fmt::format("rollers.{}", outline - first_roller());
-    if (outline >= static_cast<std::size_t>(assembly_.elements)) return fmt::format("walls.{}", outline - static_cast<std::size_t>(assembly_.elements));
+    if (outline >= static_cast<std::size_t>(assembly_.elements))
+      return fmt::format("walls.{}", outline - static_cast<std::size_t>(assembly_.elements));
     return fmt::format("blocks.{}", assembly_.case_block[static_cast<std::size_t>(assembly_.parts.outlines.block[outline])]);
   }
 

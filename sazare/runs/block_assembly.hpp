@@ -9,11 +9,11 @@
 namespace sazare::runs {
 
 struct Assembly {
-  state::Particles<2> particles;                       ///< elements, then walls, then rollers
+  state::Particles<2> particles;  ///< elements, then walls, then rollers
   methods::rectangles::RectangleForces::Parts parts;
-  terms::ParticleSupports<2> supports;                 ///< what is held and moved, and gravity
+  terms::ParticleSupports<2> supports;  ///< what is held and moved, and gravity
   Index elements = 0;
-  std::vector<Index> case_block;                       ///< of the case, by block of the outlines: an image may hold several
+  std::vector<Index> case_block;  ///< of the case, by block of the outlines: an image may hold several
 };
 
 /// Throws UserError when a block holds no element, an image cannot be read, blocks or supports overlap, or a support holds

@@ -73,10 +73,11 @@ BlocksModel build_blocks(const cases::BlocksCase& blocks, geometry::TetraMesh me
   for (Index element = 0; element < bodies.size(); ++element) corners.push_back(geometry::corners_of(model.mesh, element));
 
   Terms terms;
-  model.joints = keep(terms, std::make_unique<methods::blocks::Joints>(std::move(kinds), joint_faces, std::move(joint_rates), bodies));
+  model.joints =
+      keep(terms, std::make_unique<methods::blocks::Joints>(std::move(kinds), joint_faces, std::move(joint_rates), bodies));
   model.contacts = keep(terms, std::make_unique<methods::blocks::Contacts>(
-                                   contact_law(blocks.contact), blocks.contact.edge_division, *model.joints,
-                                   std::move(corners), make_free_faces(blocks, faces, joint_of_face), bodies));
+                                   contact_law(blocks.contact), blocks.contact.edge_division, *model.joints, std::move(corners),
+                                   make_free_faces(blocks, faces, joint_of_face), bodies));
   if (auto boundaries = make_boundaries(blocks, faces, model.material, bodies); !boundaries.empty())
     keep(terms, std::make_unique<methods::blocks::OuterFaces>(std::move(boundaries), bodies));
   if (!blocks.blasts.empty())
@@ -86,8 +87,8 @@ BlocksModel build_blocks(const cases::BlocksCase& blocks, geometry::TetraMesh me
 
   model.rates = rates_of(terms, bodies.size());
   for (const terms::Rates& rates : model.rates) model.stable_step.push_back(engine::stable_step(rates));
-  model.simulation = std::make_unique<engine::Simulation<3>>(std::move(bodies), std::move(terms),
-                                                              step_rules(blocks.time, base_step), sharing);
+  model.simulation =
+      std::make_unique<engine::Simulation<3>>(std::move(bodies), std::move(terms), step_rules(blocks.time, base_step), sharing);
   return model;
 }
 

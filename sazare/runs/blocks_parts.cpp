@@ -85,8 +85,7 @@ state::Bodies<3> make_bodies(const cases::BlocksCase& blocks, const geometry::Te
   return bodies;
 }
 
-std::vector<Index> joint_by_face(const cases::BlocksCase& blocks, const MeshFaces& faces,
-                                 const std::vector<Index>& material) {
+std::vector<Index> joint_by_face(const cases::BlocksCase& blocks, const MeshFaces& faces, const std::vector<Index>& material) {
   std::vector<Index> joint_of(faces.map.interior.size(), -1);
   for (std::size_t entry = 0; entry < blocks.joints.size(); ++entry) {
     const cases::Joint& joint = blocks.joints[entry];
@@ -124,8 +123,8 @@ std::vector<methods::blocks::JointFace> make_joint_faces(const cases::BlocksCase
     const Index entry = joint_of_face[face];
     if (entry < 0 || !blocks.joints[at(entry)].bonded) continue;
     const auto& shared = faces.map.interior[face];
-    methods::blocks::JointFace bonded{shared.element_i, shared.element_j, entry, shared.face_i, shared.face_j,
-                                      face_corners(faces.mesh, shared.nodes)};
+    methods::blocks::JointFace bonded{shared.element_i, shared.element_j, entry,
+                                      shared.face_i,    shared.face_j,    face_corners(faces.mesh, shared.nodes)};
     // The master is the one that comes first in the file, however elements are sorted in memory.
     if (element_tag(faces.mesh, bonded.slave) < element_tag(faces.mesh, bonded.master)) {
       std::swap(bonded.master, bonded.slave);
@@ -171,8 +170,7 @@ methods::blocks::FaceSprings ground_springs(cases::BoundaryKind kind, const case
 }  // namespace
 
 std::vector<methods::blocks::OuterFace> make_boundaries(const cases::BlocksCase& blocks, const MeshFaces& faces,
-                                                        const std::vector<Index>& material,
-                                                        const state::Bodies<3>& bodies) {
+                                                        const std::vector<Index>& material, const state::Bodies<3>& bodies) {
   std::vector<methods::blocks::OuterFace> made;
   for (const cases::Boundary& boundary : blocks.boundaries)
     for (const geometry::OuterFace& outer : faces.outer(boundary.surface)) {
@@ -184,8 +182,8 @@ std::vector<methods::blocks::OuterFace> make_boundaries(const cases::BlocksCase&
       const Vector3 area = area_vector(face.place);
       face.normal = area.normalized();
       const Real height = 2 * face.normal.dot(face.place[0] - motion.position);
-      face.springs = ground_springs(boundary.kind, own_joint(blocks, own, boundary.surface),
-                                    blocks.materials[at(own)].density, height);
+      face.springs =
+          ground_springs(boundary.kind, own_joint(blocks, own, boundary.surface), blocks.materials[at(own)].density, height);
       face.springs.corner_area = area.norm() / 3;
       for (std::size_t corner = 0; corner < 3; ++corner)
         face.springs.corners[corner] = motion.rotation.transpose() * (face.place[corner] - motion.position);

@@ -30,8 +30,7 @@ state::Bodies<3> make_bodies(const cases::BlocksCase& blocks, const geometry::Te
                              const std::vector<Index>& material);
 
 /// Which joint of the case a face has: the last entry that matches, or -1 for none.
-std::vector<Index> joint_by_face(const cases::BlocksCase& blocks, const MeshFaces& faces,
-                                 const std::vector<Index>& material);
+std::vector<Index> joint_by_face(const cases::BlocksCase& blocks, const MeshFaces& faces, const std::vector<Index>& material);
 
 methods::blocks::JointKind make_joint_kind(const cases::Joint& joint);
 
@@ -39,8 +38,7 @@ std::vector<methods::blocks::JointFace> make_joint_faces(const cases::BlocksCase
                                                          const std::vector<Index>& joint_of_face);
 
 std::vector<methods::blocks::OuterFace> make_boundaries(const cases::BlocksCase& blocks, const MeshFaces& faces,
-                                                        const std::vector<Index>& material,
-                                                        const state::Bodies<3>& bodies);
+                                                        const std::vector<Index>& material, const state::Bodies<3>& bodies);
 
 /// Faces that no joint holds from the beginning: the outer ones, and both sides of those that were never bonded.
 std::vector<methods::blocks::FreeFace> make_free_faces(const cases::BlocksCase& blocks, const MeshFaces& faces,

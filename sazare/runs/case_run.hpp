@@ -39,7 +39,7 @@ inline bool is_writer(const RunOptions& options) { return options.sharing.ranks 
 
 template <class Work>
 class CaseRun {
- public:
+public:
   CaseRun(Work& work, const RunOptions& options) : work_(work), options_(options) {
     manifest_.version = version;
     manifest_.commit = commit;
@@ -67,7 +67,7 @@ class CaseRun {
     }
   }
 
- private:
+private:
   using Clock = std::chrono::steady_clock;
   static constexpr auto flush_interval = std::chrono::seconds(2);
 

@@ -29,7 +29,7 @@ std::string number(Real value) { return cases::short_number(value, 4); }
 
 /// A folder that goes when the object does.
 class TemporaryFolder {
- public:
+public:
   TemporaryFolder() {
     std::string name = (fs::temp_directory_path() / "sazare-check-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) observe::fail_to_write(name, errno);
@@ -43,16 +43,18 @@ class TemporaryFolder {
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
   const fs::path& path() const { return path_; }
 
- private:
+private:
   fs::path path_;
 };
 
 std::string body_text(const BlocksModel& model) {
   const Real volume = std::accumulate(model.volume.begin(), model.volume.end(), Real{0});
   const auto elements = model.simulation->bodies().size();
-  return fmt::format("  {:<12}{} elements, {} joints, {} m3, {} to begin with\n", "body", elements,
-                     model.joints->links().size(), number(volume),
-                     find_fragments(elements, *model.joints).count == 1 ? "one piece" : fmt::format("{} pieces", find_fragments(elements, *model.joints).count));
+  return fmt::format("  {:<12}{} elements, {} joints, {} m3, {} to begin with\n", "body", elements, model.joints->links().size(),
+                     number(volume),
+                     find_fragments(elements, *model.joints).count == 1
+                         ? "one piece"
+                         : fmt::format("{} pieces", find_fragments(elements, *model.joints).count));
 }
 
 std::string level_text(const BlocksModel& model) {
@@ -73,10 +75,10 @@ std::string limiting_text(const BlocksModel& model) {
       "    element      step [s]  bound by   level  place [m]\n";
   for (const LimitingElement& limiting : limiting_elements(model, limiting_shown)) {
     const Vector3& place = model.simulation->bodies().start[static_cast<std::size_t>(limiting.element)];
-    text += fmt::format("  {:>9}  {:>12}  {:<9}  {:>5}  ({}, {}, {})\n", element_tag(model.mesh, limiting.element),
-                        number(stable_share * limiting.stable_step),
-                        bound_by_dashpots(model, limiting.element) ? "dashpots" : "springs",
-                        model.simulation->levels().level(limiting.element), number(place.x()), number(place.y()), number(place.z()));
+    text += fmt::format(
+        "  {:>9}  {:>12}  {:<9}  {:>5}  ({}, {}, {})\n", element_tag(model.mesh, limiting.element),
+        number(stable_share * limiting.stable_step), bound_by_dashpots(model, limiting.element) ? "dashpots" : "springs",
+        model.simulation->levels().level(limiting.element), number(place.x()), number(place.y()), number(place.z()));
   }
   return text;
 }
@@ -84,10 +86,10 @@ std::string limiting_text(const BlocksModel& model) {
 std::string step_text(const BlocksModel& model, const RunClocks& clocks) {
   const Real base_step = model.simulation->levels().step(0), rate = evaluations_per_second(model);
   const Real smallest = stable_share * limiting_elements(model, 1).front().stable_step;
-  return fmt::format("  {:<12}base {} s ({} to a history row), smallest stable {} s\n"
-                     "  {:<12}{} pair evaluations per second of simulated time, {} to the end, while nothing breaks\n",
-                     "steps", number(base_step), clocks.steps_per_row, number(smallest), "work", number(rate),
-                     number(rate * clocks.end));
+  return fmt::format(
+      "  {:<12}base {} s ({} to a history row), smallest stable {} s\n"
+      "  {:<12}{} pair evaluations per second of simulated time, {} to the end, while nothing breaks\n",
+      "steps", number(base_step), clocks.steps_per_row, number(smallest), "work", number(rate), number(rate * clocks.end));
 }
 
 }  // namespace
@@ -99,8 +101,8 @@ std::string check_blocks(const cases::CaseFile& file) {
   const RunClocks clocks = make_clocks(file.blocks().time, model.simulation->levels().step(0));
   const std::string warning = check_stability(file, model);
   model.simulation->start();
-  return cases::explain(file.blocks()) + body_text(model) + step_text(model, clocks) + level_text(model) +
-         limiting_text(model) + (warning.empty() ? "" : "\n" + warning);
+  return cases::explain(file.blocks()) + body_text(model) + step_text(model, clocks) + level_text(model) + limiting_text(model) +
+         (warning.empty() ? "" : "\n" + warning);
 }
 
 }  // namespace sazare::runs

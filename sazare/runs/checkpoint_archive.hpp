@@ -8,28 +8,28 @@
 namespace sazare::runs {
 
 class CheckpointSaver final : public Archive {
- public:
+public:
   explicit CheckpointSaver(observe::CheckpointWriter& out) : out_(&out) {}
   bool reading() const override { return false; }
 
- protected:
+protected:
   void write(const std::string& name, std::span<const std::byte> bytes) override { out_->add(name, bytes); }
   std::vector<std::byte> read(const std::string&) override { return {}; }
 
- private:
+private:
   observe::CheckpointWriter* out_;
 };
 
 class CheckpointLoader final : public Archive {
- public:
+public:
   explicit CheckpointLoader(const observe::CheckpointReader& in) : in_(&in) {}
   bool reading() const override { return true; }
 
- protected:
+protected:
   void write(const std::string&, std::span<const std::byte>) override {}
   std::vector<std::byte> read(const std::string& name) override { return in_->read(name); }
 
- private:
+private:
   const observe::CheckpointReader* in_;
 };
 

@@ -40,15 +40,14 @@ std::string likely_reason(const BlocksModel& model, const cases::CaseFile& file,
   const LimitingElement smallest = limiting_elements(model, 1).front();
   const Real step = model.simulation->levels().step(model.simulation->levels().level(element));
   const Real limit = stable_share * model.stable_step[at(element)];
-  const std::string cure =
-      file.blocks().time.limiter == cases::Limiter::stability
-          ? "set time.stability_fraction = 0.25"
-          : fmt::format("set time.limiter = \"stability\", or time.base_step to {} s at most",
-                        cases::short_number(stable_share * smallest.stable_step, 3));
+  const std::string cure = file.blocks().time.limiter == cases::Limiter::stability
+                               ? "set time.stability_fraction = 0.25"
+                               : fmt::format("set time.limiter = \"stability\", or time.base_step to {} s at most",
+                                             cases::short_number(stable_share * smallest.stable_step, 3));
   if (step > limit)
     return fmt::format("its step of {} s is {} times the longest that the {} of its joints and boundaries allow ({} s): {}",
-                       cases::short_number(step, 3), cases::short_number(step / limit, 3), bound_by_dashpots(model, element) ? "dashpots" : "springs",
-                       cases::short_number(limit, 3), cure);
+                       cases::short_number(step, 3), cases::short_number(step / limit, 3),
+                       bound_by_dashpots(model, element) ? "dashpots" : "springs", cases::short_number(limit, 3), cure);
   if (file.blocks().contact.damping_cap == cases::DampingCap::literal)
     return "its step suits its joints; the dashpot of its contacts is not capped and may be too stiff for the step: set "
            "contact.damping_cap = \"step\"";
@@ -72,8 +71,8 @@ std::string describe_failure(const BlocksModel& model, const cases::CaseFile& fi
   const Index element = likely_first(model);
   const state::Motion<3>& motion = model.simulation->bodies().motion[at(element)];
   const std::string what = state::is_finite(motion) ? fmt::format("moves at {} m/s, farther in a step than it is large",
-                                                           cases::short_number(motion.velocity.norm(), 3))
-                                             : std::string("has a motion that is no number any more");
+                                                                  cases::short_number(motion.velocity.norm(), 3))
+                                                    : std::string("has a motion that is no number any more");
   return fmt::format("{} (its place at the beginning) {}, found at t = {} s\n  {}", element_text(model.mesh, element), what,
                      cases::short_number(time), likely_reason(model, file, element));
 }

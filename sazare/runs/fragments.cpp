@@ -14,7 +14,7 @@ std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
 /// Joined sets; the smallest element of each is its root.
 class Sets {
- public:
+public:
   explicit Sets(Index count) : parent_(at(count)) { std::iota(parent_.begin(), parent_.end(), 0); }
 
   Index root(Index element) {
@@ -31,7 +31,7 @@ class Sets {
     parent_[at(std::max(a, b))] = std::min(a, b);
   }
 
- private:
+private:
   std::vector<Index> parent_;
 };
 
@@ -50,8 +50,8 @@ FragmentMap find_fragments(Index elements, const methods::blocks::Joints& joints
   return map;
 }
 
-std::vector<Fragment> measure_fragments(const FragmentMap& map, std::span<const Real> volume,
-                                        const state::Bodies<3>& bodies, const engine::Snapshot<3>& now) {
+std::vector<Fragment> measure_fragments(const FragmentMap& map, std::span<const Real> volume, const state::Bodies<3>& bodies,
+                                        const engine::Snapshot<3>& now) {
   std::vector<Fragment> fragments(at(map.count));
   std::vector<Vector3> moved(at(map.count), Vector3::Zero());
   for (std::size_t element = 0; element < volume.size(); ++element) {

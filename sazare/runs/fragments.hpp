@@ -19,19 +19,19 @@ struct FragmentMap {
 FragmentMap find_fragments(Index elements, const methods::blocks::Joints& joints);
 
 struct Fragment {
-  Index number = 0;                     ///< its place in the map
+  Index number = 0;  ///< its place in the map
   Index elements = 0;
-  Real volume = 0;                      ///< [m3]
-  Real mass = 0;                        ///< [kg]
-  Real size = 0;                        ///< diameter of the sphere of the same volume [m]
-  Vector3 center = Vector3::Zero();     ///< of mass [m]
-  Vector3 velocity = Vector3::Zero();   ///< of the centre [m/s]
-  Real throw_distance = 0;              ///< how far the centre has moved [m]
+  Real volume = 0;                     ///< [m3]
+  Real mass = 0;                       ///< [kg]
+  Real size = 0;                       ///< diameter of the sphere of the same volume [m]
+  Vector3 center = Vector3::Zero();    ///< of mass [m]
+  Vector3 velocity = Vector3::Zero();  ///< of the centre [m/s]
+  Real throw_distance = 0;             ///< how far the centre has moved [m]
 };
 
 /// Fragments at a moment, largest volume first; equal ones in the order of their numbers.
-std::vector<Fragment> measure_fragments(const FragmentMap& map, std::span<const Real> volume,
-                                        const state::Bodies<3>& bodies, const engine::Snapshot<3>& now);
+std::vector<Fragment> measure_fragments(const FragmentMap& map, std::span<const Real> volume, const state::Bodies<3>& bodies,
+                                        const engine::Snapshot<3>& now);
 
 /// The size [m] that a share of the volume (0..1) passes, on the cumulative curve: straight lines between the fragments'
 /// sizes, each with the volume of all fragments up to it; below the smallest fragment its own size. 0 without fragments.

@@ -13,7 +13,7 @@
 namespace sazare::runs {
 
 class Gauges {
- public:
+public:
   /// Throws UserError at the gauges of the case that lie in no element.
   Gauges(const cases::CaseFile& file, const geometry::TetraMesh& mesh);
 
@@ -28,7 +28,7 @@ class Gauges {
 
   void columns(Archive& archive) { archive("peaks", peaks_); }
 
- private:
+private:
   std::vector<std::string> names_;
   std::vector<Vector3> points_;
   std::vector<Index> elements_;

@@ -34,10 +34,11 @@ GreyImage read_grey_image(const std::filesystem::path& file) {
   image.width = next_number(stream, file, "width");
   image.height = next_number(stream, file, "height");
   image.white = next_number(stream, file, "largest grey");
-  if (image.width < 1 || image.height < 1 || image.width > most_pixels_across || image.height > most_pixels_across || image.white < 1 ||
-      image.white > 255)
-    throw UserError(fmt::format("{}: an image of {} x {} pixels with greys to {}: each side must be from 1 to {}, greys at most 255",
-                                file.string(), image.width, image.height, image.white, most_pixels_across));
+  if (image.width < 1 || image.height < 1 || image.width > most_pixels_across || image.height > most_pixels_across ||
+      image.white < 1 || image.white > 255)
+    throw UserError(
+        fmt::format("{}: an image of {} x {} pixels with greys to {}: each side must be from 1 to {}, greys at most 255",
+                    file.string(), image.width, image.height, image.white, most_pixels_across));
   stream.get();
   image.grey.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
   for (int& grey : image.grey) {
@@ -45,7 +46,8 @@ GreyImage read_grey_image(const std::filesystem::path& file) {
       stream >> grey;
     else
       grey = stream.get();
-    if (!stream) throw UserError(fmt::format("{}: the image ends before its {} x {} pixels", file.string(), image.width, image.height));
+    if (!stream)
+      throw UserError(fmt::format("{}: the image ends before its {} x {} pixels", file.string(), image.width, image.height));
   }
   return image;
 }

@@ -2,8 +2,8 @@
 
 /// The regression of limit steps on radius, velocity and damping of [Yoshida2010], section 6.
 ///
-///     dt = a1 (R/V)^a2                                                       (14)    R  particle radius [m], V  wave velocity [m/s]
-///     a1 = 10^(b11 log10(h)^2 + b12 log10(h) + b13), a2 with b21 b22 b23     (15), (16)    h  damping ratio, at most 0.22
+///     dt = a1 (R/V)^a2                                                       (14)    R  particle radius [m], V  wave velocity
+///     [m/s] a1 = 10^(b11 log10(h)^2 + b12 log10(h) + b13), a2 with b21 b22 b23     (15), (16)    h  damping ratio, at most 0.22
 
 #include <array>
 #include <span>

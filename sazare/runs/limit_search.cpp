@@ -18,7 +18,7 @@ constexpr std::int64_t check_every = 16;
 
 template <int D>
 class LimitSearch {
- public:
+public:
   LimitSearch(const cases::CaseFile& file, const LimitRules& rules) : file_(file), rules_(rules), parts_(make_parts<D>(file)) {}
 
   FoundLimit run() {
@@ -36,7 +36,7 @@ class LimitSearch {
     return found_;
   }
 
- private:
+private:
   void bracket(Real center) {
     const auto try_out = [&](Real step) { (holds(step) ? found_.stable : found_.unstable) = step; };
     for (Real step = center; !(found_.stable > 0); step /= widening) try_out(step);

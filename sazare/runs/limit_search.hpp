@@ -22,8 +22,8 @@ struct FoundLimit {
   Real limit() const;  ///< geometric mean of the two [s]
 };
 
-/// Bisection on the geometric mean, from the time that a P wave takes over a spacing on: the prediction is put beside the result and
-/// takes no part in it. Throws UserError when no step holds.
+/// Bisection on the geometric mean, from the time that a P wave takes over a spacing on: the prediction is put beside the result
+/// and takes no part in it. Throws UserError when no step holds.
 FoundLimit find_limit(const cases::CaseFile& file, const LimitRules& rules);
 
 }  // namespace sazare::runs

@@ -14,8 +14,8 @@ cases::MeshGroups groups_of(const geometry::TetraMesh& mesh) {
   const geometry::FaceMap faces = geometry::build_face_map(mesh);
   const auto surfaces = geometry::find_surface_faces(mesh, faces);
   for (std::size_t i = 0; i < surfaces.size(); ++i)
-    groups.surfaces.push_back({mesh.surfaces[i].name, static_cast<long>(surfaces[i].outer.size()),
-                               static_cast<long>(surfaces[i].interior.size())});
+    groups.surfaces.push_back(
+        {mesh.surfaces[i].name, static_cast<long>(surfaces[i].outer.size()), static_cast<long>(surfaces[i].interior.size())});
   return groups;
 }
 

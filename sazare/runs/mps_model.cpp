@@ -30,8 +30,7 @@ state::Particles<D> make_particles(const cases::MpsCase& mps, const Filling<D>& 
   for (std::size_t i = 0; i < filling.sites.size(); ++i) {
     const cases::Ground& ground = mps.materials[static_cast<std::size_t>(material[i])];
     const Vector<D> place = filling.place(i);
-    for (std::size_t axis = 0; axis < D; ++axis)
-      particles.start[axis][i] = place[static_cast<int>(axis)];
+    for (std::size_t axis = 0; axis < D; ++axis) particles.start[axis][i] = place[static_cast<int>(axis)];
     particles.set_density(static_cast<Index>(i), ground.density);
     particles.shear_modulus[i] = ground.density * ground.shear_velocity * ground.shear_velocity;
     particles.lame[i] = ground.density * ground.pressure_velocity * ground.pressure_velocity - 2 * particles.shear_modulus[i];
@@ -44,7 +43,8 @@ methods::mps::StrengthOfGround strength_of(const cases::Ground& ground) {
   constexpr Real degree = std::numbers::pi / 180;
   const Real mu = ground.density * ground.shear_velocity * ground.shear_velocity;
   return {ground.yields,
-          laws::MohrCoulomb::make(ground.cohesion, ground.friction_angle * degree, ground.dilation_angle * degree, ground.tensile_strength),
+          laws::MohrCoulomb::make(ground.cohesion, ground.friction_angle * degree, ground.dilation_angle * degree,
+                                  ground.tensile_strength),
           {mu, ground.density * ground.pressure_velocity * ground.pressure_velocity - 2 * mu},
           ground.density,
           ground.rupture_strain};
@@ -66,12 +66,18 @@ void add_noise(const cases::Noise& noise, state::Particles<D>& particles) {
 template <int D>
 std::pair<std::size_t, int> outward(Side side) {
   switch (side) {
-    case Side::left: return {0, -1};
-    case Side::right: return {0, 1};
-    case Side::front: return {1, -1};
-    case Side::back: return {1, 1};
-    case Side::bottom: return {D - 1, -1};
-    default: return {D - 1, 1};
+    case Side::left:
+      return {0, -1};
+    case Side::right:
+      return {0, 1};
+    case Side::front:
+      return {1, -1};
+    case Side::back:
+      return {1, 1};
+    case Side::bottom:
+      return {D - 1, -1};
+    default:
+      return {D - 1, 1};
   }
 }
 
@@ -102,7 +108,7 @@ std::vector<Index> particles_at(Side side, const std::vector<Site<D>>& sites) {
 /// Supports of a case, boundary by boundary; what an earlier one holds stays held.
 template <int D>
 class SupportMaker {
- public:
+public:
   SupportMaker(const cases::MpsCase& mps, MpsParts<D>& parts)
       : mps_(mps), filling_(parts.filling), material_(parts.material), particles_(parts.particles), links_(parts.links) {
     for (const cases::Motion& motion : mps_.motions) supports_.motions.push_back(motion_of_case(motion));
@@ -117,7 +123,7 @@ class SupportMaker {
     return std::move(supports_);
   }
 
- private:
+private:
   void add(std::size_t number) {
     const cases::SideBoundary& boundary = mps_.boundaries[number];
     const std::vector<Index> particles = particles_at<D>(boundary.side, filling_.sites);
@@ -194,8 +200,9 @@ template <int D>
 std::string check_step(const cases::CaseFile& file, const MpsModel<D>& model) {
   const cases::UniformTime& time = file.mps().time;
   const Real limit = model.stable_step(time.integrator);
-  const std::string what = fmt::format("the step of {} s is {} times the predicted limit of {} s", cases::short_number(model.step, 4),
-                                       cases::short_number(model.step / limit, 4), cases::short_number(limit, 4));
+  const std::string what =
+      fmt::format("the step of {} s is {} times the predicted limit of {} s", cases::short_number(model.step, 4),
+                  cases::short_number(model.step / limit, 4), cases::short_number(limit, 4));
   const bool euler = time.integrator == cases::Integrator::euler;
   if (!(limit > 0)) {
     const std::string never = "Euler's step without damping is never stable";
@@ -207,7 +214,8 @@ std::string check_step(const cases::CaseFile& file, const MpsModel<D>& model) {
     refuse(file, "time.step", what, fmt::format("choose {} s or less, or give no step", cases::short_number(0.9 * limit, 3)));
   if (model.step > limit)
     return warning(file, "time.step", what, "Euler's step then grows slowly: short runs may bear it; Verlet's limit is larger");
-  if (model.step > near_limit * limit) return warning(file, "time.step", what, "0.9 of it leaves room for motion that is not small");
+  if (model.step > near_limit * limit)
+    return warning(file, "time.step", what, "0.9 of it leaves room for motion that is not small");
   return {};
 }
 
@@ -220,14 +228,15 @@ MpsParts<D> make_parts(const cases::CaseFile& file) {
   parts.filling = fill_regions<D>(file);
   for (const Index region : parts.filling.region) {
     const std::string& name = mps.regions[static_cast<std::size_t>(region)].name;
-    const auto made_of = std::ranges::find_if(
-        mps.materials, [&](const cases::Ground& ground) { return std::ranges::find(ground.regions, name) != ground.regions.end(); });
+    const auto made_of = std::ranges::find_if(mps.materials, [&](const cases::Ground& ground) {
+      return std::ranges::find(ground.regions, name) != ground.regions.end();
+    });
     parts.material.push_back(static_cast<Index>(made_of - mps.materials.begin()));
   }
   parts.particles = make_particles<D>(mps, parts.filling, parts.material);
   if (mps.noise.velocity > 0) add_noise<D>(mps.noise, parts.particles);
   parts.links = methods::mps::make_links<D>(parts.filling.sites, mps.particles.spacing, mps.particles.influence,
-                                           period_of<D>(mps, parts.filling));
+                                            period_of<D>(mps, parts.filling));
   if (mps.damping.f2 > 0) parts.damping = laws::RayleighDamping::make(mps.damping.f1, mps.damping.f2);
   parts.supports = SupportMaker<D>(mps, parts).make();
   return parts;
@@ -236,7 +245,8 @@ MpsParts<D> make_parts(const cases::CaseFile& file) {
 template <int D>
 std::unique_ptr<terms::ParticleForces<D>> MpsParts<D>::forces(const cases::MpsCase& mps, Real step) const {
   if (std::ranges::none_of(mps.materials, [](const cases::Ground& ground) { return ground.yields; }))
-    return std::make_unique<methods::mps::ElasticForces<D>>(links, static_cast<methods::mps::RotationRemoval>(mps.particles.rotation));
+    return std::make_unique<methods::mps::ElasticForces<D>>(links,
+                                                            static_cast<methods::mps::RotationRemoval>(mps.particles.rotation));
   std::vector<methods::mps::StrengthOfGround> grounds;
   for (const cases::Ground& ground : mps.materials) grounds.push_back(strength_of(ground));
   methods::mps::LooseRules rules{.step = step, .damping_ratio = mps.contact.damping_ratio, .period = {}};

@@ -16,11 +16,11 @@ namespace sazare::runs {
 template <int D>
 struct MpsModel {
   Filling<D> filling;
-  std::vector<Index> material;           ///< by particle
-  Real number_density = 0;               ///< n0 [-]
-  methods::mps::StableStep limit;        ///< predicted
-  Real step = 0;                         ///< [s]
-  std::string warning;                   ///< about the step, ready to print; empty when there is none
+  std::vector<Index> material;     ///< by particle
+  Real number_density = 0;         ///< n0 [-]
+  methods::mps::StableStep limit;  ///< predicted
+  Real step = 0;                   ///< [s]
+  std::string warning;             ///< about the step, ready to print; empty when there is none
   std::unique_ptr<engine::UniformStepper<D>> stepper;
   const methods::mps::FailingForces<D>* failing = nullptr;  ///< the stepper's forces, where the ground has a strength
 

@@ -50,12 +50,17 @@ std::vector<std::size_t> gauge_particles(const cases::CaseFile& file, const Fill
 
 template <int D>
 MpsRecord<D>::MpsRecord(const RunFolder& folder, const cases::CaseFile& file, MpsModel<D>& model, const RunClocks& clocks)
-    : folder_(&folder), file_(&file), model_(&model), clocks_(clocks), gauge_particles_(gauge_particles<D>(file, model.filling)),
-      snapshots_(folder.snapshots(), "particles"), peaks_(gauge_particles_.size(), 0) {}
+    : folder_(&folder),
+      file_(&file),
+      model_(&model),
+      clocks_(clocks),
+      gauge_particles_(gauge_particles<D>(file, model.filling)),
+      snapshots_(folder.snapshots(), "particles"),
+      peaks_(gauge_particles_.size(), 0) {}
 
 template <int D>
 std::vector<std::string> MpsRecord<D>::history_columns() const {
-  std::vector<std::string> columns = {"time [s]",        "energy_kinetic [J]", "energy_elastic [J]", "displacement_max [m]",
+  std::vector<std::string> columns = {"time [s]",        "energy_kinetic [J]",     "energy_elastic [J]", "displacement_max [m]",
                                       "speed_max [m/s]", "acceleration_max [m/s2]"};
   if (model_->failing != nullptr)
     columns.insert(columns.end(), {"energy_flow [J]", "energy_rupture [J]", "energy_contact [J]", "links_broken", "contacts"});
@@ -139,7 +144,8 @@ void MpsRecord<D>::observe(std::int64_t step, Real wall_seconds) {
 }
 
 template <int D>
-void MpsRecord<D>::write_snapshot(Real time, const state::FreedomColumns<D>& velocity, const state::FreedomColumns<D>& acceleration) {
+void MpsRecord<D>::write_snapshot(Real time, const state::FreedomColumns<D>& velocity,
+                                  const state::FreedomColumns<D>& acceleration) {
   const auto& particles = model_->stepper->particles();
   std::vector<Vector3> place, displacement, speed, change;
   std::vector<Real> size(particles.size(), particles.spacing);
@@ -157,8 +163,8 @@ void MpsRecord<D>::write_snapshot(Real time, const state::FreedomColumns<D>& vel
   const auto of_integers = [](const std::string& name, const std::vector<std::int32_t>& values) {
     return observe::CellData{name, 1, std::span<const std::int32_t>(values)};
   };
-  std::vector<observe::CellData> data = {of_vectors("displacement", displacement), of_vectors("velocity", speed),
-                                         of_vectors("acceleration", change), of_integers("region", model_->filling.region),
+  std::vector<observe::CellData> data = {of_vectors("displacement", displacement),  of_vectors("velocity", speed),
+                                         of_vectors("acceleration", change),        of_integers("region", model_->filling.region),
                                          of_integers("material", model_->material), {"spacing", 1, std::span<const Real>(size)}};
   std::vector<Real> broken;
   if (const auto* failing = model_->failing) {
@@ -183,7 +189,8 @@ void MpsRecord<D>::check_motion(Real time) const {
   const Real limit = model_->stable_step(file_->mps().time.integrator);
   throw PhysicsError(fmt::format(
       "the motion of the particles makes no sense any more at t = {} s: the largest acceleration is {} m/s2, above {} m/s2\n"
-      "  the step of {} s is {} times the limit of {} s predicted for small motion: set time.stability_fraction = 0.5, or look at the "
+      "  the step of {} s is {} times the limit of {} s predicted for small motion: set time.stability_fraction = 0.5, or look "
+      "at the "
       "loads",
       cases::short_number(time), cases::short_number(largest, 3), cases::short_number(senseless_acceleration, 3),
       cases::short_number(model_->step, 4), cases::short_number(model_->step / limit, 3), cases::short_number(limit, 4)));

@@ -19,7 +19,7 @@ std::vector<std::size_t> gauge_particles(const cases::CaseFile& file, const Fill
 
 template <int D>
 class MpsRecord {
- public:
+public:
   /// Writes nothing yet. Throws UserError when a gauge is farther than a spacing from every particle.
   MpsRecord(const RunFolder& folder, const cases::CaseFile& file, MpsModel<D>& model, const RunClocks& clocks);
 
@@ -37,7 +37,7 @@ class MpsRecord {
 
   void columns(Archive& archive);
 
- private:
+private:
   std::vector<std::string> history_columns() const;
   std::vector<std::string> gauge_columns() const;
   Vector3 displacement_of(std::size_t i) const;  ///< since the beginning [m]

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <fmt/ranges.h>
 #include <unistd.h>
+#include <algorithm>
+#include <cmath>
 
 #include <filesystem>
 #include <functional>
@@ -164,7 +164,8 @@ Filling<D> fill_regions(const cases::CaseFile& file) {
       rest /= counts[axis];
     }
     Vector3 center = Vector3::Zero();
-    for (int axis = 0; axis < D; ++axis) center[axis] = lower[axis] + (site[static_cast<std::size_t>(axis)] + 0.5) * rules.spacing;
+    for (int axis = 0; axis < D; ++axis)
+      center[axis] = lower[axis] + (site[static_cast<std::size_t>(axis)] + 0.5) * rules.spacing;
     for (std::size_t i = shapes.size(); i-- > 0;) {
       if (!shapes[i].holds(center)) continue;
       filling.sites.push_back(site);

@@ -13,9 +13,9 @@ namespace sazare::runs {
 template <int D>
 struct Filling {
   std::vector<methods::mps::Site<D>> sites;
-  std::vector<Index> region;            ///< by particle: the last region of the case that holds it
+  std::vector<Index> region;             ///< by particle: the last region of the case that holds it
   Vector<D> origin = Vector<D>::Zero();  ///< lower corner of the site (0, 0) [m]
-  Real spacing = 0;                     ///< [m]
+  Real spacing = 0;                      ///< [m]
 
   Vector<D> place(std::size_t particle) const {
     Vector<D> center;

@@ -19,8 +19,8 @@ constexpr int bar_width = 24;
 
 std::string bar(Real share) {
   const int filled = std::clamp(static_cast<int>(share * bar_width), 0, bar_width);
-  return "[" + std::string(static_cast<std::size_t>(filled), '#') + std::string(static_cast<std::size_t>(bar_width - filled), '.') +
-         "]";
+  return "[" + std::string(static_cast<std::size_t>(filled), '#') +
+         std::string(static_cast<std::size_t>(bar_width - filled), '.') + "]";
 }
 
 }  // namespace
@@ -38,12 +38,14 @@ std::string progress_text(const ProgressState& first, const ProgressState& now, 
   const std::string left = done > 0 ? duration_text(seconds * (1 - now.share) / done) + " left" : "time left unknown";
   const std::string broken = now.broken_joints < 0 ? "" : fmt::format("  {} joints broken", now.broken_joints);
   return fmt::format("{:3.0f} %  t = {} s  {}  {:.1e} {}/s  {} {} s{}", std::floor(100 * now.share),
-                     cases::short_number(now.time, 4), left, rate, now.evaluated, now.broken_joints < 0 ? "step" : "smallest step",
-                     cases::short_number(now.smallest_step, 3), broken);
+                     cases::short_number(now.time, 4), left, rate, now.evaluated,
+                     now.broken_joints < 0 ? "step" : "smallest step", cases::short_number(now.smallest_step, 3), broken);
 }
 
 Progress::Progress(bool quiet, const ProgressState& first)
-    : quiet_(quiet), terminal_(isatty(STDOUT_FILENO) != 0), first_(first),
+    : quiet_(quiet),
+      terminal_(isatty(STDOUT_FILENO) != 0),
+      first_(first),
       next_(start_ + (terminal_ ? Clock::duration(bar_interval) : Clock::duration(line_interval))) {}
 
 Progress::~Progress() { clear(); }

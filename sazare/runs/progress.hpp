@@ -15,7 +15,7 @@ struct ProgressState {
   Real share = 0;  ///< of the simulated time, 0..1
   Real time = 0;   ///< simulated [s]
   std::int64_t pair_evaluations = 0;
-  Real smallest_step = 0;  ///< [s]
+  Real smallest_step = 0;                 ///< [s]
   std::int64_t broken_joints = 0;         ///< negative: the method has none
   const char* evaluated = "evaluations";  ///< what is counted
 };
@@ -27,7 +27,7 @@ std::string progress_text(const ProgressState& first, const ProgressState& now, 
 std::string duration_text(Real seconds);
 
 class Progress {
- public:
+public:
   /// `first` is where the run begins, which after a resume is not zero.
   Progress(bool quiet, const ProgressState& first);
   ~Progress();
@@ -41,7 +41,7 @@ class Progress {
   /// Takes the bar off the terminal.
   void clear();
 
- private:
+private:
   using Clock = std::chrono::steady_clock;
 
   bool quiet_;

@@ -22,12 +22,16 @@ Real choose_step(const cases::RectanglesCase& rectangles, Real limit) {
 /// Refuses a step above the limit, and warns of one that is close to it.
 std::string check_step(const cases::CaseFile& file, const RectanglesModel& model) {
   const Real limit = model.limit.limit;
-  const std::string what = fmt::format("the step of {} s is {} times the predicted limit of {} s", cases::short_number(model.step, 4),
-                                       cases::short_number(model.step / limit, 4), cases::short_number(limit, 4));
-  const std::string paper = model.limit.paper > 0 ? fmt::format("; (26) of the paper gives {} s", cases::short_number(model.limit.paper, 3)) : "";
+  const std::string what =
+      fmt::format("the step of {} s is {} times the predicted limit of {} s", cases::short_number(model.step, 4),
+                  cases::short_number(model.step / limit, 4), cases::short_number(limit, 4));
+  const std::string paper =
+      model.limit.paper > 0 ? fmt::format("; (26) of the paper gives {} s", cases::short_number(model.limit.paper, 3)) : "";
   if (model.step > limit)
-    refuse(file, "time.step", what, fmt::format("choose {} s or less, or give no step{}", cases::short_number(near_limit * limit, 3), paper));
-  if (model.step > near_limit * limit) return warning(file, "time.step", what, "0.8 of it leaves room for motion that is not small");
+    refuse(file, "time.step", what,
+           fmt::format("choose {} s or less, or give no step{}", cases::short_number(near_limit * limit, 3), paper));
+  if (model.step > near_limit * limit)
+    return warning(file, "time.step", what, "0.8 of it leaves room for motion that is not small");
   return {};
 }
 
@@ -43,14 +47,16 @@ RectanglesModel build_rectangles(const cases::CaseFile& file) {
   const bool may_touch = assembly.parts.supports > 0 || assembly.case_block.size() > 1;
   {
     const RectangleForces forces(assembly.particles, assembly.parts, 1);
-    model.limit = methods::rectangles::stable_step(assembly.particles, forces.outlines(), forces.links(), assembly.parts.contact, may_touch);
+    model.limit = methods::rectangles::stable_step(assembly.particles, forces.outlines(), forces.links(), assembly.parts.contact,
+                                                   may_touch);
   }
   model.step = choose_step(rectangles, model.limit.limit);
   model.warning = check_step(file, model);
   auto forces = std::make_unique<RectangleForces>(assembly.particles, std::move(assembly.parts), model.step);
   model.forces = forces.get();
-  model.stepper = std::make_unique<engine::UniformStepper<2>>(std::move(assembly.particles), std::move(forces), std::move(assembly.supports),
-                                                              engine::UniformRules{model.step, engine::Integrator::leapfrog, {}});
+  model.stepper =
+      std::make_unique<engine::UniformStepper<2>>(std::move(assembly.particles), std::move(forces), std::move(assembly.supports),
+                                                  engine::UniformRules{model.step, engine::Integrator::leapfrog, {}});
   return model;
 }
 

@@ -12,11 +12,11 @@
 namespace sazare::runs {
 
 struct RectanglesModel {
-  Index elements = 0;                        ///< supports stand after them
-  std::vector<Index> case_block;             ///< of the case, by block
-  methods::rectangles::StableStep limit;     ///< predicted
-  Real step = 0;                             ///< [s]
-  std::string warning;                       ///< about the step, ready to print; empty when there is none
+  Index elements = 0;                     ///< supports stand after them
+  std::vector<Index> case_block;          ///< of the case, by block
+  methods::rectangles::StableStep limit;  ///< predicted
+  Real step = 0;                          ///< [s]
+  std::string warning;                    ///< about the step, ready to print; empty when there is none
   std::unique_ptr<engine::UniformStepper<2>> stepper;
   methods::rectangles::RectangleForces* forces = nullptr;  ///< of the stepper
 };

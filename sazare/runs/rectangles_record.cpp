@@ -23,7 +23,8 @@ Vector3 vector_of(const auto& columns, std::size_t i) { return {columns[0][i], c
 bool is_inside(const geometry::Outline& outline, const Vector2& point) {
   const Vector2 apart = point - outline.centre;
   constexpr Real edge = 1 + 1e-9;
-  return std::abs(outline.axis.dot(apart)) <= edge * outline.half_width && std::abs(outline.other_axis().dot(apart)) <= edge * outline.half_height;
+  return std::abs(outline.axis.dot(apart)) <= edge * outline.half_width &&
+         std::abs(outline.other_axis().dot(apart)) <= edge * outline.half_height;
 }
 
 std::vector<std::string> support_names(const cases::RectanglesCase& rectangles) {
@@ -41,7 +42,8 @@ std::vector<std::size_t> gauge_elements(const cases::CaseFile& file, const Recta
   for (std::size_t number = 0; number < gauges.size(); ++number) {
     std::size_t element = 0;
     const auto elements = static_cast<std::size_t>(model.elements);
-    while (element < elements && !is_inside(model.forces->outlines().at(model.stepper->particles(), element), gauges[number].point.head<2>()))
+    while (element < elements &&
+           !is_inside(model.forces->outlines().at(model.stepper->particles(), element), gauges[number].point.head<2>()))
       ++element;
     if (element == elements)
       refuse(file, fmt::format("gauges.{}.point", number), fmt::format("gauge \"{}\" lies in no element", gauges[number].name),
@@ -51,15 +53,33 @@ std::vector<std::size_t> gauge_elements(const cases::CaseFile& file, const Recta
   return found;
 }
 
-RectanglesRecord::RectanglesRecord(const RunFolder& folder, const cases::CaseFile& file, RectanglesModel& model, const RunClocks& clocks)
-    : folder_(&folder), file_(&file), model_(&model), clocks_(clocks), supports_(support_names(file.rectangles())),
-      gauge_elements_(gauge_elements(file, model)), snapshots_(folder.snapshots(), "rectangles"), peaks_(gauge_elements_.size(), 0),
+RectanglesRecord::RectanglesRecord(const RunFolder& folder, const cases::CaseFile& file, RectanglesModel& model,
+                                   const RunClocks& clocks)
+    : folder_(&folder),
+      file_(&file),
+      model_(&model),
+      clocks_(clocks),
+      supports_(support_names(file.rectangles())),
+      gauge_elements_(gauge_elements(file, model)),
+      snapshots_(folder.snapshots(), "rectangles"),
+      peaks_(gauge_elements_.size(), 0),
       largest_force_(supports_.size(), 0) {}
 
 std::vector<std::string> RectanglesRecord::history_columns() const {
-  std::vector<std::string> columns = {"time [s]", "energy_kinetic [J]", "energy_elastic [J]", "energy_joint_dashpot [J]", "energy_slip [J]",
-                                      "energy_fracture [J]", "energy_contact_dashpot [J]", "energy_friction [J]", "energy_work [J]",
-                                      "energy_residual [J]", "broken_springs [-]", "open_links [-]", "contacts [-]", "displacement_max [m]",
+  std::vector<std::string> columns = {"time [s]",
+                                      "energy_kinetic [J]",
+                                      "energy_elastic [J]",
+                                      "energy_joint_dashpot [J]",
+                                      "energy_slip [J]",
+                                      "energy_fracture [J]",
+                                      "energy_contact_dashpot [J]",
+                                      "energy_friction [J]",
+                                      "energy_work [J]",
+                                      "energy_residual [J]",
+                                      "broken_springs [-]",
+                                      "open_links [-]",
+                                      "contacts [-]",
+                                      "displacement_max [m]",
                                       "speed_max [m/s]"};
   for (const std::string& name : supports_)
     for (const char* quantity : {"force_x [N]", "force_y [N]", "displacement_x [m]", "displacement_y [m]"})
@@ -96,7 +116,8 @@ EnergyBalance RectanglesRecord::balance() const {
   now.books = model_->forces->books(particles);
   const auto gravity = model_->stepper->supports().gravity;
   for (std::size_t i = 0; i < static_cast<std::size_t>(model_->elements); ++i)
-    now.work += (gravity.x() * particles.displacement[0][i] + gravity.y() * particles.displacement[1][i]) / particles.inverse_mass[i];
+    now.work +=
+        (gravity.x() * particles.displacement[0][i] + gravity.y() * particles.displacement[1][i]) / particles.inverse_mass[i];
   now.work += now.books.supports + now.books.base_friction + energy_at_beginning_;
   now.residual = now.work - now.kinetic - now.books.elastic - now.books.lost();
   return now;
@@ -127,10 +148,21 @@ void RectanglesRecord::add_history(Real time, Real wall_seconds) {
   balance_ = balance();
   const auto& books = balance_.books;
   const auto& links = model_->forces->links();
-  std::vector<Real> row = {time, balance_.kinetic, books.elastic, books.links.dashpot, books.links.friction, books.links.fracture,
-                           books.contacts.dashpot, books.contacts.friction, balance_.work, balance_.residual,
-                           static_cast<Real>(links.broken_springs()), static_cast<Real>(links.open_links()),
-                           static_cast<Real>(model_->forces->contacts().touching()), largest_displacement_, largest_speed_};
+  std::vector<Real> row = {time,
+                           balance_.kinetic,
+                           books.elastic,
+                           books.links.dashpot,
+                           books.links.friction,
+                           books.links.fracture,
+                           books.contacts.dashpot,
+                           books.contacts.friction,
+                           balance_.work,
+                           balance_.residual,
+                           static_cast<Real>(links.broken_springs()),
+                           static_cast<Real>(links.open_links()),
+                           static_cast<Real>(model_->forces->contacts().touching()),
+                           largest_displacement_,
+                           largest_speed_};
   const auto& particles = model_->stepper->particles();
   for (std::size_t k = 0; k < supports_.size(); ++k) {
     const auto& force = model_->forces->support_force(static_cast<Index>(k));
@@ -142,16 +174,20 @@ void RectanglesRecord::add_history(Real time, Real wall_seconds) {
   history_->add_row(row);
 }
 
-void RectanglesRecord::add_gauges(Real time, const state::FreedomColumns<2>& velocity, const state::FreedomColumns<2>& acceleration) {
+void RectanglesRecord::add_gauges(Real time, const state::FreedomColumns<2>& velocity,
+                                  const state::FreedomColumns<2>& acceleration) {
   const auto& particles = model_->stepper->particles();
   std::vector<Real> row = {time};
   for (std::size_t gauge = 0; gauge < gauge_elements_.size(); ++gauge) {
     const std::size_t i = gauge_elements_[gauge];
     for (const Vector3& value : {vector_of(particles.displacement, i), vector_of(velocity, i), vector_of(acceleration, i)})
       row.insert(row.end(), value.begin(), value.end());
-    row.push_back(particles.angle[i] - file_->rectangles().blocks[static_cast<std::size_t>(
-                                           model_->case_block[static_cast<std::size_t>(model_->forces->outlines().block[i])])].angle *
-                                           std::numbers::pi / 180);
+    row.push_back(particles.angle[i] -
+                  file_->rectangles()
+                          .blocks[static_cast<std::size_t>(
+                              model_->case_block[static_cast<std::size_t>(model_->forces->outlines().block[i])])]
+                          .angle *
+                      std::numbers::pi / 180);
     peaks_[gauge] = std::max(peaks_[gauge], vector_of(velocity, i).norm());
   }
   gauges_->add_row(row);
@@ -168,7 +204,8 @@ void RectanglesRecord::write_snapshot(Real time, const state::FreedomColumns<2>&
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     const geometry::Outline outline = outlines.at(particles, i);
     for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
-      const Vector2 corner = outline.centre + x * outline.half_width * outline.axis + y * outline.half_height * outline.other_axis();
+      const Vector2 corner =
+          outline.centre + x * outline.half_width * outline.axis + y * outline.half_height * outline.other_axis();
       connectivity.push_back(static_cast<std::int32_t>(corners.size()));
       corners.emplace_back(corner.x(), corner.y(), 0);
     }
@@ -189,9 +226,14 @@ void RectanglesRecord::write_snapshot(Real time, const state::FreedomColumns<2>&
   const auto of_integers = [](const std::string& name, const std::vector<std::int32_t>& values) {
     return observe::CellData{name, 1, std::span<const std::int32_t>(values)};
   };
-  snapshots_.write({observe::Grid::Cell::quadrilateral, corners, connectivity,
-                    {of_vectors("displacement", displacement), of_vectors("velocity", speed),
-                     {"rotation", 1, std::span<const Real>(rotation)}, of_integers("block", block), of_integers("kind", kind),
+  snapshots_.write({observe::Grid::Cell::quadrilateral,
+                    corners,
+                    connectivity,
+                    {of_vectors("displacement", displacement),
+                     of_vectors("velocity", speed),
+                     {"rotation", 1, std::span<const Real>(rotation)},
+                     of_integers("block", block),
+                     of_integers("kind", kind),
                      of_integers("broken", broken)},
                     time});
 }
@@ -205,29 +247,32 @@ void RectanglesRecord::flush(bool to_disk) {
 void RectanglesRecord::check_motion(Real time) const {
   const Real largest = model_->stepper->largest_acceleration();
   if (largest < senseless_acceleration) return;
-  throw PhysicsError(fmt::format("the motion of the elements makes no sense any more at t = {} s: the largest acceleration is {} m/s2\n"
-                                 "  the step of {} s is {} times the limit predicted for small motion: set time.stability_fraction = 0.4, or "
-                                 "look at the loads",
-                                 cases::short_number(time), cases::short_number(largest, 3), cases::short_number(model_->step, 4),
-                                 cases::short_number(model_->step / model_->limit.limit, 3)));
+  throw PhysicsError(
+      fmt::format("the motion of the elements makes no sense any more at t = {} s: the largest acceleration is {} m/s2\n"
+                  "  the step of {} s is {} times the limit predicted for small motion: set time.stability_fraction = 0.4, or "
+                  "look at the loads",
+                  cases::short_number(time), cases::short_number(largest, 3), cases::short_number(model_->step, 4),
+                  cases::short_number(model_->step / model_->limit.limit, 3)));
 }
 
 std::vector<std::pair<std::string, observe::Figure>> RectanglesRecord::results(std::int64_t step, Real wall_seconds) const {
   const auto elements = static_cast<std::int64_t>(model_->elements);
   const auto& links = model_->forces->links();
-  std::vector<std::pair<std::string, observe::Figure>> results = {{"elements", elements},
-                                                                  {"steps", step},
-                                                                  {"step", model_->step},
-                                                                  {"predicted_limit", model_->limit.limit},
-                                                                  {"element_steps", elements * step},
-                                                                  {"wall_seconds", wall_seconds},
-                                                                  {"broken_springs", static_cast<std::int64_t>(links.broken_springs())},
-                                                                  {"open_links", static_cast<std::int64_t>(links.open_links())},
-                                                                  {"energy_work", balance_.work},
-                                                                  {"energy_residual", balance_.residual},
-                                                                  {"peak_displacement", largest_displacement_},
-                                                                  {"peak_speed", largest_speed_}};
-  for (std::size_t k = 0; k < supports_.size(); ++k) results.emplace_back(fmt::format("peak_force_{}", supports_[k]), largest_force_[k]);
+  std::vector<std::pair<std::string, observe::Figure>> results = {
+      {"elements", elements},
+      {"steps", step},
+      {"step", model_->step},
+      {"predicted_limit", model_->limit.limit},
+      {"element_steps", elements * step},
+      {"wall_seconds", wall_seconds},
+      {"broken_springs", static_cast<std::int64_t>(links.broken_springs())},
+      {"open_links", static_cast<std::int64_t>(links.open_links())},
+      {"energy_work", balance_.work},
+      {"energy_residual", balance_.residual},
+      {"peak_displacement", largest_displacement_},
+      {"peak_speed", largest_speed_}};
+  for (std::size_t k = 0; k < supports_.size(); ++k)
+    results.emplace_back(fmt::format("peak_force_{}", supports_[k]), largest_force_[k]);
   return results;
 }
 

@@ -25,7 +25,7 @@ struct EnergyBalance {
 };
 
 class RectanglesRecord {
- public:
+public:
   /// Writes nothing yet. Throws UserError when a gauge lies in no element.
   RectanglesRecord(const RunFolder& folder, const cases::CaseFile& file, RectanglesModel& model, const RunClocks& clocks);
 
@@ -43,7 +43,7 @@ class RectanglesRecord {
 
   void columns(Archive& archive);
 
- private:
+private:
   std::vector<std::string> history_columns() const;
   std::vector<std::string> gauge_columns() const;
   EnergyBalance balance() const;
@@ -55,13 +55,13 @@ class RectanglesRecord {
   const cases::CaseFile* file_;
   RectanglesModel* model_;
   RunClocks clocks_;
-  std::vector<std::string> supports_;   ///< names
+  std::vector<std::string> supports_;  ///< names
   std::vector<std::size_t> gauge_elements_;
   observe::SnapshotSeries snapshots_;
   std::optional<observe::CsvWriter> history_;
   std::optional<observe::CsvWriter> gauges_;
-  std::vector<Real> peaks_;             ///< largest speed by gauge [m/s]
-  std::vector<Real> largest_force_;     ///< by support [N]
+  std::vector<Real> peaks_;          ///< largest speed by gauge [m/s]
+  std::vector<Real> largest_force_;  ///< by support [N]
   Real largest_displacement_ = 0, largest_speed_ = 0;
   Real energy_at_beginning_ = 0;
   EnergyBalance balance_;

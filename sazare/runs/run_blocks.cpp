@@ -13,7 +13,7 @@ namespace sazare::runs {
 
 namespace {
 
-constexpr Index elements_per_thread = 4000;  // with fewer a second thread takes more time than it saves (measured)
+constexpr Index elements_per_thread = 4000;     // with fewer a second thread takes more time than it saves (measured)
 constexpr std::int64_t motion_check_steps = 8;  // a failing motion grows by some orders of magnitude in a step
 
 /// The part of method blocks in a run, see CaseRun.
@@ -28,8 +28,12 @@ struct BlocksWork {
   RunRecord record;
 
   BlocksWork(const cases::CaseFile& of, const RunOptions& with)
-      : file(of), options(with), folder(enter_folder()), model(build_blocks(of.blocks(), mesh(), with.sharing)),
-        identity(identify(of.blocks(), model.mesh)), clocks(make_clocks(of.blocks().time, simulation().levels().step(0))),
+      : file(of),
+        options(with),
+        folder(enter_folder()),
+        model(build_blocks(of.blocks(), mesh(), with.sharing)),
+        identity(identify(of.blocks(), model.mesh)),
+        clocks(make_clocks(of.blocks().time, simulation().levels().step(0))),
         record(folder, of, model, clocks) {
     parallel::limit_threads(simulation().bodies().size() / elements_per_thread);
   }

@@ -86,26 +86,32 @@ void RunFolder::hold() {
   }
   if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
   close(descriptor_);
-  throw UserError(fmt::format("{}: another sazare is at work on the run in this folder. Wait for it, or choose another "
-                              "folder (--out)",
-                              path_.string()));
+  throw UserError(
+      fmt::format("{}: another sazare is at work on the run in this folder. Wait for it, or choose another "
+                  "folder (--out)",
+                  path_.string()));
 }
 
 void RunFolder::refuse_unless_free() const {
   if (!fs::exists(manifest()) && !fs::exists(history()) && !fs::exists(checkpoint())) return;
   const std::string status = run_status(path_);
   const bool done = status == "done";
-  throw UserError(fmt::format("{}: there is a run in this folder already{}. {}--overwrite to replace it, or another folder "
-                              "(--out)",
-                              path_.string(), done ? ", and it is done" : status.empty() ? "" : ", and it is not done",
-                              done ? "Use " : "Use --resume to go on with it, "));
+  throw UserError(
+      fmt::format("{}: there is a run in this folder already{}. {}--overwrite to replace it, or another folder "
+                  "(--out)",
+                  path_.string(),
+                  done             ? ", and it is done"
+                  : status.empty() ? ""
+                                   : ", and it is not done",
+                  done ? "Use " : "Use --resume to go on with it, "));
 }
 
 void RunFolder::refuse_when_done() const {
   if (run_status(path_) != "done") return;
-  throw UserError(fmt::format("{}: the run in this folder is done, there is nothing to resume. Its figures are in "
-                              "manifest.json; use --overwrite to run the case again",
-                              path_.string()));
+  throw UserError(
+      fmt::format("{}: the run in this folder is done, there is nothing to resume. Its figures are in "
+                  "manifest.json; use --overwrite to run the case again",
+                  path_.string()));
 }
 
 void RunFolder::remove_checkpoint() const {
@@ -117,8 +123,19 @@ void RunFolder::remove_checkpoint() const {
 void RunFolder::remove_run() const {
   std::error_code ignored;
   remove_checkpoint();
-  std::vector<fs::path> files = {history(), gauges(), walls(), fragments(), timing(), ranks(), mesh(), case_file(), path_ / "report.html",
-                                 path_ / "study.csv", path_ / "study.id", path_ / "regression.csv", path_ / "regression_lines.csv"};
+  std::vector<fs::path> files = {history(),
+                                 gauges(),
+                                 walls(),
+                                 fragments(),
+                                 timing(),
+                                 ranks(),
+                                 mesh(),
+                                 case_file(),
+                                 path_ / "report.html",
+                                 path_ / "study.csv",
+                                 path_ / "study.id",
+                                 path_ / "regression.csv",
+                                 path_ / "regression_lines.csv"};
   for (const auto& entry : fs::directory_iterator(snapshots(), ignored))
     if (is_snapshot(entry.path())) files.push_back(entry.path());
   files.push_back(manifest());

@@ -17,7 +17,7 @@ enum class Begin {
 
 /// One process at a time writes a run: the folder is held until the object goes.
 class RunFolder {
- public:
+public:
   /// Makes the folder. Throws UserError when it holds a run and `begin` does not say what to do with it, when the run
   /// to be resumed is done, or when another process is at work there; MachineError when it cannot be written.
   RunFolder(std::filesystem::path folder, Begin begin);
@@ -46,7 +46,7 @@ class RunFolder {
 
   void remove_checkpoint() const;
 
- private:
+private:
   explicit RunFolder(std::filesystem::path folder) : path_(std::move(folder)) {}
   void hold();
   void refuse_unless_free() const;

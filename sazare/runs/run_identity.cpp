@@ -149,10 +149,10 @@ void check_identity(const observe::CheckpointReader& in, const std::filesystem::
                        program, now.program),
            "Resume with the program that wrote it");
   if (const std::string before = read(in, "identity.case"); before != now.case_text)
-    refuse(fmt::format("the case is not the one that the checkpoint was written for{}{}\n",
-                       list("checkpoint", lines_only_in(before, now.case_text)),
-                       list("now", lines_only_in(now.case_text, before))),
-           "Give the case and the --set of the first part of the run");
+    refuse(
+        fmt::format("the case is not the one that the checkpoint was written for{}{}\n",
+                    list("checkpoint", lines_only_in(before, now.case_text)), list("now", lines_only_in(now.case_text, before))),
+        "Give the case and the --set of the first part of the run");
   if (read(in, "identity.mesh") != now.mesh)
     refuse("the mesh is not the one that the checkpoint was written for", "Bring back the mesh of the first part of the run");
   if (read(in, "identity.tables") != now.tables)

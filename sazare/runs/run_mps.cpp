@@ -11,7 +11,7 @@ namespace {
 
 constexpr int particles_per_thread = 4000;  // with fewer a second thread takes more time than it saves
 constexpr std::int64_t motion_check_steps = 32;
-constexpr Real settled_share = 1e-5;               // of gravity
+constexpr Real settled_share = 1e-5;  // of gravity
 
 std::string number(Real value, int digits = 4) { return cases::short_number(value, digits); }
 
@@ -35,8 +35,11 @@ struct MpsWork {
   MpsRecord<D> record;
 
   MpsWork(const cases::CaseFile& of, const RunOptions& options)
-      : file(of), model(build_mps<D>(of)), folder(options.folder, options.begin),
-        identity(identify(of.mps(), filling_hash(model.filling))), clocks(make_clocks(of.mps().time, model.step)),
+      : file(of),
+        model(build_mps<D>(of)),
+        folder(options.folder, options.begin),
+        identity(identify(of.mps(), filling_hash(model.filling))),
+        clocks(make_clocks(of.mps().time, model.step)),
         record(folder, of, model, clocks) {
     parallel::limit_threads(static_cast<int>(particles()) / particles_per_thread);
   }
@@ -101,14 +104,15 @@ std::string check(const cases::CaseFile& file) {
   const auto& supports = model.stepper->supports();
   const auto particles = static_cast<Real>(model.filling.sites.size());
   return cases::explain(file.mps()) +
-         fmt::format("  {:<12}{} particles, number density {}, {} freedoms held, {} prescribed, {} on viscous boundaries\n", "body",
-                     model.filling.sites.size(), number(model.number_density, 6), supports.held.size(), supports.driven.size(),
-                     supports.dashpots.size()) +
-         fmt::format("  {:<12}limit {} s, predicted from the largest frequency, {} rad/s, and the damping\n", "stability", number(limit, 5),
-                     number(model.limit.frequency, 6)) +
-         fmt::format("  {:<12}{} s, {} of the limit, {} to a history row\n", "step", number(model.step, 5), number(model.step / limit, 3),
-                     clocks.steps_per_row) +
-         fmt::format("  {:<12}{} steps, {} particle-steps\n", "work", clocks.steps(), number(particles * static_cast<Real>(clocks.steps()))) +
+         fmt::format("  {:<12}{} particles, number density {}, {} freedoms held, {} prescribed, {} on viscous boundaries\n",
+                     "body", model.filling.sites.size(), number(model.number_density, 6), supports.held.size(),
+                     supports.driven.size(), supports.dashpots.size()) +
+         fmt::format("  {:<12}limit {} s, predicted from the largest frequency, {} rad/s, and the damping\n", "stability",
+                     number(limit, 5), number(model.limit.frequency, 6)) +
+         fmt::format("  {:<12}{} s, {} of the limit, {} to a history row\n", "step", number(model.step, 5),
+                     number(model.step / limit, 3), clocks.steps_per_row) +
+         fmt::format("  {:<12}{} steps, {} particle-steps\n", "work", clocks.steps(),
+                     number(particles * static_cast<Real>(clocks.steps()))) +
          (model.warning.empty() ? "" : "\n" + model.warning);
 }
 
@@ -118,6 +122,8 @@ RunOutcome run_mps(const cases::CaseFile& file, const RunOptions& options) {
   return file.mps().particles.dimension == 2 ? carry_out<2>(file, options) : carry_out<3>(file, options);
 }
 
-std::string check_mps(const cases::CaseFile& file) { return file.mps().particles.dimension == 2 ? check<2>(file) : check<3>(file); }
+std::string check_mps(const cases::CaseFile& file) {
+  return file.mps().particles.dimension == 2 ? check<2>(file) : check<3>(file);
+}
 
 }  // namespace sazare::runs

@@ -14,9 +14,9 @@ namespace sazare::runs {
 struct RunOptions {
   std::filesystem::path folder;
   Begin begin = Begin::fresh;
-  bool quiet = false;                              ///< no progress, no words about the beginning
-  const std::atomic<bool>* stop_asked = nullptr;   ///< looked at after every base step
-  engine::Sharing sharing = {};                    ///< with several processes: all carry out the same, the first one writes
+  bool quiet = false;                             ///< no progress, no words about the beginning
+  const std::atomic<bool>* stop_asked = nullptr;  ///< looked at after every base step
+  engine::Sharing sharing = {};                   ///< with several processes: all carry out the same, the first one writes
 };
 
 struct RunOutcome {

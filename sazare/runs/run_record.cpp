@@ -21,10 +21,9 @@ std::vector<std::string> history_columns() {
   return columns;
 }
 
-const std::vector<std::string> fragment_columns = {
-    "fragment [-]",     "elements [-]",     "volume [m3]",      "mass [kg]",  "size [m]",
-    "center_x [m]",     "center_y [m]",     "center_z [m]",     "velocity_x [m/s]",
-    "velocity_y [m/s]", "velocity_z [m/s]", "throw [m]"};
+const std::vector<std::string> fragment_columns = {"fragment [-]",     "elements [-]",     "volume [m3]",      "mass [kg]",
+                                                   "size [m]",         "center_x [m]",     "center_y [m]",     "center_z [m]",
+                                                   "velocity_x [m/s]", "velocity_y [m/s]", "velocity_z [m/s]", "throw [m]"};
 
 std::vector<observe::CsvField> fragment_row(const Fragment& fragment) {
   std::vector<observe::CsvField> row = {std::int64_t{fragment.number}, std::int64_t{fragment.elements}, fragment.volume,
@@ -38,7 +37,11 @@ std::vector<observe::CsvField> fragment_row(const Fragment& fragment) {
 }  // namespace
 
 RunRecord::RunRecord(const RunFolder& folder, const cases::CaseFile& file, BlocksModel& model, const RunClocks& clocks)
-    : folder_(&folder), file_(&file), model_(&model), clocks_(clocks), gauges_(file, model.mesh),
+    : folder_(&folder),
+      file_(&file),
+      model_(&model),
+      clocks_(clocks),
+      gauges_(file, model.mesh),
       snapshots_(folder.snapshots(), model) {}
 
 void RunRecord::begin() {

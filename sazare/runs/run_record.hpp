@@ -15,7 +15,7 @@
 namespace sazare::runs {
 
 class RunRecord {
- public:
+public:
   /// Writes nothing yet. Throws UserError when a gauge lies in no element.
   RunRecord(const RunFolder& folder, const cases::CaseFile& file, BlocksModel& model, const RunClocks& clocks);
 
@@ -46,7 +46,7 @@ class RunRecord {
 
   void columns(Archive& archive);
 
- private:
+private:
   const FragmentMap& fragments();
   void add_history_row(Real time, const engine::Snapshot<3>& now, Real wall_seconds);
 

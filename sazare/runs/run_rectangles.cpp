@@ -16,7 +16,8 @@ std::string number(Real value, int digits = 4) { return cases::short_number(valu
 
 std::string assembly_hash(const state::Particles<2>& particles) {
   observe::Hash hash;
-  for (const state::Column* column : {&particles.start[0], &particles.start[1], &particles.angle}) hash.add(std::as_bytes(std::span(*column)));
+  for (const state::Column* column : {&particles.start[0], &particles.start[1], &particles.angle})
+    hash.add(std::as_bytes(std::span(*column)));
   return observe::to_hex(hash.value());
 }
 
@@ -31,9 +32,12 @@ struct RectanglesWork {
   RectanglesRecord record;
 
   RectanglesWork(const cases::CaseFile& of, const RunOptions& options)
-      : file(of), model(build_rectangles(of)), folder(options.folder, options.begin),
+      : file(of),
+        model(build_rectangles(of)),
+        folder(options.folder, options.begin),
         identity(identify(of.rectangles(), assembly_hash(model.stepper->particles()))),
-        clocks(make_clocks(of.rectangles().time, model.step)), record(folder, of, model, clocks) {
+        clocks(make_clocks(of.rectangles().time, model.step)),
+        record(folder, of, model, clocks) {
     parallel::limit_threads(model.elements / elements_per_thread);
   }
 
@@ -52,7 +56,9 @@ struct RectanglesWork {
   bool must_check() const { return step() % motion_check_steps == 0; }
   void collect() {}
 
-  ProgressState progress(Real share, Real time) const { return {share, time, step() * model.elements, model.step, -1, "element-steps"}; }
+  ProgressState progress(Real share, Real time) const {
+    return {share, time, step() * model.elements, model.step, -1, "element-steps"};
+  }
   void columns(Archive& archive) {
     archive.folder("stepper", [&] { model.stepper->columns(archive); });
   }
@@ -78,11 +84,12 @@ std::string check_rectangles(const cases::CaseFile& file) {
   const auto line = [](std::string_view topic, const std::string& text) { return fmt::format("  {:<12}{}\n", topic, text); };
   const std::string paper = model.limit.paper > 0 ? fmt::format("; (26) of the paper: {} s", number(model.limit.paper)) : "";
   return cases::explain(file.rectangles()) + line("body", fmt::format("{} elements", model.elements)) +
-         line("stability", fmt::format("limit {} s, predicted from the largest frequency, {} rad/s, and the dashpots{}", number(model.limit.limit),
-                                       number(model.limit.largest_frequency), paper)) +
-         line("step", fmt::format("{} s, {} of the limit, {} to a history row", number(model.step, 5), number(model.step / model.limit.limit, 3),
-                                  clocks.steps_per_row)) +
-         line("work", fmt::format("{} steps, {} element-steps", clocks.steps(), number(static_cast<Real>(model.elements) * static_cast<Real>(clocks.steps())))) +
+         line("stability", fmt::format("limit {} s, predicted from the largest frequency, {} rad/s, and the dashpots{}",
+                                       number(model.limit.limit), number(model.limit.largest_frequency), paper)) +
+         line("step", fmt::format("{} s, {} of the limit, {} to a history row", number(model.step, 5),
+                                  number(model.step / model.limit.limit, 3), clocks.steps_per_row)) +
+         line("work", fmt::format("{} steps, {} element-steps", clocks.steps(),
+                                  number(static_cast<Real>(model.elements) * static_cast<Real>(clocks.steps())))) +
          (model.warning.empty() ? "" : "\n" + model.warning);
 }
 

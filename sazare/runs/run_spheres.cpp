@@ -26,8 +26,11 @@ struct SpheresWork {
   std::string no_warning;
 
   SpheresWork(const cases::CaseFile& of, const RunOptions& options)
-      : file(of), model(build_spheres(of)), folder(options.folder, options.begin),
-        identity(identify(of.spheres(), observe::to_hex(model.start))), clocks(make_clocks(of.spheres().time, model.step)),
+      : file(of),
+        model(build_spheres(of)),
+        folder(options.folder, options.begin),
+        identity(identify(of.spheres(), observe::to_hex(model.start))),
+        clocks(make_clocks(of.spheres().time, model.step)),
         record(folder, of, model, clocks) {
     parallel::limit_threads(static_cast<int>(spheres()) / spheres_per_thread);
   }
@@ -38,7 +41,8 @@ struct SpheresWork {
   static std::string method() { return "spheres"; }
   const std::string& warning() const { return no_warning; }
   std::string words() const {
-    return fmt::format("{} spheres, step {} s, {} of the limit", spheres(), number(model.step), number(model.step / model.limit, 3));
+    return fmt::format("{} spheres, step {} s, {} of the limit", spheres(), number(model.step),
+                       number(model.step / model.limit, 3));
   }
   Real checkpoint_interval() const { return file.spheres().output.checkpoint_interval; }
 
@@ -48,7 +52,9 @@ struct SpheresWork {
   bool must_check() const { return step() % motion_check_steps == 0; }
   void collect() {}
 
-  ProgressState progress(Real share, Real time) const { return {share, time, step() * spheres(), model.step, -1, "particle-steps"}; }
+  ProgressState progress(Real share, Real time) const {
+    return {share, time, step() * spheres(), model.step, -1, "particle-steps"};
+  }
   void columns(Archive& archive) {
     archive.folder("stepper", [&] { model.stepper->columns(archive); });
   }
@@ -78,12 +84,13 @@ std::string check_spheres(const cases::CaseFile& file) {
     largest = std::max(largest, place.radius);
   }
   return cases::explain(file.spheres()) +
-         fmt::format("  {:<12}{} spheres of radius {} to {} m, {} kg, {} walls\n", "body", model.group.size(), number(smallest), number(largest),
-                     number(mass), model.stepper->walls().walls().size()) +
+         fmt::format("  {:<12}{} spheres of radius {} to {} m, {} kg, {} walls\n", "body", model.group.size(), number(smallest),
+                     number(largest), number(mass), model.stepper->walls().walls().size()) +
          fmt::format("  {:<12}limit {} s\n", "stability", number(model.limit, 5)) +
-         fmt::format("  {:<12}{} s, {} of the limit, {} to a history row\n", "step", number(model.step, 5), number(model.step / model.limit, 3),
-                     clocks.steps_per_row) +
-         fmt::format("  {:<12}{} steps, {} particle-steps\n", "work", clocks.steps(), number(spheres * static_cast<Real>(clocks.steps())));
+         fmt::format("  {:<12}{} s, {} of the limit, {} to a history row\n", "step", number(model.step, 5),
+                     number(model.step / model.limit, 3), clocks.steps_per_row) +
+         fmt::format("  {:<12}{} steps, {} particle-steps\n", "work", clocks.steps(),
+                     number(spheres * static_cast<Real>(clocks.steps())));
 }
 
 }  // namespace sazare::runs

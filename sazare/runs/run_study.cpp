@@ -52,7 +52,8 @@ std::string identity_of(const cases::Study& study) {
 std::vector<std::string> columns_of(const cases::Study& study) {
   std::vector<std::string> columns = {"case [-]", "family [-]"};
   for (const auto& parameter : study.parameters) columns.push_back(fmt::format("{} [{}]", parameter.name, parameter.unit));
-  for (const char* rest : {"particles [-]", "predicted [s]", "stable [s]", "unstable [s]", "limit [s]", "trials [-]", "seconds [s]"})
+  for (const char* rest :
+       {"particles [-]", "predicted [s]", "stable [s]", "unstable [s]", "limit [s]", "trials [-]", "seconds [s]"})
     columns.emplace_back(rest);
   return columns;
 }
@@ -65,9 +66,12 @@ std::vector<std::string> split(const std::string& line) {
 }
 
 class StudyRun {
- public:
+public:
   StudyRun(const cases::Study& study, const StudyOptions& options)
-      : study_(study), options_(options), folder_(options.folder, options.begin), table_(folder_.path() / "study.csv"),
+      : study_(study),
+        options_(options),
+        folder_(options.folder, options.begin),
+        table_(folder_.path() / "study.csv"),
         identity_file_(folder_.path() / "study.id") {}
 
   StudyOutcome run() {
@@ -88,7 +92,7 @@ class StudyRun {
     return outcome;
   }
 
- private:
+private:
   Real seconds_since_start() const { return std::chrono::duration<Real>(Clock::now() - start_).count(); }
 
   /// Rows of an earlier part of the study.
@@ -96,14 +100,16 @@ class StudyRun {
     std::ifstream stream(table_);
     if (!stream) return;
     if (text_of(identity_file_) != identity_of(study_))
-      throw UserError(fmt::format("{}: cannot be resumed: the study, its cases or the program have changed. Start anew with --overwrite",
-                                  folder_.path().string()));
+      throw UserError(
+          fmt::format("{}: cannot be resumed: the study, its cases or the program have changed. Start anew with --overwrite",
+                      folder_.path().string()));
     std::string line;
     std::getline(stream, line);
     const std::size_t count = columns_of(study_).size();
     while (std::getline(stream, line)) {
       const std::vector<std::string> fields = split(line);
-      if (fields.size() != count) throw UserError(fmt::format("{}: a row is damaged. Start anew with --overwrite", table_.string()));
+      if (fields.size() != count)
+        throw UserError(fmt::format("{}: a row is damaged. Start anew with --overwrite", table_.string()));
       Row row = {std::stoll(fields[0]), fields[1]};
       for (std::size_t i = 2; i < count; ++i) row.emplace_back(std::stod(fields[i]));
       rows_[static_cast<std::size_t>(std::stoll(fields[0]))] = std::move(row);
@@ -162,7 +168,8 @@ class StudyRun {
   }
 
   std::size_t parameter(std::string_view name) const {
-    return static_cast<std::size_t>(std::ranges::find(study_.parameters, name, &cases::StudyParameter::name) - study_.parameters.begin());
+    return static_cast<std::size_t>(std::ranges::find(study_.parameters, name, &cases::StudyParameter::name) -
+                                    study_.parameters.begin());
   }
 
   void write_regression() const {
@@ -179,11 +186,13 @@ class StudyRun {
           points.push_back({0.5 * number_in(row, 2 + spacing), number_in(row, 2 + velocity), number_in(row, 2 + damping),
                             number_in(row, limit_column())});
       const LimitFit fit = fit_limits(points);
-      coefficients.push_back({family.name, fit.b1[0], fit.b1[1], fit.b1[2], fit.b2[0], fit.b2[1], fit.b2[2], log_error(fit, points)});
+      coefficients.push_back(
+          {family.name, fit.b1[0], fit.b1[1], fit.b1[2], fit.b2[0], fit.b2[1], fit.b2[2], log_error(fit, points)});
       for (const DampingFit& line : fit.by_damping) lines.push_back({family.name, line.damping, line.a1, line.a2});
     }
     observe::write_csv(folder_.path() / "regression.csv",
-                       {"family [-]", "b11 [-]", "b12 [-]", "b13 [-]", "b21 [-]", "b22 [-]", "b23 [-]", "log_error [-]"}, coefficients);
+                       {"family [-]", "b11 [-]", "b12 [-]", "b13 [-]", "b21 [-]", "b22 [-]", "b23 [-]", "log_error [-]"},
+                       coefficients);
     observe::write_csv(folder_.path() / "regression_lines.csv", {"family [-]", "damping [-]", "a1 [-]", "a2 [-]"}, lines);
   }
 

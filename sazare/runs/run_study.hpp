@@ -23,9 +23,9 @@ struct StudyOutcome {
   Real wall_seconds = 0;
 };
 
-/// Seeks the limit of every case of a study. study.csv has a row for each that is done; a stopped study goes on with the others. Once
-/// all are done, rows stand in order, and regression.csv has (14) to (16) for each family where the parameters are those of the
-/// paper: spacing, velocity and damping. Throws UserError, MachineError.
+/// Seeks the limit of every case of a study. study.csv has a row for each that is done; a stopped study goes on with the others.
+/// Once all are done, rows stand in order, and regression.csv has (14) to (16) for each family where the parameters are those of
+/// the paper: spacing, velocity and damping. Throws UserError, MachineError.
 StudyOutcome run_study(const cases::Study& study, const StudyOptions& options);
 
 }  // namespace sazare::runs

@@ -14,7 +14,7 @@
 namespace sazare::runs {
 
 class RunTimes {
- public:
+public:
   /// What is not part of a step.
   enum class Part : std::size_t { setup, output, checkpoints };
 
@@ -28,7 +28,7 @@ class RunTimes {
 
   void columns(Archive& archive, std::span<const engine::PartTime> engine);
 
- private:
+private:
   using Clock = std::chrono::steady_clock;
 
   Real earlier_ = 0;  ///< until the checkpoint that the run was resumed from [s]

@@ -18,9 +18,7 @@ using Integers = std::vector<std::int32_t>;
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
 CellData cell_data(const std::string& name, const Numbers& values) { return {name, 1, std::span<const Real>(values)}; }
-CellData cell_data(const std::string& name, const Integers& values) {
-  return {name, 1, std::span<const std::int32_t>(values)};
-}
+CellData cell_data(const std::string& name, const Integers& values) { return {name, 1, std::span<const std::int32_t>(values)}; }
 CellData cell_data(const std::string& name, const std::vector<Vector3>& values) {
   const Real* first = values.empty() ? nullptr : values.front().data();
   return {name, 3, std::span(first, 3 * values.size())};
@@ -149,7 +147,9 @@ Snapshots::JointData Snapshots::joint_data(const engine::Snapshot<3>& now) const
 
 void Snapshots::write_elements(Real time, const ElementData& data) {
   const Integers connectivity = own_points(data.points.size());
-  elements_.write({observe::Grid::Cell::tetrahedron, data.points, connectivity,
+  elements_.write({observe::Grid::Cell::tetrahedron,
+                   data.points,
+                   connectivity,
                    {cell_data("element", tags_), cell_data("region", model_->mesh.region),
                     cell_data("material", model_->material), cell_data("displacement", data.displacement),
                     cell_data("velocity", data.velocity), cell_data("speed", data.speed), cell_data("level", data.level),
@@ -159,7 +159,9 @@ void Snapshots::write_elements(Real time, const ElementData& data) {
 
 void Snapshots::write_joints(Real time, const JointData& data) {
   const Integers connectivity = own_points(data.points.size());
-  joints_.write({observe::Grid::Cell::triangle, data.points, connectivity,
+  joints_.write({observe::Grid::Cell::triangle,
+                 data.points,
+                 connectivity,
                  {cell_data("state", data.state), cell_data("opening", data.opening), cell_data("slip", data.slip),
                   cell_data("kind", data.kind)},
                  time});

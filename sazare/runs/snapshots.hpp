@@ -11,7 +11,7 @@ namespace sazare::runs {
 /// Pictures of a run for ParaView and pyvista: the elements, and the joints between them, at the snapshot times. Files are
 /// written while the run goes on; what goes wrong then is thrown by the next call.
 class Snapshots {
- public:
+public:
   /// Makes the folder.
   Snapshots(const std::filesystem::path& folder, const BlocksModel& model);
 
@@ -23,7 +23,7 @@ class Snapshots {
   /// Goes on after the first `count` of an earlier run.
   void resume(std::size_t count);
 
- private:
+private:
   /// A joint's face as a face of its first element.
   struct Face {
     Index joint = 0;

@@ -31,14 +31,14 @@ struct Ball {
 
 /// The same numbers on every machine.
 class Random {
- public:
+public:
   explicit Random(int seed) : state_(static_cast<std::uint64_t>(seed) * 0x9E3779B97F4A7C15ULL) {}
   Real between(Real low, Real high) {
     state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
     return low + (high - low) * static_cast<Real>(state_ >> 11) / 9007199254740992.0;
   }
 
- private:
+private:
   std::uint64_t state_;
 };
 
@@ -55,9 +55,11 @@ std::vector<Ball> read_balls(const std::filesystem::path& file) {
     Ball ball;
     std::string rest;
     if (!(words >> ball.radius >> ball.centre.x() >> ball.centre.y() >> ball.centre.z()) || words >> rest)
-      throw UserError(fmt::format("{}:{}: four numbers were expected, radius, x, y and z in m, found \"{}\"", file.string(), number, line));
+      throw UserError(
+          fmt::format("{}:{}: four numbers were expected, radius, x, y and z in m, found \"{}\"", file.string(), number, line));
     if (!(ball.radius > 0) || !ball.centre.allFinite())
-      throw UserError(fmt::format("{}:{}: a radius greater than 0 and a finite centre were expected, found \"{}\"", file.string(), number, line));
+      throw UserError(fmt::format("{}:{}: a radius greater than 0 and a finite centre were expected, found \"{}\"", file.string(),
+                                  number, line));
     balls.push_back(ball);
   }
   return balls;
@@ -77,12 +79,13 @@ std::vector<Ball> lattice(const SphereGroup& group) {
   for (std::int64_t k = 0; k < count[2]; ++k)
     for (std::int64_t j = 0; j < count[1]; ++j)
       for (std::int64_t i = 0; i < count[0]; ++i)
-        balls.push_back({first + spacing * Vector3(static_cast<Real>(i), static_cast<Real>(j), static_cast<Real>(k)), group.radius});
+        balls.push_back(
+            {first + spacing * Vector3(static_cast<Real>(i), static_cast<Real>(j), static_cast<Real>(k)), group.radius});
   return balls;
 }
 
 class Placer {
- public:
+public:
   explicit Placer(const cases::CaseFile& file) : file_(file), spheres_(file.spheres()) {
     for (int axis = 0; axis < 3; ++axis) {
       if (!spheres_.domain.periodic[static_cast<std::size_t>(axis)]) continue;
@@ -98,7 +101,7 @@ class Placer {
     return std::move(result_);
   }
 
- private:
+private:
   void add(std::size_t number) {
     const SphereGroup& group = spheres_.spheres[number];
     std::vector<Ball> balls;
@@ -108,11 +111,13 @@ class Placer {
     if (group.source == SphereSource::random) balls = scatter(number);
     if (balls.empty())
       refuse(file_, fmt::format("spheres.{}", number), fmt::format("the group \"{}\" has no sphere", group.name),
-             group.source == SphereSource::file ? "the file holds no row of radius, x, y and z" : "its box is too small for the radius");
+             group.source == SphereSource::file ? "the file holds no row of radius, x, y and z"
+                                                : "its box is too small for the radius");
     const auto material = std::ranges::find(spheres_.materials, group.material, &cases::SphereMaterial::name);
     Random random(group.seed);
     for (const Ball& ball : balls) {
-      result_.spheres.add(ball.centre, ball.radius, material->density, static_cast<Index>(material - spheres_.materials.begin()), group.held);
+      result_.spheres.add(ball.centre, ball.radius, material->density, static_cast<Index>(material - spheres_.materials.begin()),
+                          group.held);
       result_.group.push_back(static_cast<Index>(number));
       Vector3 velocity = group.velocity;
       if (group.noise > 0)
@@ -175,9 +180,10 @@ class Placer {
     for (std::size_t i = 0; i < placed; ++i) volume += 4.18879020478639098462 * std::pow(balls[i].radius, 3);
     const Real share = volume / (group.upper - group.lower).prod();
     refuse(file_, fmt::format("spheres.{}.count", number),
-           fmt::format("no room for sphere {} of {} of the group \"{}\": those before fill {} of the box", placed + 1, group.count, group.name,
-                       short_number(share, 3)),
-           "random places without overlap rarely fill more than 0.35: choose a larger box or fewer spheres, and let them settle under gravity");
+           fmt::format("no room for sphere {} of {} of the group \"{}\": those before fill {} of the box", placed + 1,
+                       group.count, group.name, short_number(share, 3)),
+           "random places without overlap rarely fill more than 0.35: choose a larger box or fewer spheres, and let them settle "
+           "under gravity");
   }
 
   void check_sizes() const {
@@ -188,9 +194,10 @@ class Placer {
       const Real length = result_.spheres.box.length[axis];
       if (length <= 0 || length >= 2 * reach) continue;
       refuse(file_, "domain.upper",
-             fmt::format("the room is {} m along the periodic axis {}, and the largest sphere {} m wide", short_number(length), "xyz"[axis],
-                         short_number(2 * largest)),
-             fmt::format("a sphere must not meet another one, or itself, on both sides: {} m or more are needed", short_number(2 * reach, 4)));
+             fmt::format("the room is {} m along the periodic axis {}, and the largest sphere {} m wide", short_number(length),
+                         "xyz"[axis], short_number(2 * largest)),
+             fmt::format("a sphere must not meet another one, or itself, on both sides: {} m or more are needed",
+                         short_number(2 * reach, 4)));
     }
   }
 
@@ -216,7 +223,8 @@ class Placer {
     std::ranges::stable_sort(found, std::ranges::greater{}, &Overlap::share);
     std::string list;
     for (std::size_t n = 0; n < std::min(found.size(), most_listed); ++n)
-      list += fmt::format("{}{} and {} by {}", n > 0 ? ", " : "", name_of(found[n].first), name_of(found[n].second), short_number(found[n].share, 3));
+      list += fmt::format("{}{} and {} by {}", n > 0 ? ", " : "", name_of(found[n].first), name_of(found[n].second),
+                          short_number(found[n].share, 3));
     refuse(file_, "contact.overlap_limit",
            fmt::format("{} pairs of spheres overlap at the start by more than {} of the smaller radius: {}{}", found.size(),
                        short_number(spheres_.contact.overlap_limit), list, found.size() > most_listed ? " ..." : ""),
@@ -229,7 +237,8 @@ class Placer {
     const auto first = std::ranges::find(result_.group, group) - result_.group.begin();
     const auto& at = result_.spheres.place[sphere];
     return fmt::format("{} {} at ({}, {}, {})", spheres_.spheres[static_cast<std::size_t>(group)].name,
-                       static_cast<std::ptrdiff_t>(sphere) - first + 1, short_number(at.x, 4), short_number(at.y, 4), short_number(at.z, 4));
+                       static_cast<std::ptrdiff_t>(sphere) - first + 1, short_number(at.x, 4), short_number(at.y, 4),
+                       short_number(at.z, 4));
   }
 
   const cases::CaseFile& file_;

@@ -24,7 +24,8 @@ constexpr Real wall_margin = 0.5;  // of the smallest diameter; near walls there
 
 const cases::MaterialPair* find_pair(const SpheresCase& spheres, const std::string& one, const std::string& other) {
   for (const cases::MaterialPair& pair : spheres.pairs)
-    if ((pair.between[0] == one && pair.between[1] == other) || (pair.between[0] == other && pair.between[1] == one)) return &pair;
+    if ((pair.between[0] == one && pair.between[1] == other) || (pair.between[0] == other && pair.between[1] == one))
+      return &pair;
   return nullptr;
 }
 
@@ -33,12 +34,14 @@ laws::ContactConstants<Real> constants_of(const SpheresCase& spheres, std::size_
   const cases::SphereMaterial &a = spheres.materials[one], &b = spheres.materials[other];
   const cases::MaterialPair none, *found = find_pair(spheres, a.name, b.name);
   const cases::MaterialPair& pair = found == nullptr ? none : *found;
-  const Real restitution = pair.restitution.value_or(contact.restitution), friction = pair.friction_coefficient.value_or(contact.friction_coefficient),
+  const Real restitution = pair.restitution.value_or(contact.restitution),
+             friction = pair.friction_coefficient.value_or(contact.friction_coefficient),
              rolling = pair.rolling_friction.value_or(contact.rolling_friction);
   if (contact.model == ContactModel::linear)
-    return laws::linear_constants(pair.normal_stiffness.value_or(contact.normal_stiffness), pair.shear_stiffness.value_or(contact.shear_stiffness),
-                                  restitution, friction, rolling);
-  return laws::hertz_constants({a.youngs_modulus, a.poisson_ratio}, {b.youngs_modulus, b.poisson_ratio}, restitution, friction, rolling);
+    return laws::linear_constants(pair.normal_stiffness.value_or(contact.normal_stiffness),
+                                  pair.shear_stiffness.value_or(contact.shear_stiffness), restitution, friction, rolling);
+  return laws::hertz_constants({a.youngs_modulus, a.poisson_ratio}, {b.youngs_modulus, b.poisson_ratio}, restitution, friction,
+                               rolling);
 }
 
 Wall plane(const cases::WallRules& rules, const Vector3& point, const Vector3& normal) {
@@ -125,7 +128,8 @@ std::uint64_t hash_of(const Placement& placement, const std::vector<Wall>& walls
 }
 
 /// Spheres that begin beyond a wall by more than contact.overlap_limit are refused.
-void check_walls(const cases::CaseFile& file, const SpheresModel& model, const std::vector<Wall>& walls, const state::Spheres& placed) {
+void check_walls(const cases::CaseFile& file, const SpheresModel& model, const std::vector<Wall>& walls,
+                 const state::Spheres& placed) {
   const SpheresCase& spheres = file.spheres();
   for (std::size_t w = 0; w < walls.size(); ++w) {
     if (!walls[w].is_plane()) continue;
@@ -169,7 +173,8 @@ SpheresModel build_spheres(const cases::CaseFile& file) {
   model.start = hash_of(placement, walls);
   model.group = std::move(placement.group);
   const Real margin = search_margin(spheres, placement.spheres);
-  const engine::SphereRules rules{model.step, spheres.gravity.acceleration, margin, wall_margin / spheres.contact.margin * margin};
+  const engine::SphereRules rules{model.step, spheres.gravity.acceleration, margin,
+                                  wall_margin / spheres.contact.margin * margin};
   model.stepper = std::make_unique<engine::SphereStepper>(std::move(placement.spheres), table, std::move(walls), rules);
   return model;
 }

@@ -10,10 +10,10 @@
 namespace sazare::runs {
 
 struct SpheresModel {
-  std::vector<Index> group;     ///< by number of the sphere
-  std::uint64_t start = 0;      ///< hash of where everything stands at the start
-  Real limit = 0;               ///< of the step [s]
-  Real step = 0;                ///< [s]
+  std::vector<Index> group;      ///< by number of the sphere
+  std::uint64_t start = 0;       ///< hash of where everything stands at the start
+  Real limit = 0;                ///< of the step [s]
+  Real step = 0;                 ///< [s]
   std::vector<Index> case_wall;  ///< by wall of the stepper: which of the case; a box has six
   std::unique_ptr<engine::SphereStepper> stepper;
 };

@@ -16,18 +16,24 @@ namespace {
 constexpr Real senseless_speed = 1e5;  // m/s; no grain moves so fast
 
 const std::vector<std::string> history_columns = {
-    "time [s]",          "energy_translation [J]", "energy_rotation [J]",      "energy_elastic [J]",  "energy_sliding [J]", "energy_potential [J]",
-    "work_dashpots [J]", "work_friction [J]",      "work_walls [J]",           "energy_residual [J]", "contacts [-]",       "speed_max [m/s]",
+    "time [s]",           "energy_translation [J]", "energy_rotation [J]", "energy_elastic [J]",
+    "energy_sliding [J]", "energy_potential [J]",   "work_dashpots [J]",   "work_friction [J]",
+    "work_walls [J]",     "energy_residual [J]",    "contacts [-]",        "speed_max [m/s]",
     "wall_seconds [s]"};
 
 }  // namespace
 
 SpheresRecord::SpheresRecord(const RunFolder& folder, const cases::CaseFile& file, SpheresModel& model, const RunClocks& clocks)
-    : folder_(&folder), file_(&file), model_(&model), clocks_(clocks), snapshots_(folder.snapshots(), "particles"),
+    : folder_(&folder),
+      file_(&file),
+      model_(&model),
+      clocks_(clocks),
+      snapshots_(folder.snapshots(), "particles"),
       peaks_(file.spheres().gauges.size(), 0) {
   const auto& groups = file.spheres().spheres;
   for (const cases::GroupGauge& gauge : file.spheres().gauges)
-    gauge_group_.push_back(static_cast<Index>(std::ranges::find(groups, gauge.group, &cases::SphereGroup::name) - groups.begin()));
+    gauge_group_.push_back(
+        static_cast<Index>(std::ranges::find(groups, gauge.group, &cases::SphereGroup::name) - groups.begin()));
 }
 
 std::vector<std::string> SpheresRecord::gauge_columns() const {
@@ -68,9 +74,9 @@ void SpheresRecord::observe(std::int64_t step, Real wall_seconds) {
   energies_ = stepper.energies();
   if (rows_ == 0) first_sum_ = energies_.sum();
   const Real speed = stepper.largest_speed();
-  history_->add_row(std::vector<Real>{time, energies_.translation, energies_.rotation, energies_.elastic, energies_.sliding, energies_.potential,
-                                      energies_.dashpot_work, energies_.sliding_work, energies_.wall_work, energies_.sum() - first_sum_,
-                                      static_cast<Real>(stepper.contacts()), speed, wall_seconds});
+  history_->add_row(std::vector<Real>{time, energies_.translation, energies_.rotation, energies_.elastic, energies_.sliding,
+                                      energies_.potential, energies_.dashpot_work, energies_.sliding_work, energies_.wall_work,
+                                      energies_.sum() - first_sum_, static_cast<Real>(stepper.contacts()), speed, wall_seconds});
   largest_speed_ = std::max(largest_speed_, speed);
   peak_kinetic_ = std::max(peak_kinetic_, energies_.translation + energies_.rotation);
   add_gauge_row(time);
@@ -135,9 +141,14 @@ void SpheresRecord::write_snapshot(Real time) {
   const auto of_integers = [](const std::string& name, const std::vector<std::int32_t>& values) {
     return observe::CellData{name, 1, std::span<const std::int32_t>(values)};
   };
-  snapshots_.write({observe::Grid::Cell::vertex, place, cell,
-                    {of_vectors("velocity", velocity), of_vectors("spin", spin), {"radius", 1, std::span<const Real>(radius)},
-                     of_integers("group", group), of_integers("material", material)},
+  snapshots_.write({observe::Grid::Cell::vertex,
+                    place,
+                    cell,
+                    {of_vectors("velocity", velocity),
+                     of_vectors("spin", spin),
+                     {"radius", 1, std::span<const Real>(radius)},
+                     of_integers("group", group),
+                     of_integers("material", material)},
                     time});
 }
 
@@ -150,11 +161,13 @@ void SpheresRecord::flush(bool to_disk) {
 void SpheresRecord::check_motion(Real time) const {
   const Real speed = model_->stepper->largest_speed();
   if (speed < senseless_speed) return;
-  throw PhysicsError(fmt::format(
-      "the motion of the spheres makes no sense any more at t = {} s: the largest speed is {} m/s, above {} m/s\n"
-      "  the step of {} s is {} times the limit of {} s: set time.stability_fraction = 0.1, or look at spheres that overlap at the start",
-      cases::short_number(time), cases::short_number(speed, 3), cases::short_number(senseless_speed, 3),
-      cases::short_number(model_->step, 4), cases::short_number(model_->step / model_->limit, 3), cases::short_number(model_->limit, 4)));
+  throw PhysicsError(
+      fmt::format("the motion of the spheres makes no sense any more at t = {} s: the largest speed is {} m/s, above {} m/s\n"
+                  "  the step of {} s is {} times the limit of {} s: set time.stability_fraction = 0.1, or look at spheres that "
+                  "overlap at the start",
+                  cases::short_number(time), cases::short_number(speed, 3), cases::short_number(senseless_speed, 3),
+                  cases::short_number(model_->step, 4), cases::short_number(model_->step / model_->limit, 3),
+                  cases::short_number(model_->limit, 4)));
 }
 
 std::vector<std::pair<std::string, observe::Figure>> SpheresRecord::results(std::int64_t step, Real wall_seconds) const {

@@ -14,7 +14,7 @@
 namespace sazare::runs {
 
 class SpheresRecord {
- public:
+public:
   /// Writes nothing yet.
   SpheresRecord(const RunFolder& folder, const cases::CaseFile& file, SpheresModel& model, const RunClocks& clocks);
 
@@ -32,7 +32,7 @@ class SpheresRecord {
 
   void columns(Archive& archive);
 
- private:
+private:
   std::vector<std::string> gauge_columns() const;
   std::vector<std::string> wall_columns() const;
   void add_gauge_row(Real time);
@@ -46,8 +46,8 @@ class SpheresRecord {
   std::vector<Index> gauge_group_;
   observe::SnapshotSeries snapshots_;
   std::optional<observe::CsvWriter> history_, gauges_, walls_;
-  std::vector<Real> peaks_;           ///< largest speed by gauge [m/s]
-  engine::SphereEnergies energies_;   ///< at the last row
+  std::vector<Real> peaks_;          ///< largest speed by gauge [m/s]
+  engine::SphereEnergies energies_;  ///< at the last row
   Real first_sum_ = 0, largest_speed_ = 0, peak_kinetic_ = 0;
   std::int64_t rows_ = 0, snapshot_count_ = 0;
 };

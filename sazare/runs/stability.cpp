@@ -43,9 +43,8 @@ std::vector<LimitingElement> limiting_elements(const BlocksModel& model, std::si
   std::iota(order.begin(), order.end(), 0);
   count = std::min(count, order.size());
   const auto step = [&](Index element) { return model.stable_step[at(element)]; };
-  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(), [&](Index a, Index b) {
-    return step(a) != step(b) ? step(a) < step(b) : a < b;
-  });
+  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
+                    [&](Index a, Index b) { return step(a) != step(b) ? step(a) < step(b) : a < b; });
   std::vector<LimitingElement> limiting;
   for (std::size_t i = 0; i < count; ++i) limiting.push_back({order[i], step(order[i])});
   return limiting;
@@ -74,13 +73,14 @@ std::string check_stability(const cases::CaseFile& file, const BlocksModel& mode
   const bool by_fraction = time.limiter == cases::Limiter::stability;
   const Real base_step = model.simulation->levels().step(0);
   if (by_fraction && time.stability_fraction <= stable_share) return {};
-  const auto above = std::ranges::count_if(
-      model.stable_step, [&](Real step) { return (by_fraction ? time.stability_fraction * step : base_step) > stable_share * step; });
+  const auto above = std::ranges::count_if(model.stable_step, [&](Real step) {
+    return (by_fraction ? time.stability_fraction * step : base_step) > stable_share * step;
+  });
   if (above == 0) return {};
   const LimitingElement smallest = limiting_elements(model, 1).front();
-  const std::string who = fmt::format("{} of {} elements; the smallest stable step, {}, is that of {}", above,
-                                      model.stable_step.size(), seconds(stable_share * smallest.stable_step),
-                                      element_text(model.mesh, smallest.element));
+  const std::string who =
+      fmt::format("{} of {} elements; the smallest stable step, {}, is that of {}", above, model.stable_step.size(),
+                  seconds(stable_share * smallest.stable_step), element_text(model.mesh, smallest.element));
   const std::string key = by_fraction ? "time.stability_fraction" : "time.base_step";
   const std::string what =
       by_fraction ? fmt::format("step above stability: stability_fraction = {} is above {}, which {}",

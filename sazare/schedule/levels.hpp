@@ -34,7 +34,7 @@ int level_for(Real step_seconds, Real base_seconds);
 
 /// Numbered items sorted into levels, so that what is due is found without looking at what is not.
 class Buckets {
- public:
+public:
   static constexpr int absent = -1;
 
   void insert(Index item, int level);
@@ -42,9 +42,7 @@ class Buckets {
   void move(Index item, int level);
 
   int level(Index item) const { return level_[static_cast<std::size_t>(item)]; }
-  bool holds(Index item) const {
-    return item < static_cast<Index>(level_.size()) && level(item) != absent;
-  }
+  bool holds(Index item) const { return item < static_cast<Index>(level_.size()) && level(item) != absent; }
   std::span<const Index> at(int level) const { return members_[static_cast<std::size_t>(level)]; }
   std::size_t size() const { return size_; }
 
@@ -58,7 +56,7 @@ class Buckets {
   const std::vector<std::int8_t>& levels() const { return level_; }
   void assign(std::vector<std::int8_t> levels);
 
- private:
+private:
   std::array<std::vector<Index>, level_count> members_;
   std::array<bool, level_count> unsorted_{};
   std::vector<std::int8_t> level_;

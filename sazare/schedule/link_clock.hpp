@@ -17,7 +17,7 @@
 namespace sazare::schedule {
 
 class LinkClock {
- public:
+public:
   void add(Index link, int level, Tick now);
   void remove(Index link);
   void set_level(Index link, int level);
@@ -31,7 +31,7 @@ class LinkClock {
 
   void columns(Archive& archive);
 
- private:
+private:
   Due take(Index link, const Moment& now);
 
   Buckets buckets_;

@@ -17,13 +17,13 @@ namespace sazare::state {
 /// Position and rotation are those at `due`, the body's next own time: every force on it is evaluated at its own times.
 template <int D>
 struct alignas(64) Motion {
-  Vector<D> position;      ///< centre of mass at `due` [m]
-  Rotation<D> rotation;    ///< body frame to world, at `due`
-  Vector<D> foreseen_velocity;   ///< at `due` [m/s]
-  Angular<D> foreseen_spin;      ///< at `due` [rad/s]
-  Vector<D> velocity;            ///< constant from `last_kick` to `due` [m/s]
-  Angular<D> angular_momentum;   ///< [kg m2/s]
-  Angular<D> spin;               ///< angular velocity from `last_kick` to `due` [rad/s]
+  Vector<D> position;           ///< centre of mass at `due` [m]
+  Rotation<D> rotation;         ///< body frame to world, at `due`
+  Vector<D> foreseen_velocity;  ///< at `due` [m/s]
+  Angular<D> foreseen_spin;     ///< at `due` [rad/s]
+  Vector<D> velocity;           ///< constant from `last_kick` to `due` [m/s]
+  Angular<D> angular_momentum;  ///< [kg m2/s]
+  Angular<D> spin;              ///< angular velocity from `last_kick` to `due` [rad/s]
   Tick last_kick = -1;
   Tick due = 0;
 
@@ -62,8 +62,8 @@ struct Bodies {
   std::vector<Motion<D>> motion;
   std::vector<Inertia<D>> inertia;
   std::vector<Locks> locks;
-  std::vector<Real> reach;                ///< distance of the farthest point of a body from its centre [m]
-  std::vector<Vector<D>> start;           ///< position at the beginning [m]
+  std::vector<Real> reach;                  ///< distance of the farthest point of a body from its centre [m]
+  std::vector<Vector<D>> start;             ///< position at the beginning [m]
   std::vector<Rotation<D>> start_rotation;  ///< rotation at the beginning
 
   Index size() const { return static_cast<Index>(motion.size()); }

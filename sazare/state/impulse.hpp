@@ -13,10 +13,10 @@ namespace sazare::state {
 ///     f x (end of the time for which it has been given - now), so that momentum - this is the momentum at now
 template <int D>
 struct alignas(64) Impulse {
-  Vector<D> linear = Vector<D>::Zero();     ///< [N s]
-  Angular<D> angular = Angular<D>::Zero();  ///< about the centre of mass [N m s]
-  alignas(64) Vector<D> force = Vector<D>::Zero();  ///< [N]; each pair begins a cache line, for gathers
-  Angular<D> torque = Angular<D>::Zero();           ///< about the centre of mass [N m]
+  Vector<D> linear = Vector<D>::Zero();                    ///< [N s]
+  Angular<D> angular = Angular<D>::Zero();                 ///< about the centre of mass [N m s]
+  alignas(64) Vector<D> force = Vector<D>::Zero();         ///< [N]; each pair begins a cache line, for gathers
+  Angular<D> torque = Angular<D>::Zero();                  ///< about the centre of mass [N m]
   alignas(64) Vector<D> linear_ahead = Vector<D>::Zero();  ///< [N s]
   Angular<D> angular_ahead = Angular<D>::Zero();           ///< [N m s]
 };
@@ -41,9 +41,7 @@ struct Wrench {
     angular += other.angular;
     return *this;
   }
-  friend Wrench operator*(Real factor, const Wrench& wrench) {
-    return {factor * wrench.linear, factor * wrench.angular};
-  }
+  friend Wrench operator*(Real factor, const Wrench& wrench) { return {factor * wrench.linear, factor * wrench.angular}; }
 };
 
 }  // namespace sazare::state

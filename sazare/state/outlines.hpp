@@ -29,8 +29,12 @@ struct Outlines {
   }
 
   geometry::Outline at(const Particles<2>& particles, std::size_t i) const {
-    return {kind[i], exposed[i], {particles.position(0, i), particles.position(1, i)}, {particles.rotation[0][i], particles.rotation[1][i]},
-            half_width[i], half_height[i]};
+    return {kind[i],
+            exposed[i],
+            {particles.position(0, i), particles.position(1, i)},
+            {particles.rotation[0][i], particles.rotation[1][i]},
+            half_width[i],
+            half_height[i]};
   }
 
   /// Half of the side of the square of equal area, the radius of a circle, 0 of a wall [m]: the r of the springs.

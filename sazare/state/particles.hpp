@@ -29,24 +29,25 @@ using FreedomColumns = std::array<Column, particle_freedoms<D>>;
 
 template <int D>
 struct Particles {
-  Index count = 0;                  ///< without the padding
-  Real spacing = 0;                 ///< D [m]
-  std::array<Column, D> start;      ///< [m]
+  Index count = 0;                     ///< without the padding
+  Real spacing = 0;                    ///< D [m]
+  std::array<Column, D> start;         ///< [m]
   std::array<Column, D> displacement;  ///< from there [m]
-  Column angle;                     ///< 2-D only: angle from which the rotation follows [rad]
+  Column angle;                        ///< 2-D only: angle from which the rotation follows [rad]
   std::array<Column, rotation_numbers<D>> rotation;
-  FreedomColumns<D> velocity;       ///< [m/s], [rad/s]
-  Column inverse_mass;              ///< [1/kg; m/kg in 2-D]
-  Column inverse_inertia;           ///< of rotation [1/(kg m2); 1/(kg m) in 2-D]
-  Column shear_modulus;             ///< mu [Pa]
-  Column lame;                      ///< lambda [Pa]
-  Column damping_ratio;             ///< h [-]
+  FreedomColumns<D> velocity;  ///< [m/s], [rad/s]
+  Column inverse_mass;         ///< [1/kg; m/kg in 2-D]
+  Column inverse_inertia;      ///< of rotation [1/(kg m2); 1/(kg m) in 2-D]
+  Column shear_modulus;        ///< mu [Pa]
+  Column lame;                 ///< lambda [Pa]
+  Column damping_ratio;        ///< h [-]
 
   std::size_t size() const { return static_cast<std::size_t>(count); }
   std::size_t padded() const { return (size() + lane_count - 1) / lane_count * lane_count; }
   Real volume() const { return D == 2 ? spacing * spacing : spacing * spacing * spacing; }
 
-  /// Gives a particle the mass of its volume, and the rotational inertia of a square or a cube: I = m D^2/6. [Yoshida2010], (A14).
+  /// Gives a particle the mass of its volume, and the rotational inertia of a square or a cube: I = m D^2/6. [Yoshida2010],
+  /// (A14).
   void set_density(Index particle, Real density) {
     const auto i = static_cast<std::size_t>(particle);
     inverse_mass[i] = 1 / (density * volume());

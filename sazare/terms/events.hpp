@@ -11,7 +11,7 @@ namespace sazare::terms {
 
 /// Rare things noted by many threads during a step, and taken afterwards in an order that does not depend on them.
 class Events {
- public:
+public:
   void add(Index what) {
     const std::scoped_lock lock(adding_);
     noted_.push_back(what);
@@ -24,7 +24,7 @@ class Events {
     return std::exchange(noted_, {});
   }
 
- private:
+private:
   std::mutex adding_;
   std::vector<Index> noted_;
 };

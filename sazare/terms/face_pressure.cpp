@@ -16,8 +16,7 @@ Real pressure_at(const PressureLoad& load, Real time) {
 
 }  // namespace
 
-FacePressure::FacePressure(std::vector<PressureLoad> loads, std::vector<PressedFace> faces,
-                           const state::Bodies<3>& bodies)
+FacePressure::FacePressure(std::vector<PressureLoad> loads, std::vector<PressedFace> faces, const state::Bodies<3>& bodies)
     : loads_(std::move(loads)), faces_(std::move(faces)) {
   for (const PressedFace& face : faces_) links_.push_back({face.body, Link::outside});
   table_.causes = {Cause::load};
@@ -49,8 +48,7 @@ void FacePressure::evaluate(const Moment& now, std::span<const Due> due, const s
 }
 
 void FacePressure::add_energies(const Synchronized<3>& at, Ledger& ledger) const {
-  for (std::size_t face = 0; face < faces_.size(); ++face)
-    table_.take_back(static_cast<Index>(face), links_[face], at, ledger);
+  for (std::size_t face = 0; face < faces_.size(); ++face) table_.take_back(static_cast<Index>(face), links_[face], at, ledger);
 }
 
 void FacePressure::carry(Index link, Parcel& parcel) {

@@ -28,7 +28,7 @@ struct PressedFace {
 };
 
 class FacePressure final : public Term<3> {
- public:
+public:
   FacePressure(std::vector<PressureLoad> loads, std::vector<PressedFace> faces, const state::Bodies<3>& bodies);
 
   std::string_view name() const override { return "pressure"; }
@@ -36,8 +36,8 @@ class FacePressure final : public Term<3> {
   bool joins_bodies() const override { return false; }
   std::vector<Index> first_links() const override;
   void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
-  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies,
-              std::span<Impulse<3>> sum, CauseImpulses<3>& parts) const override {
+  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies, std::span<Impulse<3>> sum,
+              CauseImpulses<3>& parts) const override {
     table_.gather(now, which, bodies, sum, parts);
   }
   Rates rates(Index) const override { return {}; }
@@ -45,7 +45,7 @@ class FacePressure final : public Term<3> {
   void carry(Index link, Parcel& parcel) override;
   void columns(Archive& archive) override;
 
- private:
+private:
   std::vector<PressureLoad> loads_;
   std::vector<PressedFace> faces_;
   std::vector<Link> links_;

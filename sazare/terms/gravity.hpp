@@ -11,7 +11,7 @@ namespace sazare::terms {
 
 template <int D>
 class Gravity final : public Term<D> {
- public:
+public:
   Gravity(const Vector<D>& acceleration, const state::Bodies<D>& bodies)
       : acceleration_(acceleration), start_(bodies.start), given_(static_cast<std::size_t>(bodies.size())) {
     for (Index body = 0; body < bodies.size(); ++body) {
@@ -50,14 +50,13 @@ class Gravity final : public Term<D> {
   /// The work of gravity is known from the places alone.
   void add_energies(const Synchronized<D>& at, Ledger& ledger) const override {
     for (std::size_t body = 0; body < mass_.size(); ++body)
-      ledger[Account::work] +=
-          mass_[body] * acceleration_.dot(at.pose[body].position - start_[body]);
+      ledger[Account::work] += mass_[body] * acceleration_.dot(at.pose[body].position - start_[body]);
   }
 
   void carry(Index link, Parcel& parcel) override { parcel(given_[static_cast<std::size_t>(link)]); }
   void columns(Archive& archive) override { archive("given", given_); }
 
- private:
+private:
   struct Given {
     Tick tick = -1;
     Real acting = 0;

@@ -12,16 +12,16 @@
 namespace sazare::terms {
 
 enum class Account {
-  work,             ///< done on the bodies by loads and by gravity
-  kinetic,          ///< gained since the beginning
-  elastic,          ///< stored in joints, contacts and boundaries
+  work,     ///< done on the bodies by loads and by gravity
+  kinetic,  ///< gained since the beginning
+  elastic,  ///< stored in joints, contacts and boundaries
   joint_dashpot,
-  slip,             ///< of bonded joints on the Coulomb line
+  slip,  ///< of bonded joints on the Coulomb line
   fracture,
-  release,          ///< elastic energy left in joints when their faces came apart
+  release,  ///< elastic energy left in joints when their faces came apart
   contact_dashpot,
-  friction,         ///< of contacts
-  boundary,         ///< dashpots of absorbing and fixed outer faces
+  friction,  ///< of contacts
+  boundary,  ///< dashpots of absorbing and fixed outer faces
 };
 
 inline constexpr std::size_t account_count = 10;
@@ -35,9 +35,7 @@ struct Ledger {
   Real operator[](Account account) const { return joules[static_cast<std::size_t>(account)]; }
 
   /// Work that is found nowhere [J].
-  Real residual() const {
-    return joules[0] - std::accumulate(joules.begin() + 1, joules.end(), Real{0});
-  }
+  Real residual() const { return joules[0] - std::accumulate(joules.begin() + 1, joules.end(), Real{0}); }
 };
 
 }  // namespace sazare::terms

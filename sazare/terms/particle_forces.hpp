@@ -7,7 +7,7 @@ namespace sazare::terms {
 /// Forces between particles that follow from where they are and how they are turned.
 template <int D>
 class ParticleForces {
- public:
+public:
   virtual ~ParticleForces() = default;
 
   /// Accelerations of all particles by these forces [m/s2], [rad/s2].

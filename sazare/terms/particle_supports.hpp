@@ -24,8 +24,8 @@ struct DrivenFreedom {
 };
 
 /// A viscous boundary: the impedance of the ground beyond, and the wave that comes in through it. The force is
-/// -c (v - 2 v_in), besides what it carries at rest: half of it lets waves leave, the other half brings in the wave that would stand alone in the ground beyond.
-/// Lysmer and Kuhlemeyer, J. Eng. Mech. Div. ASCE 95 (1969) 859-877.
+/// -c (v - 2 v_in), besides what it carries at rest: half of it lets waves leave, the other half brings in the wave that would
+/// stand alone in the ground beyond. Lysmer and Kuhlemeyer, J. Eng. Mech. Div. ASCE 95 (1969) 859-877.
 struct Dashpot {
   static constexpr Index no_motion = -1;
 

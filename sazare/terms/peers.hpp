@@ -11,7 +11,7 @@ namespace sazare::terms {
 
 /// All processes ask the same things in the same order.
 class Peers {
- public:
+public:
   virtual ~Peers() = default;
 
   virtual bool alone() const { return true; }

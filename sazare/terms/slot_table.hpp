@@ -22,7 +22,7 @@ struct SlotSide {
 /// Sides by body, for links that are known at the beginning: those where it is the second body, then those where it is the
 /// first, each in the order of the links.
 class FixedIncidence {
- public:
+public:
   FixedIncidence() = default;
   FixedIncidence(Index bodies, std::span<const Link> links) : begin_(static_cast<std::size_t>(bodies) + 1, 0) {
     const auto each_side = [&](auto&& visit) {
@@ -42,7 +42,7 @@ class FixedIncidence {
     return std::span(sides_).subspan(begin_[at], begin_[at + 1] - begin_[at]);
   }
 
- private:
+private:
   std::vector<std::size_t> begin_;
   std::vector<SlotSide> sides_;
 };
@@ -50,14 +50,14 @@ class FixedIncidence {
 /// Sides by body, for links that come and go; the owner keeps each list in a fixed order, second sides first (by partner,
 /// where every link's first body is the one with the smaller number).
 class ChangingIncidence {
- public:
+public:
   ChangingIncidence() = default;
   explicit ChangingIncidence(Index bodies) : lists_(static_cast<std::size_t>(bodies)) {}
 
   std::span<const SlotSide> of(Index body) const { return lists_[static_cast<std::size_t>(body)]; }
   std::vector<SlotSide>& list(Index body) { return lists_[static_cast<std::size_t>(body)]; }
 
- private:
+private:
   std::vector<std::vector<SlotSide>> lists_;
 };
 
@@ -157,8 +157,7 @@ struct SlotTable {
     const auto& of = (*this)[slot];
     for (std::size_t p = 0; p < Parts; ++p) {
       Real work = of.part[p].on_first().power(at.ahead[static_cast<std::size_t>(link.first)]);
-      if (link.second != Link::outside)
-        work += of.part[p].on_second().power(at.ahead[static_cast<std::size_t>(link.second)]);
+      if (link.second != Link::outside) work += of.part[p].on_second().power(at.ahead[static_cast<std::size_t>(link.second)]);
       book(causes[p], -of.ahead * work, ledger);
     }
   }

@@ -29,7 +29,7 @@ struct Spring {
 
 template <int D>
 class Springs final : public Term<D> {
- public:
+public:
   Springs(std::vector<Spring<D>> springs, const state::Bodies<D>& bodies) : springs_(std::move(springs)) {
     rates_.resize(static_cast<std::size_t>(bodies.size()));
     for (const auto& spring : springs_) {
@@ -56,8 +56,8 @@ class Springs final : public Term<D> {
     });
   }
 
-  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<D>& bodies,
-              std::span<Impulse<D>> sum, CauseImpulses<D>& parts) const override {
+  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<D>& bodies, std::span<Impulse<D>> sum,
+              CauseImpulses<D>& parts) const override {
     table_.gather(now, which, bodies, sum, parts);
   }
   Rates rates(Index body) const override { return rates_[static_cast<std::size_t>(body)]; }
@@ -65,8 +65,7 @@ class Springs final : public Term<D> {
   void add_energies(const Synchronized<D>& at, Ledger& ledger) const override {
     for (std::size_t i = 0; i < springs_.size(); ++i) {
       const Real stretch = place(springs_[i], [&](Index body) { return at.pose_of(body); }).elongation;
-      if (!springs_[i].pushes_only || stretch < 0)
-        ledger[Account::elastic] += 0.5 * springs_[i].stiffness * stretch * stretch;
+      if (!springs_[i].pushes_only || stretch < 0) ledger[Account::elastic] += 0.5 * springs_[i].stiffness * stretch * stretch;
       table_.take_back(static_cast<Index>(i), links_[i], at, ledger);
     }
   }
@@ -74,7 +73,7 @@ class Springs final : public Term<D> {
   void carry(Index link, Parcel& parcel) override { parcel(table_[link]); }
   void columns(Archive& archive) override { archive("slots", table_.slots); }
 
- private:
+private:
   struct Place {
     Vector<D> first_arm, second_arm, direction;
     Real elongation;

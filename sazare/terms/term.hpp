@@ -33,12 +33,12 @@ struct Rates {
 
 /// What a term asks of the engine after a step.
 struct Changes {
-  std::vector<Index> new_links;      ///< links that begin; the term's `links()` knows their bodies
-  std::vector<Index> ended_links;    ///< links whose force has ended for good (until it is new again)
-  std::vector<Index> resting;        ///< links that cannot act before the next base step: base steps are enough for them
-  std::vector<Index> watching;       ///< links that were resting and may act from now on
-  std::vector<Index> stiffer;        ///< bodies whose rates may have grown: their step is checked at once
-  std::vector<Index> softer;         ///< bodies whose rates have fallen: their step may grow at the next base step
+  std::vector<Index> new_links;    ///< links that begin; the term's `links()` knows their bodies
+  std::vector<Index> ended_links;  ///< links whose force has ended for good (until it is new again)
+  std::vector<Index> resting;      ///< links that cannot act before the next base step: base steps are enough for them
+  std::vector<Index> watching;     ///< links that were resting and may act from now on
+  std::vector<Index> stiffer;      ///< bodies whose rates may have grown: their step is checked at once
+  std::vector<Index> softer;       ///< bodies whose rates have fallen: their step may grow at the next base step
 
   void clear() { *this = {}; }
 };
@@ -54,7 +54,7 @@ struct Synchronized {
 
 template <int D>
 class Term {
- public:
+public:
   virtual ~Term() = default;
 
   virtual std::string_view name() const = 0;
@@ -72,8 +72,8 @@ class Term {
 
   /// Adds to `sum`, body by body, what it receives; the impulses whose work is booked go into `parts` as well. A chunk of
   /// bodies at most.
-  virtual void gather(const Moment& now, std::span<const Index> which, const state::Bodies<D>& bodies,
-                      std::span<Impulse<D>> sum, CauseImpulses<D>& parts) const = 0;
+  virtual void gather(const Moment& now, std::span<const Index> which, const state::Bodies<D>& bodies, std::span<Impulse<D>> sum,
+                      CauseImpulses<D>& parts) const = 0;
 
   /// Work on one thread after a step. All processes of a run do it, and must come to the same changes.
   virtual void settle(const Moment&, const state::Bodies<D>&, Peers&, Changes&) {}

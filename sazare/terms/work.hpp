@@ -22,11 +22,21 @@ using CauseWork = std::array<Real, cause_count>;
 /// Books work on the bodies: that of loads comes in, all other is taken from them.
 inline void book(Cause cause, Real work, Ledger& ledger) {
   switch (cause) {
-    case Cause::load: ledger[Account::work] += work; break;
-    case Cause::joint_dashpot: ledger[Account::joint_dashpot] -= work; break;
-    case Cause::contact_dashpot: ledger[Account::contact_dashpot] -= work; break;
-    case Cause::friction: ledger[Account::friction] -= work; break;
-    case Cause::boundary: ledger[Account::boundary] -= work; break;
+    case Cause::load:
+      ledger[Account::work] += work;
+      break;
+    case Cause::joint_dashpot:
+      ledger[Account::joint_dashpot] -= work;
+      break;
+    case Cause::contact_dashpot:
+      ledger[Account::contact_dashpot] -= work;
+      break;
+    case Cause::friction:
+      ledger[Account::friction] -= work;
+      break;
+    case Cause::boundary:
+      ledger[Account::boundary] -= work;
+      break;
   }
 }
 
@@ -36,7 +46,7 @@ inline constexpr std::size_t chunk_size = 64;
 /// Impulses by cause that the bodies of a chunk receive, until their mean motion is known.
 template <int D>
 class CauseImpulses {
- public:
+public:
   void clear() { received_.fill(0); }
 
   /// Adds force and moment, given as neighbouring numbers.
@@ -60,7 +70,7 @@ class CauseImpulses {
       if (received_[place] >> c & 1) work[c] += impulse_[c][place].power(mean);
   }
 
- private:
+private:
   struct alignas(64) Record {
     std::array<Real, 8> numbers;  ///< force, then moment
 

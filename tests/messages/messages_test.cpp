@@ -81,8 +81,7 @@ TEST_P(Messages, AreExactly) {
   EXPECT_EQ(message, read_file(expected));
 }
 
-INSTANTIATE_TEST_SUITE_P(Case, Messages, testing::ValuesIn(case_names()),
-                         [](const auto& tested) { return tested.param; });
+INSTANTIATE_TEST_SUITE_P(Case, Messages, testing::ValuesIn(case_names()), [](const auto& tested) { return tested.param; });
 
 }  // namespace
 }  // namespace sazare::cases

@@ -15,7 +15,8 @@ Index Scene::add_lattice(int columns, int rows, Real radius, const Vector2& corn
   const auto begin = static_cast<Index>(elements_.size());
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
-      const Index own = add(OutlineKind::rectangle, corner + radius * Vector2(2 * column + 1, 2 * row + 1), radius, radius, 0, block);
+      const Index own =
+          add(OutlineKind::rectangle, corner + radius * Vector2(2 * column + 1, 2 * row + 1), radius, radius, 0, block);
       if (column > 0) link(own - 1, own, 0, kind);
       if (row > 0) link(own - columns, own, 1, kind);
     }
@@ -55,15 +56,16 @@ std::unique_ptr<engine::UniformStepper<2>> Scene::make(Real step) {
   parts_.base_friction = base_friction;
   parts_.kinds = kinds;
   for (std::size_t i = 0; i < elements_.size(); ++i)
-    for (int freedom = 0; elements_[i].is_support && freedom < 3; ++freedom) supports.held.push_back({static_cast<Index>(i), freedom});
+    for (int freedom = 0; elements_[i].is_support && freedom < 3; ++freedom)
+      supports.held.push_back({static_cast<Index>(i), freedom});
   auto made = std::make_unique<methods::rectangles::RectangleForces>(particles_, parts_, step);
   forces = made.get();
   return std::make_unique<engine::UniformStepper<2>>(particles_, std::move(made), supports,
                                                      engine::UniformRules{step, engine::Integrator::leapfrog, {}});
 }
 
-methods::rectangles::FaceKind square_faces(Real radius, Real normal, Real shear, int count, laws::FaceFormula formula, Real damping_ratio,
-                                           Real mass) {
+methods::rectangles::FaceKind square_faces(Real radius, Real normal, Real shear, int count, laws::FaceFormula formula,
+                                           Real damping_ratio, Real mass) {
   laws::FaceSprings springs;
   springs.first_reach = springs.second_reach = springs.half_face = radius;
   springs.normal = normal / count;

@@ -14,7 +14,7 @@ using geometry::Vector2;
 
 /// What is put together, element by element and then support by support.
 class Scene {
- public:
+public:
   Real density = 2000, thickness = 1;
   methods::rectangles::ContactRules contact;
   methods::rectangles::BaseFriction base_friction;
@@ -27,7 +27,9 @@ class Scene {
   /// Squares of one kind of link, columns x rows, from a lower corner; the first is at that corner, rows follow.
   Index add_lattice(int columns, int rows, Real radius, const Vector2& corner, Index kind, Index block = 0);
 
-  void link(Index first, Index second, int axis, Index kind, Real slip = 0) { parts_.links.push_back({first, second, axis, kind, slip}); }
+  void link(Index first, Index second, int axis, Index kind, Real slip = 0) {
+    parts_.links.push_back({first, second, axis, kind, slip});
+  }
 
   /// Supports stand still; add them last.
   Index add_wall(const Vector2& from, const Vector2& to);
@@ -39,7 +41,7 @@ class Scene {
   std::unique_ptr<engine::UniformStepper<2>> make(Real step);
   methods::rectangles::RectangleForces* forces = nullptr;
 
- private:
+private:
   struct Element {
     Vector2 centre;
     Real angle;
@@ -55,6 +57,7 @@ class Scene {
 
 /// Springs of squares: K_n and K_s of a face in all, damping ratio, layout and number.
 methods::rectangles::FaceKind square_faces(Real radius, Real normal, Real shear, int count = 3,
-                                           laws::FaceFormula formula = laws::FaceFormula::small, Real damping_ratio = 0, Real mass = 1);
+                                           laws::FaceFormula formula = laws::FaceFormula::small, Real damping_ratio = 0,
+                                           Real mass = 1);
 
 }  // namespace sazare::test

@@ -60,8 +60,7 @@ inline geometry::TetraMesh cube_bar(int cubes, Real size, int head) {
     for (int j = 0; j < 2; ++j)
       for (int k = 0; k < 2; ++k) mesh.nodes.push_back(size * Vector3(i, j, k));
   // Six blocks about the long diagonal: between them, a walk round the other six corners.
-  constexpr std::array<std::array<int, 3>, 6> round = {
-      {{1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}, {1, 0, 1}}};
+  constexpr std::array<std::array<int, 3>, 6> round = {{{1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}, {1, 0, 1}}};
   for (int i = 0; i < cubes; ++i)
     for (std::size_t side = 0; side < 6; ++side) {
       const auto &a = round[side], &b = round[(side + 1) % 6];
@@ -69,8 +68,9 @@ inline geometry::TetraMesh cube_bar(int cubes, Real size, int head) {
       mesh.region.push_back(i < head ? 0 : 1);
     }
   mesh.region_names = {"head", "rest"};
-  mesh.surfaces.push_back({"end", {{node(cubes, 0, 0), node(cubes, 1, 0), node(cubes, 1, 1)},
-                                   {node(cubes, 0, 0), node(cubes, 1, 1), node(cubes, 0, 1)}}});
+  mesh.surfaces.push_back(
+      {"end",
+       {{node(cubes, 0, 0), node(cubes, 1, 0), node(cubes, 1, 1)}, {node(cubes, 0, 0), node(cubes, 1, 1), node(cubes, 0, 1)}}});
   return mesh;
 }
 

@@ -9,7 +9,7 @@
 namespace sazare::test {
 
 class BondedPair {
- public:
+public:
   explicit BondedPair(const cases::Joint& joint = concrete_joint("left", "right"));
 
   /// Moves the second block from its place at the beginning: n across the face (positive opens), s and t along it.
@@ -27,7 +27,7 @@ class BondedPair {
   Real area() const { return area_; }
   const Vector3& start() const { return bodies_.start[1]; }
 
- private:
+private:
   state::Bodies<3> bodies_;
   methods::blocks::Joints joints_;
   ForceProbe<3> probe_;

@@ -10,7 +10,7 @@ namespace sazare::test {
 
 template <int D>
 class ForceProbe {
- public:
+public:
   ForceProbe(terms::Term<D>& term, state::Bodies<D>& bodies) : term_(term), bodies_(bodies) {}
 
   /// Force and moment on every body from the links given; each call stands at a new tick.
@@ -46,8 +46,7 @@ class ForceProbe {
   terms::Ledger ledger() const {
     std::vector<state::Pose<D>> poses;
     for (const auto& motion : bodies_.motion) poses.push_back({motion.position, motion.rotation});
-    const std::vector<state::MeanMotion<D>> still(
-        poses.size(), state::MeanMotion<D>{Vector<D>::Zero(), Angular<D>::Zero()});
+    const std::vector<state::MeanMotion<D>> still(poses.size(), state::MeanMotion<D>{Vector<D>::Zero(), Angular<D>::Zero()});
     terms::Ledger ledger;
     term_.add_energies({poses, still}, ledger);
     return ledger;
@@ -62,7 +61,7 @@ class ForceProbe {
 
   Tick tick() const { return tick_; }
 
- private:
+private:
   terms::Term<D>& term_;
   state::Bodies<D>& bodies_;
   terms::CauseImpulses<D> parts_;

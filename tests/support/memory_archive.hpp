@@ -11,7 +11,7 @@
 namespace sazare::test {
 
 class MemoryArchive final : public Archive {
- public:
+public:
   bool reading() const override { return reading_; }
 
   /// From writing to reading, or back.
@@ -20,7 +20,7 @@ class MemoryArchive final : public Archive {
   const std::map<std::string, std::vector<std::byte>>& columns() const { return columns_; }
   friend bool operator==(const MemoryArchive& a, const MemoryArchive& b) { return a.columns_ == b.columns_; }
 
- protected:
+protected:
   void write(const std::string& name, std::span<const std::byte> bytes) override {
     if (!columns_.emplace(name, std::vector<std::byte>(bytes.begin(), bytes.end())).second)
       throw UserError("column " + name + " written twice");
@@ -31,7 +31,7 @@ class MemoryArchive final : public Archive {
     return found->second;
   }
 
- private:
+private:
   std::map<std::string, std::vector<std::byte>> columns_;
   bool reading_ = false;
 };

@@ -82,9 +82,7 @@ Network<D> ladder() {
 }
 
 /// Mechanical energy gained and stored [J], against the same at the beginning.
-inline Real mechanical(const terms::Ledger& ledger) {
-  return ledger[terms::Account::kinetic] + ledger[terms::Account::elastic];
-}
+inline Real mechanical(const terms::Ledger& ledger) { return ledger[terms::Account::kinetic] + ledger[terms::Account::elastic]; }
 
 /// Runs to a time that is a whole number of base steps.
 template <int D>
@@ -98,8 +96,7 @@ Real distance(const engine::Snapshot<D>& a, const engine::Snapshot<D>& b) {
   Real sum = 0;
   for (std::size_t body = 0; body < a.pose.size(); ++body)
     sum += (a.pose[body].position - b.pose[body].position).squaredNorm() +
-           (a.pose[body].rotation - b.pose[body].rotation).squaredNorm() +
-           (a.velocity[body] - b.velocity[body]).squaredNorm() +
+           (a.pose[body].rotation - b.pose[body].rotation).squaredNorm() + (a.velocity[body] - b.velocity[body]).squaredNorm() +
            (a.angular_momentum[body] - b.angular_momentum[body]).squaredNorm();
   return std::sqrt(sum);
 }
@@ -138,7 +135,7 @@ Momentum<D> momentum(const engine::Simulation<D>& simulation) {
 /// A term without force that watches the bodies at every tick, after they were kicked.
 template <int D, class Watch>
 class Watcher final : public terms::Term<D> {
- public:
+public:
   explicit Watcher(Watch watch) : watch_(std::move(watch)) {}
 
   std::string_view name() const override { return "watcher"; }
@@ -148,15 +145,13 @@ class Watcher final : public terms::Term<D> {
   void evaluate(const Moment&, std::span<const Due>, const state::Bodies<D>&) override {}
   void gather(const Moment&, std::span<const Index>, const state::Bodies<D>&, std::span<state::Impulse<D>>,
               terms::CauseImpulses<D>&) const override {}
-  void settle(const Moment& now, const state::Bodies<D>& bodies, terms::Peers&, terms::Changes&) override {
-    watch_(now, bodies);
-  }
+  void settle(const Moment& now, const state::Bodies<D>& bodies, terms::Peers&, terms::Changes&) override { watch_(now, bodies); }
   terms::Rates rates(Index) const override { return {}; }
   void add_energies(const terms::Synchronized<D>&, terms::Ledger&) const override {}
   void carry(Index, Parcel&) override {}
   void columns(Archive&) override {}
 
- private:
+private:
   Watch watch_;
 };
 

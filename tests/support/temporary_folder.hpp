@@ -27,7 +27,7 @@ inline void write_text(const std::filesystem::path& file, const std::string& tex
 
 /// A folder of its own for a test, removed with everything in it.
 class TemporaryFolder {
- public:
+public:
   TemporaryFolder() {
     std::string name = (std::filesystem::temp_directory_path() / "sazare-test-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder: " + name);
@@ -57,7 +57,7 @@ class TemporaryFolder {
     return names;
   }
 
- private:
+private:
   std::filesystem::path path_;
 };
 

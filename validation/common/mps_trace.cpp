@@ -19,7 +19,8 @@ Trace trace_gauges(const std::string& path, const std::vector<std::string>& over
       }
     particles.push_back(nearest);
   }
-  Trace trace{every * model.step, std::vector<std::vector<Real>>(particles.size()), std::vector<std::vector<Real>>(particles.size())};
+  Trace trace{every * model.step, std::vector<std::vector<Real>>(particles.size()),
+              std::vector<std::vector<Real>>(particles.size())};
   const auto record = [&] {
     const auto acceleration = model.stepper->acceleration();
     for (std::size_t gauge = 0; gauge < particles.size(); ++gauge) {

@@ -10,9 +10,9 @@
 namespace sazare::validation {
 
 struct Trace {
-  Real step = 0;                                 ///< [s]
-  std::vector<std::vector<Real>> displacement;   ///< by gauge and step, along the axis asked for [m]
-  std::vector<std::vector<Real>> acceleration;   ///< [m/s2]
+  Real step = 0;                                ///< [s]
+  std::vector<std::vector<Real>> displacement;  ///< by gauge and step, along the axis asked for [m]
+  std::vector<std::vector<Real>> acceleration;  ///< [m/s2]
 };
 
 /// Runs a 2-D case to its end with all numbers at every `every`-th step along an axis.

@@ -42,7 +42,7 @@ inline SphereTouch touch(const ContactSphere& a, const ContactSphere& b, const s
 
 /// How far two bodies were apart, and where: what they have moved since then tells which spheres cannot touch.
 struct Clearance {
-  Real gap = 0;       ///< between their nearest spheres [m], negative when they overlap
+  Real gap = 0;  ///< between their nearest spheres [m], negative when they overlap
   std::int8_t is_known = 0;
   std::int8_t is_distant = 0;  ///< too far apart to meet within two base steps, when last evaluated
   std::int8_t rests = 0;       ///< evaluated at base steps only

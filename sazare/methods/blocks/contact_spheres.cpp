@@ -29,7 +29,8 @@ std::vector<ContactSphere> contact_spheres(const geometry::Tetrahedron& corners,
     for (int j = 1; j < edge_division - i; ++j) {
       const int k = edge_division - i - j;
       const Vector3 point = (i * corners[static_cast<std::size_t>(a)] + j * corners[static_cast<std::size_t>(b)] +
-                             k * corners[static_cast<std::size_t>(c)]) / edge_division;
+                             k * corners[static_cast<std::size_t>(c)]) /
+                            edge_division;
       const Real radius = tangent_radius(corners, face, point);
       spheres.push_back({point - radius * normal, radius});
     }

@@ -25,7 +25,8 @@ void ContactSurface::open(const FreeFace& face, const geometry::Tetrahedron& cor
     own[corner] = start.rotation.transpose() * (corners[corner] - start.position);
   const auto spheres = contact_spheres(own, face.face, edge_division_);
   patches_of_[at(open)][at(face.face)] = static_cast<Index>(patches_.size());
-  patches_.push_back({face.body, static_cast<Index>(spheres_.size()), static_cast<Index>(spheres.size()), bounding_sphere(spheres)});
+  patches_.push_back(
+      {face.body, static_cast<Index>(spheres_.size()), static_cast<Index>(spheres.size()), bounding_sphere(spheres)});
   spheres_.insert(spheres_.end(), spheres.begin(), spheres.end());
 }
 
@@ -95,8 +96,7 @@ std::vector<NearPair> ContactSurface::search(Index body, const std::function<boo
     if (skip(theirs.body)) return;
     const state::Pose<3> other = pose_of(theirs.body);
     const Vector3 apart = other.position + other.rotation * theirs.bound.centre - centre;
-    if (apart.norm() < mine.bound.radius + skin_ + theirs.bound.radius)
-      match(mine, pose, theirs, other, by_partner[theirs.body]);
+    if (apart.norm() < mine.bound.radius + skin_ + theirs.bound.radius) match(mine, pose, theirs, other, by_partner[theirs.body]);
   });
   std::vector<NearPair> found;
   for (auto& [partner, near] : by_partner) {

@@ -22,22 +22,22 @@ struct FreeFace {
 
 /// Two spheres of two blocks that are nearer than the skin.
 struct SpherePair {
-  Index first = 0;   ///< sphere of the body with the smaller number
+  Index first = 0;  ///< sphere of the body with the smaller number
   Index second = 0;
-  Real rest = 0;     ///< overlap that they had when they met the first time; it gives no force until they part [m]
-  Real gap = 0;      ///< between them at the pair's clearance [m], negative when they overlap
+  Real rest = 0;  ///< overlap that they had when they met the first time; it gives no force until they part [m]
+  Real gap = 0;   ///< between them at the pair's clearance [m], negative when they overlap
   laws::SphereMemory memory;
 };
 
 /// The near spheres of two bodies.
 struct NearPair {
-  Index first = 0;   ///< bodies, first < second
+  Index first = 0;  ///< bodies, first < second
   Index second = 0;
   std::vector<SpherePair> spheres;  ///< rising
 };
 
 class ContactSurface {
- public:
+public:
   ContactSurface(Index bodies, int edge_division, Real skin);
 
   /// Opens a face of a block whose corners are given as it stood at the beginning [m].
@@ -65,7 +65,7 @@ class ContactSurface {
 
   void columns(Archive& archive);
 
- private:
+private:
   struct Patch {
     Index body = 0;
     Index first_sphere = 0;
@@ -86,7 +86,7 @@ class ContactSurface {
   std::vector<std::array<Index, 4>> patches_of_;  ///< by open body; -1 for none
   std::vector<Index> open_of_;                    ///< by body: its place among the open ones, or -1
   std::vector<Index> open_bodies_;
-  std::vector<state::Pose<3>> searched_;          ///< by open body: where it was last searched
+  std::vector<state::Pose<3>> searched_;  ///< by open body: where it was last searched
   neighbors::SphereGrid grid_;
 };
 

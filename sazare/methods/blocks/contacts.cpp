@@ -35,11 +35,9 @@ Real choose_skin(const std::vector<geometry::Tetrahedron>& corners) {
 
 }  // namespace
 
-Contacts::Contacts(const laws::SphereContact& law, int edge_division, Joints& joints,
-                   std::vector<geometry::Tetrahedron> corners, std::span<const FreeFace> free_faces,
-                   const state::Bodies<3>& bodies)
-    : law_(law), joints_(&joints), corners_(std::move(corners)),
-      surface_(bodies.size(), edge_division, choose_skin(corners_)) {
+Contacts::Contacts(const laws::SphereContact& law, int edge_division, Joints& joints, std::vector<geometry::Tetrahedron> corners,
+                   std::span<const FreeFace> free_faces, const state::Bodies<3>& bodies)
+    : law_(law), joints_(&joints), corners_(std::move(corners)), surface_(bodies.size(), edge_division, choose_skin(corners_)) {
   table_.causes = {terms::Cause::contact_dashpot, terms::Cause::friction};
   table_.incidence = terms::ChangingIncidence(bodies.size());
   touching_.assign(corners_.size(), 0);
@@ -137,8 +135,7 @@ void Contacts::count_touching(const Link& link, int change) {
 void Contacts::gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies,
                       std::span<state::Impulse<3>> sum, terms::CauseImpulses<3>& parts) const {
   for (std::size_t i = 0; i < which.size(); ++i)
-    if (touching_[at(which[i])] > 0)
-      table_.gather_one(now, which[i], bodies.motion[at(which[i])].last_kick, i, sum[i], parts);
+    if (touching_[at(which[i])] > 0) table_.gather_one(now, which[i], bodies.motion[at(which[i])].last_kick, i, sum[i], parts);
 }
 
 void Contacts::open_face(const FreeFace& face, const state::Bodies<3>& bodies) {
@@ -205,7 +202,8 @@ void Contacts::search(std::span<const Index> which, bool may_end, const Moment& 
   const auto pose_of = [&](Index body) { return state::pose_at(bodies.motion[at(body)], now); };
   for (const Index body : which) surface_.place(body, pose_of(body));
   for (const Index body : which) {
-    auto found = surface_.search(body, [&](Index partner) { return joints_->bonded(body, partner); }, pose_of);
+    auto found = surface_.search(
+        body, [&](Index partner) { return joints_->bonded(body, partner); }, pose_of);
     merge(body, std::move(found), may_end, changes);
   }
 }
@@ -216,8 +214,8 @@ void Contacts::merge(Index body, std::vector<NearPair> found, bool may_end, term
   std::vector<Index> gone;
   for (const terms::SlotSide side : listed) {
     const Link& link = links_[at(side.slot)];
-    const auto near = std::ranges::find_if(
-        found, [&](const NearPair& pair) { return pair.first == link.first && pair.second == link.second; });
+    const auto near =
+        std::ranges::find_if(found, [&](const NearPair& pair) { return pair.first == link.first && pair.second == link.second; });
     if (near == found.end())
       gone.push_back(side.slot);
     else

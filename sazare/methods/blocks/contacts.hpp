@@ -15,7 +15,7 @@
 namespace sazare::methods::blocks {
 
 class Contacts final : public terms::Term<3> {
- public:
+public:
   /// `corners` of every body as it stands at the beginning; `free_faces` are open from then on.
   Contacts(const laws::SphereContact& law, int edge_division, Joints& joints, std::vector<geometry::Tetrahedron> corners,
            std::span<const FreeFace> free_faces, const state::Bodies<3>& bodies);
@@ -24,8 +24,8 @@ class Contacts final : public terms::Term<3> {
   std::span<const Link> links() const override { return links_; }
   std::vector<Index> first_links() const override;
   void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
-  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies,
-              std::span<state::Impulse<3>> sum, terms::CauseImpulses<3>& parts) const override;
+  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies, std::span<state::Impulse<3>> sum,
+              terms::CauseImpulses<3>& parts) const override;
   void settle(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
   void settle_base(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
   terms::Rates rates(Index body) const override;
@@ -37,7 +37,7 @@ class Contacts final : public terms::Term<3> {
   /// Pairs of bodies that are near each other.
   Index pair_count() const { return static_cast<Index>(links_.size() - idle_.size()); }
 
- private:
+private:
   void evaluate_pair(const Moment& now, const Due& due, const state::Bodies<3>& bodies);
   void rest_the_distant(const Moment& now, terms::Peers& peers, terms::Changes& changes);
   void measure(std::vector<SpherePair>& spheres, const state::Pose<3>& first, const state::Pose<3>& second,
@@ -63,8 +63,8 @@ class Contacts final : public terms::Term<3> {
   std::vector<std::vector<SpherePair>> spheres_;  ///< by pair
   std::vector<Clearance> clearance_;              ///< by pair
   std::vector<int> touching_;                     ///< by body: how many others it touches
-  std::vector<Index> idle_;    ///< numbers of pairs that have ended
-  std::vector<Index> ending_;  ///< of those that ended in this step: free from the next one on
+  std::vector<Index> idle_;                       ///< numbers of pairs that have ended
+  std::vector<Index> ending_;                     ///< of those that ended in this step: free from the next one on
   terms::SlotTable<3, 2, terms::ChangingIncidence> table_;
   std::int64_t base_steps_ = 0;
   Tick last_base_ = 0;

@@ -89,8 +89,7 @@ Real coupled_damping(std::span<const JointKind> kinds, std::span<const JointFace
   Real largest = 1;
   for (int iteration = 0; iteration < iterations; ++iteration) {
     Motions forces(at(bodies.size()));
-    for (std::size_t face = 0; face < faces.size(); ++face)
-      add_forces(faces[face], couplings[face], bodies, motions, forces);
+    for (std::size_t face = 0; face < faces.size(); ++face) add_forces(faces[face], couplings[face], bodies, motions, forces);
     clear_locked(bodies, forces);
     Real power = 0, square = 0;  // v C v and (M^-1 C v) C v: their ratio is the Rayleigh quotient of M^-1/2 C v
     for (std::size_t body = 0; body < forces.velocity.size(); ++body) {

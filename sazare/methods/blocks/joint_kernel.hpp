@@ -33,8 +33,8 @@ inline LaneBodies load_bodies(const LanePointers<const state::Motion<3>>& bodies
 
 /// Vertices in face axes.
 struct FaceGeometry {
-  LaneMatrix axes;    ///< E
-  LaneVector apart;   ///< x_j - x_i in face axes [m]
+  LaneMatrix axes;                                    ///< E
+  LaneVector apart;                                   ///< x_j - x_i in face axes [m]
   std::array<LaneVector, vertex_count> point;         ///< from the master's centre [m]
   std::array<LaneVector, vertex_count> displacement;  ///< d [m]
 };
@@ -67,7 +67,8 @@ inline Lanes elastic_energy(const LaneJoints& joints, const JointParameters<Lane
   for (std::size_t v = 0; v < vertex_count; ++v) {
     const LaneVector& d = at.displacement[v];
     const Lanes x = d[1] - memory.slip[v][0], y = d[2] - memory.slip[v][1];
-    energy += laws::tension_energy(kind.tension, d[0], memory.unloading[static_cast<int>(v)]) + 0.5 * kind.shear.stiffness * (x * x + y * y);
+    energy += laws::tension_energy(kind.tension, d[0], memory.unloading[static_cast<int>(v)]) +
+              0.5 * kind.shear.stiffness * (x * x + y * y);
   }
   return energy * joints.shape.vertex_area;
 }
@@ -76,7 +77,7 @@ inline Lanes elastic_energy(const LaneJoints& joints, const JointParameters<Lane
 struct JointChange {
   LaneMask softened{};  ///< the memory of opening has grown
   LaneMask slipped{};
-  LaneMask failed{};    ///< a vertex has failed: the whole face comes apart and gives nothing
+  LaneMask failed{};  ///< a vertex has failed: the whole face comes apart and gives nothing
 };
 
 /// Raises the memory to the present opening; what is stored in a face that fails is lost.

@@ -32,8 +32,8 @@ struct JointMemory {
   std::array<std::array<T, 2>, vertex_count> slip{};  ///< u_0 [m]
   T slip_work{};                                      ///< energy that slip has taken [J]
   T released{};                                       ///< elastic energy when the face came apart [J]
-  V peak{};       ///< by vertex: largest opening, at least the elastic one [m]
-  V unloading{};  ///< by vertex: slope to the origin [Pa/m]
+  V peak{};                                           ///< by vertex: largest opening, at least the elastic one [m]
+  V unloading{};                                      ///< by vertex: slope to the origin [Pa/m]
 };
 
 /// Where the vertices are.
@@ -66,14 +66,15 @@ struct LaneJoints {
 inline LaneJoints load_joints(const LanePointers<JointRecord>& records) {
   const auto f = load_records<48>(records);
   const auto vector = [&](std::size_t first) { return LaneVector{{f[first], f[first + 1], f[first + 2]}}; };
-  return {{{{{f[0], f[1]}, {f[2], f[3]}, {f[4], f[5]}}}, f[6], f[7], vector(8), vector(11)},
-          {{vector(16), vector(19), vector(22)}, {vector(25), vector(28), vector(31)}, {vector(34), vector(37), vector(40)}, f[43]}};
+  return {
+      {{{{f[0], f[1]}, {f[2], f[3]}, {f[4], f[5]}}}, f[6], f[7], vector(8), vector(11)},
+      {{vector(16), vector(19), vector(22)}, {vector(25), vector(28), vector(31)}, {vector(34), vector(37), vector(40)}, f[43]}};
 }
 
 /// Writes the memory of the first `count` lanes back.
 inline void store_memory(const JointMemory<Lanes, LaneVector>& m, const LanePointers<JointRecord>& records, int count) {
-  store_records<16>({m.slip[0][0], m.slip[0][1], m.slip[1][0], m.slip[1][1], m.slip[2][0], m.slip[2][1], m.slip_work,
-                     m.released, m.peak[0], m.peak[1], m.peak[2], m.unloading[0], m.unloading[1], m.unloading[2], Lanes{}, Lanes{}},
+  store_records<16>({m.slip[0][0], m.slip[0][1], m.slip[1][0], m.slip[1][1], m.slip[2][0], m.slip[2][1], m.slip_work, m.released,
+                     m.peak[0], m.peak[1], m.peak[2], m.unloading[0], m.unloading[1], m.unloading[2], Lanes{}, Lanes{}},
                     records, count);
 }
 

@@ -103,8 +103,7 @@ void Joints::evaluate_lanes(const Moment& now, std::span<const Due> due, const s
   LaneJoints joints = load_joints(records);
   JointParameters<Lanes> mixed;
   JointForce force;
-  const JointChange change =
-      blocks::evaluate(joints, kinds_of(records, mixed), load_bodies(masters), load_bodies(slaves), force);
+  const JointChange change = blocks::evaluate(joints, kinds_of(records, mixed), load_bodies(masters), load_bodies(slaves), force);
   if (any(change.softened | change.slipped)) store_memory(joints.memory, records, static_cast<int>(due.size()));
   write_slots(now, due, force);
   if (any(change.softened)) note_changes(due, change);
@@ -120,11 +119,30 @@ void Joints::write_slots(const Moment& now, std::span<const Due> due, const Join
   }
   const FaceForce &t = force.total, &d = force.dashpots;
   static_assert(sizeof(terms::Slot<3, 1>) == 24 * sizeof(Real));
-  store_records<24>({t.master_moment[0], t.master_moment[1], t.master_moment[2], t.linear[0], t.linear[1], t.linear[2],
-                     t.slave_moment[0], t.slave_moment[1], t.slave_moment[2],
-                     d.master_moment[0], d.master_moment[1], d.master_moment[2], d.linear[0], d.linear[1], d.linear[2],
-                     d.slave_moment[0], d.slave_moment[1], d.slave_moment[2],
-                     acting, ahead, broadcast(static_cast<Real>(now.tick)), Lanes{}, Lanes{}, Lanes{}},
+  store_records<24>({t.master_moment[0],
+                     t.master_moment[1],
+                     t.master_moment[2],
+                     t.linear[0],
+                     t.linear[1],
+                     t.linear[2],
+                     t.slave_moment[0],
+                     t.slave_moment[1],
+                     t.slave_moment[2],
+                     d.master_moment[0],
+                     d.master_moment[1],
+                     d.master_moment[2],
+                     d.linear[0],
+                     d.linear[1],
+                     d.linear[2],
+                     d.slave_moment[0],
+                     d.slave_moment[1],
+                     d.slave_moment[2],
+                     acting,
+                     ahead,
+                     broadcast(static_cast<Real>(now.tick)),
+                     Lanes{},
+                     Lanes{},
+                     Lanes{}},
                     slots, static_cast<int>(due.size()));
 }
 
@@ -172,8 +190,13 @@ bool Joints::bonded(Index first, Index second) const {
 
 JointReport Joints::report(Index joint) const {
   const JointRecord& record = records_[at(joint)];
-  JointReport report{record.master, record.slave, record.kind, record.state, vertex_count * record.shape.vertex_area,
-                     record.memory.peak.maxCoeff(), 0};
+  JointReport report{record.master,
+                     record.slave,
+                     record.kind,
+                     record.state,
+                     vertex_count * record.shape.vertex_area,
+                     record.memory.peak.maxCoeff(),
+                     0};
   for (const auto& slip : record.memory.slip) report.slip = std::max(report.slip, std::hypot(slip[0], slip[1]));
   return report;
 }

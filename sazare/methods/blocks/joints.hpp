@@ -24,7 +24,7 @@ struct JointReport {
 };
 
 class Joints final : public terms::Term<3> {
- public:
+public:
   /// `bodies` stand where the faces are given.
   Joints(std::vector<JointKind> kinds, std::span<const JointFace> faces, const state::Bodies<3>& bodies);
   /// With the rates that `joint_rates` has found.
@@ -35,8 +35,8 @@ class Joints final : public terms::Term<3> {
   std::span<const Link> links() const override { return links_; }
   std::vector<Index> first_links() const override;
   void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
-  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies,
-              std::span<state::Impulse<3>> sum, terms::CauseImpulses<3>& parts) const override {
+  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies, std::span<state::Impulse<3>> sum,
+              terms::CauseImpulses<3>& parts) const override {
     table_.gather(now, which, bodies, sum, parts);
   }
   void settle(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
@@ -52,9 +52,7 @@ class Joints final : public terms::Term<3> {
   JointState state(Index joint) const { return record(joint).state; }
 
   /// Joint on a body's local face, or -1.
-  Index joint_at(Index body, int face) const {
-    return at_face_[static_cast<std::size_t>(body)][static_cast<std::size_t>(face)];
-  }
+  Index joint_at(Index body, int face) const { return at_face_[static_cast<std::size_t>(body)][static_cast<std::size_t>(face)]; }
 
   /// Whether two bodies share a joint that holds.
   bool bonded(Index first, Index second) const;
@@ -64,7 +62,7 @@ class Joints final : public terms::Term<3> {
   /// Joints that came apart since the last call, in rising order.
   std::vector<Index> take_broken();
 
- private:
+private:
   void evaluate_lanes(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies);
   void write_slots(const Moment& now, std::span<const Due> due, const JointForce& force);
   void note_changes(std::span<const Due> due, const JointChange& change);
@@ -79,7 +77,7 @@ class Joints final : public terms::Term<3> {
   terms::SlotTable<3, 1, terms::FixedIncidence> table_;
   std::vector<std::array<Index, 4>> at_face_;  ///< joint by body and local face
   std::vector<terms::Rates> rates_;
-  terms::Events failed_;  ///< joints, in the present step
+  terms::Events failed_;       ///< joints, in the present step
   std::vector<Index> broken_;  ///< not yet taken
   Index broken_count_ = 0;
 };

@@ -51,8 +51,7 @@ void OuterFaces::evaluate(const Moment& now, std::span<const Due> due, const sta
         const Vector3 moved = body.position + arm - face.place[corner];
         const Real area = springs.corner_area;
         const Vector3 spring = area * stress(face.normal, springs.normal_stiffness, springs.shear_stiffness, moved);
-        const Vector3 dashpot =
-            area * stress(face.normal, springs.normal_damping, springs.shear_damping, body.velocity_at(arm));
+        const Vector3 dashpot = area * stress(face.normal, springs.normal_damping, springs.shear_damping, body.velocity_at(arm));
         dashpots.add_at(arm, Vector3::Zero(), dashpot);  // the ground is the second body
         total.add_at(arm, Vector3::Zero(), spring + dashpot);
       }
@@ -68,7 +67,8 @@ void OuterFaces::add_energies(const terms::Synchronized<3>& at, terms::Ledger& l
     table_.take_back(static_cast<Index>(i), links_[i], at, ledger);
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const Vector3 moved = body.position + body.rotation * face.springs.corners[corner] - face.place[corner];
-      ledger[terms::Account::elastic] += 0.5 * face.springs.corner_area *
+      ledger[terms::Account::elastic] +=
+          0.5 * face.springs.corner_area *
           moved.dot(stress(face.normal, face.springs.normal_stiffness, face.springs.shear_stiffness, moved));
     }
   }

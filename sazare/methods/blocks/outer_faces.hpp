@@ -16,13 +16,13 @@ namespace sazare::methods::blocks {
 
 struct OuterFace {
   Index body = 0;
-  FaceSprings springs;            ///< corners in the body frame
-  std::array<Vector3, 3> place;   ///< of the corners at the beginning [m]
-  Vector3 normal;                 ///< outward, at the beginning
+  FaceSprings springs;           ///< corners in the body frame
+  std::array<Vector3, 3> place;  ///< of the corners at the beginning [m]
+  Vector3 normal;                ///< outward, at the beginning
 };
 
 class OuterFaces final : public terms::Term<3> {
- public:
+public:
   OuterFaces(std::vector<OuterFace> faces, const state::Bodies<3>& bodies);
 
   std::string_view name() const override { return "boundaries"; }
@@ -30,8 +30,8 @@ class OuterFaces final : public terms::Term<3> {
   bool joins_bodies() const override { return false; }
   std::vector<Index> first_links() const override;
   void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
-  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies,
-              std::span<state::Impulse<3>> sum, terms::CauseImpulses<3>& parts) const override {
+  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies, std::span<state::Impulse<3>> sum,
+              terms::CauseImpulses<3>& parts) const override {
     table_.gather(now, which, bodies, sum, parts);
   }
   terms::Rates rates(Index body) const override { return rates_[static_cast<std::size_t>(body)]; }
@@ -39,7 +39,7 @@ class OuterFaces final : public terms::Term<3> {
   void carry(Index link, Parcel& parcel) override { parcel(table_[link]); }
   void columns(Archive& archive) override { archive("slots", table_.slots); }
 
- private:
+private:
   std::vector<OuterFace> faces_;
   std::vector<Link> links_;
   std::vector<terms::Rates> rates_;

@@ -8,14 +8,14 @@ namespace sazare::methods::mps {
 /// Elastic forces of all links (laws/particle_link.hpp).
 template <int D>
 class ElasticForces final : public terms::ParticleForces<D> {
- public:
+public:
   ElasticForces(LinkTable<D> links, RotationRemoval removal);
 
   void evaluate(const state::Particles<D>& particles, state::FreedomColumns<D>& acceleration) override;
   Real energy(const state::Particles<D>& particles) override;
   void columns(Archive&) override {}
 
- private:
+private:
   LinkTable<D> links_;
   RotationRemoval removal_;
   state::Column pressure_;  ///< see evaluate_links

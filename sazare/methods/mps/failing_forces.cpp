@@ -16,8 +16,12 @@ std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 template <int D>
 FailingForces<D>::FailingForces(const state::Particles<D>& particles, LinkTable<D> links, GroundStrength<D> strength,
                                 const LooseRules& rules)
-    : links_(std::move(links)), strength_(std::move(strength)), contacts_(particles, links_, rules), spacing_(particles.spacing),
-      whole_links_(particles.size(), 0), lost_links_(particles.size(), 0) {
+    : links_(std::move(links)),
+      strength_(std::move(strength)),
+      contacts_(particles, links_, rules),
+      spacing_(particles.spacing),
+      whole_links_(particles.size(), 0),
+      lost_links_(particles.size(), 0) {
   for (auto* tensors : {&frames_, &stretch_})
     for (state::Column& column : *tensors) column.assign(particles.padded(), 0);
   for (Index i = 0; i < particles.count; ++i)
@@ -88,8 +92,8 @@ Real FailingForces<D>::unstressed_length(const Link& link) const {
   return std::sqrt(laws::product<D, Real>(relaxed, relaxed));
 }
 
-/// Stiffness of a link over that of all links that a column has in one direction: shortened by a strain e along one axis, they hold
-/// as much energy as the column's lambda + 2 mu.
+/// Stiffness of a link over that of all links that a column has in one direction: shortened by a strain e along one axis, they
+/// hold as much energy as the column's lambda + 2 mu.
 template <int D>
 Real FailingForces<D>::share_of_column(const laws::LinkDirection<D>& law) const {
   Real column = 0;

@@ -1,6 +1,7 @@
 #pragma once
 
-/// Forces between particles of ground that has a strength: elastic links, plastic flow, links that break, contacts where they broke.
+/// Forces between particles of ground that has a strength: elastic links, plastic flow, links that break, contacts where they
+/// broke.
 
 #include "sazare/methods/mps/loose_contacts.hpp"
 #include "sazare/terms/particle_forces.hpp"
@@ -14,11 +15,12 @@ struct FailureWork {
   Real contact = 0;  ///< dissipated by friction and dashpots of contacts
 };
 
-/// Every evaluation first lets the ground flow by what is beyond its strength, and then evaluates the links as they have relaxed. (With
-/// the flow of the step before, the overshoot would act as a dashpot and make the stable step shorter.) A link breaks when the mean slip of its particles reaches the mean of their rupture strains.
+/// Every evaluation first lets the ground flow by what is beyond its strength, and then evaluates the links as they have relaxed.
+/// (With the flow of the step before, the overshoot would act as a dashpot and make the stable step shorter.) A link breaks when
+/// the mean slip of its particles reaches the mean of their rupture strains.
 template <int D>
 class FailingForces final : public terms::ParticleForces<D> {
- public:
+public:
   /// `links` as the ground is at the beginning; the strength stands for each particle.
   FailingForces(const state::Particles<D>& particles, LinkTable<D> links, GroundStrength<D> strength, const LooseRules& rules);
 
@@ -34,7 +36,7 @@ class FailingForces final : public terms::ParticleForces<D> {
   /// Share of the links at the beginning that a particle has lost [-].
   Real broken_share(Index particle) const;
 
- private:
+private:
   struct Link {
     Index first = 0, second = 0;
     std::int64_t direction = 0;  ///< that of the first
@@ -53,8 +55,8 @@ class FailingForces final : public terms::ParticleForces<D> {
   LooseContacts<D> contacts_;
   Real spacing_ = 0;  ///< [m]
   Frames<GroundStrength<D>::numbers> frames_;
-  Tensors<D> stretch_;       ///< see measure_stretch
-  state::Column pressure_;   ///< see evaluate_links
+  Tensors<D> stretch_;      ///< see measure_stretch
+  state::Column pressure_;  ///< see evaluate_links
   std::vector<Link> broken_;
   std::vector<Index> whole_links_;  ///< by particle, at the beginning
   std::vector<Index> lost_links_;   ///< by particle

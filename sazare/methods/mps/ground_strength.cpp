@@ -46,11 +46,13 @@ template <int D>
 std::pair<Real, Real> extreme_stresses(const laws::Elasticity& elastic, const Rotation<D>& strain) {
   Real largest, smallest;
   if constexpr (D == 2) {
-    const Real middle = 0.5 * (strain(0, 0) + strain(1, 1)), radius = std::sqrt(0.25 * square(strain(0, 0) - strain(1, 1)) + square(strain(0, 1)));
+    const Real middle = 0.5 * (strain(0, 0) + strain(1, 1)),
+               radius = std::sqrt(0.25 * square(strain(0, 0) - strain(1, 1)) + square(strain(0, 1)));
     largest = middle + radius;
     smallest = middle - radius;
   } else {
-    const Vector<D> principal = Eigen::SelfAdjointEigenSolver<Rotation<D>>().computeDirect(strain, Eigen::EigenvaluesOnly).eigenvalues();
+    const Vector<D> principal =
+        Eigen::SelfAdjointEigenSolver<Rotation<D>>().computeDirect(strain, Eigen::EigenvaluesOnly).eigenvalues();
     largest = principal[D - 1];
     smallest = principal[0];
   }
@@ -63,8 +65,11 @@ std::pair<Real, Real> extreme_stresses(const laws::Elasticity& elastic, const Ro
 template <int D>
 GroundStrength<D>::GroundStrength(const state::Particles<D>& particles, const LinkTable<D>& links,
                                   std::vector<StrengthOfGround> grounds, std::vector<Index> material)
-    : grounds_(std::move(grounds)), material_(std::move(material)), slip_(particles.padded(), 0),
-      dissipated_(particles.padded(), 0), flowed_(particles.padded(), 0) {
+    : grounds_(std::move(grounds)),
+      material_(std::move(material)),
+      slip_(particles.padded(), 0),
+      dissipated_(particles.padded(), 0),
+      flowed_(particles.padded(), 0) {
   for (auto* tensors : {&plastic_, &inverse_})
     for (state::Column& column : *tensors) column.assign(particles.padded(), 0);
   for (Index i = 0; i < particles.count; ++i) measure(i, links);
@@ -79,7 +84,8 @@ void GroundStrength<D>::measure(Index particle, const LinkTable<D>& links) {
     spread += links.share(n, particle) * law.divergence / start.norm() * start * start.transpose();
   }
   const Eigen::SelfAdjointEigenSolver<Rotation<D>> solver(spread);  // the spread of a whole neighbourhood is 1 on every axis
-  write<D>(inverse_, at(particle), solver.eigenvalues()[0] > least_span ? Rotation<D>(spread.inverse()) : Rotation<D>(Rotation<D>::Zero()));
+  write<D>(inverse_, at(particle),
+           solver.eigenvalues()[0] > least_span ? Rotation<D>(spread.inverse()) : Rotation<D>(Rotation<D>::Zero()));
 }
 
 template <int D>

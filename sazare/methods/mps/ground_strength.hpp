@@ -20,13 +20,13 @@ struct StrengthOfGround {
 ///
 ///     e = sym(R^T H S^-1) - 1 - e_p,   H = sum_j g r r0^T,   S = sum_j g r0 r0^T,   g = d w/(n0 |r0|^2)
 ///
-/// is exact for any homogeneous strain, with however many links a particle has left. A particle whose links no longer span the space
-/// has no strain to tell, and does not flow. The frame of a particle is A = R (1 + e_p): a link relaxes to the mean plastic strain of its
-/// particles. The strain of a particle takes its own alone; with the mean of the links instead, every second particle would flow, twice
-/// as much.
+/// is exact for any homogeneous strain, with however many links a particle has left. A particle whose links no longer span the
+/// space has no strain to tell, and does not flow. The frame of a particle is A = R (1 + e_p): a link relaxes to the mean plastic
+/// strain of its particles. The strain of a particle takes its own alone; with the mean of the links instead, every second
+/// particle would flow, twice as much.
 template <int D>
 class GroundStrength {
- public:
+public:
   static constexpr std::size_t numbers = static_cast<std::size_t>(D) * D;
 
   /// `material` says by particle which of the grounds it is made of.
@@ -53,13 +53,13 @@ class GroundStrength {
 
   void columns(Archive& archive);
 
- private:
+private:
   bool flow_one(const state::Particles<D>& particles, const Tensors<D>& stretch, std::size_t i);
 
   std::vector<StrengthOfGround> grounds_;
   std::vector<Index> material_;
-  Tensors<D> plastic_;       ///< e_p [-]
-  Tensors<D> inverse_;       ///< S^-1; zero where the links do not span the space
+  Tensors<D> plastic_;  ///< e_p [-]
+  Tensors<D> inverse_;  ///< S^-1; zero where the links do not span the space
   state::Column slip_;
   state::Column dissipated_;
   std::vector<std::uint8_t> flowed_;

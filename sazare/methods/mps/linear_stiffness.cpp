@@ -42,7 +42,10 @@ Real along(const std::array<Real, D>& start, const std::array<Real, D>& vector) 
 template <int D>
 LinearStiffness<D>::LinearStiffness(const state::Particles<D>& particles, const LinkTable<D>& links,
                                     const terms::ParticleSupports<D>& supports)
-    : particles_(particles), links_(links), scale_(freedoms * particles.size()), motion_(scale_.size()),
+    : particles_(particles),
+      links_(links),
+      scale_(freedoms * particles.size()),
+      motion_(scale_.size()),
       pressure_(particles.size()) {
   for (std::size_t i = 0; i < particles.size(); ++i)
     for (std::size_t freedom = 0; freedom < freedoms; ++freedom)
@@ -64,7 +67,8 @@ std::array<Real, D> LinearStiffness<D>::deformation(const laws::LinkDirection<D>
 }
 
 template <int D>
-void LinearStiffness<D>::add_force(const laws::LinkDirection<D>& law, Real share, std::size_t i, std::size_t j, std::span<Real> y) const {
+void LinearStiffness<D>::add_force(const laws::LinkDirection<D>& law, Real share, std::size_t i, std::size_t j,
+                                   std::span<Real> y) const {
   const Real spring = share * law.spring * 0.5 * (particles_.shear_modulus[i] + particles_.shear_modulus[j]);
   const Real push = share * law.divergence * (pressure_[i] + pressure_[j]);
   std::array<Real, D> force = deformation(law, i, j);

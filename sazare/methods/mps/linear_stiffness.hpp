@@ -13,13 +13,13 @@ namespace sazare::methods::mps {
 /// Vectors hold the freedoms of a particle one after the other.
 template <int D>
 class LinearStiffness {
- public:
+public:
   LinearStiffness(const state::Particles<D>& particles, const LinkTable<D>& links, const terms::ParticleSupports<D>& supports);
 
   std::size_t rows() const { return scale_.size(); }
   void apply(std::span<const Real> x, std::span<Real> y);
 
- private:
+private:
   static constexpr std::size_t freedoms = state::particle_freedoms<D>;
 
   std::array<Real, D> deformation(const laws::LinkDirection<D>& law, std::size_t i, std::size_t j) const;

@@ -1,6 +1,7 @@
 #pragma once
 
-/// What the links of a block of particles are like now: several particles at a time, one direction of the lattice after the other.
+/// What the links of a block of particles are like now: several particles at a time, one direction of the lattice after the
+/// other.
 
 #include "sazare/core/lane_math.hpp"
 #include "sazare/methods/mps/link_table.hpp"
@@ -21,11 +22,11 @@ using LaneComponents = laws::Components<D, Lanes>;
 template <std::size_t N>
 using Frames = std::array<state::Column, N>;
 
-/// The particles of a block and their neighbours in one direction. A particle's frame turns (and, where it has flowed, stretches) the
-/// links as they began.
+/// The particles of a block and their neighbours in one direction. A particle's frame turns (and, where it has flowed, stretches)
+/// the links as they began.
 template <int D, std::size_t N>
 class LinkBlock {
- public:
+public:
   LinkBlock(const state::Particles<D>& particles, const Frames<N>& frames, std::size_t block)
       : particles_(particles), frames_(frames), begin_(block * lane_count) {
     for (std::size_t i = 0; i < D; ++i) displacement_[i] = own(particles.displacement[i]);
@@ -72,7 +73,7 @@ class LinkBlock {
     return mean;
   }
 
- private:
+private:
   static LaneComponents<D> turned(const std::array<Lanes, N>& frame, const laws::LinkDirection<D>& law) {
     LaneComponents<D> arm{};
     if constexpr (N == 2) {

@@ -69,8 +69,8 @@ void block_accelerations(const state::Particles<D>& particles, const Frames<N>& 
 }
 
 template <int D, std::size_t N, RotationRemoval removal>
-void evaluate_with(const LinkTable<D>& links, const state::Particles<D>& particles, const Frames<N>& frames, state::Column& pressure,
-                   state::FreedomColumns<D>& acceleration) {
+void evaluate_with(const LinkTable<D>& links, const state::Particles<D>& particles, const Frames<N>& frames,
+                   state::Column& pressure, state::FreedomColumns<D>& acceleration) {
   pressure.resize(particles.padded());
   const std::size_t blocks = particles.padded() / lane_count;
   const Real volume = particles.volume();
@@ -108,8 +108,8 @@ Real block_energy(const LinkTable<D>& links, const state::Particles<D>& particle
 }  // namespace
 
 template <int D, std::size_t N>
-void evaluate_links(const LinkTable<D>& links, RotationRemoval removal, const state::Particles<D>& particles, const Frames<N>& frames,
-                    state::Column& pressure, state::FreedomColumns<D>& acceleration) {
+void evaluate_links(const LinkTable<D>& links, RotationRemoval removal, const state::Particles<D>& particles,
+                    const Frames<N>& frames, state::Column& pressure, state::FreedomColumns<D>& acceleration) {
   if constexpr (N == 2)
     if (removal == RotationRemoval::mean_angle)
       return evaluate_with<D, N, RotationRemoval::mean_angle>(links, particles, frames, pressure, acceleration);
@@ -124,12 +124,14 @@ void measure_stretch(const LinkTable<D>& links, const state::Particles<D>& parti
 }
 
 template <int D, std::size_t N>
-Real energy_of_block(const LinkTable<D>& links, const state::Particles<D>& particles, const Frames<N>& frames, std::size_t block) {
+Real energy_of_block(const LinkTable<D>& links, const state::Particles<D>& particles, const Frames<N>& frames,
+                     std::size_t block) {
   return block_energy<D, N, RotationRemoval::mean_rotation>(links, particles, frames, block);
 }
 
 template <int D, std::size_t N>
-Real energy_of_links(const LinkTable<D>& links, RotationRemoval removal, const state::Particles<D>& particles, const Frames<N>& frames) {
+Real energy_of_links(const LinkTable<D>& links, RotationRemoval removal, const state::Particles<D>& particles,
+                     const Frames<N>& frames) {
   Real total = 0;
   const std::size_t blocks = particles.padded() / lane_count;
   if constexpr (N == 2)
@@ -142,12 +144,12 @@ Real energy_of_links(const LinkTable<D>& links, RotationRemoval removal, const s
   return total;
 }
 
-template void evaluate_links<2, 2>(const LinkTable<2>&, RotationRemoval, const state::Particles<2>&, const Frames<2>&, state::Column&,
-                                   state::FreedomColumns<2>&);
-template void evaluate_links<2, 4>(const LinkTable<2>&, RotationRemoval, const state::Particles<2>&, const Frames<4>&, state::Column&,
-                                   state::FreedomColumns<2>&);
-template void evaluate_links<3, 9>(const LinkTable<3>&, RotationRemoval, const state::Particles<3>&, const Frames<9>&, state::Column&,
-                                   state::FreedomColumns<3>&);
+template void evaluate_links<2, 2>(const LinkTable<2>&, RotationRemoval, const state::Particles<2>&, const Frames<2>&,
+                                   state::Column&, state::FreedomColumns<2>&);
+template void evaluate_links<2, 4>(const LinkTable<2>&, RotationRemoval, const state::Particles<2>&, const Frames<4>&,
+                                   state::Column&, state::FreedomColumns<2>&);
+template void evaluate_links<3, 9>(const LinkTable<3>&, RotationRemoval, const state::Particles<3>&, const Frames<9>&,
+                                   state::Column&, state::FreedomColumns<3>&);
 template void measure_stretch<2>(const LinkTable<2>&, const state::Particles<2>&, Tensors<2>&);
 template void measure_stretch<3>(const LinkTable<3>&, const state::Particles<3>&, Tensors<3>&);
 template Real energy_of_block<2, 4>(const LinkTable<2>&, const state::Particles<2>&, const Frames<4>&, std::size_t);

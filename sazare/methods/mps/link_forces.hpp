@@ -1,7 +1,7 @@
 #pragma once
 
-/// The forces of all links, whatever the frames of the particles are. Each particle evaluates all its own links, in the order of the
-/// table, in two passes: volume strains, then forces. Results do not depend on the number of threads.
+/// The forces of all links, whatever the frames of the particles are. Each particle evaluates all its own links, in the order of
+/// the table, in two passes: volume strains, then forces. Results do not depend on the number of threads.
 
 #include "sazare/methods/mps/link_block.hpp"
 
@@ -13,8 +13,8 @@ using Tensors = std::array<state::Column, static_cast<std::size_t>(D) * D>;
 
 /// Accelerations of all particles [m/s2], [rad/s2]; `pressure` is left with V lambda div of every particle [N m; N in 2-D].
 template <int D, std::size_t N>
-void evaluate_links(const LinkTable<D>& links, RotationRemoval removal, const state::Particles<D>& particles, const Frames<N>& frames,
-                    state::Column& pressure, state::FreedomColumns<D>& acceleration);
+void evaluate_links(const LinkTable<D>& links, RotationRemoval removal, const state::Particles<D>& particles,
+                    const Frames<N>& frames, state::Column& pressure, state::FreedomColumns<D>& acceleration);
 
 /// Of every particle the sum over its links of d w/(n0 |r0|^2) r r0^T, from which its strain follows.
 template <int D>
@@ -26,6 +26,7 @@ Real energy_of_block(const LinkTable<D>& links, const state::Particles<D>& parti
 
 /// Energy stored in all links [J; J/m in 2-D].
 template <int D, std::size_t N>
-Real energy_of_links(const LinkTable<D>& links, RotationRemoval removal, const state::Particles<D>& particles, const Frames<N>& frames);
+Real energy_of_links(const LinkTable<D>& links, RotationRemoval removal, const state::Particles<D>& particles,
+                     const Frames<N>& frames);
 
 }  // namespace sazare::methods::mps

@@ -23,9 +23,9 @@ struct LinkTable {
   struct Direction {
     Site<D> offset{};
     laws::LinkDirection<D> law;
-    std::vector<Index> neighbor;        ///< by particle, padded; the particle itself where there is none
-    std::vector<Index> pattern;         ///< by block of `lane_count` particles: which of `patterns` its links have
-    std::vector<Index> first;           ///< by block: first of neighbours that stand in a row; -1 where they do not
+    std::vector<Index> neighbor;  ///< by particle, padded; the particle itself where there is none
+    std::vector<Index> pattern;   ///< by block of `lane_count` particles: which of `patterns` its links have
+    std::vector<Index> first;     ///< by block: first of neighbours that stand in a row; -1 where they do not
   };
 
   /// Share of each link of a block: 1, 0 where there is none, 1/2 where half of it lies beyond a boundary. The first has none.
@@ -51,12 +51,12 @@ struct LinkTable {
   /// Halves the links among these particles, which stand in a plane through their centres beyond which nothing counts.
   void halve_among(std::span<const Index> particles);
 
- private:
+private:
   std::map<std::array<Real, lane_count>, Index> known_;
 };
 
-/// Links of particles at these sites. `influence` is the influence radius over the spacing; a `period` of an axis, in spacings, links
-/// both ends of the body along it (0: none).
+/// Links of particles at these sites. `influence` is the influence radius over the spacing; a `period` of an axis, in spacings,
+/// links both ends of the body along it (0: none).
 template <int D>
 LinkTable<D> make_links(std::span<const Site<D>> sites, Real spacing, Real influence, const Site<D>& period = {});
 

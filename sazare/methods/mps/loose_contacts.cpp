@@ -47,7 +47,8 @@ Vector<D> velocity_of(const state::Particles<D>& particles, Index particle) {
 template <int D>
 Angular<D> spin_of(const state::Particles<D>& particles, Index particle) {
   Angular<D> spin;
-  for (int axis = 0; axis < angular_dimension<D>; ++axis) spin[axis] = particles.velocity[static_cast<std::size_t>(D + axis)][at(particle)];
+  for (int axis = 0; axis < angular_dimension<D>; ++axis)
+    spin[axis] = particles.velocity[static_cast<std::size_t>(D + axis)][at(particle)];
   return spin;
 }
 
@@ -80,7 +81,8 @@ template <int D>
 Vector<D> LooseContacts<D>::apart(const state::Particles<D>& particles, Index first, Index second) const {
   Vector<D> way = place_of(particles, second) - place_of(particles, first);
   for (int axis = 0; axis < D; ++axis)
-    if (const Real period = rules_.period[static_cast<std::size_t>(axis)]; period > 0) way[axis] -= period * std::round(way[axis] / period);
+    if (const Real period = rules_.period[static_cast<std::size_t>(axis)]; period > 0)
+      way[axis] -= period * std::round(way[axis] / period);
   return way;
 }
 
@@ -196,8 +198,8 @@ typename LooseContacts<D>::Force LooseContacts<D>::force(const state::Particles<
 }
 
 template <int D>
-void LooseContacts<D>::evaluate(const state::Particles<D>& particles, const LinkTable<D>& links, const GroundStrength<D>& strength,
-                                state::FreedomColumns<D>& acceleration) {
+void LooseContacts<D>::evaluate(const state::Particles<D>& particles, const LinkTable<D>& links,
+                                const GroundStrength<D>& strength, state::FreedomColumns<D>& acceleration) {
   if (must_search(particles)) search(particles, links);
   forces_.resize(pairs_.size());
   parallel::parallel_for(pairs_.size(), serial_below, [&](std::size_t begin, std::size_t end) {
@@ -223,9 +225,11 @@ void LooseContacts<D>::evaluate(const state::Particles<D>& particles, const Link
 }
 
 template <int D>
-Real LooseContacts<D>::energy_of(const state::Particles<D>& particles, const GroundStrength<D>& strength, const Pair& pair) const {
+Real LooseContacts<D>::energy_of(const state::Particles<D>& particles, const GroundStrength<D>& strength,
+                                 const Pair& pair) const {
   const Real overlap = std::max(pair.length - apart(particles, pair.first, pair.second).norm(), Real{0});
-  return 0.5 * pair.share * stiffness_of(particles, strength.ground(pair.first), strength.ground(pair.second)) * overlap * overlap;
+  return 0.5 * pair.share * stiffness_of(particles, strength.ground(pair.first), strength.ground(pair.second)) * overlap *
+         overlap;
 }
 
 template <int D>

@@ -10,22 +10,22 @@ namespace sazare::methods::mps {
 
 /// What particles are in contact; discs or spheres as wide as the spacing.
 struct LooseRules {
-  Real step = 0;                             ///< [s]
-  Real damping_ratio = 0;                    ///< of the dashpots, over critical [-]
-  std::array<Real, 3> period{};              ///< length of the body along periodic axes [m]; 0: none
+  Real step = 0;                 ///< [s]
+  Real damping_ratio = 0;        ///< of the dashpots, over critical [-]
+  std::array<Real, 3> period{};  ///< length of the body along periodic axes [m]; 0: none
 };
 
-/// Two loose particles that meet press on each other as discs or spheres as wide as the spacing, with the stiffness of a column of ground as
-/// wide as they are, lambda + 2 mu, and slide with the friction of the weaker of their grounds (laws/sphere_contact.hpp). Two
-/// particles whose link has just broken touch at the length it had without stress, as its two sides did, with its share of
-/// lambda + 2 mu; so the pressure stays, of the shear what friction bears, and the lattice does not collapse. They are such
-/// neighbours until a gap as wide as the skin has opened between them.
+/// Two loose particles that meet press on each other as discs or spheres as wide as the spacing, with the stiffness of a column
+/// of ground as wide as they are, lambda + 2 mu, and slide with the friction of the weaker of their grounds
+/// (laws/sphere_contact.hpp). Two particles whose link has just broken touch at the length it had without stress, as its two
+/// sides did, with its share of lambda + 2 mu; so the pressure stays, of the shear what friction bears, and the lattice does not
+/// collapse. They are such neighbours until a gap as wide as the skin has opened between them.
 ///
 /// Loose are particles without some of their links, so those of free surfaces too. Pairs are kept while they may touch, in
 /// the order of their numbers; they are searched again when a particle has moved by more than half the skin against another.
 template <int D>
 class LooseContacts {
- public:
+public:
   LooseContacts(const state::Particles<D>& particles, const LinkTable<D>& links, const LooseRules& rules);
 
   /// Two particles whose link has just broken, its length [m] and its share of the stiffness [-].
@@ -41,7 +41,7 @@ class LooseContacts {
 
   void columns(Archive& archive);
 
- private:
+private:
   struct Pair {
     Index first = 0, second = 0;
     Real length = 0;  ///< below which they touch [m]
@@ -64,10 +64,10 @@ class LooseContacts {
   void find_near(const state::Particles<D>& particles, const LinkTable<D>& links, Index particle, std::vector<Pair>& found) const;
 
   LooseRules rules_;
-  std::vector<std::uint8_t> loose_;                  ///< by particle
+  std::vector<std::uint8_t> loose_;  ///< by particle
   std::vector<Pair> pairs_;
-  std::vector<Force> forces_;                        ///< by pair, of the last evaluation
-  std::array<state::Column, D> searched_at_;         ///< displacements at the last search [m]
+  std::vector<Force> forces_;                 ///< by pair, of the last evaluation
+  std::array<state::Column, D> searched_at_;  ///< displacements at the last search [m]
   neighbors::SphereGrid grid_;
   Real dissipated_ = 0;
   Index touching_ = 0;

@@ -2,8 +2,8 @@
 
 /// The largest stable step of a model, from its linearised operator, without a run.
 ///
-/// With A = M^-1 K at rest, h the damping ratio of each particle and a2 from f1, f2, leapfrog and Verlet with the lagged damping force
-/// of (A24) first fail in a motion that changes its sign at every step: r(k) = (-1)^k p. Put in,
+/// With A = M^-1 K at rest, h the damping ratio of each particle and a2 from f1, f2, leapfrog and Verlet with the lagged damping
+/// force of (A24) first fail in a motion that changes its sign at every step: r(k) = (-1)^k p. Put in,
 ///
 ///     p = (dt^2 + 2 dt a2 h)/4 A p,
 ///

@@ -13,8 +13,8 @@ namespace {
 
 using geometry::OutlineKind;
 using geometry::Vector2;
-constexpr Real skin_share = 0.3;       // of the smallest half width
-constexpr Real same_direction = 0.7;   // cosine: beyond it a normal belongs to another face
+constexpr Real skin_share = 0.3;      // of the smallest half width
+constexpr Real same_direction = 0.7;  // cosine: beyond it a normal belongs to another face
 constexpr std::size_t serial_below = 128;
 
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
@@ -40,8 +40,8 @@ bool are_joined(const FaceLinks& links, Index one, Index other) {
 
 }  // namespace
 
-ContactSprings contact_springs(const ContactRules& rules, const state::Outlines& outlines, const state::Particles<2>& particles, Index first,
-                               Index second) {
+ContactSprings contact_springs(const ContactRules& rules, const state::Outlines& outlines, const state::Particles<2>& particles,
+                               Index first, Index second) {
   const Real r1 = outlines.spring_radius(at(first)), r2 = outlines.spring_radius(at(second));
   const Real half_face = r1 > 0 && r2 > 0 ? std::min(r1, r2) : r1 + r2;
   const bool one_point = outlines.kind[at(first)] == OutlineKind::circle || outlines.kind[at(second)] == OutlineKind::circle;
@@ -57,7 +57,8 @@ ContactSprings contact_springs(const ContactRules& rules, const state::Outlines&
   return springs;
 }
 
-Contacts::Contacts(const ContactRules& rules, const state::Particles<2>& particles, const state::Outlines& outlines) : rules_(rules) {
+Contacts::Contacts(const ContactRules& rules, const state::Particles<2>& particles, const state::Outlines& outlines)
+    : rules_(rules) {
   Real smallest = std::numeric_limits<Real>::infinity();
   for (std::size_t i = 0; i < outlines.size(); ++i)
     if (outlines.kind[i] != OutlineKind::wall) smallest = std::min({smallest, outlines.half_width[i], outlines.half_height[i]});
@@ -142,14 +143,16 @@ void Contacts::index_pairs(std::size_t elements) {
     for (const Index element : {pairs_[i].first, pairs_[i].second}) of_element_[next[at(element)]++] = static_cast<Index>(i);
 }
 
-void Contacts::evaluate(const state::Particles<2>& particles, const state::Outlines& outlines, const FaceLinks& links, Real elapsed) {
+void Contacts::evaluate(const state::Particles<2>& particles, const state::Outlines& outlines, const FaceLinks& links,
+                        Real elapsed) {
   if (is_stale(particles)) search(particles, outlines, links);
   parallel::parallel_for(pairs_.size(), serial_below, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) evaluate(particles, outlines, pairs_[i], elapsed);
   });
 }
 
-void Contacts::evaluate(const state::Particles<2>& particles, const state::Outlines& outlines, Contact& contact, Real elapsed) const {
+void Contacts::evaluate(const state::Particles<2>& particles, const state::Outlines& outlines, Contact& contact,
+                        Real elapsed) const {
   const std::size_t i = at(contact.first), j = at(contact.second);
   const geometry::Overlap overlap = geometry::overlap(outlines.at(particles, i), outlines.at(particles, j));
   const auto dashpot_power = [&] {  // by the present velocities

@@ -31,8 +31,8 @@ struct ContactSprings {
 };
 
 /// (6.3), (6.4), (7.3), (7.4) and, with a support, (19): r1 or r2 is 0 for a wall, and a support has no mass.
-ContactSprings contact_springs(const ContactRules& rules, const state::Outlines& outlines, const state::Particles<2>& particles, Index first,
-                               Index second);
+ContactSprings contact_springs(const ContactRules& rules, const state::Outlines& outlines, const state::Particles<2>& particles,
+                               Index first, Index second);
 
 struct Contact {
   Index first = 0;
@@ -40,17 +40,17 @@ struct Contact {
   geometry::Vector2 normal = geometry::Vector2::Zero();  ///< when they last touched; zero while apart
   Real shear = 0;                                        ///< force of the shear spring on the second along (n_y, -n_x) [N]
   SpringLosses loss;
-  Real energy = 0;                                       ///< in its springs [J]
-  geometry::Vector2 force = geometry::Vector2::Zero();   ///< on the second [N]
-  Real first_moment = 0, second_moment = 0;              ///< [N m]
-  std::array<Real, 4> dashpot{};                         ///< of the force on the second and both moments, what the dashpots gave
-  Real dashpot_power = 0;                                ///< which they took when they were evaluated [W]
+  Real energy = 0;                                      ///< in its springs [J]
+  geometry::Vector2 force = geometry::Vector2::Zero();  ///< on the second [N]
+  Real first_moment = 0, second_moment = 0;             ///< [N m]
+  std::array<Real, 4> dashpot{};                        ///< of the force on the second and both moments, what the dashpots gave
+  Real dashpot_power = 0;                               ///< which they took when they were evaluated [W]
 
   bool touches() const { return !normal.isZero(); }
 };
 
 class Contacts {
- public:
+public:
   Contacts(const ContactRules& rules, const state::Particles<2>& particles, const state::Outlines& outlines);
 
   /// Looks for pairs anew where anything has moved so far that one could be missing; then all forces.
@@ -70,7 +70,7 @@ class Contacts {
 
   void columns(Archive& archive);
 
- private:
+private:
   bool is_stale(const state::Particles<2>& particles) const;
   void look_at_surface(const state::Particles<2>& particles, const state::Outlines& outlines);
   void search(const state::Particles<2>& particles, const state::Outlines& outlines, const FaceLinks& links);
@@ -79,15 +79,15 @@ class Contacts {
   void evaluate(const state::Particles<2>& particles, const state::Outlines& outlines, Contact& contact, Real elapsed) const;
 
   ContactRules rules_;
-  Real skin_ = 0;                     ///< [m]
+  Real skin_ = 0;  ///< [m]
   bool searched_ = false;
   neighbors::SphereGrid grid_;
-  std::vector<Index> surface_;        ///< elements and supports that may touch something
-  std::array<state::Column, 2> seen_; ///< their displacements at the last search [m]
-  std::vector<Contact> pairs_;        ///< sorted by first and second
-  SpringLosses past_losses_;          ///< of pairs that are apart
-  std::vector<std::size_t> begin_;    ///< by element: where its pairs begin in `of_element_`
-  std::vector<Index> of_element_;     ///< pairs by element
+  std::vector<Index> surface_;         ///< elements and supports that may touch something
+  std::array<state::Column, 2> seen_;  ///< their displacements at the last search [m]
+  std::vector<Contact> pairs_;         ///< sorted by first and second
+  SpringLosses past_losses_;           ///< of pairs that are apart
+  std::vector<std::size_t> begin_;     ///< by element: where its pairs begin in `of_element_`
+  std::vector<Index> of_element_;      ///< pairs by element
 };
 
 }  // namespace sazare::methods::rectangles

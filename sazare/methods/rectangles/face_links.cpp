@@ -29,7 +29,7 @@ struct Reader {
   T of_first(const state::Column& column) const { return read(column, first); }
   T of_second(const state::Column& column) const { return read(column, second); }
 
- private:
+private:
   static T read(const state::Column& column, const Index* where) {
     if constexpr (std::is_same_v<T, Real>)
       return column[at(*where)];
@@ -89,7 +89,8 @@ FaceLinks::FaceLinks(const state::Particles<2>& particles, std::vector<FaceKind>
   }
   dashpot_loss_.assign(n, 0);
   for (state::Column& column : last_rate_) column.assign(n, 0);
-  for (state::Column* column : {&slots_.force_x, &slots_.force_y, &slots_.first_moment, &slots_.second_moment}) column->assign(n + 1, 0);
+  for (state::Column* column : {&slots_.force_x, &slots_.force_y, &slots_.first_moment, &slots_.second_moment})
+    column->assign(n + 1, 0);
   yields_.assign(n, 0);
   open_.assign(n, 0);
   damaged_of_.assign(n, none);
@@ -123,9 +124,15 @@ void FaceLinks::evaluate(const state::Particles<2>& particles, Real elapsed) {
   bool any_yields = false;
   for (const Group& group : groups_) {
     switch (kinds_[at(group.kind)].formula) {
-      case FaceFormula::exact: any_yields |= evaluate_whole<FaceFormula::exact>(particles, group, elapsed); break;
-      case FaceFormula::small: any_yields |= evaluate_whole<FaceFormula::small>(particles, group, elapsed); break;
-      case FaceFormula::older: any_yields |= evaluate_whole<FaceFormula::older>(particles, group, elapsed); break;
+      case FaceFormula::exact:
+        any_yields |= evaluate_whole<FaceFormula::exact>(particles, group, elapsed);
+        break;
+      case FaceFormula::small:
+        any_yields |= evaluate_whole<FaceFormula::small>(particles, group, elapsed);
+        break;
+      case FaceFormula::older:
+        any_yields |= evaluate_whole<FaceFormula::older>(particles, group, elapsed);
+        break;
     }
   }
   if (any_yields) damage_those_that_yield();
@@ -167,7 +174,8 @@ bool FaceLinks::evaluate_whole(const state::Particles<2>& particles, const Group
       store_lanes(&slots_.second_moment[i], select(stays, force.second_moment, Lanes{}));
       // The work of the dashpots' last forces, by the mean of the rates before and after.
       const std::array<Lanes, 3> rate = {motion.closing_rate, motion.slope_rate, motion.shear_rate};
-      const std::array<Real, 3> damping = {springs.normal_damping * count, springs.normal_damping * squares, springs.shear_damping * count};
+      const std::array<Real, 3> damping = {springs.normal_damping * count, springs.normal_damping * squares,
+                                           springs.shear_damping * count};
       Lanes power{};
       for (std::size_t k = 0; k < 3; ++k) {
         const Lanes before = load_lanes(&last_rate_[k][i]);
@@ -203,12 +211,16 @@ laws::FaceMotion<Real> FaceLinks::motion_of(const state::Particles<2>& particles
   const Reader<Real> reader{&first_[number], &second_[number]};
   const std::array<Real, 2> rest = {rest_[0][number], rest_[1][number]};
   const auto by = [&]<FaceFormula formula>() {
-    return laws::face_motion<formula>(pair_of<formula>(particles, reader, rest, links_[number].axis, kind.springs.is_wall()), kind.springs);
+    return laws::face_motion<formula>(pair_of<formula>(particles, reader, rest, links_[number].axis, kind.springs.is_wall()),
+                                      kind.springs);
   };
   switch (kind.formula) {
-    case FaceFormula::exact: return by.template operator()<FaceFormula::exact>();
-    case FaceFormula::small: return by.template operator()<FaceFormula::small>();
-    default: return by.template operator()<FaceFormula::older>();
+    case FaceFormula::exact:
+      return by.template operator()<FaceFormula::exact>();
+    case FaceFormula::small:
+      return by.template operator()<FaceFormula::small>();
+    default:
+      return by.template operator()<FaceFormula::older>();
   }
 }
 

@@ -38,7 +38,7 @@ struct SpringLosses {
 };
 
 class FaceLinks {
- public:
+public:
   static constexpr Index none = -1;
 
   FaceLinks(const state::Particles<2>& particles, std::vector<FaceKind> kinds, std::vector<FaceLink> links);
@@ -69,7 +69,7 @@ class FaceLinks {
 
   void columns(Archive& archive);
 
- private:
+private:
   /// Links of one kind and axis, in whole lanes.
   struct Group {
     Index kind = 0;
@@ -93,25 +93,25 @@ class FaceLinks {
   void make_face_table(std::size_t elements);
 
   std::vector<FaceKind> kinds_;
-  std::vector<FaceLink> links_;              ///< padded groups; a padding link joins an element with itself
+  std::vector<FaceLink> links_;  ///< padded groups; a padding link joins an element with itself
   std::vector<Group> groups_;
-  std::array<std::vector<Index>, 4> face_;   ///< by face and element, padded: its link, or the one after the last
+  std::array<std::vector<Index>, 4> face_;  ///< by face and element, padded: its link, or the one after the last
   std::vector<Index> first_, second_;
-  std::array<state::Column, 2> rest_;        ///< x2 - x1 at the beginning [m]
-  state::Column slip_;                       ///< of whole links, see laws::SpringState
-  state::Column active_;                     ///< 1 for a whole link
-  state::Column dashpot_loss_;               ///< of whole links so far [J]
-  std::array<state::Column, 3> last_rate_;   ///< of whole links when their dashpots were last evaluated: a', b', v' [m/s]
+  std::array<state::Column, 2> rest_;       ///< x2 - x1 at the beginning [m]
+  state::Column slip_;                      ///< of whole links, see laws::SpringState
+  state::Column active_;                    ///< 1 for a whole link
+  state::Column dashpot_loss_;              ///< of whole links so far [J]
+  std::array<state::Column, 3> last_rate_;  ///< of whole links when their dashpots were last evaluated: a', b', v' [m/s]
   std::vector<char> yields_;
   std::vector<char> open_;
   Slots slots_;
 
-  std::vector<Index> damaged_;               ///< links, in the order in which they were damaged
-  std::vector<Index> damaged_of_;            ///< by link: its place there, or `none`
-  std::vector<Index> first_spring_;          ///< by place
+  std::vector<Index> damaged_;       ///< links, in the order in which they were damaged
+  std::vector<Index> damaged_of_;    ///< by link: its place there, or `none`
+  std::vector<Index> first_spring_;  ///< by place
   std::vector<laws::SpringState> springs_;
-  std::vector<SpringLosses> damaged_loss_;   ///< by place
-  std::vector<char> just_opened_;            ///< by place
+  std::vector<SpringLosses> damaged_loss_;  ///< by place
+  std::vector<char> just_opened_;           ///< by place
   std::vector<Index> opened_;
   Index open_links_ = 0;
 };

@@ -14,11 +14,15 @@ constexpr std::size_t serial_below = 256;  // blocks of lanes
 }  // namespace
 
 RectangleForces::RectangleForces(const state::Particles<2>& particles, Parts parts, Real step)
-    : outlines_(std::move(parts.outlines)), links_(particles, std::move(parts.kinds), std::move(parts.links)),
-      contacts_(parts.contact, particles, outlines_), base_friction_(parts.base_friction), step_(step) {
+    : outlines_(std::move(parts.outlines)),
+      links_(particles, std::move(parts.kinds), std::move(parts.links)),
+      contacts_(parts.contact, particles, outlines_),
+      base_friction_(parts.base_friction),
+      step_(step) {
   for (std::size_t i = 0; i < outlines_.size(); ++i)
     for (int face = 0; face < 4; ++face)
-      if (links_.at_face(static_cast<Index>(i), face) != FaceLinks::none) outlines_.exposed[i] &= static_cast<std::uint8_t>(~(1U << face));
+      if (links_.at_face(static_cast<Index>(i), face) != FaceLinks::none)
+        outlines_.exposed[i] &= static_cast<std::uint8_t>(~(1U << face));
   radius_.assign(particles.padded(), 0);
   for (std::size_t i = 0; i < outlines_.size(); ++i) radius_[i] = outlines_.spring_radius(i);
   if (base_friction_.coefficient > 0) {
@@ -100,7 +104,8 @@ void RectangleForces::sum_up_supports(const state::Particles<2>& particles) {
   for (std::size_t k = 0; k < support_force_.size(); ++k) {
     std::array<Real, 3> force{};
     contacts_.add_to(first + k, force);
-    const std::array<Real, 3> place = {particles.displacement[0][first + k], particles.displacement[1][first + k], particles.angle[first + k]};
+    const std::array<Real, 3> place = {particles.displacement[0][first + k], particles.displacement[1][first + k],
+                                       particles.angle[first + k]};
     for (std::size_t freedom = 0; begun_ && freedom < 3; ++freedom)
       support_work_ -= 0.5 * (force[freedom] + support_force_[k][freedom]) * (place[freedom] - support_place_[k][freedom]);
     support_force_[k] = force;
@@ -108,14 +113,17 @@ void RectangleForces::sum_up_supports(const state::Particles<2>& particles) {
   }
 }
 
-Real RectangleForces::energy(const state::Particles<2>& particles) { return links_.elastic_energy(particles) + contacts_.elastic_energy(); }
+Real RectangleForces::energy(const state::Particles<2>& particles) {
+  return links_.elastic_energy(particles) + contacts_.elastic_energy();
+}
 
 EnergyBooks RectangleForces::books(const state::Particles<2>& particles) const {
   EnergyBooks books;
   books.links = links_.losses();
   books.contacts = contacts_.losses();
   books.elastic = links_.elastic_energy(particles) + contacts_.elastic_energy();
-  for (std::size_t i = 0; i < outlines_.size() && !base_work_.empty(); ++i) books.base_friction += base_work_[i];  // without the padding
+  for (std::size_t i = 0; i < outlines_.size() && !base_work_.empty(); ++i)
+    books.base_friction += base_work_[i];  // without the padding
   books.supports = support_work_;
   return books;
 }

@@ -14,9 +14,9 @@ namespace sazare::methods::rectangles {
 /// plate, turning counted as r theta'. [Matsui1999], eq. (21). Where a step's friction would turn that motion round, only as
 /// much acts as stops it.
 struct BaseFriction {
-  Real coefficient = 0;                                         ///< mu_B; 0: no plate
-  geometry::Vector2 velocity = geometry::Vector2::Zero();       ///< of the plate [m/s]
-  Real gravity = 9.81;                                          ///< that presses the elements on it [m/s2]
+  Real coefficient = 0;                                    ///< mu_B; 0: no plate
+  geometry::Vector2 velocity = geometry::Vector2::Zero();  ///< of the plate [m/s]
+  Real gravity = 9.81;                                     ///< that presses the elements on it [m/s2]
 };
 
 /// Energies so far [J].
@@ -27,20 +27,18 @@ struct EnergyBooks {
   Real base_friction = 0;  ///< work of the plate on the elements
   Real supports = 0;       ///< work of moved supports on the elements
 
-  Real lost() const {
-    return links.dashpot + links.friction + links.fracture + contacts.dashpot + contacts.friction;
-  }
+  Real lost() const { return links.dashpot + links.friction + links.fracture + contacts.dashpot + contacts.friction; }
 };
 
 class RectangleForces : public terms::ParticleForces<2> {
- public:
+public:
   struct Parts {
-    state::Outlines outlines;         ///< supports last
+    state::Outlines outlines;  ///< supports last
     std::vector<FaceKind> kinds;
     std::vector<FaceLink> links;
     ContactRules contact;
     BaseFriction base_friction;
-    Index supports = 0;               ///< how many of the outlines are supports
+    Index supports = 0;  ///< how many of the outlines are supports
   };
 
   RectangleForces(const state::Particles<2>& particles, Parts parts, Real step);
@@ -60,7 +58,7 @@ class RectangleForces : public terms::ParticleForces<2> {
   /// Faces of the links that are open can touch something from now on.
   static void expose(const FaceLinks& links, std::span<const Index> opened, state::Outlines& outlines);
 
- private:
+private:
   void gather(const state::Particles<2>& particles, state::FreedomColumns<2>& acceleration);
   void add_base_friction(const state::Particles<2>& particles, std::size_t block, std::array<Lanes, 3>& sum);
   void sum_up_supports(const state::Particles<2>& particles);
@@ -71,11 +69,11 @@ class RectangleForces : public terms::ParticleForces<2> {
   BaseFriction base_friction_;
   Real step_ = 0;
   bool begun_ = false;
-  state::Column radius_;                                ///< r of (21), padded [m]
-  state::Column base_work_, base_power_;                ///< of the plate by element [J], and when last evaluated [W]
-  state::FreedomColumns<2> base_force_;                 ///< its last forces and moments [N], [N m]
+  state::Column radius_;                  ///< r of (21), padded [m]
+  state::Column base_work_, base_power_;  ///< of the plate by element [J], and when last evaluated [W]
+  state::FreedomColumns<2> base_force_;   ///< its last forces and moments [N], [N m]
   std::vector<std::array<Real, 3>> support_force_;
-  std::vector<std::array<Real, 3>> support_place_;      ///< displacements and angle when its force was last summed up
+  std::vector<std::array<Real, 3>> support_place_;  ///< displacements and angle when its force was last summed up
   Real support_work_ = 0;
 };
 

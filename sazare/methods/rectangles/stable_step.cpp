@@ -29,9 +29,17 @@ void add_link(const state::Particles<2>& particles, const FaceLinks& links, Inde
   const Real c = particles.rotation[0][at(link.first)], s = particles.rotation[1][at(link.first)];
   const Vector2 n = link.axis == 0 ? Vector2(c, s) : Vector2(-s, c);
   const Real count = face.count(), arm = face.half_face;
-  springs.push_back({link.first, link.second, {n.x(), n.y(), 0, -n.x(), -n.y(), 0}, count * face.normal, count * face.normal_damping});
-  springs.push_back({link.first, link.second, {0, 0, arm, 0, 0, -arm}, face.square_sum() * face.normal, face.square_sum() * face.normal_damping});
-  springs.push_back({link.first, link.second, {n.y(), -n.x(), -face.first_reach, -n.y(), n.x(), -face.second_reach}, count * face.shear,
+  springs.push_back(
+      {link.first, link.second, {n.x(), n.y(), 0, -n.x(), -n.y(), 0}, count * face.normal, count * face.normal_damping});
+  springs.push_back({link.first,
+                     link.second,
+                     {0, 0, arm, 0, 0, -arm},
+                     face.square_sum() * face.normal,
+                     face.square_sum() * face.normal_damping});
+  springs.push_back({link.first,
+                     link.second,
+                     {n.y(), -n.x(), -face.first_reach, -n.y(), n.x(), -face.second_reach},
+                     count * face.shear,
                      count * face.shear_damping});
 }
 
@@ -43,8 +51,10 @@ void add_contacts(const state::Particles<2>& particles, const state::Outlines& o
   const int exposed = circle ? 2 : std::popcount(outlines.exposed[i]);
   if (exposed == 0) return;
   const Real share = std::min(Real{1}, Real{2} / exposed);
-  const Real normal = 2 * share * rules.normal_stiffness * rules.thickness, shear = 2 * share * rules.shear_stiffness * rules.thickness;
-  const Real damping = 2 * rules.damping_ratio * std::sqrt(normal * mass) * std::sqrt(share), shear_damping = damping * std::sqrt(shear / normal);
+  const Real normal = 2 * share * rules.normal_stiffness * rules.thickness,
+             shear = 2 * share * rules.shear_stiffness * rules.thickness;
+  const Real damping = 2 * rules.damping_ratio * std::sqrt(normal * mass) * std::sqrt(share),
+             shear_damping = damping * std::sqrt(shear / normal);
   const geometry::Outline outline = outlines.at(particles, i);
   for (int face = 0; face < 4; ++face) {
     if (circle ? face % 2 != 0 : (outlines.exposed[i] >> face & 1) == 0) continue;
@@ -63,20 +73,23 @@ Real largest(const state::Particles<2>& particles, const std::vector<Spring>& sp
   const std::size_t n = 3 * particles.size();
   std::vector<Real> weight(n);
   for (std::size_t i = 0; i < n; ++i) weight[i] = std::sqrt(particles.inverse_inertia_of(i % 3)[i / 3]);
-  return largest_eigenvalue(n, [&](std::span<const Real> x, std::span<Real> y) {
-    std::ranges::fill(y, 0);
-    for (const Spring& spring : springs) {
-      const std::size_t a = 3 * at(spring.first), b = 3 * at(spring.second);
-      Real change = 0;
-      for (std::size_t k = 0; k < 3; ++k)
-        change += spring.by[k] * weight[a + k] * x[a + k] + spring.by[k + 3] * weight[b + k] * x[b + k];
-      change *= spring.*strength;
-      for (std::size_t k = 0; k < 3; ++k) {
-        y[a + k] += spring.by[k] * weight[a + k] * change;
-        y[b + k] += spring.by[k + 3] * weight[b + k] * change;
-      }
-    }
-  }, 1e-5);
+  return largest_eigenvalue(
+      n,
+      [&](std::span<const Real> x, std::span<Real> y) {
+        std::ranges::fill(y, 0);
+        for (const Spring& spring : springs) {
+          const std::size_t a = 3 * at(spring.first), b = 3 * at(spring.second);
+          Real change = 0;
+          for (std::size_t k = 0; k < 3; ++k)
+            change += spring.by[k] * weight[a + k] * x[a + k] + spring.by[k + 3] * weight[b + k] * x[b + k];
+          change *= spring.*strength;
+          for (std::size_t k = 0; k < 3; ++k) {
+            y[a + k] += spring.by[k] * weight[a + k] * change;
+            y[b + k] += spring.by[k + 3] * weight[b + k] * change;
+          }
+        }
+      },
+      1e-5);
 }
 
 }  // namespace
@@ -97,7 +110,9 @@ StableStep stable_step(const state::Particles<2>& particles, const state::Outlin
   for (std::size_t i = 0; may_touch && i < outlines.size(); ++i)
     if (outlines.block[i] >= 0) {
       add_contacts(particles, outlines, contact, i, springs);
-      note(2 * contact.damping_ratio * std::sqrt(1 / (particles.inverse_mass[i] * 2 * contact.normal_stiffness * contact.thickness)), 1);
+      note(2 * contact.damping_ratio *
+               std::sqrt(1 / (particles.inverse_mass[i] * 2 * contact.normal_stiffness * contact.thickness)),
+           1);
     }
   const Real square = largest(particles, springs, &Spring::stiffness), damping = largest(particles, springs, &Spring::damping);
   result.largest_frequency = std::sqrt(square);

@@ -29,8 +29,9 @@ inline std::array<Lanes, 8 / lane_count> halves(Real first, Real second) {
 
 /// Force and moment in lanes, to be added to loads one after the other.
 class LoadRows {
- public:
-  LoadRows(const Triple<Lanes>& force, const Triple<Lanes>& moment) : rows_{force.x, force.y, force.z, Lanes{}, moment.x, moment.y, moment.z, Lanes{}} {
+public:
+  LoadRows(const Triple<Lanes>& force, const Triple<Lanes>& moment)
+      : rows_{force.x, force.y, force.z, Lanes{}, moment.x, moment.y, moment.z, Lanes{}} {
     for (std::size_t first = 0; first < 8; first += lane_count) {
       std::array<Lanes, lane_count> square;
       for (std::size_t i = 0; i < lane_count; ++i) square[i] = rows_[first + i];
@@ -50,16 +51,22 @@ class LoadRows {
     }
   }
 
- private:
+private:
   std::array<Lanes, 8> rows_;
 };
 
 template <laws::ContactModel model, bool rolls>
 class ContactKernel {
- public:
+public:
   ContactKernel(PairContacts& contacts, const state::Spheres& spheres, const PairContacts::Task& task)
-      : contacts_(contacts), spheres_(spheres), loads_(task.loads), own_(task.own), begin_(task.loads.begin_of(task.block)), approach_(task.approach),
-        step_(broadcast(task.step)), repeats_(spheres.box.repeats()),
+      : contacts_(contacts),
+        spheres_(spheres),
+        loads_(task.loads),
+        own_(task.own),
+        begin_(task.loads.begin_of(task.block)),
+        approach_(task.approach),
+        step_(broadcast(task.step)),
+        repeats_(spheres.box.repeats()),
         is_one_material_(contacts.table_.materials == 1) {
     const Vector3 inverse = spheres.box.inverse();
     for (int axis = 0; axis < 3; ++axis) {
@@ -68,8 +75,9 @@ class ContactKernel {
     }
     if (is_one_material_) {
       const auto& one = contacts.table_.of(0, 0);
-      constants_ = {broadcast(one.normal),   broadcast(one.tangential), broadcast(one.normal_damping), broadcast(one.tangential_damping),
-                    broadcast(one.friction), broadcast(one.rolling)};
+      constants_ = {broadcast(one.normal),         broadcast(one.tangential),
+                    broadcast(one.normal_damping), broadcast(one.tangential_damping),
+                    broadcast(one.friction),       broadcast(one.rolling)};
     }
   }
 
@@ -124,9 +132,9 @@ class ContactKernel {
     return total;
   }
 
- private:
+private:
   static constexpr float least_ = std::numeric_limits<float>::min();  // 0 says that a pair touches
-  static constexpr Real tiny = 1e-30;  // an overlap at which nothing of the law fails
+  static constexpr Real tiny = 1e-30;                                 // an overlap at which nothing of the law fails
 
   void point(std::size_t lane, const PairContacts::AwakePair& pair) {
     const auto i = static_cast<std::size_t>(pair.first), j = static_cast<std::size_t>(pair.second);
@@ -152,7 +160,8 @@ class ContactKernel {
       return;
     }
     for (int lane = 0; lane < lanes; ++lane)
-      contacts_.sleeps_until_[pairs[lane].pair] = touches[lane] != 0 ? 0 : std::max(rounded_down * static_cast<float>(approach_ + gap[lane]), least_);
+      contacts_.sleeps_until_[pairs[lane].pair] =
+          touches[lane] != 0 ? 0 : std::max(rounded_down * static_cast<float>(approach_ + gap[lane]), least_);
   }
 
   Triple<Lanes> apart_from(const std::array<Lanes, 8>& first, const std::array<Lanes, 8>& second) const {
@@ -168,7 +177,8 @@ class ContactKernel {
   void look_up(const Lanes& one, const Lanes& other) {
     std::array<const Real*, lane_count> from, further;
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
-      from[lane] = contacts_.table_.numbers(static_cast<Index>(one[lane]) * contacts_.table_.materials + static_cast<Index>(other[lane]));
+      from[lane] =
+          contacts_.table_.numbers(static_cast<Index>(one[lane]) * contacts_.table_.materials + static_cast<Index>(other[lane]));
       further[lane] = from[lane] + 4;
     }
     const auto numbers = load_quads(from), more = load_quads(further);

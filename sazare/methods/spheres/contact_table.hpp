@@ -10,9 +10,10 @@
 namespace sazare::methods::spheres {
 
 class ContactTable {
- public:
+public:
   ContactTable(laws::ContactModel with, Index material_count)
-      : model(with), materials(material_count),
+      : model(with),
+        materials(material_count),
         records_(static_cast<std::size_t>(material_count) * static_cast<std::size_t>(material_count)) {}
 
   void set(Index one, Index other, const laws::ContactConstants<Real>& constants) {
@@ -31,7 +32,7 @@ class ContactTable {
   Index materials;
   bool rolls = false;  ///< some pair resists rolling
 
- private:
+private:
   /// As eight doubles, which lanes read at once.
   struct alignas(64) Record {
     laws::ContactConstants<Real> constants;
@@ -42,10 +43,10 @@ class ContactTable {
 
 /// What contacts hold and what they have taken, summed over some of them.
 struct ContactSums {
-  Real elastic = 0;         ///< energy in normal springs [J]
-  Real sliding = 0;         ///< energy in the springs of sliders [J]
-  Real dashpot_work = 0;    ///< taken by normal dashpots in this step [J]
-  Real sliding_work = 0;    ///< work against sliders in this step, stored or lost [J]
+  Real elastic = 0;       ///< energy in normal springs [J]
+  Real sliding = 0;       ///< energy in the springs of sliders [J]
+  Real dashpot_work = 0;  ///< taken by normal dashpots in this step [J]
+  Real sliding_work = 0;  ///< work against sliders in this step, stored or lost [J]
   std::int64_t contacts = 0;
 
   ContactSums& operator+=(const ContactSums& more) {

@@ -26,7 +26,8 @@ void LoadTable::arrange(const neighbors::SpherePairs& pairs) {
       for (std::size_t p = pairs.first[begin_of(block)]; p < pairs.first[end_of(block)]; ++p) {
         const Index other = pairs.other[p];
         const auto place = std::ranges::lower_bound(guests[block], other) - guests[block].begin();
-        slot_[p] = other < last ? other - first : static_cast<Index>(-1 - static_cast<Index>(guest_begin_[block]) - static_cast<Index>(place));
+        slot_[p] = other < last ? other - first
+                                : static_cast<Index>(-1 - static_cast<Index>(guest_begin_[block]) - static_cast<Index>(place));
       }
     }
   });
@@ -40,7 +41,8 @@ void LoadTable::arrange(const neighbors::SpherePairs& pairs) {
   for (std::size_t block = 0; block < blocks_; ++block)
     for (std::size_t n = 0; n < guests[block].size(); ++n) {
       const std::size_t home = static_cast<std::size_t>(guests[block][n]) / neighbors::block_size;
-      homecoming_[home].push_back({guests[block][n] - static_cast<Index>(begin_of(home)), static_cast<Index>(guest_begin_[block] + n)});
+      homecoming_[home].push_back(
+          {guests[block][n] - static_cast<Index>(begin_of(home)), static_cast<Index>(guest_begin_[block] + n)});
     }
 }
 

@@ -3,8 +3,8 @@
 /// Forces on spheres, gathered block by block in an order that does not depend on the number of threads.
 ///
 /// A block's contacts add to loads of its own: those of its spheres, and one more for each sphere of another block that it
-/// looks at, its guests. These stand behind it in memory, so that the loads of a block are whole as soon as it and all blocks before it are
-/// done; each sphere takes what stands for it as a guest, in the order of the blocks.
+/// looks at, its guests. These stand behind it in memory, so that the loads of a block are whole as soon as it and all blocks
+/// before it are done; each sphere takes what stands for it as a guest, in the order of the blocks.
 
 #include <algorithm>
 #include <vector>
@@ -14,7 +14,7 @@
 namespace sazare::methods::spheres {
 
 class LoadTable {
- public:
+public:
   /// Where the contacts of these pairs write.
   void arrange(const neighbors::SpherePairs& pairs);
 
@@ -42,7 +42,7 @@ class LoadTable {
   /// The loads of the spheres.
   void columns(Archive& archive);
 
- private:
+private:
   struct Guest {
     Index local = 0;  ///< place in its own block
     Index load = 0;   ///< in guests_

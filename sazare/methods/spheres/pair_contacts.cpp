@@ -42,7 +42,9 @@ PairContacts::Touches PairContacts::take_touches(const std::vector<Index>& new_p
   for (std::size_t p = 0; p < owner_.size(); ++p) {
     if (sleeps_until_[p] != 0) continue;
     const Memory& slid = sliding_[p];
-    Touch touch{new_place[static_cast<std::size_t>(owner_[p])], new_place[static_cast<std::size_t>(pairs_.other[p])], {slid.x, slid.y, slid.z}};
+    Touch touch{new_place[static_cast<std::size_t>(owner_[p])],
+                new_place[static_cast<std::size_t>(pairs_.other[p])],
+                {slid.x, slid.y, slid.z}};
     if (touch.one > touch.other) {
       // Seen from the other sphere, sliding changes its sign; rolling does not.
       std::swap(touch.one, touch.other);
@@ -111,7 +113,8 @@ ContactSums PairContacts::evaluate_with(const state::Spheres& spheres, const Tas
 
 ContactSums PairContacts::evaluate(const state::Spheres& spheres, const Task& task) {
   using enum laws::ContactModel;
-  if (table_.model == hertz) return table_.rolls ? evaluate_with<hertz, true>(spheres, task) : evaluate_with<hertz, false>(spheres, task);
+  if (table_.model == hertz)
+    return table_.rolls ? evaluate_with<hertz, true>(spheres, task) : evaluate_with<hertz, false>(spheres, task);
   return table_.rolls ? evaluate_with<linear, true>(spheres, task) : evaluate_with<linear, false>(spheres, task);
 }
 

@@ -2,8 +2,8 @@
 
 /// Contacts between spheres: candidates, which of them touch, what they remember, and their forces in lanes.
 ///
-/// A pair that does not touch sleeps: it is looked at again when any two spheres may have come nearer to each other by as much as its
-/// gap. So a step reads one small number of each candidate, and evaluates little more than the pairs that touch.
+/// A pair that does not touch sleeps: it is looked at again when any two spheres may have come nearer to each other by as much as
+/// its gap. So a step reads one small number of each candidate, and evaluates little more than the pairs that touch.
 
 #include <cstdint>
 #include <vector>
@@ -14,7 +14,7 @@
 namespace sazare::methods::spheres {
 
 class PairContacts {
- public:
+public:
   explicit PairContacts(ContactTable table) : table_(std::move(table)) {}
 
   /// Sorts the spheres along a curve and finds all pairs nearer than the margin [m]; what touches goes on remembering.
@@ -43,7 +43,7 @@ class PairContacts {
     Real x = 0, y = 0, z = 0, unused = 0;
   };
 
- private:
+private:
   struct AwakePair {
     Index first, second;
     std::uint32_t pair;
@@ -71,10 +71,10 @@ class PairContacts {
 
   ContactTable table_;
   neighbors::SpherePairs pairs_;
-  std::vector<Index> owner_;           ///< by pair: its first sphere
-  std::vector<float> sleeps_until_;    ///< by pair: the approach at which it may touch [m]; 0 while it touches, -1 when it is new
-  std::vector<Memory> sliding_;        ///< by pair; zero where they do not touch
-  std::vector<Memory> rolling_;        ///< by pair; empty where nothing resists rolling
+  std::vector<Index> owner_;         ///< by pair: its first sphere
+  std::vector<float> sleeps_until_;  ///< by pair: the approach at which it may touch [m]; 0 while it touches, -1 when it is new
+  std::vector<Memory> sliding_;      ///< by pair; zero where they do not touch
+  std::vector<Memory> rolling_;      ///< by pair; empty where nothing resists rolling
 };
 
 }  // namespace sazare::methods::spheres

@@ -43,7 +43,8 @@ struct WallPose {
     pose.spin = motion.spin;
     const Real rate = motion.spin.norm();
     if (rate > 0)
-      pose.turn = Eigen::AngleAxis<Real>(std::remainder(rate * time, 2 * std::numbers::pi), motion.spin / rate).toRotationMatrix();
+      pose.turn =
+          Eigen::AngleAxis<Real>(std::remainder(rate * time, 2 * std::numbers::pi), motion.spin / rate).toRotationMatrix();
     return pose;
   }
 
@@ -56,8 +57,8 @@ struct WallPose {
 struct Wall {
   std::string name;
   Index material = 0;
-  Vector3 point = Vector3::Zero();    ///< of a plane, at the start [m]
-  Vector3 normal = Vector3::UnitZ();  ///< of a plane, into the room for spheres
+  Vector3 point = Vector3::Zero();            ///< of a plane, at the start [m]
+  Vector3 normal = Vector3::UnitZ();          ///< of a plane, into the room for spheres
   std::vector<geometry::Triangle> triangles;  ///< at the start [m]; none: a plane
   WallMotion motion;
 

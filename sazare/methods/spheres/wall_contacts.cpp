@@ -9,12 +9,13 @@ namespace sazare::methods::spheres {
 
 namespace {
 
-constexpr Real same_plane = 1e-6;      // of a radius: a point that little before a tangent plane lies in it
-constexpr Real same_direction = 0.9;   // cosine between the normals of one contact at two steps
+constexpr Real same_plane = 1e-6;     // of a radius: a point that little before a tangent plane lies in it
+constexpr Real same_direction = 0.9;  // cosine between the normals of one contact at two steps
 
 }  // namespace
 
-WallContacts::WallContacts(ContactTable table, std::vector<Wall> walls, Real reach) : table_(std::move(table)), walls_(std::move(walls)) {
+WallContacts::WallContacts(ContactTable table, std::vector<Wall> walls, Real reach)
+    : table_(std::move(table)), walls_(std::move(walls)) {
   for (const Wall& wall : walls_) grids_.emplace_back(wall.triangles, reach);
   poses_.resize(walls_.size());
   move(0);
@@ -36,7 +37,8 @@ void WallContacts::find(const state::Spheres& spheres, Real time, Real margin, s
   }
   blocks_.assign((spheres.size() + neighbors::block_size - 1) / neighbors::block_size, {});
   for (Block& block : blocks_) block.loads.resize(walls_.size());
-  for (const Touch& touch : kept) blocks_[static_cast<std::size_t>(touch.sphere) / neighbors::block_size].touches.push_back(touch);
+  for (const Touch& touch : kept)
+    blocks_[static_cast<std::size_t>(touch.sphere) / neighbors::block_size].touches.push_back(touch);
   parallel::parallel_for(blocks_.size(), 2, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin * neighbors::block_size; i < std::min(end * neighbors::block_size, spheres.size()); ++i) {
       const state::SpherePlace& place = spheres.place[i];
@@ -66,14 +68,17 @@ void WallContacts::find_touches(const state::SpherePlace& place, std::span<const
     const Vector3 centre = poses_[w].into(place.centre());
     if (wall.is_plane()) {
       const Real distance = (centre - wall.point).dot(wall.normal);
-      if (distance < place.radius) points.push_back({one.wall, place.radius - distance, centre - distance * wall.normal, wall.normal});
+      if (distance < place.radius)
+        points.push_back({one.wall, place.radius - distance, centre - distance * wall.normal, wall.normal});
       continue;
     }
     const Vector3 foot = geometry::nearest_point(wall.triangles[static_cast<std::size_t>(one.triangle)], centre);
     const Real distance = (centre - foot).norm();
-    if (distance < place.radius && distance > 0) points.push_back({one.wall, place.radius - distance, foot, (centre - foot) / distance});
+    if (distance < place.radius && distance > 0)
+      points.push_back({one.wall, place.radius - distance, foot, (centre - foot) / distance});
   }
-  std::ranges::stable_sort(points, [](const Point& a, const Point& b) { return a.wall != b.wall ? a.wall < b.wall : a.overlap > b.overlap; });
+  std::ranges::stable_sort(
+      points, [](const Point& a, const Point& b) { return a.wall != b.wall ? a.wall < b.wall : a.overlap > b.overlap; });
   std::size_t kept = 0;
   for (const Point& point : points) {
     const bool counts = std::all_of(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(kept), [&](const Point& before) {
@@ -116,7 +121,8 @@ ContactSums WallContacts::push(const state::Spheres& spheres, const Point& point
   load.mz += moment.z();
   const Vector3 foot = centre - arm * point.normal - poses_[w].pivot - poses_[w].shift;
   const Vector3 rolling_moment = -place.radius * point.normal.cross(vector(force.rolling));
-  block.loads[w] += {-push, rolling_moment - foot.cross(push), step * (push.dot(wall_velocity) - rolling_moment.dot(poses_[w].spin))};
+  block.loads[w] +=
+      {-push, rolling_moment - foot.cross(push), step * (push.dot(wall_velocity) - rolling_moment.dot(poses_[w].spin))};
   return {force.elastic_energy, force.sliding_energy, step * force.dashpot_power, step * force.sliding_power, 1};
 }
 
@@ -151,8 +157,9 @@ ContactSums WallContacts::evaluate(const state::Spheres& spheres, std::size_t nu
           break;
         }
       state::SphereLoad& load = own[static_cast<std::size_t>(sphere) - number * neighbors::block_size];
-      sums += table_.model == laws::ContactModel::hertz ? push<laws::ContactModel::hertz>(spheres, point, touch, step, block, load)
-                                                        : push<laws::ContactModel::linear>(spheres, point, touch, step, block, load);
+      sums += table_.model == laws::ContactModel::hertz
+                  ? push<laws::ContactModel::hertz>(spheres, point, touch, step, block, load)
+                  : push<laws::ContactModel::linear>(spheres, point, touch, step, block, load);
       block.touches.push_back(touch);
     }
   }

@@ -2,9 +2,9 @@
 
 /// Contacts of spheres with walls.
 ///
-/// A sphere touches a surface of triangles in the points where it is nearest to one of them. Of these the deepest comes first, and
-/// each further one counts only when it lies in front of the tangent planes of those before: so a flat surface, an outer edge or a
-/// corner pushes once, however many triangles share it, and the two sides of a groove push both.
+/// A sphere touches a surface of triangles in the points where it is nearest to one of them. Of these the deepest comes first,
+/// and each further one counts only when it lies in front of the tangent planes of those before: so a flat surface, an outer edge
+/// or a corner pushes once, however many triangles share it, and the two sides of a groove push both.
 
 #include <span>
 
@@ -15,7 +15,7 @@
 namespace sazare::methods::spheres {
 
 class WallContacts {
- public:
+public:
   /// Materials of walls are numbered like those of the spheres. `reach`: largest radius and margin together [m].
   WallContacts(ContactTable table, std::vector<Wall> walls, Real reach);
 
@@ -45,13 +45,13 @@ class WallContacts {
     Vector3 rolling = Vector3::Zero();  ///< [m]
   };
 
- private:
+private:
   struct Near {
     Index sphere = 0, wall = 0;
     std::int32_t triangle = -1;
   };
   struct Block {
-    std::vector<Near> near;    ///< by sphere
+    std::vector<Near> near;      ///< by sphere
     std::vector<Touch> touches;  ///< by sphere
     std::vector<Touch> before;
     std::vector<WallLoad> loads;  ///< by wall
@@ -64,7 +64,8 @@ class WallContacts {
 
   void find_touches(const state::SpherePlace& place, std::span<const Near> near, std::vector<Point>& points) const;
   template <laws::ContactModel model>
-  ContactSums push(const state::Spheres& spheres, const Point& point, Touch& touch, Real step, Block& block, state::SphereLoad& load) const;
+  ContactSums push(const state::Spheres& spheres, const Point& point, Touch& touch, Real step, Block& block,
+                   state::SphereLoad& load) const;
 
   ContactTable table_;
   std::vector<Wall> walls_;

@@ -24,7 +24,7 @@ Real depth(const geometry::Tetrahedron& corners, int face, const Vector3& point)
 }
 
 class ContactSpheres : public testing::Test {
- protected:
+protected:
   template <class Check>
   void each_sphere(Check&& check) {
     std::mt19937_64 random(2);

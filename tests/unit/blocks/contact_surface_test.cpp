@@ -16,7 +16,7 @@ constexpr int division = 5;
 
 /// Blocks of several sizes at random, some faces open; spheres are numbered as the faces were opened.
 class Crowd {
- public:
+public:
   explicit Crowd(unsigned seed) : random_(seed), surface_(body_count, division, skin) {
     for (Index body = 0; body < body_count; ++body) {
       poses_.push_back(random_pose());
@@ -66,7 +66,7 @@ class Crowd {
     return found;
   }
 
- private:
+private:
   Real number(Real from, Real to) { return std::uniform_real_distribution<Real>(from, to)(random_); }
   state::Pose<3> random_pose() {
     const Quaternion turn = Quaternion(number(-1, 1), number(-1, 1), number(-1, 1), number(-1, 1)).normalized();
@@ -89,7 +89,8 @@ class Crowd {
 
 int expect_as_brute_force(const Crowd& crowd, const ContactSurface& surface, Index body) {
   const auto expected = crowd.by_brute_force(body);
-  const auto found = surface.search(body, [](Index) { return false; }, crowd.pose_of());
+  const auto found = surface.search(
+      body, [](Index) { return false; }, crowd.pose_of());
   EXPECT_EQ(found.size(), expected.size());
   auto next = expected.begin();
   int pairs = 0;
@@ -127,7 +128,8 @@ TEST(contact_surface, overlaps_are_those_of_the_present_places) {
   int overlapping = 0;
   for (const Index body : crowd.surface().bodies()) {
     const auto expected = crowd.by_brute_force(body);
-    for (const NearPair& near : crowd.surface().search(body, [](Index) { return false; }, crowd.pose_of()))
+    for (const NearPair& near : crowd.surface().search(
+             body, [](Index) { return false; }, crowd.pose_of()))
       for (const SpherePair& pair : near.spheres)
         for (const SpherePair& same : expected.at(near.first == body ? near.second : near.first))
           if (same.first == pair.first && same.second == pair.second) {
@@ -141,7 +143,8 @@ TEST(contact_surface, overlaps_are_those_of_the_present_places) {
 TEST(contact_surface, leaves_out_partners_that_are_skipped) {
   Crowd crowd(3);
   for (const Index body : crowd.surface().bodies())
-    for (const auto& near : crowd.surface().search(body, [](Index partner) { return partner % 2 == 0; }, crowd.pose_of()))
+    for (const auto& near : crowd.surface().search(
+             body, [](Index partner) { return partner % 2 == 0; }, crowd.pose_of()))
       EXPECT_EQ((near.first == body ? near.second : near.first) % 2, 1);
 }
 

@@ -12,11 +12,11 @@ namespace {
 
 /// A checkpoint whose bodies can be exchanged for those of another one.
 class ExchangedBodies final : public Archive {
- public:
+public:
   ExchangedBodies(test::MemoryArchive& own, state::Bodies<3> bodies) : own_(own), bodies_(std::move(bodies)) {}
   bool reading() const override { return true; }
 
- protected:
+protected:
   void write(const std::string&, std::span<const std::byte>) override {}
   std::vector<std::byte> read(const std::string& name) override {
     const auto bytes_of = [](const auto& column) {
@@ -28,7 +28,7 @@ class ExchangedBodies final : public Archive {
     return own_.columns().at(name);
   }
 
- private:
+private:
   test::MemoryArchive& own_;
   state::Bodies<3> bodies_;
 };
@@ -106,9 +106,8 @@ TEST(failed_joint, released_faces_that_overlap_do_not_fly_apart) {
   state::Bodies<3> bodies = model.simulation->bodies();
   for (auto& motion : bodies.motion) motion.velocity.setZero();
   bodies.motion[1].spin = {0, -400, 0};  // opens above the hinge, closes below it
-  bodies.motion[1].angular_momentum =
-      bodies.motion[1].rotation * bodies.inertia[1].inverse_moments.cwiseInverse().asDiagonal() *
-      bodies.motion[1].rotation.transpose() * bodies.motion[1].spin;
+  bodies.motion[1].angular_momentum = bodies.motion[1].rotation * bodies.inertia[1].inverse_moments.cwiseInverse().asDiagonal() *
+                                      bodies.motion[1].rotation.transpose() * bodies.motion[1].spin;
   set_bodies(*model.simulation, bodies);
   model.simulation->start();
   while (model.joints->broken_count() == 0 && model.simulation->now().seconds() < 1e-4) model.simulation->advance();

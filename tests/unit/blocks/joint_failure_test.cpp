@@ -5,8 +5,8 @@
 namespace sazare::methods::blocks {
 namespace {
 
-using terms::Account;
 using sazare::test::BondedPair;
+using terms::Account;
 
 constexpr Real elastic_opening = 6.66e6 / 450e9, failure_opening = 2 * 99.67 / 6.66e6;
 

@@ -67,8 +67,7 @@ TEST(joint_force, action_and_reaction_leave_no_force_and_no_moment) {
   const Real size = forces[0].linear.norm();
   EXPECT_LT((forces[0].linear + forces[1].linear).norm(), 1e-15 * size);
   Vector3 moments = forces[0].angular + forces[1].angular;
-  for (std::size_t body = 0; body < 2; ++body)
-    moments += moment(pair.bodies().motion[body].position, forces[body].linear);
+  for (std::size_t body = 0; body < 2; ++body) moments += moment(pair.bodies().motion[body].position, forces[body].linear);
   EXPECT_LT(moments.norm(), 1e-14 * size * 0.1);
 }
 

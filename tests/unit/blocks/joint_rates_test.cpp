@@ -43,8 +43,7 @@ Real largest(const Matrix6& matrix, const state::Bodies<3>& bodies, Index body, 
   const Matrix3 rotation = bodies.motion[static_cast<std::size_t>(body)].rotation;
   Matrix6 mass = Matrix6::Zero();
   mass.topLeftCorner<3, 3>().diagonal().setConstant(inertia.mass);
-  mass.bottomRightCorner<3, 3>() =
-      rotation * inertia.inverse_moments.cwiseInverse().asDiagonal() * rotation.transpose();
+  mass.bottomRightCorner<3, 3>() = rotation * inertia.inverse_moments.cwiseInverse().asDiagonal() * rotation.transpose();
   const auto n = static_cast<Eigen::Index>(free.size());
   Eigen::MatrixXd k(n, n), m(n, n);
   for (Eigen::Index i = 0; i < n; ++i)

@@ -1,6 +1,5 @@
 #include "case_folder.hpp"
 
-
 #include <gtest/gtest.h>
 
 #include "sazare/core/error.hpp"

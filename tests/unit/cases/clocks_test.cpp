@@ -84,8 +84,7 @@ TEST(Clocks, TheSuggestedIntervalIsAccepted) {
     ASSERT_NE(at, std::string::npos) << message;
     const std::size_t begin = at + words.size();
     auto corrected = overrides;
-    corrected.push_back("time." + key + "=" +
-                        message.substr(begin, message.find_first_of(",\n", begin) - begin));
+    corrected.push_back("time." + key + "=" + message.substr(begin, message.find_first_of(",\n", begin) - begin));
     EXPECT_NO_THROW(expect_nested(folder.read(smallest_case(), corrected).blocks().time)) << corrected.back();
   }
 }

@@ -37,16 +37,18 @@ TEST(motion_file, csv_is_taken_in_the_unit_of_its_header) {
 }
 
 TEST(motion_file, peer_record) {
-  const Motion motion = read("a.AT2", "PEER\nevent\nACCELERATION TIME HISTORY IN UNITS OF G\nNPTS=  3, DT= .0050 SEC\n  .1E+00 -2.0E-01\n  3.0E-01\n");
+  const Motion motion = read(
+      "a.AT2", "PEER\nevent\nACCELERATION TIME HISTORY IN UNITS OF G\nNPTS=  3, DT= .0050 SEC\n  .1E+00 -2.0E-01\n  3.0E-01\n");
   EXPECT_DOUBLE_EQ(motion.record.step, 0.005);
   ASSERT_EQ(motion.record.value.size(), 3);
   EXPECT_DOUBLE_EQ(motion.record.value[1], -0.2 * 9.80665);
 }
 
 TEST(motion_file, knet_record_in_counts_about_its_mean) {
-  const Motion motion = read("a.EW",
-                             "Origin Time       2011/03/11 14:46:00\nSampling Freq(Hz) 100Hz\nScale Factor      3920(gal)/6182761\n"
-                             "Max. Acc. (gal)   1.0\nMemo.\n   1000   1200   800   1000\n");
+  const Motion motion =
+      read("a.EW",
+           "Origin Time       2011/03/11 14:46:00\nSampling Freq(Hz) 100Hz\nScale Factor      3920(gal)/6182761\n"
+           "Max. Acc. (gal)   1.0\nMemo.\n   1000   1200   800   1000\n");
   EXPECT_DOUBLE_EQ(motion.record.step, 0.01);
   ASSERT_EQ(motion.record.value.size(), 4);
   EXPECT_NEAR(motion.record.value[1], 200 * 0.01 * 3920 / 6182761, 1e-15);

@@ -27,13 +27,16 @@ TEST(mps_case, third_velocity_follows_from_the_other_two) {
   const std::vector<std::string> by_ratio = {"materials.0.shear_velocity=100"};
   const MpsCase mps = read_case("cases/stability-study/column-s.toml", by_ratio).mps();
   EXPECT_NEAR(mps.materials[0].pressure_velocity, 200, 1e-9);
-  const MpsCase other = read_case("cases/stability-study/column-p.toml", std::vector<std::string>{"materials.0.pressure_velocity=400"}).mps();
+  const MpsCase other =
+      read_case("cases/stability-study/column-p.toml", std::vector<std::string>{"materials.0.pressure_velocity=400"}).mps();
   EXPECT_NEAR(other.materials[0].shear_velocity, 200, 1e-9);
 }
 
 TEST(mps_case, is_explained_with_the_drift_of_its_record) {
   const std::string text = explain(read_case("cases/soil-column-el-centro/case.toml").mps());
-  EXPECT_NE(text.find("el-centro: el-centro-1940-ns.AT2, acceleration of 1560 samples every 0.02 s, times 0.5"), std::string::npos) << text;
+  EXPECT_NE(text.find("el-centro: el-centro-1940-ns.AT2, acceleration of 1560 samples every 0.02 s, times 0.5"),
+            std::string::npos)
+      << text;
   EXPECT_NE(text.find("baseline linear: at its end it moves at -0.004338 m/s, -0.02754 m away"), std::string::npos) << text;
   const std::string raw =
       explain(read_case("cases/soil-column-el-centro/case.toml", std::vector<std::string>{"motions.0.baseline=\"none\""}).mps());
@@ -72,8 +75,9 @@ values = [1.0]
 )");
   EXPECT_NE(text.find("study.toml:5:8: error: case file not found: nowhere.toml"), std::string::npos) << text;
   EXPECT_NE(text.find("study.toml:8:8: error: there are 3 keys and 1 families"), std::string::npos) << text;
-  const std::string values = words("[study]\ntitle = \"s\"\n[[families]]\nname = \"a\"\ncase = \"x\"\n[[parameters]]\nname = \"p\"\n"
-                                   "keys = [\"time.end\"]\nvalues = [\"1 m\"]\n");
+  const std::string values = words(
+      "[study]\ntitle = \"s\"\n[[families]]\nname = \"a\"\ncase = \"x\"\n[[parameters]]\nname = \"p\"\n"
+      "keys = [\"time.end\"]\nvalues = [\"1 m\"]\n");
   EXPECT_NE(values.find("error: values: a number was expected, found the string \"1 m\""), std::string::npos) << values;
 }
 

@@ -11,8 +11,7 @@ namespace sazare::cases {
 namespace {
 
 /// True when the text was read; a refusal must say where and how many errors there are.
-bool read_or_refused(const CaseFolder& folder, const std::string& text,
-                     const std::vector<std::string>& overrides = {}) {
+bool read_or_refused(const CaseFolder& folder, const std::string& text, const std::vector<std::string>& overrides = {}) {
   try {
     const CaseFile file = folder.read(text, overrides);
     EXPECT_NO_THROW(folder.read(write_resolved(file.blocks()))) << text;
@@ -28,8 +27,7 @@ bool read_or_refused(const CaseFolder& folder, const std::string& text,
 TEST(DamagedCase, CutAnywhere) {
   const CaseFolder folder;
   const std::string text = full_case();
-  for (std::size_t length = 0; length < text.size(); length += 3)
-    read_or_refused(folder, text.substr(0, length));
+  for (std::size_t length = 0; length < text.size(); length += 3) read_or_refused(folder, text.substr(0, length));
 }
 
 TEST(DamagedCase, WithoutAnyOneLine) {
@@ -77,8 +75,7 @@ TEST(DamagedCase, WithValuesExchanged) {
     const std::size_t end = text.find('\n', begin);
     const std::size_t equals = text.find(" = ", begin);
     if (equals < end)
-      for (const std::string& value : values)
-        read_or_refused(folder, text.substr(0, equals + 3) + value + text.substr(end));
+      for (const std::string& value : values) read_or_refused(folder, text.substr(0, equals + 3) + value + text.substr(end));
     begin = end + 1;
   }
 }

@@ -9,9 +9,8 @@ TEST(Overrides, ReplaceNumbersTextsAndLists) {
   const CaseFolder folder;
   const BlocksCase blocks =
       folder
-          .read(full_case(),
-                {"time.end=1e-3", "joints.0.cohesion=5e6", "time.limiter=stability", "case.title=\"Other\"",
-                 "gauges.0.point=[1, 2, 3]", "materials.0.regions=[\"a\", \"b\"]", "time.strict=false"})
+          .read(full_case(), {"time.end=1e-3", "joints.0.cohesion=5e6", "time.limiter=stability", "case.title=\"Other\"",
+                              "gauges.0.point=[1, 2, 3]", "materials.0.regions=[\"a\", \"b\"]", "time.strict=false"})
           .blocks();
   EXPECT_EQ(blocks.time.end, 1e-3);
   EXPECT_EQ(blocks.joints[0].cohesion, 5e6);
@@ -24,8 +23,7 @@ TEST(Overrides, ReplaceNumbersTextsAndLists) {
 
 TEST(Overrides, ReachInsideListsAndInlineTables) {
   const CaseFolder folder;
-  const BlocksCase blocks =
-      folder.read(full_case(), {"gauges.0.point.2=0.5", "mesh.parameters.depth=0.2"}).blocks();
+  const BlocksCase blocks = folder.read(full_case(), {"gauges.0.point.2=0.5", "mesh.parameters.depth=0.2"}).blocks();
   EXPECT_EQ(blocks.gauges[0].point, Vector3(0.3, 0.6, 0.5));
   EXPECT_EQ(blocks.mesh.parameters[0].second, 0.2);
 }

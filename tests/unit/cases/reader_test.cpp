@@ -87,8 +87,7 @@ TEST(Reader, AcceptsTheLargestStrengthItSuggests) {
   EXPECT_NE(message.find("9.471e6 Pa"), std::string::npos) << message;
   EXPECT_NE(message.find("444.5 N/m"), std::string::npos) << message;
   EXPECT_NO_THROW(folder.read(smallest_case(), {"joints.0.tensile_strength=9.471e6"}));
-  EXPECT_NO_THROW(
-      folder.read(smallest_case(), {"joints.0.tensile_strength=2e7", "joints.0.fracture_energy=444.5"}));
+  EXPECT_NO_THROW(folder.read(smallest_case(), {"joints.0.tensile_strength=2e7", "joints.0.fracture_energy=444.5"}));
 }
 
 TEST(Reader, KeepsPlacesForWhatTheEngineFindsOut) {

@@ -46,8 +46,7 @@ TEST(Resolved, HoldsEveryKey) {
   for (const Table& table : blocks_schema()) {
     for (const Key& key : table.keys) {
       if (key.name == "friction_angle") continue;  // written as friction_coefficient
-      EXPECT_NE(text.find("\n" + std::string(key.name) + " = "), std::string::npos)
-          << table.name << "." << key.name;
+      EXPECT_NE(text.find("\n" + std::string(key.name) + " = "), std::string::npos) << table.name << "." << key.name;
     }
   }
 }

@@ -19,7 +19,8 @@ namespace {
 /// Tables of all methods and of studies.
 std::vector<Table> all_tables() {
   std::vector<Table> tables;
-  for (const auto schema : {blocks_schema(), mps_schema(), rectangles_schema(), spheres_schema(), study_schema()}) tables.insert(tables.end(), schema.begin(), schema.end());
+  for (const auto schema : {blocks_schema(), mps_schema(), rectangles_schema(), spheres_schema(), study_schema()})
+    tables.insert(tables.end(), schema.begin(), schema.end());
   return tables;
 }
 
@@ -91,16 +92,14 @@ TEST(Schema, JsonIsValidAndClosed) {
   EXPECT_EQ(joints["items"]["properties"]["normal_stiffness"]["exclusiveMinimum"], 0);
   EXPECT_EQ(json["properties"]["contact"]["properties"]["edge_division"]["maximum"], 20);
   EXPECT_EQ(json["properties"]["time"]["required"], nlohmann::json::array({"end"}));
-  EXPECT_EQ(json["properties"]["time"]["properties"]["limiter"]["enum"],
-            nlohmann::json::array({"stability", "travel", "none"}));
+  EXPECT_EQ(json["properties"]["time"]["properties"]["limiter"]["enum"], nlohmann::json::array({"stability", "travel", "none"}));
 }
 
 TEST(Schema, MarkdownHasARowForEveryKey) {
   const std::string text = schema_markdown();
   for (const Table& table : all_tables())
     for (const Key& key : table.keys)
-      EXPECT_NE(text.find("| `" + std::string(key.name) + "` |"), std::string::npos)
-          << table.name << "." << key.name;
+      EXPECT_NE(text.find("| `" + std::string(key.name) + "` |"), std::string::npos) << table.name << "." << key.name;
 }
 
 /// SAZARE_WRITE_REFERENCE=1 in the environment writes the page anew.

@@ -46,8 +46,7 @@ TEST(Suggestion, NamesTheNearestOrAll) {
   EXPECT_EQ(suggestion("holes", words, "surfaces"), "did you mean \"hole\"?");
   EXPECT_EQ(suggestion("bottom", words, "surfaces"), "the surfaces are \"hole\" and \"left\"");
   EXPECT_EQ(suggestion("bottom", {}, "surfaces"), "there are no surfaces");
-  EXPECT_EQ(full_suggestion("holes", words, "surfaces"),
-            "did you mean \"hole\"? the surfaces are \"hole\" and \"left\"");
+  EXPECT_EQ(full_suggestion("holes", words, "surfaces"), "did you mean \"hole\"? the surfaces are \"hole\" and \"left\"");
 }
 
 }  // namespace

@@ -41,9 +41,7 @@ Real imbalance_after(Policy policy, int intervals, const std::vector<Real>& due)
   return largest / smallest;
 }
 
-TEST(balance, fixed_ranges_stay) {
-  EXPECT_NEAR(imbalance_after(Policy::fixed, 5, {}), (3000 + 150.0) / 250, 1e-9);
-}
+TEST(balance, fixed_ranges_stay) { EXPECT_NEAR(imbalance_after(Policy::fixed, 5, {}), (3000 + 150.0) / 250, 1e-9); }
 
 TEST(balance, measured_times_make_ranges_of_equal_cost) { EXPECT_LT(imbalance_after(Policy::measured, 12, {}), 1.5); }
 

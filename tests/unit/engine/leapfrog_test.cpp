@@ -95,8 +95,7 @@ void step_by_hand(test::Network<2>& network, Real acting) {
     const Real inverse_mass = 1 / inertia.mass;
     for (int i = 0; i < 2; ++i) {
       motion.velocity[i] = motion.velocity[i] + inverse_mass * sum[body].linear[i];
-      motion.foreseen_velocity[i] =
-          motion.velocity[i] + inverse_mass * (h * sum[body].force[i] - sum[body].linear_ahead[i]);
+      motion.foreseen_velocity[i] = motion.velocity[i] + inverse_mass * (h * sum[body].force[i] - sum[body].linear_ahead[i]);
       motion.position[i] = motion.position[i] + h * motion.velocity[i];
     }
     motion.angular_momentum[0] = motion.angular_momentum[0] + sum[body].angular[0];
@@ -145,8 +144,7 @@ TEST(leapfrog, one_level_in_space_is_the_step_by_hand_bit_for_bit) {
       const Real inverse_mass = 1 / by_hand.bodies.inertia[body].mass;
       for (int i = 0; i < 3; ++i) {
         motion.velocity[i] = motion.velocity[i] + inverse_mass * sum[body].linear[i];
-        motion.foreseen_velocity[i] =
-            motion.velocity[i] + inverse_mass * (h * sum[body].force[i] - sum[body].linear_ahead[i]);
+        motion.foreseen_velocity[i] = motion.velocity[i] + inverse_mass * (h * sum[body].force[i] - sum[body].linear_ahead[i]);
         motion.position[i] = motion.position[i] + h * motion.velocity[i];
       }
     }

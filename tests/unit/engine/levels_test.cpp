@@ -35,7 +35,8 @@ TEST(levels, a_body_gets_the_coarsest_step_within_its_own_limit) {
   auto simulation = network.simulation({.base_step = 1.0, .stability_fraction = 0.5});
   simulation.start();
   const std::array<int, 5> expected = {0, 2, 3, 4, 3};
-  for (Index body = 0; body < 5; ++body) EXPECT_EQ(simulation.levels().level(body), expected[static_cast<std::size_t>(body)]) << body;
+  for (Index body = 0; body < 5; ++body)
+    EXPECT_EQ(simulation.levels().level(body), expected[static_cast<std::size_t>(body)]) << body;
   EXPECT_EQ(simulation.levels().finest(), 4);
   EXPECT_EQ(simulation.levels().step(4), 1.0 / 16);
   EXPECT_EQ(simulation.take_smallest_step(), 1.0 / 16);

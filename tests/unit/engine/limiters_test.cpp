@@ -5,9 +5,7 @@
 namespace sazare::engine {
 namespace {
 
-TEST(limiters, without_dashpots_the_limit_is_two_over_the_frequency) {
-  EXPECT_DOUBLE_EQ(stable_step({100.0, 0}), 0.2);
-}
+TEST(limiters, without_dashpots_the_limit_is_two_over_the_frequency) { EXPECT_DOUBLE_EQ(stable_step({100.0, 0}), 0.2); }
 
 TEST(limiters, without_springs_it_is_one_over_the_rate_of_the_dashpot) { EXPECT_DOUBLE_EQ(stable_step({0, 10.0}), 0.1); }
 

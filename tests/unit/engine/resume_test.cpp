@@ -10,9 +10,7 @@
 namespace sazare::engine {
 namespace {
 
-StepRules travel() {
-  return {.base_step = 0.04, .stability = false, .travel_length = 0.01, .neighbor_levels = 2};
-}
+StepRules travel() { return {.base_step = 0.04, .stability = false, .travel_length = 0.01, .neighbor_levels = 2}; }
 
 template <int D>
 void expect_same_run(const StepRules& rules, int before, int after) {

@@ -14,8 +14,7 @@ test::Network<2> collision() {
   test::Network<2> made;
   for (int i = 0; i < 4; ++i) state::add_body(made.bodies, 1.0, Vector<2>(i == 0 ? -0.0085 : i, 0), 1.0, 0.0);
   made.bodies.motion[0].velocity.x() = 1;
-  for (Index i = 0; i < 3; ++i)
-    made.springs.push_back({i, i + 1, Vector<2>::Zero(), Vector<2>::Zero(), 1.0, 1e4, 0, i == 0});
+  for (Index i = 0; i < 3; ++i) made.springs.push_back({i, i + 1, Vector<2>::Zero(), Vector<2>::Zero(), 1.0, 1e4, 0, i == 0});
   return made;
 }
 
@@ -26,9 +25,9 @@ StepRules rules(int neighbor_levels) {
 }
 
 struct Seen {
-  Tick first_kick = -1;   ///< that sets the struck body in motion
-  Real longest = 0;       ///< travel in a step, of all bodies
-  int difference = 0;     ///< of levels between neighbours, after settling
+  Tick first_kick = -1;  ///< that sets the struck body in motion
+  Real longest = 0;      ///< travel in a step, of all bodies
+  int difference = 0;    ///< of levels between neighbours, after settling
   Real last_position = 0;
 };
 
@@ -51,7 +50,8 @@ Seen collide(const test::Network<2>& network, const StepRules& step_rules, Real 
   while (simulation.now().seconds() < seconds) {
     simulation.advance();
     for (Index body = 0; body < 3; ++body)
-      seen.difference = std::max(seen.difference, std::abs(simulation.levels().level(body) - simulation.levels().level(body + 1)));
+      seen.difference =
+          std::max(seen.difference, std::abs(simulation.levels().level(body) - simulation.levels().level(body + 1)));
   }
   seen.last_position = simulation.snapshot().pose[3].position.x();
   return seen;

@@ -26,8 +26,7 @@ TetraMesh block(int n) {
       for (int x = 0; x <= n; ++x) mesh.nodes.emplace_back(x, y, z);
     }
   }
-  constexpr std::array<std::array<int, 3>, 6> orders = {
-      {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
+  constexpr std::array<std::array<int, 3>, 6> orders = {{{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
   for (int z = 0; z < n; ++z) {
     for (int y = 0; y < n; ++y) {
       for (int x = 0; x < n; ++x) {
@@ -41,8 +40,7 @@ TetraMesh block(int n) {
           }
           mesh.tetrahedra.push_back(corners);
           const auto element = static_cast<std::int32_t>(mesh.tetrahedra.size() - 1);
-          if (volume(corners_of(mesh, element)) < 0)
-            std::swap(mesh.tetrahedra.back()[2], mesh.tetrahedra.back()[3]);
+          if (volume(corners_of(mesh, element)) < 0) std::swap(mesh.tetrahedra.back()[2], mesh.tetrahedra.back()[3]);
         }
       }
     }
@@ -76,15 +74,13 @@ TEST(face_map, agrees_with_a_plain_search) {
   std::set<std::array<int, 4>> expected;
   std::set<std::pair<int, int>> expected_outer;
   for (const auto& [key, sides] : plain) {
-    if (sides.size() == 2)
-      expected.insert({sides[0].first, sides[1].first, sides[0].second, sides[1].second});
+    if (sides.size() == 2) expected.insert({sides[0].first, sides[1].first, sides[0].second, sides[1].second});
     if (sides.size() == 1) expected_outer.insert(sides[0]);
   }
   const FaceMap faces = build_face_map(mesh);
   std::set<std::array<int, 4>> found;
   std::set<std::pair<int, int>> found_outer;
-  for (const auto& face : faces.interior)
-    found.insert({face.element_i, face.element_j, face.face_i, face.face_j});
+  for (const auto& face : faces.interior) found.insert({face.element_i, face.element_j, face.face_i, face.face_j});
   for (const auto& face : faces.outer) found_outer.emplace(face.element, face.face);
   EXPECT_EQ(found, expected);
   EXPECT_EQ(found_outer, expected_outer);
@@ -96,16 +92,12 @@ TEST(face_map, nodes_are_counter_clockwise_from_outside_of_the_first_element) {
     ASSERT_LT(face.element_i, face.element_j);
     const auto at = [&](std::size_t i) { return mesh.nodes[static_cast<std::size_t>(face.nodes[i])]; };
     const Vector3 normal = (at(1) - at(0)).cross(at(2) - at(0));
-    EXPECT_GT(
-        normal.dot(centroid(corners_of(mesh, face.element_j)) - centroid(corners_of(mesh, face.element_i))),
-        0);
-    for (const auto& [element, local] :
-         {std::pair(face.element_i, face.face_i), {face.element_j, face.face_j}}) {
+    EXPECT_GT(normal.dot(centroid(corners_of(mesh, face.element_j)) - centroid(corners_of(mesh, face.element_i))), 0);
+    for (const auto& [element, local] : {std::pair(face.element_i, face.face_i), {face.element_j, face.face_j}}) {
       const auto& corners = mesh.tetrahedra[static_cast<std::size_t>(element)];
       const std::int32_t opposite = corners[static_cast<std::size_t>(local)];
       EXPECT_EQ(std::count(face.nodes.begin(), face.nodes.end(), opposite), 0);
-      for (const std::int32_t node : face.nodes)
-        EXPECT_EQ(std::count(corners.begin(), corners.end(), node), 1);
+      for (const std::int32_t node : face.nodes) EXPECT_EQ(std::count(corners.begin(), corners.end(), node), 1);
     }
   }
 }
@@ -146,7 +138,7 @@ TEST(face_map, cost_grows_with_the_number_of_elements) {
   };
   const double small = seconds(block(8));   // 3 072 elements
   const double large = seconds(block(32));  // 196 608 elements
-  EXPECT_LT(large, 64 * 8 * small);  // a search of all pairs would take 64 times longer than this ratio of 64
+  EXPECT_LT(large, 64 * 8 * small);         // a search of all pairs would take 64 times longer than this ratio of 64
 }
 
 TEST(face_map, face_of_three_elements_is_refused) {
@@ -185,9 +177,8 @@ TEST(face_map, surface_inside_the_body_finds_interior_faces) {
   std::vector<std::int32_t> expected;
   for (std::size_t i = 0; i < faces.interior.size(); ++i) {
     auto nodes = faces.interior[i].nodes;
-    const bool in_plane = std::all_of(nodes.begin(), nodes.end(), [&](std::int32_t node) {
-      return mesh.nodes[static_cast<std::size_t>(node)].x() == 1;
-    });
+    const bool in_plane = std::all_of(nodes.begin(), nodes.end(),
+                                      [&](std::int32_t node) { return mesh.nodes[static_cast<std::size_t>(node)].x() == 1; });
     if (!in_plane) continue;
     expected.push_back(static_cast<std::int32_t>(i));
     std::swap(nodes[0], nodes[2]);  // any order of the nodes will do

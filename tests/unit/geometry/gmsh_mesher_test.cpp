@@ -27,8 +27,7 @@ Mesh.MeshSizeMax = 0.5;
 
 Real total_volume(const TetraMesh& mesh) {
   Real sum = 0;
-  for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i)
-    sum += volume(corners_of(mesh, static_cast<std::int32_t>(i)));
+  for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i) sum += volume(corners_of(mesh, static_cast<std::int32_t>(i)));
   return sum;
 }
 

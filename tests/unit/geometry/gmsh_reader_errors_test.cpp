@@ -93,26 +93,20 @@ TEST(gmsh_reader_errors, other_number_size) {
 }
 
 TEST(gmsh_reader_errors, second_order) {
-  const std::string words = words_of([](MshWriter& mesh) {
-    mesh.elements[2] = {11, 3, 1, {1, 2, 3, 4, 5, 1, 2, 3, 4, 5}};
-  });
+  const std::string words = words_of([](MshWriter& mesh) { mesh.elements[2] = {11, 3, 1, {1, 2, 3, 4, 5, 1, 2, 3, 4, 5}}; });
   EXPECT_WORDS(words, "$Elements: element 103 is of type 11 (10-node tetrahedron, second order)");
   EXPECT_WORDS(words, "Mesh.ElementOrder = 1");
 }
 
 TEST(gmsh_reader_errors, other_shapes) {
-  const std::string words = words_of([](MshWriter& mesh) {
-    mesh.elements[2] = {5, 3, 1, {1, 2, 3, 4, 5, 1, 2, 3}};
-  });
+  const std::string words = words_of([](MshWriter& mesh) { mesh.elements[2] = {5, 3, 1, {1, 2, 3, 4, 5, 1, 2, 3}}; });
   EXPECT_WORDS(words, "element 103 is of type 5 (8-node hexahedron)");
   EXPECT_WORDS(words, "Recombine");
-  EXPECT_WORDS(words_of([](MshWriter& mesh) { mesh.elements[2].type = 99; }),
-               "type 99, which Sazare does not read");
+  EXPECT_WORDS(words_of([](MshWriter& mesh) { mesh.elements[2].type = 99; }), "type 99, which Sazare does not read");
 }
 
 TEST(gmsh_reader_errors, no_tetrahedra) {
-  EXPECT_WORDS(words_of([](MshWriter& mesh) { mesh.elements.resize(2); }),
-               "$Elements: there are no tetrahedra");
+  EXPECT_WORDS(words_of([](MshWriter& mesh) { mesh.elements.resize(2); }), "$Elements: there are no tetrahedra");
 }
 
 TEST(gmsh_reader_errors, tetrahedra_without_group) {
@@ -127,8 +121,7 @@ TEST(gmsh_reader_errors, volume_in_two_groups) {
 }
 
 TEST(gmsh_reader_errors, inverted_element) {
-  const std::string words =
-      words_of([](MshWriter& mesh) { std::swap(mesh.elements[3].nodes[0], mesh.elements[3].nodes[1]); });
+  const std::string words = words_of([](MshWriter& mesh) { std::swap(mesh.elements[3].nodes[0], mesh.elements[3].nodes[1]); });
   EXPECT_WORDS(words, "1 element inverted, with a volume below zero: 104 (volume -0.166667 m3)");
 }
 
@@ -148,9 +141,7 @@ TEST(gmsh_reader_errors, ten_elements_are_listed_and_the_rest_counted) {
 }
 
 TEST(gmsh_reader_errors, same_element_twice) {
-  const std::string words = words_of([](MshWriter& mesh) {
-    mesh.elements.push_back({4, 3, 2, {2, 5, 3, 4}});
-  });
+  const std::string words = words_of([](MshWriter& mesh) { mesh.elements.push_back({4, 3, 2, {2, 5, 3, 4}}); });
   EXPECT_WORDS(words, "elements 103, 104 and 105 share one face");
 }
 
@@ -166,8 +157,7 @@ TEST(gmsh_reader_errors, elements_on_one_side_of_their_face) {
 
 TEST(gmsh_reader_errors, coordinates_not_finite) {
   for (const char* value : {"nan", "inf", "-inf", "1e999"}) {
-    const std::string words =
-        words_of(replaced(two_tetrahedra().text(), "0 0 1 \n", std::string("0 0 ") + value + " \n"));
+    const std::string words = words_of(replaced(two_tetrahedra().text(), "0 0 1 \n", std::string("0 0 ") + value + " \n"));
     EXPECT_WORDS(words, "node 4 has a coordinate that is not a finite number");
   }
 }
@@ -183,8 +173,7 @@ TEST(gmsh_reader_errors, unknown_node) {
 }
 
 TEST(gmsh_reader_errors, node_number_twice) {
-  EXPECT_WORDS(words_of(replaced(two_tetrahedra().text(), "4 \n5 \n", "4 \n4 \n")),
-               "node 4 stands there twice");
+  EXPECT_WORDS(words_of(replaced(two_tetrahedra().text(), "4 \n5 \n", "4 \n4 \n")), "node 4 stands there twice");
 }
 
 TEST(gmsh_reader_errors, surface_away_from_the_body) {
@@ -203,21 +192,18 @@ TEST(gmsh_reader_errors, words_instead_of_numbers) {
 }
 
 TEST(gmsh_reader_errors, announced_numbers_do_not_hold) {
-  EXPECT_WORDS(words_of(replaced(two_tetrahedra().text(), "$Nodes\n1 5", "$Nodes\n1 6")),
-               "announces 6 nodes and holds 5");
+  EXPECT_WORDS(words_of(replaced(two_tetrahedra().text(), "$Nodes\n1 5", "$Nodes\n1 6")), "announces 6 nodes and holds 5");
   EXPECT_WORDS(words_of(replaced(two_tetrahedra().text(), "$Elements\n4 4", "$Elements\n4 5")),
                "announces 5 elements and holds 4");
   EXPECT_WORDS(words_of(replaced(two_tetrahedra().text(), "$Nodes\n1 5", "$Nodes\n1 900000000")), "room for");
-  EXPECT_WORDS(words_of(replaced(two_tetrahedra().text(), "$Elements\n4 4", "$Elements\n3 3")),
-               "$EndElements should be here");
+  EXPECT_WORDS(words_of(replaced(two_tetrahedra().text(), "$Elements\n4 4", "$Elements\n3 3")), "$EndElements should be here");
   EXPECT_WORDS(words_of(replaced(two_tetrahedra().text(), "$Elements\n4 4", "$Elements\n5 5")),
                "the section ends where an element block's dimension should be");
 }
 
 TEST(gmsh_reader_errors, missing_section) {
   std::string text = two_tetrahedra().text();
-  EXPECT_WORDS(words_of(text.substr(0, text.find("$Elements"))),
-               "the section $Elements is missing: the file was cut short");
+  EXPECT_WORDS(words_of(text.substr(0, text.find("$Elements"))), "the section $Elements is missing: the file was cut short");
   EXPECT_WORDS(words_of(text.substr(0, text.find("$Nodes"))), "the section $Nodes is missing");
 }
 
@@ -240,8 +226,7 @@ MshWriter two_bodies(bool named, const Vector3& offset) {
   mesh.names = {{3, 8, "rock"}, {2, 7, "left"}, {2, 6, "right"}};
   mesh.volume_groups = {{1, {8}}};
   mesh.surface_groups = {{1, {7}}, {2, {6}}};
-  mesh.nodes = {{1, 0, 0},     {1, 1, 0},     {1, 0, 1},     {0, 0, 0},
-                {1, 0.1, 0.1}, {1, 2.1, 0.1}, {1, 0.1, 2.1}, {3, 0, 0}};
+  mesh.nodes = {{1, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 0, 0}, {1, 0.1, 0.1}, {1, 2.1, 0.1}, {1, 0.1, 2.1}, {3, 0, 0}};
   for (std::size_t i = 4; i < 8; ++i) mesh.nodes[i] += offset;
   mesh.elements = {{4, 3, 1, {4, 1, 2, 3}}, {4, 3, 1, {8, 5, 7, 6}}};
   if (named) {
@@ -278,8 +263,7 @@ TEST(gmsh_reader_errors, bodies_apart_or_side_by_side_do_not_touch) {
 
 TEST(gmsh_reader_errors, touching_faces_of_very_different_size_are_found) {
   MshWriter mesh = two_bodies(false, Vector3::Zero());
-  for (std::size_t i = 0; i < 4; ++i)
-    mesh.nodes[i] = Vector3(1, 0.3, 0.3) + 1e-4 * (mesh.nodes[i] - Vector3(1, 0, 0));
+  for (std::size_t i = 0; i < 4; ++i) mesh.nodes[i] = Vector3(1, 0.3, 0.3) + 1e-4 * (mesh.nodes[i] - Vector3(1, 0, 0));
   EXPECT_WORDS(words_of(mesh.text()), "101 and 102");
 }
 
@@ -309,8 +293,7 @@ TEST(gmsh_reader_errors, slab_cut_at_many_places) {
   const std::string content = test::read_text("cases/free-face-blast/slab.msh");
   std::mt19937_64 random(3);
   for (int i = 0; i < 300; ++i) {
-    expect_refused_or_read(folder.path() / "cut.msh", content.substr(0, random() % (content.size() - 1)),
-                           true);
+    expect_refused_or_read(folder.path() / "cut.msh", content.substr(0, random() % (content.size() - 1)), true);
   }
 }
 

@@ -84,8 +84,7 @@ TEST(gmsh_reader, windows_line_ends_and_other_sections_are_passed_over) {
   const TemporaryFolder folder;
   std::string text = two_tetrahedra().text();
   text.insert(text.find("$Nodes"), "$Comments\nmade by hand $ 5\n$EndComments\n");
-  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2)
-    text.replace(at, 1, "\r\n");
+  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2) text.replace(at, 1, "\r\n");
   expect_two_tetrahedra(read_gmsh(folder.write("text.msh", text), 1));
 }
 

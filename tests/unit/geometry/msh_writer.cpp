@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-
 namespace sazare::geometry::test {
 namespace {
 
@@ -107,8 +106,7 @@ std::string write(const MshWriter& mesh, bool binary) {
   }
   head += "$EndMeshFormat\n";
   head += fmt::format("$PhysicalNames\n{}\n", mesh.names.size());
-  for (const auto& group : mesh.names)
-    head += fmt::format("{} {} \"{}\"\n", group.dimension, group.number, group.name);
+  for (const auto& group : mesh.names) head += fmt::format("{} {} \"{}\"\n", group.dimension, group.number, group.name);
   head += "$EndPhysicalNames\n";
   Numbers out(binary);
   write_entities(out, mesh);
@@ -128,8 +126,7 @@ MshWriter two_tetrahedra() {
   mesh.surface_groups = {{1, {7}}};
   mesh.volume_groups = {{1, {8}}, {2, {9}}};
   mesh.nodes = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}};
-  mesh.elements = {
-      {2, 2, 1, {1, 2, 3}}, {2, 2, 1, {2, 5, 3}}, {4, 3, 1, {1, 2, 3, 4}}, {4, 3, 2, {2, 5, 3, 4}}};
+  mesh.elements = {{2, 2, 1, {1, 2, 3}}, {2, 2, 1, {2, 5, 3}}, {4, 3, 1, {1, 2, 3, 4}}, {4, 3, 2, {2, 5, 3, 4}}};
   return mesh;
 }
 

@@ -38,7 +38,8 @@ std::string as_binary(const std::vector<Triangle>& triangles) {
   for (const Triangle& triangle : triangles) {
     float numbers[12] = {};
     for (int corner = 0; corner < 3; ++corner)
-      for (int axis = 0; axis < 3; ++axis) numbers[3 + 3 * corner + axis] = static_cast<float>(triangle[static_cast<std::size_t>(corner)][axis]);
+      for (int axis = 0; axis < 3; ++axis)
+        numbers[3 + 3 * corner + axis] = static_cast<float>(triangle[static_cast<std::size_t>(corner)][axis]);
     bytes.append(reinterpret_cast<const char*>(numbers), sizeof numbers);
     bytes.append(2, '\0');
   }
@@ -67,7 +68,8 @@ TEST(surface_file, reads_a_surface_group_of_a_mesh) {
   const auto file = folder.write("a.msh", test::two_tetrahedra().text());
   EXPECT_EQ(read_surface(file, "floor", 1).size(), 2);
   EXPECT_EQ(read_surface(file, "", 1).size(), 2);
-  EXPECT_NE(words(file, "flor").find("the mesh has no surface group \"flor\"; its groups: floor"), std::string::npos) << words(file, "flor");
+  EXPECT_NE(words(file, "flor").find("the mesh has no surface group \"flor\"; its groups: floor"), std::string::npos)
+      << words(file, "flor");
 }
 
 TEST(surface_file, says_what_is_wrong) {
@@ -75,7 +77,8 @@ TEST(surface_file, says_what_is_wrong) {
   EXPECT_NE(words(folder / "none.stl").find("cannot be read"), std::string::npos);
   EXPECT_NE(words(folder.write("empty.stl", "solid\nendsolid\n")).find("has no triangles"), std::string::npos);
   EXPECT_NE(words(folder.write("cut.stl", "solid\nvertex 0 0 0\nvertex 1 0 0\n")).find("cut short"), std::string::npos);
-  EXPECT_NE(words(folder.write("word.stl", "solid\nvertex 0 zero 0\n")).find("word.stl:2: three numbers were expected"), std::string::npos);
+  EXPECT_NE(words(folder.write("word.stl", "solid\nvertex 0 zero 0\n")).find("word.stl:2: three numbers were expected"),
+            std::string::npos);
   const std::string flat = words(folder.write("flat.stl", as_binary({{Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0)},
                                                                      {Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(2, 0, 0)}})));
   EXPECT_NE(flat.find("1 of 2 triangles have no area, counted from 1: 2;"), std::string::npos) << flat;

@@ -9,8 +9,7 @@ namespace sazare::geometry {
 namespace {
 
 const Tetrahedron unit = {Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1)};
-const Tetrahedron skewed = {Vector3(0.3, -0.2, 1.1), Vector3(2.0, 0.4, 0.9), Vector3(0.1, 1.7, 1.4),
-                            Vector3(0.8, 0.6, 3.2)};
+const Tetrahedron skewed = {Vector3(0.3, -0.2, 1.1), Vector3(2.0, 0.4, 0.9), Vector3(0.1, 1.7, 1.4), Vector3(0.8, 0.6, 3.2)};
 
 TEST(tetrahedron, volume_and_centroid_of_the_unit_corner) {
   EXPECT_DOUBLE_EQ(volume(unit), 1.0 / 6);
@@ -49,8 +48,8 @@ TEST(tetrahedron, inertia_agrees_with_sampling) {
     // Spacings of three sorted uniform numbers are uniform barycentric coordinates.
     std::array<Real, 3> cuts = {uniform(random), uniform(random), uniform(random)};
     std::sort(cuts.begin(), cuts.end());
-    const Vector3 point = skewed[0] * cuts[0] + skewed[1] * (cuts[1] - cuts[0]) +
-                          skewed[2] * (cuts[2] - cuts[1]) + skewed[3] * (1 - cuts[2]);
+    const Vector3 point =
+        skewed[0] * cuts[0] + skewed[1] * (cuts[1] - cuts[0]) + skewed[2] * (cuts[2] - cuts[1]) + skewed[3] * (1 - cuts[2]);
     const Vector3 arm = point - centroid(skewed);
     sum += arm.squaredNorm() * Matrix3::Identity() - arm * arm.transpose();
   }
@@ -75,8 +74,7 @@ TEST(tetrahedron, inertia_of_parts_adds_up_to_the_whole) {
   Matrix3 sum = Matrix3::Zero();
   for (const Tetrahedron& part : {first, second}) {
     const Vector3 arm = centroid(part) - centroid(skewed);
-    sum += inertia_about_centroid(part) +
-           volume(part) * (arm.squaredNorm() * Matrix3::Identity() - arm * arm.transpose());
+    sum += inertia_about_centroid(part) + volume(part) * (arm.squaredNorm() * Matrix3::Identity() - arm * arm.transpose());
   }
   EXPECT_LT((sum - inertia_about_centroid(skewed)).norm(), 1e-14);
 }

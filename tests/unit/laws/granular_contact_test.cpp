@@ -35,10 +35,13 @@ template <ContactModel model>
 void expect_derivatives() {
   for (const Real overlap : {1e-7, 1e-6, 1e-5}) {
     const Real small = 1e-4 * overlap;
-    const Real normal = (at_rest<model>(overlap + small).elastic_energy - at_rest<model>(overlap - small).elastic_energy) / (2 * small);
+    const Real normal =
+        (at_rest<model>(overlap + small).elastic_energy - at_rest<model>(overlap - small).elastic_energy) / (2 * small);
     EXPECT_NEAR(at_rest<model>(overlap).normal, normal, 1e-7 * normal);
     const Real x = 0.3 * overlap;
-    const Real across = (at_rest<model>(overlap, {x + small, 0, 0}).sliding_energy - at_rest<model>(overlap, {x - small, 0, 0}).sliding_energy) / (2 * small);
+    const Real across =
+        (at_rest<model>(overlap, {x + small, 0, 0}).sliding_energy - at_rest<model>(overlap, {x - small, 0, 0}).sliding_energy) /
+        (2 * small);
     EXPECT_NEAR(-at_rest<model>(overlap, {x, 0, 0}).friction.x, across, 1e-7 * across);
   }
 }
@@ -144,8 +147,9 @@ TEST(granular_contact, lanes_compute_what_one_number_does) {
   ContactMemory<Lanes> lane_memory{};
   ContactConstants<Lanes> law{};
   const auto one_law = constants(ContactModel::hertz, 0.6, 0.3, 0.1);
-  law = {broadcast(one_law.normal),   broadcast(one_law.tangential), broadcast(one_law.normal_damping), broadcast(one_law.tangential_damping),
-         broadcast(one_law.friction), broadcast(one_law.rolling)};
+  law = {broadcast(one_law.normal),         broadcast(one_law.tangential),
+         broadcast(one_law.normal_damping), broadcast(one_law.tangential_damping),
+         broadcast(one_law.friction),       broadcast(one_law.rolling)};
   const auto scene = [](int lane) {
     auto at = touching(1e-6 * (1 + lane));
     at.velocity = {0.3 * lane, -0.1, 0.05 * lane - 0.1};

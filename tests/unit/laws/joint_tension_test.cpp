@@ -69,8 +69,7 @@ TEST(joint_tension, stress_has_no_jump_on_the_way_to_failure) {
   EXPECT_EQ(softening_stress(concrete, concrete.failure_opening), 0);
   EXPECT_EQ(softening_stress(concrete, 2 * concrete.failure_opening), 0);
   const Real just_after = concrete.elastic_opening * (1 + 1e-12);
-  EXPECT_NEAR(tension_stress(concrete, just_after, unloading_stiffness(concrete, just_after)), strength,
-              1e-10 * strength);
+  EXPECT_NEAR(tension_stress(concrete, just_after, unloading_stiffness(concrete, just_after)), strength, 1e-10 * strength);
 }
 
 TEST(joint_tension, unloading_goes_straight_to_the_origin_and_back_to_where_it_left) {
@@ -78,8 +77,7 @@ TEST(joint_tension, unloading_goes_straight_to_the_origin_and_back_to_where_it_l
   const Real unloading = unloading_stiffness(concrete, peak);
   EXPECT_LT(unloading, stiffness);
   for (const Real share : {0.0, 0.25, 0.5, 1.0})
-    EXPECT_NEAR(tension_stress(concrete, share * peak, unloading), share * softening_stress(concrete, peak),
-                1e-15 * strength);
+    EXPECT_NEAR(tension_stress(concrete, share * peak, unloading), share * softening_stress(concrete, peak), 1e-15 * strength);
 }
 
 TEST(joint_tension, compression_forgets_the_damage) {

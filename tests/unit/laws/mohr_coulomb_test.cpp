@@ -40,7 +40,8 @@ TEST(mohr_coulomb, bears_the_stress_of_its_envelope_under_confinement) {
   const Real sine = std::sin(35 * degree), cosine = std::cos(35 * degree);
   const auto law = MohrCoulomb::make(10e3, 35 * degree, 0, 0);
   const Real pressed = -(2 * 10e3 * cosine + 50e3 * (1 + sine)) / (1 - sine);
-  const Real mean = 0.5 * (pressed - 50e3) / (ground.lame + ground.shear_modulus) / 2, half = 0.25 * (-50e3 - pressed) / ground.shear_modulus;
+  const Real mean = 0.5 * (pressed - 50e3) / (ground.lame + ground.shear_modulus) / 2,
+             half = 0.25 * (-50e3 - pressed) / ground.shear_modulus;
   const std::array<Real, 2> at_limit{mean + half, mean - half};
   EXPECT_NEAR(ground.stress<2>(at_limit)[0], -50e3, 1e-6);
   EXPECT_NEAR(ground.stress<2>(at_limit)[1], pressed, 1e-6);

@@ -70,9 +70,7 @@ TEST(free_rotation, agrees_with_eulers_equations) {
   constexpr Real h = 4.0 / steps;
   Quaternion q = top().inertia[0].orientation;
   Vector3 w(0.2, 1.5, 0.1);
-  const auto spin_rate = [](const Vector3& s) -> Vector3 {
-    return moments.cwiseProduct(s).cross(s).cwiseQuotient(moments);
-  };
+  const auto spin_rate = [](const Vector3& s) -> Vector3 { return moments.cwiseProduct(s).cross(s).cwiseQuotient(moments); };
   const auto turn_rate = [](const Quaternion& p, const Vector3& s) {
     Quaternion r = p * Quaternion(0, s.x(), s.y(), s.z());
     r.coeffs() *= 0.5;
@@ -82,8 +80,7 @@ TEST(free_rotation, agrees_with_eulers_equations) {
     return Quaternion(Vector<4>(p.coeffs() + time * rate.coeffs()));
   };
   for (int step = 0; step < steps; ++step) {
-    const Vector3 w1 = spin_rate(w), w2 = spin_rate(w + h / 2 * w1), w3 = spin_rate(w + h / 2 * w2),
-                  w4 = spin_rate(w + h * w3);
+    const Vector3 w1 = spin_rate(w), w2 = spin_rate(w + h / 2 * w1), w3 = spin_rate(w + h / 2 * w2), w4 = spin_rate(w + h * w3);
     const Quaternion q1 = turn_rate(q, w), q2 = turn_rate(moved(q, q1, h / 2), w + h / 2 * w1),
                      q3 = turn_rate(moved(q, q2, h / 2), w + h / 2 * w2), q4 = turn_rate(moved(q, q3, h), w + h * w3);
     q.coeffs() += h / 6 * (q1.coeffs() + 2 * q2.coeffs() + 2 * q3.coeffs() + q4.coeffs());

@@ -24,8 +24,7 @@ state::Particles<D> make_particles(const std::vector<Site<D>>& sites, Real spaci
   particles.resize(static_cast<Index>(sites.size()));
   const Real mu = soil.density * soil.shear_velocity * soil.shear_velocity;
   for (std::size_t i = 0; i < sites.size(); ++i) {
-    for (std::size_t axis = 0; axis < D; ++axis)
-      particles.start[axis][i] = (sites[i][axis] + 0.5) * spacing;
+    for (std::size_t axis = 0; axis < D; ++axis) particles.start[axis][i] = (sites[i][axis] + 0.5) * spacing;
     particles.set_density(static_cast<Index>(i), soil.density);
     particles.shear_modulus[i] = mu;
     particles.lame[i] = soil.density * soil.pressure_velocity * soil.pressure_velocity - 2 * mu;
@@ -35,7 +34,8 @@ state::Particles<D> make_particles(const std::vector<Site<D>>& sites, Real spaci
 }
 
 Column2::Column2(int across, int high, Real spacing, const Soil& soil)
-    : sites(box_sites<2>({across, high})), particles(make_particles<2>(sites, spacing, soil)),
+    : sites(box_sites<2>({across, high})),
+      particles(make_particles<2>(sites, spacing, soil)),
       links(make_links<2>(sites, spacing, 1.5)) {
   for (std::size_t i = 0; i < sites.size(); ++i) {
     const auto particle = static_cast<Index>(i);

@@ -38,13 +38,13 @@ struct Column2 {
 
 /// Numbers between -1 and 1.
 class Noise {
- public:
+public:
   Real operator()() {
     state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
     return static_cast<Real>(state_ >> 11) / 4503599627370496.0 - 1;
   }
 
- private:
+private:
   std::uint64_t state_ = 42;
 };
 

@@ -25,8 +25,7 @@ struct Box {
   Box(const Site<D>& counts, Real spacing, const StrengthOfGround& ground, const LooseRules& rules = {.step = 1e-4})
       : particles(make_particles<D>(box_sites<D>(counts), spacing, {})),
         links(make_links<D>(box_sites<D>(counts), spacing, 1.5)),
-        forces(particles, links,
-               GroundStrength<D>(particles, links, {ground}, std::vector<Index>(particles.size(), 0)), rules) {
+        forces(particles, links, GroundStrength<D>(particles, links, {ground}, std::vector<Index>(particles.size(), 0)), rules) {
     for (auto& column : acceleration) column.assign(particles.padded(), 0);
   }
 
@@ -140,7 +139,8 @@ template <int D>
 void expect_momenta_kept_when_broken() {
   Site<D> counts{};
   counts.fill(4);
-  Box<D> box(counts, 0.5, strong_as({}, laws::MohrCoulomb::make(1e3, 20 * degree, 5 * degree, 0), 0.01), {.step = 1e-4, .damping_ratio = 0.2});
+  Box<D> box(counts, 0.5, strong_as({}, laws::MohrCoulomb::make(1e3, 20 * degree, 5 * degree, 0), 0.01),
+             {.step = 1e-4, .damping_ratio = 0.2});
   Noise noise;
   for (int step = 0; step < 3; ++step) {
     for (std::size_t axis = 0; axis < D; ++axis)
@@ -196,7 +196,8 @@ struct Collision {
     const auto links = make_links<2>(sites, spacing, 1.5);
     const auto ground = strong_as(soil, laws::MohrCoulomb::make(1e12, friction_angle, 0, 1e11), 1);
     const Real step = 0.1 * spacing / soil.pressure_velocity;
-    auto made = std::make_unique<FailingForces<2>>(particles, links, GroundStrength<2>(particles, links, {ground}, std::vector<Index>(18, 0)),
+    auto made = std::make_unique<FailingForces<2>>(particles, links,
+                                                   GroundStrength<2>(particles, links, {ground}, std::vector<Index>(18, 0)),
                                                    LooseRules{.step = step, .damping_ratio = damping_ratio});
     forces = made.get();
     stepper.emplace(particles, std::move(made), terms::ParticleSupports<2>{},

@@ -92,7 +92,8 @@ TEST(linear_stiffness, is_the_slope_of_the_elastic_forces) {
     std::array<Real, 6> q;
     for (std::size_t f = 0; f < 6; ++f) q[f] = small * x[6 * i + f] * std::sqrt(particles.inverse_inertia_of(f)[i]);
     for (std::size_t axis = 0; axis < 3; ++axis) particles.displacement[axis][i] += q[axis];
-    const Matrix3 turn = Eigen::AngleAxis<Real>(Vector3(q[3], q[4], q[5]).norm(), Vector3(q[3], q[4], q[5]).normalized()).toRotationMatrix();
+    const Matrix3 turn =
+        Eigen::AngleAxis<Real>(Vector3(q[3], q[4], q[5]).norm(), Vector3(q[3], q[4], q[5]).normalized()).toRotationMatrix();
     for (std::size_t n = 0; n < 9; ++n) particles.rotation[n][i] = turn(static_cast<int>(n / 3), static_cast<int>(n % 3));
   }
   ElasticForces<3> forces(links, RotationRemoval::mean_rotation);

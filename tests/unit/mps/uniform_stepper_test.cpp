@@ -19,8 +19,8 @@ engine::UniformStepper<2> free_body(Real step, Integrator integrator, Real ratio
     particles.velocity[0][i] = 20 * y * y - 3 * y;
     particles.velocity[1][i] = 5 * y;
   }
-  return {particles, std::make_unique<ElasticForces<2>>(make_links<2>(sites, 1.0, 1.5), RotationRemoval::mean_rotation), terms::ParticleSupports<2>{},
-          engine::UniformRules{step, integrator, laws::RayleighDamping::make(1, 15)}};
+  return {particles, std::make_unique<ElasticForces<2>>(make_links<2>(sites, 1.0, 1.5), RotationRemoval::mean_rotation),
+          terms::ParticleSupports<2>{}, engine::UniformRules{step, integrator, laws::RayleighDamping::make(1, 15)}};
 }
 
 Real total_energy(engine::UniformStepper<2>& stepper) { return stepper.kinetic_energy() + stepper.elastic_energy(); }
@@ -96,8 +96,8 @@ TEST(uniform_stepper, goes_on_bit_for_bit_after_a_checkpoint) {
   EXPECT_EQ(whole.particles().rotation, second.particles().rotation);
 }
 
-/// A layer without end on a viscous base: under gravity the surface sinks by rho g H^2/(2 M), the base carries the weight, and nothing
-/// moves afterwards.
+/// A layer without end on a viscous base: under gravity the surface sinks by rho g H^2/(2 M), the base carries the weight, and
+/// nothing moves afterwards.
 TEST(uniform_stepper, settles_on_a_viscous_base_and_stays_at_rest) {
   constexpr int high = 40;
   constexpr Real spacing = 0.5, gravity = 9.81;
@@ -118,8 +118,8 @@ TEST(uniform_stepper, settles_on_a_viscous_base_and_stays_at_rest) {
       supports.dashpots.push_back({base.back(), axis, 2 * (axis == 1 ? soil.pressure_velocity : soil.shear_velocity) / spacing});
   }
   links.halve_among(base);
-  engine::UniformStepper<2> stepper(particles, std::make_unique<ElasticForces<2>>(links, RotationRemoval::mean_rotation), supports,
-                                    {1e-3, engine::Integrator::verlet, laws::RayleighDamping::make(1, 10)});
+  engine::UniformStepper<2> stepper(particles, std::make_unique<ElasticForces<2>>(links, RotationRemoval::mean_rotation),
+                                    supports, {1e-3, engine::Integrator::verlet, laws::RayleighDamping::make(1, 10)});
   EXPECT_LT(stepper.settle({1e-6, 20000}), 1e-6);
   const Real length = (high - 1) * spacing, modulus = soil.density * soil.pressure_velocity * soil.pressure_velocity;
   const Real expected = -soil.density * gravity * (0.5 * length * length + 0.5 * spacing * length) / modulus;

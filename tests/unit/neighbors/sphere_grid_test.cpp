@@ -15,7 +15,7 @@ struct Ball {
 };
 
 class RandomBalls {
- public:
+public:
   explicit RandomBalls(unsigned seed) : random_(seed) {}
 
   Vector3 place() { return {number(-3, 3), number(-3, 3), number(-3, 3)}; }
@@ -23,7 +23,7 @@ class RandomBalls {
   Index item(Index count) { return static_cast<Index>(random_() % static_cast<unsigned>(count)); }
   Real number(Real from, Real to) { return std::uniform_real_distribution<Real>(from, to)(random_); }
 
- private:
+private:
   std::mt19937_64 random_;
 };
 

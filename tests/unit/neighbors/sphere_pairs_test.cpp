@@ -9,13 +9,13 @@ namespace sazare::neighbors {
 namespace {
 
 class Random {
- public:
+public:
   Real operator()() {
     state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
     return static_cast<Real>(state_ >> 11) / 9007199254740992.0;
   }
 
- private:
+private:
   std::uint64_t state_ = 7;
 };
 
@@ -50,7 +50,8 @@ Pairs by_hand(const state::Spheres& spheres, Real margin) {
       Vector3 apart = spheres.place[j].centre() - spheres.place[i].centre();
       for (int axis = 0; axis < 3; ++axis)
         if (spheres.box.length[axis] > 0) apart[axis] = std::remainder(apart[axis], spheres.box.length[axis]);
-      if (apart.norm() < spheres.place[i].radius + spheres.place[j].radius + margin) pairs.insert({static_cast<Index>(i), static_cast<Index>(j)});
+      if (apart.norm() < spheres.place[i].radius + spheres.place[j].radius + margin)
+        pairs.insert({static_cast<Index>(i), static_cast<Index>(j)});
     }
   return pairs;
 }

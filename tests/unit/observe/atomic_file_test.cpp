@@ -58,10 +58,8 @@ TEST(atomic_file, file_grown_too_large_leaves_the_former_one) {
   const TemporaryFolder folder;
   write_file(folder.path() / "a.txt", "former");
   const SmallDisk small(10000);
-  const std::string words =
-      words_of<MachineError>([&] { write_file(folder.path() / "a.txt", std::string(100000, 'x')); });
-  EXPECT_WORDS(words,
-               "a.txt: cannot be written: File too large. Files there may not grow so large (ulimit -f)");
+  const std::string words = words_of<MachineError>([&] { write_file(folder.path() / "a.txt", std::string(100000, 'x')); });
+  EXPECT_WORDS(words, "a.txt: cannot be written: File too large. Files there may not grow so large (ulimit -f)");
   EXPECT_EQ(read_text(folder.path() / "a.txt"), "former");
   EXPECT_EQ(folder.files(), Names{"a.txt"});
 }
@@ -84,8 +82,7 @@ TEST(atomic_file, missing_folder) {
 TEST(atomic_file, file_in_place_of_the_folder) {
   const TemporaryFolder folder;
   write_file(folder.path() / "file", "x");
-  const std::string words =
-      words_of<MachineError>([&] { write_file(folder.path() / "file" / "a.txt", "x"); });
+  const std::string words = words_of<MachineError>([&] { write_file(folder.path() / "file" / "a.txt", "x"); });
   EXPECT_WORDS(words, "Not a directory. The folder is not there: make it");
 }
 

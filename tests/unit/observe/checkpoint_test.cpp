@@ -85,8 +85,7 @@ TEST(checkpoint, missing_file) {
 TEST(checkpoint, foreign_file) {
   const TemporaryFolder folder;
   test::write_text(folder.path() / "state.h5", "time [s]\n1\n");
-  EXPECT_WORDS(words_of<UserError>([&] { CheckpointReader(folder.path() / "state.h5"); }),
-               "cannot be read as an HDF5 file");
+  EXPECT_WORDS(words_of<UserError>([&] { CheckpointReader(folder.path() / "state.h5"); }), "cannot be read as an HDF5 file");
 }
 
 TEST(checkpoint, hdf5_file_of_another_kind) {

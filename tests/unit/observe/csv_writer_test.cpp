@@ -42,8 +42,7 @@ TEST(csv_writer, destruction_flushes) {
 TEST(csv_writer, numbers_read_back_to_the_same_bits) {
   const TemporaryFolder folder;
   std::mt19937_64 random(5);
-  std::vector<Real> values = {
-      0.1, 1.0 / 3, 5e-324, std::numeric_limits<Real>::max(), 1e22, 123456789012345678.0, -0.0};
+  std::vector<Real> values = {0.1, 1.0 / 3, 5e-324, std::numeric_limits<Real>::max(), 1e22, 123456789012345678.0, -0.0};
   while (values.size() < 3000) {
     const Real value = std::bit_cast<Real>(random());
     if (std::isfinite(value)) values.push_back(value);
@@ -92,9 +91,7 @@ TEST(csv_writer, resume_drops_a_row_cut_in_the_middle) {
 TEST(csv_writer, resume_refuses_what_is_not_its_file) {
   const TemporaryFolder folder;
   const auto file = folder.path() / "a.csv";
-  const auto resume = [&](std::size_t rows) {
-    return words_of<UserError>([&] { CsvWriter::resume(file, columns, rows); });
-  };
+  const auto resume = [&](std::size_t rows) { return words_of<UserError>([&] { CsvWriter::resume(file, columns, rows); }); };
   EXPECT_WORDS(resume(0), "a.csv: is missing, or its columns are not those of this run");
   test::write_text(file, "time [s],other [m]\n1,2\n");
   EXPECT_WORDS(resume(0), "its columns are not those of this run");
@@ -122,8 +119,7 @@ TEST(csv_writer, failed_flush_leaves_whole_rows_only) {
 }
 
 TEST(csv_writer, folder_that_is_not_there) {
-  EXPECT_WORDS(words_of<MachineError>([] { CsvWriter("no/such/a.csv", columns); }),
-               "No such file or directory");
+  EXPECT_WORDS(words_of<MachineError>([] { CsvWriter("no/such/a.csv", columns); }), "No such file or directory");
 }
 
 TEST(csv_writer, row_of_another_length_is_a_programming_error) {

@@ -86,13 +86,10 @@ TEST(manifest, machine_is_this_one) {
 }
 
 TEST(manifest, time_of_day_is_in_iso_form) {
-  EXPECT_TRUE(std::regex_match(time_of_day(), std::regex(R"(20\d\d-\d\d-\d\dT\d\d:\d\d:\d\dZ)")))
-      << time_of_day();
+  EXPECT_TRUE(std::regex_match(time_of_day(), std::regex(R"(20\d\d-\d\d-\d\dT\d\d:\d\d:\d\dZ)"))) << time_of_day();
 }
 
-TEST(manifest, folder_that_is_not_there) {
-  EXPECT_THROW(write_manifest("no/such/manifest.json", example()), MachineError);
-}
+TEST(manifest, folder_that_is_not_there) { EXPECT_THROW(write_manifest("no/such/manifest.json", example()), MachineError); }
 
 }  // namespace
 }  // namespace sazare::observe

@@ -28,14 +28,11 @@ Grid grid_at(Real time) {
   return {Grid::Cell::tetrahedron,
           points,
           tetrahedra,
-          {{"level", 1, std::span<const std::int32_t>(levels)},
-           {"velocity", 3, std::span<const Real>(velocities)}},
+          {{"level", 1, std::span<const std::int32_t>(levels)}, {"velocity", 3, std::span<const Real>(velocities)}},
           time};
 }
 
-nlohmann::json list_of(const std::filesystem::path& file) {
-  return nlohmann::json::parse(test::read_text(file));
-}
+nlohmann::json list_of(const std::filesystem::path& file) { return nlohmann::json::parse(test::read_text(file)); }
 
 TEST(vtkhdf, says_what_it_is) {
   const TemporaryFolder folder;
@@ -43,9 +40,8 @@ TEST(vtkhdf, says_what_it_is) {
   const Hdf5Reader reader(folder.path() / "a.vtkhdf");
   EXPECT_EQ(reader.read_attribute("/VTKHDF", "Version"), (std::vector<std::int64_t>{1, 0}));
   EXPECT_EQ(reader.read_text_attribute("/VTKHDF", "Type"), "UnstructuredGrid");
-  for (const char* name :
-       {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds", "Points", "Connectivity", "Offsets",
-        "Types", "CellData/level", "CellData/velocity", "FieldData/time"}) {
+  for (const char* name : {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds", "Points", "Connectivity", "Offsets",
+                           "Types", "CellData/level", "CellData/velocity", "FieldData/time"}) {
     EXPECT_TRUE(reader.has(std::string("/VTKHDF/") + name)) << name;
   }
   EXPECT_EQ(folder.files(), Names{"a.vtkhdf"});
@@ -80,8 +76,7 @@ TEST(vtkhdf, full_device_leaves_nothing) {
 TEST(vtkhdf, equal_contents_make_equal_files) {
   const TemporaryFolder folder;
   write_vtkhdf(folder.path() / "a.vtkhdf", grid_at(0.5));
-  std::this_thread::sleep_for(
-      std::chrono::milliseconds(1100));  // HDF5 knows times of creation in whole seconds
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5 knows times of creation in whole seconds
   write_vtkhdf(folder.path() / "b.vtkhdf", grid_at(0.5));
   EXPECT_EQ(test::read_text(folder.path() / "a.vtkhdf"), test::read_text(folder.path() / "b.vtkhdf"));
 }
@@ -111,8 +106,8 @@ TEST(vtkhdf, synced_series_is_what_was_written) {
   series.write(grid_at(0));
   series.write(grid_at(1));
   series.sync();
-  EXPECT_EQ(folder.files(), (Names{"elements.hdf.series", "elements.vtkhdf.series", "elements_00000.vtkhdf",
-                                   "elements_00001.vtkhdf"}));
+  EXPECT_EQ(folder.files(),
+            (Names{"elements.hdf.series", "elements.vtkhdf.series", "elements_00000.vtkhdf", "elements_00001.vtkhdf"}));
   series.write(grid_at(2));
   std::filesystem::remove(folder.path() / "elements_00002.vtkhdf");
   EXPECT_WORDS(words_of<MachineError>([&] { series.sync(); }), "elements_00002.vtkhdf: cannot be written");
@@ -134,13 +129,11 @@ TEST(vtkhdf, resumed_series_equals_an_uninterrupted_one) {
   resumed.resume(2);
   EXPECT_EQ(resumed.size(), 2u);
   for (int i = 2; i < 6; ++i) {
-    EXPECT_FALSE(std::filesystem::exists(folder.path() / "resumed" /
-                                         ("elements_0000" + std::to_string(i) + ".vtkhdf")));
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "resumed" / ("elements_0000" + std::to_string(i) + ".vtkhdf")));
   }
   write(resumed, 2, 6);
   for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "whole")) {
-    EXPECT_EQ(test::read_text(entry.path()),
-              test::read_text(folder.path() / "resumed" / entry.path().filename()))
+    EXPECT_EQ(test::read_text(entry.path()), test::read_text(folder.path() / "resumed" / entry.path().filename()))
         << entry.path();
   }
 }
@@ -149,9 +142,7 @@ TEST(vtkhdf, resume_refuses_a_list_that_is_missing_short_or_damaged) {
   const TemporaryFolder folder;
   SnapshotSeries series(folder.path(), "elements");
   const auto words = [&](std::size_t count) { return words_of<UserError>([&] { series.resume(count); }); };
-  EXPECT_WORDS(
-      words(1),
-      "elements.vtkhdf.series: should list 1 snapshots at least, of the run to be resumed, and lists 0");
+  EXPECT_WORDS(words(1), "elements.vtkhdf.series: should list 1 snapshots at least, of the run to be resumed, and lists 0");
   series.write(grid_at(0));
   EXPECT_WORDS(words(2), "lists 1");
   test::write_text(folder.path() / "elements.vtkhdf.series", "{\"files\": [{\"na");
@@ -163,8 +154,7 @@ TEST(vtkhdf, resume_refuses_a_list_that_is_missing_short_or_damaged) {
 TEST(vtkhdf, folder_that_cannot_be_made) {
   const TemporaryFolder folder;
   test::write_text(folder.path() / "file", "");
-  EXPECT_WORDS(words_of<MachineError>([&] { SnapshotSeries(folder.path() / "file" / "snapshots", "a"); }),
-               "cannot be written");
+  EXPECT_WORDS(words_of<MachineError>([&] { SnapshotSeries(folder.path() / "file" / "snapshots", "a"); }), "cannot be written");
 }
 
 }  // namespace

@@ -21,17 +21,12 @@ int main(int argc, char** argv) {
     elements.write({observe::Grid::Cell::tetrahedron,
                     points,
                     tetrahedra,
-                    {{"level", 1, std::span<const std::int32_t>(levels)},
-                     {"velocity", 3, std::span<const Real>(velocities)}},
+                    {{"level", 1, std::span<const std::int32_t>(levels)}, {"velocity", 3, std::span<const Real>(velocities)}},
                     i * 2.5e-5});
-    joints.write({observe::Grid::Cell::triangle,
-                  points,
-                  triangles,
-                  {{"state", 1, std::span<const std::int32_t>(states)}},
-                  i * 2.5e-5});
+    joints.write(
+        {observe::Grid::Cell::triangle, points, triangles, {{"state", 1, std::span<const std::int32_t>(states)}}, i * 2.5e-5});
   }
-  observe::write_vtkhdf(
-      folder / "empty.vtkhdf",
-      {observe::Grid::Cell::triangle, {}, {}, {{"state", 1, std::span<const std::int32_t>()}}, 0});
+  observe::write_vtkhdf(folder / "empty.vtkhdf",
+                        {observe::Grid::Cell::triangle, {}, {}, {{"state", 1, std::span<const std::int32_t>()}}, 0});
   return 0;
 }

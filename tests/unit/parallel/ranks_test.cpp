@@ -13,9 +13,7 @@ TEST(ranks, one_process_is_first_and_alone) {
   ranks.barrier();
 }
 
-TEST(ranks, abort_ends_the_process_with_the_code) {
-  EXPECT_EXIT(Ranks().abort(4), testing::ExitedWithCode(4), "");
-}
+TEST(ranks, abort_ends_the_process_with_the_code) { EXPECT_EXIT(Ranks().abort(4), testing::ExitedWithCode(4), ""); }
 
 }  // namespace
 }  // namespace sazare::parallel

@@ -4,14 +4,14 @@
 
 #include <cmath>
 
-#include "tests/support/memory_archive.hpp"
 #include "tests/support/blocks_of_squares.hpp"
+#include "tests/support/memory_archive.hpp"
 
 namespace sazare::methods::rectangles {
 namespace {
 
-using test::Scene;
 using geometry::OutlineKind, geometry::Vector2;
+using test::Scene;
 
 /// A block on an incline of a given angle, gravity straight down the screen turned instead.
 Scene block_on_slope(Real slope, Real friction, Real half_width = 0.5, Real half_height = 0.5, Real damping_ratio = 1) {
@@ -92,7 +92,8 @@ TEST(contacts, two_free_squares_that_meet_keep_their_momentum) {
   const auto angular = [&] {
     Real sum = 0;
     for (std::size_t i = 0; i < 2; ++i)
-      sum += (particles.position(0, i) * particles.velocity[1][i] - particles.position(1, i) * particles.velocity[0][i]) / particles.inverse_mass[i] +
+      sum += (particles.position(0, i) * particles.velocity[1][i] - particles.position(1, i) * particles.velocity[0][i]) /
+                 particles.inverse_mass[i] +
              particles.velocity[2][i] / particles.inverse_inertia[i];
     return sum;
   };

@@ -176,7 +176,7 @@ TEST(face_spring, slips_at_cohesion_plus_friction) {
   const SpringForce slid = advance(spring, weak(), 0.02, 0.1);
   EXPECT_DOUBLE_EQ(slid.shear, 3 + 0.5 * 2);
   EXPECT_NEAR(slid.friction_loss, 0.5 * (0 + 4) * (5 - 4) / 50.0, 1e-15);
-  EXPECT_DOUBLE_EQ(advance(spring, weak(), 0.02, 0).shear, 4);      // what it bears stays
+  EXPECT_DOUBLE_EQ(advance(spring, weak(), 0.02, 0).shear, 4);  // what it bears stays
   EXPECT_DOUBLE_EQ(advance(spring, weak(), 0.02, -0.01).shear, 3.5);
 }
 

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "sazare/parallel/threads.hpp"
-#include "tests/support/memory_archive.hpp"
 #include "tests/support/blocks_of_squares.hpp"
+#include "tests/support/memory_archive.hpp"
 
 namespace sazare::methods::rectangles {
 namespace {
@@ -51,7 +51,8 @@ Sums momentum(const state::Particles<2>& particles) {
     const auto& v = particles.velocity;
     sums.x += mass * v[0][i];
     sums.y += mass * v[1][i];
-    sums.angular += mass * (particles.position(0, i) * v[1][i] - particles.position(1, i) * v[0][i]) + v[2][i] / particles.inverse_inertia[i];
+    sums.angular +=
+        mass * (particles.position(0, i) * v[1][i] - particles.position(1, i) * v[0][i]) + v[2][i] / particles.inverse_inertia[i];
   }
   return sums;
 }
@@ -73,7 +74,8 @@ TEST(face_links, keep_momentum_and_energy_of_a_free_bar) {
     EXPECT_GT(std::abs(stepper->particles().angle[0]), 0.5);
     EXPECT_NEAR(after.x, before.x, 1e-9);
     EXPECT_NEAR(after.y, before.y, 1e-9);
-    EXPECT_NEAR(after.angular, before.angular, 1e-4 * before.angular);  // the leapfrog's velocities stand half a step beside its places
+    EXPECT_NEAR(after.angular, before.angular,
+                1e-4 * before.angular);  // the leapfrog's velocities stand half a step beside its places
     EXPECT_LT(worst, 2e-3 * energy);
   }
 }

@@ -41,7 +41,8 @@ TEST(outline_contact, is_the_same_seen_from_either_side) {
 TEST(outline_contact, does_not_change_when_all_is_turned) {
   const auto found_at = [](Real angle) {
     const Real c = std::cos(angle), s = std::sin(angle);
-    return overlap(outline(rectangle, 0, 0, 1, 1, angle), outline(rectangle, 0.4 * c - 1.95 * s, 0.4 * s + 1.95 * c, 1, 1, angle + 0.1));
+    return overlap(outline(rectangle, 0, 0, 1, 1, angle),
+                   outline(rectangle, 0.4 * c - 1.95 * s, 0.4 * s + 1.95 * c, 1, 1, angle + 0.1));
   };
   const Overlap plain = found_at(0);
   ASSERT_GT(plain.count, 0);
@@ -59,9 +60,9 @@ TEST(outline_contact, corner_on_wall) {
   EXPECT_NEAR(found.normal.y(), -1, 1e-15);  // from the square to the wall
   EXPECT_NEAR(found.points[0].depth, 0.01, 1e-14);
   EXPECT_NEAR(found.points[0].place.x(), 0.3, 1e-14);
-  EXPECT_EQ(overlap(floor, outline(rectangle, 0, -0.5, 1, 1)).count, 0);        // below the wall
-  EXPECT_EQ(overlap(floor, outline(rectangle, 6.5, 0.9, 1, 1)).count, 0);       // beside it
-  EXPECT_EQ(overlap(floor, outline(rectangle, 5.5, 0.9, 1, 1)).count, 2);       // over its end
+  EXPECT_EQ(overlap(floor, outline(rectangle, 0, -0.5, 1, 1)).count, 0);   // below the wall
+  EXPECT_EQ(overlap(floor, outline(rectangle, 6.5, 0.9, 1, 1)).count, 0);  // beside it
+  EXPECT_EQ(overlap(floor, outline(rectangle, 5.5, 0.9, 1, 1)).count, 2);  // over its end
   EXPECT_NEAR(overlap(floor, outline(rectangle, 5.5, 0.9, 1, 1)).share, 0.25, 1e-14);
 }
 

@@ -65,7 +65,8 @@ TEST(stable_step, knows_the_paper_s_condition) {
   Scene scene = lattice(1, 4);
   auto stepper = scene.make(1e-6);
   const Real mass = 4 * radius * radius * scene.density;
-  const StableStep found = stable_step(stepper->particles(), scene.forces->outlines(), scene.forces->links(), scene.contact, false);
+  const StableStep found =
+      stable_step(stepper->particles(), scene.forces->outlines(), scene.forces->links(), scene.contact, false);
   EXPECT_NEAR(found.paper, std::sqrt(mass / 1e8), 1e-12);
 }
 

@@ -69,8 +69,8 @@ TEST(Fragments, OfAnUnbrokenBodyHaveItsMassAndVolume) {
 TEST(Fragments, AreSortedLargestFirst) {
   BlocksModel model = test::block_model(test::loose_case());
   const auto& bodies = model.simulation->bodies();
-  const auto pieces = measure_fragments(find_fragments(bodies.size(), *model.joints), model.volume, bodies,
-                                        model.simulation->snapshot());
+  const auto pieces =
+      measure_fragments(find_fragments(bodies.size(), *model.joints), model.volume, bodies, model.simulation->snapshot());
   for (std::size_t i = 1; i < pieces.size(); ++i) EXPECT_GE(pieces[i - 1].volume, pieces[i].volume);
 }
 

@@ -33,8 +33,8 @@ TEST(Gauges, GiveTheVelocityOfTheirMaterialPoint) {
   for (std::size_t i = 0; i < now.pose.size(); ++i) {
     now.velocity[i] = spin.cross(quarter * now.pose[i].position);
     now.pose[i] = {quarter * now.pose[i].position + shift, quarter * now.pose[i].rotation};
-    const Matrix3 inertia = now.pose[i].rotation * bodies.inertia[i].inverse_moments.cwiseInverse().asDiagonal() *
-                            now.pose[i].rotation.transpose();
+    const Matrix3 inertia =
+        now.pose[i].rotation * bodies.inertia[i].inverse_moments.cwiseInverse().asDiagonal() * now.pose[i].rotation.transpose();
     now.angular_momentum[i] = inertia * spin;
   }
   const std::vector<Real> row = gauges.sample(1e-3, bodies, now);

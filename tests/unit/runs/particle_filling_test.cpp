@@ -15,8 +15,8 @@ using test::TemporaryFolder, test::words_of;
 
 /// A case whose [particles] and [[regions]] are given; all regions are made of one soil.
 cases::CaseFile case_with(const TemporaryFolder& folder, const std::string& text, const std::string& names) {
-  std::ofstream(folder / "case.toml") << "[case]\ntitle = \"t\"\nmethod = \"mps\"\n" << text
-                                      << "\n[[materials]]\nname = \"soil\"\nregions = [" << names
+  std::ofstream(folder / "case.toml") << "[case]\ntitle = \"t\"\nmethod = \"mps\"\n"
+                                      << text << "\n[[materials]]\nname = \"soil\"\nregions = [" << names
                                       << "]\ndensity = 1500.0\nshear_velocity = 100.0\npoisson_ratio = 0.25\n[time]\nend = 1.0\n";
   return cases::read_case(folder / "case.toml");
 }
@@ -71,10 +71,11 @@ upper = [10.0, 4.0, 0.0])",
 
 TEST(particle_filling, mesh_group_in_3d) {
   const TemporaryFolder folder;
-  const auto file = case_with(folder, "[particles]\nspacing = 0.05\ndimension = 3\n[[regions]]\nname = \"a\"\nshape = \"mesh\"\nfile = \"" +
-                                          std::filesystem::absolute("tests/regression/block/block.msh").string() +
-                                          "\"\ngroup = \"rock\"\n",
-                              "\"a\"");
+  const auto file =
+      case_with(folder,
+                "[particles]\nspacing = 0.05\ndimension = 3\n[[regions]]\nname = \"a\"\nshape = \"mesh\"\nfile = \"" +
+                    std::filesystem::absolute("tests/regression/block/block.msh").string() + "\"\ngroup = \"rock\"\n",
+                "\"a\"");
   const auto mesh_volume = [] {
     Real volume = 0;
     const BlocksModel model = test::block_model(test::block_case());

@@ -20,7 +20,8 @@ int run_in_parts(const cases::CaseFile& file, const fs::path& folder) {
     const auto part = std::chrono::milliseconds(20 * parts);
     std::atomic<bool> stop = false;
     std::jthread alarm([&](const std::stop_token& over) {
-      for (const auto end = std::chrono::steady_clock::now() + part; !over.stop_requested() && std::chrono::steady_clock::now() < end;)
+      for (const auto end = std::chrono::steady_clock::now() + part;
+           !over.stop_requested() && std::chrono::steady_clock::now() < end;)
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
       stop = true;
     });
@@ -67,7 +68,8 @@ TEST(Resume, OfAnotherCaseIsRefusedWithWhatHasChanged) {
   const TemporaryFolder folder;
   stop_at_once(block_case(), folder / "run");
   const std::string words = words_of_resuming(block_case({"joints.0.cohesion=7e6"}), folder / "run");
-  EXPECT_NE(words.find("cannot be resumed: the case is not the one that the checkpoint was written for"), std::string::npos) << words;
+  EXPECT_NE(words.find("cannot be resumed: the case is not the one that the checkpoint was written for"), std::string::npos)
+      << words;
   EXPECT_NE(words.find("checkpoint: cohesion = 6.66e6"), std::string::npos) << words;
   EXPECT_NE(words.find("now: cohesion = 7e6"), std::string::npos) << words;
   EXPECT_EQ(read_manifest(folder / "run")["status"], "stopped");

@@ -34,7 +34,7 @@ std::size_t lines_of(const fs::path& file) {
 
 /// One run for all tests that only look at what it left.
 class FinishedRun : public testing::Test {
- protected:
+protected:
   static void SetUpTestSuite() {
     folder = new TemporaryFolder;
     outcome = new RunOutcome(run_quietly(block_case(), *folder / "run"));
@@ -58,13 +58,34 @@ TEST_F(FinishedRun, ManifestHasTheNamesOfTheInterface) {
   EXPECT_EQ(keys_of(manifest), (std::vector<std::string>{"case", "commit", "finished", "machine", "method", "results", "sazare",
                                                          "started", "state_hash", "status"}));
   EXPECT_EQ(keys_of(manifest["machine"]), (std::vector<std::string>{"cores", "cpu", "ranks", "threads"}));
-  EXPECT_EQ(keys_of(manifest["results"]),
-            (std::vector<std::string>{
-                "broken_joints", "elements", "energy_boundary", "energy_contact_dashpot", "energy_elastic", "energy_fracture",
-                "energy_friction", "energy_joint_dashpot", "energy_kinetic", "energy_release", "energy_residual",
-                "energy_slip", "energy_work", "fragments", "joints", "kicks", "largest_fragment_volume",
-                "pair_evaluations", "peak_speed", "ppv", "smallest_step", "steps", "throw_max", "ticks",
-                "uniform_evaluations", "wall_seconds", "x50", "x80"}));
+  EXPECT_EQ(keys_of(manifest["results"]), (std::vector<std::string>{"broken_joints",
+                                                                    "elements",
+                                                                    "energy_boundary",
+                                                                    "energy_contact_dashpot",
+                                                                    "energy_elastic",
+                                                                    "energy_fracture",
+                                                                    "energy_friction",
+                                                                    "energy_joint_dashpot",
+                                                                    "energy_kinetic",
+                                                                    "energy_release",
+                                                                    "energy_residual",
+                                                                    "energy_slip",
+                                                                    "energy_work",
+                                                                    "fragments",
+                                                                    "joints",
+                                                                    "kicks",
+                                                                    "largest_fragment_volume",
+                                                                    "pair_evaluations",
+                                                                    "peak_speed",
+                                                                    "ppv",
+                                                                    "smallest_step",
+                                                                    "steps",
+                                                                    "throw_max",
+                                                                    "ticks",
+                                                                    "uniform_evaluations",
+                                                                    "wall_seconds",
+                                                                    "x50",
+                                                                    "x80"}));
   EXPECT_EQ(keys_of(manifest["results"]["ppv"]), (std::vector<std::string>{"G1", "G2"}));
   EXPECT_EQ(manifest["status"], "done");
   EXPECT_EQ(manifest["case"], "Small block");
@@ -135,7 +156,8 @@ TEST_F(FinishedRun, IsNotDisturbedByBeingObserved) {
 
 TEST(RunBlocks, AMotionThatMakesNoSenseEndsTheRunAndKeepsTheCheckpoint) {
   const TemporaryFolder folder;
-  const cases::CaseFile absurd = block_case({"time.limiter=none", "time.base_step=2e-5", "time.history_interval=2e-5", "time.end=1e-3", "time.snapshot_interval=1e-3"});
+  const cases::CaseFile absurd = block_case(
+      {"time.limiter=none", "time.base_step=2e-5", "time.history_interval=2e-5", "time.end=1e-3", "time.snapshot_interval=1e-3"});
   const std::string words = test::words_of<PhysicsError>([&] { run_quietly(absurd, folder / "run"); });
   EXPECT_TRUE(words.starts_with("element ")) << words;
   EXPECT_NE(words.find("farther in a step than it is large, found at t = "), std::string::npos) << words;

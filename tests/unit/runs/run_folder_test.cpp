@@ -39,19 +39,22 @@ TEST(RunFolder, WithARunIsNotOverwrittenInSilence) {
   const test::TemporaryFolder folder;
   const fs::path run = folder / "run";
   EXPECT_EQ(refusal(run, "running", Begin::fresh),
-            run.string() + ": there is a run in this folder already, and it is not done. Use --resume to go on with it, "
-                           "--overwrite to replace it, or another folder (--out)");
+            run.string() +
+                ": there is a run in this folder already, and it is not done. Use --resume to go on with it, "
+                "--overwrite to replace it, or another folder (--out)");
   EXPECT_EQ(refusal(run, "done", Begin::fresh),
-            run.string() + ": there is a run in this folder already, and it is done. Use --overwrite to replace it, or "
-                           "another folder (--out)");
+            run.string() +
+                ": there is a run in this folder already, and it is done. Use --overwrite to replace it, or "
+                "another folder (--out)");
 }
 
 TEST(RunFolder, WithADoneRunIsNotResumed) {
   const test::TemporaryFolder folder;
   const fs::path run = folder / "run";
   EXPECT_EQ(refusal(run, "done", Begin::resume),
-            run.string() + ": the run in this folder is done, there is nothing to resume. Its figures are in manifest.json; "
-                           "use --overwrite to run the case again");
+            run.string() +
+                ": the run in this folder is done, there is nothing to resume. Its figures are in manifest.json; "
+                "use --overwrite to run the case again");
 }
 
 TEST(RunFolder, OverwritingRemovesTheRunAndNothingElse) {

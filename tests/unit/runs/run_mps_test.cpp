@@ -65,7 +65,8 @@ void expect_the_same_in_parts(const cases::CaseFile& file) {
     std::atomic<bool> stop = false;
     std::jthread alarm([&](const std::stop_token& over) {
       const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(5 * parts);
-      while (!over.stop_requested() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      while (!over.stop_requested() && std::chrono::steady_clock::now() < end)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
       stop = true;
     });
     if (run_quietly(file, folder / "parts", Begin::resume, &stop).stopped) continue;
@@ -115,7 +116,9 @@ TEST(run_mps, refuses_a_step_above_the_limit_and_warns_of_one_near_it) {
   auto above = undamped, near = undamped;
   above.push_back("time.step=0.0084");
   const std::string words = refused(above);
-  EXPECT_NE(words.find("--set time.step: error: the step of 0.0084 s is 1.029 times the predicted limit of 0.008165 s"), std::string::npos) << words;
+  EXPECT_NE(words.find("--set time.step: error: the step of 0.0084 s is 1.029 times the predicted limit of 0.008165 s"),
+            std::string::npos)
+      << words;
   EXPECT_NE(words.find("help: choose 0.00735 s or less, or give no step"), std::string::npos) << words;
   near.insert(near.end(), {"time.end=0.486", "time.history_interval=0.0081", "time.snapshot_interval=0.486", "time.step=0.0081"});
   EXPECT_EQ(refused(near), "");
@@ -132,8 +135,8 @@ TEST(run_mps, refuses_what_does_not_fit_its_particles) {
 
 TEST(run_mps, viscous_base_lets_a_wave_in_and_out) {
   const TemporaryFolder folder;
-  run_quietly(column({"boundaries=[{side=\"bottom\",kind=\"viscous\",motion_x=\"wavelet\"}]", "materials.0.damping_ratio=0", "time.step=2e-3",
-                      "time.end=3", "time.history_interval=0.05", "time.snapshot_interval=3"}),
+  run_quietly(column({"boundaries=[{side=\"bottom\",kind=\"viscous\",motion_x=\"wavelet\"}]", "materials.0.damping_ratio=0",
+                      "time.step=2e-3", "time.end=3", "time.history_interval=0.05", "time.snapshot_interval=3"}),
               folder / "run");
   std::istringstream history(read_text(folder / "run/history.csv"));
   std::string line;
@@ -145,8 +148,8 @@ TEST(run_mps, viscous_base_lets_a_wave_in_and_out) {
     last = kinetic + elastic;
     largest = std::max(largest, last);
   }
-  EXPECT_GT(largest, 100);            // J/m: the wave is in the column
-  EXPECT_LT(last, 2e-3 * largest);    // and has left: 2 m particles send 4 % of its amplitude back
+  EXPECT_GT(largest, 100);          // J/m: the wave is in the column
+  EXPECT_LT(last, 2e-3 * largest);  // and has left: 2 m particles send 4 % of its amplitude back
 }
 
 TEST(run_mps, a_body_in_3d_has_the_limit_and_motion_of_one_in_2d_between_rollers) {
@@ -156,8 +159,8 @@ TEST(run_mps, a_body_in_3d_has_the_limit_and_motion_of_one_in_2d_between_rollers
     std::vector<std::string> list = {"time.end=0.4", "time.history_interval=0.1", "time.snapshot_interval=0.4", "time.step=1e-3"};
     if (solid)
       list.insert(list.end(), {"particles.dimension=3", "particles.periodic=[\"x\",\"y\"]", "regions.0.upper=[4,4,100]",
-                               "gauges.0.point=[2,2,0]", "gauges.1.point=[2,2,25]", "gauges.2.point=[2,2,50]", "gauges.3.point=[2,2,75]",
-                               "gauges.4.point=[2,2,100]"});
+                               "gauges.0.point=[2,2,0]", "gauges.1.point=[2,2,25]", "gauges.2.point=[2,2,50]",
+                               "gauges.3.point=[2,2,75]", "gauges.4.point=[2,2,100]"});
     return list;
   };
   run_quietly(column(settings(false)), folder / "plane");
@@ -192,7 +195,8 @@ cases::Study small_study(const TemporaryFolder& folder) {
 title = "small"
 [[families]]
 name = "S"
-case = ")" << fs::absolute("cases/stability-study/column-s.toml").string() << R"("
+case = ")" << fs::absolute("cases/stability-study/column-s.toml").string()
+                                       << R"("
 [[parameters]]
 name = "spacing"
 keys = ["particles.spacing"]
@@ -225,8 +229,9 @@ TEST(study, finds_predicted_limits_and_goes_on_where_it_stopped) {
 
   std::ofstream(folder / "part/manifest.json") << R"({"status": "stopped"})";
   std::ofstream(folder / "study.toml", std::ios::app) << "ratio = 1.1\n";
-  const std::string words = words_of<UserError>(
-      [&] { run_study(cases::read_study(folder / "study.toml"), {folder / "part", Begin::resume, true, 1, nullptr}); });
+  const std::string words = words_of<UserError>([&] {
+    run_study(cases::read_study(folder / "study.toml"), {folder / "part", Begin::resume, true, 1, nullptr});
+  });
   EXPECT_NE(words.find("cannot be resumed: the study, its cases or the program have changed"), std::string::npos) << words;
 }
 

@@ -19,8 +19,9 @@ using test::read_manifest, test::read_text, test::TemporaryFolder, test::words_o
 
 /// The mortar beam, coarse and loaded fast, so that it breaks soon.
 cases::CaseFile beam(std::vector<std::string> settings = {}) {
-  settings.insert(settings.begin(), {"blocks.0.element_size=0.01", "rollers.2.velocity=[0,-0.1,0]", "time.end=0.003", "gauges.0.point=[0.081,0.002,0]",
-                                     "time.snapshot_interval=5e-4", "rollers.0.center=[0.035,-0.005,0]", "rollers.1.center=[0.125,-0.005,0]"});
+  settings.insert(settings.begin(), {"blocks.0.element_size=0.01", "rollers.2.velocity=[0,-0.1,0]", "time.end=0.003",
+                                     "gauges.0.point=[0.081,0.002,0]", "time.snapshot_interval=5e-4",
+                                     "rollers.0.center=[0.035,-0.005,0]", "rollers.1.center=[0.125,-0.005,0]"});
   return cases::read_case("cases/mortar-beam/case.toml", settings);
 }
 
@@ -50,7 +51,8 @@ TEST(run_rectangles, in_many_parts_gives_the_bits_of_one_run) {
     std::atomic<bool> stop = false;
     std::jthread alarm([&](const std::stop_token& over) {
       const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(5 * parts);
-      while (!over.stop_requested() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      while (!over.stop_requested() && std::chrono::steady_clock::now() < end)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
       stop = true;
     });
     if (run_case(file, {folder / "parts", Begin::resume, true, &stop}).stopped) continue;
@@ -71,8 +73,9 @@ TEST(run_rectangles, refuses_a_step_above_the_limit_and_warns_of_one_near_it) {
 }
 
 TEST(run_rectangles, refuses_what_overlaps_at_the_start) {
-  const std::string words = refused({"blocks=[{name=\"beam\",material=\"mortar\",element_size=0.01,lower=[0,0,0],upper=[0.16,0.04,0]},"
-                                     "{name=\"other\",material=\"mortar\",lower=[0.1,0.037,0],upper=[0.15,0.087,0]}]"});
+  const std::string words =
+      refused({"blocks=[{name=\"beam\",material=\"mortar\",element_size=0.01,lower=[0,0,0],upper=[0.16,0.04,0]},"
+               "{name=\"other\",material=\"mortar\",lower=[0.1,0.037,0],upper=[0.15,0.087,0]}]"});
   EXPECT_NE(words.find("overlaps what stands there already, by 0.003"), std::string::npos) << words;
 }
 

@@ -63,7 +63,8 @@ cases::CaseFile case_of(const TemporaryFolder& folder, const std::string& rest, 
   return cases::read_case(folder.write("case.toml", head + rest), settings);
 }
 
-RunOutcome carry_out(const cases::CaseFile& file, const fs::path& folder, Begin begin = Begin::fresh, const std::atomic<bool>* stop = nullptr) {
+RunOutcome carry_out(const cases::CaseFile& file, const fs::path& folder, Begin begin = Begin::fresh,
+                     const std::atomic<bool>* stop = nullptr) {
   return run_case(file, {folder, begin, true, stop});
 }
 
@@ -81,7 +82,8 @@ TEST(run_spheres, writes_its_folder_and_its_figures) {
   EXPECT_EQ(manifest["status"], "done");
   EXPECT_EQ(manifest["results"]["particles"], 500);
   EXPECT_GT(manifest["results"]["contacts"], 500);
-  EXPECT_LT(std::abs(manifest["results"]["energy_residual"].get<double>()), 1e-3 * manifest["results"]["energy_lost"].get<double>());
+  EXPECT_LT(std::abs(manifest["results"]["energy_residual"].get<double>()),
+            1e-3 * manifest["results"]["energy_lost"].get<double>());
   EXPECT_TRUE(fs::exists(folder / "run/snapshots/particles_00002.vtkhdf"));
   EXPECT_TRUE(read_text(folder / "run/gauges.csv").starts_with("time [s],all of them.position_x [m],"));
   EXPECT_TRUE(read_text(folder / "run/walls.csv").starts_with("time [s],floor.force_x [N],"));
@@ -98,7 +100,8 @@ TEST(run_spheres, in_many_parts_gives_the_bits_of_one_run) {
     std::atomic<bool> stop = false;
     std::jthread alarm([&](const std::stop_token& over) {
       const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(20 * parts);
-      while (!over.stop_requested() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      while (!over.stop_requested() && std::chrono::steady_clock::now() < end)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
       stop = true;
     });
     if (carry_out(file, folder / "parts", Begin::resume, &stop).stopped) continue;
@@ -108,7 +111,8 @@ TEST(run_spheres, in_many_parts_gives_the_bits_of_one_run) {
   EXPECT_EQ(read_manifest(folder / "whole")["state_hash"], read_manifest(folder / "parts")["state_hash"]);
   for (const char* table : {"gauges.csv", "walls.csv"})
     EXPECT_EQ(read_text(folder / "whole" / table), read_text(folder / "parts" / table));
-  EXPECT_EQ(test::without_last_column(read_text(folder / "whole/history.csv")), test::without_last_column(read_text(folder / "parts/history.csv")));
+  EXPECT_EQ(test::without_last_column(read_text(folder / "whole/history.csv")),
+            test::without_last_column(read_text(folder / "parts/history.csv")));
 }
 
 TEST(run_spheres, places_lattices_in_the_middle_of_their_box) {
@@ -160,7 +164,8 @@ material = "glass"
 centre = [0.018, 0.0, 0.02]
 radius = 0.005
 )");
-  EXPECT_NE(overlap.find("error: 1 pairs of spheres overlap at the start by more than 0.05 of the smaller radius: a 1 at (0.01, 0, 0.02) and b 1 at "
+  EXPECT_NE(overlap.find("error: 1 pairs of spheres overlap at the start by more than 0.05 of the smaller radius: a 1 at (0.01, "
+                         "0, 0.02) and b 1 at "
                          "(0.018, 0, 0.02) by 0.4"),
             std::string::npos)
       << overlap;

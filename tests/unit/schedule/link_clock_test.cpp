@@ -56,7 +56,7 @@ TEST(link_clock, only_what_is_due_is_collected) {
 /// A walk of one link through random changes of level. A level is refined whenever the link is due (its bodies step),
 /// or in between (a body is woken) to a level in phase; it is coarsened at base steps only.
 class Walk {
- public:
+public:
   explicit Walk(unsigned seed) : random_(seed) { clock_.add(0, 0, 0); }
 
   void run(int rounds) {
@@ -72,7 +72,7 @@ class Walk {
 
   int windows() const { return windows_; }
 
- private:
+private:
   Tick next_due() const { return now_ - now_ % stride(clock_.level(0)) + stride(clock_.level(0)); }
 
   /// Goes back to a moment before the link is due, at which a finer level is in phase.

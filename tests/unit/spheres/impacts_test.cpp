@@ -20,10 +20,12 @@ TEST(sphere_stepper, free_fall_is_exact) {
   EXPECT_NEAR(stepper.energies().sum(), 0.5 * 2500 * 4.18879020478639e-6 * 5 + 10 * 2500 * 4.18879020478639e-6, 1e-14);
 }
 
-/// Hertz: two equal spheres, closing speed v; t = 2.8683 (m^2/(R E^2 v))^(1/5), d = (15 m v^2/(16 E sqrt R))^(2/5) with reduced m, R, E.
+/// Hertz: two equal spheres, closing speed v; t = 2.8683 (m^2/(R E^2 v))^(1/5), d = (15 m v^2/(16 E sqrt R))^(2/5) with reduced
+/// m, R, E.
 TEST(sphere_stepper, contact_lasts_as_hertz_says) {
   const Real speed = 2, step = 1e-7;
-  auto stepper = make_stepper({{.centre = {-0.0100001, 0, 0}, .velocity = {speed / 2, 0, 0}}, {.centre = {0.0100001, 0, 0}, .velocity = {-speed / 2, 0, 0}}},
+  auto stepper = make_stepper({{.centre = {-0.0100001, 0, 0}, .velocity = {speed / 2, 0, 0}},
+                               {.centre = {0.0100001, 0, 0}, .velocity = {-speed / 2, 0, 0}}},
                               {.step = step});
   stepper.start();
   const Real mass = 0.5 * stepper.spheres().place[0].mass, radius = 0.005, modulus = 1e8 / (2 * (1 - 0.09));
@@ -61,7 +63,8 @@ TEST(sphere_stepper, rolling_friction_holds_a_ball_on_a_slope) {
   for (const Real tangent : {0.08, 0.12}) {
     Wall floor;
     const Vector3 gravity(10 * std::sin(std::atan(tangent)), 0, -10 * std::cos(std::atan(tangent)));
-    auto stepper = make_stepper({{.centre = {0, 0, 0.01}}}, {.restitution = 0.3, .friction = 0.5, .rolling = 0.1, .step = 5e-6, .gravity = gravity}, {floor});
+    auto stepper = make_stepper({{.centre = {0, 0, 0.01}}},
+                                {.restitution = 0.3, .friction = 0.5, .rolling = 0.1, .step = 5e-6, .gravity = gravity}, {floor});
     stepper.start();
     advance(stepper, 40000);
     const Real speed = velocity_of(stepper, 0).x();
@@ -74,7 +77,8 @@ TEST(sphere_stepper, rolling_friction_holds_a_ball_on_a_slope) {
 
 TEST(sphere_stepper, keeps_momentum_and_angular_momentum) {
   for (const auto model : {laws::ContactModel::hertz, laws::ContactModel::linear}) {
-    auto stepper = make_stepper(heap(6, 0.5), {.restitution = 0.7, .friction = 0.4, .rolling = 0.1, .step = 1e-5, .model = model});
+    auto stepper =
+        make_stepper(heap(6, 0.5), {.restitution = 0.7, .friction = 0.4, .rolling = 0.1, .step = 1e-5, .model = model});
     stepper.start();
     const Vector3 momentum = stepper.momentum(), turning = stepper.angular_momentum();
     std::int64_t touched = 0;
@@ -122,7 +126,8 @@ TEST(sphere_stepper, a_moving_wall_brings_the_work_in) {
 
 TEST(sphere_stepper, meets_through_periodic_sides) {
   const state::PeriodicBox box{Vector3::Zero(), Vector3(0.1, 0, 0)};
-  auto stepper = make_stepper({{.centre = {0.02, 0, 0}, .velocity = {-1, 0, 0}}, {.centre = {0.08, 0, 0}, .velocity = {1, 0, 0}}}, {.step = 1e-6, .box = box});
+  auto stepper = make_stepper({{.centre = {0.02, 0, 0}, .velocity = {-1, 0, 0}}, {.centre = {0.08, 0, 0}, .velocity = {1, 0, 0}}},
+                              {.step = 1e-6, .box = box});
   stepper.start();
   advance(stepper, 25000);
   EXPECT_NEAR(velocity_of(stepper, 0).x(), 1, 1e-3);

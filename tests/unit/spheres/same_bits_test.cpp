@@ -41,7 +41,8 @@ TEST(spheres, give_the_same_bits_on_any_number_of_threads) {
 }
 
 TEST(spheres, go_on_from_a_checkpoint_as_if_nothing_had_been) {
-  auto through = make_stepper(heap(8, 0.5, 0.0195), rules(), box_walls()), resumed = make_stepper(heap(8, 0.5, 0.0195), rules(), box_walls());
+  auto through = make_stepper(heap(8, 0.5, 0.0195), rules(), box_walls()),
+       resumed = make_stepper(heap(8, 0.5, 0.0195), rules(), box_walls());
   through.start();
   advance(through, 777);
   test::MemoryArchive checkpoint = state_of(through);

@@ -7,8 +7,9 @@ namespace sazare::methods::spheres {
 ContactTable table(const Rules& rules) {
   ContactTable contacts(rules.model, 1);
   contacts.set(0, 0,
-               rules.model == laws::ContactModel::hertz ? laws::hertz_constants(soft, soft, rules.restitution, rules.friction, rules.rolling)
-                                                        : laws::linear_constants(1e5, 8e4, rules.restitution, rules.friction, rules.rolling));
+               rules.model == laws::ContactModel::hertz
+                   ? laws::hertz_constants(soft, soft, rules.restitution, rules.friction, rules.rolling)
+                   : laws::linear_constants(1e5, 8e4, rules.restitution, rules.friction, rules.rolling));
   return contacts;
 }
 

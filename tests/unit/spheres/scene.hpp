@@ -33,8 +33,12 @@ std::vector<Grain> heap(int across, Real speed, Real spacing = 0.021);
 /// Where the sphere with a number stands in memory.
 std::size_t place_of(const engine::SphereStepper& stepper, Index number);
 
-inline Vector3 centre_of(const engine::SphereStepper& stepper, Index number) { return stepper.spheres().place[place_of(stepper, number)].centre(); }
-inline Vector3 velocity_of(const engine::SphereStepper& stepper, Index number) { return stepper.velocity(place_of(stepper, number)); }
+inline Vector3 centre_of(const engine::SphereStepper& stepper, Index number) {
+  return stepper.spheres().place[place_of(stepper, number)].centre();
+}
+inline Vector3 velocity_of(const engine::SphereStepper& stepper, Index number) {
+  return stepper.velocity(place_of(stepper, number));
+}
 inline Vector3 spin_of(const engine::SphereStepper& stepper, Index number) { return stepper.spin(place_of(stepper, number)); }
 
 inline void advance(engine::SphereStepper& stepper, int steps) {

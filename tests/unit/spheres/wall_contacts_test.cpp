@@ -41,7 +41,8 @@ TEST(wall_contacts, a_flat_surface_pushes_once_wherever_its_edges_are) {
   const Vector3 plane = force_at({0, 0, pressed}, {Wall{}});
   EXPECT_GT(plane.z(), 0);
   for (const int pieces : {3, 7, 40})
-    for (const Vector3& place : {Vector3(0, 0, pressed), Vector3(1e-4, 0, pressed), Vector3(5e-4, 3e-4, pressed), Vector3(0.3, 1e-5, pressed)}) {
+    for (const Vector3& place :
+         {Vector3(0, 0, pressed), Vector3(1e-4, 0, pressed), Vector3(5e-4, 3e-4, pressed), Vector3(0.3, 1e-5, pressed)}) {
       const Vector3 force = force_at(place, {fan(pieces)});
       EXPECT_NEAR((force - plane).norm(), 0, 1e-9 * plane.z()) << pieces << " " << place.transpose();
     }
@@ -58,16 +59,15 @@ TEST(wall_contacts, an_outer_edge_and_a_corner_push_once) {
 }
 
 TEST(wall_contacts, both_sides_of_a_groove_push) {
-  const std::vector<Wall> groove = {surface({{Vector3(-1, -1, 0), Vector3(1, -1, 0), Vector3(0, 1, 0)}, {Vector3(0, -1, 0), Vector3(0, 1, 0), Vector3(0, 0, 1)}})};
+  const std::vector<Wall> groove = {surface(
+      {{Vector3(-1, -1, 0), Vector3(1, -1, 0), Vector3(0, 1, 0)}, {Vector3(0, -1, 0), Vector3(0, 1, 0), Vector3(0, 0, 1)}})};
   const Vector3 plane = force_at({0, 0, pressed}, {Wall{}});
   const Vector3 force = force_at({pressed, 0, pressed}, groove);
   EXPECT_NEAR(force.x(), plane.z(), 1e-9 * plane.z());
   EXPECT_NEAR(force.z(), plane.z(), 1e-9 * plane.z());
 }
 
-TEST(wall_contacts, both_sides_of_a_surface_push) {
-  EXPECT_LT(force_at({0.1, 0.1, -pressed}, {fan(5)}).z(), 0);
-}
+TEST(wall_contacts, both_sides_of_a_surface_push) { EXPECT_LT(force_at({0.1, 0.1, -pressed}, {fan(5)}).z(), 0); }
 
 TEST(wall_contacts, friction_remembers_across_edges) {
   const auto slide = [](const Wall& wall) {
@@ -83,7 +83,8 @@ TEST(wall_contacts, friction_remembers_across_edges) {
 }
 
 TEST(wall_contacts, force_and_moment_on_the_wall_are_those_on_the_sphere_turned_round) {
-  auto stepper = make_stepper({{.centre = {0.2, 0.1, pressed}, .velocity = {0.5, 0, 0}, .spin = {3, 0, 1}}}, {.friction = 0.3, .rolling = 0.1}, {Wall{}});
+  auto stepper = make_stepper({{.centre = {0.2, 0.1, pressed}, .velocity = {0.5, 0, 0}, .spin = {3, 0, 1}}},
+                              {.friction = 0.3, .rolling = 0.1}, {Wall{}});
   stepper.start();
   advance(stepper, 3);
   const auto& load = stepper.loads().of(0);
@@ -96,14 +97,17 @@ TEST(wall_contacts, force_and_moment_on_the_wall_are_those_on_the_sphere_turned_
 TEST(wall_contacts, a_turning_wall_takes_a_ball_along) {
   Wall wall = fan(6);
   wall.motion.spin = Vector3(0, 0, 2);
-  auto stepper = make_stepper({{.centre = {0.1, 0, pressed}}}, {.restitution = 0.5, .friction = 0.5, .rolling = 0.5, .step = 2e-6, .gravity = {0, 0, -10}}, {wall});
+  auto stepper =
+      make_stepper({{.centre = {0.1, 0, pressed}}},
+                   {.restitution = 0.5, .friction = 0.5, .rolling = 0.5, .step = 2e-6, .gravity = {0, 0, -10}}, {wall});
   stepper.start();
   advance(stepper, 50000);
   EXPECT_GT(velocity_of(stepper, 0).y(), 0.1);
 }
 
 TEST(wall_contacts, keep_a_ball_dropped_on_a_wall_of_triangles) {
-  auto stepper = make_stepper({{.centre = {0.01, 0.02, 0.1}}}, {.restitution = 0.5, .step = 1e-5, .gravity = {0, 0, -10}}, {fan(9)});
+  auto stepper =
+      make_stepper({{.centre = {0.01, 0.02, 0.1}}}, {.restitution = 0.5, .step = 1e-5, .gravity = {0, 0, -10}}, {fan(9)});
   stepper.start();
   advance(stepper, 100000);
   EXPECT_NEAR(centre_of(stepper, 0).z(), 0.01, 2e-5);

@@ -54,11 +54,11 @@ TEST(face_pressure, follows_its_history_from_the_delay_on) {
   load.delay = 2;  // seconds: the probe's first evaluation stands at one second
   load.history = laws::PressureTable{{0, 2}, {1e6, 3e6}};
   PressedBody pressed(load);
-  EXPECT_EQ(pressed.force().linear.norm(), 0);                 // 1 s
-  EXPECT_NEAR(pressed.force().linear.x(), -0.5e6, 1e-9);       // 2 s
-  EXPECT_NEAR(pressed.force().linear.x(), -0.5 * 2e6, 1e-9);   // 3 s
-  EXPECT_NEAR(pressed.force().linear.x(), -0.5 * 3e6, 1e-9);   // 4 s
-  EXPECT_EQ(pressed.force().linear.norm(), 0);                 // 5 s
+  EXPECT_EQ(pressed.force().linear.norm(), 0);                // 1 s
+  EXPECT_NEAR(pressed.force().linear.x(), -0.5e6, 1e-9);      // 2 s
+  EXPECT_NEAR(pressed.force().linear.x(), -0.5 * 2e6, 1e-9);  // 3 s
+  EXPECT_NEAR(pressed.force().linear.x(), -0.5 * 3e6, 1e-9);  // 4 s
+  EXPECT_EQ(pressed.force().linear.norm(), 0);                // 5 s
 }
 
 TEST(face_pressure, fires_the_pulse_of_a_blast) {

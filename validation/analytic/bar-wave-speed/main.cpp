@@ -18,7 +18,7 @@ using namespace sazare;
 
 /// A checkpoint in which the motion of the bodies is set.
 class SetMotion final : public Archive {
- public:
+public:
   explicit SetMotion(engine::Simulation<3>& simulation) : simulation_(simulation) { simulation.columns(*this); }
 
   void set(std::vector<state::Motion<3>> motion) {
@@ -29,13 +29,13 @@ class SetMotion final : public Archive {
   }
   bool reading() const override { return reading_; }
 
- protected:
+protected:
   void write(const std::string& name, std::span<const std::byte> bytes) override {
     columns_[name].assign(bytes.begin(), bytes.end());
   }
   std::vector<std::byte> read(const std::string& name) override { return columns_.at(name); }
 
- private:
+private:
   engine::Simulation<3>& simulation_;
   std::map<std::string, std::vector<std::byte>> columns_;
   bool reading_ = false;
@@ -118,9 +118,7 @@ StandingWave standing_wave(const geometry::TetraMesh& mesh, validation::Sides si
 
 Real shape(Real x) { return std::cos(std::numbers::pi * x / validation::bar_length); }
 
-std::pair<Vector3, Vector3> along_the_bar(const Vector3& centre) {
-  return {Vector3(shape(centre.x()), 0, 0), Vector3::Zero()};
-}
+std::pair<Vector3, Vector3> along_the_bar(const Vector3& centre) { return {Vector3(shape(centre.x()), 0, 0), Vector3::Zero()}; }
 
 std::pair<Vector3, Vector3> around_the_bar(const Vector3& centre) {
   return {shape(centre.x()) * Vector3::UnitX().cross(centre), Vector3(shape(centre.x()), 0, 0)};

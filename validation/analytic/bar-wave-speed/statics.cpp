@@ -108,9 +108,7 @@ int end_of(const Block& block) {
   return block.centre.x() > bar_length - cube_size ? 1 : 0;
 }
 
-bool in_the_middle(const Block& block) {
-  return block.centre.x() > 0.25 * bar_length && block.centre.x() < 0.75 * bar_length;
-}
+bool in_the_middle(const Block& block) { return block.centre.x() > 0.25 * bar_length && block.centre.x() < 0.75 * bar_length; }
 
 Vector3 displacement(const Column& solution, std::size_t block) {
   return solution.segment<3>(static_cast<Eigen::Index>(6 * block));

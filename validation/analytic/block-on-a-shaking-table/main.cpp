@@ -25,9 +25,14 @@ runs::RectanglesModel table(const Settings& settings) {
 /// a frequency that it is straight.
 Settings rising(Real width, Real height, Real rate, Real friction) {
   constexpr Real frequency = 1e-3;
-  return {fmt::format("blocks.0.lower=[{},0.0,0.0]", -0.5 * width), fmt::format("blocks.0.upper=[{},{},0.0]", 0.5 * width, height),
-          fmt::format("motions.0.amplitude={}", rate / (2 * std::numbers::pi * frequency)), fmt::format("motions.0.frequency={}", frequency),
-          "motions.0.cycles=0", fmt::format("contact.friction_angle={}", std::atan(friction) * 180 / std::numbers::pi), "gauges=[]", "time.end=20",
+  return {fmt::format("blocks.0.lower=[{},0.0,0.0]", -0.5 * width),
+          fmt::format("blocks.0.upper=[{},{},0.0]", 0.5 * width, height),
+          fmt::format("motions.0.amplitude={}", rate / (2 * std::numbers::pi * frequency)),
+          fmt::format("motions.0.frequency={}", frequency),
+          "motions.0.cycles=0",
+          fmt::format("contact.friction_angle={}", std::atan(friction) * 180 / std::numbers::pi),
+          "gauges=[]",
+          "time.end=20",
           "time.snapshot_interval=1"};
 }
 
@@ -59,9 +64,10 @@ Real rocking(Real width, Real height) {
 
 /// Whether the block falls over under half a sine.
 bool overturns(Real width, Real amplitude, Real frequency) {
-  const auto model = table({fmt::format("blocks.0.lower=[{},0.0,0.0]", -0.5 * width), fmt::format("blocks.0.upper=[{},2.0,0.0]", 0.5 * width),
-                            fmt::format("motions.0.amplitude={}", amplitude), fmt::format("motions.0.frequency={}", frequency), "gauges=[]",
-                            "time.end=8", "time.snapshot_interval=1"});
+  const auto model =
+      table({fmt::format("blocks.0.lower=[{},0.0,0.0]", -0.5 * width), fmt::format("blocks.0.upper=[{},2.0,0.0]", 0.5 * width),
+             fmt::format("motions.0.amplitude={}", amplitude), fmt::format("motions.0.frequency={}", frequency), "gauges=[]",
+             "time.end=8", "time.snapshot_interval=1"});
   while (model.stepper->time() < 8) {
     model.stepper->advance();
     const Real angle = std::abs(model.stepper->particles().angle[0]);
@@ -87,7 +93,8 @@ Real overturning(Real width, Real frequency, Real low, Real high) {
 ///
 /// Housner's own q = sqrt(1 + (w/p)^2) leaves out the last term.
 Real housner(Real width, Real frequency) {
-  const Real half_diagonal = std::hypot(0.5 * width, 1.0), p = std::sqrt(3 * g / (4 * half_diagonal)), w = 2 * std::numbers::pi * frequency;
+  const Real half_diagonal = std::hypot(0.5 * width, 1.0), p = std::sqrt(3 * g / (4 * half_diagonal)),
+             w = 2 * std::numbers::pi * frequency;
   Real low = 1, high = 100;
   for (int halving = 0; halving < 60; ++halving) {
     const Real q = 0.5 * (low + high);
@@ -104,7 +111,8 @@ Settings newmark_settings() {
           fmt::format("motions=[{{name=\"pulse\",type=\"sine\",frequency={},cycles=6,amplitude={}}},"
                       "{{name=\"vertical\",type=\"sine\",frequency={},cycles=9,amplitude={}}}]",
                       shaking, horizontal, 1.5 * shaking, vertical),
-          "walls.0.motion_y=\"vertical\"", fmt::format("contact.friction_angle={:.17g}", std::atan(friction) * 180 / std::numbers::pi), "gauges=[]",
+          "walls.0.motion_y=\"vertical\"",
+          fmt::format("contact.friction_angle={:.17g}", std::atan(friction) * 180 / std::numbers::pi), "gauges=[]",
           "time.end=3.5", "time.snapshot_interval=0.5",
           // Friction follows the springs without the dashpots, so both are stiff and weak here.
           "contact.normal_stiffness=1e11", "contact.shear_stiffness=1e11", "contact.damping_ratio=0.2"};

@@ -28,13 +28,14 @@ Real frequency_of(const std::vector<Real>& values, Real step, Real guess) {
   Real low = 0.85 * guess, high = 1.15 * guess;
   while (high - low > 1e-6 * guess) {
     const Real first = low + (high - low) / 3, second = high - (high - low) / 3;
-    (rest(values, step, first) < rest(values, step, second) ? high : low) = rest(values, step, first) < rest(values, step, second) ? second : first;
+    (rest(values, step, first) < rest(values, step, second) ? high : low) =
+        rest(values, step, first) < rest(values, step, second) ? second : first;
   }
   return 0.5 * (low + high);
 }
 
-/// The first root b of the frequency equation of Timoshenko's cantilever, b^2 = rho A L^4 w^2/(E I): T. C. Huang, J. Appl. Mech. 28
-/// (1961) 579-584. `slenderness` is h/L, `shear` E/(kappa G).
+/// The first root b of the frequency equation of Timoshenko's cantilever, b^2 = rho A L^4 w^2/(E I): T. C. Huang, J. Appl. Mech.
+/// 28 (1961) 579-584. `slenderness` is h/L, `shear` E/(kappa G).
 Real timoshenko_root(Real slenderness, Real shear) {
   const Real r2 = slenderness * slenderness / 12, s2 = shear * r2;
   const auto equation = [&](Real b) {
@@ -56,8 +57,8 @@ Real ratio(Real spacing, Real poisson) {
   constexpr Real shear_velocity = 100, height = 1;
   const Real length = 20 - 0.5 * spacing, modulus = 2 * (1 + poisson) / (1 - poisson * poisson);  // plane strain, over G
   const Real kappa = 10 * (1 + poisson) / (12 + 11 * poisson);
-  const Real theory = timoshenko_root(height / length, modulus / kappa) / (2 * std::numbers::pi) * shear_velocity * std::sqrt(modulus / 12) *
-                      height / (length * length);
+  const Real theory = timoshenko_root(height / length, modulus / kappa) / (2 * std::numbers::pi) * shear_velocity *
+                      std::sqrt(modulus / 12) * height / (length * length);
   return frequency_of(trace.displacement.front(), trace.step, theory) / theory;
 }
 

@@ -58,11 +58,13 @@ int main() {
   const Real first = temperature(stepper), begun = stepper.time();
   const Real density = share / (4 * std::numbers::pi / 3 * std::pow(radius, 3)), pair = (1 - share / 2) / std::pow(1 - share, 3);
   // Haff: T = T0/(1 + t/tau)^2, 1/tau = (1 - e^2) omega/6, omega = 4 sqrt(pi) n d^2 g sqrt(T0) collisions of a sphere per second.
-  const Real rate = (1 - restitution * restitution) / 6 * 4 * std::sqrt(std::numbers::pi) * density * 4 * radius * radius * pair * std::sqrt(first);
+  const Real rate = (1 - restitution * restitution) / 6 * 4 * std::sqrt(std::numbers::pi) * density * 4 * radius * radius * pair *
+                    std::sqrt(first);
   for (int part = 1; part <= 2; ++part) {
     for (int k = 0; k < steps / 2; ++k) stepper.advance();
     const Real expected = 1 / std::pow(1 + rate * (stepper.time() - begun), 2);
     validation::print_row(part == 1 ? "half" : "whole", temperature(stepper) / first, expected);
   }
-  validation::print_row("momentum", stepper.momentum().norm() / (static_cast<Real>(stepper.spheres().size()) * stepper.spheres().place[0].mass * speed));
+  validation::print_row("momentum", stepper.momentum().norm() /
+                                        (static_cast<Real>(stepper.spheres().size()) * stepper.spheres().place[0].mass * speed));
 }

@@ -38,8 +38,9 @@ Real softening_error(const laws::JointTension& law) {
   };
   for (int i = 0; i < 100; ++i) {
     const Real opening = law.elastic_opening + (i + 0.5) / 100 * (law.failure_opening - law.elastic_opening);
-    worst = std::max(worst, std::abs(slope(taken, opening, 1e-3 * law.elastic_opening / 100) -
-                                     laws::softening_stress(law, opening)) / law.strength);
+    worst =
+        std::max(worst, std::abs(slope(taken, opening, 1e-3 * law.elastic_opening / 100) - laws::softening_stress(law, opening)) /
+                            law.strength);
   }
   return worst;
 }

@@ -17,9 +17,9 @@ using Complex = std::complex<Real>;
 constexpr auto path = "validation/analytic/layered-column/case.toml";
 constexpr Complex i(0, 1);
 
-/// Exact: surface motion over 2 E of the half-space, layer by layer from the free surface down to the plane of the boundary. Damping
-/// a1 h of the mass and a2 h of the stiffness makes density and modulus complex. Where layers meet, the damped stress is continuous
-/// (Kelvin and Voigt); or the elastic one, where the damping is that of each particle (A20).
+/// Exact: surface motion over 2 E of the half-space, layer by layer from the free surface down to the plane of the boundary.
+/// Damping a1 h of the mass and a2 h of the stiffness makes density and modulus complex. Where layers meet, the damped stress is
+/// continuous (Kelvin and Voigt); or the elastic one, where the damping is that of each particle (A20).
 Complex exact_ratio(const cases::MpsCase& mps, Real frequency, bool by_particle) {
   const Real omega = 2 * std::numbers::pi * frequency;
   const auto damping = laws::RayleighDamping::make(mps.damping.f1, mps.damping.f2);
@@ -49,7 +49,8 @@ Complex exact_ratio(const cases::MpsCase& mps, Real frequency, bool by_particle)
 
 Complex transform(const std::vector<Real>& values, Real step, Real frequency) {
   Complex sum = 0;
-  for (std::size_t k = 0; k < values.size(); ++k) sum += values[k] * std::exp(-2 * std::numbers::pi * frequency * step * static_cast<Real>(k) * i);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    sum += values[k] * std::exp(-2 * std::numbers::pi * frequency * step * static_cast<Real>(k) * i);
   return sum * step;
 }
 
@@ -60,10 +61,12 @@ std::array<Real, 2> largest_errors(Real spacing) {
   const cases::CaseFile file = cases::read_case(path, settings);
   const laws::Ricker wave{5, 0.4};
   std::vector<Real> incoming;
-  for (std::size_t k = 0; k < trace.acceleration.back().size(); ++k) incoming.push_back(2 * laws::ricker(wave, trace.step * static_cast<Real>(k)));
+  for (std::size_t k = 0; k < trace.acceleration.back().size(); ++k)
+    incoming.push_back(2 * laws::ricker(wave, trace.step * static_cast<Real>(k)));
   std::array<Real, 2> largest{};
   for (Real frequency = 0.2; frequency <= 10.0001; frequency += 0.1) {
-    const Complex found = transform(trace.acceleration.back(), trace.step, frequency) / transform(incoming, trace.step, frequency);
+    const Complex found =
+        transform(trace.acceleration.back(), trace.step, frequency) / transform(incoming, trace.step, frequency);
     for (const bool by_particle : {false, true}) {
       Real& error = largest[by_particle ? 1 : 0];
       error = std::max(error, std::abs(std::abs(found) / std::abs(exact_ratio(file.mps(), frequency, by_particle)) - 1));

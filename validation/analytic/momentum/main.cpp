@@ -9,8 +9,8 @@ namespace {
 
 using namespace sazare;
 
-constexpr Real peak = 1.5e9, rise = 4e-6, decay_ratio = 4;          // over at 2e-5 s
-constexpr Real hole_area = 6 * 0.025 * 0.2;                         // six sides, slab.geo
+constexpr Real peak = 1.5e9, rise = 4e-6, decay_ratio = 4;  // over at 2e-5 s
+constexpr Real hole_area = 6 * 0.025 * 0.2;                 // six sides, slab.geo
 const Real impulse = peak * rise * (0.5 + 2 * decay_ratio / std::numbers::pi) * hole_area;
 
 /// A slab that nothing holds, hit by a short pressure. From 2.2e-5 s on nothing from outside acts, while joints break and

@@ -62,7 +62,8 @@ int main() {
   validation::print_row("rolling", turning / energies.potential);
   Real outside = 0;
   for (const auto& place : stepper.spheres().place)
-    for (const Real gap : {place.x, place.y, place.z, side - place.x, side - place.y}) outside = std::max(outside, (radius - gap) / radius);
+    for (const Real gap : {place.x, place.y, place.z, side - place.x, side - place.y})
+      outside = std::max(outside, (radius - gap) / radius);
   validation::print_row("overlap", outside);
   const Real height = energies.potential;
   for (int k = 0; k < 100000; ++k) stepper.advance();

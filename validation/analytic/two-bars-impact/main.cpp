@@ -39,9 +39,11 @@ test::Network<2> two_bars(int left, int right) {
 }
 
 class Bars {
- public:
+public:
   Bars(int left_masses, int right_masses, const engine::StepRules& rules)
-      : left_(left_masses), right_(right_masses), contact_(contact(left_masses, right_masses)),
+      : left_(left_masses),
+        right_(right_masses),
+        contact_(contact(left_masses, right_masses)),
         simulation_(two_bars(left_masses, right_masses).simulation(rules)) {
     simulation_.start();
   }
@@ -63,7 +65,7 @@ class Bars {
     return sum / count;
   }
 
- private:
+private:
   Index left_, right_;
   terms::Spring<2> contact_;
   engine::Simulation<2> simulation_;

@@ -60,7 +60,8 @@ After impact(const Solid& solid, const std::vector<Ball>& balls, Real expected_d
     met = true;
     after.duration += step;
     const auto& places = stepper.spheres().place;
-    const Real gap = balls.size() == 1 ? places[0].z - radius : (places[0].centre() - places[1].centre()).norm() - places[0].radius - places[1].radius;
+    const Real gap = balls.size() == 1 ? places[0].z - radius
+                                       : (places[0].centre() - places[1].centre()).norm() - places[0].radius - places[1].radius;
     after.largest_overlap = std::max(after.largest_overlap, -gap);
     after.largest_force = std::max(after.largest_force, std::abs(stepper.loads().of(0).fz));
   }
@@ -78,15 +79,18 @@ Real mass_of(Real density, Real radius) { return density * 4.18879020478639 * ra
 
 /// A ball of a solid on a rigid plane, its lowest point at the plane.
 After on_plane(const Solid& solid, Real radius, const Vector3& velocity, const Vector3& spin = Vector3::Zero()) {
-  return impact(solid, {{radius, {0, 0, radius}, velocity, spin}}, duration(mass_of(solid.density, radius), radius, modulus_of(solid.elasticity), -velocity.z()));
+  return impact(solid, {{radius, {0, 0, radius}, velocity, spin}},
+                duration(mass_of(solid.density, radius), radius, modulus_of(solid.elasticity), -velocity.z()));
 }
 
 /// Test 1: two alike, each at 10 m/s.
 void equal_spheres(const std::string& name, const Solid& solid) {
   const Real radius = 0.01, speed = 10, mass = 0.5 * mass_of(solid.density, radius), modulus = 0.5 * modulus_of(solid.elasticity);
   const Real expected = duration(mass, 0.5 * radius, modulus, 2 * speed);
-  const After after = impact(solid, {{radius, {0, 0, -radius}, {0, 0, speed}, {}}, {radius, {0, 0, radius}, {0, 0, -speed}, {}}}, expected);
-  const Real stiffness = 4.0 / 3 * modulus * std::sqrt(0.5 * radius), deepest = std::pow(1.25 * mass * 4 * speed * speed / stiffness, 0.4);
+  const After after =
+      impact(solid, {{radius, {0, 0, -radius}, {0, 0, speed}, {}}, {radius, {0, 0, radius}, {0, 0, -speed}, {}}}, expected);
+  const Real stiffness = 4.0 / 3 * modulus * std::sqrt(0.5 * radius),
+             deepest = std::pow(1.25 * mass * 4 * speed * speed / stiffness, 0.4);
   print_row("1-" + name + "-force", after.largest_force, stiffness * std::pow(deepest, 1.5));
   print_row("1-" + name + "-overlap", after.largest_overlap, deepest);
   print_row("1-" + name + "-time", after.duration, expected);
@@ -106,20 +110,23 @@ void restitutions(const Solid& solid) {
   for (const Real restitution : {0.2, 0.4, 0.6, 0.8, 1.0}) {
     Solid changed = solid;
     changed.restitution = restitution;
-    print_row(fmt::format("3-restitution-{:.1f}", restitution), on_plane(changed, 0.0025, {0, 0, -3.9}).velocity[0].z() / 3.9, restitution);
+    print_row(fmt::format("3-restitution-{:.1f}", restitution), on_plane(changed, 0.0025, {0, 0, -3.9}).velocity[0].z() / 3.9,
+              restitution);
   }
 }
 
-/// What a contact that slides throughout brings across: the integral of N where it pushes, and that of N d/2, by which the arm is shorter.
+/// What a contact that slides throughout brings across: the integral of N where it pushes, and that of N d/2, by which the arm is
+/// shorter.
 struct Push {
-  Real impulse = 0;   ///< [N s]
+  Real impulse = 0;    ///< [N s]
   Real short_arm = 0;  ///< [N m s]
 };
 
 /// Integrates m d'' = -K sqrt(R) d^(3/2) - c(d) d' alone, the damping that of Antypov and Elliott.
 Push push_of(Real mass, Real radius, Real modulus, Real restitution, Real speed) {
   const Real stiffness = 4.0 / 3 * modulus * std::sqrt(radius), log = std::log(restitution);
-  const Real damping = -std::sqrt(5.0) * log / std::sqrt(log * log + std::numbers::pi * std::numbers::pi) * std::sqrt(mass * stiffness);
+  const Real damping =
+      -std::sqrt(5.0) * log / std::sqrt(log * log + std::numbers::pi * std::numbers::pi) * std::sqrt(mass * stiffness);
   const Real step = duration(mass, radius, modulus, speed) / 2e5;
   Push push;
   Real depth = speed * step, rate = speed;
@@ -139,7 +146,8 @@ void oblique(const std::string& name, const Solid& solid, Real radius, const Vec
   const Real mass = mass_of(solid.density, radius);
   const Push push = push_of(mass, radius, modulus_of(solid.elasticity), solid.restitution, -velocity.z());
   print_row(name + "-tangential", after.velocity[0].x() / velocity.x(), 1 - solid.friction * push.impulse / mass / velocity.x());
-  print_row(name + "-spin", after.spin[0].y(), 2.5 * solid.friction * (push.impulse * radius - push.short_arm) / (mass * radius * radius));
+  print_row(name + "-spin", after.spin[0].y(),
+            2.5 * solid.friction * (push.impulse * radius - push.short_arm) / (mass * radius * radius));
 }
 
 /// Test 6: with spin, at a normal speed of 0.2 m/s.
@@ -148,7 +156,8 @@ void spinning(const Solid& solid) {
   const Push push = push_of(mass, radius, modulus_of(solid.elasticity), solid.restitution, speed);
   const After after = on_plane(solid, radius, {0, 0, -speed}, {0, spin, 0});
   print_row("6-velocity", after.velocity[0].x(), -solid.friction * push.impulse / mass);
-  print_row("6-spin", after.spin[0].y(), spin + 2.5 * solid.friction * (push.impulse * radius - push.short_arm) / (mass * radius * radius));
+  print_row("6-spin", after.spin[0].y(),
+            spin + 2.5 * solid.friction * (push.impulse * radius - push.short_arm) / (mass * radius * radius));
 }
 
 /// Tests 7 and 8: two spheres with spin at a closing speed of 0.4 m/s.

@@ -14,9 +14,11 @@ using namespace sazare;
 /// Amplitude of what the viscous base sends back of a wave, over that of the wave.
 Real reflected(std::size_t axis, Real velocity) {
   const std::vector<std::string> settings = {
-      fmt::format("boundaries=[{{side=\"bottom\",kind=\"viscous\",motion_{}=\"wavelet\"}}]", "xy"[axis]), "time.end=4", "time.step=1e-3"};
+      fmt::format("boundaries=[{{side=\"bottom\",kind=\"viscous\",motion_{}=\"wavelet\"}}]", "xy"[axis]), "time.end=4",
+      "time.step=1e-3"};
   const auto trace = validation::trace_gauges("cases/column-ricker/case.toml", settings, axis);
-  // The wave passes the surface around 0.25 s + 100 m / velocity. What the base sends back of it gets there 200 m later, and doubles.
+  // The wave passes the surface around 0.25 s + 100 m / velocity. What the base sends back of it gets there 200 m later, and
+  // doubles.
   const std::vector<Real>& surface = trace.acceleration.back();
   const Real passed = 0.5 + 100 / velocity;
   Real incident = 0, returned = 0;

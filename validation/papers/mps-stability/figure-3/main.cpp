@@ -12,7 +12,8 @@ using namespace sazare;
 
 /// To the end of the case: what a run of 2 s bears, as in the paper.
 Real limit(const std::string& integrator, Real spacing, Real damping) {
-  const std::vector<std::string> settings = {fmt::format("particles.spacing={}", spacing), fmt::format("time.integrator=\"{}\"", integrator),
+  const std::vector<std::string> settings = {fmt::format("particles.spacing={}", spacing),
+                                             fmt::format("time.integrator=\"{}\"", integrator),
                                              fmt::format("materials.0.damping_ratio={}", damping)};
   return runs::find_limit(cases::read_case("cases/stability-study/column-s.toml", settings), {1.02, 0, 1e15}).limit();
 }

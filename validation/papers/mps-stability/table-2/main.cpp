@@ -17,8 +17,8 @@ int main() {
   });
   const std::span<const runs::LimitPoint> all(points);
   const std::size_t half = points.size() / 2;
-  for (const auto& [name, own, paper] : {std::tuple{"s", all.first(half), &runs::paper_shear_fit},
-                                         {"p", all.last(half), &runs::paper_pressure_fit}}) {
+  for (const auto& [name, own, paper] :
+       {std::tuple{"s", all.first(half), &runs::paper_shear_fit}, {"p", all.last(half), &runs::paper_pressure_fit}}) {
     const runs::LimitFit fit = runs::fit_limits(own);
     for (int i = 0; i < 3; ++i) {
       const auto term = static_cast<std::size_t>(i);

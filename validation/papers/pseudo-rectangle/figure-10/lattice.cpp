@@ -63,16 +63,19 @@ Real load_at_first_break(const LatticeBeam& beam, Real strength) {
     }
     const auto at = freedoms_of(link);
     for (int i = 0; i < 6; ++i)
-      for (int j = 0; j < 6; ++j) entries.emplace_back(at[static_cast<std::size_t>(i)], at[static_cast<std::size_t>(j)], own(i, j));
+      for (int j = 0; j < 6; ++j)
+        entries.emplace_back(at[static_cast<std::size_t>(i)], at[static_cast<std::size_t>(j)], own(i, j));
   }
   // Supports as springs a million times as stiff as a face; the beam is held along itself at one place.
   const Real held = 1e6 * normal * static_cast<Real>(places.size());
-  for (const int column : {beam.support, beam.columns - 1 - beam.support}) entries.emplace_back(3 * column + 1, 3 * column + 1, held);
+  for (const int column : {beam.support, beam.columns - 1 - beam.support})
+    entries.emplace_back(3 * column + 1, 3 * column + 1, held);
   entries.emplace_back(3 * beam.support, 3 * beam.support, held);
   Eigen::SparseMatrix<Real> stiffness(n, n);
   stiffness.setFromTriplets(entries.begin(), entries.end());
   Eigen::VectorXd load = Eigen::VectorXd::Zero(n);
-  for (const int column : {beam.load, beam.columns - 1 - beam.load}) load[3 * ((beam.rows - 1) * beam.columns + column) + 1] = -0.5;
+  for (const int column : {beam.load, beam.columns - 1 - beam.load})
+    load[3 * ((beam.rows - 1) * beam.columns + column) + 1] = -0.5;
   const Eigen::VectorXd moved = Eigen::SimplicialLDLT<Eigen::SparseMatrix<Real>>(stiffness).solve(load);
   Real most = 0;
   for (const Link& link : links)

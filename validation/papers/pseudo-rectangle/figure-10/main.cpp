@@ -38,18 +38,21 @@ Span span_of(const Test& test) {
 std::vector<std::string> settings(const Test& test) {
   const Span span = span_of(test);
   const Real middle = 0.5 * length;
-  std::vector<std::string> list = {
-      fmt::format("blocks.0.element_size={:.17g}", height / test.rows), fmt::format("materials.0.springs={}", test.springs),
-      fmt::format("rollers.0.center=[{:.12f},-0.005,0.0]", middle - span.support),
-      fmt::format("rollers.1.center=[{:.12f},-0.005,0.0]", middle + span.support),
-      fmt::format("rollers.2.center=[{:.12f},0.045,0.0]", middle - span.platen), fmt::format("rollers.2.velocity=[0.0,{},0.0]", -test.speed),
-      "gauges=[]", "time.end=0.06", "contact.friction_angle=0"};
+  std::vector<std::string> list = {fmt::format("blocks.0.element_size={:.17g}", height / test.rows),
+                                   fmt::format("materials.0.springs={}", test.springs),
+                                   fmt::format("rollers.0.center=[{:.12f},-0.005,0.0]", middle - span.support),
+                                   fmt::format("rollers.1.center=[{:.12f},-0.005,0.0]", middle + span.support),
+                                   fmt::format("rollers.2.center=[{:.12f},0.045,0.0]", middle - span.platen),
+                                   fmt::format("rollers.2.velocity=[0.0,{},0.0]", -test.speed),
+                                   "gauges=[]",
+                                   "time.end=0.06",
+                                   "contact.friction_angle=0"};
   if (test.ends) list.emplace_back("materials.0.layout=\"ends\"");
   return list;
 }
 
 struct Result {
-  Real largest = 0;      ///< load over beam theory
+  Real largest = 0;        ///< load over beam theory
   bool at_middle = false;  ///< the first spring broke at the bottom face between the platens
 };
 
@@ -76,7 +79,8 @@ Result bend(const Test& test) {
     for (Index number = 0; number < links.count(); ++number) {
       if (!links.has_broken(number)) continue;
       const auto& start = model.stepper->particles().start;
-      const auto first = static_cast<std::size_t>(links.link(number).first), second_place = static_cast<std::size_t>(links.link(number).second);
+      const auto first = static_cast<std::size_t>(links.link(number).first),
+                 second_place = static_cast<std::size_t>(links.link(number).second);
       const Real x = 0.5 * (start[0][first] + start[0][second_place]);
       result.at_middle = std::abs(x - 0.5 * length) < height / test.rows && start[1][first] < height / test.rows;
     }
@@ -90,8 +94,8 @@ Real statics(const Test& test) {
   const Span span = span_of(test);
   const Real size = height / test.rows;
   const auto column = [&](Real from_middle) { return static_cast<int>(std::lround((0.5 * length - from_middle) / size - 0.5)); };
-  const validation::LatticeBeam beam{test.rows, 4 * test.rows, test.springs, test.ends, size, thickness, 4.3e9, 1.72e9,
-                                     column(span.support), column(span.platen)};
+  const validation::LatticeBeam beam{test.rows, 4 * test.rows, test.springs,         test.ends,          size, thickness,
+                                     4.3e9,     1.72e9,        column(span.support), column(span.platen)};
   return validation::load_at_first_break(beam, strength) / beam_theory;
 }
 
@@ -115,7 +119,8 @@ int main() {
       at_middle += result.at_middle ? 1 : 0;
       ++tests;
       const int elements = 4 * rows * rows;
-      validation::print_row(fmt::format("{}-{}", elements, test.ends ? "ends" : std::to_string(test.springs)).c_str(), result.largest, statics(test));
+      validation::print_row(fmt::format("{}-{}", elements, test.ends ? "ends" : std::to_string(test.springs)).c_str(),
+                            result.largest, statics(test));
       if (test.springs == 1) validation::print_row(fmt::format("{}-1-theory", elements).c_str(), result.largest, theory(test));
       if (rows == 10 && test.springs == 10) validation::print_row("finest", result.largest);
     }

@@ -21,7 +21,8 @@ Recovery recover(FaceFormula formula) {
   test::Scene scene;
   scene.density = mass / (4 * radius * radius);
   scene.contact = {1, 1, 0, 0, 1};
-  laws::FaceSprings springs{0, radius, radius, stiffness, stiffness, 0, 0, 1e300, 1e300, 0, laws::spring_places(laws::SpringPlaces::ends, 2)};
+  laws::FaceSprings springs{
+      0, radius, radius, stiffness, stiffness, 0, 0, 1e300, 1e300, 0, laws::spring_places(laws::SpringPlaces::ends, 2)};
   springs.normal_damping = springs.shear_damping = 2 * std::sqrt(2 * stiffness * mass) / 2;  // (19) with h_n = 1
   scene.kinds = {{springs, formula}};
   const Index square = scene.add(geometry::OutlineKind::rectangle, {0, radius}, radius, radius);

@@ -85,7 +85,8 @@ int main() {
   }
   for (const int degrees : {60, 75}) {
     const Motion fine = run(degrees, 0.005, way, false);
-    validation::print_row(fmt::format("rotation-{}-fine", degrees).c_str(), fine.turn, rotation_by_theory(degrees * std::numbers::pi / 180, way));
+    validation::print_row(fmt::format("rotation-{}-fine", degrees).c_str(), fine.turn,
+                          rotation_by_theory(degrees * std::numbers::pi / 180, way));
     validation::print_row(fmt::format("slip-{}-fine", degrees).c_str(), fine.slip);
   }
   for (const int degrees : {45, 60, 75}) {
