@@ -116,6 +116,11 @@ int run(const RunArguments& arguments, const parallel::Ranks& ranks) {
   const runs::RunOutcome outcome =
       runs::run_case(file, {folder, begin_of(arguments), quiet, &stop_asked, sharing_of(arguments, ranks)});
   if (!ranks.is_first()) return outcome.stopped ? stopped : done;
+  if (outcome.stopped && !outcome.begun) {
+    fmt::print(stderr, "stopped before the beginning, so there is nothing to go on from. To run it:\n  {}\n",
+               resume_text(arguments, folder));
+    return stopped;
+  }
   if (outcome.stopped) {
     fmt::print(stderr, "stopped at t = {} s, with a checkpoint. To go on:\n  {}\n", cases::short_number(outcome.time),
                resume_text(arguments, folder));

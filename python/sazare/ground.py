@@ -137,14 +137,14 @@ def failure(results):
 
 @style.styled
 def energies(results):
-    """Kinetic and elastic energy against time, and what failing has dissipated."""
+    """Kinetic and elastic energy against time, and what damping and failing have dissipated."""
     history = results.history
     if "energy_kinetic" not in history or history.rows < 2:
         return None
     figure = style.figure(6.2, 3.6)
     axes = figure.subplots()
-    names = [("energy_kinetic", "kinetic", "#35618f"), ("energy_elastic", "elastic", "#6fa3c7"), ("energy_flow", "flow", "#c98a3d"),
-             ("energy_rupture", "rupture", "#a64b3c"), ("energy_contact", "contacts", "#8a8f3d")]
+    names = [("energy_kinetic", "kinetic", "#35618f"), ("energy_elastic", "elastic", "#6fa3c7"), ("energy_damping", "damping", "#b9b3a8"),
+             ("energy_flow", "flow", "#c98a3d"), ("energy_rupture", "rupture", "#a64b3c"), ("energy_contact", "contacts", "#8a8f3d")]
     shown = [(history[key], label, color) for key, label, color in names if key in history]
     factor, prefix = style.prefix_for(sum(values for values, _, _ in shown).max(initial=0.0))
     axes.stackplot(history["time"], *[values / factor for values, _, _ in shown], labels=[label for _, label, _ in shown],

@@ -106,7 +106,7 @@ def ground_sections(results):
         Section("displaced", "Displaced particles", "Particles where they are, coloured by displacement; enlarged where the title says so.",
                 partial(ground.displaced, results), "The run wrote no snapshots."),
         *failure,
-        Section("energies", "Energies", "Kinetic and elastic energy of the particles, and what failing has dissipated.", partial(ground.energies, results),
+        Section("energies", "Energies", "Kinetic and elastic energy of the particles, and what damping and failing have dissipated.", partial(ground.energies, results),
                 "The run wrote no history.", wide=False),
         Section("timing", "Where the time went", "Computing time by part of the run.", partial(plot.timing, results),
                 "The run wrote no timing.", wide=False),

@@ -45,6 +45,7 @@ UniformStepper<D>::UniformStepper(state::Particles<D> particles, std::unique_ptr
   for (auto* group : {&elastic_, &previous_, &load_, &keep_, &gain_})
     for (state::Column& column : *group) column.assign(particles_.padded(), 0);
   settled_ = particles_.displacement;
+  for (state::Column& column : damping_work_) column.assign(is_damped() && has_books() ? particles_.padded() : 0, 0);
   prepare_factors();
 }
 
@@ -85,7 +86,13 @@ void UniformStepper<D>::start() {
   forces_->evaluate(particles_, elastic_);
   previous_ = elastic_;
   add_loads();
-  if (rules_.integrator != Integrator::euler) begin_halfway();
+  if (!has_books()) return;
+  begin_halfway();
+  // Of the first kick only the second half counts.
+  for (state::Column& column : damping_work_) std::ranges::fill(column, 0);
+  support_work_ = {};
+  const WorkByCause half = first_half_of_kick();
+  support_work_ = {0, -half.boundary, -half.prescribed, -half.damping};
 }
 
 /// From the velocity at the beginning to that half a step before: the kick that the first step gives, backwards by a half.
@@ -138,6 +145,7 @@ Real UniformStepper<D>::settle(const Settling& rules) {
     if (now < before) stand_still();
     before = now < before ? 0 : now;
     left = largest_unbalance();
+    if (!rules.goes_on(i + 1, left)) break;
   }
   for (terms::Dashpot& dashpot : supports_.dashpots) {
     const auto freedom = static_cast<std::size_t>(dashpot.freedom);
@@ -194,30 +202,43 @@ void UniformStepper<D>::drift(std::size_t begin, std::size_t end, Real factor) {
   turn(begin, end);
 }
 
-/// Leapfrog, and Verlet's step, whose difference x(k) - x(k-1) is kept as a velocity.
+/// Leapfrog's kick, and Verlet's, whose difference x(k) - x(k-1) is kept as a velocity.
 template <int D>
-void UniformStepper<D>::kick_and_drift() {
+template <bool damped>
+void UniformStepper<D>::kick(std::size_t begin, std::size_t end) {
   const Real dt = rules_.step;
   const bool verlet = rules_.integrator == Integrator::verlet;
-  for_blocks(particles_.padded(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t freedom = 0; freedom < keep_.size(); ++freedom) {
-      Real* const velocity = particles_.velocity[freedom].data();
-      const Real* const elastic = elastic_[freedom].data();
-      const Real* const previous = previous_[freedom].data();
-      const Real* const load = load_[freedom].data();
-      const Real* const keep = keep_[freedom].data();
-      const Real* const gain = gain_[freedom].data();
-      const Real* const memory = memory_.data();
-      for (std::size_t i = begin; i < end; ++i) {
-        const Real acceleration = elastic[i] + memory[i] * (elastic[i] - previous[i]) + load[i];
-        velocity[i] = verlet ? (keep[i] * (dt * velocity[i]) + dt * gain[i] * acceleration) / dt
-                             : keep[i] * velocity[i] + gain[i] * acceleration;
-      }
+  for (std::size_t freedom = 0; freedom < keep_.size(); ++freedom) {
+    Real* const velocity = particles_.velocity[freedom].data();
+    const Real* const elastic = elastic_[freedom].data();
+    const Real* const previous = previous_[freedom].data();
+    const Real* const load = load_[freedom].data();
+    const Real* const keep = keep_[freedom].data();
+    const Real* const gain = gain_[freedom].data();
+    const Real* const memory = memory_.data();
+    Real* const work = damping_work_[freedom < D ? 0 : 1].data();
+    for (std::size_t i = begin; i < end; ++i) {
+      const Real acceleration = elastic[i] + memory[i] * (elastic[i] - previous[i]) + load[i];
+      const Real before = velocity[i];
+      const Real after =
+          verlet ? (keep[i] * (dt * before) + dt * gain[i] * acceleration) / dt : keep[i] * before + gain[i] * acceleration;
+      velocity[i] = after;
+      if constexpr (damped) work[i] += gain[i] > 0 ? 0.5 * (before + after) * (after - before - dt * (elastic[i] + load[i])) : 0;
     }
-    drift(begin, end, dt);
+  }
+}
+
+template <int D>
+void UniformStepper<D>::kick_and_drift() {
+  remember_supports();
+  const bool damped = !damping_work_[0].empty();
+  for_blocks(particles_.padded(), [&](std::size_t begin, std::size_t end) {
+    damped ? kick<true>(begin, end) : kick<false>(begin, end);
+    drift(begin, end, rules_.step);
   });
   ++step_;
   drive();
+  book_supports();
   std::swap(elastic_, previous_);
   forces_->evaluate(particles_, elastic_);
 }
@@ -339,6 +360,11 @@ void UniformStepper<D>::columns(Archive& archive) {
   std::vector<Real> reactions;
   for (const terms::Dashpot& dashpot : supports_.dashpots) reactions.push_back(dashpot.reaction);
   archive("reactions", reactions);
+  for (std::size_t part = 0; part < damping_work_.size(); ++part)
+    archive("damping_work" + std::to_string(part), damping_work_[part]);
+  archive("boundary_work", support_work_.boundary);
+  archive("prescribed_work", support_work_.prescribed);
+  archive("other_damping_work", support_work_.damping);
   for (std::size_t i = 0; i < supports_.dashpots.size() && i < reactions.size(); ++i)
     supports_.dashpots[i].reaction = reactions[i];
   archive.folder("forces", [&] { forces_->columns(archive); });

@@ -2,6 +2,7 @@
 
 /// Walks in equal steps: all particles at once, by one of three integrators.
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -27,12 +28,27 @@ struct UniformRules {
 struct Settling {
   Real tolerance = 0;  ///< largest acceleration left at rest [m/s2]
   std::int64_t most_steps = 0;
+  /// Asked after every step with the largest acceleration left: whether to go on.
+  std::function<bool(std::int64_t step, Real left)> goes_on = [](std::int64_t, Real) { return true; };
+};
+
+/// Work on the particles since the beginning by what is not a force between them [J; J/m in 2-D].
+struct WorkByCause {
+  Real gravity = 0;
+  Real boundary = 0;    ///< viscous boundaries and the waves that come in through them
+  Real prescribed = 0;  ///< supports that move as histories say
+  Real damping = 0;     ///< Rayleigh damping: what it takes is negative
+
+  Real sum() const { return gravity + boundary + prescribed + damping; }
 };
 
 /// The damping of a particle follows from its ratio h. Its part a2 h K v is a2 h (g(k) - g(k-1))/dt, g the elastic acceleration:
 /// one stored vector per particle, (A24). In Euler's step, where x(k+1) is known before v(k+1), it is the difference g(k+1) -
 /// g(k), which is that of the velocity v(k). The part a1 h v and dashpots of supports take the mean of the velocities before and
 /// after the kick.
+///
+/// Work of a force of the kick from v(k-1/2) to v(k+1/2) is its mean over two kicks times the way between them. With m v(k-1/2)
+/// v(k+1/2)/2 as kinetic energy the books of linear forces then close to round-off at any step.
 template <int D>
 class UniformStepper {
 public:
@@ -66,6 +82,11 @@ public:
   Real kinetic_energy() const;
   Real elastic_energy() { return forces_->energy(particles_); }
 
+  /// m v(k-1/2) v(k+1/2)/2, for the books. It may be a little below zero.
+  Real kinetic_energy_of_kick() const;
+  /// Not of Euler's steps, which have no books: all zero.
+  WorkByCause work() const;
+
   /// The largest acceleration of any translation [m/s2]; infinite when one is no number.
   Real largest_acceleration() const;
 
@@ -84,11 +105,23 @@ private:
     return g + memory_[i] * (g - previous_[freedom][i]);
   }
   void kick_and_drift();
+  template <bool damped>
+  void kick(std::size_t begin, std::size_t end);
   void drift_and_kick();
   void drift(std::size_t begin, std::size_t end, Real factor);
   void turn(std::size_t begin, std::size_t end);
   void add_loads();
   void drive();
+
+  bool is_damped() const;
+  bool has_books() const { return rules_.integrator != Integrator::euler; }
+  Real velocity_after(std::size_t freedom, std::size_t i) const;
+  Real velocity_after(const terms::DrivenFreedom& driven) const;
+  void remember_supports();
+  void book_supports();
+  void book_boundary(const terms::Dashpot& dashpot, Real before, Real after, Real way, WorkByCause& work) const;
+  void book_prescribed(const terms::DrivenFreedom& driven, Real before, Real after, Real way, WorkByCause& work) const;
+  WorkByCause first_half_of_kick() const;
 
   state::Particles<D> particles_;
   std::unique_ptr<terms::ParticleForces<D>> forces_;
@@ -102,6 +135,10 @@ private:
   state::FreedomColumns<D> gain_;         ///< what it adds per acceleration [s]
   state::Column memory_;                  ///< a2 h/dt
   std::array<state::Column, D> settled_;  ///< displacements at the beginning [m]
+
+  std::array<state::Column, 2> damping_work_;  ///< over the mass, and over the inertia of rotation [m2/s2], [rad2/s2]
+  WorkByCause support_work_;                   ///< of whole kicks; its damping is what the columns lack
+  std::vector<Real> before_kick_;              ///< velocities of dashpots, then of driven freedoms
 };
 
 extern template class UniformStepper<2>;

@@ -54,10 +54,13 @@ public:
 
   RunOutcome run() {
     try {
-      work_.folder.resumes() ? resume() : begin();
+      if (work_.folder.resumes())
+        resume();
+      else if (!begin())
+        return stopped_before_the_beginning();
       const bool stopped = walk();
       end(stopped ? "stopped" : "done");
-      return {stopped, time(), manifest_};
+      return {stopped, true, time(), manifest_};
     } catch (const PhysicsError& error) {
       leave_behind("failed");
       throw PhysicsError(fmt::format("{}\n  {}", error.what(), where_it_can_go_on()));
@@ -76,6 +79,7 @@ private:
     return options_.sharing.ranks == nullptr ? by_first : options_.sharing.ranks->from_first(by_first) != 0;
   }
   Real time() const { return work_.clocks.time(work_.step()); }
+  bool must_stop() const { return agree(options_.stop_asked != nullptr && options_.stop_asked->load(std::memory_order_relaxed)); }
   bool is_over() const { return work_.step() >= work_.clocks.steps(); }
 
   void say(const std::string& line) const {
@@ -84,7 +88,8 @@ private:
     std::fflush(stdout);
   }
 
-  void begin() {
+  /// False when asked to stop before the beginning was there.
+  bool begin() {
     if (options_.begin == Begin::resume)
       say(fmt::format("{}: no checkpoint to resume from, so the run begins anew", work_.folder.path().string()));
     write_manifest("running");
@@ -92,8 +97,15 @@ private:
     say(fmt::format("{}: {}", work_.title(), work_.words()));
     if (writes()) work_.record.begin();
     work_.start();
+    if (must_stop()) return false;
     observe();
     save_checkpoint();
+    return true;
+  }
+
+  RunOutcome stopped_before_the_beginning() {
+    leave_behind("stopped");
+    return {true, false, 0, manifest_};
   }
 
   void resume() {
@@ -114,7 +126,7 @@ private:
     auto next_checkpoint = Clock::now() + checkpoint_interval();
     auto next_flush = Clock::now() + flush_interval;
     while (!is_over()) {
-      if (agree(options_.stop_asked != nullptr && options_.stop_asked->load(std::memory_order_relaxed))) return true;
+      if (must_stop()) return true;
       work_.advance();
       if (work_.must_check() || work_.clocks.is_row(work_.step())) work_.record.check_motion(time());
       observe();

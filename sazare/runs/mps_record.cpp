@@ -62,6 +62,9 @@ template <int D>
 std::vector<std::string> MpsRecord<D>::history_columns() const {
   std::vector<std::string> columns = {"time [s]",        "energy_kinetic [J]",     "energy_elastic [J]", "displacement_max [m]",
                                       "speed_max [m/s]", "acceleration_max [m/s2]"};
+  if (has_books())
+    columns.insert(columns.end(), {"energy_gravity [J]", "energy_boundary [J]", "energy_prescribed [J]", "energy_damping [J]",
+                                   "energy_residual [J]"});
   if (model_->failing != nullptr)
     columns.insert(columns.end(), {"energy_flow [J]", "energy_rupture [J]", "energy_contact [J]", "links_broken", "contacts"});
   columns.emplace_back("wall_seconds [s]");
@@ -115,9 +118,9 @@ void MpsRecord<D>::observe(std::int64_t step, Real wall_seconds) {
     speed = std::max(speed, vector_of(velocity, D, i).norm());
     largest = std::max(largest, vector_of(acceleration, D, i).norm());
   }
-  kinetic_ = model_->stepper->kinetic_energy();
-  elastic_ = model_->stepper->elastic_energy();
+  close_books(step == 0);
   std::vector<Real> history = {time, kinetic_, elastic_, displacement, speed, largest};
+  if (has_books()) history.insert(history.end(), {work_.gravity, work_.boundary, work_.prescribed, -work_.damping, residual_});
   if (const auto* failing = model_->failing) {
     const auto work = failing->work();
     history.insert(history.end(), {work.flow, work.rupture, work.contact, static_cast<Real>(failing->broken_links()),
@@ -141,6 +144,22 @@ void MpsRecord<D>::observe(std::int64_t step, Real wall_seconds) {
   if (!clocks_.is_snapshot(step)) return;
   write_snapshot(time, velocity, acceleration);
   ++snapshot_count_;
+}
+
+/// What no cause accounts for: the energy of linear forces is kept to round-off with the kinetic energy of the kick.
+template <int D>
+void MpsRecord<D>::close_books(bool at_beginning) {
+  kinetic_ = model_->stepper->kinetic_energy();
+  elastic_ = model_->stepper->elastic_energy();
+  if (!has_books()) return;
+  work_ = model_->stepper->work();
+  Real carried = model_->stepper->kinetic_energy_of_kick() + elastic_;
+  if (const auto* failing = model_->failing) {
+    const auto lost = failing->work();
+    carried += lost.flow + lost.rupture + lost.contact;
+  }
+  if (at_beginning) energy_at_beginning_ = carried;
+  residual_ = energy_at_beginning_ + work_.sum() - carried;
 }
 
 template <int D>
@@ -213,6 +232,12 @@ std::vector<std::pair<std::string, observe::Figure>> MpsRecord<D>::results(std::
       {"peak_speed", largest_speed_},
       {"peak_acceleration", largest_acceleration_}};
   results.emplace_back("final_displacement", displacement_);
+  if (has_books())
+    results.insert(results.end(), {{"energy_gravity", work_.gravity},
+                                   {"energy_boundary", work_.boundary},
+                                   {"energy_prescribed", work_.prescribed},
+                                   {"energy_damping", -work_.damping},
+                                   {"energy_residual", residual_}});
   if (file_->mps().gravity.settle) results.emplace_back("settlement", settlement());
   if (const auto* failing = model_->failing) {
     const auto work = failing->work();
@@ -257,6 +282,12 @@ void MpsRecord<D>::columns(Archive& archive) {
   archive("largest_acceleration", largest_acceleration_);
   archive("kinetic", kinetic_);
   archive("elastic", elastic_);
+  archive("energy_at_beginning", energy_at_beginning_);
+  archive("gravity", work_.gravity);
+  archive("boundary", work_.boundary);
+  archive("prescribed", work_.prescribed);
+  archive("damping", work_.damping);
+  archive("residual", residual_);
   archive("peaks", peaks_);
 }
 

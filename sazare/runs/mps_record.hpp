@@ -42,6 +42,8 @@ private:
   std::vector<std::string> gauge_columns() const;
   Vector3 displacement_of(std::size_t i) const;  ///< since the beginning [m]
   Real settlement() const;                       ///< largest displacement until the rest under gravity [m]
+  bool has_books() const { return file_->mps().time.integrator != cases::Integrator::euler; }
+  void close_books(bool at_beginning);
   void write_snapshot(Real time, const state::FreedomColumns<D>& velocity, const state::FreedomColumns<D>& acceleration);
 
   const RunFolder* folder_;
@@ -56,6 +58,8 @@ private:
   Real displacement_ = 0;    ///< largest of the last row [m]
   Real largest_displacement_ = 0, largest_speed_ = 0, largest_acceleration_ = 0;
   Real kinetic_ = 0, elastic_ = 0;
+  engine::WorkByCause work_;
+  Real energy_at_beginning_ = 0, residual_ = 0;
   std::int64_t rows_ = 0, snapshot_count_ = 0;
 };
 

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "sazare/cases/resolved.hpp"
 #include "sazare/observe/atomic_file.hpp"
 #include "sazare/observe/hash.hpp"
@@ -33,14 +35,16 @@ struct MpsWork {
   RunIdentity identity;
   RunClocks clocks;
   MpsRecord<D> record;
+  const RunOptions& options;
 
-  MpsWork(const cases::CaseFile& of, const RunOptions& options)
+  MpsWork(const cases::CaseFile& of, const RunOptions& of_run)
       : file(of),
         model(build_mps<D>(of)),
-        folder(options.folder, options.begin),
+        folder(of_run.folder, of_run.begin),
         identity(identify(of.mps(), filling_hash(model.filling))),
         clocks(make_clocks(of.mps().time, model.step)),
-        record(folder, of, model, clocks) {
+        record(folder, of, model, clocks),
+        options(of_run) {
     parallel::limit_threads(static_cast<int>(particles()) / particles_per_thread);
   }
 
@@ -62,8 +66,21 @@ struct MpsWork {
 
   void settle() {
     const Real tolerance = settled_share * file.mps().gravity.acceleration.norm();
-    const Real left = model.stepper->settle({tolerance, file.mps().gravity.settling_steps});
-    if (left <= tolerance) return;
+    if (!options.quiet) fmt::print("coming to rest under gravity\n");
+    Progress progress(options.quiet, {.smallest_step = model.step, .broken_joints = -1, .evaluated = "particle-steps"});
+    Real first = 0;
+    bool asked = false;
+    const auto goes_on = [&](std::int64_t done, Real left) {
+      first = std::max(first, left);
+      // What is left falls by about the same factor in equal times.
+      if (progress.is_due())
+        progress.show(
+            {std::log(first / left) / std::log(first / tolerance), 0, done * particles(), model.step, -1, "particle-steps"});
+      asked = options.stop_asked != nullptr && options.stop_asked->load(std::memory_order_relaxed);
+      return !asked;
+    };
+    const Real left = model.stepper->settle({tolerance, file.mps().gravity.settling_steps, goes_on});
+    if (left <= tolerance || asked) return;
     throw PhysicsError(fmt::format(
         "the ground does not come to rest under gravity: after {} steps an acceleration of {} m/s2 is left, {} are asked for\n"
         "  it does not stand, or is hardly held: look at its strength, and at the boundaries that carry it",

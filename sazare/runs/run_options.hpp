@@ -20,7 +20,8 @@ struct RunOptions {
 };
 
 struct RunOutcome {
-  bool stopped = false;  ///< asked to, before its end; the checkpoint is written
+  bool stopped = false;  ///< asked to, before its end
+  bool begun = true;     ///< only then has a stopped run a checkpoint
   Real time = 0;         ///< simulated [s]
   observe::Manifest manifest;
 };

@@ -1,0 +1,148 @@
+#include <gtest/gtest.h>
+
+#include "sazare/engine/uniform_stepper.hpp"
+#include "tests/support/memory_archive.hpp"
+#include "tests/unit/mps/column.hpp"
+
+namespace sazare::methods::mps {
+namespace {
+
+using engine::Integrator;
+using engine::WorkByCause;
+
+constexpr Real step = 2e-3;  // half of the limit
+constexpr Real spacing = 0.5;
+
+/// What the books of a run say at present.
+struct Books {
+  explicit Books(engine::UniformStepper<2>& stepper)
+      : carried(stepper.kinetic_energy_of_kick() + stepper.elastic_energy()), work(stepper.work()) {}
+
+  Real carried;
+  WorkByCause work;
+};
+
+/// Energy that no cause accounts for, over the largest that was there, in a run.
+Real largest_residual(engine::UniformStepper<2>& stepper, int steps) {
+  stepper.start();
+  const Real beginning = Books(stepper).carried;
+  EXPECT_NEAR(Books(stepper).work.sum(), 0, 1e-15 * beginning);
+  Real worst = 0, most = beginning;
+  for (int i = 0; i < steps; ++i) {
+    stepper.advance();
+    const Books now(stepper);
+    most = std::max(most, now.carried);
+    worst = std::max(worst, std::abs(beginning + now.work.sum() - now.carried));
+  }
+  return worst / most;
+}
+
+/// A column with its base and sides held, that begins with a velocity.
+Column2 moving_column(Real ratio) {
+  Column2 column(4, 40, spacing, {.damping_ratio = ratio});
+  Noise noise;
+  for (std::size_t i = 0; i < column.particles.size(); ++i)
+    for (const std::size_t freedom : {0, 1, 2}) column.particles.velocity[freedom][i] = 1e-6 * noise();
+  return column;
+}
+
+TEST(uniform_books, close_to_round_off_for_small_motion_at_a_large_step) {
+  for (const Integrator integrator : {Integrator::verlet, Integrator::leapfrog})
+    for (const Real ratio : {0.0, 0.05}) {
+      Column2 column = moving_column(ratio);
+      column.supports.gravity = {0, -1e-6};
+      auto stepper = column.stepper({step, integrator, laws::RayleighDamping::make(1, 15)});
+      EXPECT_LT(largest_residual(stepper, 500), 1e-7) << ratio;
+      ratio > 0 ? EXPECT_LT(stepper.work().damping, 0) : EXPECT_EQ(stepper.work().damping, 0);
+    }
+}
+
+TEST(uniform_books, close_with_the_square_of_the_step_for_large_rotations) {
+  const auto residual = [](Real dt) {
+    const auto sites = box_sites<2>({4, 10});
+    state::Particles<2> particles = make_particles<2>(sites, 1.0, {1500, 100, 200, 0.02});
+    for (std::size_t i = 0; i < particles.size(); ++i) particles.velocity[0][i] = 2 * particles.start[1][i];
+    engine::UniformStepper<2> stepper(
+        particles, std::make_unique<ElasticForces<2>>(make_links<2>(sites, 1.0, 1.5), RotationRemoval::mean_rotation), {},
+        {dt, Integrator::verlet, laws::RayleighDamping::make(1, 15)});
+    return largest_residual(stepper, static_cast<int>(0.5 / dt));
+  };
+  const Real coarse = residual(1e-3), fine = residual(5e-4);
+  EXPECT_LT(coarse, 2e-3);
+  EXPECT_GT(coarse / fine, 3);
+}
+
+/// Particles of a base, of half a spacing, with dashpots of the ground below.
+void stand_on_viscous_base(Column2& column, const Soil& soil, const laws::GroundMotion& wave) {
+  column.supports = {};
+  column.supports.motions.push_back(wave);
+  std::vector<Index> base;
+  for (std::size_t i = 0; i < column.sites.size(); ++i) {
+    column.supports.held.push_back({static_cast<Index>(i), 1});
+    column.supports.held.push_back({static_cast<Index>(i), 2});
+    if (column.sites[i][1] != 0) continue;
+    base.push_back(static_cast<Index>(i));
+    column.particles.inverse_mass[i] *= 2;
+    column.supports.dashpots.push_back({base.back(), 0, 2 * soil.shear_velocity / spacing, 0});
+  }
+  column.links.halve_among(base);
+}
+
+TEST(uniform_books, count_the_energy_that_a_wave_brings_in_and_takes_out) {
+  const Soil soil;
+  const int across = 3, high = 100;
+  laws::GroundMotion wave;
+  wave.quantity = laws::MotionQuantity::velocity;
+  wave.amplitude = 1e-6;
+  wave.ricker_wave = {4, 0.3};
+  Column2 column(across, high, spacing, soil);
+  stand_on_viscous_base(column, soil, wave);
+  auto stepper = column.stepper({step, Integrator::verlet, {}});
+  stepper.start();
+  Real flux = 0, most = 0, worst = 0;
+  for (int i = 0; i < 1000; ++i) {
+    stepper.advance();
+    const Real velocity = wave.at(stepper.time()).velocity;
+    flux += step * soil.density * soil.shear_velocity * velocity * velocity * across * spacing;
+    most = std::max(most, stepper.work().boundary);
+    worst = std::max(worst, std::abs(stepper.work().boundary - Books(stepper).carried));
+  }
+  EXPECT_LT(worst, 1e-7 * most);
+  EXPECT_NEAR(most, flux, 0.03 * flux);
+  EXPECT_LT(stepper.work().boundary, 0.01 * most);  // the wave has left
+}
+
+TEST(uniform_books, count_what_a_moving_support_gives) {
+  Column2 column(4, 40, spacing, {.damping_ratio = 0.05});
+  laws::GroundMotion shake;
+  shake.shape = laws::GroundMotion::Shape::sine;
+  shake.amplitude = 1e-5;
+  shake.sine_wave = {2, 0};
+  column.supports = {};
+  column.supports.motions.push_back(shake);
+  for (std::size_t i = 0; i < column.sites.size(); ++i)
+    if (column.sites[i][1] == 0) column.supports.driven.push_back({static_cast<Index>(i), 0, 0, 1});
+  auto stepper = column.stepper({step, Integrator::leapfrog, laws::RayleighDamping::make(1, 15)});
+  EXPECT_LT(largest_residual(stepper, 2000), 1e-7);
+  EXPECT_GT(stepper.work().prescribed, 0);
+}
+
+TEST(uniform_books, go_on_bit_for_bit_after_a_checkpoint) {
+  const Column2 column = moving_column(0.05);
+  const auto make = [&] { return column.stepper({step, Integrator::verlet, laws::RayleighDamping::make(1, 15)}); };
+  auto whole = make(), second = make();
+  whole.start();
+  for (int i = 0; i < 20; ++i) whole.advance();
+  test::MemoryArchive saved;
+  whole.columns(saved);
+  saved.turn_round();
+  second.columns(saved);
+  for (int i = 0; i < 20; ++i) {
+    whole.advance();
+    second.advance();
+  }
+  EXPECT_EQ(whole.work().damping, second.work().damping);
+}
+
+}  // namespace
+}  // namespace sazare::methods::mps
