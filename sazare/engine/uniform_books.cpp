@@ -140,18 +140,21 @@ Real UniformStepper<D>::kinetic_energy_of_kick() const {
   return total;
 }
 
-// The members that other files call; the class itself is instantiated in uniform_stepper.cpp.
-template bool UniformStepper<2>::is_damped() const;
-template bool UniformStepper<3>::is_damped() const;
-template void UniformStepper<2>::remember_supports();
-template void UniformStepper<3>::remember_supports();
-template void UniformStepper<2>::book_supports();
-template void UniformStepper<3>::book_supports();
-template WorkByCause UniformStepper<2>::first_half_of_kick() const;
-template WorkByCause UniformStepper<3>::first_half_of_kick() const;
-template WorkByCause UniformStepper<2>::work() const;
-template WorkByCause UniformStepper<3>::work() const;
-template Real UniformStepper<2>::kinetic_energy_of_kick() const;
-template Real UniformStepper<3>::kinetic_energy_of_kick() const;
+// The class is instantiated in uniform_stepper.cpp, without these.
+#define SAZARE_INSTANTIATE_BOOKS(D)                                                                                    \
+  template bool UniformStepper<D>::is_damped() const;                                                                  \
+  template Real UniformStepper<D>::velocity_after(std::size_t, std::size_t) const;                                     \
+  template Real UniformStepper<D>::velocity_after(const terms::DrivenFreedom&) const;                                  \
+  template void UniformStepper<D>::remember_supports();                                                                \
+  template void UniformStepper<D>::book_supports();                                                                    \
+  template void UniformStepper<D>::book_boundary(const terms::Dashpot&, Real, Real, Real, WorkByCause&) const;         \
+  template void UniformStepper<D>::book_prescribed(const terms::DrivenFreedom&, Real, Real, Real, WorkByCause&) const; \
+  template WorkByCause UniformStepper<D>::first_half_of_kick() const;                                                  \
+  template WorkByCause UniformStepper<D>::work() const;                                                                \
+  template Real UniformStepper<D>::kinetic_energy_of_kick() const;
+
+SAZARE_INSTANTIATE_BOOKS(2)
+SAZARE_INSTANTIATE_BOOKS(3)
+#undef SAZARE_INSTANTIATE_BOOKS
 
 }  // namespace sazare::engine

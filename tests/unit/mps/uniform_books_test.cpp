@@ -10,7 +10,7 @@ namespace {
 using engine::Integrator;
 using engine::WorkByCause;
 
-constexpr Real step = 2e-3;  // half of the limit
+constexpr Real step = 4e-4;  // [s]; five times as much is stable without damping, not with a ratio of 0.05
 constexpr Real spacing = 0.5;
 
 /// What the books of a run say at present.
@@ -46,14 +46,15 @@ Column2 moving_column(Real ratio) {
   return column;
 }
 
-TEST(uniform_books, close_to_round_off_for_small_motion_at_a_large_step) {
+TEST(uniform_books, close_to_round_off_for_small_motion_at_any_step) {
   for (const Integrator integrator : {Integrator::verlet, Integrator::leapfrog})
     for (const Real ratio : {0.0, 0.05}) {
       Column2 column = moving_column(ratio);
       column.supports.gravity = {0, -1e-6};
-      auto stepper = column.stepper({step, integrator, laws::RayleighDamping::make(1, 15)});
+      auto stepper = column.stepper({ratio > 0 ? step : 5 * step, integrator, laws::RayleighDamping::make(1, 15)});
       EXPECT_LT(largest_residual(stepper, 500), 1e-7) << ratio;
-      ratio > 0 ? EXPECT_LT(stepper.work().damping, 0) : EXPECT_EQ(stepper.work().damping, 0);
+      const Real damping = stepper.work().damping;
+      EXPECT_TRUE(ratio > 0 ? damping < 0 : damping == 0) << damping;
     }
 }
 
@@ -100,7 +101,7 @@ TEST(uniform_books, count_the_energy_that_a_wave_brings_in_and_takes_out) {
   auto stepper = column.stepper({step, Integrator::verlet, {}});
   stepper.start();
   Real flux = 0, most = 0, worst = 0;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < 5000; ++i) {
     stepper.advance();
     const Real velocity = wave.at(stepper.time()).velocity;
     flux += step * soil.density * soil.shear_velocity * velocity * velocity * across * spacing;
