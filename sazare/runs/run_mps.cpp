@@ -67,6 +67,7 @@ struct MpsWork {
   void settle() {
     const Real tolerance = settled_share * file.mps().gravity.acceleration.norm();
     if (!options.quiet) fmt::print("coming to rest under gravity\n");
+    std::fflush(stdout);
     Progress progress(options.quiet, {.smallest_step = model.step, .broken_joints = -1, .evaluated = "particle-steps"});
     Real first = 0;
     bool asked = false;

@@ -6,7 +6,7 @@ import time
 from subprocess import TimeoutExpired
 
 import pytest
-from conftest import DONE, MACHINE_FAILED, USER_ERROR, manifest, rows_without_wall_time
+from conftest import DONE, MACHINE_FAILED, ROOT, USER_ERROR, manifest, rows_without_wall_time
 
 OFTEN = "output.checkpoint_interval=0.02"
 LATER = "time.end=8e-4"
@@ -78,6 +78,17 @@ def test_stopped_by_a_signal(sazare, tmp_path, whole, number):
     assert resumed.returncode == DONE, words
     assert "resumed at t = " in out
     assert_same_results(whole, parts)
+
+
+def test_stopped_before_the_ground_has_come_to_rest(sazare, tmp_path):
+    process = sazare.start("run", ROOT / "cases/slope-el-centro/case.toml", "--out", tmp_path / "run", "--threads", 1)
+    assert "Slopes" in process.stdout.readline()
+    assert process.stdout.readline() == "coming to rest under gravity\n"
+    process.send_signal(signal.SIGINT)
+    _, words = process.communicate(timeout=60)
+    assert process.returncode == MACHINE_FAILED
+    assert "stopped before the beginning" in words and f"--out {tmp_path / 'run'} --resume" in words
+    assert manifest(tmp_path / "run")["status"] == "stopped"
 
 
 def test_two_at_once_are_kept_apart(sazare, tmp_path):
