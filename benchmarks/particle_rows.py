@@ -11,20 +11,29 @@ GOAL = 1e7  # particle-steps per second and core in 2-D
 
 
 def rates_of(bench, threads):
-    """Particle-steps per second by scene. Raises NotRun."""
-    key = ("particles", threads)
-    if key not in _found:
-        program = bench.options.build / "benchmarks" / "particles"
-        # Idle threads spin for a moment only, as in the command.
-        done = subprocess.run([program, str(threads)], capture_output=True, text=True, check=False,
-                              env=os.environ | {"GOMP_SPINCOUNT": "10000"})
-        if done.returncode != 0:
-            raise NotRun(f"exit code {done.returncode}: {done.stderr.strip()}")
-        _found[key] = {row.split(",")[0]: float(row.split(",")[2]) for row in done.stdout.splitlines()}
-    return _found[key]
+    """Particle-steps per second by scene, the best of some runs. Raises NotRun."""
+    if not _found:
+        counts = [1, 2] if (os.cpu_count() or 1) > 1 else [1]
+        for _ in range(bench.options.repeats):  # in turns, so that what disturbs the machine disturbs both
+            for count in counts:
+                best = _found.setdefault(count, {})
+                for scene, rate in run_once(bench, count).items():
+                    best[scene] = max(rate, best.get(scene, 0.0))
+    return _found[threads]
 
 
-_found = {}
+def run_once(bench, threads):
+    """Particle-steps per second by scene in one run. Raises NotRun."""
+    program = bench.options.build / "benchmarks" / "particles"
+    # Idle threads spin for a moment only, as in the command.
+    done = subprocess.run([program, str(threads)], capture_output=True, text=True, check=False,
+                          env=os.environ | {"GOMP_SPINCOUNT": "10000"})
+    if done.returncode != 0:
+        raise NotRun(f"exit code {done.returncode}: {done.stderr.strip()}")
+    return {row.split(",")[0]: float(row.split(",")[2]) for row in done.stdout.splitlines()}
+
+
+_found = {}  # by number of threads
 
 
 def scene_rows(scene, words):
@@ -35,13 +44,12 @@ def scene_rows(scene, words):
             raise NotRun("this machine has one core")
         return rates_of(bench, 2)[scene] / rates_of(bench, 1)[scene]
 
-    large = scene == "plane-100k"
     return [
         Row(f"mps/ourselves-{scene}-rate", f"particle-steps per second, {words}, 1 thread", "1/s",
             lambda bench: rates_of(bench, 1)[scene], limit=Limit("ours", low=GOAL) if scene.startswith("plane") else None,
             more_is_better=True),
         Row(f"mps/ourselves-{scene}-two-threads", f"rate with 2 threads over that with 1, {words}", "-", speed_up,
-            limit=Limit("ours", low=1.8) if large else None, more_is_better=True),
+            limit=Limit("ours", low=1.8) if scene.startswith("plane") else None, more_is_better=True),
     ]
 
 
