@@ -1,4 +1,4 @@
-#include "sazare/runs/run_blocks.hpp"
+#include "sazare/runs/run_case.hpp"
 
 #include <gtest/gtest.h>
 
