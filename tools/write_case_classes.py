@@ -70,7 +70,7 @@ def part_lines(table, schema):
     """The class of one table."""
     repeated = schema["type"] == "array"
     body = schema["items"] if repeated else schema
-    lines = ["", "", "@dataclass(kw_only=True)", f"class {class_name(table, repeated)}(Part):", *docstring(body["description"]), ""]
+    lines = ["", "", "@dataclass(kw_only=True, eq=False)", f"class {class_name(table, repeated)}(Part):", *docstring(body["description"]), ""]
     required = body.get("required", [])
     for key, value in body["properties"].items():
         words = type_words(value) + ("" if key in required else " | None = None")
@@ -81,7 +81,7 @@ def part_lines(table, schema):
 
 def case_lines(method, tables, required):
     """The class of the whole case."""
-    lines = ["", "", "@dataclass(kw_only=True)", "class Case(AnyCase):", f'    """A case of method {method}."""', ""]
+    lines = ["", "", "@dataclass(kw_only=True, eq=False)", "class Case(AnyCase):", f'    """A case of method {method}."""', ""]
     names = {table: class_name(table, schema["type"] == "array") for table, schema in tables.items()}
     lines.append(f'    method: ClassVar[str] = "{method}"')
     lines.append("    tables: ClassVar[dict[str, type[Part]]] = {")

@@ -18,7 +18,7 @@ import os
 
 _HOMES = {
     "sazare.results": (
-        "Comparison", "Gauge", "NotARun", "Results", "Snapshot", "Snapshots", "Table", "compare", "open_run",
+        "Comparison", "Gauge", "NotARun", "Results", "Snapshot", "Snapshots", "Table", "compare", "open_run", "write_table",
     ),
     "sazare.simulation": ("Simulation", "build", "check", "run"),
     "sazare.cases": ("Case", "case_from_text", "read_case"),

@@ -77,6 +77,17 @@ def read_table(path):
     return Table(columns, {head["name"]: head["unit"] or "" for head in heads})
 
 
+def write_table(path, columns):
+    """Writes a CSV file that cases can name, such as {"time [s]": times, "pressure [Pa]": pressures}; returns its path.
+
+    Raises ValueError where the columns differ in length.
+    """
+    rows = zip(*columns.values(), strict=True)
+    lines = [",".join(columns), *(",".join(repr(float(value)) for value in row) for row in rows)]
+    Path(path).write_text("\n".join(lines) + "\n", encoding="utf-8")
+    return Path(path)
+
+
 def _column(cells):
     try:
         return np.array(cells, dtype=float)

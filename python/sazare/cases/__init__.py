@@ -36,7 +36,10 @@ def toml_value(value: Any) -> str:
 
 
 class Part:
-    """One table of a case."""
+    """One table of a case. Two are equal when they write the same."""
+
+    def __eq__(self, other):
+        return type(self) is type(other) and self.keys() == other.keys()
 
     def keys(self) -> dict[str, Any]:
         """The keys that are given, in the order of the schema, as TOML would read them."""
@@ -52,9 +55,9 @@ def _plain(value: Any) -> Any:
     return str(value) if isinstance(value, Path) else value
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Case:
-    """What the cases of all methods share."""
+    """What the cases of all methods share. Two are equal when they write the same."""
 
     method: ClassVar[str]
     tables: ClassVar[dict[str, type[Part]]]
@@ -63,6 +66,9 @@ class Case:
     """What the case is called in reports."""
     folder: Path | None = None
     """Where the files that the case names are looked for; None: the current folder. Not a part of the TOML text."""
+
+    def __eq__(self, other):
+        return isinstance(other, Case) and self.to_dict() == other.to_dict()
 
     def to_dict(self) -> dict[str, Any]:
         """The case as `tomllib` reads its text."""

@@ -7,7 +7,7 @@ from sazare.cases import Case as AnyCase
 from sazare.cases import Part
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Mesh(Part):
     """The body: tetrahedra with named volumes and surfaces."""
 
@@ -22,7 +22,7 @@ class Mesh(Part):
     """
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Material(Part):
     """What the named volumes are made of."""
 
@@ -34,7 +34,7 @@ class Material(Part):
     """Mass per volume. [kg/m3] Greater than 0."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Joint(Part):
     """How faces hold together; where several entries match a face, the last one wins."""
 
@@ -72,7 +72,7 @@ class Joint(Part):
     """Energy per area that opening the joint in tension takes. [N/m] (required when bonded) Greater than 0."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Contact(Part):
     """What acts between faces after failure and between free faces."""
 
@@ -96,7 +96,7 @@ class Contact(Part):
     """
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Blast(Part):
     """Pressure on the walls of holes: a pulse, or a table from a CSV file."""
 
@@ -120,7 +120,7 @@ class Blast(Part):
     """The pressure on a face ends for good once the face has moved this far; inf: never. [m] Default: inf. Greater than 0."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Gravity(Part):
     """Body force."""
 
@@ -128,7 +128,7 @@ class Gravity(Part):
     """Acceleration of free fall. [m/s2] Default: [0.0, 0.0, 0.0]."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Boundary(Part):
     """How outer faces are held; all others are free."""
 
@@ -138,7 +138,7 @@ class Boundary(Part):
     """fixed does not move, frictionless slides along the plane of each face, absorbing lets waves leave (dashpots)."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Constraint(Part):
     """Axes along or about which whole volumes cannot move."""
 
@@ -150,7 +150,7 @@ class Constraint(Part):
     """Axes about which the elements cannot turn. Default: []."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class InitialVelocity(Part):
     """Volumes that move at the start."""
 
@@ -160,7 +160,7 @@ class InitialVelocity(Part):
     """Their velocity at the start. [m/s]"""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Gauge(Part):
     """Points whose velocity is recorded."""
 
@@ -170,7 +170,7 @@ class Gauge(Part):
     """Where it is fixed to the body at the start: a point inside an element. [m]"""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Time(Part):
     """How long, in which steps, and when results are written."""
 
@@ -204,7 +204,7 @@ class Time(Part):
     """Refuse what would only be warned about, such as a step above the stable one. Default: false."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Output(Part):
     """What is written besides histories and snapshots."""
 
@@ -212,7 +212,7 @@ class Output(Part):
     """Wall-clock time between checkpoints. [s] Default: 60.0. Greater than 0."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Case(AnyCase):
     """A case of method blocks."""
 

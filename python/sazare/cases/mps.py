@@ -7,7 +7,7 @@ from sazare.cases import Case as AnyCase
 from sazare.cases import Part
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Particles(Part):
     """The lattice on which particles stand."""
 
@@ -27,7 +27,7 @@ class Particles(Part):
     """
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Region(Part):
     """What is filled with particles."""
 
@@ -47,7 +47,7 @@ class Region(Part):
     """Physical volume group of the mesh that is filled. (required for a mesh)"""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Material(Part):
     """What the regions are made of."""
 
@@ -81,7 +81,7 @@ class Material(Part):
     """
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Damping(Part):
     """Rayleigh damping: its two frequencies."""
 
@@ -95,7 +95,7 @@ class Damping(Part):
     """
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Motion(Part):
     """Waves and histories of the ground's motion."""
 
@@ -122,7 +122,7 @@ class Motion(Part):
     """What is taken off a record so that its integral has no trend: nothing, a constant or a straight line. Default: "none"."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Boundary(Part):
     """How the sides are held; all others are free."""
 
@@ -144,7 +144,7 @@ class Boundary(Part):
     """Motion along z. (kinds prescribed and viscous only)"""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Contact(Part):
     """Contacts of particles whose links broke."""
 
@@ -152,7 +152,7 @@ class Contact(Part):
     """Dashpots of contacts between particles whose links broke, over critical ones. Default: 0.2. At least 0 and at most 2."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Gravity(Part):
     """Body force."""
 
@@ -166,7 +166,7 @@ class Gravity(Part):
     """After so many steps without rest the ground is said not to stand. Default: 200000. At least 1 and at most 1e+09."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Noise(Part):
     """Small random motion at the start, so that whatever can grow does."""
 
@@ -178,7 +178,7 @@ class Noise(Part):
     """Which random numbers are taken. Default: 1. At least 1 and at most 1e+06."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Gauge(Part):
     """Points whose motion is recorded."""
 
@@ -188,7 +188,7 @@ class Gauge(Part):
     """Where it is at the start: it takes the motion of the nearest particle, at most a spacing away. [m]"""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Time(Part):
     """How long, in which steps, and when results are written."""
 
@@ -212,7 +212,7 @@ class Time(Part):
     """Refuse what would only be warned about. Default: false."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Output(Part):
     """What is written besides histories and snapshots."""
 
@@ -220,7 +220,7 @@ class Output(Part):
     """Wall-clock time between checkpoints. [s] Default: 60.0. Greater than 0."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Case(AnyCase):
     """A case of method mps."""
 

@@ -7,7 +7,7 @@ from sazare.cases import Case as AnyCase
 from sazare.cases import Part
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Elements(Part):
     """What all elements have in common."""
 
@@ -15,7 +15,7 @@ class Elements(Part):
     """Depth of all elements across the plane. [m] Default: 1.0. Greater than 0."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Block(Part):
     """Bodies of squares that are joined on a lattice, or of one rectangle."""
 
@@ -45,7 +45,7 @@ class Block(Part):
     """By how much it is turned about its lower corner, counter-clockwise. [deg] Default: 0.0."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Material(Part):
     """What the blocks are made of."""
 
@@ -84,7 +84,7 @@ class Material(Part):
     """Formula of the springs' displacements: (15) for small relative rotations, or (3) for any. Default: "small"."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Contact(Part):
     """Springs, dashpots and friction where elements meet that are not joined."""
 
@@ -98,7 +98,7 @@ class Contact(Part):
     """Angle of friction of the same. [deg] At least 0 and less than 90."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Wall(Part):
     """Straight supports."""
 
@@ -116,7 +116,7 @@ class Wall(Part):
     """Motion along y. (not with a velocity)"""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Roller(Part):
     """Circular supports and platens."""
 
@@ -134,7 +134,7 @@ class Roller(Part):
     """Motion along y. (not with a velocity)"""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Motion(Part):
     """Waves and histories of the ground's motion."""
 
@@ -161,7 +161,7 @@ class Motion(Part):
     """What is taken off a record so that its integral has no trend: nothing, a constant or a straight line. Default: "none"."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class BaseFriction(Part):
     """A plate that drags all elements: the base-friction model of a slope."""
 
@@ -173,7 +173,7 @@ class BaseFriction(Part):
     """Gravity across the plane, which presses the elements on the plate. [m/s2] Default: 9.81. Greater than 0."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Gravity(Part):
     """Body force."""
 
@@ -181,7 +181,7 @@ class Gravity(Part):
     """Acceleration of free fall. [m/s2] Default: [0.0, 0.0, 0.0]."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Gauge(Part):
     """Elements whose motion is recorded."""
 
@@ -191,7 +191,7 @@ class Gauge(Part):
     """Where it is at the start: it takes the motion of the element that holds it. [m]"""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Time(Part):
     """How long, in which steps, and when results are written."""
 
@@ -213,7 +213,7 @@ class Time(Part):
     """Refuse what would only be warned about. Default: false."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Output(Part):
     """What is written besides histories and snapshots."""
 
@@ -221,7 +221,7 @@ class Output(Part):
     """Wall-clock time between checkpoints. [s] Default: 60.0. Greater than 0."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Case(AnyCase):
     """A case of method rectangles."""
 

@@ -7,7 +7,7 @@ from sazare.cases import Case as AnyCase
 from sazare.cases import Part
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Domain(Part):
     """The room, where it repeats itself."""
 
@@ -19,7 +19,7 @@ class Domain(Part):
     """Upper ends of the periodic axes; the other axes do not count. [m] (required where an axis is periodic)"""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Material(Part):
     """What spheres and walls are made of."""
 
@@ -33,7 +33,7 @@ class Material(Part):
     """Poisson's ratio. (required for model hertz) At least 0 and at most 0.5."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Contact(Part):
     """How spheres touch."""
 
@@ -59,7 +59,7 @@ class Contact(Part):
     """
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Pair(Part):
     """What is different between two materials."""
 
@@ -77,7 +77,7 @@ class Pair(Part):
     """As in [contact]. [N/m] (default: that of [contact]) Greater than 0."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Sphere(Part):
     """Groups of spheres."""
 
@@ -120,7 +120,7 @@ class Sphere(Part):
     """Whether the spheres neither move nor turn. Default: false."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Wall(Part):
     """Planes and surfaces that spheres cannot pass."""
 
@@ -156,7 +156,7 @@ class Wall(Part):
     """A point of the axis, at the start. [m] Default: [0.0, 0.0, 0.0]."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Motion(Part):
     """Histories of the walls' motion."""
 
@@ -183,7 +183,7 @@ class Motion(Part):
     """What is taken off a record so that its integral has no trend: nothing, a constant or a straight line. Default: "none"."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Gravity(Part):
     """Body force."""
 
@@ -191,7 +191,7 @@ class Gravity(Part):
     """Acceleration of free fall. [m/s2] Default: [0.0, 0.0, 0.0]."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Gauge(Part):
     """Groups whose motion is recorded."""
 
@@ -201,7 +201,7 @@ class Gauge(Part):
     """Group of spheres whose centre of mass is recorded."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Time(Part):
     """How long, in which steps, and when results are written."""
 
@@ -225,7 +225,7 @@ class Time(Part):
     """Refuse what would only be warned about. Default: false."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Output(Part):
     """What is written besides histories and snapshots."""
 
@@ -233,7 +233,7 @@ class Output(Part):
     """Wall-clock time between checkpoints. [s] Default: 60.0. Greater than 0."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False)
 class Case(AnyCase):
     """A case of method spheres."""
 
