@@ -31,8 +31,10 @@ validate: build ## compare with theory, papers and other codes; table in build/v
 bench: build ## measure speed; table in build/bench/results.csv
 	@$(PYTHON) benchmarks/run.py
 
-docs: setup ## check the documentation's links and pictures
+docs: build ## check the documentation's links, and make the site build/site of it
 	@$(PYTHON) tools/check_links.py README.md CONTRIBUTING.md CHANGELOG.md docs cases
+	@$(PYTHON) -m pip install --quiet --disable-pip-version-check --only-binary :all: -r docs/requirements.txt
+	@$(PYTHON) tools/build_site.py
 
 clean: ## remove the builds and what they made; the Python environment stays
 	@find build -mindepth 1 -maxdepth 1 ! -name venv -exec rm -rf {} + 2>/dev/null || true

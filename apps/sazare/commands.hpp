@@ -48,7 +48,8 @@ struct StudyArguments {
 int run(const RunArguments& arguments, const parallel::Ranks& ranks);
 int study(const StudyArguments& arguments);
 int check(const CaseArguments& arguments);
-int report(const std::filesystem::path& folder);
+/// A command that the Python package carries out, with its arguments: {"report", "build/demo"}.
+int in_python(std::vector<std::string> arguments);
 int schema(bool markdown);
 int info(const parallel::Ranks& ranks);
 

@@ -47,11 +47,18 @@ void describe_study(CLI::App& study, command::StudyArguments& arguments) {
   study.add_flag("--quiet", arguments.quiet, "print warnings and errors only");
 }
 
+/// What Python carries out, and reads the arguments of.
+const std::vector<std::pair<std::string, std::string>> python_commands = {
+    {"report", "pictures, plots and one HTML page of a run"},
+    {"plot", "chosen pictures of a run's report as files"},
+    {"movie", "a run's snapshots as a moving picture"},
+    {"compare", "figures and histories of two runs beside each other"},
+};
+
 struct Arguments {
   command::RunArguments run;
   command::CaseArguments check;
   command::StudyArguments study;
-  std::filesystem::path report_folder;
   bool markdown = false;
 };
 
@@ -75,9 +82,7 @@ void describe(CLI::App& app, Arguments& arguments) {
   auto& check = *app.add_subcommand("check", "every error of a case, or what it will do: steps, levels, who limits them");
   add_case_options(check, arguments.check);
   describe_study(*app.add_subcommand("study", "families of cases: the limit step of each, by bisection"), arguments.study);
-  app.add_subcommand("report", "pictures, plots and one HTML page of a run")
-      ->add_option("DIR", arguments.report_folder, "the run's folder")
-      ->required();
+  for (const auto& [name, words] : python_commands) app.add_subcommand(name, words)->prefix_command()->set_help_flag();
   app.add_subcommand("schema", "the schema of the case file, as JSON for editors")
       ->add_flag("--markdown", arguments.markdown, "as the page of the reference");
   app.add_subcommand("info", "version, compiler, machine, threads, MPI");
@@ -88,7 +93,12 @@ int carry_out(const CLI::App& app, const Arguments& arguments, const parallel::R
   if (app.got_subcommand("run")) return command::run(arguments.run, ranks);
   if (app.got_subcommand("study")) return command::study(arguments.study);
   if (app.got_subcommand("check")) return command::check(arguments.check);
-  if (app.got_subcommand("report")) return command::report(arguments.report_folder);
+  for (const auto& [name, words] : python_commands) {
+    if (!app.got_subcommand(name)) continue;
+    std::vector<std::string> all = app.get_subcommand(name)->remaining();
+    all.insert(all.begin(), name);
+    return command::in_python(all);
+  }
   if (app.got_subcommand("schema")) return command::schema(arguments.markdown);
   return command::info(ranks);
 }

@@ -1,44 +1,86 @@
-"""The command `python -m sazare`: report DIR, summary DIR."""
+"""The command `python -m sazare`, to which `sazare report`, `plot`, `movie` and `compare` hand over."""
 
 import argparse
 import sys
 import time
+from pathlib import Path
 
-from sazare.results import NotARun, open_run
+from sazare.results import NotARun, compare, open_run
 from sazare.summary import terminal_text
 
 USER_ERROR, MACHINE_ERROR = 2, 4
 
 
-def report(folder):
+def report(chosen):
     """Writes the report, and says where it is."""
     from sazare.report import write_report
 
     started = time.monotonic()
-    page = write_report(folder)
+    page = write_report(chosen.folder)
     print(f"report: {page} ({time.monotonic() - started:.1f} s)")
 
 
-def summary(folder):
+def summary(chosen):
     """Prints the headline figures, and where the report is if there is one."""
-    results = open_run(folder)
+    results = open_run(chosen.folder)
     print(terminal_text(results))
     page = results.path / "report.html"
     if page.exists():
         print(f"report: {page}")
 
 
-def main(arguments=None):
-    """Runs the command; returns its exit code: 0 done, 2 not a run, 4 the machine."""
-    parser = argparse.ArgumentParser(prog="python -m sazare", description="Read and report the folder of a run.")
-    commands = parser.add_subparsers(dest="command", required=True)
-    for name, words in (("report", "write DIR/report.html and its pictures"), ("summary", "print the headline figures")):
+def plot(chosen):
+    """Writes chosen pictures of the report, or lists their names."""
+    from sazare.report import write_pictures
+
+    for line in write_pictures(chosen.folder, chosen.names, chosen.out):
+        print(line)
+
+
+def movie(chosen):
+    """Writes the moving picture, and says where it is."""
+    from sazare.movie import write_movie
+
+    results = open_run(chosen.folder)
+    print(write_movie(results, Path(chosen.out or results.path / "movie.gif"), chosen.field, chosen.enlarge, chosen.interval))
+
+
+def comparison(chosen):
+    """Prints two runs beside each other."""
+    print(compare(chosen.folder, chosen.other))
+
+
+def parser():
+    """What the command line may say."""
+    top = argparse.ArgumentParser(prog="sazare", description="Read, draw and report the folder of a run.")
+    commands = top.add_subparsers(dest="command", required=True)
+
+    def add(name, words, function):
         command = commands.add_parser(name, help=words, description=words)
         command.add_argument("folder", metavar="DIR", help="the folder of a run")
-    chosen = parser.parse_args(arguments)
+        command.set_defaults(function=function)
+        return command
+
+    add("report", "write DIR/report.html and its pictures", report)
+    add("summary", "print the headline figures", summary)
+    drawn = add("plot", "write chosen pictures of the report as PNG; without names, list what there is", plot)
+    drawn.add_argument("names", metavar="NAME", nargs="*", help="a picture, such as energy or gauges")
+    drawn.add_argument("--out", metavar="DIR", help="folder of the pictures (default: the current one)", default=".")
+    moving = add("movie", "write the snapshots as an animated picture", movie)
+    moving.add_argument("--out", metavar="FILE", help="a .gif or .webp (default: DIR/movie.gif)")
+    moving.add_argument("--field", metavar="NAME", help="what is coloured, such as speed or displacement")
+    moving.add_argument("--enlarge", metavar="FACTOR", type=float, help="how much displacements are enlarged")
+    moving.add_argument("--interval", metavar="SECONDS", type=float, default=0.15, help="time for which a picture stands")
+    add("compare", "print figures and histories of two runs beside each other", comparison).add_argument("other", metavar="OTHER")
+    return top
+
+
+def main(arguments=None):
+    """Runs the command; returns its exit code: 0 done, 2 an error of the user, 4 the machine."""
+    chosen = parser().parse_args(arguments)
     try:
-        {"report": report, "summary": summary}[chosen.command](chosen.folder)
-    except NotARun as error:
+        chosen.function(chosen)
+    except (NotARun, ValueError) as error:
         print(f"error: {error}", file=sys.stderr)
         return USER_ERROR
     except OSError as error:

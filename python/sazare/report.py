@@ -7,7 +7,7 @@ from pathlib import Path
 
 import jinja2
 
-from sazare import granular, ground, maps, plot, squares, study, style
+from sazare import granular, ground, maps, plot, squares, study, style, view3d
 from sazare.results import open_run
 from sazare.scenes import Body
 from sazare.summary import headlines, verdict
@@ -211,6 +211,7 @@ def _largest_fragments(results):
 
 
 def _page(results, sections):
+    view = view3d.packed_view(results)
     loader = jinja2.FileSystemLoader(Path(__file__).with_name("templates"))
     template = jinja2.Environment(loader=loader, autoescape=True, trim_blocks=True, lstrip_blocks=True).get_template("report.html")
     tone, sentence = verdict(results)
@@ -224,7 +225,41 @@ def _page(results, sections):
         fragments=_largest_fragments(results),
         gauges=[(gauge.name, style.quantity(gauge.ppv, "m/s")) for gauge in results.gauges.values()],
         case_text=results.case_text,
+        view=view,
+        viewer=view3d.viewer_script() if view else "",
     )
+
+
+def sections_of(results):
+    """The pictures that suit a run's method."""
+    method = results.manifest.get("method")
+    makers = {"mps": ground_sections, "rectangles": square_sections, "spheres": granular_sections, "study": study_sections}
+    if method in makers:
+        return makers[method](results)
+    if len(results.snapshots):
+        return [*body_sections(Body(results.snapshots)), *curve_sections(results)]
+    missing = "The run wrote no snapshots."
+    return [Section("cracks", "Crack pattern, shape, levels, fragments", "", lambda: None, missing), *curve_sections(results)]
+
+
+def write_pictures(path, names, folder):
+    """Writes the named pictures of a run's report as PNG into a folder; yields their paths. Without names, yields a line for each
+    picture there is. Raises NotARun where `path` is no run, ValueError for a picture that there is not or that has no data."""
+    sections = {section.name: section for section in sections_of(open_run(path))}
+    if not names:
+        yield from (f"{name:<16}{section.heading}: {section.caption}" for name, section in sections.items())
+        return
+    unknown = [name for name in names if name not in sections]
+    if unknown:
+        raise ValueError(f"no picture {', '.join(unknown)}; there are: {', '.join(sections)}")
+    Path(folder).mkdir(parents=True, exist_ok=True)
+    for name in names:
+        figure = sections[name].draw()
+        if figure is None:
+            raise ValueError(f"no picture {name} of this run: {sections[name].missing}")
+        target = Path(folder) / f"{name}.png"
+        style.save(figure, target)
+        yield target
 
 
 def write_report(path):
@@ -234,23 +269,7 @@ def write_report(path):
     folder.mkdir(exist_ok=True)
     for old in folder.glob("*.png"):
         old.unlink()
-    method = results.manifest.get("method")
-    if method == "mps":
-        chosen = ground_sections(results)
-    elif method == "rectangles":
-        chosen = square_sections(results)
-    elif method == "spheres":
-        chosen = granular_sections(results)
-    elif method == "study":
-        chosen = study_sections(results)
-    elif len(results.snapshots):
-        chosen = body_sections(Body(results.snapshots))
-    else:
-        missing = "The run wrote no snapshots."
-        chosen = [Section("cracks", "Crack pattern, shape, levels, fragments", "", lambda: None, missing)]
-    if method not in ("mps", "rectangles", "spheres", "study"):
-        chosen = [*chosen, *curve_sections(results)]
-    sections = [_drawn(section, folder) for section in chosen]
+    sections = [_drawn(section, folder) for section in sections_of(results)]
     page = results.path / "report.html"
     page.write_text(_page(results, sections), encoding="utf-8")
     return page

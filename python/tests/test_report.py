@@ -177,3 +177,31 @@ def test_the_command_says_where_the_report_is(slab, tmp_path, capsys):
 def test_the_command_refuses_what_is_no_run(tmp_path, capsys):
     assert main(["report", str(tmp_path)]) == 2
     assert "not the folder of a run" in capsys.readouterr().err
+
+
+def test_plot_writes_the_pictures_that_are_named(slab, tmp_path, capsys):
+    assert main(["plot", str(slab), "energy", "gauges", "--out", str(tmp_path / "pictures")]) == 0
+    assert {path.name for path in (tmp_path / "pictures").iterdir()} == {"energy.png", "gauges.png"}
+    assert main(["plot", str(slab)]) == 0
+    listed = {line.split()[0] for line in capsys.readouterr().out.splitlines()[2:]}
+    assert listed == PICTURES
+
+
+def test_plot_says_which_pictures_there_are(slab, tmp_path, capsys):
+    assert main(["plot", str(slab), "energie", "--out", str(tmp_path)]) == 2
+    assert "no picture energie; there are: cracks" in capsys.readouterr().err
+
+
+def test_a_movie_has_a_frame_for_every_snapshot_and_moves(slab, tmp_path, capsys):
+    from PIL import Image, ImageChops
+
+    target = tmp_path / "slab.gif"
+    assert main(["movie", str(slab), "--out", str(target), "--field", "displacement", "--interval", "0.2"]) == 0
+    with Image.open(target) as movie:
+        assert movie.n_frames == len(sazare.open(slab).snapshots)
+        assert movie.info["duration"] == 200
+        first = movie.convert("RGB")
+        movie.seek(movie.n_frames - 1)
+        assert ImageChops.difference(first, movie.convert("RGB")).getbbox() is not None
+    assert main(["movie", str(slab), "--field", "heat"]) == 2
+    assert "there are: speed, displacement" in capsys.readouterr().err

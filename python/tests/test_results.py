@@ -116,3 +116,40 @@ def test_damaged_files_are_named(slab, tmp_path):
     (copy / "snapshots" / "elements_00000.vtkhdf").write_bytes(b"not HDF5")
     with pytest.raises(sazare.NotARun, match="elements_00000.vtkhdf: not a readable VTKHDF file"):
         _ = sazare.open(copy).snapshots
+
+
+def test_a_table_becomes_a_frame_of_pandas(slab):
+    table = sazare.open(slab).history
+    frame = table.to_pandas()
+    assert list(frame.columns) == list(table)
+    assert np.array_equal(frame["time"].to_numpy(), table["time"])
+    assert frame.attrs["units"]["time"] == "s"
+
+
+def test_a_run_compared_with_itself_is_the_same(slab):
+    compared = sazare.compare(slab, sazare.open(slab))
+    assert compared.largest_difference == 0.0
+    assert compared.same_bits is (True if sazare.open(slab).manifest.get("state_hash") else None)
+    assert all(first == second for first, second in compared.figures.values())
+
+
+def test_what_differs_between_two_runs_is_found(slab, tmp_path):
+    copy = shutil.copytree(slab, tmp_path / "run")
+    rows = (copy / "history.csv").read_text().splitlines()
+    column = rows[0].split(",").index("energy_kinetic [J]")
+    cells = rows[-1].split(",")
+    cells[column] = repr(1.5 * float(cells[column]))
+    (copy / "history.csv").write_text("\n".join([*rows[:-1], ",".join(cells)]) + "\n")
+    compared = sazare.compare(slab, copy)
+    history = sazare.open(slab).history
+    expected = 0.5 * abs(history["energy_kinetic"][-1]) / np.abs(history["energy_kinetic"]).max()
+    assert compared.history["energy_kinetic"] == pytest.approx(expected)
+    assert compared.largest_difference == compared.history["energy_kinetic"]
+    assert "energy_elastic" in compared.history and compared.history["energy_elastic"] == 0.0
+    assert "differ by at most" in str(compared)
+
+
+def test_snapshots_are_found_whatever_the_method(slab):
+    results = sazare.open(slab)
+    assert len(results.all_snapshots) == len(results.snapshots)
+    assert results.all_snapshots[-1].mesh is results.all_snapshots[-1].elements

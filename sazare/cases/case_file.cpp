@@ -133,7 +133,10 @@ Place find_place(const Value& root, std::string_view key) {
 std::vector<Entry> CheckContext::entries_of(std::string_view table) const { return entries(root, *find_table(schema, table)); }
 
 CaseFile read_case(const fs::path& path, std::span<const std::string> overrides) {
-  const std::string content = read_text(path);
+  return read_case_text(read_text(path), path, overrides);
+}
+
+CaseFile read_case_text(const std::string& content, const fs::path& path, std::span<const std::string> overrides) {
   auto text = std::make_shared<CaseText>();
   Problems& problems = text->problems;
   const int source = problems.add_source(source_from_text(path.string(), content));

@@ -35,6 +35,10 @@ struct CaseFile {
 /// a UserError that lists everything that is wrong, in file order.
 CaseFile read_case(const std::filesystem::path& path, std::span<const std::string> overrides = {});
 
+/// The same of a text that need not stand in a file: messages call it `path`, and its files are relative to the folder of `path`.
+CaseFile read_case_text(const std::string& content, const std::filesystem::path& path,
+                        std::span<const std::string> overrides = {});
+
 /// A physical surface group of a mesh: its triangles on the outside of the body and those between two
 /// elements.
 struct MeshSurface {

@@ -202,6 +202,7 @@ Snapshot<D> Simulation<D>::snapshot() const {
     at_now.pose.push_back(state::pose_at(motion, now_));
     at_now.velocity.push_back(motion.velocity - given.linear_ahead / bodies_.inertia[at(body)].mass);
     at_now.angular_momentum.push_back(motion.angular_momentum - given.angular_ahead);
+    at_now.force.push_back(given.force);
   }
   return at_now;
 }

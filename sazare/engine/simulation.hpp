@@ -30,12 +30,13 @@ struct PartTime {
   Real seconds = 0;
 };
 
-/// Positions and velocities of all bodies at a base step.
+/// Positions and velocities of all bodies at a base step, and the forces on them as last evaluated [N].
 template <int D>
 struct Snapshot {
   std::vector<state::Pose<D>> pose;
   std::vector<Vector<D>> velocity;
   std::vector<Angular<D>> angular_momentum;
+  std::vector<Vector<D>> force;
 };
 
 /// How the work is shared out among the processes of a run.

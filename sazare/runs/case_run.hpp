@@ -2,7 +2,7 @@
 
 /// The course of a run, whatever its method: begin or resume, step, observe, checkpoint, end.
 ///
-/// `Work` is a method's part of it, with the members
+/// `Work` is a method's part of it, made from a case and its options, with the members
 ///
 ///     times, folder, identity, clocks, record     see RunTimes, RunFolder, RunIdentity, RunClocks, RunRecord
 ///     title(), method(), words()                  what is to be said of the case at its beginning
@@ -13,6 +13,7 @@
 ///     collect()                                   makes all true in the first process
 ///     progress(share, time)                       what there is to tell on the way
 ///     columns(archive)                            its state in a checkpoint
+///     read_motion(table)                          where its bodies are
 ///     state_hash(), part_times()                  for the manifest and timing.csv
 ///     write_case(), write_end(), write_rank_times()   the files that only it knows
 
@@ -22,14 +23,14 @@
 #include <chrono>
 #include <cstdio>
 
+#include "sazare/cases/case_file.hpp"
 #include "sazare/cases/number_text.hpp"
 #include "sazare/core/error.hpp"
 #include "sazare/core/version.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "sazare/runs/checkpoint_archive.hpp"
-#include "sazare/runs/progress.hpp"
+#include "sazare/runs/live_run.hpp"
 #include "sazare/runs/run_identity.hpp"
-#include "sazare/runs/run_options.hpp"
 #include "sazare/runs/run_times.hpp"
 
 namespace sazare::runs {
@@ -38,29 +39,68 @@ namespace sazare::runs {
 inline bool is_writer(const RunOptions& options) { return options.sharing.ranks == nullptr || options.sharing.ranks->is_first(); }
 
 template <class Work>
-class CaseRun {
+class CaseRun final : public LiveRun {
 public:
-  CaseRun(Work& work, const RunOptions& options) : work_(work), options_(options) {
+  /// The case must outlive the run.
+  CaseRun(const cases::CaseFile& file, const RunOptions& options) : options_(options), work_(file, options_) {
     manifest_.version = version;
     manifest_.commit = commit;
-    manifest_.case_title = work.title();
-    manifest_.method = work.method();
+    manifest_.case_title = work_.title();
+    manifest_.method = work_.method();
     manifest_.started = observe::time_of_day();
     manifest_.machine = observe::this_machine();
     if (options.sharing.ranks != nullptr) manifest_.machine.ranks = options.sharing.ranks->size();
-    if (is_writer(options)) fmt::print(stderr, "{}", work.warning());
-    work.times.add(RunTimes::Part::setup, work.times.now());
+    if (is_writer(options)) fmt::print(stderr, "{}", work_.warning());
+    work_.times.add(RunTimes::Part::setup, work_.times.now());
   }
 
-  RunOutcome run() {
+  RunOutcome run() override {
+    return guarded([this] {
+      if (!start()) return stopped_before_the_beginning();
+      Progress progress(options_.quiet, this->progress());
+      walk_to(work_.clocks.steps(), [&] {
+        if (progress.is_due()) progress.show(this->progress());
+        return must_stop();
+      });
+      progress.clear();
+      return end();
+    });
+  }
+
+  void begin() override {
+    guarded([this] { start(); });
+  }
+  bool walk(std::int64_t until, const std::function<bool()>& pause) override {
+    return guarded([&] { return walk_to(std::min(until, work_.clocks.steps()), pause); });
+  }
+  RunOutcome finish() override {
+    return guarded([this] { return end(); });
+  }
+
+  const std::string& title() const override { return work_.title(); }
+  std::string words() const override { return work_.words(); }
+  const RunClocks& clocks() const override { return work_.clocks; }
+  std::int64_t step() const override { return work_.step(); }
+  ProgressState progress() const override {
+    return work_.progress(static_cast<Real>(work_.step()) / static_cast<Real>(work_.clocks.steps()), time());
+  }
+  void read_motion(MotionTable& table) override { work_.read_motion(table); }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr auto flush_interval = std::chrono::seconds(2);
+
+  bool writes() const { return is_writer(options_); }
+  bool must_stop() const { return options_.stop_asked != nullptr && options_.stop_asked->load(std::memory_order_relaxed); }
+  bool agree(bool by_first) const {
+    return options_.sharing.ranks == nullptr ? by_first : options_.sharing.ranks->from_first(by_first) != 0;
+  }
+
+  /// Carries out a part of the run; an error leaves behind what can be kept, and says from where it can go on.
+  template <class Part>
+  auto guarded(const Part& part) -> decltype(part()) {
     try {
-      if (work_.folder.resumes())
-        resume();
-      else if (!begin())
-        return stopped_before_the_beginning();
-      const bool stopped = walk();
-      end(stopped ? "stopped" : "done");
-      return {stopped, true, time(), manifest_};
+      return part();
     } catch (const PhysicsError& error) {
       leave_behind("failed");
       throw PhysicsError(fmt::format("{}\n  {}", error.what(), where_it_can_go_on()));
@@ -70,18 +110,6 @@ public:
     }
   }
 
-private:
-  using Clock = std::chrono::steady_clock;
-  static constexpr auto flush_interval = std::chrono::seconds(2);
-
-  bool writes() const { return is_writer(options_); }
-  bool agree(bool by_first) const {
-    return options_.sharing.ranks == nullptr ? by_first : options_.sharing.ranks->from_first(by_first) != 0;
-  }
-  Real time() const { return work_.clocks.time(work_.step()); }
-  bool must_stop() const { return agree(options_.stop_asked != nullptr && options_.stop_asked->load(std::memory_order_relaxed)); }
-  bool is_over() const { return work_.step() >= work_.clocks.steps(); }
-
   void say(const std::string& line) const {
     if (options_.quiet) return;
     fmt::print("{}\n", line);
@@ -89,7 +117,17 @@ private:
   }
 
   /// False when asked to stop before the beginning was there.
-  bool begin() {
+  bool start() {
+    if (work_.folder.resumes())
+      resume();
+    else if (!begin_anew())
+      return false;
+    next_checkpoint_ = Clock::now() + checkpoint_interval();
+    next_flush_ = Clock::now() + flush_interval;
+    return true;
+  }
+
+  bool begin_anew() {
     if (options_.begin == Begin::resume)
       say(fmt::format("{}: no checkpoint to resume from, so the run begins anew", work_.folder.path().string()));
     write_manifest("running");
@@ -97,7 +135,7 @@ private:
     say(fmt::format("{}: {}", work_.title(), work_.words()));
     if (writes()) work_.record.begin();
     work_.start();
-    if (must_stop()) return false;
+    if (agree(must_stop())) return false;
     observe();
     save_checkpoint();
     return true;
@@ -120,36 +158,32 @@ private:
                     cases::short_number(work_.clocks.end)));
   }
 
-  /// To the end, or until asked to stop: then true.
-  bool walk() {
-    Progress progress(options_.quiet, state());
-    auto next_checkpoint = Clock::now() + checkpoint_interval();
-    auto next_flush = Clock::now() + flush_interval;
-    while (!is_over()) {
-      if (must_stop()) return true;
+  bool walk_to(std::int64_t until, const std::function<bool()>& pause) {
+    while (work_.step() < until) {
+      if (agree(pause())) return true;
       work_.advance();
       if (work_.must_check() || work_.clocks.is_row(work_.step())) work_.record.check_motion(time());
       observe();
-      if (progress.is_due()) progress.show(state());
-      const auto now = Clock::now();
-      if (writes() && now >= next_flush) {
-        work_.record.flush(false);
-        next_flush = now + flush_interval;
-      }
-      if (!agree(now >= next_checkpoint && !is_over())) continue;
-      save_checkpoint();
-      next_checkpoint = Clock::now() + checkpoint_interval();
+      keep();
     }
     return false;
+  }
+
+  /// Hands what was written to the system and makes checkpoints, now and then.
+  void keep() {
+    const auto now = Clock::now();
+    if (writes() && now >= next_flush_) {
+      work_.record.flush(false);
+      next_flush_ = now + flush_interval;
+    }
+    if (!agree(now >= next_checkpoint_ && !is_over())) return;
+    save_checkpoint();
+    next_checkpoint_ = Clock::now() + checkpoint_interval();
   }
 
   Clock::duration checkpoint_interval() const {
     return std::chrono::duration_cast<Clock::duration>(
         std::chrono::duration<Real>(std::min(work_.checkpoint_interval(), Real{1e8})));
-  }
-
-  ProgressState state() const {
-    return work_.progress(static_cast<Real>(work_.step()) / static_cast<Real>(work_.clocks.steps()), time());
   }
 
   void observe() {
@@ -161,11 +195,16 @@ private:
     work_.times.add(RunTimes::Part::output, work_.times.now() - before);
   }
 
-  void end(const std::string& status) {
-    if (status != "done") save_checkpoint();
+  RunOutcome end() {
+    const bool done = is_over();
+    if (!done) save_checkpoint();
     work_.collect();
-    if (!writes()) return;
-    if (status == "done") {
+    if (writes()) write_the_end(done);
+    return {!done, true, time(), manifest_};
+  }
+
+  void write_the_end(bool done) {
+    if (done) {
       const Real before = work_.times.now();
       work_.record.flush(true);
       work_.write_end();
@@ -173,8 +212,8 @@ private:
     }
     work_.times.write(work_.folder.timing(), work_.part_times());
     work_.write_rank_times();
-    write_manifest(status);
-    if (status == "done") work_.folder.remove_checkpoint();
+    write_manifest(done ? "done" : "stopped");
+    if (done) work_.folder.remove_checkpoint();
   }
 
   /// Never of a state that is no number: the last good checkpoint stays.
@@ -231,9 +270,10 @@ private:
                        work_.folder.checkpoint().string());
   }
 
-  Work& work_;
-  const RunOptions& options_;
+  RunOptions options_;
+  Work work_;
   observe::Manifest manifest_;
+  Clock::time_point next_checkpoint_, next_flush_;
   std::int64_t checkpoint_step_ = -1;
 };
 

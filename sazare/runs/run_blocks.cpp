@@ -1,4 +1,4 @@
-#include "sazare/runs/run_blocks.hpp"
+#include "sazare/runs/run_case.hpp"
 
 #include "sazare/cases/resolved.hpp"
 #include "sazare/observe/atomic_file.hpp"
@@ -71,6 +71,7 @@ struct BlocksWork {
     return mixed || step() % motion_check_steps == 0;
   }
   void collect() { simulation().collect(); }
+  void read_motion(MotionTable& table) const { read_bodies(simulation(), table); }
 
   ProgressState progress(Real share, Real time) const {
     return {share, time, simulation().counters().pair_evaluations, record.latest_smallest_step(), model.joints->broken_count()};
@@ -88,9 +89,8 @@ struct BlocksWork {
 
 }  // namespace
 
-RunOutcome run_blocks(const cases::CaseFile& file, const RunOptions& options) {
-  BlocksWork work(file, options);
-  return CaseRun(work, options).run();
+std::unique_ptr<LiveRun> open_blocks(const cases::CaseFile& file, const RunOptions& options) {
+  return std::make_unique<CaseRun<BlocksWork>>(file, options);
 }
 
 }  // namespace sazare::runs

@@ -4,12 +4,14 @@
 
 namespace sazare::runs {
 
-RunOutcome run_case(const cases::CaseFile& file, const RunOptions& options) {
-  if (std::holds_alternative<cases::MpsCase>(file.content)) return run_mps(file, options);
-  if (std::holds_alternative<cases::RectanglesCase>(file.content)) return run_rectangles(file, options);
-  if (std::holds_alternative<cases::SpheresCase>(file.content)) return run_spheres(file, options);
-  return run_blocks(file, options);
+std::unique_ptr<LiveRun> open_case(const cases::CaseFile& file, const RunOptions& options) {
+  if (std::holds_alternative<cases::MpsCase>(file.content)) return open_mps(file, options);
+  if (std::holds_alternative<cases::RectanglesCase>(file.content)) return open_rectangles(file, options);
+  if (std::holds_alternative<cases::SpheresCase>(file.content)) return open_spheres(file, options);
+  return open_blocks(file, options);
 }
+
+RunOutcome run_case(const cases::CaseFile& file, const RunOptions& options) { return open_case(file, options)->run(); }
 
 std::string check_case(const cases::CaseFile& file) {
   if (std::holds_alternative<cases::MpsCase>(file.content)) return check_mps(file);

@@ -92,6 +92,7 @@ struct MpsWork {
   std::int64_t step() const { return model.stepper->steps(); }
   bool must_check() const { return step() % motion_check_steps == 0; }
   void collect() {}
+  void read_motion(MotionTable& table) const { read_particles(*model.stepper, static_cast<Index>(particles()), table); }
 
   ProgressState progress(Real share, Real time) const {
     return {share, time, step() * particles(), model.step, -1, "particle-steps"};
@@ -106,12 +107,6 @@ struct MpsWork {
   void write_end() {}
   void write_rank_times() {}
 };
-
-template <int D>
-RunOutcome carry_out(const cases::CaseFile& file, const RunOptions& options) {
-  MpsWork<D> work(file, options);
-  return CaseRun(work, options).run();
-}
 
 template <int D>
 std::string check(const cases::CaseFile& file) {
@@ -136,8 +131,9 @@ std::string check(const cases::CaseFile& file) {
 
 }  // namespace
 
-RunOutcome run_mps(const cases::CaseFile& file, const RunOptions& options) {
-  return file.mps().particles.dimension == 2 ? carry_out<2>(file, options) : carry_out<3>(file, options);
+std::unique_ptr<LiveRun> open_mps(const cases::CaseFile& file, const RunOptions& options) {
+  if (file.mps().particles.dimension == 2) return std::make_unique<CaseRun<MpsWork<2>>>(file, options);
+  return std::make_unique<CaseRun<MpsWork<3>>>(file, options);
 }
 
 std::string check_mps(const cases::CaseFile& file) {

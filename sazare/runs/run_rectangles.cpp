@@ -55,6 +55,7 @@ struct RectanglesWork {
   std::int64_t step() const { return model.stepper->steps(); }
   bool must_check() const { return step() % motion_check_steps == 0; }
   void collect() {}
+  void read_motion(MotionTable& table) const { read_particles(*model.stepper, model.elements, table); }
 
   ProgressState progress(Real share, Real time) const {
     return {share, time, step() * model.elements, model.step, -1, "element-steps"};
@@ -72,9 +73,8 @@ struct RectanglesWork {
 
 }  // namespace
 
-RunOutcome run_rectangles(const cases::CaseFile& file, const RunOptions& options) {
-  RectanglesWork work(file, options);
-  return CaseRun(work, options).run();
+std::unique_ptr<LiveRun> open_rectangles(const cases::CaseFile& file, const RunOptions& options) {
+  return std::make_unique<CaseRun<RectanglesWork>>(file, options);
 }
 
 std::string check_rectangles(const cases::CaseFile& file) {

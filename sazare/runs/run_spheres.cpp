@@ -51,6 +51,7 @@ struct SpheresWork {
   std::int64_t step() const { return model.stepper->steps(); }
   bool must_check() const { return step() % motion_check_steps == 0; }
   void collect() {}
+  void read_motion(MotionTable& table) { read_spheres(*model.stepper, table); }
 
   ProgressState progress(Real share, Real time) const {
     return {share, time, step() * spheres(), model.step, -1, "particle-steps"};
@@ -68,9 +69,8 @@ struct SpheresWork {
 
 }  // namespace
 
-RunOutcome run_spheres(const cases::CaseFile& file, const RunOptions& options) {
-  SpheresWork work(file, options);
-  return CaseRun(work, options).run();
+std::unique_ptr<LiveRun> open_spheres(const cases::CaseFile& file, const RunOptions& options) {
+  return std::make_unique<CaseRun<SpheresWork>>(file, options);
 }
 
 std::string check_spheres(const cases::CaseFile& file) {

@@ -1,4 +1,4 @@
-#include "sazare/runs/run_blocks.hpp"
+#include "sazare/runs/run_case.hpp"
 
 #include <gtest/gtest.h>
 
@@ -152,6 +152,27 @@ TEST_F(FinishedRun, IsNotDisturbedByBeingObserved) {
   const auto seldom =
       run_quietly(block_case({base_step, "time.history_interval=2e-5", "output.checkpoint_interval=0.01"}), other / "seldom");
   EXPECT_EQ(often.manifest.state_hash, seldom.manifest.state_hash);
+}
+
+TEST(RunBlocks, WalkedInPartsAndLookedAtItHasTheBitsOfOneRun) {
+  const TemporaryFolder folder;
+  const cases::CaseFile file = block_case();
+  const auto whole = run_quietly(file, folder / "whole");
+  const auto run = open_case(file, {folder / "parts", Begin::fresh, true});
+  run->begin();
+  MotionTable table;
+  int pauses = 0;
+  while (!run->is_over()) {
+    run->walk(run->step() + 7, [&] { return ++pauses % 5 == 0; });
+    const Vector3* before = table.position.data();
+    run->read_motion(table);
+    EXPECT_TRUE(before == nullptr || before == table.position.data());
+  }
+  EXPECT_EQ(run->time(), run->clocks().end);
+  const RunOutcome outcome = run->finish();
+  EXPECT_FALSE(outcome.stopped);
+  EXPECT_EQ(outcome.manifest.state_hash, whole.manifest.state_hash);
+  EXPECT_EQ(table.force.size(), table.velocity.size());
 }
 
 TEST(RunBlocks, AMotionThatMakesNoSenseEndsTheRunAndKeepsTheCheckpoint) {

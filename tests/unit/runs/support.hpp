@@ -7,7 +7,7 @@
 
 #include "sazare/cases/case_file.hpp"
 #include "sazare/runs/blocks_model.hpp"
-#include "sazare/runs/run_blocks.hpp"
+#include "sazare/runs/run_case.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace sazare::runs::test {

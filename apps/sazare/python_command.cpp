@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <string_view>
 #include <system_error>
 
 #include "apps/sazare/commands.hpp"
@@ -18,14 +19,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The Python of the project that the program was built in, else that of the machine.
+/// The Python beside the command, where it was installed with the package; else that of the project in which the command was
+/// built, else that of the machine.
 std::string python() {
+  std::error_code unknown;
+  const fs::path beside = fs::read_symlink("/proc/self/exe", unknown).parent_path() / "python3";
+  if (!unknown && fs::exists(beside) && std::string_view(SAZARE_SOURCE_FOLDER).empty()) return beside.string();
   const fs::path own = fs::path(SAZARE_SOURCE_FOLDER) / "build/venv/bin/python";
   return fs::exists(own) ? own.string() : "python3";
 }
 
 /// Makes the package known to a Python that does not have it installed.
 void add_package_path() {
+  if (std::string_view(SAZARE_SOURCE_FOLDER).empty()) return;
   const fs::path package = fs::path(SAZARE_SOURCE_FOLDER) / "python";
   if (!fs::exists(package / "sazare" / "__init__.py")) return;
   const char* before = std::getenv("PYTHONPATH");
@@ -35,14 +41,16 @@ void add_package_path() {
 
 }  // namespace
 
-int report(const fs::path& folder) {
-  std::string program = python(), folder_text = folder.string();
-  std::string dash_m = "-m", package = "sazare", command = "report";
-  char* arguments[] = {program.data(), dash_m.data(), package.data(), command.data(), folder_text.data(), nullptr};
+int in_python(std::vector<std::string> arguments) {
+  std::string program = python();
+  arguments.insert(arguments.begin(), {program, "-m", "sazare"});
+  std::vector<char*> list;
+  for (std::string& argument : arguments) list.push_back(argument.data());
+  list.push_back(nullptr);
   add_package_path();
   pid_t child = 0;
-  if (const int error = posix_spawnp(&child, program.c_str(), nullptr, nullptr, arguments, environ); error != 0)
-    throw MachineError(fmt::format("{}: cannot be started: {}. The report is made by Python: run make setup, or install python3",
+  if (const int error = posix_spawnp(&child, program.c_str(), nullptr, nullptr, list.data(), environ); error != 0)
+    throw MachineError(fmt::format("{}: cannot be started: {}. Pictures are made by Python: run make setup, or install python3",
                                    program, std::generic_category().message(error)));
   int status = 0;
   while (waitpid(child, &status, 0) < 0)
@@ -50,8 +58,8 @@ int report(const fs::path& folder) {
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   if (code == done || code == UserError::exit_code || code == MachineError::exit_code) return code;
   if (WIFEXITED(status))
-    throw MachineError(fmt::format("{} could not make the report. If it says that a module is missing: run make setup", program));
-  throw MachineError(fmt::format("{}: was ended by signal {} while it made the report", program, WTERMSIG(status)));
+    throw MachineError(fmt::format("{} could not do it. If it says that a module is missing: run make setup", program));
+  throw MachineError(fmt::format("{}: was ended by signal {}", program, WTERMSIG(status)));
 }
 
 }  // namespace sazare::command

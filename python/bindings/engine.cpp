@@ -1,0 +1,94 @@
+/// The module sazare._engine: the engine as Python sees it. What users call stands in python/sazare.
+
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include "python/bindings/live_simulation.hpp"
+#include "sazare/cases/resolved.hpp"
+#include "sazare/cases/schema.hpp"
+#include "sazare/core/error.hpp"
+#include "sazare/core/version.hpp"
+#include "sazare/runs/run_case.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace sazare::python {
+
+namespace {
+
+using Rows = nb::ndarray<nb::numpy, const double, nb::shape<-1, 3>, nb::c_contig>;
+using ReleaseLock = nb::call_guard<nb::gil_scoped_release>;
+using runs::MotionTable;
+
+/// Rows of the simulation as numpy sees them where they lie; the array keeps the simulation alive.
+template <std::vector<Vector3> MotionTable::*column>
+Rows rows(nb::handle_t<LiveSimulation> self) {
+  const std::vector<Vector3>& found = nb::cast<LiveSimulation&>(self).motion().*column;
+  return Rows(found.empty() ? nullptr : found.front().data(), {found.size(), 3}, self);
+}
+
+std::string resolved(const CaseSource& source) {
+  const cases::CaseFile file = source.read();
+  return std::visit([](const auto& content) { return cases::write_resolved(content); }, file.content);
+}
+
+std::string check(const CaseSource& source) {
+  const cases::CaseFile file = source.read();
+  return runs::check_case(file) + file.warnings;
+}
+
+void add_errors(nb::module_& module) {
+  nb::exception<UserError>(module, "UserError").attr("__doc__") =
+      "What the user can put right: the case, its mesh or tables, an argument. The words are those of the command.";
+  nb::exception<PhysicsError>(module, "PhysicsError").attr("__doc__") =
+      "The simulated physics failed: a number that is not finite, a step past its limit. The last good moment is kept.";
+  nb::exception<MachineError>(module, "MachineError").attr("__doc__") =
+      "The machine failed: disk full, folder not writable. The run can be resumed.";
+}
+
+void add_simulation(nb::module_& module) {
+  nb::class_<LiveSimulation>(module, "LiveSimulation", "A case under way; sazare.Simulation is what users see of it.")
+      .def(nb::init<const CaseSource&, const std::filesystem::path&, const std::string&, int>(), "source"_a, "folder"_a,
+           "begin"_a, "threads"_a, ReleaseLock())
+      .def("begin", &LiveSimulation::begin, ReleaseLock())
+      .def("walk", &LiveSimulation::walk, "until"_a, "seconds"_a, ReleaseLock())
+      .def("finish", &LiveSimulation::finish, ReleaseLock())
+      .def("progress_text", &LiveSimulation::progress_text)
+      .def_prop_ro("title", [](const LiveSimulation& self) { return self.status().title; })
+      .def_prop_ro("words", [](const LiveSimulation& self) { return self.status().words; })
+      .def_prop_ro("warnings", [](const LiveSimulation& self) { return self.file().warnings; })
+      .def_prop_ro("time", [](const LiveSimulation& self) { return self.status().time; })
+      .def_prop_ro("step", [](const LiveSimulation& self) { return self.status().step; })
+      .def_prop_ro("steps", [](const LiveSimulation& self) { return self.status().steps; })
+      .def_prop_ro("end", [](const LiveSimulation& self) { return self.status().end; })
+      .def_prop_ro("positions", &rows<&MotionTable::position>)
+      .def_prop_ro("velocities", &rows<&MotionTable::velocity>)
+      .def_prop_ro("forces", &rows<&MotionTable::force>);
+}
+
+}  // namespace
+
+NB_MODULE(_engine, module) {
+  module.doc() = "The engine of Sazare. Use the package sazare, which stands over it.";
+  module.attr("version") = version;
+  module.attr("commit") = commit;
+  add_errors(module);
+  nb::class_<CaseSource>(module, "CaseSource", "A case as text or file, with overrides such as \"time.end=1e-4\".")
+      .def(
+          "__init__",
+          [](CaseSource* self, std::optional<std::string> text, std::filesystem::path path, std::vector<std::string> overrides) {
+            new (self) CaseSource{std::move(text), std::move(path), std::move(overrides)};
+          },
+          "text"_a.none(), "path"_a, "overrides"_a = std::vector<std::string>());
+  add_simulation(module);
+  module.def("resolved", &resolved, "source"_a, ReleaseLock(), "The case as TOML with every key and default written out.");
+  module.def("check", &check, "source"_a, ReleaseLock(), "What the case will do, in words.");
+  module.def("schema_json", &cases::schema_json, "The schema of the case file, as JSON.");
+}
+
+}  // namespace sazare::python

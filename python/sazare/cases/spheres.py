@@ -1,0 +1,276 @@
+"""Cases of method spheres, written by tools/write_case_classes.py from `sazare schema`."""
+
+from dataclasses import dataclass, field
+from typing import ClassVar, Literal
+
+from sazare.cases import Case as AnyCase
+from sazare.cases import Part
+
+
+@dataclass(kw_only=True, eq=False)
+class Domain(Part):
+    """The room, where it repeats itself."""
+
+    periodic: list[Literal["x", "y", "z"]] | None = None
+    """Axes along which the room repeats itself: what leaves at one end comes in at the other. Default: []."""
+    lower: tuple[float, float, float] | None = None
+    """Lower ends of the periodic axes; the other axes do not count. [m] (required where an axis is periodic)"""
+    upper: tuple[float, float, float] | None = None
+    """Upper ends of the periodic axes; the other axes do not count. [m] (required where an axis is periodic)"""
+
+
+@dataclass(kw_only=True, eq=False)
+class Material(Part):
+    """What spheres and walls are made of."""
+
+    name: str
+    """Name by which spheres, walls and pairs refer to it."""
+    density: float
+    """Mass per volume. [kg/m3] Greater than 0."""
+    youngs_modulus: float | None = None
+    """Young's modulus. [Pa] (required for model hertz) Greater than 0."""
+    poisson_ratio: float | None = None
+    """Poisson's ratio. (required for model hertz) At least 0 and at most 0.5."""
+
+
+@dataclass(kw_only=True, eq=False)
+class Contact(Part):
+    """How spheres touch."""
+
+    model: Literal["hertz", "linear"] | None = None
+    """Hertz-Mindlin from the elasticity of the materials, or linear springs. Default: "hertz"."""
+    restitution: float
+    """Speed after a central impact over the speed before, at any speed. Greater than 0 and at most 1."""
+    friction_coefficient: float | None = None
+    """Coulomb's coefficient of friction. Default: 0.0. At least 0."""
+    friction_angle: float | None = None
+    """Angle whose tangent is the coefficient of friction. [deg] (instead of friction_coefficient) At least 0 and less than 90."""
+    rolling_friction: float | None = None
+    """Largest moment against rolling over normal force and reduced radius. Default: 0.0. At least 0."""
+    normal_stiffness: float | None = None
+    """Spring along the normal. [N/m] (required for model linear, here or in every pair) Greater than 0."""
+    shear_stiffness: float | None = None
+    """Spring across the normal. [N/m] (required for model linear, here or in every pair) Greater than 0."""
+    overlap_limit: float | None = None
+    """Largest overlap at the start over the smaller radius; more is refused. Default: 0.05. At least 0 and at most 1."""
+    margin: float | None = None
+    """Spheres nearer than this, over the smallest diameter, are kept as pairs; it changes the speed only. Default: 0.1. Greater
+    than 0 and at most 10.
+    """
+
+
+@dataclass(kw_only=True, eq=False)
+class Pair(Part):
+    """What is different between two materials."""
+
+    between: tuple[str, str]
+    """The two materials; the same twice for spheres of one."""
+    restitution: float | None = None
+    """As in [contact]. (default: that of [contact]) Greater than 0 and at most 1."""
+    friction_coefficient: float | None = None
+    """As in [contact]. (default: that of [contact]) At least 0."""
+    rolling_friction: float | None = None
+    """As in [contact]. (default: that of [contact]) At least 0."""
+    normal_stiffness: float | None = None
+    """As in [contact]. [N/m] (default: that of [contact]) Greater than 0."""
+    shear_stiffness: float | None = None
+    """As in [contact]. [N/m] (default: that of [contact]) Greater than 0."""
+
+
+@dataclass(kw_only=True, eq=False)
+class Sphere(Part):
+    """Groups of spheres."""
+
+    name: str
+    """Name of the group, for gauges and messages."""
+    material: str
+    """What it is made of."""
+    source: Literal["one", "file", "lattice", "random"] | None = None
+    """One sphere, a file of them, a cubic lattice in a box, or random places in a box without overlap. Default: "one"."""
+    centre: tuple[float, float, float] | None = None
+    """Where the sphere is at the start. [m] (required for one)"""
+    radius: float | None = None
+    """Radius; of random spheres the smallest, where largest_radius is given. [m] (required except for a file) Greater than 0."""
+    largest_radius: float | None = None
+    """Radii are equally likely between the two; the largest are placed first. [m] (random only; default: radius) Greater than 0.
+    """
+    file: str | None = None
+    """Rows of radius, x, y, z in m, parted by blanks or commas; a line that begins with a letter or # is skipped. (required for a
+    file)
+    """
+    lower: tuple[float, float, float] | None = None
+    """Corner of the box with the smallest coordinates. [m] (required for lattice and random)"""
+    upper: tuple[float, float, float] | None = None
+    """Corner of the box with the largest coordinates. [m] (required for lattice and random)"""
+    spacing: float | None = None
+    """Distance of neighbours on the lattice; as many as fit stand in the middle of the box. [m] (lattice only; default: the
+    diameter) Greater than 0.
+    """
+    count: int | None = None
+    """Number of spheres. (required for random) At least 1 and at most 5e+07."""
+    seed: int | None = None
+    """Which random numbers are taken. Default: 1. At least 1 and at most 1e+06."""
+    velocity: tuple[float, float, float] | None = None
+    """At the start. [m/s] Default: [0.0, 0.0, 0.0]."""
+    spin: tuple[float, float, float] | None = None
+    """Angular velocity at the start. [rad/s] Default: [0.0, 0.0, 0.0]."""
+    noise: float | None = None
+    """Largest random velocity along each axis, beside the velocity. [m/s] Default: 0.0. At least 0."""
+    held: bool | None = None
+    """Whether the spheres neither move nor turn. Default: false."""
+
+
+@dataclass(kw_only=True, eq=False)
+class Wall(Part):
+    """Planes and surfaces that spheres cannot pass."""
+
+    name: str
+    """Name of the wall; its columns in walls.csv begin with it."""
+    material: str
+    """What it is made of."""
+    shape: Literal["plane", "box", "mesh"] | None = None
+    """A plane with room on one side, the six planes of a box with room inside, or the triangles of a file. Default: "plane"."""
+    point: tuple[float, float, float] | None = None
+    """Any point of the plane. [m] (required for a plane)"""
+    normal: tuple[float, float, float] | None = None
+    """Across the plane, into the room; of any length. (required for a plane)"""
+    lower: tuple[float, float, float] | None = None
+    """Corner with the smallest coordinates. [m] (required for a box)"""
+    upper: tuple[float, float, float] | None = None
+    """Corner with the largest coordinates. [m] (required for a box)"""
+    file: str | None = None
+    """Triangles: .stl (text or binary) or a Gmsh .msh (format 4.1). (required for a mesh)"""
+    group: str | None = None
+    """Physical surface group that is the wall. (mesh of a .msh; default: all)"""
+    scale: float | None = None
+    """Length of the file's unit in m. Default: 1.0. Greater than 0."""
+    motion_x: str | None = None
+    """Motion along x. (none: at rest)"""
+    motion_y: str | None = None
+    """Motion along y. (none: at rest)"""
+    motion_z: str | None = None
+    """Motion along z. (none: at rest)"""
+    spin: tuple[float, float, float] | None = None
+    """Steady turn about the pivot. [rad/s] Default: [0.0, 0.0, 0.0]."""
+    pivot: tuple[float, float, float] | None = None
+    """A point of the axis, at the start. [m] Default: [0.0, 0.0, 0.0]."""
+
+
+@dataclass(kw_only=True, eq=False)
+class Motion(Part):
+    """Histories of the walls' motion."""
+
+    name: str
+    """Name by which boundaries refer to it."""
+    type: Literal["ricker", "sine", "record"]
+    """A Ricker wavelet, a sine from t = 0, or a record from a file."""
+    quantity: Literal["displacement", "velocity", "acceleration"] | None = None
+    """What the formula describes; the other two follow by integration from rest or differentiation. (not for a record, whose file
+    says it) Default: "acceleration".
+    """
+    amplitude: float | None = None
+    """Factor of the formula, in m, m/s or m/s2 as the quantity is; of a record, a plain factor. Default: 1.0."""
+    frequency: float | None = None
+    """Frequency of the sine, central frequency of the wavelet. [Hz] (required except for a record) Greater than 0."""
+    peak_time: float | None = None
+    """Time of the wavelet's peak; at least 1/frequency, so that it begins from rest. [s] (required for a wavelet) Greater than 0.
+    """
+    cycles: float | None = None
+    """Number of periods of the sine; 0: without end. Default: 0.0. At least 0."""
+    file: str | None = None
+    """CSV with units in its header, PEER .AT2, or K-NET ASCII (.EW .NS .UD). (required for a record)"""
+    baseline: Literal["none", "constant", "linear"] | None = None
+    """What is taken off a record so that its integral has no trend: nothing, a constant or a straight line. Default: "none"."""
+
+
+@dataclass(kw_only=True, eq=False)
+class Gravity(Part):
+    """Body force."""
+
+    acceleration: tuple[float, float, float] | None = None
+    """Acceleration of free fall. [m/s2] Default: [0.0, 0.0, 0.0]."""
+
+
+@dataclass(kw_only=True, eq=False)
+class Gauge(Part):
+    """Groups whose motion is recorded."""
+
+    name: str
+    """Name of the gauge; its columns in gauges.csv begin with it."""
+    group: str
+    """Group of spheres whose centre of mass is recorded."""
+
+
+@dataclass(kw_only=True, eq=False)
+class Time(Part):
+    """How long, in which steps, and when results are written."""
+
+    end: float
+    """Time at which the run ends; it begins at 0. [s] Greater than 0."""
+    step: float | None = None
+    """Step of all spheres; above the limit the case is refused. [s] (default: stability_fraction of the limit, or a little less)
+    Greater than 0.
+    """
+    stability_fraction: float | None = None
+    """Step over the limit where no step is given: Rayleigh's time of the smallest sphere, or with linear springs 2/frequency of a
+    contact. Default: 0.2. Greater than 0 and less than 1.
+    """
+    history_interval: float | None = None
+    """Time between rows of the histories; the end is a whole multiple of it. [s] (default: about end/200) Greater than 0."""
+    snapshot_interval: float | None = None
+    """Time between snapshots; a whole multiple of history_interval, and the end one of it. [s] (default: about end/20) Greater
+    than 0.
+    """
+    strict: bool | None = None
+    """Refuse what would only be warned about. Default: false."""
+
+
+@dataclass(kw_only=True, eq=False)
+class Output(Part):
+    """What is written besides histories and snapshots."""
+
+    checkpoint_interval: float | None = None
+    """Wall-clock time between checkpoints. [s] Default: 60.0. Greater than 0."""
+
+
+@dataclass(kw_only=True, eq=False)
+class Case(AnyCase):
+    """A case of method spheres."""
+
+    method: ClassVar[str] = "spheres"
+    tables: ClassVar[dict[str, type[Part]]] = {
+        "domain": Domain,
+        "materials": Material,
+        "contact": Contact,
+        "pairs": Pair,
+        "spheres": Sphere,
+        "walls": Wall,
+        "motions": Motion,
+        "gravity": Gravity,
+        "gauges": Gauge,
+        "time": Time,
+        "output": Output,
+    }
+
+    domain: Domain | None = None
+    """The room, where it repeats itself."""
+    materials: list[Material]
+    """What spheres and walls are made of."""
+    contact: Contact
+    """How spheres touch."""
+    pairs: list[Pair] = field(default_factory=list)
+    """What is different between two materials."""
+    spheres: list[Sphere]
+    """Groups of spheres."""
+    walls: list[Wall] = field(default_factory=list)
+    """Planes and surfaces that spheres cannot pass."""
+    motions: list[Motion] = field(default_factory=list)
+    """Histories of the walls' motion."""
+    gravity: Gravity | None = None
+    """Body force."""
+    gauges: list[Gauge] = field(default_factory=list)
+    """Groups whose motion is recorded."""
+    time: Time
+    """How long, in which steps, and when results are written."""
+    output: Output | None = None
+    """What is written besides histories and snapshots."""

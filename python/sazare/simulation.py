@@ -1,0 +1,243 @@
+"""Running cases: from beginning to end, or step by step with the motion as numpy arrays in between."""
+
+import math
+import re
+import tempfile
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from sazare.cases import Case, toml_value
+from sazare.engine import engine
+from sazare.progress import ProgressLine
+from sazare.results import open_run
+
+GLANCE = 0.1  # s of wall time after which Python is back, for Ctrl-C and progress
+
+
+@dataclass(frozen=True)
+class Source:
+    """Where a case comes from: a file, or a text with the folder in which its files are."""
+
+    path: Path
+    text: str | None = None
+    overrides: list[str] = field(default_factory=list)
+    name: str = "case"
+
+    def for_engine(self):
+        """The same as the engine takes it."""
+        return engine().CaseSource(self.text, self.path, self.overrides)
+
+    def resolved(self):
+        """The case as TOML with every key and default. Raises UserError with all that is wrong."""
+        return engine().resolved(self.for_engine())
+
+
+def source_of(case, overrides=None, folder=None):
+    """A path, a TOML text or a case object as a Source. A text is known by its line breaks or equal signs."""
+    settings = [f"{key}={toml_value(value)}" for key, value in (overrides or {}).items()]
+    if isinstance(case, Case):
+        folder, case = folder or case.folder, case.to_toml()
+    if isinstance(case, str) and ("\n" in case or "=" in case):
+        return Source(Path(folder or ".") / "case", case, settings, _name_from_title(case))
+    path = Path(case)
+    full = path.absolute()
+    return Source(path, None, settings, full.parent.name if full.stem in ("case", "study") else full.stem)
+
+
+def _name_from_title(text):
+    title = re.search(r"^\s*title\s*=\s*[\"'](.*?)[\"']", text, re.MULTILINE)
+    return re.sub(r"[^a-z0-9]+", "-", title[1].lower()).strip("-") or "case" if title else "case"
+
+
+def check(case, *, overrides=None, folder=None):
+    """What a case will do, in words: the resolved case, its steps and who limits them, as `sazare check`. Runs nothing.
+
+    Raises UserError with everything that is wrong.
+    """
+    return engine().check(source_of(case, overrides, folder).for_engine())
+
+
+def run(case, out=None, *, overrides=None, folder=None, threads=0, overwrite=False, resume=False, progress=True):
+    """Carries out a case and opens its results.
+
+    case: the path of a case file, its TOML text, or a case object of `sazare.cases`.
+    out: the run's folder; runs/<name of the case> where it is None.
+    overrides: keys to change, such as {"time.end": 1e-4, "joints.0.cohesion": 5e6}.
+    folder: where the files that a text names are; the current folder where it is None.
+    threads: 0 for as many as the machine offers.
+    overwrite, resume: what to do with a run that is in the folder; without either it is an error.
+
+    Raises UserError, PhysicsError or MachineError in the words of the command. Ctrl-C leaves a checkpoint, and `resume` goes on.
+    """
+    source = source_of(case, overrides, folder)
+    simulation = Simulation(source, Path(out or Path("runs") / source.name), threads, overwrite, resume, progress)
+    simulation.run()
+    return simulation.results
+
+
+def build(case, out=None, *, overrides=None, folder=None, threads=0, overwrite=False, resume=False, progress=False):
+    """A case that is to be walked step by step; arguments and errors as for `run`.
+
+    Without `out` the run lies in a temporary folder that goes with the simulation.
+
+        with sazare.build("cases/column-ricker/case.toml") as simulation:
+            simulation.every(0.1, lambda now: print(now.time, now.velocities[:, 0].max()))
+            simulation.run()
+    """
+    source = source_of(case, overrides, folder)
+    temporary = tempfile.TemporaryDirectory(prefix="sazare-") if out is None else None
+    where = Path(temporary.name) / source.name if temporary else Path(out)
+    return Simulation(source, where, threads, overwrite, resume, progress, temporary)
+
+
+class Simulation:
+    """A case under way; `run` and `build` make it. As a context, it is stopped at the end of the block if it is not over.
+
+    What the run writes (histories, gauges, snapshots, checkpoints) is written on the way as by the command, with the same bits.
+    """
+
+    def __init__(self, source, path, threads=0, overwrite=False, resume=False, progress=False, temporary=None):
+        begin = "resume" if resume else "overwrite" if overwrite else "fresh"
+        self.path = path
+        self._temporary = temporary
+        self._progress = progress
+        self._calls = []  # (next step, steps between or 0, function)
+        self._live = engine().LiveSimulation(source.for_engine(), path, begin, threads)
+        try:
+            self._live.begin()
+        except KeyboardInterrupt:
+            self.stop()
+            raise
+
+    def __repr__(self):
+        return f"Simulation({self.title!r}: t = {self.time:.4g} s of {self.end:.4g} s)"
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, kind, *_):
+        if kind is None or kind is KeyboardInterrupt:
+            self.stop()
+
+    @property
+    def title(self):
+        """Title of the case."""
+        return self._live.title
+
+    @property
+    def words(self):
+        """Number of bodies and step, in words."""
+        return self._live.words
+
+    @property
+    def warnings(self):
+        """What the case was warned about; empty where all is well."""
+        return self._live.warnings
+
+    @property
+    def time(self):
+        """Simulated time [s]."""
+        return self._live.time
+
+    @property
+    def end(self):
+        """Time at which the case ends [s]."""
+        return self._live.end
+
+    @property
+    def step(self):
+        """Number of steps done; of method blocks, base steps."""
+        return self._live.step
+
+    @property
+    def steps(self):
+        """Number of steps to the end."""
+        return self._live.steps
+
+    @property
+    def is_over(self):
+        """Whether the end is reached."""
+        return self.step >= self.steps
+
+    @property
+    def positions(self):
+        """Centres [m] (n, 3) at `time`, in the order of the snapshots; z is 0 in the plane.
+
+        The array looks at the engine's own rows and may not be written. It stays, and shows the motion at `time` after every
+        `advance`, `run` and call: copy what is to be kept.
+        """
+        return self._live.positions
+
+    @property
+    def velocities(self):
+        """Velocities [m/s] (n, 3), as `positions`."""
+        return self._live.velocities
+
+    @property
+    def forces(self):
+        """Sums of all forces, gravity among them [N] (n, 3), as `positions`; in the plane per length [N/m]."""
+        return self._live.forces
+
+    @property
+    def results(self):
+        """The run's folder as `sazare.open` reads it, as far as it is written."""
+        return open_run(self.path)
+
+    def at(self, times, function):
+        """Calls function(simulation) at a time [s], or at each of several; at the first step that is not before it.
+
+        A function that returns True ends the walk there. Raises ValueError for a time that is past.
+        """
+        for time in times if hasattr(times, "__iter__") else [times]:
+            if time < self.time:
+                raise ValueError(f"t = {time} s is past: the simulation is at {self.time} s")
+            self._calls.append((self._step_at(time), 0, function))
+
+    def every(self, interval, function):
+        """Calls function(simulation) every so many seconds of simulated time, in whole steps; True ends the walk there."""
+        steps = max(1, round(interval / self.end * self.steps))
+        self._calls.append((self.step + steps, steps, function))
+
+    def advance(self, duration):
+        """Goes on for a time [s], to the first step that is not before its end. Returns the time reached [s]."""
+        return self._walk(self._step_at(self.time + duration))
+
+    def advance_to(self, time):
+        """Goes on to a time [s], to the first step that is not before it. Returns the time reached [s]."""
+        return self._walk(self._step_at(time))
+
+    def run(self):
+        """Goes on to the end, unless a call ends the walk. Returns the time reached [s]."""
+        return self._walk(self.steps)
+
+    def stop(self):
+        """Ends the run where it is, with a checkpoint from which `resume` goes on, and lets go of its folder.
+
+        Does nothing where it has ended. The arrays stay as they are.
+        """
+        self._live.finish()
+
+    def _step_at(self, time):
+        return min(self.steps, math.ceil(time / self.end * self.steps - 1e-6))
+
+    def _walk(self, until):
+        try:
+            with ProgressLine(self._progress) as line:
+                while self.step < until:
+                    self._live.walk(min([until, *(step for step, _, _ in self._calls)]), GLANCE)
+                    line.show(self._live.progress_text)
+                    if self._call_what_is_due():
+                        break
+        except KeyboardInterrupt:
+            self.stop()
+            raise
+        if self.is_over:
+            self.stop()
+        return self.time
+
+    def _call_what_is_due(self):
+        """Whether a call wants the walk to end."""
+        due = [call for call in self._calls if call[0] <= self.step]
+        self._calls = [call for call in self._calls if call[0] > self.step]
+        self._calls += [(step + between, between, function) for step, between, function in due if between]
+        return any([function(self) is True for _, _, function in due])
