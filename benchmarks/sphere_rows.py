@@ -13,6 +13,7 @@ HERE = Path(__file__).resolve().parent / "spheres"
 ACROSS = 46  # 97 336 spheres
 STEPS = 1000
 YADE_STEPS = 200
+BONDS_ACROSS, BONDS, BOND_STEPS = 48, 324864, 200
 SCENE = "97 336 spheres that settle, Hertz-Mindlin with history"
 _found = {}
 
@@ -89,6 +90,34 @@ def peer_row(name):
                limit=Limit("ratio", low=goal), more_is_better=True)
 
 
+def bonded(bench, *more):
+    """Bond-steps per second of one thread. Raises NotRun."""
+    program = (bench.options.build / "benchmarks" / "bonds").resolve()
+    best = 0.0
+    for _ in range(bench.options.repeats):
+        done = subprocess.run([program, "1", str(BONDS_ACROSS), *more], capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            raise NotRun(f"exit code {done.returncode}: {done.stderr.strip()}")
+        best = max(best, float(done.stdout.split(",")[1]))
+    return best
+
+
+def bonded_peer(bench):
+    """Our rate of bonds beside that of LAMMPS with its BPM package."""
+    program = os.environ.get("LAMMPS_BPM", "lmp")
+    if shutil.which(program) is None:
+        raise NotRun("lammps is not installed")
+    best = math.inf
+    for _ in range(bench.options.repeats):
+        done = subprocess.run([program, "-in", str(HERE.parent / "bonds" / "cube.lammps"), "-log", "none"], capture_output=True, text=True,
+                              check=False, stdin=subprocess.DEVNULL, timeout=bench.options.time_limit, env=os.environ | {"OMP_NUM_THREADS": "1"})
+        seconds = re.findall(LOOP_TIME, done.stdout)
+        if len(seconds) < 2:
+            raise NotRun(f"this lammps cannot run bonds (LAMMPS_BPM names one with its BPM package): {(done.stdout + done.stderr).strip()[-120:]}")
+        best = min(best, float(seconds[-1]))
+    return bonded(bench), BOND_STEPS * BONDS / best
+
+
 def growth(bench):
     """Slope of cost over spheres, both logarithmic, from a hundred thousand to two million."""
     if not bench.options.long:
@@ -110,6 +139,11 @@ def rows():
         *(peer_row(name) for name in PEERS),
         Row("spheres/ourselves-settling-two-threads", f"rate with 2 threads over that with 1, {SCENE}", "-", speed_up, limit=Limit("ours", low=1.8),
             more_is_better=True),
+        Row("bonds/lammps-cube", "bond-steps per second, 48^3 spheres bonded to their neighbours, 1 thread", "1/s", bonded_peer, peer=Peer("lammps bpm/rotational"),
+            limit=Limit("ratio", low=5), more_is_better=True),
+        Row("bonds/ourselves-cube", "bond-steps per second, the same", "1/s", bonded, limit=Limit("ours", low=25e6), more_is_better=True),
+        Row("bonds/ourselves-cube-that-may-break", "bond-steps per second, the same with a strength that every step looks at", "1/s",
+            lambda bench: bonded(bench, "breaks"), more_is_better=True),
         Row("spheres/ourselves-memory", f"bytes per sphere with its contacts, {SCENE}", "B", lambda bench: ours(bench, 1)[3],
             limit=Limit("ours", high=400)),
         Row("spheres/ourselves-exponent", "slope of cost over spheres, 97 336 to 2 000 376", "-", growth, limit=Limit("ours", high=1.15)),

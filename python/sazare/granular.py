@@ -14,16 +14,20 @@ KINDS = [
     ("lost in dashpots", "work_dashpots"), ("lost in friction", "work_friction"),
 ]
 KIND_COLORS = ["#35618f", "#6fa3c7", "#4f7f52", "#9bbf8a", "#b5472f", "#d9a441"]
+BOND_KINDS = [("bonds", "energy_bonds"), ("lost in bonds' dashpots", "work_bond_dashpots"), ("fracture", "work_fracture")]
+BOND_COLORS = ["#7d5ba6", "#c9a0dc", "#2b2b2b"]
 
 
 def _balls(snapshot):
-    """The spheres of a snapshot as a surface, with their speed [m/s]."""
+    """The spheres of a snapshot as a surface, with their speed [m/s] and the share of their bonds that is broken."""
     import pyvista
 
     cloud = snapshot.elements
     points = pyvista.PolyData(np.asarray(cloud.points))
     points["radius"] = np.asarray(cloud.cell_data["radius"])
     points["speed"] = np.linalg.norm(cloud.cell_data["velocity"], axis=1)
+    if "broken" in cloud.cell_data:
+        points["broken"] = np.asarray(cloud.cell_data["broken"])
     large = points["radius"] > LARGE * np.median(points["radius"])
     usual_corners = 16 if len(cloud.points) < FINE_BELOW else 7
     parts = [_glyphs(points, chosen, corners) for chosen, corners in ((~large, usual_corners), (large, 40)) if chosen.any()]
@@ -46,6 +50,17 @@ def _cut(mesh, bounds):
 @style.styled
 def pictures(results):
     """The spheres at some times, coloured by speed, the front half cut away."""
+    return _scenes(results, "speed", "speed [m/s]", style.SPEED)
+
+
+@style.styled
+def damage(results):
+    """The spheres at some times, coloured by the share of their bonds that is broken; None where nothing broke."""
+    return _scenes(results, "broken", "share of broken bonds", "YlOrRd") if results.figures.get("bonds_broken", 0) > 0 else None
+
+
+def _scenes(results, scalar, label, colors):
+    """The spheres at some times, coloured by one of their numbers, the front half cut away where there are many."""
     from sazare.scenes import Layer, SolidView, render
 
     snapshots = results.particle_snapshots
@@ -56,7 +71,7 @@ def pictures(results):
     box = np.array([cloud.bounds for cloud in clouds])
     bounds = tuple(np.where(np.arange(6) % 2 == 0, box.min(axis=0), box.max(axis=0)))
     speeds = np.concatenate([np.linalg.norm(cloud.cell_data["velocity"], axis=1) for cloud in clouds])
-    top = float(np.percentile(speeds, 99)) or float(speeds.max(initial=0.0)) or 1.0
+    top = 1.0 if scalar == "broken" else float(np.percentile(speeds, 99)) or float(speeds.max(initial=0.0)) or 1.0
     view = SolidView(bounds, np.array([1.0, -1.0, 1.0]))
     figure = style.figure(9.0, 1.0 + 3.6 * ((len(chosen) + 1) // 2))
     panels = np.ravel(figure.subplots((len(chosen) + 1) // 2, min(2, len(chosen)), squeeze=False))
@@ -64,13 +79,13 @@ def pictures(results):
         axes.set_axis_off()
     for axes, index in zip(panels, chosen):
         mesh = _cut(_balls(snapshots[index]), bounds)
-        options = {"scalars": "speed", "cmap": style.SPEED, "clim": (0.0, top), "smooth_shading": False}
+        options = {"scalars": scalar, "cmap": colors, "clim": (0.0, top), "smooth_shading": False}
         axes.imshow(render(view, [Layer(mesh, options)]).image)
         axes.set_title(f"{snapshots[index].time:.3g} s")
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
 
-    figure.colorbar(ScalarMappable(Normalize(0.0, top), style.SPEED), ax=list(panels), label="speed [m/s]", shrink=0.7)
+    figure.colorbar(ScalarMappable(Normalize(0.0, top), colors), ax=list(panels), label=label, shrink=0.7)
     return figure
 
 
@@ -80,11 +95,13 @@ def energies(results):
     history = results.history
     if "energy_translation" not in history or history.rows < 2:
         return None
-    parts = np.array([history[column] for _, column in KINDS])
+    bonded = results.figures.get("bonds", 0) > 0
+    kinds, colors = (KINDS + BOND_KINDS, KIND_COLORS + BOND_COLORS) if bonded else (KINDS, KIND_COLORS)
+    parts = np.array([history[column] for _, column in kinds])
     factor, prefix = style.prefix_for(parts.sum(axis=0).max(initial=0.0))
     figure = style.figure(9.0, 4.4)
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=[3, 1])
-    upper.stackplot(history["time"], np.maximum(parts, 0.0) / factor, labels=[name for name, _ in KINDS], colors=KIND_COLORS, linewidth=0)
+    upper.stackplot(history["time"], np.maximum(parts, 0.0) / factor, labels=[name for name, _ in kinds], colors=colors, linewidth=0)
     upper.set_ylabel(f"energy [{prefix}J]")
     upper.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     lower.plot(history["time"], history["energy_residual"] / factor, color=style.INK, linewidth=0.9)
@@ -94,9 +111,18 @@ def energies(results):
     return figure
 
 
+def _beside(table, name, axis):
+    """What is drawn beside the place of a group: its velocity, or where that never changes the force on it."""
+    speeds = np.stack([table[f"{name}.velocity_{a}"] for a in AXES], axis=1)
+    if f"{name}.force_x" not in table or np.ptp(speeds, axis=0).max() > 0:
+        return "velocity", "m/s", axis
+    forces = np.stack([table[f"{name}.force_{a}"] for a in AXES], axis=1)
+    return "force", "N", int(np.argmax(np.abs(forces).max(axis=0)))
+
+
 @style.styled
 def groups(results):
-    """Place and velocity of the recorded groups along their axis of strongest motion."""
+    """Place of the recorded groups along their axis of strongest motion, and beside it their velocity, or the force on those that are held."""
     table, names = results.gauge_table, list(results.gauges)[:MOST_CURVES]
     if not names or table.rows < 2:
         return None
@@ -108,8 +134,9 @@ def groups(results):
         left.plot(table["time"], places[:, axis], color=style.SECOND, linewidth=1.2)
         left.set_ylabel(f"{AXES[axis]} [m]")
         left.set_title(name)
-        right.plot(table["time"], table[f"{name}.velocity_{AXES[axis]}"], color=style.ACCENT, linewidth=1.2)
-        right.set_ylabel(f"velocity along {AXES[axis]} [m/s]")
+        quantity, unit, along = _beside(table, name, axis)
+        right.plot(table["time"], table[f"{name}.{quantity}_{AXES[along]}"], color=style.ACCENT, linewidth=1.2)
+        right.set_ylabel(f"{quantity} along {AXES[along]} [{unit}]")
         left.margins(x=0)
     for axes in rows[-1]:
         axes.set_xlabel("time [s]")

@@ -132,10 +132,14 @@ def square_sections(results):
 
 def granular_sections(results):
     """The pictures of a run of method spheres."""
+    damage = [Section("damage", "Broken bonds", "Spheres coloured by the share of their bonds that is broken.",
+                      partial(granular.damage, results), "No bond broke.")] if results.figures.get("bonds", 0) > 0 else []
     return [
         Section("spheres", "Spheres", "Spheres coloured by speed, the front half cut away; the fastest hundredth shares one colour.",
                 partial(granular.pictures, results), "The run wrote no snapshots."),
-        Section("groups", "Groups", "Centre of mass of the recorded groups along the axis of their longest way.", partial(granular.groups, results),
+        *damage,
+        Section("groups", "Groups", "Centre of mass of the recorded groups along the axis of their longest way; beside it the velocity, or the "
+                "force on groups whose velocity is held.", partial(granular.groups, results),
                 "The case has no gauges."),
         Section("energies", "Where the energy went", "Energy of motion and in contacts, and what was lost by cause, stacked; below, what the "
                 "ledger does not account for. Gravity and moving walls bring energy in.", partial(granular.energies, results),

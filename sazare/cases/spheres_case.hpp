@@ -8,6 +8,7 @@ namespace sazare::cases {
 enum class ContactModel { hertz, linear };
 enum class SphereSource { one, file, lattice, random };
 enum class WallShape { plane, box, mesh };
+enum class ClumpSource { tetrapod, file, mesh };
 
 struct Domain {
   std::array<bool, 3> periodic{false, false, false};
@@ -43,6 +44,17 @@ struct MaterialPair {
   std::optional<Real> shear_stiffness;   // N/m
 };
 
+/// A rigid body made of spheres that may overlap.
+struct ClumpShape {
+  std::string name;
+  ClumpSource source = ClumpSource::tetrapod;
+  Real height = 0;             // m, tetrapod
+  int leg_spheres = 4;         // tetrapod
+  std::filesystem::path file;  // file: rows of radius, x, y, z; mesh: .stl or .msh
+  Real scale = 1;              // the file's unit to m
+  int count = 40;              // mesh
+};
+
 struct SphereGroup {
   std::string name;
   std::string material;
@@ -59,6 +71,9 @@ struct SphereGroup {
   Vector3 velocity = Vector3::Zero();  // m/s
   Vector3 spin = Vector3::Zero();      // rad/s
   Real noise = 0;                      // m/s, of every component
+  std::string shape;                   // of [[shapes]], or empty for single spheres
+  Vector3 rotation = Vector3::Zero();  // rad, of the shape at the start
+  bool random_rotation = false;
   bool held = false;
 };
 
@@ -78,6 +93,25 @@ struct WallRules {
   Vector3 pivot = Vector3::Zero();    // m
 };
 
+/// Which spheres are bonded at the start, and how.
+struct BondRules {
+  std::string name;
+  std::array<std::string, 2> between;    // groups
+  Real reach = 0.01;                     // largest gap over the sum of the radii
+  Real radius_ratio = 1;                 // over the smaller radius
+  std::optional<Real> youngs_modulus;    // Pa
+  std::optional<Real> poisson_ratio;     // with youngs_modulus
+  std::optional<Real> normal_stiffness;  // Pa/m
+  std::optional<Real> shear_stiffness;   // Pa/m
+  Real damping_ratio = 0;                // of the critical damping
+  std::optional<Real> tensile_strength;  // Pa
+  std::optional<Real> cohesion;          // Pa
+  Real friction_angle = 0;               // deg
+  std::optional<Real> fracture_energy;   // N/m
+
+  bool breaks() const { return tensile_strength.has_value() || cohesion.has_value(); }
+};
+
 /// A group whose centre of mass is recorded.
 struct GroupGauge {
   std::string name;
@@ -90,7 +124,9 @@ struct SpheresCase {
   std::vector<SphereMaterial> materials;
   GranularContact contact;
   std::vector<MaterialPair> pairs;
+  std::vector<ClumpShape> shapes;
   std::vector<SphereGroup> spheres;
+  std::vector<BondRules> bonds;
   std::vector<WallRules> walls;
   std::vector<Motion> motions;
   Gravity gravity;

@@ -88,6 +88,43 @@ void check_stiffness(const CheckContext& context, const SpheresCase& spheres) {
   }
 }
 
+void check_shapes(const CheckContext& context, const SpheresCase& spheres) {
+  const auto list = context.entries_of("shapes");
+  for (std::size_t i = 0; i < list.size() && i < spheres.shapes.size(); ++i) {
+    const Entry& entry = list[i];
+    if (!entry.exists() || !entry.is_sound("source")) continue;
+    const ClumpSource source = spheres.shapes[i].source;
+    if (source == ClumpSource::tetrapod)
+      check_keys(context, entry, "a tetrapod", {"height"}, {"file", "scale", "count"});
+    else if (source == ClumpSource::file)
+      check_keys(context, entry, "a file", {"file"}, {"height", "leg_spheres", "count"});
+    else
+      check_keys(context, entry, "a mesh", {"file"}, {"height", "leg_spheres"});
+    if (source != ClumpSource::tetrapod && entry.gives("file"))
+      check_file(context, entry.place("file"), source == ClumpSource::file ? "file of spheres" : "surface",
+                 spheres.shapes[i].file, *entry.value->find("file")->text());
+  }
+}
+
+/// What a group of bodies has instead of radii.
+void check_body_group(const CheckContext& context, const Entry& entry, const SpheresCase& spheres, const SphereGroup& group) {
+  check_known(context, entry, "shape", entry.place("shape"), group.shape, names_of(spheres.shapes), "shape");
+  if (entry.has("shape")) {
+    check_keys(context, entry, "a shape", {}, {"radius", "largest_radius"});
+    if (group.held)
+      context.problems.error(entry.place("held"), "bodies of a shape cannot be held",
+                             "use a wall of triangles for what does not move");
+    return;
+  }
+  check_keys(context, entry, "single spheres", {}, {"rotation", "random_rotation"});
+  if (group.source != SphereSource::file)
+    check_keys(context, entry,
+               group.source == SphereSource::one       ? "one sphere"
+               : group.source == SphereSource::lattice ? "a lattice"
+                                                       : "random places",
+               {"radius"}, {});
+}
+
 void check_groups(const CheckContext& context, const SpheresCase& spheres) {
   const auto materials = names_of(spheres.materials);
   const auto list = context.entries_of("spheres");
@@ -96,10 +133,10 @@ void check_groups(const CheckContext& context, const SpheresCase& spheres) {
     const SphereGroup& group = spheres.spheres[i];
     if (!entry.exists() || !entry.is_sound("source")) continue;
     check_known(context, entry, "material", entry.place("material"), group.material, materials, "material");
+    check_body_group(context, entry, spheres, group);
     switch (group.source) {
       case SphereSource::one:
-        check_keys(context, entry, "one sphere", {"centre", "radius"},
-                   {"file", "lower", "upper", "spacing", "count", "largest_radius"});
+        check_keys(context, entry, "one sphere", {"centre"}, {"file", "lower", "upper", "spacing", "count", "largest_radius"});
         break;
       case SphereSource::file:
         check_keys(context, entry, "a file", {"file"},
@@ -108,7 +145,7 @@ void check_groups(const CheckContext& context, const SpheresCase& spheres) {
           check_file(context, entry.place("file"), "file of spheres", group.file, *entry.value->find("file")->text());
         break;
       case SphereSource::lattice:
-        check_keys(context, entry, "a lattice", {"radius", "lower", "upper"}, {"centre", "file", "count", "largest_radius"});
+        check_keys(context, entry, "a lattice", {"lower", "upper"}, {"centre", "file", "count", "largest_radius"});
         if (entry.gives("spacing") && entry.gives("radius") && *group.spacing < 2 * group.radius * (1 - 1e-9))
           context.problems.error(entry.place("spacing"),
                                  fmt::format("spacing {} m is below the diameter, {} m", short_number(*group.spacing),
@@ -116,13 +153,53 @@ void check_groups(const CheckContext& context, const SpheresCase& spheres) {
                                  "neighbours on the lattice would overlap");
         break;
       case SphereSource::random:
-        check_keys(context, entry, "random places", {"radius", "lower", "upper", "count"}, {"centre", "file", "spacing"});
+        check_keys(context, entry, "random places", {"lower", "upper", "count"}, {"centre", "file", "spacing"});
         if (entry.gives("largest_radius") && entry.gives("radius") && *group.largest_radius < group.radius)
           context.problems.error(entry.place("largest_radius"), "largest_radius must be at least radius",
                                  "radius is the smallest of the two");
         break;
     }
     check_box(context, entry, group.lower, group.upper);
+  }
+}
+
+/// A bond has the stiffness of a beam or of a cemented contact.
+void check_bond_stiffness(const CheckContext& context, const Entry& entry) {
+  const bool beam = entry.has("youngs_modulus"), cement = entry.has("normal_stiffness");
+  if (beam && cement)
+    context.problems.error(entry.place("normal_stiffness"), "youngs_modulus and normal_stiffness are both given",
+                           "keep one: a bond is a beam between the centres, or a cemented contact with stiffnesses per area");
+  else if (beam)
+    check_keys(context, entry, "youngs_modulus", {"poisson_ratio"}, {"shear_stiffness"});
+  else if (cement)
+    check_keys(context, entry, "normal_stiffness", {"shear_stiffness"}, {"poisson_ratio"});
+  else
+    context.problems.error(entry.header(), "[[bonds]] has neither youngs_modulus nor normal_stiffness",
+                           how_to_add(*find_key(*entry.table, "youngs_modulus")));
+}
+
+void check_bonds(const CheckContext& context, const SpheresCase& spheres) {
+  const auto groups = names_of(spheres.spheres);
+  const auto list = context.entries_of("bonds");
+  for (std::size_t i = 0; i < list.size() && i < spheres.bonds.size(); ++i) {
+    const Entry& entry = list[i];
+    if (!entry.exists()) continue;
+    for (std::size_t k = 0; k < 2; ++k)
+      check_known(context, entry, "between", entry.place("between", k), spheres.bonds[i].between[k], groups, "group");
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto group = std::ranges::find(spheres.spheres, spheres.bonds[i].between[k], &SphereGroup::name);
+      if (group != spheres.spheres.end() && !group->shape.empty())
+        context.problems.error(entry.place("between", k),
+                               fmt::format("the group \"{}\" is of rigid bodies, which bonds cannot join", group->name),
+                               "bond single spheres");
+    }
+    check_bond_stiffness(context, entry);
+    if (entry.has("fracture_energy") && !entry.has("tensile_strength"))
+      context.problems.error(entry.place("fracture_energy"), "fracture_energy without tensile_strength",
+                             how_to_add(*find_key(*entry.table, "tensile_strength")));
+    if (entry.has("friction_angle") && !entry.has("cohesion"))
+      context.problems.error(entry.place("friction_angle"), "friction_angle without cohesion",
+                             how_to_add(*find_key(*entry.table, "cohesion")));
   }
 }
 
@@ -170,7 +247,9 @@ void check_gauges(const CheckContext& context, const SpheresCase& spheres) {
 
 void check_spheres(const CheckContext& context, SpheresCase& spheres) {
   check_unique_names(context, "materials", names_of(spheres.materials));
+  check_unique_names(context, "shapes", names_of(spheres.shapes));
   check_unique_names(context, "spheres", names_of(spheres.spheres));
+  check_unique_names(context, "bonds", names_of(spheres.bonds));
   check_unique_names(context, "walls", names_of(spheres.walls));
   check_unique_names(context, "motions", names_of(spheres.motions));
   check_unique_names(context, "gauges", names_of(spheres.gauges));
@@ -178,7 +257,9 @@ void check_spheres(const CheckContext& context, SpheresCase& spheres) {
   check_materials(context, spheres);
   check_pairs(context, spheres);
   check_stiffness(context, spheres);
+  check_shapes(context, spheres);
   check_groups(context, spheres);
+  check_bonds(context, spheres);
   check_walls(context, spheres);
   check_motions(context, spheres.motions);
   check_gauges(context, spheres);

@@ -29,6 +29,18 @@ std::string wall_text(const WallRules& wall) {
   return text;
 }
 
+std::string bond_text(const BondRules& bond) {
+  std::string text = fmt::format("{}: {} with {}, ", bond.name, bond.between[0], bond.between[1]);
+  text += bond.youngs_modulus ? fmt::format("E {} Pa", number(*bond.youngs_modulus))
+                              : fmt::format("{} and {} Pa/m", number(bond.normal_stiffness.value_or(0)),
+                                            number(bond.shear_stiffness.value_or(0)));
+  if (bond.tensile_strength) text += fmt::format(", tensile strength {} Pa", number(*bond.tensile_strength));
+  if (bond.cohesion) text += fmt::format(", cohesion {} Pa", number(*bond.cohesion));
+  return text + (bond.fracture_energy ? fmt::format(", fracture energy {} N/m", number(*bond.fracture_energy))
+                 : bond.breaks()      ? ", brittle"
+                                      : "");
+}
+
 }  // namespace
 
 std::string explain(const SpheresCase& spheres) {
@@ -47,9 +59,11 @@ std::string explain(const SpheresCase& spheres) {
                                       contact_text(pair.restitution.value_or(contact.restitution),
                                                    pair.friction_coefficient.value_or(contact.friction_coefficient),
                                                    pair.rolling_friction.value_or(contact.rolling_friction))));
+  for (const ClumpShape& shape : spheres.shapes) text += line("shapes", fmt::format("{}: {}", shape.name, word(shape.source)));
   for (const SphereGroup& group : spheres.spheres)
-    text += line("spheres",
-                 fmt::format("{}: {} of {}{}", group.name, word(group.source), group.material, group.held ? ", held" : ""));
+    text += line("spheres", fmt::format("{}: {} of {}{}{}", group.name, word(group.source), group.material,
+                                        group.shape.empty() ? "" : ", shape " + group.shape, group.held ? ", held" : ""));
+  for (const BondRules& bond : spheres.bonds) text += line("bonds", bond_text(bond));
   for (const WallRules& wall : spheres.walls) text += line("walls", wall_text(wall));
   for (const GroupGauge& gauge : spheres.gauges)
     text += line("gauges", fmt::format("{}: centre of mass of {}", gauge.name, gauge.group));

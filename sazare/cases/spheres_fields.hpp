@@ -59,6 +59,25 @@ void visit_fields(Visitor& visit, MaterialPair& pair) {
   visit("shear_stiffness", pair.shear_stiffness);
 }
 
+template <>
+struct EnumWords<ClumpSource> {
+  static constexpr std::array<std::string_view, 3> words{"tetrapod", "file", "mesh"};
+};
+
+template <class Visitor>
+void visit_fields(Visitor& visit, ClumpShape& shape) {
+  visit("name", shape.name);
+  visit("source", shape.source);
+  if (shape.source == ClumpSource::tetrapod) {
+    visit("height", shape.height);
+    visit("leg_spheres", shape.leg_spheres);
+    return;
+  }
+  visit("file", shape.file);
+  visit("scale", shape.scale);
+  if (shape.source == ClumpSource::mesh) visit("count", shape.count);
+}
+
 template <class Visitor>
 void visit_fields(Visitor& visit, SphereGroup& group) {
   visit("name", group.name);
@@ -66,7 +85,7 @@ void visit_fields(Visitor& visit, SphereGroup& group) {
   visit("source", group.source);
   if (group.source == SphereSource::file) {
     visit("file", group.file);
-  } else {
+  } else if (visit.has("radius", group.shape.empty())) {
     visit("radius", group.radius);
   }
   if (group.source == SphereSource::one) visit("centre", group.centre);
@@ -84,6 +103,10 @@ void visit_fields(Visitor& visit, SphereGroup& group) {
   visit("spin", group.spin);
   visit("noise", group.noise);
   visit("held", group.held);
+  if (!visit.has("shape", !group.shape.empty())) return;
+  visit("shape", group.shape);
+  visit("rotation", group.rotation);
+  visit("random_rotation", group.random_rotation);
 }
 
 template <class Visitor>
@@ -110,6 +133,23 @@ void visit_fields(Visitor& visit, WallRules& wall) {
 }
 
 template <class Visitor>
+void visit_fields(Visitor& visit, BondRules& bond) {
+  visit("name", bond.name);
+  visit("between", bond.between);
+  visit("reach", bond.reach);
+  visit("radius_ratio", bond.radius_ratio);
+  visit("youngs_modulus", bond.youngs_modulus);
+  visit("poisson_ratio", bond.poisson_ratio);
+  visit("normal_stiffness", bond.normal_stiffness);
+  visit("shear_stiffness", bond.shear_stiffness);
+  visit("damping_ratio", bond.damping_ratio);
+  visit("tensile_strength", bond.tensile_strength);
+  visit("cohesion", bond.cohesion);
+  visit("friction_angle", bond.friction_angle);
+  visit("fracture_energy", bond.fracture_energy);
+}
+
+template <class Visitor>
 void visit_fields(Visitor& visit, GroupGauge& gauge) {
   visit("name", gauge.name);
   visit("group", gauge.group);
@@ -121,7 +161,9 @@ void visit_tables(Visitor& visit, SpheresCase& spheres) {
   visit.list("materials", spheres.materials);
   visit.one("contact", spheres.contact);
   visit.list("pairs", spheres.pairs);
+  visit.list("shapes", spheres.shapes);
   visit.list("spheres", spheres.spheres);
+  visit.list("bonds", spheres.bonds);
   visit.list("walls", spheres.walls);
   visit.list("motions", spheres.motions);
   visit.one("gravity", spheres.gravity);

@@ -1,5 +1,7 @@
 #include "sazare/engine/sphere_stepper.hpp"
 
+#include "sazare/engine/clump_motion.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,6 +14,7 @@ namespace sazare::engine {
 namespace {
 
 constexpr std::size_t serial_below = 2;  // blocks
+constexpr std::size_t serial_below_clumps = 500;
 
 Real largest_radius(const state::Spheres& spheres) {
   Real largest = 0;
@@ -22,11 +25,23 @@ Real largest_radius(const state::Spheres& spheres) {
 }  // namespace
 
 SphereStepper::SphereStepper(state::Spheres spheres, methods::spheres::ContactTable table,
-                             std::vector<methods::spheres::Wall> walls, const SphereRules& rules)
+                             std::vector<methods::spheres::Wall> walls, const SphereRules& rules, methods::spheres::Bonds bonds,
+                             state::Clumps clumps)
     : spheres_(std::move(spheres)),
       pairs_(table),
       walls_(std::move(table), std::move(walls), largest_radius(spheres_) + rules.wall_margin),
-      rules_(rules) {}
+      bonds_(std::move(bonds)),
+      clumps_(std::move(clumps)),
+      rules_(rules) {
+  if (!clumps_.empty()) body_.assign(spheres_.size(), -1);
+  for (std::size_t c = 0; c < clumps_.clumps.size(); ++c)
+    for (std::size_t m = clumps_.begin_of(c); m < clumps_.end_of(c); ++m)
+      body_[static_cast<std::size_t>(clumps_.members[m].sphere)] = static_cast<Index>(c);
+  if (!bonds_.empty()) spheres_.turn.resize(spheres_.size());  // those that are given stay
+  for (const state::SphereKick& kick : spheres_.kick)
+    drives_ = drives_ || (!(kick.inverse_mass > 0) &&
+                          (kick.vx != 0 || kick.vy != 0 || kick.vz != 0 || kick.wx != 0 || kick.wy != 0 || kick.wz != 0));
+}
 
 Vector3 SphereStepper::acceleration(std::size_t sphere) const {
   const state::SphereLoad& load = loads_.of(sphere);
@@ -40,19 +55,24 @@ Vector3 SphereStepper::angular_acceleration(std::size_t sphere) const {
 }
 
 Vector3 SphereStepper::velocity(std::size_t sphere) const {
+  if (is_member(sphere)) return spheres_.place[sphere].velocity();
   const state::SphereKick& kick = spheres_.kick[sphere];
   return Vector3(kick.vx, kick.vy, kick.vz) + 0.5 * rules_.step * acceleration(sphere);
 }
 
 Vector3 SphereStepper::spin(std::size_t sphere) const {
+  if (is_member(sphere)) return spheres_.spin[sphere].spin();
   const state::SphereKick& kick = spheres_.kick[sphere];
   return Vector3(kick.wx, kick.wy, kick.wz) + 0.5 * rules_.step * angular_acceleration(sphere);
 }
 
 void SphereStepper::start() {
   find_pairs();
+  for (std::size_t c = 0; c < clumps_.clumps.size(); ++c)
+    place_members(clumps_, c, Vector3::Zero(), rules_.step, place_, spheres_);
   settle();
-  sums_.dashpot_work = sums_.sliding_work = wall_work_ = 0;
+  for (state::Clump& clump : clumps_.clumps) kick(clump, rules_.gravity, -0.5 * rules_.step);
+  sums_.dashpot_work = sums_.sliding_work = sums_.bond_drag = wall_work_ = 0;
   for (std::size_t i = 0; i < spheres_.size(); ++i) {
     const Vector3 back = 0.5 * rules_.step * acceleration(i), turn_back = 0.5 * rules_.step * angular_acceleration(i);
     state::SphereKick& kick = spheres_.kick[i];
@@ -68,7 +88,8 @@ void SphereStepper::start() {
 
 void SphereStepper::find_pairs() {
   const std::vector<Index> places_before = pairs_.find(spheres_, rules_.margin);
-  loads_.arrange(pairs_.pairs());
+  rest_bodies();
+  arrange_bonds();
   find_walls(places_before);
   Real mass = 0;
   drift_ = Vector3::Zero();
@@ -79,6 +100,33 @@ void SphereStepper::find_pairs() {
   if (mass > 0) drift_ /= mass;
   approach_ = 0;
   ++searches_;
+}
+
+/// Where the spheres stand, by number.
+std::vector<Index> SphereStepper::places() const {
+  std::vector<Index> place(spheres_.size());
+  for (std::size_t i = 0; i < place.size(); ++i) place[static_cast<std::size_t>(spheres_.number[i])] = static_cast<Index>(i);
+  return place;
+}
+
+/// Spheres of one clump never touch.
+void SphereStepper::rest_bodies() {
+  if (clumps_.empty()) return;
+  place_ = places();
+  std::vector<Index> body(spheres_.size());
+  for (std::size_t i = 0; i < body.size(); ++i) body[i] = body_[static_cast<std::size_t>(spheres_.number[i])];
+  pairs_.rest_within(body);
+}
+
+/// Where bonds stand after the spheres have been sorted; bonded spheres have no contact.
+void SphereStepper::arrange_bonds() {
+  if (!bonds_.empty()) {
+    bonds_.drop_broken();
+    bonds_.arrange(places());
+    for (std::size_t link = 0; link < bonds_.first().size(); ++link)
+      pairs_.rest(bonds_.first()[link], bonds_.links().second[link]);
+  }
+  loads_.arrange(pairs_.pairs(), bonds_.links());
 }
 
 void SphereStepper::find_walls(std::span<const Index> places_before) {
@@ -126,7 +174,38 @@ SphereStepper::Speeds SphereStepper::kick_and_drift(std::size_t block, const sta
     first = square <= first ? first : square;  // what is no number stays
     largest = std::max(largest, kick.vx * kick.vx + kick.vy * kick.vy + kick.vz * kick.vz);
   }
-  return {std::sqrt(first), std::sqrt(second), std::sqrt(largest)};
+  if (!spheres_.turn.empty()) turn(block);
+  return {std::sqrt(first), std::sqrt(second), std::sqrt(largest), drives_ ? work_of_driven(block, loads) : 0};
+}
+
+/// What held spheres that move bring in in this step, against the loads on them [J].
+Real SphereStepper::work_of_driven(std::size_t block, const state::SphereLoad* loads) const {
+  Real work = 0;
+  const std::size_t begin = loads_.begin_of(block);
+  for (std::size_t i = begin; i < loads_.end_of(block); ++i) {
+    const state::SphereKick& kick = spheres_.kick[i];
+    const state::SphereLoad& load = loads[i - begin];
+    if (kick.inverse_mass > 0) continue;
+    work -= rules_.step * (load.fx * kick.vx + load.fy * kick.vy + load.fz * kick.vz + load.mx * kick.wx + load.my * kick.wy +
+                           load.mz * kick.wz);
+  }
+  return work;
+}
+
+/// Turns by the spin of a step. The angle is 2 atan(|w| h/2) (Cayley), which is |w| h to the second order and, for spheres, the
+/// exact course of a kinetic energy a little different, so that the step stays symplectic.
+void SphereStepper::turn(std::size_t block) {
+  const Real half = 0.5 * rules_.step;
+  for (std::size_t i = loads_.begin_of(block); i < loads_.end_of(block); ++i) {
+    const state::SphereKick& kick = spheres_.kick[i];
+    state::SphereTurn& turn = spheres_.turn[i];
+    const Real x = half * kick.wx, y = half * kick.wy, z = half * kick.wz;
+    const state::SphereTurn old = turn;
+    turn = {old.w - x * old.x - y * old.y - z * old.z, old.x + x * old.w + y * old.z - z * old.y,
+            old.y + y * old.w + z * old.x - x * old.z, old.z + z * old.w + x * old.y - y * old.x};
+    const Real shrink = 1 / std::sqrt(turn.w * turn.w + turn.x * turn.x + turn.y * turn.y + turn.z * turn.z);
+    turn = {shrink * turn.w, shrink * turn.x, shrink * turn.y, shrink * turn.z};
+  }
 }
 
 void SphereStepper::measure() {
@@ -135,6 +214,7 @@ void SphereStepper::measure() {
     all.second = std::max({all.second, std::min(all.first, one.first), one.second});
     all.first = one.first <= all.first ? all.first : one.first;
     all.largest = std::max(all.largest, one.largest);
+    wall_work_ += one.work;
   }
   largest_speed_ = all.first <= std::numeric_limits<Real>::max() ? all.largest : std::numeric_limits<Real>::infinity();
   approach_ += rules_.step * (all.first + all.second);
@@ -145,6 +225,7 @@ methods::spheres::ContactSums SphereStepper::evaluate(std::size_t block, state::
   loads_.clear(block, loads);
   auto sums = pairs_.evaluate(spheres_, {block, approach_, rules_.step, loads_, loads});
   if (!walls_.walls().empty()) sums += walls_.evaluate(spheres_, block, rules_.step, loads);
+  if (!bonds_.empty()) sums += bonds_.evaluate(spheres_, {block, rules_.step, pairs_.table(), loads_, loads});
   return sums;
 }
 
@@ -174,6 +255,31 @@ void SphereStepper::kick_those_that_waited() {
   });
 }
 
+void SphereStepper::gather_clumps() {
+  parallel::parallel_for(clumps_.clumps.size(), serial_below_clumps, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) gather_loads(clumps_, c, loads_, place_);
+  });
+}
+
+/// After all others have moved: clumps with their spheres, and how fast these were.
+void SphereStepper::move_clumps() {
+  parallel::parallel_for(clumps_.clumps.size(), serial_below_clumps, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      kick(clumps_.clumps[c], rules_.gravity, rules_.step);
+      drift(clumps_.clumps[c], rules_.step);
+      place_members(clumps_, c, rules_.gravity, rules_.step, place_, spheres_);
+    }
+  });
+  Speeds speeds;
+  for (std::size_t c = 0; c < clumps_.clumps.size(); ++c) {
+    const Real turning = turning_speed(clumps_, c), speed = (vector(clumps_.clumps[c].velocity) - drift_).norm() + turning;
+    speeds.second = std::max(speeds.second, std::min(speeds.first, speed));
+    speeds.first = speed <= speeds.first ? speeds.first : speed;  // what is no number stays
+    speeds.largest = std::max(speeds.largest, vector(clumps_.clumps[c].velocity).norm() + turning);
+  }
+  speeds_.push_back(speeds);
+}
+
 void SphereStepper::kick_kept() {
   parallel::parallel_for(loads_.blocks(), serial_below, [&](std::size_t begin, std::size_t end) {
     for (std::size_t block = begin; block < end; ++block) speeds_[block] = kick_and_drift(block, loads_.kept(block));
@@ -186,8 +292,22 @@ void SphereStepper::book() {
   for (const auto& one : block_sums_) now += one;
   now.dashpot_work += sums_.dashpot_work;
   now.sliding_work += sums_.sliding_work;
+  now.bond_drag += sums_.bond_drag;
+  now.fracture += sums_.fracture;
+  const std::int64_t broken_before = sums_.broken;
   sums_ = now;
+  sums_.broken += broken_before;
+  if (now.broken > 0) part_broken();
   for (const auto& load : walls_.loads()) wall_work_ += load.work;
+}
+
+/// Spheres whose bond has broken may touch from the next step on.
+void SphereStepper::part_broken() {
+  for (std::size_t block = 0; block < loads_.blocks(); ++block)
+    for (const std::size_t link : bonds_.broken(block)) {
+      bonds_.note_broken(link);
+      pairs_.wake(bonds_.first()[link], bonds_.links().second[link]);
+    }
 }
 
 void SphereStepper::settle() {
@@ -200,6 +320,7 @@ void SphereStepper::settle() {
   parallel::parallel_for(loads_.blocks(), serial_below, [&](std::size_t begin, std::size_t end) {
     for (std::size_t block = begin; block < end; ++block) loads_.gather(block, loads_.kept(block));
   });
+  gather_clumps();
   book();
   settled_ = true;
 }
@@ -207,8 +328,10 @@ void SphereStepper::settle() {
 void SphereStepper::advance() {
   block_sums_.resize(loads_.blocks());
   speeds_.resize(loads_.blocks());
+  if (!clumps_.empty()) settle();
   if (settled_) {
     kick_kept();
+    if (!clumps_.empty()) move_clumps();
   } else {
     walls_.move(time());
     waits_.assign(loads_.blocks(), 0);
@@ -233,24 +356,37 @@ SphereEnergies SphereStepper::energies() const {
     energies.rotation += 0.5 * spheres_.inertia(i) * spin(i).squaredNorm();
     energies.potential -= spheres_.place[i].mass * rules_.gravity.dot(spheres_.place[i].centre());
   }
+  for (const state::Clump& clump : clumps_.clumps) {
+    const ClumpEnergies of = engine::energies(clump, rules_.gravity, rules_.step);
+    energies.translation += of.translation;
+    energies.rotation += of.rotation;
+    energies.potential += of.potential;
+  }
   energies.elastic = sums_.elastic;
   energies.sliding = sums_.sliding;
   energies.dashpot_work = sums_.dashpot_work;
   energies.sliding_work = sums_.sliding_work - sums_.sliding;
   energies.wall_work = wall_work_;
+  energies.bonds = sums_.bonds;
+  energies.bond_drag = sums_.bond_drag;
+  energies.fracture = sums_.fracture;
   return energies;
 }
 
 Vector3 SphereStepper::momentum() const {
   Vector3 total = Vector3::Zero();
-  for (std::size_t i = 0; i < spheres_.size(); ++i) total += spheres_.place[i].mass * velocity(i);
+  for (std::size_t i = 0; i < spheres_.size(); ++i)
+    if (!is_member(i)) total += spheres_.place[i].mass * velocity(i);
+  for (const state::Clump& clump : clumps_.clumps) total += clump.mass * engine::velocity(clump, rules_.gravity, rules_.step);
   return total;
 }
 
 Vector3 SphereStepper::angular_momentum() const {
   Vector3 total = Vector3::Zero();
   for (std::size_t i = 0; i < spheres_.size(); ++i)
-    total += spheres_.place[i].mass * spheres_.place[i].centre().cross(velocity(i)) + spheres_.inertia(i) * spin(i);
+    if (!is_member(i))
+      total += spheres_.place[i].mass * spheres_.place[i].centre().cross(velocity(i)) + spheres_.inertia(i) * spin(i);
+  for (const state::Clump& clump : clumps_.clumps) total += engine::angular_momentum(clump, rules_.gravity, rules_.step);
   return total;
 }
 
@@ -262,7 +398,13 @@ void SphereStepper::columns(Archive& archive) {
   archive("searches", searches_);
   archive.folder("spheres", [&] { spheres_.columns(archive); });
   archive.folder("pairs", [&] { pairs_.columns(archive); });
-  if (archive.reading()) loads_.arrange(pairs_.pairs());
+  archive.folder("clumps", [&] { clumps_.columns(archive); });
+  if (archive.reading() && !clumps_.empty()) place_ = places();
+  archive.folder("bonds", [&] { bonds_.columns(archive); });
+  if (archive.reading()) {
+    if (!bonds_.empty()) bonds_.arrange(places());
+    loads_.arrange(pairs_.pairs(), bonds_.links());
+  }
   loads_.columns(archive);
   archive.folder("walls", [&] { walls_.columns(archive); });
   if (archive.reading()) find_walls({});
@@ -274,6 +416,10 @@ void SphereStepper::columns(Archive& archive) {
   archive("sliding", sums_.sliding);
   archive("dashpot_work", sums_.dashpot_work);
   archive("sliding_work", sums_.sliding_work);
+  archive("bond_energy", sums_.bonds);
+  archive("bond_drag", sums_.bond_drag);
+  archive("fracture", sums_.fracture);
+  archive("broken_bonds", sums_.broken);
   archive("wall_work", wall_work_);
 }
 

@@ -6,8 +6,10 @@
 ///
 /// so the step is of second order with dashpots too. The spheres stand in memory along a curve, sorted anew whenever pairs are.
 
+#include "sazare/methods/spheres/bonds.hpp"
 #include "sazare/methods/spheres/pair_contacts.hpp"
 #include "sazare/methods/spheres/wall_contacts.hpp"
+#include "sazare/state/clumps.hpp"
 
 namespace sazare::engine {
 
@@ -27,15 +29,21 @@ struct SphereEnergies {
   Real potential = 0;     ///< of gravity [J]
   Real dashpot_work = 0;  ///< lost in normal dashpots since the start [J]
   Real sliding_work = 0;  ///< lost in sliders since the start [J]
-  Real wall_work = 0;     ///< brought in by moving walls since the start [J]
+  Real wall_work = 0;     ///< brought in by moving walls, and by spheres that are driven, since the start [J]
+  Real bonds = 0;         ///< in bonds [J]
+  Real bond_drag = 0;     ///< lost in dashpots of bonds since the start [J]
+  Real fracture = 0;      ///< lost by damage of bonds since the start [J]
 
-  Real sum() const { return translation + rotation + elastic + sliding + potential + dashpot_work + sliding_work - wall_work; }
+  Real sum() const {
+    return translation + rotation + elastic + sliding + potential + dashpot_work + sliding_work - wall_work + bonds + bond_drag +
+           fracture;
+  }
 };
 
 class SphereStepper {
 public:
   SphereStepper(state::Spheres spheres, methods::spheres::ContactTable table, std::vector<methods::spheres::Wall> walls,
-                const SphereRules& rules);
+                const SphereRules& rules, methods::spheres::Bonds bonds = {}, state::Clumps clumps = {});
 
   /// Evaluates the beginning; call once before the first `advance`, not after a resume.
   void start();
@@ -54,6 +62,8 @@ public:
   const methods::spheres::PairContacts& pairs() const { return pairs_; }
   const methods::spheres::WallContacts& walls() const { return walls_; }
   const methods::spheres::LoadTable& loads() const { return loads_; }
+  const methods::spheres::Bonds& bonds() const { return bonds_; }
+  const state::Clumps& clumps() const { return clumps_; }
 
   /// At `time()`.
   Vector3 velocity(std::size_t sphere) const;
@@ -66,6 +76,8 @@ public:
   /// Touching pairs of spheres, and of spheres and walls.
   std::int64_t contacts() const { return sums_.contacts; }
   std::int64_t searches() const { return searches_; }
+  /// Bonds that have broken so far.
+  std::int64_t broken_bonds() const { return sums_.broken; }
   /// The largest speed in the last step [m/s]; infinite when one is no number.
   Real largest_speed() const { return largest_speed_; }
 
@@ -76,11 +88,14 @@ private:
   struct Speeds {
     Real first = 0, second = 0;  ///< the two largest, seen from the drift [m/s]
     Real largest = 0;            ///< [m/s]
+    Real work = 0;               ///< of driven spheres in this step [J]
   };
 
   Vector3 acceleration(std::size_t sphere) const;
   Vector3 angular_acceleration(std::size_t sphere) const;
   Speeds kick_and_drift(std::size_t block, const state::SphereLoad* loads);
+  Real work_of_driven(std::size_t block, const state::SphereLoad* loads) const;
+  void turn(std::size_t block);
   methods::spheres::ContactSums evaluate(std::size_t block, state::SphereLoad* loads);
   void walk(std::size_t begin, std::size_t end);
   void kick_those_that_waited();
@@ -88,14 +103,28 @@ private:
   void book();
   void measure();
   void find_pairs();
+  std::vector<Index> places() const;
+  void rest_bodies();
+  void gather_clumps();
+  void move_clumps();
+  bool is_member(std::size_t sphere) const {
+    return !body_.empty() && body_[static_cast<std::size_t>(spheres_.number[sphere])] >= 0;
+  }
+  void arrange_bonds();
+  void part_broken();
   void find_walls(std::span<const Index> places_before);
 
   state::Spheres spheres_;
   methods::spheres::PairContacts pairs_;
   methods::spheres::WallContacts walls_;
+  methods::spheres::Bonds bonds_;
+  state::Clumps clumps_;
+  std::vector<Index> body_;   ///< by number of the sphere: its clump, below 0 where none; empty without clumps
+  std::vector<Index> place_;  ///< by number, where the spheres stand; empty without clumps
   methods::spheres::LoadTable loads_;
   SphereRules rules_;
   std::int64_t step_ = 0, searches_ = 0;
+  bool drives_ = false;              ///< some held sphere moves
   bool settled_ = false;             ///< the forces at `time()` are kept, and the kick is still to come
   Vector3 drift_ = Vector3::Zero();  ///< mean velocity when pairs were last found [m/s]
   Real approach_ = 0;                ///< how much nearer any two may have come since then [m]

@@ -106,6 +106,13 @@ struct ContactForce {
   Number sliding_power{};   ///< work against the sliders: stored and lost [W]
 };
 
+/// Energy in the normal spring of a pair at an overlap [J].
+inline Real normal_energy(ContactModel model, const ContactConstants<Real>& constants, Real overlap, Real reduced_radius) {
+  if (!(overlap > 0)) return 0;
+  const Real width = model == ContactModel::hertz ? std::sqrt(reduced_radius * overlap) : 1;
+  return (model == ContactModel::hertz ? 0.4 : 0.5) * constants.normal * width * overlap * overlap;
+}
+
 template <class Number>
 Triple<Number> across(const Triple<Number>& vector, const Triple<Number>& normal) {
   return vector - dot(vector, normal) * normal;

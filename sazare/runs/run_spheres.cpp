@@ -77,15 +77,22 @@ std::string check_spheres(const cases::CaseFile& file) {
   const SpheresModel model = build_spheres(file);
   const RunClocks clocks = make_clocks(file.spheres().time, model.step);
   const auto spheres = static_cast<Real>(model.group.size());
-  Real mass = 0, smallest = 0, largest = 0;
-  for (const auto& place : model.stepper->spheres().place) {
-    mass += place.mass;
+  Real volume = 0, mass = 0, smallest = 0, largest = 0;
+  for (const state::Clump& clump : model.stepper->clumps().clumps) {
+    volume += clump.volume;
+    mass += clump.mass;
+  }
+  for (std::size_t i = 0; i < model.group.size(); ++i) {
+    const state::SpherePlace& place = model.stepper->spheres().place[i];  // before the first step, by number
+    if (model.body[i] < 0) mass += place.mass;
     smallest = smallest > 0 ? std::min(smallest, place.radius) : place.radius;
     largest = std::max(largest, place.radius);
   }
   return cases::explain(file.spheres()) +
          fmt::format("  {:<12}{} spheres of radius {} to {} m, {} kg, {} walls\n", "body", model.group.size(), number(smallest),
                      number(largest), number(mass), model.stepper->walls().walls().size()) +
+         (model.clumps > 0 ? fmt::format("  {:<12}{} rigid, of {} m3 together\n", "clumps", model.clumps, number(volume)) : "") +
+         (model.bonds > 0 ? fmt::format("  {:<12}{} at the start\n", "bonds", model.bonds) : "") +
          fmt::format("  {:<12}limit {} s\n", "stability", number(model.limit, 5)) +
          fmt::format("  {:<12}{} s, {} of the limit, {} to a history row\n", "step", number(model.step, 5),
                      number(model.step / model.limit, 3), clocks.steps_per_row) +

@@ -3,15 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <fstream>
-#include <sstream>
+#include <numbers>
 
 #include "sazare/cases/number_text.hpp"
 #include "sazare/core/error.hpp"
 #include "sazare/neighbors/sphere_grid.hpp"
 #include "sazare/neighbors/sphere_pairs.hpp"
+#include "sazare/runs/clump_shape.hpp"
 
 namespace sazare::runs {
 
@@ -20,14 +19,10 @@ namespace {
 using cases::short_number;
 using cases::SphereGroup;
 using cases::SphereSource;
+using geometry::Ball;
 
 constexpr int most_tries = 2000;  // for a place of a random sphere
 constexpr std::size_t most_listed = 4;
-
-struct Ball {
-  Vector3 centre;
-  Real radius = 0;
-};
 
 /// The same numbers on every machine.
 class Random {
@@ -41,29 +36,6 @@ public:
 private:
   std::uint64_t state_;
 };
-
-std::vector<Ball> read_balls(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream) throw UserError(fmt::format("{}: the file of spheres cannot be read", file.string()));
-  std::vector<Ball> balls;
-  std::string line;
-  for (std::size_t number = 1; std::getline(stream, line); ++number) {
-    std::ranges::replace(line, ',', ' ');
-    const auto begin = line.find_first_not_of(" \t\r");
-    if (begin == std::string::npos || line[begin] == '#' || std::isalpha(static_cast<unsigned char>(line[begin])) != 0) continue;
-    std::istringstream words(line);
-    Ball ball;
-    std::string rest;
-    if (!(words >> ball.radius >> ball.centre.x() >> ball.centre.y() >> ball.centre.z()) || words >> rest)
-      throw UserError(
-          fmt::format("{}:{}: four numbers were expected, radius, x, y and z in m, found \"{}\"", file.string(), number, line));
-    if (!(ball.radius > 0) || !ball.centre.allFinite())
-      throw UserError(fmt::format("{}:{}: a radius greater than 0 and a finite centre were expected, found \"{}\"", file.string(),
-                                  number, line));
-    balls.push_back(ball);
-  }
-  return balls;
-}
 
 std::vector<Ball> lattice(const SphereGroup& group) {
   const Real spacing = group.spacing.value_or(2 * group.radius);
@@ -97,6 +69,7 @@ public:
   Placement place() {
     for (std::size_t i = 0; i < spheres_.spheres.size(); ++i) add(i);
     check_sizes();
+    find_bonded();
     check_overlaps();
     return std::move(result_);
   }
@@ -104,31 +77,110 @@ public:
 private:
   void add(std::size_t number) {
     const SphereGroup& group = spheres_.spheres[number];
+    if (!group.shape.empty()) return add_bodies(number);
     std::vector<Ball> balls;
     if (group.source == SphereSource::one) balls = {{group.centre, group.radius}};
     if (group.source == SphereSource::file) balls = read_balls(group.file);
     if (group.source == SphereSource::lattice) balls = lattice(group);
-    if (group.source == SphereSource::random) balls = scatter(number);
-    if (balls.empty())
-      refuse(file_, fmt::format("spheres.{}", number), fmt::format("the group \"{}\" has no sphere", group.name),
-             group.source == SphereSource::file ? "the file holds no row of radius, x, y and z"
-                                                : "its box is too small for the radius");
-    const auto material = std::ranges::find(spheres_.materials, group.material, &cases::SphereMaterial::name);
+    if (group.source == SphereSource::random) balls = scatter(number, group);
+    if (balls.empty()) refuse_empty(number);
+    const Index material = material_of(group);
     Random random(group.seed);
     for (const Ball& ball : balls) {
-      result_.spheres.add(ball.centre, ball.radius, material->density, static_cast<Index>(material - spheres_.materials.begin()),
-                          group.held);
+      result_.spheres.add(ball.centre, ball.radius, density_of(material), material, group.held);
       result_.group.push_back(static_cast<Index>(number));
-      Vector3 velocity = group.velocity;
-      if (group.noise > 0)
-        for (Real& part : velocity) part += random.between(-group.noise, group.noise);
-      if (!group.held) result_.spheres.set_motion(result_.spheres.size() - 1, velocity, group.spin);
+      result_.body.push_back(-1);
+      result_.spheres.set_motion(result_.spheres.size() - 1, group.held ? group.velocity : velocity_of(group, random),
+                                 group.spin);
     }
   }
 
-  /// Random places without overlap, one after the other, the largest first.
-  std::vector<Ball> scatter(std::size_t number) {
+  [[noreturn]] void refuse_empty(std::size_t number) const {
     const SphereGroup& group = spheres_.spheres[number];
+    refuse(file_, fmt::format("spheres.{}", number), fmt::format("the group \"{}\" has no sphere", group.name),
+           group.source == SphereSource::file ? "the file holds no row of numbers" : "its box is too small for the radius");
+  }
+
+  Index material_of(const SphereGroup& group) const {
+    return static_cast<Index>(std::ranges::find(spheres_.materials, group.material, &cases::SphereMaterial::name) -
+                              spheres_.materials.begin());
+  }
+  Real density_of(Index material) const { return spheres_.materials[static_cast<std::size_t>(material)].density; }
+
+  static Vector3 velocity_of(const SphereGroup& group, Random& random) {
+    Vector3 velocity = group.velocity;
+    if (group.noise > 0)
+      for (Real& part : velocity) part += random.between(-group.noise, group.noise);
+    return velocity;
+  }
+
+  static Eigen::Quaternion<Real> rotation_of(const Vector3& rotation) {
+    const Real angle = rotation.norm();
+    return Eigen::Quaternion<Real>(
+        Eigen::AngleAxis<Real>(angle, angle > 0 ? Vector3(rotation / angle) : Vector3(Vector3::UnitX())));
+  }
+
+  /// Any rotation, none more likely than another (Shoemake).
+  static Eigen::Quaternion<Real> random_rotation(Random& random) {
+    constexpr Real turn = 2 * std::numbers::pi;
+    const Real share = random.between(0, 1), one = random.between(0, turn), other = random.between(0, turn);
+    return {std::sqrt(share) * std::cos(other), std::sqrt(1 - share) * std::sin(one), std::sqrt(1 - share) * std::cos(one),
+            std::sqrt(share) * std::sin(other)};
+  }
+
+  /// Bodies of a shape; a place is found for the sphere around each.
+  void add_bodies(std::size_t number) {
+    SphereGroup group = spheres_.spheres[number];
+    const auto found = std::ranges::find(spheres_.shapes, group.shape, &cases::ClumpShape::name);
+    const Shape shape = make_shape(file_, static_cast<std::size_t>(found - spheres_.shapes.begin()));
+    group.radius = shape.reach;
+    std::vector<Ball> places;
+    std::vector<Vector3> rotations;
+    if (group.source == SphereSource::one) places = {{group.centre, shape.reach}};
+    if (group.source == SphereSource::lattice) places = lattice(group);
+    if (group.source == SphereSource::random) places = scatter(number, group);
+    if (group.source == SphereSource::file)
+      for (const auto& row : read_rows(group.file, 6, "six numbers were expected, x, y, z in m and a rotation vector in rad")) {
+        places.push_back({{row[0], row[1], row[2]}, shape.reach});
+        rotations.emplace_back(row[3], row[4], row[5]);
+      }
+    if (places.empty()) refuse_empty(number);
+    Random random(group.seed);
+    for (std::size_t n = 0; n < places.size(); ++n) {
+      const auto rotation =
+          group.random_rotation ? random_rotation(random) : rotation_of(rotations.empty() ? group.rotation : rotations[n]);
+      add_body(number, shape, places[n].centre, rotation, velocity_of(group, random));
+    }
+  }
+
+  void add_body(std::size_t number, const Shape& shape, const Vector3& centre, const Eigen::Quaternion<Real>& rotation,
+                const Vector3& velocity) {
+    const SphereGroup& group = spheres_.spheres[number];
+    const Index material = material_of(group);
+    const Real density = density_of(material);
+    const Eigen::Quaternion<Real> turn = rotation * Eigen::Quaternion<Real>(shape.axes);
+    state::Clump clump;
+    clump.centre = triple(centre);
+    clump.velocity = triple(velocity);
+    clump.turn = {turn.w(), turn.x(), turn.y(), turn.z()};
+    clump.mass = density * shape.volume;
+    clump.inertia = triple(density * shape.inertia);
+    clump.volume = shape.volume;
+    clump.first_member = static_cast<std::int64_t>(result_.clumps.members.size());
+    const Vector3 own = (turn.conjugate() * group.spin).cwiseProduct(density * shape.inertia);
+    clump.angular_momentum = triple(turn * own);
+    for (const Ball& ball : shape.balls) {
+      result_.clumps.members.push_back({static_cast<Index>(result_.spheres.size()), 0, triple(ball.centre)});
+      result_.spheres.add(centre + turn * ball.centre, ball.radius, density, material, true);
+      result_.spheres.place.back().mass = clump.mass;
+      result_.group.push_back(static_cast<Index>(number));
+      result_.body.push_back(static_cast<Index>(result_.clumps.clumps.size()));
+    }
+    result_.clumps.clumps.push_back(clump);
+  }
+
+  /// Random places without overlap, one after the other, the largest first.
+  std::vector<Ball> scatter(std::size_t number, const SphereGroup& group) {
     Random random(group.seed);
     std::vector<Ball> balls(static_cast<std::size_t>(group.count));
     for (Ball& ball : balls) ball.radius = random.between(group.radius, group.largest_radius.value_or(group.radius));
@@ -201,6 +253,46 @@ private:
     }
   }
 
+  /// The last entry of [[bonds]] whose groups and reach fit a pair; -1 where there is none.
+  Index entry_of(std::size_t first, std::size_t second, Real gap, Real reach) const {
+    const std::string& one = spheres_.spheres[static_cast<std::size_t>(result_.group[first])].name;
+    const std::string& other = spheres_.spheres[static_cast<std::size_t>(result_.group[second])].name;
+    for (std::size_t entry = spheres_.bonds.size(); entry-- > 0;) {
+      const cases::BondRules& bond = spheres_.bonds[entry];
+      const bool fits =
+          (bond.between[0] == one && bond.between[1] == other) || (bond.between[0] == other && bond.between[1] == one);
+      if (fits && gap <= bond.reach * reach * (1 + 1e-9) + 1e-9 * reach) return static_cast<Index>(entry);
+    }
+    return -1;
+  }
+
+  void find_bonded() {
+    const state::Spheres& spheres = result_.spheres;
+    Real largest = 0, reach = 0;
+    for (const auto& place : spheres.place) largest = std::max(largest, place.radius);
+    for (const cases::BondRules& bond : spheres_.bonds) reach = std::max(reach, (bond.reach + 1e-6) * 2 * largest);
+    if (spheres_.bonds.empty()) return;
+    const neighbors::SpherePairs pairs = neighbors::find_pairs(spheres, reach);
+    for (std::size_t i = 0; i < spheres.size(); ++i)
+      for (std::size_t p = pairs.first[i]; p < pairs.first[i + 1]; ++p) {
+        const auto j = static_cast<std::size_t>(pairs.other[p]);
+        const Real radii = spheres.place[i].radius + spheres.place[j].radius;
+        const Real gap = spheres.box.nearest(spheres.place[j].centre() - spheres.place[i].centre()).norm() - radii;
+        if (const Index entry = entry_of(i, j, gap, radii); entry >= 0)
+          result_.bonded.push_back({static_cast<Index>(i), static_cast<Index>(j), entry});
+      }
+  }
+
+  /// Whether two spheres are of one body or bonded for good, so that they never touch.
+  bool are_joined(std::size_t first, std::size_t second) const {
+    if (result_.body[first] >= 0 && result_.body[first] == result_.body[second]) return true;
+    const std::array wanted{static_cast<Index>(first), static_cast<Index>(second)};
+    const auto range = std::ranges::equal_range(result_.bonded, wanted[0], {}, &BondedPair::first);
+    return std::ranges::any_of(range, [&](const BondedPair& pair) {
+      return pair.second == wanted[1] && !spheres_.bonds[static_cast<std::size_t>(pair.entry)].breaks();
+    });
+  }
+
   void check_overlaps() const {
     struct Overlap {
       Real share;
@@ -208,16 +300,14 @@ private:
     };
     const state::Spheres& spheres = result_.spheres;
     const neighbors::SpherePairs pairs = neighbors::find_pairs(spheres, 0);
-    const Vector3 length = spheres.box.length, inverse = spheres.box.inverse();
     std::vector<Overlap> found;
     for (std::size_t i = 0; i < spheres.size(); ++i)
       for (std::size_t p = pairs.first[i]; p < pairs.first[i + 1]; ++p) {
         const auto j = static_cast<std::size_t>(pairs.other[p]);
-        Vector3 apart = spheres.place[j].centre() - spheres.place[i].centre();
-        for (int axis = 0; axis < 3; ++axis) apart[axis] -= length[axis] * std::nearbyint(apart[axis] * inverse[axis]);
+        const Vector3 apart = spheres.box.nearest(spheres.place[j].centre() - spheres.place[i].centre());
         const Real overlap = spheres.place[i].radius + spheres.place[j].radius - apart.norm();
         const Real share = overlap / std::min(spheres.place[i].radius, spheres.place[j].radius);
-        if (share > spheres_.contact.overlap_limit) found.push_back({share, i, j});
+        if (share > spheres_.contact.overlap_limit && !are_joined(i, j)) found.push_back({share, i, j});
       }
     if (found.empty()) return;
     std::ranges::stable_sort(found, std::ranges::greater{}, &Overlap::share);

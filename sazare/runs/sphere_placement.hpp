@@ -3,17 +3,27 @@
 /// Puts the spheres of a case where its groups say.
 
 #include "sazare/cases/case_file.hpp"
+#include "sazare/state/clumps.hpp"
 #include "sazare/state/spheres.hpp"
 
 namespace sazare::runs {
 
+/// Two spheres that are bonded, by their numbers.
+struct BondedPair {
+  Index first = 0, second = 0;
+  Index entry = 0;  ///< of [[bonds]]
+};
+
 struct Placement {
   state::Spheres spheres;
   std::vector<Index> group;  ///< by number of the sphere
+  std::vector<Index> body;   ///< by number of the sphere: its clump, below 0 where none
+  state::Clumps clumps;
+  std::vector<BondedPair> bonded;  ///< by first sphere
 };
 
 /// Throws UserError when a file of spheres cannot be read, a group has no sphere, random spheres find no room, a sphere is too
-/// large for a periodic axis, or spheres overlap by more than contact.overlap_limit.
+/// large for a periodic axis, or spheres overlap by more than contact.overlap_limit that no lasting bond joins.
 Placement place_spheres(const cases::CaseFile& file);
 
 /// How near two spheres must be to be kept as a pair [m].

@@ -11,6 +11,7 @@
 #include "sazare/geometry/surface_file.hpp"
 #include "sazare/observe/hash.hpp"
 #include "sazare/runs/motion_of_case.hpp"
+#include "sazare/runs/sphere_bonding.hpp"
 
 namespace sazare::runs {
 
@@ -121,6 +122,7 @@ Real choose_step(const cases::CaseFile& file, Real limit) {
 
 std::uint64_t hash_of(const Placement& placement, const std::vector<Wall>& walls) {
   observe::Hash hash;
+  hash.add(std::as_bytes(std::span(placement.bonded)));
   hash.add(std::as_bytes(std::span(placement.spheres.place)));
   hash.add(std::as_bytes(std::span(placement.group)));
   for (const Wall& wall : walls) hash.add(std::as_bytes(std::span(wall.triangles)));
@@ -169,13 +171,19 @@ SpheresModel build_spheres(const cases::CaseFile& file) {
   const methods::spheres::ContactTable table = contact_table(spheres);
   model.limit = spheres.contact.model == ContactModel::hertz ? rayleigh_limit(spheres, placement.spheres)
                                                              : spring_limit(spheres, table, placement.spheres);
+  methods::spheres::Bonds bonds = bond_spheres(file, placement);
+  model.clumps = static_cast<std::int64_t>(placement.clumps.clumps.size());
+  model.bonds = static_cast<std::int64_t>(bonds.bonds().size());
+  model.limit = std::min(model.limit, methods::spheres::stable_step(bonds.bonds(), placement.spheres));
   model.step = choose_step(file, model.limit);
   model.start = hash_of(placement, walls);
   model.group = std::move(placement.group);
+  model.body = std::move(placement.body);
   const Real margin = search_margin(spheres, placement.spheres);
   const engine::SphereRules rules{model.step, spheres.gravity.acceleration, margin,
                                   wall_margin / spheres.contact.margin * margin};
-  model.stepper = std::make_unique<engine::SphereStepper>(std::move(placement.spheres), table, std::move(walls), rules);
+  model.stepper = std::make_unique<engine::SphereStepper>(std::move(placement.spheres), table, std::move(walls), rules,
+                                                          std::move(bonds), std::move(placement.clumps));
   return model;
 }
 

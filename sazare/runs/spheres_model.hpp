@@ -10,7 +10,10 @@
 namespace sazare::runs {
 
 struct SpheresModel {
-  std::vector<Index> group;      ///< by number of the sphere
+  std::vector<Index> group;  ///< by number of the sphere
+  std::vector<Index> body;   ///< by number of the sphere: its clump, below 0 where none
+  std::int64_t bonds = 0;    ///< at the start
+  std::int64_t clumps = 0;
   std::uint64_t start = 0;       ///< hash of where everything stands at the start
   Real limit = 0;                ///< of the step [s]
   Real step = 0;                 ///< [s]

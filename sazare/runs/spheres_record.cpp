@@ -7,6 +7,7 @@
 
 #include "sazare/cases/number_text.hpp"
 #include "sazare/core/error.hpp"
+#include "sazare/engine/clump_motion.hpp"
 #include "sazare/observe/hash.hpp"
 
 namespace sazare::runs {
@@ -15,11 +16,23 @@ namespace {
 
 constexpr Real senseless_speed = 1e5;  // m/s; no grain moves so fast
 
-const std::vector<std::string> history_columns = {
-    "time [s]",           "energy_translation [J]", "energy_rotation [J]", "energy_elastic [J]",
-    "energy_sliding [J]", "energy_potential [J]",   "work_dashpots [J]",   "work_friction [J]",
-    "work_walls [J]",     "energy_residual [J]",    "contacts [-]",        "speed_max [m/s]",
-    "wall_seconds [s]"};
+const std::vector<std::string> history_columns = {"time [s]",
+                                                  "energy_translation [J]",
+                                                  "energy_rotation [J]",
+                                                  "energy_elastic [J]",
+                                                  "energy_sliding [J]",
+                                                  "energy_potential [J]",
+                                                  "work_dashpots [J]",
+                                                  "work_friction [J]",
+                                                  "work_walls [J]",
+                                                  "energy_bonds [J]",
+                                                  "work_bond_dashpots [J]",
+                                                  "work_fracture [J]",
+                                                  "energy_residual [J]",
+                                                  "contacts [-]",
+                                                  "bonds_broken [-]",
+                                                  "speed_max [m/s]",
+                                                  "wall_seconds [s]"};
 
 }  // namespace
 
@@ -39,7 +52,7 @@ SpheresRecord::SpheresRecord(const RunFolder& folder, const cases::CaseFile& fil
 std::vector<std::string> SpheresRecord::gauge_columns() const {
   std::vector<std::string> columns = {"time [s]"};
   for (const cases::GroupGauge& gauge : file_->spheres().gauges)
-    for (const auto& [quantity, unit] : {std::pair{"position", "m"}, {"velocity", "m/s"}})
+    for (const auto& [quantity, unit] : {std::pair{"position", "m"}, {"velocity", "m/s"}, {"force", "N"}})
       for (const char axis : {'x', 'y', 'z'}) columns.push_back(fmt::format("{}.{}_{} [{}]", gauge.name, quantity, axis, unit));
   return columns;
 }
@@ -76,7 +89,9 @@ void SpheresRecord::observe(std::int64_t step, Real wall_seconds) {
   const Real speed = stepper.largest_speed();
   history_->add_row(std::vector<Real>{time, energies_.translation, energies_.rotation, energies_.elastic, energies_.sliding,
                                       energies_.potential, energies_.dashpot_work, energies_.sliding_work, energies_.wall_work,
-                                      energies_.sum() - first_sum_, static_cast<Real>(stepper.contacts()), speed, wall_seconds});
+                                      energies_.bonds, energies_.bond_drag, energies_.fracture, energies_.sum() - first_sum_,
+                                      static_cast<Real>(stepper.contacts()), static_cast<Real>(stepper.broken_bonds()), speed,
+                                      wall_seconds});
   largest_speed_ = std::max(largest_speed_, speed);
   peak_kinetic_ = std::max(peak_kinetic_, energies_.translation + energies_.rotation);
   add_gauge_row(time);
@@ -91,19 +106,32 @@ void SpheresRecord::add_gauge_row(Real time) {
   const state::Spheres& spheres = model_->stepper->spheres();
   const std::size_t groups = file_->spheres().spheres.size();
   std::vector<Real> mass(groups, 0);
-  std::vector<Vector3> place(groups, Vector3::Zero()), momentum(groups, Vector3::Zero());
+  std::vector<Vector3> place(groups, Vector3::Zero()), momentum(groups, Vector3::Zero()), force(groups, Vector3::Zero());
   if (!gauge_group_.empty())
     for (std::size_t i = 0; i < spheres.size(); ++i) {
-      const auto g = static_cast<std::size_t>(model_->group[static_cast<std::size_t>(spheres.number[i])]);
-      mass[g] += spheres.place[i].mass;
-      place[g] += spheres.place[i].mass * spheres.place[i].centre();
-      momentum[g] += spheres.place[i].mass * model_->stepper->velocity(i);
+      const auto number = static_cast<std::size_t>(spheres.number[i]);
+      const auto g = static_cast<std::size_t>(model_->group[number]);
+      const Real own = model_->body[number] < 0 ? spheres.place[i].mass : 0;  // the others have that of their clump
+      mass[g] += own;
+      place[g] += own * spheres.place[i].centre();
+      momentum[g] += own * model_->stepper->velocity(i);
+      const state::SphereLoad& load = model_->stepper->loads().of(i);
+      force[g] += Vector3(load.fx, load.fy, load.fz);
     }
+  const engine::SphereStepper& stepper = *model_->stepper;
+  for (std::size_t c = 0; c < stepper.clumps().clumps.size(); ++c) {
+    const state::Clump& clump = stepper.clumps().clumps[c];
+    const auto first = static_cast<std::size_t>(stepper.clumps().members[stepper.clumps().begin_of(c)].sphere);
+    const auto g = static_cast<std::size_t>(model_->group[first]);
+    mass[g] += clump.mass;
+    place[g] += clump.mass * vector(clump.centre);
+    momentum[g] += clump.mass * engine::velocity(clump, stepper.rules().gravity, stepper.rules().step);
+  }
   std::vector<Real> row = {time};
   for (std::size_t gauge = 0; gauge < gauge_group_.size(); ++gauge) {
     const auto g = static_cast<std::size_t>(gauge_group_[gauge]);
     const Vector3 centre = place[g] / mass[g], velocity = momentum[g] / mass[g];
-    for (const Vector3& value : {centre, velocity}) row.insert(row.end(), value.begin(), value.end());
+    for (const Vector3& value : {centre, velocity, force[g]}) row.insert(row.end(), value.begin(), value.end());
     peaks_[gauge] = std::max(peaks_[gauge], velocity.norm());
   }
   gauges_->add_row(row);
@@ -123,7 +151,9 @@ void SpheresRecord::write_snapshot(Real time) {
   const state::Spheres& spheres = model_->stepper->spheres();
   const std::size_t n = spheres.size();
   std::vector<Vector3> place(n), velocity(n), spin(n);
+  const std::vector<Real> broken = broken_share();
   std::vector<Real> radius(n);
+  const std::vector<std::int32_t> body(model_->body.begin(), model_->body.end());
   std::vector<std::int32_t> cell(n), group(n), material(n);
   for (std::size_t i = 0; i < n; ++i) {
     const auto number = static_cast<std::size_t>(spheres.number[i]);
@@ -148,8 +178,23 @@ void SpheresRecord::write_snapshot(Real time) {
                      of_vectors("spin", spin),
                      {"radius", 1, std::span<const Real>(radius)},
                      of_integers("group", group),
-                     of_integers("material", material)},
+                     of_integers("material", material),
+                     of_integers("body", body),
+                     {"broken", 1, std::span<const Real>(broken)}},
                     time});
+}
+
+/// Share of its bonds that each sphere has lost, by number; 0 where it had none.
+std::vector<Real> SpheresRecord::broken_share() const {
+  const methods::spheres::Bonds& bonds = model_->stepper->bonds();
+  std::vector<Real> all(model_->group.size(), 0), broken(all);
+  for (std::size_t n = 0; n < bonds.bonds().size(); ++n)
+    for (const Index end : {bonds.bonds()[n].first, bonds.bonds()[n].second}) {
+      all[static_cast<std::size_t>(end)] += 1;
+      broken[static_cast<std::size_t>(end)] += bonds.is_broken(n) ? 1 : 0;
+    }
+  for (std::size_t i = 0; i < all.size(); ++i) broken[i] = all[i] > 0 ? broken[i] / all[i] : 0;
+  return broken;
 }
 
 void SpheresRecord::flush(bool to_disk) {
@@ -172,13 +217,16 @@ void SpheresRecord::check_motion(Real time) const {
 
 std::vector<std::pair<std::string, observe::Figure>> SpheresRecord::results(std::int64_t step, Real wall_seconds) const {
   const auto spheres = static_cast<std::int64_t>(model_->group.size());
-  const Real lost = energies_.dashpot_work + energies_.sliding_work;
+  const Real lost = energies_.dashpot_work + energies_.sliding_work + energies_.bond_drag + energies_.fracture;
   return {{"particles", spheres},
           {"steps", step},
           {"step", model_->step},
           {"predicted_limit", model_->limit},
           {"particle_steps", spheres * step},
           {"contacts", model_->stepper->contacts()},
+          {"clumps", model_->clumps},
+          {"bonds", model_->bonds},
+          {"bonds_broken", model_->stepper->broken_bonds()},
           {"searches", model_->stepper->searches()},
           {"wall_seconds", wall_seconds},
           {"energy_kinetic", energies_.translation + energies_.rotation},
@@ -200,6 +248,8 @@ std::uint64_t SpheresRecord::state_hash() const {
   hash.add(std::as_bytes(std::span(spheres.place)));
   hash.add(std::as_bytes(std::span(spheres.spin)));
   hash.add(std::as_bytes(std::span(spheres.kick)));
+  hash.add(std::as_bytes(std::span(spheres.turn)));
+  hash.add(std::as_bytes(std::span(model_->stepper->clumps().clumps)));
   hash.add(std::as_bytes(std::span(spheres.number)));
   return hash.value();
 }

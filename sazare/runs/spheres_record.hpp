@@ -37,6 +37,7 @@ private:
   std::vector<std::string> wall_columns() const;
   void add_gauge_row(Real time);
   void add_wall_row(Real time);
+  std::vector<Real> broken_share() const;
   void write_snapshot(Real time);
 
   const RunFolder* folder_;

@@ -28,6 +28,11 @@ struct alignas(32) SphereSpin {
   Vector3 spin() const { return {x, y, z}; }
 };
 
+/// Rotation since the start, as a unit quaternion.
+struct alignas(32) SphereTurn {
+  Real w = 1, x = 0, y = 0, z = 0;
+};
+
 /// Velocity and spin half a step back, and what resists their change; 0 where a sphere is held.
 struct alignas(64) SphereKick {
   Real vx = 0, vy = 0, vz = 0;  ///< [m/s]
@@ -49,6 +54,10 @@ struct PeriodicBox {
 
   bool repeats() const { return length.maxCoeff() > 0; }
   Vector3 inverse() const { return (length.array() > 0).select(length.cwiseMax(1e-300).cwiseInverse(), 0.0); }
+  /// From one place to the nearest image of another, of which any image is given.
+  Vector3 nearest(const Vector3& apart) const {
+    return apart - (length.array() * (apart.array() * inverse().array()).round()).matrix();
+  }
   /// The same place within the box.
   Vector3 wrapped(const Vector3& place) const {
     return place - (length.array() * ((place - lower).array() * inverse().array()).floor()).matrix();
@@ -59,7 +68,8 @@ struct Spheres {
   std::vector<SpherePlace> place;
   std::vector<SphereSpin> spin;
   std::vector<SphereKick> kick;
-  std::vector<Index> number;  ///< by which the case and its outputs know a sphere
+  std::vector<SphereTurn> turn;  ///< empty where nothing asks for it
+  std::vector<Index> number;     ///< by which the case and its outputs know a sphere
   PeriodicBox box;
 
   std::size_t size() const { return place.size(); }
@@ -90,6 +100,7 @@ struct Spheres {
     archive("place", place);
     archive("spin", spin);
     archive("kick", kick);
+    archive("turn", turn);
     archive("number", number);
   }
 };

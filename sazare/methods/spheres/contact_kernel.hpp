@@ -8,52 +8,10 @@
 
 #include "sazare/core/lane_math.hpp"
 #include "sazare/core/lane_records.hpp"
+#include "sazare/methods/spheres/load_rows.hpp"
 #include "sazare/methods/spheres/pair_contacts.hpp"
 
 namespace sazare::methods::spheres {
-
-/// Rounds to the nearest whole number, up to 2^51.
-inline Lanes nearest(const Lanes& number) {
-  constexpr Real shift = 6755399441055744.0;  // 1.5 * 2^52
-  return (number + shift) - shift;
-}
-
-/// Four numbers of one kind and four of another.
-inline std::array<Lanes, 8 / lane_count> halves(Real first, Real second) {
-#ifdef __AVX512F__
-  return {__builtin_shufflevector(broadcast(first), broadcast(second), 0, 1, 2, 3, 12, 13, 14, 15)};
-#else
-  return {broadcast(first), broadcast(second)};
-#endif
-}
-
-/// Force and moment in lanes, to be added to loads one after the other.
-class LoadRows {
-public:
-  LoadRows(const Triple<Lanes>& force, const Triple<Lanes>& moment)
-      : rows_{force.x, force.y, force.z, Lanes{}, moment.x, moment.y, moment.z, Lanes{}} {
-    for (std::size_t first = 0; first < 8; first += lane_count) {
-      std::array<Lanes, lane_count> square;
-      for (std::size_t i = 0; i < lane_count; ++i) square[i] = rows_[first + i];
-      transpose(square);
-      for (std::size_t i = 0; i < lane_count; ++i) rows_[first + i] = square[i];
-    }
-  }
-
-  /// Adds a lane's force times one number and its moment times another.
-  void add(std::size_t lane, Real of_force, Real of_moment, state::SphereLoad* to) const {
-    const auto factors = halves(of_force, of_moment);
-    auto* const numbers = reinterpret_cast<Real*>(to);
-    for (std::size_t part = 0; part < factors.size(); ++part) {
-      Lanes sum = load_lanes(numbers + part * lane_count);
-      sum += factors[part] * rows_[part * lane_count + lane];
-      store_lanes(numbers + part * lane_count, sum);
-    }
-  }
-
-private:
-  std::array<Lanes, 8> rows_;
-};
 
 template <laws::ContactModel model, bool rolls>
 class ContactKernel {
@@ -66,13 +24,8 @@ public:
         begin_(task.loads.begin_of(task.block)),
         approach_(task.approach),
         step_(broadcast(task.step)),
-        repeats_(spheres.box.repeats()),
+        box_(spheres.box),
         is_one_material_(contacts.table_.materials == 1) {
-    const Vector3 inverse = spheres.box.inverse();
-    for (int axis = 0; axis < 3; ++axis) {
-      length_[static_cast<std::size_t>(axis)] = broadcast(spheres.box.length[axis]);
-      inverse_[static_cast<std::size_t>(axis)] = broadcast(inverse[axis]);
-    }
     if (is_one_material_) {
       const auto& one = contacts.table_.of(0, 0);
       constants_ = {broadcast(one.normal),         broadcast(one.tangential),
@@ -87,7 +40,7 @@ public:
     for (std::size_t lane = 0; lane < lane_count; ++lane) point(lane, pairs[lane]);
     const auto first = load_records<8>(first_place_), second = load_records<8>(second_place_);
     const auto first_spin = load_quads(first_spin_), second_spin = load_quads(second_spin_);
-    const Triple<Lanes> apart = apart_from(first, second);
+    const Triple<Lanes> apart = box_.nearest({second[0] - first[0], second[1] - first[1], second[2] - first[2]});
     const Lanes distance = square_root(dot(apart, apart)), reach = first[3] + second[3];
     laws::ContactMotion<Lanes> at;
     at.normal = (1.0 / distance) * apart;
@@ -164,16 +117,6 @@ private:
           touches[lane] != 0 ? 0 : std::max(rounded_down * static_cast<float>(approach_ + gap[lane]), least_);
   }
 
-  Triple<Lanes> apart_from(const std::array<Lanes, 8>& first, const std::array<Lanes, 8>& second) const {
-    Triple<Lanes> apart{second[0] - first[0], second[1] - first[1], second[2] - first[2]};
-    if (repeats_) {
-      apart.x -= length_[0] * nearest(apart.x * inverse_[0]);
-      apart.y -= length_[1] * nearest(apart.y * inverse_[1]);
-      apart.z -= length_[2] * nearest(apart.z * inverse_[2]);
-    }
-    return apart;
-  }
-
   void look_up(const Lanes& one, const Lanes& other) {
     std::array<const Real*, lane_count> from, further;
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
@@ -242,8 +185,8 @@ private:
   std::size_t begin_;
   Real approach_;
   Lanes step_;
-  bool repeats_, is_one_material_;
-  std::array<Lanes, 3> length_, inverse_;
+  BoxLanes box_;
+  bool is_one_material_;
   laws::ContactConstants<Lanes> constants_;
   LanePointers<const state::SpherePlace> first_place_, second_place_;
   std::array<const Real*, lane_count> first_spin_, second_spin_;

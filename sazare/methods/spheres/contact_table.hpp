@@ -41,13 +41,17 @@ private:
   std::vector<Record> records_;
 };
 
-/// What contacts hold and what they have taken, summed over some of them.
+/// What contacts and bonds hold and what they have taken, summed over some of them.
 struct ContactSums {
   Real elastic = 0;       ///< energy in normal springs [J]
   Real sliding = 0;       ///< energy in the springs of sliders [J]
   Real dashpot_work = 0;  ///< taken by normal dashpots in this step [J]
   Real sliding_work = 0;  ///< work against sliders in this step, stored or lost [J]
   std::int64_t contacts = 0;
+  Real bonds = 0;           ///< energy in bonds [J]
+  Real bond_drag = 0;       ///< taken by the dashpots of bonds in this step [J]
+  Real fracture = 0;        ///< taken by damage of bonds in this step [J]
+  std::int64_t broken = 0;  ///< bonds that broke in this step
 
   ContactSums& operator+=(const ContactSums& more) {
     elastic += more.elastic;
@@ -55,6 +59,10 @@ struct ContactSums {
     dashpot_work += more.dashpot_work;
     sliding_work += more.sliding_work;
     contacts += more.contacts;
+    bonds += more.bonds;
+    bond_drag += more.bond_drag;
+    fracture += more.fracture;
+    broken += more.broken;
     return *this;
   }
 };

@@ -7,16 +7,24 @@
 /// before it are done; each sphere takes what stands for it as a guest, in the order of the blocks.
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "sazare/neighbors/sphere_pairs.hpp"
 
 namespace sazare::methods::spheres {
 
+/// Second spheres of the bonds of each block: those of block b are second[begin[b]] .. second[begin[b + 1] - 1], none before the
+/// block.
+struct BlockLinks {
+  std::vector<std::size_t> begin;
+  std::vector<Index> second;
+};
+
 class LoadTable {
 public:
-  /// Where the contacts of these pairs write.
-  void arrange(const neighbors::SpherePairs& pairs);
+  /// Where the contacts of these pairs and these bonds write.
+  void arrange(const neighbors::SpherePairs& pairs, const BlockLinks& bonds);
 
   std::size_t blocks() const { return blocks_; }
   std::size_t begin_of(std::size_t block) const { return block * neighbors::block_size; }
@@ -34,10 +42,9 @@ public:
   const state::SphereLoad& of(std::size_t sphere) const { return loads_[sphere]; }
 
   /// The load of the second sphere of a pair of a block.
-  state::SphereLoad* second(std::size_t pair, state::SphereLoad* own) {
-    const Index slot = slot_[pair];
-    return slot >= 0 ? own + slot : &guests_[static_cast<std::size_t>(-1 - slot)];
-  }
+  state::SphereLoad* second(std::size_t pair, state::SphereLoad* own) { return at(slot_[pair], own); }
+  /// The same of a bond of a block.
+  state::SphereLoad* bonded(std::size_t bond, state::SphereLoad* own) { return at(bond_slot_[bond], own); }
 
   /// The loads of the spheres.
   void columns(Archive& archive);
@@ -48,8 +55,16 @@ private:
     Index load = 0;   ///< in guests_
   };
 
+  state::SphereLoad* at(Index slot, state::SphereLoad* own) {
+    return slot >= 0 ? own + slot : &guests_[static_cast<std::size_t>(-1 - slot)];
+  }
+  void find_slots(std::size_t block, const std::vector<Index>& guests, std::span<const Index> seconds,
+                  std::span<Index> slots) const;
+  void send_home(const std::vector<std::vector<Index>>& guests);
+
   std::size_t spheres_ = 0, blocks_ = 0;
   std::vector<Index> slot_;                     ///< by pair: place in the block, or below 0 that of the guest
+  std::vector<Index> bond_slot_;                ///< the same by bond
   std::vector<state::SphereLoad> loads_;        ///< of all spheres
   std::vector<state::SphereLoad> guests_;       ///< of the guests of each block
   std::vector<std::size_t> guest_begin_;        ///< by block, in guests_

@@ -25,6 +25,7 @@ std::vector<Index> PairContacts::find(state::Spheres& spheres, Real margin) {
   permute(spheres.place, order);
   permute(spheres.spin, order);
   permute(spheres.kick, order);
+  if (!spheres.turn.empty()) permute(spheres.turn, order);
   permute(spheres.number, order);
   std::vector<Index> new_place(order.size());
   for (std::size_t n = 0; n < order.size(); ++n) new_place[static_cast<std::size_t>(order[n])] = static_cast<Index>(n);
@@ -63,7 +64,6 @@ PairContacts::Touches PairContacts::take_touches(const std::vector<Index>& new_p
 
 /// All that stands beside the pairs, as for pairs that are new.
 void PairContacts::lay_out() {
-  constexpr float looked_at_next = -1;
   const std::size_t count = pairs_.other.size();
   owner_.resize(count);
   for (std::size_t i = 0; i + 1 < pairs_.first.size(); ++i)
@@ -81,6 +81,20 @@ void PairContacts::remember(const Touch& touch, const Memory& rolled) {
     sliding_[p] = {touch.sliding.x, touch.sliding.y, touch.sliding.z, 0};
     if (table_.rolls) rolling_[p] = rolled;
     return;
+  }
+}
+
+void PairContacts::set_sleep(Index one, Index other, float until) {
+  const auto row = static_cast<std::size_t>(std::min(one, other));
+  for (std::size_t p = pairs_.first[row]; p < pairs_.first[row + 1]; ++p)
+    if (pairs_.other[p] == std::max(one, other)) sleeps_until_[p] = until;
+}
+
+void PairContacts::rest_within(std::span<const Index> body) {
+  for (std::size_t p = 0; p < owner_.size(); ++p) {
+    const Index of = body[static_cast<std::size_t>(owner_[p])];
+    if (of >= 0 && of == body[static_cast<std::size_t>(pairs_.other[p])])
+      sleeps_until_[p] = std::numeric_limits<float>::infinity();
   }
 }
 

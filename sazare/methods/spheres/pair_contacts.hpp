@@ -6,6 +6,8 @@
 /// its gap. So a step reads one small number of each candidate, and evaluates little more than the pairs that touch.
 
 #include <cstdint>
+#include <limits>
+#include <span>
 #include <vector>
 
 #include "sazare/methods/spheres/contact_table.hpp"
@@ -20,6 +22,13 @@ public:
   /// Sorts the spheres along a curve and finds all pairs nearer than the margin [m]; what touches goes on remembering.
   /// Returns the place before of each sphere.
   std::vector<Index> find(state::Spheres& spheres, Real margin);
+
+  /// A pair of places that is bonded has no contact until it is woken.
+  void rest(Index one, Index other) { set_sleep(one, other, std::numeric_limits<float>::infinity()); }
+  void wake(Index one, Index other) { set_sleep(one, other, looked_at_next); }
+
+  /// The same for good, for all pairs of one body; `body` says by place which, below 0 where none.
+  void rest_within(std::span<const Index> body);
 
   /// A block, and where its forces go.
   struct Task {
@@ -59,6 +68,9 @@ private:
     std::vector<Memory> rolling;  ///< by pair; empty where nothing resists rolling
   };
 
+  static constexpr float looked_at_next = -1;
+
+  void set_sleep(Index one, Index other, float until);
   Touches take_touches(const std::vector<Index>& new_place);
   void lay_out();
   void remember(const Touch& touch, const Memory& rolled);

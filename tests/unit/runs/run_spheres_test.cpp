@@ -59,6 +59,50 @@ name = "all of them"
 group = "grains"
 )";
 
+/// A block that falls and breaks.
+const char* bonded = R"([[spheres]]
+name = "block"
+material = "glass"
+source = "lattice"
+radius = 0.004
+lower = [0.01, 0.01, 0.001]
+upper = [0.06, 0.06, 0.051]
+velocity = [0.0, 0.5, -2.0]
+spin = [0.0, 5.0, 0.0]
+[[bonds]]
+name = "cement"
+between = ["block", "block"]
+normal_stiffness = 1e9
+shear_stiffness = 5e8
+tensile_strength = 2e4
+cohesion = 2e4
+friction_angle = 30.0
+fracture_energy = 0.5
+damping_ratio = 0.05
+[[gauges]]
+name = "block"
+group = "block"
+)";
+
+const char* tetrapods = R"([[shapes]]
+name = "tetrapod"
+height = 0.02
+leg_spheres = 2
+[[spheres]]
+name = "armour"
+material = "glass"
+source = "random"
+shape = "tetrapod"
+random_rotation = true
+lower = [0.0, 0.0, 0.0]
+upper = [0.08, 0.08, 0.15]
+count = 20
+velocity = [0.0, 0.0, -1.0]
+[[gauges]]
+name = "armour"
+group = "armour"
+)";
+
 cases::CaseFile case_of(const TemporaryFolder& folder, const std::string& rest, const std::vector<std::string>& settings = {}) {
   return cases::read_case(folder.write("case.toml", head + rest), settings);
 }
@@ -92,9 +136,11 @@ TEST(run_spheres, writes_its_folder_and_its_figures) {
   EXPECT_EQ(read_manifest(folder / "again")["state_hash"], manifest["state_hash"]);
 }
 
-TEST(run_spheres, in_many_parts_gives_the_bits_of_one_run) {
+class InParts : public testing::TestWithParam<const char*> {};
+
+TEST_P(InParts, gives_the_bits_of_one_run) {
   const TemporaryFolder folder;
-  const auto file = case_of(folder, scattered);
+  const auto file = case_of(folder, GetParam());
   carry_out(file, folder / "whole");
   for (int parts = 1;; ++parts) {
     std::atomic<bool> stop = false;
@@ -113,6 +159,80 @@ TEST(run_spheres, in_many_parts_gives_the_bits_of_one_run) {
     EXPECT_EQ(read_text(folder / "whole" / table), read_text(folder / "parts" / table));
   EXPECT_EQ(test::without_last_column(read_text(folder / "whole/history.csv")),
             test::without_last_column(read_text(folder / "parts/history.csv")));
+}
+
+INSTANTIATE_TEST_SUITE_P(run_spheres, InParts, testing::Values(scattered, bonded, tetrapods));
+
+TEST(run_spheres, a_bonded_block_breaks_and_the_ledger_closes) {
+  const TemporaryFolder folder;
+  const auto file = case_of(folder, bonded, {"time.end=0.05", "time.snapshot_interval=0.05", "time.stability_fraction=0.1"});
+  carry_out(file, folder / "run");
+  const nlohmann::json results = read_manifest(folder / "run")["results"];
+  EXPECT_EQ(results["bonds"], 540);
+  EXPECT_GT(results["bonds_broken"], 10);
+  EXPECT_LT(std::abs(results["energy_residual"].get<double>()), 1e-2 * results["energy_lost"].get<double>());
+  EXPECT_TRUE(read_text(folder / "run/history.csv").find(",energy_bonds [J],work_bond_dashpots [J],work_fracture [J],") !=
+              std::string::npos);
+}
+
+TEST(run_spheres, tetrapods_come_with_the_mass_of_their_union) {
+  const TemporaryFolder folder;
+  const auto file = case_of(folder, tetrapods);
+  const SpheresModel model = build_spheres(file);
+  ASSERT_EQ(model.clumps, 20);
+  EXPECT_EQ(model.group.size(), 20 * 9);
+  const state::Clump& one = model.stepper->clumps().clumps.front();
+  EXPECT_NEAR(one.mass, 2500 * one.volume, 1e-12);
+  EXPECT_GT(one.volume, 0.7 * 0.280 * 8e-6);
+  EXPECT_LT(one.volume, 0.280 * 8e-6);
+  EXPECT_NE(check_case(file).find("clumps      20 rigid"), std::string::npos);
+  carry_out(case_of(folder, tetrapods, {"time.end=0.05", "time.snapshot_interval=0.05"}), folder / "run");
+  EXPECT_EQ(read_manifest(folder / "run")["results"]["clumps"], 20);
+}
+
+/// A shape from a file has its centre of mass where the case puts it, whatever its own origin.
+TEST(run_spheres, shapes_are_placed_by_their_centre_of_mass) {
+  const TemporaryFolder folder;
+  const std::string shape = "[[shapes]]\nname = \"bar\"\nsource = \"file\"\nscale = 0.001\nfile = \"" +
+                            folder.write("bar.txt", "2 10 0 0\n2 12 0 0\n2 14 0 0\n").string() + "\"\n";
+  const auto file = case_of(folder, shape + R"([[spheres]]
+name = "a"
+material = "glass"
+shape = "bar"
+centre = [0.03, 0.03, 0.03]
+rotation = [0.0, 1.5707963267948966, 0.0]
+spin = [0.0, 0.0, 2.0]
+)");
+  const Placement placement = place_spheres(file);
+  EXPECT_LT((placement.spheres.place[1].centre() - Vector3(0.03, 0.03, 0.03)).norm(), 1e-8);
+  EXPECT_LT((placement.spheres.place[2].centre() - Vector3(0.03, 0.03, 0.028)).norm(), 1e-8);  // x of the file is -z now
+  const state::Clump& clump = placement.clumps.clumps.front();
+  const Triple<Real> spin = clump.spin_of(clump.angular_momentum);
+  EXPECT_NEAR(spin.z, 2, 1e-9);
+  EXPECT_NEAR(spin.x, 0, 1e-9);
+}
+
+TEST(run_spheres, says_what_is_wrong_with_bonds_and_shapes) {
+  const std::string weak = refused(bonded, {"bonds.0.fracture_energy=0.01"});
+  EXPECT_NE(weak.find("error: fracture_energy 0.01 N/m is less than a bond of length 0.008 m holds when it begins to fail"),
+            std::string::npos)
+      << weak;
+  EXPECT_NE(weak.find("give 0.2001 N/m or more"), std::string::npos) << weak;
+  const std::string apart = refused(bonded, {"spheres.0.spacing=0.0082"});
+  EXPECT_NE(apart.find("error: the bonds \"cement\" join no spheres"), std::string::npos) << apart;
+  const TemporaryFolder folder;
+  const auto shape = [&](const std::string& source, const std::string& name) {
+    return "[[shapes]]\nname = \"s\"\nsource = \"" + source + "\"\nfile = \"" + name +
+           "\"\n[[spheres]]\nname = \"a\"\nmaterial = \"glass\"\nshape = \"s\"\ncentre = [0.0, 0.0, 1.0]\n";
+  };
+  const std::string empty = refused(shape("file", folder.write("none.txt", "# nothing\n").string()));
+  EXPECT_NE(empty.find("error: the shape \"s\" has no sphere"), std::string::npos) << empty;
+  const std::string open = refused(shape("mesh", folder
+                                                     .write("open.stl",
+                                                            "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 "
+                                                            "0\nvertex 0 1 0\nendloop\nendfacet\nendsolid s\n")
+                                                     .string()));
+  EXPECT_NE(open.find("error: the surface of the shape \"s\" has holes"), std::string::npos) << open;
 }
 
 TEST(run_spheres, places_lattices_in_the_middle_of_their_box) {

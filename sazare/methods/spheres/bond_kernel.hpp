@@ -1,0 +1,165 @@
+#pragma once
+
+/// Forces of as many bonds as there are lanes.
+
+#include "sazare/methods/spheres/bonds.hpp"
+#include "sazare/methods/spheres/load_rows.hpp"
+
+namespace sazare::methods::spheres {
+
+template <bool breaks, bool damped>
+class BondKernel {
+public:
+  BondKernel(Bonds& bonds, const state::Spheres& spheres, const Bonds::Task& task)
+      : bonds_(bonds),
+        spheres_(spheres),
+        task_(task),
+        begin_(task.loads.begin_of(task.block)),
+        box_(spheres.box),
+        step_(broadcast(task.step)) {}
+
+  /// As many links as there are lanes, from one on.
+  void evaluate(std::size_t link) {
+    std::array<const Real*, lane_count> place, other_place, turn, other_turn;
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      const auto i = static_cast<std::size_t>(bonds_.first_[link + lane]),
+                 j = static_cast<std::size_t>(bonds_.links_.second[link + lane]);
+      place[lane] = &spheres_.place[i].x;
+      other_place[lane] = &spheres_.place[j].x;
+      turn[lane] = &spheres_.turn[i].w;
+      other_turn[lane] = &spheres_.turn[j].w;
+    }
+    const auto first = load_quads(place), second = load_quads(other_place), turned = load_quads(turn),
+               other_turned = load_quads(other_turn);
+    const laws::BondStiffness<Lanes> stiffness{column(bonds_.length_, link), column(bonds_.stretch_, link),
+                                               column(bonds_.shear_, link), column(bonds_.bend_, link),
+                                               column(bonds_.twist_, link)};
+    laws::BondPose<Lanes> pose;
+    pose.apart = box_.nearest({second[0] - first[0], second[1] - first[1], second[2] - first[2]});
+    pose.first = {turned[0], turned[1], turned[2], turned[3]};
+    pose.second = {other_turned[0], other_turned[1], other_turned[2], other_turned[3]};
+    pose.direction = {column(bonds_.direction_x_, link), column(bonds_.direction_y_, link), column(bonds_.direction_z_, link)};
+    auto force = laws::bond_force<Lanes>(stiffness, pose, Lanes{} + 1);
+    if constexpr (breaks) {
+      weaken(link, force, pose, first[3], second[3]);
+    } else {
+      energy_ += force.energy + force.compression;
+    }
+    if constexpr (damped) drag(link, force, pose.apart, place, other_place);
+    deliver(link, force);
+  }
+
+  ContactSums sums() const {
+    ContactSums total;
+    for (int lane = 0; lane < lane_count; ++lane) {
+      total.bonds += energy_[lane];
+      total.bond_drag += drag_work_[lane];
+      total.fracture += fracture_[lane];
+    }
+    total.fracture -= contact_energy_;
+    total.broken = broken_;
+    return total;
+  }
+
+private:
+  static Lanes column(const std::vector<Real>& values, std::size_t link) { return load_lanes(&values[link]); }
+
+  /// Damage by the use of the strength, from the force of the sound bond; what it takes is booked over the step as by the
+  /// trapezoidal rule, as the kicks do.
+  void weaken(std::size_t link, laws::BondForce<Lanes>& force, const laws::BondPose<Lanes>& pose, const Lanes& radius,
+              const Lanes& other_radius) {
+    laws::BondStrength<Lanes> strength;
+    const Real* const table = &bonds_.kinds_.front().tensile;
+    std::array<const Real*, lane_count> from;
+    for (std::size_t lane = 0; lane < lane_count; ++lane) from[lane] = table + 4 * bonds_.kind_[link + lane];
+    const auto numbers = load_quads(from);
+    strength = {numbers[0], numbers[1], numbers[2], numbers[3]};
+    const Lanes before = column(bonds_.largest_use_, link), energy_before = column(bonds_.energy_before_, link);
+    const Lanes use = laws::bond_use<Lanes>(strength, force, column(bonds_.radius_, link)), largest = maximum(before, use);
+    const Lanes kept_before = laws::kept_stiffness<Lanes>(before, strength.ultimate),
+                kept = laws::kept_stiffness<Lanes>(largest, strength.ultimate);
+    // A broken bond carries no compression either: from then on the contact does.
+    const LaneMask breaks_now = (before < strength.ultimate) & (largest >= strength.ultimate);
+    const Lanes holds = select(largest < strength.ultimate, Lanes{} + 1, Lanes{});
+    Lanes lost = 0.5 * (kept_before - kept) * (energy_before + force.energy);
+    if (any(breaks_now)) {
+      lost += select(breaks_now, force.compression, Lanes{});
+      note_broken(link, breaks_now, pose.apart, radius, other_radius);
+    }
+    energy_ += kept * force.energy + holds * force.compression;
+    fracture_ += lost;
+    store_lanes(&bonds_.largest_use_[link], largest);
+    store_lanes(&bonds_.energy_before_[link], force.energy);
+    if (!any(largest > 1.0)) return;
+    const Lanes tension = Lanes{} - dot(force.force, force.direction),
+                pull = select(tension > 0.0, Lanes(kept * tension), Lanes(holds * tension));
+    force.force = kept * (force.force + tension * force.direction) - pull * force.direction;
+    force.first_moment = kept * force.first_moment;
+    force.second_moment = kept * force.second_moment;
+  }
+
+  /// What the contact of a broken bond holds at once is taken off what breaking it has cost.
+  void note_broken(std::size_t link, LaneMask breaks_now, const Triple<Lanes>& apart, const Lanes& radius,
+                   const Lanes& other_radius) {
+    for (int lane = 0; lane < lane_count; ++lane) {
+      if (breaks_now[lane] == 0) continue;
+      const std::size_t at = link + static_cast<std::size_t>(lane);
+      const auto i = static_cast<std::size_t>(bonds_.first_[at]), j = static_cast<std::size_t>(bonds_.links_.second[at]);
+      const Real distance =
+          std::sqrt(apart.x[lane] * apart.x[lane] + apart.y[lane] * apart.y[lane] + apart.z[lane] * apart.z[lane]);
+      const Real reach = radius[lane] + other_radius[lane];
+      contact_energy_ += laws::normal_energy(
+          task_.contacts.model,
+          task_.contacts.of(static_cast<Index>(spheres_.spin[i].material), static_cast<Index>(spheres_.spin[j].material)),
+          reach - distance, radius[lane] * other_radius[lane] / reach);
+      bonds_.broken_[task_.block].push_back(at);
+      ++broken_;
+    }
+  }
+
+  void drag(std::size_t link, laws::BondForce<Lanes>& force, const Triple<Lanes>& apart,
+            const std::array<const Real*, lane_count>& place, const std::array<const Real*, lane_count>& other_place) {
+    std::array<const Real*, lane_count> velocity, other_velocity, spin, other_spin;
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      velocity[lane] = place[lane] + 4;
+      other_velocity[lane] = other_place[lane] + 4;
+      spin[lane] = &spheres_.spin[static_cast<std::size_t>(bonds_.first_[link + lane])].x;
+      other_spin[lane] = &spheres_.spin[static_cast<std::size_t>(bonds_.links_.second[link + lane])].x;
+    }
+    const auto v = load_quads(velocity), u = load_quads(other_velocity), w = load_quads(spin), z = load_quads(other_spin);
+    laws::BondDamping<Lanes> damping{column(bonds_.along_, link), column(bonds_.across_, link), column(bonds_.turning_, link)};
+    if constexpr (breaks) {
+      const auto holds = column(bonds_.largest_use_, link) < 1.0;  // dashpots go with the first damage
+      for (Lanes* part : {&damping.along, &damping.across, &damping.turning}) *part = select(holds, *part, Lanes{});
+    }
+    const Lanes half = Lanes{} + 0.5;
+    const auto drag = laws::bond_drag<Lanes>(damping, apart, force.direction, {u[0] - v[0], u[1] - v[1], u[2] - v[2]},
+                                             {z[0] - w[0], z[1] - w[1], z[2] - w[2]},
+                                             half * Triple<Lanes>{z[0] + w[0], z[1] + w[1], z[2] + w[2]});
+    force.force = force.force + drag.force;
+    force.first_moment = force.first_moment + drag.arm - drag.moment;
+    force.second_moment = force.second_moment + drag.arm + drag.moment;
+    drag_work_ += step_ * drag.power;
+  }
+
+  void deliver(std::size_t link, const laws::BondForce<Lanes>& force) {
+    const Triple<Lanes> back = Triple<Lanes>{} - force.force;
+    const LoadRows first(back, force.first_moment), second(force.force, force.second_moment);
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      first.add(lane, 1, 1, &task_.own[static_cast<std::size_t>(bonds_.first_[link + lane]) - begin_]);
+      second.add(lane, 1, 1, task_.loads.bonded(link + lane, task_.own));
+    }
+  }
+
+  Bonds& bonds_;
+  const state::Spheres& spheres_;
+  const Bonds::Task& task_;
+  std::size_t begin_;
+  BoxLanes box_;
+  Lanes step_;
+  Lanes energy_{}, drag_work_{}, fracture_{};
+  Real contact_energy_ = 0;
+  std::int64_t broken_ = 0;
+};
+
+}  // namespace sazare::methods::spheres

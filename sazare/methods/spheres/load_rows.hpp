@@ -1,0 +1,78 @@
+#pragma once
+
+/// What kernels of pairs share: the nearest image in lanes, and forces in lanes that are added to loads.
+
+#include "sazare/core/lane_math.hpp"
+#include "sazare/core/lane_records.hpp"
+#include "sazare/core/triple.hpp"
+#include "sazare/state/spheres.hpp"
+
+namespace sazare::methods::spheres {
+
+/// A periodic box that lanes read.
+class BoxLanes {
+public:
+  explicit BoxLanes(const state::PeriodicBox& box) : repeats_(box.repeats()) {
+    const Vector3 inverse = box.inverse();
+    length_ = {broadcast(box.length.x()), broadcast(box.length.y()), broadcast(box.length.z())};
+    inverse_ = {broadcast(inverse.x()), broadcast(inverse.y()), broadcast(inverse.z())};
+  }
+
+  /// From one place to the nearest image of another, of which any image is given.
+  Triple<Lanes> nearest(Triple<Lanes> apart) const {
+    if (!repeats_) return apart;
+    apart.x -= length_.x * whole(apart.x * inverse_.x);
+    apart.y -= length_.y * whole(apart.y * inverse_.y);
+    apart.z -= length_.z * whole(apart.z * inverse_.z);
+    return apart;
+  }
+
+private:
+  /// Rounds to the nearest whole number, up to 2^51.
+  static Lanes whole(const Lanes& number) {
+    constexpr Real shift = 6755399441055744.0;  // 1.5 * 2^52
+    return (number + shift) - shift;
+  }
+
+  bool repeats_;
+  Triple<Lanes> length_, inverse_;
+};
+
+/// Four numbers of one kind and four of another.
+inline std::array<Lanes, 8 / lane_count> halves(Real first, Real second) {
+#ifdef __AVX512F__
+  return {__builtin_shufflevector(broadcast(first), broadcast(second), 0, 1, 2, 3, 12, 13, 14, 15)};
+#else
+  return {broadcast(first), broadcast(second)};
+#endif
+}
+
+/// Force and moment in lanes, to be added to loads one after the other.
+class LoadRows {
+public:
+  LoadRows(const Triple<Lanes>& force, const Triple<Lanes>& moment)
+      : rows_{force.x, force.y, force.z, Lanes{}, moment.x, moment.y, moment.z, Lanes{}} {
+    for (std::size_t first = 0; first < 8; first += lane_count) {
+      std::array<Lanes, lane_count> square;
+      for (std::size_t i = 0; i < lane_count; ++i) square[i] = rows_[first + i];
+      transpose(square);
+      for (std::size_t i = 0; i < lane_count; ++i) rows_[first + i] = square[i];
+    }
+  }
+
+  /// Adds a lane's force times one number and its moment times another.
+  void add(std::size_t lane, Real of_force, Real of_moment, state::SphereLoad* to) const {
+    const auto factors = halves(of_force, of_moment);
+    auto* const numbers = reinterpret_cast<Real*>(to);
+    for (std::size_t part = 0; part < factors.size(); ++part) {
+      Lanes sum = load_lanes(numbers + part * lane_count);
+      sum += factors[part] * rows_[part * lane_count + lane];
+      store_lanes(numbers + part * lane_count, sum);
+    }
+  }
+
+private:
+  std::array<Lanes, 8> rows_;
+};
+
+}  // namespace sazare::methods::spheres

@@ -1,0 +1,55 @@
+#pragma once
+
+/// Rigid bodies of spheres: the spheres go where the body goes, and hand it what pushes them.
+
+#include <vector>
+
+#include "sazare/core/archive.hpp"
+#include "sazare/core/time.hpp"
+#include "sazare/core/turn.hpp"
+
+namespace sazare::state {
+
+/// A body whose axes are its principal ones. Momenta are those half a step back.
+struct Clump {
+  Triple<Real> centre;            ///< [m]
+  Triple<Real> velocity;          ///< half a step back [m/s]
+  Triple<Real> angular_momentum;  ///< about its centre, half a step back [kg m2/s]
+  Turn<Real> turn{1, 0, 0, 0};    ///< from its own axes to those of space
+  Real mass = 0;                  ///< [kg]
+  Triple<Real> inertia;           ///< about its own axes [kg m2]
+  Triple<Real> force;             ///< of all its spheres, when forces were kept last [N]
+  Triple<Real> moment;            ///< about its centre [N m]
+  Real volume = 0;                ///< [m3]
+  std::int64_t first_member = 0;  ///< its members end where those of the next begin
+
+  /// A vector of its own axes as space sees it, and back.
+  Triple<Real> out(const Triple<Real>& own) const { return turned(turn, own); }
+  Triple<Real> into(const Triple<Real>& space) const { return turned<Real>({turn.w, -turn.x, -turn.y, -turn.z}, space); }
+  Triple<Real> spin_of(const Triple<Real>& momentum) const {
+    const Triple<Real> own = into(momentum);
+    return out({own.x / inertia.x, own.y / inertia.y, own.z / inertia.z});
+  }
+};
+
+struct ClumpMember {
+  Index sphere = 0;    ///< its number
+  Index unused = 0;    // no gaps: checkpoints are compared byte by byte
+  Triple<Real> place;  ///< of its centre, by the axes of the clump [m]
+};
+
+struct Clumps {
+  std::vector<Clump> clumps;
+  std::vector<ClumpMember> members;  ///< by clump
+
+  bool empty() const { return clumps.empty(); }
+  std::size_t begin_of(std::size_t clump) const { return static_cast<std::size_t>(clumps[clump].first_member); }
+  std::size_t end_of(std::size_t clump) const { return clump + 1 < clumps.size() ? begin_of(clump + 1) : members.size(); }
+
+  void columns(Archive& archive) {
+    archive("clumps", clumps);
+    archive("members", members);
+  }
+};
+
+}  // namespace sazare::state
