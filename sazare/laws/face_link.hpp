@@ -2,11 +2,11 @@
 
 /// Two straight faces joined by N springs and dashpots: the link of two pseudo-rectangle elements, or of an element and a wall.
 ///
-///     u(xi) = a + b xi                         displacement of the normal spring at xi, closing is positive [m]     (2.1),
-///     (14.1) v                                        displacement of the shear springs [m] (2.2), (14.2) P_i = K_n u(xi_i) +
-///     eta_n u'(xi_i)       force of a normal spring and its dashpot [N]                         (6.1), (7.1) Q_i = K_s v + eta_s
-///     v'                   force of a shear spring and its dashpot [N]                          (6.2), (7.2) xi_i = (2i - 1 -
-///     N)/N, or +-1            places of the springs over half of the face                          (13.1), (13.2)
+///     u(xi) = a + b xi                   displacement of the normal spring at xi, closing is positive [m]     (2.1), (14.1)
+///     v                                  displacement of the shear springs [m]                                (2.2), (14.2)
+///     P_i = K_n u(xi_i) + eta_n u'(xi_i) force of a normal spring and its dashpot [N]                         (6.1), (7.1)
+///     Q_i = K_s v + eta_s v'             force of a shear spring and its dashpot [N]                          (6.2), (7.2)
+///     xi_i = (2i - 1 - N)/N, or +-1      places of the springs over half of the face                          (13.1), (13.2)
 ///
 ///     n, s    from the first element to the second, and 90 degrees to the right of that
 ///     theta   rotation of an element since they were joined [rad]

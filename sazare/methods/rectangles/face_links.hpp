@@ -89,6 +89,11 @@ public:
   /// Forces of all links; `elapsed` is the time since the last evaluation [s].
   void evaluate(const state::Particles<2>& particles, Real elapsed);
 
+  /// Force on the second element of a link when last evaluated [N].
+  std::array<Real, 2> force_of(Index number) const {
+    return {slots_.force_x[static_cast<std::size_t>(number)], slots_.force_y[static_cast<std::size_t>(number)]};
+  }
+
   /// Links that have opened in the last evaluation, in order.
   std::span<const Index> opened() const { return opened_; }
 

@@ -181,24 +181,6 @@ TEST(packing, breaks_and_closes_the_books) {
   EXPECT_NEAR(stepper->kinetic_energy() + books.elastic + books.lost(), energy, 5e-3 * energy);
 }
 
-TEST(packing, same_bits_with_any_number_of_threads) {
-  std::vector<state::Column> found;
-  const Block of = block(8, 4);
-  for (const int threads : {1, 2, 3}) {
-    parallel::set_threads(threads);
-    Scene scene = scene_of(of, 2e4, 0.1);
-    set_in_motion(scene, 0.3);
-    auto stepper = scene.make(step);
-    stepper->start();
-    for (int i = 0; i < 200; ++i) stepper->advance();
-    EXPECT_GT(scene.forces->links().broken_springs(), 10);
-    found.push_back(stepper->particles().velocity[1]);
-  }
-  parallel::set_threads(0);
-  EXPECT_EQ(found[0], found[1]);
-  EXPECT_EQ(found[0], found[2]);
-}
-
 TEST(packing, goes_on_from_a_checkpoint_with_the_same_bits) {
   Scene scene = breaking(), resumed_scene = breaking();
   auto whole = scene.make(step);
@@ -228,8 +210,9 @@ TEST(packing, stable_step_is_the_limit) {
     kick = 1e-6;
     auto stepper = scene.make(factor * limit.limit);
     stepper->start();
-    for (int i = 0; i < 3000; ++i) stepper->advance();
-    return !(stepper->kinetic_energy() < 1e3 * 0.5 * 1e-12 * 2000 * size * size);
+    const Real most = 1e3 * 0.5 * 1e-12 * 2000 * size * size;
+    for (int i = 0; i < 3000 && stepper->kinetic_energy() < most; ++i) stepper->advance();
+    return stepper->kinetic_energy() >= most;
   };
   EXPECT_FALSE(grows(0.99));
   EXPECT_TRUE(grows(1.02));
@@ -272,6 +255,24 @@ TEST(packing, sides_of_a_crack_meet_again) {
   EXPECT_EQ(scene.forces->contacts().touching(), 1);
   EXPECT_LT(acceleration[0][0], 0);
   EXPECT_GT(acceleration[0][1], 0);
+}
+
+TEST(packing, same_bits_with_any_number_of_threads) {
+  std::vector<state::Column> found;
+  const Block of = block(6, 4);
+  for (const int threads : {1, 2, 3}) {
+    parallel::set_threads(threads);
+    Scene scene = scene_of(of, 2e4, 0.1);
+    set_in_motion(scene, 0.5);
+    auto stepper = scene.make(step);
+    stepper->start();
+    for (int i = 0; i < 100; ++i) stepper->advance();
+    EXPECT_GT(scene.forces->links().broken_springs(), 10);
+    found.push_back(stepper->particles().velocity[1]);
+  }
+  parallel::set_threads(0);
+  EXPECT_EQ(found[0], found[1]);
+  EXPECT_EQ(found[0], found[2]);
 }
 
 }  // namespace
