@@ -281,7 +281,7 @@ class Results:
 
     @cached_property
     def square_snapshots(self):
-        """The same of a run of method rectangles: a quadrilateral for each element and support."""
+        """The same of a run of method rectangles: a polygon for each element and support."""
         return self._snapshots("rectangles")
 
     @property

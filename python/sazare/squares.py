@@ -8,18 +8,29 @@ from sazare import style
 
 MOST_GAUGES = 6
 MOST_PANELS = 4
-RECTANGLE, CIRCLE, WALL = 0, 1, 2
-FACES = ((1, 2), (2, 3), (3, 0), (0, 1))  # corners of the faces along +x, +y, -x, -y
+RECTANGLE, CIRCLE, WALL, POLYGON = 0, 1, 2, 3
+FACES = ((1, 2), (2, 3), (3, 0), (0, 1))  # corners of a rectangle's faces along +x, +y, -x, -y
 
 
 def _corners(grid):
-    """(n, 4, 2) corners of all outlines [m]."""
-    return np.asarray(grid.points)[:, :2].reshape(-1, 4, 2)
+    """(n, 2) corners of each outline [m]."""
+    return np.split(np.asarray(grid.points)[:, :2], np.asarray(grid.offset)[1:-1])
+
+
+def _cracks(corners, kind, broken):
+    """Ends of the faces that have broken; those of a polygon lead from its n-th corner to the next."""
+    cracks = []
+    for i in np.flatnonzero(broken):
+        count = len(corners[i])
+        faces = FACES if kind[i] == RECTANGLE else [(n, (n + 1) % count) for n in range(count)]
+        cracks += [corners[i][list(ends)] for face, ends in enumerate(faces) if broken[i] >> face & 1]
+    return cracks
 
 
 def _window(frames):
     """x and y limits that hold all elements of some frames, with a margin."""
-    points = np.concatenate([_corners(grid)[np.asarray(grid.cell_data["block"]) >= 0].reshape(-1, 2) for grid in frames])
+    points = np.concatenate([corners for grid in frames
+                             for corners, block in zip(_corners(grid), np.asarray(grid.cell_data["block"])) if block >= 0])
     lower, upper = points.min(axis=0), points.max(axis=0)
     margin = 0.06 * max(upper - lower)
     return lower - margin, upper + margin
@@ -30,18 +41,18 @@ def _draw(axes, grid, top):
     corners, kind = _corners(grid), np.asarray(grid.cell_data["kind"])
     moved = np.linalg.norm(np.asarray(grid.cell_data["displacement"]), axis=1)
     own = np.asarray(grid.cell_data["block"]) >= 0
-    squares = own & (kind == RECTANGLE)
-    edge = 0.5 if squares.sum() < 1500 else 0.0
-    drawn = axes.add_collection(PolyCollection(corners[squares], array=moved[squares], cmap=style.SPEED, edgecolors=style.INK,
-                                               linewidths=edge))
+    filled = own & ((kind == RECTANGLE) | (kind == POLYGON))
+    edge = 0.5 if filled.sum() < 1500 else 0.0
+    drawn = axes.add_collection(PolyCollection([corners[i] for i in np.flatnonzero(filled)], array=moved[filled], cmap=style.SPEED,
+                                               edgecolors=style.INK, linewidths=edge))
     drawn.set_clim(0.0, top)
-    broken = np.asarray(grid.cell_data["broken"])
-    cracks = [corners[i][list(FACES[face])] for face in range(4) for i in np.flatnonzero(broken >> face & 1)]
+    cracks = _cracks(corners, kind, np.asarray(grid.cell_data["broken"]))
     axes.add_collection(LineCollection(cracks, colors=style.ACCENT, linewidths=2.0))
     for i in np.flatnonzero(kind == CIRCLE):
         radius = 0.5 * np.linalg.norm(corners[i][1] - corners[i][0])
         axes.add_patch(Circle(corners[i].mean(axis=0), radius, facecolor=style.STONE, edgecolor=style.INK))
-    axes.add_collection(LineCollection(corners[kind == WALL][:, :2], colors=style.INK, linewidths=2.0))
+    walls = [corners[i][:2] for i in np.flatnonzero(kind == WALL)]
+    axes.add_collection(LineCollection(walls, colors=style.INK, linewidths=2.0))
     return drawn
 
 

@@ -4,6 +4,7 @@ import json
 import subprocess
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from sazare import squares
@@ -54,3 +55,31 @@ def test_manifest_names_the_figures(beam_run):
     results = json.loads((beam_run / "manifest.json").read_text())["results"]
     assert {"elements", "steps", "step", "predicted_limit", "broken_springs", "open_links", "peak_force_platen"} <= results.keys()
     assert abs(results["energy_residual"]) < 1e-3 * results["energy_work"]
+
+
+@pytest.fixture(scope="module")
+def packing_run(tmp_path_factory):
+    """The beam of irregular polygons, loaded fast so that it breaks soon."""
+    folder = tmp_path_factory.mktemp("packing") / "run"
+    settings = ["rollers.2.velocity=[0,-0.1,0]", "time.end=0.003", "time.snapshot_interval=1e-3"]
+    command = [PROGRAM, "run", ROOT / "cases/irregular-beam/case.toml", "--out", folder, "--quiet", "--threads", "1"]
+    subprocess.run([*command, *(word for setting in settings for word in ("--set", setting))], check=True, timeout=120)
+    return folder
+
+
+def test_snapshots_hold_polygons_that_fill_the_beam(packing_run):
+    grid = open_run(packing_run).square_snapshots[0].elements
+    kind = np.asarray(grid.cell_data["kind"])
+    assert (kind[:-3] == squares.POLYGON).all()
+    areas = [0.5 * abs(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))) for x, y in (c.T for c in squares._corners(grid))]
+    assert np.sum(np.array(areas)[kind == squares.POLYGON]) == pytest.approx(0.16 * 0.04, rel=1e-6)
+
+
+def test_cracks_of_polygons_are_shared_by_both_sides(packing_run):
+    """At the moment of breaking both faces of a facet still lie beside one another."""
+    grid = open_run(packing_run).square_snapshots[-1].elements
+    cracks = squares._cracks(squares._corners(grid), np.asarray(grid.cell_data["kind"]), np.asarray(grid.cell_data["broken"]))
+    assert cracks and len(cracks) % 2 == 0
+    lengths = np.sort([np.linalg.norm(ends[1] - ends[0]) for ends in cracks])
+    assert lengths[::2] == pytest.approx(lengths[1::2], abs=1e-6)
+    assert write_report(packing_run).exists()

@@ -1,12 +1,12 @@
 #include "sazare/cases/pressure_table.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <sstream>
 
 #include <fmt/format.h>
 
+#include "sazare/cases/csv_fields.hpp"
 #include "sazare/cases/number_text.hpp"
 
 namespace sazare::cases {
@@ -14,30 +14,6 @@ namespace {
 
 constexpr std::string_view header = "time [s],pressure [Pa]";
 constexpr int most_errors = 10;
-
-struct Field {
-  std::string_view text;
-  int column = 1;
-};
-
-Field trimmed(std::string_view line, std::size_t begin, std::size_t end) {
-  while (begin < end && (line[begin] == ' ' || line[begin] == '\t')) ++begin;
-  while (end > begin && (line[end - 1] == ' ' || line[end - 1] == '\t')) --end;
-  return {line.substr(begin, end - begin), static_cast<int>(begin) + 1};
-}
-
-std::vector<Field> split(std::string_view line) {
-  std::vector<Field> fields;
-  std::size_t begin = 0;
-  while (true) {
-    const std::size_t comma = line.find(',', begin);
-    if (comma == std::string_view::npos) break;
-    fields.push_back(trimmed(line, begin, comma));
-    begin = comma + 1;
-  }
-  fields.push_back(trimmed(line, begin, line.size()));
-  return fields;
-}
 
 class TableReader {
 public:
@@ -62,8 +38,7 @@ private:
   static std::string help_for_header() { return fmt::format("the first line is \"{}\"", header); }
 
   static bool is_header(std::string_view line) {
-    if (line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
-    const auto fields = split(line);
+    const auto fields = split(without_byte_order_mark(line));
     return fields.size() == 2 && fields[0].text == "time [s]" && fields[1].text == "pressure [Pa]";
   }
 
@@ -75,18 +50,9 @@ private:
   }
 
   bool read_number(int line, const Field& field, std::string_view name, Real& value) {
-    std::string_view text = field.text;
-    if (text.starts_with('+')) text.remove_prefix(1);
-    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (failure != std::errc{} || end != text.data() + text.size()) {
-      report(line, field, fmt::format("{}: a number was expected, found \"{}\"", name, field.text),
-             "write numbers such as 1.5e-4, without units");
-      return false;
-    }
-    if (std::isfinite(value)) return true;
-    report(line, field, fmt::format("{} must be a finite number, found {}", name, field.text),
-           "remove the row, or put in the number that was meant");
-    return false;
+    const NumberProblem problem = read_number_field(field, name, value);
+    if (!problem.what.empty()) report(line, field, problem.what, problem.help);
+    return problem.what.empty();
   }
 
   void read_row(int line, std::string_view text) {

@@ -6,7 +6,7 @@
 namespace sazare::cases {
 
 enum class BlockShape { rectangle, polygon, image };
-enum class ElementShape { squares, circles };
+enum class ElementShape { squares, circles, polygons };
 enum class SpringLayout { centres, ends };
 enum class IncrementFormula { small, exact };
 
@@ -14,13 +14,16 @@ struct SquareRules {
   Real thickness = 1;  // m
 };
 
-/// A block of squares on a lattice, or of one rectangle.
+/// A block of squares on a lattice, of one rectangle, or of polygons around nuclei.
 struct SquareBlock {
   std::string name;
   std::string material;
   BlockShape shape = BlockShape::rectangle;
   ElementShape elements = ElementShape::squares;
-  Real element_size = 0;                    // m; 0: the rectangle is one element
+  Real element_size = 0;                    // m; 0: the rectangle is one element, or the nuclei are given
+  std::filesystem::path nuclei;             // polygons
+  std::vector<std::array<Real, 2>> places;  // m, of the nuclei in the file
+  int seed = 1;                             // polygons without a file
   Vector3 lower = Vector3::Zero();          // m, rectangle and image
   Vector3 upper = Vector3::Zero();          // m, rectangle
   std::vector<std::array<Real, 2>> points;  // m, polygon
@@ -33,6 +36,8 @@ struct SquareMaterial {
   Real density = 0;           // kg/m3
   Real normal_stiffness = 0;  // Pa; these two, or the next two
   Real shear_stiffness = 0;   // Pa
+  Real youngs_modulus = 0;    // Pa; 0: the stiffnesses were given
+  Real poisson_ratio = 0;
   Real damping_ratio = 0;
   Real tensile_strength = 0;  // Pa
   Real cohesion = 0;          // Pa

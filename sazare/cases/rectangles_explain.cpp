@@ -24,8 +24,9 @@ std::string moves_text(const SupportMotion& moves) {
 std::string block_text(const SquareBlock& block) {
   const std::string_view shape = EnumWords<BlockShape>::words.at(static_cast<std::size_t>(block.shape));
   const std::string_view elements = EnumWords<ElementShape>::words.at(static_cast<std::size_t>(block.elements));
-  const std::string how =
-      block.element_size > 0 ? fmt::format("{} of {} m", elements, number(block.element_size)) : std::string("one element");
+  const std::string how = !block.nuclei.empty()    ? fmt::format("{} around {} nuclei", elements, block.places.size())
+                          : block.element_size > 0 ? fmt::format("{} of {} m", elements, number(block.element_size))
+                                                   : std::string("one element");
   return fmt::format("{}: {} of {}, {}", block.name, shape, block.material, how) +
          (block.angle != 0 ? fmt::format(", turned by {} deg", number(block.angle)) : "");
 }

@@ -12,7 +12,7 @@ struct EnumWords<BlockShape> {
 };
 template <>
 struct EnumWords<ElementShape> {
-  static constexpr std::array<std::string_view, 2> words{"squares", "circles"};
+  static constexpr std::array<std::string_view, 3> words{"squares", "circles", "polygons"};
 };
 template <>
 struct EnumWords<SpringLayout> {
@@ -35,6 +35,8 @@ void visit_fields(Visitor& visit, SquareBlock& block) {
   visit("shape", block.shape);
   visit("elements", block.elements);
   if (visit.has("element_size", block.element_size > 0)) visit("element_size", block.element_size);
+  if (visit.has("nuclei", !block.nuclei.empty())) visit("nuclei", block.nuclei);
+  if (block.elements == ElementShape::polygons && block.element_size > 0) visit("seed", block.seed);
   if (block.shape == BlockShape::polygon)
     visit("points", block.points);
   else
@@ -51,7 +53,7 @@ void visit_fields(Visitor& visit, SquareMaterial& material) {
   visit("name", material.name);
   visit("density", material.density);
   if (visit.has("youngs_modulus", false) && visit.has("poisson_ratio", false)) {
-    Real modulus = 0, ratio = 0;
+    Real &modulus = material.youngs_modulus, &ratio = material.poisson_ratio;
     visit("youngs_modulus", modulus);
     visit("poisson_ratio", ratio);
     material.normal_stiffness = (1 - ratio) * modulus / ((1 + ratio) * (1 - 2 * ratio));

@@ -6,7 +6,7 @@ namespace sazare::cases {
 namespace {
 
 constexpr std::array<std::string_view, 3> shapes{"rectangle", "polygon", "image"};
-constexpr std::array<std::string_view, 2> element_shapes{"squares", "circles"};
+constexpr std::array<std::string_view, 3> element_shapes{"squares", "circles", "polygons"};
 constexpr std::array<std::string_view, 2> layouts{"centres", "ends"};
 constexpr std::array<std::string_view, 2> increments{"small", "exact"};
 
@@ -28,19 +28,35 @@ constexpr std::array block_keys{
     Key{.name = "shape",
         .type = Type::choice,
         .default_text = "\"rectangle\"",
-        .sentence = "A rectangle, the squares whose centres lie inside a polygon, or the dark pixels of an image.",
+        .sentence = "A rectangle, a polygon (of which squares fill it whose centres lie inside; convex for polygons), or the "
+                    "dark pixels of an "
+                    "image.",
         .choices = shapes},
     Key{.name = "elements",
         .type = Type::choice,
         .default_text = "\"squares\"",
-        .sentence = "Squares, or the circles inside them: with springs = 1 the ordinary circular elements.",
+        .sentence = "Squares, the circles inside them (with springs = 1 the ordinary circular elements), or the polygons around "
+                    "irregular "
+                    "nuclei, always with increments \"exact\".",
         .choices = element_shapes},
     Key{.name = "element_size",
         .type = Type::number,
         .unit = "m",
         .range = positive,
-        .note = "required except for a rectangle, which is one element without it",
-        .sentence = "Side of the squares on the lattice; of an image, the side of a pixel."},
+        .note = "required except for a rectangle, which is one element without it; not with nuclei",
+        .sentence = "Side of the squares on the lattice; of an image, the side of a pixel; of polygons, the side of a square of "
+                    "their mean "
+                    "area."},
+    Key{.name = "nuclei",
+        .type = Type::file,
+        .note = "polygons only; not with element_size",
+        .sentence =
+            "Nuclei of polygons, from a CSV file with the first line \"x [m],y [m]\", inside the block before it is turned."},
+    Key{.name = "seed",
+        .type = Type::integer,
+        .range = {.low = 1, .high = 1000000},
+        .default_text = "1",
+        .sentence = "Which irregular nuclei are taken where no file gives them."},
     Key{.name = "lower",
         .type = Type::vector,
         .unit = "m",
@@ -92,12 +108,14 @@ constexpr std::array material_keys{
         .unit = "Pa",
         .range = positive,
         .note = two_stiffnesses,
-        .sentence = "Young's modulus, from which both stiffnesses follow as for a square lattice."},
+        .sentence =
+            "Young's modulus in plane strain, from which both stiffnesses follow: for squares as for a square lattice, for "
+            "polygons by the mean over all directions."},
     Key{.name = "poisson_ratio",
         .type = Type::number,
         .range = {.low = 0, .high = 0.5, .high_open = true},
         .note = two_stiffnesses,
-        .sentence = "Poisson's ratio."},
+        .sentence = "Poisson's ratio; below 0.25 for polygons."},
     Key{.name = "damping_ratio",
         .type = Type::number,
         .range = not_negative,
@@ -251,7 +269,8 @@ constexpr std::array time_keys{
 constexpr std::array tables{
     case_table,
     Table{"elements", false, Need::optional, "What all elements have in common.", element_keys},
-    Table{"blocks", true, Need::required, "Bodies of squares that are joined on a lattice, or of one rectangle.", block_keys},
+    Table{"blocks", true, Need::required, "Bodies of squares that are joined on a lattice, of polygons, or of one rectangle.",
+          block_keys},
     Table{"materials", true, Need::required, "What the blocks are made of.", material_keys},
     Table{"contact", false, Need::required, "Springs, dashpots and friction where elements meet that are not joined.",
           contact_keys},

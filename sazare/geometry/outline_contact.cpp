@@ -10,38 +10,42 @@ namespace {
 
 constexpr Real preference = 1e-9;  // of a half width: faces of equal overlap go to the first outline
 
-/// A face of an outline: from `centre` to both sides by `half` along `along`.
-struct Face {
-  Vector2 centre, normal, along;
-  Real half = 0;
-};
-
-int face_count(const Outline& outline) { return outline.kind == OutlineKind::wall ? 1 : 4; }
-
-Face face_of(const Outline& outline, int number) {
-  if (outline.kind == OutlineKind::wall) return {outline.centre, outline.other_axis(), outline.axis, outline.half_width};
-  const bool across = number % 2 == 0;
-  const Vector2 outward = (number < 2 ? 1 : -1) * (across ? outline.axis : outline.other_axis());
-  return {outline.centre + (across ? outline.half_width : outline.half_height) * outward, outward,
-          Vector2(-outward.y(), outward.x()), across ? outline.half_height : outline.half_width};
+Vector2 in_own_axes(const Outline& outline, const Vector2& direction) {
+  return {outline.axis.dot(direction), outline.other_axis().dot(direction)};
 }
 
 /// How far an outline reaches from its centre against a direction.
 Real reach(const Outline& outline, const Vector2& direction) {
+  if (outline.kind == OutlineKind::polygon) {
+    const Vector2 own = in_own_axes(outline, direction);
+    Real most = 0;  // the centre lies inside
+    for (const Vector2& corner : outline.corners) most = std::max(most, -corner.dot(own));
+    return most;
+  }
   return outline.half_width * std::abs(outline.axis.dot(direction)) +
          outline.half_height * std::abs(outline.other_axis().dot(direction));
+}
+
+/// Of a polygon: of the sides that end in the corner which lies lowest along a direction, the one that looks most against it.
+int opposite_side(const Outline& outline, const Vector2& direction) {
+  const Vector2 own = in_own_axes(outline, direction);
+  const std::size_t n = outline.corners.size();
+  std::size_t lowest = 0;
+  for (std::size_t i = 1; i < n; ++i)
+    if (outline.corners[i].dot(own) < outline.corners[lowest].dot(own)) lowest = i;
+  const Vector2 corner = outline.corners[lowest];
+  const Vector2 after = outline.corners[(lowest + 1) % n] - corner, before = outline.corners[(lowest + n - 1) % n] - corner;
+  const bool is_after = own.dot(after) * before.norm() <= own.dot(before) * after.norm();
+  return static_cast<int>(is_after ? lowest : (lowest + n - 1) % n);
 }
 
 /// The face that looks most against a direction.
 int opposite_face(const Outline& outline, const Vector2& direction) {
   if (outline.kind == OutlineKind::wall) return 0;
+  if (outline.kind == OutlineKind::polygon) return opposite_side(outline, direction);
   const Real x = -outline.axis.dot(direction), y = -outline.other_axis().dot(direction);
   if (std::abs(x) > std::abs(y)) return x > 0 ? 0 : 2;
   return y > 0 ? 1 : 3;
-}
-
-bool is_exposed(const Outline& outline, int face) {
-  return outline.kind == OutlineKind::wall || (outline.exposed >> face & 1) != 0;
 }
 
 struct Reference {
@@ -93,13 +97,13 @@ Overlap reversed(Overlap overlap) {
   return overlap;
 }
 
-Overlap rectangle_on_wall(const Outline& wall, const Outline& rectangle) {
-  const Reference reference = best_face(wall, rectangle);
+Overlap faces_on_wall(const Outline& wall, const Outline& other) {
+  const Reference reference = best_face(wall, other);
   if (reference.face < 0 || reference.distance > 0) return {};
-  return cut(face_of(wall, 0), face_of(rectangle, reference.opposite), std::min(rectangle.half_width, rectangle.half_height));
+  return cut(face_of(wall, 0), face_of(other, reference.opposite), std::min(other.half_width, other.half_height));
 }
 
-Overlap rectangles_overlap(const Outline& first, const Outline& second) {
+Overlap faces_overlap(const Outline& first, const Outline& second) {
   const Reference a = best_face(first, second);
   if (a.distance > 0) return {};
   const Reference b = best_face(second, first);
@@ -146,6 +150,34 @@ Overlap circle_on_rectangle(const Outline& rectangle, const Outline& circle) {
   return at_point(normal, circle.centre - (circle.half_width - 0.5 * depth) * normal, depth);
 }
 
+/// A circle and a polygon, the same: the side of which the centre stands farthest out, or an end of it.
+Overlap circle_on_polygon(const Outline& polygon, const Outline& circle) {
+  const int n = face_count(polygon);
+  int nearest = 0;
+  Face face = face_of(polygon, 0);
+  Real height = face.normal.dot(circle.centre - face.centre);
+  for (int number = 1; number < n; ++number) {
+    const Face next = face_of(polygon, number);
+    const Real beyond = next.normal.dot(circle.centre - next.centre);
+    if (beyond <= height) continue;
+    nearest = number;
+    face = next;
+    height = beyond;
+  }
+  const Real along = face.along.dot(circle.centre - face.centre), close = 1e-6 * circle.half_width;
+  if (height <= close || std::abs(along) <= face.half) {
+    if (!is_exposed(polygon, nearest)) return {};
+    const Real depth = circle.half_width - height;
+    return at_point(face.normal, circle.centre - (circle.half_width - 0.5 * depth) * face.normal, depth);
+  }
+  const int beside = (nearest + (along > 0 ? 1 : n - 1)) % n;
+  if (!is_exposed(polygon, nearest) || !is_exposed(polygon, beside)) return {};
+  const Vector2 corner = face.centre + std::copysign(face.half, along) * face.along;
+  const Real distance = (circle.centre - corner).norm(), depth = circle.half_width - distance;
+  const Vector2 normal = (circle.centre - corner) / distance;
+  return at_point(normal, corner - 0.5 * depth * normal, depth);
+}
+
 /// A circle and a wall; the normal points from the wall to the circle.
 Overlap circle_on_wall(const Outline& wall, const Outline& circle) {
   const Vector2 apart = circle.centre - wall.centre;
@@ -166,18 +198,46 @@ Overlap circles_overlap(const Outline& first, const Outline& second) {
 
 }  // namespace
 
+int face_count(const Outline& outline) {
+  if (outline.kind == OutlineKind::polygon) return static_cast<int>(outline.corners.size());
+  return outline.kind == OutlineKind::wall ? 1 : 4;
+}
+
+Face face_of(const Outline& outline, int number) {
+  if (outline.kind == OutlineKind::wall) return {outline.centre, outline.other_axis(), outline.axis, outline.half_width};
+  if (outline.kind == OutlineKind::polygon) {
+    const auto own = static_cast<std::size_t>(number);
+    const Vector2 &begin = outline.corners[own], &end = outline.corners[(own + 1) % outline.corners.size()];
+    const auto turned = [&](const Vector2& v) { return Vector2(v.x() * outline.axis + v.y() * outline.other_axis()); };
+    const Vector2 way = turned(end - begin), along = way.normalized();
+    return {outline.centre + turned(0.5 * (begin + end)), {along.y(), -along.x()}, along, 0.5 * way.norm()};
+  }
+  const bool across = number % 2 == 0;
+  const Vector2 outward = (number < 2 ? 1 : -1) * (across ? outline.axis : outline.other_axis());
+  return {outline.centre + (across ? outline.half_width : outline.half_height) * outward, outward,
+          Vector2(-outward.y(), outward.x()), across ? outline.half_height : outline.half_width};
+}
+
 Overlap overlap(const Outline& first, const Outline& second) {
   using enum OutlineKind;
   if (first.kind == wall && second.kind == wall) return {};
   if (first.kind == circle && second.kind == circle) return circles_overlap(first, second);
-  if (second.kind == circle) return first.kind == wall ? circle_on_wall(first, second) : circle_on_rectangle(first, second);
+  if (second.kind == circle)
+    return first.kind == wall      ? circle_on_wall(first, second)
+           : first.kind == polygon ? circle_on_polygon(first, second)
+                                   : circle_on_rectangle(first, second);
   if (first.kind == circle) return reversed(overlap(second, first));
-  if (first.kind == wall) return rectangle_on_wall(first, second);
-  if (second.kind == wall) return reversed(rectangle_on_wall(second, first));
-  return rectangles_overlap(first, second);
+  if (first.kind == wall) return faces_on_wall(first, second);
+  if (second.kind == wall) return reversed(faces_on_wall(second, first));
+  return faces_overlap(first, second);
 }
 
 Real outer_radius(const Outline& outline) {
+  if (outline.kind == OutlineKind::polygon) {
+    Real square = 0;
+    for (const Vector2& corner : outline.corners) square = std::max(square, corner.squaredNorm());
+    return std::sqrt(square);
+  }
   return outline.kind == OutlineKind::rectangle ? std::hypot(outline.half_width, outline.half_height) : outline.half_width;
 }
 

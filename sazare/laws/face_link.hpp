@@ -2,11 +2,11 @@
 
 /// Two straight faces joined by N springs and dashpots: the link of two pseudo-rectangle elements, or of an element and a wall.
 ///
-///     u(xi) = a + b xi                         displacement of the normal spring at xi, closing is positive [m]     (2.1),
-///     (14.1) v                                        displacement of the shear springs [m] (2.2), (14.2) P_i = K_n u(xi_i) +
-///     eta_n u'(xi_i)       force of a normal spring and its dashpot [N]                         (6.1), (7.1) Q_i = K_s v + eta_s
-///     v'                   force of a shear spring and its dashpot [N]                          (6.2), (7.2) xi_i = (2i - 1 -
-///     N)/N, or +-1            places of the springs over half of the face                          (13.1), (13.2)
+///     u(xi) = a + b xi                   displacement of the normal spring at xi, closing is positive [m]     (2.1), (14.1)
+///     v                                  displacement of the shear springs [m]                                (2.2), (14.2)
+///     P_i = K_n u(xi_i) + eta_n u'(xi_i) force of a normal spring and its dashpot [N]                         (6.1), (7.1)
+///     Q_i = K_s v + eta_s v'             force of a shear spring and its dashpot [N]                          (6.2), (7.2)
+///     xi_i = (2i - 1 - N)/N, or +-1      places of the springs over half of the face                          (13.1), (13.2)
 ///
 ///     n, s    from the first element to the second, and 90 degrees to the right of that
 ///     theta   rotation of an element since they were joined [rad]
@@ -15,6 +15,9 @@
 /// Formula `exact` (2), (3): n turns with the mean of both rotations, and with half of their difference d = (theta_1 - theta_2)/2
 ///
 ///     a = (r1 + r2) cos d - n.(x2 - x1),   b = 2 r sin d,   v = -s.(x2 - x1) + (r2 - r1) sin d
+///
+/// A face whose middle stands e1 and e2 along s beside the two centres, as in an irregular packing, adds (e1 + e2) sin d to a
+/// and (e1 - e2) cos d to v.
 ///
 /// Formula `small` (14), (15): n along the line of centres, D its length, l_i = D r_i/(r1 + r2)
 ///
@@ -56,6 +59,8 @@ struct FaceSprings {
   Real friction = 0;         ///< tan phi
   std::vector<Real> places;  ///< xi
 
+  static constexpr bool is_eccentric = false;
+
   /// The first element is a wall: its face goes through its centre, and n is its own.
   bool is_wall() const { return first_reach == 0; }
   Real count() const { return static_cast<Real>(places.size()); }
@@ -65,6 +70,21 @@ struct FaceSprings {
     for (const Real xi : places) sum += xi * xi;
     return sum;
   }
+};
+
+/// The face of one link of an irregular packing, of springs that have its own strengths; `T` is Real or Lanes.
+template <class T>
+struct Facet {
+  T first_reach{}, second_reach{};      ///< r1, r2 [m]
+  T first_shift{}, second_shift{};      ///< e1, e2 [m]
+  T half_face{};                        ///< r [m]
+  T normal{}, shear{};                  ///< K_n, K_s [N/m]
+  T normal_damping{}, shear_damping{};  ///< eta_n, eta_s [N s/m]
+  T tension_limit{}, cohesion_limit{};  ///< [N]
+  Real friction = 0;                    ///< tan phi
+
+  static constexpr bool is_eccentric = true;
+  static bool is_wall() { return false; }
 };
 
 /// (13.1) and (13.2).
@@ -98,10 +118,12 @@ struct FaceMotion {
   T first_arm{}, second_arm{};     ///< l_1, l_2 [m]
 };
 
-template <FaceFormula formula, class T>
-FaceMotion<T> face_motion(const FacePair<T>& pair, const FaceSprings& face) {
+/// `Face` is FaceSprings or Facet<T>, the latter with formula exact only.
+template <FaceFormula formula, class T, class Face>
+FaceMotion<T> face_motion(const FacePair<T>& pair, const Face& face) {
+  static_assert(formula == FaceFormula::exact || !Face::is_eccentric);
   FaceMotion<T> motion;
-  const Real reach = face.first_reach + face.second_reach;
+  const auto reach = face.first_reach + face.second_reach;
   if constexpr (formula == FaceFormula::exact) {
     const T x = 0.5 * (pair.first_axis[0] + pair.second_axis[0]), y = 0.5 * (pair.first_axis[1] + pair.second_axis[1]);
     const T cosine = square_root(x * x + y * y), inverse = 1.0 / cosine;
@@ -109,7 +131,7 @@ FaceMotion<T> face_motion(const FacePair<T>& pair, const FaceSprings& face) {
     motion.normal = {x * inverse, y * inverse};
     const T along = motion.normal[0] * pair.apart[0] + motion.normal[1] * pair.apart[1];
     const T across = motion.normal[1] * pair.apart[0] - motion.normal[0] * pair.apart[1];
-    const Real difference = face.second_reach - face.first_reach;
+    const auto difference = face.second_reach - face.first_reach;
     motion.closing = reach * cosine - along;
     motion.slope = 2 * face.half_face * sine;
     motion.shear = difference * sine - across;
@@ -118,6 +140,14 @@ FaceMotion<T> face_motion(const FacePair<T>& pair, const FaceSprings& face) {
     motion.arm = face.half_face * cosine;
     motion.first_arm = 0.5 * (along - difference * cosine);
     motion.second_arm = 0.5 * (along + difference * cosine);
+    if constexpr (Face::is_eccentric) {
+      const T sum = face.first_shift + face.second_shift, skew = face.first_shift - face.second_shift;
+      motion.closing += sum * sine;
+      motion.shear += skew * cosine;
+      motion.lag += 0.5 * sum * cosine;
+      motion.first_arm += 0.5 * skew * sine;
+      motion.second_arm -= 0.5 * skew * sine;
+    }
   } else {
     T distance = square_root(pair.apart[0] * pair.apart[0] + pair.apart[1] * pair.apart[1]);
     const T inverse = 1.0 / distance;
@@ -188,8 +218,9 @@ inline Real slip_loss(Real before, Real trial, Real after, Real stiffness) {
 }
 
 /// One spring at xi through (8) to (11): `shear` is v of formula exact.
-inline SpringForce advance_spring(SpringState& spring, const FaceSprings& face, FaceFormula formula,
-                                  const FaceMotion<Real>& motion, Real xi, Real elapsed) {
+template <class Face>
+SpringForce advance_spring(SpringState& spring, const Face& face, FaceFormula formula, const FaceMotion<Real>& motion, Real xi,
+                           Real elapsed) {
   const Real closing = motion.closing + motion.slope * xi, rate = motion.closing_rate + motion.slope_rate * xi;
   const auto rest = [&](Real elastic) { spring.slip = formula == FaceFormula::exact ? motion.shear - elastic : elastic; };
   SpringForce result;

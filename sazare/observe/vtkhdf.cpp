@@ -30,7 +30,8 @@ void write_cells(Hdf5Writer& out, const Grid& grid, std::size_t cells) {
   std::vector<std::int64_t> numbers(grid.connectivity.begin(), grid.connectivity.end());
   out.write("/VTKHDF/Connectivity", std::span<const std::int64_t>(numbers));
   numbers.resize(cells + 1);
-  for (std::size_t i = 0; i <= cells; ++i) numbers[i] = static_cast<std::int64_t>(i * corners);
+  for (std::size_t i = 0; i <= cells; ++i)
+    numbers[i] = grid.cell != Grid::Cell::polygon ? static_cast<std::int64_t>(i * corners) : i == 0 ? 0 : grid.ends[i - 1];
   out.write("/VTKHDF/Offsets", std::span<const std::int64_t>(numbers));
   const std::vector<std::uint8_t> types(cells, static_cast<std::uint8_t>(grid.cell));
   out.write("/VTKHDF/Types", std::span<const std::uint8_t>(types));
@@ -52,7 +53,8 @@ void write_cell_data(Hdf5Writer& out, const CellData& data, std::size_t cells) {
 }  // namespace
 
 void write_vtkhdf(const fs::path& file, const Grid& grid, Sync sync) {
-  const std::size_t cells = grid.connectivity.size() / corners_of(grid.cell);
+  const std::size_t cells =
+      grid.cell == Grid::Cell::polygon ? grid.ends.size() : grid.connectivity.size() / corners_of(grid.cell);
   Hdf5Writer out(file);
   out.make_group("/VTKHDF");
   out.set_attribute("/VTKHDF", "Version", std::vector<std::int64_t>{1, 0});

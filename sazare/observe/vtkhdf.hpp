@@ -20,16 +20,17 @@ struct CellData {
   std::variant<std::span<const Real>, std::span<const std::int32_t>> values;
 };
 
-/// A grid of equal cells, as views on the caller's memory.
+/// A grid of cells of one type, as views on the caller's memory.
 struct Grid {
   /// Cell types by VTK's numbers.
-  enum class Cell : std::uint8_t { vertex = 1, triangle = 5, quadrilateral = 9, tetrahedron = 10 };
+  enum class Cell : std::uint8_t { vertex = 1, triangle = 5, polygon = 7, tetrahedron = 10 };
 
   Cell cell = Cell::tetrahedron;
   std::span<const Vector3> points;             ///< positions [m], (n, 3)
-  std::span<const std::int32_t> connectivity;  ///< point indices, (cells, corners)
+  std::span<const std::int32_t> connectivity;  ///< point indices, (cells, corners); of polygons one after the other
   std::vector<CellData> cell_data;
-  Real time = 0;  ///< [s]
+  Real time = 0;                            ///< [s]
+  std::span<const std::int64_t> ends = {};  ///< of polygons: where each ends in the connectivity
 };
 
 /// Writes a VTKHDF file (version 1.0, UnstructuredGrid), which ParaView 5.11 and newer and pyvista open; the

@@ -8,8 +8,11 @@
 #include <numbers>
 #include <tuple>
 
+#include "sazare/cases/nuclei_file.hpp"
 #include "sazare/cases/number_text.hpp"
 #include "sazare/core/error.hpp"
+#include "sazare/geometry/voronoi.hpp"
+#include "sazare/methods/rectangles/packing.hpp"
 #include "sazare/runs/grey_image.hpp"
 #include "sazare/runs/motion_of_case.hpp"
 
@@ -71,6 +74,7 @@ private:
 
   void add_block(std::size_t number) {
     const cases::SquareBlock& block = case_.blocks[number];
+    if (block.elements == cases::ElementShape::polygons) return add_packing(number, block);
     if (block.shape == BlockShape::rectangle && !(block.element_size > 0)) return add_single(block);
     const auto [corner, lattice] = lattice_of(number, block);
     if (lattice.empty())
@@ -95,6 +99,45 @@ private:
         if (next != element.end() && lattice.at(next->first) == lattice.at(site))
           result_.parts.links.push_back({own, next->second, along, kind, 0});
       }
+  }
+
+  /// Polygons around nuclei, which a file gives or chance.
+  void add_packing(std::size_t number, const cases::SquareBlock& block) {
+    const std::vector<Vector2> outline = cases::outline_of(block);
+    const Index material = material_of(block);
+    const Real density = densities_[static_cast<std::size_t>(material)];
+    const auto packing = methods::rectangles::pack(nuclei_of(block, outline), outline, density * case_.elements.thickness);
+    Vector2 corner = outline.front();
+    for (const Vector2& point : outline) corner = corner.cwiseMin(point);
+    const Real angle = radians(block.angle);
+    const Vector2 axis(std::cos(angle), std::sin(angle)), other(-axis.y(), axis.x());
+    const auto begin = static_cast<Index>(places_.size());
+    for (std::size_t i = 0; i < packing.centres.size(); ++i) {
+      if (packing.corners[i].size() > geometry::most_faces)
+        refuse(file_, fmt::format("blocks.{}.nuclei", number),
+               fmt::format("a nucleus of the block \"{}\" has {} neighbours, more than {}", block.name, packing.corners[i].size(),
+                           geometry::most_faces),
+               "spread the nuclei more evenly");
+      const Vector2 way = packing.centres[i] - corner;
+      result_.parts.outlines.add_polygon(packing.corners[i], packing.outside[i], blocks_);
+      places_.push_back({corner + way.x() * axis + way.y() * other, angle, density});
+    }
+    ++blocks_;
+    const Index kind = kind_of(material, OutlineKind::polygon, 0);
+    for (methods::rectangles::FacetLink facet : packing.facets) {
+      facet.first += begin;
+      facet.second += begin;
+      facet.kind = kind;
+      result_.parts.facets.push_back(facet);
+    }
+  }
+
+  static std::vector<Vector2> nuclei_of(const cases::SquareBlock& block, const std::vector<Vector2>& outline) {
+    if (block.nuclei.empty()) return geometry::scatter_nuclei(outline, block.element_size, block.seed);
+    std::vector<Vector2> nuclei;
+    for (const auto& place : block.places) nuclei.emplace_back(place[0], place[1]);
+    geometry::sort_along_curve(nuclei, std::sqrt(geometry::measure(outline).area / static_cast<Real>(nuclei.size())));
+    return nuclei;
   }
 
   void add_single(const cases::SquareBlock& block) {
@@ -142,21 +185,25 @@ private:
     }
   }
 
-  /// The springs of a material's faces of this half length; (6.3), (6.4), (7.3), (7.4), (8), (11).
+  /// The springs of a material's faces of this half length; (6.3), (6.4), (7.3), (7.4), (8), (11). Of polygons those of the facet
+  /// that FacetLink refers to.
   Index kind_of(Index material, OutlineKind outline, Real half) {
     const auto [found, is_new] = kinds_.try_emplace({material, outline, half}, static_cast<Index>(result_.parts.kinds.size()));
     if (!is_new) return found->second;
     const cases::SquareMaterial& of = case_.materials[static_cast<std::size_t>(material)];
+    const bool polygon = outline == OutlineKind::polygon;
     FaceKind kind;
-    kind.formula = of.increments == cases::IncrementFormula::small ? laws::FaceFormula::small : laws::FaceFormula::exact;
+    kind.formula =
+        of.increments == cases::IncrementFormula::small && !polygon ? laws::FaceFormula::small : laws::FaceFormula::exact;
     laws::FaceSprings& springs = kind.springs;
     springs.places = laws::spring_places(static_cast<laws::SpringPlaces>(of.layout), of.springs);
-    const Real count = springs.count(), area = 2 * half * case_.elements.thickness;
-    const Real mass = (outline == OutlineKind::circle ? std::numbers::pi / 4 : 1) * 2 * half * area * of.density;
-    springs.first_reach = springs.second_reach = springs.half_face = half;
-    springs.normal = of.normal_stiffness * area / (2 * half * count);
-    springs.shear = of.shear_stiffness * area / (2 * half * count);
-    springs.normal_damping = 2 * of.damping_ratio * std::sqrt(springs.normal * count * mass / 2) / count;
+    const Real half_face = polygon ? 1 : half, distance = polygon ? 1 : 2 * half;
+    const Real count = springs.count(), area = 2 * half_face * case_.elements.thickness;
+    const Real mass = (outline == OutlineKind::circle ? std::numbers::pi / 4 : 1) * distance * area * of.density;
+    springs.first_reach = springs.second_reach = springs.half_face = half_face;
+    springs.normal = of.normal_stiffness * area / (distance * count);
+    springs.shear = of.shear_stiffness * area / (distance * count);
+    springs.normal_damping = 2 * of.damping_ratio * std::sqrt(springs.normal * count * (polygon ? 1 : mass / 2)) / count;
     springs.shear_damping = springs.normal_damping * std::sqrt(springs.shear / springs.normal);
     springs.tension_limit = of.tensile_strength * area / count;
     springs.cohesion_limit = of.cohesion * area / count;

@@ -23,9 +23,21 @@ Vector3 vector_of(const auto& columns, std::size_t i) { return {columns[0][i], c
 bool is_inside(const geometry::Outline& outline, const Vector2& point) {
   const Vector2 apart = point - outline.centre;
   constexpr Real edge = 1 + 1e-9;
+  if (outline.kind == OutlineKind::polygon)
+    return geometry::holds(outline.corners, {outline.axis.dot(apart), outline.other_axis().dot(apart)},
+                           (1 - edge) * outline.half_width);
   return std::abs(outline.axis.dot(apart)) <= edge * outline.half_width &&
          std::abs(outline.other_axis().dot(apart)) <= edge * outline.half_height;
 }
+
+/// From its centre, in its own axes, counter-clockwise.
+std::vector<Vector2> corners_of(const geometry::Outline& outline) {
+  if (outline.kind == OutlineKind::polygon) return {outline.corners.begin(), outline.corners.end()};
+  const Real x = outline.half_width, y = outline.half_height;
+  return {{-x, -y}, {x, -y}, {x, y}, {-x, y}};
+}
+
+std::int32_t face_bit(int face) { return static_cast<std::int32_t>(1U << face); }
 
 std::vector<std::string> support_names(const cases::RectanglesCase& rectangles) {
   std::vector<std::string> names;
@@ -193,7 +205,8 @@ void RectanglesRecord::add_gauges(Real time, const state::FreedomColumns<2>& vel
   gauges_->add_row(row);
 }
 
-/// A quadrilateral for each outline, a wall without height; `broken` are the faces whose link has lost a spring, as bits.
+/// A polygon for each outline, a circle as the square about it, a wall without height; `broken` are the faces whose link has lost
+/// a spring, as bits: of a polygon from its n-th point to the next.
 void RectanglesRecord::write_snapshot(Real time, const state::FreedomColumns<2>& velocity) {
   const auto& particles = model_->stepper->particles();
   const auto& outlines = model_->forces->outlines();
@@ -201,14 +214,15 @@ void RectanglesRecord::write_snapshot(Real time, const state::FreedomColumns<2>&
   std::vector<Vector3> corners, displacement, speed;
   std::vector<std::int32_t> connectivity, block, kind, broken(outlines.size(), 0);
   std::vector<Real> rotation;
+  std::vector<std::int64_t> ends;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     const geometry::Outline outline = outlines.at(particles, i);
-    for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
-      const Vector2 corner =
-          outline.centre + x * outline.half_width * outline.axis + y * outline.half_height * outline.other_axis();
+    for (const Vector2& own : corners_of(outline)) {
+      const Vector2 corner = outline.centre + own.x() * outline.axis + own.y() * outline.other_axis();
       connectivity.push_back(static_cast<std::int32_t>(corners.size()));
       corners.emplace_back(corner.x(), corner.y(), 0);
     }
+    ends.push_back(static_cast<std::int64_t>(corners.size()));
     displacement.push_back(vector_of(particles.displacement, i));
     speed.push_back(vector_of(velocity, i));
     rotation.push_back(particles.angle[i]);
@@ -217,8 +231,8 @@ void RectanglesRecord::write_snapshot(Real time, const state::FreedomColumns<2>&
   }
   for (Index number = 0; number < links.count(); ++number) {
     if (!links.has_broken(number)) continue;
-    broken[static_cast<std::size_t>(links.link(number).first)] |= 1 << links.link(number).axis;
-    broken[static_cast<std::size_t>(links.link(number).second)] |= 4 << links.link(number).axis;
+    broken[static_cast<std::size_t>(links.link(number).first)] |= face_bit(links.first_face(number));
+    broken[static_cast<std::size_t>(links.link(number).second)] |= face_bit(links.second_face(number));
   }
   const auto of_vectors = [](const std::string& name, const std::vector<Vector3>& values) {
     return observe::CellData{name, 3, std::span<const Real>(values.empty() ? nullptr : values.front().data(), 3 * values.size())};
@@ -226,7 +240,7 @@ void RectanglesRecord::write_snapshot(Real time, const state::FreedomColumns<2>&
   const auto of_integers = [](const std::string& name, const std::vector<std::int32_t>& values) {
     return observe::CellData{name, 1, std::span<const std::int32_t>(values)};
   };
-  snapshots_.write({observe::Grid::Cell::quadrilateral,
+  snapshots_.write({observe::Grid::Cell::polygon,
                     corners,
                     connectivity,
                     {of_vectors("displacement", displacement),
@@ -235,7 +249,8 @@ void RectanglesRecord::write_snapshot(Real time, const state::FreedomColumns<2>&
                      of_integers("block", block),
                      of_integers("kind", kind),
                      of_integers("broken", broken)},
-                    time});
+                    time,
+                    ends});
 }
 
 void RectanglesRecord::flush(bool to_disk) {

@@ -8,6 +8,7 @@
 
 #include "sazare/cases/number_text.hpp"
 #include "sazare/core/error.hpp"
+#include "sazare/core/random.hpp"
 #include "sazare/neighbors/sphere_grid.hpp"
 #include "sazare/neighbors/sphere_pairs.hpp"
 #include "sazare/runs/clump_shape.hpp"
@@ -23,19 +24,6 @@ using geometry::Ball;
 
 constexpr int most_tries = 2000;  // for a place of a random sphere
 constexpr std::size_t most_listed = 4;
-
-/// The same numbers on every machine.
-class Random {
-public:
-  explicit Random(int seed) : state_(static_cast<std::uint64_t>(seed) * 0x9E3779B97F4A7C15ULL) {}
-  Real between(Real low, Real high) {
-    state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
-    return low + (high - low) * static_cast<Real>(state_ >> 11) / 9007199254740992.0;
-  }
-
-private:
-  std::uint64_t state_;
-};
 
 std::vector<Ball> lattice(const SphereGroup& group) {
   const Real spacing = group.spacing.value_or(2 * group.radius);

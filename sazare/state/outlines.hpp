@@ -1,10 +1,12 @@
 #pragma once
 
-/// Shapes of the elements of method rectangles, as columns beside their motion in Particles<2>: rectangles and circles that
-/// move, and the supports after them, walls and circles that stand or are moved.
+/// Shapes of the elements of method rectangles, as columns beside their motion in Particles<2>: rectangles, polygons and circles
+/// that move, and the supports after them, walls and circles that stand or are moved.
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "sazare/geometry/outline_contact.hpp"
@@ -14,9 +16,11 @@ namespace sazare::state {
 
 struct Outlines {
   std::vector<geometry::OutlineKind> kind;
-  Column half_width, half_height;     ///< [m]; of a circle its radius
-  std::vector<std::uint8_t> exposed;  ///< faces that no joined neighbour covers
-  std::vector<Index> block;           ///< of which it is a part; -1 for supports
+  Column half_width, half_height;                       ///< [m]; of a circle its radius
+  std::vector<geometry::Faces> exposed;                 ///< faces that no joined neighbour covers
+  std::vector<Index> block;                             ///< of which it is a part; -1 for supports
+  std::vector<geometry::Vector2> corners;               ///< of all polygons, see geometry::Outline [m]
+  std::vector<std::array<std::size_t, 2>> own_corners;  ///< by element: where its own begin and end
 
   std::size_t size() const { return kind.size(); }
 
@@ -26,6 +30,20 @@ struct Outlines {
     half_height.push_back(height);
     exposed.push_back(geometry::all_faces);
     block.push_back(of_block);
+    own_corners.push_back({corners.size(), corners.size()});
+  }
+
+  /// A convex polygon by its corners from its centre, in its own axes; `faces` are those on the outside of its block.
+  void add_polygon(std::span<const geometry::Vector2> own, geometry::Faces faces, Index of_block) {
+    const Real half = 0.5 * std::sqrt(geometry::measure(own).area);
+    add(geometry::OutlineKind::polygon, half, half, of_block);
+    exposed.back() = faces;
+    corners.insert(corners.end(), own.begin(), own.end());
+    own_corners.back()[1] = corners.size();
+  }
+
+  std::span<const geometry::Vector2> corners_of(std::size_t i) const {
+    return std::span(corners).subspan(own_corners[i][0], own_corners[i][1] - own_corners[i][0]);
   }
 
   geometry::Outline at(const Particles<2>& particles, std::size_t i) const {
@@ -34,7 +52,8 @@ struct Outlines {
             {particles.position(0, i), particles.position(1, i)},
             {particles.rotation[0][i], particles.rotation[1][i]},
             half_width[i],
-            half_height[i]};
+            half_height[i],
+            corners_of(i)};
   }
 
   /// Half of the side of the square of equal area, the radius of a circle, 0 of a wall [m]: the r of the springs.
@@ -50,6 +69,10 @@ struct Outlines {
 
   /// Moment of inertia over mass [m2]; (17), (18).
   Real gyration_square(std::size_t i) const {
+    if (kind[i] == geometry::OutlineKind::polygon) {
+      const geometry::PolygonMeasures found = geometry::measure(corners_of(i));
+      return found.second_moment / found.area;
+    }
     const Real square = half_width[i] * half_width[i] + half_height[i] * half_height[i];
     return kind[i] == geometry::OutlineKind::circle ? square / 4 : square / 3;
   }

@@ -23,6 +23,21 @@ Index Scene::add_lattice(int columns, int rows, Real radius, const Vector2& corn
   return begin;
 }
 
+Index Scene::add_packing(const methods::rectangles::Packing& packing, Index kind, Index block) {
+  const auto begin = static_cast<Index>(elements_.size());
+  for (std::size_t i = 0; i < packing.centres.size(); ++i) {
+    parts_.outlines.add_polygon(packing.corners[i], packing.outside[i], block);
+    elements_.push_back({packing.centres[i], 0, false});
+  }
+  for (methods::rectangles::FacetLink facet : packing.facets) {
+    facet.first += begin;
+    facet.second += begin;
+    facet.kind = kind;
+    parts_.facets.push_back(facet);
+  }
+  return begin;
+}
+
 Index Scene::add_wall(const Vector2& from, const Vector2& to) {
   const Vector2 way = to - from;
   const Index own = add(OutlineKind::wall, 0.5 * (from + to), 0.5 * way.norm(), 0, std::atan2(way.y(), way.x()), -1);
@@ -75,6 +90,17 @@ methods::rectangles::FaceKind square_faces(Real radius, Real normal, Real shear,
   springs.tension_limit = springs.cohesion_limit = 1e300;
   springs.places = laws::spring_places(laws::SpringPlaces::centres, count);
   return {springs, formula};
+}
+
+methods::rectangles::FaceKind facets_of(Real normal, Real shear, int count, Real strength, Real damping_ratio, Real thickness) {
+  laws::FaceSprings springs;
+  springs.normal = 2 * thickness * normal / count;
+  springs.shear = 2 * thickness * shear / count;
+  springs.normal_damping = 2 * damping_ratio * std::sqrt(2 * thickness * normal) / count;
+  springs.shear_damping = springs.normal_damping * std::sqrt(shear / normal);
+  springs.tension_limit = springs.cohesion_limit = 2 * thickness * strength / count;
+  springs.places = laws::spring_places(laws::SpringPlaces::centres, count);
+  return {springs, laws::FaceFormula::exact};
 }
 
 }  // namespace sazare::test

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "sazare/engine/uniform_stepper.hpp"
+#include "sazare/methods/rectangles/packing.hpp"
 #include "sazare/methods/rectangles/rectangle_forces.hpp"
 
 namespace sazare::test {
@@ -26,6 +27,9 @@ public:
 
   /// Squares of one kind of link, columns x rows, from a lower corner; the first is at that corner, rows follow.
   Index add_lattice(int columns, int rows, Real radius, const Vector2& corner, Index kind, Index block = 0);
+
+  /// Elements and facets of an irregular packing; the first element is the nucleus that came first.
+  Index add_packing(const methods::rectangles::Packing& packing, Index kind, Index block = 0);
 
   void link(Index first, Index second, int axis, Index kind, Real slip = 0) {
     parts_.links.push_back({first, second, axis, kind, slip});
@@ -59,5 +63,9 @@ private:
 methods::rectangles::FaceKind square_faces(Real radius, Real normal, Real shear, int count = 3,
                                            laws::FaceFormula formula = laws::FaceFormula::small, Real damping_ratio = 0,
                                            Real mass = 1);
+
+/// Springs of facets: stiffnesses [Pa], number, strengths over area [Pa].
+methods::rectangles::FaceKind facets_of(Real normal, Real shear, int count = 3, Real strength = 1e300, Real damping_ratio = 0,
+                                        Real thickness = 1);
 
 }  // namespace sazare::test

@@ -23,19 +23,19 @@ bool may_touch(const state::Outlines& outlines, std::size_t i) {
   return outlines.block[i] < 0 || outlines.kind[i] == OutlineKind::circle || outlines.exposed[i] != 0;
 }
 
-/// Whether two elements of a block hold together, side by side or round a corner.
+/// Whether two elements of a block hold together, side by side or round a corner. What was joined side by side and is open does
+/// not: the sides of a crack that ends beside a third element press on one another.
 bool are_joined(const FaceLinks& links, Index one, Index other) {
-  for (int face = 0; face < 4; ++face) {
-    const Index link = links.at_face(one, face);
-    if (link == FaceLinks::none) continue;
-    const Index beside = face < 2 ? links.link(link).second : links.link(link).first;
-    if (beside == other) return true;
-    for (int next = 0; next < 4; ++next) {
-      const Index further = links.at_face(beside, next);
-      if (further != FaceLinks::none && (next < 2 ? links.link(further).second : links.link(further).first) == other) return true;
-    }
-  }
-  return false;
+  bool joined = false, was_joined = false, round_corner = false;
+  links.visit_links(one, [&](Index link, Index beside) {
+    if (beside == other) was_joined = true;
+    if (links.is_open(link)) return;
+    if (beside == other) joined = true;
+    links.visit_links(beside, [&](Index further, Index next) {
+      if (next == other && !links.is_open(further)) round_corner = true;
+    });
+  });
+  return joined || (round_corner && !was_joined);
 }
 
 }  // namespace

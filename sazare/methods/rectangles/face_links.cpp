@@ -38,9 +38,10 @@ private:
   }
 };
 
-template <FaceFormula formula, class T>
-laws::FacePair<T> pair_of(const state::Particles<2>& particles, const Reader<T>& reader, const std::array<T, 2>& rest, int axis,
-                          bool is_wall) {
+/// `turned` makes of an element's rotation (cosine and sine) the direction n that it has turned.
+template <FaceFormula formula, class T, class Turned>
+laws::FacePair<T> pair_of(const state::Particles<2>& particles, const Reader<T>& reader, const std::array<T, 2>& rest,
+                          const Turned& turned, bool is_wall) {
   laws::FacePair<T> pair;
   for (std::size_t i = 0; i < 2; ++i) {
     pair.apart[i] = rest[i] + (reader.of_second(particles.displacement[i]) - reader.of_first(particles.displacement[i]));
@@ -51,34 +52,75 @@ laws::FacePair<T> pair_of(const state::Particles<2>& particles, const Reader<T>&
   pair.spin_difference = first_spin - second_spin;
   if constexpr (formula != FaceFormula::exact) pair.turn = reader.of_first(particles.angle) - reader.of_second(particles.angle);
   if (formula == FaceFormula::exact || is_wall) {
-    const T c1 = reader.of_first(particles.rotation[0]), s1 = reader.of_first(particles.rotation[1]);
-    const T c2 = reader.of_second(particles.rotation[0]), s2 = reader.of_second(particles.rotation[1]);
-    if (axis == 0) {
-      pair.first_axis = {c1, s1};
-      pair.second_axis = {c2, s2};
-    } else {
-      pair.first_axis = {-s1, c1};
-      pair.second_axis = {-s2, c2};
-    }
+    pair.first_axis = turned(reader.of_first(particles.rotation[0]), reader.of_first(particles.rotation[1]));
+    pair.second_axis = turned(reader.of_second(particles.rotation[0]), reader.of_second(particles.rotation[1]));
   }
   return pair;
 }
 
 }  // namespace
 
-FaceLinks::FaceLinks(const state::Particles<2>& particles, std::vector<FaceKind> kinds, std::vector<FaceLink> links)
-    : kinds_(std::move(kinds)) {
-  std::map<std::pair<Index, int>, std::vector<FaceLink>> sorted;
-  for (const FaceLink& link : links) sorted[{link.kind, link.axis}].push_back(link);
-  for (auto& [key, list] : sorted) {
-    Group group{key.first, key.second, links_.size(), 0};
-    links_.insert(links_.end(), list.begin(), list.end());
-    active_.resize(links_.size(), 1);
-    while (links_.size() % lane_count != 0) links_.push_back({0, 0, key.second, key.first, 0});
-    active_.resize(links_.size(), 0);
-    group.end = links_.size();
-    groups_.push_back(group);
+/// Faces of a group of a lattice: all the same.
+struct FaceLinks::LatticeFaces {
+  const laws::FaceSprings& springs;
+  int axis = 0;
+
+  template <class T>
+  const laws::FaceSprings& at(std::size_t) const {
+    return springs;
   }
+  template <class T>
+  auto turned_by(std::size_t) const {
+    return [this](const T& c, const T& s) { return axis == 0 ? std::array<T, 2>{c, s} : std::array<T, 2>{-s, c}; };
+  }
+};
+
+/// Faces of a group of a packing.
+struct FaceLinks::PackingFaces {
+  const FacetColumns& columns;
+  const laws::FaceSprings& kind;
+  std::size_t begin = 0;  ///< link of the first facet
+
+  template <class T>
+  laws::Facet<T> at(std::size_t link) const {
+    const std::size_t i = link - begin;
+    const T half_face = load<T>(columns.half_face, i), stiffness = load<T>(columns.stiffness, i);
+    const T damping = load<T>(columns.damping, i);
+    return {load<T>(columns.first_reach, i),
+            load<T>(columns.second_reach, i),
+            load<T>(columns.first_shift, i),
+            load<T>(columns.second_shift, i),
+            half_face,
+            kind.normal * stiffness,
+            kind.shear * stiffness,
+            kind.normal_damping * damping,
+            kind.shear_damping * damping,
+            kind.tension_limit * half_face,
+            kind.cohesion_limit * half_face,
+            kind.friction};
+  }
+  template <class T>
+  auto turned_by(std::size_t link) const {
+    const T x = load<T>(columns.direction[0], link - begin), y = load<T>(columns.direction[1], link - begin);
+    return [x, y](const T& c, const T& s) { return std::array<T, 2>{c * x - s * y, s * x + c * y}; };
+  }
+
+private:
+  template <class T>
+  static T load(const state::Column& column, std::size_t i) {
+    if constexpr (std::is_same_v<T, Real>)
+      return column[i];
+    else
+      return load_lanes(&column[i]);
+  }
+};
+
+FaceLinks::FaceLinks(const state::Particles<2>& particles, std::vector<FaceKind> kinds, std::vector<FaceLink> links,
+                     std::vector<FacetLink> facets)
+    : kinds_(std::move(kinds)) {
+  add_lattice(links);
+  lattice_end_ = links_.size();
+  add_facets(facets);
   const std::size_t n = links_.size();
   for (const FaceLink& link : links_) {
     first_.push_back(link.first);
@@ -94,21 +136,35 @@ FaceLinks::FaceLinks(const state::Particles<2>& particles, std::vector<FaceKind>
   yields_.assign(n, 0);
   open_.assign(n, 0);
   damaged_of_.assign(n, none);
-  make_face_table(particles.padded());
+  if (lattice_end_ > 0) make_face_table(particles.padded());
+  if (lattice_end_ < n) make_facet_table(particles.padded());
+}
+
+void FaceLinks::add_lattice(const std::vector<FaceLink>& links) {
+  std::map<std::pair<Index, int>, std::vector<FaceLink>> sorted;
+  for (const FaceLink& link : links) sorted[{link.kind, link.axis}].push_back(link);
+  for (auto& [key, list] : sorted) {
+    const std::size_t begin = links_.size();
+    links_.insert(links_.end(), list.begin(), list.end());
+    pad(key.first, key.second, begin);
+  }
+}
+
+/// Fills the lanes of a group that begins here.
+void FaceLinks::pad(Index kind, int axis, std::size_t begin) {
+  active_.resize(links_.size(), 1);
+  while (links_.size() % lane_count != 0) links_.push_back({0, 0, axis, kind, 0});
+  active_.resize(links_.size(), 0);
+  groups_.push_back({kind, axis, begin, links_.size()});
 }
 
 void FaceLinks::make_face_table(std::size_t elements) {
   for (auto& column : face_) column.assign(elements, count());
   for (std::size_t i = 0; i < links_.size(); ++i) {
-    if (active_[i] == 0) continue;
+    if (is_padding(static_cast<Index>(i)) || is_facet(i)) continue;
     face_[at(links_[i].axis)][at(links_[i].first)] = static_cast<Index>(i);
     face_[at(links_[i].axis + 2)][at(links_[i].second)] = static_cast<Index>(i);
   }
-}
-
-Index FaceLinks::at_face(Index element, int face) const {
-  const Index number = face_[at(face)][at(element)];
-  return number == count() || is_open(number) ? none : number;
 }
 
 bool FaceLinks::has_broken(Index number) const {
@@ -122,27 +178,30 @@ bool FaceLinks::has_broken(Index number) const {
 void FaceLinks::evaluate(const state::Particles<2>& particles, Real elapsed) {
   opened_.clear();
   bool any_yields = false;
-  for (const Group& group : groups_) {
-    switch (kinds_[at(group.kind)].formula) {
-      case FaceFormula::exact:
-        any_yields |= evaluate_whole<FaceFormula::exact>(particles, group, elapsed);
-        break;
-      case FaceFormula::small:
-        any_yields |= evaluate_whole<FaceFormula::small>(particles, group, elapsed);
-        break;
-      case FaceFormula::older:
-        any_yields |= evaluate_whole<FaceFormula::older>(particles, group, elapsed);
-        break;
-    }
-  }
+  for (const Group& group : groups_) any_yields |= evaluate_whole(particles, group, elapsed);
   if (any_yields) damage_those_that_yield();
   evaluate_damaged(particles, elapsed);
 }
 
-template <FaceFormula formula>
 bool FaceLinks::evaluate_whole(const state::Particles<2>& particles, const Group& group, Real elapsed) {
-  const laws::FaceSprings& springs = kinds_[at(group.kind)].springs;
-  const Real count = springs.count(), squares = springs.square_sum(), last = springs.last_place();
+  const FaceKind& kind = kinds_[at(group.kind)];
+  if (group.axis == FaceLink::own_direction)
+    return evaluate_whole<FaceFormula::exact>(particles, group, PackingFaces{facets_, kind.springs, lattice_end_}, elapsed);
+  const LatticeFaces faces{kind.springs, group.axis};
+  switch (kind.formula) {
+    case FaceFormula::exact:
+      return evaluate_whole<FaceFormula::exact>(particles, group, faces, elapsed);
+    case FaceFormula::small:
+      return evaluate_whole<FaceFormula::small>(particles, group, faces, elapsed);
+    default:
+      return evaluate_whole<FaceFormula::older>(particles, group, faces, elapsed);
+  }
+}
+
+template <FaceFormula formula, class Faces>
+bool FaceLinks::evaluate_whole(const state::Particles<2>& particles, const Group& group, const Faces& faces, Real elapsed) {
+  const laws::FaceSprings& kind = kinds_[at(group.kind)].springs;
+  const Real count = kind.count(), squares = kind.square_sum(), last = kind.last_place();
   const std::size_t blocks = (group.end - group.begin) / lane_count;
   std::atomic<bool> any_yields = false;
   parallel::parallel_for(blocks, serial_below, [&](std::size_t begin, std::size_t end) {
@@ -150,7 +209,9 @@ bool FaceLinks::evaluate_whole(const state::Particles<2>& particles, const Group
       const LaneMask active = load_lanes(&active_[i]) > 0.0;
       if (!any(active)) continue;
       const std::array<Lanes, 2> rest = {load_lanes(&rest_[0][i]), load_lanes(&rest_[1][i])};
-      const auto pair = pair_of<formula>(particles, Reader<Lanes>{&first_[i], &second_[i]}, rest, group.axis, springs.is_wall());
+      const auto& springs = faces.template at<Lanes>(i);
+      const auto pair = pair_of<formula>(particles, Reader<Lanes>{&first_[i], &second_[i]}, rest,
+                                         faces.template turned_by<Lanes>(i), springs.is_wall());
       const auto motion = laws::face_motion<formula>(pair, springs);
       const Lanes slip = load_lanes(&slip_[i]);
       const Lanes elastic = formula == FaceFormula::exact ? motion.shear - slip : slip + elapsed * motion.shear_rate;
@@ -174,8 +235,8 @@ bool FaceLinks::evaluate_whole(const state::Particles<2>& particles, const Group
       store_lanes(&slots_.second_moment[i], select(stays, force.second_moment, Lanes{}));
       // The work of the dashpots' last forces, by the mean of the rates before and after.
       const std::array<Lanes, 3> rate = {motion.closing_rate, motion.slope_rate, motion.shear_rate};
-      const std::array<Real, 3> damping = {springs.normal_damping * count, springs.normal_damping * squares,
-                                           springs.shear_damping * count};
+      const auto normal_damping = springs.normal_damping * count, shear_damping = springs.shear_damping * count;
+      const std::array damping = {normal_damping, springs.normal_damping * squares, shear_damping};
       Lanes power{};
       for (std::size_t k = 0; k < 3; ++k) {
         const Lanes before = load_lanes(&last_rate_[k][i]);
@@ -210,17 +271,20 @@ laws::FaceMotion<Real> FaceLinks::motion_of(const state::Particles<2>& particles
   const FaceKind& kind = kinds_[at(links_[number].kind)];
   const Reader<Real> reader{&first_[number], &second_[number]};
   const std::array<Real, 2> rest = {rest_[0][number], rest_[1][number]};
-  const auto by = [&]<FaceFormula formula>() {
-    return laws::face_motion<formula>(pair_of<formula>(particles, reader, rest, links_[number].axis, kind.springs.is_wall()),
-                                      kind.springs);
+  const auto by = [&]<FaceFormula formula>(const auto& faces) {
+    const auto& springs = faces.template at<Real>(number);
+    return laws::face_motion<formula>(
+        pair_of<formula>(particles, reader, rest, faces.template turned_by<Real>(number), springs.is_wall()), springs);
   };
+  if (is_facet(number)) return by.template operator()<FaceFormula::exact>(PackingFaces{facets_, kind.springs, lattice_end_});
+  const LatticeFaces faces{kind.springs, links_[number].axis};
   switch (kind.formula) {
     case FaceFormula::exact:
-      return by.template operator()<FaceFormula::exact>();
+      return by.template operator()<FaceFormula::exact>(faces);
     case FaceFormula::small:
-      return by.template operator()<FaceFormula::small>();
+      return by.template operator()<FaceFormula::small>(faces);
     default:
-      return by.template operator()<FaceFormula::older>();
+      return by.template operator()<FaceFormula::older>(faces);
   }
 }
 
@@ -237,13 +301,23 @@ void FaceLinks::evaluate_damaged(const state::Particles<2>& particles, std::size
   const std::size_t number = at(damaged_[place]);
   const FaceKind& kind = kinds_[at(links_[number].kind)];
   const FaceMotion<Real> motion = motion_of(particles, number);
+  if (is_facet(number))
+    advance_damaged(kind, PackingFaces{facets_, kind.springs, lattice_end_}.at<Real>(number), motion, place, elapsed);
+  else
+    advance_damaged(kind, kind.springs, motion, place, elapsed);
+}
+
+template <class Face>
+void FaceLinks::advance_damaged(const FaceKind& kind, const Face& face, const FaceMotion<Real>& motion, std::size_t place,
+                                Real elapsed) {
+  const std::size_t number = at(damaged_[place]);
   Real normal = 0, tilt = 0, shear = 0;
   bool joined = false;
   SpringLosses& loss = damaged_loss_[place];
   for (std::size_t i = 0; i < kind.springs.places.size(); ++i) {
     laws::SpringState& spring = springs_[at(first_spring_[place]) + i];
     const Real xi = kind.springs.places[i];
-    const laws::SpringForce force = laws::advance_spring(spring, kind.springs, kind.formula, motion, xi, elapsed);
+    const laws::SpringForce force = laws::advance_spring(spring, face, kind.formula, motion, xi, elapsed);
     normal += force.normal;
     tilt += xi * force.normal;
     shear += force.shear;
@@ -271,16 +345,22 @@ void FaceLinks::close_books() {
   std::ranges::sort(opened_);
 }
 
+laws::Facet<Real> FaceLinks::springs_of(Index number) const {
+  const laws::FaceSprings& of = kind_of(number).springs;
+  if (is_facet(at(number))) return PackingFaces{facets_, of, lattice_end_}.at<Real>(at(number));
+  return {
+      of.first_reach,   of.second_reach,   0,          0, of.half_face, of.normal, of.shear, of.normal_damping, of.shear_damping,
+      of.tension_limit, of.cohesion_limit, of.friction};
+}
+
 Index FaceLinks::broken_springs() const {
   return static_cast<Index>(std::ranges::count(springs_, false, &laws::SpringState::whole));
 }
 
 void FaceLinks::gather(std::size_t block, std::array<Lanes, 3>& sum) const {
-  const std::size_t i = block * lane_count;
-  for (std::size_t face = 0; face < 4; ++face) {
-    const Index* const links = &face_[face][i];
+  const auto take = [&](const Index* links, bool comes_first) {
     const Lanes x = gather_lanes(slots_.force_x.data(), links), y = gather_lanes(slots_.force_y.data(), links);
-    if (face < 2) {
+    if (comes_first) {
       sum[0] -= x;
       sum[1] -= y;
       sum[2] += gather_lanes(slots_.first_moment.data(), links);
@@ -289,7 +369,12 @@ void FaceLinks::gather(std::size_t block, std::array<Lanes, 3>& sum) const {
       sum[1] += y;
       sum[2] += gather_lanes(slots_.second_moment.data(), links);
     }
-  }
+  };
+  for (std::size_t face = 0; face < 4 && lattice_end_ > 0; ++face) take(&face_[face][block * lane_count], face < 2);
+  if (facet_rows_.empty()) return;
+  const FacetRows& rows = facet_rows_[block];
+  const Index* const table = &facet_table_[rows.begin];
+  for (std::size_t row = 0; row < rows.first + rows.second; ++row) take(table + row * lane_count, row < rows.first);
 }
 
 Real FaceLinks::elastic_energy(const state::Particles<2>& particles) const {
@@ -303,9 +388,10 @@ Real FaceLinks::elastic_energy(const state::Particles<2>& particles) const {
       const laws::SpringState spring =
           place == none ? laws::SpringState{slip_[number], 0, 0, true, true} : springs_[at(first_spring_[at(place)]) + i];
       if (!spring.joined) continue;
+      const laws::Facet<Real> springs = springs_of(static_cast<Index>(number));
       const Real closing = motion.closing + motion.slope * kind.springs.places[i];
       const Real elastic = laws::elastic_shear(spring, kind.formula, motion.shear, motion.shear_rate, 0);
-      total += 0.5 * (kind.springs.normal * closing * closing + kind.springs.shear * elastic * elastic);
+      total += 0.5 * (springs.normal * closing * closing + springs.shear * elastic * elastic);
     }
   }
   return total;

@@ -11,18 +11,21 @@ namespace {
 
 constexpr std::size_t serial_below = 256;  // blocks of lanes
 
+geometry::Faces face_bit(int face) { return geometry::Faces{1} << face; }
+
 }  // namespace
 
 RectangleForces::RectangleForces(const state::Particles<2>& particles, Parts parts, Real step)
     : outlines_(std::move(parts.outlines)),
-      links_(particles, std::move(parts.kinds), std::move(parts.links)),
+      links_(particles, std::move(parts.kinds), std::move(parts.links), std::move(parts.facets)),
       contacts_(parts.contact, particles, outlines_),
       base_friction_(parts.base_friction),
       step_(step) {
-  for (std::size_t i = 0; i < outlines_.size(); ++i)
-    for (int face = 0; face < 4; ++face)
-      if (links_.at_face(static_cast<Index>(i), face) != FaceLinks::none)
-        outlines_.exposed[i] &= static_cast<std::uint8_t>(~(1U << face));
+  for (Index number = 0; number < links_.count(); ++number) {
+    if (links_.is_padding(number)) continue;
+    outlines_.exposed[static_cast<std::size_t>(links_.link(number).first)] &= ~face_bit(links_.first_face(number));
+    outlines_.exposed[static_cast<std::size_t>(links_.link(number).second)] &= ~face_bit(links_.second_face(number));
+  }
   radius_.assign(particles.padded(), 0);
   for (std::size_t i = 0; i < outlines_.size(); ++i) radius_[i] = outlines_.spring_radius(i);
   if (base_friction_.coefficient > 0) {
@@ -35,9 +38,8 @@ RectangleForces::RectangleForces(const state::Particles<2>& particles, Parts par
 
 void RectangleForces::expose(const FaceLinks& links, std::span<const Index> opened, state::Outlines& outlines) {
   for (const Index number : opened) {
-    const FaceLink& link = links.link(number);
-    outlines.exposed[static_cast<std::size_t>(link.first)] |= static_cast<std::uint8_t>(1U << link.axis);
-    outlines.exposed[static_cast<std::size_t>(link.second)] |= static_cast<std::uint8_t>(1U << (link.axis + 2));
+    outlines.exposed[static_cast<std::size_t>(links.link(number).first)] |= face_bit(links.first_face(number));
+    outlines.exposed[static_cast<std::size_t>(links.link(number).second)] |= face_bit(links.second_face(number));
   }
 }
 

@@ -36,6 +36,7 @@ public:
     state::Outlines outlines;  ///< supports last
     std::vector<FaceKind> kinds;
     std::vector<FaceLink> links;
+    std::vector<FacetLink> facets;
     ContactRules contact;
     BaseFriction base_friction;
     Index supports = 0;  ///< how many of the outlines are supports

@@ -25,17 +25,22 @@ struct Spring {
 /// Springs of a link at rest, all along the face taken together.
 void add_link(const state::Particles<2>& particles, const FaceLinks& links, Index number, std::vector<Spring>& springs) {
   const FaceLink& link = links.link(number);
-  const laws::FaceSprings& face = links.kind_of(number).springs;
+  const laws::Facet<Real> face = links.springs_of(number);
+  const laws::FaceSprings& kind = links.kind_of(number).springs;
+  const auto [x, y] = links.direction_of(number);
   const Real c = particles.rotation[0][at(link.first)], s = particles.rotation[1][at(link.first)];
-  const Vector2 n = link.axis == 0 ? Vector2(c, s) : Vector2(-s, c);
-  const Real count = face.count(), arm = face.half_face;
-  springs.push_back(
-      {link.first, link.second, {n.x(), n.y(), 0, -n.x(), -n.y(), 0}, count * face.normal, count * face.normal_damping});
+  const Vector2 n(c * x - s * y, s * x + c * y);
+  const Real count = kind.count(), squares = kind.square_sum();
   springs.push_back({link.first,
                      link.second,
-                     {0, 0, arm, 0, 0, -arm},
-                     face.square_sum() * face.normal,
-                     face.square_sum() * face.normal_damping});
+                     {n.x(), n.y(), face.first_shift, -n.x(), -n.y(), -face.second_shift},
+                     count * face.normal,
+                     count * face.normal_damping});
+  springs.push_back({link.first,
+                     link.second,
+                     {0, 0, face.half_face, 0, 0, -face.half_face},
+                     squares * face.normal,
+                     squares * face.normal_damping});
   springs.push_back({link.first,
                      link.second,
                      {n.y(), -n.x(), -face.first_reach, -n.y(), n.x(), -face.second_reach},
@@ -47,7 +52,7 @@ void add_link(const state::Particles<2>& particles, const FaceLinks& links, Inde
 void add_contacts(const state::Particles<2>& particles, const state::Outlines& outlines, const ContactRules& rules, std::size_t i,
                   std::vector<Spring>& springs) {
   const bool circle = outlines.kind[i] == geometry::OutlineKind::circle;
-  const Real radius = outlines.spring_radius(i), mass = 1 / particles.inverse_mass[i];
+  const Real mass = 1 / particles.inverse_mass[i];
   const int exposed = circle ? 2 : std::popcount(outlines.exposed[i]);
   if (exposed == 0) return;
   const Real share = std::min(Real{1}, Real{2} / exposed);
@@ -56,15 +61,16 @@ void add_contacts(const state::Particles<2>& particles, const state::Outlines& o
   const Real damping = 2 * rules.damping_ratio * std::sqrt(normal * mass) * std::sqrt(share),
              shear_damping = damping * std::sqrt(shear / normal);
   const geometry::Outline outline = outlines.at(particles, i);
-  for (int face = 0; face < 4; ++face) {
-    if (circle ? face % 2 != 0 : (outlines.exposed[i] >> face & 1) == 0) continue;
-    const Vector2 n = face % 2 == 0 ? outline.axis : outline.other_axis();
-    const Real half = circle ? 0 : face % 2 == 0 ? outline.half_height : outline.half_width;
-    const Real reach = circle ? radius : face % 2 == 0 ? outline.half_width : outline.half_height;
-    const auto own = static_cast<Index>(i);
-    springs.push_back({own, own, {n.x(), n.y(), 0, 0, 0, 0}, normal, damping});
+  const auto own = static_cast<Index>(i);
+  for (int number = 0; number < geometry::face_count(outline); ++number) {
+    if (circle ? number % 2 != 0 : !geometry::is_exposed(outline, number)) continue;
+    const geometry::Face face = geometry::face_of(outline, number);
+    const Vector2 arm = face.centre - outline.centre, n = face.normal, along(n.y(), -n.x());
+    const Real half = circle ? 0 : face.half;
+    springs.push_back({own, own, {n.x(), n.y(), arm.x() * n.y() - arm.y() * n.x(), 0, 0, 0}, normal, damping});
     springs.push_back({own, own, {0, 0, half, 0, 0, 0}, normal, damping});
-    springs.push_back({own, own, {n.y(), -n.x(), face < 2 ? -reach : reach, 0, 0, 0}, shear, shear_damping});
+    springs.push_back(
+        {own, own, {along.x(), along.y(), arm.x() * along.y() - arm.y() * along.x(), 0, 0, 0}, shear, shear_damping});
   }
 }
 
@@ -102,9 +108,9 @@ StableStep stable_step(const state::Particles<2>& particles, const state::Outlin
     if (stiffness > 0) result.paper = std::min(result.paper, 0.5 * damping / stiffness);
   };
   for (Index number = 0; number < links.count(); ++number) {
-    if (links.link(number).first == links.link(number).second) continue;  // padding
+    if (links.is_padding(number)) continue;
     add_link(particles, links, number, springs);
-    const laws::FaceSprings& face = links.kind_of(number).springs;
+    const laws::Facet<Real> face = links.springs_of(number);
     note(std::sqrt(2.0) * face.normal_damping, face.normal);
   }
   for (std::size_t i = 0; may_touch && i < outlines.size(); ++i)
