@@ -23,6 +23,7 @@ NAVIGATION = [
     ("Start", ["docs/start/README.md", "docs/start/first_blast.md", "docs/guide/python.md"]),
     ("Theory", "docs/theory/*.md"),
     ("Guide", "docs/guide/*.md"),
+    ("Gallery", ["docs/gallery/README.md"]),
     ("Cases", "cases/*/README.md"),
     ("Reference", ["docs/reference/case.md", "docs/reference/command.md", "docs/reference/python.md"]),
     ("Validation", ["docs/reference/validation.md", "validation/**/README.md"]),
