@@ -1,4 +1,5 @@
-"""Writes shake.csv: rest for 1.5 s, then five waves of 2 Hz and 500 gal between a wave that grows and one that dies away, then rest."""
+"""Writes shake.csv: rest for 1.5 s, then five waves of 2 Hz and 500 gal between a wave that grows and one that dies away,
+then rest."""
 
 import math
 
@@ -15,7 +16,8 @@ def envelope(cycles):
     sign = 1.0 if cycles < 0.5 * total else -1.0
     if side >= 1:
         return 1.0, 0.0, 0.0
-    return 0.5 - 0.5 * math.cos(math.pi * side), sign * 0.5 * math.pi * math.sin(math.pi * side), 0.5 * math.pi**2 * math.cos(math.pi * side)
+    angle = math.pi * side
+    return 0.5 - 0.5 * math.cos(angle), sign * 0.5 * math.pi * math.sin(angle), 0.5 * math.pi**2 * math.cos(angle)
 
 
 def acceleration(time):

@@ -1,6 +1,7 @@
 #include <array>
 
 #include "sazare/cases/case_keys.hpp"
+#include "sazare/cases/spheres_body_keys.hpp"
 
 namespace sazare::cases {
 namespace {
@@ -8,7 +9,6 @@ namespace {
 constexpr std::array<std::string_view, 2> models{"hertz", "linear"};
 constexpr std::array<std::string_view, 4> sources{"one", "file", "lattice", "random"};
 constexpr std::array<std::string_view, 3> wall_shapes{"plane", "box", "mesh"};
-constexpr std::array<std::string_view, 3> clump_sources{"tetrapod", "file", "mesh"};
 
 constexpr Range restitution_range{.low = 0, .high = 1, .low_open = true};
 constexpr std::string_view for_hertz = "required for model hertz";
@@ -142,40 +142,6 @@ constexpr std::array pair_keys{
         .sentence = "As in [contact]."},
 };
 
-constexpr std::array shape_keys{
-    Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name by which [[spheres]] refer to it."},
-    Key{.name = "source",
-        .type = Type::choice,
-        .default_text = "\"tetrapod\"",
-        .sentence = "Where its spheres come from: a tetrapod, a file of spheres, or what fits into a closed surface.",
-        .choices = clump_sources},
-    Key{.name = "height",
-        .type = Type::number,
-        .unit = "m",
-        .range = positive,
-        .note = "required for a tetrapod",
-        .sentence = "From the ground to the end of the upper leg."},
-    Key{.name = "leg_spheres",
-        .type = Type::integer,
-        .range = {.low = 1, .high = 100},
-        .default_text = "4",
-        .sentence = "Spheres along each leg of a tetrapod, besides the one in its centre."},
-    Key{.name = "file",
-        .type = Type::file,
-        .note = "required for a file and for a mesh",
-        .sentence = "Rows of radius, x, y, z; or the triangles of an .stl or a .msh without holes."},
-    Key{.name = "scale",
-        .type = Type::number,
-        .range = positive,
-        .default_text = "1.0",
-        .sentence = "Length of the file's unit in m."},
-    Key{.name = "count",
-        .type = Type::integer,
-        .range = {.low = 1, .high = 10000},
-        .default_text = "40",
-        .sentence = "Spheres that fill a mesh, at most."},
-};
-
 constexpr std::array sphere_keys{
     Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name of the group, for gauges and messages."},
     Key{.name = "material", .type = Type::text, .need = Need::required, .sentence = "What it is made of."},
@@ -262,76 +228,6 @@ constexpr std::array sphere_keys{
         .type = Type::boolean,
         .default_text = "false",
         .sentence = "Whether every body of a shape is turned by chance instead."},
-};
-
-constexpr std::array bond_keys{
-    Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name for messages."},
-    Key{.name = "between",
-        .type = Type::two_names,
-        .need = Need::required,
-        .sentence = "The two groups; the same twice for bonds within one. Where several entries match a pair the last one wins."},
-    Key{.name = "reach",
-        .type = Type::number,
-        .range = not_negative,
-        .default_text = "0.01",
-        .sentence = "Spheres are bonded whose gap at the start is at most this, over the sum of their radii."},
-    Key{.name = "radius_ratio",
-        .type = Type::number,
-        .range = positive,
-        .default_text = "1.0",
-        .sentence = "Radius of the bond over that of the smaller sphere."},
-    Key{.name = "youngs_modulus",
-        .type = Type::number,
-        .unit = "Pa",
-        .range = positive,
-        .note = "or normal_stiffness",
-        .sentence = "Young's modulus: the bond is a round beam from centre to centre."},
-    Key{.name = "poisson_ratio",
-        .type = Type::number,
-        .range = {.low = 0, .high = 0.5},
-        .note = "required with youngs_modulus",
-        .sentence = "Poisson's ratio."},
-    Key{.name = "normal_stiffness",
-        .type = Type::number,
-        .unit = "Pa/m",
-        .range = positive,
-        .note = "or youngs_modulus",
-        .sentence = "Tension per area and opening of a cemented contact; it resists bending as well."},
-    Key{.name = "shear_stiffness",
-        .type = Type::number,
-        .unit = "Pa/m",
-        .range = positive,
-        .note = "required with normal_stiffness",
-        .sentence = "Shear stress over sliding of a cemented contact; it resists twist as well."},
-    Key{.name = "damping_ratio",
-        .type = Type::number,
-        .range = not_negative,
-        .default_text = "0.0",
-        .sentence = "Dashpots beside the bond over those that are critical for two spheres alone."},
-    Key{.name = "tensile_strength",
-        .type = Type::number,
-        .unit = "Pa",
-        .range = positive,
-        .note = "none: not limited",
-        .sentence = "Tension at the rim, bending included, at which it begins to fail."},
-    Key{.name = "cohesion",
-        .type = Type::number,
-        .unit = "Pa",
-        .range = positive,
-        .note = "none: not limited",
-        .sentence = "Shear stress at the rim, twist included, at which it begins to fail without pressure."},
-    Key{.name = "friction_angle",
-        .type = Type::number,
-        .unit = "deg",
-        .range = {.low = 0, .high = 90, .high_open = true},
-        .default_text = "0.0",
-        .sentence = "Angle whose tangent times the pressure is added to the cohesion."},
-    Key{.name = "fracture_energy",
-        .type = Type::number,
-        .unit = "N/m",
-        .range = positive,
-        .note = "none: brittle",
-        .sentence = "Energy per area that softening takes in tension."},
 };
 
 constexpr std::array wall_keys{

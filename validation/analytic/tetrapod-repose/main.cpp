@@ -1,0 +1,51 @@
+#include <cmath>
+#include <numbers>
+
+#include "sazare/cases/case_file.hpp"
+#include "sazare/parallel/threads.hpp"
+#include "sazare/runs/spheres_model.hpp"
+#include "validation/common/rows.hpp"
+
+namespace {
+
+using namespace sazare;
+
+struct Heap {
+  Real angle = 0;         ///< of the cone with the same mean height and mean square radius [deg]
+  Real restlessness = 0;  ///< kinetic energy over potential energy
+  std::vector<state::Clump> bodies;
+};
+
+Heap heap(int threads) {
+  parallel::set_threads(threads);
+  const cases::CaseFile file = cases::read_case("validation/analytic/tetrapod-repose/case.toml");
+  runs::SpheresModel model = runs::build_spheres(file);
+  engine::SphereStepper& stepper = *model.stepper;
+  stepper.start();
+  while (stepper.time() < file.spheres().time.end) stepper.advance();
+  stepper.settle();
+  Heap heap;
+  heap.bodies = stepper.clumps().clumps;
+  const auto count = static_cast<Real>(heap.bodies.size());
+  Vector3 centre = Vector3::Zero();
+  for (const state::Clump& body : heap.bodies) centre += vector(body.centre) / count;
+  Real square = 0;
+  for (const state::Clump& body : heap.bodies) square += (vector(body.centre) - centre).head<2>().squaredNorm() / count;
+  // A cone of height H and radius R has its mean height at H/4 and a mean square radius of 3/10 R^2.
+  heap.angle = std::atan(4 * centre.z() / std::sqrt(square / 0.3)) * 180 / std::numbers::pi;
+  const engine::SphereEnergies energies = stepper.energies();
+  heap.restlessness = (energies.translation + energies.rotation) / energies.potential;
+  return heap;
+}
+
+}  // namespace
+
+int main() {
+  const Heap one = heap(1), two = heap(2);
+  validation::print_row("angle", one.angle);
+  validation::print_row("at-rest", one.restlessness);
+  Real differences = 0;
+  for (std::size_t n = 0; n < one.bodies.size(); ++n)
+    differences += one.bodies[n].centre.x != two.bodies[n].centre.x || one.bodies[n].turn.w != two.bodies[n].turn.w ? 1 : 0;
+  validation::print_row("same-bits", differences);
+}
