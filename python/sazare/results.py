@@ -284,10 +284,12 @@ class Results:
         """The same of a run of method rectangles: a polygon for each element and support."""
         return self._snapshots("rectangles")
 
-    @property
+    @cached_property
     def all_snapshots(self):
-        """The snapshots of the run, whatever its method."""
-        return next((found for found in (self.snapshots, self.square_snapshots, self.particle_snapshots) if len(found)), Snapshots([]))
+        """The snapshots of the bodies of the run, whatever its method."""
+        names = [path.name.removesuffix(".vtkhdf.series") for path in sorted((self.path / "snapshots").glob("*.vtkhdf.series"))]
+        kinds = ["elements", "rectangles", "particles", *(name for name in names if name != "joints")]
+        return next((found for found in map(self._snapshots, kinds) if len(found)), Snapshots([]))
 
     def _snapshots(self, kind):
         folder = self.path / "snapshots"

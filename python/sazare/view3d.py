@@ -20,6 +20,7 @@ FEWEST_TIMES = 6
 MOST_POINTS = 150_000
 MOST_VERTICES = 400_000
 SLAB_RATIO = 0.35
+VERTEX, QUADRILATERAL, TETRAHEDRON = 1, 9, 10  # kinds of cells, as VTK numbers them
 CORNERS = np.array([[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]])
 
 # Cell data worth a colour: name in the file -> (name in the view, unit). Of vectors the magnitude is shown.
@@ -159,14 +160,15 @@ def _chosen_times(count, bytes_each):
 
 def _shapes(snapshots):
     grid = snapshots[0].elements
-    kind = int(grid.celltypes[0]) if grid.n_cells else 0
-    if kind == 10:
+    kinds = set(np.asarray(grid.celltypes).tolist())
+    if kinds == {VERTEX}:
+        return _balls(grid)
+    if kinds == {TETRAHEDRON}:
         return _faces_of_tetrahedra(snapshots)
-    if kind in (5, 9):
-        corners = np.asarray(grid.cells).reshape(grid.n_cells, -1)[:, 1:]
-        parts = [corners[:, [0, 1, 2]]] + ([corners[:, [0, 2, 3]]] if kind == 9 else [])
-        return _triangles(grid, np.concatenate(parts), np.tile(np.arange(grid.n_cells), len(parts)))
-    return _balls(grid)
+    if kinds == {QUADRILATERAL}:
+        corners = np.asarray(grid.cells).reshape(-1, 5)[:, 1:]
+        return _triangles(grid, np.concatenate([corners[:, [0, 1, 2]], corners[:, [0, 2, 3]]]), np.tile(np.arange(grid.n_cells), 2))
+    return _outside(grid)
 
 
 def _balls(grid):
@@ -177,12 +179,20 @@ def _balls(grid):
 
 
 def _triangles(grid, triangles, cell_of_triangle):
-    """Triangles of points that each belong to one cell."""
+    """Triangles between points of a grid, and the cell of each."""
     points, places = np.unique(triangles, return_inverse=True)
     cell_of_point = np.zeros(grid.n_points, dtype=int)
     cell_of_point[triangles] = cell_of_triangle[:, None]
     cells, cell_places = np.unique(cell_of_point[points], return_inverse=True)
     return Shapes(points, cells, cell_places, places.reshape(-1, 3), None)
+
+
+def _outside(grid):
+    """The surface of a grid of any cells; a point that several cells share has the colour of one of them."""
+    surface = grid.extract_surface().triangulate()
+    corners = np.asarray(surface.faces).reshape(-1, 4)[:, 1:]
+    points = np.asarray(surface.point_data["vtkOriginalPointIds"])
+    return _triangles(grid, points[corners], np.asarray(surface.cell_data["vtkOriginalCellIds"]))
 
 
 def _faces_of_tetrahedra(snapshots):

@@ -6,16 +6,18 @@ import re
 import shutil
 import subprocess
 import zlib
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
+import pyvista
 from matplotlib.colors import to_rgb
 from matplotlib.image import imread
 
 import sazare
 from sazare import style
 from sazare.report import write_report
-from sazare.view3d import packed_view, read_frames
+from sazare.view3d import _shapes, packed_view, read_frames
 
 CHROMIUM = next((found for name in ("chromium", "chromium-browser", "google-chrome") if (found := shutil.which(name))), None)
 
@@ -56,6 +58,16 @@ def test_every_triangle_has_the_colour_of_its_element(slab):
     shapes = read_frames(sazare.open(slab)).shapes
     cells = shapes.cell_of_point[shapes.triangles]
     assert np.all(cells == cells[:, :1])
+
+
+def test_of_any_other_grid_the_outside_is_drawn():
+    grid = pyvista.ImageData(dimensions=(4, 3, 3)).cast_to_unstructured_grid()
+    shapes = _shapes([SimpleNamespace(elements=grid, joints=None)])
+    faces = 2 * (3 * 2 + 3 * 2 + 2 * 2)
+    assert len(shapes.triangles) == 2 * faces
+    corners = np.asarray(grid.points)[shapes.points][shapes.triangles]
+    area = 0.5 * np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum()
+    assert area == pytest.approx(faces)
 
 
 def test_a_run_without_snapshots_has_no_view(slab, tmp_path):
