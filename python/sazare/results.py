@@ -260,6 +260,11 @@ class Results:
         """The same of a run of method rectangles: a quadrilateral for each element and support."""
         return self._snapshots("rectangles")
 
+    @cached_property
+    def element_snapshots(self):
+        """The same of a run of method fem: the mesh with displacements of its points, stress and plastic slip of its elements."""
+        return self._snapshots("finite_elements")
+
     def _snapshots(self, kind):
         folder = self.path / "snapshots"
         if not folder.is_dir():

@@ -8,6 +8,7 @@ RunOutcome run_case(const cases::CaseFile& file, const RunOptions& options) {
   if (std::holds_alternative<cases::MpsCase>(file.content)) return run_mps(file, options);
   if (std::holds_alternative<cases::RectanglesCase>(file.content)) return run_rectangles(file, options);
   if (std::holds_alternative<cases::SpheresCase>(file.content)) return run_spheres(file, options);
+  if (std::holds_alternative<cases::FemCase>(file.content)) return run_fem(file, options);
   return run_blocks(file, options);
 }
 
@@ -15,6 +16,7 @@ std::string check_case(const cases::CaseFile& file) {
   if (std::holds_alternative<cases::MpsCase>(file.content)) return check_mps(file);
   if (std::holds_alternative<cases::RectanglesCase>(file.content)) return check_rectangles(file);
   if (std::holds_alternative<cases::SpheresCase>(file.content)) return check_spheres(file);
+  if (std::holds_alternative<cases::FemCase>(file.content)) return check_fem(file);
   return check_blocks(file);
 }
 

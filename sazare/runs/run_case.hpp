@@ -26,4 +26,8 @@ std::string check_rectangles(const cases::CaseFile& file);
 RunOutcome run_spheres(const cases::CaseFile& file, const RunOptions& options);
 std::string check_spheres(const cases::CaseFile& file);
 
+/// The same for method fem alone.
+RunOutcome run_fem(const cases::CaseFile& file, const RunOptions& options);
+std::string check_fem(const cases::CaseFile& file);
+
 }  // namespace sazare::runs
