@@ -71,10 +71,24 @@ void print_spheres_figures(const observe::Manifest& manifest, const fs::path& fo
   fmt::print("results in      {}\n", folder.string());
 }
 
+void print_fem_figures(const observe::Manifest& manifest, const fs::path& folder) {
+  const auto number = [&](std::string_view name, int digits = 4) { return cases::short_number(figure(manifest, name), digits); };
+  fmt::print("elements        {}, {} freedoms, {} steps of {} s\n", number("elements", 12), number("freedoms", 12),
+             number("steps", 12), number("step"));
+  fmt::print("solver          {} iterations, {} steps cut\n", number("iterations", 12), number("cuts", 12));
+  fmt::print("peaks           {} m, {} m/s, {} m/s2\n", number("peak_displacement"), number("peak_speed"),
+             number("peak_acceleration"));
+  fmt::print("energy          {}\n", balance_text(manifest));
+  fmt::print("wall time       {:.2f} s, {} thread{}\n", figure(manifest, "wall_seconds"), manifest.machine.threads,
+             manifest.machine.threads == 1 ? "" : "s");
+  fmt::print("results in      {}\n", folder.string());
+}
+
 void print_figures(const observe::Manifest& manifest, const fs::path& folder) {
   if (manifest.method == "mps") return print_mps_figures(manifest, folder);
   if (manifest.method == "rectangles") return print_rectangles_figures(manifest, folder);
   if (manifest.method == "spheres") return print_spheres_figures(manifest, folder);
+  if (manifest.method == "fem") return print_fem_figures(manifest, folder);
   const auto number = [&](std::string_view name, int digits = 4) { return cases::short_number(figure(manifest, name), digits); };
   fmt::print("joints broken   {} of {}\n", number("broken_joints", 12), number("joints", 12));
   fmt::print("fragments       {} of {} elements, X50 {} m, X80 {} m\n", number("fragments", 12), number("elements", 12),

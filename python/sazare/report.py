@@ -7,7 +7,7 @@ from pathlib import Path
 
 import jinja2
 
-from sazare import granular, ground, maps, plot, squares, study, style, view3d
+from sazare import finite, granular, ground, maps, plot, squares, study, style, view3d
 from sazare.results import open_run
 from sazare.scenes import Body
 from sazare.summary import headlines, verdict
@@ -168,6 +168,34 @@ def study_sections(results):
     return [Section(name, heading, caption, partial(draw, results), missing) for name, heading, caption, draw in pictures]
 
 
+def finite_sections(results):
+    """The pictures of a run of method fem."""
+    static = 'analysis = "static"' in results.case_text
+    motion = [] if static else [
+        Section("accelerations", "Accelerations", "Acceleration at the gauges along the axis of strongest motion; the dot is the peak.",
+                partial(ground.accelerations, results), "The case has no gauges."),
+        Section("spectra", "Spectra", "Fourier amplitudes at the first and the last gauge, and their ratio.",
+                partial(ground.spectra, results), "There are fewer than two gauges."),
+    ]
+    joints = [Section("joints", "Joints", "Share of the joints that slips or is open, and the largest slip.", partial(finite.joints, results),
+                      "")] if any(name.startswith("joint.") for name in results.history) else []
+    return [
+        Section("displaced", "Displaced mesh", "The mesh when it is displaced most, and at the end, coloured by displacement.",
+                partial(finite.displaced, results), "The run wrote no snapshots."),
+        Section("yielding", "Yielding", "Plastic slip of the elements at the end.", partial(finite.yielding, results), "Nothing has yielded."),
+        Section("forces", "Forces of the boundaries", "Force of each boundary on the body, those that change most.",
+                partial(finite.forces, results), "The case has no boundaries.", wide=False),
+        Section("displacements", "Displacements", "Displacement at the gauges.", partial(finite.displacements, results),
+                "The case has no gauges.", wide=False),
+        *joints,
+        *motion,
+        Section("energy", "Where the work went", "Energy stored and dissipated by cause, stacked, against the work done; below, the share of "
+                "the work that the ledger does not account for.", partial(plot.energy, results), "The run wrote no energies."),
+        Section("timing", "Where the time went", "Computing time by part of the run.", partial(plot.timing, results),
+                "The run wrote no timing.", wide=False),
+    ]
+
+
 def _drawn(section, folder):
     """The section as the template wants it, its picture written and embedded."""
     figure = section.draw()
@@ -237,7 +265,8 @@ def _page(results, sections):
 def sections_of(results):
     """The pictures that suit a run's method."""
     method = results.manifest.get("method")
-    makers = {"mps": ground_sections, "rectangles": square_sections, "spheres": granular_sections, "study": study_sections}
+    makers = {"mps": ground_sections, "rectangles": square_sections, "spheres": granular_sections, "fem": finite_sections,
+              "study": study_sections}
     if method in makers:
         return makers[method](results)
     if len(results.snapshots):

@@ -288,8 +288,13 @@ class Results:
     def all_snapshots(self):
         """The snapshots of the bodies of the run, whatever its method."""
         names = [path.name.removesuffix(".vtkhdf.series") for path in sorted((self.path / "snapshots").glob("*.vtkhdf.series"))]
-        kinds = ["elements", "rectangles", "particles", *(name for name in names if name != "joints")]
+        kinds = ["elements", "rectangles", "particles", "finite_elements", *(name for name in names if name != "joints")]
         return next((found for found in map(self._snapshots, kinds) if len(found)), Snapshots([]))
+
+    @cached_property
+    def element_snapshots(self):
+        """The same of a run of method fem: the mesh with displacements of its points, stress and plastic slip of its elements."""
+        return self._snapshots("finite_elements")
 
     def _snapshots(self, kind):
         folder = self.path / "snapshots"

@@ -33,6 +33,9 @@ ENERGY_TERMS = {
     "energy_release": ("lost at release", "#e08a76"),
     "energy_contact_dashpot": ("contact dashpots", "#9aa87c"),
     "energy_friction": ("friction in contacts", "#5f7a4a"),
+    "energy_plastic": ("flow", "#b5472f"),
+    "energy_damping": ("damping", "#c9a66b"),
+    "energy_radiation": ("radiated through the boundary", "#8d8d9e"),
     "energy_boundary": ("left through the boundary", "#8d8d9e"),
 }
 

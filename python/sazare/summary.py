@@ -38,6 +38,8 @@ def verdict(results):
         return "good", "The run is done." + (f" Its step is {share:.2f} of the predicted limit." if share else "")
     if results.manifest.get("method") == "spheres" and balance is not None:
         return "good" if balance <= BAD_BALANCE else "fair", f"The run is done. The energy ledger closes within {balance:.1e} of the work done."
+    if results.manifest.get("method") == "fem" and balance is not None:
+        return "good" if balance <= BAD_BALANCE else "fair", f"The run is done. The energy ledger closes within {balance:.1e} of the work done."
     if results.manifest.get("method") == "study":
         largest = results.figures.get("largest_log_difference", 0.0)
         return "good", f"The study is done. Prediction and bisection differ by at most {100 * largest:.2f} %."
@@ -71,6 +73,8 @@ def headlines(results):
         ("peak_acceleration", "peak acceleration", lambda x: quantity(x, "m/s²"), ""),
         ("peak_displacement", "peak displacement", lambda x: quantity(x, "m"), ""),
         ("step", "step", lambda x: quantity(x, "s"), _note(figures, "predicted_limit", "limit ", "s")),
+        ("freedoms", "degrees of freedom", count, _of(figures, "nodes", "nodes")),
+        ("iterations", "iterations", count, _of(figures, "steps", "steps")),
         ("cases", "cases", count, _of(figures, "cases_done", "done")),
     ]
     found = [Headline(name, words(figures[key]), note) for key, name, words, note in rows if figures.get(key) is not None]

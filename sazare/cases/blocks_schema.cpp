@@ -11,31 +11,6 @@ constexpr std::array<std::string_view, 2> level_choices{"per_element", "uniform"
 constexpr std::array<std::string_view, 3> limiters{"stability", "travel", "none"};
 
 constexpr std::string_view when_bonded = "required when bonded";
-constexpr std::string_view geo_only = "only for a .geo file";
-
-constexpr std::array mesh_keys{
-    Key{.name = "file",
-        .type = Type::file,
-        .need = Need::required,
-        .sentence = "Gmsh mesh (.msh, format 4.1) or geometry (.geo, meshed by gmsh when the case is run), relative "
-                    "to the case file."},
-    Key{.name = "scale",
-        .type = Type::number,
-        .range = positive,
-        .default_text = "1.0",
-        .sentence = "Factor on all coordinates, such as 0.001 for a mesh in millimetres."},
-    Key{.name = "size_factor",
-        .type = Type::number,
-        .range = positive,
-        .default_text = "1.0",
-        .note = geo_only,
-        .sentence = "Factor on all element sizes (gmsh -clscale)."},
-    Key{.name = "parameters",
-        .type = Type::numbers,
-        .default_text = "{}",
-        .note = geo_only,
-        .sentence = "Values for constants that the geometry declares with DefineConstant (gmsh -setnumber)."},
-};
 
 constexpr std::array material_keys{
     Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name by which joints refer to the material."},

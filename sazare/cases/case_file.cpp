@@ -8,6 +8,7 @@
 
 #include "sazare/cases/case_text.hpp"
 #include "sazare/cases/checks.hpp"
+#include "sazare/cases/fem_fields.hpp"
 #include "sazare/cases/field_reader.hpp"
 #include "sazare/cases/rectangles_fields.hpp"
 #include "sazare/cases/spheres_fields.hpp"
@@ -94,6 +95,11 @@ void check_meaning(const CheckContext& context, SpheresCase& spheres) {
   resolve_clocks(context, spheres.time);
 }
 
+void check_meaning(const CheckContext& context, FemCase& fem) {
+  check_fem(context, fem);
+  resolve_clocks(context, fem.time);
+}
+
 template <class Case>
 MethodCase read_method(const CheckContext& context, const fs::path& folder) {
   Case result = CaseReader(context.root, context.schema, folder).read<Case>();
@@ -153,6 +159,7 @@ CaseFile read_case_text(const std::string& content, const fs::path& path, std::s
   MethodCase checked = method == "mps"          ? read_method<MpsCase>(context, folder)
                        : method == "rectangles" ? read_method<RectanglesCase>(context, folder)
                        : method == "spheres"    ? read_method<SpheresCase>(context, folder)
+                       : method == "fem"        ? read_method<FemCase>(context, folder)
                                                 : read_method<BlocksCase>(context, folder);
   problems.throw_if_errors();
   return {path, std::move(checked), problems.warning_text(), text};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sazare/cases/blocks_case.hpp"
+#include "sazare/cases/fem_case.hpp"
 #include "sazare/cases/rectangles_case.hpp"
 #include "sazare/cases/spheres_case.hpp"
 
@@ -16,7 +17,7 @@ namespace sazare::cases {
 struct CaseText;
 
 /// A case of any method.
-using MethodCase = std::variant<BlocksCase, MpsCase, RectanglesCase, SpheresCase>;
+using MethodCase = std::variant<BlocksCase, MpsCase, RectanglesCase, SpheresCase, FemCase>;
 
 /// A case that was read and checked, with its text for messages about what only the mesh can show.
 struct CaseFile {
@@ -29,6 +30,7 @@ struct CaseFile {
   const MpsCase& mps() const { return std::get<MpsCase>(content); }
   const RectanglesCase& rectangles() const { return std::get<RectanglesCase>(content); }
   const SpheresCase& spheres() const { return std::get<SpheresCase>(content); }
+  const FemCase& fem() const { return std::get<FemCase>(content); }
 };
 
 /// Reads and checks a case. `overrides` are texts such as "time.end=1e-3" or "joints.0.cohesion=5e6". Throws

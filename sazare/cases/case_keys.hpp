@@ -7,7 +7,7 @@
 /// Keys and tables that the methods share.
 namespace sazare::cases {
 
-inline constexpr std::array<std::string_view, 4> method_names{"blocks", "mps", "rectangles", "spheres"};
+inline constexpr std::array<std::string_view, 5> method_names{"blocks", "mps", "rectangles", "spheres", "fem"};
 
 inline constexpr std::array case_keys{
     Key{.name = "title", .type = Type::text, .need = Need::required, .sentence = "What the case is called in reports."},
@@ -16,7 +16,7 @@ inline constexpr std::array case_keys{
         .need = Need::required,
         .sentence = "How the body is modelled: blocks are bonded tetrahedra that can break apart, mps are moving particles of an "
                     "elastic ground in an earthquake, rectangles are blocks and beams of squares in the plane, spheres are "
-                    "grains that touch.",
+                    "grains that touch, fem are finite elements.",
         .choices = method_names},
 };
 
@@ -67,6 +67,47 @@ inline constexpr std::array motion_keys{
         .default_text = "\"none\"",
         .sentence = "What is taken off a record so that its integral has no trend: nothing, a constant or a straight line.",
         .choices = baselines},
+};
+
+inline constexpr std::string_view geo_only = "only for a .geo file";
+
+inline constexpr std::array mesh_keys{
+    Key{.name = "file",
+        .type = Type::file,
+        .need = Need::required,
+        .sentence = "Gmsh mesh (.msh, format 4.1) or geometry (.geo, meshed by gmsh when the case is run), relative "
+                    "to the case file."},
+    Key{.name = "scale",
+        .type = Type::number,
+        .range = positive,
+        .default_text = "1.0",
+        .sentence = "Factor on all coordinates, such as 0.001 for a mesh in millimetres."},
+    Key{.name = "size_factor",
+        .type = Type::number,
+        .range = positive,
+        .default_text = "1.0",
+        .note = geo_only,
+        .sentence = "Factor on all element sizes (gmsh -clscale)."},
+    Key{.name = "parameters",
+        .type = Type::numbers,
+        .default_text = "{}",
+        .note = geo_only,
+        .sentence = "Values for constants that the geometry declares with DefineConstant (gmsh -setnumber)."},
+};
+
+inline constexpr std::array damping_keys{
+    Key{.name = "f1",
+        .type = Type::number,
+        .unit = "Hz",
+        .range = positive,
+        .note = "required where a material has a damping_ratio",
+        .sentence = "Lower frequency at which the damping is that of the material."},
+    Key{.name = "f2",
+        .type = Type::number,
+        .unit = "Hz",
+        .range = positive,
+        .note = "required where a material has a damping_ratio",
+        .sentence = "Higher frequency at which the damping is that of the material."},
 };
 
 inline constexpr std::array gravity_keys{

@@ -8,6 +8,7 @@
 
 #include "sazare/cases/blocks_case.hpp"
 #include "sazare/cases/case_text.hpp"
+#include "sazare/cases/fem_case.hpp"
 #include "sazare/cases/rectangles_case.hpp"
 #include "sazare/cases/spheres_case.hpp"
 
@@ -44,11 +45,33 @@ void check_mps(const CheckContext& context, MpsCase& mps);
 /// Checks motions and reads their records.
 void check_motions(const CheckContext& context, std::vector<Motion>& motions);
 
+/// In 2-D the z of a key is 0; `table` has the key dimension.
+void check_flat(const CheckContext& context, const Entry& entry, std::string_view key, const Vector3& value, int dimension,
+                std::string_view table);
+
+/// Damping ratios of materials need the two frequencies of [damping], in their order.
+void check_damping(const CheckContext& context, const Damping& damping, const std::vector<Real>& ratios);
+
+/// The motions that a boundary names by axis are there.
+void check_motion_names(const CheckContext& context, const Entry& entry, const std::array<std::string, 3>& motion,
+                        const std::vector<std::string>& names);
+
+/// Mohr and Coulomb's numbers, angles in degrees.
+struct StrengthNumbers {
+  Real cohesion = 0, friction_angle = 0, dilation_angle = 0, tensile_strength = 0;
+};
+
+/// That they go together; nothing where the friction angle is missing.
+void check_strength(const CheckContext& context, const Entry& entry, const StrengthNumbers& strength);
+
 /// All checks of a case of method rectangles after types and ranges; reads its records and images.
 void check_rectangles(const CheckContext& context, RectanglesCase& rectangles);
 
 /// All checks of a case of method spheres after types and ranges.
 void check_spheres(const CheckContext& context, SpheresCase& spheres);
+
+/// All checks of a case of method fem after types and ranges; reads its records.
+void check_fem(const CheckContext& context, FemCase& fem);
 
 /// Reports keys that are missing, and those that do not belong to what was chosen.
 void check_keys(const CheckContext& context, const Entry& entry, const std::string& chosen,

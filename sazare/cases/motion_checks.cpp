@@ -1,9 +1,14 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include <fmt/format.h>
 
 #include "sazare/cases/checks.hpp"
 #include "sazare/cases/motion_file.hpp"
 #include "sazare/cases/number_text.hpp"
 #include "sazare/cases/structure_check.hpp"
+#include "sazare/cases/suggest.hpp"
 
 namespace sazare::cases {
 
@@ -55,6 +60,52 @@ void check_motions(const CheckContext& context, std::vector<Motion>& motions) {
                                "choose a peak_time of 1/frequency or more");
     }
   }
+}
+
+void check_flat(const CheckContext& context, const Entry& entry, std::string_view key, const Vector3& value, int dimension,
+                std::string_view table) {
+  if (dimension == 3 || value.z() == 0 || !entry.gives(key)) return;
+  context.problems.error(entry.place(key), fmt::format("{}: z must be 0 in 2-D, found {}", key, short_number(value.z())),
+                         fmt::format("write 0 as the third number, or set dimension = 3 in [{}]", table));
+}
+
+void check_damping(const CheckContext& context, const Damping& damping, const std::vector<Real>& ratios) {
+  const Entry entry = context.entries_of("damping").front();
+  const auto list = context.entries_of("materials");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (!(ratios[i] > 0) || (entry.has("f1") && entry.has("f2"))) continue;
+    context.problems.error(list[i].place("damping_ratio"), "a damping_ratio needs the frequencies f1 and f2",
+                           "add [damping] with f1 = ... and f2 = ... in Hz: between them the damping is at most damping_ratio");
+    break;
+  }
+  if (entry.gives("f1") && entry.gives("f2") && !(damping.f1 < damping.f2))
+    context.problems.error(
+        entry.place("f2"),
+        fmt::format("f2 must be greater than f1, found {} and {} Hz", short_number(damping.f2), short_number(damping.f1)),
+        "f1 is the lower frequency");
+}
+
+void check_motion_names(const CheckContext& context, const Entry& entry, const std::array<std::string, 3>& motion,
+                        const std::vector<std::string>& names) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::string& name = motion[axis];
+    if (name.empty() || std::ranges::find(names, name) != names.end()) continue;
+    context.problems.error(entry.place(std::string("motion_") + "xyz"[axis]), fmt::format("there is no motion \"{}\"", name),
+                           full_suggestion(name, names, "motions"));
+  }
+}
+
+void check_strength(const CheckContext& context, const Entry& entry, const StrengthNumbers& strength) {
+  if (!entry.gives("friction_angle")) return;
+  if (strength.dilation_angle > strength.friction_angle)
+    context.problems.error(entry.place("dilation_angle"), "dilation_angle must be at most friction_angle",
+                           "above it the ground would win energy by flowing");
+  const Real most = strength.cohesion / std::tan(strength.friction_angle * std::numbers::pi / 180);
+  if (strength.friction_angle > 0 && strength.tensile_strength > most * (1 + 1e-9))
+    context.problems.error(entry.place("tensile_strength"),
+                           fmt::format("tensile_strength must be at most cohesion/tan(friction_angle) = {} Pa, found {}",
+                                       short_number(most), short_number(strength.tensile_strength)),
+                           "the strength in shear is gone there");
 }
 
 }  // namespace sazare::cases

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -21,10 +20,9 @@ std::string word(Enum value) {
   return std::string(EnumWords<Enum>::words.at(static_cast<std::size_t>(value)));
 }
 
+/// The dimension is a key of [particles].
 void check_flat(const CheckContext& context, const Entry& entry, std::string_view key, const Vector3& value, int dimension) {
-  if (dimension == 3 || value.z() == 0 || !entry.gives(key)) return;
-  context.problems.error(entry.place(key), fmt::format("{}: z must be 0 in 2-D, found {}", key, short_number(value.z())),
-                         "write 0 as the third number, or set dimension = 3 in [particles]");
+  check_flat(context, entry, key, value, dimension, "particles");
 }
 
 void check_rectangle(const CheckContext& context, const Entry& entry, const ParticleRegion& region, const ParticleRules& rules) {
@@ -144,16 +142,7 @@ void check_strengths(const CheckContext& context, const MpsCase& mps) {
       continue;
     }
     check_keys(context, entry, "a material with a cohesion", {"friction_angle"}, {});
-    if (!entry.gives("friction_angle")) continue;
-    if (ground.dilation_angle > ground.friction_angle)
-      context.problems.error(entry.place("dilation_angle"), "dilation_angle must be at most friction_angle",
-                             "above it the ground would win energy by flowing");
-    const Real most = ground.cohesion / std::tan(ground.friction_angle * std::numbers::pi / 180);
-    if (ground.friction_angle > 0 && ground.tensile_strength > most * (1 + 1e-9))
-      context.problems.error(entry.place("tensile_strength"),
-                             fmt::format("tensile_strength must be at most cohesion/tan(friction_angle) = {} Pa, found {}",
-                                         short_number(most), short_number(ground.tensile_strength)),
-                             "the strength in shear is gone there");
+    check_strength(context, entry, {ground.cohesion, ground.friction_angle, ground.dilation_angle, ground.tensile_strength});
   }
 }
 
@@ -169,22 +158,6 @@ void check_gravity(const CheckContext& context, const MpsCase& mps) {
     if (boundary.kind == SideKind::viscous)
       context.problems.error(entry.header(), "under gravity a viscous boundary gives way without end",
                              "add settle = true to [gravity]: the boundary then carries what it carries at rest");
-}
-
-void check_damping(const CheckContext& context, const MpsCase& mps) {
-  const Entry entry = context.entries_of("damping").front();
-  const auto list = context.entries_of("materials");
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    if (!(mps.materials[i].damping_ratio > 0) || (entry.has("f1") && entry.has("f2"))) continue;
-    context.problems.error(list[i].place("damping_ratio"), "a damping_ratio needs the frequencies f1 and f2",
-                           "add [damping] with f1 = ... and f2 = ... in Hz: between them the damping is at most damping_ratio");
-    break;
-  }
-  if (entry.gives("f1") && entry.gives("f2") && !(mps.damping.f1 < mps.damping.f2))
-    context.problems.error(
-        entry.place("f2"),
-        fmt::format("f2 must be greater than f1, found {} and {} Hz", short_number(mps.damping.f2), short_number(mps.damping.f1)),
-        "f1 is the lower frequency");
 }
 
 void check_boundaries(const CheckContext& context, const MpsCase& mps) {
@@ -205,12 +178,7 @@ void check_boundaries(const CheckContext& context, const MpsCase& mps) {
     const auto& held = boundary.axes;
     if (boundary.side == Side::all && (boundary.kind != SideKind::roller || !(held[0] || held[1] || held[2])))
       context.problems.error(entry.place("side"), "side \"all\" takes kind roller with axes", "add axes = [\"y\"], for example");
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::string& name = boundary.motion[axis];
-      if (name.empty() || std::ranges::find(names, name) != names.end()) continue;
-      context.problems.error(entry.place(std::string("motion_") + "xyz"[axis]), fmt::format("there is no motion \"{}\"", name),
-                             full_suggestion(name, names, "motions"));
-    }
+    check_motion_names(context, entry, boundary.motion, names);
   }
 }
 
@@ -231,7 +199,9 @@ void check_mps(const CheckContext& context, MpsCase& mps) {
   check_regions(context, mps);
   check_materials(context, mps);
   check_strengths(context, mps);
-  check_damping(context, mps);
+  std::vector<Real> ratios;
+  for (const Ground& ground : mps.materials) ratios.push_back(ground.damping_ratio);
+  check_damping(context, mps.damping, ratios);
   check_motions(context, mps.motions);
   check_boundaries(context, mps);
   check_gravity(context, mps);

@@ -149,21 +149,6 @@ constexpr std::array material_keys{
         .sentence = "Plastic slip (of engineering shear strain) or opening at which links break."},
 };
 
-constexpr std::array damping_keys{
-    Key{.name = "f1",
-        .type = Type::number,
-        .unit = "Hz",
-        .range = positive,
-        .note = "required where a material has a damping_ratio",
-        .sentence = "Lower frequency at which the damping is that of the material."},
-    Key{.name = "f2",
-        .type = Type::number,
-        .unit = "Hz",
-        .range = positive,
-        .note = "required where a material has a damping_ratio",
-        .sentence = "Higher frequency at which the damping is that of the material."},
-};
-
 constexpr std::array boundary_keys{
     Key{.name = "side",
         .type = Type::choice,

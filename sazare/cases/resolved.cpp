@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "sazare/cases/fem_fields.hpp"
 #include "sazare/cases/fields.hpp"
 #include "sazare/cases/number_text.hpp"
 #include "sazare/cases/rectangles_fields.hpp"
@@ -142,6 +143,10 @@ std::string write_resolved(const RectanglesCase& rectangles, const fs::path& fol
 
 std::string write_resolved(const SpheresCase& spheres, const fs::path& folder) {
   return CaseWriter(spheres_schema(), folder).write(spheres, "spheres");
+}
+
+std::string write_resolved(const FemCase& fem, const fs::path& folder) {
+  return CaseWriter(fem_schema(), folder).write(fem, "fem");
 }
 
 }  // namespace sazare::cases

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "sazare/cases/fem_case.hpp"
 #include "sazare/cases/rectangles_case.hpp"
 #include "sazare/cases/spheres_case.hpp"
 
@@ -15,11 +16,13 @@ std::string write_resolved(const BlocksCase& blocks, const std::filesystem::path
 std::string write_resolved(const MpsCase& mps, const std::filesystem::path& folder = {});
 std::string write_resolved(const RectanglesCase& rectangles, const std::filesystem::path& folder = {});
 std::string write_resolved(const SpheresCase& spheres, const std::filesystem::path& folder = {});
+std::string write_resolved(const FemCase& fem, const std::filesystem::path& folder = {});
 
 /// The case in words, with what follows from its numbers: what `sazare check` prints.
 std::string explain(const BlocksCase& blocks);
 std::string explain(const MpsCase& mps);
 std::string explain(const RectanglesCase& rectangles);
 std::string explain(const SpheresCase& spheres);
+std::string explain(const FemCase& fem);
 
 }  // namespace sazare::cases

@@ -32,6 +32,7 @@ bool in_range(const Range& range, Real value) {
 std::span<const Table> schema_of(std::string_view method) {
   if (method == "mps") return mps_schema();
   if (method == "rectangles") return rectangles_schema();
+  if (method == "fem") return fem_schema();
   return method == "spheres" ? spheres_schema() : blocks_schema();
 }
 

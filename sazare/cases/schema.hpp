@@ -80,6 +80,9 @@ std::span<const Table> rectangles_schema();
 /// The tables of method spheres.
 std::span<const Table> spheres_schema();
 
+/// The tables of method fem.
+std::span<const Table> fem_schema();
+
 /// The tables of a study file.
 std::span<const Table> study_schema();
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "sazare/core/error.hpp"
+#include "sazare/geometry/element_shape.hpp"
 #include "sazare/geometry/gmsh_scanner.hpp"
 
 namespace sazare::geometry {
@@ -158,7 +159,27 @@ void read_elements_of_block(GmshScanner& in, GmshElements<Nodes>& elements, std:
 }
 
 /// Returns the number of elements in the block.
-std::int64_t read_element_block(GmshScanner& in, GmshFile& file) {
+std::int64_t read_block_of_any_shape(GmshScanner& in, GmshFile& file) {
+  GmshBlock block;
+  block.dimension = in.read_integer("an element block's dimension");
+  block.entity = in.read_integer("an element block's entity");
+  block.type = in.read_integer("an element block's type");
+  const std::int64_t count = in.read_count("the number of elements in a block", 2 * sizeof(std::int64_t));
+  const ElementShape* shape = shape_of_gmsh_type(block.type);
+  if (shape == nullptr)
+    in.fail(fmt::format("elements of type {}, which Sazare does not read: it reads points, lines, triangles, quadrilaterals, "
+                        "tetrahedra and hexahedra of first and second order. Mesh without prisms and pyramids, of order 1 or 2",
+                        block.type));
+  for (std::int64_t i = 0; i < count; ++i) {
+    block.tags.push_back(in.read_long("an element's number"));
+    for (int node = 0; node < facts(*shape).nodes; ++node) block.nodes.push_back(in.read_long("an element's node"));
+  }
+  file.blocks.push_back(std::move(block));
+  return count;
+}
+
+/// Returns the number of elements in the block.
+std::int64_t read_block_of_simplices(GmshScanner& in, GmshFile& file) {
   in.read_integer("an element block's dimension");
   const std::int32_t entity = in.read_integer("an element block's entity");
   const std::int32_t type = in.read_integer("an element block's type");
@@ -179,7 +200,9 @@ std::int64_t read_element_block(GmshScanner& in, GmshFile& file) {
   return count;
 }
 
-void read_elements(GmshScanner& in, GmshFile& file) {
+using ReadBlock = std::int64_t (*)(GmshScanner&, GmshFile&);
+
+void read_elements(GmshScanner& in, GmshFile& file, ReadBlock read_element_block) {
   const std::int64_t blocks = in.read_count("the number of element blocks", sizeof(std::int32_t));
   const std::int64_t elements = in.read_count("the number of elements", 2 * sizeof(std::int64_t));
   if (elements >= INT32_MAX / 4) {
@@ -194,14 +217,22 @@ void read_elements(GmshScanner& in, GmshFile& file) {
   }
 }
 
+void read_simplices(GmshScanner& in, GmshFile& file) { read_elements(in, file, read_block_of_simplices); }
+void read_every_shape(GmshScanner& in, GmshFile& file) { read_elements(in, file, read_block_of_any_shape); }
+
 using ReadSection = void (*)(GmshScanner&, GmshFile&);
 
-const std::map<std::string, ReadSection> sections_to_read = {
-    {"PhysicalNames", read_physical_names}, {"Entities", read_entities}, {"Nodes", read_nodes}, {"Elements", read_elements}};
+std::map<std::string, ReadSection> sections_to_read(GmshContent content) {
+  return {{"PhysicalNames", read_physical_names},
+          {"Entities", read_entities},
+          {"Nodes", read_nodes},
+          {"Elements", content == GmshContent::simplices ? read_simplices : read_every_shape}};
+}
 
 }  // namespace
 
-GmshFile read_gmsh_file(const std::filesystem::path& path) {
+GmshFile read_gmsh_file(const std::filesystem::path& path, GmshContent content) {
+  const auto sections = sections_to_read(content);
   GmshScanner in(path);
   GmshFile file;
   in.next_section();
@@ -211,8 +242,8 @@ GmshFile read_gmsh_file(const std::filesystem::path& path) {
   std::set<std::string> found;
   while (in.next_section()) {
     if (in.section() == "PartitionedEntities") in.fail("the mesh is partitioned. Mesh again without -part");
-    const auto known = sections_to_read.find(in.section());
-    if (known == sections_to_read.end()) {
+    const auto known = sections.find(in.section());
+    if (known == sections.end()) {
       in.skip_section();
       continue;
     }

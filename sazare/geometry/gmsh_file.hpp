@@ -20,6 +20,18 @@ struct GmshElements {
   std::vector<std::array<std::int64_t, Nodes>> nodes;
 };
 
+/// Elements of one type in one entity, of any shape.
+struct GmshBlock {
+  int type = 0;
+  int dimension = 0;
+  std::int32_t entity = 0;
+  std::vector<std::int64_t> tags;
+  std::vector<std::int64_t> nodes;  ///< (elements, nodes of the type)
+};
+
+/// Which elements are read; others are refused.
+enum class GmshContent { simplices, every_shape };
+
 /// What a Gmsh file says, before anything is looked up or checked.
 struct GmshFile {
   using Key = std::pair<int, std::int32_t>;  ///< dimension, number
@@ -30,9 +42,10 @@ struct GmshFile {
   std::vector<Vector3> nodes;  ///< the file's unit
   GmshElements<3> triangles;
   GmshElements<4> tetrahedra;
+  std::vector<GmshBlock> blocks;  ///< where every shape is read: all elements, and the two lists above stay empty
 };
 
 /// Reads the sections of a Gmsh mesh, format 4.1, ASCII or binary. Throws UserError.
-GmshFile read_gmsh_file(const std::filesystem::path& file);
+GmshFile read_gmsh_file(const std::filesystem::path& file, GmshContent content = GmshContent::simplices);
 
 }  // namespace sazare::geometry

@@ -89,7 +89,7 @@ void check_parameters(const MeshRequest& request, const std::string& text) {
 std::vector<std::string> arguments_for(const MeshRequest& request, const fs::path& output) {
   std::vector<std::string> arguments = {request.program,
                                         fs::absolute(request.geometry).string(),
-                                        "-3",
+                                        fmt::format("-{}", request.dimension),
                                         "-o",
                                         output.string(),
                                         "-format",

@@ -15,6 +15,7 @@ struct MeshRequest {
   std::filesystem::path mesh;                                 ///< the .msh file to write (format 4.1, binary)
   std::vector<std::pair<std::string, Real>> parameters = {};  ///< names set in the .geo by DefineConstant
   Real size_factor = 1;                                       ///< factor on all element sizes, > 0 [-]
+  int dimension = 3;                                          ///< up to which it is meshed
   std::string program = "gmsh";                               ///< looked up in PATH unless it holds a slash
 };
 

@@ -18,34 +18,72 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::size_t corners_of(Grid::Cell cell) { return cell == Grid::Cell::vertex ? 1 : cell == Grid::Cell::triangle ? 3 : 4; }
+/// Points of a cell by VTK's number of its type.
+std::size_t points_of(std::uint8_t type) {
+  switch (type) {
+    case 1:
+      return 1;
+    case 3:
+      return 2;
+    case 5:
+    case 21:
+      return 3;
+    case 9:
+    case 10:
+      return 4;
+    case 22:
+      return 6;
+    case 12:
+    case 23:
+      return 8;
+    case 28:
+      return 9;
+    case 24:
+      return 10;
+    case 25:
+      return 20;
+    case 29:
+      return 27;
+    default:
+      throw std::invalid_argument(fmt::format("cells of VTK's type {} are not known", type));
+  }
+}
 
 void write_count(Hdf5Writer& out, const std::string& name, std::size_t count) {
   const std::vector<std::int64_t> value = {static_cast<std::int64_t>(count)};
   out.write("/VTKHDF/" + name, std::span<const std::int64_t>(value));
 }
 
+std::size_t count_cells(const Grid& grid) {
+  if (grid.cell == Grid::Cell::polygon) return grid.ends.size();
+  if (!grid.types.empty()) return grid.types.size();
+  return grid.connectivity.size() / points_of(static_cast<std::uint8_t>(grid.cell));
+}
+
 void write_cells(Hdf5Writer& out, const Grid& grid, std::size_t cells) {
-  const std::size_t corners = corners_of(grid.cell);
   std::vector<std::int64_t> numbers(grid.connectivity.begin(), grid.connectivity.end());
   out.write("/VTKHDF/Connectivity", std::span<const std::int64_t>(numbers));
-  numbers.resize(cells + 1);
-  for (std::size_t i = 0; i <= cells; ++i)
-    numbers[i] = grid.cell != Grid::Cell::polygon ? static_cast<std::int64_t>(i * corners) : i == 0 ? 0 : grid.ends[i - 1];
+  std::vector<std::uint8_t> types(grid.types.begin(), grid.types.end());
+  if (types.empty()) types.assign(cells, static_cast<std::uint8_t>(grid.cell));
+  numbers.assign(1, 0);
+  if (grid.cell == Grid::Cell::polygon)
+    numbers.insert(numbers.end(), grid.ends.begin(), grid.ends.end());
+  else
+    for (const std::uint8_t type : types) numbers.push_back(numbers.back() + static_cast<std::int64_t>(points_of(type)));
   out.write("/VTKHDF/Offsets", std::span<const std::int64_t>(numbers));
-  const std::vector<std::uint8_t> types(cells, static_cast<std::uint8_t>(grid.cell));
   out.write("/VTKHDF/Types", std::span<const std::uint8_t>(types));
 }
 
-void write_cell_data(Hdf5Writer& out, const CellData& data, std::size_t cells) {
+void write_data(Hdf5Writer& out, const std::string& group, const CellData& data, std::size_t cells) {
   std::visit(
       [&](const auto& values) {
         if (values.size() != cells * data.components) {
-          throw std::invalid_argument(fmt::format("cell data '{}' has {} numbers for {} cells", data.name, values.size(), cells));
+          throw std::invalid_argument(
+              fmt::format("data '{}' has {} numbers for {} cells or points", data.name, values.size(), cells));
         }
         std::vector<std::size_t> shape = {cells};
         if (data.components > 1) shape.push_back(data.components);
-        out.write("/VTKHDF/CellData/" + data.name, values, shape);
+        out.write(group + data.name, values, shape);
       },
       data.values);
 }
@@ -53,8 +91,7 @@ void write_cell_data(Hdf5Writer& out, const CellData& data, std::size_t cells) {
 }  // namespace
 
 void write_vtkhdf(const fs::path& file, const Grid& grid, Sync sync) {
-  const std::size_t cells =
-      grid.cell == Grid::Cell::polygon ? grid.ends.size() : grid.connectivity.size() / corners_of(grid.cell);
+  const std::size_t cells = count_cells(grid);
   Hdf5Writer out(file);
   out.make_group("/VTKHDF");
   out.set_attribute("/VTKHDF", "Version", std::vector<std::int64_t>{1, 0});
@@ -67,7 +104,9 @@ void write_vtkhdf(const fs::path& file, const Grid& grid, Sync sync) {
   out.write("/VTKHDF/Points", std::span(first, 3 * grid.points.size()), {grid.points.size(), 3});
   write_cells(out, grid, cells);
   out.make_group("/VTKHDF/CellData");
-  for (const CellData& data : grid.cell_data) write_cell_data(out, data, cells);
+  for (const CellData& data : grid.cell_data) write_data(out, "/VTKHDF/CellData/", data, cells);
+  if (!grid.point_data.empty()) out.make_group("/VTKHDF/PointData");
+  for (const CellData& data : grid.point_data) write_data(out, "/VTKHDF/PointData/", data, grid.points.size());
   out.make_group("/VTKHDF/FieldData");
   out.write("/VTKHDF/FieldData/time", std::span<const Real>(&grid.time, 1));
   out.commit(sync);

@@ -13,14 +13,14 @@
 
 namespace sazare::observe {
 
-/// Numbers of the cells of a grid under a name, (n, components).
+/// Numbers of the cells, or of the points, of a grid under a name, (n, components).
 struct CellData {
   std::string name;
   std::size_t components = 1;  ///< 1 or 3
   std::variant<std::span<const Real>, std::span<const std::int32_t>> values;
 };
 
-/// A grid of cells of one type, as views on the caller's memory.
+/// A grid of cells, as views on the caller's memory.
 struct Grid {
   /// Cell types by VTK's numbers.
   enum class Cell : std::uint8_t { vertex = 1, triangle = 5, polygon = 7, tetrahedron = 10 };
@@ -31,6 +31,9 @@ struct Grid {
   std::vector<CellData> cell_data;
   Real time = 0;                            ///< [s]
   std::span<const std::int64_t> ends = {};  ///< of polygons: where each ends in the connectivity
+
+  std::span<const std::uint8_t> types = {};   ///< VTK's number of every cell, where they are not all equal
+  std::span<const CellData> point_data = {};  ///< numbers of the points, (points, components)
 };
 
 /// Writes a VTKHDF file (version 1.0, UnstructuredGrid), which ParaView 5.11 and newer and pyvista open; the

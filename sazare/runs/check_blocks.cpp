@@ -1,21 +1,19 @@
 #include "sazare/runs/check_blocks.hpp"
 
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <filesystem>
 #include <numeric>
 
 #include "sazare/cases/number_text.hpp"
 #include "sazare/cases/resolved.hpp"
-#include "sazare/observe/atomic_file.hpp"
 #include "sazare/runs/fragments.hpp"
 #include "sazare/runs/gauges.hpp"
 #include "sazare/runs/mesh_source.hpp"
 #include "sazare/runs/run_clocks.hpp"
 #include "sazare/runs/stability.hpp"
+#include "sazare/runs/temporary_folder.hpp"
 
 namespace sazare::runs {
 
@@ -26,26 +24,6 @@ constexpr std::size_t limiting_shown = 10;
 constexpr int longest_bar = 40;
 
 std::string number(Real value) { return cases::short_number(value, 4); }
-
-/// A folder that goes when the object does.
-class TemporaryFolder {
-public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "sazare-check-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) observe::fail_to_write(name, errno);
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
-private:
-  fs::path path_;
-};
 
 std::string body_text(const BlocksModel& model) {
   const Real volume = std::accumulate(model.volume.begin(), model.volume.end(), Real{0});

@@ -1,5 +1,6 @@
 #include "sazare/runs/motion_table.hpp"
 
+#include "sazare/engine/fem_stepper.hpp"
 #include "sazare/engine/simulation.hpp"
 #include "sazare/engine/sphere_stepper.hpp"
 #include "sazare/engine/uniform_stepper.hpp"
@@ -47,7 +48,27 @@ void read_spheres(engine::SphereStepper& stepper, MotionTable& table) {
   }
 }
 
+template <int D>
+void read_nodes(const engine::FemStepper<D>& stepper, MotionTable& table) {
+  const auto& nodes = stepper.body().mesh().nodes;
+  const auto& state = stepper.state();
+  methods::fem::NodalColumn force(state.acceleration.size(), 0);
+  stepper.body().mass().multiply(state.acceleration, 1, force);
+  table.resize(nodes.size());
+  for (std::size_t node = 0; node < nodes.size(); ++node) {
+    table.position[node] = nodes[node];
+    for (int axis = 0; axis < D; ++axis) {
+      const std::size_t freedom = node * D + static_cast<std::size_t>(axis);
+      table.position[node][axis] += state.displacement[freedom];
+      table.velocity[node][axis] = state.velocity[freedom];
+      table.force[node][axis] = force[freedom];
+    }
+  }
+}
+
 template void read_particles(const engine::UniformStepper<2>&, Index, MotionTable&);
 template void read_particles(const engine::UniformStepper<3>&, Index, MotionTable&);
+template void read_nodes(const engine::FemStepper<2>&, MotionTable&);
+template void read_nodes(const engine::FemStepper<3>&, MotionTable&);
 
 }  // namespace sazare::runs

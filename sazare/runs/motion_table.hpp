@@ -13,6 +13,8 @@ class Simulation;
 template <int D>
 class UniformStepper;
 class SphereStepper;
+template <int D>
+class FemStepper;
 }  // namespace sazare::engine
 
 namespace sazare::runs {
@@ -38,7 +40,13 @@ void read_particles(const engine::UniformStepper<D>& stepper, Index count, Motio
 /// By number of the sphere, whatever their order in memory. Evaluates the forces, which the next step takes over.
 void read_spheres(engine::SphereStepper& stepper, MotionTable& table);
 
+/// Nodes of finite elements.
+template <int D>
+void read_nodes(const engine::FemStepper<D>& stepper, MotionTable& table);
+
 extern template void read_particles(const engine::UniformStepper<2>&, Index, MotionTable&);
 extern template void read_particles(const engine::UniformStepper<3>&, Index, MotionTable&);
+extern template void read_nodes(const engine::FemStepper<2>&, MotionTable&);
+extern template void read_nodes(const engine::FemStepper<3>&, MotionTable&);
 
 }  // namespace sazare::runs

@@ -8,6 +8,7 @@ std::unique_ptr<LiveRun> open_case(const cases::CaseFile& file, const RunOptions
   if (std::holds_alternative<cases::MpsCase>(file.content)) return open_mps(file, options);
   if (std::holds_alternative<cases::RectanglesCase>(file.content)) return open_rectangles(file, options);
   if (std::holds_alternative<cases::SpheresCase>(file.content)) return open_spheres(file, options);
+  if (std::holds_alternative<cases::FemCase>(file.content)) return open_fem(file, options);
   return open_blocks(file, options);
 }
 
@@ -17,6 +18,7 @@ std::string check_case(const cases::CaseFile& file) {
   if (std::holds_alternative<cases::MpsCase>(file.content)) return check_mps(file);
   if (std::holds_alternative<cases::RectanglesCase>(file.content)) return check_rectangles(file);
   if (std::holds_alternative<cases::SpheresCase>(file.content)) return check_spheres(file);
+  if (std::holds_alternative<cases::FemCase>(file.content)) return check_fem(file);
   return check_blocks(file);
 }
 

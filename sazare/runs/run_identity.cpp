@@ -132,6 +132,14 @@ RunIdentity identify(const cases::SpheresCase& spheres, const std::string& start
   return {cases::write_resolved(plain), start, records, program_text()};
 }
 
+RunIdentity identify(const cases::FemCase& fem, const std::string& mesh) {
+  cases::FemCase plain = fem;
+  const std::string records = records_hash(plain.motions);
+  plain.mesh.file = plain.mesh.file.filename();
+  plain.output = {};
+  return {cases::write_resolved(plain), mesh, records, program_text()};
+}
+
 void write_identity(observe::CheckpointWriter& out, const RunIdentity& identity) {
   add(out, "identity.case", identity.case_text);
   add(out, "identity.mesh", identity.mesh);

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "sazare/cases/fem_case.hpp"
 #include "sazare/cases/rectangles_case.hpp"
 #include "sazare/cases/spheres_case.hpp"
 #include "sazare/geometry/tetra_mesh.hpp"
@@ -28,6 +29,9 @@ RunIdentity identify(const cases::RectanglesCase& rectangles, const std::string&
 
 /// `start` is a hash of where spheres and walls stand at the start.
 RunIdentity identify(const cases::SpheresCase& spheres, const std::string& start);
+
+/// `mesh` is a hash of nodes, elements and groups.
+RunIdentity identify(const cases::FemCase& fem, const std::string& mesh);
 
 void write_identity(observe::CheckpointWriter& out, const RunIdentity& identity);
 

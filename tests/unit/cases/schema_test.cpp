@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "case_folder.hpp"
+#include "sazare/cases/fem_fields.hpp"
 #include "sazare/cases/rectangles_fields.hpp"
 #include "sazare/cases/spheres_fields.hpp"
 #include "sazare/cases/units.hpp"
@@ -19,7 +20,7 @@ namespace {
 /// Tables of all methods and of studies.
 std::vector<Table> all_tables() {
   std::vector<Table> tables;
-  for (const auto schema : {blocks_schema(), mps_schema(), rectangles_schema(), spheres_schema(), study_schema()})
+  for (const auto schema : {blocks_schema(), mps_schema(), rectangles_schema(), spheres_schema(), fem_schema(), study_schema()})
     tables.insert(tables.end(), schema.begin(), schema.end());
   return tables;
 }
@@ -74,15 +75,20 @@ TEST(Schema, ChoicesAreInTheOrderOfTheEnums) {
   expect_same_words<ContactModel>("contact", "model", spheres_schema());
   expect_same_words<SphereSource>("spheres", "source", spheres_schema());
   expect_same_words<WallShape>("walls", "shape", spheres_schema());
+  expect_same_words<MassKind>("elements", "mass", fem_schema());
+  expect_same_words<IntegrationKind>("elements", "integration", fem_schema());
+  expect_same_words<GroupKind>("boundaries", "kind", fem_schema());
+  expect_same_words<Analysis>("time", "analysis", fem_schema());
 }
 
 TEST(Schema, JsonIsValidAndClosed) {
   const auto all = nlohmann::json::parse(schema_json());
-  ASSERT_EQ(all["oneOf"].size(), 4);
+  ASSERT_EQ(all["oneOf"].size(), 5);
   EXPECT_EQ(all["oneOf"][1]["properties"]["case"]["properties"]["method"]["const"], "mps");
   EXPECT_EQ(all["oneOf"][1]["properties"].size(), mps_schema().size());
   EXPECT_EQ(all["oneOf"][2]["properties"]["case"]["properties"]["method"]["const"], "rectangles");
   EXPECT_EQ(all["oneOf"][3]["properties"]["case"]["properties"]["method"]["const"], "spheres");
+  EXPECT_EQ(all["oneOf"][4]["properties"]["case"]["properties"]["method"]["const"], "fem");
   const auto& json = all["oneOf"][0];
   EXPECT_EQ(json["additionalProperties"], false);
   EXPECT_EQ(json["properties"].size(), blocks_schema().size());

@@ -1,0 +1,188 @@
+"""Pictures of method fem: displaced mesh, yielding, forces of boundaries. Each returns a Figure, or None without data."""
+
+import numpy as np
+from matplotlib.collections import PolyCollection
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+
+from sazare import style
+
+MOST_FORCES = 6
+MOST_PANELS = 2
+# Points of a cell around its outline, by VTK's number of its type.
+OUTLINES = {5: (0, 1, 2), 22: (0, 3, 1, 4, 2, 5), 9: (0, 1, 2, 3), 23: (0, 4, 1, 5, 2, 6, 3, 7), 28: (0, 4, 1, 5, 2, 6, 3, 7)}
+
+
+def _enlargement(displacement, extent):
+    """A round factor with which the largest displacement is some percent of the body; 1 where it is that large itself."""
+    largest = np.linalg.norm(displacement, axis=1).max(initial=0.0)
+    if largest <= 0.0 or largest > 0.03 * extent:
+        return 1.0
+    factor = 0.06 * extent / largest
+    power = 10.0 ** np.floor(np.log10(factor))
+    return float(power * max(step for step in (1, 2, 5) if step * power <= factor))
+
+
+def _cells(grid):
+    """Point numbers around the outline of every cell of a plane mesh, in the order of the cells."""
+    points, offsets, types = np.asarray(grid.cell_connectivity), np.asarray(grid.offset), np.asarray(grid.celltypes)
+    return [points[offsets[i] + np.array(OUTLINES[int(kind)])] for i, kind in enumerate(types)]
+
+
+def _is_flat(grid):
+    return int(np.asarray(grid.celltypes)[0]) in OUTLINES
+
+
+def _places(grid, factor):
+    """Points with their displacement since the beginning times a factor."""
+    moved = np.asarray(grid.point_data["displacement"])
+    return np.asarray(grid.points) + (factor - 1.0) * moved, moved
+
+
+def _draw_flat(axes, grid, values, factor, top):
+    """Cells of a plane mesh, coloured by a value of each."""
+    places, _ = _places(grid, factor)
+    outlines = [places[cell, :2] for cell in _cells(grid)]
+    edge = 0.3 if len(outlines) < 3000 else 0.0
+    drawn = axes.add_collection(PolyCollection(outlines, array=values, cmap=style.SPEED, edgecolors="#00000055", linewidths=edge))
+    drawn.set_clim(0.0, top)
+    axes.set_aspect("equal")
+    axes.autoscale_view()
+    axes.grid(False)
+    return drawn
+
+
+def _draw_solid(axes, grid, values, factor, top):
+    """The outside of a mesh in space, coloured by a value of each cell."""
+    moved = grid.copy()
+    moved.points, _ = _places(grid, factor)
+    moved.cell_data["shown"] = values
+    outside = moved.extract_surface(nonlinear_subdivision=1).triangulate()
+    faces = np.asarray(outside.faces).reshape(-1, 4)[:, 1:]
+    points = np.asarray(outside.points)
+    shown = np.asarray(outside.cell_data["shown"])
+    drawn = axes.add_collection3d(Poly3DCollection(points[faces], array=shown, cmap=style.SPEED, linewidths=0.0))
+    drawn.set_clim(0.0, top)
+    low, high = points.min(axis=0), points.max(axis=0)
+    for set_limits, a, b in zip((axes.set_xlim, axes.set_ylim, axes.set_zlim), low, high):
+        set_limits(a, max(b, a + 1e-9))
+    axes.set_box_aspect(np.maximum(high - low, 1e-3 * (high - low).max()))
+    return drawn
+
+
+def _mean_by_cell(grid, values):
+    """Mean over the points of every cell."""
+    points, offsets = np.asarray(grid.cell_connectivity), np.asarray(grid.offset)
+    return np.add.reduceat(values[points], offsets[:-1]) / np.diff(offsets)
+
+
+def _panels(grids, values, label, factor, titles):
+    """Meshes one above the other (or side by side, where they are tall) with one scale of colours."""
+    flat = _is_flat(grids[0])
+    extent = np.ptp(np.asarray(grids[0].points), axis=0)
+    tall = extent[1 if flat else 2] > extent[0]
+    shape = (1, len(grids)) if tall else (len(grids), 1)
+    ratio = max(extent[1] if flat else 0.7 * extent.max(), 0.12 * extent[0]) / max(extent[0], 1e-9)
+    figure = style.figure(9.0, 5.4 if tall else len(grids) * (0.9 + min(7.5 * ratio, 4.5)))
+    panels = np.ravel(figure.subplots(*shape, subplot_kw={} if flat else {"projection": "3d"}, squeeze=False))
+    top = max(max(one.max(initial=0.0) for one in values), 1e-30)
+    for axes, grid, one, title in zip(panels, grids, values, titles):
+        drawn = (_draw_flat if flat else _draw_solid)(axes, grid, one, factor, top)
+        axes.set_title(title + (f", displacements × {factor:g}" if factor != 1.0 else ""))
+    figure.colorbar(drawn, ax=list(panels), label=label, shrink=0.8)
+    return figure
+
+
+@style.styled
+def displaced(results):
+    """The mesh when it is displaced most, and at the end, coloured by displacement."""
+    snapshots = results.element_snapshots
+    if not len(snapshots):
+        return None
+    grids = [snapshot.elements for snapshot in snapshots]
+    sizes = [np.linalg.norm(np.asarray(grid.point_data["displacement"]), axis=1) for grid in grids]
+    chosen = sorted({int(np.argmax([size.max() for size in sizes])), len(grids) - 1})[:MOST_PANELS]
+    extent = np.ptp(np.asarray(grids[0].points), axis=0).max()
+    factor = min(_enlargement(np.asarray(grids[i].point_data["displacement"]), extent) for i in chosen)
+    values = [_mean_by_cell(grids[i], sizes[i]) for i in chosen]
+    return _panels([grids[i] for i in chosen], values, "displacement [m]", factor, [f"{snapshots[i].time:.3g} s" for i in chosen])
+
+
+@style.styled
+def yielding(results):
+    """Plastic slip of every element at the end."""
+    snapshots = results.element_snapshots
+    if not len(snapshots):
+        return None
+    grid = snapshots[-1].elements
+    slip = np.asarray(grid.cell_data["plastic_slip"])
+    if slip.max(initial=0.0) <= 0.0:
+        return None
+    extent = np.ptp(np.asarray(grid.points), axis=0).max()
+    factor = _enlargement(np.asarray(grid.point_data["displacement"]), extent)
+    return _panels([grid], [slip], "plastic slip [-]", factor, [f"{snapshots[-1].time:.3g} s"])
+
+
+@style.styled
+def forces(results):
+    """Forces of the boundaries on the body against time, those that change most."""
+    history = results.history
+    names = [name for name in history if name.startswith("force.") and np.any(history[name] != 0.0)]
+    if not names or history.rows < 2:
+        return None
+    names = sorted(names, key=lambda name: -np.ptp(history[name]))[:MOST_FORCES]
+    factor, prefix = style.prefix_for(max(np.abs(history[name]).max() for name in names))
+    figure = style.figure(6.2, 3.6)
+    axes = figure.subplots()
+    for name in names:
+        group, axis = name.removeprefix("force.").rsplit("_", 1)
+        axes.plot(history["time"], history[name] / factor, linewidth=1.1, label=f"{group} along {axis}")
+    axes.set_xlabel("time [s]")
+    axes.set_ylabel(f"force on the body [{prefix}N]")
+    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3)
+    axes.margins(x=0)
+    return figure
+
+
+@style.styled
+def joints(results):
+    """Share of each joint that is open and that slips, and its largest slip, against time."""
+    history = results.history
+    names = [name.removesuffix(".slip_max") for name in history if name.startswith("joint.") and name.endswith(".slip_max")]
+    if not names or history.rows < 2:
+        return None
+    figure = style.figure(9.0, 3.4)
+    left, right = figure.subplots(1, 2)
+    for name in names:
+        label = name.removeprefix("joint.")
+        line, = left.plot(history["time"], history[f"{name}.slip_share"], linewidth=1.0, label=f"{label} slips")
+        left.plot(history["time"], history[f"{name}.open_share"], linewidth=1.0, linestyle=":", color=line.get_color(),
+                  label=f"{label} open")
+        right.plot(history["time"], history[f"{name}.slip_max"], linewidth=1.0, color=line.get_color(), label=label)
+    left.set_ylabel("share of the area [-]")
+    left.legend()
+    right.set_ylabel("largest slip [m]")
+    for axes in (left, right):
+        axes.set_xlabel("time [s]")
+        axes.margins(x=0)
+    return figure
+
+
+@style.styled
+def displacements(results):
+    """Displacement at the gauges along the axis of the largest one, against time."""
+    table = results.gauge_table
+    names = list(results.gauges)
+    if not names or table.rows < 2:
+        return None
+    peaks = [max(np.abs(table[f"{name}.displacement_{axis}"]).max() for name in names) for axis in "xyz"]
+    axis = "xyz"[int(np.argmax(peaks))]
+    factor, prefix = style.prefix_for(max(peaks))
+    figure = style.figure(6.2, 3.4)
+    axes = figure.subplots()
+    for name in names[:MOST_FORCES]:
+        axes.plot(table["time"], table[f"{name}.displacement_{axis}"] / factor, linewidth=1.1, label=name)
+    axes.set_xlabel("time [s]")
+    axes.set_ylabel(f"displacement along {axis} [{prefix}m]")
+    axes.legend()
+    axes.margins(x=0)
+    return figure

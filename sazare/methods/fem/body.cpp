@@ -1,0 +1,176 @@
+#include "sazare/methods/fem/body.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <tuple>
+
+#include "sazare/parallel/threads.hpp"
+
+namespace sazare::methods::fem {
+namespace {
+
+constexpr std::size_t serial_below = 64;  // yielding elements
+
+std::size_t at(Index index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+template <int D>
+Body<D>::Body(BodyDescription description)
+    : description_(std::move(description)),
+      yielding_(description_.mesh, description_.materials, description_.material, description_.integration),
+      joints_(description_.mesh, description_.joints),
+      pattern_(description_.mesh.nodes.size(), all_groups()),
+      mass_(pattern_),
+      linear_(pattern_),
+      buffer_(pattern_, changing_groups()) {
+  const geometry::ElementMesh& mesh = description_.mesh;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const SolidMaterial& material = description_.materials[at(description_.material[e])];
+    const auto nodes = mesh.elements[e].node_list();
+    mass_.add(nodes, element_mass<D>(mesh, mesh.elements[e], material.density, description_.mass));
+    if (!material.strength)
+      linear_.add(nodes, element_stiffness<D>(mesh, mesh.elements[e], material, description_.integration));
+  }
+}
+
+template <int D>
+NodeGroups Body<D>::all_groups() const {
+  NodeGroups groups;
+  for (const geometry::MeshElement& element : description_.mesh.elements) groups.add(element.node_list());
+  for (std::size_t j = 0; j < joints_.size(); ++j) groups.add(joints_.nodes(j));
+  return groups;
+}
+
+template <int D>
+NodeGroups Body<D>::changing_groups() const {
+  NodeGroups groups;
+  for (std::size_t i = 0; i < yielding_.size(); ++i)
+    groups.add(description_.mesh.elements[at(yielding_.element(i))].node_list());
+  for (std::size_t j = 0; j < joints_.size(); ++j) groups.add(joints_.nodes(j));
+  return groups;
+}
+
+template <int D>
+Real Body<D>::total_mass() const {
+  NodalColumn along(freedoms(), 0), sums(freedoms(), 0);
+  for (std::size_t i = 0; i < along.size(); i += D) along[i] = 1;
+  mass_.multiply(along, 1, sums);
+  Real total = 0;
+  for (std::size_t i = 0; i < sums.size(); i += D) total += sums[i];
+  return total;
+}
+
+template <int D>
+bool Body<D>::is_symmetric() const {
+  const auto associated = [](const SolidMaterial& material) { return material.is_associated(); };
+  const auto frictionless = [](const JointSet& set) { return set.law.friction_coefficient == 0; };
+  return std::ranges::all_of(description_.materials, associated) && std::ranges::all_of(description_.joints, frictionless);
+}
+
+template <int D>
+BlockMatrix<D> Body<D>::elastic_stiffness() const {
+  BlockMatrix<D> result = linear_;
+  const geometry::ElementMesh& mesh = description_.mesh;
+  for (std::size_t i = 0; i < yielding_.size(); ++i) {
+    const std::size_t e = at(yielding_.element(i));
+    const SolidMaterial& material = description_.materials[at(description_.material[e])];
+    result.add(mesh.elements[e].node_list(), element_stiffness<D>(mesh, mesh.elements[e], material, description_.integration));
+  }
+  return result;
+}
+
+template <int D>
+BlockMatrix<D> Body<D>::damping_matrix(const laws::RayleighDamping& damping) const {
+  BlockMatrix<D> result(pattern_);
+  const geometry::ElementMesh& mesh = description_.mesh;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const SolidMaterial& material = description_.materials[at(description_.material[e])];
+    if (!(material.damping_ratio > 0)) continue;
+    const auto nodes = mesh.elements[e].node_list();
+    result.add(nodes, element_mass<D>(mesh, mesh.elements[e], material.density, description_.mass),
+               damping.mass_rate * material.damping_ratio);
+    result.add(nodes, element_stiffness<D>(mesh, mesh.elements[e], material, description_.integration),
+               damping.stiffness_time * material.damping_ratio);
+  }
+  return result;
+}
+
+template <int D>
+Memory Body<D>::memory_at_rest() const {
+  return {std::vector<Real>(yielding_.memory_size(), 0), std::vector<Real>(joints_.memory_size(), 0)};
+}
+
+template <int D>
+bool Body<D>::evaluate(const NodalColumn& displacement, const Memory& before, Memory& after, NodalColumn& force,
+                       BlockMatrix<D>* tangent) {
+  std::ranges::fill(force, 0);
+  linear_.multiply(displacement, 1, force);
+  std::atomic<bool> changed = !has_tangent_;
+  parallel::parallel_for(buffer_.groups(), serial_below, [&](std::size_t begin, std::size_t end) {
+    std::vector<Real> old;
+    for (std::size_t group = begin; group < end; ++group) {
+      const auto matrix = tangent == nullptr ? std::span<Real>{} : buffer_.matrix(group);
+      old.assign(matrix.begin(), matrix.end());
+      if (group < yielding_.size())
+        yielding_.evaluate(group, displacement, before.solids, after.solids, buffer_.force(group), matrix);
+      else
+        joints_.evaluate(group - yielding_.size(), displacement, before.joints, after.joints, buffer_.force(group), matrix);
+      if (!std::ranges::equal(old, matrix)) changed = true;
+    }
+  });
+  buffer_.gather_forces(force);
+  if (tangent == nullptr || !changed) return false;
+  tangent->values() = linear_.values();
+  buffer_.gather_matrices(*tangent);
+  has_tangent_ = true;
+  return true;
+}
+
+template <int D>
+typename Body<D>::Energies Body<D>::energies(const NodalColumn& displacement_before, const NodalColumn& displacement,
+                                             const Memory& before, const Memory& after) const {
+  NodalColumn force(freedoms(), 0);
+  linear_.multiply(displacement, 1, force);
+  Energies result;
+  for (std::size_t i = 0; i < force.size(); ++i) result.elastic += 0.5 * force[i] * displacement[i];
+  for (std::size_t i = 0; i < yielding_.size(); ++i) {
+    const auto part = yielding_.energies(i, displacement_before, displacement, before.solids, after.solids);
+    result.elastic += part.elastic;
+    result.plastic += part.plastic;
+  }
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    const auto part = joints_.energies(j, displacement_before, displacement, before.joints, after.joints);
+    result.elastic += part.elastic;
+    result.friction += part.friction;
+  }
+  return result;
+}
+
+template <int D>
+void Body<D>::stresses(const NodalColumn& displacement, const Memory& memory, std::vector<Voigt<D>>& stress,
+                       std::vector<Real>& slip) const {
+  const geometry::ElementMesh& mesh = description_.mesh;
+  stress.assign(mesh.elements.size(), Voigt<D>::Zero());
+  slip.assign(mesh.elements.size(), 0);
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const SolidMaterial& material = description_.materials[at(description_.material[e])];
+    if (material.strength) continue;
+    const ElementColumn<D> moved = displacements_of<D>(mesh.elements[e], displacement);
+    Voigt<D> strain = Voigt<D>::Zero();
+    Real volume = 0;
+    for (const QuadraturePoint& place : stiffness_points(mesh.elements[e].shape, description_.integration)) {
+      const SolidPoint<D> point = solid_point<D>(mesh, mesh.elements[e], place);
+      strain += point.weight * (strain_matrix<D>(point.gradients) * moved);
+      volume += point.weight;
+    }
+    stress[e] = fem::elastic_stiffness<D>(material.elastic) * (strain / volume);
+  }
+  for (std::size_t i = 0; i < yielding_.size(); ++i)
+    std::tie(stress[at(yielding_.element(i))], slip[at(yielding_.element(i))]) = yielding_.mean(i, displacement, memory.solids);
+}
+
+template class Body<2>;
+template class Body<3>;
+
+}  // namespace sazare::methods::fem

@@ -1,0 +1,92 @@
+#pragma once
+
+/// A body of finite elements: masses, forces, tangents and energies of a state of displacements.
+
+#include "sazare/laws/rayleigh_damping.hpp"
+#include "sazare/methods/fem/joints.hpp"
+#include "sazare/methods/fem/solids.hpp"
+
+namespace sazare::methods::fem {
+
+/// What a body is made of.
+struct BodyDescription {
+  geometry::ElementMesh mesh;  ///< cut along the joints
+  std::vector<SolidMaterial> materials;
+  std::vector<Index> material;  ///< by element
+  std::vector<JointSet> joints;
+  Integration integration = Integration::full;
+  MassMatrix mass = MassMatrix::consistent;
+};
+
+/// What the points of integration remember.
+struct Memory {
+  std::vector<Real> solids;  ///< plastic strains and slips
+  std::vector<Real> joints;  ///< slips
+};
+
+template <int D>
+class Body {
+public:
+  /// Throws UserError where an element has no volume.
+  explicit Body(BodyDescription description);
+  Body(const Body&) = delete;
+  Body& operator=(const Body&) = delete;
+
+  const geometry::ElementMesh& mesh() const { return description_.mesh; }
+  const BodyDescription& description() const { return description_; }
+  const NodePattern& pattern() const { return pattern_; }
+  const BlockMatrix<D>& mass() const { return mass_; }
+  std::size_t freedoms() const { return description_.mesh.nodes.size() * D; }
+  Real total_mass() const;
+
+  /// Nothing yields and there are no joints: forces are the stiffness times the displacements.
+  bool is_linear() const { return yielding_.size() + joints_.size() == 0; }
+  bool is_symmetric() const;
+
+  /// Elastic stiffness of all elements, without joints.
+  BlockMatrix<D> elastic_stiffness() const;
+
+  /// a1 h M + a2 h K, with h the damping ratio of each element's material; K is the elastic one, also where the material yields.
+  BlockMatrix<D> damping_matrix(const laws::RayleighDamping& damping) const;
+
+  Memory memory_at_rest() const;
+
+  /// Internal forces of displacements, and the memory that they leave. `tangent`, where asked for, is made anew where it has
+  /// changed; then the result is true.
+  bool evaluate(const NodalColumn& displacement, const Memory& before, Memory& after, NodalColumn& force, BlockMatrix<D>* tangent);
+
+  /// The next `evaluate` makes its tangent anew: after a return to an earlier state.
+  void forget_tangent() { has_tangent_ = false; }
+
+  struct Energies {
+    Real elastic = 0;   ///< stored [J]
+    Real plastic = 0;   ///< taken by flow between the two states [J]
+    Real friction = 0;  ///< taken by joints [J]
+  };
+  Energies energies(const NodalColumn& displacement_before, const NodalColumn& displacement, const Memory& before,
+                    const Memory& after) const;
+
+  /// Mean stress of every element, and its mean plastic slip.
+  void stresses(const NodalColumn& displacement, const Memory& memory, std::vector<Voigt<D>>& stress,
+                std::vector<Real>& slip) const;
+
+  const Joints<D>& joints() const { return joints_; }
+
+private:
+  NodeGroups all_groups() const;
+  NodeGroups changing_groups() const;
+
+  BodyDescription description_;
+  YieldingSolids<D> yielding_;
+  Joints<D> joints_;
+  NodePattern pattern_;
+  BlockMatrix<D> mass_;
+  BlockMatrix<D> linear_;  ///< stiffness of the elements that never yield
+  GroupBuffer<D> buffer_;  ///< yielding elements, then joints
+  bool has_tangent_ = false;
+};
+
+extern template class Body<2>;
+extern template class Body<3>;
+
+}  // namespace sazare::methods::fem

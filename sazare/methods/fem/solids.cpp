@@ -1,0 +1,190 @@
+#include "sazare/methods/fem/solids.hpp"
+
+#include <fmt/format.h>
+
+#include "sazare/core/error.hpp"
+
+namespace sazare::methods::fem {
+namespace {
+
+std::size_t at(Index index) { return static_cast<std::size_t>(index); }
+
+template <int D>
+Eigen::Matrix<Real, Eigen::Dynamic, D, 0, most_nodes, D> places_of(const geometry::ElementMesh& mesh,
+                                                                   const geometry::MeshElement& element) {
+  Eigen::Matrix<Real, Eigen::Dynamic, D, 0, most_nodes, D> places(element.node_list().size(), D);
+  for (std::size_t i = 0; i < element.node_list().size(); ++i)
+    places.row(static_cast<Eigen::Index>(i)) = mesh.nodes[at(element.nodes[i])].template head<D>().transpose();
+  return places;
+}
+
+}  // namespace
+
+template <int D>
+SolidPoint<D> solid_point(const geometry::ElementMesh& mesh, const geometry::MeshElement& element, const QuadraturePoint& point) {
+  const NodeGradients by_reference = shape_gradients(element.shape, point.place);
+  const Eigen::Matrix<Real, D, D> jacobian = places_of<D>(mesh, element).transpose() * by_reference.template leftCols<D>();
+  const Real volume = jacobian.determinant();
+  if (!(volume > 0)) {
+    const Vector3& place = mesh.nodes[at(element.nodes[0])];
+    throw UserError(fmt::format("element {} ({}) at ({:.6g}, {:.6g}, {:.6g}) m has no volume, or is turned inside out. Look at the "
+                                "mesh there; curved sides may need smaller elements",
+                                element.tag, facts(element.shape).name, place.x(), place.y(), place.z()));
+  }
+  return {volume * point.weight, by_reference.template leftCols<D>() * jacobian.inverse()};
+}
+
+template <int D>
+StrainMatrix<D> strain_matrix(const Gradients<D>& gradients) {
+  StrainMatrix<D> b(stress_size<D>, gradients.rows() * D);
+  for (Eigen::Index node = 0; node < gradients.rows(); ++node)
+    b.template middleCols<D>(node * D) = strain_operator<D>(gradients.row(node).transpose());
+  return b;
+}
+
+template <int D>
+ElementColumn<D> displacements_of(const geometry::MeshElement& element, const NodalColumn& displacement) {
+  const auto nodes = element.node_list();
+  ElementColumn<D> moved(nodes.size() * D);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (std::size_t axis = 0; axis < D; ++axis) moved[static_cast<Eigen::Index>(i * D + axis)] = displacement[at(nodes[i]) * D + axis];
+  return moved;
+}
+
+template <int D>
+Eigen::MatrixXd element_stiffness(const geometry::ElementMesh& mesh, const geometry::MeshElement& element,
+                                  const SolidMaterial& material, Integration integration) {
+  const auto size = static_cast<Eigen::Index>(element.node_list().size()) * D;
+  const VoigtMatrix<D> c = elastic_stiffness<D>(material.elastic);
+  Eigen::MatrixXd k = Eigen::MatrixXd::Zero(size, size);
+  for (const QuadraturePoint& place : stiffness_points(element.shape, integration)) {
+    const SolidPoint<D> point = solid_point<D>(mesh, element, place);
+    const StrainMatrix<D> b = strain_matrix<D>(point.gradients);
+    k += point.weight * (b.transpose() * (c * b));
+  }
+  return 0.5 * (k + k.transpose());
+}
+
+template <int D>
+Eigen::MatrixXd element_mass(const geometry::ElementMesh& mesh, const geometry::MeshElement& element, Real density,
+                             MassMatrix kind) {
+  const auto nodes = static_cast<Eigen::Index>(element.node_list().size());
+  Eigen::MatrixXd by_node = Eigen::MatrixXd::Zero(nodes, nodes);
+  Real whole = 0;
+  for (const QuadraturePoint& place : mass_points(element.shape)) {
+    const NodeValues n = shape_values(element.shape, place.place);
+    const Real mass = density * solid_point<D>(mesh, element, place).weight;
+    by_node += mass * n * n.transpose();
+    whole += mass;
+  }
+  if (kind == MassMatrix::lumped) {
+    const Eigen::VectorXd diagonal = by_node.diagonal() * (whole / by_node.diagonal().sum());
+    by_node = diagonal.asDiagonal();
+  }
+  Eigen::MatrixXd m = Eigen::MatrixXd::Zero(nodes * D, nodes * D);
+  for (Eigen::Index a = 0; a < nodes; ++a)
+    for (Eigen::Index b = 0; b < nodes; ++b)
+      for (int axis = 0; axis < D; ++axis) m(a * D + axis, b * D + axis) = by_node(a, b);
+  return m;
+}
+
+template <int D>
+YieldingSolids<D>::YieldingSolids(const geometry::ElementMesh& mesh, const std::vector<SolidMaterial>& materials,
+                                  const std::vector<Index>& material, Integration integration)
+    : mesh_(&mesh), first_point_{0} {
+  for (const SolidMaterial& one : materials) {
+    law_.emplace_back(one.strength.value_or(laws::MohrCoulomb{}), one.elastic);
+    stiffness_.push_back(elastic_stiffness<D>(one.elastic));
+  }
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    if (!materials[at(material[e])].strength) continue;
+    element_.push_back(static_cast<Index>(e));
+    material_.push_back(material[e]);
+    for (const QuadraturePoint& place : stiffness_points(mesh.elements[e].shape, integration))
+      point_.push_back(solid_point<D>(mesh, mesh.elements[e], place));
+    first_point_.push_back(point_.size());
+  }
+}
+
+template <int D>
+Voigt<D> YieldingSolids<D>::elastic_strain(std::size_t point, const ElementColumn<D>& moved, std::span<const Real> memory) const {
+  return strain_matrix<D>(point_[point].gradients) * moved - Memory(memory.data() + point * (stress_size<D> + 1));
+}
+
+template <int D>
+bool YieldingSolids<D>::evaluate(std::size_t number, const NodalColumn& displacement, std::span<const Real> before,
+                                 std::span<Real> after, std::span<Real> force, std::span<Real> tangent) const {
+  const geometry::MeshElement& element = mesh_->elements[at(element_[number])];
+  const ElementColumn<D> moved = displacements_of<D>(element, displacement);
+  Eigen::Map<Eigen::VectorXd> f(force.data(), moved.size());
+  using RowMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  Eigen::Map<RowMatrix> k(tangent.data(), tangent.empty() ? 0 : moved.size(), tangent.empty() ? 0 : moved.size());
+  f.setZero();
+  k.setZero();
+  bool yields = false;
+  for (std::size_t p = first_point_[number]; p < first_point_[number + 1]; ++p) {
+    const StrainMatrix<D> b = strain_matrix<D>(point_[p].gradients);
+    const Real* old = before.data() + p * (stress_size<D> + 1);
+    VoigtMatrix<D> c;
+    const Voigt<D> strain = b * moved - Memory(old);
+    const SolidResponse<D> response = respond<D>(law_[at(material_[number])], strain, tangent.empty() ? nullptr : &c);
+    yields = yields || response.yields;
+    Real* next = after.data() + p * (stress_size<D> + 1);
+    Eigen::Map<Voigt<D>> flowed(next);
+    flowed = Memory(old) + response.plastic;
+    const Eigen::SelfAdjointEigenSolver<Matrix3> parts(strain_tensor<D>(response.plastic), Eigen::EigenvaluesOnly);
+    next[stress_size<D>] = old[stress_size<D>] + (response.yields ? parts.eigenvalues()[2] - parts.eigenvalues()[0] : 0);
+    f.noalias() += point_[p].weight * (b.transpose() * response.stress);
+    if (!tangent.empty()) k.noalias() += point_[p].weight * (b.transpose() * (c * b));
+  }
+  return yields;
+}
+
+template <int D>
+typename YieldingSolids<D>::Energies YieldingSolids<D>::energies(std::size_t number, const NodalColumn& displacement_before,
+                                                                 const NodalColumn& displacement, std::span<const Real> before,
+                                                                 std::span<const Real> after) const {
+  const geometry::MeshElement& element = mesh_->elements[at(element_[number])];
+  const ElementColumn<D> old = displacements_of<D>(element, displacement_before), now = displacements_of<D>(element, displacement);
+  const VoigtMatrix<D>& c = stiffness_[at(material_[number])];
+  Energies result;
+  for (std::size_t p = first_point_[number]; p < first_point_[number + 1]; ++p) {
+    const Voigt<D> strain = elastic_strain(p, now, after), strain_before = elastic_strain(p, old, before);
+    const Voigt<D> flow =
+        Memory(after.data() + p * (stress_size<D> + 1)) - Memory(before.data() + p * (stress_size<D> + 1));
+    result.elastic += 0.5 * point_[p].weight * strain.dot(c * strain);
+    result.plastic += 0.5 * point_[p].weight * flow.dot(c * (strain + strain_before));
+  }
+  return result;
+}
+
+template <int D>
+std::pair<Voigt<D>, Real> YieldingSolids<D>::mean(std::size_t number, const NodalColumn& displacement,
+                                                  std::span<const Real> memory) const {
+  const ElementColumn<D> moved = displacements_of<D>(mesh_->elements[at(element_[number])], displacement);
+  Voigt<D> stress = Voigt<D>::Zero();
+  Real slip = 0, volume = 0;
+  for (std::size_t p = first_point_[number]; p < first_point_[number + 1]; ++p) {
+    stress += point_[p].weight * (stiffness_[at(material_[number])] * elastic_strain(p, moved, memory));
+    slip += point_[p].weight * memory[p * (stress_size<D> + 1) + stress_size<D>];
+    volume += point_[p].weight;
+  }
+  return {stress / volume, slip / volume};
+}
+
+template SolidPoint<2> solid_point<2>(const geometry::ElementMesh&, const geometry::MeshElement&, const QuadraturePoint&);
+template SolidPoint<3> solid_point<3>(const geometry::ElementMesh&, const geometry::MeshElement&, const QuadraturePoint&);
+template StrainMatrix<2> strain_matrix<2>(const Gradients<2>&);
+template StrainMatrix<3> strain_matrix<3>(const Gradients<3>&);
+template ElementColumn<2> displacements_of<2>(const geometry::MeshElement&, const NodalColumn&);
+template ElementColumn<3> displacements_of<3>(const geometry::MeshElement&, const NodalColumn&);
+template Eigen::MatrixXd element_stiffness<2>(const geometry::ElementMesh&, const geometry::MeshElement&, const SolidMaterial&,
+                                              Integration);
+template Eigen::MatrixXd element_stiffness<3>(const geometry::ElementMesh&, const geometry::MeshElement&, const SolidMaterial&,
+                                              Integration);
+template Eigen::MatrixXd element_mass<2>(const geometry::ElementMesh&, const geometry::MeshElement&, Real, MassMatrix);
+template Eigen::MatrixXd element_mass<3>(const geometry::ElementMesh&, const geometry::MeshElement&, Real, MassMatrix);
+template class YieldingSolids<2>;
+template class YieldingSolids<3>;
+
+}  // namespace sazare::methods::fem

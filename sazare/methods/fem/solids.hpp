@@ -1,0 +1,100 @@
+#pragma once
+
+/// Elements of the body: what is integrated over them.
+
+#include "sazare/geometry/element_mesh.hpp"
+#include "sazare/methods/fem/node_pattern.hpp"
+#include "sazare/methods/fem/shape_functions.hpp"
+#include "sazare/methods/fem/solid_law.hpp"
+
+namespace sazare::methods::fem {
+
+template <int D>
+using Gradients = Eigen::Matrix<Real, Eigen::Dynamic, D, 0, most_nodes, D>;
+
+/// A point of integration: its volume (in 2-D area) and the derivatives of the shape functions by the coordinates.
+template <int D>
+struct SolidPoint {
+  Real weight = 0;  ///< [m3; m2 in 2-D]
+  Gradients<D> gradients;
+};
+
+/// Throws UserError, naming the element, where it has no volume there or is turned inside out.
+template <int D>
+SolidPoint<D> solid_point(const geometry::ElementMesh& mesh, const geometry::MeshElement& element, const QuadraturePoint& point);
+
+/// Whole matrix of strains by displacements of an element's nodes: (stress_size, nodes x D).
+template <int D>
+using StrainMatrix = Eigen::Matrix<Real, stress_size<D>, Eigen::Dynamic, 0, stress_size<D>, most_nodes * D>;
+
+template <int D>
+StrainMatrix<D> strain_matrix(const Gradients<D>& gradients);
+
+/// Displacements of an element's nodes, in its order.
+template <int D>
+using ElementColumn = Eigen::Matrix<Real, Eigen::Dynamic, 1, 0, most_nodes * D, 1>;
+
+template <int D>
+ElementColumn<D> displacements_of(const geometry::MeshElement& element, const NodalColumn& displacement);
+
+/// Elastic stiffness [N/m].
+template <int D>
+Eigen::MatrixXd element_stiffness(const geometry::ElementMesh& mesh, const geometry::MeshElement& element,
+                                  const SolidMaterial& material, Integration integration);
+
+enum class MassMatrix { consistent, lumped };
+
+/// Mass [kg]. The lumped one is diagonal, in proportion to the consistent one's diagonal: all parts are positive. Hinton, Rock and
+/// Zienkiewicz, Earthquake Eng. Struct. Dyn. 4 (1976) 245-249.
+template <int D>
+Eigen::MatrixXd element_mass(const geometry::ElementMesh& mesh, const geometry::MeshElement& element, Real density,
+                             MassMatrix kind);
+
+/// Elements whose stress must be found point by point, with their memory.
+template <int D>
+class YieldingSolids {
+public:
+  YieldingSolids(const geometry::ElementMesh& mesh, const std::vector<SolidMaterial>& materials,
+                 const std::vector<Index>& material, Integration integration);
+
+  std::size_t size() const { return element_.size(); }
+  Index element(std::size_t number) const { return element_[number]; }
+  std::size_t points() const { return point_.size(); }
+
+  /// Numbers of memory: the plastic strain of every point, and the plastic slip it has added up.
+  std::size_t memory_size() const { return points() * (stress_size<D> + 1); }
+
+  /// Stress and memory of an element from the displacements and the memory before; its force and, where asked for, its tangent by
+  /// rows. Returns whether a point yields.
+  bool evaluate(std::size_t number, const NodalColumn& displacement, std::span<const Real> before, std::span<Real> after,
+                std::span<Real> force, std::span<Real> tangent) const;
+
+  struct Energies {
+    Real elastic = 0;  ///< stored [J]
+    Real plastic = 0;  ///< taken by flow since the memory before [J]
+  };
+
+  /// Of an element, between two states: the flow's work is that of the mean stress.
+  Energies energies(std::size_t number, const NodalColumn& displacement_before, const NodalColumn& displacement,
+                    std::span<const Real> before, std::span<const Real> after) const;
+
+  /// Mean stress and plastic slip of an element.
+  std::pair<Voigt<D>, Real> mean(std::size_t number, const NodalColumn& displacement, std::span<const Real> memory) const;
+
+private:
+  using Memory = Eigen::Map<const Voigt<D>>;
+  Voigt<D> elastic_strain(std::size_t point, const ElementColumn<D>& moved, std::span<const Real> memory) const;
+
+  const geometry::ElementMesh* mesh_;
+  std::vector<Index> element_;
+  std::vector<std::size_t> first_point_;  ///< by element, and one beyond
+  std::vector<SolidPoint<D>> point_;
+  std::vector<laws::PrincipalReturnMapping> law_;  ///< by material
+  std::vector<VoigtMatrix<D>> stiffness_;          ///< by material
+  std::vector<Index> material_;                    ///< by number
+};
+
+extern template class YieldingSolids<2>;
+extern template class YieldingSolids<3>;
+
+}  // namespace sazare::methods::fem

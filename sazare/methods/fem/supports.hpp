@@ -1,0 +1,56 @@
+#pragma once
+
+/// What holds, moves and loads the nodes of a body.
+
+#include <algorithm>
+#include <string>
+
+#include "sazare/laws/ground_motion.hpp"
+#include "sazare/methods/fem/node_pattern.hpp"
+
+namespace sazare::methods::fem {
+
+/// A degree of freedom that does not move, or moves as a motion says.
+struct Support {
+  static constexpr Index no_motion = -1;
+
+  Index node = 0;
+  int axis = 0;
+  Index motion = no_motion;
+  Index boundary = 0;  ///< of the case
+};
+
+/// A viscous boundary: -c (v - 2 v_in) on its nodes, besides what the ground beyond carries at rest; half of it lets waves leave,
+/// the other half brings in the wave that would stand alone in the ground beyond. Lysmer and Kuhlemeyer (1969).
+struct ViscousFace {
+  std::vector<Index> nodes;
+  Eigen::MatrixXd impedance;  ///< c by node and axis [N s/m]
+};
+
+template <int D>
+struct ViscousBoundary {
+  Index boundary = 0;  ///< of the case
+  std::vector<ViscousFace> faces;
+  std::vector<Index> nodes;     ///< whose force at rest is this boundary's
+  std::array<Index, D> motion;  ///< v_in by axis, or Support::no_motion
+};
+
+/// Forces on nodes that grow linearly to their full value within the ramp.
+struct Load {
+  std::string name;
+  NodalColumn force;  ///< [N]
+  Real ramp = 0;      ///< [s]
+
+  Real share(Real time) const { return ramp > 0 && time < ramp ? std::max(time, Real{0}) / ramp : 1; }
+};
+
+template <int D>
+struct Supports {
+  std::vector<laws::GroundMotion> motions;
+  std::vector<Support> held;
+  std::vector<ViscousBoundary<D>> viscous;
+  std::vector<Load> loads;
+  Vector<D> gravity = Vector<D>::Zero();  ///< [m/s2]
+};
+
+}  // namespace sazare::methods::fem

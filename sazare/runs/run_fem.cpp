@@ -1,0 +1,104 @@
+#include "sazare/cases/resolved.hpp"
+#include "sazare/observe/atomic_file.hpp"
+#include "sazare/observe/hash.hpp"
+#include "sazare/runs/case_run.hpp"
+#include "sazare/runs/fem_record.hpp"
+#include "sazare/runs/run_case.hpp"
+#include "sazare/runs/temporary_folder.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+constexpr int elements_per_thread = 500;  // with fewer a second thread takes more time than it saves
+
+std::string number(Real value, int digits = 4) { return cases::short_number(value, digits); }
+
+std::string mesh_hash(const geometry::ElementMesh& mesh) {
+  observe::Hash hash;
+  for (const Vector3& node : mesh.nodes) hash.add(std::as_bytes(std::span(node.data(), 3)));
+  for (const geometry::MeshElement& element : mesh.elements) hash.add(std::as_bytes(element.node_list()));
+  for (const geometry::ElementGroup& group : mesh.groups)
+    for (const geometry::MeshElement& element : group.elements) hash.add(std::as_bytes(element.node_list()));
+  hash.add(std::as_bytes(std::span(mesh.region)));
+  return observe::to_hex(hash.value());
+}
+
+/// The part of method fem in a run, see CaseRun.
+template <int D>
+struct FemWork {
+  const cases::CaseFile& file;
+  RunTimes times;
+  RunFolder folder;
+  FemModel<D> model;
+  RunIdentity identity;
+  RunClocks clocks;
+  FemRecord<D> record;
+
+  FemWork(const cases::CaseFile& of, const RunOptions& options)
+      : file(of),
+        folder(options.folder, options.begin),
+        model(build_fem<D>(of, load_fem_mesh(of, folder.mesh(), folder.resumes()))),
+        identity(identify(of.fem(), mesh_hash(model.mesh()))),
+        clocks(make_clocks(of.fem().time, model.step)),
+        record(folder, of, model, clocks) {
+    parallel::limit_threads(static_cast<int>(model.mesh().elements.size()) / elements_per_thread);
+  }
+
+  const std::string& title() const { return file.fem().title; }
+  static std::string method() { return "fem"; }
+  static std::string warning() { return ""; }
+  std::string words() const {
+    return fmt::format("{} elements, {} freedoms, step {} s", model.mesh().elements.size(), model.stepper->free_freedoms(),
+                       number(model.step));
+  }
+  Real checkpoint_interval() const { return file.fem().output.checkpoint_interval; }
+
+  void start() {
+    if (file.fem().gravity.settle) model.stepper->settle();
+    model.stepper->start();
+  }
+  void advance() { model.stepper->advance(); }
+  std::int64_t step() const { return model.stepper->steps(); }
+  static bool must_check() { return true; }
+  void collect() {}
+  void read_motion(MotionTable& table) const { read_nodes(*model.stepper, table); }
+
+  ProgressState progress(Real share, Real time) const {
+    return {share, time, model.stepper->state().iterations, model.step, -1, "iterations"};
+  }
+  void columns(Archive& archive) {
+    archive.folder("stepper", [&] { model.stepper->columns(archive); });
+  }
+
+  std::uint64_t state_hash() const { return record.state_hash(); }
+  static std::span<const engine::PartTime> part_times() { return {}; }
+  void write_case() const { observe::write_file(folder.case_file(), cases::write_resolved(file.fem(), folder.path())); }
+  void write_end() {}
+  void write_rank_times() {}
+};
+
+template <int D>
+std::string check(const cases::CaseFile& file) {
+  const TemporaryFolder folder;
+  const FemModel<D> model = build_fem<D>(file, load_fem_mesh(file, folder.path() / "mesh.msh", false));
+  const RunClocks clocks = make_clocks(file.fem().time, model.step);
+  const auto& body = model.stepper->body();
+  return cases::explain(file.fem()) +
+         fmt::format("  {:<12}{} nodes, {} elements, {} joints, mass {} {}\n", "body", model.mesh().nodes.size(),
+                     model.mesh().elements.size(), body.joints().size(), number(body.total_mass(), 6), D == 2 ? "kg/m" : "kg") +
+         fmt::format("  {:<12}{} freedoms, {} equations\n", "work", model.stepper->free_freedoms(),
+                     body.is_symmetric() ? "symmetric" : "unsymmetric") +
+         fmt::format("  {:<12}{} steps, {} to a history row\n", "", clocks.steps(), clocks.steps_per_row);
+}
+
+}  // namespace
+
+std::unique_ptr<LiveRun> open_fem(const cases::CaseFile& file, const RunOptions& options) {
+  if (file.fem().mesh.dimension == 2) return std::make_unique<CaseRun<FemWork<2>>>(file, options);
+  return std::make_unique<CaseRun<FemWork<3>>>(file, options);
+}
+
+std::string check_fem(const cases::CaseFile& file) { return file.fem().mesh.dimension == 2 ? check<2>(file) : check<3>(file); }
+
+}  // namespace sazare::runs
