@@ -75,7 +75,12 @@ void LiveSimulation::walk(std::int64_t until, double seconds) {
   const Turn turn(at_work_);
   if (run_ == nullptr) throw std::runtime_error("the run has ended: build it anew with resume=True to go on");
   const auto pause_at = Clock::now() + std::chrono::duration<double>(seconds);
-  run_->walk(until, [&] { return Clock::now() >= pause_at; });
+  try {
+    run_->walk(until, [&] { return Clock::now() >= pause_at; });
+  } catch (...) {
+    run_.reset();  // lets go of its folder, so that the run can be resumed
+    throw;
+  }
   look();
 }
 
@@ -90,7 +95,7 @@ void LiveSimulation::finish() {
 
 const runs::MotionTable& LiveSimulation::motion() {
   const Turn turn(at_work_);
-  if (!is_watched_) run_->read_motion(motion_);
+  if (!is_watched_ && run_ != nullptr) run_->read_motion(motion_);
   is_watched_ = true;
   return motion_;
 }

@@ -75,8 +75,10 @@ def test_check_says_what_the_command_says():
 
 
 def test_physics_that_fails_is_an_error_of_its_own(tmp_path):
-    with pytest.raises(sazare.PhysicsError, match="can be resumed|is kept in"):
+    with pytest.raises(sazare.PhysicsError, match="can be resumed|is kept in") as failure:
         sazare.run(BLOCK, tmp_path / "run", overrides=ABSURD, progress=False)
+    again = sazare.run(BLOCK, tmp_path / "run", overrides={"time.end": 4e-5}, overwrite=True, progress=False)
+    assert again.manifest["status"] == "done" and failure.value, "while the error is held, the folder is free"
 
 
 def test_steps_have_the_bits_of_a_whole_run(block, tmp_path):

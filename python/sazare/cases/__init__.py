@@ -5,7 +5,8 @@
     sazare.run(case)
 
 A case is the same thing as its TOML text, both ways: `case.to_toml()`, `mps.Case.from_toml(text)`, `sazare.read_case(path)`.
-A key that is None is not written, so its default holds; a key that Python keeps for itself ends in `_` (`from_`). What a value may be is checked by the engine, as for a file.
+A key that is None is not written, so its default holds; a key that Python keeps for itself ends in `_`
+(`from_`). What a value may be is checked by the engine, as for a file.
 """
 
 import importlib
