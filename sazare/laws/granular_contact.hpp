@@ -47,15 +47,15 @@ inline Real damping_share(Real restitution) {
   return -log / std::sqrt(std::numbers::pi * std::numbers::pi + log * log);
 }
 
-struct Elasticity {
+struct GrainElasticity {
   Real youngs_modulus = 0;  ///< [Pa]
   Real poisson_ratio = 0;   ///< [-]
 };
 
-inline ContactConstants<Real> hertz_constants(const Elasticity& one, const Elasticity& other, Real restitution, Real friction,
-                                              Real rolling) {
-  const auto softness = [](const Elasticity& of) { return (1 - of.poisson_ratio * of.poisson_ratio) / of.youngs_modulus; };
-  const auto shear_softness = [](const Elasticity& of) {
+inline ContactConstants<Real> hertz_constants(const GrainElasticity& one, const GrainElasticity& other, Real restitution,
+                                              Real friction, Real rolling) {
+  const auto softness = [](const GrainElasticity& of) { return (1 - of.poisson_ratio * of.poisson_ratio) / of.youngs_modulus; };
+  const auto shear_softness = [](const GrainElasticity& of) {
     return (2 - of.poisson_ratio) * 2 * (1 + of.poisson_ratio) / of.youngs_modulus;
   };
   ContactConstants<Real> constants;

@@ -12,7 +12,7 @@
 ///
 /// Force and moments are the exact derivatives of U, so that energy and angular momentum are kept at any rotation; rigid motions
 /// do nothing. For small angles U is the energy of the beam element of Timoshenko, f = 12 E I/(k G A L^2), whose nodes are where
-/// beam theory has them under loads at its nodes. The form is that of [Kuzkin2012], eq. (7), written without the two directions
+/// beam theory has them under loads at its nodes. The form is that of [Kuzkin2012], written without the two directions
 /// across the bond: the sum over three directions of their cross products is 4 w v, w being the cosine of half the angle.
 ///
 /// A bond of the stiffnesses k_n and k_s per area [Pa/m] [Potyondy2004] has K = k_n A, S = k_s A L^2, B = k_n I, T = k_s J.

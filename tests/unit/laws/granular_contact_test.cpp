@@ -8,7 +8,7 @@
 namespace sazare::laws {
 namespace {
 
-const Elasticity glass{70e9, 0.25};
+const GrainElasticity glass{70e9, 0.25};
 
 ContactConstants<Real> constants(ContactModel model, Real restitution = 1, Real friction = 0.5, Real rolling = 0) {
   return model == ContactModel::hertz ? hertz_constants(glass, glass, restitution, friction, rolling)

@@ -6,7 +6,7 @@
 
 namespace sazare::methods::spheres {
 
-inline constexpr laws::Elasticity soft{1e8, 0.3};
+inline constexpr laws::GrainElasticity soft{1e8, 0.3};
 
 struct Grain {
   Vector3 centre = Vector3::Zero();    ///< [m]

@@ -49,7 +49,7 @@ Real temperature(engine::SphereStepper& stepper) {
 int main() {
   parallel::set_threads(1);
   methods::spheres::ContactTable table(laws::ContactModel::hertz, 1);
-  const laws::Elasticity solid{1e9, 0.3};
+  const laws::GrainElasticity solid{1e9, 0.3};
   table.set(0, 0, laws::hertz_constants(solid, solid, restitution, 0, 0));
   engine::SphereStepper stepper(gas(), table, {}, {step, Vector3::Zero(), radius, radius});
   stepper.start();

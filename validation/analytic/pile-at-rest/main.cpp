@@ -44,7 +44,7 @@ int main() {
         spheres.add(Vector3(0.0113 + 0.0125 * i + shift_x, 0.0113 + 0.0125 * j + shift_y, 0.006 + 0.0125 * k), radius, 2500, 0);
       }
   methods::spheres::ContactTable table(laws::ContactModel::hertz, 1);
-  const laws::Elasticity solid{1e7, 0.3};
+  const laws::GrainElasticity solid{1e7, 0.3};
   table.set(0, 0, laws::hertz_constants(solid, solid, 0.3, 0.5, 0.1));
   engine::SphereStepper stepper(std::move(spheres), table, {tray()}, {step, Vector3(0, 0, -gravity), 1e-3, 5e-3});
   stepper.start();

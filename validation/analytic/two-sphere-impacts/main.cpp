@@ -15,11 +15,11 @@ using namespace sazare;
 void print_row(const std::string& row, Real ours, Real expected) { validation::print_row(row.c_str(), ours, expected); }
 
 struct Solid {
-  laws::Elasticity elasticity;
+  laws::GrainElasticity elasticity;
   Real density, restitution, friction;
 };
 
-constexpr laws::Elasticity rigid{1e20, 0};
+constexpr laws::GrainElasticity rigid{1e20, 0};
 
 struct Ball {
   Real radius;
@@ -74,7 +74,7 @@ After impact(const Solid& solid, const std::vector<Ball>& balls, Real expected_d
   return after;
 }
 
-Real modulus_of(const laws::Elasticity& solid) { return solid.youngs_modulus / (1 - solid.poisson_ratio * solid.poisson_ratio); }
+Real modulus_of(const laws::GrainElasticity& solid) { return solid.youngs_modulus / (1 - solid.poisson_ratio * solid.poisson_ratio); }
 Real mass_of(Real density, Real radius) { return density * 4.18879020478639 * radius * radius * radius; }
 
 /// A ball of a solid on a rigid plane, its lowest point at the plane.
