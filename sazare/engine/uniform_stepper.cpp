@@ -13,6 +13,7 @@ namespace sazare::engine {
 namespace {
 
 constexpr std::size_t serial_below = 128;  // blocks of lanes
+constexpr std::size_t tile = 2048;         // particles whose columns stay in the cache from kick to drift
 
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
@@ -199,7 +200,8 @@ template <int D>
 void UniformStepper<D>::kick_and_drift() {
   const Real dt = rules_.step;
   const bool verlet = rules_.integrator == Integrator::verlet;
-  for_blocks(particles_.padded(), [&](std::size_t begin, std::size_t end) {
+  const bool remembers = rules_.damping.stiffness_time > 0;
+  const auto kick = [&](std::size_t begin, std::size_t end) {
     for (std::size_t freedom = 0; freedom < keep_.size(); ++freedom) {
       Real* const velocity = particles_.velocity[freedom].data();
       const Real* const elastic = elastic_[freedom].data();
@@ -208,13 +210,22 @@ void UniformStepper<D>::kick_and_drift() {
       const Real* const keep = keep_[freedom].data();
       const Real* const gain = gain_[freedom].data();
       const Real* const memory = memory_.data();
-      for (std::size_t i = begin; i < end; ++i) {
-        const Real acceleration = elastic[i] + memory[i] * (elastic[i] - previous[i]) + load[i];
+      const auto change = [&](std::size_t i, Real acceleration) {
         velocity[i] = verlet ? (keep[i] * (dt * velocity[i]) + dt * gain[i] * acceleration) / dt
                              : keep[i] * velocity[i] + gain[i] * acceleration;
-      }
+      };
+      if (remembers)
+        for (std::size_t i = begin; i < end; ++i) change(i, elastic[i] + memory[i] * (elastic[i] - previous[i]) + load[i]);
+      else
+        for (std::size_t i = begin; i < end; ++i) change(i, elastic[i] + load[i]);
     }
-    drift(begin, end, dt);
+  };
+  for_blocks(particles_.padded(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t from = begin; from < end; from += tile) {
+      const std::size_t to = std::min(from + tile, end);
+      kick(from, to);
+      drift(from, to, dt);
+    }
   });
   ++step_;
   drive();
