@@ -13,6 +13,7 @@ namespace sazare::engine {
 namespace {
 
 constexpr std::size_t serial_below = 128;  // blocks of lanes
+constexpr std::size_t tile = 2048;         // particles whose columns stay in the cache from kick to drift
 
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
@@ -218,7 +219,8 @@ void UniformStepper<D>::kick(std::size_t begin, std::size_t end) {
     const Real* const memory = memory_.data();
     Real* const work = damping_work_[freedom < D ? 0 : 1].data();
     for (std::size_t i = begin; i < end; ++i) {
-      const Real acceleration = elastic[i] + memory[i] * (elastic[i] - previous[i]) + load[i];
+      Real acceleration = elastic[i] + load[i];
+      if constexpr (damped) acceleration = elastic[i] + memory[i] * (elastic[i] - previous[i]) + load[i];
       const Real before = velocity[i];
       const Real after =
           verlet ? (keep[i] * (dt * before) + dt * gain[i] * acceleration) / dt : keep[i] * before + gain[i] * acceleration;
@@ -233,8 +235,11 @@ void UniformStepper<D>::kick_and_drift() {
   remember_supports();
   const bool damped = !damping_work_[0].empty();
   for_blocks(particles_.padded(), [&](std::size_t begin, std::size_t end) {
-    damped ? kick<true>(begin, end) : kick<false>(begin, end);
-    drift(begin, end, rules_.step);
+    for (std::size_t from = begin; from < end; from += tile) {
+      const std::size_t to = std::min(from + tile, end);
+      damped ? kick<true>(from, to) : kick<false>(from, to);
+      drift(from, to, rules_.step);
+    }
   });
   ++step_;
   drive();

@@ -15,7 +15,8 @@ namespace {
 
 using laws::FaceFormula;
 using laws::FaceMotion;
-constexpr std::size_t serial_below = 256;          // blocks of lanes
+constexpr std::size_t band_blocks = 64;            // blocks of lanes of a group that are evaluated together
+constexpr std::size_t serial_below = 4;            // bands
 constexpr std::size_t serial_damaged_below = 512;  // links
 
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
@@ -129,7 +130,10 @@ FaceLinks::FaceLinks(const state::Particles<2>& particles, std::vector<FaceKind>
     for (std::size_t axis = 0; axis < 2; ++axis)
       rest_[axis].push_back(particles.start[axis][at(link.second)] - particles.start[axis][at(link.first)]);
   }
-  dashpot_loss_.assign(n, 0);
+  std::size_t blocks = 0;
+  for (const Group& group : groups_) blocks = std::max(blocks, (group.end - group.begin) / lane_count);
+  bands_ = (blocks + band_blocks - 1) / band_blocks;
+  dashpot_loss_.assign(bands_ * groups_.size() * lane_count, 0);
   for (state::Column& column : last_rate_) column.assign(n, 0);
   for (state::Column* column : {&slots_.force_x, &slots_.force_y, &slots_.first_moment, &slots_.second_moment})
     column->assign(n + 1, 0);
@@ -167,85 +171,87 @@ void FaceLinks::make_face_table(std::size_t elements) {
   }
 }
 
-bool FaceLinks::has_broken(Index number) const {
-  const Index place = damaged_of_[at(number)];
-  if (place == none) return false;
-  const auto begin = springs_.begin() + first_spring_[at(place)];
-  return std::any_of(begin, begin + static_cast<std::ptrdiff_t>(kind_of(number).springs.places.size()),
-                     [](const laws::SpringState& spring) { return !spring.whole; });
-}
-
 void FaceLinks::evaluate(const state::Particles<2>& particles, Real elapsed) {
   opened_.clear();
-  bool any_yields = false;
-  for (const Group& group : groups_) any_yields |= evaluate_whole(particles, group, elapsed);
+  std::atomic<bool> any_yields = false;
+  parallel::parallel_for(bands_, serial_below, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t band = begin; band < end; ++band)
+      for (std::size_t group = 0; group < groups_.size(); ++group)
+        if (evaluate_whole(particles, group, band, elapsed)) any_yields.store(true, std::memory_order_relaxed);
+  });
   if (any_yields) damage_those_that_yield();
   evaluate_damaged(particles, elapsed);
 }
 
-bool FaceLinks::evaluate_whole(const state::Particles<2>& particles, const Group& group, Real elapsed) {
+/// Links of a band of all groups lie near one another, since groups follow their elements: what one group has read of an element
+/// is still in the cache when the next one does.
+bool FaceLinks::evaluate_whole(const state::Particles<2>& particles, std::size_t number, std::size_t band, Real elapsed) {
+  const Group& group = groups_[number];
   const FaceKind& kind = kinds_[at(group.kind)];
+  const std::size_t blocks = (group.end - group.begin) / lane_count;
+  const Part part{group.begin + blocks * band / bands_ * lane_count, group.begin + blocks * (band + 1) / bands_ * lane_count,
+                  &dashpot_loss_[(band * groups_.size() + number) * lane_count], elapsed};
   if (group.axis == FaceLink::own_direction)
-    return evaluate_whole<FaceFormula::exact>(particles, group, PackingFaces{facets_, kind.springs, lattice_end_}, elapsed);
+    return evaluate_whole<FaceFormula::exact>(particles, kind.springs, PackingFaces{facets_, kind.springs, lattice_end_}, part);
   const LatticeFaces faces{kind.springs, group.axis};
   switch (kind.formula) {
     case FaceFormula::exact:
-      return evaluate_whole<FaceFormula::exact>(particles, group, faces, elapsed);
+      return evaluate_whole<FaceFormula::exact>(particles, kind.springs, faces, part);
     case FaceFormula::small:
-      return evaluate_whole<FaceFormula::small>(particles, group, faces, elapsed);
+      return evaluate_whole<FaceFormula::small>(particles, kind.springs, faces, part);
     default:
-      return evaluate_whole<FaceFormula::older>(particles, group, faces, elapsed);
+      return evaluate_whole<FaceFormula::older>(particles, kind.springs, faces, part);
   }
 }
 
 template <FaceFormula formula, class Faces>
-bool FaceLinks::evaluate_whole(const state::Particles<2>& particles, const Group& group, const Faces& faces, Real elapsed) {
-  const laws::FaceSprings& kind = kinds_[at(group.kind)].springs;
+bool FaceLinks::evaluate_whole(const state::Particles<2>& particles, const laws::FaceSprings& kind, const Faces& faces,
+                               const Part& part) {
   const Real count = kind.count(), squares = kind.square_sum(), last = kind.last_place();
-  const std::size_t blocks = (group.end - group.begin) / lane_count;
-  std::atomic<bool> any_yields = false;
-  parallel::parallel_for(blocks, serial_below, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = group.begin + begin * lane_count; i < group.begin + end * lane_count; i += lane_count) {
-      const LaneMask active = load_lanes(&active_[i]) > 0.0;
-      if (!any(active)) continue;
-      const std::array<Lanes, 2> rest = {load_lanes(&rest_[0][i]), load_lanes(&rest_[1][i])};
-      const auto& springs = faces.template at<Lanes>(i);
-      const auto pair = pair_of<formula>(particles, Reader<Lanes>{&first_[i], &second_[i]}, rest,
-                                         faces.template turned_by<Lanes>(i), springs.is_wall());
-      const auto motion = laws::face_motion<formula>(pair, springs);
-      const Lanes slip = load_lanes(&slip_[i]);
-      const Lanes elastic = formula == FaceFormula::exact ? motion.shear - slip : slip + elapsed * motion.shear_rate;
-      const Lanes least = springs.normal * (motion.closing - last * maximum(motion.slope, -motion.slope));
-      const Lanes bears = maximum(springs.cohesion_limit + springs.friction * least, Lanes{});
-      const Lanes pull = springs.shear * maximum(elastic, -elastic);
-      const LaneMask yields = active & ((least < -springs.tension_limit) | (pull > bears));
-      const LaneMask stays = active & ~yields;
-      if (any(yields)) {
-        any_yields.store(true, std::memory_order_relaxed);
-        for (std::size_t lane = 0; lane < lane_count; ++lane) yields_[i + lane] = yields[lane] != 0 ? 1 : 0;
-      }
-      if constexpr (formula != FaceFormula::exact) store_lanes(&slip_[i], select(stays, elastic, slip));
-      const Lanes normal = count * (springs.normal * motion.closing + springs.normal_damping * motion.closing_rate);
-      const Lanes tilt = squares * (springs.normal * motion.slope + springs.normal_damping * motion.slope_rate);
-      const Lanes shear = count * (springs.shear * elastic + springs.shear_damping * motion.shear_rate);
-      const auto force = laws::face_force(motion, normal, tilt, shear);
-      store_lanes(&slots_.force_x[i], select(stays, force.force[0], Lanes{}));
-      store_lanes(&slots_.force_y[i], select(stays, force.force[1], Lanes{}));
-      store_lanes(&slots_.first_moment[i], select(stays, force.first_moment, Lanes{}));
-      store_lanes(&slots_.second_moment[i], select(stays, force.second_moment, Lanes{}));
-      // The work of the dashpots' last forces, by the mean of the rates before and after.
-      const std::array<Lanes, 3> rate = {motion.closing_rate, motion.slope_rate, motion.shear_rate};
-      const auto normal_damping = springs.normal_damping * count, shear_damping = springs.shear_damping * count;
-      const std::array damping = {normal_damping, springs.normal_damping * squares, shear_damping};
-      Lanes power{};
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Lanes before = load_lanes(&last_rate_[k][i]);
-        power += 0.5 * damping[k] * before * (before + rate[k]);
-        store_lanes(&last_rate_[k][i], select(stays, rate[k], Lanes{}));
-      }
-      store_lanes(&dashpot_loss_[i], load_lanes(&dashpot_loss_[i]) + select(active, elapsed * power, Lanes{}));
+  const Real elapsed = part.elapsed;
+  bool any_yields = false;
+  Lanes loss{};
+  for (std::size_t i = part.begin; i < part.end; i += lane_count) {
+    const LaneMask active = load_lanes(&active_[i]) > 0.0;
+    if (!any(active)) continue;
+    const std::array<Lanes, 2> rest = {load_lanes(&rest_[0][i]), load_lanes(&rest_[1][i])};
+    const auto& springs = faces.template at<Lanes>(i);
+    const auto pair = pair_of<formula>(particles, Reader<Lanes>{&first_[i], &second_[i]}, rest,
+                                       faces.template turned_by<Lanes>(i), springs.is_wall());
+    const auto motion = laws::face_motion<formula>(pair, springs);
+    const Lanes slip = load_lanes(&slip_[i]);
+    const Lanes elastic = formula == FaceFormula::exact ? motion.shear - slip : slip + elapsed * motion.shear_rate;
+    const Lanes least = springs.normal * (motion.closing - last * maximum(motion.slope, -motion.slope));
+    const Lanes bears = maximum(springs.cohesion_limit + springs.friction * least, Lanes{});
+    const Lanes pull = springs.shear * maximum(elastic, -elastic);
+    const LaneMask yields = active & ((least < -springs.tension_limit) | (pull > bears));
+    const LaneMask stays = active & ~yields;
+    if (any(yields)) {
+      any_yields = true;
+      for (std::size_t lane = 0; lane < lane_count; ++lane) yields_[i + lane] = yields[lane] != 0 ? 1 : 0;
     }
-  });
+    if constexpr (formula != FaceFormula::exact) store_lanes(&slip_[i], select(stays, elastic, slip));
+    const Lanes normal = count * (springs.normal * motion.closing + springs.normal_damping * motion.closing_rate);
+    const Lanes tilt = squares * (springs.normal * motion.slope + springs.normal_damping * motion.slope_rate);
+    const Lanes shear = count * (springs.shear * elastic + springs.shear_damping * motion.shear_rate);
+    const auto force = laws::face_force(motion, normal, tilt, shear);
+    store_lanes(&slots_.force_x[i], select(stays, force.force[0], Lanes{}));
+    store_lanes(&slots_.force_y[i], select(stays, force.force[1], Lanes{}));
+    store_lanes(&slots_.first_moment[i], select(stays, force.first_moment, Lanes{}));
+    store_lanes(&slots_.second_moment[i], select(stays, force.second_moment, Lanes{}));
+    // The work of the dashpots' last forces, by the mean of the rates before and after.
+    const std::array<Lanes, 3> rate = {motion.closing_rate, motion.slope_rate, motion.shear_rate};
+    const auto normal_damping = springs.normal_damping * count, shear_damping = springs.shear_damping * count;
+    const std::array damping = {normal_damping, springs.normal_damping * squares, shear_damping};
+    Lanes power{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Lanes before = load_lanes(&last_rate_[k][i]);
+      power += 0.5 * damping[k] * before * (before + rate[k]);
+      store_lanes(&last_rate_[k][i], select(stays, rate[k], Lanes{}));
+    }
+    loss += select(active, elapsed * power, Lanes{});
+  }
+  store_lanes(part.loss, load_lanes(part.loss) + loss);
   return any_yields;
 }
 
@@ -353,10 +359,6 @@ laws::Facet<Real> FaceLinks::springs_of(Index number) const {
       of.tension_limit, of.cohesion_limit, of.friction};
 }
 
-Index FaceLinks::broken_springs() const {
-  return static_cast<Index>(std::ranges::count(springs_, false, &laws::SpringState::whole));
-}
-
 void FaceLinks::gather(std::size_t block, std::array<Lanes, 3>& sum) const {
   const auto take = [&](const Index* links, bool comes_first) {
     const Lanes x = gather_lanes(slots_.force_x.data(), links), y = gather_lanes(slots_.force_y.data(), links);
@@ -375,54 +377,6 @@ void FaceLinks::gather(std::size_t block, std::array<Lanes, 3>& sum) const {
   const FacetRows& rows = facet_rows_[block];
   const Index* const table = &facet_table_[rows.begin];
   for (std::size_t row = 0; row < rows.first + rows.second; ++row) take(table + row * lane_count, row < rows.first);
-}
-
-Real FaceLinks::elastic_energy(const state::Particles<2>& particles) const {
-  Real total = 0;
-  for (std::size_t number = 0; number < links_.size(); ++number) {
-    const Index place = damaged_of_[number];
-    if (is_open(static_cast<Index>(number)) || (active_[number] == 0 && place == none)) continue;
-    const FaceKind& kind = kinds_[at(links_[number].kind)];
-    const FaceMotion<Real> motion = motion_of(particles, number);
-    for (std::size_t i = 0; i < kind.springs.places.size(); ++i) {
-      const laws::SpringState spring =
-          place == none ? laws::SpringState{slip_[number], 0, 0, true, true} : springs_[at(first_spring_[at(place)]) + i];
-      if (!spring.joined) continue;
-      const laws::Facet<Real> springs = springs_of(static_cast<Index>(number));
-      const Real closing = motion.closing + motion.slope * kind.springs.places[i];
-      const Real elastic = laws::elastic_shear(spring, kind.formula, motion.shear, motion.shear_rate, 0);
-      total += 0.5 * (springs.normal * closing * closing + springs.shear * elastic * elastic);
-    }
-  }
-  return total;
-}
-
-SpringLosses FaceLinks::losses() const {
-  SpringLosses total;
-  for (const Real loss : dashpot_loss_) total.dashpot += loss;
-  for (const SpringLosses& loss : damaged_loss_) {
-    total.dashpot += loss.dashpot;
-    total.friction += loss.friction;
-    total.fracture += loss.fracture;
-  }
-  return total;
-}
-
-void FaceLinks::columns(Archive& archive) {
-  archive("slip", slip_);
-  archive("active", active_);
-  archive("dashpot_loss", dashpot_loss_);
-  for (std::size_t k = 0; k < 3; ++k) archive("last_rate" + std::to_string(k), last_rate_[k]);
-  archive("open", open_);
-  archive("damaged", damaged_);
-  archive("damaged_of", damaged_of_);
-  archive("first_spring", first_spring_);
-  archive("springs", springs_);
-  archive("damaged_loss", damaged_loss_);
-  archive("just_opened", just_opened_);
-  archive("open_links", open_links_);
-  for (auto* column : {&slots_.force_x, &slots_.force_y, &slots_.first_moment, &slots_.second_moment})
-    for (std::size_t i = 0; i < column->size() && archive.reading(); ++i) (*column)[i] = 0;
 }
 
 }  // namespace sazare::methods::rectangles

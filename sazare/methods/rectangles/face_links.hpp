@@ -114,6 +114,12 @@ private:
     int axis = 0;
     std::size_t begin = 0, end = 0;
   };
+  /// Links of a group that are evaluated together, and where the loss of their dashpots is summed up.
+  struct Part {
+    std::size_t begin = 0, end = 0;
+    Real* loss = nullptr;
+    Real elapsed = 0;
+  };
   struct LatticeFaces;
   struct PackingFaces;
   /// Numbers of facets, by their place among the facets.
@@ -134,9 +140,9 @@ private:
   };
 
   /// Whether any of them yields.
-  bool evaluate_whole(const state::Particles<2>& particles, const Group& group, Real elapsed);
+  bool evaluate_whole(const state::Particles<2>& particles, std::size_t group, std::size_t band, Real elapsed);
   template <laws::FaceFormula formula, class Faces>
-  bool evaluate_whole(const state::Particles<2>& particles, const Group& group, const Faces& faces, Real elapsed);
+  bool evaluate_whole(const state::Particles<2>& particles, const laws::FaceSprings& kind, const Faces& faces, const Part& part);
   void damage_those_that_yield();
   void damage(Index number);
   void evaluate_damaged(const state::Particles<2>& particles, Real elapsed);
@@ -165,7 +171,8 @@ private:
   std::array<state::Column, 2> rest_;       ///< x2 - x1 at the beginning [m]
   state::Column slip_;                      ///< of whole links, see laws::SpringState
   state::Column active_;                    ///< 1 for a whole link
-  state::Column dashpot_loss_;              ///< of whole links so far [J]
+  std::size_t bands_ = 0;                   ///< into which every group is cut
+  state::Column dashpot_loss_;              ///< of whole links so far, by band, group and lane [J]
   std::array<state::Column, 3> last_rate_;  ///< of whole links when their dashpots were last evaluated: a', b', v' [m/s]
   std::vector<char> yields_;
   std::vector<char> open_;
