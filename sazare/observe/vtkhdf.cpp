@@ -69,7 +69,8 @@ void write_data(Hdf5Writer& out, const std::string& group, const CellData& data,
   std::visit(
       [&](const auto& values) {
         if (values.size() != cells * data.components) {
-          throw std::invalid_argument(fmt::format("data '{}' has {} numbers for {} cells or points", data.name, values.size(), cells));
+          throw std::invalid_argument(
+              fmt::format("data '{}' has {} numbers for {} cells or points", data.name, values.size(), cells));
         }
         std::vector<std::size_t> shape = {cells};
         if (data.components > 1) shape.push_back(data.components);
@@ -81,7 +82,8 @@ void write_data(Hdf5Writer& out, const std::string& group, const CellData& data,
 }  // namespace
 
 void write_vtkhdf(const fs::path& file, const Grid& grid, Sync sync) {
-  const std::size_t cells = grid.types.empty() ? grid.connectivity.size() / points_of(static_cast<std::uint8_t>(grid.cell)) : grid.types.size();
+  const std::size_t cells =
+      grid.types.empty() ? grid.connectivity.size() / points_of(static_cast<std::uint8_t>(grid.cell)) : grid.types.size();
   Hdf5Writer out(file);
   out.make_group("/VTKHDF");
   out.set_attribute("/VTKHDF", "Version", std::vector<std::int64_t>{1, 0});

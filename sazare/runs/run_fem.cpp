@@ -103,8 +103,6 @@ RunOutcome run_fem(const cases::CaseFile& file, const RunOptions& options) {
   return file.fem().mesh.dimension == 2 ? carry_out<2>(file, options) : carry_out<3>(file, options);
 }
 
-std::string check_fem(const cases::CaseFile& file) {
-  return file.fem().mesh.dimension == 2 ? check<2>(file) : check<3>(file);
-}
+std::string check_fem(const cases::CaseFile& file) { return file.fem().mesh.dimension == 2 ? check<2>(file) : check<3>(file); }
 
 }  // namespace sazare::runs
