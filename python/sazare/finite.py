@@ -87,7 +87,7 @@ def _panels(grids, values, label, factor, titles):
     top = max(max(one.max(initial=0.0) for one in values), 1e-30)
     for axes, grid, one, title in zip(panels, grids, values, titles):
         drawn = (_draw_flat if flat else _draw_solid)(axes, grid, one, factor, top)
-        axes.set_title(title + (f", displacements × {factor:g}" if factor != 1.0 else ""))
+        axes.set_title(title + (f", displacements × {factor:g}" if factor != 1.0 else ""), loc="left")
     figure.colorbar(drawn, ax=list(panels), label=label, shrink=0.8)
     return figure
 

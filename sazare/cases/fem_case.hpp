@@ -26,10 +26,10 @@ struct FemMaterial {
   Real youngs_modulus = 0;  // Pa
   Real poisson_ratio = 0;
   Real damping_ratio = 0;
-  bool yields = false;      // whether it has a strength
-  Real cohesion = 0;        // Pa
-  Real friction_angle = 0;  // degrees
-  Real dilation_angle = 0;  // degrees
+  bool yields = false;                   // whether it has a strength
+  Real cohesion = 0;                     // Pa
+  Real friction_angle = 0;               // degrees
+  Real dilation_angle = 0;               // degrees
   std::optional<Real> tensile_strength;  // Pa; without it the tip of the strength
 };
 

@@ -22,7 +22,8 @@ void check_materials(const CheckContext& context, const FemCase& fem) {
     const FemMaterial& material = fem.materials[i];
     for (std::size_t k = 0; list[i].gives("regions") && k < material.regions.size(); ++k)
       if (const Place place = list[i].place("regions", k); !seen.try_emplace(material.regions[k], place).second)
-        context.problems.error(place, fmt::format("region \"{}\" has two materials", material.regions[k]), "name each region once");
+        context.problems.error(place, fmt::format("region \"{}\" has two materials", material.regions[k]),
+                               "name each region once");
     if (!material.yields) {
       check_keys(context, list[i], "a material without cohesion", {}, {"friction_angle", "dilation_angle", "tensile_strength"});
       continue;

@@ -14,7 +14,10 @@ constexpr std::string_view with_strength = "only with a cohesion";
 constexpr std::string_view with_motion = "kinds prescribed and viscous only";
 
 constexpr std::array fem_mesh_keys{
-    mesh_keys[0], mesh_keys[1], mesh_keys[2], mesh_keys[3],
+    mesh_keys[0],
+    mesh_keys[1],
+    mesh_keys[2],
+    mesh_keys[3],
     Key{.name = "dimension",
         .type = Type::integer,
         .range = {.low = 2, .high = 3},
@@ -135,8 +138,9 @@ constexpr std::array boundary_keys{
     Key{.name = "kind",
         .type = Type::choice,
         .need = Need::required,
-        .sentence = "fixed does not move, roller is held along axes, prescribed moves along the axes that have a motion, viscous lets "
-                    "waves leave and a wave enter (groups of faces only).",
+        .sentence =
+            "fixed does not move, roller is held along axes, prescribed moves along the axes that have a motion, viscous lets "
+            "waves leave and a wave enter (groups of faces only).",
         .choices = group_kinds},
     Key{.name = "axes",
         .type = Type::axes,
@@ -172,8 +176,9 @@ constexpr std::array fem_gravity_keys{
     Key{.name = "settle",
         .type = Type::boolean,
         .default_text = "false",
-        .sentence = "Begin at rest under gravity: the equilibrium is found first, viscous boundaries carry what they carry in it, and "
-                    "displacements count from there."},
+        .sentence =
+            "Begin at rest under gravity: the equilibrium is found first, viscous boundaries carry what they carry in it, and "
+            "displacements count from there."},
 };
 
 constexpr std::array solver_keys{
@@ -221,8 +226,9 @@ constexpr std::array time_keys{
         .range = {.low = -1.0 / 3, .high = 0},
         .default_text = "0.0",
         .note = "dynamic only",
-        .sentence = "Of Hilber, Hughes and Taylor: below 0 the step damps frequencies that it cannot resolve; 0 is Newmark's step of "
-                    "constant mean acceleration."},
+        .sentence =
+            "Of Hilber, Hughes and Taylor: below 0 the step damps frequencies that it cannot resolve; 0 is Newmark's step of "
+            "constant mean acceleration."},
     history_interval_key,
     snapshot_interval_key,
     strict_key,

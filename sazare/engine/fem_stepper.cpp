@@ -280,7 +280,8 @@ bool FemStepper<D>::iterate(Trial& trial, const Factors& by, const NodalColumn& 
     if (!std::isfinite(left)) break;
     if (left <= rules_.tolerance * scale) return true;
   }
-  last_failure_ = fmt::format("{:.3g} of the forces were left, {:.3g} are asked for", scale > 0 ? left / scale : left, rules_.tolerance);
+  last_failure_ =
+      fmt::format("{:.3g} of the forces were left, {:.3g} are asked for", scale > 0 ? left / scale : left, rules_.tolerance);
   return false;
 }
 
@@ -344,8 +345,7 @@ bool FemStepper<D>::factorize(const Factors& by) {
   std::vector<Real> blocks(state_.tangent.values());
   if (inertia()) {
     const auto &m = body_->mass().values(), &c = damping_.values();
-    for (std::size_t i = 0; i < blocks.size(); ++i)
-      blocks[i] = by.stiffness * (blocks[i] + by.damping * c[i]) + by.mass * m[i];
+    for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i] = by.stiffness * (blocks[i] + by.damping * c[i]) + by.mass * m[i];
   }
   factorized_.reset();
   if (!solver_->factorize(blocks)) return false;

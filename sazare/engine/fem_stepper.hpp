@@ -13,12 +13,12 @@
 namespace sazare::engine {
 
 struct FemRules {
-  Real step = 0;              ///< [s]
-  bool statics = false;       ///< no inertia and no damping: each step is an equilibrium, time only counts loads and motions
-  Real alpha = 0;             ///< of Hilber, Hughes and Taylor, -1/3 to 0; 0 is Newmark's step of constant mean acceleration
-  Real tolerance = 1e-8;      ///< unbalanced force left, over the largest of the forces in play
-  int most_iterations = 20;   ///< of Newton in a step
-  int most_cuts = 8;          ///< a step that does not converge is halved so often
+  Real step = 0;             ///< [s]
+  bool statics = false;      ///< no inertia and no damping: each step is an equilibrium, time only counts loads and motions
+  Real alpha = 0;            ///< of Hilber, Hughes and Taylor, -1/3 to 0; 0 is Newmark's step of constant mean acceleration
+  Real tolerance = 1e-8;     ///< unbalanced force left, over the largest of the forces in play
+  int most_iterations = 20;  ///< of Newton in a step
+  int most_cuts = 8;         ///< a step that does not converge is halved so often
   laws::RayleighDamping damping;
 };
 
@@ -50,8 +50,8 @@ struct FemState {
   FemWork work;
 };
 
-/// Step: M a(n+1) + (1 + alpha) b(n+1) - alpha b(n) = 0, with b = C v + f(u) - p of the damping, internal and external forces, and
-/// Newmark's u(n+1) = u + dt v + dt^2 ((1/2 - beta) a(n) + beta a(n+1)), v(n+1) = v + dt ((1 - gamma) a(n) + gamma a(n+1));
+/// Step: M a(n+1) + (1 + alpha) b(n+1) - alpha b(n) = 0, with b = C v + f(u) - p of the damping, internal and external forces,
+/// and Newmark's u(n+1) = u + dt v + dt^2 ((1/2 - beta) a(n) + beta a(n+1)), v(n+1) = v + dt ((1 - gamma) a(n) + gamma a(n+1));
 /// beta = (1 - alpha)^2/4, gamma = 1/2 - alpha. Hilber, Hughes and Taylor, Earthquake Eng. Struct. Dyn. 5 (1977) 283-292.
 template <int D>
 class FemStepper {
@@ -139,13 +139,13 @@ private:
   std::unique_ptr<methods::fem::Body<D>> body_;
   methods::fem::Supports<D> supports_;
   FemRules rules_;
-  methods::fem::BlockMatrix<D> rayleigh_;   ///< C of the body
-  methods::fem::BlockMatrix<D> viscous_;    ///< C of the viscous boundaries
-  methods::fem::BlockMatrix<D> damping_;    ///< both
-  methods::fem::NodalColumn weight_;        ///< M g [N]
-  methods::fem::NodalColumn rest_;          ///< what viscous boundaries carry at rest [N]
-  methods::fem::NodalColumn settled_;       ///< displacements at the beginning [m]
-  methods::fem::NodalColumn applied_;       ///< [N]
+  methods::fem::BlockMatrix<D> rayleigh_;  ///< C of the body
+  methods::fem::BlockMatrix<D> viscous_;   ///< C of the viscous boundaries
+  methods::fem::BlockMatrix<D> damping_;   ///< both
+  methods::fem::NodalColumn weight_;       ///< M g [N]
+  methods::fem::NodalColumn rest_;         ///< what viscous boundaries carry at rest [N]
+  methods::fem::NodalColumn settled_;      ///< displacements at the beginning [m]
+  methods::fem::NodalColumn applied_;      ///< [N]
   std::vector<char> is_free_;
   Stage stage_ = Stage::running;
   FemState<D> state_;

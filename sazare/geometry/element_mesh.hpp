@@ -42,8 +42,8 @@ struct ElementMesh {
   }
 };
 
-/// Reads a Gmsh mesh, format 4.1: elements of the dimension in physical groups are the body, its regions the groups; nodes that no
-/// element of the body uses are dropped. `scale` multiplies the coordinates (file's unit to metres). Throws UserError for what
+/// Reads a Gmsh mesh, format 4.1: elements of the dimension in physical groups are the body, its regions the groups; nodes that
+/// no element of the body uses are dropped. `scale` multiplies the coordinates (file's unit to metres). Throws UserError for what
 /// cannot be used: elements of another dimension than the body's, elements without volume, groups beside the body.
 ElementMesh read_element_mesh(const std::filesystem::path& file, int dimension, Real scale);
 

@@ -53,10 +53,11 @@ private:
 
   void check_dimension(const GmshBlock& block) const {
     if (block.dimension <= mesh_.dimension) return;
-    throw UserError(fmt::format("$Elements: the group '{}' holds elements of {} dimensions, such as element {}, and the case is "
-                                "in {}-D: set mesh.dimension = {}, or take the group out of the mesh",
-                                groups_of(file_, block).front(), block.dimension, block.tags.empty() ? 0 : block.tags.front(),
-                                mesh_.dimension, block.dimension));
+    throw UserError(
+        fmt::format("$Elements: the group '{}' holds elements of {} dimensions, such as element {}, and the case is "
+                    "in {}-D: set mesh.dimension = {}, or take the group out of the mesh",
+                    groups_of(file_, block).front(), block.dimension, block.tags.empty() ? 0 : block.tags.front(),
+                    mesh_.dimension, block.dimension));
   }
 
   [[noreturn]] void refuse_empty() const {
@@ -67,22 +68,24 @@ private:
       throw UserError(
           "$Elements: the case is in 3-D, and the physical groups of the mesh hold elements of 2 dimensions at most: set "
           "mesh.dimension = 2, or mesh in three dimensions (gmsh -3) and give every volume a Physical Volume");
-    throw UserError(fmt::format("$Elements: there are no elements of {0} dimensions in a physical group. Mesh with gmsh -{0} and "
-                                "add to the geometry: Physical {1}(\"NAME\") = {{...}};",
-                                mesh_.dimension, mesh_.dimension == 3 ? "Volume" : "Surface"));
+    throw UserError(
+        fmt::format("$Elements: there are no elements of {0} dimensions in a physical group. Mesh with gmsh -{0} and "
+                    "add to the geometry: Physical {1}(\"NAME\") = {{...}};",
+                    mesh_.dimension, mesh_.dimension == 3 ? "Volume" : "Surface"));
   }
 
   void add_body(const GmshBlock& block) {
     const std::vector<std::string> names = groups_of(file_, block);
     if (names.empty())
-      throw UserError(fmt::format("$Elements: the elements of entity {} (the first is element {}) are in no physical group, so "
-                                  "they have no material. Add to the geometry: Physical {}(\"NAME\") = {{{}}};",
-                                  block.entity, block.tags.empty() ? 0 : block.tags.front(),
-                                  mesh_.dimension == 3 ? "Volume" : "Surface", block.entity));
+      throw UserError(fmt::format(
+          "$Elements: the elements of entity {} (the first is element {}) are in no physical group, so "
+          "they have no material. Add to the geometry: Physical {}(\"NAME\") = {{{}}};",
+          block.entity, block.tags.empty() ? 0 : block.tags.front(), mesh_.dimension == 3 ? "Volume" : "Surface", block.entity));
     if (names.size() > 1)
-      throw UserError(fmt::format("$Entities: entity {} is in the physical groups '{}' and '{}'. It has one material: leave it in "
-                                  "one group",
-                                  block.entity, names[0], names[1]));
+      throw UserError(
+          fmt::format("$Entities: entity {} is in the physical groups '{}' and '{}'. It has one material: leave it in "
+                      "one group",
+                      block.entity, names[0], names[1]));
     const Index region = place_of_region(names.front());
     for (std::size_t i = 0; i < block.tags.size(); ++i) {
       mesh_.elements.push_back(element_of(block, i, true));
@@ -96,15 +99,16 @@ private:
       if (known.name == name) group = &known;
     if (group == nullptr) group = &mesh_.groups.emplace_back(ElementGroup{name, block.dimension, {}});
     if (group->dimension != block.dimension)
-      throw UserError(fmt::format("$Elements: the group '{}' holds elements of {} and of {} dimensions. Give them two names", name,
-                                  group->dimension, block.dimension));
+      throw UserError(fmt::format("$Elements: the group '{}' holds elements of {} and of {} dimensions. Give them two names",
+                                  name, group->dimension, block.dimension));
     for (std::size_t i = 0; i < block.tags.size(); ++i) {
       group->elements.push_back(element_of(block, i, false));
       for (const Index node : group->elements.back().node_list())
         if (node < 0)
-          throw UserError(fmt::format("$Elements: element {} of the group '{}' touches no element of the body. Make the group part "
-                                      "of it, or take it out",
-                                      block.tags[i], name));
+          throw UserError(
+              fmt::format("$Elements: element {} of the group '{}' touches no element of the body. Make the group part "
+                          "of it, or take it out",
+                          block.tags[i], name));
     }
   }
 

@@ -167,9 +167,10 @@ std::int64_t read_block_of_any_shape(GmshScanner& in, GmshFile& file) {
   const std::int64_t count = in.read_count("the number of elements in a block", 2 * sizeof(std::int64_t));
   const ElementShape* shape = shape_of_gmsh_type(block.type);
   if (shape == nullptr)
-    in.fail(fmt::format("elements of type {}, which Sazare does not read: it reads points, lines, triangles, quadrilaterals, "
-                        "tetrahedra and hexahedra of first and second order. Mesh without prisms and pyramids, of order 1 or 2",
-                        block.type));
+    in.fail(
+        fmt::format("elements of type {}, which Sazare does not read: it reads points, lines, triangles, quadrilaterals, "
+                    "tetrahedra and hexahedra of first and second order. Mesh without prisms and pyramids, of order 1 or 2",
+                    block.type));
   for (std::int64_t i = 0; i < count; ++i) {
     block.tags.push_back(in.read_long("an element's number"));
     for (int node = 0; node < facts(*shape).nodes; ++node) block.nodes.push_back(in.read_long("an element's node"));

@@ -63,8 +63,7 @@ InterfaceResponse<D> respond(const CoulombInterface& law, const Vector<D>& displ
                         law.friction_coefficient * law.normal_stiffness * direction * normal.transpose();
   }
   response.force = response.shear - pressure * normal;
-  response.energy = 0.5 * pressure * pressure / law.normal_stiffness +
-                    0.5 * response.shear.squaredNorm() / law.shear_stiffness;
+  response.energy = 0.5 * pressure * pressure / law.normal_stiffness + 0.5 * response.shear.squaredNorm() / law.shear_stiffness;
   return response;
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 
-/// Return of principal stresses to the strength of Mohr and Coulomb with a tension cut-off (laws/mohr_coulomb.hpp), in closed form,
-/// with the tangent that belongs to it.
+/// Return of principal stresses to the strength of Mohr and Coulomb with a tension cut-off (laws/mohr_coulomb.hpp), in closed
+/// form, with the tangent that belongs to it.
 ///
 ///     s = C (e - sum dg_a m_a)      f_a = n_a s - k_a = 0 on the active planes      dg = (N' C M)^-1 f(C e)
 ///     ds/de = C - C M (N' C M)^-1 N' C
 ///
-///     e  elastic trial strain [-]     C  elastic stiffness [Pa]     n_a, m_a  gradients of strength and flow     dg  amounts >= 0
+///     e  elastic trial strain [-]     C  elastic stiffness [Pa]     n_a, m_a  gradients of strength and flow     dg  amounts
 ///
 /// A plane, an edge and a tip of the strength are one, two and three active planes: the set whose amounts are not negative and
 /// whose stress all planes bear. de Souza Neto, Peric and Owen, Computational Methods for Plasticity (2008), section 8.2, where
@@ -22,8 +22,8 @@ namespace sazare::laws {
 
 struct PrincipalReturn {
   bool yields = false;
-  Vector3 stress = Vector3::Zero();    ///< [Pa]
-  Vector3 plastic = Vector3::Zero();   ///< increment of the plastic strain [-]
+  Vector3 stress = Vector3::Zero();   ///< [Pa]
+  Vector3 plastic = Vector3::Zero();  ///< increment of the plastic strain [-]
   Matrix3 tangent = Matrix3::Zero();  ///< of the stress by the trial strain [Pa]
 };
 
@@ -60,8 +60,8 @@ public:
   PrincipalReturnMapping(const MohrCoulomb& law, const Elasticity& elastic)
       : law_(law),
         elastic_(elastic),
-        planes_{shear_plane(law, 0, 2), shear_plane(law, 0, 1),  shear_plane(law, 1, 2),
-                tension_plane(law, 0),  tension_plane(law, 1), tension_plane(law, 2)},
+        planes_{shear_plane(law, 0, 2), shear_plane(law, 0, 1), shear_plane(law, 1, 2),
+                tension_plane(law, 0),  tension_plane(law, 1),  tension_plane(law, 2)},
         has_tension_(law.tensile_strength < std::numeric_limits<Real>::infinity()) {
     stiffness_ = 2 * elastic.shear_modulus * Matrix3::Identity() + elastic.lame * Matrix3::Ones();
   }

@@ -49,8 +49,9 @@ public:
       refuse(file_, key, fmt::format("the group \"{}\" of the mesh has no elements", name),
              "is the physical group in the .geo file empty, or were its elements not saved?");
     if (of_faces && found->dimension != mesh_.dimension - 1)
-      refuse(file_, key, fmt::format("the group \"{}\" is of {} dimensions; here one of {} is needed", name, found->dimension,
-                                     mesh_.dimension - 1),
+      refuse(file_, key,
+             fmt::format("the group \"{}\" is of {} dimensions; here one of {} is needed", name, found->dimension,
+                         mesh_.dimension - 1),
              mesh_.dimension == 2 ? "name a physical curve" : "name a physical surface");
     if (of_faces && std::ranges::count(geometry::elements_beside(mesh_, *found), -1) > 0)
       refuse(file_, key, fmt::format("the group \"{}\" has elements that are no faces of the body", name),
@@ -69,8 +70,8 @@ fem::SolidMaterial material_of(const cases::FemMaterial& given) {
   material.name = given.name;
   material.damping_ratio = given.damping_ratio;
   if (!given.yields) return material;
-  const Real tip = given.friction_angle > 0 ? given.cohesion / std::tan(given.friction_angle * degree)
-                                            : std::numeric_limits<Real>::infinity();
+  const Real tip =
+      given.friction_angle > 0 ? given.cohesion / std::tan(given.friction_angle * degree) : std::numeric_limits<Real>::infinity();
   material.strength = laws::MohrCoulomb::make(given.cohesion, given.friction_angle * degree, given.dilation_angle * degree,
                                               std::min(given.tensile_strength.value_or(tip), tip));
   return material;
@@ -107,10 +108,10 @@ std::vector<fem::JointSet> make_joints(const cases::CaseFile& file, geometry::El
     if (cuts.back().empty())
       refuse(file, key, fmt::format("the joint \"{}\" parts no two elements", joint.name),
              "a joint needs an element on either side: regions that touch, or a group inside the body");
-    sets.push_back({joint.name,
-                    {joint.normal_stiffness, joint.shear_stiffness, joint.cohesion,
-                     std::tan(joint.friction_angle * std::numbers::pi / 180)},
-                    {}});
+    sets.push_back(
+        {joint.name,
+         {joint.normal_stiffness, joint.shear_stiffness, joint.cohesion, std::tan(joint.friction_angle * std::numbers::pi / 180)},
+         {}});
   }
   const auto faces = geometry::split(mesh, cuts);
   for (std::size_t j = 0; j < sets.size(); ++j) sets[j].faces = faces[j];

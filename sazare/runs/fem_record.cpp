@@ -69,9 +69,11 @@ std::vector<std::string> FemRecord<D>::history_columns() const {
   for (const auto& [name, value] : energies()) columns.push_back(fmt::format("energy_{} [J]", name));
   for (const char* name : {"gravity", "loads", "boundary", "waves"}) columns.push_back(fmt::format("work_{} [J]", name));
   for (const std::string& name : model_->group_names)
-    for (int axis = 0; axis < D; ++axis) columns.push_back(fmt::format("force.{}_{} [N]", name, axis_names[static_cast<std::size_t>(axis)]));
+    for (int axis = 0; axis < D; ++axis)
+      columns.push_back(fmt::format("force.{}_{} [N]", name, axis_names[static_cast<std::size_t>(axis)]));
   for (const auto& set : stepper().body().joints().sets())
-    for (const char* what : {"open_share [-]", "slip_share [-]", "slip_max [m]"}) columns.push_back(fmt::format("joint.{}.{}", set.name, what));
+    for (const char* what : {"open_share [-]", "slip_share [-]", "slip_max [m]"})
+      columns.push_back(fmt::format("joint.{}.{}", set.name, what));
   for (const char* rest : {"iterations [-]", "cuts [-]", "wall_seconds [s]"}) columns.emplace_back(rest);
   return columns;
 }
@@ -106,7 +108,8 @@ std::vector<Vector<D>> FemRecord<D>::boundary_forces() const {
   const auto& supports = stepper().supports();
   for (const auto& support : supports.held)
     forces[at(support.boundary)][support.axis] += reactions[at(support.node) * D + static_cast<std::size_t>(support.axis)];
-  for (std::size_t i = 0; i < supports.viscous.size(); ++i) forces[at(supports.viscous[i].boundary)] += stepper().viscous_force(i);
+  for (std::size_t i = 0; i < supports.viscous.size(); ++i)
+    forces[at(supports.viscous[i].boundary)] += stepper().viscous_force(i);
   return forces;
 }
 
@@ -189,7 +192,8 @@ void FemRecord<D>::write_snapshot(Real time) {
   std::vector<std::int32_t> connectivity, region(mesh.region.begin(), mesh.region.end());
   std::vector<std::uint8_t> types;
   for (const geometry::MeshElement& element : mesh.elements) {
-    for (const int place : geometry::vtk_order(element.shape)) connectivity.push_back(element.nodes[static_cast<std::size_t>(place)]);
+    for (const int place : geometry::vtk_order(element.shape))
+      connectivity.push_back(element.nodes[static_cast<std::size_t>(place)]);
     types.push_back(geometry::facts(element.shape).vtk_type);
   }
   const auto of_vectors = [](const std::string& name, const std::vector<Vector3>& values) {
@@ -221,8 +225,9 @@ void FemRecord<D>::check_motion(Real time) const {
   const auto bad = std::ranges::find_if(moved, [](Real value) { return !std::isfinite(value); });
   if (bad == moved.end()) return;
   const auto node = static_cast<std::size_t>(bad - moved.begin()) / D;
-  throw PhysicsError(fmt::format("the displacement of node {} is no number any more, found at t = {} s\n  look at the loads and motions",
-                                 model_->mesh().node_tags[node], cases::short_number(time)));
+  throw PhysicsError(
+      fmt::format("the displacement of node {} is no number any more, found at t = {} s\n  look at the loads and motions",
+                  model_->mesh().node_tags[node], cases::short_number(time)));
 }
 
 template <int D>

@@ -65,7 +65,8 @@ private:
   void add_cell(int i, int j, int k, bool flat) {
     std::vector<Vector3> corners = {corner(i, j, k), corner(i + 1, j, k), corner(i + 1, j + 1, k), corner(i, j + 1, k)};
     if (!flat)
-      for (const Vector3& upper : {corner(i, j, k + 1), corner(i + 1, j, k + 1), corner(i + 1, j + 1, k + 1), corner(i, j + 1, k + 1)})
+      for (const Vector3& upper :
+           {corner(i, j, k + 1), corner(i + 1, j, k + 1), corner(i + 1, j + 1, k + 1), corner(i, j + 1, k + 1)})
         corners.push_back(upper);
     for (const auto& part : parts_of_cell(linear_)) {
       MeshElement element{shape_, {}, static_cast<std::int64_t>(mesh_.elements.size()) + 1};

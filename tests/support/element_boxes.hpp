@@ -11,18 +11,18 @@ namespace sazare::test {
 using geometry::ElementMesh, geometry::ElementShape;
 
 struct BoxRules {
-  Vector3 size = Vector3::Ones();       ///< [m]
+  Vector3 size = Vector3::Ones();  ///< [m]
   std::array<int, 3> cells = {1, 1, 1};
-  Real distortion = 0;                  ///< of the inner corners, over a cell
+  Real distortion = 0;  ///< of the inner corners, over a cell
 };
 
 /// A box from the origin, with the groups "left", "right" (x), "bottom", "top" (the last axis) and in space "front", "back" (y).
 ElementMesh box(ElementShape shape, const BoxRules& rules);
 
 inline constexpr std::array solid_shapes = {
-    ElementShape::triangle3,    ElementShape::triangle6,     ElementShape::quadrilateral4, ElementShape::quadrilateral8,
-    ElementShape::quadrilateral9, ElementShape::tetrahedron4, ElementShape::tetrahedron10, ElementShape::hexahedron8,
-    ElementShape::hexahedron20, ElementShape::hexahedron27};
+    ElementShape::triangle3,      ElementShape::triangle6,    ElementShape::quadrilateral4, ElementShape::quadrilateral8,
+    ElementShape::quadrilateral9, ElementShape::tetrahedron4, ElementShape::tetrahedron10,  ElementShape::hexahedron8,
+    ElementShape::hexahedron20,   ElementShape::hexahedron27};
 
 std::string name_of(ElementShape shape);
 

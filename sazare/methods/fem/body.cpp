@@ -29,8 +29,7 @@ Body<D>::Body(BodyDescription description)
     const SolidMaterial& material = description_.materials[at(description_.material[e])];
     const auto nodes = mesh.elements[e].node_list();
     mass_.add(nodes, element_mass<D>(mesh, mesh.elements[e], material.density, description_.mass));
-    if (!material.strength)
-      linear_.add(nodes, element_stiffness<D>(mesh, mesh.elements[e], material, description_.integration));
+    if (!material.strength) linear_.add(nodes, element_stiffness<D>(mesh, mesh.elements[e], material, description_.integration));
   }
 }
 
@@ -45,8 +44,7 @@ NodeGroups Body<D>::all_groups() const {
 template <int D>
 NodeGroups Body<D>::changing_groups() const {
   NodeGroups groups;
-  for (std::size_t i = 0; i < yielding_.size(); ++i)
-    groups.add(description_.mesh.elements[at(yielding_.element(i))].node_list());
+  for (std::size_t i = 0; i < yielding_.size(); ++i) groups.add(description_.mesh.elements[at(yielding_.element(i))].node_list());
   for (std::size_t j = 0; j < joints_.size(); ++j) groups.add(joints_.nodes(j));
   return groups;
 }

@@ -53,7 +53,8 @@ public:
 
   /// Internal forces of displacements, and the memory that they leave. `tangent`, where asked for, is made anew where it has
   /// changed; then the result is true.
-  bool evaluate(const NodalColumn& displacement, const Memory& before, Memory& after, NodalColumn& force, BlockMatrix<D>* tangent);
+  bool evaluate(const NodalColumn& displacement, const Memory& before, Memory& after, NodalColumn& force,
+                BlockMatrix<D>* tangent);
 
   /// The next `evaluate` makes its tangent anew: after a return to an earlier state.
   void forget_tangent() { has_tangent_ = false; }

@@ -50,8 +50,8 @@ laws::InterfaceResponse<D> Joints<D>::response(const Joint& joint, std::size_t p
 }
 
 template <int D>
-bool Joints<D>::evaluate(std::size_t number, const NodalColumn& displacement, std::span<const Real> before,
-                         std::span<Real> after, std::span<Real> force, std::span<Real> tangent) const {
+bool Joints<D>::evaluate(std::size_t number, const NodalColumn& displacement, std::span<const Real> before, std::span<Real> after,
+                         std::span<Real> force, std::span<Real> tangent) const {
   const Joint& joint = joint_[number];
   const auto half = static_cast<Eigen::Index>(force.size()) / 2;
   using RowMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;

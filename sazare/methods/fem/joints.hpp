@@ -43,10 +43,10 @@ public:
 
   /// What the joints of a set do, over their area.
   struct Summary {
-    Real open_share = 0;                       ///< [-]
-    Real slip_share = 0;                       ///< [-]
-    Real largest_slip = 0;                     ///< [m]
-    Vector<D> force = Vector<D>::Zero();       ///< of the first faces on the second ones [N]
+    Real open_share = 0;                  ///< [-]
+    Real slip_share = 0;                  ///< [-]
+    Real largest_slip = 0;                ///< [m]
+    Vector<D> force = Vector<D>::Zero();  ///< of the first faces on the second ones [N]
   };
   Summary summary(std::size_t set, const NodalColumn& displacement, std::span<const Real> memory) const;
 

@@ -3,6 +3,7 @@
 /// A material at a point: elastic, or with the strength of Mohr and Coulomb.
 
 #include <optional>
+#include <string>
 
 #include "sazare/laws/principal_return.hpp"
 #include "sazare/methods/fem/voigt.hpp"

@@ -27,9 +27,10 @@ SolidPoint<D> solid_point(const geometry::ElementMesh& mesh, const geometry::Mes
   const Real volume = jacobian.determinant();
   if (!(volume > 0)) {
     const Vector3& place = mesh.nodes[at(element.nodes[0])];
-    throw UserError(fmt::format("element {} ({}) at ({:.6g}, {:.6g}, {:.6g}) m has no volume, or is turned inside out. Look at the "
-                                "mesh there; curved sides may need smaller elements",
-                                element.tag, facts(element.shape).name, place.x(), place.y(), place.z()));
+    throw UserError(
+        fmt::format("element {} ({}) at ({:.6g}, {:.6g}, {:.6g}) m has no volume, or is turned inside out. Look at the "
+                    "mesh there; curved sides may need smaller elements",
+                    element.tag, facts(element.shape).name, place.x(), place.y(), place.z()));
   }
   return {volume * point.weight, by_reference.template leftCols<D>() * jacobian.inverse()};
 }
@@ -47,7 +48,8 @@ ElementColumn<D> displacements_of(const geometry::MeshElement& element, const No
   const auto nodes = element.node_list();
   ElementColumn<D> moved(nodes.size() * D);
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    for (std::size_t axis = 0; axis < D; ++axis) moved[static_cast<Eigen::Index>(i * D + axis)] = displacement[at(nodes[i]) * D + axis];
+    for (std::size_t axis = 0; axis < D; ++axis)
+      moved[static_cast<Eigen::Index>(i * D + axis)] = displacement[at(nodes[i]) * D + axis];
   return moved;
 }
 
@@ -145,13 +147,13 @@ typename YieldingSolids<D>::Energies YieldingSolids<D>::energies(std::size_t num
                                                                  const NodalColumn& displacement, std::span<const Real> before,
                                                                  std::span<const Real> after) const {
   const geometry::MeshElement& element = mesh_->elements[at(element_[number])];
-  const ElementColumn<D> old = displacements_of<D>(element, displacement_before), now = displacements_of<D>(element, displacement);
+  const ElementColumn<D> old = displacements_of<D>(element, displacement_before),
+                         now = displacements_of<D>(element, displacement);
   const VoigtMatrix<D>& c = stiffness_[at(material_[number])];
   Energies result;
   for (std::size_t p = first_point_[number]; p < first_point_[number + 1]; ++p) {
     const Voigt<D> strain = elastic_strain(p, now, after), strain_before = elastic_strain(p, old, before);
-    const Voigt<D> flow =
-        Memory(after.data() + p * (stress_size<D> + 1)) - Memory(before.data() + p * (stress_size<D> + 1));
+    const Voigt<D> flow = Memory(after.data() + p * (stress_size<D> + 1)) - Memory(before.data() + p * (stress_size<D> + 1));
     result.elastic += 0.5 * point_[p].weight * strain.dot(c * strain);
     result.plastic += 0.5 * point_[p].weight * flow.dot(c * (strain + strain_before));
   }

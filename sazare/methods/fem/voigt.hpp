@@ -1,6 +1,7 @@
 #pragma once
 
-/// Strains and stresses as columns: xx, yy, zz, xy and in space also yz, zx; shear strains are engineering's (twice the tensor's).
+/// Strains and stresses as columns: xx, yy, zz, xy and in space also yz, zx; shear strains are engineering's (twice the
+/// tensor's).
 
 #include "sazare/core/vector.hpp"
 
