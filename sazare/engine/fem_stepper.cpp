@@ -6,47 +6,12 @@
 #include <cmath>
 
 #include "sazare/core/error.hpp"
+#include "sazare/methods/fem/nodal_algebra.hpp"
 
 namespace sazare::engine {
 
+using methods::fem::add, methods::fem::at, methods::fem::dot, methods::fem::norm, methods::fem::number, methods::fem::product;
 using methods::fem::BlockMatrix, methods::fem::NodalColumn, methods::fem::Support;
-
-namespace {
-
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
-template <int D>
-std::size_t number(Index node, int axis) {
-  return at(node) * D + static_cast<std::size_t>(axis);
-}
-
-Real dot(const NodalColumn& a, const NodalColumn& b) {
-  Real sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-Real norm(const NodalColumn& a) { return std::sqrt(dot(a, a)); }
-
-template <int D>
-NodalColumn product(const BlockMatrix<D>& matrix, const NodalColumn& x) {
-  NodalColumn result(x.size(), 0);
-  matrix.multiply(x, 1, result);
-  return result;
-}
-
-void add(NodalColumn& to, Real factor, const NodalColumn& from) {
-  for (std::size_t i = 0; i < to.size(); ++i) to[i] += factor * from[i];
-}
-
-/// Work of a force, with its mean over the step.
-Real mean_work(const NodalColumn& before, const NodalColumn& after, const NodalColumn& moved) {
-  Real sum = 0;
-  for (std::size_t i = 0; i < moved.size(); ++i) sum += 0.5 * (before[i] + after[i]) * moved[i];
-  return sum;
-}
-
-}  // namespace
 
 template <int D>
 FemStepper<D>::FemStepper(std::unique_ptr<methods::fem::Body<D>> body, methods::fem::Supports<D> supports, const FemRules& rules)
@@ -365,38 +330,6 @@ void FemStepper<D>::commit(Trial& trial, const Span& span) {
   state_.balance = balance;
 }
 
-/// Work of a step, each force with its mean over it.
-template <int D>
-void FemStepper<D>::book(const Trial& trial, const NodalColumn& balance, const Span& span) {
-  NodalColumn moved = trial.displacement;
-  add(moved, -1, state_.displacement);
-  FemWork& work = state_.work;
-  if (!body_->is_linear()) {
-    const auto taken = body_->energies(state_.displacement, trial.displacement, state_.memory, trial.memory);
-    work.plastic += taken.plastic;
-    work.friction += taken.friction;
-  }
-  if (stage_ == Stage::settling) return;
-  const Real to = span.from + span.length;
-  work.gravity += dot(weight_, moved);
-  for (const auto& load : supports_.loads) work.loads += 0.5 * (load.share(span.from) + load.share(to)) * dot(load.force, moved);
-  work.loads += dot(applied_, moved);
-  work.boundary += dot(rest_, moved);
-  NodalColumn before = state_.balance, after = balance;
-  if (inertia()) {
-    work.damping += mean_work(product(rayleigh_, state_.velocity), product(rayleigh_, trial.velocity), moved);
-    work.radiation += mean_work(product(viscous_, state_.velocity), product(viscous_, trial.velocity), moved);
-    work.waves += mean_work(incoming(span.from), incoming(to), moved);
-    body_->mass().multiply(state_.acceleration, 1, before);
-    body_->mass().multiply(trial.acceleration, 1, after);
-  }
-  for (const Support& support : supports_.held) {
-    if (support.motion == Support::no_motion) continue;
-    const std::size_t i = number<D>(support.node, support.axis);
-    work.boundary += 0.5 * (before[i] + after[i]) * moved[i];
-  }
-}
-
 template <int D>
 NodalColumn FemStepper<D>::reactions() const {
   NodalColumn force = state_.balance;
@@ -423,24 +356,6 @@ Vector<D> FemStepper<D>::viscous_force(std::size_t boundary) const {
     for (const Index node : one.nodes) sum[axis] += rest_[number<D>(node, axis)];
   }
   return sum;
-}
-
-template <int D>
-Real FemStepper<D>::kinetic_energy() const {
-  return 0.5 * dot(state_.velocity, product(body_->mass(), state_.velocity));
-}
-
-template <int D>
-Real FemStepper<D>::elastic_energy() const {
-  return body_->energies(state_.displacement, state_.displacement, state_.memory, state_.memory).elastic - elastic_at_start_;
-}
-
-template <int D>
-Real FemStepper<D>::energy_residual() const {
-  const FemWork& work = state_.work;
-  const Real done = work.gravity + work.loads + work.boundary + work.waves;
-  const Real kinetic = rules_.statics ? 0 : kinetic_energy();
-  return done - kinetic - elastic_energy() - work.damping - work.radiation - work.plastic - work.friction;
 }
 
 template <int D>

@@ -17,20 +17,30 @@ class Elements(Part):
 
 @dataclass(kw_only=True, eq=False)
 class Block(Part):
-    """Bodies of squares that are joined on a lattice, or of one rectangle."""
+    """Bodies of squares that are joined on a lattice, of polygons, or of one rectangle."""
 
     name: str
     """Name of the block in messages."""
     material: str
     """What it is made of."""
     shape: Literal["rectangle", "polygon", "image"] | None = None
-    """A rectangle, the squares whose centres lie inside a polygon, or the dark pixels of an image. Default: "rectangle"."""
-    elements: Literal["squares", "circles"] | None = None
-    """Squares, or the circles inside them: with springs = 1 the ordinary circular elements. Default: "squares"."""
-    element_size: float | None = None
-    """Side of the squares on the lattice; of an image, the side of a pixel. [m] (required except for a rectangle, which is one
-    element without it) Greater than 0.
+    """A rectangle, a polygon (of which squares fill it whose centres lie inside; convex for polygons), or the dark pixels of an
+    image. Default: "rectangle".
     """
+    elements: Literal["squares", "circles", "polygons"] | None = None
+    """Squares, the circles inside them (with springs = 1 the ordinary circular elements), or the polygons around irregular
+    nuclei, always with increments "exact". Default: "squares".
+    """
+    element_size: float | None = None
+    """Side of the squares on the lattice; of an image, the side of a pixel; of polygons, the side of a square of their mean area.
+    [m] (required except for a rectangle, which is one element without it; not with nuclei) Greater than 0.
+    """
+    nuclei: str | None = None
+    """Nuclei of polygons, from a CSV file with the first line "x [m],y [m]", inside the block before it is turned. (polygons
+    only; not with element_size)
+    """
+    seed: int | None = None
+    """Which irregular nuclei are taken where no file gives them. Default: 1. At least 1 and at most 1e+06."""
     lower: tuple[float, float, float] | None = None
     """Corner with the smallest coordinates before it is turned; z is 0. [m] (required for a rectangle and an image)"""
     upper: tuple[float, float, float] | None = None
@@ -62,11 +72,13 @@ class Material(Part):
     youngs_modulus and poisson_ratio) Greater than 0.
     """
     youngs_modulus: float | None = None
-    """Young's modulus, from which both stiffnesses follow as for a square lattice. [Pa] (normal_stiffness and shear_stiffness, or
-    youngs_modulus and poisson_ratio) Greater than 0.
+    """Young's modulus in plane strain, from which both stiffnesses follow: for squares as for a square lattice, for polygons by
+    the mean over all directions. [Pa] (normal_stiffness and shear_stiffness, or youngs_modulus and poisson_ratio) Greater than
+    0.
     """
     poisson_ratio: float | None = None
-    """Poisson's ratio. (normal_stiffness and shear_stiffness, or youngs_modulus and poisson_ratio) At least 0 and less than 0.5.
+    """Poisson's ratio; below 0.25 for polygons. (normal_stiffness and shear_stiffness, or youngs_modulus and poisson_ratio) At
+    least 0 and less than 0.5.
     """
     damping_ratio: float | None = None
     """h_n: share of critical damping of two joined elements. Default: 0.0. At least 0."""
@@ -244,7 +256,7 @@ class Case(AnyCase):
     elements: Elements | None = None
     """What all elements have in common."""
     blocks: list[Block]
-    """Bodies of squares that are joined on a lattice, or of one rectangle."""
+    """Bodies of squares that are joined on a lattice, of polygons, or of one rectangle."""
     materials: list[Material]
     """What the blocks are made of."""
     contact: Contact

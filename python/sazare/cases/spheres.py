@@ -78,6 +78,26 @@ class Pair(Part):
 
 
 @dataclass(kw_only=True, eq=False)
+class Shape(Part):
+    """Rigid bodies made of spheres."""
+
+    name: str
+    """Name by which [[spheres]] refer to it."""
+    source: Literal["tetrapod", "file", "mesh"] | None = None
+    """Where its spheres come from: a tetrapod, a file of spheres, or what fits into a closed surface. Default: "tetrapod"."""
+    height: float | None = None
+    """From the ground to the end of the upper leg. [m] (required for a tetrapod) Greater than 0."""
+    leg_spheres: int | None = None
+    """Spheres along each leg of a tetrapod, besides the one in its centre. Default: 4. At least 1 and at most 100."""
+    file: str | None = None
+    """Rows of radius, x, y, z; or the triangles of an .stl or a .msh without holes. (required for a file and for a mesh)"""
+    scale: float | None = None
+    """Length of the file's unit in m. Default: 1.0. Greater than 0."""
+    count: int | None = None
+    """Spheres that fill a mesh, at most. Default: 40. At least 1 and at most 10000."""
+
+
+@dataclass(kw_only=True, eq=False)
 class Sphere(Part):
     """Groups of spheres."""
 
@@ -90,13 +110,15 @@ class Sphere(Part):
     centre: tuple[float, float, float] | None = None
     """Where the sphere is at the start. [m] (required for one)"""
     radius: float | None = None
-    """Radius; of random spheres the smallest, where largest_radius is given. [m] (required except for a file) Greater than 0."""
+    """Radius; of random spheres the smallest, where largest_radius is given. [m] (required except for a file or a shape) Greater
+    than 0.
+    """
     largest_radius: float | None = None
     """Radii are equally likely between the two; the largest are placed first. [m] (random only; default: radius) Greater than 0.
     """
     file: str | None = None
-    """Rows of radius, x, y, z in m, parted by blanks or commas; a line that begins with a letter or # is skipped. (required for a
-    file)
+    """Rows of radius, x, y, z in m, parted by blanks or commas; a line that begins with a letter or # is skipped. Of a shape:
+    rows of x, y, z in m and its rotation vector in rad. (required for a file)
     """
     lower: tuple[float, float, float] | None = None
     """Corner of the box with the smallest coordinates. [m] (required for lattice and random)"""
@@ -117,7 +139,50 @@ class Sphere(Part):
     noise: float | None = None
     """Largest random velocity along each axis, beside the velocity. [m/s] Default: 0.0. At least 0."""
     held: bool | None = None
-    """Whether the spheres neither move nor turn. Default: false."""
+    """Whether the spheres keep the velocity and the spin of the start, whatever pushes them. Default: false."""
+    shape: str | None = None
+    """Shape of [[shapes]]: the group is of rigid bodies, places are those of their centres of mass. (none: single spheres)"""
+    rotation: tuple[float, float, float] | None = None
+    """Rotation vector of a shape at the start. [rad] Default: [0.0, 0.0, 0.0]."""
+    random_rotation: bool | None = None
+    """Whether every body of a shape is turned by chance instead. Default: false."""
+
+
+@dataclass(kw_only=True, eq=False)
+class Bond(Part):
+    """Which spheres are bonded, and how strongly."""
+
+    name: str
+    """Name for messages."""
+    between: tuple[str, str]
+    """The two groups; the same twice for bonds within one. Where several entries match a pair the last one wins."""
+    reach: float | None = None
+    """Spheres are bonded whose gap at the start is at most this, over the sum of their radii. Default: 0.01. At least 0."""
+    radius_ratio: float | None = None
+    """Radius of the bond over that of the smaller sphere. Default: 1.0. Greater than 0."""
+    youngs_modulus: float | None = None
+    """Young's modulus: the bond is a round beam from centre to centre. [Pa] (or normal_stiffness) Greater than 0."""
+    poisson_ratio: float | None = None
+    """Poisson's ratio. (required with youngs_modulus) At least 0 and at most 0.5."""
+    normal_stiffness: float | None = None
+    """Tension per area and opening of a cemented contact; it resists bending as well. [Pa/m] (or youngs_modulus) Greater than 0.
+    """
+    shear_stiffness: float | None = None
+    """Shear stress over sliding of a cemented contact; it resists twist as well. [Pa/m] (required with normal_stiffness) Greater
+    than 0.
+    """
+    damping_ratio: float | None = None
+    """Dashpots beside the bond over those that are critical for two spheres alone. Default: 0.0. At least 0."""
+    tensile_strength: float | None = None
+    """Tension at the rim, bending included, at which it begins to fail. [Pa] (none: not limited) Greater than 0."""
+    cohesion: float | None = None
+    """Shear stress at the rim, twist included, at which it begins to fail without pressure. [Pa] (none: not limited) Greater than
+    0.
+    """
+    friction_angle: float | None = None
+    """Angle whose tangent times the pressure is added to the cohesion. [deg] Default: 0.0. At least 0 and less than 90."""
+    fracture_energy: float | None = None
+    """Energy per area that softening takes in tension. [N/m] (none: brittle) Greater than 0."""
 
 
 @dataclass(kw_only=True, eq=False)
@@ -243,7 +308,9 @@ class Case(AnyCase):
         "materials": Material,
         "contact": Contact,
         "pairs": Pair,
+        "shapes": Shape,
         "spheres": Sphere,
+        "bonds": Bond,
         "walls": Wall,
         "motions": Motion,
         "gravity": Gravity,
@@ -260,8 +327,12 @@ class Case(AnyCase):
     """How spheres touch."""
     pairs: list[Pair] = field(default_factory=list)
     """What is different between two materials."""
+    shapes: list[Shape] = field(default_factory=list)
+    """Rigid bodies made of spheres."""
     spheres: list[Sphere]
     """Groups of spheres."""
+    bonds: list[Bond] = field(default_factory=list)
+    """Which spheres are bonded, and how strongly."""
     walls: list[Wall] = field(default_factory=list)
     """Planes and surfaces that spheres cannot pass."""
     motions: list[Motion] = field(default_factory=list)

@@ -102,7 +102,7 @@ TEST(gmsh_mesher, names_with_spaces_and_quotes_are_plain_names) {
 
 TEST(gmsh_mesher, missing_program) {
   const TemporaryFolder folder;
-  const MeshRequest request{folder.write("box.geo", box), folder.path() / "box.msh", {}, 1, "no-such-gmsh"};
+  const MeshRequest request{folder.write("box.geo", box), folder.path() / "box.msh", {}, 1, 3, "no-such-gmsh"};
   const std::string words = words_of<UserError>(request);
   EXPECT_WORDS(words, "box.geo: to mesh it the program 'no-such-gmsh' is needed, and it is not installed");
   EXPECT_WORDS(words, "apt install gmsh");

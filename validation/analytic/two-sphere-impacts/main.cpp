@@ -74,7 +74,9 @@ After impact(const Solid& solid, const std::vector<Ball>& balls, Real expected_d
   return after;
 }
 
-Real modulus_of(const laws::GrainElasticity& solid) { return solid.youngs_modulus / (1 - solid.poisson_ratio * solid.poisson_ratio); }
+Real modulus_of(const laws::GrainElasticity& solid) {
+  return solid.youngs_modulus / (1 - solid.poisson_ratio * solid.poisson_ratio);
+}
 Real mass_of(Real density, Real radius) { return density * 4.18879020478639 * radius * radius * radius; }
 
 /// A ball of a solid on a rigid plane, its lowest point at the plane.

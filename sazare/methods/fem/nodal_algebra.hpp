@@ -1,0 +1,39 @@
+#pragma once
+
+/// Sums and products of columns of numbers of nodes.
+
+#include <cmath>
+
+#include "sazare/methods/fem/node_pattern.hpp"
+
+namespace sazare::methods::fem {
+
+inline std::size_t at(Index index) { return static_cast<std::size_t>(index); }
+
+/// Of a degree of freedom: node by node, its axes in order.
+template <int D>
+std::size_t number(Index node, int axis) {
+  return at(node) * D + static_cast<std::size_t>(axis);
+}
+
+inline Real dot(const NodalColumn& a, const NodalColumn& b) {
+  Real sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+inline Real norm(const NodalColumn& a) { return std::sqrt(dot(a, a)); }
+
+template <int D>
+NodalColumn product(const BlockMatrix<D>& matrix, const NodalColumn& x) {
+  NodalColumn result(x.size(), 0);
+  matrix.multiply(x, 1, result);
+  return result;
+}
+
+/// to += factor from
+inline void add(NodalColumn& to, Real factor, const NodalColumn& from) {
+  for (std::size_t i = 0; i < to.size(); ++i) to[i] += factor * from[i];
+}
+
+}  // namespace sazare::methods::fem
