@@ -8,7 +8,8 @@
 ///     title(), method(), words()                  what is to be said of the case at its beginning
 ///     warning()                                   what is to be warned of; empty where all is well
 ///     checkpoint_interval()                       [s] of wall clock
-///     start(), advance(), step()                  the beginning, a step, how many there have been
+///     start()                                     the beginning; false when asked to stop before it was there
+///     advance(), step()                           a step, how many there have been
 ///     must_check()                                whether the motion is to be looked at after this step
 ///     collect()                                   makes all true in the first process
 ///     progress(share, time)                       what there is to tell on the way
@@ -134,8 +135,7 @@ private:
     if (writes()) work_.write_case();
     say(fmt::format("{}: {}", work_.title(), work_.words()));
     if (writes()) work_.record.begin();
-    work_.start();
-    if (agree(must_stop())) return false;
+    if (!work_.start()) return false;
     observe();
     save_checkpoint();
     return true;

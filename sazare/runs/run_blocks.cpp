@@ -63,7 +63,10 @@ struct BlocksWork {
   }
   Real checkpoint_interval() const { return file.blocks().output.checkpoint_interval; }
 
-  void start() { simulation().start(); }
+  bool start() {
+    simulation().start();
+    return true;
+  }
   void advance() { simulation().advance(); }
   std::int64_t step() const { return simulation().now().tick / schedule::base_stride; }
   bool must_check() const {

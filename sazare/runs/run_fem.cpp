@@ -54,9 +54,10 @@ struct FemWork {
   }
   Real checkpoint_interval() const { return file.fem().output.checkpoint_interval; }
 
-  void start() {
+  bool start() {
     if (file.fem().gravity.settle) model.stepper->settle();
     model.stepper->start();
+    return true;
   }
   void advance() { model.stepper->advance(); }
   std::int64_t step() const { return model.stepper->steps(); }

@@ -59,12 +59,14 @@ struct MpsWork {
   }
   Real checkpoint_interval() const { return file.mps().output.checkpoint_interval; }
 
-  void start() {
-    if (file.mps().gravity.settle) settle();
+  bool start() {
+    if (file.mps().gravity.settle && !settle()) return false;
     model.stepper->start();
+    return true;
   }
 
-  void settle() {
+  /// False when asked to stop before the ground has come to rest.
+  bool settle() {
     const Real tolerance = settled_share * file.mps().gravity.acceleration.norm();
     if (!options.quiet) fmt::print("coming to rest under gravity\n");
     std::fflush(stdout);
@@ -81,7 +83,8 @@ struct MpsWork {
       return !asked;
     };
     const Real left = model.stepper->settle({tolerance, file.mps().gravity.settling_steps, goes_on});
-    if (left <= tolerance || asked) return;
+    if (asked) return false;
+    if (left <= tolerance) return true;
     throw PhysicsError(fmt::format(
         "the ground does not come to rest under gravity: after {} steps an acceleration of {} m/s2 is left, {} are asked for\n"
         "  it does not stand, or is hardly held: look at its strength, and at the boundaries that carry it",

@@ -50,7 +50,10 @@ struct RectanglesWork {
   }
   Real checkpoint_interval() const { return file.rectangles().output.checkpoint_interval; }
 
-  void start() { model.stepper->start(); }
+  bool start() {
+    model.stepper->start();
+    return true;
+  }
   void advance() { model.stepper->advance(); }
   std::int64_t step() const { return model.stepper->steps(); }
   bool must_check() const { return step() % motion_check_steps == 0; }
