@@ -180,7 +180,9 @@ def test_a_call_that_returns_true_ends_the_walk_and_the_run_goes_on_later(tmp_pa
 
 
 def test_ctrl_c_leaves_a_checkpoint(tmp_path):
-    code = f"import sazare; print('go', flush=True); sazare.run({str(COLUMN)!r}, {str(tmp_path / 'run')!r}, overrides={{'time.end': 500.0}})"
+    # Under a parent that ignores Ctrl-C, as in the background of a shell, Python would ignore it too.
+    heed = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"
+    code = f"{heed}; import sazare; print('go', flush=True); sazare.run({str(COLUMN)!r}, {str(tmp_path / 'run')!r}, overrides={{'time.end': 500.0}})"
     running = python(code)
     assert running.stdout.readline() == "go\n"
     history = tmp_path / "run" / "history.csv"
