@@ -1,6 +1,6 @@
 /// Element-steps per second of method rectangles with a number of threads, scene by scene:
 ///
-///     squares THREADS
+///     squares THREADS [SCENE]
 ///
 /// prints `scene,elements,element_steps_per_second`, the fastest of three measurements. Nothing is written. The scenes
 /// lattice-* are a free plate that vibrates, N springs on a face; bent-* is a plate in which every link has lost a spring;
@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 
 #include "sazare/geometry/voronoi.hpp"
 #include "sazare/parallel/threads.hpp"
@@ -68,17 +69,22 @@ void measure(const char* name, Real elements, bool damaged, test::Scene scene) {
   std::fflush(stdout);
 }
 
+const char* only = nullptr;  // scene to be measured; all where null
+
+bool is_wanted(const char* name) { return only == nullptr || std::strcmp(name, only) == 0; }
+
 void measure(const char* name, int columns, int rows, int springs, bool damaged = false) {
-  measure(name, static_cast<Real>(columns) * rows, damaged, plate(columns, rows, springs, damaged));
+  if (is_wanted(name)) measure(name, static_cast<Real>(columns) * rows, damaged, plate(columns, rows, springs, damaged));
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
-  if (count != 2 || std::atoi(arguments[1]) < 1) {
-    std::fprintf(stderr, "usage: squares THREADS\n");
+  if (count < 2 || count > 3 || std::atoi(arguments[1]) < 1) {
+    std::fprintf(stderr, "usage: squares THREADS [SCENE]\n");
     return 2;
   }
+  if (count == 3) only = arguments[2];
   parallel::set_threads(std::atoi(arguments[1]));
   measure("lattice-1k-N1", 40, 25, 1);
   measure("lattice-1k-N5", 40, 25, 5);
@@ -88,8 +94,8 @@ int main(int count, char** arguments) {
   measure("lattice-100k-N5", 1000, 100, 5);
   measure("lattice-1m-N1", 2000, 500, 1);
   measure("lattice-1m-N5", 2000, 500, 5);
-  measure("packing-10k-N5", 10000, false, packing(200, 50, 5));
-  measure("packing-100k-N5", 100000, false, packing(1000, 100, 5));
+  if (is_wanted("packing-10k-N5")) measure("packing-10k-N5", 10000, false, packing(200, 50, 5));
+  if (is_wanted("packing-100k-N5")) measure("packing-100k-N5", 100000, false, packing(1000, 100, 5));
   measure("bent-10k-N1", 200, 50, 1, true);
   measure("bent-10k-N5", 200, 50, 5, true);
 }

@@ -32,6 +32,19 @@ inline Lanes gather_lanes(const Real* column, const Index* places) {
 #endif
 }
 
+/// `lane_count` places of columns. Places in a row are read in one piece, which takes a fraction of a gather's time.
+class LanePlaces {
+public:
+  explicit LanePlaces(const Index* places) : places_(places), in_a_row_(true) {
+    for (int lane = 1; lane < lane_count; ++lane) in_a_row_ = in_a_row_ & (places[lane] == places[0] + lane);
+  }
+  Lanes of(const Real* column) const { return in_a_row_ ? load_lanes(column + places_[0]) : gather_lanes(column, places_); }
+
+private:
+  const Index* places_;
+  bool in_a_row_;
+};
+
 struct SineCosine {
   Lanes sine;
   Lanes cosine;

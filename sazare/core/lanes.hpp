@@ -40,6 +40,19 @@ inline bool any(LaneMask mask) {
 }
 inline bool any(bool condition) { return condition; }
 
+using LaneBits = std::uint8_t;  ///< a lane each, the first one lowest
+inline constexpr LaneBits all_lanes = (1u << lane_count) - 1;
+
+inline LaneMask mask_of(LaneBits bits) {
+#ifdef __AVX512F__
+  return reinterpret_cast<LaneMask>(_mm512_movm_epi64(bits));
+#else
+  LaneMask mask{};
+  for (int lane = 0; lane < lane_count; ++lane) mask[lane] = (bits >> lane & 1) != 0 ? -1 : 0;
+  return mask;
+#endif
+}
+
 inline Lanes broadcast(Real value) { return Lanes{} + value; }
 
 inline Lanes maximum(Lanes a, Lanes b) { return a > b ? a : b; }

@@ -13,7 +13,8 @@ namespace sazare::engine {
 namespace {
 
 constexpr std::size_t serial_below = 128;  // blocks of lanes
-constexpr std::size_t tile = 2048;         // particles whose columns stay in the cache from kick to drift
+constexpr std::size_t tile_size = 256;     // particles whose columns stay in the first cache from kick to drift
+constexpr std::size_t serial_tiles = 4;
 
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
@@ -23,6 +24,12 @@ void for_blocks(std::size_t padded, F&& f) {
   parallel::parallel_for(padded / lane_count, serial_below,
                          [&](std::size_t begin, std::size_t end) { f(begin * lane_count, end * lane_count); });
 }
+
+/// A number that stands for a whole column.
+struct Even {
+  Real value = 0;
+  Real operator[](std::size_t) const { return value; }
+};
 
 /// exp of the rotation vector, times the matrix.
 void turn_matrix(std::array<state::Column, 9>& rotation, std::size_t i, const Vector3& turned) {
@@ -79,6 +86,23 @@ void UniformStepper<D>::prepare_factors() {
     for (std::size_t i = 0; i < particles_.size(); ++i) load_[axis][i] = supports_.gravity[static_cast<int>(axis)];
   for (const terms::Dashpot& dashpot : supports_.dashpots)
     load_[static_cast<std::size_t>(dashpot.freedom)][at(dashpot.particle)] = at_rest(dashpot);
+  find_even_tiles();
+}
+
+/// Where all particles of a tile have the same factors and load, a kick need not read them one by one: a third of what it reads.
+template <int D>
+void UniformStepper<D>::find_even_tiles() {
+  is_even_.assign((particles_.padded() + tile_size - 1) / tile_size, {});
+  for (std::size_t tile = 0; tile < is_even_.size(); ++tile) {
+    const std::size_t begin = tile * tile_size, end = std::min(begin + tile_size, particles_.padded());
+    const auto is_even = [&](const state::Column& column) {
+      return std::all_of(&column[begin], column.data() + end, [&](Real value) { return value == column[begin]; });
+    };
+    for (std::size_t freedom = 0; freedom < keep_.size(); ++freedom)
+      is_even_[tile][freedom] = is_even(load_[freedom]) && is_even(keep_[freedom]) && is_even(gain_[freedom]) && is_even(memory_);
+  }
+  for (const terms::Dashpot& dashpot : supports_.dashpots)  // their loads change
+    is_even_[at(dashpot.particle) / tile_size][static_cast<std::size_t>(dashpot.freedom)] = 0;
 }
 
 template <int D>
@@ -134,6 +158,7 @@ template <int D>
 Real UniformStepper<D>::settle(const Settling& rules) {
   const auto velocity = particles_.velocity;
   for (const terms::Dashpot& dashpot : supports_.dashpots) hold(dashpot.particle, dashpot.freedom);
+  find_even_tiles();
   drive();
   forces_->evaluate(particles_, elastic_);
   previous_ = elastic_;
@@ -206,27 +231,30 @@ void UniformStepper<D>::drift(std::size_t begin, std::size_t end, Real factor) {
 /// Leapfrog's kick, and Verlet's, whose difference x(k) - x(k-1) is kept as a velocity.
 template <int D>
 template <bool damped>
-void UniformStepper<D>::kick(std::size_t begin, std::size_t end) {
+void UniformStepper<D>::kick(std::size_t tile, std::size_t begin, std::size_t end) {
   const Real dt = rules_.step;
   const bool verlet = rules_.integrator == Integrator::verlet;
   for (std::size_t freedom = 0; freedom < keep_.size(); ++freedom) {
     Real* const velocity = particles_.velocity[freedom].data();
     const Real* const elastic = elastic_[freedom].data();
     const Real* const previous = previous_[freedom].data();
-    const Real* const load = load_[freedom].data();
-    const Real* const keep = keep_[freedom].data();
-    const Real* const gain = gain_[freedom].data();
-    const Real* const memory = memory_.data();
     Real* const work = damping_work_[freedom < D ? 0 : 1].data();
-    for (std::size_t i = begin; i < end; ++i) {
-      Real acceleration = elastic[i] + load[i];
-      if constexpr (damped) acceleration = elastic[i] + memory[i] * (elastic[i] - previous[i]) + load[i];
-      const Real before = velocity[i];
-      const Real after =
-          verlet ? (keep[i] * (dt * before) + dt * gain[i] * acceleration) / dt : keep[i] * before + gain[i] * acceleration;
-      velocity[i] = after;
-      if constexpr (damped) work[i] += gain[i] > 0 ? 0.5 * (before + after) * (after - before - dt * (elastic[i] + load[i])) : 0;
-    }
+    const auto kick_by = [&](const auto load, const auto keep, const auto gain, const auto memory) {
+      for (std::size_t i = begin; i < end; ++i) {
+        Real acceleration = elastic[i] + load[i];
+        if constexpr (damped) acceleration = elastic[i] + memory[i] * (elastic[i] - previous[i]) + load[i];
+        const Real before = velocity[i];
+        const Real after =
+            verlet ? (keep[i] * (dt * before) + dt * gain[i] * acceleration) / dt : keep[i] * before + gain[i] * acceleration;
+        velocity[i] = after;
+        if constexpr (damped)
+          work[i] += gain[i] > 0 ? 0.5 * (before + after) * (after - before - dt * (elastic[i] + load[i])) : 0;
+      }
+    };
+    if (is_even_[tile][freedom] != 0)
+      kick_by(Even{load_[freedom][begin]}, Even{keep_[freedom][begin]}, Even{gain_[freedom][begin]}, Even{memory_[begin]});
+    else
+      kick_by(load_[freedom].data(), keep_[freedom].data(), gain_[freedom].data(), memory_.data());
   }
 }
 
@@ -234,11 +262,11 @@ template <int D>
 void UniformStepper<D>::kick_and_drift() {
   remember_supports();
   const bool damped = !damping_work_[0].empty();
-  for_blocks(particles_.padded(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t from = begin; from < end; from += tile) {
-      const std::size_t to = std::min(from + tile, end);
-      damped ? kick<true>(from, to) : kick<false>(from, to);
-      drift(from, to, rules_.step);
+  parallel::parallel_for(is_even_.size(), serial_tiles, [&](std::size_t first, std::size_t last) {
+    for (std::size_t tile = first; tile < last; ++tile) {
+      const std::size_t begin = tile * tile_size, end = std::min(begin + tile_size, particles_.padded());
+      damped ? kick<true>(tile, begin, end) : kick<false>(tile, begin, end);
+      drift(begin, end, rules_.step);
     }
   });
   ++step_;
@@ -373,6 +401,7 @@ void UniformStepper<D>::columns(Archive& archive) {
   for (std::size_t i = 0; i < supports_.dashpots.size() && i < reactions.size(); ++i)
     supports_.dashpots[i].reaction = reactions[i];
   archive.folder("forces", [&] { forces_->columns(archive); });
+  find_even_tiles();
 }
 
 template class UniformStepper<2>;

@@ -106,7 +106,8 @@ private:
   }
   void kick_and_drift();
   template <bool damped>
-  void kick(std::size_t begin, std::size_t end);
+  void kick(std::size_t tile, std::size_t begin, std::size_t end);
+  void find_even_tiles();
   void drift_and_kick();
   void drift(std::size_t begin, std::size_t end, Real factor);
   void turn(std::size_t begin, std::size_t end);
@@ -128,13 +129,14 @@ private:
   terms::ParticleSupports<D> supports_;
   UniformRules rules_;
   std::int64_t step_ = 0;
-  state::FreedomColumns<D> elastic_;      ///< g(k) [m/s2], [rad/s2]
-  state::FreedomColumns<D> previous_;     ///< g(k-1)
-  state::FreedomColumns<D> load_;         ///< from nowhere: gravity, incoming waves
-  state::FreedomColumns<D> keep_;         ///< what a kick leaves of the velocity
-  state::FreedomColumns<D> gain_;         ///< what it adds per acceleration [s]
-  state::Column memory_;                  ///< a2 h/dt
-  std::array<state::Column, D> settled_;  ///< displacements at the beginning [m]
+  state::FreedomColumns<D> elastic_;                                            ///< g(k) [m/s2], [rad/s2]
+  state::FreedomColumns<D> previous_;                                           ///< g(k-1)
+  state::FreedomColumns<D> load_;                                               ///< from nowhere: gravity, incoming waves
+  state::FreedomColumns<D> keep_;                                               ///< what a kick leaves of the velocity
+  state::FreedomColumns<D> gain_;                                               ///< what it adds per acceleration [s]
+  state::Column memory_;                                                        ///< a2 h/dt
+  std::vector<std::array<std::uint8_t, state::particle_freedoms<D>>> is_even_;  ///< by tile: its particles share the last four
+  std::array<state::Column, D> settled_;                                        ///< displacements at the beginning [m]
 
   std::array<state::Column, 2> damping_work_;  ///< over the mass, and over the inertia of rotation [m2/s2], [rad2/s2]
   WorkByCause support_work_;                   ///< of whole kicks; its damping is what the columns lack

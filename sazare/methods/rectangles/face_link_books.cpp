@@ -29,7 +29,7 @@ Real FaceLinks::elastic_energy(const state::Particles<2>& particles) const {
   Real total = 0;
   for (std::size_t number = 0; number < links_.size(); ++number) {
     const Index place = damaged_of_[number];
-    if (is_open(static_cast<Index>(number)) || (active_[number] == 0 && place == none)) continue;
+    if (is_open(static_cast<Index>(number)) || (!is_whole(number) && place == none)) continue;
     const FaceKind& kind = kinds_[at(links_[number].kind)];
     const laws::FaceMotion<Real> motion = motion_of(particles, number);
     for (std::size_t i = 0; i < kind.springs.places.size(); ++i) {
@@ -58,7 +58,7 @@ SpringLosses FaceLinks::losses() const {
 
 void FaceLinks::columns(Archive& archive) {
   archive("slip", slip_);
-  archive("active", active_);
+  archive("whole", whole_);
   archive("dashpot_loss", dashpot_loss_);
   for (std::size_t k = 0; k < 3; ++k) archive("last_rate" + std::to_string(k), last_rate_[k]);
   archive("open", open_);

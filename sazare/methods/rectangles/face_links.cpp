@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -23,20 +24,22 @@ std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
 /// Reads both elements of links, one by one (`T` Real) or in lanes.
 template <class T>
-struct Reader {
-  const Index* first;
-  const Index* second;
+class Reader {
+public:
+  Reader(const Index* first, const Index* second) : first_(first), second_(second) {}
 
-  T of_first(const state::Column& column) const { return read(column, first); }
-  T of_second(const state::Column& column) const { return read(column, second); }
+  T of_first(const state::Column& column) const { return first_.of(column.data()); }
+  T of_second(const state::Column& column) const { return second_.of(column.data()); }
 
 private:
-  static T read(const state::Column& column, const Index* where) {
-    if constexpr (std::is_same_v<T, Real>)
-      return column[at(*where)];
-    else
-      return gather_lanes(column.data(), where);
-  }
+  struct Place {
+    explicit Place(const Index* of) : place(at(*of)) {}
+    Real of(const Real* column) const { return column[place]; }
+    std::size_t place;
+  };
+  using Places = std::conditional_t<std::is_same_v<T, Real>, Place, LanePlaces>;
+
+  Places first_, second_;
 };
 
 /// `turned` makes of an element's rotation (cosine and sine) the direction n that it has turned.
@@ -130,6 +133,7 @@ FaceLinks::FaceLinks(const state::Particles<2>& particles, std::vector<FaceKind>
     for (std::size_t axis = 0; axis < 2; ++axis)
       rest_[axis].push_back(particles.start[axis][at(link.second)] - particles.start[axis][at(link.first)]);
   }
+  for (Group& group : groups_) share_rest(group);
   std::size_t blocks = 0;
   for (const Group& group : groups_) blocks = std::max(blocks, (group.end - group.begin) / lane_count);
   bands_ = (blocks + band_blocks - 1) / band_blocks;
@@ -156,10 +160,23 @@ void FaceLinks::add_lattice(const std::vector<FaceLink>& links) {
 
 /// Fills the lanes of a group that begins here.
 void FaceLinks::pad(Index kind, int axis, std::size_t begin) {
-  active_.resize(links_.size(), 1);
+  const std::size_t unpadded = links_.size();
   while (links_.size() % lane_count != 0) links_.push_back({0, 0, axis, kind, 0});
-  active_.resize(links_.size(), 0);
-  groups_.push_back({kind, axis, begin, links_.size()});
+  whole_.resize(links_.size() / lane_count, all_lanes);
+  if (links_.size() > unpadded) whole_.back() = static_cast<LaneBits>(all_lanes >> (links_.size() - unpadded));
+  groups_.push_back({kind, axis, begin, links_.size(), false});
+}
+
+/// Links of one lattice began alike but for round-off, which need not be read link by link.
+void FaceLinks::share_rest(Group& group) {
+  const std::array<Real, 2> common = {rest_[0][group.begin], rest_[1][group.begin]};
+  const Real near = 1e-12 * std::hypot(common[0], common[1]);
+  group.shares_rest = true;
+  for (std::size_t i = group.begin; i < group.end && group.shares_rest; ++i)
+    group.shares_rest = is_padding(static_cast<Index>(i)) ||
+                        (std::abs(rest_[0][i] - common[0]) <= near && std::abs(rest_[1][i] - common[1]) <= near);
+  for (std::size_t i = group.begin; i < group.end && group.shares_rest; ++i)
+    for (std::size_t axis = 0; axis < 2; ++axis) rest_[axis][i] = common[axis];
 }
 
 void FaceLinks::make_face_table(std::size_t elements) {
@@ -190,7 +207,7 @@ bool FaceLinks::evaluate_whole(const state::Particles<2>& particles, std::size_t
   const FaceKind& kind = kinds_[at(group.kind)];
   const std::size_t blocks = (group.end - group.begin) / lane_count;
   const Part part{group.begin + blocks * band / bands_ * lane_count, group.begin + blocks * (band + 1) / bands_ * lane_count,
-                  &dashpot_loss_[(band * groups_.size() + number) * lane_count], elapsed};
+                  &dashpot_loss_[(band * groups_.size() + number) * lane_count], elapsed, group.shares_rest};
   if (group.axis == FaceLink::own_direction)
     return evaluate_whole<FaceFormula::exact>(particles, kind.springs, PackingFaces{facets_, kind.springs, lattice_end_}, part);
   const LatticeFaces faces{kind.springs, group.axis};
@@ -211,12 +228,13 @@ bool FaceLinks::evaluate_whole(const state::Particles<2>& particles, const laws:
   const Real elapsed = part.elapsed;
   bool any_yields = false;
   Lanes loss{};
+  std::array<Lanes, 2> rest = {broadcast(rest_[0][part.begin]), broadcast(rest_[1][part.begin])};
   for (std::size_t i = part.begin; i < part.end; i += lane_count) {
-    const LaneMask active = load_lanes(&active_[i]) > 0.0;
-    if (!any(active)) continue;
-    const std::array<Lanes, 2> rest = {load_lanes(&rest_[0][i]), load_lanes(&rest_[1][i])};
+    if (whole_[i / lane_count] == 0) continue;
+    const LaneMask active = mask_of(whole_[i / lane_count]);
+    if (!part.shares_rest) rest = {load_lanes(&rest_[0][i]), load_lanes(&rest_[1][i])};
     const auto& springs = faces.template at<Lanes>(i);
-    const auto pair = pair_of<formula>(particles, Reader<Lanes>{&first_[i], &second_[i]}, rest,
+    const auto pair = pair_of<formula>(particles, Reader<Lanes>(&first_[i], &second_[i]), rest,
                                        faces.template turned_by<Lanes>(i), springs.is_wall());
     const auto motion = laws::face_motion<formula>(pair, springs);
     const Lanes slip = load_lanes(&slip_[i]);
@@ -264,7 +282,7 @@ void FaceLinks::damage_those_that_yield() {
 }
 
 void FaceLinks::damage(Index number) {
-  active_[at(number)] = 0;
+  whole_[at(number) / lane_count] &= static_cast<LaneBits>(~(1u << at(number) % lane_count));
   damaged_of_[at(number)] = static_cast<Index>(damaged_.size());
   damaged_.push_back(number);
   first_spring_.push_back(static_cast<Index>(springs_.size()));
@@ -275,7 +293,7 @@ void FaceLinks::damage(Index number) {
 
 laws::FaceMotion<Real> FaceLinks::motion_of(const state::Particles<2>& particles, std::size_t number) const {
   const FaceKind& kind = kinds_[at(links_[number].kind)];
-  const Reader<Real> reader{&first_[number], &second_[number]};
+  const Reader<Real> reader(&first_[number], &second_[number]);
   const std::array<Real, 2> rest = {rest_[0][number], rest_[1][number]};
   const auto by = [&]<FaceFormula formula>(const auto& faces) {
     const auto& springs = faces.template at<Real>(number);
@@ -361,15 +379,16 @@ laws::Facet<Real> FaceLinks::springs_of(Index number) const {
 
 void FaceLinks::gather(std::size_t block, std::array<Lanes, 3>& sum) const {
   const auto take = [&](const Index* links, bool comes_first) {
-    const Lanes x = gather_lanes(slots_.force_x.data(), links), y = gather_lanes(slots_.force_y.data(), links);
+    const LanePlaces slots(links);
+    const Lanes x = slots.of(slots_.force_x.data()), y = slots.of(slots_.force_y.data());
     if (comes_first) {
       sum[0] -= x;
       sum[1] -= y;
-      sum[2] += gather_lanes(slots_.first_moment.data(), links);
+      sum[2] += slots.of(slots_.first_moment.data());
     } else {
       sum[0] += x;
       sum[1] += y;
-      sum[2] += gather_lanes(slots_.second_moment.data(), links);
+      sum[2] += slots.of(slots_.second_moment.data());
     }
   };
   for (std::size_t face = 0; face < 4 && lattice_end_ > 0; ++face) take(&face_[face][block * lane_count], face < 2);

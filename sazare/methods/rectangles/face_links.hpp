@@ -113,12 +113,14 @@ private:
     Index kind = 0;
     int axis = 0;
     std::size_t begin = 0, end = 0;
+    bool shares_rest = false;  ///< `rest_` is the same for all of them
   };
   /// Links of a group that are evaluated together, and where the loss of their dashpots is summed up.
   struct Part {
     std::size_t begin = 0, end = 0;
     Real* loss = nullptr;
     Real elapsed = 0;
+    bool shares_rest = false;
   };
   struct LatticeFaces;
   struct PackingFaces;
@@ -156,6 +158,8 @@ private:
   void add_lattice(const std::vector<FaceLink>& links);
   void add_facets(const std::vector<FacetLink>& facets);
   void pad(Index kind, int axis, std::size_t begin);
+  void share_rest(Group& group);
+  bool is_whole(std::size_t number) const { return (whole_[number / lane_count] >> number % lane_count & 1) != 0; }
   void make_face_table(std::size_t elements);
   void make_facet_table(std::size_t elements);
 
@@ -170,7 +174,7 @@ private:
   std::vector<Index> first_, second_;
   std::array<state::Column, 2> rest_;       ///< x2 - x1 at the beginning [m]
   state::Column slip_;                      ///< of whole links, see laws::SpringState
-  state::Column active_;                    ///< 1 for a whole link
+  std::vector<LaneBits> whole_;             ///< by block of lanes: which of its links are whole
   std::size_t bands_ = 0;                   ///< into which every group is cut
   state::Column dashpot_loss_;              ///< of whole links so far, by band, group and lane [J]
   std::array<state::Column, 3> last_rate_;  ///< of whole links when their dashpots were last evaluated: a', b', v' [m/s]
