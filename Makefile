@@ -15,20 +15,23 @@ setup: ## install missing Debian packages and the Python environment
 	@scripts/setup
 
 build: setup ## build the program in build/release (PRESET=debug|asan|tsan|mpi for another build)
-	@scripts/build $(PRESET) $(JOBS)
+	@scripts/build $(PRESET) $(JOBS) program
 
 demo: build ## run the blast near a free face and write its report to build/demo
 	@$(SAZARE) run $(DEMO_CASE) --out build/demo --overwrite
 	@$(PYTHON) -m sazare report build/demo
 	@$(PYTHON) -m sazare summary build/demo
 
-test: build ## run everything that guards the project
+test: setup ## run everything that guards the project
+	@scripts/build release $(JOBS)
 	@scripts/test
 
 validate: build ## compare with theory, papers and other codes; table in build/validation/results.csv
+	@scripts/build release $(JOBS) validation_programs
 	@$(PYTHON) validation/run.py
 
 bench: build ## measure speed; table in build/bench/results.csv
+	@scripts/build release $(JOBS) benchmarks_programs
 	@$(PYTHON) benchmarks/run.py
 
 docs: build ## check the documentation's links, and make the site build/site of it

@@ -121,6 +121,7 @@ function(sazare_test module)
   set(target ${name}_test)
   add_executable(${target} ${arg_SOURCES})
   target_link_libraries(${target} PRIVATE sazare::options GTest::gtest_main ${arg_LIBRARIES})
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)  # of the tests' own code, which is soon compiled this way
   foreach(depends IN LISTS arg_DEPENDS)
     sazare_module_name("${depends}" depends_name)
     target_link_libraries(${target} PRIVATE sazare::${depends_name})

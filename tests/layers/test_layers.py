@@ -102,7 +102,7 @@ def first_includes():
 def compiler_flags():
     """The compiler and every include folder, definition and language flag that the build gives the engine's sources."""
     if not COMMANDS.exists():
-        pytest.fail(f"{COMMANDS.relative_to(ROOT)} is not there: run `make build` first")
+        pytest.fail(f"{COMMANDS.relative_to(ROOT)} is not there: run `make test` once")
     flags = {}
     compiler = "c++"
     for entry in json.loads(COMMANDS.read_text()):
