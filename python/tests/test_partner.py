@@ -381,7 +381,7 @@ def test_resumed_side_and_new_one_do_not_go_together(tmp_path):
 
 
 def test_bytes_are_those_of_the_engine():
-    """tests/unit/coupling/message_test.cpp has the same text."""
+    """tests/unit/exchange/message_test.cpp has the same text."""
     of_engine = (
         b"sazare-coupling 1\nfrom continuum\nkind farewell\nrun r\nsequence 0\nwindow 0\npass 0\ntime 0\ndata\nchecksum a6bfae41\n"
     )
