@@ -7,6 +7,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "sazare/observe/atomic_file.hpp"
 
@@ -158,7 +159,9 @@ void FileExchange::send(Message message) {
   message.from = options_.side;
   message.run = presence_.run;
   message.sequence = next_;
+  const Clock::time_point before = Clock::now();
   observe::write_file(options_.folder / file_name(options_.side, next_), encode(message), observe::Sync::system);
+  transport_ += Clock::now() - before;
   ++next_;
   if (!options_.keeps_checkpoints) remove_before(next_ - 2);
 }
@@ -173,11 +176,13 @@ Message FileExchange::receive(std::int64_t sequence) {
 
 std::optional<Message> FileExchange::look_for(std::int64_t sequence, const Patience& patience) {
   const fs::path file = options_.folder / file_name(other(options_.side), sequence);
+  const Clock::time_point before = Clock::now();
   const std::optional<std::string> bytes = read_if_there(file);
   if (!bytes) return std::nullopt;
   try {
     Message message = decode(*bytes, file.string());
     check_sender(message, sequence, file.string());
+    transport_ += Clock::now() - before;
     return message;
   } catch (const DamagedFile& error) {
     if (damaged_since_ < 0) damaged_since_ = patience.waited();
@@ -240,8 +245,7 @@ void FileExchange::keep_from(std::int64_t sequence) {
 }
 
 void FileExchange::part(Farewell reason, std::int64_t window, const std::string& words) {
-  has_parted_ = true;
-  if (partner_session_.empty()) return;
+  if (std::exchange(has_parted_, true) || partner_session_.empty()) return;
   Message message;
   message.kind = Kind::farewell;
   message.window = window;

@@ -63,6 +63,9 @@ public:
   std::int64_t next() const { return next_; }
   const std::string& run() const { return presence_.run; }
 
+  /// Spent in writing and reading files so far, without the waits for them [s].
+  Real transport() const { return std::chrono::duration<Real>(transport_).count(); }
+
   /// A checkpoint was made that goes on with this sequence: what both sides no longer need is removed.
   void keep_from(std::int64_t sequence);
 
@@ -70,6 +73,8 @@ public:
   void part(Farewell reason, std::int64_t window, const std::string& words = "");
 
 private:
+  using Clock = std::chrono::steady_clock;
+
   std::string partner_name() const;
   void remove_from(std::int64_t sequence);
   void remove_before(std::int64_t sequence);
@@ -88,6 +93,7 @@ private:
   std::int64_t next_ = 0;    ///< sequence of the next message
   std::int64_t oldest_ = 1;  ///< of own messages that may still be there
   Real damaged_since_ = -1;  ///< of the wait, when the awaited file was first seen damaged [s]
+  Clock::duration transport_{0};
   bool has_parted_ = false;
 };
 
