@@ -23,7 +23,7 @@ enum class CouplingScheme { paper, impulse, repeat };
 struct CouplingRules {
   CouplingScheme scheme = CouplingScheme::impulse;
   Real width = 1;         ///< of the slab of bodies, in the plane [m]
-  Real tolerance = 1e-6;  ///< of repeat: largest difference of forces, over the larger of the two
+  Real tolerance = 1e-4;  ///< of repeat: largest difference of forces, over the larger of the two
   int most_passes = 20;   ///< of repeat
 };
 
