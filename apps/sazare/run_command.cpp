@@ -84,11 +84,24 @@ void print_fem_figures(const observe::Manifest& manifest, const fs::path& folder
   fmt::print("results in      {}\n", folder.string());
 }
 
+void print_hybrid_figures(const observe::Manifest& manifest, const fs::path& folder) {
+  const auto number = [&](std::string_view name, int digits = 4) { return cases::short_number(figure(manifest, name), digits); };
+  fmt::print("sides           {} elements, {} spheres; {} windows of {} s, {} passes\n", number("elements", 12),
+             number("particles", 12), number("windows", 12), number("window"), number("passes", 12));
+  fmt::print("surface         force up to {} N, moved up to {} m\n", number("peak_force"), number("peak_displacement"));
+  fmt::print("energy          {} J over the surface, {} J made there, {} J unaccounted\n", number("work_on_nodes"),
+             number("energy_made", 2), number("energy_residual", 2));
+  fmt::print("wall time       {:.2f} s, {} thread{}\n", figure(manifest, "wall_seconds"), manifest.machine.threads,
+             manifest.machine.threads == 1 ? "" : "s");
+  fmt::print("results in      {}, its sides in continuum/ and bodies/ there\n", folder.string());
+}
+
 void print_figures(const observe::Manifest& manifest, const fs::path& folder) {
   if (manifest.method == "mps") return print_mps_figures(manifest, folder);
   if (manifest.method == "rectangles") return print_rectangles_figures(manifest, folder);
   if (manifest.method == "spheres") return print_spheres_figures(manifest, folder);
   if (manifest.method == "fem") return print_fem_figures(manifest, folder);
+  if (manifest.method == "hybrid") return print_hybrid_figures(manifest, folder);
   const auto number = [&](std::string_view name, int digits = 4) { return cases::short_number(figure(manifest, name), digits); };
   fmt::print("joints broken   {} of {}\n", number("broken_joints", 12), number("joints", 12));
   fmt::print("fragments       {} of {} elements, X50 {} m, X80 {} m\n", number("fragments", 12), number("elements", 12),

@@ -39,4 +39,8 @@ std::string check_spheres(const cases::CaseFile& file);
 std::unique_ptr<LiveRun> open_fem(const cases::CaseFile& file, const RunOptions& options);
 std::string check_fem(const cases::CaseFile& file);
 
+/// The same for method hybrid alone.
+std::unique_ptr<LiveRun> open_hybrid(const cases::CaseFile& file, const RunOptions& options);
+std::string check_hybrid(const cases::CaseFile& file);
+
 }  // namespace sazare::runs
