@@ -21,6 +21,9 @@ public:
   /// Goes through a window: the next one, or with a higher pass the last one again, from its beginning.
   virtual coupling::SurfaceForce answer(const coupling::SurfaceMotion& motion) = 0;
 
+  /// Goes back to the beginning of the last window, as if it had not come.
+  virtual void take_back() = 0;
+
   /// Windows that were gone through; the last one counts, though it may be gone through again.
   virtual std::int64_t windows() const = 0;
 

@@ -138,6 +138,14 @@ coupling::SurfaceForce SphereSide::answer(const coupling::SurfaceMotion& motion)
   return {motion.window, motion.pass, motion.time, folded(surface.impulse(), 1 / shape_.window), folded(surface.force(), 1)};
 }
 
+void SphereSide::take_back() {
+  if (!saved_) throw UserError("there is no window that could be taken back");
+  *stepper_ = *saved_;
+  saved_.reset();
+  to_ = from_;
+  --windows_;
+}
+
 void SphereSide::columns(Archive& archive) {
   archive("windows", windows_);
   archive("to", to_);

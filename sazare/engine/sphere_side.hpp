@@ -16,6 +16,7 @@ public:
   void attach(const coupling::SurfaceShape& shape) override;
   coupling::SurfaceForce start() override;
   coupling::SurfaceForce answer(const coupling::SurfaceMotion& motion) override;
+  void take_back() override;
   std::int64_t windows() const override { return windows_; }
   void columns(Archive& archive) override;
 

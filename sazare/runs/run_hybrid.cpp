@@ -2,6 +2,7 @@
 #include "sazare/observe/atomic_file.hpp"
 #include "sazare/observe/hash.hpp"
 #include "sazare/runs/case_run.hpp"
+#include "sazare/runs/hybrid_model.hpp"
 #include "sazare/runs/hybrid_record.hpp"
 #include "sazare/runs/run_case.hpp"
 #include "sazare/runs/temporary_folder.hpp"
@@ -42,19 +43,6 @@ RunFolder side_folder(const RunFolder& whole, const char* name, Begin begin) {
   return RunFolder::of_another(path, begin);
 }
 
-engine::CouplingRules rules_of(const cases::HybridCase& hybrid) {
-  const auto scheme = hybrid.coupling.scheme == cases::HybridScheme::paper     ? engine::CouplingScheme::paper
-                      : hybrid.coupling.scheme == cases::HybridScheme::impulse ? engine::CouplingScheme::impulse
-                                                                               : engine::CouplingScheme::repeat;
-  return {scheme, hybrid.surface.width, hybrid.coupling.tolerance, hybrid.coupling.passes};
-}
-
-Index material_of(const cases::HybridCase& hybrid) {
-  const auto& materials = hybrid.bodies->spheres().materials;
-  return static_cast<Index>(std::ranges::find(materials, hybrid.surface.material, &cases::SphereMaterial::name) -
-                            materials.begin());
-}
-
 /// The two sides of a case, ready to begin or to be resumed.
 template <int D>
 struct HybridModel {
@@ -66,8 +54,8 @@ struct HybridModel {
   HybridModel(const cases::CaseFile& file, geometry::ElementMesh mesh)
       : continuum(build_fem<D>(*file.hybrid().continuum, std::move(mesh))),
         bodies(build_spheres(*file.hybrid().bodies, continuum.step)),
-        body_side(*bodies.stepper, material_of(file.hybrid())),
-        continuum_side(*continuum.stepper, coupled_surface(file, continuum.mesh()), rules_of(file.hybrid())) {}
+        body_side(*bodies.stepper, surface_material(file.hybrid())),
+        continuum_side(*continuum.stepper, coupled_surface(file, continuum.mesh()), coupling_rules(file.hybrid())) {}
 
   /// Points at the case where the surface does not suit the bodies.
   void attach(const cases::CaseFile& file) {
@@ -207,6 +195,8 @@ std::string check(const cases::CaseFile& file) {
 }  // namespace
 
 std::unique_ptr<LiveRun> open_hybrid(const cases::CaseFile& file, const RunOptions& options) {
+  if (options.one_side)
+    return options.one_side->side == coupling::Side::continuum ? open_continuum(file, options) : open_bodies(file, options);
   if (file.hybrid().continuum->fem().mesh.dimension == 2) return std::make_unique<CaseRun<HybridWork<2>>>(file, options);
   return std::make_unique<CaseRun<HybridWork<3>>>(file, options);
 }
