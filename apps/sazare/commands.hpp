@@ -34,6 +34,9 @@ struct RunArguments {
   bool quiet = false;
   std::string balance = "predicted";  ///< how ranks share the work: fixed, measured or predicted
   int balance_interval = 50;          ///< base steps between new shares
+  std::string side;                   ///< of a hybrid case, where the other one is in another program: continuum or bodies
+  std::filesystem::path exchange;     ///< folder of both programs; empty: runs/<name of the case>/exchange
+  double time_out = 600;              ///< how long to wait for the other program [s]
 };
 
 struct StudyArguments {

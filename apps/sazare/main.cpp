@@ -55,6 +55,21 @@ const std::vector<std::pair<std::string, std::string>> python_commands = {
     {"compare", "figures and histories of two runs beside each other"},
 };
 
+void describe_partner(CLI::App& run, command::RunArguments& arguments) {
+  auto* side = run.add_option("--side", arguments.side,
+                              "of a hybrid case only this side, continuum or bodies; another program has the other one")
+                   ->check(CLI::IsMember(std::vector<std::string>{"continuum", "bodies"}))
+                   ->type_name("SIDE");
+  run.add_option("--exchange", arguments.exchange,
+                 "with --side: the folder in which both programs exchange files (default: runs/<name of the case>/exchange)")
+      ->needs(side)
+      ->type_name("DIR");
+  run.add_option("--time-out", arguments.time_out, "with --side: seconds to wait for the other program (default 600)")
+      ->needs(side)
+      ->check(CLI::PositiveNumber)
+      ->type_name("S");
+}
+
 struct Arguments {
   command::RunArguments run;
   command::CaseArguments check;
@@ -79,6 +94,7 @@ void describe(CLI::App& app, Arguments& arguments) {
       ->check(CLI::Range(1, 1000000))
       ->type_name("N");
   run.add_flag("--quiet", arguments.run.quiet, "print warnings and errors only");
+  describe_partner(run, arguments.run);
   auto& check = *app.add_subcommand("check", "every error of a case, or what it will do: steps, levels, who limits them");
   add_case_options(check, arguments.check);
   describe_study(*app.add_subcommand("study", "families of cases: the limit step of each, by bisection"), arguments.study);

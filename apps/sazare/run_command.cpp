@@ -84,11 +84,24 @@ void print_fem_figures(const observe::Manifest& manifest, const fs::path& folder
   fmt::print("results in      {}\n", folder.string());
 }
 
+void print_hybrid_figures(const observe::Manifest& manifest, const fs::path& folder) {
+  const auto number = [&](std::string_view name, int digits = 4) { return cases::short_number(figure(manifest, name), digits); };
+  fmt::print("sides           {} elements, {} spheres; {} windows of {} s, {} passes\n", number("elements", 12),
+             number("particles", 12), number("windows", 12), number("window"), number("passes", 12));
+  fmt::print("surface         force up to {} N, moved up to {} m\n", number("peak_force"), number("peak_displacement"));
+  fmt::print("energy          {} J over the surface, {} J made there, {} J unaccounted\n", number("work_on_nodes"),
+             number("energy_made", 2), number("energy_residual", 2));
+  fmt::print("wall time       {:.2f} s, {} thread{}\n", figure(manifest, "wall_seconds"), manifest.machine.threads,
+             manifest.machine.threads == 1 ? "" : "s");
+  fmt::print("results in      {}, its sides in continuum/ and bodies/ there\n", folder.string());
+}
+
 void print_figures(const observe::Manifest& manifest, const fs::path& folder) {
   if (manifest.method == "mps") return print_mps_figures(manifest, folder);
   if (manifest.method == "rectangles") return print_rectangles_figures(manifest, folder);
   if (manifest.method == "spheres") return print_spheres_figures(manifest, folder);
   if (manifest.method == "fem") return print_fem_figures(manifest, folder);
+  if (manifest.method == "hybrid") return print_hybrid_figures(manifest, folder);
   const auto number = [&](std::string_view name, int digits = 4) { return cases::short_number(figure(manifest, name), digits); };
   fmt::print("joints broken   {} of {}\n", number("broken_joints", 12), number("joints", 12));
   fmt::print("fragments       {} of {} elements, X50 {} m, X80 {} m\n", number("fragments", 12), number("elements", 12),
@@ -109,8 +122,27 @@ engine::Sharing sharing_of(const RunArguments& arguments, const parallel::Ranks&
   return {ranks.size() > 1 ? &ranks : nullptr, static_cast<distribute::Policy>(policy), arguments.balance_interval};
 }
 
+/// runs/<name>, and with one side only a folder of the side in it.
+fs::path folder_of(const RunArguments& arguments) {
+  if (!arguments.folder.empty()) return arguments.folder;
+  const fs::path folder = default_folder(arguments.of_case.file);
+  return arguments.side.empty() ? folder : folder / arguments.side;
+}
+
+std::optional<runs::OneSide> side_of(const RunArguments& arguments, const cases::CaseFile& file) {
+  if (arguments.side.empty()) return std::nullopt;
+  if (!std::holds_alternative<cases::HybridCase>(file.content))
+    throw UserError(fmt::format("{}: --side is for cases of method hybrid, which have two: leave it out", file.path.string()));
+  const fs::path exchange = arguments.exchange.empty() ? default_folder(arguments.of_case.file) / "exchange" : arguments.exchange;
+  const auto side =
+      arguments.side == coupling::name_of(coupling::Side::bodies) ? coupling::Side::bodies : coupling::Side::continuum;
+  return runs::OneSide{side, exchange, arguments.time_out};
+}
+
 std::string resume_text(const RunArguments& arguments, const fs::path& folder) {
   std::string text = fmt::format("sazare run {} --out {} --resume", arguments.of_case.file.string(), folder.string());
+  if (!arguments.side.empty()) text += fmt::format(" --side {}", arguments.side);
+  if (!arguments.exchange.empty()) text += fmt::format(" --exchange {}", arguments.exchange.string());
   for (const std::string& setting : arguments.of_case.settings) text += fmt::format(" --set '{}'", setting);
   return text;
 }
@@ -125,10 +157,10 @@ int run(const RunArguments& arguments, const parallel::Ranks& ranks) {
     throw UserError(
         fmt::format("this method runs in one process, and {} were started: leave mpirun out, and use --threads", ranks.size()));
   if (ranks.is_first()) fmt::print(stderr, "{}", file.warnings);
-  const fs::path folder = arguments.folder.empty() ? default_folder(arguments.of_case.file) : arguments.folder;
+  const fs::path folder = folder_of(arguments);
   const bool quiet = arguments.quiet || !ranks.is_first();
-  const runs::RunOutcome outcome =
-      runs::run_case(file, {folder, begin_of(arguments), quiet, &stop_asked, sharing_of(arguments, ranks)});
+  const runs::RunOutcome outcome = runs::run_case(
+      file, {folder, begin_of(arguments), quiet, &stop_asked, sharing_of(arguments, ranks), side_of(arguments, file)});
   if (!ranks.is_first()) return outcome.stopped ? stopped : done;
   if (outcome.stopped && !outcome.begun) {
     fmt::print(stderr, "stopped before the beginning, so there is nothing to go on from. To run it:\n  {}\n",

@@ -22,13 +22,14 @@ def _enlargement(displacement, extent):
     return float(power * max(step for step in (1, 2, 5) if step * power <= factor))
 
 
-def _cells(grid):
+def outlines(grid):
     """Point numbers around the outline of every cell of a plane mesh, in the order of the cells."""
     points, offsets, types = np.asarray(grid.cell_connectivity), np.asarray(grid.offset), np.asarray(grid.celltypes)
     return [points[offsets[i] + np.array(OUTLINES[int(kind)])] for i, kind in enumerate(types)]
 
 
-def _is_flat(grid):
+def is_flat(grid):
+    """Whether a mesh lies in the plane."""
     return int(np.asarray(grid.celltypes)[0]) in OUTLINES
 
 
@@ -41,9 +42,9 @@ def _places(grid, factor):
 def _draw_flat(axes, grid, values, factor, top):
     """Cells of a plane mesh, coloured by a value of each."""
     places, _ = _places(grid, factor)
-    outlines = [places[cell, :2] for cell in _cells(grid)]
-    edge = 0.3 if len(outlines) < 3000 else 0.0
-    drawn = axes.add_collection(PolyCollection(outlines, array=values, cmap=style.SPEED, edgecolors="#00000055", linewidths=edge))
+    cells = [places[cell, :2] for cell in outlines(grid)]
+    edge = 0.3 if len(cells) < 3000 else 0.0
+    drawn = axes.add_collection(PolyCollection(cells, array=values, cmap=style.SPEED, edgecolors="#00000055", linewidths=edge))
     drawn.set_clim(0.0, top)
     axes.set_aspect("equal")
     axes.autoscale_view()
@@ -77,7 +78,7 @@ def _mean_by_cell(grid, values):
 
 def _panels(grids, values, label, factor, titles):
     """Meshes one above the other (or side by side, where they are tall) with one scale of colours."""
-    flat = _is_flat(grids[0])
+    flat = is_flat(grids[0])
     extent = np.ptp(np.asarray(grids[0].points), axis=0)
     tall = extent[1 if flat else 2] > extent[0]
     shape = (1, len(grids)) if tall else (len(grids), 1)

@@ -1,13 +1,13 @@
 """The report of a run: one HTML page that holds its pictures, and the pictures as files."""
 
 import base64
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
 import jinja2
 
-from sazare import finite, granular, ground, maps, plot, squares, study, style, view3d
+from sazare import finite, granular, ground, hybrid, maps, plot, squares, study, style, view3d
 from sazare.results import open_run
 from sazare.scenes import Body
 from sazare.summary import headlines, verdict
@@ -196,6 +196,24 @@ def finite_sections(results):
     ]
 
 
+def hybrid_sections(results):
+    """The pictures of a run of method hybrid: both sides together, the surface, then those of each side."""
+    makers = {"continuum": finite_sections, "bodies": granular_sections}
+    of_sides = [replace(section, name=f"{name}_{section.name}", heading=f"{name.capitalize()}: {section.heading[0].lower()}{section.heading[1:]}")
+                for name, side in results.sides.items() for section in makers[name](side) if section.name != "timing"]
+    return [
+        Section("together", "Both sides", "Finite elements, coloured by region, and spheres, coloured by speed, seen along z.",
+                partial(hybrid.together, results), "There are no snapshots of a continuum in the plane."),
+        Section("surface", "The surface", "Mean force of the bodies on the surface in a window, and the mean displacement of its nodes.",
+                partial(hybrid.surface, results), "The run wrote no history."),
+        Section("exchange", "Work over the surface", "Work of the bodies on the nodes and of the nodes on the bodies; their sum is energy that the "
+                "scheme of the coupling has made.", partial(hybrid.exchange, results), "The run wrote no history.", wide=False),
+        *of_sides,
+        Section("timing", "Where the time went", "Computing time by part of the run.", partial(plot.timing, results),
+                "The run wrote no timing.", wide=False),
+    ]
+
+
 def _drawn(section, folder):
     """The section as the template wants it, its picture written and embedded."""
     figure = section.draw()
@@ -266,7 +284,7 @@ def sections_of(results):
     """The pictures that suit a run's method."""
     method = results.manifest.get("method")
     makers = {"mps": ground_sections, "rectangles": square_sections, "spheres": granular_sections, "fem": finite_sections,
-              "study": study_sections}
+              "hybrid": hybrid_sections, "study": study_sections}
     if method in makers:
         return makers[method](results)
     if len(results.snapshots):

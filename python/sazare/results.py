@@ -296,6 +296,12 @@ class Results:
         """The same of a run of method fem: the mesh with displacements of its points, stress and plastic slip of its elements."""
         return self._snapshots("finite_elements")
 
+    @cached_property
+    def sides(self):
+        """The two sides of a run of method hybrid, each as a run of its own: "continuum" and "bodies". Empty for other runs."""
+        folders = {name: self.path / name for name in ("continuum", "bodies")}
+        return {name: Results(path) for name, path in folders.items() if (path / "manifest.json").exists()}
+
     def _snapshots(self, kind):
         folder = self.path / "snapshots"
         if not folder.is_dir():

@@ -40,6 +40,10 @@ def verdict(results):
         return "good" if balance <= BAD_BALANCE else "fair", f"The run is done. The energy ledger closes within {balance:.1e} of the work done."
     if results.manifest.get("method") == "fem" and balance is not None:
         return "good" if balance <= BAD_BALANCE else "fair", f"The run is done. The energy ledger closes within {balance:.1e} of the work done."
+    if results.manifest.get("method") == "hybrid":
+        made, work = results.figures.get("energy_made", 0.0), results.figures.get("work_on_nodes", 0.0)
+        share = f" The surface made {made / abs(work):.1e} of the work that went over it." if work else ""
+        return "good", "The run is done." + share
     if results.manifest.get("method") == "study":
         largest = results.figures.get("largest_log_difference", 0.0)
         return "good", f"The study is done. Prediction and bisection differ by at most {100 * largest:.2f} %."
@@ -74,6 +78,8 @@ def headlines(results):
         ("peak_displacement", "peak displacement", lambda x: quantity(x, "m"), ""),
         ("step", "step", lambda x: quantity(x, "s"), _note(figures, "predicted_limit", "limit ", "s")),
         ("freedoms", "degrees of freedom", count, _of(figures, "nodes", "nodes")),
+        ("windows", "windows", count, _of(figures, "passes", "passes")),
+        ("peak_force", "peak force on the surface", lambda x: quantity(x, "N"), ""),
         ("iterations", "iterations", count, _of(figures, "steps", "steps")),
         ("cases", "cases", count, _of(figures, "cases_done", "done")),
     ]

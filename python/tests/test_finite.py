@@ -36,7 +36,7 @@ def test_meshes_are_drawn(shape):
 
 def test_the_outline_of_a_quadratic_cell_goes_round():
     grid = snapshot(1.0, *SIX_NODES).elements
-    (cell,) = finite._cells(grid)
+    (cell,) = finite.outlines(grid)
     assert list(cell) == [0, 3, 1, 4, 2, 5]
 
 

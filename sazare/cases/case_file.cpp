@@ -10,6 +10,7 @@
 #include "sazare/cases/checks.hpp"
 #include "sazare/cases/fem_fields.hpp"
 #include "sazare/cases/field_reader.hpp"
+#include "sazare/cases/hybrid_fields.hpp"
 #include "sazare/cases/rectangles_fields.hpp"
 #include "sazare/cases/spheres_fields.hpp"
 #include "sazare/cases/structure_check.hpp"
@@ -108,6 +109,15 @@ MethodCase read_method(const CheckContext& context, const fs::path& folder) {
   return result;
 }
 
+MethodCase read_hybrid(const CheckContext& context, const fs::path& folder, std::span<const std::string> overrides) {
+  HybridCase result = CaseReader(context.root, context.schema, folder).read<HybridCase>();
+  check_hybrid(context, result, overrides);
+  return result;
+}
+
+/// Whether a setting is one of a side's case.
+bool is_of_side(const std::string& setting) { return setting.starts_with("continuum.") || setting.starts_with("bodies."); }
+
 /// Name of the method as the file gives it; empty where it does not.
 std::string method_name(const Value& root) {
   const Value* head = root.find("case");
@@ -149,7 +159,9 @@ CaseFile read_case_text(const std::string& content, const fs::path& path, std::s
   auto root = parse_document(content, source, problems);
   problems.throw_if_errors();
   text->root = std::move(*root);
-  for (const std::string& setting : overrides) apply_override(text->root, setting, problems);
+  const bool has_sides = method_name(text->root) == "hybrid";
+  for (const std::string& setting : overrides)
+    if (!has_sides || !is_of_side(setting)) apply_override(text->root, setting, problems);
   const std::string method = method_name(text->root);
   const std::span<const Table> schema = schema_of(method);
   check_structure(text->root, schema, problems);
@@ -160,6 +172,7 @@ CaseFile read_case_text(const std::string& content, const fs::path& path, std::s
                        : method == "rectangles" ? read_method<RectanglesCase>(context, folder)
                        : method == "spheres"    ? read_method<SpheresCase>(context, folder)
                        : method == "fem"        ? read_method<FemCase>(context, folder)
+                       : method == "hybrid"     ? read_hybrid(context, folder, overrides)
                                                 : read_method<BlocksCase>(context, folder);
   problems.throw_if_errors();
   return {path, std::move(checked), problems.warning_text(), text};

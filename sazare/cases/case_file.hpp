@@ -9,6 +9,7 @@
 
 #include "sazare/cases/blocks_case.hpp"
 #include "sazare/cases/fem_case.hpp"
+#include "sazare/cases/hybrid_case.hpp"
 #include "sazare/cases/rectangles_case.hpp"
 #include "sazare/cases/spheres_case.hpp"
 
@@ -17,7 +18,7 @@ namespace sazare::cases {
 struct CaseText;
 
 /// A case of any method.
-using MethodCase = std::variant<BlocksCase, MpsCase, RectanglesCase, SpheresCase, FemCase>;
+using MethodCase = std::variant<BlocksCase, MpsCase, RectanglesCase, SpheresCase, FemCase, HybridCase>;
 
 /// A case that was read and checked, with its text for messages about what only the mesh can show.
 struct CaseFile {
@@ -31,10 +32,12 @@ struct CaseFile {
   const RectanglesCase& rectangles() const { return std::get<RectanglesCase>(content); }
   const SpheresCase& spheres() const { return std::get<SpheresCase>(content); }
   const FemCase& fem() const { return std::get<FemCase>(content); }
+  const HybridCase& hybrid() const { return std::get<HybridCase>(content); }
 };
 
 /// Reads and checks a case. `overrides` are texts such as "time.end=1e-3" or "joints.0.cohesion=5e6". Throws
-/// a UserError that lists everything that is wrong, in file order.
+/// a UserError that lists everything that is wrong, in file order. Those of a side of a hybrid case begin with its key:
+/// "bodies.time.step=1e-5".
 CaseFile read_case(const std::filesystem::path& path, std::span<const std::string> overrides = {});
 
 /// The same of a text that need not stand in a file: messages call it `path`, and its files are relative to the folder of `path`.

@@ -7,16 +7,17 @@
 /// Keys and tables that the methods share.
 namespace sazare::cases {
 
-inline constexpr std::array<std::string_view, 5> method_names{"blocks", "mps", "rectangles", "spheres", "fem"};
+inline constexpr std::array<std::string_view, 6> method_names{"blocks", "mps", "rectangles", "spheres", "fem", "hybrid"};
 
 inline constexpr std::array case_keys{
     Key{.name = "title", .type = Type::text, .need = Need::required, .sentence = "What the case is called in reports."},
     Key{.name = "method",
         .type = Type::choice,
         .need = Need::required,
-        .sentence = "How the body is modelled: blocks are bonded tetrahedra that can break apart, mps are moving particles of an "
-                    "elastic ground in an earthquake, rectangles are blocks and beams of squares in the plane, spheres are "
-                    "grains that touch, fem are finite elements.",
+        .sentence =
+            "How the body is modelled: blocks are bonded tetrahedra that can break apart, mps are moving particles of an "
+            "elastic ground in an earthquake, rectangles are blocks and beams of squares in the plane, spheres are "
+            "grains that touch, fem are finite elements, hybrid is a case of finite elements and one of bodies that touch it.",
         .choices = method_names},
 };
 

@@ -9,6 +9,7 @@
 #include "sazare/cases/blocks_case.hpp"
 #include "sazare/cases/case_text.hpp"
 #include "sazare/cases/fem_case.hpp"
+#include "sazare/cases/hybrid_case.hpp"
 #include "sazare/cases/rectangles_case.hpp"
 #include "sazare/cases/spheres_case.hpp"
 
@@ -72,6 +73,9 @@ void check_spheres(const CheckContext& context, SpheresCase& spheres);
 
 /// All checks of a case of method fem after types and ranges; reads its records.
 void check_fem(const CheckContext& context, FemCase& fem);
+
+/// All checks of a case of method hybrid after types and ranges; reads the cases of its two sides with their overrides.
+void check_hybrid(const CheckContext& context, HybridCase& hybrid, std::span<const std::string> overrides);
 
 /// Reports keys that are missing, and those that do not belong to what was chosen.
 void check_keys(const CheckContext& context, const Entry& entry, const std::string& chosen,

@@ -6,6 +6,7 @@
 
 #include "sazare/cases/fem_fields.hpp"
 #include "sazare/cases/fields.hpp"
+#include "sazare/cases/hybrid_fields.hpp"
 #include "sazare/cases/number_text.hpp"
 #include "sazare/cases/rectangles_fields.hpp"
 #include "sazare/cases/schema.hpp"
@@ -147,6 +148,10 @@ std::string write_resolved(const SpheresCase& spheres, const fs::path& folder) {
 
 std::string write_resolved(const FemCase& fem, const fs::path& folder) {
   return CaseWriter(fem_schema(), folder).write(fem, "fem");
+}
+
+std::string write_resolved(const HybridCase& hybrid, const fs::path& folder) {
+  return CaseWriter(hybrid_schema(), folder).write(hybrid, "hybrid");
 }
 
 }  // namespace sazare::cases

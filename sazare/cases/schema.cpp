@@ -33,6 +33,7 @@ std::span<const Table> schema_of(std::string_view method) {
   if (method == "mps") return mps_schema();
   if (method == "rectangles") return rectangles_schema();
   if (method == "fem") return fem_schema();
+  if (method == "hybrid") return hybrid_schema();
   return method == "spheres" ? spheres_schema() : blocks_schema();
 }
 

@@ -83,6 +83,9 @@ std::span<const Table> spheres_schema();
 /// The tables of method fem.
 std::span<const Table> fem_schema();
 
+/// The tables of method hybrid.
+std::span<const Table> hybrid_schema();
+
 /// The tables of a study file.
 std::span<const Table> study_schema();
 

@@ -6,7 +6,10 @@
 /// The run is cut into windows of equal length. For every window the continuum says where the surface's nodes are at the window's
 /// end; the bodies go through the window, between the last motion and this one, and answer with the forces that they have put on
 /// the nodes. A motion of the same window with a higher pass takes the bodies back to the window's beginning; one of the next
-/// window accepts it.
+/// window accepts it. Before the first window the bodies answer the shape with the forces at the beginning, as of window -1.
+///
+/// Between the ends of a window nodes move with a constant velocity, so that the place of a touching point and its velocity
+/// agree, and the work of the surface on the bodies is that of the bodies on the surface, with the sign changed.
 
 #include <cstdint>
 #include <vector>
@@ -31,12 +34,12 @@ struct SurfaceMotion {
   std::int32_t pass = 0;           ///< from 0
   Real time = 0;                   ///< of the window's end [s]
   std::vector<Real> displacement;  ///< since the beginning [m]
-  std::vector<Real> velocity;      ///< [m/s]
+  std::vector<Real> velocity;      ///< of the continuum at that time, for who wants a smoother path [m/s]
 };
 
 /// From the bodies: what the surface got from them in a window, `dimension` numbers a node.
 struct SurfaceForce {
-  std::int64_t window = 0;
+  std::int64_t window = 0;  ///< -1 at the beginning
   std::int32_t pass = 0;
   Real time = 0;           ///< of the window's end [s]
   std::vector<Real> mean;  ///< impulse over the window by its length [N], in 2-D [N/m]

@@ -34,7 +34,7 @@ void FemStepper<D>::book(const Trial& trial, const NodalColumn& balance, const S
   const Real to = span.from + span.length;
   work.gravity += dot(weight_, moved);
   for (const auto& load : supports_.loads) work.loads += 0.5 * (load.share(span.from) + load.share(to)) * dot(load.force, moved);
-  work.loads += dot(applied_, moved);
+  work.loads += dot(state_.applied, moved);
   work.boundary += dot(rest_, moved);
   NodalColumn before = state_.balance, after = balance;
   if (inertia()) {

@@ -24,7 +24,7 @@ FemStepper<D>::FemStepper(std::unique_ptr<methods::fem::Body<D>> body, methods::
       state_(body_->pattern()) {
   const NodalColumn none(body_->freedoms(), 0);
   state_.displacement = state_.velocity = state_.acceleration = state_.internal = state_.balance = none;
-  rest_ = settled_ = applied_ = weight_ = none;
+  rest_ = settled_ = state_.applied = weight_ = none;
   NodalColumn fall = none;
   for (std::size_t i = 0; i < fall.size(); ++i) fall[i] = supports_.gravity[static_cast<int>(i % D)];
   weight_ = product(body_->mass(), fall);
@@ -48,7 +48,22 @@ void FemStepper<D>::prepare_solver(bool viscous_held) {
         for (const Index node : face.nodes)
           for (int axis = 0; axis < D; ++axis) is_free_[number<D>(node, axis)] = 0;
   solver_ = std::make_unique<methods::fem::LinearSolver<D>>(body_->pattern(), is_free_, body_->is_symmetric());
+  mass_solver_.reset();
   factorized_.reset();
+}
+
+template <int D>
+void FemStepper<D>::apply(NodalColumn force) {
+  NodalColumn change = force;
+  add(change, -1, state_.applied);
+  state_.applied = std::move(force);
+  if (!inertia() || std::ranges::all_of(change, [](Real value) { return value == 0; })) return;
+  add(state_.balance, -1, change);
+  if (!mass_solver_) {
+    mass_solver_ = std::make_unique<methods::fem::LinearSolver<D>>(body_->pattern(), is_free_, true);
+    if (!mass_solver_->factorize(body_->mass().values())) throw PhysicsError("the mass matrix is singular");
+  }
+  add(state_.acceleration, 1, mass_solver_->solve(change));
 }
 
 template <int D>
@@ -110,6 +125,7 @@ void FemStepper<D>::advance() {
 template <int D>
 void FemStepper<D>::restore(const FemState<D>& saved) {
   state_ = saved;
+  if (body_->is_linear()) return;  // then neither the tangent nor its factors have changed
   body_->forget_tangent();
   factorized_.reset();
 }
@@ -157,7 +173,7 @@ NodalColumn FemStepper<D>::external(Real now) const {
     return force;
   }
   for (const auto& load : supports_.loads) add(force, load.share(now), load.force);
-  add(force, 1, applied_);
+  add(force, 1, state_.applied);
   add(force, 1, rest_);
   if (inertia()) add(force, 1, incoming(now));
   return force;
@@ -368,6 +384,7 @@ void FemStepper<D>::columns(Archive& archive) {
   archive("acceleration", state_.acceleration);
   archive("internal", state_.internal);
   archive("balance", state_.balance);
+  archive("applied", state_.applied);
   archive("plastic", state_.memory.solids);
   archive("slip", state_.memory.joints);
   archive("tangent", state_.tangent.values());

@@ -45,6 +45,7 @@ struct FemState {
   methods::fem::NodalColumn displacement, velocity, acceleration;
   methods::fem::NodalColumn internal;  ///< forces of elements and joints [N]
   methods::fem::NodalColumn balance;   ///< damping and internal forces less external ones [N]
+  methods::fem::NodalColumn applied;   ///< forces from outside [N]
   methods::fem::Memory memory;
   methods::fem::BlockMatrix<D> tangent;  ///< of the internal forces, with which the next step begins
   FemWork work;
@@ -71,8 +72,9 @@ public:
   /// Throws PhysicsError, saying what was tried, where Newton's iteration does not converge.
   void advance();
 
-  /// Forces on nodes from outside, such as from bodies that touch a face [N]; they act until others are given.
-  void apply(methods::fem::NodalColumn force) { applied_ = std::move(force); }
+  /// Forces on nodes from outside, such as from bodies that touch a face [N]; they act in full until others are given.
+  /// Accelerations jump with them, so that the impulse of a step is that of the force, and so is its work.
+  void apply(methods::fem::NodalColumn force);
 
   /// For windows that are gone through again: `restore(saved)` and `advance` give the same bits as the first time.
   const FemState<D>& state() const { return state_; }
@@ -145,12 +147,12 @@ private:
   methods::fem::NodalColumn weight_;       ///< M g [N]
   methods::fem::NodalColumn rest_;         ///< what viscous boundaries carry at rest [N]
   methods::fem::NodalColumn settled_;      ///< displacements at the beginning [m]
-  methods::fem::NodalColumn applied_;      ///< [N]
   std::vector<char> is_free_;
   Stage stage_ = Stage::running;
   FemState<D> state_;
   Real elastic_at_start_ = 0;  ///< [J]
   std::unique_ptr<methods::fem::LinearSolver<D>> solver_;
+  std::unique_ptr<methods::fem::LinearSolver<D>> mass_solver_;  ///< made when forces from outside first change
   std::optional<Factors> factorized_;  ///< of what the solver holds, while the tangent has not changed
   std::string last_failure_;           ///< of an attempt
 };

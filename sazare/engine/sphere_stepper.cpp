@@ -298,6 +298,7 @@ void SphereStepper::book() {
   sums_.broken += broken_before;
   if (now.broken > 0) part_broken();
   for (const auto& load : walls_.loads()) wall_work_ += load.work;
+  walls_.book_surface(rules_.step);
 }
 
 /// Spheres whose bond has broken may touch from the next step on.

@@ -6,6 +6,8 @@
 ///
 /// so the step is of second order with dashpots too. The spheres stand in memory along a curve, sorted anew whenever pairs are.
 
+#include <utility>
+
 #include "sazare/methods/spheres/bonds.hpp"
 #include "sazare/methods/spheres/pair_contacts.hpp"
 #include "sazare/methods/spheres/wall_contacts.hpp"
@@ -44,6 +46,14 @@ class SphereStepper {
 public:
   SphereStepper(state::Spheres spheres, methods::spheres::ContactTable table, std::vector<methods::spheres::Wall> walls,
                 const SphereRules& rules, methods::spheres::Bonds bonds = {}, state::Clumps clumps = {});
+
+  /// Adds a surface that moves with its nodes, before `start` or a resume; one at most.
+  void add_surface(methods::spheres::Wall wall) { walls_.add_surface(std::move(wall)); }
+
+  /// From `time()` on, at which forces are kept, the surface's nodes go from these places with these velocities [m; m/s].
+  void lead(std::vector<Vector3> from, std::vector<Vector3> with) {
+    wall_work_ += walls_.lead(time(), rules_.step, std::move(from), std::move(with));
+  }
 
   /// Evaluates the beginning; call once before the first `advance`, not after a resume.
   void start();

@@ -17,6 +17,11 @@
 ///     read_motion(table)                          where its bodies are
 ///     state_hash(), part_times()                  for the manifest and timing.csv
 ///     write_case(), write_end(), write_rank_times()   the files that only it knows
+///
+/// and, where it has a partner in another program, whose `coupling::Stopped` ends a walk:
+///
+///     checkpoint_made()                           a checkpoint is on the disk
+///     part(farewell, words)                       why it goes, or that it is done
 
 #include <fmt/format.h>
 
@@ -28,6 +33,7 @@
 #include "sazare/cases/number_text.hpp"
 #include "sazare/core/error.hpp"
 #include "sazare/core/version.hpp"
+#include "sazare/coupling/file_exchange.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "sazare/runs/checkpoint_archive.hpp"
 #include "sazare/runs/live_run.hpp"
@@ -103,12 +109,21 @@ private:
     try {
       return part();
     } catch (const PhysicsError& error) {
+      say_farewell(coupling::Farewell::failed, error.what());
       leave_behind("failed");
       throw PhysicsError(fmt::format("{}\n  {}", error.what(), where_it_can_go_on()));
     } catch (const MachineError& error) {
+      say_farewell(coupling::Farewell::failed, error.what());
       leave_behind("stopped");
       throw MachineError(fmt::format("{}\n  {}", error.what(), where_it_can_go_on()));
+    } catch (const UserError& error) {
+      say_farewell(coupling::Farewell::failed, error.what());
+      throw;
     }
+  }
+
+  void say_farewell(coupling::Farewell farewell, const std::string& words = "") {
+    if constexpr (requires { work_.part(farewell, words); }) work_.part(farewell, words);
   }
 
   void say(const std::string& line) const {
@@ -119,10 +134,14 @@ private:
 
   /// False when asked to stop before the beginning was there.
   bool start() {
-    if (work_.folder.resumes())
-      resume();
-    else if (!begin_anew())
+    try {
+      if (work_.folder.resumes())
+        resume();
+      else if (!begin_anew())
+        return false;
+    } catch (const coupling::Stopped&) {
       return false;
+    }
     next_checkpoint_ = Clock::now() + checkpoint_interval();
     next_flush_ = Clock::now() + flush_interval;
     return true;
@@ -142,8 +161,9 @@ private:
   }
 
   RunOutcome stopped_before_the_beginning() {
+    say_farewell(coupling::Farewell::stopped);
     leave_behind("stopped");
-    return {true, false, 0, manifest_};
+    return {true, work_.folder.resumes(), time(), manifest_};
   }
 
   void resume() {
@@ -160,13 +180,22 @@ private:
 
   bool walk_to(std::int64_t until, const std::function<bool()>& pause) {
     while (work_.step() < until) {
-      if (agree(pause())) return true;
-      work_.advance();
+      if (agree(pause()) || !advance()) return true;
       if (work_.must_check() || work_.clocks.is_row(work_.step())) work_.record.check_motion(time());
       observe();
       keep();
     }
     return false;
+  }
+
+  /// False when a partner has stopped, or this side while it waited for it.
+  bool advance() {
+    try {
+      work_.advance();
+      return true;
+    } catch (const coupling::Stopped&) {
+      return false;
+    }
   }
 
   /// Hands what was written to the system and makes checkpoints, now and then.
@@ -200,6 +229,7 @@ private:
     if (!done) save_checkpoint();
     work_.collect();
     if (writes()) write_the_end(done);
+    say_farewell(done ? coupling::Farewell::done : coupling::Farewell::stopped);
     return {!done, true, time(), manifest_};
   }
 
@@ -228,6 +258,7 @@ private:
     CheckpointSaver saver(out);
     columns(saver);
     out.commit();
+    if constexpr (requires { work_.checkpoint_made(); }) work_.checkpoint_made();
     checkpoint_step_ = work_.step();
     work_.times.add(RunTimes::Part::checkpoints, work_.times.now() - before);
     write_manifest("running");

@@ -12,6 +12,7 @@
 #include "sazare/cases/suggest.hpp"
 #include "sazare/geometry/gmsh_mesher.hpp"
 #include "sazare/methods/fem/boundary_faces.hpp"
+#include "sazare/observe/hash.hpp"
 #include "sazare/runs/motion_of_case.hpp"
 
 namespace sazare::runs {
@@ -283,6 +284,25 @@ FemModel<D> build_fem(const cases::CaseFile& file, geometry::ElementMesh mesh) {
                                                           std::move(supports), rules_of(given));
   check_held(file, *model.stepper);
   return model;
+}
+
+std::string mesh_hash(const geometry::ElementMesh& mesh) {
+  observe::Hash hash;
+  for (const Vector3& node : mesh.nodes) hash.add(std::as_bytes(std::span(node.data(), 3)));
+  for (const geometry::MeshElement& element : mesh.elements) hash.add(std::as_bytes(element.node_list()));
+  for (const geometry::ElementGroup& group : mesh.groups)
+    for (const geometry::MeshElement& element : group.elements) hash.add(std::as_bytes(element.node_list()));
+  hash.add(std::as_bytes(std::span(mesh.region)));
+  return observe::to_hex(hash.value());
+}
+
+geometry::LinearSurface coupled_surface(const cases::CaseFile& hybrid, const geometry::ElementMesh& mesh) {
+  const std::string& name = hybrid.hybrid().surface.group;
+  const geometry::ElementGroup& group = MeshNames(hybrid, mesh).group("surface.group", name, true);
+  if (!geometry::faces_of_group(mesh, group).empty())
+    refuse(hybrid, "surface.group", fmt::format("the group \"{}\" lies inside the body, where nothing can touch it", name),
+           "name a group of outer faces");
+  return geometry::linear_surface(mesh, group);
 }
 
 template FemModel<2> build_fem<2>(const cases::CaseFile&, geometry::ElementMesh);

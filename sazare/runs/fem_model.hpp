@@ -6,6 +6,7 @@
 
 #include "sazare/cases/case_file.hpp"
 #include "sazare/engine/fem_stepper.hpp"
+#include "sazare/geometry/linear_surface.hpp"
 
 namespace sazare::runs {
 
@@ -25,6 +26,12 @@ geometry::ElementMesh load_fem_mesh(const cases::CaseFile& file, const std::file
 /// Throws UserError when the case does not fit its mesh, or nothing holds the body.
 template <int D>
 FemModel<D> build_fem(const cases::CaseFile& file, geometry::ElementMesh mesh);
+
+/// Of nodes, elements and groups.
+std::string mesh_hash(const geometry::ElementMesh& mesh);
+
+/// The surface that a hybrid case names, in the mesh of its continuum. Throws UserError where it is no surface of the body.
+geometry::LinearSurface coupled_surface(const cases::CaseFile& hybrid, const geometry::ElementMesh& mesh);
 
 extern template FemModel<2> build_fem<2>(const cases::CaseFile&, geometry::ElementMesh);
 extern template FemModel<3> build_fem<3>(const cases::CaseFile&, geometry::ElementMesh);

@@ -9,6 +9,7 @@ std::unique_ptr<LiveRun> open_case(const cases::CaseFile& file, const RunOptions
   if (std::holds_alternative<cases::RectanglesCase>(file.content)) return open_rectangles(file, options);
   if (std::holds_alternative<cases::SpheresCase>(file.content)) return open_spheres(file, options);
   if (std::holds_alternative<cases::FemCase>(file.content)) return open_fem(file, options);
+  if (std::holds_alternative<cases::HybridCase>(file.content)) return open_hybrid(file, options);
   return open_blocks(file, options);
 }
 
@@ -19,6 +20,7 @@ std::string check_case(const cases::CaseFile& file) {
   if (std::holds_alternative<cases::RectanglesCase>(file.content)) return check_rectangles(file);
   if (std::holds_alternative<cases::SpheresCase>(file.content)) return check_spheres(file);
   if (std::holds_alternative<cases::FemCase>(file.content)) return check_fem(file);
+  if (std::holds_alternative<cases::HybridCase>(file.content)) return check_hybrid(file);
   return check_blocks(file);
 }
 

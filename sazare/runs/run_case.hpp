@@ -39,4 +39,12 @@ std::string check_spheres(const cases::CaseFile& file);
 std::unique_ptr<LiveRun> open_fem(const cases::CaseFile& file, const RunOptions& options);
 std::string check_fem(const cases::CaseFile& file);
 
+/// The same for method hybrid alone.
+std::unique_ptr<LiveRun> open_hybrid(const cases::CaseFile& file, const RunOptions& options);
+std::string check_hybrid(const cases::CaseFile& file);
+
+/// One side of a hybrid case; the other one is in another program.
+std::unique_ptr<LiveRun> open_continuum(const cases::CaseFile& file, const RunOptions& options);
+std::unique_ptr<LiveRun> open_bodies(const cases::CaseFile& file, const RunOptions& options);
+
 }  // namespace sazare::runs

@@ -1,6 +1,5 @@
 #include "sazare/cases/resolved.hpp"
 #include "sazare/observe/atomic_file.hpp"
-#include "sazare/observe/hash.hpp"
 #include "sazare/runs/case_run.hpp"
 #include "sazare/runs/fem_record.hpp"
 #include "sazare/runs/run_case.hpp"
@@ -13,16 +12,6 @@ namespace {
 constexpr int elements_per_thread = 500;  // with fewer a second thread takes more time than it saves
 
 std::string number(Real value, int digits = 4) { return cases::short_number(value, digits); }
-
-std::string mesh_hash(const geometry::ElementMesh& mesh) {
-  observe::Hash hash;
-  for (const Vector3& node : mesh.nodes) hash.add(std::as_bytes(std::span(node.data(), 3)));
-  for (const geometry::MeshElement& element : mesh.elements) hash.add(std::as_bytes(element.node_list()));
-  for (const geometry::ElementGroup& group : mesh.groups)
-    for (const geometry::MeshElement& element : group.elements) hash.add(std::as_bytes(element.node_list()));
-  hash.add(std::as_bytes(std::span(mesh.region)));
-  return observe::to_hex(hash.value());
-}
 
 /// The part of method fem in a run, see CaseRun.
 template <int D>

@@ -31,7 +31,8 @@ void make_folder(const fs::path& folder) {
 bool is_snapshot(const fs::path& file) {
   const std::string name = file.filename().string();
   const std::string_view visible = std::string_view(name).substr(name.starts_with('.') ? 1 : 0);
-  const bool ours = visible.starts_with("elements") || visible.starts_with("joints") || visible.starts_with("particles");
+  const bool ours = visible.starts_with("elements") || visible.starts_with("joints") || visible.starts_with("particles") ||
+                    visible.starts_with("finite_elements");
   return ours && (name.ends_with(".vtkhdf") || name.ends_with(".series") || name.ends_with(".part"));
 }
 

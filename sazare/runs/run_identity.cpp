@@ -140,6 +140,14 @@ RunIdentity identify(const cases::FemCase& fem, const std::string& mesh) {
   return {cases::write_resolved(plain), mesh, records, program_text()};
 }
 
+RunIdentity identify(const cases::HybridCase& hybrid, const RunIdentity& continuum, const RunIdentity& bodies) {
+  cases::HybridCase plain = hybrid;
+  plain.sides = {};
+  plain.output = {};
+  return {cases::write_resolved(plain) + continuum.case_text + bodies.case_text, continuum.mesh + bodies.mesh,
+          continuum.tables + bodies.tables, program_text()};
+}
+
 void write_identity(observe::CheckpointWriter& out, const RunIdentity& identity) {
   add(out, "identity.case", identity.case_text);
   add(out, "identity.mesh", identity.mesh);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "sazare/cases/fem_case.hpp"
+#include "sazare/cases/hybrid_case.hpp"
 #include "sazare/cases/rectangles_case.hpp"
 #include "sazare/cases/spheres_case.hpp"
 #include "sazare/geometry/tetra_mesh.hpp"
@@ -32,6 +33,9 @@ RunIdentity identify(const cases::SpheresCase& spheres, const std::string& start
 
 /// `mesh` is a hash of nodes, elements and groups.
 RunIdentity identify(const cases::FemCase& fem, const std::string& mesh);
+
+/// Of a hybrid case, from those of its two sides.
+RunIdentity identify(const cases::HybridCase& hybrid, const RunIdentity& continuum, const RunIdentity& bodies);
 
 void write_identity(observe::CheckpointWriter& out, const RunIdentity& identity);
 

@@ -4,12 +4,21 @@
 
 #include <atomic>
 #include <filesystem>
+#include <optional>
 
+#include "sazare/coupling/message.hpp"
 #include "sazare/engine/simulation.hpp"
 #include "sazare/observe/manifest.hpp"
 #include "sazare/runs/run_folder.hpp"
 
 namespace sazare::runs {
+
+/// One side of a hybrid case alone, with a partner in another program.
+struct OneSide {
+  coupling::Side side = coupling::Side::continuum;
+  std::filesystem::path folder;  ///< of the exchange
+  Real time_out = 600;           ///< how long to wait for the partner [s]
+};
 
 struct RunOptions {
   std::filesystem::path folder;
@@ -17,6 +26,7 @@ struct RunOptions {
   bool quiet = false;                             ///< no progress, no words about the beginning
   const std::atomic<bool>* stop_asked = nullptr;  ///< looked at after every base step
   engine::Sharing sharing = {};                   ///< with several processes: all carry out the same, the first one writes
+  std::optional<OneSide> one_side = {};           ///< of a hybrid case; else both in this program
 };
 
 struct RunOutcome {

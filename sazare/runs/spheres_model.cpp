@@ -108,10 +108,10 @@ Real spring_limit(const SpheresCase& spheres, const methods::spheres::ContactTab
   return spheres.contact.model == ContactModel::linear ? 2 * std::sqrt(0.5 * lightest / stiffest) : 0;
 }
 
-/// The step of a run, which divides the history interval.
-Real choose_step(const cases::CaseFile& file, Real limit) {
+/// The step of a run, which divides a clock [s].
+Real choose_step(const cases::CaseFile& file, Real limit, Real clock) {
   const cases::LeapfrogTime& time = file.spheres().time;
-  if (!time.step) return time.history_interval / std::ceil(time.history_interval / (time.stability_fraction * limit));
+  if (!time.step) return clock / std::ceil(clock / (time.stability_fraction * limit));
   if (*time.step > limit)
     refuse(file, "time.step",
            fmt::format("the step of {} s is {} times the limit of {} s", cases::short_number(*time.step, 4),
@@ -161,7 +161,7 @@ methods::spheres::ContactTable contact_table(const SpheresCase& spheres) {
   return table;
 }
 
-SpheresModel build_spheres(const cases::CaseFile& file) {
+SpheresModel build_spheres(const cases::CaseFile& file, std::optional<Real> clock) {
   const SpheresCase& spheres = file.spheres();
   SpheresModel model;
   Placement placement = place_spheres(file);
@@ -175,7 +175,7 @@ SpheresModel build_spheres(const cases::CaseFile& file) {
   model.clumps = static_cast<std::int64_t>(placement.clumps.clumps.size());
   model.bonds = static_cast<std::int64_t>(bonds.bonds().size());
   model.limit = std::min(model.limit, methods::spheres::stable_step(bonds.bonds(), placement.spheres));
-  model.step = choose_step(file, model.limit);
+  model.step = choose_step(file, model.limit, clock.value_or(spheres.time.history_interval));
   model.start = hash_of(placement, walls);
   model.group = std::move(placement.group);
   model.body = std::move(placement.body);

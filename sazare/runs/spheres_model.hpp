@@ -3,6 +3,7 @@
 /// From a checked case of method spheres to spheres that can be stepped.
 
 #include <memory>
+#include <optional>
 
 #include "sazare/engine/sphere_stepper.hpp"
 #include "sazare/runs/sphere_placement.hpp"
@@ -21,8 +22,9 @@ struct SpheresModel {
   std::unique_ptr<engine::SphereStepper> stepper;
 };
 
-/// Throws UserError when the case does not fit its spheres or its step is above the limit.
-SpheresModel build_spheres(const cases::CaseFile& file);
+/// Throws UserError when the case does not fit its spheres or its step is above the limit. A step that the case does not give
+/// divides its history interval, or a shorter clock that is given [s].
+SpheresModel build_spheres(const cases::CaseFile& file, std::optional<Real> clock = std::nullopt);
 
 /// The constants of every pair of materials of a case.
 methods::spheres::ContactTable contact_table(const cases::SpheresCase& spheres);

@@ -140,7 +140,7 @@ void SpheresRecord::add_gauge_row(Real time) {
 void SpheresRecord::add_wall_row(Real time) {
   std::vector<methods::spheres::WallLoad> total(file_->spheres().walls.size());
   const auto loads = model_->stepper->walls().loads();
-  for (std::size_t w = 0; w < loads.size(); ++w) total[static_cast<std::size_t>(model_->case_wall[w])] += loads[w];
+  for (std::size_t w = 0; w < model_->case_wall.size(); ++w) total[static_cast<std::size_t>(model_->case_wall[w])] += loads[w];
   std::vector<Real> row = {time};
   for (const auto& load : total)
     for (const Vector3& value : {load.force, load.moment}) row.insert(row.end(), value.begin(), value.end());

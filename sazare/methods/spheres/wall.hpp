@@ -1,6 +1,7 @@
 #pragma once
 
-/// Walls: planes, with room for spheres on one side, and surfaces of triangles, which both sides see. They move as rigid bodies.
+/// Walls: planes, with room for spheres on one side, and surfaces of triangles, which both sides see. They move as rigid bodies,
+/// or a surface with its nodes.
 
 #include <array>
 #include <memory>
@@ -12,6 +13,7 @@
 #include "sazare/core/time.hpp"
 #include "sazare/geometry/triangle_grid.hpp"
 #include "sazare/laws/ground_motion.hpp"
+#include "sazare/methods/spheres/nodal_surface.hpp"
 
 namespace sazare::methods::spheres {
 
@@ -59,10 +61,11 @@ struct Wall {
   Index material = 0;
   Vector3 point = Vector3::Zero();            ///< of a plane, at the start [m]
   Vector3 normal = Vector3::UnitZ();          ///< of a plane, into the room for spheres
-  std::vector<geometry::Triangle> triangles;  ///< at the start [m]; none: a plane
+  std::vector<geometry::Triangle> triangles;  ///< at the start [m]; none: a plane, or a surface that moves with its nodes
   WallMotion motion;
+  NodalSurface nodal;
 
-  bool is_plane() const { return triangles.empty(); }
+  bool is_plane() const { return triangles.empty() && !nodal.exists(); }
 };
 
 /// Force and moment of all spheres on a wall, the moment about its pivot, and the work of the wall on the spheres in this step.

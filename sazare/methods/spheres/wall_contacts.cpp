@@ -15,18 +15,42 @@ constexpr Real same_direction = 0.9;  // cosine between the normals of one conta
 }  // namespace
 
 WallContacts::WallContacts(ContactTable table, std::vector<Wall> walls, Real reach)
-    : table_(std::move(table)), walls_(std::move(walls)) {
+    : table_(std::move(table)), walls_(std::move(walls)), reach_(reach) {
   for (const Wall& wall : walls_) grids_.emplace_back(wall.triangles, reach);
   poses_.resize(walls_.size());
   move(0);
 }
 
+void WallContacts::add_surface(Wall wall) {
+  surface_ = walls_.size();
+  walls_.push_back(std::move(wall));
+  grids_.emplace_back(std::span<const geometry::Triangle>{}, reach_);  // made anew by every search
+  poses_.emplace_back();
+}
+
+Real WallContacts::lead(Real time, Real step, std::vector<Vector3> from, std::vector<Vector3> with) {
+  return walls_[surface_].nodal.lead(time, step, std::move(from), std::move(with));
+}
+
+void WallContacts::book_surface(Real step) {
+  if (surface() == nullptr) return;
+  std::vector<NodeForce> forces;
+  for (const Block& block : blocks_) forces.insert(forces.end(), block.on_nodes.begin(), block.on_nodes.end());
+  walls_[surface_].nodal.book(forces, step);
+}
+
 void WallContacts::move(Real time) {
+  time_ = time;
   for (std::size_t w = 0; w < walls_.size(); ++w) poses_[w] = WallPose::of(walls_[w].motion, time);
 }
 
 void WallContacts::find(const state::Spheres& spheres, Real time, Real margin, std::span<const Index> places_before) {
   move(time);
+  if (surface() != nullptr) {
+    std::vector<geometry::Triangle> now;
+    for (std::size_t face = 0; face < surface()->face_count(); ++face) now.push_back(surface()->corners(face, time));
+    grids_[surface_] = geometry::TriangleGrid(now, reach_);
+  }
   std::vector<Touch> kept;
   for (const Block& block : blocks_) kept.insert(kept.end(), block.touches.begin(), block.touches.end());
   if (!places_before.empty()) {
@@ -53,11 +77,35 @@ void WallContacts::find(const state::Spheres& spheres, Real time, Real margin, s
           continue;
         }
         for (const std::int32_t t : grids_[w].near(centre))
-          if ((geometry::nearest_point(wall.triangles[static_cast<std::size_t>(t)], centre) - centre).norm() < reach)
-            near.push_back({sphere, number, t});
+          if ((geometry::nearest_point(triangle(w, t), centre) - centre).norm() < reach) near.push_back({sphere, number, t});
       }
     }
   });
+}
+
+/// A triangle of a wall, in the frame of its pose.
+geometry::Triangle WallContacts::triangle(std::size_t wall, std::int32_t number) const {
+  const auto face = static_cast<std::size_t>(number);
+  return wall == surface_ ? walls_[wall].nodal.corners(face, time_) : walls_[wall].triangles[face];
+}
+
+/// A rigid wall is touched in the middle of the overlap; a face with nodes on itself, where its shape functions are known.
+WallContacts::Ground WallContacts::ground_at(const Point& point, const Vector3& centre, Real radius) const {
+  const auto w = static_cast<std::size_t>(point.wall);
+  Ground ground;
+  if (w == surface_) {
+    ground.arm = radius - point.overlap;
+    ground.place = centre - ground.arm * point.normal;
+    ground.face = walls_[w].nodal.point(static_cast<std::size_t>(point.triangle), time_, ground.place);
+    ground.velocity = ground.face->velocity();
+    ground.spin = table_.rolls ? ground.face->spin() : Vector3(Vector3::Zero());
+    return ground;
+  }
+  ground.arm = radius - 0.5 * point.overlap;
+  ground.place = centre - ground.arm * point.normal;
+  ground.velocity = poses_[w].velocity_at(ground.place);
+  ground.spin = poses_[w].spin;
+  return ground;
 }
 
 void WallContacts::find_touches(const state::SpherePlace& place, std::span<const Near> near, std::vector<Point>& points) const {
@@ -69,13 +117,13 @@ void WallContacts::find_touches(const state::SpherePlace& place, std::span<const
     if (wall.is_plane()) {
       const Real distance = (centre - wall.point).dot(wall.normal);
       if (distance < place.radius)
-        points.push_back({one.wall, place.radius - distance, centre - distance * wall.normal, wall.normal});
+        points.push_back({one.wall, -1, place.radius - distance, centre - distance * wall.normal, wall.normal});
       continue;
     }
-    const Vector3 foot = geometry::nearest_point(wall.triangles[static_cast<std::size_t>(one.triangle)], centre);
+    const Vector3 foot = geometry::nearest_point(triangle(w, one.triangle), centre);
     const Real distance = (centre - foot).norm();
     if (distance < place.radius && distance > 0)
-      points.push_back({one.wall, place.radius - distance, foot, (centre - foot) / distance});
+      points.push_back({one.wall, one.triangle, place.radius - distance, foot, (centre - foot) / distance});
   }
   std::ranges::stable_sort(
       points, [](const Point& a, const Point& b) { return a.wall != b.wall ? a.wall < b.wall : a.overlap > b.overlap; });
@@ -95,16 +143,15 @@ ContactSums WallContacts::push(const state::Spheres& spheres, const Point& point
                                state::SphereLoad& load) const {
   const auto i = static_cast<std::size_t>(touch.sphere), w = static_cast<std::size_t>(point.wall);
   const state::SpherePlace& place = spheres.place[i];
-  const Real arm = place.radius - 0.5 * point.overlap;
   const Vector3 centre = spheres.box.wrapped(place.centre()), spin = spheres.spin[i].spin();
-  const Vector3 wall_velocity = poses_[w].velocity_at(centre - arm * point.normal);
+  const Ground ground = ground_at(point, centre, place.radius);
   laws::ContactMotion<Real> at;
   at.overlap = point.overlap;
   at.reduced_radius = place.radius;
   at.reduced_mass = place.mass;
   at.normal = triple(point.normal);
-  at.velocity = triple(place.velocity() - arm * spin.cross(point.normal) - wall_velocity);
-  at.rolling = triple(Vector3(place.radius * (spin - poses_[w].spin).cross(point.normal)));
+  at.velocity = triple(place.velocity() - ground.arm * spin.cross(point.normal) - ground.velocity);
+  at.rolling = triple(Vector3(place.radius * (spin - ground.spin).cross(point.normal)));
   at.step = step;
   laws::ContactMemory<Real> memory{triple(touch.sliding), triple(touch.rolling)};
   const auto& constants = table_.of(static_cast<Index>(spheres.spin[i].material), walls_[w].material);
@@ -112,17 +159,21 @@ ContactSums WallContacts::push(const state::Spheres& spheres, const Point& point
   touch.sliding = vector(memory.sliding);
   touch.rolling = vector(memory.rolling);
   const Vector3 push = force.normal * point.normal + vector(force.friction);
-  const Vector3 moment = -arm * point.normal.cross(push) + place.radius * point.normal.cross(vector(force.rolling));
+  const Vector3 moment = -ground.arm * point.normal.cross(push) + place.radius * point.normal.cross(vector(force.rolling));
   load.fx += push.x();
   load.fy += push.y();
   load.fz += push.z();
   load.mx += moment.x();
   load.my += moment.y();
   load.mz += moment.z();
-  const Vector3 foot = centre - arm * point.normal - poses_[w].pivot - poses_[w].shift;
+  const Vector3 foot = ground.place - poses_[w].pivot - poses_[w].shift;
   const Vector3 rolling_moment = -place.radius * point.normal.cross(vector(force.rolling));
   block.loads[w] +=
-      {-push, rolling_moment - foot.cross(push), step * (push.dot(wall_velocity) - rolling_moment.dot(poses_[w].spin))};
+      {-push, rolling_moment - foot.cross(push), step * (push.dot(ground.velocity) - rolling_moment.dot(ground.spin))};
+  if (ground.face) {
+    const auto forces = ground.face->on_corners(-push, rolling_moment);
+    for (std::size_t k = 0; k < 3; ++k) block.on_nodes.push_back({ground.face->nodes[k], forces[k]});
+  }
   return {force.elastic_energy, force.sliding_energy, step * force.dashpot_power, step * force.sliding_power, 1};
 }
 
@@ -132,6 +183,7 @@ ContactSums WallContacts::evaluate(const state::Spheres& spheres, std::size_t nu
   std::swap(block.before, block.touches);
   block.touches.clear();
   std::fill(block.loads.begin(), block.loads.end(), WallLoad{});
+  block.on_nodes.clear();
   std::vector<Point> points;
   auto remembered = block.before.begin();
   for (auto from = block.near.begin(); from != block.near.end();) {
@@ -176,6 +228,7 @@ std::vector<WallLoad> WallContacts::loads() const {
 Real WallContacts::largest_speed(Real radius) const {
   Real largest = 0;
   for (const WallPose& pose : poses_) largest = std::max(largest, pose.velocity.norm() + pose.spin.norm() * radius);
+  if (surface() != nullptr) largest = std::max(largest, surface()->largest_speed());
   return largest;
 }
 
@@ -188,6 +241,7 @@ void WallContacts::columns(Archive& archive) {
   }
   archive("touches", touches);
   archive("counts", counts);
+  if (surface() != nullptr) archive.folder("surface", [&] { walls_[surface_].nodal.columns(archive); });
   if (!archive.reading()) return;
   blocks_.assign(counts.size(), {});
   auto next = touches.begin();

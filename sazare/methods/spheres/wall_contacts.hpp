@@ -6,7 +6,9 @@
 /// and each further one counts only when it lies in front of the tangent planes of those before: so a flat surface, an outer edge
 /// or a corner pushes once, however many triangles share it, and the two sides of a groove push both.
 
+#include <optional>
 #include <span>
+#include <utility>
 
 #include "sazare/methods/spheres/contact_table.hpp"
 #include "sazare/methods/spheres/load_table.hpp"
@@ -25,6 +27,14 @@ public:
 
   /// To be called once before the blocks of a step.
   void move(Real time);
+
+  /// Adds a wall, whose nodes are led from outside; one at most.
+  void add_surface(Wall wall);
+  /// The wall that moves with its nodes; nullptr where there is none.
+  const NodalSurface* surface() const { return surface_ < walls_.size() ? &walls_[surface_].nodal : nullptr; }
+  Real lead(Real time, Real step, std::vector<Vector3> from, std::vector<Vector3> with);
+  /// To be called once after the blocks of a step: what its nodes have got.
+  void book_surface(Real step);
 
   /// Adds the forces on a block's spheres to their loads, `own`.
   ContactSums evaluate(const state::Spheres& spheres, std::size_t block, Real step, state::SphereLoad* own);
@@ -54,14 +64,24 @@ private:
     std::vector<Near> near;      ///< by sphere
     std::vector<Touch> touches;  ///< by sphere
     std::vector<Touch> before;
-    std::vector<WallLoad> loads;  ///< by wall
+    std::vector<WallLoad> loads;      ///< by wall
+    std::vector<NodeForce> on_nodes;  ///< of the surface [N]
   };
   struct Point {
     Index wall = 0;
+    std::int32_t triangle = -1;
     Real overlap = 0;
     Vector3 place, normal;
   };
+  /// How a wall moves where it is touched.
+  struct Ground {
+    Real arm = 0;  ///< from the sphere's centre [m]
+    Vector3 place, velocity, spin;
+    std::optional<FacePoint> face;  ///< of a surface with nodes
+  };
 
+  geometry::Triangle triangle(std::size_t wall, std::int32_t number) const;
+  Ground ground_at(const Point& point, const Vector3& centre, Real radius) const;
   void find_touches(const state::SpherePlace& place, std::span<const Near> near, std::vector<Point>& points) const;
   template <laws::ContactModel model>
   ContactSums push(const state::Spheres& spheres, const Point& point, Touch& touch, Real step, Block& block,
@@ -71,6 +91,9 @@ private:
   std::vector<Wall> walls_;
   std::vector<geometry::TriangleGrid> grids_;  ///< by wall
   std::vector<WallPose> poses_;
+  Real reach_ = 0;
+  Real time_ = 0;                                       ///< of the last `move` [s]
+  std::size_t surface_ = static_cast<std::size_t>(-1);  ///< which of the walls moves with its nodes
   std::vector<Block> blocks_;
 };
 

@@ -1,0 +1,73 @@
+"""Pictures of runs of method hybrid, from meshes and tables made here."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pyvista
+
+from sazare import hybrid, report
+from sazare.results import Table, open_run
+
+
+def mesh(kind=9, cell=(0, 1, 2, 3)):
+    """One square of a continuum."""
+    points = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], dtype=float)
+    grid = pyvista.UnstructuredGrid(np.r_[len(cell), cell], [kind], points)
+    grid.cell_data["region"] = [2]
+    return grid
+
+
+def cloud():
+    """Two spheres beside it."""
+    points = np.array([[-0.5, 0.2, 0.0], [-0.2, 0.6, 0.1]])
+    grid = pyvista.UnstructuredGrid(np.array([1, 0, 1, 1]), [1, 1], points)
+    grid.cell_data["radius"] = [0.1, 0.2]
+    grid.cell_data["velocity"] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]
+    return grid
+
+
+def run(kind=9, cell=(0, 1, 2, 3)):
+    sides = {"continuum": SimpleNamespace(element_snapshots=[SimpleNamespace(time=t, elements=mesh(kind, cell)) for t in (0.0, 1.0)]),
+             "bodies": SimpleNamespace(particle_snapshots=[SimpleNamespace(time=t, elements=cloud()) for t in (0.0, 1.0)])}
+    return SimpleNamespace(sides=sides)
+
+
+def history():
+    time = np.linspace(0.0, 1.0, 5)
+    names = [f"surface.{what}_{axis}" for what in ("force", "displacement") for axis in "xyz"]
+    columns = {name: time * (1.0 if name.endswith("y") else 0.1) for name in names}
+    return Table({"time": time, **columns, "work_on_nodes": time, "work_on_bodies": -0.9 * time, "energy_made": 0.1 * time})
+
+
+def test_both_sides_are_drawn_within_one_frame():
+    figure = hybrid.together(run())
+    assert figure.axes[1].get_title(loc="left") == "1 s"
+    assert figure.axes[0].get_xlim() == (-0.6, 1.0)
+
+
+def test_a_continuum_in_space_is_not_drawn_in_the_plane():
+    assert hybrid.together(run(10, (0, 1, 2, 3))) is None
+
+
+def test_the_surface_is_drawn_along_the_axis_on_which_it_is_largest():
+    figure = hybrid.surface(SimpleNamespace(history=history()))
+    assert [axes.get_ylabel() for axes in figure.axes] == ["force along y [N]", "displacement along y [m]"]
+    assert len(hybrid.exchange(SimpleNamespace(history=history())).axes[0].get_lines()) == 3
+
+
+def test_nothing_is_drawn_without_data():
+    empty = SimpleNamespace(history=Table({}), sides={})
+    for draw in (hybrid.together, hybrid.surface, hybrid.exchange):
+        assert draw(empty) is None
+
+
+def test_the_sides_of_a_run_are_runs(tmp_path):
+    for name in ("", "continuum", "bodies"):
+        (tmp_path / name).mkdir(exist_ok=True)
+        method = {"": "hybrid", "continuum": "fem", "bodies": "spheres"}[name]
+        (tmp_path / name / "manifest.json").write_text(f'{{"method": "{method}", "status": "done", "results": {{}}}}')
+    results = open_run(tmp_path)
+    assert [side.manifest["method"] for side in results.sides.values()] == ["fem", "spheres"]
+    names = [section.name for section in report.sections_of(results)]
+    assert names[0] == "together" and "continuum_displaced" in names and "bodies_spheres" in names
+    assert len(set(names)) == len(names)

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "sazare/cases/blocks_case.hpp"
+
+/// A checked case of method hybrid, as plain data. All values in SI units; every member is one key of the case file, but for the
+/// two cases that it names.
+namespace sazare::cases {
+
+struct CaseFile;
+
+enum class HybridScheme { paper, impulse, repeat };
+
+struct HybridSides {
+  std::filesystem::path continuum;  // of method fem
+  std::filesystem::path bodies;     // of method spheres
+};
+
+struct HybridSurface {
+  std::string group;     // of the continuum's mesh
+  std::string material;  // of the bodies' case
+  Real width = 0;        // m, of the slab of bodies on a continuum in the plane
+};
+
+struct HybridCoupling {
+  HybridScheme scheme = HybridScheme::impulse;
+  Real tolerance = 0;
+  int passes = 0;
+};
+
+struct HybridCase {
+  std::string title;
+  HybridSides sides;
+  HybridSurface surface;
+  HybridCoupling coupling;
+  Output output;
+  std::shared_ptr<const CaseFile> continuum, bodies;  // as read and checked
+};
+
+}  // namespace sazare::cases

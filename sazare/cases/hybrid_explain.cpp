@@ -1,0 +1,24 @@
+#include <fmt/format.h>
+
+#include "sazare/cases/case_file.hpp"
+#include "sazare/cases/hybrid_fields.hpp"
+#include "sazare/cases/number_text.hpp"
+#include "sazare/cases/resolved.hpp"
+
+namespace sazare::cases {
+
+std::string explain(const HybridCase& hybrid) {
+  const auto line = [](std::string_view topic, const std::string& text) { return fmt::format("  {:<12}{}\n", topic, text); };
+  const bool plane = hybrid.continuum->fem().mesh.dimension == 2;
+  const HybridCoupling& coupling = hybrid.coupling;
+  std::string scheme(EnumWords<HybridScheme>::words.at(static_cast<std::size_t>(coupling.scheme)));
+  if (coupling.scheme == HybridScheme::repeat)
+    scheme +=
+        fmt::format(", until {} of the force is left, {} passes at most", short_number(coupling.tolerance), coupling.passes);
+  return hybrid.title + "\n" +
+         line("surface", fmt::format("{}, in contact as {}{}", hybrid.surface.group, hybrid.surface.material,
+                                     plane ? fmt::format(", a slab of {} m", short_number(hybrid.surface.width)) : "")) +
+         line("coupling", fmt::format("{}, windows of {} s", scheme, short_number(*hybrid.continuum->fem().time.step)));
+}
+
+}  // namespace sazare::cases
