@@ -24,6 +24,7 @@ demo: build ## run the blast near a free face and write its report to build/demo
 
 test: setup ## run everything that guards the project
 	@scripts/build release $(JOBS)
+	@scripts/setup browser || echo "test: there is no Chromium, so nobody looks at the 3-D view in a browser"
 	@scripts/test
 
 validate: build ## compare with theory, papers and other codes; table in build/validation/results.csv

@@ -27,6 +27,12 @@ PICTURES = {
     "block-on-slope": "square_gauges",
     "rotating-drum": "spheres",
     "slope-el-centro": "failure",
+    "irregular-beam": "moving",
+    "shaking-table": "moving",
+    "bonded-beam": "damage",
+    "tetrapod-armour": "spheres",
+    "strip-footing": "yielding",
+    "cantilever-fem": "displaced",
 }
 
 

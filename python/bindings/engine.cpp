@@ -4,10 +4,12 @@
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
 #include "python/bindings/live_simulation.hpp"
+#include "sazare/cases/outside_histories.hpp"
 #include "sazare/cases/resolved.hpp"
 #include "sazare/cases/schema.hpp"
 #include "sazare/core/error.hpp"
@@ -30,6 +32,20 @@ template <std::vector<Vector3> MotionTable::*column>
 Rows rows(nb::handle_t<LiveSimulation> self) {
   const std::vector<Vector3>& found = nb::cast<LiveSimulation&>(self).motion().*column;
   return Rows(found.empty() ? nullptr : found.front().data(), {found.size(), 3}, self);
+}
+
+/// Names of the histories that the case leaves to its caller, each with the time at which its own is 0 [s].
+std::vector<std::pair<std::string, double>> functions(const LiveSimulation& self) {
+  std::vector<std::pair<std::string, double>> found;
+  for (const cases::OutsideHistory& history : cases::outside_histories(self.file()))
+    found.emplace_back(history.name, history.begin);
+  return found;
+}
+
+void apply(LiveSimulation& self, const Rows& forces) {
+  std::vector<Vector3> rows(forces.shape(0));
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = Vector3(forces.data() + 3 * i);
+  self.apply(rows);
 }
 
 std::string resolved(const CaseSource& source) {
@@ -58,10 +74,13 @@ void add_simulation(nb::module_& module) {
       .def("begin", &LiveSimulation::begin, ReleaseLock())
       .def("walk", &LiveSimulation::walk, "until"_a, "seconds"_a, ReleaseLock())
       .def("finish", &LiveSimulation::finish, ReleaseLock())
+      .def("add_samples", &LiveSimulation::add_samples, "name"_a, "step"_a, "values"_a)
+      .def("apply", &apply, "forces"_a)
       .def("progress_text", &LiveSimulation::progress_text)
       .def_prop_ro("title", [](const LiveSimulation& self) { return self.status().title; })
       .def_prop_ro("words", [](const LiveSimulation& self) { return self.status().words; })
       .def_prop_ro("warnings", [](const LiveSimulation& self) { return self.file().warnings; })
+      .def_prop_ro("functions", &functions)
       .def_prop_ro("time", [](const LiveSimulation& self) { return self.status().time; })
       .def_prop_ro("step", [](const LiveSimulation& self) { return self.status().step; })
       .def_prop_ro("steps", [](const LiveSimulation& self) { return self.status().steps; })

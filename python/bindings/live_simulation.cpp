@@ -3,6 +3,7 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "sazare/cases/outside_histories.hpp"
 #include "sazare/core/error.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "sazare/runs/run_case.hpp"
@@ -82,6 +83,17 @@ void LiveSimulation::walk(std::int64_t until, double seconds) {
     throw;
   }
   look();
+}
+
+void LiveSimulation::add_samples(const std::string& name, double step, const std::vector<double>& values) {
+  const Turn turn(at_work_);
+  for (const cases::OutsideHistory& history : cases::outside_histories(file_))
+    if (history.name == name) history.add(step, values);
+}
+
+void LiveSimulation::apply(std::span<const Vector3> forces) {
+  const Turn turn(at_work_);
+  if (run_ != nullptr) run_->apply(forces);
 }
 
 void LiveSimulation::finish() {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,12 @@ public:
   void walk(std::int64_t until, double seconds);
   /// Ends the run where it is and lets go of its folder; the rows and the status stay.
   void finish();
+
+  /// Hands over samples of a history that the case leaves to its caller, at equal steps [s] from its beginning; after those that
+  /// were handed over before.
+  void add_samples(const std::string& name, double step, const std::vector<double>& values);
+  /// Forces on the bodies from now on [N]. Throws UserError where the method takes none.
+  void apply(std::span<const Vector3> forces);
 
   const cases::CaseFile& file() const { return file_; }
   const Status& status() const { return status_; }

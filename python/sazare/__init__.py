@@ -17,9 +17,9 @@ import importlib
 import os
 
 _HOMES = {
-    "sazare.results": (
-        "Comparison", "Gauge", "NotARun", "Results", "Snapshot", "Snapshots", "Table", "compare", "open_run", "write_table",
-    ),
+    "sazare.results": ("Gauge", "Results", "Snapshot", "Snapshots", "open_run"),
+    "sazare.tables": ("NotARun", "Table", "write_table"),
+    "sazare.comparison": ("Comparison", "compare"),
     "sazare.simulation": ("Simulation", "build", "check", "run"),
     "sazare.cases": ("Case", "case_from_text", "read_case"),
     "sazare._engine": ("MachineError", "PhysicsError", "UserError"),

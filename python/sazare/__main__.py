@@ -5,8 +5,10 @@ import sys
 import time
 from pathlib import Path
 
-from sazare.results import NotARun, compare, open_run
+from sazare.comparison import compare
+from sazare.results import open_run
 from sazare.summary import terminal_text
+from sazare.tables import NotARun
 
 USER_ERROR, MACHINE_ERROR = 2, 4
 

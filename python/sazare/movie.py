@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.colors import to_hex
 
 from sazare import style
-from sazare.results import NotARun
+from sazare.tables import NotARun
 from sazare.view3d import read_frames
 
 PIXELS = 800

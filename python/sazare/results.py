@@ -1,98 +1,17 @@
 """Reading the folder of a run: manifest, tables, gauges and snapshots."""
 
-import csv
 import json
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
 import numpy as np
 
-HEADER = re.compile(r"^\s*(?P<name>.*?)\s*(?:\[(?P<unit>[^\]]*)\])?\s*$")
+from sazare.tables import NotARun, Table, read_table
+
 SNAPSHOT_FILE = re.compile(r"(?:elements|particles)_(\d+)\.vtkhdf$")
-
-
-class NotARun(Exception):
-    """A folder, or one of its files, is not what a run writes; the message says which and what to do."""
-
-
-class Table(Mapping):
-    """The columns of a CSV file by name, in the file's order; units are apart.
-
-    table["time"] is an array (n,) of float, or of str for a column of words; table.unit("time") is "s".
-    """
-
-    def __init__(self, columns, units=None):
-        self._columns = dict(columns)
-        self._units = dict(units or {})
-
-    def __getitem__(self, name):
-        return self._columns[name]
-
-    def __iter__(self):
-        return iter(self._columns)
-
-    def __len__(self):
-        return len(self._columns)
-
-    def __repr__(self):
-        return f"Table({self.rows} rows: {', '.join(self._columns)})"
-
-    @property
-    def rows(self):
-        """Number of rows."""
-        return len(next(iter(self._columns.values()), ()))
-
-    def unit(self, name):
-        """Unit of a column as the header has it; "" where the header has none."""
-        return self._units.get(name, "")
-
-    def to_pandas(self):
-        """The table as pandas.DataFrame, its units in attrs["units"]. Raises ImportError where pandas is not installed."""
-        import pandas
-
-        frame = pandas.DataFrame(self._columns)
-        frame.attrs["units"] = {name: self.unit(name) for name in self}
-        return frame
-
-
-def read_table(path):
-    """A CSV file whose header has names with units in brackets, such as `time [s]`. Raises NotARun for a damaged file."""
-    with path.open(newline="", encoding="utf-8") as file:
-        rows = [row for row in csv.reader(file) if row]
-    if not rows:
-        raise NotARun(f"{path}: the file is empty; a run writes a header line first")
-    heads = [HEADER.match(cell) for cell in rows[0]]
-    names = [head["name"] for head in heads]
-    body = rows[1:]
-    # The last line of a run that was killed may be cut short.
-    if body and len(body[-1]) < len(names):
-        body = body[:-1]
-    for number, row in enumerate(body, start=2):
-        if len(row) != len(names):
-            raise NotARun(f"{path}:{number}: {len(row)} values where the header names {len(names)} columns")
-    columns = {name: _column(cells) for name, cells in zip(names, zip(*body) if body else [()] * len(names))}
-    return Table(columns, {head["name"]: head["unit"] or "" for head in heads})
-
-
-def write_table(path, columns):
-    """Writes a CSV file that cases can name, such as {"time [s]": times, "pressure [Pa]": pressures}; returns its path.
-
-    Raises ValueError where the columns differ in length.
-    """
-    rows = zip(*columns.values(), strict=True)
-    lines = [",".join(columns), *(",".join(repr(float(value)) for value in row) for row in rows)]
-    Path(path).write_text("\n".join(lines) + "\n", encoding="utf-8")
-    return Path(path)
-
-
-def _column(cells):
-    try:
-        return np.array(cells, dtype=float)
-    except ValueError:
-        return np.array(cells, dtype=str)
 
 
 @dataclass(frozen=True)
@@ -316,69 +235,6 @@ class Results:
             names = sorted(path.name for path in folder.iterdir() if path.name.startswith(kind) and SNAPSHOT_FILE.search(path.name))
             files = [(name, _time_in(folder / name)) for name in names]
         return Snapshots(_snapshot(folder, name, time) for name, time in files if (folder / name).exists())
-
-
-@dataclass(frozen=True)
-class Comparison:
-    """Two runs beside each other.
-
-    figures: name -> (first, second) of the headline figures that both have;
-    history: column -> largest difference over the largest magnitude of the first, at times that both have;
-    same_bits: whether both end in the same state, None where that cannot be said.
-    """
-
-    figures: dict
-    history: dict
-    same_bits: bool | None
-
-    @property
-    def largest_difference(self):
-        """The largest of `history`; 0 where there is none."""
-        return max(self.history.values(), default=0.0)
-
-    def __str__(self):
-        rows = [(name, f"{first:.6g}", f"{second:.6g}") for name, (first, second) in self.figures.items()]
-        width = max((len(name) for name, _, _ in rows), default=0)
-        lines = [f"{name:<{width}}  {first:>14}  {second:>14}" for name, first, second in rows]
-        bits = {True: "the same bits", False: "different bits", None: "bits not known"}[self.same_bits]
-        return "\n".join([*lines, f"histories differ by at most {self.largest_difference:.2e} of their size; {bits}"])
-
-
-# Columns that tell of the machine, not of the simulated body.
-OF_THE_MACHINE = {"wall_seconds"}
-
-
-def compare(first, second):
-    """Compares two runs, given as Results or folders. Raises NotARun where one is none."""
-    first, second = (run if isinstance(run, Results) else open_run(run) for run in (first, second))
-    common = [name for name in first.figures if name in second.figures and name not in OF_THE_MACHINE]
-    hashes = [run.manifest.get("state_hash") for run in (first, second)]
-    return Comparison(
-        {name: (first.figures[name], second.figures[name]) for name in common if _are_numbers(first, second, name)},
-        _history_differences(first.history, second.history),
-        hashes[0] == hashes[1] if all(hashes) else None,
-    )
-
-
-def _are_numbers(first, second, name):
-    return all(isinstance(run.figures[name], int | float) for run in (first, second))
-
-
-def _history_differences(first, second):
-    if not first.rows or not second.rows:
-        return {}
-    end = min(first["time"][-1], second["time"][-1])
-    times = first["time"][first["time"] <= end]
-    found = {}
-    for name in first:
-        if name == "time" or name not in second or name in OF_THE_MACHINE or first[name].dtype != float or second[name].dtype != float:
-            continue
-        here = np.interp(times, first["time"], first[name])
-        there = np.interp(times, second["time"], second[name])
-        size = np.abs(here).max(initial=0.0)
-        difference = np.abs(here - there).max(initial=0.0)
-        found[name] = float(difference / size) if size else float(difference)
-    return found
 
 
 def _snapshot(folder, name, time):

@@ -6,12 +6,16 @@ import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import numpy as np
+
 from sazare.cases import Case, toml_value
 from sazare.engine import engine
+from sazare.histories import histories_of
 from sazare.progress import ProgressLine
 from sazare.results import open_run
 
 GLANCE = 0.1  # s of wall time after which Python is back, for Ctrl-C and progress
+WINDOW = 256  # steps for which functions of time are sampled ahead
 
 
 @dataclass(frozen=True)
@@ -57,7 +61,20 @@ def check(case, *, overrides=None, folder=None):
     return engine().check(source_of(case, overrides, folder).for_engine())
 
 
-def run(case, out=None, *, overrides=None, folder=None, threads=0, overwrite=False, resume=False, progress=True):
+def run(
+    case,
+    out=None,
+    *,
+    overrides=None,
+    folder=None,
+    threads=0,
+    overwrite=False,
+    resume=False,
+    progress=True,
+    functions=None,
+    forces=None,
+    stop=None,
+):
     """Carries out a case and opens its results.
 
     case: the path of a case file, its TOML text, or a case object of `sazare.cases`.
@@ -66,16 +83,28 @@ def run(case, out=None, *, overrides=None, folder=None, threads=0, overwrite=Fal
     folder: where the files that a text names are; the current folder where it is None.
     threads: 0 for as many as the machine offers.
     overwrite, resume: what to do with a run that is in the folder; without either it is an error.
+    functions: a function of time [s] for each motion of type "function" and each blast with `function`, by name. A motion's gives its quantity, a
+        blast's the pressure [Pa] at a time since its delay. Asked once for every step, straight lines between.
+    forces: a function of the simulation that gives forces [N] on the bodies, (n, 3) in the order of `positions` and in the plane [N/m]. Asked
+        before every step; they act from its beginning (of method fem, whose steps are implicit, at its end). Methods mps, rectangles, fem.
+    stop: a function of the simulation, asked after every step; True ends the run there, with a checkpoint.
 
-    Raises UserError, PhysicsError or MachineError in the words of the command. Ctrl-C leaves a checkpoint, and `resume` goes on.
+    A run that is resumed needs the same functions and forces again. What they raise comes out as it is, and leaves a checkpoint.
+ UserError, PhysicsError or MachineError in the words of the command. Ctrl-C leaves a checkpoint, and `resume` goes on.
     """
     source = source_of(case, overrides, folder)
-    simulation = Simulation(source, Path(out or Path("runs") / source.name), threads, overwrite, resume, progress)
-    simulation.run()
+    where = Path(out or Path("runs") / source.name)
+    simulation = Simulation(source, where, threads, overwrite, resume, progress, functions=functions, forces=forces)
+    try:
+        simulation.run(stop)
+    finally:
+        simulation.stop()
     return simulation.results
 
 
-def build(case, out=None, *, overrides=None, folder=None, threads=0, overwrite=False, resume=False, progress=False):
+def build(
+    case, out=None, *, overrides=None, folder=None, threads=0, overwrite=False, resume=False, progress=False, functions=None, forces=None
+):
     """A case that is to be walked step by step; arguments and errors as for `run`.
 
     Without `out` the run lies in a temporary folder that goes with the simulation.
@@ -87,7 +116,7 @@ def build(case, out=None, *, overrides=None, folder=None, threads=0, overwrite=F
     source = source_of(case, overrides, folder)
     temporary = tempfile.TemporaryDirectory(prefix="sazare-") if out is None else None
     where = Path(temporary.name) / source.name if temporary else Path(out)
-    return Simulation(source, where, threads, overwrite, resume, progress, temporary)
+    return Simulation(source, where, threads, overwrite, resume, progress, temporary, functions, forces)
 
 
 class Simulation:
@@ -96,14 +125,19 @@ class Simulation:
     What the run writes (histories, gauges, snapshots, checkpoints) is written on the way as by the command, with the same bits.
     """
 
-    def __init__(self, source, path, threads=0, overwrite=False, resume=False, progress=False, temporary=None):
+    def __init__(
+        self, source, path, threads=0, overwrite=False, resume=False, progress=False, temporary=None, functions=None, forces=None
+    ):
         begin = "resume" if resume else "overwrite" if overwrite else "fresh"
         self.path = path
         self._temporary = temporary
         self._progress = progress
         self._calls = []  # (next step, steps between or 0, function)
         self._live = engine().LiveSimulation(source.for_engine(), path, begin, threads)
+        self._histories = histories_of(self._live, functions or {})
+        self._forces = forces
         try:
+            self._prepare(0)
             self._live.begin()
         except KeyboardInterrupt:
             self.stop()
@@ -206,9 +240,9 @@ class Simulation:
         """Goes on to a time [s], to the first step that is not before it. Returns the time reached [s]."""
         return self._walk(self._step_at(time))
 
-    def run(self):
-        """Goes on to the end, unless a call ends the walk. Returns the time reached [s]."""
-        return self._walk(self.steps)
+    def run(self, stop=None):
+        """Goes on to the end, unless a call ends the walk, or stop(simulation), asked after every step, is true. Returns the time reached [s]."""
+        return self._walk(self.steps, stop)
 
     def stop(self):
         """Ends the run where it is, with a checkpoint from which `resume` goes on, and lets go of its folder.
@@ -220,13 +254,15 @@ class Simulation:
     def _step_at(self, time):
         return min(self.steps, math.ceil(time / self.end * self.steps - 1e-6))
 
-    def _walk(self, until):
+    def _walk(self, until, stop=None):
         try:
             with ProgressLine(self._progress) as line:
                 while self.step < until:
-                    self._live.walk(min([until, *(step for step, _, _ in self._calls)]), GLANCE)
+                    target = self._next_pause(until, stop)
+                    self._prepare(target)
+                    self._live.walk(target, GLANCE)
                     line.show(self._live.progress_text)
-                    if self._call_what_is_due():
+                    if self._call_what_is_due() or (stop is not None and stop(self)):
                         break
         except KeyboardInterrupt:
             self.stop()
@@ -234,6 +270,25 @@ class Simulation:
         if self.is_over:
             self.stop()
         return self.time
+
+    def _next_pause(self, until, stop):
+        """The next step at which Python has something to do."""
+        if stop is not None or self._forces is not None:
+            return self.step + 1
+        window = [self.step + WINDOW] if self._histories else []
+        return min([until, *window, *(step for step, _, _ in self._calls)])
+
+    def _prepare(self, step):
+        """Asks the caller's functions for what the engine needs to get to a step."""
+        for history in self._histories:
+            history.sample(self._live, step)
+        if self._forces is not None:
+            forces = np.ascontiguousarray(self._forces(self), dtype=float)
+            if forces.shape != self.positions.shape:
+                raise ValueError(f"forces must be of shape {self.positions.shape}, a row for each body; found {forces.shape}")
+            if not np.isfinite(forces).all():
+                raise ValueError(f"forces at t = {self.time} s are not all finite numbers")
+            self._live.apply(forces)
 
     def _call_what_is_due(self):
         """Whether a call wants the walk to end."""

@@ -117,6 +117,25 @@ def test_the_joint_strength_of_a_beam_is_found_again(tmp_path):
     assert len(tried) < 15
 
 
+def test_a_caisson_rests_on_ground_of_ones_own_where_it_must(capsys):
+    example = loaded(ROOT / "examples/ground_spring.py")
+    seen = example.main()
+    exact = example.Ground().settlement(example.WEIGHT, example.WIDTH)
+    assert seen["settlement"] == pytest.approx(exact, rel=1e-4)
+    assert seen["farthest"] > 1e-3 and seen["tilt"] > 1e-4, "the wave moves it"
+    assert example.Ground().settlement(2 * example.Ground().stiffness * example.Ground().reference, 1.0) == np.inf
+    assert "settlement" in capsys.readouterr().out
+
+
+def test_the_joint_strength_of_a_disc_is_found_again(tmp_path):
+    example = loaded(ROOT / "examples/brazilian_disc.py")
+    measured = example.breaking_load(6e6, tmp_path / "disc")
+    assert 0.3 * 6e6 < example.strength_of(measured) < 6e6, "weaker than its joints"
+    strength, tried = example.calibrate(measured)
+    assert strength == pytest.approx(6e6, rel=0.04), "the load scatters by 2 %"
+    assert len(tried) < 10
+
+
 def test_detonators_that_scatter_change_the_vibration(capsys):
     example = loaded(ROOT / "examples/hole_delays.py")
     seed = np.zeros((50, 3))

@@ -7,7 +7,7 @@ import pytest
 import pyvista
 
 from sazare import finite
-from sazare.results import Table
+from sazare.tables import Table
 
 
 def snapshot(time, points, kind, cell):

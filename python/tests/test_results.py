@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import sazare
-from sazare.results import read_table
+from sazare.tables import read_table
 
 
 def test_tables_are_columns_by_name_with_units(slab):

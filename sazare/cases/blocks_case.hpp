@@ -3,6 +3,7 @@
 #include <array>
 #include <filesystem>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "sazare/core/vector.hpp"
+#include "sazare/laws/pressure_table.hpp"
 
 /// A checked case of method blocks, as plain data. All values in SI units; friction always as a coefficient;
 /// files as paths that can be opened from anywhere. Every member is one key of the case file (`schema.hpp`
@@ -81,11 +83,16 @@ struct PressureTable {
   std::vector<Real> pressure;  // Pa
 };
 
+/// A function of time that only the caller of the engine knows: it hands over samples while the run goes on.
+struct PressureFunction {
+  std::shared_ptr<laws::PressureTable> samples = std::make_shared<laws::PressureTable>();
+};
+
 struct Blast {
   std::string name;
   std::string surface;
   Real delay = 0;  // s
-  std::variant<PressurePulse, PressureTable> pressure;
+  std::variant<PressurePulse, PressureTable, PressureFunction> pressure;
   Real cut_distance = std::numeric_limits<Real>::infinity();  // m
 };
 

@@ -21,7 +21,7 @@ inline constexpr std::array case_keys{
         .choices = method_names},
 };
 
-inline constexpr std::array<std::string_view, 3> motion_shapes{"ricker", "sine", "record"};
+inline constexpr std::array<std::string_view, 4> motion_shapes{"ricker", "sine", "record", "function"};
 inline constexpr std::array<std::string_view, 3> quantities{"displacement", "velocity", "acceleration"};
 inline constexpr std::array<std::string_view, 3> baselines{"none", "constant", "linear"};
 
@@ -30,7 +30,7 @@ inline constexpr std::array motion_keys{
     Key{.name = "type",
         .type = Type::choice,
         .need = Need::required,
-        .sentence = "A Ricker wavelet, a sine from t = 0, or a record from a file.",
+        .sentence = "A Ricker wavelet, a sine from t = 0, a record from a file, or a function that the caller gives in Python.",
         .choices = motion_shapes},
     Key{.name = "quantity",
         .type = Type::choice,
@@ -41,12 +41,12 @@ inline constexpr std::array motion_keys{
     Key{.name = "amplitude",
         .type = Type::number,
         .default_text = "1.0",
-        .sentence = "Factor of the formula, in m, m/s or m/s2 as the quantity is; of a record, a plain factor."},
+        .sentence = "Factor of the formula, in m, m/s or m/s2 as the quantity is; of a record or a function, a plain factor."},
     Key{.name = "frequency",
         .type = Type::number,
         .unit = "Hz",
         .range = positive,
-        .note = "required except for a record",
+        .note = "required for a wavelet and a sine",
         .sentence = "Frequency of the sine, central frequency of the wavelet."},
     Key{.name = "peak_time",
         .type = Type::number,

@@ -89,10 +89,11 @@ void explain_blast(Explanation& text, const Blast& blast) {
     peak = pulse->peak_pressure;
     duration = pulse->rise_time * (1 + pulse->decay_ratio);
     pressure = fmt::format("{} Pa after {} s, zero again after {} s", number(peak), number(pulse->rise_time), number(duration));
+  } else if (const auto* table = std::get_if<PressureTable>(&blast.pressure)) {
+    pressure = fmt::format("{} rows of {}, to {} s", table->time.size(), table->file.filename().string(),
+                           table->time.empty() ? "0" : number(table->time.back()));
   } else {
-    const auto& table = std::get<PressureTable>(blast.pressure);
-    pressure = fmt::format("{} rows of {}, to {} s", table.time.size(), table.file.filename().string(),
-                           table.time.empty() ? "0" : number(table.time.back()));
+    pressure = "a function of time, from the caller";
   }
   text.add("blasts", fmt::format("{}: on surface {} from {} s: {}", blast.name, blast.surface, number(blast.delay), pressure));
   if (std::isfinite(blast.cut_distance)) text.more(fmt::format("ends on a face that has moved {} m", number(blast.cut_distance)));

@@ -90,7 +90,11 @@ void visit_fields(Visitor& visit, Blast& blast) {
   if (visit.has("table", std::holds_alternative<PressureTable>(blast.pressure))) {
     if (!std::holds_alternative<PressureTable>(blast.pressure)) blast.pressure = PressureTable{};
     visit("table", std::get<PressureTable>(blast.pressure).file);
-  } else {
+  } else if (bool is_function = std::holds_alternative<PressureFunction>(blast.pressure); visit.has("function", is_function)) {
+    visit("function", is_function);
+    if (is_function && !std::holds_alternative<PressureFunction>(blast.pressure)) blast.pressure = PressureFunction{};
+  }
+  if (std::holds_alternative<PressurePulse>(blast.pressure)) {
     auto& pulse = std::get<PressurePulse>(blast.pressure);
     visit("peak_pressure", pulse.peak_pressure);
     visit("rise_time", pulse.rise_time);

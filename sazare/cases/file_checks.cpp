@@ -54,12 +54,19 @@ void check_pulse(const CheckContext& context, const Entry& entry) {
   }
 }
 
-void check_table(const CheckContext& context, const Entry& entry, PressureTable& table) {
+/// `chosen` gives the pressure, so nothing else does.
+void check_nothing_besides(const CheckContext& context, const Entry& entry, std::string_view chosen) {
   for (std::string_view key : {"peak_pressure", "rise_time", "decay_ratio"}) {
     if (!entry.has(key)) continue;
-    context.problems.error(*entry.value->key_place(key), fmt::format("the blast has both a table and {}", key),
-                           "keep either the table, or peak_pressure, rise_time and decay_ratio");
+    context.problems.error(*entry.value->key_place(key), fmt::format("the blast has both a {} and {}", chosen, key),
+                           fmt::format("keep either the {}, or peak_pressure, rise_time and decay_ratio", chosen));
   }
+}
+
+void check_table(const CheckContext& context, const Entry& entry, PressureTable& table) {
+  check_nothing_besides(context, entry, "table");
+  if (entry.has("function"))
+    context.problems.error(*entry.value->key_place("function"), "the blast has both a table and function", "keep one of the two");
   if (!entry.is_sound("table")) return;
   const std::string as_written = *entry.value->find("table")->text();
   if (!is_file(table.file)) {
@@ -103,6 +110,8 @@ void check_blasts(const CheckContext& context, BlocksCase& blocks) {
     if (!list[i].exists()) continue;
     if (list[i].has("table"))
       check_table(context, list[i], std::get<PressureTable>(blocks.blasts[i].pressure));
+    else if (std::holds_alternative<PressureFunction>(blocks.blasts[i].pressure))
+      check_nothing_besides(context, list[i], "function");
     else
       check_pulse(context, list[i]);
     const bool never = blocks.time.end > 0 && list[i].gives("delay") && blocks.blasts[i].delay >= blocks.time.end;

@@ -49,6 +49,9 @@ void check_motions(const CheckContext& context, std::vector<Motion>& motions) {
     if (!entry.gives("type")) continue;
     if (motion.type == MotionShape::record) {
       check_record(context, entry, motion);
+    } else if (motion.type == MotionShape::function) {
+      check_keys(context, entry, "a function", {}, {"file", "baseline", "frequency", "peak_time", "cycles"});
+      motion.samples = std::make_shared<laws::Record>();
     } else if (motion.type == MotionShape::sine) {
       check_keys(context, entry, "a sine", {"frequency"}, {"file", "baseline", "peak_time"});
     } else {

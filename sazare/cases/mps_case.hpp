@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,7 +16,7 @@ namespace sazare::cases {
 enum class ParticleFit { exact, inside };
 enum class RotationRemoval { mean_rotation, mean_angle };
 enum class RegionShape { rectangle, polygon, mesh };
-enum class MotionShape { ricker, sine, record };
+enum class MotionShape { ricker, sine, record, function };
 enum class Baseline { none, constant, linear };
 enum class Side { left, right, bottom, top, front, back, all };
 enum class SideKind { fixed, roller, prescribed, viscous };
@@ -72,6 +73,7 @@ struct Motion {
   std::filesystem::path file;
   Baseline baseline = Baseline::none;
   laws::Record record;
+  std::shared_ptr<laws::Record> samples;  // of a function: its caller adds them while the run goes on
 };
 
 struct SideBoundary {

@@ -19,6 +19,9 @@ std::string_view word(Enum value) {
 std::string line(std::string_view topic, const std::string& text) { return fmt::format("  {:<12}{}\n", topic, text); }
 
 std::string motion_text(const Motion& motion) {
+  if (motion.type == MotionShape::function)
+    return fmt::format("{}: {} as a function of time, from the caller, times {}", motion.name, word(motion.quantity),
+                       number(motion.amplitude));
   if (motion.type != MotionShape::record)
     return fmt::format("{}: {} of {}, {} Hz, amplitude {}", motion.name, word(motion.type), word(motion.quantity),
                        number(motion.frequency), number(motion.amplitude));

@@ -22,7 +22,7 @@ struct EnumWords<RegionShape> {
 };
 template <>
 struct EnumWords<MotionShape> {
-  static constexpr std::array<std::string_view, 3> words{"ricker", "sine", "record"};
+  static constexpr std::array<std::string_view, 4> words{"ricker", "sine", "record", "function"};
 };
 template <>
 struct EnumWords<laws::MotionQuantity> {
@@ -113,6 +113,7 @@ void visit_fields(Visitor& visit, Motion& motion) {
     return;
   }
   visit("quantity", motion.quantity);
+  if (motion.type == MotionShape::function) return;
   visit("frequency", motion.frequency);
   if (motion.type == MotionShape::ricker)
     visit("peak_time", motion.peak_time);

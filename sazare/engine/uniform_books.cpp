@@ -32,8 +32,20 @@ Real UniformStepper<D>::velocity_after(const terms::DrivenFreedom& driven) const
   return (next - particles_.displacement[static_cast<std::size_t>(driven.freedom)][at(driven.particle)]) / rules_.step;
 }
 
+/// Of the forces from outside at the present velocities; what is held takes none of it.
+template <int D>
+Real UniformStepper<D>::applied_power() const {
+  Real power = 0;
+  for (std::size_t axis = 0; axis < D && !applied_[0].empty(); ++axis)
+    for (std::size_t i = 0; i < particles_.size(); ++i)
+      if (applied_[axis][i] != 0 && gain_[axis][i] > 0)
+        power += applied_[axis][i] * particles_.velocity[axis][i] / particles_.inverse_mass[i];
+  return power;
+}
+
 template <int D>
 void UniformStepper<D>::remember_supports() {
+  support_work_.applied += 0.5 * rules_.step * applied_power();
   before_kick_.clear();
   const auto velocity = [&](const auto& support) {
     return particles_.velocity[static_cast<std::size_t>(support.freedom)][at(support.particle)];
@@ -45,6 +57,7 @@ void UniformStepper<D>::remember_supports() {
 /// The kick has been given, the forces are still those that gave it.
 template <int D>
 void UniformStepper<D>::book_supports() {
+  support_work_.applied += 0.5 * rules_.step * applied_power();
   auto before = before_kick_.begin();
   const auto after = [&](const auto& support) {
     return particles_.velocity[static_cast<std::size_t>(support.freedom)][at(support.particle)];
@@ -66,7 +79,8 @@ void UniformStepper<D>::book_boundary(const terms::Dashpot& dashpot, Real before
   const Real impulse = rules_.step / particles_.inverse_inertia_of(freedom)[at(dashpot.particle)];
   const Real drag = dashpot.rate * 0.5 * (before + after);
   const Real gravity = dashpot.freedom < D ? supports_.gravity[dashpot.freedom] : 0;
-  work.boundary += impulse * way * (load_[freedom][at(dashpot.particle)] - gravity - drag);
+  const Real others = gravity + applied_to(freedom, at(dashpot.particle));
+  work.boundary += impulse * way * (load_[freedom][at(dashpot.particle)] - others - drag);
   if (!damping_work_[0].empty()) work.damping += impulse * way * drag;
 }
 
@@ -88,6 +102,7 @@ void UniformStepper<D>::book_prescribed(const terms::DrivenFreedom& driven, Real
 template <int D>
 WorkByCause UniformStepper<D>::first_half_of_kick() const {
   WorkByCause half;
+  half.applied = 0.5 * rules_.step * applied_power();
   for (std::size_t freedom = 0; freedom < keep_.size() && !damping_work_[0].empty(); ++freedom)
     for (std::size_t i = 0; i < particles_.size(); ++i) {
       if (!(gain_[freedom][i] > 0)) continue;
@@ -114,6 +129,7 @@ WorkByCause UniformStepper<D>::work() const {
   sum.boundary += support_work_.boundary;
   sum.prescribed += support_work_.prescribed;
   sum.damping += support_work_.damping;
+  sum.applied += support_work_.applied;
   for (std::size_t i = 0; i < particles_.size(); ++i) {
     if (!(particles_.inverse_mass[i] > 0)) continue;  // moved by others, whatever its weight
     if (!damping_work_[0].empty())
@@ -145,6 +161,7 @@ Real UniformStepper<D>::kinetic_energy_of_kick() const {
   template bool UniformStepper<D>::is_damped() const;                                                                  \
   template Real UniformStepper<D>::velocity_after(std::size_t, std::size_t) const;                                     \
   template Real UniformStepper<D>::velocity_after(const terms::DrivenFreedom&) const;                                  \
+  template Real UniformStepper<D>::applied_power() const;                                                              \
   template void UniformStepper<D>::remember_supports();                                                                \
   template void UniformStepper<D>::book_supports();                                                                    \
   template void UniformStepper<D>::book_boundary(const terms::Dashpot&, Real, Real, Real, WorkByCause&) const;         \

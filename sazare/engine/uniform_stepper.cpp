@@ -82,8 +82,26 @@ void UniformStepper<D>::prepare_factors() {
   }
   for (const auto& held : supports_.held) hold(held.particle, held.freedom);
   for (const auto& driven : supports_.driven) hold(driven.particle, driven.freedom);
+  set_loads();
+}
+
+template <int D>
+void UniformStepper<D>::apply(std::span<const Vector3> forces) {
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    applied_[axis].assign(particles_.padded(), 0);
+    for (std::size_t i = 0; i < forces.size(); ++i)
+      applied_[axis][i] = forces[i][static_cast<int>(axis)] * particles_.inverse_mass[i];
+  }
+  set_loads();
+  add_loads();
+}
+
+/// Loads at rest.
+template <int D>
+void UniformStepper<D>::set_loads() {
   for (std::size_t axis = 0; axis < D; ++axis)
-    for (std::size_t i = 0; i < particles_.size(); ++i) load_[axis][i] = supports_.gravity[static_cast<int>(axis)];
+    for (std::size_t i = 0; i < particles_.size(); ++i)
+      load_[axis][i] = supports_.gravity[static_cast<int>(axis)] + applied_to(axis, i);
   for (const terms::Dashpot& dashpot : supports_.dashpots)
     load_[static_cast<std::size_t>(dashpot.freedom)][at(dashpot.particle)] = at_rest(dashpot);
   find_even_tiles();
@@ -117,7 +135,7 @@ void UniformStepper<D>::start() {
   for (state::Column& column : damping_work_) std::ranges::fill(column, 0);
   support_work_ = {};
   const WorkByCause half = first_half_of_kick();
-  support_work_ = {0, -half.boundary, -half.prescribed, -half.damping};
+  support_work_ = {0, -half.boundary, -half.prescribed, -half.damping, -half.applied};
 }
 
 /// From the velocity at the beginning to that half a step before: the kick that the first step gives, backwards by a half.
@@ -129,7 +147,7 @@ void UniformStepper<D>::begin_halfway() {
         particles_.velocity[freedom][i] -= 0.5 * rules_.step * (elastic_[freedom][i] + load_[freedom][i]);
 }
 
-/// Loads at the present time. Those of gravity stand in the columns already.
+/// Loads at the present time. Those at rest stand in the columns already.
 template <int D>
 void UniformStepper<D>::add_loads() {
   std::vector<laws::MotionState> now;
@@ -144,7 +162,8 @@ void UniformStepper<D>::add_loads() {
 
 template <int D>
 Real UniformStepper<D>::at_rest(const terms::Dashpot& dashpot) const {
-  return (dashpot.freedom < D ? supports_.gravity[dashpot.freedom] : 0) + dashpot.reaction;
+  return (dashpot.freedom < D ? supports_.gravity[dashpot.freedom] : 0) + dashpot.reaction +
+         applied_to(static_cast<std::size_t>(dashpot.freedom), at(dashpot.particle));
 }
 
 /// From now on, from rest.
@@ -398,6 +417,7 @@ void UniformStepper<D>::columns(Archive& archive) {
   archive("boundary_work", support_work_.boundary);
   archive("prescribed_work", support_work_.prescribed);
   archive("other_damping_work", support_work_.damping);
+  archive("applied_work", support_work_.applied);
   for (std::size_t i = 0; i < supports_.dashpots.size() && i < reactions.size(); ++i)
     supports_.dashpots[i].reaction = reactions[i];
   archive.folder("forces", [&] { forces_->columns(archive); });

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "sazare/laws/rayleigh_damping.hpp"
@@ -38,8 +39,9 @@ struct WorkByCause {
   Real boundary = 0;    ///< viscous boundaries and the waves that come in through them
   Real prescribed = 0;  ///< supports that move as histories say
   Real damping = 0;     ///< Rayleigh damping: what it takes is negative
+  Real applied = 0;     ///< forces applied from outside
 
-  Real sum() const { return gravity + boundary + prescribed + damping; }
+  Real sum() const { return gravity + boundary + prescribed + damping + applied; }
 };
 
 /// The damping of a particle follows from its ratio h. Its part a2 h K v is a2 h (g(k) - g(k-1))/dt, g the elastic acceleration:
@@ -59,6 +61,10 @@ public:
   void start();
 
   void advance();
+
+  /// Forces on the first particles from outside [N; N/m in 2-D]. They act from `time()` on, until others are given, all of them;
+  /// before `start` from the beginning.
+  void apply(std::span<const Vector3> forces);
 
   /// Finds the rest under gravity before the beginning: `start` begins from there, with viscous boundaries that carry what they
   /// carry at rest and motions from t = 0. They are held meanwhile. Kinetic damping: all stand still whenever the kinetic energy
@@ -86,6 +92,8 @@ public:
   Real kinetic_energy_of_kick() const;
   /// Not of Euler's steps, which have no books: all zero.
   WorkByCause work() const;
+  /// Of the forces from outside alone.
+  Real applied_work() const { return support_work_.applied + 0.5 * rules_.step * applied_power(); }
 
   /// The largest acceleration of any translation [m/s2]; infinite when one is no number.
   Real largest_acceleration() const;
@@ -111,7 +119,12 @@ private:
   void drift_and_kick();
   void drift(std::size_t begin, std::size_t end, Real factor);
   void turn(std::size_t begin, std::size_t end);
+  void set_loads();
   void add_loads();
+  Real applied_to(std::size_t freedom, std::size_t i) const {
+    return freedom < D && !applied_[0].empty() ? applied_[freedom][i] : 0;
+  }
+  Real applied_power() const;
   void drive();
 
   bool is_damped() const;
@@ -129,14 +142,16 @@ private:
   terms::ParticleSupports<D> supports_;
   UniformRules rules_;
   std::int64_t step_ = 0;
-  state::FreedomColumns<D> elastic_;                                            ///< g(k) [m/s2], [rad/s2]
-  state::FreedomColumns<D> previous_;                                           ///< g(k-1)
-  state::FreedomColumns<D> load_;                                               ///< from nowhere: gravity, incoming waves
-  state::FreedomColumns<D> keep_;                                               ///< what a kick leaves of the velocity
-  state::FreedomColumns<D> gain_;                                               ///< what it adds per acceleration [s]
-  state::Column memory_;                                                        ///< a2 h/dt
-  std::vector<std::array<std::uint8_t, state::particle_freedoms<D>>> is_even_;  ///< by tile: its particles share the last four
-  std::array<state::Column, D> settled_;                                        ///< displacements at the beginning [m]
+  state::FreedomColumns<D> elastic_;      ///< g(k) [m/s2], [rad/s2]
+  state::FreedomColumns<D> previous_;     ///< g(k-1)
+  state::FreedomColumns<D> load_;         ///< from nowhere: gravity, incoming waves, what is applied from outside
+  std::array<state::Column, D> applied_;  ///< of the load, what is applied from outside [m/s2]; empty while nothing was
+  state::FreedomColumns<D> keep_;         ///< what a kick leaves of the velocity
+  state::FreedomColumns<D> gain_;         ///< what it adds per acceleration [s]
+  state::Column memory_;                  ///< a2 h/dt
+  /// By tile: whether its particles share load, keep, gain and memory.
+  std::vector<std::array<std::uint8_t, state::particle_freedoms<D>>> is_even_;
+  std::array<state::Column, D> settled_;  ///< displacements at the beginning [m]
 
   std::array<state::Column, 2> damping_work_;  ///< over the mass, and over the inertia of rotation [m2/s2], [rad2/s2]
   WorkByCause support_work_;                   ///< of whole kicks; its damping is what the columns lack

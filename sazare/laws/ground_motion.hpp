@@ -11,12 +11,16 @@
 ///
 /// A record is linear between its samples, and is integrated exactly from rest. What a record leaves as velocity at its end, its
 /// drift, stays, unless a baseline is taken off (`take_off_baseline`).
+///
+/// A function that only the caller of the engine knows is a record too, whose samples are handed over while the run goes on.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "sazare/core/vector.hpp"
@@ -77,12 +81,22 @@ struct Record {
   }
 
   void integrate() {
-    first.assign(value.size(), 0);
-    second.assign(value.size(), 0);
-    for (std::size_t i = 1; i < value.size(); ++i) {
-      first[i] = first[i - 1] + 0.5 * step * (value[i - 1] + value[i]);
-      second[i] = second[i - 1] + step * first[i - 1] + step * step * (2 * value[i - 1] + value[i]) / 6;
-    }
+    const std::vector<Real> samples = std::move(value);
+    value.clear();
+    first.clear();
+    second.clear();
+    for (const Real sample : samples) add(sample);
+  }
+
+  /// One more sample, and the integrals to it.
+  void add(Real sample) {
+    const bool begins = value.empty();
+    const Real before = begins ? 0 : value.back();
+    const Real next = begins ? 0 : first.back() + 0.5 * step * (before + sample);
+    const Real twice = begins ? 0 : second.back() + step * first.back() + step * step * (2 * before + sample) / 6;
+    value.push_back(sample);
+    first.push_back(next);
+    second.push_back(twice);
   }
 
   Real duration() const { return value.empty() ? 0 : step * static_cast<Real>(value.size() - 1); }
@@ -128,7 +142,7 @@ inline void take_off_baseline(Record& record, int degree) {
 }
 
 struct GroundMotion {
-  enum class Shape { ricker, sine, record };
+  enum class Shape { ricker, sine, record, function };
 
   Shape shape = Shape::ricker;
   MotionQuantity quantity = MotionQuantity::acceleration;  ///< what the shape describes
@@ -136,6 +150,7 @@ struct GroundMotion {
   Ricker ricker_wave;
   Sine sine_wave;
   Record record;
+  std::shared_ptr<const Record> samples;  ///< of a function: as many as are known, past the time of the run
 
   MotionState at(Real time) const {
     std::array<Real, 3> motion{};
@@ -149,6 +164,7 @@ private:
   Real order(Real time, int order) const {
     if (shape == Shape::ricker) return time < 0 ? 0 : ricker_order(ricker_wave, time, order);
     if (shape == Shape::record) return order > 3 ? 0 : record.at(time)[static_cast<std::size_t>(order)];
+    if (shape == Shape::function) return order > 3 ? 0 : samples->at(time)[static_cast<std::size_t>(order)];
     return sine_order(time, order);
   }
 

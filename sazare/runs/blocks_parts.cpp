@@ -212,9 +212,10 @@ std::vector<terms::PressureLoad> make_loads(const cases::BlocksCase& blocks) {
     terms::PressureLoad load{blast.delay, {}, blast.cut_distance};
     if (const auto* pulse = std::get_if<cases::PressurePulse>(&blast.pressure))
       load.history = laws::BlastPressure{pulse->peak_pressure, pulse->rise_time, pulse->decay_ratio};
+    else if (const auto* table = std::get_if<cases::PressureTable>(&blast.pressure))
+      load.history = laws::PressureTable{table->time, table->pressure};
     else
-      load.history = laws::PressureTable{std::get<cases::PressureTable>(blast.pressure).time,
-                                         std::get<cases::PressureTable>(blast.pressure).pressure};
+      load.history = std::get<cases::PressureFunction>(blast.pressure).samples;
     loads.push_back(load);
   }
   return loads;

@@ -15,6 +15,7 @@
 ///     progress(share, time)                       what there is to tell on the way
 ///     columns(archive)                            its state in a checkpoint
 ///     read_motion(table)                          where its bodies are
+///     apply(forces)                               forces from outside; a method that takes none has no such member
 ///     state_hash(), part_times()                  for the manifest and timing.csv
 ///     write_case(), write_end(), write_rank_times()   the files that only it knows
 ///
@@ -92,6 +93,13 @@ public:
     return work_.progress(static_cast<Real>(work_.step()) / static_cast<Real>(work_.clocks.steps()), time());
   }
   void read_motion(MotionTable& table) override { work_.read_motion(table); }
+  void apply(std::span<const Vector3> forces) override {
+    if constexpr (requires { work_.apply(forces); })
+      work_.apply(forces);
+    else
+      throw UserError(fmt::format("method {} takes no forces from outside: mps, rectangles and fem do", work_.method()));
+    is_pushed_ = true;
+  }
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -268,6 +276,13 @@ private:
     archive.folder("times", [&] { work_.times.columns(archive, work_.part_times()); });
     archive.folder("record", [&] { work_.record.columns(archive); });
     work_.columns(archive);
+    std::int64_t was_pushed = is_pushed_ ? 1 : 0;
+    archive("was_pushed", was_pushed);
+    if (was_pushed != 0 && !is_pushed_)
+      throw UserError(
+          fmt::format("{}: forces from outside acted on this run, and nobody gives them now\n"
+                      "  resume it from Python with the same forces=..., or begin it anew",
+                      work_.folder.path().string()));
     std::vector<char> started(manifest_.started.begin(), manifest_.started.end());
     archive("started", started);
     manifest_.started.assign(started.begin(), started.end());
@@ -306,6 +321,7 @@ private:
   observe::Manifest manifest_;
   Clock::time_point next_checkpoint_, next_flush_;
   std::int64_t checkpoint_step_ = -1;
+  bool is_pushed_ = false;  ///< by forces from outside
 };
 
 }  // namespace sazare::runs

@@ -3,6 +3,7 @@
 /// A case under way, whatever its method: what the command runs through, and what others walk step by step.
 
 #include <functional>
+#include <span>
 #include <string>
 
 #include "sazare/runs/motion_table.hpp"
@@ -39,6 +40,10 @@ public:
 
   /// Where all bodies are now; the table keeps its place in memory from one call to the next.
   virtual void read_motion(MotionTable& table) = 0;
+
+  /// Forces on the bodies from outside, in the order of `read_motion` [N; N/m in the plane]; they act from now on, until others
+  /// are given. Before `begin` they act from the beginning. Throws UserError where the method takes none.
+  virtual void apply(std::span<const Vector3> forces) = 0;
 
   Real time() const { return clocks().time(step()); }
   bool is_over() const { return step() >= clocks().steps(); }

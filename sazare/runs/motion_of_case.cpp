@@ -10,9 +10,10 @@ laws::GroundMotion motion_of_case(const cases::Motion& motion) {
   result.ricker_wave = {motion.frequency, motion.peak_time};
   result.sine_wave = {motion.frequency, motion.cycles};
   result.record = motion.record;
+  result.samples = motion.samples;
   return result;
 }
-static_assert(static_cast<int>(laws::GroundMotion::Shape::record) == static_cast<int>(cases::MotionShape::record));
+static_assert(static_cast<int>(laws::GroundMotion::Shape::function) == static_cast<int>(cases::MotionShape::function));
 
 laws::GroundMotion constant_velocity(Real velocity, Real end) {
   laws::GroundMotion result;

@@ -238,6 +238,7 @@ std::vector<std::pair<std::string, observe::Figure>> MpsRecord<D>::results(std::
                                    {"energy_prescribed", work_.prescribed},
                                    {"energy_damping", -work_.damping},
                                    {"energy_residual", residual_}});
+  if (work_.applied != 0) results.emplace_back("energy_applied", work_.applied);
   if (file_->mps().gravity.settle) results.emplace_back("settlement", settlement());
   if (const auto* failing = model_->failing) {
     const auto work = failing->work();
@@ -287,6 +288,7 @@ void MpsRecord<D>::columns(Archive& archive) {
   archive("boundary", work_.boundary);
   archive("prescribed", work_.prescribed);
   archive("damping", work_.damping);
+  archive("applied", work_.applied);
   archive("residual", residual_);
   archive("peaks", peaks_);
 }

@@ -1,5 +1,6 @@
 #include "sazare/runs/run_case.hpp"
 
+#include "sazare/cases/outside_histories.hpp"
 #include "sazare/runs/check_blocks.hpp"
 
 namespace sazare::runs {
@@ -13,7 +14,10 @@ std::unique_ptr<LiveRun> open_case(const cases::CaseFile& file, const RunOptions
   return open_blocks(file, options);
 }
 
-RunOutcome run_case(const cases::CaseFile& file, const RunOptions& options) { return open_case(file, options)->run(); }
+RunOutcome run_case(const cases::CaseFile& file, const RunOptions& options) {
+  cases::refuse_outside_histories(file);
+  return open_case(file, options)->run();
+}
 
 std::string check_case(const cases::CaseFile& file) {
   if (std::holds_alternative<cases::MpsCase>(file.content)) return check_mps(file);

@@ -52,6 +52,11 @@ struct FemWork {
   std::int64_t step() const { return model.stepper->steps(); }
   static bool must_check() { return true; }
   void collect() {}
+  void apply(std::span<const Vector3> forces) {
+    methods::fem::NodalColumn column;
+    for (const Vector3& force : forces) column.insert(column.end(), force.data(), force.data() + D);
+    model.stepper->apply(std::move(column));
+  }
   void read_motion(MotionTable& table) const { read_nodes(*model.stepper, table); }
 
   ProgressState progress(Real share, Real time) const {

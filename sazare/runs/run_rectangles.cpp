@@ -58,6 +58,7 @@ struct RectanglesWork {
   std::int64_t step() const { return model.stepper->steps(); }
   bool must_check() const { return step() % motion_check_steps == 0; }
   void collect() {}
+  void apply(std::span<const Vector3> forces) { model.stepper->apply(forces); }
   void read_motion(MotionTable& table) const { read_particles(*model.stepper, model.elements, table); }
 
   ProgressState progress(Real share, Real time) const {

@@ -11,7 +11,8 @@ namespace {
 Real pressure_at(const PressureLoad& load, Real time) {
   const Real since = time - load.delay;
   if (const auto* pulse = std::get_if<laws::BlastPressure>(&load.history)) return laws::blast_pressure(*pulse, since);
-  return laws::table_pressure(std::get<laws::PressureTable>(load.history), since);
+  if (const auto* table = std::get_if<laws::PressureTable>(&load.history)) return laws::table_pressure(*table, since);
+  return laws::table_pressure(*std::get<std::shared_ptr<const laws::PressureTable>>(load.history), since);
 }
 
 }  // namespace

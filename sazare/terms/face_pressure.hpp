@@ -3,6 +3,7 @@
 /// Pressure on faces of bodies. It follows its face: the normal turns with the body, the area stays the original one.
 
 #include <limits>
+#include <memory>
 #include <variant>
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace sazare::terms {
 
 struct PressureLoad {
   Real delay = 0;  ///< [s]
-  std::variant<laws::BlastPressure, laws::PressureTable> history;
+  std::variant<laws::BlastPressure, laws::PressureTable, std::shared_ptr<const laws::PressureTable>> history;
   Real cut_distance = std::numeric_limits<Real>::infinity();  ///< the load leaves a face for good this far out [m]
 };
 

@@ -98,7 +98,7 @@ class Contact(Part):
 
 @dataclass(kw_only=True, eq=False)
 class Blast(Part):
-    """Pressure on the walls of holes: a pulse, or a table from a CSV file."""
+    """Pressure on the walls of holes: a pulse, a table from a CSV file, or a function given in Python."""
 
     name: str | None = None
     """Name of the hole in results and messages. (default: the surface's name)"""
@@ -107,14 +107,18 @@ class Blast(Part):
     delay: float | None = None
     """Time at which the pressure begins. [s] Default: 0.0. At least 0."""
     peak_pressure: float | None = None
-    """Largest pressure P0 of the pulse. [Pa] (required without table) Greater than 0."""
+    """Largest pressure P0 of the pulse. [Pa] (required without table and function) Greater than 0."""
     rise_time: float | None = None
-    """Time a from zero to the largest pressure. [s] (required without table) Greater than 0."""
+    """Time a from zero to the largest pressure. [s] (required without table and function) Greater than 0."""
     decay_ratio: float | None = None
-    """Time b from the largest pressure to zero, over the rise time. (required without table) Greater than 0."""
+    """Time b from the largest pressure to zero, over the rise time. (required without table and function) Greater than 0."""
     table: str | None = None
     """CSV file with header "time [s],pressure [Pa]" and times that increase; linear between rows. (instead of peak_pressure,
     rise_time and decay_ratio)
+    """
+    function: bool | None = None
+    """The pressure is a function of the time since the delay that the caller gives in Python. (instead of peak_pressure,
+    rise_time and decay_ratio) Default: false.
     """
     cut_distance: float | None = None
     """The pressure on a face ends for good once the face has moved this far; inf: never. [m] Default: inf. Greater than 0."""
@@ -241,7 +245,7 @@ class Case(AnyCase):
     contact: Contact
     """What acts between faces after failure and between free faces."""
     blasts: list[Blast] = field(default_factory=list)
-    """Pressure on the walls of holes: a pulse, or a table from a CSV file."""
+    """Pressure on the walls of holes: a pulse, a table from a CSV file, or a function given in Python."""
     gravity: Gravity | None = None
     """Body force."""
     boundaries: list[Boundary] = field(default_factory=list)

@@ -152,16 +152,16 @@ class Motion(Part):
 
     name: str
     """Name by which boundaries refer to it."""
-    type: Literal["ricker", "sine", "record"]
-    """A Ricker wavelet, a sine from t = 0, or a record from a file."""
+    type: Literal["ricker", "sine", "record", "function"]
+    """A Ricker wavelet, a sine from t = 0, a record from a file, or a function that the caller gives in Python."""
     quantity: Literal["displacement", "velocity", "acceleration"] | None = None
     """What the formula describes; the other two follow by integration from rest or differentiation. (not for a record, whose file
     says it) Default: "acceleration".
     """
     amplitude: float | None = None
-    """Factor of the formula, in m, m/s or m/s2 as the quantity is; of a record, a plain factor. Default: 1.0."""
+    """Factor of the formula, in m, m/s or m/s2 as the quantity is; of a record or a function, a plain factor. Default: 1.0."""
     frequency: float | None = None
-    """Frequency of the sine, central frequency of the wavelet. [Hz] (required except for a record) Greater than 0."""
+    """Frequency of the sine, central frequency of the wavelet. [Hz] (required for a wavelet and a sine) Greater than 0."""
     peak_time: float | None = None
     """Time of the wavelet's peak; at least 1/frequency, so that it begins from rest. [s] (required for a wavelet) Greater than 0.
     """

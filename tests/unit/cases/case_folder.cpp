@@ -128,6 +128,10 @@ cut_distance = 0.005
 surface = "hole_2"
 table = "pressure.csv"
 
+[[blasts]]
+surface = "hole_3"
+function = true
+
 [gravity]
 acceleration = [0, 0.1, -9.81]
 

@@ -56,6 +56,23 @@ TEST(ground_motion, record_is_integrated_exactly) {
   EXPECT_EQ(motion.at(-1).displacement, 0);
 }
 
+TEST(ground_motion, a_function_is_the_record_of_its_samples) {
+  GroundMotion record, function;
+  record.shape = GroundMotion::Shape::record;
+  record.record = Record::make(0.1, {0, 1, -2, 0.5, 0});
+  const auto samples = std::make_shared<Record>();
+  samples->step = 0.1;
+  function.shape = GroundMotion::Shape::function;
+  function.samples = samples;
+  EXPECT_EQ(function.at(0.05).velocity, 0);  // nothing is known yet
+  for (const Real value : record.record.value) samples->add(value);
+  for (const Real time : {0.05, 0.1, 0.17, 0.33, 0.4, 0.7}) {
+    EXPECT_EQ(function.at(time).displacement, record.at(time).displacement);
+    EXPECT_EQ(function.at(time).velocity, record.at(time).velocity);
+    EXPECT_EQ(function.at(time).acceleration, record.at(time).acceleration);
+  }
+}
+
 TEST(ground_motion, baseline_takes_off_a_constant_and_a_line) {
   std::vector<Real> pure, shifted, tilted;
   for (int i = 0; i <= 1000; ++i) {

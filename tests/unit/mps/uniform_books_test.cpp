@@ -128,6 +128,47 @@ TEST(uniform_books, count_what_a_moving_support_gives) {
   EXPECT_GT(stepper.work().prescribed, 0);
 }
 
+TEST(uniform_books, count_what_forces_from_outside_do) {
+  for (const Real ratio : {0.0, 0.05}) {
+    Column2 column = moving_column(ratio);
+    auto stepper = column.stepper({step, Integrator::leapfrog, laws::RayleighDamping::make(1, 15)});
+    std::vector<Vector3> push(column.particles.size(), Vector3::Zero());
+    const auto apply = [&] {
+      for (std::size_t i = 0; i < push.size(); ++i) push[i] = {std::sin(20 * stepper.time() + static_cast<Real>(i)), 0.3, 0};
+      stepper.apply(push);
+    };
+    apply();
+    stepper.start();
+    const Real beginning = Books(stepper).carried;
+    Real worst = 0, most = 0;
+    for (int i = 0; i < 1000; ++i) {
+      apply();
+      stepper.advance();
+      const Books now(stepper);
+      most = std::max(most, now.carried);
+      worst = std::max(worst, std::abs(beginning + now.work.sum() - now.carried));
+    }
+    EXPECT_LT(worst, 1e-7 * most) << ratio;
+    EXPECT_GT(stepper.work().applied, 100 * beginning);
+    EXPECT_EQ(stepper.work().applied, stepper.applied_work());
+  }
+}
+
+TEST(uniform_books, nothing_moves_where_a_force_carries_the_weight) {
+  Column2 column(4, 10, spacing, {});
+  column.supports.gravity = {0, -2};
+  auto stepper = column.stepper({step, Integrator::verlet, {}});
+  std::vector<Vector3> lift;
+  for (std::size_t i = 0; i < column.particles.size(); ++i) lift.emplace_back(0, 2 / column.particles.inverse_mass[i], 0);
+  stepper.apply(lift);
+  stepper.start();
+  for (int i = 0; i < 100; ++i) stepper.advance();
+  for (std::size_t i = 0; i < column.particles.size(); ++i) EXPECT_NEAR(stepper.particles().displacement[1][i], 0, 1e-15);
+  stepper.apply(std::vector<Vector3>(lift.size(), Vector3::Zero()));
+  for (int i = 0; i < 100; ++i) stepper.advance();
+  EXPECT_LT(stepper.particles().displacement[1][20], -1e-4);  // let go, it falls
+}
+
 TEST(uniform_books, go_on_bit_for_bit_after_a_checkpoint) {
   const Column2 column = moving_column(0.05);
   const auto make = [&] { return column.stepper({step, Integrator::verlet, laws::RayleighDamping::make(1, 15)}); };

@@ -1,0 +1,70 @@
+"""Two runs beside each other."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sazare.results import Results, open_run
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Two runs beside each other.
+
+    figures: name -> (first, second) of the headline figures that both have;
+    history: column -> largest difference over the largest magnitude of the first, at times that both have;
+    same_bits: whether both end in the same state, None where that cannot be said.
+    """
+
+    figures: dict
+    history: dict
+    same_bits: bool | None
+
+    @property
+    def largest_difference(self):
+        """The largest of `history`; 0 where there is none."""
+        return max(self.history.values(), default=0.0)
+
+    def __str__(self):
+        rows = [(name, f"{first:.6g}", f"{second:.6g}") for name, (first, second) in self.figures.items()]
+        width = max((len(name) for name, _, _ in rows), default=0)
+        lines = [f"{name:<{width}}  {first:>14}  {second:>14}" for name, first, second in rows]
+        bits = {True: "the same bits", False: "different bits", None: "bits not known"}[self.same_bits]
+        return "\n".join([*lines, f"histories differ by at most {self.largest_difference:.2e} of their size; {bits}"])
+
+
+# Columns that tell of the machine, not of the simulated body.
+OF_THE_MACHINE = {"wall_seconds"}
+
+
+def compare(first, second):
+    """Compares two runs, given as Results or folders. Raises NotARun where one is none."""
+    first, second = (run if isinstance(run, Results) else open_run(run) for run in (first, second))
+    common = [name for name in first.figures if name in second.figures and name not in OF_THE_MACHINE]
+    hashes = [run.manifest.get("state_hash") for run in (first, second)]
+    return Comparison(
+        {name: (first.figures[name], second.figures[name]) for name in common if _are_numbers(first, second, name)},
+        _history_differences(first.history, second.history),
+        hashes[0] == hashes[1] if all(hashes) else None,
+    )
+
+
+def _are_numbers(first, second, name):
+    return all(isinstance(run.figures[name], int | float) for run in (first, second))
+
+
+def _history_differences(first, second):
+    if not first.rows or not second.rows:
+        return {}
+    end = min(first["time"][-1], second["time"][-1])
+    times = first["time"][first["time"] <= end]
+    found = {}
+    for name in first:
+        if name == "time" or name not in second or name in OF_THE_MACHINE or first[name].dtype != float or second[name].dtype != float:
+            continue
+        here = np.interp(times, first["time"], first[name])
+        there = np.interp(times, second["time"], second[name])
+        size = np.abs(here).max(initial=0.0)
+        difference = np.abs(here - there).max(initial=0.0)
+        found[name] = float(difference / size) if size else float(difference)
+    return found

@@ -1,0 +1,91 @@
+"""Tables of a run: CSV files with units in their header."""
+
+import csv
+import re
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+
+HEADER = re.compile(r"^\s*(?P<name>.*?)\s*(?:\[(?P<unit>[^\]]*)\])?\s*$")
+
+
+class NotARun(Exception):
+    """A folder, or one of its files, is not what a run writes; the message says which and what to do."""
+
+
+class Table(Mapping):
+    """The columns of a CSV file by name, in the file's order; units are apart.
+
+    table["time"] is an array (n,) of float, or of str for a column of words; table.unit("time") is "s".
+    """
+
+    def __init__(self, columns, units=None):
+        self._columns = dict(columns)
+        self._units = dict(units or {})
+
+    def __getitem__(self, name):
+        return self._columns[name]
+
+    def __iter__(self):
+        return iter(self._columns)
+
+    def __len__(self):
+        return len(self._columns)
+
+    def __repr__(self):
+        return f"Table({self.rows} rows: {', '.join(self._columns)})"
+
+    @property
+    def rows(self):
+        """Number of rows."""
+        return len(next(iter(self._columns.values()), ()))
+
+    def unit(self, name):
+        """Unit of a column as the header has it; "" where the header has none."""
+        return self._units.get(name, "")
+
+    def to_pandas(self):
+        """The table as pandas.DataFrame, its units in attrs["units"]. Raises ImportError where pandas is not installed."""
+        import pandas
+
+        frame = pandas.DataFrame(self._columns)
+        frame.attrs["units"] = {name: self.unit(name) for name in self}
+        return frame
+
+
+def read_table(path):
+    """A CSV file whose header has names with units in brackets, such as `time [s]`. Raises NotARun for a damaged file."""
+    with path.open(newline="", encoding="utf-8") as file:
+        rows = [row for row in csv.reader(file) if row]
+    if not rows:
+        raise NotARun(f"{path}: the file is empty; a run writes a header line first")
+    heads = [HEADER.match(cell) for cell in rows[0]]
+    names = [head["name"] for head in heads]
+    body = rows[1:]
+    # The last line of a run that was killed may be cut short.
+    if body and len(body[-1]) < len(names):
+        body = body[:-1]
+    for number, row in enumerate(body, start=2):
+        if len(row) != len(names):
+            raise NotARun(f"{path}:{number}: {len(row)} values where the header names {len(names)} columns")
+    columns = {name: _column(cells) for name, cells in zip(names, zip(*body) if body else [()] * len(names))}
+    return Table(columns, {head["name"]: head["unit"] or "" for head in heads})
+
+
+def write_table(path, columns):
+    """Writes a CSV file that cases can name, such as {"time [s]": times, "pressure [Pa]": pressures}; returns its path.
+
+    Raises ValueError where the columns differ in length.
+    """
+    rows = zip(*columns.values(), strict=True)
+    lines = [",".join(columns), *(",".join(repr(float(value)) for value in row) for row in rows)]
+    Path(path).write_text("\n".join(lines) + "\n", encoding="utf-8")
+    return Path(path)
+
+
+def _column(cells):
+    try:
+        return np.array(cells, dtype=float)
+    except ValueError:
+        return np.array(cells, dtype=str)
