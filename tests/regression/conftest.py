@@ -31,7 +31,7 @@ class Sazare:
     def on_ranks(self, ranks, *arguments):
         """Runs to the end as so many processes; output as text."""
         return subprocess.run(
-            self.ranks_command(ranks, *arguments), capture_output=True, text=True, check=False, timeout=240, env=MPI_ENVIRONMENT
+            self.ranks_command(ranks, *arguments), capture_output=True, text=True, check=False, timeout=600, env=MPI_ENVIRONMENT
         )
 
     def __call__(self, *arguments, **options):

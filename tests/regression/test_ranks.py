@@ -10,8 +10,8 @@ import pytest
 from conftest import DONE, MACHINE_FAILED, MPI_ENVIRONMENT, USER_ERROR, Sazare, manifest, rows_without_wall_time
 
 OFTEN = "output.checkpoint_interval=0.02"
-LATER = "time.end=8e-4"
-LONG = ("--set", "time.end=1e-2")  # some seconds: whoever interrupts it comes before its end
+LATER = "time.end=4e-4"
+LONG = ("--set", "time.end=2e-3")  # seconds: whoever interrupts it comes before its end
 
 
 def block_run(sazare, folder, *options, threads=1):
