@@ -9,6 +9,11 @@ MOST_PICTURES = 4
 AXES = "xyz"
 
 
+def is_plane(results):
+    """Whether the continuum is in the plane, with y upwards."""
+    return "continuum" in results.sides and "dimension = 2" in results.sides["continuum"].case_text
+
+
 def _along(history, name):
     """The axis along which a vector of the history is largest, and its column."""
     columns = [history[f"{name}_{axis}"] for axis in AXES]
