@@ -33,6 +33,7 @@ PICTURES = {
     "tetrapod-armour": "spheres",
     "strip-footing": "yielding",
     "cantilever-fem": "displaced",
+    "seawall-shaking-table": "together",
 }
 
 

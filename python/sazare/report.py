@@ -199,8 +199,9 @@ def finite_sections(results):
 def hybrid_sections(results):
     """The pictures of a run of method hybrid: both sides together, the surface, then those of each side."""
     makers = {"continuum": finite_sections, "bodies": granular_sections}
+    left_out = {"timing"} | ({"spheres"} if hybrid.is_plane(results) else set())  # seen along z both sides stand in one picture
     of_sides = [replace(section, name=f"{name}_{section.name}", heading=f"{name.capitalize()}: {section.heading[0].lower()}{section.heading[1:]}")
-                for name, side in results.sides.items() for section in makers[name](side) if section.name != "timing"]
+                for name, side in results.sides.items() for section in makers[name](side) if section.name not in left_out]
     return [
         Section("together", "Both sides", "Finite elements, coloured by region, and spheres, coloured by speed, seen along z.",
                 partial(hybrid.together, results), "There are no snapshots of a continuum in the plane."),
