@@ -68,8 +68,8 @@ void check_times(const HybridCase& hybrid) {
   const auto must_equal = [&](std::string_view key, Real one, Real other) {
     if (one == other) return;
     refuse(*hybrid.bodies, fmt::format("time.{}", key),
-           fmt::format("{} is {} s here and {} s in {}", key, short_number(other, 12), short_number(one, 12),
-                       hybrid.continuum->path.string()),
+           fmt::format("{} is {} s in {} and {} s in {}", key, short_number(other, 12), hybrid.bodies->path.string(),
+                       short_number(one, 12), hybrid.continuum->path.string()),
            "both sides of a hybrid case have the same end, history_interval and snapshot_interval");
   };
   must_equal("end", continuum.end, bodies.end);
@@ -77,8 +77,9 @@ void check_times(const HybridCase& hybrid) {
   must_equal("snapshot_interval", continuum.snapshot_interval, bodies.snapshot_interval);
   if (bodies.step && !whole_multiple(*continuum.step, *bodies.step))
     refuse(*hybrid.bodies, "time.step",
-           fmt::format("the step of the finite elements, {} s in {}, is not a whole multiple of this step, {} s",
-                       short_number(*continuum.step, 12), hybrid.continuum->path.string(), short_number(*bodies.step, 12)),
+           fmt::format("the step of the finite elements, {} s in {}, is not a whole multiple of that of the bodies, {} s in {}",
+                       short_number(*continuum.step, 12), hybrid.continuum->path.string(), short_number(*bodies.step, 12),
+                       hybrid.bodies->path.string()),
            fmt::format("the nearest step that fits is {}; without a step one is chosen",
                        number_text(nearest_fraction(*continuum.step, *bodies.step))));
 }

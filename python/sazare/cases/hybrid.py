@@ -44,7 +44,7 @@ class Coupling(Part):
     the window before, repeat goes through it again until force and motion agree. Default: "impulse".
     """
     tolerance: float | None = None
-    """Difference between the force that was tried and the one that came of it, over the larger. (scheme repeat) Default: 1e-6. At
+    """Difference between the force that was tried and the one that came of it, over the larger. (scheme repeat) Default: 1e-4. At
     least 1e-13 and at most 0.1.
     """
     passes: int | None = None

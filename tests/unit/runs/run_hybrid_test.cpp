@@ -105,7 +105,7 @@ TEST(run_hybrid, says_what_does_not_fit) {
   EXPECT_NE(refused({"bodies.spheres.0.centre=[0.05, 5, 0]"}).find("no body is near the surface"), std::string::npos);
   EXPECT_NE(refused({"bodies.time.step=8e-6", "bodies.time.history_interval=0.1", "continuum.time.history_interval=0.1",
                      "bodies.time.snapshot_interval=0.1", "continuum.time.snapshot_interval=0.1"})
-                .find("is not a whole multiple of this step"),
+                .find("is not a whole multiple of that of the bodies"),
             std::string::npos);
 }
 
