@@ -27,6 +27,7 @@ PICTURES = {
     "block-on-slope": "square_gauges",
     "rotating-drum": "spheres",
     "slope-el-centro": "failure",
+    "seawall-shaking-table": "together",
 }
 
 

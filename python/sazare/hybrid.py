@@ -16,20 +16,28 @@ def _along(history, name):
     return AXES[axis], columns[axis]
 
 
+def _frame(meshes, clouds):
+    """Lower and upper corner, in the plane, of all that is drawn."""
+    corners = [np.asarray(mesh.points)[:, :2] for mesh in meshes]
+    for cloud in clouds:
+        points, radius = np.asarray(cloud.points)[:, :2], np.asarray(cloud.cell_data["radius"])[:, None]
+        corners += [points - radius, points + radius]
+    corners = np.concatenate(corners)
+    return corners.min(axis=0), corners.max(axis=0)
+
+
 def _draw_sides(axes, mesh, spheres, top):
     """The mesh of a continuum in the plane and the spheres, seen along z."""
-    outlines = [np.asarray(mesh.points)[cell, :2] for cell in finite.outlines(mesh)]
-    region = np.asarray(mesh.cell_data["region"])
-    axes.add_collection(PolyCollection(outlines, facecolors=[style.RUBBLE(int(one) % 10) for one in region], edgecolors="#00000033", linewidths=0.3, alpha=0.55))
+    cells = [np.asarray(mesh.points)[cell, :2] for cell in finite.outlines(mesh)]
+    colors = [style.RUBBLE(int(region) % style.RUBBLE.N) for region in np.asarray(mesh.cell_data["region"])]
+    axes.add_collection(PolyCollection(cells, facecolors=colors, edgecolors="#00000033", linewidths=0.3, alpha=0.55))
     order = np.argsort(np.asarray(spheres.points)[:, 2])
-    points, radius = np.asarray(spheres.points)[order], np.asarray(spheres.cell_data["radius"])[order]
+    points, widths = np.asarray(spheres.points)[order, :2], 2.0 * np.asarray(spheres.cell_data["radius"])[order]
     speed = np.linalg.norm(spheres.cell_data["velocity"], axis=1)[order]
-    drawn = axes.add_collection(EllipseCollection(2 * radius, 2 * radius, np.zeros(len(radius)), units="xy", offsets=points[:, :2],
-                                                  transOffset=axes.transData, array=speed, cmap=style.SPEED, edgecolors="#00000055", linewidths=0.2))
+    drawn = axes.add_collection(EllipseCollection(widths, widths, np.zeros(len(widths)), units="xy", offsets=points, transOffset=axes.transData,
+                                                  array=speed, cmap=style.SPEED, edgecolors="#00000055", linewidths=0.2))
     drawn.set_clim(0.0, top)
-    low = np.minimum(np.asarray(mesh.points)[:, :2].min(axis=0), (points[:, :2] - radius[:, None]).min(axis=0))
-    high = np.maximum(np.asarray(mesh.points)[:, :2].max(axis=0), (points[:, :2] + radius[:, None]).max(axis=0))
-    axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
+    axes.set_aspect("equal")
     axes.grid(False)
     return drawn
 
@@ -40,19 +48,22 @@ def together(results):
     if len(results.sides) < 2:
         return None
     meshes, clouds = results.sides["continuum"].element_snapshots, results.sides["bodies"].particle_snapshots
-    if not len(meshes) or not finite.is_flat(meshes[0].elements):
+    if not len(meshes) or not len(clouds) or not finite.is_flat(meshes[0].elements):
         return None
     chosen = sorted(set(np.linspace(0, min(len(meshes), len(clouds)) - 1, MOST_PICTURES).round().astype(int)))
     top = max(float(np.percentile(np.linalg.norm(clouds[i].elements.cell_data["velocity"], axis=1), 99)) for i in chosen) or 1.0
-    extent = np.ptp(np.asarray(meshes[0].elements.points), axis=0)
-    figure = style.figure(9.0, 1.2 + len(chosen) * min(8.0 * max(extent[1] / extent[0], 0.15), 5.0) / (1 if len(chosen) < 3 else 1.6))
-    panels = np.ravel(figure.subplots((len(chosen) + 1) // 2, min(2, len(chosen)), squeeze=False))
+    low, high = _frame([meshes[i].elements for i in chosen], [clouds[i].elements for i in chosen])
+    rows = (len(chosen) + 1) // 2
+    height = min(3.8 * (high[1] - low[1]) / (high[0] - low[0]), 5.0)
+    figure = style.figure(9.0, 0.4 + rows * (height + 0.6))
+    panels = np.ravel(figure.subplots(rows, min(2, len(chosen)), squeeze=False))
     for axes, index in zip(panels, chosen):
         drawn = _draw_sides(axes, meshes[index].elements, clouds[index].elements, top)
+        axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
         axes.set_title(f"{meshes[index].time:.3g} s")
     for axes in panels[len(chosen):]:
         axes.set_axis_off()
-    figure.colorbar(drawn, ax=list(panels), label="speed of the spheres [m/s]", shrink=0.8)
+    figure.colorbar(drawn, ax=list(panels), label="speed of the spheres [m/s]", shrink=0.9)
     return figure
 
 

@@ -44,7 +44,7 @@ def course_of(results):
     gauges, history = results.sides["continuum"].gauge_table, results.history
     armour = results.sides["bodies"].gauge_table
     time = gauges["time"]
-    slip = SEAWARDS * (gauges["foot.displacement_x"] - gauges["table.displacement_x"])
+    slip = SEAWARDS * (gauges["crest.displacement_x"] - gauges["table.displacement_x"])
     acceleration = SEAWARDS * gauges["crest.acceleration_x"]
     return {
         "time": time, "slip": slip, "acceleration": acceleration, "table": SEAWARDS * gauges["table.acceleration_x"],
@@ -69,18 +69,17 @@ def main():
     moved = slip[after].mean() - slip[before].mean()
     back = (np.maximum.accumulate(slip[shaken]) - slip[shaken]).max()
     speed = np.gradient(slip[shaken], time[shaken])
-    print(f"seawards,{moved / np.ptp(SEAWARDS * slip) if np.ptp(slip) else 0}")
     print(f"moved,{1e3 * moved}")
     print(f"back,{back / moved}")
-    print(f"stepwise,{(speed > 0.5 * moved / (SHAKEN_TO - SHAKEN_FROM)).mean()}")
     print(f"steps,{count_steps(time[shaken], speed)}")
-    print(f"flattened,{course['acceleration'][shaken].max() / -course['acceleration'][shaken].min()}")
+    print(f"moving,{(speed > 0.5 * moved / (SHAKEN_TO - SHAKEN_FROM)).mean()}")
+    print(f"flattened,{-course['acceleration'][shaken].min() / course['acceleration'][shaken].max()}")
     print(f"armour-sinks,{1e3 * (course['height'][before].mean() - course['height'][after].mean())}")
     print(f"pressure,{course['force'][after].mean() / course['force'][before].mean()}")
 
 
 def count_steps(time, speed):
-    """Waves in whose half the caisson goes faster than in its other half by far."""
+    """The waves, of the five, in which the caisson goes seawards at more than a fifth of its largest speed."""
     waves = np.floor((time - SHAKEN_FROM) / WAVE).astype(int)
     largest = np.array([speed[waves == wave].max() for wave in range(1, 6)])
     return int((largest > 0.2 * largest.max()).sum())
