@@ -11,7 +11,7 @@
 namespace sazare::coupling {
 
 /// Sleeps longer and longer: a share of what has been waited so far, so that an answer is seen late by that share at most, and
-/// a long wait costs no more looks than some hundred a second.
+/// a long wait costs no more than a thousand looks a second.
 class Patience {
 public:
   void sleep() { std::this_thread::sleep_for(std::clamp<Clock::duration>((Clock::now() - began_) / 64, shortest, longest)); }
@@ -29,7 +29,7 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
   static constexpr Clock::duration shortest = std::chrono::microseconds(10);
-  static constexpr Clock::duration longest = std::chrono::milliseconds(2);
+  static constexpr Clock::duration longest = std::chrono::milliseconds(1);
 
   Clock::time_point began_ = Clock::now();
   Clock::time_point next_glance_ = began_ + std::chrono::milliseconds(100);

@@ -23,7 +23,7 @@ except ImportError:  # a system without it: the partner then knows this program 
 
 GRACE = 1.0  # s, of a partner that does not write its files in one go
 GLANCE = 0.1  # s between looks after the partner
-SHORTEST, LONGEST, SHARE = 1e-5, 2e-3, 1 / 64  # s, s and of what was waited so far: how long to sleep between looks
+SHORTEST, LONGEST, SHARE = 1e-5, 1e-3, 1 / 64  # s, s and of what was waited so far: how long to sleep between looks
 
 
 @dataclass(frozen=True)
