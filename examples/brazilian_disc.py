@@ -4,7 +4,7 @@
 
 The load is that on the platen [N], for a disc 50 mm across and 25 mm thick with two flats. A brittle elastic disc of tensile strength s splits at
 P = pi D t s/2 (ISRM, 1978). A body of irregular polygons is weaker than its joints, since their facets stand at all angles and break one by one, so its joints
-need more: how much is sought here, by root finding in a few runs. Cracks find other ways at other strengths, so the load scatters by some 2 % about a line.
+need more: how much is sought here, by root finding in a few runs. Cracks find other ways at other strengths, so the load scatters by some 5 % about a line.
 """
 
 import math

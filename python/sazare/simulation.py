@@ -85,12 +85,13 @@ def run(
     overwrite, resume: what to do with a run that is in the folder; without either it is an error.
     functions: a function of time [s] for each motion of type "function" and each blast with `function`, by name. A motion's gives its quantity, a
         blast's the pressure [Pa] at a time since its delay. Asked once for every step, straight lines between.
-    forces: a function of the simulation that gives forces [N] on the bodies, (n, 3) in the order of `positions` and in the plane [N/m]. Asked
-        before every step; they act from its beginning (of method fem, whose steps are implicit, at its end). Methods mps, rectangles, fem.
+    forces: a function of the simulation that gives forces [N] on the bodies, (n, 3) in the order of `positions`; of mps and fem in the plane [N/m].
+        Asked before every step; they act from its beginning (of method fem, whose steps are implicit, at its end). Methods mps, rectangles, fem.
     stop: a function of the simulation, asked after every step; True ends the run there, with a checkpoint.
 
     A run that is resumed needs the same functions and forces again. What they raise comes out as it is, and leaves a checkpoint.
- UserError, PhysicsError or MachineError in the words of the command. Ctrl-C leaves a checkpoint, and `resume` goes on.
+
+    Raises UserError, PhysicsError or MachineError in the words of the command. Ctrl-C leaves a checkpoint, and `resume` goes on.
     """
     source = source_of(case, overrides, folder)
     where = Path(out or Path("runs") / source.name)

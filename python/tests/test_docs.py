@@ -132,8 +132,9 @@ def test_the_joint_strength_of_a_disc_is_found_again(tmp_path):
     measured = example.breaking_load(6e6, tmp_path / "disc")
     assert 0.3 * 6e6 < example.strength_of(measured) < 6e6, "weaker than its joints"
     strength, tried = example.calibrate(measured)
-    assert strength == pytest.approx(6e6, rel=0.04), "the load scatters by 2 %"
-    assert len(tried) < 10
+    assert min(abs(load - measured) for load in tried.values()) < 0.01 * measured
+    assert strength == pytest.approx(6e6, rel=0.08), "the load over the strength scatters by 5 %"
+    assert len(tried) < 12
 
 
 def test_detonators_that_scatter_change_the_vibration(capsys):

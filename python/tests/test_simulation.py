@@ -7,6 +7,7 @@ import sys
 import threading
 import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -251,3 +252,13 @@ def test_progress_is_one_line_on_a_terminal_and_rare_lines_elsewhere():
             line.show(lambda: "20 %")
     assert on.text == "\r10 %\r20 %\r    \r"
     assert off.text == "", "seconds must pass before the first line"
+
+
+def test_progress_is_one_line_in_a_notebook(monkeypatch):
+    kernel = SimpleNamespace(kernel=object())
+    monkeypatch.setitem(sys.modules, "IPython", SimpleNamespace(get_ipython=lambda: kernel))
+    page = Terminal(False)
+    with ProgressLine(True, page) as line:
+        line.show(lambda: "10 %")
+        line.show(lambda: "20 %")
+    assert page.text == "\r10 %\r20 %\r    \r", "written over, and gone at the end"
