@@ -11,6 +11,7 @@ from table import Limit, NotChosen, NotRun, Peer, Row
 
 HERE = Path(__file__).resolve().parent / "spheres"
 ACROSS = 46  # 97 336 spheres
+MANY = {79: "493 039", 126: "2 000 376"}  # spheres across: how many there are
 STEPS = 1000
 YADE_STEPS = 200
 BONDS_ACROSS, BONDS, BOND_STEPS = 48, 324864, 200
@@ -19,7 +20,7 @@ _found = {}
 
 
 def ours(bench, threads, across=ACROSS):
-    """(spheres, sphere-steps per second, contacts per sphere, bytes per sphere). Raises NotRun."""
+    """(spheres, sphere-steps per second, contacts per sphere, bytes per sphere and more, see spheres/main.cpp). Raises NotRun."""
     key = (threads, across)
     if key not in _found:
         folder = bench.options.out / "spheres"
@@ -118,12 +119,28 @@ def bonded_peer(bench):
     return bonded(bench), BOND_STEPS * BONDS / best
 
 
-def growth(bench):
-    """Slope of cost over spheres, both logarithmic, from a hundred thousand to two million."""
+def many(bench, across):
+    """What `ours` says of many spheres. Raises NotChosen without --long."""
     if not bench.options.long:
         raise NotChosen("--long: two million spheres take some ten minutes")
-    few, many = ours(bench, 1), ours(bench, 1, 126)
-    return 1 + math.log(few[1] / many[1]) / math.log(many[0] / few[0])
+    return ours(bench, 1, across)
+
+
+def many_rows(across):
+    """Rate and memory of many spheres."""
+    scene = SCENE.replace("97 336", MANY[across])
+    return [
+        Row(f"spheres/ourselves-{across}-across", f"sphere-steps per second, {scene}, 1 thread", "1/s", lambda bench: many(bench, across)[1],
+            more_is_better=True),
+        Row(f"spheres/ourselves-{across}-across-memory", f"bytes per sphere with its contacts, {scene}", "B", lambda bench: many(bench, across)[3],
+            limit=Limit("ours", high=400)),
+    ]
+
+
+def growth(bench):
+    """Slope of cost over spheres, both logarithmic, from a hundred thousand to two million."""
+    few, most = ours(bench, 1), many(bench, max(MANY))
+    return 1 + math.log(few[1] / most[1]) / math.log(most[0] / few[0])
 
 
 def speed_up(bench):
@@ -146,5 +163,6 @@ def rows():
             lambda bench: bonded(bench, "breaks"), more_is_better=True),
         Row("spheres/ourselves-memory", f"bytes per sphere with its contacts, {SCENE}", "B", lambda bench: ours(bench, 1)[3],
             limit=Limit("ours", high=400)),
+        *(row for across in MANY for row in many_rows(across)),
         Row("spheres/ourselves-exponent", "slope of cost over spheres, 97 336 to 2 000 376", "-", growth, limit=Limit("ours", high=1.15)),
     ]

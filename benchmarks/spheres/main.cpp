@@ -3,17 +3,20 @@
 ///
 ///     spheres THREADS ACROSS FILE
 ///
-/// prints `spheres,sphere_steps_per_second,contacts_per_sphere,bytes_per_sphere`: steps 500 to 1500, the first 500 make the
-/// contacts. Where FILE is given and not "-", it gets the start as rows of radius, x, y, z, vx, vy, vz, from which other codes
-/// can begin.
+/// prints `spheres,sphere_steps_per_second,contacts_per_sphere,bytes_per_sphere,resident,candidates,guests,searches`: steps 500
+/// to 1500, the first 500 make the contacts; bytes per sphere at the largest (while pairs are sought) and at the end, and how
+/// many candidates and guests of blocks there are per sphere. Where FILE is given and not "-", it gets the start as rows of
+/// radius, x, y, z, vx, vy, vz, from which other codes can begin.
 
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 
+#include "sazare/core/large_tables.hpp"
 #include "sazare/engine/sphere_stepper.hpp"
 #include "sazare/parallel/threads.hpp"
 
@@ -49,10 +52,19 @@ void write(const state::Spheres& spheres, const std::string& name) {
   std::fclose(file);
 }
 
-Real resident_bytes() {
+Real largest_resident_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return 1024 * static_cast<Real>(usage.ru_maxrss);
+}
+
+Real resident_bytes() {
+  long size = 0, resident = 0;
+  std::FILE* const file = std::fopen("/proc/self/statm", "r");
+  if (file == nullptr) return 0;
+  if (std::fscanf(file, "%ld %ld", &size, &resident) != 2) resident = 0;
+  std::fclose(file);
+  return static_cast<Real>(resident) * static_cast<Real>(sysconf(_SC_PAGESIZE));
 }
 
 }  // namespace
@@ -63,8 +75,9 @@ int main(int count, char** arguments) {
     std::fprintf(stderr, "usage: spheres THREADS ACROSS [FILE]\n");
     return 2;
   }
+  give_back_large_tables();
   parallel::set_threads(threads);
-  const Real before = resident_bytes();
+  const Real before = largest_resident_bytes();
   state::Spheres start = bed(across);
   if (count > 3 && std::string(arguments[3]) != "-") write(start, arguments[3]);
   const auto spheres = static_cast<Real>(start.size());
@@ -78,6 +91,9 @@ int main(int count, char** arguments) {
   for (int k = 0; k < 1000; ++k) stepper.advance();
   const Real seconds = std::chrono::duration<Real>(std::chrono::steady_clock::now() - began).count();
   stepper.settle();
-  std::printf("%.0f,%.4g,%.3g,%.4g\n", spheres, 1000 * spheres / seconds, static_cast<Real>(stepper.contacts()) / spheres,
-              (resident_bytes() - before) / spheres);
+  const Real largest = largest_resident_bytes(), resident = resident_bytes();
+  std::printf("%.0f,%.4g,%.3g,%.4g,%.4g,%.3g,%.3g,%lld\n", spheres, 1000 * spheres / seconds,
+              static_cast<Real>(stepper.contacts()) / spheres, (largest - before) / spheres, (resident - before) / spheres,
+              static_cast<Real>(stepper.pairs().pairs().other.size()) / spheres,
+              static_cast<Real>(stepper.loads().guests()) / spheres, static_cast<long long>(stepper.searches()));
 }

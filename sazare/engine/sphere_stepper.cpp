@@ -86,6 +86,7 @@ void SphereStepper::start() {
 }
 
 void SphereStepper::find_pairs() {
+  loads_.forget();
   const std::vector<Index> places_before = pairs_.find(spheres_, rules_.margin);
   rest_bodies();
   arrange_bonds();
@@ -126,6 +127,7 @@ void SphereStepper::arrange_bonds() {
       pairs_.rest(bonds_.first()[link], bonds_.links().second[link]);
   }
   loads_.arrange(pairs_.pairs(), bonds_.links());
+  pairs_.write_to(loads_);
 }
 
 void SphereStepper::find_walls(std::span<const Index> places_before) {
@@ -138,83 +140,18 @@ void SphereStepper::find_walls(std::span<const Index> places_before) {
   wall_approach_ = 0;
 }
 
-SphereStepper::Speeds SphereStepper::kick_and_drift(std::size_t block, const state::SphereLoad* loads) {
-  const Real h = rules_.step, half = 0.5 * h;
-  const Vector3 gravity = rules_.gravity;
-  Real first = 0, second = 0, largest = 0;
-  const std::size_t begin = loads_.begin_of(block);
-  for (std::size_t i = begin; i < loads_.end_of(block); ++i) {
-    state::SphereKick& kick = spheres_.kick[i];
-    state::SpherePlace& place = spheres_.place[i];
-    state::SphereSpin& spin = spheres_.spin[i];
-    const state::SphereLoad& load = loads[i - begin];
-    const Real inverse = kick.inverse_mass, falls = inverse > 0 ? 1 : 0;
-    const Real ax = inverse * load.fx + falls * gravity.x(), ay = inverse * load.fy + falls * gravity.y(),
-               az = inverse * load.fz + falls * gravity.z();
-    const Real bx = kick.inverse_inertia * load.mx, by = kick.inverse_inertia * load.my, bz = kick.inverse_inertia * load.mz;
-    kick.vx += h * ax;
-    kick.vy += h * ay;
-    kick.vz += h * az;
-    kick.wx += h * bx;
-    kick.wy += h * by;
-    kick.wz += h * bz;
-    place.x += h * kick.vx;
-    place.y += h * kick.vy;
-    place.z += h * kick.vz;
-    place.vx = kick.vx + half * ax;
-    place.vy = kick.vy + half * ay;
-    place.vz = kick.vz + half * az;
-    spin.x = kick.wx + half * bx;
-    spin.y = kick.wy + half * by;
-    spin.z = kick.wz + half * bz;
-    const Real ux = kick.vx - drift_.x(), uy = kick.vy - drift_.y(), uz = kick.vz - drift_.z();
-    const Real square = ux * ux + uy * uy + uz * uz;
-    second = std::max(second, std::min(first, square));
-    first = square <= first ? first : square;  // what is no number stays
-    largest = std::max(largest, kick.vx * kick.vx + kick.vy * kick.vy + kick.vz * kick.vz);
-  }
-  if (!spheres_.turn.empty()) turn(block);
-  return {std::sqrt(first), std::sqrt(second), std::sqrt(largest), drives_ ? work_of_driven(block, loads) : 0};
-}
-
-/// What held spheres that move bring in in this step, against the loads on them [J].
-Real SphereStepper::work_of_driven(std::size_t block, const state::SphereLoad* loads) const {
-  Real work = 0;
-  const std::size_t begin = loads_.begin_of(block);
-  for (std::size_t i = begin; i < loads_.end_of(block); ++i) {
-    const state::SphereKick& kick = spheres_.kick[i];
-    const state::SphereLoad& load = loads[i - begin];
-    if (kick.inverse_mass > 0) continue;
-    work -= rules_.step * (load.fx * kick.vx + load.fy * kick.vy + load.fz * kick.vz + load.mx * kick.wx + load.my * kick.wy +
-                           load.mz * kick.wz);
-  }
-  return work;
-}
-
-/// Turns by the spin of a step. The angle is 2 atan(|w| h/2) (Cayley), which is |w| h to the second order and, for spheres, the
-/// exact course of a kinetic energy a little different, so that the step stays symplectic.
-void SphereStepper::turn(std::size_t block) {
-  const Real half = 0.5 * rules_.step;
-  for (std::size_t i = loads_.begin_of(block); i < loads_.end_of(block); ++i) {
-    const state::SphereKick& kick = spheres_.kick[i];
-    state::SphereTurn& turn = spheres_.turn[i];
-    const Real x = half * kick.wx, y = half * kick.wy, z = half * kick.wz;
-    const state::SphereTurn old = turn;
-    turn = {old.w - x * old.x - y * old.y - z * old.z, old.x + x * old.w + y * old.z - z * old.y,
-            old.y + y * old.w + z * old.x - x * old.z, old.z + z * old.w + x * old.y - y * old.x};
-    const Real shrink = 1 / std::sqrt(turn.w * turn.w + turn.x * turn.x + turn.y * turn.y + turn.z * turn.z);
-    turn = {shrink * turn.w, shrink * turn.x, shrink * turn.y, shrink * turn.z};
-  }
+SphereSpeeds SphereStepper::move(std::size_t block, const state::SphereLoad* loads) {
+  const std::size_t begin = loads_.begin_of(block), end = loads_.end_of(block);
+  const SphereSpeeds speeds = kick_and_drift(spheres_, begin, end, loads, rules_.gravity, drift_, rules_.step);
+  if (!spheres_.turn.empty()) turn(spheres_, begin, end, rules_.step);
+  if (drives_) driven_work_[block] = work_of_driven(spheres_, begin, end, loads, rules_.step);
+  return speeds;
 }
 
 void SphereStepper::measure() {
-  Speeds all;
-  for (const Speeds& one : speeds_) {
-    all.second = std::max({all.second, std::min(all.first, one.first), one.second});
-    all.first = one.first <= all.first ? all.first : one.first;
-    all.largest = std::max(all.largest, one.largest);
-    wall_work_ += one.work;
-  }
+  SphereSpeeds all;
+  for (const SphereSpeeds& one : speeds_) all.take(one);
+  for (const Real work : driven_work_) wall_work_ += work;
   largest_speed_ = all.first <= std::numeric_limits<Real>::max() ? all.largest : std::numeric_limits<Real>::infinity();
   approach_ += rules_.step * (all.first + all.second);
   wall_approach_ += rules_.step * (all.largest + walls_.largest_speed(wall_radius_ + rules_.wall_margin));
@@ -238,7 +175,7 @@ void SphereStepper::walk(std::size_t begin, std::size_t end) {
     block_sums_[block] = evaluate(block, loads);
     if (waits_[block] != 0) continue;
     loads_.gather(block, loads);
-    speeds_[block] = kick_and_drift(block, loads);
+    speeds_[block] = move(block, loads);
   }
 }
 
@@ -249,7 +186,7 @@ void SphereStepper::kick_those_that_waited() {
   parallel::parallel_for(late.size(), serial_below, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       loads_.gather(late[n], loads_.kept(late[n]));
-      speeds_[late[n]] = kick_and_drift(late[n], loads_.kept(late[n]));
+      speeds_[late[n]] = move(late[n], loads_.kept(late[n]));
     }
   });
 }
@@ -269,19 +206,18 @@ void SphereStepper::move_clumps() {
       place_members(clumps_, c, rules_.gravity, rules_.step, place_, spheres_);
     }
   });
-  Speeds speeds;
+  SphereSpeeds speeds;
   for (std::size_t c = 0; c < clumps_.clumps.size(); ++c) {
-    const Real turning = turning_speed(clumps_, c), speed = (vector(clumps_.clumps[c].velocity) - drift_).norm() + turning;
-    speeds.second = std::max(speeds.second, std::min(speeds.first, speed));
-    speeds.first = speed <= speeds.first ? speeds.first : speed;  // what is no number stays
-    speeds.largest = std::max(speeds.largest, vector(clumps_.clumps[c].velocity).norm() + turning);
+    const Real turning = turning_speed(clumps_, c);
+    speeds.take(
+        {(vector(clumps_.clumps[c].velocity) - drift_).norm() + turning, 0, vector(clumps_.clumps[c].velocity).norm() + turning});
   }
   speeds_.push_back(speeds);
 }
 
 void SphereStepper::kick_kept() {
   parallel::parallel_for(loads_.blocks(), serial_below, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t block = begin; block < end; ++block) speeds_[block] = kick_and_drift(block, loads_.kept(block));
+    for (std::size_t block = begin; block < end; ++block) speeds_[block] = move(block, loads_.kept(block));
   });
 }
 
@@ -328,6 +264,7 @@ void SphereStepper::settle() {
 void SphereStepper::advance() {
   block_sums_.resize(loads_.blocks());
   speeds_.resize(loads_.blocks());
+  if (drives_) driven_work_.resize(loads_.blocks());
   if (!clumps_.empty()) settle();
   if (settled_) {
     kick_kept();
@@ -363,7 +300,7 @@ void SphereStepper::columns(Archive& archive) {
     if (!bonds_.empty()) bonds_.arrange(places());
     loads_.arrange(pairs_.pairs(), bonds_.links());
   }
-  loads_.columns(archive);
+  if (settled_) loads_.columns(archive);
   archive.folder("walls", [&] { walls_.columns(archive); });
   if (archive.reading()) find_walls({});
   for (int axis = 0; axis < 3; ++axis) archive("drift" + std::to_string(axis), drift_[axis]);

@@ -8,6 +8,7 @@
 
 #include <utility>
 
+#include "sazare/engine/sphere_motion.hpp"
 #include "sazare/methods/spheres/bonds.hpp"
 #include "sazare/methods/spheres/pair_contacts.hpp"
 #include "sazare/methods/spheres/wall_contacts.hpp"
@@ -94,18 +95,9 @@ public:
   void columns(Archive& archive);
 
 private:
-  /// How fast a block's spheres were.
-  struct Speeds {
-    Real first = 0, second = 0;  ///< the two largest, seen from the drift [m/s]
-    Real largest = 0;            ///< [m/s]
-    Real work = 0;               ///< of driven spheres in this step [J]
-  };
-
   Vector3 acceleration(std::size_t sphere) const;
   Vector3 angular_acceleration(std::size_t sphere) const;
-  Speeds kick_and_drift(std::size_t block, const state::SphereLoad* loads);
-  Real work_of_driven(std::size_t block, const state::SphereLoad* loads) const;
-  void turn(std::size_t block);
+  SphereSpeeds move(std::size_t block, const state::SphereLoad* loads);
   methods::spheres::ContactSums evaluate(std::size_t block, state::SphereLoad* loads);
   void walk(std::size_t begin, std::size_t end);
   void kick_those_that_waited();
@@ -141,8 +133,9 @@ private:
   Real wall_approach_ = 0;           ///< the same of spheres and walls [m]
   Real wall_radius_ = 0;             ///< of the spheres about the pivots of the walls [m]
   Real largest_speed_ = 0;
-  std::vector<Speeds> speeds_;                             ///< by block
-  std::vector<std::uint8_t> waits_;                        ///< by block: to be kicked when all are evaluated
+  std::vector<SphereSpeeds> speeds_;  ///< by block, and one more for clumps
+  std::vector<Real> driven_work_;     ///< by block: of driven spheres in the last step [J]; empty without them
+  std::vector<std::uint8_t> waits_;   ///< by block: to be kicked when all are evaluated
   std::vector<methods::spheres::ContactSums> block_sums_;  ///< by block
   methods::spheres::ContactSums sums_;                     ///< of the last evaluation; works since the start
   Real wall_work_ = 0;

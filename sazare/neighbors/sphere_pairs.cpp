@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "sazare/parallel/threads.hpp"
 
@@ -94,10 +95,11 @@ public:
       for (std::size_t n = begin; n < end; ++n)
         keyed[n] = {Grid::key(grid.place_of(spheres.place[static_cast<std::size_t>(members[n])].centre())), members[n]};
     });
-    std::ranges::sort(keyed);
+    if (!std::ranges::is_sorted(keyed)) std::ranges::sort(keyed);  // spheres of one size stand along the curve already
     items.resize(keyed.size());
-    std::size_t size = 16;
-    while (size < 2 * keyed.size()) size *= 2;
+    std::size_t cells = 1, size = 16;
+    for (std::size_t n = 1; n < keyed.size(); ++n) cells += keyed[n].first != keyed[n - 1].first ? 1 : 0;
+    while (2 * size < 3 * cells) size *= 2;
     table_.assign(size, {});
     for (std::uint32_t begin = 0; begin < keyed.size();) {
       std::uint32_t end = begin;
@@ -173,6 +175,7 @@ public:
       if (members[c].empty()) continue;
       cells_.emplace_back(Grid(spheres.box, sizes.lower, 2 * sizes.radius[c] + margin));
       cells_.back().fill(spheres, members[c]);
+      members[c] = {};
     }
   }
 
@@ -183,9 +186,13 @@ public:
       for (std::size_t block = begin; block < end; ++block) look(block, found[block]);
     });
     std::vector<std::pair<Index, Index>> mixed;  // pairs of two classes, by first sphere
-    for (const Block& block : found) mixed.insert(mixed.end(), block.mixed.begin(), block.mixed.end());
+    for (Block& block : found) {
+      mixed.insert(mixed.end(), block.mixed.begin(), block.mixed.end());
+      block.mixed = {};
+    }
     std::ranges::sort(mixed);
-    return join(found, mixed);
+    cells_.clear();
+    return join(std::move(found), mixed);
   }
 
 private:
@@ -247,14 +254,16 @@ private:
     }
   }
 
-  SpherePairs join(const std::vector<Block>& found, const std::vector<std::pair<Index, Index>>& mixed) const {
+  /// One list of what the blocks have found, which is given up on the way.
+  SpherePairs join(std::vector<Block> found, const std::vector<std::pair<Index, Index>>& mixed) const {
     SpherePairs pairs;
-    pairs.first.assign(1, 0);
+    pairs.first.reserve(spheres_.size() + 1);
+    pairs.first.push_back(0);
     std::size_t total = mixed.size();
     for (const Block& block : found) total += block.other.size();
     pairs.other.reserve(total);
     auto next = mixed.begin();
-    for (const Block& block : found) {
+    for (Block& block : found) {
       auto from = block.other.begin();
       for (const std::uint32_t count : block.counts) {
         const auto i = static_cast<Index>(pairs.first.size() - 1);
@@ -263,6 +272,7 @@ private:
         for (; next != mixed.end() && next->first == i; ++next) pairs.other.push_back(next->second);
         pairs.first.push_back(static_cast<std::uint32_t>(pairs.other.size()));
       }
+      block = {};
     }
     return pairs;
   }

@@ -146,8 +146,8 @@ private:
     const Triple<Lanes> back = Triple<Lanes>{} - force.force;
     const LoadRows first(back, force.first_moment), second(force.force, force.second_moment);
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
-      first.add(lane, 1, 1, &task_.own[static_cast<std::size_t>(bonds_.first_[link + lane]) - begin_]);
-      second.add(lane, 1, 1, task_.loads.bonded(link + lane, task_.own));
+      first.add(lane, &task_.own[static_cast<std::size_t>(bonds_.first_[link + lane]) - begin_]);
+      second.add(lane, task_.loads.bonded(link + lane, task_.own));
     }
   }
 

@@ -3,8 +3,7 @@
 /// Forces of as many touching pairs as there are lanes.
 
 #include <algorithm>
-#include <bit>
-#include <limits>
+#include <vector>
 
 #include "sazare/core/lane_math.hpp"
 #include "sazare/core/lane_records.hpp"
@@ -17,7 +16,8 @@ template <laws::ContactModel model, bool rolls>
 class ContactKernel {
 public:
   ContactKernel(PairContacts& contacts, const state::Spheres& spheres, const PairContacts::Task& task)
-      : contacts_(contacts),
+      : pairs_(contacts),
+        contacts_(contacts.contacts_[task.block]),
         spheres_(spheres),
         loads_(task.loads),
         own_(task.own),
@@ -34,43 +34,61 @@ public:
     }
   }
 
-  /// The first `lanes` of the pairs; the rest repeats one of them and does not count.
-  void evaluate(PairContacts::AwakePair* pairs, int lanes) {
-    for (int lane = lanes; lane < lane_count; ++lane) pairs[lane] = pairs[0];
-    for (std::size_t lane = 0; lane < lane_count; ++lane) point(lane, pairs[lane]);
-    const auto first = load_records<8>(first_place_), second = load_records<8>(second_place_);
-    const auto first_spin = load_quads(first_spin_), second_spin = load_quads(second_spin_);
+  /// The contacts from a number on, as many as there are lanes or are left; what is too much repeats one of them and does not
+  /// count. All that it calls becomes part of it, which the compiler by itself finds too much.
+  [[gnu::flatten]] void evaluate(std::size_t begin) {
+    const int lanes = static_cast<int>(std::min<std::size_t>(lane_count, contacts_.size() - begin));
+    Sources from, to;
+    for (int lane = 0; lane < lane_count; ++lane) {
+      const Contact& contact = contacts_[begin + static_cast<std::size_t>(lane < lanes ? lane : 0)];
+      from.set(static_cast<std::size_t>(lane), spheres_, contact.first);
+      to.set(static_cast<std::size_t>(lane), spheres_, contact.second);
+    }
+    const auto first = load_quads(from.place), second = load_quads(to.place);
+    const auto first_velocity = load_quads(from.velocity), second_velocity = load_quads(to.velocity);
+    const auto first_spin = load_quads(from.spin), second_spin = load_quads(to.spin);
     const Triple<Lanes> apart = box_.nearest({second[0] - first[0], second[1] - first[1], second[2] - first[2]});
-    const Lanes distance = square_root(dot(apart, apart)), reach = first[3] + second[3];
+    const Lanes distance = square_root(dot(apart, apart)), reach = first[3] + second[3],
+                masses = first_velocity[3] + second_velocity[3];
+    // One division instead of three: of 1, of the product of the radii and of that of the masses.
+    const Lanes reach_and_masses = reach * masses, inverse = 1.0 / (distance * reach_and_masses);
     laws::ContactMotion<Lanes> at;
-    at.normal = (1.0 / distance) * apart;
+    at.normal = (inverse * reach_and_masses) * apart;
     const Lanes gap = distance - reach;
     const LaneMask touches = gap < 0.0;
     at.overlap = touches ? -gap : Lanes{} + tiny;
-    at.reduced_radius = first[3] * second[3] / reach;
-    at.reduced_mass = first[7] * second[7] / (first[7] + second[7]);
+    at.reduced_radius = first[3] * second[3] * (inverse * distance * masses);
+    at.reduced_mass = first_velocity[3] * second_velocity[3] * (inverse * distance * reach);
     at.step = step_;
     const Lanes half = 0.5 * at.overlap, first_arm = first[3] - half, second_arm = second[3] - half;
     const Triple<Lanes> one{first_spin[0], first_spin[1], first_spin[2]}, other{second_spin[0], second_spin[1], second_spin[2]};
-    const Triple<Lanes> velocity{second[4] - first[4], second[5] - first[5], second[6] - first[6]};
+    const Triple<Lanes> velocity{second_velocity[0] - first_velocity[0], second_velocity[1] - first_velocity[1],
+                                 second_velocity[2] - first_velocity[2]};
     at.velocity = velocity - cross(first_arm * one + second_arm * other, at.normal);
     if constexpr (rolls) at.rolling = at.reduced_radius * cross(other - one, at.normal);
     if (!is_one_material_) look_up(first_spin[3], second_spin[3]);
-    auto memory = recall();
+    laws::ContactMemory<Lanes> memory;
+    memory.sliding = contacts_.sliding_of(begin);
+    if constexpr (rolls) memory.rolling = contacts_.rolling_of(begin);
     auto force = laws::contact_force<model, rolls>(constants_, at, memory);
-    if (any(~touches)) part(touches, force, memory);
-    sleep(pairs, touches, gap, lanes);
-    remember(memory, lanes);
-    deliver(force, at, first_arm, second_arm, pairs, lanes);
+    if (any(~touches)) leave_alone(begin, lanes, touches, gap, force);
+    contacts_.sliding_of(begin) = memory.sliding;
+    if constexpr (rolls) contacts_.rolling_of(begin) = memory.rolling;
+    deliver(force, at, first_arm, second_arm, begin, lanes);
     book(force, touches, lanes);
   }
 
-  /// Asks for what a pair will read of its second sphere.
-  void fetch(const PairContacts::AwakePair& pair) const {
-    const auto j = static_cast<std::size_t>(pair.second);
+  /// Asks for what a contact will read of its second sphere.
+  void fetch(std::size_t contact) const {
+    const auto j = static_cast<std::size_t>(contacts_[contact].second);
     __builtin_prefetch(&spheres_.place[j]);
     __builtin_prefetch(&spheres_.spin[j]);
-    __builtin_prefetch(loads_.second(pair.pair, own_), 1);
+    __builtin_prefetch(loads_.at(contacts_[contact].slot, own_), 1);
+  }
+
+  /// Takes the contacts that have parted off the list, the last one first: what stands behind one that goes stays.
+  void part() {
+    for (auto contact = parted_.rbegin(); contact != parted_.rend(); ++contact) contacts_.remove(*contact);
   }
 
   ContactSums sums() const {
@@ -86,81 +104,58 @@ public:
   }
 
 private:
-  static constexpr float least_ = std::numeric_limits<float>::min();  // 0 says that a pair touches
-  static constexpr Real tiny = 1e-30;                                 // an overlap at which nothing of the law fails
+  static constexpr Real tiny = 1e-30;  // an overlap at which nothing of the law fails
 
-  void point(std::size_t lane, const PairContacts::AwakePair& pair) {
-    const auto i = static_cast<std::size_t>(pair.first), j = static_cast<std::size_t>(pair.second);
-    first_place_[lane] = &spheres_.place[i];
-    second_place_[lane] = &spheres_.place[j];
-    first_spin_[lane] = &spheres_.spin[i].x;
-    second_spin_[lane] = &spheres_.spin[j].x;
-    sliding_memory_[lane] = &contacts_.sliding_[pair.pair].x;
-    if constexpr (rolls) rolling_memory_[lane] = &contacts_.rolling_[pair.pair].x;
-  }
+  /// What lanes read of one sphere each.
+  struct Sources {
+    std::array<const Real*, lane_count> place, velocity, spin;
 
-  /// Pairs that do not touch: no force, and no memory.
-  static void part(LaneMask touches, laws::ContactForce<Lanes>& force, laws::ContactMemory<Lanes>& memory) {
-    const Triple<Lanes> none;
-    force.normal = select(touches, force.normal, Lanes{});
-    for (auto* part : {&force.friction, &force.rolling, &memory.sliding, &memory.rolling}) *part = select(touches, *part, none);
-  }
-
-  void sleep(const PairContacts::AwakePair* pairs, LaneMask touches, const Lanes& gap, int lanes) {
-    constexpr float rounded_down = 1 - 1e-6F;
-    if (!any(~touches)) {
-      for (int lane = 0; lane < lanes; ++lane) contacts_.sleeps_until_[pairs[lane].pair] = 0;
-      return;
+    void set(std::size_t lane, const state::Spheres& spheres, Index sphere) {
+      const auto i = static_cast<std::size_t>(sphere);
+      place[lane] = &spheres.place[i].x;
+      velocity[lane] = &spheres.place[i].vx;
+      spin[lane] = &spheres.spin[i].x;
     }
-    for (int lane = 0; lane < lanes; ++lane)
-      contacts_.sleeps_until_[pairs[lane].pair] =
-          touches[lane] != 0 ? 0 : std::max(rounded_down * static_cast<float>(approach_ + gap[lane]), least_);
+  };
+
+  /// Pairs that do not touch: no force, and sleep for as long as the gap lasts.
+  void leave_alone(std::size_t begin, int lanes, LaneMask touches, const Lanes& gap, laws::ContactForce<Lanes>& force) {
+    force.normal = select(touches, force.normal, Lanes{});
+    for (auto* part : {&force.friction, &force.rolling}) *part = select(touches, *part, Triple<Lanes>{});
+    for (int lane = 0; lane < lanes; ++lane) {
+      if (touches[lane] != 0) continue;
+      const std::size_t contact = begin + static_cast<std::size_t>(lane);
+      pairs_.sleep_on(contacts_[contact].pair, approach_ + gap[lane]);
+      parted_.push_back(contact);
+    }
   }
 
   void look_up(const Lanes& one, const Lanes& other) {
     std::array<const Real*, lane_count> from, further;
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
       from[lane] =
-          contacts_.table_.numbers(static_cast<Index>(one[lane]) * contacts_.table_.materials + static_cast<Index>(other[lane]));
+          pairs_.table_.numbers(static_cast<Index>(one[lane]) * pairs_.table_.materials + static_cast<Index>(other[lane]));
       further[lane] = from[lane] + 4;
     }
     const auto numbers = load_quads(from), more = load_quads(further);
     constants_ = {numbers[0], numbers[1], numbers[2], numbers[3], more[0], more[1]};
   }
 
-  laws::ContactMemory<Lanes> recall() const {
-    laws::ContactMemory<Lanes> memory;
-    const auto slid = load_quads(as_source(sliding_memory_));
-    memory.sliding = {slid[0], slid[1], slid[2]};
-    if constexpr (rolls) {
-      const auto rolled = load_quads(as_source(rolling_memory_));
-      memory.rolling = {rolled[0], rolled[1], rolled[2]};
-    }
-    return memory;
-  }
-
-  void remember(const laws::ContactMemory<Lanes>& memory, int lanes) const {
-    store_quads({memory.sliding.x, memory.sliding.y, memory.sliding.z, Lanes{}}, sliding_memory_, lanes);
-    if constexpr (rolls) store_quads({memory.rolling.x, memory.rolling.y, memory.rolling.z, Lanes{}}, rolling_memory_, lanes);
-  }
-
   /// Equal and opposite forces; moments about both centres, whose arms together are the distance.
   void deliver(const laws::ContactForce<Lanes>& force, const laws::ContactMotion<Lanes>& at, const Lanes& first_arm,
-               const Lanes& second_arm, const PairContacts::AwakePair* pairs, int lanes) {
-    const LoadRows rows(force.normal * at.normal + force.friction, cross(force.friction, at.normal));
-    std::array<Real, lane_count> first, second;
-    store_lanes(first.data(), first_arm);
-    store_lanes(second.data(), second_arm);
-    for (std::size_t lane = 0; lane < static_cast<std::size_t>(lanes); ++lane) {
-      rows.add(lane, -1, first[lane], &own_[static_cast<std::size_t>(pairs[lane].first) - begin_]);
-      rows.add(lane, 1, second[lane], loads_.second(pairs[lane].pair, own_));
-    }
+               const Lanes& second_arm, std::size_t begin, int lanes) {
+    const Triple<Lanes> push = force.normal * at.normal + force.friction, moment = cross(force.friction, at.normal), none;
+    Triple<Lanes> first_moment = first_arm * moment, second_moment = second_arm * moment;
     if constexpr (rolls) {
-      const LoadRows rolling(Triple<Lanes>{}, at.reduced_radius * cross(at.normal, force.rolling));
-      for (std::size_t lane = 0; lane < static_cast<std::size_t>(lanes); ++lane) {
-        rolling.add(lane, 0, -1, &own_[static_cast<std::size_t>(pairs[lane].first) - begin_]);
-        rolling.add(lane, 0, 1, loads_.second(pairs[lane].pair, own_));
-      }
+      const Triple<Lanes> rolling = at.reduced_radius * cross(at.normal, force.rolling);
+      first_moment = first_moment - rolling;
+      second_moment = second_moment + rolling;
+    }
+    const LoadRows first(none - push, first_moment), second(push, second_moment);
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(lanes); ++lane) {
+      const Contact& contact = contacts_[begin + lane];
+      first.add(lane, &own_[static_cast<std::size_t>(contact.first) - begin_]);
+      second.add(lane, loads_.at(contact.slot, own_));
     }
   }
 
@@ -174,11 +169,8 @@ private:
     touching_ += counts;
   }
 
-  static std::array<const Real*, lane_count> as_source(const std::array<Real*, lane_count>& pointers) {
-    return std::bit_cast<std::array<const Real*, lane_count>>(pointers);
-  }
-
-  PairContacts& contacts_;
+  PairContacts& pairs_;
+  BlockContacts& contacts_;
   const state::Spheres& spheres_;
   LoadTable& loads_;
   state::SphereLoad* own_;
@@ -188,9 +180,7 @@ private:
   BoxLanes box_;
   bool is_one_material_;
   laws::ContactConstants<Lanes> constants_;
-  LanePointers<const state::SpherePlace> first_place_, second_place_;
-  std::array<const Real*, lane_count> first_spin_, second_spin_;
-  std::array<Real*, lane_count> sliding_memory_, rolling_memory_;
+  std::vector<std::size_t> parted_;
   Lanes elastic_{}, sliding_{}, dashpot_work_{}, sliding_work_{}, touching_{};
 };
 

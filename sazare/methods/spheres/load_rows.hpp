@@ -38,15 +38,6 @@ private:
   Triple<Lanes> length_, inverse_;
 };
 
-/// Four numbers of one kind and four of another.
-inline std::array<Lanes, 8 / lane_count> halves(Real first, Real second) {
-#ifdef __AVX512F__
-  return {__builtin_shufflevector(broadcast(first), broadcast(second), 0, 1, 2, 3, 12, 13, 14, 15)};
-#else
-  return {broadcast(first), broadcast(second)};
-#endif
-}
-
 /// Force and moment in lanes, to be added to loads one after the other.
 class LoadRows {
 public:
@@ -60,15 +51,11 @@ public:
     }
   }
 
-  /// Adds a lane's force times one number and its moment times another.
-  void add(std::size_t lane, Real of_force, Real of_moment, state::SphereLoad* to) const {
-    const auto factors = halves(of_force, of_moment);
+  /// Adds a lane's force and moment.
+  void add(std::size_t lane, state::SphereLoad* to) const {
     auto* const numbers = reinterpret_cast<Real*>(to);
-    for (std::size_t part = 0; part < factors.size(); ++part) {
-      Lanes sum = load_lanes(numbers + part * lane_count);
-      sum += factors[part] * rows_[part * lane_count + lane];
-      store_lanes(numbers + part * lane_count, sum);
-    }
+    for (std::size_t part = 0; part < 8; part += lane_count)
+      store_lanes(numbers + part, load_lanes(numbers + part) + rows_[part + lane]);
   }
 
 private:

@@ -7,7 +7,6 @@
 /// before it are done; each sphere takes what stands for it as a guest, in the order of the blocks.
 
 #include <algorithm>
-#include <span>
 #include <vector>
 
 #include "sazare/neighbors/sphere_pairs.hpp"
@@ -29,6 +28,8 @@ public:
   std::size_t blocks() const { return blocks_; }
   std::size_t begin_of(std::size_t block) const { return block * neighbors::block_size; }
   std::size_t end_of(std::size_t block) const { return std::min((block + 1) * neighbors::block_size, spheres_); }
+  /// Of all blocks together.
+  std::size_t guests() const { return guest_.size(); }
   /// The first block whose contacts look at spheres of this one.
   std::size_t first_visitor(std::size_t block) const { return first_visitor_[block]; }
 
@@ -37,16 +38,26 @@ public:
   /// Adds what guests of other blocks brought to the loads of a block.
   void gather(std::size_t block, state::SphereLoad* own) const;
 
-  /// Where the loads of a block's spheres are kept.
-  state::SphereLoad* kept(std::size_t block) { return &loads_[begin_of(block)]; }
-  const state::SphereLoad& of(std::size_t sphere) const { return loads_[sphere]; }
+  /// Where the loads of a block's spheres are kept; there is no memory for them before they are asked for.
+  state::SphereLoad* kept(std::size_t block) {
+    if (kept_[block].empty()) kept_[block].resize(end_of(block) - begin_of(block));
+    return kept_[block].data();
+  }
+  const state::SphereLoad& of(std::size_t sphere) const {
+    return kept_[sphere / neighbors::block_size][sphere % neighbors::block_size];
+  }
+  /// Gives back the memory of all loads that are kept.
+  void forget() { kept_.assign(blocks_, {}); }
 
-  /// The load of the second sphere of a pair of a block.
-  state::SphereLoad* second(std::size_t pair, state::SphereLoad* own) { return at(slot_[pair], own); }
-  /// The same of a bond of a block.
+  /// Where what a block's contacts bring to a sphere, its own or one of a later block, adds up.
+  Index slot(std::size_t block, Index sphere) const;
+  state::SphereLoad* at(Index slot, state::SphereLoad* own) {
+    return slot >= 0 ? own + slot : &guests_[static_cast<std::size_t>(-1 - slot)];
+  }
+  /// The load of the second sphere of a bond of a block.
   state::SphereLoad* bonded(std::size_t bond, state::SphereLoad* own) { return at(bond_slot_[bond], own); }
 
-  /// The loads of the spheres.
+  /// The loads of the spheres, which all have to be kept.
   void columns(Archive& archive);
 
 private:
@@ -55,21 +66,16 @@ private:
     Index load = 0;   ///< in guests_
   };
 
-  state::SphereLoad* at(Index slot, state::SphereLoad* own) {
-    return slot >= 0 ? own + slot : &guests_[static_cast<std::size_t>(-1 - slot)];
-  }
-  void find_slots(std::size_t block, const std::vector<Index>& guests, std::span<const Index> seconds,
-                  std::span<Index> slots) const;
-  void send_home(const std::vector<std::vector<Index>>& guests);
+  void send_home();
 
   std::size_t spheres_ = 0, blocks_ = 0;
-  std::vector<Index> slot_;                     ///< by pair: place in the block, or below 0 that of the guest
-  std::vector<Index> bond_slot_;                ///< the same by bond
-  std::vector<state::SphereLoad> loads_;        ///< of all spheres
-  std::vector<state::SphereLoad> guests_;       ///< of the guests of each block
-  std::vector<std::size_t> guest_begin_;        ///< by block, in guests_
-  std::vector<std::vector<Guest>> homecoming_;  ///< by block: its spheres that are guests elsewhere
-  std::vector<std::size_t> first_visitor_;      ///< by block
+  std::vector<Index> bond_slot_;                      ///< by bond, see `slot`
+  std::vector<std::vector<state::SphereLoad>> kept_;  ///< by block
+  std::vector<Index> guest_;                          ///< the guests of each block, in order
+  std::vector<state::SphereLoad> guests_;             ///< their loads
+  std::vector<std::size_t> guest_begin_;              ///< by block, in guest_
+  std::vector<std::vector<Guest>> homecoming_;        ///< by block: its spheres that are guests elsewhere
+  std::vector<std::size_t> first_visitor_;            ///< by block
 };
 
 }  // namespace sazare::methods::spheres

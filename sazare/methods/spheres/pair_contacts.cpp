@@ -22,43 +22,43 @@ void permute(std::vector<T>& records, const std::vector<Index>& order) {
 
 std::vector<Index> PairContacts::find(state::Spheres& spheres, Real margin) {
   std::vector<Index> order = neighbors::order_along_curve(spheres, margin);
+  std::vector<Index> new_place(order.size());
+  for (std::size_t n = 0; n < order.size(); ++n) new_place[static_cast<std::size_t>(order[n])] = static_cast<Index>(n);
+  const std::vector<Touch> touches = take_touches(new_place);
+  new_place = {};
   permute(spheres.place, order);
   permute(spheres.spin, order);
   permute(spheres.kick, order);
   if (!spheres.turn.empty()) permute(spheres.turn, order);
   permute(spheres.number, order);
-  std::vector<Index> new_place(order.size());
-  for (std::size_t n = 0; n < order.size(); ++n) new_place[static_cast<std::size_t>(order[n])] = static_cast<Index>(n);
-  const Touches touches = take_touches(new_place);
   pairs_ = neighbors::find_pairs(spheres, margin);
   lay_out();
-  for (std::size_t n = 0; n < touches.pairs.size(); ++n) remember(touches.pairs[n], table_.rolls ? touches.rolling[n] : Memory{});
+  go_on(touches);
   return order;
 }
 
-/// The touching pairs by the new places of their spheres. What was remembered by pair is given up before new pairs are sought.
-PairContacts::Touches PairContacts::take_touches(const std::vector<Index>& new_place) {
-  Touches touches;
-  touches.pairs.reserve(static_cast<std::size_t>(std::ranges::count(sleeps_until_, 0.0F)));
-  for (std::size_t p = 0; p < owner_.size(); ++p) {
-    if (sleeps_until_[p] != 0) continue;
-    const Memory& slid = sliding_[p];
-    Touch touch{new_place[static_cast<std::size_t>(owner_[p])],
-                new_place[static_cast<std::size_t>(pairs_.other[p])],
-                {slid.x, slid.y, slid.z}};
-    if (touch.one > touch.other) {
-      // Seen from the other sphere, sliding changes its sign; rolling does not.
-      std::swap(touch.one, touch.other);
-      touch.sliding = Triple<Real>{} - touch.sliding;
+/// The contacts by the new places of their spheres. All that is kept by pair is given up before new pairs are sought.
+std::vector<PairContacts::Touch> PairContacts::take_touches(const std::vector<Index>& new_place) {
+  std::size_t count = 0;
+  for (const BlockContacts& block : contacts_) count += block.size();
+  std::vector<Touch> touches;
+  touches.reserve(count);
+  for (const BlockContacts& block : contacts_)
+    for (std::size_t n = 0; n < block.size(); ++n) {
+      const Contact& contact = block[n];
+      Touch touch{new_place[static_cast<std::size_t>(contact.first)], new_place[static_cast<std::size_t>(contact.second)],
+                  block.sliding(n), block.rolling(n)};
+      if (touch.one > touch.other) {
+        // Seen from the other sphere, sliding changes its sign; rolling does not.
+        std::swap(touch.one, touch.other);
+        touch.sliding = Triple<Real>{} - touch.sliding;
+      }
+      touches.push_back(touch);
     }
-    touches.pairs.push_back(touch);
-    if (table_.rolls) touches.rolling.push_back(rolling_[p]);
-  }
   pairs_ = {};
   owner_ = {};
   sleeps_until_ = {};
-  sliding_ = {};
-  rolling_ = {};
+  contacts_ = {};
   return touches;
 }
 
@@ -67,66 +67,124 @@ void PairContacts::lay_out() {
   const std::size_t count = pairs_.other.size();
   owner_.resize(count);
   for (std::size_t i = 0; i + 1 < pairs_.first.size(); ++i)
-    std::fill(owner_.begin() + pairs_.first[i], owner_.begin() + pairs_.first[i + 1], static_cast<Index>(i));
+    std::fill(owner_.begin() + pairs_.first[i], owner_.begin() + pairs_.first[i + 1],
+              static_cast<std::uint16_t>(i % neighbors::block_size));
   sleeps_until_.assign(count, looked_at_next);
-  sliding_.resize(count);
-  if (table_.rolls) rolling_.resize(count);
 }
 
-void PairContacts::remember(const Touch& touch, const Memory& rolled) {
-  const auto row = static_cast<std::size_t>(touch.one);
-  for (std::size_t p = pairs_.first[row]; p < pairs_.first[row + 1]; ++p) {
-    if (pairs_.other[p] != touch.other) continue;
-    sleeps_until_[p] = 0;
-    sliding_[p] = {touch.sliding.x, touch.sliding.y, touch.sliding.z, 0};
-    if (table_.rolls) rolling_[p] = rolled;
-    return;
+/// The contacts of each block, by pair.
+void PairContacts::go_on(const std::vector<Touch>& touches) {
+  const std::size_t spheres = pairs_.first.size() - 1;
+  contacts_.resize((spheres + neighbors::block_size - 1) / neighbors::block_size);
+  std::vector<Index> touch_of(pairs_.other.size(), -1);
+  for (std::size_t n = 0; n < touches.size(); ++n)
+    if (const std::size_t pair = pair_of(touches[n].one, touches[n].other); pair < touch_of.size())
+      touch_of[pair] = static_cast<Index>(n);
+  for (std::size_t block = 0; block < contacts_.size(); ++block) {
+    const std::size_t begin = pairs_.first[block * neighbors::block_size],
+                      end = pairs_.first[std::min((block + 1) * neighbors::block_size, spheres)];
+    contacts_[block].reserve((end - begin) - static_cast<std::size_t>(std::count(&touch_of[begin], &touch_of[end], -1)),
+                             table_.rolls);
+    for (std::size_t p = begin; p < end; ++p) {
+      if (touch_of[p] < 0) continue;
+      const Touch& touch = touches[static_cast<std::size_t>(touch_of[p])];
+      contacts_[block].add({touch.one, touch.other, 0, static_cast<std::uint32_t>(p)}, table_.rolls);
+      contacts_[block].remember(contacts_[block].size() - 1, touch.sliding, touch.rolling);
+      sleeps_until_[p] = never;
+    }
   }
+}
+
+void PairContacts::write_to(const LoadTable& loads) {
+  parallel::parallel_for(contacts_.size(), 2, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t block = begin; block < end; ++block)
+      for (std::size_t n = 0; n < contacts_[block].size(); ++n)
+        contacts_[block].set_slot(n, loads.slot(block, contacts_[block][n].second));
+  });
+}
+
+/// The number of a pair of places; beyond the last one where it is no candidate.
+std::size_t PairContacts::pair_of(Index one, Index other) const {
+  const auto row = static_cast<std::size_t>(std::min(one, other));
+  for (std::size_t p = pairs_.first[row]; p < pairs_.first[row + 1]; ++p)
+    if (pairs_.other[p] == std::max(one, other)) return p;
+  return pairs_.other.size();
 }
 
 void PairContacts::set_sleep(Index one, Index other, float until) {
-  const auto row = static_cast<std::size_t>(std::min(one, other));
-  for (std::size_t p = pairs_.first[row]; p < pairs_.first[row + 1]; ++p)
-    if (pairs_.other[p] == std::max(one, other)) sleeps_until_[p] = until;
+  if (const std::size_t pair = pair_of(one, other); pair < sleeps_until_.size()) sleeps_until_[pair] = until;
 }
 
 void PairContacts::rest_within(std::span<const Index> body) {
-  for (std::size_t p = 0; p < owner_.size(); ++p) {
-    const Index of = body[static_cast<std::size_t>(owner_[p])];
-    if (of >= 0 && of == body[static_cast<std::size_t>(pairs_.other[p])])
-      sleeps_until_[p] = std::numeric_limits<float>::infinity();
+  for (std::size_t i = 0; i < body.size(); ++i)
+    for (std::size_t p = pairs_.first[i]; p < pairs_.first[i + 1]; ++p)
+      if (body[i] >= 0 && body[i] == body[static_cast<std::size_t>(pairs_.other[p])]) sleeps_until_[p] = never;
+}
+
+/// Looks at the pairs of a block that may touch by now: those that do become contacts, the others sleep on.
+void PairContacts::wake_those_due(const state::Spheres& spheres, const Task& task) {
+  constexpr std::size_t at_once = 256;
+  std::array<std::uint32_t, at_once + lane_count> due;
+  const auto now = static_cast<float>(task.approach);
+  const std::size_t last = pairs_.first[task.loads.end_of(task.block)];
+  for (std::size_t begin = pairs_.first[task.loads.begin_of(task.block)]; begin < last; begin += at_once) {
+    std::size_t count = 0;
+    for (std::size_t p = begin; p < std::min(begin + at_once, last); ++p) {
+      due[count] = static_cast<std::uint32_t>(p);
+      count += sleeps_until_[p] <= now ? 1 : 0;
+    }
+    for (std::size_t n = 0; n < count; ++n) __builtin_prefetch(&spheres.place[static_cast<std::size_t>(pairs_.other[due[n]])]);
+    std::fill_n(due.begin() + static_cast<std::ptrdiff_t>(count), lane_count, due[0]);  // lanes beyond do not count
+    for (std::size_t n = 0; n < count; n += lane_count) {
+      const std::span<const std::uint32_t, lane_count> some(&due[n], lane_count);
+      const Lanes gap = gaps(spheres, task, some);
+      for (std::size_t lane = 0; lane < std::min<std::size_t>(lane_count, count - n); ++lane)
+        gap[lane] < 0 ? begin_contact(task, some[lane]) : sleep_on(some[lane], task.approach + gap[lane]);
+    }
   }
+}
+
+/// Of as many pairs of a block as there are lanes [m].
+[[gnu::flatten]] Lanes PairContacts::gaps(const state::Spheres& spheres, const Task& task,
+                                          std::span<const std::uint32_t, lane_count> pairs) const {
+  std::array<const Real*, lane_count> from, to;
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    from[lane] = &spheres.place[task.loads.begin_of(task.block) + owner_[pairs[lane]]].x;
+    to[lane] = &spheres.place[static_cast<std::size_t>(pairs_.other[pairs[lane]])].x;
+  }
+  const auto first = load_quads(from), second = load_quads(to);
+  const Triple<Lanes> apart = BoxLanes(spheres.box).nearest({second[0] - first[0], second[1] - first[1], second[2] - first[2]});
+  return square_root(dot(apart, apart)) - (first[3] + second[3]);
+}
+
+void PairContacts::begin_contact(const Task& task, std::size_t pair) {
+  const Index first = static_cast<Index>(task.loads.begin_of(task.block)) + owner_[pair], second = pairs_.other[pair];
+  sleeps_until_[pair] = never;
+  contacts_[task.block].add({first, second, task.loads.slot(task.block, second), static_cast<std::uint32_t>(pair)}, table_.rolls);
+}
+
+void PairContacts::sleep_on(std::size_t pair, Real until) {
+  constexpr float rounded_down = 1 - 1e-6F;
+  sleeps_until_[pair] = rounded_down * static_cast<float>(until);
 }
 
 template <laws::ContactModel model, bool rolls>
 ContactSums PairContacts::evaluate_with(const state::Spheres& spheres, const Task& task) {
-  constexpr std::size_t at_once = 512;  // candidates; what they touch stays in the cache
-  constexpr std::size_t ahead = 48;     // pairs whose spheres are on their way to the cache: the second ones stand anywhere
-  std::array<AwakePair, at_once + lane_count> awake;
+  constexpr std::size_t ahead = 48;  // contacts whose spheres are on their way to the cache: the second ones stand anywhere
+  BlockContacts& contacts = contacts_[task.block];
   ContactKernel<model, rolls> kernel(*this, spheres, task);
-  std::size_t count = 0;
-  const std::size_t end = pairs_.first[task.loads.end_of(task.block)];
-  const auto now = static_cast<float>(task.approach);
-  for (std::size_t begin = pairs_.first[task.loads.begin_of(task.block)]; begin < end; begin += at_once) {
-    for (std::size_t p = begin; p < std::min(begin + at_once, end); ++p) {
-      awake[count] = {owner_[p], pairs_.other[p], static_cast<std::uint32_t>(p)};
-      count += sleeps_until_[p] <= now ? 1 : 0;
-    }
-    std::size_t next = 0;
-    for (std::size_t soon = 0; soon < std::min(count, ahead); ++soon) kernel.fetch(awake[soon]);
-    for (; next + lane_count <= count; next += lane_count) {
-      for (std::size_t soon = next + ahead; soon < std::min(next + ahead + lane_count, count); ++soon) kernel.fetch(awake[soon]);
-      kernel.evaluate(&awake[next], lane_count);
-    }
-    std::copy(awake.begin() + next, awake.begin() + count, awake.begin());
-    count -= next;
+  for (std::size_t soon = 0; soon < std::min(contacts.size(), ahead); ++soon) kernel.fetch(soon);
+  for (std::size_t next = 0; next < contacts.size(); next += lane_count) {
+    for (std::size_t soon = next + ahead; soon < std::min(next + ahead + lane_count, contacts.size()); ++soon) kernel.fetch(soon);
+    kernel.evaluate(next);
   }
-  if (count > 0) kernel.evaluate(awake.data(), static_cast<int>(count));
+  kernel.part();
   return kernel.sums();
 }
 
 ContactSums PairContacts::evaluate(const state::Spheres& spheres, const Task& task) {
   using enum laws::ContactModel;
+  wake_those_due(spheres, task);
   if (table_.model == hertz)
     return table_.rolls ? evaluate_with<hertz, true>(spheres, task) : evaluate_with<hertz, false>(spheres, task);
   return table_.rolls ? evaluate_with<linear, true>(spheres, task) : evaluate_with<linear, false>(spheres, task);
@@ -137,8 +195,31 @@ void PairContacts::columns(Archive& archive) {
   archive("other", pairs_.other);
   archive("owner", owner_);
   archive("sleeps_until", sleeps_until_);
-  archive("sliding", sliding_);
-  archive("rolling", rolling_);
+  std::vector<std::uint64_t> counts;
+  std::vector<Contact> contacts;
+  std::vector<Triple<Real>> sliding, rolling;
+  for (const BlockContacts& block : contacts_) {
+    counts.push_back(block.size());
+    for (std::size_t n = 0; n < block.size(); ++n) {
+      contacts.push_back(block[n]);
+      sliding.push_back(block.sliding(n));
+      if (table_.rolls) rolling.push_back(block.rolling(n));
+    }
+  }
+  archive("contacts_of_blocks", counts);
+  archive("contacts", contacts);
+  archive("sliding", sliding);
+  archive("rolling", rolling);
+  if (!archive.reading()) return;
+  contacts_.assign(counts.size(), {});
+  std::size_t next = 0;
+  for (std::size_t block = 0; block < counts.size(); ++block) {
+    contacts_[block].reserve(counts[block], table_.rolls);
+    for (std::size_t n = 0; n < counts[block]; ++n, ++next) {
+      contacts_[block].add(contacts[next], table_.rolls);
+      contacts_[block].remember(n, sliding[next], table_.rolls ? rolling[next] : Triple<Real>{});
+    }
+  }
 }
 
 }  // namespace sazare::methods::spheres

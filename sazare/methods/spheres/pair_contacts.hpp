@@ -3,13 +3,16 @@
 /// Contacts between spheres: candidates, which of them touch, what they remember, and their forces in lanes.
 ///
 /// A pair that does not touch sleeps: it is looked at again when any two spheres may have come nearer to each other by as much as
-/// its gap. So a step reads one small number of each candidate, and evaluates little more than the pairs that touch.
+/// its gap. So a step reads one small number of each candidate, and evaluates little more than the pairs that touch. These stand
+/// one after the other, block by block: what they remember is read and written in one stream. A pair that has come to touch is
+/// put at the end, and the last one takes the place of one that parts.
 
 #include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
 
+#include "sazare/methods/spheres/block_contacts.hpp"
 #include "sazare/methods/spheres/contact_table.hpp"
 #include "sazare/methods/spheres/load_table.hpp"
 
@@ -20,11 +23,14 @@ public:
   explicit PairContacts(ContactTable table) : table_(std::move(table)) {}
 
   /// Sorts the spheres along a curve and finds all pairs nearer than the margin [m]; what touches goes on remembering.
-  /// Returns the place before of each sphere.
+  /// Returns the place before of each sphere. `write_to` is to follow.
   std::vector<Index> find(state::Spheres& spheres, Real margin);
 
+  /// Tells the contacts where their loads add up.
+  void write_to(const LoadTable& loads);
+
   /// A pair of places that is bonded has no contact until it is woken.
-  void rest(Index one, Index other) { set_sleep(one, other, std::numeric_limits<float>::infinity()); }
+  void rest(Index one, Index other) { set_sleep(one, other, never); }
   void wake(Index one, Index other) { set_sleep(one, other, looked_at_next); }
 
   /// The same for good, for all pairs of one body; `body` says by place which, below 0 where none.
@@ -47,33 +53,24 @@ public:
 
   void columns(Archive& archive);
 
-  /// Four doubles, as lanes read them.
-  struct alignas(32) Memory {
-    Real x = 0, y = 0, z = 0, unused = 0;
-  };
-
 private:
-  struct AwakePair {
-    Index first, second;
-    std::uint32_t pair;
-  };
-
+  /// A contact that goes on when pairs are found anew.
   struct Touch {
-    Index one, other;
-    Triple<Real> sliding;
+    Index one, other;  ///< places
+    Triple<Real> sliding, rolling;
   };
 
-  struct Touches {
-    std::vector<Touch> pairs;
-    std::vector<Memory> rolling;  ///< by pair; empty where nothing resists rolling
-  };
-
-  static constexpr float looked_at_next = -1;
+  static constexpr float looked_at_next = -1, never = std::numeric_limits<float>::infinity();
 
   void set_sleep(Index one, Index other, float until);
-  Touches take_touches(const std::vector<Index>& new_place);
+  std::vector<Touch> take_touches(const std::vector<Index>& new_place);
   void lay_out();
-  void remember(const Touch& touch, const Memory& rolled);
+  std::size_t pair_of(Index one, Index other) const;
+  void go_on(const std::vector<Touch>& touches);
+  void wake_those_due(const state::Spheres& spheres, const Task& task);
+  Lanes gaps(const state::Spheres& spheres, const Task& task, std::span<const std::uint32_t, lane_count> pairs) const;
+  void begin_contact(const Task& task, std::size_t pair);
+  void sleep_on(std::size_t pair, Real until);
 
   template <laws::ContactModel model, bool rolls>
   ContactSums evaluate_with(const state::Spheres& spheres, const Task& task);
@@ -83,10 +80,9 @@ private:
 
   ContactTable table_;
   neighbors::SpherePairs pairs_;
-  std::vector<Index> owner_;         ///< by pair: its first sphere
-  std::vector<float> sleeps_until_;  ///< by pair: the approach at which it may touch [m]; 0 while it touches, -1 when it is new
-  std::vector<Memory> sliding_;      ///< by pair; zero where they do not touch
-  std::vector<Memory> rolling_;      ///< by pair; empty where nothing resists rolling
+  std::vector<std::uint16_t> owner_;     ///< by pair: place in its block of its first sphere
+  std::vector<float> sleeps_until_;      ///< by pair: the approach at which it may touch [m]; infinite while it is a contact
+  std::vector<BlockContacts> contacts_;  ///< by block
 };
 
 }  // namespace sazare::methods::spheres

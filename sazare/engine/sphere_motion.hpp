@@ -1,0 +1,36 @@
+#pragma once
+
+/// Motion of single spheres: the step of some that stand one after the other in memory.
+
+#include <algorithm>
+
+#include "sazare/state/spheres.hpp"
+
+namespace sazare::engine {
+
+/// The largest speeds of some spheres, seen from a drift, and not.
+struct SphereSpeeds {
+  Real first = 0, second = 0;  ///< the two largest, seen from the drift [m/s]
+  Real largest = 0;            ///< [m/s]
+
+  /// Takes more speeds in; one that is no number stays.
+  void take(const SphereSpeeds& more) {
+    second = std::max({second, std::min(first, more.first), more.second});
+    first = more.first <= first ? first : more.first;
+    largest = std::max(largest, more.largest);
+  }
+};
+
+/// Kicks spheres begin .. end - 1 by their loads, of which the first belongs to `begin`, moves them and foresees their
+/// velocities.
+SphereSpeeds kick_and_drift(state::Spheres& spheres, std::size_t begin, std::size_t end, const state::SphereLoad* loads,
+                            const Vector3& gravity, const Vector3& drift, Real step);
+
+/// Turns spheres begin .. end - 1 by the spin of a step. The angle is 2 atan(|w| h/2) (Cayley), which is |w| h to the second
+/// order and, for spheres, the exact course of a kinetic energy a little different, so that the step stays symplectic.
+void turn(state::Spheres& spheres, std::size_t begin, std::size_t end, Real step);
+
+/// What held spheres that move bring in in a step, against the loads on them [J].
+Real work_of_driven(const state::Spheres& spheres, std::size_t begin, std::size_t end, const state::SphereLoad* loads, Real step);
+
+}  // namespace sazare::engine

@@ -1,0 +1,90 @@
+#pragma once
+
+/// The contacts of a block of spheres: the pairs that touch, one after the other in memory, with what they remember in lanes.
+
+#include <cstdint>
+#include <vector>
+
+#include "sazare/core/lanes.hpp"
+#include "sazare/core/time.hpp"
+#include "sazare/core/triple.hpp"
+
+namespace sazare::methods::spheres {
+
+struct Contact {
+  Index first = 0, second = 0;  ///< places of its spheres
+  Index slot = 0;               ///< where the load of the second adds up, see LoadTable
+  std::uint32_t pair = 0;       ///< its number among the candidates
+};
+
+class BlockContacts {
+public:
+  std::size_t size() const { return contacts_.size(); }
+  const Contact& operator[](std::size_t contact) const { return contacts_[contact]; }
+
+  /// Room for so many and some more.
+  void reserve(std::size_t count, bool rolls) {
+    contacts_.reserve(count);
+    sliding_.reserve(groups_of(count));
+    if (rolls) rolling_.reserve(groups_of(count));
+  }
+
+  /// A contact that remembers nothing yet.
+  void add(const Contact& contact, bool rolls) {
+    const std::size_t n = contacts_.size();
+    if (n == contacts_.capacity()) reserve(n + n / 8 + spare, rolls);
+    contacts_.push_back(contact);
+    sliding_.resize(groups_of(n + 1));
+    if (rolls) rolling_.resize(groups_of(n + 1));
+    remember(n, {}, {});
+  }
+
+  void set_slot(std::size_t contact, Index slot) { contacts_[contact].slot = slot; }
+
+  /// The last contact takes the place of one that goes.
+  void remove(std::size_t contact) {
+    const std::size_t last = contacts_.size() - 1;
+    contacts_[contact] = contacts_[last];
+    contacts_.pop_back();
+    for (auto* memory : {&sliding_, &rolling_}) {
+      if (memory->empty()) continue;
+      put(*memory, contact, get(*memory, last));
+      memory->resize(groups_of(last));
+    }
+  }
+
+  /// What the `lane_count` contacts from a multiple of it on remember [m]; lanes beyond the last contact may hold anything.
+  Triple<Lanes>& sliding_of(std::size_t contact) { return sliding_[contact / lane_count]; }
+  Triple<Lanes>& rolling_of(std::size_t contact) { return rolling_[contact / lane_count]; }
+
+  Triple<Real> sliding(std::size_t contact) const { return get(sliding_, contact); }
+  Triple<Real> rolling(std::size_t contact) const { return rolling_.empty() ? Triple<Real>{} : get(rolling_, contact); }
+  void remember(std::size_t contact, const Triple<Real>& sliding, const Triple<Real>& rolling) {
+    put(sliding_, contact, sliding);
+    if (!rolling_.empty()) put(rolling_, contact, rolling);
+  }
+
+private:
+  using Memory = std::vector<Triple<Lanes>>;
+  static constexpr std::size_t spare = 32;
+
+  static std::size_t groups_of(std::size_t count) { return (count + lane_count - 1) / lane_count; }
+  static Triple<Real> get(const Memory& memory, std::size_t contact) {
+    const Triple<Lanes>& group = memory[contact / lane_count];
+    const std::size_t lane = contact % lane_count;
+    return {group.x[lane], group.y[lane], group.z[lane]};
+  }
+  static void put(Memory& memory, std::size_t contact, const Triple<Real>& value) {
+    Triple<Lanes>& group = memory[contact / lane_count];
+    const std::size_t lane = contact % lane_count;
+    group.x[lane] = value.x;
+    group.y[lane] = value.y;
+    group.z[lane] = value.z;
+  }
+
+  std::vector<Contact> contacts_;
+  Memory sliding_;
+  Memory rolling_;  ///< empty where nothing resists rolling
+};
+
+}  // namespace sazare::methods::spheres
