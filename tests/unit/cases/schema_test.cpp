@@ -83,12 +83,13 @@ TEST(Schema, ChoicesAreInTheOrderOfTheEnums) {
 
 TEST(Schema, JsonIsValidAndClosed) {
   const auto all = nlohmann::json::parse(schema_json());
-  ASSERT_EQ(all["oneOf"].size(), 5);
+  ASSERT_EQ(all["oneOf"].size(), 6);
   EXPECT_EQ(all["oneOf"][1]["properties"]["case"]["properties"]["method"]["const"], "mps");
   EXPECT_EQ(all["oneOf"][1]["properties"].size(), mps_schema().size());
   EXPECT_EQ(all["oneOf"][2]["properties"]["case"]["properties"]["method"]["const"], "rectangles");
   EXPECT_EQ(all["oneOf"][3]["properties"]["case"]["properties"]["method"]["const"], "spheres");
   EXPECT_EQ(all["oneOf"][4]["properties"]["case"]["properties"]["method"]["const"], "fem");
+  EXPECT_EQ(all["oneOf"][5]["properties"]["case"]["properties"]["method"]["const"], "hybrid");
   const auto& json = all["oneOf"][0];
   EXPECT_EQ(json["additionalProperties"], false);
   EXPECT_EQ(json["properties"].size(), blocks_schema().size());
