@@ -24,6 +24,9 @@ struct SpheresModel {
 /// Throws UserError when the case does not fit its spheres or its step is above the limit.
 SpheresModel build_spheres(const cases::CaseFile& file);
 
+/// Which spheres of a case fall before it begins, and what slows them.
+engine::RainRules rain_rules(const cases::SpheresCase& spheres, const SpheresModel& model);
+
 /// The constants of every pair of materials of a case.
 methods::spheres::ContactTable contact_table(const cases::SpheresCase& spheres);
 

@@ -23,6 +23,9 @@ public:
   /// were last found; empty where all stand as they did.
   void find(const state::Spheres& spheres, Real time, Real margin, std::span<const Index> places_before);
 
+  /// Whether walls stand still from the next `move` on: where they are then, and without velocity.
+  void stand_still(bool still) { stand_still_ = still; }
+
   /// To be called once before the blocks of a step.
   void move(Real time);
 
@@ -71,6 +74,7 @@ private:
   std::vector<Wall> walls_;
   std::vector<geometry::TriangleGrid> grids_;  ///< by wall
   std::vector<WallPose> poses_;
+  bool stand_still_ = false;
   std::vector<Block> blocks_;
 };
 
