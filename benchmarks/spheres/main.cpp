@@ -1,12 +1,12 @@
 /// Sphere-steps per second of method spheres: grains of 1 mm that settle under gravity on a floor, periodic sides, Hertz-Mindlin
 /// with history.
 ///
-///     spheres THREADS ACROSS FILE
+///     spheres THREADS ACROSS [FILE [STEPS]]
 ///
-/// prints `spheres,sphere_steps_per_second,contacts_per_sphere,bytes_per_sphere,resident,candidates,guests,searches`: steps 500
-/// to 1500, the first 500 make the contacts; bytes per sphere at the largest (while pairs are sought) and at the end, and how
-/// many candidates and guests of blocks there are per sphere. Where FILE is given and not "-", it gets the start as rows of
-/// radius, x, y, z, vx, vy, vz, from which other codes can begin.
+/// prints `spheres,sphere_steps_per_second,contacts_per_sphere,bytes_per_sphere,resident,candidates,guests,searches` of STEPS
+/// steps, 1000 where none are given, after half as many that make the contacts; bytes per sphere at the largest (while pairs are
+/// sought) and at the end, and how many candidates and guests of blocks there are per sphere. Where FILE is given and not "-", it
+/// gets the start as rows of radius, x, y, z, vx, vy, vz, from which other codes can begin.
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -70,9 +70,10 @@ Real resident_bytes() {
 }  // namespace
 
 int main(int count, char** arguments) {
+  const int steps = count > 4 ? std::atoi(arguments[4]) : 1000;
   const int threads = count > 1 ? std::atoi(arguments[1]) : 0, across = count > 2 ? std::atoi(arguments[2]) : 0;
-  if (threads < 1 || across < 2) {
-    std::fprintf(stderr, "usage: spheres THREADS ACROSS [FILE]\n");
+  if (threads < 1 || across < 2 || steps < 2) {
+    std::fprintf(stderr, "usage: spheres THREADS ACROSS [FILE [STEPS]]\n");
     return 2;
   }
   give_back_large_tables();
@@ -86,13 +87,13 @@ int main(int count, char** arguments) {
   table.set(0, 0, laws::hertz_constants(grain, grain, 0.7, 0.5, 0));
   engine::SphereStepper stepper(std::move(start), table, {{}}, {step, Vector3(0, 0, -9.81), 0.1 * 2 * radius, radius});
   stepper.start();
-  for (int k = 0; k < 500; ++k) stepper.advance();
+  for (int k = 0; k < steps / 2; ++k) stepper.advance();
   const auto began = std::chrono::steady_clock::now();
-  for (int k = 0; k < 1000; ++k) stepper.advance();
+  for (int k = 0; k < steps; ++k) stepper.advance();
   const Real seconds = std::chrono::duration<Real>(std::chrono::steady_clock::now() - began).count();
   stepper.settle();
   const Real largest = largest_resident_bytes(), resident = resident_bytes();
-  std::printf("%.0f,%.4g,%.3g,%.4g,%.4g,%.3g,%.3g,%lld\n", spheres, 1000 * spheres / seconds,
+  std::printf("%.0f,%.4g,%.3g,%.4g,%.4g,%.3g,%.3g,%lld\n", spheres, steps * spheres / seconds,
               static_cast<Real>(stepper.contacts()) / spheres, (largest - before) / spheres, (resident - before) / spheres,
               static_cast<Real>(stepper.pairs().pairs().other.size()) / spheres,
               static_cast<Real>(stepper.loads().guests()) / spheres, static_cast<long long>(stepper.searches()));

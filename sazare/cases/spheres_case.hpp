@@ -75,6 +75,8 @@ struct SphereGroup {
   Vector3 rotation = Vector3::Zero();  // rad, of the shape at the start
   bool random_rotation = false;
   bool held = false;
+  bool lowered = false;
+  bool rain = false;
 };
 
 struct WallRules {

@@ -125,6 +125,30 @@ void check_body_group(const CheckContext& context, const Entry& entry, const Sph
                {"radius"}, {});
 }
 
+/// A group of which each body in turn is lowered.
+void check_lowered(const CheckContext& context, const Entry& entry, const SpheresCase& spheres, const SphereGroup& group) {
+  if (!group.lowered) return;
+  if (!(spheres.gravity.acceleration.norm() > 0))
+    context.problems.error(entry.place("lowered"), "there is no gravity to say where down is", "give [gravity] an acceleration");
+  for (const WallRules& wall : spheres.walls)
+    if (wall.shape == WallShape::mesh)
+      context.problems.error(entry.place("lowered"),
+                             fmt::format("the wall \"{}\" is a mesh, onto which nothing can be lowered", wall.name),
+                             "bodies are lowered onto planes, boxes and spheres: let the group fall with rain = true instead");
+}
+
+/// A group that falls before the run begins.
+void check_rain(const CheckContext& context, const Entry& entry, const SpheresCase& spheres, const SphereGroup& group) {
+  if (!group.rain) return;
+  check_keys(context, entry, "rain", {}, {"velocity", "spin", "noise", "held"});
+  if (!(spheres.gravity.acceleration.norm() > 0))
+    context.problems.error(entry.place("rain"), "there is no gravity to fall under", "give [gravity] an acceleration");
+  for (const BondRules& bond : spheres.bonds)
+    if (bond.between[0] == group.name || bond.between[1] == group.name)
+      context.problems.error(entry.place("rain"), fmt::format("the bonds \"{}\" join what is to fall apart", bond.name),
+                             "bonds are made before it rains: remove them, or rain");
+}
+
 void check_groups(const CheckContext& context, const SpheresCase& spheres) {
   const auto materials = names_of(spheres.materials);
   const auto list = context.entries_of("spheres");
@@ -134,6 +158,8 @@ void check_groups(const CheckContext& context, const SpheresCase& spheres) {
     if (!entry.exists() || !entry.is_sound("source")) continue;
     check_known(context, entry, "material", entry.place("material"), group.material, materials, "material");
     check_body_group(context, entry, spheres, group);
+    check_lowered(context, entry, spheres, group);
+    check_rain(context, entry, spheres, group);
     switch (group.source) {
       case SphereSource::one:
         check_keys(context, entry, "one sphere", {"centre"}, {"file", "lower", "upper", "spacing", "count", "largest_radius"});

@@ -61,8 +61,9 @@ std::string explain(const SpheresCase& spheres) {
                                                    pair.rolling_friction.value_or(contact.rolling_friction))));
   for (const ClumpShape& shape : spheres.shapes) text += line("shapes", fmt::format("{}: {}", shape.name, word(shape.source)));
   for (const SphereGroup& group : spheres.spheres)
-    text += line("spheres", fmt::format("{}: {} of {}{}{}", group.name, word(group.source), group.material,
-                                        group.shape.empty() ? "" : ", shape " + group.shape, group.held ? ", held" : ""));
+    text += line("spheres", fmt::format("{}: {} of {}{}{}{}", group.name, word(group.source), group.material,
+                                        group.shape.empty() ? "" : ", shape " + group.shape, group.held ? ", held" : "",
+                                        group.rain ? ", falls and rests before the start" : ""));
   for (const BondRules& bond : spheres.bonds) text += line("bonds", bond_text(bond));
   for (const WallRules& wall : spheres.walls) text += line("walls", wall_text(wall));
   for (const GroupGauge& gauge : spheres.gauges)

@@ -99,10 +99,12 @@ void visit_fields(Visitor& visit, SphereGroup& group) {
     visit("count", group.count);
   }
   visit("seed", group.seed);
-  visit("velocity", group.velocity);
-  visit("spin", group.spin);
-  visit("noise", group.noise);
-  visit("held", group.held);
+  visit("lowered", group.lowered);
+  visit("rain", group.rain);
+  if (visit.has("velocity", !group.rain)) visit("velocity", group.velocity);
+  if (visit.has("spin", !group.rain)) visit("spin", group.spin);
+  if (visit.has("noise", !group.rain)) visit("noise", group.noise);
+  if (visit.has("held", !group.rain)) visit("held", group.held);
   if (!visit.has("shape", !group.shape.empty())) return;
   visit("shape", group.shape);
   visit("rotation", group.rotation);

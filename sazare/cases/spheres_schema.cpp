@@ -215,6 +215,18 @@ constexpr std::array sphere_keys{
         .type = Type::boolean,
         .default_text = "false",
         .sentence = "Whether the spheres keep the velocity and the spin of the start, whatever pushes them."},
+    Key{.name = "lowered",
+        .type = Type::boolean,
+        .default_text = "false",
+        .sentence =
+            "Whether each sphere or body in turn is lowered along gravity until it touches a plane or what was placed before, as "
+            "units are placed on a quay; how high its place is does not count."},
+    Key{.name = "rain",
+        .type = Type::boolean,
+        .default_text = "false",
+        .sentence =
+            "Whether the group falls under gravity and comes to rest before the run begins; all others, and the walls, stand "
+            "still meanwhile."},
     Key{.name = "shape",
         .type = Type::text,
         .note = "none: single spheres",

@@ -71,7 +71,8 @@ void SphereStepper::start() {
     place_members(clumps_, c, Vector3::Zero(), rules_.step, place_, spheres_);
   settle();
   for (state::Clump& clump : clumps_.clumps) kick(clump, rules_.gravity, -0.5 * rules_.step);
-  sums_.dashpot_work = sums_.sliding_work = sums_.bond_drag = wall_work_ = 0;
+  sums_.dashpot_work = sums_.bond_drag = wall_work_ = 0;
+  sums_.sliding_work = sums_.sliding;  // what sliders hold at the beginning is not lost
   for (std::size_t i = 0; i < spheres_.size(); ++i) {
     const Vector3 back = 0.5 * rules_.step * acceleration(i), turn_back = 0.5 * rules_.step * angular_acceleration(i);
     state::SphereKick& kick = spheres_.kick[i];
@@ -86,7 +87,7 @@ void SphereStepper::start() {
 }
 
 void SphereStepper::find_pairs() {
-  loads_.forget();
+  loads_ = {};
   const std::vector<Index> places_before = pairs_.find(spheres_, rules_.margin);
   rest_bodies();
   arrange_bonds();

@@ -6,6 +6,7 @@
 ///
 /// so the step is of second order with dashpots too. The spheres stand in memory along a curve, sorted anew whenever pairs are.
 
+#include <functional>
 #include <utility>
 
 #include "sazare/engine/sphere_motion.hpp"
@@ -43,6 +44,20 @@ struct SphereEnergies {
   }
 };
 
+/// Spheres that fall until they rest, before the beginning.
+struct RainRules {
+  std::vector<std::uint8_t> rains;  ///< by number of the sphere; all or none of a clump
+  Real damping = 0;                 ///< every velocity falls at this rate besides [1/s]
+  std::int64_t most_steps = 0;
+  std::function<bool(std::int64_t steps, Real unrest)> goes_on;  ///< asked now and then
+};
+
+struct RainEnd {
+  std::int64_t steps = 0;
+  Real unrest = 0;  ///< 1 or less: all that fell rests
+  bool goes_on = true;
+};
+
 class SphereStepper {
 public:
   SphereStepper(state::Spheres spheres, methods::spheres::ContactTable table, std::vector<methods::spheres::Wall> walls,
@@ -58,6 +73,10 @@ public:
 
   /// Evaluates the beginning; call once before the first `advance`, not after a resume.
   void start();
+
+  /// Lets spheres fall until they rest, and takes their last velocity from them; all others, and the walls, stand still
+  /// meanwhile, and no time passes. To be called before `start`; contacts go on with what they remember.
+  RainEnd rain(const RainRules& rules);
 
   /// A step: forces at `time()`, kick and drift, block by block in one go.
   void advance();
@@ -112,6 +131,8 @@ private:
   bool is_member(std::size_t sphere) const {
     return !body_.empty() && body_[static_cast<std::size_t>(spheres_.number[sphere])] >= 0;
   }
+  void slow(Real kept);
+  Real unrest();
   void arrange_bonds();
   void part_broken();
   void find_walls(std::span<const Index> places_before);

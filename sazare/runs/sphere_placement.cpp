@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <span>
 
 #include "sazare/cases/number_text.hpp"
 #include "sazare/core/error.hpp"
@@ -12,6 +14,7 @@
 #include "sazare/neighbors/sphere_grid.hpp"
 #include "sazare/neighbors/sphere_pairs.hpp"
 #include "sazare/runs/clump_shape.hpp"
+#include "sazare/runs/sphere_lowering.hpp"
 
 namespace sazare::runs {
 
@@ -74,6 +77,10 @@ private:
     if (balls.empty()) refuse_empty(number);
     const Index material = material_of(group);
     Random random(group.seed);
+    if (group.lowered) {
+      Lowering lowering(spheres_, result_.spheres);
+      for (Ball& ball : balls) lower(number, lowering, std::span(&ball, 1));
+    }
     for (const Ball& ball : balls) {
       result_.spheres.add(ball.centre, ball.radius, density_of(material), material, group.held);
       result_.group.push_back(static_cast<Index>(number));
@@ -87,6 +94,22 @@ private:
     const SphereGroup& group = spheres_.spheres[number];
     refuse(file_, fmt::format("spheres.{}", number), fmt::format("the group \"{}\" has no sphere", group.name),
            group.source == SphereSource::file ? "the file holds no row of numbers" : "its box is too small for the radius");
+  }
+
+  /// Lowers the balls of one body; how far.
+  Vector3 lower(std::size_t number, Lowering& lowering, std::span<Ball> balls) const {
+    const auto way = lowering.way_down(balls);
+    if (!way)
+      refuse(
+          file_, fmt::format("spheres.{}.lowered", number),
+          fmt::format("there is nothing below ({}, {}, {}) on which \"{}\" could stand", short_number(balls[0].centre.x(), 4),
+                      short_number(balls[0].centre.y(), 4), short_number(balls[0].centre.z(), 4), spheres_.spheres[number].name),
+          "a plane, or spheres of a group before, have to lie below every place");
+    for (Ball& ball : balls) {
+      ball.centre += *way * lowering.down();
+      lowering.add(ball);
+    }
+    return *way * lowering.down();
   }
 
   Index material_of(const SphereGroup& group) const {
@@ -134,11 +157,23 @@ private:
       }
     if (places.empty()) refuse_empty(number);
     Random random(group.seed);
+    std::optional<Lowering> lowering;
+    if (group.lowered) lowering.emplace(spheres_, result_.spheres);
     for (std::size_t n = 0; n < places.size(); ++n) {
       const auto rotation =
           group.random_rotation ? random_rotation(random) : rotation_of(rotations.empty() ? group.rotation : rotations[n]);
+      if (lowering) {
+        std::vector<Ball> balls = balls_of(shape, places[n].centre, rotation);
+        places[n].centre += lower(number, *lowering, balls);
+      }
       add_body(number, shape, places[n].centre, rotation, velocity_of(group, random));
     }
+  }
+
+  static std::vector<Ball> balls_of(const Shape& shape, const Vector3& centre, const Eigen::Quaternion<Real>& rotation) {
+    std::vector<Ball> balls = shape.balls;
+    for (Ball& ball : balls) ball.centre = centre + rotation * (shape.axes * ball.centre);
+    return balls;
   }
 
   void add_body(std::size_t number, const Shape& shape, const Vector3& centre, const Eigen::Quaternion<Real>& rotation,

@@ -140,6 +140,14 @@ class Sphere(Part):
     """Largest random velocity along each axis, beside the velocity. [m/s] Default: 0.0. At least 0."""
     held: bool | None = None
     """Whether the spheres keep the velocity and the spin of the start, whatever pushes them. Default: false."""
+    lowered: bool | None = None
+    """Whether each sphere or body in turn is lowered along gravity until it touches a plane or what was placed before, as units
+    are placed on a quay; how high its place is does not count. Default: false.
+    """
+    rain: bool | None = None
+    """Whether the group falls under gravity and comes to rest before the run begins; all others, and the walls, stand still
+    meanwhile. Default: false.
+    """
     shape: str | None = None
     """Shape of [[shapes]]: the group is of rigid bodies, places are those of their centres of mass. (none: single spheres)"""
     rotation: tuple[float, float, float] | None = None

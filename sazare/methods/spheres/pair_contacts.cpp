@@ -11,11 +11,22 @@ namespace sazare::methods::spheres {
 
 namespace {
 
+/// The n-th record becomes what order[n] was. In place, circle by circle: a copy would be the most that a search needs.
 template <class T>
 void permute(std::vector<T>& records, const std::vector<Index>& order) {
-  std::vector<T> sorted(records.size());
-  for (std::size_t n = 0; n < order.size(); ++n) sorted[n] = records[static_cast<std::size_t>(order[n])];
-  records = std::move(sorted);
+  std::vector<bool> done(records.size());
+  for (std::size_t first = 0; first < records.size(); ++first) {
+    if (done[first]) continue;
+    const T kept = records[first];
+    std::size_t to = first;
+    for (auto from = static_cast<std::size_t>(order[to]); from != first; from = static_cast<std::size_t>(order[to])) {
+      records[to] = records[from];
+      done[to] = true;
+      to = from;
+    }
+    records[to] = kept;
+    done[to] = true;
+  }
 }
 
 }  // namespace
@@ -24,7 +35,7 @@ std::vector<Index> PairContacts::find(state::Spheres& spheres, Real margin) {
   std::vector<Index> order = neighbors::order_along_curve(spheres, margin);
   std::vector<Index> new_place(order.size());
   for (std::size_t n = 0; n < order.size(); ++n) new_place[static_cast<std::size_t>(order[n])] = static_cast<Index>(n);
-  const std::vector<Touch> touches = take_touches(new_place);
+  const Touches touches = take_touches(new_place);
   new_place = {};
   permute(spheres.place, order);
   permute(spheres.spin, order);
@@ -38,22 +49,24 @@ std::vector<Index> PairContacts::find(state::Spheres& spheres, Real margin) {
 }
 
 /// The contacts by the new places of their spheres. All that is kept by pair is given up before new pairs are sought.
-std::vector<PairContacts::Touch> PairContacts::take_touches(const std::vector<Index>& new_place) {
+PairContacts::Touches PairContacts::take_touches(const std::vector<Index>& new_place) {
   std::size_t count = 0;
   for (const BlockContacts& block : contacts_) count += block.size();
-  std::vector<Touch> touches;
-  touches.reserve(count);
+  Touches touches;
+  touches.pairs.reserve(count);
+  if (table_.rolls) touches.rolling.reserve(count);
   for (const BlockContacts& block : contacts_)
     for (std::size_t n = 0; n < block.size(); ++n) {
       const Contact& contact = block[n];
       Touch touch{new_place[static_cast<std::size_t>(contact.first)], new_place[static_cast<std::size_t>(contact.second)],
-                  block.sliding(n), block.rolling(n)};
+                  block.sliding(n)};
       if (touch.one > touch.other) {
         // Seen from the other sphere, sliding changes its sign; rolling does not.
         std::swap(touch.one, touch.other);
         touch.sliding = Triple<Real>{} - touch.sliding;
       }
-      touches.push_back(touch);
+      touches.pairs.push_back(touch);
+      if (table_.rolls) touches.rolling.push_back(block.rolling(n));
     }
   pairs_ = {};
   owner_ = {};
@@ -73,12 +86,12 @@ void PairContacts::lay_out() {
 }
 
 /// The contacts of each block, by pair.
-void PairContacts::go_on(const std::vector<Touch>& touches) {
+void PairContacts::go_on(const Touches& touches) {
   const std::size_t spheres = pairs_.first.size() - 1;
   contacts_.resize((spheres + neighbors::block_size - 1) / neighbors::block_size);
   std::vector<Index> touch_of(pairs_.other.size(), -1);
-  for (std::size_t n = 0; n < touches.size(); ++n)
-    if (const std::size_t pair = pair_of(touches[n].one, touches[n].other); pair < touch_of.size())
+  for (std::size_t n = 0; n < touches.pairs.size(); ++n)
+    if (const std::size_t pair = pair_of(touches.pairs[n].one, touches.pairs[n].other); pair < touch_of.size())
       touch_of[pair] = static_cast<Index>(n);
   for (std::size_t block = 0; block < contacts_.size(); ++block) {
     const std::size_t begin = pairs_.first[block * neighbors::block_size],
@@ -87,9 +100,10 @@ void PairContacts::go_on(const std::vector<Touch>& touches) {
                              table_.rolls);
     for (std::size_t p = begin; p < end; ++p) {
       if (touch_of[p] < 0) continue;
-      const Touch& touch = touches[static_cast<std::size_t>(touch_of[p])];
+      const auto n = static_cast<std::size_t>(touch_of[p]);
+      const Touch& touch = touches.pairs[n];
       contacts_[block].add({touch.one, touch.other, 0, static_cast<std::uint32_t>(p)}, table_.rolls);
-      contacts_[block].remember(contacts_[block].size() - 1, touch.sliding, touch.rolling);
+      contacts_[block].remember(contacts_[block].size() - 1, touch.sliding, table_.rolls ? touches.rolling[n] : Triple<Real>{});
       sleeps_until_[p] = never;
     }
   }

@@ -57,16 +57,20 @@ private:
   /// A contact that goes on when pairs are found anew.
   struct Touch {
     Index one, other;  ///< places
-    Triple<Real> sliding, rolling;
+    Triple<Real> sliding;
+  };
+  struct Touches {
+    std::vector<Touch> pairs;
+    std::vector<Triple<Real>> rolling;  ///< by pair; empty where nothing resists rolling
   };
 
   static constexpr float looked_at_next = -1, never = std::numeric_limits<float>::infinity();
 
   void set_sleep(Index one, Index other, float until);
-  std::vector<Touch> take_touches(const std::vector<Index>& new_place);
+  Touches take_touches(const std::vector<Index>& new_place);
   void lay_out();
   std::size_t pair_of(Index one, Index other) const;
-  void go_on(const std::vector<Touch>& touches);
+  void go_on(const Touches& touches);
   void wake_those_due(const state::Spheres& spheres, const Task& task);
   Lanes gaps(const state::Spheres& spheres, const Task& task, std::span<const std::uint32_t, lane_count> pairs) const;
   void begin_contact(const Task& task, std::size_t pair);

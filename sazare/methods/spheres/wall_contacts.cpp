@@ -41,7 +41,10 @@ void WallContacts::book_surface(Real step) {
 
 void WallContacts::move(Real time) {
   time_ = time;
-  for (std::size_t w = 0; w < walls_.size(); ++w) poses_[w] = WallPose::of(walls_[w].motion, time);
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    poses_[w] = WallPose::of(walls_[w].motion, time);
+    if (stand_still_) poses_[w].velocity = poses_[w].spin = Vector3::Zero();
+  }
 }
 
 void WallContacts::find(const state::Spheres& spheres, Real time, Real margin, std::span<const Index> places_before) {

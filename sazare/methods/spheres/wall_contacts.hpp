@@ -25,6 +25,9 @@ public:
   /// were last found; empty where all stand as they did.
   void find(const state::Spheres& spheres, Real time, Real margin, std::span<const Index> places_before);
 
+  /// Whether walls stand still from the next `move` on: where they are then, and without velocity.
+  void stand_still(bool still) { stand_still_ = still; }
+
   /// To be called once before the blocks of a step.
   void move(Real time);
 
@@ -91,6 +94,7 @@ private:
   std::vector<Wall> walls_;
   std::vector<geometry::TriangleGrid> grids_;  ///< by wall
   std::vector<WallPose> poses_;
+  bool stand_still_ = false;
   Real reach_ = 0;
   Real time_ = 0;                                       ///< of the last `move` [s]
   std::size_t surface_ = static_cast<std::size_t>(-1);  ///< which of the walls moves with its nodes

@@ -2,6 +2,8 @@
 
 #include <atomic>
 #include <chrono>
+#include <map>
+#include <sstream>
 #include <thread>
 
 #include "sazare/core/error.hpp"
@@ -103,6 +105,47 @@ name = "armour"
 group = "armour"
 )";
 
+/// Grains and tetrapods that rest at the start, and a ball above that falls into them.
+const char* rained = R"([[shapes]]
+name = "tetrapod"
+height = 0.02
+leg_spheres = 2
+[[spheres]]
+name = "bed"
+material = "glass"
+source = "random"
+radius = 0.005
+lower = [0.0, 0.0, 0.0]
+upper = [0.08, 0.08, 0.03]
+count = 100
+rain = true
+[[spheres]]
+name = "armour"
+material = "glass"
+source = "random"
+shape = "tetrapod"
+random_rotation = true
+lower = [0.0, 0.0, 0.03]
+upper = [0.08, 0.08, 0.06]
+count = 5
+rain = true
+[[spheres]]
+name = "ball"
+material = "glass"
+centre = [0.04, 0.04, 0.1]
+radius = 0.008
+velocity = [0.0, 0.0, -1.0]
+[[gauges]]
+name = "bed"
+group = "bed"
+[[gauges]]
+name = "armour"
+group = "armour"
+[[gauges]]
+name = "ball"
+group = "ball"
+)";
+
 cases::CaseFile case_of(const TemporaryFolder& folder, const std::string& rest, const std::vector<std::string>& settings = {}) {
   return cases::read_case(folder.write("case.toml", head + rest), settings);
 }
@@ -161,7 +204,54 @@ TEST_P(InParts, gives_the_bits_of_one_run) {
             test::without_last_column(read_text(folder / "parts/history.csv")));
 }
 
-INSTANTIATE_TEST_SUITE_P(run_spheres, InParts, testing::Values(scattered, bonded, tetrapods));
+INSTANTIATE_TEST_SUITE_P(run_spheres, InParts, testing::Values(scattered, bonded, tetrapods, rained));
+
+/// The rows of a table, by the names of its columns without their units.
+std::vector<std::map<std::string, Real>> rows_of(const fs::path& file) {
+  std::istringstream lines(read_text(file));
+  std::string names, values, name, value;
+  std::getline(lines, names);
+  std::vector<std::map<std::string, Real>> rows;
+  while (std::getline(lines, values)) {
+    std::istringstream columns(names), numbers(values);
+    rows.emplace_back();
+    while (std::getline(columns, name, ',') && std::getline(numbers, value, ','))
+      rows.back()[name.substr(0, name.find(" ["))] = std::stod(value);
+  }
+  return rows;
+}
+
+TEST(run_spheres, what_rains_rests_at_the_start_and_all_else_has_waited) {
+  const TemporaryFolder folder;
+  carry_out(case_of(folder, rained, {"time.end=0.02", "time.snapshot_interval=0.02"}), folder / "run");
+  const auto start = rows_of(folder / "run/history.csv").front(), gauges = rows_of(folder / "run/gauges.csv").front();
+  const Real ball = 2500 * 4.18879 * 0.008 * 0.008 * 0.008;
+  EXPECT_NEAR(start.at("energy_translation"), 0.5 * ball, 1e-6 * ball);
+  EXPECT_EQ(start.at("energy_rotation"), 0);
+  EXPECT_GT(start.at("energy_sliding"), 0);
+  EXPECT_EQ(start.at("work_friction"), 0);
+  EXPECT_EQ(gauges.at("ball.position_z"), 0.1);
+  EXPECT_EQ(gauges.at("ball.velocity_z"), -1);
+  EXPECT_LT(gauges.at("bed.position_z"), 0.012);  // from 0.015; tetrapods, which began at 0.045, lie on it
+  EXPECT_LT(gauges.at("armour.position_z"), 0.035);
+  EXPECT_LT(std::abs(read_manifest(folder / "run")["results"]["energy_residual"].get<double>()), 1e-3 * ball);
+}
+
+TEST(run_spheres, rain_stays_as_it_lies) {
+  const TemporaryFolder folder;
+  carry_out(case_of(folder, rained, {"spheres.2.held=true", "spheres.2.velocity=[0.0, 0.0, 0.0]"}), folder / "run");
+  const auto rows = rows_of(folder / "run/gauges.csv");
+  for (const char* place : {"bed.position_x", "bed.position_z", "armour.position_z"})
+    EXPECT_NEAR(rows.back().at(place), rows.front().at(place), 1e-6) << place;
+}
+
+TEST(run_spheres, rain_stops_when_asked) {
+  const TemporaryFolder folder;
+  const std::atomic<bool> stop = true;
+  const RunOutcome outcome = carry_out(case_of(folder, rained), folder / "run", Begin::fresh, &stop);
+  EXPECT_TRUE(outcome.stopped);
+  EXPECT_EQ(outcome.manifest.status, "stopped");
+}
 
 TEST(run_spheres, a_bonded_block_breaks_and_the_ledger_closes) {
   const TemporaryFolder folder;
@@ -248,6 +338,29 @@ upper = [0.034, 0.02, 0.011]
   const Placement placement = place_spheres(file);
   ASSERT_EQ(placement.spheres.size(), 6);
   EXPECT_LT((placement.spheres.place[0].centre() - Vector3(0.007, 0.005, 0.0055)).norm(), 1e-12);
+}
+
+/// One on the floor, one on its shoulder across the periodic side, and a bar, upright, on both.
+TEST(run_spheres, lowers_bodies_until_they_touch) {
+  const TemporaryFolder folder;
+  const std::string shape = "[[shapes]]\nname = \"bar\"\nsource = \"file\"\nfile = \"" +
+                            folder.write("bar.txt", "0.005 0 0 0\n0.005 0.008 0 0\n0.005 0.016 0 0\n").string() + "\"\n";
+  const auto group = [](const std::string& name, const std::string& rest) {
+    return "[[spheres]]\nname = \"" + name + "\"\nmaterial = \"glass\"\nlowered = true\n" + rest;
+  };
+  const auto file = case_of(folder, shape + group("first", "radius = 0.005\ncentre = [0.001, 0.02, 0.5]\n") +
+                                        group("second", "radius = 0.005\ncentre = [0.073, 0.02, -1.0]\n") +
+                                        group("bar",
+                                              "shape = \"bar\"\ncentre = [0.073, 0.02, 0.3]\nrotation = [0.0, "
+                                              "1.5707963267948966, 0.0]\n"));
+  const Placement placement = place_spheres(file);
+  EXPECT_LT((placement.spheres.place[0].centre() - Vector3(0.001, 0.02, 0.005)).norm(), 1e-12);
+  EXPECT_LT((placement.spheres.place[1].centre() - Vector3(0.073, 0.02, 0.011)).norm(), 1e-12);  // 6 mm up on 8 mm across
+  EXPECT_NEAR((placement.spheres.place[4].centre() - placement.spheres.place[1].centre()).norm(), 0.01, 1e-12);
+  EXPECT_GT(placement.spheres.place[4].z, 0.0209);
+  const std::string nothing =
+      refused(group("a", "radius = 0.005\ncentre = [0.0, 0.0, 0.5]\n"), {"gravity.acceleration=[0.0, 0.0, 9.81]"});
+  EXPECT_NE(nothing.find("error: there is nothing below (0, 0, 0.5) on which \"a\" could stand"), std::string::npos) << nothing;
 }
 
 TEST(run_spheres, pairs_of_materials_have_their_own_constants) {
