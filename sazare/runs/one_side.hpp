@@ -30,7 +30,12 @@ public:
     if (channel_) channel_->files().keep_from(mark_.next);
   }
   void part(coupling::Farewell reason, std::int64_t window, const std::string& words) {
-    if (channel_) channel_->files().part(reason, window, words);
+    if (!channel_) return;
+    try {
+      channel_->files().part(reason, window, words);
+    } catch (const MachineError&) {  // what has failed is the error to report
+      if (reason != coupling::Farewell::failed) throw;
+    }
   }
   /// In writing and reading [s].
   Real transport() { return channel_ ? channel_->files().transport() : 0; }
