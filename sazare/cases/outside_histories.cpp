@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace sazare::cases {
 namespace {
 
@@ -32,6 +34,17 @@ std::vector<OutsideHistory> histories_of(const Case& content) {
   for (std::size_t i = 0; i < content.motions.size(); ++i)
     if (content.motions[i].type == MotionShape::function)
       found.push_back({content.motions[i].name, fmt::format("motions.{}.type", i), "motion", 0, content.motions[i].samples});
+  return found;
+}
+
+/// Of both sides; what both name alike is one function.
+std::vector<OutsideHistory> histories_of(const HybridCase& hybrid) {
+  std::vector<OutsideHistory> found;
+  for (const auto& [side, key] : {std::pair{hybrid.continuum, "sides.continuum"}, std::pair{hybrid.bodies, "sides.bodies"}})
+    for (OutsideHistory& history : outside_histories(*side)) {
+      history.key = key;
+      found.push_back(std::move(history));
+    }
   return found;
 }
 

@@ -9,6 +9,7 @@
 #include "sazare/runs/hybrid_model.hpp"
 #include "sazare/runs/one_side.hpp"
 #include "sazare/runs/run_case.hpp"
+#include "sazare/runs/sphere_rain.hpp"
 #include "sazare/runs/spheres_record.hpp"
 
 namespace sazare::runs {
@@ -34,6 +35,7 @@ private:
 /// The bodies of a hybrid case, see CaseRun. A step of the run is a window that the continuum has accepted.
 struct BodiesWork {
   const cases::CaseFile& file;
+  const RunOptions& options;
   RunTimes times;
   RunFolder folder;
   SpheresModel model;
@@ -46,15 +48,16 @@ struct BodiesWork {
   std::optional<coupling::SurfaceMotion> motion;  ///< the next one; none when the continuum has closed
   std::optional<coupling::Stopped> stopped;       ///< the continuum, after the last window
 
-  BodiesWork(const cases::CaseFile& of, const RunOptions& options)
+  BodiesWork(const cases::CaseFile& of, const RunOptions& of_run)
       : file(of),
-        folder(options.folder, options.begin),
+        options(of_run),
+        folder(of_run.folder, of_run.begin),
         model(build_spheres(bodies_case(), window())),
         side(*model.stepper, surface_material(of.hybrid())),
         identity(identify(of.hybrid(), {}, identify(bodies_case().spheres(), observe::to_hex(model.start)))),
         clocks(make_clocks(of.hybrid().continuum->fem().time, window())),
         record(folder, bodies_case(), model, clocks, window()),
-        line(options) {
+        line(of_run) {
     parallel::limit_threads(static_cast<int>(model.group.size()) / spheres_per_thread);
   }
 
@@ -72,6 +75,7 @@ struct BodiesWork {
 
   bool start() {
     attach();
+    if (!let_rain(bodies_case().spheres(), model, options)) return false;
     line.channel().answer(side.start());
     line.mark();
     motion = line.channel().receive();

@@ -5,6 +5,7 @@
 #include "sazare/runs/hybrid_model.hpp"
 #include "sazare/runs/hybrid_record.hpp"
 #include "sazare/runs/run_case.hpp"
+#include "sazare/runs/sphere_rain.hpp"
 #include "sazare/runs/temporary_folder.hpp"
 
 namespace sazare::runs {
@@ -71,6 +72,7 @@ struct HybridModel {
 template <int D>
 struct HybridWork {
   const cases::CaseFile& file;
+  const RunOptions& options;
   RunTimes times;
   RunFolder folder, continuum_folder, bodies_folder;
   HybridModel<D> model;
@@ -80,11 +82,12 @@ struct HybridWork {
   std::array<engine::PartTime, 2> parts{{{"finite elements", 0}, {"bodies", 0}}};
   std::string started = observe::time_of_day();
 
-  HybridWork(const cases::CaseFile& of, const RunOptions& options)
+  HybridWork(const cases::CaseFile& of, const RunOptions& of_run)
       : file(of),
-        folder(options.folder, options.begin),
-        continuum_folder(side_folder(folder, "continuum", options.begin)),
-        bodies_folder(side_folder(folder, "bodies", options.begin)),
+        options(of_run),
+        folder(of_run.folder, of_run.begin),
+        continuum_folder(side_folder(folder, "continuum", of_run.begin)),
+        bodies_folder(side_folder(folder, "bodies", of_run.begin)),
         model(of, load_fem_mesh(continuum_case(), continuum_folder.mesh(), folder.resumes())),
         identity(identify(of.hybrid(), identify(continuum_case().fem(), mesh_hash(model.continuum.mesh())),
                           identify(bodies_case().spheres(), observe::to_hex(model.bodies.start)))),
@@ -116,6 +119,7 @@ struct HybridWork {
     if (continuum_case().fem().gravity.settle) model.continuum.stepper->settle();
     model.continuum.stepper->start();
     model.attach(file);
+    if (!let_rain(bodies_case().spheres(), model.bodies, options)) return false;
     model.continuum_side.start(model.body_side.start());
     return true;
   }

@@ -1,11 +1,10 @@
-#include <cmath>
-
 #include "sazare/cases/resolved.hpp"
 #include "sazare/core/large_tables.hpp"
 #include "sazare/observe/atomic_file.hpp"
 #include "sazare/observe/hash.hpp"
 #include "sazare/runs/case_run.hpp"
 #include "sazare/runs/run_case.hpp"
+#include "sazare/runs/sphere_rain.hpp"
 #include "sazare/runs/spheres_record.hpp"
 
 namespace sazare::runs {
@@ -53,33 +52,11 @@ struct SpheresWork {
   Real checkpoint_interval() const { return file.spheres().output.checkpoint_interval; }
 
   bool start() {
-    if (!rain()) return false;
+    if (!let_rain(file.spheres(), model, options)) return false;
     model.stepper->start();
     return true;
   }
 
-  /// False when asked to stop before all that falls rests.
-  bool rain() {
-    engine::RainRules rules = rain_rules(file.spheres(), model);
-    if (std::ranges::count(rules.rains, 1) == 0) return true;
-    if (!options.quiet) fmt::print("falling to rest under gravity\n");
-    std::fflush(stdout);
-    Progress progress(options.quiet, {.smallest_step = model.step, .broken_joints = -1, .evaluated = "particle-steps"});
-    Real first = 0;
-    rules.goes_on = [&](std::int64_t done, Real unrest) {
-      first = std::max(first, unrest);
-      // What is left falls by about the same factor in equal times.
-      if (progress.is_due())
-        progress.show({std::log(first / unrest) / std::log(first), 0, done * spheres(), model.step, -1, "particle-steps"});
-      return options.stop_asked == nullptr || !options.stop_asked->load(std::memory_order_relaxed);
-    };
-    const engine::RainEnd end = model.stepper->rain(rules);
-    if (!end.goes_on || end.unrest <= 1) return end.goes_on;
-    throw PhysicsError(
-        fmt::format("what rains does not come to rest: after {} steps it moves {} times as much as at rest\n"
-                    "  it finds no ground, or nothing brakes it: look at the walls below, at friction and at restitution",
-                    end.steps, number(end.unrest, 3)));
-  }
   void advance() { model.stepper->advance(); }
   std::int64_t step() const { return model.stepper->steps(); }
   bool must_check() const { return step() % motion_check_steps == 0; }

@@ -187,21 +187,4 @@ SpheresModel build_spheres(const cases::CaseFile& file, std::optional<Real> cloc
   return model;
 }
 
-engine::RainRules rain_rules(const SpheresCase& spheres, const SpheresModel& model) {
-  constexpr std::int64_t most_steps = 20'000'000;
-  engine::RainRules rules;
-  rules.most_steps = most_steps;
-  for (const Index group : model.group) rules.rains.push_back(spheres.spheres[static_cast<std::size_t>(group)].rain ? 1 : 0);
-  // Falls with at most the speed sqrt(g H), H being how high the body is.
-  const Real gravity = spheres.gravity.acceleration.norm();
-  Real lowest = std::numeric_limits<Real>::infinity(), highest = -lowest;
-  for (const auto& place : model.stepper->spheres().place) {
-    const Real height = gravity > 0 ? -place.centre().dot(spheres.gravity.acceleration) / gravity : 0;
-    lowest = std::min(lowest, height - place.radius);
-    highest = std::max(highest, height + place.radius);
-  }
-  rules.damping = std::sqrt(gravity / (highest - lowest));
-  return rules;
-}
-
 }  // namespace sazare::runs

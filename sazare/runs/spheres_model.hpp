@@ -26,9 +26,6 @@ struct SpheresModel {
 /// divides its history interval, or a shorter clock that is given [s].
 SpheresModel build_spheres(const cases::CaseFile& file, std::optional<Real> clock = std::nullopt);
 
-/// Which spheres of a case fall before it begins, and what slows them.
-engine::RainRules rain_rules(const cases::SpheresCase& spheres, const SpheresModel& model);
-
 /// The constants of every pair of materials of a case.
 methods::spheres::ContactTable contact_table(const cases::SpheresCase& spheres);
 
