@@ -322,7 +322,7 @@ def changed(message, **fields):
         (lambda sound: changed(sound, tables={"mean": (NODES, "N"), "last": (NODES, "N")}), partner.Mismatch, r"in \[N\] a row, and 2 in \[N/m\]"),
         (lambda sound: changed(sound, tables={"mean": (NODES[:2], "N/m")}), partner.Mismatch, "has 2 rows, and the surface has 3 nodes"),
         (lambda sound: changed(sound, tables={}), partner.Mismatch, "has no table 'mean'"),
-        (lambda sound: changed(sound, tables={"mean": (NODES * np.inf, "N/m")}), partner.NotFinite, "the bodies' program: mean of node 0 in window 0"),
+        (lambda sound: changed(sound, tables={"mean": (np.full_like(NODES, np.inf), "N/m")}), partner.NotFinite, "the bodies' program: mean of node 0 in window 0"),
     ],
 )
 def test_what_is_wrong_is_told_apart(tmp_path, make, kind, words):

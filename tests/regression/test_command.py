@@ -114,7 +114,7 @@ def test_case_of_a_geometry_is_meshed_into_the_folder(sazare, tmp_path):
 def test_schema_is_json_and_the_page_of_the_reference(sazare):
     schemas = json.loads(sazare("schema").stdout)["oneOf"]
     known = [schema["properties"] for schema in schemas]
-    assert len(known) == 5
+    assert len(known) == 6
     for properties, table in zip(known, ("joints", "particles", "walls", "spheres", "solver")):
         assert table in properties
     assert sazare("schema", "--markdown").stdout == (ROOT / "docs" / "reference" / "case.md").read_text()
