@@ -166,42 +166,6 @@ Real UniformStepper<D>::at_rest(const terms::Dashpot& dashpot) const {
          applied_to(static_cast<std::size_t>(dashpot.freedom), at(dashpot.particle));
 }
 
-/// From now on, from rest.
-template <int D>
-void UniformStepper<D>::stand_still() {
-  for (state::Column& column : particles_.velocity) std::ranges::fill(column, 0);
-  begin_halfway();
-}
-
-template <int D>
-Real UniformStepper<D>::settle(const Settling& rules) {
-  const auto velocity = particles_.velocity;
-  for (const terms::Dashpot& dashpot : supports_.dashpots) hold(dashpot.particle, dashpot.freedom);
-  find_even_tiles();
-  drive();
-  forces_->evaluate(particles_, elastic_);
-  previous_ = elastic_;
-  stand_still();
-  Real before = 0, left = largest_unbalance();
-  for (std::int64_t i = 0; i < rules.most_steps && left > rules.tolerance; ++i) {
-    step_ = -1;  // so that the time stays 0
-    kick_and_drift();
-    const Real now = kinetic_sum();
-    if (now < before) stand_still();
-    before = now < before ? 0 : now;
-    left = largest_unbalance();
-    if (!rules.goes_on(i + 1, left)) break;
-  }
-  for (terms::Dashpot& dashpot : supports_.dashpots) {
-    const auto freedom = static_cast<std::size_t>(dashpot.freedom);
-    dashpot.reaction = -elastic_[freedom][at(dashpot.particle)] - (dashpot.freedom < D ? supports_.gravity[dashpot.freedom] : 0);
-  }
-  settled_ = particles_.displacement;
-  particles_.velocity = velocity;
-  prepare_factors();
-  return left;
-}
-
 /// Puts what is driven where its history has it at the present time.
 template <int D>
 void UniformStepper<D>::drive() {
@@ -364,27 +328,6 @@ Real UniformStepper<D>::kinetic_energy() const {
           inverse > 0)  // what has no mass of its own is moved by others
         total += 0.5 * now[freedom][i] * now[freedom][i] / inverse;
   return total;
-}
-
-template <int D>
-Real UniformStepper<D>::kinetic_sum() const {
-  Real total = 0;
-  for (std::size_t freedom = 0; freedom < keep_.size(); ++freedom)
-    for (std::size_t i = 0; i < particles_.size(); ++i) {
-      const Real speed = particles_.velocity[freedom][i];
-      total += 0.5 * speed * speed / particles_.inverse_inertia_of(freedom)[i];
-    }
-  return total;
-}
-
-template <int D>
-Real UniformStepper<D>::largest_unbalance() const {
-  Real largest = 0;
-  for (std::size_t axis = 0; axis < D; ++axis)
-    for (std::size_t i = 0; i < particles_.size(); ++i)
-      if (gain_[axis][i] > 0)
-        largest = std::max(largest, std::abs(elastic_[axis][i] + supports_.gravity[static_cast<int>(axis)]));
-  return largest;
 }
 
 template <int D>
