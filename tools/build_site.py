@@ -25,7 +25,7 @@ NAVIGATION = [
     ("Guide", "docs/guide/*.md"),
     ("Gallery", ["docs/gallery/README.md"]),
     ("Cases", "cases/*/README.md"),
-    ("Reference", ["docs/reference/case.md", "docs/reference/coupling-files.md", "docs/reference/command.md", "docs/reference/python.md"]),
+    ("Reference", ["docs/reference/case.md", "docs/reference/run-folder.md", "docs/reference/coupling-files.md", "docs/reference/command.md", "docs/reference/python.md"]),
     ("Validation", ["docs/reference/validation.md", "validation/**/README.md"]),
     ("Develop", ["docs/develop/*.md", "CONTRIBUTING.md", "benchmarks/README.md", "CHANGELOG.md"]),
 ]
