@@ -166,11 +166,15 @@ def test_window_that_is_given_up_begins_anew_on_both_sides(tmp_path):
     """The continuum is stopped in the second pass of window 1, when the bodies have answered it already."""
     marks = []
 
+    def interrupted(*_):
+        answered.wait()
+        raise KeyboardInterrupt
+
     def leading():
         with pytest.raises(KeyboardInterrupt), continuum(tmp_path, checkpoints=True) as other:
             other.exchange(NODES)
             other.exchange(NODES)
-            other._receive = lambda *_: answered.wait() and signal.raise_signal(signal.SIGINT)
+            other._receive = interrupted
             try:
                 other.exchange(NODES, again=True)
             finally:
@@ -186,10 +190,7 @@ def test_window_that_is_given_up_begins_anew_on_both_sides(tmp_path):
         marks.append(other.mark())
 
     answered = threading.Event()
-    following_thread = threading.Thread(target=following)
-    following_thread.start()
-    leading()  # a signal reaches the first thread only
-    following_thread.join()
+    together(leading, following)
     assert marks[0] == marks[1] == {"run": marks[0]["run"], "next": 2, "window": 1}
 
 
