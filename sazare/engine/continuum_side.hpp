@@ -64,7 +64,6 @@ public:
   /// Mean of the nodes, since the beginning [m].
   Vector3 mean_displacement() const;
 
-  const coupling::SurfaceForce& force() const { return force_; }
   /// Difference between the force tried and found in the last window, over the larger one; of repeat.
   Real disagreement() const { return disagreement_; }
 

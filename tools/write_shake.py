@@ -1,9 +1,13 @@
-"""Writes shake.csv: rest for 1 s, then five waves of 2 Hz and 500 gal between a wave that grows and one that dies away,
-then rest."""
+"""Writes a record of a shaking table: rest, then five waves of 2 Hz and 500 gal between a wave that grows and one that dies away, then rest.
+
+    python tools/write_shake.py SECONDS_OF_REST FILE
+"""
 
 import math
+import sys
 
-STEP, REST, END = 0.005, 1.0, 5.0
+STEP, END = 0.005, 5.0
+REST, FILE = float(sys.argv[1]), sys.argv[2]
 FREQUENCY, PEAK, WAVES = 2.0, 5.0, 5
 
 
@@ -29,7 +33,7 @@ def acceleration(time):
     return PEAK / turn**2 * (share * turn**2 * sine - 2 * slope * turn * cosine - bend * sine)
 
 
-with open("shake.csv", "w", encoding="utf-8") as file:
+with open(FILE, "w", encoding="utf-8") as file:
     file.write("time [s],acceleration [m/s2]\n")
     for row in range(round(END / STEP) + 1):
         file.write(f"{row * STEP:.3f},{acceleration(row * STEP):.6f}\n")
