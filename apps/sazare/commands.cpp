@@ -7,6 +7,7 @@
 #include "sazare/cases/case_file.hpp"
 #include "sazare/cases/schema.hpp"
 #include "sazare/parallel/threads.hpp"
+#include "sazare/runs/folder_page.hpp"
 #include "sazare/runs/run_case.hpp"
 
 namespace sazare::command {
@@ -21,8 +22,10 @@ int check(const CaseArguments& arguments) {
   return done;
 }
 
-int schema(bool markdown) {
-  std::string text = markdown ? cases::schema_markdown() : cases::schema_json();
+int schema(Schema what) {
+  std::string text = what == Schema::folder ? runs::folder_markdown()
+                     : what == Schema::page ? cases::schema_markdown()
+                                            : cases::schema_json();
   if (!text.ends_with('\n')) text += '\n';
   fmt::print("{}", text);
   return done;

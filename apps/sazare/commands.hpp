@@ -53,7 +53,9 @@ int study(const StudyArguments& arguments);
 int check(const CaseArguments& arguments);
 /// A command that the Python package carries out, with its arguments: {"report", "build/demo"}.
 int in_python(std::vector<std::string> arguments);
-int schema(bool markdown);
+/// What to print of what the program knows about its files.
+enum class Schema { json, page, folder };
+int schema(Schema what);
 int info(const parallel::Ranks& ranks);
 
 }  // namespace sazare::command

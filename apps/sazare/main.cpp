@@ -74,7 +74,7 @@ struct Arguments {
   command::RunArguments run;
   command::CaseArguments check;
   command::StudyArguments study;
-  bool markdown = false;
+  bool markdown = false, folder = false;
 };
 
 void describe(CLI::App& app, Arguments& arguments) {
@@ -99,8 +99,9 @@ void describe(CLI::App& app, Arguments& arguments) {
   add_case_options(check, arguments.check);
   describe_study(*app.add_subcommand("study", "families of cases: the limit step of each, by bisection"), arguments.study);
   for (const auto& [name, words] : python_commands) app.add_subcommand(name, words)->prefix_command()->set_help_flag();
-  app.add_subcommand("schema", "the schema of the case file, as JSON for editors")
-      ->add_flag("--markdown", arguments.markdown, "as the page of the reference");
+  auto& schema = *app.add_subcommand("schema", "the schema of the case file, as JSON for editors");
+  auto* page = schema.add_flag("--markdown", arguments.markdown, "as the page of the reference");
+  schema.add_flag("--folder", arguments.folder, "what a run writes, as the page of the reference")->excludes(page);
   app.add_subcommand("info", "version, compiler, machine, threads, MPI");
   app.footer("Exit codes: 0 done, 2 an error of the user, 3 the physics failed, 4 the machine failed or the run was stopped.");
 }
@@ -115,7 +116,10 @@ int carry_out(const CLI::App& app, const Arguments& arguments, const parallel::R
     all.insert(all.begin(), name);
     return command::in_python(all);
   }
-  if (app.got_subcommand("schema")) return command::schema(arguments.markdown);
+  if (app.got_subcommand("schema"))
+    return command::schema(arguments.folder     ? command::Schema::folder
+                           : arguments.markdown ? command::Schema::page
+                                                : command::Schema::json);
   return command::info(ranks);
 }
 

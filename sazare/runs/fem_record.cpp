@@ -46,58 +46,38 @@ FemRecord<D>::FemRecord(const RunFolder& folder, const cases::CaseFile& file, Fe
       file_(&file),
       model_(&model),
       clocks_(clocks),
-      snapshots_(folder.snapshots(), "finite_elements"),
+      files_(folder.snapshots(), "finite_elements"),
       peaks_(model.gauges.size(), 0),
       largest_forces_(model.group_names.size() * D, 0) {}
 
 template <int D>
-std::vector<std::pair<std::string, Real>> FemRecord<D>::energies() const {
+std::array<Real, columns::fem::energies.size()> FemRecord<D>::energies() const {
   const engine::FemWork& work = stepper().work();
-  return {{"work", work.gravity + work.loads + work.boundary + work.waves},
-          {"kinetic", stepper().rules().statics ? 0 : stepper().kinetic_energy()},
-          {"elastic", stepper().elastic_energy()},
-          {"damping", work.damping},
-          {"radiation", work.radiation},
-          {"plastic", work.plastic},
-          {"friction", work.friction},
-          {"residual", stepper().energy_residual()}};
+  const Real kinetic = stepper().rules().statics ? 0 : stepper().kinetic_energy();
+  return {work.gravity + work.loads + work.boundary + work.waves,
+          kinetic,
+          stepper().elastic_energy(),
+          work.damping,
+          work.radiation,
+          work.plastic,
+          work.friction,
+          stepper().energy_residual()};
 }
 
 template <int D>
-std::vector<std::string> FemRecord<D>::history_columns() const {
-  std::vector<std::string> columns = {"time [s]", "displacement_max [m]", "speed_max [m/s]", "acceleration_max [m/s2]"};
-  for (const auto& [name, value] : energies()) columns.push_back(fmt::format("energy_{} [J]", name));
-  for (const char* name : {"gravity", "loads", "boundary", "waves"}) columns.push_back(fmt::format("work_{} [J]", name));
-  for (const std::string& name : model_->group_names)
-    for (int axis = 0; axis < D; ++axis)
-      columns.push_back(fmt::format("force.{}_{} [N]", name, axis_names[static_cast<std::size_t>(axis)]));
-  for (const auto& set : stepper().body().joints().sets())
-    for (const char* what : {"open_share [-]", "slip_share [-]", "slip_max [m]"})
-      columns.push_back(fmt::format("joint.{}.{}", set.name, what));
-  for (const char* rest : {"iterations [-]", "cuts [-]", "wall_seconds [s]"}) columns.emplace_back(rest);
-  return columns;
-}
-
-template <int D>
-std::vector<std::string> FemRecord<D>::gauge_columns() const {
-  std::vector<std::string> columns = {"time [s]"};
-  for (const cases::Gauge& gauge : file_->fem().gauges)
-    for (const auto& [quantity, unit] : {std::pair{"displacement", "m"}, {"velocity", "m/s"}, {"acceleration", "m/s2"}})
-      for (const char axis : axis_names) columns.push_back(fmt::format("{}.{}_{} [{}]", gauge.name, quantity, axis, unit));
-  return columns;
-}
-
-template <int D>
-void FemRecord<D>::begin() {
-  history_.emplace(folder_->history(), history_columns());
-  gauges_.emplace(folder_->gauges(), gauge_columns());
-}
-
-template <int D>
-void FemRecord<D>::resume() {
-  history_ = observe::CsvWriter::resume(folder_->history(), history_columns(), static_cast<std::size_t>(rows_));
-  gauges_ = observe::CsvWriter::resume(folder_->gauges(), gauge_columns(), static_cast<std::size_t>(rows_));
-  snapshots_.resume(static_cast<std::size_t>(snapshot_count_));
+std::vector<RecordFiles::Table> FemRecord<D>::tables() const {
+  std::vector<std::string> history, gauges;
+  observe::add_titles(history, columns::time);
+  observe::add_titles(history, columns::fem::motion);
+  observe::add_titles(history, columns::fem::energies);
+  observe::add_titles(history, columns::fem::work);
+  for (const std::string& name : model_->group_names) observe::add_titles(history, columns::fem::boundary, name, D);
+  for (const auto& set : stepper().body().joints().sets()) observe::add_titles(history, columns::fem::joint_set, set.name);
+  observe::add_titles(history, columns::fem::newton);
+  observe::add_titles(history, columns::clock);
+  observe::add_titles(gauges, columns::time);
+  for (const cases::Gauge& gauge : file_->fem().gauges) observe::add_titles(gauges, columns::place_motion, gauge.name);
+  return {{folder_->history(), history}, {folder_->gauges(), gauges}};
 }
 
 /// Forces of the boundaries of the case on the body; what two of them hold belongs to the first.
@@ -124,7 +104,7 @@ std::vector<Real> FemRecord<D>::history_row(Real time, Real wall_seconds) {
   largest_speed_ = std::max(largest_speed_, speed);
   largest_acceleration_ = std::max(largest_acceleration_, acceleration);
   std::vector<Real> row = {time, displacement_, speed, acceleration};
-  for (const auto& [name, value] : energies()) row.push_back(value);
+  for (const Real value : energies()) row.push_back(value);
   const engine::FemWork& work = state.work;
   row.insert(row.end(), {work.gravity, work.loads, work.boundary, work.waves});
   std::size_t place = 0;
@@ -161,12 +141,9 @@ template <int D>
 void FemRecord<D>::observe(std::int64_t step, Real wall_seconds) {
   if (!clocks_.is_row(step)) return;
   const Real time = clocks_.time(step);
-  history_->add_row(history_row(time, wall_seconds));
-  gauges_->add_row(gauge_row(time));
-  ++rows_;
-  if (!clocks_.is_snapshot(step)) return;
-  write_snapshot(time);
-  ++snapshot_count_;
+  files_.add_row(0, history_row(time, wall_seconds));
+  files_.add_row(1, gauge_row(time));
+  if (clocks_.is_snapshot(step)) write_snapshot(time);
 }
 
 template <int D>
@@ -196,27 +173,12 @@ void FemRecord<D>::write_snapshot(Real time) {
       connectivity.push_back(element.nodes[static_cast<std::size_t>(place)]);
     types.push_back(geometry::facts(element.shape).vtk_type);
   }
-  const auto of_vectors = [](const std::string& name, const std::vector<Vector3>& values) {
-    return observe::CellData{name, 3, std::span<const Real>(values.empty() ? nullptr : values.front().data(), 3 * values.size())};
-  };
-  const std::vector<observe::CellData> of_points = {of_vectors("displacement", moved), of_vectors("velocity", velocity),
-                                                    of_vectors("acceleration", acceleration)};
-  const std::vector<observe::CellData> of_cells = {of_vectors("normal_stress", normal),
-                                                   of_vectors("shear_stress", shear),
-                                                   {"pressure", 1, std::span<const Real>(pressure)},
-                                                   {"plastic_slip", 1, std::span<const Real>(slip)},
-                                                   {"region", 1, std::span<const std::int32_t>(region)}};
+  const auto of_points = observe::cell_data(columns::fem::nodes, moved, velocity, acceleration);
+  const auto of_cells = observe::cell_data(columns::fem::elements, normal, shear, pressure, slip, region);
   observe::Grid grid{observe::Grid::Cell::vertex, places, connectivity, of_cells, time};
   grid.point_data = of_points;
   grid.types = types;
-  snapshots_.write(grid);
-}
-
-template <int D>
-void FemRecord<D>::flush(bool to_disk) {
-  if (history_) history_->flush(to_disk);
-  if (gauges_) gauges_->flush(to_disk);
-  if (to_disk) snapshots_.sync();
+  files_.add_snapshot(grid);
 }
 
 template <int D>
@@ -246,7 +208,8 @@ std::vector<std::pair<std::string, observe::Figure>> FemRecord<D>::results(std::
       {"peak_displacement", largest_displacement_},
       {"peak_speed", largest_speed_},
       {"peak_acceleration", largest_acceleration_}};
-  for (const auto& [name, value] : energies()) results.emplace_back("energy_" + name, value);
+  const auto joules = energies();
+  for (std::size_t i = 0; i < joules.size(); ++i) results.emplace_back(columns::fem::energies[i].name, joules[i]);
   for (std::size_t i = 0; i < largest_forces_.size(); ++i)
     results.emplace_back(fmt::format("peak_force_{}_{}", model_->group_names[i / D], axis_names[i % D]), largest_forces_[i]);
   const auto& joints = stepper().body().joints();
@@ -274,8 +237,7 @@ std::uint64_t FemRecord<D>::state_hash() const {
 
 template <int D>
 void FemRecord<D>::columns(Archive& archive) {
-  archive("rows", rows_);
-  archive("snapshots", snapshot_count_);
+  files_.columns(archive);
   archive("displacement", displacement_);
   archive("largest_displacement", largest_displacement_);
   archive("largest_speed", largest_speed_);

@@ -2,10 +2,10 @@
 
 /// What a run of method fem writes down: histories, gauges, snapshots, headline figures. It never changes the run.
 
-#include "sazare/observe/csv_writer.hpp"
 #include "sazare/observe/manifest.hpp"
-#include "sazare/observe/vtkhdf.hpp"
 #include "sazare/runs/fem_model.hpp"
+#include "sazare/runs/record_columns.hpp"
+#include "sazare/runs/record_files.hpp"
 #include "sazare/runs/run_clocks.hpp"
 #include "sazare/runs/run_folder.hpp"
 
@@ -16,10 +16,10 @@ class FemRecord {
 public:
   FemRecord(const RunFolder& folder, const cases::CaseFile& file, FemModel<D>& model, const RunClocks& clocks);
 
-  void begin();
-  void resume();
+  void begin() { files_.begin(tables()); }
+  void resume() { files_.resume(tables()); }
   void observe(std::int64_t step, Real wall_seconds);
-  void flush(bool to_disk);
+  void flush(bool to_disk) { files_.flush(to_disk); }
 
   /// Throws PhysicsError when a displacement is no number.
   void check_motion(Real time) const;
@@ -32,26 +32,22 @@ public:
 
 private:
   const engine::FemStepper<D>& stepper() const { return *model_->stepper; }
-  std::vector<std::string> history_columns() const;
-  std::vector<std::string> gauge_columns() const;
+  std::vector<RecordFiles::Table> tables() const;  ///< history, gauges
   std::vector<Real> history_row(Real time, Real wall_seconds);
   std::vector<Real> gauge_row(Real time);
   std::vector<Vector<D>> boundary_forces() const;
-  std::vector<std::pair<std::string, Real>> energies() const;
+  std::array<Real, columns::fem::energies.size()> energies() const;
   void write_snapshot(Real time);
 
   const RunFolder* folder_;
   const cases::CaseFile* file_;
   FemModel<D>* model_;
   RunClocks clocks_;
-  observe::SnapshotSeries snapshots_;
-  std::optional<observe::CsvWriter> history_;
-  std::optional<observe::CsvWriter> gauges_;
+  RecordFiles files_;
   std::vector<Real> peaks_;           ///< largest speed by gauge [m/s]
   std::vector<Real> largest_forces_;  ///< by boundary and axis [N]
   Real displacement_ = 0;             ///< largest of the last row [m]
   Real largest_displacement_ = 0, largest_speed_ = 0, largest_acceleration_ = 0;
-  std::int64_t rows_ = 0, snapshot_count_ = 0;
 };
 
 extern template class FemRecord<2>;

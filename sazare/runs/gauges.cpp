@@ -8,6 +8,7 @@
 #include "sazare/cases/number_text.hpp"
 #include "sazare/geometry/tetrahedron.hpp"
 #include "sazare/runs/material_points.hpp"
+#include "sazare/runs/record_columns.hpp"
 
 namespace sazare::runs {
 
@@ -70,11 +71,11 @@ Gauges::Gauges(const cases::CaseFile& file, const geometry::TetraMesh& mesh) {
   peaks_.resize(names_.size(), 0);
 }
 
-std::vector<std::string> Gauges::column_names() const {
-  std::vector<std::string> columns = {"time [s]"};
-  for (const std::string& name : names_)
-    for (const char axis : {'x', 'y', 'z'}) columns.push_back(fmt::format("{}.velocity_{} [m/s]", name, axis));
-  return columns;
+std::vector<std::string> Gauges::titles() const {
+  std::vector<std::string> titles;
+  observe::add_titles(titles, columns::time);
+  for (const std::string& name : names_) observe::add_titles(titles, columns::blocks::gauge, name);
+  return titles;
 }
 
 std::vector<Real> Gauges::sample(Real time, const state::Bodies<3>& bodies, const engine::Snapshot<3>& now) {

@@ -18,7 +18,7 @@ public:
   Gauges(const cases::CaseFile& file, const geometry::TetraMesh& mesh);
 
   /// Names of the columns of a row, with their units.
-  std::vector<std::string> column_names() const;
+  std::vector<std::string> titles() const;
 
   /// A row of the table, and the peaks raised by it.
   std::vector<Real> sample(Real time, const state::Bodies<3>& bodies, const engine::Snapshot<3>& now);

@@ -3,37 +3,9 @@
 #include <algorithm>
 
 #include "sazare/observe/hash.hpp"
+#include "sazare/runs/record_columns.hpp"
 
 namespace sazare::runs {
-
-namespace {
-
-const std::vector<std::string> history_columns = {"time [s]",
-                                                  "surface.displacement_x [m]",
-                                                  "surface.displacement_y [m]",
-                                                  "surface.displacement_z [m]",
-                                                  "surface.force_x [N]",
-                                                  "surface.force_y [N]",
-                                                  "surface.force_z [N]",
-                                                  "surface.last_force_x [N]",
-                                                  "surface.last_force_y [N]",
-                                                  "surface.last_force_z [N]",
-                                                  "impulse_given_x [N s]",
-                                                  "impulse_given_y [N s]",
-                                                  "impulse_given_z [N s]",
-                                                  "impulse_under_way_x [N s]",
-                                                  "impulse_under_way_y [N s]",
-                                                  "impulse_under_way_z [N s]",
-                                                  "work_on_nodes [J]",
-                                                  "work_on_bodies [J]",
-                                                  "energy_made [J]",
-                                                  "energy_residual_continuum [J]",
-                                                  "energy_residual_bodies [J]",
-                                                  "passes [-]",
-                                                  "disagreement [-]",
-                                                  "wall_seconds [s]"};
-
-}  // namespace
 
 template <int D>
 HybridRecord<D>::HybridRecord(const HybridParts<D>& parts, const RunClocks& clocks)
@@ -43,15 +15,24 @@ HybridRecord<D>::HybridRecord(const HybridParts<D>& parts, const RunClocks& cloc
       bodies_(parts.bodies_folder, *parts.file.hybrid().bodies, parts.bodies, clocks) {}
 
 template <int D>
+std::vector<RecordFiles::Table> HybridRecord<D>::tables() const {
+  std::vector<std::string> history;
+  observe::add_titles(history, columns::time);
+  observe::add_titles(history, columns::hybrid::history);
+  observe::add_titles(history, columns::clock);
+  return {{parts_.folder.history(), history}};
+}
+
+template <int D>
 void HybridRecord<D>::begin() {
-  history_.emplace(parts_.folder.history(), history_columns);
+  files_.begin(tables());
   continuum_.begin();
   bodies_.begin();
 }
 
 template <int D>
 void HybridRecord<D>::resume() {
-  history_ = observe::CsvWriter::resume(parts_.folder.history(), history_columns, static_cast<std::size_t>(rows_));
+  files_.resume(tables());
   continuum_.resume();
   bodies_.resume();
 }
@@ -81,18 +62,17 @@ std::vector<Real> HybridRecord<D>::row(Real time, Real wall_seconds) const {
 template <int D>
 void HybridRecord<D>::observe(std::int64_t step, Real wall_seconds) {
   if (!clocks_.is_row(step)) return;
-  if (rows_ == 0) first_sum_ = parts_.bodies.stepper->energies().sum();
-  history_->add_row(row(clocks_.time(step), wall_seconds));
+  if (files_.rows() == 0) first_sum_ = parts_.bodies.stepper->energies().sum();
+  files_.add_row(0, row(clocks_.time(step), wall_seconds));
   largest_force_ = std::max(largest_force_, parts_.side.mean_force().norm());
   largest_displacement_ = std::max(largest_displacement_, parts_.side.mean_displacement().norm());
-  ++rows_;
   continuum_.observe(step, wall_seconds);
   bodies_.observe(step, wall_seconds);
 }
 
 template <int D>
 void HybridRecord<D>::flush(bool to_disk) {
-  if (history_) history_->flush(to_disk);
+  files_.flush(to_disk);
   continuum_.flush(to_disk);
   bodies_.flush(to_disk);
 }
@@ -121,7 +101,7 @@ std::vector<std::pair<std::string, observe::Figure>> HybridRecord<D>::results(st
           {"impulse_under_way", ledger.under_way().norm()},
           {"work_on_nodes", ledger.work_on_nodes},
           {"energy_made", ledger.made()},
-          {"energy_residual", rows_ > 0 ? residual() : 0},
+          {"energy_residual", files_.rows() > 0 ? residual() : 0},
           {"peak_force", largest_force_},
           {"peak_displacement", largest_displacement_}};
 }
@@ -160,7 +140,7 @@ void HybridRecord<D>::write_manifests(const observe::Manifest& like, std::int64_
 
 template <int D>
 void HybridRecord<D>::columns(Archive& archive) {
-  archive("rows", rows_);
+  files_.columns(archive);
   archive("largest_force", largest_force_);
   archive("largest_displacement", largest_displacement_);
   archive("first_sum", first_sum_);

@@ -44,6 +44,7 @@ public:
   void columns(Archive& archive);
 
 private:
+  std::vector<RecordFiles::Table> tables() const;
   std::vector<Real> row(Real time, Real wall_seconds) const;
   Real residual() const;
 
@@ -51,11 +52,10 @@ private:
   RunClocks clocks_;
   FemRecord<D> continuum_;
   SpheresRecord bodies_;
-  std::optional<observe::CsvWriter> history_;
+  RecordFiles files_;
   Real largest_force_ = 0;         ///< of the bodies on the surface, mean of a window [N]
   Real largest_displacement_ = 0;  ///< mean of the surface's nodes [m]
   Real first_sum_ = 0;             ///< of the bodies' energies [J]
-  std::int64_t rows_ = 0;
 };
 
 extern template class HybridRecord<2>;

@@ -9,6 +9,7 @@
 #include "sazare/cases/number_text.hpp"
 #include "sazare/core/error.hpp"
 #include "sazare/observe/hash.hpp"
+#include "sazare/runs/record_columns.hpp"
 
 namespace sazare::runs {
 
@@ -55,20 +56,20 @@ MpsRecord<D>::MpsRecord(const RunFolder& folder, const cases::CaseFile& file, Mp
       model_(&model),
       clocks_(clocks),
       gauge_particles_(gauge_particles<D>(file, model.filling)),
-      snapshots_(folder.snapshots(), "particles"),
+      files_(folder.snapshots(), "particles"),
       peaks_(gauge_particles_.size(), 0) {}
 
 template <int D>
-std::vector<std::string> MpsRecord<D>::history_columns() const {
-  std::vector<std::string> columns = {"time [s]",        "energy_kinetic [J]",     "energy_elastic [J]", "displacement_max [m]",
-                                      "speed_max [m/s]", "acceleration_max [m/s2]"};
-  if (has_books())
-    columns.insert(columns.end(), {"energy_gravity [J]", "energy_boundary [J]", "energy_prescribed [J]", "energy_damping [J]",
-                                   "energy_residual [J]"});
-  if (model_->failing != nullptr)
-    columns.insert(columns.end(), {"energy_flow [J]", "energy_rupture [J]", "energy_contact [J]", "links_broken", "contacts"});
-  columns.emplace_back("wall_seconds [s]");
-  return columns;
+std::vector<RecordFiles::Table> MpsRecord<D>::tables() const {
+  std::vector<std::string> history, gauges;
+  observe::add_titles(history, columns::time);
+  observe::add_titles(history, columns::mps::motion);
+  if (has_books()) observe::add_titles(history, columns::mps::books);
+  if (model_->failing != nullptr) observe::add_titles(history, columns::mps::failure);
+  observe::add_titles(history, columns::clock);
+  observe::add_titles(gauges, columns::time);
+  for (const cases::Gauge& gauge : file_->mps().gauges) observe::add_titles(gauges, columns::place_motion, gauge.name);
+  return {{folder_->history(), history}, {folder_->gauges(), gauges}};
 }
 
 template <int D>
@@ -77,33 +78,11 @@ Vector3 MpsRecord<D>::displacement_of(std::size_t i) const {
 }
 
 template <int D>
-std::vector<std::string> MpsRecord<D>::gauge_columns() const {
-  std::vector<std::string> columns = {"time [s]"};
-  for (const cases::Gauge& gauge : file_->mps().gauges)
-    for (const auto& [quantity, unit] : {std::pair{"displacement", "m"}, {"velocity", "m/s"}, {"acceleration", "m/s2"}})
-      for (const char axis : {'x', 'y', 'z'}) columns.push_back(fmt::format("{}.{}_{} [{}]", gauge.name, quantity, axis, unit));
-  return columns;
-}
-
-template <int D>
 Real MpsRecord<D>::settlement() const {
   Real largest = 0;
   for (std::size_t i = 0; i < model_->filling.sites.size(); ++i)
     largest = std::max(largest, vector_of(model_->stepper->settled(), D, i).norm());
   return largest;
-}
-
-template <int D>
-void MpsRecord<D>::begin() {
-  history_.emplace(folder_->history(), history_columns());
-  gauges_.emplace(folder_->gauges(), gauge_columns());
-}
-
-template <int D>
-void MpsRecord<D>::resume() {
-  history_ = observe::CsvWriter::resume(folder_->history(), history_columns(), static_cast<std::size_t>(rows_));
-  gauges_ = observe::CsvWriter::resume(folder_->gauges(), gauge_columns(), static_cast<std::size_t>(rows_));
-  snapshots_.resume(static_cast<std::size_t>(snapshot_count_));
 }
 
 template <int D>
@@ -120,14 +99,15 @@ void MpsRecord<D>::observe(std::int64_t step, Real wall_seconds) {
   }
   close_books(step == 0);
   std::vector<Real> history = {time, kinetic_, elastic_, displacement, speed, largest};
-  if (has_books()) history.insert(history.end(), {work_.gravity, work_.boundary, work_.prescribed, -work_.damping, residual_});
+  if (has_books())
+    history.insert(history.end(), {work_.gravity, work_.boundary, work_.prescribed, work_.applied, -work_.damping, residual_});
   if (const auto* failing = model_->failing) {
     const auto work = failing->work();
     history.insert(history.end(), {work.flow, work.rupture, work.contact, static_cast<Real>(failing->broken_links()),
                                    static_cast<Real>(failing->contacts())});
   }
   history.push_back(wall_seconds);
-  history_->add_row(history);
+  files_.add_row(0, history);
   displacement_ = displacement;
   largest_displacement_ = std::max(largest_displacement_, displacement);
   largest_speed_ = std::max(largest_speed_, speed);
@@ -139,11 +119,8 @@ void MpsRecord<D>::observe(std::int64_t step, Real wall_seconds) {
       row.insert(row.end(), value.begin(), value.end());
     peaks_[gauge] = std::max(peaks_[gauge], vector_of(velocity, D, i).norm());
   }
-  gauges_->add_row(row);
-  ++rows_;
-  if (!clocks_.is_snapshot(step)) return;
-  write_snapshot(time, velocity, acceleration);
-  ++snapshot_count_;
+  files_.add_row(1, row);
+  if (clocks_.is_snapshot(step)) write_snapshot(time, velocity, acceleration);
 }
 
 /// What no cause accounts for: the energy of linear forces is kept to round-off with the kinetic energy of the kick.
@@ -176,29 +153,16 @@ void MpsRecord<D>::write_snapshot(Real time, const state::FreedomColumns<D>& vel
     change.push_back(vector_of(acceleration, D, i));
     number[i] = static_cast<std::int32_t>(i);
   }
-  const auto of_vectors = [](const std::string& name, const std::vector<Vector3>& values) {
-    return observe::CellData{name, 3, std::span<const Real>(values.empty() ? nullptr : values.front().data(), 3 * values.size())};
-  };
-  const auto of_integers = [](const std::string& name, const std::vector<std::int32_t>& values) {
-    return observe::CellData{name, 1, std::span<const std::int32_t>(values)};
-  };
-  std::vector<observe::CellData> data = {of_vectors("displacement", displacement),  of_vectors("velocity", speed),
-                                         of_vectors("acceleration", change),        of_integers("region", model_->filling.region),
-                                         of_integers("material", model_->material), {"spacing", 1, std::span<const Real>(size)}};
-  std::vector<Real> broken;
+  std::vector<observe::CellData> data =
+      observe::cell_data(columns::mps::particles, displacement, speed, change, model_->filling.region, model_->material, size);
+  std::vector<Real> slip, broken;
   if (const auto* failing = model_->failing) {
+    const state::Column& all = failing->strength().slip();
+    slip.assign(all.data(), all.data() + particles.size());
     for (std::size_t i = 0; i < particles.size(); ++i) broken.push_back(failing->broken_share(static_cast<Index>(i)));
-    data.push_back({"slip", 1, std::span<const Real>(failing->strength().slip().data(), particles.size())});
-    data.push_back({"broken_share", 1, std::span<const Real>(broken)});
+    for (const observe::CellData& one : observe::cell_data(columns::mps::failed_particles, slip, broken)) data.push_back(one);
   }
-  snapshots_.write({observe::Grid::Cell::vertex, place, number, data, time});
-}
-
-template <int D>
-void MpsRecord<D>::flush(bool to_disk) {
-  if (history_) history_->flush(to_disk);
-  if (gauges_) gauges_->flush(to_disk);
-  if (to_disk) snapshots_.sync();
+  files_.add_snapshot({observe::Grid::Cell::vertex, place, number, data, time});
 }
 
 template <int D>
@@ -236,9 +200,9 @@ std::vector<std::pair<std::string, observe::Figure>> MpsRecord<D>::results(std::
     results.insert(results.end(), {{"energy_gravity", work_.gravity},
                                    {"energy_boundary", work_.boundary},
                                    {"energy_prescribed", work_.prescribed},
+                                   {"energy_applied", work_.applied},
                                    {"energy_damping", -work_.damping},
                                    {"energy_residual", residual_}});
-  if (work_.applied != 0) results.emplace_back("energy_applied", work_.applied);
   if (file_->mps().gravity.settle) results.emplace_back("settlement", settlement());
   if (const auto* failing = model_->failing) {
     const auto work = failing->work();
@@ -275,8 +239,7 @@ std::uint64_t MpsRecord<D>::state_hash() const {
 
 template <int D>
 void MpsRecord<D>::columns(Archive& archive) {
-  archive("rows", rows_);
-  archive("snapshots", snapshot_count_);
+  files_.columns(archive);
   archive("displacement", displacement_);
   archive("largest_displacement", largest_displacement_);
   archive("largest_speed", largest_speed_);

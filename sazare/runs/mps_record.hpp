@@ -2,12 +2,9 @@
 
 /// What a run of method mps writes down: histories, gauges, snapshots, headline figures. It never changes the run.
 
-#include <optional>
-
-#include "sazare/observe/csv_writer.hpp"
 #include "sazare/observe/manifest.hpp"
-#include "sazare/observe/vtkhdf.hpp"
 #include "sazare/runs/mps_model.hpp"
+#include "sazare/runs/record_files.hpp"
 #include "sazare/runs/run_clocks.hpp"
 #include "sazare/runs/run_folder.hpp"
 
@@ -23,10 +20,10 @@ public:
   /// Writes nothing yet. Throws UserError when a gauge is farther than a spacing from every particle.
   MpsRecord(const RunFolder& folder, const cases::CaseFile& file, MpsModel<D>& model, const RunClocks& clocks);
 
-  void begin();
-  void resume();
+  void begin() { files_.begin(tables()); }
+  void resume() { files_.resume(tables()); }
   void observe(std::int64_t step, Real wall_seconds);
-  void flush(bool to_disk);
+  void flush(bool to_disk) { files_.flush(to_disk); }
 
   /// Throws PhysicsError when an acceleration is no number or makes no sense any more.
   void check_motion(Real time) const;
@@ -38,10 +35,9 @@ public:
   void columns(Archive& archive);
 
 private:
-  std::vector<std::string> history_columns() const;
-  std::vector<std::string> gauge_columns() const;
-  Vector3 displacement_of(std::size_t i) const;  ///< since the beginning [m]
-  Real settlement() const;                       ///< largest displacement until the rest under gravity [m]
+  std::vector<RecordFiles::Table> tables() const;  ///< history, gauges
+  Vector3 displacement_of(std::size_t i) const;    ///< since the beginning [m]
+  Real settlement() const;                         ///< largest displacement until the rest under gravity [m]
   bool has_books() const { return file_->mps().time.integrator != cases::Integrator::euler; }
   void close_books(bool at_beginning);
   void write_snapshot(Real time, const state::FreedomColumns<D>& velocity, const state::FreedomColumns<D>& acceleration);
@@ -51,16 +47,13 @@ private:
   MpsModel<D>* model_;
   RunClocks clocks_;
   std::vector<std::size_t> gauge_particles_;
-  observe::SnapshotSeries snapshots_;
-  std::optional<observe::CsvWriter> history_;
-  std::optional<observe::CsvWriter> gauges_;
+  RecordFiles files_;
   std::vector<Real> peaks_;  ///< largest speed by gauge [m/s]
   Real displacement_ = 0;    ///< largest of the last row [m]
   Real largest_displacement_ = 0, largest_speed_ = 0, largest_acceleration_ = 0;
   Real kinetic_ = 0, elastic_ = 0;
   engine::WorkByCause work_;
   Real energy_at_beginning_ = 0, residual_ = 0;
-  std::int64_t rows_ = 0, snapshot_count_ = 0;
 };
 
 extern template std::vector<std::size_t> gauge_particles<2>(const cases::CaseFile&, const Filling<2>&);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sazare/observe/csv_writer.hpp"
+#include "sazare/runs/record_columns.hpp"
 
 namespace sazare::runs {
 
@@ -19,8 +20,9 @@ void write_rank_times(const std::filesystem::path& file, engine::Simulation<3>& 
     rows.push_back({static_cast<Real>(of.tick) * tick_seconds, std::int64_t{of.rank}, sum, of.talking, of.bytes,
                     std::int64_t{of.first_body}});
   }
-  observe::write_csv(
-      file, {"time [s]", "rank [-]", "processor_time [s]", "exchange_time [s]", "bytes_sent [B]", "first_element [-]"}, rows);
+  std::vector<std::string> titles;
+  observe::add_titles(titles, columns::blocks::ranks);
+  observe::write_csv(file, titles, rows);
 }
 
 }  // namespace sazare::runs

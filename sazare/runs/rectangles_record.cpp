@@ -8,6 +8,7 @@
 #include "sazare/cases/number_text.hpp"
 #include "sazare/core/error.hpp"
 #include "sazare/observe/hash.hpp"
+#include "sazare/runs/record_columns.hpp"
 
 namespace sazare::runs {
 
@@ -73,52 +74,22 @@ RectanglesRecord::RectanglesRecord(const RunFolder& folder, const cases::CaseFil
       clocks_(clocks),
       supports_(support_names(file.rectangles())),
       gauge_elements_(gauge_elements(file, model)),
-      snapshots_(folder.snapshots(), "rectangles"),
+      files_(folder.snapshots(), "rectangles"),
       peaks_(gauge_elements_.size(), 0),
       largest_force_(supports_.size(), 0) {}
 
-std::vector<std::string> RectanglesRecord::history_columns() const {
-  std::vector<std::string> columns = {"time [s]",
-                                      "energy_kinetic [J]",
-                                      "energy_elastic [J]",
-                                      "energy_joint_dashpot [J]",
-                                      "energy_slip [J]",
-                                      "energy_fracture [J]",
-                                      "energy_contact_dashpot [J]",
-                                      "energy_friction [J]",
-                                      "energy_work [J]",
-                                      "energy_residual [J]",
-                                      "broken_springs [-]",
-                                      "open_links [-]",
-                                      "contacts [-]",
-                                      "displacement_max [m]",
-                                      "speed_max [m/s]"};
-  for (const std::string& name : supports_)
-    for (const char* quantity : {"force_x [N]", "force_y [N]", "displacement_x [m]", "displacement_y [m]"})
-      columns.push_back(fmt::format("{}.{}", name, quantity));
-  columns.emplace_back("wall_seconds [s]");
-  return columns;
-}
-
-std::vector<std::string> RectanglesRecord::gauge_columns() const {
-  std::vector<std::string> columns = {"time [s]"};
+std::vector<RecordFiles::Table> RectanglesRecord::tables() const {
+  std::vector<std::string> history, gauges;
+  observe::add_titles(history, columns::time);
+  observe::add_titles(history, columns::rectangles::history);
+  for (const std::string& name : supports_) observe::add_titles(history, columns::rectangles::support, name);
+  observe::add_titles(history, columns::clock);
+  observe::add_titles(gauges, columns::time);
   for (const cases::Gauge& gauge : file_->rectangles().gauges) {
-    for (const auto& [quantity, unit] : {std::pair{"displacement", "m"}, {"velocity", "m/s"}, {"acceleration", "m/s2"}})
-      for (const char axis : {'x', 'y', 'z'}) columns.push_back(fmt::format("{}.{}_{} [{}]", gauge.name, quantity, axis, unit));
-    columns.push_back(fmt::format("{}.rotation [rad]", gauge.name));
+    observe::add_titles(gauges, columns::place_motion, gauge.name);
+    observe::add_titles(gauges, columns::rectangles::gauge_rotation, gauge.name);
   }
-  return columns;
-}
-
-void RectanglesRecord::begin() {
-  history_.emplace(folder_->history(), history_columns());
-  gauges_.emplace(folder_->gauges(), gauge_columns());
-}
-
-void RectanglesRecord::resume() {
-  history_ = observe::CsvWriter::resume(folder_->history(), history_columns(), static_cast<std::size_t>(rows_));
-  gauges_ = observe::CsvWriter::resume(folder_->gauges(), gauge_columns(), static_cast<std::size_t>(rows_));
-  snapshots_.resume(static_cast<std::size_t>(snapshot_count_));
+  return {{folder_->history(), history}, {folder_->gauges(), gauges}};
 }
 
 EnergyBalance RectanglesRecord::balance() const {
@@ -150,10 +121,7 @@ void RectanglesRecord::observe(std::int64_t step, Real wall_seconds) {
   }
   add_history(time, wall_seconds);
   add_gauges(time, velocity, acceleration);
-  ++rows_;
-  if (!clocks_.is_snapshot(step)) return;
-  write_snapshot(time, velocity);
-  ++snapshot_count_;
+  if (clocks_.is_snapshot(step)) write_snapshot(time, velocity);
 }
 
 void RectanglesRecord::add_history(Real time, Real wall_seconds) {
@@ -183,7 +151,7 @@ void RectanglesRecord::add_history(Real time, Real wall_seconds) {
     largest_force_[k] = std::max(largest_force_[k], std::hypot(force[0], force[1]));
   }
   row.push_back(wall_seconds);
-  history_->add_row(row);
+  files_.add_row(0, row);
 }
 
 void RectanglesRecord::add_gauges(Real time, const state::FreedomColumns<2>& velocity,
@@ -202,7 +170,7 @@ void RectanglesRecord::add_gauges(Real time, const state::FreedomColumns<2>& vel
                       std::numbers::pi / 180);
     peaks_[gauge] = std::max(peaks_[gauge], vector_of(velocity, i).norm());
   }
-  gauges_->add_row(row);
+  files_.add_row(1, row);
 }
 
 /// A polygon for each outline, a circle as the square about it, a wall without height; `broken` are the faces whose link has lost
@@ -234,29 +202,9 @@ void RectanglesRecord::write_snapshot(Real time, const state::FreedomColumns<2>&
     broken[static_cast<std::size_t>(links.link(number).first)] |= face_bit(links.first_face(number));
     broken[static_cast<std::size_t>(links.link(number).second)] |= face_bit(links.second_face(number));
   }
-  const auto of_vectors = [](const std::string& name, const std::vector<Vector3>& values) {
-    return observe::CellData{name, 3, std::span<const Real>(values.empty() ? nullptr : values.front().data(), 3 * values.size())};
-  };
-  const auto of_integers = [](const std::string& name, const std::vector<std::int32_t>& values) {
-    return observe::CellData{name, 1, std::span<const std::int32_t>(values)};
-  };
-  snapshots_.write({observe::Grid::Cell::polygon,
-                    corners,
-                    connectivity,
-                    {of_vectors("displacement", displacement),
-                     of_vectors("velocity", speed),
-                     {"rotation", 1, std::span<const Real>(rotation)},
-                     of_integers("block", block),
-                     of_integers("kind", kind),
-                     of_integers("broken", broken)},
-                    time,
-                    ends});
-}
-
-void RectanglesRecord::flush(bool to_disk) {
-  if (history_) history_->flush(to_disk);
-  if (gauges_) gauges_->flush(to_disk);
-  if (to_disk) snapshots_.sync();
+  files_.add_snapshot({observe::Grid::Cell::polygon, corners, connectivity,
+                       observe::cell_data(columns::rectangles::elements, displacement, speed, rotation, block, kind, broken),
+                       time, ends});
 }
 
 void RectanglesRecord::check_motion(Real time) const {
@@ -308,8 +256,7 @@ std::uint64_t RectanglesRecord::state_hash() const {
 }
 
 void RectanglesRecord::columns(Archive& archive) {
-  archive("rows", rows_);
-  archive("snapshots", snapshot_count_);
+  files_.columns(archive);
   archive("largest_displacement", largest_displacement_);
   archive("largest_speed", largest_speed_);
   archive("largest_force", largest_force_);

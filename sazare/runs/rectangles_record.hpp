@@ -2,11 +2,8 @@
 
 /// What a run of method rectangles writes down: histories, gauges, snapshots, headline figures. It never changes the run.
 
-#include <optional>
-
-#include "sazare/observe/csv_writer.hpp"
 #include "sazare/observe/manifest.hpp"
-#include "sazare/observe/vtkhdf.hpp"
+#include "sazare/runs/record_files.hpp"
 #include "sazare/runs/rectangles_model.hpp"
 #include "sazare/runs/run_clocks.hpp"
 #include "sazare/runs/run_folder.hpp"
@@ -29,10 +26,10 @@ public:
   /// Writes nothing yet. Throws UserError when a gauge lies in no element.
   RectanglesRecord(const RunFolder& folder, const cases::CaseFile& file, RectanglesModel& model, const RunClocks& clocks);
 
-  void begin();
-  void resume();
+  void begin() { files_.begin(tables()); }
+  void resume() { files_.resume(tables()); }
   void observe(std::int64_t step, Real wall_seconds);
-  void flush(bool to_disk);
+  void flush(bool to_disk) { files_.flush(to_disk); }
 
   /// Throws PhysicsError when an acceleration is no number.
   void check_motion(Real time) const;
@@ -44,8 +41,7 @@ public:
   void columns(Archive& archive);
 
 private:
-  std::vector<std::string> history_columns() const;
-  std::vector<std::string> gauge_columns() const;
+  std::vector<RecordFiles::Table> tables() const;  ///< history, gauges
   EnergyBalance balance() const;
   void add_history(Real time, Real wall_seconds);
   void add_gauges(Real time, const state::FreedomColumns<2>& velocity, const state::FreedomColumns<2>& acceleration);
@@ -57,15 +53,12 @@ private:
   RunClocks clocks_;
   std::vector<std::string> supports_;  ///< names
   std::vector<std::size_t> gauge_elements_;
-  observe::SnapshotSeries snapshots_;
-  std::optional<observe::CsvWriter> history_;
-  std::optional<observe::CsvWriter> gauges_;
+  RecordFiles files_;
   std::vector<Real> peaks_;          ///< largest speed by gauge [m/s]
   std::vector<Real> largest_force_;  ///< by support [N]
   Real largest_displacement_ = 0, largest_speed_ = 0;
   Real energy_at_beginning_ = 0;
   EnergyBalance balance_;
-  std::int64_t rows_ = 0, snapshot_count_ = 0;
 };
 
 }  // namespace sazare::runs

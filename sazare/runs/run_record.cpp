@@ -1,29 +1,26 @@
 #include "sazare/runs/run_record.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "sazare/core/error.hpp"
 #include "sazare/runs/failure.hpp"
+#include "sazare/runs/record_columns.hpp"
 
 namespace sazare::runs {
 
 namespace {
 
-using terms::account_names;
+static_assert(columns::blocks::energies.size() == terms::account_count, "a column for each account, in their order");
 
-std::vector<std::string> history_columns() {
-  std::vector<std::string> columns = {"time [s]", "broken_joints [-]", "fragments [-]"};
-  for (const auto name : account_names) columns.push_back(fmt::format("energy_{} [J]", name));
-  for (const char* rest : {"energy_residual [J]", "smallest_step [s]", "pair_evaluations [-]", "wall_seconds [s]"})
-    columns.emplace_back(rest);
-  return columns;
+std::vector<std::string> history_titles() {
+  std::vector<std::string> titles;
+  observe::add_titles(titles, columns::time);
+  observe::add_titles(titles, columns::blocks::pieces);
+  observe::add_titles(titles, columns::blocks::energies);
+  observe::add_titles(titles, columns::blocks::progress);
+  observe::add_titles(titles, columns::clock);
+  return titles;
 }
-
-const std::vector<std::string> fragment_columns = {"fragment [-]",     "elements [-]",     "volume [m3]",      "mass [kg]",
-                                                   "size [m]",         "center_x [m]",     "center_y [m]",     "center_z [m]",
-                                                   "velocity_x [m/s]", "velocity_y [m/s]", "velocity_z [m/s]", "throw [m]"};
 
 std::vector<observe::CsvField> fragment_row(const Fragment& fragment) {
   std::vector<observe::CsvField> row = {std::int64_t{fragment.number}, std::int64_t{fragment.elements}, fragment.volume,
@@ -44,15 +41,14 @@ RunRecord::RunRecord(const RunFolder& folder, const cases::CaseFile& file, Block
       gauges_(file, model.mesh),
       snapshots_(folder.snapshots(), model) {}
 
-void RunRecord::begin() {
-  history_table_.emplace(folder_->history(), history_columns());
-  gauge_table_.emplace(folder_->gauges(), gauges_.column_names());
+std::vector<RecordFiles::Table> RunRecord::tables() const {
+  return {{folder_->history(), history_titles()}, {folder_->gauges(), gauges_.titles()}};
 }
 
+void RunRecord::begin() { files_.begin(tables()); }
+
 void RunRecord::resume() {
-  const auto rows = static_cast<std::size_t>(history_rows_);
-  history_table_ = observe::CsvWriter::resume(folder_->history(), history_columns(), rows);
-  gauge_table_ = observe::CsvWriter::resume(folder_->gauges(), gauges_.column_names(), rows);
+  files_.resume(tables());
   snapshots_.resume(static_cast<std::size_t>(snapshot_count_));
 }
 
@@ -65,9 +61,8 @@ void RunRecord::observe(std::int64_t step, Real wall_seconds) {
   const Real time = clocks_.time(step);
   const engine::Snapshot<3> now = model_->simulation->snapshot();
   for (const Vector3& velocity : now.velocity) peak_speed_ = std::max(peak_speed_, velocity.norm());
-  gauge_table_->add_row(gauges_.sample(time, model_->simulation->bodies(), now));
+  files_.add_row(1, gauges_.sample(time, model_->simulation->bodies(), now));
   add_history_row(time, now, wall_seconds);
-  ++history_rows_;
   if (!clocks_.is_snapshot(step)) return;
   snapshots_.write(time, now, fragments());
   ++snapshot_count_;
@@ -83,7 +78,7 @@ void RunRecord::add_history_row(Real time, const engine::Snapshot<3>& now, Real 
   row.push_back(latest_smallest_step_);
   row.push_back(static_cast<Real>(model_->simulation->counters().pair_evaluations));
   row.push_back(wall_seconds);
-  history_table_->add_row(row);
+  files_.add_row(0, row);
 }
 
 const FragmentMap& RunRecord::fragments() {
@@ -94,8 +89,7 @@ const FragmentMap& RunRecord::fragments() {
 }
 
 void RunRecord::flush(bool to_disk) {
-  if (history_table_) history_table_->flush(to_disk);
-  if (gauge_table_) gauge_table_->flush(to_disk);
+  files_.flush(to_disk);
   if (to_disk) snapshots_.sync();
 }
 
@@ -104,7 +98,9 @@ void RunRecord::write_fragments() {
   for (const Fragment& fragment :
        measure_fragments(fragments(), model_->volume, model_->simulation->bodies(), model_->simulation->snapshot()))
     rows.push_back(fragment_row(fragment));
-  observe::write_csv(folder_->fragments(), fragment_columns, rows);
+  std::vector<std::string> titles;
+  observe::add_titles(titles, columns::blocks::fragments);
+  observe::write_csv(folder_->fragments(), titles, rows);
 }
 
 std::vector<std::pair<std::string, observe::Figure>> RunRecord::results(std::int64_t step, Real wall_seconds) {
@@ -127,8 +123,8 @@ std::vector<std::pair<std::string, observe::Figure>> RunRecord::results(std::int
       {"kicks", counters.kicks},
       {"ticks", counters.ticks},
       {"smallest_step", smallest_step_}};
-  for (std::size_t i = 0; i < account_names.size(); ++i)
-    results.emplace_back(fmt::format("energy_{}", account_names[i]), ledger.joules[i]);
+  for (std::size_t i = 0; i < ledger.joules.size(); ++i)
+    results.emplace_back(columns::blocks::energies[i].name, ledger.joules[i]);
   results.emplace_back("energy_residual", ledger.residual());
   results.emplace_back("x50", passing_size(pieces, 0.5));
   results.emplace_back("x80", passing_size(pieces, 0.8));
@@ -139,7 +135,7 @@ std::vector<std::pair<std::string, observe::Figure>> RunRecord::results(std::int
 }
 
 void RunRecord::columns(Archive& archive) {
-  archive("history_rows", history_rows_);
+  files_.columns(archive);
   archive("snapshots", snapshot_count_);
   archive("smallest_step", smallest_step_);
   archive("latest_smallest_step", latest_smallest_step_);

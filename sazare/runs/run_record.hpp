@@ -3,11 +3,9 @@
 /// What a run writes down as it goes: histories, gauges, snapshots, and at its end fragments and headline figures.
 /// It reads the simulation and never changes it.
 
-#include <optional>
-
-#include "sazare/observe/csv_writer.hpp"
 #include "sazare/observe/manifest.hpp"
 #include "sazare/runs/gauges.hpp"
+#include "sazare/runs/record_files.hpp"
 #include "sazare/runs/run_clocks.hpp"
 #include "sazare/runs/run_folder.hpp"
 #include "sazare/runs/snapshots.hpp"
@@ -47,6 +45,7 @@ public:
   void columns(Archive& archive);
 
 private:
+  std::vector<RecordFiles::Table> tables() const;
   const FragmentMap& fragments();
   void add_history_row(Real time, const engine::Snapshot<3>& now, Real wall_seconds);
 
@@ -56,14 +55,12 @@ private:
   RunClocks clocks_;
   Gauges gauges_;
   Snapshots snapshots_;
-  std::optional<observe::CsvWriter> history_table_;
-  std::optional<observe::CsvWriter> gauge_table_;
+  RecordFiles files_;
   FragmentMap fragments_;
   Index fragments_at_broken_ = -1;  ///< number of broken joints for which `fragments_` holds
   Real smallest_step_ = 0;          ///< of the run so far; 0 before the first row [s]
   Real latest_smallest_step_ = 0;
   Real peak_speed_ = 0;
-  std::int64_t history_rows_ = 0;
   std::int64_t snapshot_count_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "sazare/observe/csv_writer.hpp"
+#include "sazare/runs/record_columns.hpp"
 
 namespace sazare::runs {
 
@@ -25,7 +26,9 @@ void RunTimes::write(const std::filesystem::path& file, std::span<const engine::
     add_row(engine[i].part, engine[i].seconds + (i < engine_earlier_.size() ? engine_earlier_[i] : 0));
   for (std::size_t i = 0; i < own_.size(); ++i) add_row(part_names[i], own_[i]);
   add_row("other", std::max(total - accounted, Real{0}));
-  observe::write_csv(file, {"part", "seconds [s]", "share [-]"}, rows);
+  std::vector<std::string> titles;
+  observe::add_titles(titles, columns::timing);
+  observe::write_csv(file, titles, rows);
 }
 
 void RunTimes::columns(Archive& archive, std::span<const engine::PartTime> engine) {

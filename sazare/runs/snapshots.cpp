@@ -6,23 +6,16 @@
 
 #include "sazare/geometry/tetrahedron.hpp"
 #include "sazare/runs/material_points.hpp"
+#include "sazare/runs/record_columns.hpp"
 
 namespace sazare::runs {
 
 namespace {
 
-using observe::CellData;
 using Numbers = std::vector<Real>;
 using Integers = std::vector<std::int32_t>;
 
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
-CellData cell_data(const std::string& name, const Numbers& values) { return {name, 1, std::span<const Real>(values)}; }
-CellData cell_data(const std::string& name, const Integers& values) { return {name, 1, std::span<const std::int32_t>(values)}; }
-CellData cell_data(const std::string& name, const std::vector<Vector3>& values) {
-  const Real* first = values.empty() ? nullptr : values.front().data();
-  return {name, 3, std::span(first, 3 * values.size())};
-}
 
 /// Every cell has its own points, in their order.
 Integers own_points(std::size_t points) {
@@ -147,24 +140,16 @@ Snapshots::JointData Snapshots::joint_data(const engine::Snapshot<3>& now) const
 
 void Snapshots::write_elements(Real time, const ElementData& data) {
   const Integers connectivity = own_points(data.points.size());
-  elements_.write({observe::Grid::Cell::tetrahedron,
-                   data.points,
-                   connectivity,
-                   {cell_data("element", tags_), cell_data("region", model_->mesh.region),
-                    cell_data("material", model_->material), cell_data("displacement", data.displacement),
-                    cell_data("velocity", data.velocity), cell_data("speed", data.speed), cell_data("level", data.level),
-                    cell_data("step", data.step), cell_data("fragment", data.fragment), cell_data("damage", data.damage)},
+  elements_.write({observe::Grid::Cell::tetrahedron, data.points, connectivity,
+                   observe::cell_data(columns::blocks::elements, tags_, model_->mesh.region, model_->material, data.displacement,
+                                      data.velocity, data.speed, data.level, data.step, data.fragment, data.damage),
                    time});
 }
 
 void Snapshots::write_joints(Real time, const JointData& data) {
   const Integers connectivity = own_points(data.points.size());
-  joints_.write({observe::Grid::Cell::triangle,
-                 data.points,
-                 connectivity,
-                 {cell_data("state", data.state), cell_data("opening", data.opening), cell_data("slip", data.slip),
-                  cell_data("kind", data.kind)},
-                 time});
+  joints_.write({observe::Grid::Cell::triangle, data.points, connectivity,
+                 observe::cell_data(columns::blocks::joints, data.state, data.opening, data.slip, data.kind), time});
 }
 
 }  // namespace sazare::runs

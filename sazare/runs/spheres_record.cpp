@@ -9,30 +9,13 @@
 #include "sazare/core/error.hpp"
 #include "sazare/engine/clump_motion.hpp"
 #include "sazare/observe/hash.hpp"
+#include "sazare/runs/record_columns.hpp"
 
 namespace sazare::runs {
 
 namespace {
 
 constexpr Real senseless_speed = 1e5;  // m/s; no grain moves so fast
-
-const std::vector<std::string> history_columns = {"time [s]",
-                                                  "energy_translation [J]",
-                                                  "energy_rotation [J]",
-                                                  "energy_elastic [J]",
-                                                  "energy_sliding [J]",
-                                                  "energy_potential [J]",
-                                                  "work_dashpots [J]",
-                                                  "work_friction [J]",
-                                                  "work_walls [J]",
-                                                  "energy_bonds [J]",
-                                                  "work_bond_dashpots [J]",
-                                                  "work_fracture [J]",
-                                                  "energy_residual [J]",
-                                                  "contacts [-]",
-                                                  "bonds_broken [-]",
-                                                  "speed_max [m/s]",
-                                                  "wall_seconds [s]"};
 
 }  // namespace
 
@@ -41,7 +24,7 @@ SpheresRecord::SpheresRecord(const RunFolder& folder, const cases::CaseFile& fil
       file_(&file),
       model_(&model),
       clocks_(clocks),
-      snapshots_(folder.snapshots(), "particles"),
+      files_(folder.snapshots(), "particles"),
       peaks_(file.spheres().gauges.size(), 0) {
   const auto& groups = file.spheres().spheres;
   for (const cases::GroupGauge& gauge : file.spheres().gauges)
@@ -49,34 +32,16 @@ SpheresRecord::SpheresRecord(const RunFolder& folder, const cases::CaseFile& fil
         static_cast<Index>(std::ranges::find(groups, gauge.group, &cases::SphereGroup::name) - groups.begin()));
 }
 
-std::vector<std::string> SpheresRecord::gauge_columns() const {
-  std::vector<std::string> columns = {"time [s]"};
-  for (const cases::GroupGauge& gauge : file_->spheres().gauges)
-    for (const auto& [quantity, unit] : {std::pair{"position", "m"}, {"velocity", "m/s"}, {"force", "N"}})
-      for (const char axis : {'x', 'y', 'z'}) columns.push_back(fmt::format("{}.{}_{} [{}]", gauge.name, quantity, axis, unit));
-  return columns;
-}
-
-std::vector<std::string> SpheresRecord::wall_columns() const {
-  std::vector<std::string> columns = {"time [s]"};
-  for (const cases::WallRules& wall : file_->spheres().walls)
-    for (const auto& [quantity, unit] : {std::pair{"force", "N"}, {"moment", "N m"}})
-      for (const char axis : {'x', 'y', 'z'}) columns.push_back(fmt::format("{}.{}_{} [{}]", wall.name, quantity, axis, unit));
-  return columns;
-}
-
-void SpheresRecord::begin() {
-  history_.emplace(folder_->history(), history_columns);
-  gauges_.emplace(folder_->gauges(), gauge_columns());
-  walls_.emplace(folder_->walls(), wall_columns());
-}
-
-void SpheresRecord::resume() {
-  const auto rows = static_cast<std::size_t>(rows_);
-  history_ = observe::CsvWriter::resume(folder_->history(), history_columns, rows);
-  gauges_ = observe::CsvWriter::resume(folder_->gauges(), gauge_columns(), rows);
-  walls_ = observe::CsvWriter::resume(folder_->walls(), wall_columns(), rows);
-  snapshots_.resume(static_cast<std::size_t>(snapshot_count_));
+std::vector<RecordFiles::Table> SpheresRecord::tables() const {
+  std::vector<std::string> history, gauges, walls;
+  observe::add_titles(history, columns::time);
+  observe::add_titles(history, columns::spheres::history);
+  observe::add_titles(history, columns::clock);
+  observe::add_titles(gauges, columns::time);
+  for (const auto& gauge : file_->spheres().gauges) observe::add_titles(gauges, columns::spheres::gauge, gauge.name);
+  observe::add_titles(walls, columns::time);
+  for (const auto& wall : file_->spheres().walls) observe::add_titles(walls, columns::spheres::wall, wall.name);
+  return {{folder_->history(), history}, {folder_->gauges(), gauges}, {folder_->walls(), walls}};
 }
 
 void SpheresRecord::observe(std::int64_t step, Real wall_seconds) {
@@ -85,9 +50,9 @@ void SpheresRecord::observe(std::int64_t step, Real wall_seconds) {
   engine::SphereStepper& stepper = *model_->stepper;
   stepper.settle();
   energies_ = stepper.energies();
-  if (rows_ == 0) first_sum_ = energies_.sum();
+  if (files_.rows() == 0) first_sum_ = energies_.sum();
   const Real speed = stepper.largest_speed();
-  history_->add_row(std::vector<Real>{time, energies_.translation, energies_.rotation, energies_.elastic, energies_.sliding,
+  files_.add_row(0, std::vector<Real>{time, energies_.translation, energies_.rotation, energies_.elastic, energies_.sliding,
                                       energies_.potential, energies_.dashpot_work, energies_.sliding_work, energies_.wall_work,
                                       energies_.bonds, energies_.bond_drag, energies_.fracture, energies_.sum() - first_sum_,
                                       static_cast<Real>(stepper.contacts()), static_cast<Real>(stepper.broken_bonds()), speed,
@@ -96,10 +61,7 @@ void SpheresRecord::observe(std::int64_t step, Real wall_seconds) {
   peak_kinetic_ = std::max(peak_kinetic_, energies_.translation + energies_.rotation);
   add_gauge_row(time);
   add_wall_row(time);
-  ++rows_;
-  if (!clocks_.is_snapshot(step)) return;
-  write_snapshot(time);
-  ++snapshot_count_;
+  if (clocks_.is_snapshot(step)) write_snapshot(time);
 }
 
 void SpheresRecord::add_gauge_row(Real time) {
@@ -134,7 +96,7 @@ void SpheresRecord::add_gauge_row(Real time) {
     for (const Vector3& value : {centre, velocity, force[g]}) row.insert(row.end(), value.begin(), value.end());
     peaks_[gauge] = std::max(peaks_[gauge], velocity.norm());
   }
-  gauges_->add_row(row);
+  files_.add_row(1, row);
 }
 
 void SpheresRecord::add_wall_row(Real time) {
@@ -144,7 +106,7 @@ void SpheresRecord::add_wall_row(Real time) {
   std::vector<Real> row = {time};
   for (const auto& load : total)
     for (const Vector3& value : {load.force, load.moment}) row.insert(row.end(), value.begin(), value.end());
-  walls_->add_row(row);
+  files_.add_row(2, row);
 }
 
 void SpheresRecord::write_snapshot(Real time) {
@@ -165,23 +127,9 @@ void SpheresRecord::write_snapshot(Real time) {
     material[number] = static_cast<std::int32_t>(spheres.spin[i].material);
     cell[number] = static_cast<std::int32_t>(number);
   }
-  const auto of_vectors = [&](const std::string& name, const std::vector<Vector3>& values) {
-    return observe::CellData{name, 3, std::span<const Real>(n == 0 ? nullptr : values.front().data(), 3 * n)};
-  };
-  const auto of_integers = [](const std::string& name, const std::vector<std::int32_t>& values) {
-    return observe::CellData{name, 1, std::span<const std::int32_t>(values)};
-  };
-  snapshots_.write({observe::Grid::Cell::vertex,
-                    place,
-                    cell,
-                    {of_vectors("velocity", velocity),
-                     of_vectors("spin", spin),
-                     {"radius", 1, std::span<const Real>(radius)},
-                     of_integers("group", group),
-                     of_integers("material", material),
-                     of_integers("body", body),
-                     {"broken", 1, std::span<const Real>(broken)}},
-                    time});
+  files_.add_snapshot({observe::Grid::Cell::vertex, place, cell,
+                       observe::cell_data(columns::spheres::particles, velocity, spin, radius, group, material, body, broken),
+                       time});
 }
 
 /// Share of its bonds that each sphere has lost, by number; 0 where it had none.
@@ -195,12 +143,6 @@ std::vector<Real> SpheresRecord::broken_share() const {
     }
   for (std::size_t i = 0; i < all.size(); ++i) broken[i] = all[i] > 0 ? broken[i] / all[i] : 0;
   return broken;
-}
-
-void SpheresRecord::flush(bool to_disk) {
-  for (auto* table : {&history_, &gauges_, &walls_})
-    if (*table) (*table)->flush(to_disk);
-  if (to_disk) snapshots_.sync();
 }
 
 void SpheresRecord::check_motion(Real time) const {
@@ -232,7 +174,7 @@ std::vector<std::pair<std::string, observe::Figure>> SpheresRecord::results(std:
           {"energy_kinetic", energies_.translation + energies_.rotation},
           {"energy_lost", lost},
           {"energy_work", std::max({lost, peak_kinetic_, std::abs(energies_.wall_work)})},
-          {"energy_residual", rows_ > 0 ? energies_.sum() - first_sum_ : 0},
+          {"energy_residual", files_.rows() > 0 ? energies_.sum() - first_sum_ : 0},
           {"peak_speed", largest_speed_}};
 }
 
@@ -255,8 +197,7 @@ std::uint64_t SpheresRecord::state_hash() const {
 }
 
 void SpheresRecord::columns(Archive& archive) {
-  archive("rows", rows_);
-  archive("snapshots", snapshot_count_);
+  files_.columns(archive);
   archive("first_sum", first_sum_);
   archive("largest_speed", largest_speed_);
   archive("peak_kinetic", peak_kinetic_);

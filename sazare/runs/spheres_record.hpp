@@ -2,11 +2,8 @@
 
 /// What a run of method spheres writes down: histories, groups, walls, snapshots, headline figures. It never changes the run.
 
-#include <optional>
-
-#include "sazare/observe/csv_writer.hpp"
 #include "sazare/observe/manifest.hpp"
-#include "sazare/observe/vtkhdf.hpp"
+#include "sazare/runs/record_files.hpp"
 #include "sazare/runs/run_clocks.hpp"
 #include "sazare/runs/run_folder.hpp"
 #include "sazare/runs/spheres_model.hpp"
@@ -18,10 +15,10 @@ public:
   /// Writes nothing yet.
   SpheresRecord(const RunFolder& folder, const cases::CaseFile& file, SpheresModel& model, const RunClocks& clocks);
 
-  void begin();
-  void resume();
+  void begin() { files_.begin(tables()); }
+  void resume() { files_.resume(tables()); }
   void observe(std::int64_t step, Real wall_seconds);
-  void flush(bool to_disk);
+  void flush(bool to_disk) { files_.flush(to_disk); }
 
   /// Throws PhysicsError when a velocity is no number or makes no sense any more.
   void check_motion(Real time) const;
@@ -33,8 +30,7 @@ public:
   void columns(Archive& archive);
 
 private:
-  std::vector<std::string> gauge_columns() const;
-  std::vector<std::string> wall_columns() const;
+  std::vector<RecordFiles::Table> tables() const;  ///< history, gauges, walls
   void add_gauge_row(Real time);
   void add_wall_row(Real time);
   std::vector<Real> broken_share() const;
@@ -45,12 +41,10 @@ private:
   SpheresModel* model_;
   RunClocks clocks_;
   std::vector<Index> gauge_group_;
-  observe::SnapshotSeries snapshots_;
-  std::optional<observe::CsvWriter> history_, gauges_, walls_;
+  RecordFiles files_;
   std::vector<Real> peaks_;          ///< largest speed by gauge [m/s]
   engine::SphereEnergies energies_;  ///< at the last row
   Real first_sum_ = 0, largest_speed_ = 0, peak_kinetic_ = 0;
-  std::int64_t rows_ = 0, snapshot_count_ = 0;
 };
 
 }  // namespace sazare::runs

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
-#include <string_view>
 
 #include "sazare/core/vector.hpp"
 
@@ -25,8 +24,6 @@ enum class Account {
 };
 
 inline constexpr std::size_t account_count = 10;
-inline constexpr std::array<std::string_view, account_count> account_names = {
-    "work", "kinetic", "elastic", "joint_dashpot", "slip", "fracture", "release", "contact_dashpot", "friction", "boundary"};
 
 struct Ledger {
   std::array<Real, account_count> joules{};

@@ -1,0 +1,63 @@
+#include "sazare/runs/record_files.hpp"
+
+#include <gtest/gtest.h>
+
+#include "sazare/runs/record_columns.hpp"
+#include "sazare/terms/ledger.hpp"
+#include "tests/unit/runs/support.hpp"
+
+namespace sazare::runs {
+namespace {
+
+using test::read_text;
+
+std::vector<RecordFiles::Table> two_tables(const std::filesystem::path& folder) {
+  return {{folder / "history.csv", {"time [s]"}}, {folder / "gauges.csv", {"time [s]", "speed [m/s]"}}};
+}
+
+void add_rows(RecordFiles& files, std::initializer_list<Real> times) {
+  for (const Real time : times) {
+    files.add_row(0, std::vector<Real>{time});
+    files.add_row(1, std::vector<Real>{time, 2 * time});
+  }
+}
+
+TEST(RecordFiles, GoesOnWithWhatItsCheckpointCountsOn) {
+  const test::TemporaryFolder folder;
+  const auto checkpoint = folder.path() / "state.h5";
+  {
+    RecordFiles files(folder.path() / "snapshots", "cells");
+    files.begin(two_tables(folder.path()));
+    add_rows(files, {0, 1});
+    observe::CheckpointWriter out(checkpoint);
+    CheckpointSaver saver(out);
+    files.columns(saver);
+    out.commit();
+    add_rows(files, {2, 3});  // after the checkpoint: done again by the resumed run
+  }
+  RecordFiles files(folder.path() / "snapshots", "cells");
+  const observe::CheckpointReader in(checkpoint);
+  CheckpointLoader loader(in);
+  files.columns(loader);
+  std::filesystem::create_directories(folder.path() / "snapshots");
+  files.resume(two_tables(folder.path()));
+  EXPECT_EQ(files.rows(), 2U);
+  add_rows(files, {5});
+  files.flush(false);
+  EXPECT_EQ(read_text(folder.path() / "history.csv"), "time [s]\n0\n1\n5\n");
+  EXPECT_EQ(read_text(folder.path() / "gauges.csv"), "time [s],speed [m/s]\n0,0\n1,2\n5,10\n");
+}
+
+TEST(RecordColumns, EveryAccountOfTheLedgerHasItsColumn) {
+  const auto name = [](terms::Account account) { return columns::blocks::energies[static_cast<std::size_t>(account)].name; };
+  EXPECT_EQ(name(terms::Account::work), "energy_work");
+  EXPECT_EQ(name(terms::Account::kinetic), "energy_kinetic");
+  EXPECT_EQ(name(terms::Account::joint_dashpot), "energy_joint_dashpot");
+  EXPECT_EQ(name(terms::Account::fracture), "energy_fracture");
+  EXPECT_EQ(name(terms::Account::release), "energy_release");
+  EXPECT_EQ(name(terms::Account::friction), "energy_friction");
+  EXPECT_EQ(name(terms::Account::boundary), "energy_boundary");
+}
+
+}  // namespace
+}  // namespace sazare::runs
