@@ -91,15 +91,15 @@ inline void store_quads(const std::array<Lanes, 4>& fields, const std::array<Rea
 template <class Record>
 using LanePointers = std::array<Record*, lane_count>;
 
-/// Reads doubles 0 .. Count - 1 of each lane's record.
-template <int Count, class Record>
+/// Reads `Count` doubles of each lane's record, from number `Begin` on.
+template <int Count, int Begin = 0, class Record>
 std::array<Lanes, Count> load_records(const LanePointers<Record>& records) {
-  static_assert(Count % lane_count == 0 && sizeof(Record) >= Count * sizeof(Real));
+  static_assert(Count % lane_count == 0 && sizeof(Record) >= (Begin + Count) * sizeof(Real));
   std::array<Lanes, Count> fields;
   for (std::size_t first = 0; first < Count; first += lane_count) {
     std::array<Lanes, lane_count> rows;
     for (std::size_t lane = 0; lane < lane_count; ++lane)
-      std::memcpy(&rows[lane], reinterpret_cast<const char*>(records[lane]) + first * sizeof(Real), sizeof(Lanes));
+      std::memcpy(&rows[lane], reinterpret_cast<const char*>(records[lane]) + (Begin + first) * sizeof(Real), sizeof(Lanes));
     transpose(rows);
     for (std::size_t i = 0; i < lane_count; ++i) fields[first + i] = rows[i];
   }

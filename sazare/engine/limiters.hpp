@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "sazare/core/vector.hpp"
+#include "sazare/terms/slot.hpp"
 #include "sazare/terms/term.hpp"
 
 namespace sazare::engine {
@@ -20,16 +21,17 @@ struct StepRules {
   int neighbor_levels = 2;                                     ///< largest difference of level between linked bodies
 };
 
-/// Largest stable step [s] of a body with its neighbours held, by leapfrog with the dashpot's velocity foreseen from the last
-/// kick: the positive root of
+/// Largest stable step [s] of a body with its neighbours held, by leapfrog with the dashpot's velocity foreseen by the mean of
+/// the last forces (terms/slot.hpp): the positive root of
 ///
-///     w^2 h^2 + 4 c h = 4        w^2, c  largest eigenvalues of M^-1 K [1/s2] and M^-1 C [1/s]
+///     w^2 h^2 + 4 c h / (2 - b) = 4        w^2, c  largest eigenvalues of M^-1 K [1/s2] and M^-1 C [1/s]; b = mean_share
 ///
-/// so 2/w without dashpots and 1/c without springs. Where the neighbours move as well, half of it is stable whatever they
-/// do: a link's energy |a - b|^2 is at most 2 |a|^2 + 2 |b|^2.
+/// so 2 / w without dashpots and (2 - b) / c without springs. Where the neighbours move as well, half of it is stable whatever
+/// they do: a link's energy |a - b|^2 is at most 2 |a|^2 + 2 |b|^2.
 inline Real stable_step(const terms::Rates& rates) {
   if (rates.stiffness <= 0 && rates.damping <= 0) return std::numeric_limits<Real>::infinity();
-  return 2 / (rates.damping + std::sqrt(rates.damping * rates.damping + rates.stiffness));
+  const Real damping = rates.damping / (2 - terms::mean_share);
+  return 2 / (damping + std::sqrt(damping * damping + rates.stiffness));
 }
 
 /// Largest step [s] in which a body travels no farther than the rule's length. [Konno2018], 3.1.

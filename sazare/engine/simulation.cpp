@@ -156,6 +156,7 @@ void Simulation<D>::kick_chunk(std::span<const Index> which) {
   thread_local terms::CauseImpulses<D> parts;
   parts.clear();
   const std::span sums(impulses.data(), which.size());
+  for (std::size_t i = 0; i < which.size(); ++i) sums[i].until_next = levels_.step(levels_.pace(which[i]));
   for (const auto& term : terms_) term->gather(now_, which, bodies_, sums, parts);
   const bool travels = this->travels();
   for (std::size_t i = 0; i < which.size(); ++i) {

@@ -8,8 +8,9 @@
 ///
 ///     p(t) = p + sum f_l (t - e_l) = p - sum f_l (e_l - T) + (t - T) sum f_l
 ///
-/// with the forces f_l as last evaluated: of second order in time, for every body at any mix of levels. Dashpots and
-/// contacts take velocities from it; positions drift with p/m, which is the leapfrog step.
+/// with the forces f_l as last evaluated, or their means where nothing has been given yet (terms/slot.hpp): of second order in
+/// time, for every body at any mix of levels. Dashpots and contacts take velocities from it; positions drift with p/m, which
+/// is the leapfrog step.
 
 #include "sazare/core/time.hpp"
 #include "sazare/state/bodies.hpp"

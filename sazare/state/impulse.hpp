@@ -10,11 +10,13 @@ namespace sazare::state {
 ///
 ///     impulse given since its last kick
 ///     force f as last evaluated
-///     f x (end of the time for which it has been given - now), so that momentum - this is the momentum at now
+///     f x (end of the time for which it has been given - now), so that momentum - this is the momentum at now; less, for the
+///     part of `until_next` that no force has been given for yet, the mean force of the link (see terms/slot.hpp) less f
 template <int D>
 struct alignas(64) Impulse {
   Vector<D> linear = Vector<D>::Zero();                    ///< [N s]
   Angular<D> angular = Angular<D>::Zero();                 ///< about the centre of mass [N m s]
+  Real until_next = 0;                                     ///< asked for: time from now to the body's next one [s]
   alignas(64) Vector<D> force = Vector<D>::Zero();         ///< [N]; each pair begins a cache line, for gathers
   Angular<D> torque = Angular<D>::Zero();                  ///< about the centre of mass [N m]
   alignas(64) Vector<D> linear_ahead = Vector<D>::Zero();  ///< [N s]

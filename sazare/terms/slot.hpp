@@ -18,6 +18,10 @@ using state::Impulse;
 using state::MeanMotion;
 using state::Wrench;
 
+/// Share of a new force in the mean that a link keeps of its forces, by which velocities are foreseen. A dashpot whose velocity
+/// is foreseen by the last force alone is stable up to 1 / c; with the mean up to (2 - mean_share) / c, still of second order.
+inline constexpr Real mean_share = 0.5;
+
 /// Action and reaction: `linear` is the force on the second body, minus it that on the first; each moment is about the
 /// centre of its own body.
 template <int D>
@@ -30,6 +34,14 @@ struct PairForce {
 
   Wrench<D> on_first() const { return {-linear, first_moment}; }
   Wrench<D> on_second() const { return {linear, second_moment}; }
+
+  /// Becomes the mean that follows on an earlier one.
+  void approach(const PairForce& earlier) {
+    const auto follow = [](auto& now, const auto& before) { now = before + mean_share * (now - before); };
+    follow(first_moment, earlier.first_moment);
+    follow(linear, earlier.linear);
+    follow(second_moment, earlier.second_moment);
+  }
 
   /// Adds a force on the second body at a point, given by its arms from both centres.
   void add_at(const Vector<D>& first_arm, const Vector<D>& second_arm, const Vector<D>& force) {
@@ -45,6 +57,7 @@ template <int D, int Parts>
 struct alignas(64) Slot {
   PairForce<D> total;
   std::array<PairForce<D>, Parts> part;
+  PairForce<D> mean;    ///< of the total, over the last evaluations
   Real acting = 0;      ///< time for which the force was given at the last evaluation [s]
   Real ahead = 0;       ///< how much of the time given until then lies after that evaluation [s]
   Real evaluated = -1;  ///< tick of the last evaluation; a double, for gathers, and exact far beyond the longest run
@@ -54,7 +67,9 @@ struct alignas(64) Slot {
 template <int D, int Parts>
 void write(Slot<D, Parts>& slot, const Moment& now, const Due& due, const PairForce<D>& total,
            const std::array<PairForce<D>, Parts>& part) {
-  slot = {total, part, due.acting, due.ahead, static_cast<Real>(now.tick)};
+  PairForce<D> mean = total;
+  if (slot.evaluated >= 0) mean.approach(slot.mean);
+  slot = {total, part, mean, due.acting, due.ahead, static_cast<Real>(now.tick)};
 }
 
 }  // namespace sazare::terms

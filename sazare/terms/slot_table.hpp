@@ -90,12 +90,13 @@ struct SideSums {
   }
 
   /// All in registers and without branches: at a mix of levels no processor guesses which slots are new.
-  void add(const Slot<D, Parts>& slot, int side, Real last_kick, Real now, Real tick_seconds) {
+  void add(const Slot<D, Parts>& slot, int side, Real last_kick, Real now, Real tick_seconds, Real until_next) {
     const Wide<D> acts = read(slot.total, side), evaluated = Wide<D>{} + slot.evaluated;
     const Wide<D> acting = evaluated > last_kick ? Wide<D>{} + slot.acting : Wide<D>{};
     given += acting * acts;
     force += acts;
-    ahead += (slot.ahead - (now - evaluated) * tick_seconds) * acts;
+    const Real left = slot.ahead - (now - slot.evaluated) * tick_seconds;
+    ahead += left * acts - std::max(until_next - left, Real{0}) * (read(slot.mean, side) - acts);
     for (std::size_t p = 0; p < Parts; ++p) part[p] += acting * read(slot.part[p], side);
   }
 };
@@ -137,9 +138,10 @@ struct SlotTable {
     if (sides.empty()) return;
     SideSums<D, Parts> first, second;
     const auto kicked = static_cast<Real>(last_kick), tick = static_cast<Real>(now.tick);
+    const Real until_next = sum.until_next;
     auto at = sides.begin();
-    for (; at != sides.end() && at->side == 1; ++at) second.add((*this)[at->slot], 1, kicked, tick, now.tick_seconds);
-    for (; at != sides.end(); ++at) first.add((*this)[at->slot], 0, kicked, tick, now.tick_seconds);
+    for (; at != sides.end() && at->side == 1; ++at) second.add((*this)[at->slot], 1, kicked, tick, now.tick_seconds, until_next);
+    for (; at != sides.end(); ++at) first.add((*this)[at->slot], 0, kicked, tick, now.tick_seconds, until_next);
     add_to<D>(sum.linear, join(first.given, second.given));
     add_to<D>(sum.force, join(first.force, second.force));
     add_to<D>(sum.linear_ahead, join(first.ahead, second.ahead));

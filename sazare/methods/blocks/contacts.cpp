@@ -306,6 +306,7 @@ void Contacts::add_energies(const terms::Synchronized<3>& at_time, terms::Ledger
   for (std::size_t pair = 0; pair < links_.size(); ++pair) {
     const Link& link = links_[pair];
     if (is_idle(link)) continue;
+    if (table_.slots[pair].evaluated < 0) continue;  // apart when last evaluated, and far from meeting where that was earlier
     table_.take_back(static_cast<Index>(pair), link, at_time, ledger);
     for (const SpherePair& sphere : spheres_[pair]) {
       const SphereTouch touched = touch(surface_.sphere(sphere.first), surface_.sphere(sphere.second),

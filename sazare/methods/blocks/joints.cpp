@@ -105,45 +105,34 @@ void Joints::evaluate_lanes(const Moment& now, std::span<const Due> due, const s
   JointForce force;
   const JointChange change = blocks::evaluate(joints, kinds_of(records, mixed), load_bodies(masters), load_bodies(slaves), force);
   if (any(change.softened | change.slipped)) store_memory(joints.memory, records, static_cast<int>(due.size()));
-  write_slots(now, due, force);
+  write_slots(now, due, force, change.failed);
   if (any(change.softened)) note_changes(due, change);
 }
 
-void Joints::write_slots(const Moment& now, std::span<const Due> due, const JointForce& force) {
+void Joints::write_slots(const Moment& now, std::span<const Due> due, const JointForce& force, const LaneMask& failed) {
   LanePointers<terms::Slot<3, 1>> slots;
   Lanes acting{}, ahead{};
-  for (std::size_t lane = 0; lane < due.size(); ++lane) {
-    slots[lane] = &table_[due[lane].link];
-    acting[static_cast<int>(lane)] = due[lane].acting;
-    ahead[static_cast<int>(lane)] = due[lane].ahead;
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    slots[lane] = &table_[due[lane < due.size() ? lane : 0].link];
+    acting[static_cast<int>(lane)] = due[lane < due.size() ? lane : 0].acting;
+    ahead[static_cast<int>(lane)] = due[lane < due.size() ? lane : 0].ahead;
   }
+  constexpr std::size_t whole = sizeof(terms::Slot<3, 1>) / sizeof(Real);
+  static_assert(whole == 32);
+  constexpr std::size_t mean = 18, evaluated = 29;  // places in it
   const FaceForce &t = force.total, &d = force.dashpots;
-  static_assert(sizeof(terms::Slot<3, 1>) == 24 * sizeof(Real));
-  store_records<24>({t.master_moment[0],
-                     t.master_moment[1],
-                     t.master_moment[2],
-                     t.linear[0],
-                     t.linear[1],
-                     t.linear[2],
-                     t.slave_moment[0],
-                     t.slave_moment[1],
-                     t.slave_moment[2],
-                     d.master_moment[0],
-                     d.master_moment[1],
-                     d.master_moment[2],
-                     d.linear[0],
-                     d.linear[1],
-                     d.linear[2],
-                     d.slave_moment[0],
-                     d.slave_moment[1],
-                     d.slave_moment[2],
-                     acting,
-                     ahead,
-                     broadcast(static_cast<Real>(now.tick)),
-                     Lanes{},
-                     Lanes{},
-                     Lanes{}},
-                    slots, static_cast<int>(due.size()));
+  std::array<Lanes, whole> f = {t.master_moment[0], t.master_moment[1], t.master_moment[2], t.linear[0],       t.linear[1],
+                                t.linear[2],        t.slave_moment[0],  t.slave_moment[1],  t.slave_moment[2], d.master_moment[0],
+                                d.master_moment[1], d.master_moment[2], d.linear[0],        d.linear[1],       d.linear[2],
+                                d.slave_moment[0],  d.slave_moment[1],  d.slave_moment[2]};
+  const auto before = load_records<16, 16>(slots);
+  const LaneMask follows = before[evaluated - 16] >= 0.0;
+  for (std::size_t i = 0; i < 9; ++i) {
+    const Lanes earlier = select(follows, before[mean - 16 + i], f[i]);
+    f[mean + i] = select(failed, Lanes{}, earlier + terms::mean_share * (f[i] - earlier));
+  }
+  f[27] = acting, f[28] = ahead, f[evaluated] = broadcast(static_cast<Real>(now.tick));
+  store_records<whole>(f, slots, static_cast<int>(due.size()));
 }
 
 void Joints::note_changes(std::span<const Due> due, const JointChange& change) {

@@ -64,7 +64,7 @@ public:
 
 private:
   void evaluate_lanes(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies);
-  void write_slots(const Moment& now, std::span<const Due> due, const JointForce& force);
+  void write_slots(const Moment& now, std::span<const Due> due, const JointForce& force, const LaneMask& failed);
   void note_changes(std::span<const Due> due, const JointChange& change);
   const JointParameters<Lanes>& kinds_of(const LanePointers<JointRecord>& joints, JointParameters<Lanes>& mixed) const;
   void update_rates(Index body, const state::Bodies<3>& bodies);

@@ -34,10 +34,10 @@ Snapshot<D> state_at_end(bool mixed, int base_steps, Real damping) {
 /// Order seen between two steps, against one 128 times smaller than the finer of them. With mixed levels the error is that
 /// of the finest one, eight times smaller: (8/128)^2 of the error is left, 0.01 of the order.
 template <int D>
-Real observed_order(bool mixed, Real damping = 0) {
-  const auto exact = state_at_end<D>(false, 65536, damping);
-  const Real coarse = test::distance(state_at_end<D>(mixed, 256, damping), exact),
-             fine = test::distance(state_at_end<D>(mixed, 512, damping), exact);
+Real observed_order(bool mixed, Real damping = 0, int base_steps = 256) {
+  const auto exact = state_at_end<D>(false, 256 * base_steps, damping);
+  const Real coarse = test::distance(state_at_end<D>(mixed, base_steps, damping), exact),
+             fine = test::distance(state_at_end<D>(mixed, 2 * base_steps, damping), exact);
   return std::log2(coarse / fine);
 }
 
@@ -46,7 +46,8 @@ TEST(order, is_two_with_one_level_in_space) { EXPECT_NEAR(observed_order<3>(fals
 TEST(order, is_two_with_mixed_levels_in_the_plane) { EXPECT_NEAR(observed_order<2>(true), 2, 0.12); }
 TEST(order, is_two_with_mixed_levels_in_space) { EXPECT_NEAR(observed_order<3>(true), 2, 0.12); }
 
-TEST(order, is_two_with_dashpots_and_one_level) { EXPECT_NEAR(observed_order<3>(false, 0.01), 2, 0.12); }
+/// With 256 steps the stiffest dashpots are still near their limit, and terms of higher order show.
+TEST(order, is_two_with_dashpots_and_one_level) { EXPECT_NEAR(observed_order<3>(false, 0.01, 1024), 2, 0.05); }
 TEST(order, is_two_with_dashpots_and_mixed_levels) { EXPECT_NEAR(observed_order<3>(true, 0.01), 2, 0.12); }
 
 TEST(order, mixed_levels_are_as_accurate_as_their_coarsest) {

@@ -1,0 +1,73 @@
+#include "sazare/terms/slot_table.hpp"
+
+#include <gtest/gtest.h>
+
+namespace sazare::terms {
+namespace {
+
+PairForce<3> push(Real force) { return {Vector3(0, 0, force), {force, 2 * force, 3 * force}, Vector3(force, 0, 0)}; }
+
+/// One link between two bodies, evaluated at the ticks given.
+struct OneLink {
+  SlotTable<3, 1, FixedIncidence> table;
+  Moment now{0, 0.1};
+
+  OneLink() {
+    const std::vector<Link> links = {{0, 1}};
+    table.slots.resize(1);
+    table.incidence = FixedIncidence(2, links);
+  }
+  void evaluate(Tick tick, Real force, Real acting, Real ahead) {
+    now.tick = tick;
+    write<3, 1>(table[0], now, Due{0, acting, ahead}, push(force), {});
+  }
+  Impulse<3> gathered(Index body, Real until_next) const {
+    Impulse<3> sum;
+    sum.until_next = until_next;
+    CauseImpulses<3> parts;
+    parts.clear();
+    table.gather_one(now, body, -1, 0, sum, parts);
+    return sum;
+  }
+};
+
+TEST(slot, the_mean_follows_the_force_from_the_first_one_on) {
+  OneLink link;
+  link.evaluate(0, 8, 0.1, 0.1);
+  EXPECT_EQ(link.table[0].mean.linear, push(8).linear);
+  link.evaluate(2, 4, 0.2, 0.1);
+  EXPECT_EQ(link.table[0].mean.linear, push(6).linear);
+  EXPECT_EQ(link.table[0].mean.second_moment, push(6).second_moment);
+  link.evaluate(4, 4, 0.2, 0.1);
+  EXPECT_EQ(link.table[0].mean.first_moment, push(5).first_moment);
+}
+
+TEST(slot, what_was_given_beyond_now_is_taken_back_with_the_force_itself) {
+  OneLink link;
+  link.evaluate(0, 8, 0.1, 0.1);
+  link.evaluate(2, 4, 0.2, 0.1);
+  EXPECT_LT((link.gathered(1, 0).linear_ahead - 0.1 * push(4).linear).norm(), 1e-15);
+  EXPECT_LT((link.gathered(1, 0.1).linear_ahead - 0.1 * push(4).linear).norm(), 1e-15);  // given until then
+}
+
+TEST(slot, what_no_force_was_given_for_is_foreseen_with_the_mean) {
+  OneLink link;
+  link.evaluate(0, 8, 0.1, 0.1);
+  link.evaluate(2, 4, 0.2, 0.1);
+  const auto second = link.gathered(1, 0.2), first = link.gathered(0, 0.2);
+  const auto gained = [](const Impulse<3>& sum) -> Vector3 { return 0.2 * sum.force - sum.linear_ahead; };
+  EXPECT_LT((gained(second) - 0.1 * push(6).linear).norm(), 1e-15);
+  EXPECT_LT((gained(first) + 0.1 * push(6).linear).norm(), 1e-15);
+  EXPECT_LT((0.2 * second.torque - second.angular_ahead - 0.1 * push(6).second_moment).norm(), 1e-15);
+  EXPECT_LT((0.2 * first.torque - first.angular_ahead - 0.1 * push(6).first_moment).norm(), 1e-15);
+}
+
+TEST(slot, a_constant_force_is_foreseen_as_it_is) {
+  OneLink link;
+  for (const Tick tick : {0, 2, 4}) link.evaluate(tick, 8, 0.2, 0.1);
+  const auto sum = link.gathered(1, 0.2);
+  EXPECT_LT((sum.linear_ahead - 0.1 * push(8).linear).norm(), 1e-15);
+}
+
+}  // namespace
+}  // namespace sazare::terms
