@@ -1,6 +1,7 @@
 """A hybrid case as two programs that exchange files: the bits of one program, stopped, killed and resumed, and with other finite elements."""
 
 import json
+import os
 import signal
 import subprocess
 import sys
@@ -18,7 +19,10 @@ COMMAND = ROOT / "build/release/apps/sazare/sazare"
 OSCILLATOR = ROOT / "cases/two-mass-oscillator/case.toml"
 BEAM = ROOT / "cases/sphere-on-beam/case.toml"
 SEAWALL = ROOT / "cases/seawall-shaking-table/case.toml"
-ENDS = {OSCILLATOR: 0.02, BEAM: 1e-4, SEAWALL: 0.05}  # s
+APART = ROOT / "cases/seawall-two-programs/case.toml"
+BLOCK = ROOT / "cases/block-on-soft-ground/case.toml"
+ROCK = ROOT / "cases/rock-fall-on-slab/case.toml"
+ENDS = {OSCILLATOR: 0.02, BEAM: 1e-4, SEAWALL: 0.05, BLOCK: 0.1, ROCK: 0.0014}  # s
 
 
 def settings(case, scheme, extra=()):
@@ -89,13 +93,21 @@ def one(tmp_path_factory):
     return run
 
 
-@pytest.mark.parametrize(("case", "scheme"), [(OSCILLATOR, "paper"), (OSCILLATOR, "impulse"), (OSCILLATOR, "repeat"), (BEAM, "impulse"), (SEAWALL, "impulse")])
+@pytest.mark.parametrize(("case", "scheme"), [(OSCILLATOR, "paper"), (OSCILLATOR, "impulse"), (OSCILLATOR, "repeat"), (BEAM, "impulse"), (SEAWALL, "impulse"),
+                                                (BLOCK, "impulse"), (BLOCK, "repeat"), (ROCK, "impulse")])
 def test_two_programs_have_the_bits_of_one(one, tmp_path, case, scheme):
     for side, (words, code) in finish(start_both(case, tmp_path, *settings(case, scheme))).items():
         assert code == 0, f"{side}: {words}"
     check_same(one(case, scheme), tmp_path)
     parts = (tmp_path / "continuum/timing.csv").read_text()
     assert "exchange of files" in parts and "waiting for the partner" in parts
+
+
+def test_script_runs_the_sea_wall_in_two_programs(one, tmp_path):
+    """The case of the two programs is that of the one, and its script starts both."""
+    script = [APART.with_name("run"), *settings(SEAWALL, "impulse")]
+    subprocess.run(script, check=True, cwd=tmp_path, env={**os.environ, "SAZARE": str(COMMAND)}, stdout=subprocess.DEVNULL)
+    check_same(one(SEAWALL, "impulse"), tmp_path / "runs/seawall-two-programs")
 
 
 @pytest.mark.parametrize("scheme", ["impulse", "repeat"])
