@@ -93,7 +93,7 @@ struct BodiesWork {
     if (!motion)
       throw UserError(fmt::format("{}: the continuum has ended its run at t = {} s, before the end of this case",
                                   file.path.string(), cases::short_number(clocks.time(step()))));
-    const Real before = times.now(), transport = line.transport();
+    const Real before = times.now(), exchanged = line.cost().seconds;
     const std::int64_t window = bodies.side.windows();
     Real waited = 0;
     try {
@@ -113,7 +113,7 @@ struct BodiesWork {
       stopped.emplace(stop);
     }
     line.mark();
-    side_times.add(times.now() - before, waited, line.transport() - transport);
+    side_times.add(times.now() - before, waited, line.cost().seconds - exchanged);
   }
   std::int64_t step() const { return bodies.side.windows(); }
   static bool must_check() { return true; }
@@ -139,6 +139,7 @@ struct BodiesWork {
 
   std::uint64_t state_hash() const { return record.state_hash(); }
   std::span<const engine::PartTime> part_times() const { return side_times.parts; }
+  auto more_figures() const { return line.figures(); }
   void write_case() const { bodies.write_case(folder); }
   void write_end() {
     if constexpr (requires { record.write_fragments(); }) record.write_fragments();
