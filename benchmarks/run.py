@@ -14,6 +14,7 @@ import sys
 from pathlib import Path
 
 import block_rows
+import coupled_rows
 import full_rows
 import particle_rows
 import slab_rows
@@ -68,7 +69,7 @@ def measure(row, bench):
 
 def main():
     options = read_options()
-    rows = slab_rows.rows() + full_rows.rows() + block_rows.rows() + particle_rows.rows() + square_rows.rows() + sphere_rows.rows()
+    rows = slab_rows.rows() + full_rows.rows() + block_rows.rows() + particle_rows.rows() + square_rows.rows() + sphere_rows.rows() + coupled_rows.rows()
     if options.list:
         print("\n".join(f"{row.id}: {row.quantity}" for row in rows))
         return 0

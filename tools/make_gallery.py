@@ -34,6 +34,8 @@ PICTURES = {
     "strip-footing": "yielding",
     "cantilever-fem": "displaced",
     "seawall-shaking-table": "together",
+    "block-on-soft-ground": "together",
+    "rock-fall-on-slab": "together",
 }
 
 

@@ -84,10 +84,18 @@ void print_fem_figures(const observe::Manifest& manifest, const fs::path& folder
   fmt::print("results in      {}\n", folder.string());
 }
 
+/// How many bodies a hybrid run has, by the name that they have among its figures.
+std::string bodies_text(const observe::Manifest& manifest) {
+  for (const auto& [name, words] : {std::pair{"particles", "spheres"}, {"body_elements", "rectangles"}, {"blocks", "blocks"}})
+    if (std::ranges::any_of(manifest.results, [&](const auto& result) { return result.first == name; }))
+      return fmt::format("{} {}", cases::short_number(figure(manifest, name), 12), words);
+  return "no bodies";
+}
+
 void print_hybrid_figures(const observe::Manifest& manifest, const fs::path& folder) {
   const auto number = [&](std::string_view name, int digits = 4) { return cases::short_number(figure(manifest, name), digits); };
-  fmt::print("sides           {} elements, {} spheres; {} windows of {} s, {} passes\n", number("elements", 12),
-             number("particles", 12), number("windows", 12), number("window"), number("passes", 12));
+  fmt::print("sides           {} elements, {}; {} windows of {} s, {} passes\n", number("elements", 12), bodies_text(manifest),
+             number("windows", 12), number("window"), number("passes", 12));
   fmt::print("surface         force up to {} N, moved up to {} m\n", number("peak_force"), number("peak_displacement"));
   fmt::print("energy          {} J over the surface, {} J made there, {} J unaccounted\n", number("work_on_nodes"),
              number("energy_made", 2), number("energy_residual", 2));

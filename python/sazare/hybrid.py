@@ -2,6 +2,7 @@
 
 import numpy as np
 from matplotlib.collections import EllipseCollection, PolyCollection
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from sazare import finite, style
 
@@ -21,55 +22,127 @@ def _along(history, name):
     return AXES[axis], columns[axis]
 
 
+def _corners(grid):
+    """(n, 2) corners, in the plane, of every body that is no sphere: squares and polygons, supports left out."""
+    corners = np.split(np.asarray(grid.points)[:, :2], np.asarray(grid.offset)[1:-1])
+    return [corners[i] for i in np.flatnonzero(_is_body(grid))]
+
+
+def _is_body(grid):
+    """Which cells are bodies."""
+    return np.asarray(grid.cell_data["block"]) >= 0 if "block" in grid.cell_data else np.ones(grid.n_cells, dtype=bool)
+
+
+def _speed(grid):
+    """Of every body [m/s]."""
+    return np.linalg.norm(np.asarray(grid.cell_data["velocity"])[_is_body(grid)], axis=1)
+
+
 def _frame(meshes, clouds):
     """Lower and upper corner, in the plane, of all that is drawn."""
     corners = [np.asarray(mesh.points)[:, :2] for mesh in meshes]
     for cloud in clouds:
-        points, radius = np.asarray(cloud.points)[:, :2], np.asarray(cloud.cell_data["radius"])[:, None]
-        corners += [points - radius, points + radius]
+        if "radius" in cloud.cell_data:
+            points, radius = np.asarray(cloud.points)[:, :2], np.asarray(cloud.cell_data["radius"])[:, None]
+            corners += [points - radius, points + radius]
+        else:
+            corners += _corners(cloud) if "block" in cloud.cell_data else [np.asarray(cloud.points)[:, :2]]
     corners = np.concatenate(corners)
     return corners.min(axis=0), corners.max(axis=0)
 
 
-def _draw_sides(axes, mesh, spheres, top):
-    """The mesh of a continuum in the plane and the spheres, seen along z."""
+def _spheres(axes, cloud):
+    order = np.argsort(np.asarray(cloud.points)[:, 2])
+    points, widths = np.asarray(cloud.points)[order, :2], 2.0 * np.asarray(cloud.cell_data["radius"])[order]
+    return EllipseCollection(widths, widths, np.zeros(len(widths)), units="xy", offsets=points, transOffset=axes.transData,
+                             array=_speed(cloud)[order], cmap=style.SPEED, edgecolors="#00000055", linewidths=0.2)
+
+
+def _outer_faces(grid):
+    """Triangles (n, 3, 3) on the outside of tetrahedra or of elements in space, and the cell of each."""
+    outside = grid.extract_surface(nonlinear_subdivision=1, pass_cellid=True).triangulate()
+    return np.asarray(outside.points)[np.asarray(outside.faces).reshape(-1, 4)[:, 1:]], np.asarray(outside.cell_data["vtkOriginalCellIds"])
+
+
+def _polygons(cloud):
+    """Squares and polygons, or the outside of tetrahedra seen along z."""
+    if "block" in cloud.cell_data:
+        corners, speed = _corners(cloud), _speed(cloud)
+    else:
+        faces, cells = _outer_faces(cloud)
+        order = np.argsort(faces[:, :, 2].mean(axis=1))
+        corners, speed = list(faces[order, :, :2]), _speed(cloud)[cells[order]]
+    return PolyCollection(corners, array=speed, cmap=style.SPEED, edgecolors="#000000aa", linewidths=0.4)
+
+
+def _draw_sides(axes, mesh, cloud, top):
+    """The mesh of a continuum in the plane and the bodies, seen along z."""
     cells = [np.asarray(mesh.points)[cell, :2] for cell in finite.outlines(mesh)]
     colors = [style.RUBBLE(int(region) % style.RUBBLE.N) for region in np.asarray(mesh.cell_data["region"])]
     axes.add_collection(PolyCollection(cells, facecolors=colors, edgecolors="#00000033", linewidths=0.3, alpha=0.55))
-    order = np.argsort(np.asarray(spheres.points)[:, 2])
-    points, widths = np.asarray(spheres.points)[order, :2], 2.0 * np.asarray(spheres.cell_data["radius"])[order]
-    speed = np.linalg.norm(spheres.cell_data["velocity"], axis=1)[order]
-    drawn = axes.add_collection(EllipseCollection(widths, widths, np.zeros(len(widths)), units="xy", offsets=points, transOffset=axes.transData,
-                                                  array=speed, cmap=style.SPEED, edgecolors="#00000055", linewidths=0.2))
+    drawn = axes.add_collection(_spheres(axes, cloud) if "radius" in cloud.cell_data else _polygons(cloud))
     drawn.set_clim(0.0, top)
     axes.set_aspect("equal")
     axes.grid(False)
     return drawn
 
 
+def _draw_in_space(axes, mesh, cloud, top):
+    """The outside of a continuum in space and of blocks."""
+    under, _ = _outer_faces(mesh)
+    axes.add_collection3d(Poly3DCollection(under, facecolors="#c9c4ba", edgecolors="#00000022", linewidths=0.2, zorder=0))
+    faces, cells = _outer_faces(cloud)
+    drawn = axes.add_collection3d(Poly3DCollection(faces, array=_speed(cloud)[cells], cmap=style.SPEED, edgecolors="#00000066", linewidths=0.3, zorder=1))
+    drawn.set_clim(0.0, top)
+    axes.computed_zorder = False
+    axes.view_init(elev=18, azim=-60)
+    return drawn
+
+
+def _chosen(results):
+    """Meshes and bodies at some times, as (time, mesh, bodies)."""
+    if len(results.sides) < 2:
+        return []
+    meshes, clouds = results.sides["continuum"].element_snapshots, results.sides["bodies"].all_snapshots
+    if not len(meshes) or not len(clouds):
+        return []
+    chosen = sorted(set(np.linspace(0, min(len(meshes), len(clouds)) - 1, MOST_PICTURES).round().astype(int)))
+    return [(meshes[i].time, meshes[i].elements, clouds[i].elements) for i in chosen]
+
+
 @style.styled
 def together(results):
-    """Both sides at some times, seen along z, the spheres coloured by speed; None for a continuum in space."""
-    if len(results.sides) < 2:
+    """Both sides at some times, the bodies coloured by speed: seen along z, or in space where the bodies are blocks; else None."""
+    frames = _chosen(results)
+    flat = bool(frames) and finite.is_flat(frames[0][1])
+    if not frames or not (flat or "radius" not in frames[0][2].cell_data):
         return None
-    meshes, clouds = results.sides["continuum"].element_snapshots, results.sides["bodies"].particle_snapshots
-    if not len(meshes) or not len(clouds) or not finite.is_flat(meshes[0].elements):
-        return None
-    chosen = sorted(set(np.linspace(0, min(len(meshes), len(clouds)) - 1, MOST_PICTURES).round().astype(int)))
-    top = max(float(np.percentile(np.linalg.norm(clouds[i].elements.cell_data["velocity"], axis=1), 99)) for i in chosen) or 1.0
-    low, high = _frame([meshes[i].elements for i in chosen], [clouds[i].elements for i in chosen])
-    rows = (len(chosen) + 1) // 2
-    height = min(3.8 * (high[1] - low[1]) / (high[0] - low[0]), 5.0)
+    top = max(float(np.percentile(_speed(cloud), 99)) for _, _, cloud in frames) or 1.0
+    low, high = _frame([mesh for _, mesh, _ in frames], [cloud for _, _, cloud in frames])
+    rows = (len(frames) + 1) // 2
+    height = min(3.8 * (high[1] - low[1]) / (high[0] - low[0]), 5.0) if flat else 3.4
     figure = style.figure(9.0, 0.4 + rows * (height + 0.6))
-    panels = np.ravel(figure.subplots(rows, min(2, len(chosen)), squeeze=False))
-    for axes, index in zip(panels, chosen):
-        drawn = _draw_sides(axes, meshes[index].elements, clouds[index].elements, top)
-        axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
-        axes.set_title(f"{meshes[index].time:.3g} s")
-    for axes in panels[len(chosen):]:
+    kind = {} if flat else {"subplot_kw": {"projection": "3d"}}
+    panels = np.ravel(figure.subplots(rows, min(2, len(frames)), squeeze=False, **kind))
+    for axes, (time, mesh, cloud) in zip(panels, frames):
+        drawn = (_draw_sides if flat else _draw_in_space)(axes, mesh, cloud, top)
+        if flat:
+            axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+        else:
+            _frame_in_space(axes, frames)
+        axes.set_title(f"{time:.3g} s")
+    for axes in panels[len(frames):]:
         axes.set_axis_off()
-    figure.colorbar(drawn, ax=list(panels), label="speed of the spheres [m/s]", shrink=0.9)
+    figure.colorbar(drawn, ax=list(panels), label="speed of the bodies [m/s]", shrink=0.9)
     return figure
+
+
+def _frame_in_space(axes, frames):
+    """Limits that hold the first frame, in true proportion."""
+    points = np.concatenate([np.asarray(grid.points) for grid in frames[0][1:]])
+    low, high = points.min(axis=0), points.max(axis=0)
+    axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
+    axes.set_box_aspect(high - low)
 
 
 @style.styled

@@ -198,13 +198,12 @@ def finite_sections(results):
 
 def hybrid_sections(results):
     """The pictures of a run of method hybrid: both sides together, the surface, then those of each side."""
-    makers = {"continuum": finite_sections, "bodies": granular_sections}
-    left_out = {"timing"} | ({"spheres"} if hybrid.is_plane(results) else set())  # seen along z both sides stand in one picture
+    left_out = {"timing"} | ({"spheres", "moving"} if hybrid.is_plane(results) else set())  # seen along z both sides stand in one picture
     of_sides = [replace(section, name=f"{name}_{section.name}", heading=f"{name.capitalize()}: {section.heading[0].lower()}{section.heading[1:]}")
-                for name, side in results.sides.items() for section in makers[name](side) if section.name not in left_out]
+                for name, side in results.sides.items() for section in sections_of(side) if section.name not in left_out]
     return [
-        Section("together", "Both sides", "Finite elements, coloured by region, and spheres, coloured by speed, seen along z.",
-                partial(hybrid.together, results), "There are no snapshots of a continuum in the plane."),
+        Section("together", "Both sides", "Finite elements, and bodies, coloured by speed.",
+                partial(hybrid.together, results), "There are no snapshots that can be drawn together."),
         Section("surface", "The surface", "Mean force of the bodies on the surface in a window, and the mean displacement of its nodes.",
                 partial(hybrid.surface, results), "The run wrote no history."),
         Section("exchange", "Work over the surface", "Work of the bodies on the nodes and of the nodes on the bodies; their sum is energy that the "

@@ -28,7 +28,7 @@ def cloud():
 
 def run(kind=9, cell=(0, 1, 2, 3)):
     sides = {"continuum": SimpleNamespace(element_snapshots=[SimpleNamespace(time=t, elements=mesh(kind, cell)) for t in (0.0, 1.0)]),
-             "bodies": SimpleNamespace(particle_snapshots=[SimpleNamespace(time=t, elements=cloud()) for t in (0.0, 1.0)])}
+             "bodies": SimpleNamespace(all_snapshots=[SimpleNamespace(time=t, elements=cloud()) for t in (0.0, 1.0)])}
     return SimpleNamespace(sides=sides)
 
 

@@ -148,11 +148,12 @@ Place find_place(const Value& root, std::string_view key) {
 
 std::vector<Entry> CheckContext::entries_of(std::string_view table) const { return entries(root, *find_table(schema, table)); }
 
-CaseFile read_case(const fs::path& path, std::span<const std::string> overrides) {
-  return read_case_text(read_text(path), path, overrides);
+CaseFile read_case(const fs::path& path, std::span<const std::string> overrides, const std::string& side) {
+  return read_case_text(read_text(path), path, overrides, side);
 }
 
-CaseFile read_case_text(const std::string& content, const fs::path& path, std::span<const std::string> overrides) {
+CaseFile read_case_text(const std::string& content, const fs::path& path, std::span<const std::string> overrides,
+                        const std::string& side) {
   auto text = std::make_shared<CaseText>();
   Problems& problems = text->problems;
   const int source = problems.add_source(source_from_text(path.string(), content));
@@ -161,7 +162,7 @@ CaseFile read_case_text(const std::string& content, const fs::path& path, std::s
   text->root = std::move(*root);
   const bool has_sides = method_name(text->root) == "hybrid";
   for (const std::string& setting : overrides)
-    if (!has_sides || !is_of_side(setting)) apply_override(text->root, setting, problems);
+    if (!has_sides || !is_of_side(setting)) apply_override(text->root, setting, problems, side);
   const std::string method = method_name(text->root);
   const std::span<const Table> schema = schema_of(method);
   check_structure(text->root, schema, problems);

@@ -38,11 +38,12 @@ struct CaseFile {
 /// Reads and checks a case. `overrides` are texts such as "time.end=1e-3" or "joints.0.cohesion=5e6". Throws
 /// a UserError that lists everything that is wrong, in file order. Those of a side of a hybrid case begin with its key:
 /// "bodies.time.step=1e-5".
-CaseFile read_case(const std::filesystem::path& path, std::span<const std::string> overrides = {});
+/// `side`, such as "bodies.", is what messages say before overrides of a case that is itself a side.
+CaseFile read_case(const std::filesystem::path& path, std::span<const std::string> overrides = {}, const std::string& side = "");
 
 /// The same of a text that need not stand in a file: messages call it `path`, and its files are relative to the folder of `path`.
 CaseFile read_case_text(const std::string& content, const std::filesystem::path& path,
-                        std::span<const std::string> overrides = {});
+                        std::span<const std::string> overrides = {}, const std::string& side = "");
 
 /// A physical surface group of a mesh: its triangles on the outside of the body and those between two
 /// elements.

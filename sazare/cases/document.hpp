@@ -49,7 +49,7 @@ struct Member {
 std::optional<Value> parse_document(std::string_view text, int source, Problems& problems);
 
 /// Puts `table.key=value` (what follows --set) into the document; its values are placed in the override.
-void apply_override(Value& root, const std::string& setting, Problems& problems);
+void apply_override(Value& root, const std::string& setting, Problems& problems, const std::string& side = "");
 
 /// What the value is, as messages say it: `the string "450 GPa"`, "the number 2.5", "a list of 2".
 std::string describe(const Value& value);

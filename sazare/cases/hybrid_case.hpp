@@ -16,13 +16,13 @@ enum class HybridScheme { paper, impulse, repeat };
 
 struct HybridSides {
   std::filesystem::path continuum;  // of method fem
-  std::filesystem::path bodies;     // of method spheres
+  std::filesystem::path bodies;     // of method spheres, rectangles or blocks
 };
 
 struct HybridSurface {
   std::string group;     // of the continuum's mesh
-  std::string material;  // of the bodies' case
-  Real width = 0;        // m, of the slab of bodies on a continuum in the plane
+  std::string material;  // of the bodies' case, of method spheres
+  Real width = 0;        // m, of the slab of spheres or blocks on a continuum in the plane
 };
 
 struct HybridCoupling {

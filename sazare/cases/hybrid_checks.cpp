@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "sazare/cases/case_file.hpp"
 #include "sazare/cases/checks.hpp"
 #include "sazare/cases/clocks.hpp"
@@ -21,38 +23,40 @@ std::vector<std::string> overrides_of(std::string_view side, std::span<const std
   return own;
 }
 
-/// The case of a side, as it was typed in messages; nothing where it is of another method.
-template <class Case>
-std::shared_ptr<const CaseFile> read_side(const CheckContext& context, std::string_view key, std::string_view method,
+/// The case of a side, as it was typed in messages; nothing where it is of none of these methods, which words name.
+template <class... Case>
+std::shared_ptr<const CaseFile> read_side(const CheckContext& context, std::string_view key, std::string_view methods,
                                           std::span<const std::string> overrides) {
   const Entry sides = context.entries_of("sides").front();
   if (!sides.gives(key)) return nullptr;
   const std::filesystem::path shown = context.shown_folder / *sides.value->find(key)->text();
-  auto side = std::make_shared<CaseFile>(read_case(shown, overrides_of(key, overrides)));
-  if (std::holds_alternative<Case>(side->content)) return side;
+  auto side = std::make_shared<CaseFile>(read_case(shown, overrides_of(key, overrides), std::string(key) + "."));
+  if ((std::holds_alternative<Case>(side->content) || ...)) return side;
   context.problems.error(
-      sides.place(key), fmt::format("{} is no case of method {}", shown.string(), method),
-      fmt::format("the {} of a hybrid case are of method {}", key == "bodies" ? "bodies" : "finite elements", method));
+      sides.place(key), fmt::format("{} is no case of method {}", shown.string(), methods),
+      fmt::format("the {} of a hybrid case are of method {}", key == "bodies" ? "bodies" : "finite elements", methods));
   return nullptr;
 }
 
-void check_material(const CheckContext& context, const HybridCase& hybrid) {
+void check_material(const CheckContext& context, const SpheresCase& spheres, const std::string& material) {
   const Entry entry = context.entries_of("surface").front();
-  if (!entry.gives("material") || !hybrid.bodies) return;
+  check_keys(context, entry, "method spheres", {"material"}, {});
+  if (!entry.gives("material")) return;
   std::vector<std::string> names;
-  for (const SphereMaterial& material : hybrid.bodies->spheres().materials) names.push_back(material.name);
-  if (std::ranges::find(names, hybrid.surface.material) != names.end()) return;
-  context.problems.error(entry.place("material"), fmt::format("the bodies have no material \"{}\"", hybrid.surface.material),
-                         full_suggestion(hybrid.surface.material, names, "materials"));
+  for (const SphereMaterial& one : spheres.materials) names.push_back(one.name);
+  if (std::ranges::find(names, material) != names.end()) return;
+  context.problems.error(entry.place("material"), fmt::format("the bodies have no material \"{}\"", material),
+                         full_suggestion(material, names, "materials"));
 }
 
+/// Of the slab of bodies that a continuum in the plane meets.
 void check_width(const CheckContext& context, const HybridCase& hybrid) {
   const Entry entry = context.entries_of("surface").front();
-  if (!hybrid.continuum) return;
   if (hybrid.continuum->fem().mesh.dimension == 3) return check_keys(context, entry, "a continuum in 3-D", {}, {"width"});
   check_keys(context, entry, "a continuum in 2-D", {"width"}, {});
-  if (!entry.gives("width") || !hybrid.bodies) return;
-  const Domain& domain = hybrid.bodies->spheres().domain;
+  const auto* spheres = std::get_if<SpheresCase>(&hybrid.bodies->content);
+  if (!entry.gives("width") || spheres == nullptr) return;
+  const Domain& domain = spheres->domain;
   const Real length = domain.upper.z() - domain.lower.z();
   if (domain.periodic[2] && std::abs(length - hybrid.surface.width) > 1e-9 * length)
     context.problems.error(entry.place("width"),
@@ -61,10 +65,46 @@ void check_width(const CheckContext& context, const HybridCase& hybrid) {
                            "the width is that of the slab of bodies");
 }
 
+/// Elements of rectangles have one contact law, and a thickness; they lie in the plane.
+void check_rectangles_surface(const CheckContext& context, const HybridCase& hybrid) {
+  check_keys(context, context.entries_of("surface").front(), "method rectangles", {}, {"material", "width"});
+  if (hybrid.continuum->fem().mesh.dimension == 2) return;
+  context.problems.error(context.entries_of("sides").front().place("bodies"),
+                         "bodies of method rectangles lie in the plane, and the continuum is in 3-D",
+                         "take a continuum with dimension = 2, or bodies of another method");
+}
+
+void check_surface(const CheckContext& context, const HybridCase& hybrid) {
+  if (!hybrid.continuum || !hybrid.bodies) return;
+  if (std::holds_alternative<RectanglesCase>(hybrid.bodies->content)) return check_rectangles_surface(context, hybrid);
+  if (std::holds_alternative<BlocksCase>(hybrid.bodies->content))
+    check_keys(context, context.entries_of("surface").front(), "method blocks", {}, {"material"});
+  else
+    check_material(context, hybrid.bodies->spheres(), hybrid.surface.material);
+  check_width(context, hybrid);
+}
+
+/// Clocks of bodies of any method [s].
+struct BodiesClocks {
+  std::string step_key;
+  std::optional<Real> step;
+  Real end, history_interval, snapshot_interval;
+};
+
+BodiesClocks clocks_of(const CaseFile& bodies) {
+  const auto of = [](const std::string& key, const std::optional<Real>& step, const auto& time) {
+    return BodiesClocks{key, step, time.end, time.history_interval, time.snapshot_interval};
+  };
+  if (const auto* blocks = std::get_if<BlocksCase>(&bodies.content)) return of("base_step", blocks->time.base_step, blocks->time);
+  if (const auto* rectangles = std::get_if<RectanglesCase>(&bodies.content))
+    return of("step", rectangles->time.step, rectangles->time);
+  return of("step", bodies.spheres().time.step, bodies.spheres().time);
+}
+
 /// Both sides walk together, window by window.
 void check_times(const HybridCase& hybrid) {
   const FemTime& continuum = hybrid.continuum->fem().time;
-  const LeapfrogTime& bodies = hybrid.bodies->spheres().time;
+  const BodiesClocks bodies = clocks_of(*hybrid.bodies);
   const auto must_equal = [&](std::string_view key, Real one, Real other) {
     if (one == other) return;
     refuse(*hybrid.bodies, fmt::format("time.{}", key),
@@ -76,7 +116,7 @@ void check_times(const HybridCase& hybrid) {
   must_equal("history_interval", continuum.history_interval, bodies.history_interval);
   must_equal("snapshot_interval", continuum.snapshot_interval, bodies.snapshot_interval);
   if (bodies.step && !whole_multiple(*continuum.step, *bodies.step))
-    refuse(*hybrid.bodies, "time.step",
+    refuse(*hybrid.bodies, "time." + bodies.step_key,
            fmt::format("the step of the finite elements, {} s in {}, is not a whole multiple of that of the bodies, {} s in {}",
                        short_number(*continuum.step, 12), hybrid.continuum->path.string(), short_number(*bodies.step, 12),
                        hybrid.bodies->path.string()),
@@ -93,9 +133,9 @@ void check_hybrid(const CheckContext& context, HybridCase& hybrid, std::span<con
     there = there && sides.gives(key) && check_file(context, sides.place(key), "case", path, *sides.value->find(key)->text());
   if (!there || context.problems.has_errors()) return;
   hybrid.continuum = read_side<FemCase>(context, "continuum", "fem", overrides);
-  hybrid.bodies = read_side<SpheresCase>(context, "bodies", "spheres", overrides);
-  check_material(context, hybrid);
-  check_width(context, hybrid);
+  hybrid.bodies =
+      read_side<SpheresCase, RectanglesCase, BlocksCase>(context, "bodies", "spheres, rectangles or blocks", overrides);
+  check_surface(context, hybrid);
   if (!context.problems.has_errors() && hybrid.continuum && hybrid.bodies) check_times(hybrid);
 }
 

@@ -20,7 +20,7 @@ void visit_fields(Visitor& visit, HybridSides& sides) {
 template <class Visitor>
 void visit_fields(Visitor& visit, HybridSurface& surface) {
   visit("group", surface.group);
-  visit("material", surface.material);
+  if (visit.has("material", !surface.material.empty())) visit("material", surface.material);
   if (visit.has("width", surface.width > 0)) visit("width", surface.width);
 }
 

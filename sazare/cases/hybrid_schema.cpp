@@ -18,7 +18,8 @@ constexpr std::array side_keys{
         .type = Type::file,
         .need = Need::required,
         .sentence =
-            "Case of method spheres with the same end and intervals; its step divides the window, and is chosen so where it "
+            "Case of method spheres, rectangles or blocks with the same end and intervals; its step divides the window, and is "
+            "chosen so where it "
             "is not given."},
 };
 
@@ -29,13 +30,14 @@ constexpr std::array surface_keys{
         .sentence = "Physical group of outer faces of the continuum (in 2-D of lines) that the bodies feel as a moving wall."},
     Key{.name = "material",
         .type = Type::text,
-        .need = Need::required,
-        .sentence = "Material of the bodies' case of which the surface is in contact."},
+        .note = "required for bodies of method spheres, and only for them",
+        .sentence =
+            "Material of the bodies' case of which the surface is in contact; rectangles and blocks have one contact law."},
     Key{.name = "width",
         .type = Type::number,
         .unit = "m",
         .range = positive,
-        .note = "required where the continuum is in 2-D, and only there",
+        .note = "required for spheres and blocks where the continuum is in 2-D, and only there",
         .sentence = "Width along z of the slab of bodies whose forces the plane gets per metre."},
 };
 

@@ -105,13 +105,13 @@ void put(Value& root, const Override& setting, Value value, Problems& problems) 
 
 }  // namespace
 
-void apply_override(Value& root, const std::string& setting, Problems& problems) {
+void apply_override(Value& root, const std::string& setting, Problems& problems, const std::string& side) {
   const std::size_t equals = setting.find('=');
   const std::string key = setting.substr(0, equals);
-  Source source = source_from_text(key.empty() ? "--set" : "--set " + key, "--set " + setting);
+  Source source = source_from_text(key.empty() ? "--set" : "--set " + side + key, "--set " + side + setting);
   source.has_line_numbers = false;
   const int index = problems.add_source(std::move(source));
-  const int begin = static_cast<int>(std::string_view("--set ").size()) + 1;
+  const int begin = static_cast<int>(std::string_view("--set ").size() + side.size()) + 1;
   Override change{split_path(key), {index, 1, begin, std::max<int>(1, static_cast<int>(key.size()))}, {}};
   if (equals == std::string::npos || key.empty() || std::ranges::count(change.path, std::string()) > 0) {
     problems.error(change.path_place, "this is not of the form table.key=value", std::string(form));

@@ -18,6 +18,7 @@ public:
   void close() override;
 
   FileExchange& files() { return exchange_; }
+  const FileExchange& files() const { return exchange_; }
 
 private:
   SurfaceForce receive(std::int64_t window, std::int32_t pass);
@@ -37,6 +38,7 @@ public:
   void answer(const SurfaceForce& force) override;
 
   FileExchange& files() { return exchange_; }
+  const FileExchange& files() const { return exchange_; }
 
 private:
   FileExchange exchange_;

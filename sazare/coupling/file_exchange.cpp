@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "sazare/observe/atomic_file.hpp"
+#include "sazare/parallel/threads.hpp"
 
 namespace sazare::coupling {
 
@@ -65,6 +66,26 @@ std::string on_one_line(std::string words) {
 }
 
 }  // namespace
+
+/// Adds what passes until it goes to a cost, unless it is told that it was a look in vain.
+class FileExchange::Stopwatch {
+public:
+  explicit Stopwatch(ExchangeCost& cost) : cost_(&cost) {}
+  ~Stopwatch() {
+    if (cost_ == nullptr) return;
+    cost_->seconds += std::chrono::duration<Real>(Clock::now() - began_).count();
+    cost_->processor_seconds += parallel::processor_seconds() - processor_began_;
+  }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+  void forget() { cost_ = nullptr; }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  ExchangeCost* cost_;
+  Clock::time_point began_ = Clock::now();
+  Real processor_began_ = parallel::processor_seconds();
+};
 
 FileExchange::FileExchange(ExchangeOptions options)
     : options_(std::move(options)), seat_(options_.folder, options_.side), next_(options_.mark.next) {
@@ -159,9 +180,8 @@ void FileExchange::send(Message message) {
   message.from = options_.side;
   message.run = presence_.run;
   message.sequence = next_;
-  const Clock::time_point before = Clock::now();
+  const Stopwatch watch(cost_);
   observe::write_file(options_.folder / file_name(options_.side, next_), encode(message), observe::Sync::system);
-  transport_ += Clock::now() - before;
   ++next_;
   if (!options_.keeps_checkpoints) remove_before(next_ - 2);
 }
@@ -176,13 +196,15 @@ Message FileExchange::receive(std::int64_t sequence) {
 
 std::optional<Message> FileExchange::look_for(std::int64_t sequence, const Patience& patience) {
   const fs::path file = options_.folder / file_name(other(options_.side), sequence);
-  const Clock::time_point before = Clock::now();
+  Stopwatch watch(cost_);
   const std::optional<std::string> bytes = read_if_there(file);
-  if (!bytes) return std::nullopt;
+  if (!bytes) {
+    watch.forget();
+    return std::nullopt;
+  }
   try {
     Message message = decode(*bytes, file.string());
     check_sender(message, sequence, file.string());
-    transport_ += Clock::now() - before;
     return message;
   } catch (const DamagedFile& error) {
     if (damaged_since_ < 0) damaged_since_ = patience.waited();

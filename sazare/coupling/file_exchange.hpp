@@ -34,6 +34,11 @@ struct Stopped : std::exception {
   std::int64_t window;  ///< the partner is at its beginning
 };
 
+struct ExchangeCost {
+  Real seconds = 0;            ///< of the clock on the wall
+  Real processor_seconds = 0;  ///< of processor time
+};
+
 enum class Farewell { done, stopped, failed };
 
 class FileExchange {
@@ -63,8 +68,8 @@ public:
   std::int64_t next() const { return next_; }
   const std::string& run() const { return presence_.run; }
 
-  /// Spent in writing and reading files so far, without the waits for them [s].
-  Real transport() const { return std::chrono::duration<Real>(transport_).count(); }
+  /// What writing and reading files has cost so far, without the waits for them.
+  const ExchangeCost& cost() const { return cost_; }
 
   /// A checkpoint was made that goes on with this sequence: what both sides no longer need is removed.
   void keep_from(std::int64_t sequence);
@@ -73,7 +78,7 @@ public:
   void part(Farewell reason, std::int64_t window, const std::string& words = "");
 
 private:
-  using Clock = std::chrono::steady_clock;
+  class Stopwatch;
 
   std::string partner_name() const;
   void remove_from(std::int64_t sequence);
@@ -93,7 +98,7 @@ private:
   std::int64_t next_ = 0;    ///< sequence of the next message
   std::int64_t oldest_ = 1;  ///< of own messages that may still be there
   Real damaged_since_ = -1;  ///< of the wait, when the awaited file was first seen damaged [s]
-  Clock::duration transport_{0};
+  ExchangeCost cost_;
   bool has_parted_ = false;
 };
 

@@ -48,7 +48,8 @@ engine::StepRules step_rules(const cases::Time& time, Real base_step) {
 
 }  // namespace
 
-BlocksModel build_blocks(const cases::BlocksCase& blocks, geometry::TetraMesh mesh, const engine::Sharing& sharing) {
+BlocksModel build_blocks(const cases::BlocksCase& blocks, geometry::TetraMesh mesh, const engine::Sharing& sharing,
+                         std::optional<Real> window) {
   BlocksModel model;
   model.mesh = std::move(mesh);
   for (Index element = 0; element < static_cast<Index>(model.mesh.tetrahedra.size()); ++element)
@@ -67,7 +68,8 @@ BlocksModel build_blocks(const cases::BlocksCase& blocks, geometry::TetraMesh me
   for (terms::Rates& rates : joint_rates) rates.damping *= coupling / 2;
   std::vector<Real> steps;
   for (const terms::Rates& rates : joint_rates) steps.push_back(blocks.time.stability_fraction * engine::stable_step(rates));
-  const Real base_step = blocks.time.base_step.value_or(choose_base_step(steps, joint_faces, blocks.time.history_interval));
+  const Real base_step =
+      blocks.time.base_step.value_or(choose_base_step(steps, joint_faces, window.value_or(blocks.time.history_interval)));
   if (blocks.time.limiter == cases::Limiter::stability) sort_by_level(joint_faces, steps, base_step);
   std::vector<geometry::Tetrahedron> corners;
   for (Index element = 0; element < bodies.size(); ++element) corners.push_back(geometry::corners_of(model.mesh, element));
@@ -78,6 +80,9 @@ BlocksModel build_blocks(const cases::BlocksCase& blocks, geometry::TetraMesh me
   model.contacts = keep(terms, std::make_unique<methods::blocks::Contacts>(
                                    contact_law(blocks.contact), blocks.contact.edge_division, *model.joints, std::move(corners),
                                    make_free_faces(blocks, faces, joint_of_face), bodies));
+  if (window)
+    model.surface =
+        keep(terms, std::make_unique<methods::blocks::SurfaceContacts>(contact_law(blocks.contact), *model.contacts, bodies));
   if (auto boundaries = make_boundaries(blocks, faces, model.material, bodies); !boundaries.empty())
     keep(terms, std::make_unique<methods::blocks::OuterFaces>(std::move(boundaries), bodies));
   if (!blocks.blasts.empty())

@@ -3,6 +3,7 @@
 /// From a checked case and its mesh to a simulation.
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "sazare/cases/blocks_case.hpp"
@@ -10,6 +11,7 @@
 #include "sazare/geometry/face_map.hpp"
 #include "sazare/methods/blocks/contacts.hpp"
 #include "sazare/methods/blocks/joints.hpp"
+#include "sazare/methods/blocks/surface_contacts.hpp"
 
 namespace sazare::runs {
 
@@ -21,11 +23,14 @@ struct BlocksModel {
   std::vector<terms::Rates> rates;  ///< by element, at the beginning
   std::vector<Real> stable_step;    ///< by element, the fraction of the case not yet applied [s]
   std::unique_ptr<engine::Simulation<3>> simulation;
-  methods::blocks::Joints* joints = nullptr;      ///< owned by the simulation
-  methods::blocks::Contacts* contacts = nullptr;  ///< owned by the simulation
+  methods::blocks::Joints* joints = nullptr;            ///< owned by the simulation
+  methods::blocks::Contacts* contacts = nullptr;        ///< owned by the simulation
+  methods::blocks::SurfaceContacts* surface = nullptr;  ///< of a coupling; owned by the simulation
 };
 
-/// Throws UserError when the case does not fit its mesh in a way only the faces show.
-BlocksModel build_blocks(const cases::BlocksCase& blocks, geometry::TetraMesh mesh, const engine::Sharing& sharing = {});
+/// Throws UserError when the case does not fit its mesh in a way only the faces show. With the windows of a coupling [s], a base
+/// step that the case does not give divides them, and there is a surface to be attached.
+BlocksModel build_blocks(const cases::BlocksCase& blocks, geometry::TetraMesh mesh, const engine::Sharing& sharing = {},
+                         std::optional<Real> window = std::nullopt);
 
 }  // namespace sazare::runs

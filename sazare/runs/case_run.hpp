@@ -23,6 +23,7 @@
 ///
 ///     checkpoint_made()                           a checkpoint is on the disk
 ///     part(farewell, words)                       why it goes, or that it is done
+///     more_figures()                              for the manifest, beside those of its record
 
 #include <fmt/format.h>
 
@@ -293,6 +294,8 @@ private:
     manifest_.status = status;
     manifest_.finished = status == "running" ? "" : observe::time_of_day();
     manifest_.results = work_.record.results(work_.step(), work_.times.now());
+    if constexpr (requires { work_.more_figures(); })
+      for (auto& figure : work_.more_figures()) manifest_.results.push_back(std::move(figure));
     manifest_.peak_particle_velocity = work_.record.peak_particle_velocity();
     manifest_.state_hash = work_.state_hash();
     observe::write_manifest(work_.folder.manifest(), manifest_);

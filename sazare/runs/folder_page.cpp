@@ -84,7 +84,8 @@ std::string folder_markdown() {
              {"`rectangles`", {figures::rectangles}},
              {"`spheres`", {figures::spheres}},
              {"`fem`", {figures::fem}},
-             {"`hybrid`", {figures::hybrid}}});
+             {"`hybrid`", {figures::hybrid}},
+             {"`--side` of `hybrid`", {figures::exchange}}});
   page += "\n## history.csv\n";
   add_table(page, "method", "column",
             {{"all", {columns::time, columns::clock}},

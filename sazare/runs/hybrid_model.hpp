@@ -9,7 +9,10 @@ namespace sazare::runs {
 
 engine::CouplingRules coupling_rules(const cases::HybridCase& hybrid);
 
-/// Number of the surface's material among those of the bodies.
+/// Of the slab of bodies in front of a continuum in the plane; elements of rectangles have their own thickness [m].
+Real surface_width(const cases::HybridCase& hybrid);
+
+/// Number of the surface's material among those of the spheres.
 Index surface_material(const cases::HybridCase& hybrid);
 
 }  // namespace sazare::runs

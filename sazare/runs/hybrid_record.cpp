@@ -7,15 +7,15 @@
 
 namespace sazare::runs {
 
-template <int D>
-HybridRecord<D>::HybridRecord(const HybridParts<D>& parts, const RunClocks& clocks)
+template <int D, class Bodies>
+HybridRecord<D, Bodies>::HybridRecord(const HybridParts<D, Bodies>& parts, const RunClocks& clocks)
     : parts_(parts),
       clocks_(clocks),
       continuum_(parts.continuum_folder, *parts.file.hybrid().continuum, parts.continuum, clocks),
-      bodies_(parts.bodies_folder, *parts.file.hybrid().bodies, parts.bodies, clocks) {}
+      bodies_(parts.bodies_folder, *parts.file.hybrid().bodies, parts.bodies.model, clocks) {}
 
-template <int D>
-std::vector<RecordFiles::Table> HybridRecord<D>::tables() const {
+template <int D, class Bodies>
+std::vector<RecordFiles::Table> HybridRecord<D, Bodies>::tables() const {
   std::vector<std::string> history;
   observe::add_titles(history, columns::time);
   observe::add_titles(history, columns::hybrid::history);
@@ -23,29 +23,29 @@ std::vector<RecordFiles::Table> HybridRecord<D>::tables() const {
   return {{parts_.folder.history(), history}};
 }
 
-template <int D>
-void HybridRecord<D>::begin() {
+template <int D, class Bodies>
+void HybridRecord<D, Bodies>::begin() {
   files_.begin(tables());
   continuum_.begin();
   bodies_.begin();
 }
 
-template <int D>
-void HybridRecord<D>::resume() {
+template <int D, class Bodies>
+void HybridRecord<D, Bodies>::resume() {
   files_.resume(tables());
   continuum_.resume();
   bodies_.resume();
 }
 
 /// Work that neither side's ledger accounts for, nor the surface's [J].
-template <int D>
-Real HybridRecord<D>::residual() const {
+template <int D, class Bodies>
+Real HybridRecord<D, Bodies>::residual() const {
   const Real width = D == 2 ? parts_.side.rules().width : 1;
-  return width * parts_.continuum.stepper->energy_residual() + parts_.bodies.stepper->energies().sum() - first_sum_;
+  return width * parts_.continuum.stepper->energy_residual() + bodies_.energy_residual();
 }
 
-template <int D>
-std::vector<Real> HybridRecord<D>::row(Real time, Real wall_seconds) const {
+template <int D, class Bodies>
+std::vector<Real> HybridRecord<D, Bodies>::row(Real time, Real wall_seconds) const {
   const auto& ledger = parts_.side.ledger();
   std::vector<Real> row = {time};
   for (const Vector3& value :
@@ -54,48 +54,46 @@ std::vector<Real> HybridRecord<D>::row(Real time, Real wall_seconds) const {
   const Real width = D == 2 ? parts_.side.rules().width : 1;
   row.insert(row.end(),
              {ledger.work_on_nodes, ledger.work_on_bodies, ledger.made(), width * parts_.continuum.stepper->energy_residual(),
-              parts_.bodies.stepper->energies().sum() - first_sum_, static_cast<Real>(ledger.passes), parts_.side.disagreement(),
-              wall_seconds});
+              bodies_.energy_residual(), static_cast<Real>(ledger.passes), parts_.side.disagreement(), wall_seconds});
   return row;
 }
 
-template <int D>
-void HybridRecord<D>::observe(std::int64_t step, Real wall_seconds) {
+template <int D, class Bodies>
+void HybridRecord<D, Bodies>::observe(std::int64_t step, Real wall_seconds) {
   if (!clocks_.is_row(step)) return;
-  if (files_.rows() == 0) first_sum_ = parts_.bodies.stepper->energies().sum();
+  continuum_.observe(step, wall_seconds);
+  bodies_.observe(step, wall_seconds);
   files_.add_row(0, row(clocks_.time(step), wall_seconds));
   largest_force_ = std::max(largest_force_, parts_.side.mean_force().norm());
   largest_displacement_ = std::max(largest_displacement_, parts_.side.mean_displacement().norm());
-  continuum_.observe(step, wall_seconds);
-  bodies_.observe(step, wall_seconds);
 }
 
-template <int D>
-void HybridRecord<D>::flush(bool to_disk) {
+template <int D, class Bodies>
+void HybridRecord<D, Bodies>::flush(bool to_disk) {
   files_.flush(to_disk);
   continuum_.flush(to_disk);
   bodies_.flush(to_disk);
 }
 
-template <int D>
-void HybridRecord<D>::check_motion(Real time) const {
+template <int D, class Bodies>
+void HybridRecord<D, Bodies>::check_motion(Real time) const {
   continuum_.check_motion(time);
   bodies_.check_motion(time);
 }
 
-template <int D>
-std::vector<std::pair<std::string, observe::Figure>> HybridRecord<D>::results(std::int64_t step, Real wall_seconds) const {
+template <int D, class Bodies>
+std::vector<std::pair<std::string, observe::Figure>> HybridRecord<D, Bodies>::results(std::int64_t step,
+                                                                                      Real wall_seconds) const {
   const auto& ledger = parts_.side.ledger();
-  const auto spheres = static_cast<std::int64_t>(parts_.bodies.group.size());
   return {{"windows", step},
           {"window", parts_.continuum.step},
           {"passes", ledger.passes},
           {"steps_per_window", parts_.steps_per_window},
-          {"step", parts_.bodies.step},
+          {"step", parts_.bodies.step()},
           {"elements", static_cast<std::int64_t>(parts_.continuum.mesh().elements.size())},
           {"freedoms", static_cast<std::int64_t>(parts_.continuum.stepper->free_freedoms())},
-          {"particles", spheres},
-          {"particle_steps", spheres * parts_.steps_per_window * ledger.passes},
+          {Bodies::count_key, parts_.bodies.count()},
+          {Bodies::steps_key, parts_.bodies.count() * parts_.steps_per_window * ledger.passes},
           {"wall_seconds", wall_seconds},
           {"impulse_given", ledger.given.norm()},
           {"impulse_under_way", ledger.under_way().norm()},
@@ -106,23 +104,28 @@ std::vector<std::pair<std::string, observe::Figure>> HybridRecord<D>::results(st
           {"peak_displacement", largest_displacement_}};
 }
 
-template <int D>
-std::vector<std::pair<std::string, Real>> HybridRecord<D>::peak_particle_velocity() const {
+template <int D, class Bodies>
+std::vector<std::pair<std::string, Real>> HybridRecord<D, Bodies>::peak_particle_velocity() const {
   auto peaks = continuum_.peak_particle_velocity();
   for (auto& peak : bodies_.peak_particle_velocity()) peaks.push_back(std::move(peak));
   return peaks;
 }
 
-template <int D>
-std::uint64_t HybridRecord<D>::state_hash() const {
+template <int D, class Bodies>
+std::uint64_t HybridRecord<D, Bodies>::state_hash() const {
   const std::array<std::uint64_t, 2> both = {continuum_.state_hash(), bodies_.state_hash()};
   observe::Hash hash;
   hash.add(std::as_bytes(std::span(both)));
   return hash.value();
 }
 
-template <int D>
-void HybridRecord<D>::write_manifests(const observe::Manifest& like, std::int64_t step, Real wall_seconds) const {
+template <int D, class Bodies>
+void HybridRecord<D, Bodies>::write_end() {
+  if constexpr (requires { bodies_.write_fragments(); }) bodies_.write_fragments();
+}
+
+template <int D, class Bodies>
+void HybridRecord<D, Bodies>::write_manifests(const observe::Manifest& like, std::int64_t step, Real wall_seconds) {
   observe::Manifest manifest = like;
   manifest.case_title = parts_.file.hybrid().continuum->fem().title;
   manifest.method = "fem";
@@ -130,25 +133,27 @@ void HybridRecord<D>::write_manifests(const observe::Manifest& like, std::int64_
   manifest.peak_particle_velocity = continuum_.peak_particle_velocity();
   manifest.state_hash = continuum_.state_hash();
   observe::write_manifest(parts_.continuum_folder.manifest(), manifest);
-  manifest.case_title = parts_.file.hybrid().bodies->spheres().title;
-  manifest.method = "spheres";
+  manifest.case_title = parts_.bodies.title();
+  manifest.method = Bodies::method;
   manifest.results = bodies_.results(step * parts_.steps_per_window, wall_seconds);
   manifest.peak_particle_velocity = bodies_.peak_particle_velocity();
   manifest.state_hash = bodies_.state_hash();
   observe::write_manifest(parts_.bodies_folder.manifest(), manifest);
 }
 
-template <int D>
-void HybridRecord<D>::columns(Archive& archive) {
+template <int D, class Bodies>
+void HybridRecord<D, Bodies>::columns(Archive& archive) {
   files_.columns(archive);
   archive("largest_force", largest_force_);
   archive("largest_displacement", largest_displacement_);
-  archive("first_sum", first_sum_);
   archive.folder("continuum", [&] { continuum_.columns(archive); });
   archive.folder("bodies", [&] { bodies_.columns(archive); });
 }
 
-template class HybridRecord<2>;
-template class HybridRecord<3>;
+template class HybridRecord<2, CoupledSpheres>;
+template class HybridRecord<3, CoupledSpheres>;
+template class HybridRecord<2, CoupledRectangles>;
+template class HybridRecord<2, CoupledBlocks>;
+template class HybridRecord<3, CoupledBlocks>;
 
 }  // namespace sazare::runs

@@ -4,27 +4,26 @@
 /// surface between them. It never changes the run.
 
 #include "sazare/engine/continuum_side.hpp"
-#include "sazare/engine/sphere_side.hpp"
+#include "sazare/runs/coupled_bodies.hpp"
 #include "sazare/runs/fem_record.hpp"
-#include "sazare/runs/spheres_record.hpp"
 
 namespace sazare::runs {
 
 /// A hybrid run's parts, as its record looks at them. Steps are windows.
-template <int D>
+template <int D, class Bodies>
 struct HybridParts {
   const cases::CaseFile& file;
   const RunFolder &folder, &continuum_folder, &bodies_folder;
   FemModel<D>& continuum;
-  SpheresModel& bodies;
+  Bodies& bodies;
   const engine::ContinuumSide<D>& side;
   std::int64_t steps_per_window;  ///< of the bodies
 };
 
-template <int D>
+template <int D, class Bodies>
 class HybridRecord {
 public:
-  HybridRecord(const HybridParts<D>& parts, const RunClocks& clocks);
+  HybridRecord(const HybridParts<D, Bodies>& parts, const RunClocks& clocks);
 
   void begin();
   void resume();
@@ -38,8 +37,11 @@ public:
   std::vector<std::pair<std::string, Real>> peak_particle_velocity() const;
   std::uint64_t state_hash() const;
 
+  /// What is written when the run is done.
+  void write_end();
+
   /// Manifests of the two sides.
-  void write_manifests(const observe::Manifest& like, std::int64_t step, Real wall_seconds) const;
+  void write_manifests(const observe::Manifest& like, std::int64_t step, Real wall_seconds);
 
   void columns(Archive& archive);
 
@@ -48,17 +50,19 @@ private:
   std::vector<Real> row(Real time, Real wall_seconds) const;
   Real residual() const;
 
-  HybridParts<D> parts_;
+  HybridParts<D, Bodies> parts_;
   RunClocks clocks_;
   FemRecord<D> continuum_;
-  SpheresRecord bodies_;
+  typename Bodies::Record bodies_;
   RecordFiles files_;
   Real largest_force_ = 0;         ///< of the bodies on the surface, mean of a window [N]
   Real largest_displacement_ = 0;  ///< mean of the surface's nodes [m]
-  Real first_sum_ = 0;             ///< of the bodies' energies [J]
 };
 
-extern template class HybridRecord<2>;
-extern template class HybridRecord<3>;
+extern template class HybridRecord<2, CoupledSpheres>;
+extern template class HybridRecord<3, CoupledSpheres>;
+extern template class HybridRecord<2, CoupledRectangles>;
+extern template class HybridRecord<2, CoupledBlocks>;
+extern template class HybridRecord<3, CoupledBlocks>;
 
 }  // namespace sazare::runs

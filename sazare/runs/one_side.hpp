@@ -3,6 +3,9 @@
 /// One side of a hybrid case in this program, and the other one in a partner's, who may be anybody: what both sides share.
 
 #include <array>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "sazare/coupling/file_channel.hpp"
 #include "sazare/engine/simulation.hpp"
@@ -37,19 +40,32 @@ public:
       if (reason != coupling::Farewell::failed) throw;
     }
   }
-  /// In writing and reading [s].
-  Real transport() { return channel_ ? channel_->files().transport() : 0; }
+  /// Of writing and reading since the run began.
+  coupling::ExchangeCost cost() const {
+    const coupling::ExchangeCost now = channel_ ? channel_->files().cost() : coupling::ExchangeCost{};
+    return {earlier_.seconds + now.seconds, earlier_.processor_seconds + now.processor_seconds};
+  }
+  /// Headline figures, for the manifest.
+  std::vector<std::pair<std::string, observe::Figure>> figures() const {
+    return {{"exchange_seconds", cost().seconds}, {"exchange_processor_seconds", cost().processor_seconds}};
+  }
 
   void columns(Archive& archive) {
     std::vector<char> run(mark_.run.begin(), mark_.run.end());
     archive("run", run);
     archive("next", mark_.next);
+    coupling::ExchangeCost so_far = cost();
+    archive("seconds", so_far.seconds);
+    archive("processor_seconds", so_far.processor_seconds);
+    if (!archive.reading()) return;
     mark_.run.assign(run.begin(), run.end());
+    earlier_ = so_far;
   }
 
 private:
   RunOptions options_;
   coupling::ExchangeMark mark_;
+  coupling::ExchangeCost earlier_;  ///< until the checkpoint that the run was resumed from
   std::optional<Channel> channel_;
 };
 

@@ -85,4 +85,9 @@ inline constexpr std::array hybrid = {Column{"windows", "-", ""},
                                       Column{"peak_force", "N", "of the bodies on the surface"},
                                       Column{"peak_displacement", "m", "mean of the surface's nodes"}};
 
+/// Of a side of a hybrid case that is a program of its own.
+inline constexpr std::array exchange = {
+    Column{"exchange_seconds", "s", "spent in writing and reading messages, without the waits for the partner"},
+    Column{"exchange_processor_seconds", "s", "of the processor, for the same"}};
+
 }  // namespace sazare::runs::figures

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sazare/cases/number_text.hpp"
+#include "sazare/observe/hash.hpp"
 
 namespace sazare::runs {
 
@@ -12,11 +13,12 @@ namespace {
 
 constexpr Real near_limit = 0.95;  // above it a run is stable, but barely
 
-/// The step of a run, which divides the history interval.
-Real choose_step(const cases::RectanglesCase& rectangles, Real limit) {
+/// The step of a run, which divides the history interval, or the shorter windows of a coupling.
+Real choose_step(const cases::RectanglesCase& rectangles, Real limit, std::optional<Real> window) {
   const cases::UniformTime& time = rectangles.time;
   if (time.step) return *time.step;
-  return time.history_interval / std::ceil(time.history_interval / (time.stability_fraction * limit));
+  const Real interval = window.value_or(time.history_interval);
+  return interval / std::ceil(interval / (time.stability_fraction * limit));
 }
 
 /// Refuses a step above the limit, and warns of one that is close to it.
@@ -37,20 +39,20 @@ std::string check_step(const cases::CaseFile& file, const RectanglesModel& model
 
 }  // namespace
 
-RectanglesModel build_rectangles(const cases::CaseFile& file) {
+RectanglesModel build_rectangles(const cases::CaseFile& file, std::optional<Real> window) {
   using methods::rectangles::RectangleForces;
   const cases::RectanglesCase& rectangles = file.rectangles();
   Assembly assembly = assemble(file);
   RectanglesModel model;
   model.elements = assembly.elements;
   model.case_block = assembly.case_block;
-  const bool may_touch = assembly.parts.supports > 0 || assembly.case_block.size() > 1;
+  const bool may_touch = assembly.parts.supports > 0 || assembly.case_block.size() > 1 || window;
   {
     const RectangleForces forces(assembly.particles, assembly.parts, 1);
     model.limit = methods::rectangles::stable_step(assembly.particles, forces.outlines(), forces.links(), assembly.parts.contact,
                                                    may_touch);
   }
-  model.step = choose_step(rectangles, model.limit.limit);
+  model.step = choose_step(rectangles, model.limit.limit, window);
   model.warning = check_step(file, model);
   auto forces = std::make_unique<RectangleForces>(assembly.particles, std::move(assembly.parts), model.step);
   model.forces = forces.get();
@@ -58,6 +60,13 @@ RectanglesModel build_rectangles(const cases::CaseFile& file) {
       std::make_unique<engine::UniformStepper<2>>(std::move(assembly.particles), std::move(forces), std::move(assembly.supports),
                                                   engine::UniformRules{model.step, engine::Integrator::leapfrog, {}});
   return model;
+}
+
+std::string assembly_hash(const state::Particles<2>& particles) {
+  observe::Hash hash;
+  for (const state::Column* column : {&particles.start[0], &particles.start[1], &particles.angle})
+    hash.add(std::as_bytes(std::span(*column)));
+  return observe::to_hex(hash.value());
 }
 
 }  // namespace sazare::runs

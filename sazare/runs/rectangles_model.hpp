@@ -3,6 +3,7 @@
 /// From a checked case of method rectangles to elements that can be stepped.
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "sazare/engine/uniform_stepper.hpp"
@@ -22,6 +23,10 @@ struct RectanglesModel {
 };
 
 /// Also chooses the step. Throws UserError when the case does not fit together, or the step given is above the predicted limit.
-RectanglesModel build_rectangles(const cases::CaseFile& file);
+/// With the windows of a coupling, whose surface elements may meet, a step that the case does not give divides them too [s].
+RectanglesModel build_rectangles(const cases::CaseFile& file, std::optional<Real> window = std::nullopt);
+
+/// Of where the elements stand.
+std::string assembly_hash(const state::Particles<2>& particles);
 
 }  // namespace sazare::runs

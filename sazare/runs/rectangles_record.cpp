@@ -101,7 +101,8 @@ EnergyBalance RectanglesRecord::balance() const {
   for (std::size_t i = 0; i < static_cast<std::size_t>(model_->elements); ++i)
     now.work +=
         (gravity.x() * particles.displacement[0][i] + gravity.y() * particles.displacement[1][i]) / particles.inverse_mass[i];
-  now.work += now.books.supports + now.books.base_friction + model_->stepper->applied_work() + energy_at_beginning_;
+  now.work +=
+      now.books.supports + now.books.surface + now.books.base_friction + model_->stepper->applied_work() + energy_at_beginning_;
   now.residual = now.work - now.kinetic - now.books.elastic - now.books.lost();
   return now;
 }

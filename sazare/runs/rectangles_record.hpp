@@ -37,6 +37,8 @@ public:
   std::vector<std::pair<std::string, observe::Figure>> results(std::int64_t step, Real wall_seconds) const;
   std::vector<std::pair<std::string, Real>> peak_particle_velocity() const;
   std::uint64_t state_hash() const;
+  /// At the last row [J].
+  Real energy_residual() const { return balance_.residual; }
 
   void columns(Archive& archive);
 

@@ -1,48 +1,42 @@
 #include <cmath>
 
-#include "sazare/cases/resolved.hpp"
 #include "sazare/coupling/surface_messages.hpp"
-#include "sazare/engine/sphere_side.hpp"
-#include "sazare/observe/atomic_file.hpp"
-#include "sazare/observe/hash.hpp"
 #include "sazare/runs/case_run.hpp"
+#include "sazare/runs/coupled_bodies.hpp"
 #include "sazare/runs/hybrid_model.hpp"
 #include "sazare/runs/one_side.hpp"
 #include "sazare/runs/run_case.hpp"
-#include "sazare/runs/sphere_rain.hpp"
-#include "sazare/runs/spheres_record.hpp"
 
 namespace sazare::runs {
 
 namespace {
 
-constexpr int spheres_per_thread = 4000;  // see method spheres
-
-/// Its steps are windows; those of the spheres are counted in the figures.
-class BodiesRecord : public SpheresRecord {
+/// Its steps are windows; those of the bodies are counted in the figures.
+template <class Record>
+class BodiesRecord : public Record {
 public:
-  BodiesRecord(const RunFolder& folder, const cases::CaseFile& file, SpheresModel& model, const RunClocks& clocks, Real window)
-      : SpheresRecord(folder, file, model, clocks), steps_per_window_(std::llround(window / model.step)) {}
+  template <class Model>
+  BodiesRecord(const RunFolder& folder, const cases::CaseFile& file, Model& model, const RunClocks& clocks, Real window,
+               Real step)
+      : Record(folder, file, model, clocks), steps_per_window_(std::llround(window / step)) {}
 
-  auto results(std::int64_t windows, Real wall_seconds) const {
-    return SpheresRecord::results(windows * steps_per_window_, wall_seconds);
-  }
+  auto results(std::int64_t windows, Real wall_seconds) { return Record::results(windows * steps_per_window_, wall_seconds); }
 
 private:
   std::int64_t steps_per_window_;
 };
 
 /// The bodies of a hybrid case, see CaseRun. A step of the run is a window that the continuum has accepted.
+template <class Bodies>
 struct BodiesWork {
   const cases::CaseFile& file;
   const RunOptions& options;
   RunTimes times;
   RunFolder folder;
-  SpheresModel model;
-  engine::SphereSide side;
+  Bodies bodies;
   RunIdentity identity;
   RunClocks clocks;
-  BodiesRecord record;
+  BodiesRecord<typename Bodies::Record> record;
   PartnerLine<coupling::FileBodyChannel> line;
   SideTimes side_times{"bodies"};
   std::optional<coupling::SurfaceMotion> motion;  ///< the next one; none when the continuum has closed
@@ -52,31 +46,29 @@ struct BodiesWork {
       : file(of),
         options(of_run),
         folder(of_run.folder, of_run.begin),
-        model(build_spheres(bodies_case(), window())),
-        side(*model.stepper, surface_material(of.hybrid())),
-        identity(identify(of.hybrid(), {}, identify(bodies_case().spheres(), observe::to_hex(model.start)))),
+        bodies(BodiesSetting{of.hybrid(), window(), true, folder.mesh(), folder.resumes()}),
+        identity(identify(of.hybrid(), {}, bodies.identity())),
         clocks(make_clocks(of.hybrid().continuum->fem().time, window())),
-        record(folder, bodies_case(), model, clocks, window()),
+        record(folder, bodies.file, bodies.model, clocks, window(), bodies.step()),
         line(of_run) {
-    parallel::limit_threads(static_cast<int>(model.group.size()) / spheres_per_thread);
+    parallel::limit_threads(static_cast<int>(bodies.count() / Bodies::per_thread));
   }
 
-  const cases::CaseFile& bodies_case() const { return *file.hybrid().bodies; }
   Real window() const { return *file.hybrid().continuum->fem().time.step; }
 
-  const std::string& title() const { return bodies_case().spheres().title; }
-  static std::string method() { return "spheres"; }
+  const std::string& title() const { return bodies.title(); }
+  static std::string method() { return Bodies::method; }
   static std::string warning() { return ""; }
   std::string words() const {
-    return fmt::format("{} spheres, windows of {} s, step {} s, the continuum in another program", model.group.size(),
-                       cases::short_number(window(), 4), cases::short_number(model.step, 4));
+    return fmt::format("{} {}, windows of {} s, step {} s, the continuum in another program", bodies.count(), Bodies::name,
+                       cases::short_number(window(), 4), cases::short_number(bodies.step(), 4));
   }
   Real checkpoint_interval() const { return file.hybrid().output.checkpoint_interval; }
 
   bool start() {
     attach();
-    if (!let_rain(bodies_case().spheres(), model, options)) return false;
-    line.channel().answer(side.start());
+    if (!bodies.prepare(options)) return false;
+    line.channel().answer(bodies.side.start());
     line.mark();
     motion = line.channel().receive();
     return true;
@@ -89,9 +81,9 @@ struct BodiesWork {
     coupling::SurfaceShape expected = shape;
     expected.window = window();
     expected.dimension = file.hybrid().continuum->fem().mesh.dimension;
-    if (expected.dimension == 2) expected.width = file.hybrid().surface.width;
+    if (expected.dimension == 2) expected.width = surface_width(file.hybrid());
     coupling::check_same(expected, shape, file.path.string());
-    side.attach(shape);
+    bodies.side.attach(shape);
   }
 
   /// Goes through a window as often as the continuum asks for it. One of which it is not known whether it was accepted is taken
@@ -101,12 +93,12 @@ struct BodiesWork {
     if (!motion)
       throw UserError(fmt::format("{}: the continuum has ended its run at t = {} s, before the end of this case",
                                   file.path.string(), cases::short_number(clocks.time(step()))));
-    const Real before = times.now(), transport = line.transport();
-    const std::int64_t window = side.windows();
+    const Real before = times.now(), exchanged = line.cost().seconds;
+    const std::int64_t window = bodies.side.windows();
     Real waited = 0;
     try {
       do {
-        const coupling::SurfaceForce force = side.answer(*motion);
+        const coupling::SurfaceForce force = bodies.side.answer(*motion);
         const Real answered = times.now();
         line.channel().answer(force);
         motion = line.channel().receive();
@@ -115,30 +107,30 @@ struct BodiesWork {
     } catch (const coupling::Stopped& stop) {
       motion.reset();
       if (!stop.by_partner || stop.window <= window) {
-        side.take_back();
+        bodies.side.take_back();
         throw;
       }
       stopped.emplace(stop);
     }
     line.mark();
-    side_times.add(times.now() - before, waited, line.transport() - transport);
+    side_times.add(times.now() - before, waited, line.cost().seconds - exchanged);
   }
-  std::int64_t step() const { return side.windows(); }
+  std::int64_t step() const { return bodies.side.windows(); }
   static bool must_check() { return true; }
   void collect() {}
-  void read_motion(MotionTable& table) { read_spheres(*model.stepper, table); }
+  void read_motion(MotionTable& table) { bodies.read_motion(table); }
 
   ProgressState progress(Real share, Real time) const {
-    const std::int64_t steps = step() * side.steps_per_window();
-    return {share, time, steps * static_cast<std::int64_t>(model.group.size()), model.step, -1, "particle-steps"};
+    const std::int64_t steps = step() * bodies.side.steps_per_window();
+    return {share, time, steps * bodies.count(), bodies.step(), -1, Bodies::evaluated};
   }
 
-  /// The surface first: it has a place among the spheres' columns.
+  /// The surface first: it has a place among the bodies' columns.
   void columns(Archive& archive) {
     archive.folder("exchange", [&] { line.columns(archive); });
     if (archive.reading()) attach();
-    archive.folder("side", [&] { side.columns(archive); });
-    archive.folder("stepper", [&] { model.stepper->columns(archive); });
+    archive.folder("side", [&] { bodies.side.columns(archive); });
+    archive.folder("stepper", [&] { bodies.columns(archive); });
     if (archive.reading()) motion = line.channel().receive();
   }
 
@@ -147,17 +139,20 @@ struct BodiesWork {
 
   std::uint64_t state_hash() const { return record.state_hash(); }
   std::span<const engine::PartTime> part_times() const { return side_times.parts; }
-  void write_case() const {
-    observe::write_file(folder.case_file(), cases::write_resolved(bodies_case().spheres(), folder.path()));
+  auto more_figures() const { return line.figures(); }
+  void write_case() const { bodies.write_case(folder); }
+  void write_end() {
+    if constexpr (requires { record.write_fragments(); }) record.write_fragments();
   }
-  void write_end() {}
   void write_rank_times() {}
 };
 
 }  // namespace
 
 std::unique_ptr<LiveRun> open_bodies(const cases::CaseFile& file, const RunOptions& options) {
-  return std::make_unique<CaseRun<BodiesWork>>(file, options);
+  return visit_bodies(file.hybrid(), [&]<class Bodies>(std::type_identity<Bodies>) {
+    return std::unique_ptr<LiveRun>(std::make_unique<CaseRun<BodiesWork<Bodies>>>(file, options));
+  });
 }
 
 }  // namespace sazare::runs

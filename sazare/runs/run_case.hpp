@@ -3,6 +3,7 @@
 /// A case of any method: the one place that asks which.
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "sazare/cases/case_file.hpp"
@@ -29,7 +30,8 @@ std::string check_mps(const cases::CaseFile& file);
 
 /// The same for method rectangles alone.
 std::unique_ptr<LiveRun> open_rectangles(const cases::CaseFile& file, const RunOptions& options);
-std::string check_rectangles(const cases::CaseFile& file);
+/// `window`: of a coupling, in whose windows it is run [s].
+std::string check_rectangles(const cases::CaseFile& file, std::optional<Real> window = std::nullopt);
 
 /// The same for method spheres alone.
 std::unique_ptr<LiveRun> open_spheres(const cases::CaseFile& file, const RunOptions& options);

@@ -84,7 +84,7 @@ struct ContinuumWork {
   void advance() {
     const engine::ContinuumSide<D> side_before = side;
     const engine::FemState<D> state_before = model.stepper->state();
-    const Real before = times.now(), transport = line.transport();
+    const Real before = times.now(), exchanged = line.cost().seconds;
     TimedLine timed(line.channel(), times);
     try {
       side.advance(timed);
@@ -94,7 +94,7 @@ struct ContinuumWork {
       throw;
     }
     line.mark();
-    side_times.add(times.now() - before, timed.waited, line.transport() - transport);
+    side_times.add(times.now() - before, timed.waited, line.cost().seconds - exchanged);
   }
   std::int64_t step() const { return side.ledger().windows; }
   static bool must_check() { return true; }
@@ -118,6 +118,7 @@ struct ContinuumWork {
 
   std::uint64_t state_hash() const { return record.state_hash(); }
   std::span<const engine::PartTime> part_times() const { return side_times.parts; }
+  auto more_figures() const { return line.figures(); }
   void write_case() const {
     observe::write_file(folder.case_file(), cases::write_resolved(continuum_case().fem(), folder.path()));
   }

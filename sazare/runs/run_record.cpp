@@ -5,6 +5,7 @@
 #include "sazare/core/error.hpp"
 #include "sazare/runs/failure.hpp"
 #include "sazare/runs/record_columns.hpp"
+#include "sazare/runs/state_hash.hpp"
 
 namespace sazare::runs {
 
@@ -41,6 +42,8 @@ RunRecord::RunRecord(const RunFolder& folder, const cases::CaseFile& file, Block
       gauges_(file, model.mesh),
       snapshots_(folder.snapshots(), model) {}
 
+std::uint64_t RunRecord::state_hash() const { return runs::state_hash(*model_); }
+
 std::vector<RecordFiles::Table> RunRecord::tables() const {
   return {{folder_->history(), history_titles()}, {folder_->gauges(), gauges_.titles()}};
 }
@@ -74,7 +77,8 @@ void RunRecord::add_history_row(Real time, const engine::Snapshot<3>& now, Real 
   const terms::Ledger ledger = model_->simulation->ledger(now);
   std::vector<Real> row = {time, static_cast<Real>(model_->joints->broken_count()), static_cast<Real>(fragments().count)};
   row.insert(row.end(), ledger.joules.begin(), ledger.joules.end());
-  row.push_back(ledger.residual());
+  energy_residual_ = ledger.residual();
+  row.push_back(energy_residual_);
   row.push_back(latest_smallest_step_);
   row.push_back(static_cast<Real>(model_->simulation->counters().pair_evaluations));
   row.push_back(wall_seconds);

@@ -39,6 +39,10 @@ public:
   std::vector<std::pair<std::string, observe::Figure>> results(std::int64_t step, Real wall_seconds);
   std::vector<std::pair<std::string, Real>> peak_particle_velocity() const { return gauges_.peaks(); }
 
+  std::uint64_t state_hash() const;
+  /// At the last row [J].
+  Real energy_residual() const { return energy_residual_; }
+
   /// Smallest step of the last history interval [s].
   Real latest_smallest_step() const { return latest_smallest_step_; }
 
@@ -61,6 +65,7 @@ private:
   Real smallest_step_ = 0;          ///< of the run so far; 0 before the first row [s]
   Real latest_smallest_step_ = 0;
   Real peak_speed_ = 0;
+  Real energy_residual_ = 0;  ///< at the last row [J]
   std::int64_t snapshot_count_ = 0;
 };
 

@@ -1,6 +1,5 @@
 #include "sazare/cases/resolved.hpp"
 #include "sazare/observe/atomic_file.hpp"
-#include "sazare/observe/hash.hpp"
 #include "sazare/runs/case_run.hpp"
 #include "sazare/runs/rectangles_record.hpp"
 #include "sazare/runs/run_case.hpp"
@@ -13,13 +12,6 @@ constexpr int elements_per_thread = 4000;  // with fewer a second thread takes m
 constexpr std::int64_t motion_check_steps = 64;
 
 std::string number(Real value, int digits = 4) { return cases::short_number(value, digits); }
-
-std::string assembly_hash(const state::Particles<2>& particles) {
-  observe::Hash hash;
-  for (const state::Column* column : {&particles.start[0], &particles.start[1], &particles.angle})
-    hash.add(std::as_bytes(std::span(*column)));
-  return observe::to_hex(hash.value());
-}
 
 /// The part of method rectangles in a run, see CaseRun.
 struct RectanglesWork {
@@ -81,8 +73,8 @@ std::unique_ptr<LiveRun> open_rectangles(const cases::CaseFile& file, const RunO
   return std::make_unique<CaseRun<RectanglesWork>>(file, options);
 }
 
-std::string check_rectangles(const cases::CaseFile& file) {
-  const RectanglesModel model = build_rectangles(file);
+std::string check_rectangles(const cases::CaseFile& file, std::optional<Real> window) {
+  const RectanglesModel model = build_rectangles(file, window);
   gauge_elements(file, model);
   const RunClocks clocks = make_clocks(file.rectangles().time, model.step);
   const auto line = [](std::string_view topic, const std::string& text) { return fmt::format("  {:<12}{}\n", topic, text); };

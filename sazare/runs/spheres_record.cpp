@@ -174,7 +174,7 @@ std::vector<std::pair<std::string, observe::Figure>> SpheresRecord::results(std:
           {"energy_kinetic", energies_.translation + energies_.rotation},
           {"energy_lost", lost},
           {"energy_work", std::max({lost, peak_kinetic_, std::abs(energies_.wall_work)})},
-          {"energy_residual", files_.rows() > 0 ? energies_.sum() - first_sum_ : 0},
+          {"energy_residual", energy_residual()},
           {"peak_speed", largest_speed_}};
 }
 

@@ -8,6 +8,23 @@ namespace {
 
 namespace fem = methods::fem;
 
+std::unique_ptr<engine::SphereStepper> make_balls(const CouplingScene& scene, Real step) {
+  constexpr Real volume_of_unit = 4.18879020478639098462;
+  state::Spheres spheres;
+  for (const Ball& ball : scene.balls) {
+    spheres.add(ball.centre, scene.radius, scene.ball_mass / (volume_of_unit * std::pow(scene.radius, 3)), 0);
+    spheres.set_motion(spheres.size() - 1, ball.velocity, ball.spin);
+  }
+  methods::spheres::ContactTable table(laws::ContactModel::linear, 1);
+  table.set(0, 0,
+            laws::linear_constants(scene.stiffness, 0.8 * scene.stiffness, scene.restitution, scene.friction, scene.rolling));
+  return std::make_unique<engine::SphereStepper>(
+      std::move(spheres), table, std::vector<methods::spheres::Wall>{},
+      engine::SphereRules{step, scene.gravity, 0.1 * scene.radius, 0.5 * scene.radius});
+}
+
+}  // namespace
+
 template <int D>
 std::unique_ptr<engine::FemStepper<D>> make_fem(const CouplingScene& scene, Real window) {
   const ElementMesh mesh = box(scene.shape, scene.box);
@@ -25,23 +42,6 @@ std::unique_ptr<engine::FemStepper<D>> make_fem(const CouplingScene& scene, Real
   rules.tolerance = 1e-12;
   return std::make_unique<engine::FemStepper<D>>(std::make_unique<fem::Body<D>>(std::move(body)), std::move(supports), rules);
 }
-
-std::unique_ptr<engine::SphereStepper> make_balls(const CouplingScene& scene, Real step) {
-  constexpr Real volume_of_unit = 4.18879020478639098462;
-  state::Spheres spheres;
-  for (const Ball& ball : scene.balls) {
-    spheres.add(ball.centre, scene.radius, scene.ball_mass / (volume_of_unit * std::pow(scene.radius, 3)), 0);
-    spheres.set_motion(spheres.size() - 1, ball.velocity, ball.spin);
-  }
-  methods::spheres::ContactTable table(laws::ContactModel::linear, 1);
-  table.set(0, 0,
-            laws::linear_constants(scene.stiffness, 0.8 * scene.stiffness, scene.restitution, scene.friction, scene.rolling));
-  return std::make_unique<engine::SphereStepper>(
-      std::move(spheres), table, std::vector<methods::spheres::Wall>{},
-      engine::SphereRules{step, scene.gravity, 0.1 * scene.radius, 0.5 * scene.radius});
-}
-
-}  // namespace
 
 template <int D>
 TwoSides<D>::TwoSides(const CouplingScene& scene, Real window)
@@ -92,6 +92,8 @@ Vector3 TwoSides<D>::momentum() const {
   return sum;
 }
 
+template std::unique_ptr<engine::FemStepper<2>> make_fem<2>(const CouplingScene&, Real);
+template std::unique_ptr<engine::FemStepper<3>> make_fem<3>(const CouplingScene&, Real);
 template class TwoSides<2>;
 template class TwoSides<3>;
 

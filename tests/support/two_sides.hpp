@@ -32,6 +32,10 @@ struct CouplingScene {
   engine::CouplingRules rules;
 };
 
+/// The box alone, not started.
+template <int D>
+std::unique_ptr<engine::FemStepper<D>> make_fem(const CouplingScene& scene, Real window);
+
 template <int D>
 class TwoSides {
 public:

@@ -16,8 +16,8 @@ class Sides(Part):
     also be run alone.
     """
     bodies: str
-    """Case of method spheres with the same end and intervals; its step divides the window, and is chosen so where it is not
-    given.
+    """Case of method spheres, rectangles or blocks with the same end and intervals; its step divides the window, and is chosen so
+    where it is not given.
     """
 
 
@@ -27,11 +27,13 @@ class Surface(Part):
 
     group: str
     """Physical group of outer faces of the continuum (in 2-D of lines) that the bodies feel as a moving wall."""
-    material: str
-    """Material of the bodies' case of which the surface is in contact."""
+    material: str | None = None
+    """Material of the bodies' case of which the surface is in contact; rectangles and blocks have one contact law. (required for
+    bodies of method spheres, and only for them)
+    """
     width: float | None = None
-    """Width along z of the slab of bodies whose forces the plane gets per metre. [m] (required where the continuum is in 2-D, and
-    only there) Greater than 0.
+    """Width along z of the slab of bodies whose forces the plane gets per metre. [m] (required for spheres and blocks where the
+    continuum is in 2-D, and only there) Greater than 0.
     """
 
 

@@ -4,6 +4,7 @@
 
 #include "sazare/methods/blocks/contact_surface.hpp"
 #include "sazare/terms/slot.hpp"
+#include "sazare/terms/term.hpp"
 
 namespace sazare::methods::blocks {
 
@@ -67,22 +68,40 @@ struct Touching {
   SpherePair* pair = nullptr;
 };
 
+/// Rates of a body that shows this softness [1/kg] to a number of spheres.
+inline terms::Rates contact_rates(const laws::SphereContact& law, Real count, Real softness) {
+  Real damping = 0;  // the step's cap needs no smaller step
+  if (law.cap == laws::DampingCap::literal) damping = law.damping;
+  if (law.cap == laws::DampingCap::critical) damping = std::min(law.damping, 2 * std::sqrt(law.stiffness / (softness * count)));
+  return {count * law.stiffness * softness, count * damping * softness};
+}
+
+/// Force at a point on what lies along the normal, with its motion there against the other body [m/s]. `softness` tells the
+/// 1/mass that both show along a direction; `shared` holds overlap, step and number of contacts.
+template <class Softness>
+laws::SphereForce force_at(const laws::SphereContact& law, const Vector3& normal, const Vector3& opening, Softness&& softness,
+                           laws::SphereMotion shared, laws::SphereMemory& memory) {
+  shared.opening_speed = opening.dot(normal);
+  shared.sliding = opening - shared.opening_speed * normal;
+  const Real speed = shared.sliding.norm();
+  const Vector3 direction = speed > 0 ? Vector3(shared.sliding / speed) : Vector3(Vector3::Zero());
+  shared.normal_mass = 1 / softness(normal);
+  shared.sliding_mass = 1 / softness(direction);
+  memory.friction -= normal.dot(memory.friction) * normal;  // the plane of contact turns
+  return laws::sphere_force(law, shared, memory);
+}
+
 /// Adds touching spheres to the force of their pair. `shared` holds what all spheres of the pair have in common.
 inline void add_touch(const laws::SphereContact& law, const Touching& touching, laws::SphereMotion shared,
                       const ContactBody& first, const ContactBody& second, ContactForce& sum) {
   const SphereTouch& at = touching.at;
-  laws::SphereMemory& memory = touching.pair->memory;
   const Vector3 arm = at.point - first.motion.position, other_arm = at.point - second.motion.position;
   const Vector3 opening = second.motion.velocity_at(other_arm) - first.motion.velocity_at(arm);
   shared.overlap = at.overlap - touching.pair->rest;
-  shared.opening_speed = opening.dot(at.normal);
-  shared.sliding = opening - shared.opening_speed * at.normal;
-  const Real speed = shared.sliding.norm();
-  const Vector3 direction = speed > 0 ? Vector3(shared.sliding / speed) : Vector3(Vector3::Zero());
-  shared.normal_mass = 1 / (first.softness(arm, at.normal) + second.softness(other_arm, at.normal));
-  shared.sliding_mass = 1 / (first.softness(arm, direction) + second.softness(other_arm, direction));
-  memory.friction -= at.normal.dot(memory.friction) * at.normal;  // the plane of contact turns
-  const laws::SphereForce force = laws::sphere_force(law, shared, memory);
+  const laws::SphereForce force = force_at(
+      law, at.normal, opening,
+      [&](const Vector3& along) { return first.softness(arm, along) + second.softness(other_arm, along); }, shared,
+      touching.pair->memory);
   const Vector3 dashpot = force.dashpot * at.normal;
   sum.dashpot.add_at(arm, other_arm, dashpot);
   sum.friction.add_at(arm, other_arm, force.friction);

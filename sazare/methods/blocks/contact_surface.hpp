@@ -44,7 +44,18 @@ public:
   void open(const FreeFace& face, const geometry::Tetrahedron& corners, const state::Pose<3>& start);
 
   const ContactSphere& sphere(Index number) const { return spheres_[static_cast<std::size_t>(number)]; }
+  std::int64_t sphere_count() const { return static_cast<std::int64_t>(spheres_.size()); }
   Real skin() const { return skin_; }
+
+  /// Calls visit(number) for every sphere of a body with open faces.
+  template <class Visit>
+  void visit_spheres(Index body, Visit&& visit) const {
+    for (const Index number : patches_of_[static_cast<std::size_t>(open_of_[static_cast<std::size_t>(body)])]) {
+      if (number < 0) continue;
+      const Patch& patch = patches_[static_cast<std::size_t>(number)];
+      for (Index sphere = patch.first_sphere; sphere < patch.first_sphere + patch.count; ++sphere) visit(sphere);
+    }
+  }
 
   /// Bodies with open faces, in the order in which they got their first.
   std::span<const Index> bodies() const { return open_bodies_; }

@@ -292,12 +292,7 @@ void Contacts::end_pair(Index pair, terms::Changes& changes) {
 terms::Rates Contacts::rates(Index body) const {
   terms::Rates sum;
   for (const terms::SlotSide side : table_.incidence.of(body)) {
-    const auto count = static_cast<Real>(spheres_[at(side.slot)].size());
-    Real damping = 0;  // the step's cap needs no smaller step
-    if (law_.cap == laws::DampingCap::literal) damping = law_.damping;
-    if (law_.cap == laws::DampingCap::critical)
-      damping = std::min(law_.damping, 2 * std::sqrt(law_.stiffness / (softness_[at(body)] * count)));
-    sum += {count * law_.stiffness * softness_[at(body)], count * damping * softness_[at(body)]};
+    sum += contact_rates(law_, static_cast<Real>(spheres_[at(side.slot)].size()), softness_[at(body)]);
   }
   return sum;
 }

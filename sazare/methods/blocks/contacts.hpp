@@ -34,6 +34,9 @@ public:
   void carried() override;
   void columns(Archive& archive) override;
 
+  /// Spheres of all open faces.
+  const ContactSurface& surface() const { return surface_; }
+
   /// Pairs of bodies that are near each other.
   Index pair_count() const { return static_cast<Index>(links_.size() - idle_.size()); }
 

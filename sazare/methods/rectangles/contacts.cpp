@@ -145,7 +145,8 @@ void Contacts::index_pairs(std::size_t elements) {
 
 void Contacts::evaluate(const state::Particles<2>& particles, const state::Outlines& outlines, const FaceLinks& links,
                         Real elapsed) {
-  if (is_stale(particles)) search(particles, outlines, links);
+  just_searched_ = is_stale(particles);
+  if (just_searched_) search(particles, outlines, links);
   parallel::parallel_for(pairs_.size(), serial_below, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) evaluate(particles, outlines, pairs_[i], elapsed);
   });

@@ -59,10 +59,14 @@ public:
   /// Pairs have to be looked for, since links have opened.
   void forget_pairs() { searched_ = false; }
 
+  /// Whether the last evaluation has looked for pairs anew.
+  bool has_searched() const { return just_searched_; }
+
   bool has_pairs(std::size_t element) const { return begin_[element] != begin_[element + 1]; }
   /// Adds the force [N] and moment [N m] of all its contacts.
   void add_to(std::size_t element, std::array<Real, 3>& sum) const;
 
+  const ContactRules& rules() const { return rules_; }
   std::span<const Contact> pairs() const { return pairs_; }
   Index touching() const;
   Real elastic_energy() const;
@@ -80,7 +84,7 @@ private:
 
   ContactRules rules_;
   Real skin_ = 0;  ///< [m]
-  bool searched_ = false;
+  bool searched_ = false, just_searched_ = false;
   neighbors::SphereGrid grid_;
   std::vector<Index> surface_;         ///< elements and supports that may touch something
   std::array<state::Column, 2> seen_;  ///< their displacements at the last search [m]

@@ -36,6 +36,11 @@ RectangleForces::RectangleForces(const state::Particles<2>& particles, Parts par
   support_place_.resize(support_force_.size());
 }
 
+void RectangleForces::add_surface(const state::Particles<2>& particles, const std::vector<Vector3>& nodes,
+                                  std::vector<SurfaceContacts::Segment> segments) {
+  surface_.emplace(contacts_.rules(), nodes, std::move(segments), particles, outlines_);
+}
+
 void RectangleForces::expose(const FaceLinks& links, std::span<const Index> opened, state::Outlines& outlines) {
   for (const Index number : opened) {
     outlines.exposed[static_cast<std::size_t>(links.link(number).first)] |= face_bit(links.first_face(number));
@@ -51,6 +56,7 @@ void RectangleForces::evaluate(const state::Particles<2>& particles, state::Free
     contacts_.forget_pairs();
   }
   contacts_.evaluate(particles, outlines_, links_, elapsed);
+  if (surface_) surface_->evaluate(particles, outlines_, contacts_.has_searched(), elapsed);
   gather(particles, acceleration);
   sum_up_supports(particles);
   begun_ = true;
@@ -63,9 +69,10 @@ void RectangleForces::gather(const state::Particles<2>& particles, state::Freedo
       links_.gather(block, sum);
       for (std::size_t lane = 0; lane < lane_count; ++lane) {
         const std::size_t i = block * lane_count + lane;
-        if (i >= outlines_.size() || !contacts_.has_pairs(i)) continue;
+        if (i >= outlines_.size() || !is_touched(i)) continue;
         std::array<Real, 3> own{};
         contacts_.add_to(i, own);
+        if (surface_ && surface_->has(i)) surface_->add_to(i, own);
         for (std::size_t freedom = 0; freedom < 3; ++freedom) sum[freedom][lane] += own[freedom];
       }
       if (base_friction_.coefficient > 0) add_base_friction(particles, block, sum);
@@ -116,7 +123,7 @@ void RectangleForces::sum_up_supports(const state::Particles<2>& particles) {
 }
 
 Real RectangleForces::energy(const state::Particles<2>& particles) {
-  return links_.elastic_energy(particles) + contacts_.elastic_energy();
+  return links_.elastic_energy(particles) + contacts_.elastic_energy() + (surface_ ? surface_->elastic_energy() : 0);
 }
 
 EnergyBooks RectangleForces::books(const state::Particles<2>& particles) const {
@@ -127,12 +134,18 @@ EnergyBooks RectangleForces::books(const state::Particles<2>& particles) const {
   for (std::size_t i = 0; i < outlines_.size() && !base_work_.empty(); ++i)
     books.base_friction += base_work_[i];  // without the padding
   books.supports = support_work_;
+  if (!surface_) return books;
+  books.elastic += surface_->elastic_energy();
+  books.contacts.dashpot += surface_->losses().dashpot;
+  books.contacts.friction += surface_->losses().friction;
+  books.surface = surface_->work();
   return books;
 }
 
 void RectangleForces::columns(Archive& archive) {
   archive.folder("links", [&] { links_.columns(archive); });
   archive.folder("contacts", [&] { contacts_.columns(archive); });
+  if (surface_) archive.folder("surface", [&] { surface_->columns(archive); });
   archive("exposed", outlines_.exposed);
   archive("base_work", base_work_);
   archive("base_power", base_power_);

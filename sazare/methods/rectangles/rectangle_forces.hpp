@@ -2,10 +2,12 @@
 
 /// All forces between pseudo-rectangle elements and their supports.
 
+#include <optional>
 #include <vector>
 
 #include "sazare/methods/rectangles/contacts.hpp"
 #include "sazare/methods/rectangles/face_links.hpp"
+#include "sazare/methods/rectangles/surface_contacts.hpp"
 #include "sazare/terms/particle_forces.hpp"
 
 namespace sazare::methods::rectangles {
@@ -26,6 +28,7 @@ struct EnergyBooks {
   SpringLosses contacts;   ///< nothing breaks there
   Real base_friction = 0;  ///< work of the plate on the elements
   Real supports = 0;       ///< work of moved supports on the elements
+  Real surface = 0;        ///< work of a surface with nodes on the elements
 
   Real lost() const { return links.dashpot + links.friction + links.fracture + contacts.dashpot + contacts.friction; }
 };
@@ -48,6 +51,14 @@ public:
   Real energy(const state::Particles<2>& particles) override;
   void columns(Archive& archive) override;
 
+  /// Adds a surface that moves with its nodes, before the first evaluation or a resume; one at most. Places in m.
+  void add_surface(const state::Particles<2>& particles, const std::vector<Vector3>& nodes,
+                   std::vector<SurfaceContacts::Segment> segments);
+  /// From the last evaluation on its nodes go from these places with these velocities [m; m/s].
+  void lead(std::vector<Vector3> from, std::vector<Vector3> with) { surface_->lead(step_, std::move(from), std::move(with)); }
+  /// Nullptr where there is none.
+  const SurfaceContacts* surface() const { return surface_ ? &*surface_ : nullptr; }
+
   EnergyBooks books(const state::Particles<2>& particles) const;
   const state::Outlines& outlines() const { return outlines_; }
   const FaceLinks& links() const { return links_; }
@@ -60,6 +71,7 @@ public:
   static void expose(const FaceLinks& links, std::span<const Index> opened, state::Outlines& outlines);
 
 private:
+  bool is_touched(std::size_t element) const { return contacts_.has_pairs(element) || (surface_ && surface_->has(element)); }
   void gather(const state::Particles<2>& particles, state::FreedomColumns<2>& acceleration);
   void add_base_friction(const state::Particles<2>& particles, std::size_t block, std::array<Lanes, 3>& sum);
   void sum_up_supports(const state::Particles<2>& particles);
@@ -68,6 +80,7 @@ private:
   FaceLinks links_;
   Contacts contacts_;
   BaseFriction base_friction_;
+  std::optional<SurfaceContacts> surface_;
   Real step_ = 0;
   bool begun_ = false;
   state::Column radius_;                  ///< r of (21), padded [m]

@@ -13,7 +13,7 @@
 #include "sazare/core/time.hpp"
 #include "sazare/geometry/triangle_grid.hpp"
 #include "sazare/laws/ground_motion.hpp"
-#include "sazare/methods/spheres/nodal_surface.hpp"
+#include "sazare/terms/nodal_surface.hpp"
 
 namespace sazare::methods::spheres {
 
@@ -63,7 +63,7 @@ struct Wall {
   Vector3 normal = Vector3::UnitZ();          ///< of a plane, into the room for spheres
   std::vector<geometry::Triangle> triangles;  ///< at the start [m]; none: a plane, or a surface that moves with its nodes
   WallMotion motion;
-  NodalSurface nodal;
+  terms::NodalSurface nodal;
 
   bool is_plane() const { return triangles.empty() && !nodal.exists(); }
 };

@@ -34,7 +34,7 @@ public:
   /// Adds a wall, whose nodes are led from outside; one at most.
   void add_surface(Wall wall);
   /// The wall that moves with its nodes; nullptr where there is none.
-  const NodalSurface* surface() const { return surface_ < walls_.size() ? &walls_[surface_].nodal : nullptr; }
+  const terms::NodalSurface* surface() const { return surface_ < walls_.size() ? &walls_[surface_].nodal : nullptr; }
   Real lead(Real time, Real step, std::vector<Vector3> from, std::vector<Vector3> with);
   /// To be called once after the blocks of a step: what its nodes have got.
   void book_surface(Real step);
@@ -67,8 +67,8 @@ private:
     std::vector<Near> near;      ///< by sphere
     std::vector<Touch> touches;  ///< by sphere
     std::vector<Touch> before;
-    std::vector<WallLoad> loads;      ///< by wall
-    std::vector<NodeForce> on_nodes;  ///< of the surface [N]
+    std::vector<WallLoad> loads;             ///< by wall
+    std::vector<terms::NodeForce> on_nodes;  ///< of the surface [N]
   };
   struct Point {
     Index wall = 0;
@@ -80,7 +80,7 @@ private:
   struct Ground {
     Real arm = 0;  ///< from the sphere's centre [m]
     Vector3 place, velocity, spin;
-    std::optional<FacePoint> face;  ///< of a surface with nodes
+    std::optional<terms::FacePoint> face;  ///< of a surface with nodes
   };
 
   geometry::Triangle triangle(std::size_t wall, std::int32_t number) const;

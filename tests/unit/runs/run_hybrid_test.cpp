@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <thread>
 
 #include "sazare/core/error.hpp"
@@ -78,6 +81,44 @@ TEST(run_hybrid, in_many_parts_gives_the_bits_of_one_run) {
             test::without_last_column(read_text(folder / "parts/history.csv")));
   for (const char* table : {"continuum/gauges.csv", "bodies/gauges.csv", "bodies/walls.csv"})
     EXPECT_EQ(read_text(folder / "whole" / table), read_text(folder / "parts" / table)) << table;
+}
+
+/// A case with an end and rows of its own.
+cases::CaseFile shortened(const std::string& name, const std::string& end, const std::string& interval,
+                          std::vector<std::string> settings = {}) {
+  for (const char* side : {"continuum", "bodies"})
+    for (const auto& [key, value] : {std::pair{"end", end}, {"history_interval", interval}, {"snapshot_interval", end}})
+      settings.push_back(fmt::format("{}.time.{}={}", side, key, value));
+  return cases::read_case("cases/" + name + "/case.toml", settings);
+}
+
+/// Blocks in the plane and tetrahedra in space, that touch by then.
+const auto blocks_in_the_plane = [] {
+  return shortened("block-on-soft-ground", "0.1", "0.01", {"coupling.scheme=repeat", "coupling.tolerance=1e-2"});
+};
+const auto tetrahedra = [] { return shortened("rock-fall-on-slab", "0.0016", "1e-4"); };
+
+TEST(run_hybrid, bodies_of_any_method_go_on_from_a_checkpoint_as_if_nothing_had_been) {
+  for (const auto& of : {std::function<cases::CaseFile()>(blocks_in_the_plane), std::function<cases::CaseFile()>(tetrahedra)}) {
+    const TemporaryFolder folder;
+    run_quietly(of(), folder / "whole");
+    std::atomic<bool> stop = false;
+    std::jthread alarm([&](const std::stop_token& over) {
+      while (!over.stop_requested() && !fs::exists(folder / "parts/checkpoint"))
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      stop = true;
+    });
+    const bool stopped = run_quietly(of(), folder / "parts", Begin::resume, &stop).stopped;
+    parallel::set_threads(2);
+    if (stopped) run_quietly(of(), folder / "parts", Begin::resume);
+    parallel::set_threads(1);
+    const nlohmann::json one = read_manifest(folder / "whole"), two = read_manifest(folder / "parts");
+    EXPECT_GT(one["results"]["peak_force"].get<double>(), 0);
+    EXPECT_EQ(one["state_hash"], two["state_hash"]);
+    EXPECT_EQ(test::without_last_column(read_text(folder / "whole/history.csv")),
+              test::without_last_column(read_text(folder / "parts/history.csv")));
+  }
 }
 
 TEST(run_hybrid, gives_the_same_bits_on_any_number_of_threads) {

@@ -1,4 +1,4 @@
-#include "sazare/methods/spheres/nodal_surface.hpp"
+#include "sazare/terms/nodal_surface.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,8 @@
 
 namespace sazare::methods::spheres {
 namespace {
+
+using terms::FacePoint, terms::NodalSurface;
 
 const Real pressed = 0.00995;  // height of a sphere of 0.01 m
 

@@ -1,10 +1,10 @@
-#include "sazare/methods/spheres/nodal_surface.hpp"
+#include "sazare/terms/nodal_surface.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-namespace sazare::methods::spheres {
+namespace sazare::terms {
 
 namespace {
 
@@ -38,19 +38,11 @@ std::array<Vector3, 3> FacePoint::on_corners(const Vector3& force, const Vector3
 }
 
 NodalSurface::NodalSurface(std::vector<Vector3> places, std::vector<std::array<Index, 3>> faces)
-    : faces_(std::move(faces)),
-      places_(std::move(places)),
-      velocities_(places_.size(), Vector3::Zero()),
-      force_(velocities_),
-      impulse_(velocities_),
-      is_touched_(places_.size(), 0) {}
+    : SurfaceNodes(std::move(places)), faces_(std::move(faces)) {}
 
 geometry::Triangle NodalSurface::corners(std::size_t face, Real time) const {
   geometry::Triangle triangle;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto node = static_cast<std::size_t>(faces_[face][k]);
-    triangle[k] = places_[node] + (time - since_) * velocities_[node];
-  }
+  for (std::size_t k = 0; k < 3; ++k) triangle[k] = place(faces_[face][k], time);
   return triangle;
 }
 
@@ -58,7 +50,7 @@ FacePoint NodalSurface::point(std::size_t face, Real time, const Vector3& place)
   FacePoint point;
   point.nodes = faces_[face];
   point.corners = corners(face, time);
-  for (std::size_t k = 0; k < 3; ++k) point.velocities[k] = velocities_[static_cast<std::size_t>(faces_[face][k])];
+  for (std::size_t k = 0; k < 3; ++k) point.velocities[k] = velocity(faces_[face][k]);
   const Vector3 first = point.corners[1] - point.corners[0], second = point.corners[2] - point.corners[0],
                 from = place - point.corners[0];
   const Real a = first.squaredNorm(), b = first.dot(second), c = second.squaredNorm(), area = a * c - b * b;
@@ -68,13 +60,20 @@ FacePoint NodalSurface::point(std::size_t face, Real time, const Vector3& place)
   return point;
 }
 
-void NodalSurface::measure() {
+SurfaceNodes::SurfaceNodes(std::vector<Vector3> places)
+    : places_(std::move(places)),
+      velocities_(places_.size(), Vector3::Zero()),
+      force_(velocities_),
+      impulse_(velocities_),
+      is_touched_(places_.size(), 0) {}
+
+void SurfaceNodes::measure() {
   Real square = 0;
   for (const Vector3& velocity : velocities_) square = std::max(square, velocity.squaredNorm());
   largest_speed_ = std::sqrt(square);
 }
 
-Real NodalSurface::lead(Real time, Real step, std::vector<Vector3> from, std::vector<Vector3> with) {
+Real SurfaceNodes::lead(Real time, Real step, std::vector<Vector3> from, std::vector<Vector3> with) {
   Real work = 0;
   for (const Index touched : touched_) {
     const auto node = static_cast<std::size_t>(touched);
@@ -88,7 +87,7 @@ Real NodalSurface::lead(Real time, Real step, std::vector<Vector3> from, std::ve
   return work;
 }
 
-void NodalSurface::book(std::span<const NodeForce> forces, Real step) {
+void SurfaceNodes::book(std::span<const NodeForce> forces, Real step) {
   for (const Index touched : touched_) {
     const auto node = static_cast<std::size_t>(touched);
     impulse_[node] += 0.5 * step * force_[node];
@@ -106,7 +105,13 @@ void NodalSurface::book(std::span<const NodeForce> forces, Real step) {
     impulse_[static_cast<std::size_t>(touched)] += 0.5 * step * force_[static_cast<std::size_t>(touched)];
 }
 
-void NodalSurface::columns(Archive& archive) {
+Real SurfaceNodes::work() const {
+  Real work = 0;
+  for (std::size_t node = 0; node < impulse_.size(); ++node) work -= impulse_[node].dot(velocities_[node]);
+  return work;
+}
+
+void SurfaceNodes::columns(Archive& archive) {
   archive("places", places_);
   archive("velocities", velocities_);
   archive("since", since_);
@@ -117,4 +122,4 @@ void NodalSurface::columns(Archive& archive) {
   measure();
 }
 
-}  // namespace sazare::methods::spheres
+}  // namespace sazare::terms

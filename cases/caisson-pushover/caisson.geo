@@ -1,0 +1,47 @@
+// A caisson on level ground; x = 0 is its seaward foot, y = 0 the ground's surface.
+DefineConstant[ size = 1.0 ];
+width = 10; height = 12; side = 20; depth = 10;
+
+Point(1) = {-side, -depth, 0};
+Point(2) = {0, -depth, 0};
+Point(3) = {width, -depth, 0};
+Point(4) = {width + side, -depth, 0};
+Point(5) = {-side, 0, 0};
+Point(6) = {0, 0, 0};
+Point(7) = {width, 0, 0};
+Point(8) = {width + side, 0, 0};
+Point(9) = {0, height, 0};
+Point(10) = {width, height, 0};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 8};
+Line(5) = {8, 7};
+Line(6) = {7, 6};
+Line(7) = {6, 5};
+Line(8) = {5, 1};
+Line(9) = {2, 6};
+Line(10) = {3, 7};
+Line(11) = {7, 10};
+Line(12) = {10, 9};
+Line(13) = {9, 6};
+Curve Loop(1) = {1, 9, 7, 8};
+Plane Surface(1) = {1};
+Curve Loop(2) = {2, 10, 6, -9};
+Plane Surface(2) = {2};
+Curve Loop(3) = {3, 4, 5, -10};
+Plane Surface(3) = {3};
+Curve Loop(4) = {-6, 11, 12, 13};
+Plane Surface(4) = {4};
+Transfinite Curve{1, 3, 5, 7} = Round(side / size) + 1;
+Transfinite Curve{2, 6, 12} = Round(width / size) + 1;
+Transfinite Curve{4, 8, 9, 10} = Round(depth / size) + 1;
+Transfinite Curve{11, 13} = Round(height / size) + 1;
+Transfinite Surface{1:4};
+Recombine Surface{1:4};
+
+Physical Surface("ground") = {1, 2, 3};
+Physical Surface("caisson") = {4};
+Physical Curve("base") = {1, 2, 3};
+Physical Curve("sides") = {4, 8};
+Physical Curve("sea") = {13};

@@ -1,0 +1,328 @@
+#include "sazare/methods/blocks/surface_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sazare/parallel/threads.hpp"
+
+namespace sazare::methods::blocks {
+
+namespace {
+
+constexpr std::size_t serial_below = 64;
+constexpr Real same_plane = 1e-6;     // of a radius
+constexpr Real same_direction = 0.7;  // cosine: beyond it a point is another one
+
+std::size_t at(Index index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+SurfaceContacts::SurfaceContacts(const laws::SphereContact& law, const Contacts& contacts, const state::Bodies<3>& bodies)
+    : law_(law), contacts_(&contacts), reach_(bodies.reach), link_of_(at(bodies.size()), -1) {
+  table_.causes = {terms::Cause::contact_dashpot, terms::Cause::friction};
+  table_.incidence = terms::ChangingIncidence(bodies.size());
+  for (std::size_t body = 0; body < reach_.size(); ++body) {
+    const auto& inertia = bodies.inertia[body];
+    softness_.push_back(1 / inertia.mass + reach_[body] * reach_[body] * inertia.inverse_moments.maxCoeff());
+  }
+}
+
+void SurfaceContacts::attach(std::vector<Vector3> nodes, std::vector<std::array<Index, 3>> faces) {
+  impulse_.assign(nodes.size(), Vector3::Zero());
+  surface_ = terms::NodalSurface(std::move(nodes), std::move(faces));
+}
+
+void SurfaceContacts::Work::add(Real seconds, const Push& push, const Vector3& velocity) {
+  total -= seconds * push.total.dot(velocity);
+  dashpot -= seconds * push.dashpot.dot(velocity);
+  friction -= seconds * push.friction.dot(velocity);
+}
+
+Vector3 SurfaceContacts::velocity(const Push& push) const {
+  Vector3 sum = Vector3::Zero();
+  for (std::size_t k = 0; k < 3; ++k) sum += push.shares[k] * surface_.velocity(push.nodes[k]);
+  return sum;
+}
+
+SurfaceContacts::Work SurfaceContacts::work_ahead() const {
+  Work work;
+  for (std::size_t link = 0; link < near_.size(); ++link)
+    for (const Push& push : near_[link].pushes) work.add(table_.slots[link].ahead, push, velocity(push));
+  return work;
+}
+
+void SurfaceContacts::add_ahead(std::vector<Vector3>& impulse, Real sign) const {
+  for (std::size_t link = 0; link < near_.size(); ++link)
+    for (const Push& push : near_[link].pushes)
+      for (std::size_t k = 0; k < 3; ++k)
+        impulse[at(push.nodes[k])] += sign * table_.slots[link].ahead * push.shares[k] * push.total;
+}
+
+void SurfaceContacts::lead(const Moment& now, std::vector<Vector3> from, std::vector<Vector3> with) {
+  const Work before = work_ahead();
+  surface_.lead(0, 0, std::move(from), std::move(with));
+  const Work after = work_ahead();
+  work_.total += after.total - before.total;
+  work_.dashpot += after.dashpot - before.dashpot;
+  work_.friction += after.friction - before.friction;
+  std::ranges::fill(impulse_, Vector3::Zero());
+  add_ahead(impulse_, 1);
+  led_ = now.tick;
+}
+
+std::vector<Vector3> SurfaceContacts::impulse() const {
+  std::vector<Vector3> now = impulse_;
+  add_ahead(now, -1);
+  return now;
+}
+
+std::vector<Vector3> SurfaceContacts::force() const {
+  std::vector<Vector3> sum(impulse_.size(), Vector3::Zero());
+  for (const Near& near : near_)
+    for (const Push& push : near.pushes)
+      for (std::size_t k = 0; k < 3; ++k) sum[at(push.nodes[k])] += push.shares[k] * push.total;
+  return sum;
+}
+
+void SurfaceContacts::evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
+  parallel::parallel_for(due.size(), serial_below, [&](std::size_t begin, std::size_t end) {
+    for (const Due& given : due.subspan(begin, end - begin)) evaluate_one(now, given, bodies);
+  });
+  for (const Due& given : due)
+    for (const Push& push : near_[at(given.link)].pushes) {
+      work_.add(given.acting, push, velocity(push));
+      for (std::size_t k = 0; k < 3; ++k) impulse_[at(push.nodes[k])] += given.acting * push.shares[k] * push.total;
+    }
+}
+
+void SurfaceContacts::find_points(const ContactSphere& sphere, const Vector3& centre, std::span<const std::int32_t> faces,
+                                  Real seconds, std::vector<Point>& points) const {
+  points.clear();
+  for (const std::int32_t face : faces) {
+    const Vector3 place = geometry::nearest_point(surface_.corners(static_cast<std::size_t>(face), seconds), centre);
+    const Real distance = (place - centre).norm();
+    if (distance < sphere.radius && distance > 0)
+      points.push_back({face, sphere.radius - distance, place, (place - centre) / distance});
+  }
+  std::ranges::stable_sort(points, [](const Point& a, const Point& b) { return a.overlap > b.overlap; });
+  std::size_t kept = 0;
+  for (const Point& point : points)
+    if (std::all_of(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(kept), [&](const Point& before) {
+          return (before.place - point.place).dot(before.normal) > same_plane * sphere.radius;
+        }))
+      points[kept++] = point;
+  points.resize(kept);
+}
+
+void SurfaceContacts::evaluate_one(const Moment& now, const Due& due, const state::Bodies<3>& bodies) {
+  const Index number = links_[at(due.link)].first;
+  const ContactBody body{bodies.motion[at(number)], bodies.inertia[at(number)]};
+  Near& near = near_[at(due.link)];
+  near.pushes.clear();
+  near.elastic = 0;
+  struct Met {
+    Point point;
+    Real overlap = 0;
+    Index sphere = 0;
+  };
+  thread_local std::vector<Met> met;
+  thread_local std::vector<Point> points;
+  met.clear();
+  for (Sphere& one : near.spheres) {
+    const ContactSphere& sphere = contacts_->surface().sphere(one.number);
+    find_points(sphere, body.motion.position + body.motion.rotation * sphere.centre, near.faces, time(now), points);
+    const Real deepest = points.empty() ? 0 : points.front().overlap;
+    one.rest = one.is_known != 0 ? std::min(one.rest, deepest) : deepest;
+    one.is_known = 1;
+    for (const Point& point : points)
+      if (point.overlap > one.rest) met.push_back({point, point.overlap - one.rest, one.number});
+  }
+  auto& slot = table_[due.link];
+  for (Touch& touch : near.touches) touch.is_touching = 0;
+  laws::SphereMotion shared;
+  shared.contacts = static_cast<Real>(met.size());
+  shared.step = std::max(due.acting, 2 * due.ahead);
+  shared.elapsed = due.acting;
+  ContactForce force;
+  for (const Met& one : met) {
+    auto touch = std::ranges::find_if(near.touches, [&](const Touch& known) {
+      return known.sphere == one.sphere && known.is_touching == 0 && known.normal.dot(one.point.normal) > same_direction;
+    });
+    if (touch == near.touches.end()) touch = near.touches.insert(touch, {one.sphere, 0, one.point.normal, {}});
+    touch->is_touching = 1;
+    touch->normal = one.point.normal;
+    Push& push = near.pushes.emplace_back();
+    const auto face = surface_.point(static_cast<std::size_t>(one.point.face), time(now), one.point.place);
+    push.nodes = face.nodes;
+    push.shares = face.shares;
+    const Vector3 arm = one.point.place - body.motion.position;
+    shared.overlap = one.overlap;
+    const laws::SphereForce given = force_at(
+        law_, one.point.normal, face.velocity() - body.motion.velocity_at(arm),
+        [&](const Vector3& along) { return body.softness(arm, along); }, shared, touch->memory);
+    push.dashpot = given.dashpot * one.point.normal;
+    push.friction = given.friction;
+    push.total = given.elastic * one.point.normal + push.dashpot + push.friction;
+    near.elastic += laws::sphere_energy(law_, one.overlap);
+    force.dashpot.add_at(arm, Vector3::Zero(), push.dashpot);
+    force.friction.add_at(arm, Vector3::Zero(), push.friction);
+    force.total.add_at(arm, Vector3::Zero(), push.total);
+  }
+  std::erase_if(near.touches, [](const Touch& touch) { return touch.is_touching == 0; });
+  if (met.empty())
+    slot = {};
+  else
+    terms::write<3, 2>(slot, now, due, force.total, {force.dashpot, force.friction});
+}
+
+void SurfaceContacts::gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies,
+                             std::span<state::Impulse<3>> sum, terms::CauseImpulses<3>& parts) const {
+  for (std::size_t i = 0; i < which.size(); ++i)
+    if (const Index link = link_of_[at(which[i])]; link >= 0 && table_[link].evaluated >= 0)
+      table_.gather_one(now, which[i], bodies.motion[at(which[i])].last_kick, i, sum[i], parts);
+}
+
+/// Faces that have opened may touch at once.
+void SurfaceContacts::settle(const Moment& now, const state::Bodies<3>& bodies, terms::Peers&, terms::Changes& changes) {
+  if (surface_.exists() && contacts_->surface().sphere_count() != known_spheres_) search(now, bodies, changes);
+}
+
+void SurfaceContacts::settle_base(const Moment& now, const state::Bodies<3>& bodies, terms::Peers&, terms::Changes& changes) {
+  const Real step = now.seconds_since(std::exchange(last_base_, now.tick));
+  if (!surface_.exists()) return;
+  Real fastest = 0;
+  for (const Index body : contacts_->surface().bodies()) {
+    const auto& motion = bodies.motion[at(body)];
+    fastest = std::max(fastest, motion.velocity.norm() + reach_[at(body)] * motion.spin.norm());
+  }
+  const Real next = step * (fastest + surface_.largest_speed());
+  travel_ += next;
+  if (travel_ + next > 0.5 * contacts_->surface().skin()) search(now, bodies, changes);
+}
+
+/// Which spheres of which blocks are nearer to the surface than the skin.
+void SurfaceContacts::search(const Moment& now, const state::Bodies<3>& bodies, terms::Changes& changes) {
+  const ContactSurface& open = contacts_->surface();
+  const Real skin = open.skin(), seconds = time(now);
+  travel_ = 0;
+  known_spheres_ = open.sphere_count();
+  neighbors::SphereGrid grid;
+  std::vector<geometry::Triangle> triangles;
+  for (std::size_t face = 0; face < surface_.face_count(); ++face) {
+    const geometry::Triangle& corners = triangles.emplace_back(surface_.corners(face, seconds));
+    const Vector3 middle = (corners[0] + corners[1] + corners[2]) / 3;
+    Real radius = 0;
+    for (const Vector3& corner : corners) radius = std::max(radius, (corner - middle).norm());
+    grid.place(static_cast<Index>(face), middle, radius);
+  }
+  for (const Index body : open.bodies()) {
+    const state::Pose<3> pose = state::pose_at(bodies.motion[at(body)], now);
+    const Real reach = reach_[at(body)] + skin;
+    Near found;
+    grid.visit_near(pose.position, reach, [&](Index face) {
+      if ((geometry::nearest_point(triangles[at(face)], pose.position) - pose.position).norm() <= reach)
+        found.faces.push_back(face);
+    });
+    std::ranges::sort(found.faces);
+    if (!found.faces.empty())
+      open.visit_spheres(body, [&](Index number) {
+        const ContactSphere& sphere = open.sphere(number);
+        const Vector3 centre = pose.position + pose.rotation * sphere.centre;
+        if (std::ranges::any_of(found.faces, [&](std::int32_t face) {
+              return (geometry::nearest_point(triangles[at(face)], centre) - centre).norm() <= sphere.radius + skin;
+            }))
+          found.spheres.push_back({number, 0, 0});
+      });
+    Index& link = link_of_[at(body)];
+    const bool was_near = link >= 0 && near_[at(link)].is_near();
+    if (!found.is_near() && !was_near) continue;
+    if (link < 0) {
+      link = static_cast<Index>(links_.size());
+      links_.push_back({body, Link::outside});
+      near_.emplace_back();
+      table_.slots.emplace_back();
+      table_.incidence.list(body).push_back({link, 0});
+    }
+    Near& near = near_[at(link)];
+    for (Sphere& sphere : found.spheres)  // known ones keep what they remember
+      for (const Sphere& known : near.spheres)
+        if (known.number == sphere.number) sphere = known;
+    if (!found.is_near()) {
+      near = {};
+      table_[link] = {};
+      changes.ended_links.push_back(link);
+      changes.softer.push_back(body);
+      continue;
+    }
+    near.faces = std::move(found.faces);
+    near.spheres = std::move(found.spheres);
+    if (!was_near) changes.new_links.push_back(link);
+    changes.stiffer.push_back(body);
+  }
+}
+
+terms::Rates SurfaceContacts::rates(Index body) const {
+  const Index link = link_of_[at(body)];
+  if (link < 0) return {};
+  const auto count = static_cast<Real>(near_[at(link)].spheres.size());
+  return contact_rates(law_, count, softness_[at(body)]);
+}
+
+/// Elastic energy is that of the last evaluation, at this base step.
+void SurfaceContacts::add_energies(const terms::Synchronized<3>& at_time, terms::Ledger& ledger) const {
+  for (std::size_t link = 0; link < links_.size(); ++link) {
+    table_.take_back(static_cast<Index>(link), links_[link], at_time, ledger);
+    ledger[terms::Account::elastic] += near_[link].elastic;
+  }
+  const Work ahead = work_ahead();
+  ledger[terms::Account::work] += work_.total - ahead.total;
+  ledger[terms::Account::contact_dashpot] += work_.dashpot - ahead.dashpot;
+  ledger[terms::Account::friction] += work_.friction - ahead.friction;
+}
+
+void SurfaceContacts::columns(Archive& archive) {
+  if (!surface_.exists()) return;
+  archive.folder("nodes", [&] { surface_.columns(archive); });
+  archive("led", led_);
+  archive("link_of", link_of_);
+  archive("links", links_);
+  archive("slots", table_.slots);
+  archive("impulse", impulse_);
+  std::vector<Work> work{work_};
+  archive("work", work);
+  work_ = work.at(0);
+  archive("last_base", last_base_);
+  archive("travel", travel_);
+  archive("known_spheres", known_spheres_);
+  near_.resize(links_.size());
+  const auto lists = [&](const std::string& name, auto member) {
+    std::remove_reference_t<decltype(Near{}.*member)> all;
+    std::vector<std::int64_t> sizes;
+    for (Near& near : near_) {
+      sizes.push_back(static_cast<std::int64_t>((near.*member).size()));
+      all.insert(all.end(), (near.*member).begin(), (near.*member).end());
+    }
+    archive(name + "_sizes", sizes);
+    archive(name, all);
+    auto next = all.begin();
+    for (std::size_t i = 0; archive.reading() && i < near_.size(); ++i) {
+      (near_[i].*member).assign(next, next + sizes[i]);
+      next += sizes[i];
+    }
+  };
+  lists("faces", &Near::faces);
+  lists("spheres", &Near::spheres);
+  lists("touches", &Near::touches);
+  lists("pushes", &Near::pushes);
+  std::vector<Real> elastic;
+  for (const Near& near : near_) elastic.push_back(near.elastic);
+  archive("elastic", elastic);
+  if (!archive.reading()) return;
+  for (std::size_t i = 0; i < near_.size(); ++i) near_[i].elastic = elastic[i];
+  table_.incidence = terms::ChangingIncidence(static_cast<Index>(link_of_.size()));
+  for (Index link = 0; link < static_cast<Index>(links_.size()); ++link)
+    table_.incidence.list(links_[at(link)].first).push_back({link, 0});
+}
+
+}  // namespace sazare::methods::blocks
