@@ -19,6 +19,11 @@ def clocks(end, row, table="time"):
     return [f"{table}.end={end}", f"{table}.history_interval={row}", f"{table}.snapshot_interval={end}"]
 
 
+def sides(end, row):
+    """The same for both sides of a hybrid case."""
+    return clocks(end, row, "continuum.time") + clocks(end, row, "bodies.time")
+
+
 RUNS = {
     "blocks": (BLOCK, clocks(2e-4, 1e-4)),
     "mps": (CASES / "column-ricker/case.toml", clocks(0.02, 0.01)),
@@ -26,8 +31,9 @@ RUNS = {
     "rectangles": (CASES / "block-on-slope/case.toml", clocks(0.01, 0.005)),
     "spheres": (CASES / "bonded-beam/case.toml", clocks(2e-3, 1e-3)),
     "fem": (CASES / "cantilever-fem/case.toml", clocks(2e-3, 1e-3)),
-    "hybrid": (CASES / "two-mass-oscillator/case.toml",
-               clocks(1e-3, 5e-4, "continuum.time") + clocks(1e-3, 5e-4, "bodies.time")),
+    "hybrid": (CASES / "two-mass-oscillator/case.toml", sides(1e-3, 5e-4)),
+    "hybrid of rectangles": (CASES / "block-on-soft-ground/case.toml", sides(0.02, 0.01)),
+    "hybrid of blocks": (CASES / "rock-fall-on-slab/case.toml", sides(2e-4, 1e-4)),
 }
 FIELDS = ("CellData", "PointData")
 
