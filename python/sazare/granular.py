@@ -164,6 +164,27 @@ def walls(results):
 
 
 @style.styled
+def broken_bodies(results):
+    """Number of bonded bodies in more than one piece, and of broken bonds, against time."""
+    history = results.history
+    if "bodies_broken" not in history or history.rows < 2:
+        return None
+    figure = style.figure(6.2, 3.6)
+    axes = figure.subplots()
+    axes.plot(history["time"], history["bodies_broken"], color=style.ACCENT, linewidth=1.6)
+    axes.set_xlabel("time [s]")
+    axes.set_ylabel("broken bodies", color=style.ACCENT)
+    axes.set_ylim(bottom=0)
+    other = axes.twinx()
+    other.plot(history["time"], history["bonds_broken"], color=style.SECOND, linewidth=1.2)
+    other.set_ylabel("broken bonds", color=style.SECOND)
+    other.set_ylim(bottom=0)
+    other.grid(False)
+    axes.margins(x=0)
+    return figure
+
+
+@style.styled
 def contacts(results):
     """Number of contacts and largest speed against time."""
     history = results.history

@@ -7,7 +7,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = (ROOT / "docs/reference/run-folder.md").read_text(encoding="utf-8")
-RECORDS = ["run_record", "gauges", "rank_times", "run_times", "mps_record", "rectangles_record", "spheres_record", "fem_record", "hybrid_record", "snapshots"]
+RECORDS = ["run_record", "fragments", "gauges", "rank_times", "run_times", "mps_record", "rectangles_record", "spheres_record", "fem_record", "hybrid_record", "snapshots"]
 COLUMN = re.compile(r'"((?:[a-z_]+\.)?[a-z_]+ \[[^\]"]+\])"')
 FIELD = re.compile(r'(?:cell_data|of_vectors|of_integers)\("([a-z_]+)"|\{"([a-z_]+)", 1, std::span')
 

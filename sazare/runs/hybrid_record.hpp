@@ -38,6 +38,8 @@ public:
   std::vector<std::pair<std::string, Real>> peak_particle_velocity() const;
   std::uint64_t state_hash() const;
 
+  void write_fragments() const { bodies_.write_fragments(); }
+
   /// Manifests of the two sides.
   void write_manifests(const observe::Manifest& like, std::int64_t step, Real wall_seconds) const;
 

@@ -150,7 +150,7 @@ struct BodiesWork {
   void write_case() const {
     observe::write_file(folder.case_file(), cases::write_resolved(bodies_case().spheres(), folder.path()));
   }
-  void write_end() {}
+  void write_end() { record.write_fragments(); }
   void write_rank_times() {}
 };
 

@@ -169,7 +169,10 @@ struct HybridWork {
     observe::write_file(bodies_folder.case_file(), cases::write_resolved(bodies_case().spheres(), bodies_folder.path()));
     write_manifests("running");
   }
-  void write_end() const { write_manifests("done"); }
+  void write_end() const {
+    record.write_fragments();
+    write_manifests("done");
+  }
   void write_rank_times() {}
 
   void write_manifests(const std::string& status) const {

@@ -21,19 +21,6 @@ std::vector<std::string> history_columns() {
   return columns;
 }
 
-const std::vector<std::string> fragment_columns = {"fragment [-]",     "elements [-]",     "volume [m3]",      "mass [kg]",
-                                                   "size [m]",         "center_x [m]",     "center_y [m]",     "center_z [m]",
-                                                   "velocity_x [m/s]", "velocity_y [m/s]", "velocity_z [m/s]", "throw [m]"};
-
-std::vector<observe::CsvField> fragment_row(const Fragment& fragment) {
-  std::vector<observe::CsvField> row = {std::int64_t{fragment.number}, std::int64_t{fragment.elements}, fragment.volume,
-                                        fragment.mass, fragment.size};
-  row.insert(row.end(), fragment.center.begin(), fragment.center.end());
-  row.insert(row.end(), fragment.velocity.begin(), fragment.velocity.end());
-  row.emplace_back(fragment.throw_distance);
-  return row;
-}
-
 }  // namespace
 
 RunRecord::RunRecord(const RunFolder& folder, const cases::CaseFile& file, BlocksModel& model, const RunClocks& clocks)
@@ -100,11 +87,8 @@ void RunRecord::flush(bool to_disk) {
 }
 
 void RunRecord::write_fragments() {
-  std::vector<std::vector<observe::CsvField>> rows;
-  for (const Fragment& fragment :
-       measure_fragments(fragments(), model_->volume, model_->simulation->bodies(), model_->simulation->snapshot()))
-    rows.push_back(fragment_row(fragment));
-  observe::write_csv(folder_->fragments(), fragment_columns, rows);
+  runs::write_fragments(folder_->fragments(), measure_fragments(fragments(), model_->volume, model_->simulation->bodies(),
+                                                                model_->simulation->snapshot()));
 }
 
 std::vector<std::pair<std::string, observe::Figure>> RunRecord::results(std::int64_t step, Real wall_seconds) {
