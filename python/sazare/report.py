@@ -140,7 +140,7 @@ def granular_sections(results):
                       partial(granular.broken_bodies, results), "The run wrote no history.", wide=False)
               ] if results.figures.get("bodies", 0) > 0 else []
     return [
-        Section("spheres", "Spheres", "Spheres coloured by speed, the front half cut away; the fastest hundredth shares one colour.",
+        Section("spheres", "Spheres", "Spheres coloured by speed, the front half cut away where there are many; the fastest hundredth shares one colour.",
                 partial(granular.pictures, results), "The run wrote no snapshots."),
         *damage,
         *pieces,
