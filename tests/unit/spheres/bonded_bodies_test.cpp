@@ -202,6 +202,46 @@ TEST(bonded_bodies, what_a_broken_bond_leaves_pressed_makes_no_energy) {
   }
 }
 
+/// A ring of four of which one bond breaks stays one piece. Where it broke its spheres touch again, also after new searches.
+TEST(bonded_bodies, a_crack_that_parts_nothing_closes_again) {
+  state::Spheres spheres;
+  for (const Vector3& place : {Vector3(0, 0, 0), Vector3(0.018, 0, 0), Vector3(0.018, 0.018, 0), Vector3(0, 0.018, 0)})
+    spheres.add(place, 0.01, density, 0);
+  spheres.set_motion(0, {-1.5, 0, 0}, {0, 0, 100});  // the whole turns, so that pairs are sought anew
+  spheres.set_motion(1, {1.5, 0, 0}, {0, 0, 100});
+  std::vector<Bond> bonds;
+  for (const auto& [first, second] : {std::pair<Index, Index>(0, 1), {0, 3}, {1, 2}, {2, 3}}) {
+    Bond bond;
+    bond.first = first;
+    bond.second = second;
+    bond.kind = bonds.empty() ? 0 : 1;
+    bond.radius = 0.005;
+    bond.stiffness = laws::beam_stiffness(0.018, bond.radius, modulus, poisson);
+    bond.direction = triple(
+        ((spheres.place[static_cast<std::size_t>(second)].centre() - spheres.place[static_cast<std::size_t>(first)].centre()) /
+         0.018)
+            .eval());
+    bonds.push_back(bond);
+  }
+  const Bonds ring(bonds, {{1e5, infinite, 0, 1}, {infinite, infinite, 0, 1}});
+  engine::SphereStepper stepper(spheres, table({}), {}, {5e-7, Vector3::Zero(), 2e-4, 5e-3}, ring, {},
+                                BondedBodies({0, 0, 0, 0}, ring));
+  stepper.start();
+  const Real energy = stepper.energies().sum();
+  Real most = 0;
+  for (int k = 0; k < 20000; ++k) {
+    stepper.advance();
+    stepper.settle();
+    most = std::max(most, stepper.energies().elastic);
+  }
+  EXPECT_EQ(stepper.broken_bonds(), 1);
+  EXPECT_TRUE(stepper.bodies().is_whole(0));
+  EXPECT_GT(stepper.searches(), 3);
+  EXPECT_GT(most, 1e-3 * energy);
+  EXPECT_LE(most, energy);
+  EXPECT_NEAR(stepper.energies().sum(), energy, 2e-3 * energy);
+}
+
 Rules falling() { return {.restitution = 0.5, .friction = 0.4, .step = 1e-6, .gravity = {0, 0, -10}}; }
 
 /// Tetrapods that fly into each other and break: three blocks of spheres.
