@@ -31,6 +31,7 @@ PICTURES = {
     "shaking-table": "moving",
     "bonded-beam": "damage",
     "tetrapod-armour": "spheres",
+    "tetrapod-drop": "damage",
     "strip-footing": "yielding",
     "cantilever-fem": "displaced",
     "seawall-shaking-table": "together",

@@ -63,6 +63,9 @@ void print_spheres_figures(const observe::Manifest& manifest, const fs::path& fo
   const Real seconds = figure(manifest, "wall_seconds");
   fmt::print("spheres         {}, {} contacts at the end, step {} s\n", number("particles", 12), number("contacts", 12),
              number("step"));
+  if (figure(manifest, "bodies") > 0)
+    fmt::print("bodies          {} bonded, {} of them broken, in {} pieces\n", number("bodies", 12), number("bodies_broken", 12),
+               number("fragments", 12));
   fmt::print("energy          lost {} J, unaccounted {} J; peak speed {} m/s\n", number("energy_lost"),
              number("energy_residual", 2), number("peak_speed"));
   fmt::print("wall time       {:.2f} s, {} sphere-steps per second, {} thread{}\n", seconds,

@@ -7,6 +7,7 @@ from sazare import style
 AXES = "xyz"
 MOST_CURVES = 6
 MOST_PICTURES = 4
+CUT_ABOVE = 1000  # spheres; fewer do not hide each other
 FINE_BELOW = 3000  # spheres; above it those of the usual size are drawn with fewer faces
 LARGE = 2.0  # usual radii; above it a sphere is drawn with more faces in any case
 KINDS = [
@@ -49,7 +50,7 @@ def _cut(mesh, bounds):
 
 @style.styled
 def pictures(results):
-    """The spheres at some times, coloured by speed, the front half cut away."""
+    """The spheres at some times, coloured by speed, the front half cut away where there are many."""
     return _scenes(results, "speed", "speed [m/s]", style.SPEED)
 
 
@@ -78,7 +79,8 @@ def _scenes(results, scalar, label, colors):
     for axes in panels:
         axes.set_axis_off()
     for axes, index in zip(panels, chosen):
-        mesh = _cut(_balls(snapshots[index]), bounds)
+        balls = _balls(snapshots[index])
+        mesh = _cut(balls, bounds) if snapshots[index].elements.n_points > CUT_ABOVE else balls
         options = {"scalars": scalar, "cmap": colors, "clim": (0.0, top), "smooth_shading": False}
         axes.imshow(render(view, [Layer(mesh, options)]).image)
         axes.set_title(f"{snapshots[index].time:.3g} s")
@@ -159,6 +161,27 @@ def walls(results):
     axes.set_xlabel("time [s]")
     axes.set_ylabel("force [N]")
     axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3)
+    axes.margins(x=0)
+    return figure
+
+
+@style.styled
+def broken_bodies(results):
+    """Number of bonded bodies in more than one piece, and of broken bonds, against time."""
+    history = results.history
+    if "bodies_broken" not in history or history.rows < 2:
+        return None
+    figure = style.figure(6.2, 3.6)
+    axes = figure.subplots()
+    axes.plot(history["time"], history["bodies_broken"], color=style.ACCENT, linewidth=1.6)
+    axes.set_xlabel("time [s]")
+    axes.set_ylabel("broken bodies", color=style.ACCENT)
+    axes.set_ylim(bottom=0)
+    other = axes.twinx()
+    other.plot(history["time"], history["bonds_broken"], color=style.SECOND, linewidth=1.2)
+    other.set_ylabel("broken bonds", color=style.SECOND)
+    other.set_ylim(bottom=0)
+    other.grid(False)
     axes.margins(x=0)
     return figure
 

@@ -134,10 +134,16 @@ def granular_sections(results):
     """The pictures of a run of method spheres."""
     damage = [Section("damage", "Broken bonds", "Spheres coloured by the share of their bonds that is broken.",
                       partial(granular.damage, results), "No bond broke.")] if results.figures.get("bonds", 0) > 0 else []
+    pieces = [Section("fragment_curve", "Fragment sizes", "Share of the volume of all bonded bodies in pieces up to a size; half of it lies "
+                      "below X50.", partial(plot.fragment_curve, results), "The run is not done.", wide=False),
+              Section("bodies_broken", "Broken bodies", "Bodies that are in more than one piece, and bonds that have broken.",
+                      partial(granular.broken_bodies, results), "The run wrote no history.", wide=False)
+              ] if results.figures.get("bodies", 0) > 0 else []
     return [
-        Section("spheres", "Spheres", "Spheres coloured by speed, the front half cut away; the fastest hundredth shares one colour.",
+        Section("spheres", "Spheres", "Spheres coloured by speed, the front half cut away where there are many; the fastest hundredth shares one colour.",
                 partial(granular.pictures, results), "The run wrote no snapshots."),
         *damage,
+        *pieces,
         Section("groups", "Groups", "Centre of mass of the recorded groups along the axis of their longest way; beside it the velocity, or the "
                 "force on groups whose velocity is held.", partial(granular.groups, results),
                 "The case has no gauges."),

@@ -63,6 +63,7 @@ def headlines(results):
     balance = energy_balance(figures)
     rows = [
         ("broken_joints", "joints broken", count, _share(figures, "broken_joints", "joints")),
+        ("bodies_broken", "bodies broken", count, _share(figures, "bodies_broken", "bodies")),
         ("fragments", "fragments", count, _of(figures, "elements", "elements")),
         ("x50", "X50", lambda x: quantity(x, "m"), _note(figures, "x80", "X80 ", "m")),
         ("throw_max", "largest throw", lambda x: quantity(x, "m"), ""),

@@ -46,3 +46,21 @@ def test_report_has_its_pictures_and_says_what_is_missing(granular_run):
     assert "The energy ledger closes within 1.0e-04 of the work done." in page
     assert sorted(path.stem for path in (granular_run / "report").glob("*.png")) == ["contacts", "energies", "groups", "walls"]
     assert "The run wrote no snapshots." in page
+
+
+def test_bonded_bodies_tell_how_many_broke(granular_run):
+    manifest = json.loads((granular_run / "manifest.json").read_text())
+    manifest["results"] |= {"bonds": 24, "bonds_broken": 3, "bodies": 2, "bodies_broken": 1, "fragments": 3}
+    (granular_run / "manifest.json").write_text(json.dumps(manifest))
+    _write(granular_run / "history.csv", ["time [s]", "bonds_broken [-]", "bodies_broken [-]"], [[0.0, 0, 0], [1.0, 3, 1]])
+    _write(granular_run / "fragments.csv", ["fragment [-]", "elements [-]", "volume [m3]", "mass [kg]", "size [m]", "throw [m]"],
+           [[0, 13, 2.0, 4.0, 1.6, 0.0], [1, 9, 1.5, 3.0, 1.4, 0.1], [2, 4, 0.5, 1.0, 1.0, 0.2]])
+    results = open_run(granular_run)
+    page = write_report(granular_run).read_text()
+    assert "bodies broken" in page and "of 2, 50%" in page
+    assert granular.broken_bodies(results).axes[0].lines[0].get_ydata().tolist() == [0, 1]
+    assert {"bodies_broken", "fragment_curve"} <= {path.stem for path in (granular_run / "report").glob("*.png")}
+
+
+def test_a_run_without_bonded_bodies_has_no_such_picture(granular_run):
+    assert granular.broken_bodies(open_run(granular_run)) is None

@@ -4,7 +4,7 @@
 
 #include "sazare/cases/schema.hpp"
 
-/// Keys of what joins spheres: rigid shapes and bonds.
+/// Keys of what joins spheres: shapes and bonds.
 namespace sazare::cases {
 
 inline constexpr std::array<std::string_view, 3> clump_sources{"tetrapod", "file", "mesh"};
@@ -41,14 +41,19 @@ inline constexpr std::array shape_keys{
         .range = {.low = 1, .high = 10000},
         .default_text = "40",
         .sentence = "Spheres that fill a mesh, at most."},
+    Key{.name = "bonds",
+        .type = Type::text,
+        .note = "none: rigid",
+        .sentence = "Name of the [[bonds]] that join neighbouring spheres of a body, so that it bends and breaks."},
 };
 
 inline constexpr std::array bond_keys{
     Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name for messages."},
     Key{.name = "between",
         .type = Type::two_names,
-        .need = Need::required,
-        .sentence = "The two groups; the same twice for bonds within one. Where several entries match a pair the last one wins."},
+        .note = "required unless a shape names the bonds",
+        .sentence = "The two groups; the same twice for bonds within one, of groups of bonded bodies from body to body. Where "
+                    "several entries match a pair the last one wins."},
     Key{.name = "reach",
         .type = Type::number,
         .range = not_negative,

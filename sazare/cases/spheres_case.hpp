@@ -44,7 +44,7 @@ struct MaterialPair {
   std::optional<Real> shear_stiffness;   // N/m
 };
 
-/// A rigid body made of spheres that may overlap.
+/// A body made of spheres that may overlap, rigid or bonded.
 struct ClumpShape {
   std::string name;
   ClumpSource source = ClumpSource::tetrapod;
@@ -53,6 +53,7 @@ struct ClumpShape {
   std::filesystem::path file;  // file: rows of radius, x, y, z; mesh: .stl or .msh
   Real scale = 1;              // the file's unit to m
   int count = 40;              // mesh
+  std::string bonds;           // of [[bonds]] between neighbours, or empty for a rigid body
 };
 
 struct SphereGroup {
@@ -98,7 +99,7 @@ struct WallRules {
 /// Which spheres are bonded at the start, and how.
 struct BondRules {
   std::string name;
-  std::array<std::string, 2> between;    // groups
+  std::array<std::string, 2> between;    // groups, or empty where shapes name the entry
   Real reach = 0.01;                     // largest gap over the sum of the radii
   Real radius_ratio = 1;                 // over the smaller radius
   std::optional<Real> youngs_modulus;    // Pa

@@ -100,6 +100,7 @@ void check_shapes(const CheckContext& context, const SpheresCase& spheres) {
       check_keys(context, entry, "a file", {"file"}, {"height", "leg_spheres", "count"});
     else
       check_keys(context, entry, "a mesh", {"file"}, {"height", "leg_spheres"});
+    check_known(context, entry, "bonds", entry.place("bonds"), spheres.shapes[i].bonds, names_of(spheres.bonds), "bond");
     if (source != ClumpSource::tetrapod && entry.gives("file"))
       check_file(context, entry.place("file"), source == ClumpSource::file ? "file of spheres" : "surface",
                  spheres.shapes[i].file, *entry.value->find("file")->text());
@@ -204,21 +205,37 @@ void check_bond_stiffness(const CheckContext& context, const Entry& entry) {
                            how_to_add(*find_key(*entry.table, "youngs_modulus")));
 }
 
+/// What a bond joins: spheres of groups, or those of a shape that names it.
+void check_bonded_groups(const CheckContext& context, const Entry& entry, const SpheresCase& spheres, const BondRules& bond) {
+  const auto shape = std::ranges::find(spheres.shapes, bond.name, &ClumpShape::bonds);
+  if (shape != spheres.shapes.end() && !bond.name.empty()) {
+    if (entry.has("between"))
+      context.problems.error(entry.place("between"),
+                             fmt::format("the bonds \"{}\" join the spheres of the shape \"{}\" already", bond.name, shape->name),
+                             "give bonds between groups an entry of their own");
+    return;
+  }
+  if (!entry.has("between"))
+    return context.problems.error(entry.header(), "[[bonds]] has no \"between\", and no shape names it",
+                                  how_to_add(*find_key(*entry.table, "between")));
+  for (std::size_t k = 0; k < 2; ++k) {
+    check_known(context, entry, "between", entry.place("between", k), bond.between[k], names_of(spheres.spheres), "group");
+    const auto group = std::ranges::find(spheres.spheres, bond.between[k], &SphereGroup::name);
+    if (group == spheres.spheres.end() || group->shape.empty()) continue;
+    const auto of = std::ranges::find(spheres.shapes, group->shape, &ClumpShape::name);
+    if (of == spheres.shapes.end() || of->bonds.empty())
+      context.problems.error(entry.place("between", k),
+                             fmt::format("the group \"{}\" is of rigid bodies, which bonds cannot join", group->name),
+                             "bond single spheres, or give the shape bonds of its own");
+  }
+}
+
 void check_bonds(const CheckContext& context, const SpheresCase& spheres) {
-  const auto groups = names_of(spheres.spheres);
   const auto list = context.entries_of("bonds");
   for (std::size_t i = 0; i < list.size() && i < spheres.bonds.size(); ++i) {
     const Entry& entry = list[i];
     if (!entry.exists()) continue;
-    for (std::size_t k = 0; k < 2; ++k)
-      check_known(context, entry, "between", entry.place("between", k), spheres.bonds[i].between[k], groups, "group");
-    for (std::size_t k = 0; k < 2; ++k) {
-      const auto group = std::ranges::find(spheres.spheres, spheres.bonds[i].between[k], &SphereGroup::name);
-      if (group != spheres.spheres.end() && !group->shape.empty())
-        context.problems.error(entry.place("between", k),
-                               fmt::format("the group \"{}\" is of rigid bodies, which bonds cannot join", group->name),
-                               "bond single spheres");
-    }
+    check_bonded_groups(context, entry, spheres, spheres.bonds[i]);
     check_bond_stiffness(context, entry);
     if (entry.has("fracture_energy") && !entry.has("tensile_strength"))
       context.problems.error(entry.place("fracture_energy"), "fracture_energy without tensile_strength",

@@ -30,7 +30,8 @@ std::string wall_text(const WallRules& wall) {
 }
 
 std::string bond_text(const BondRules& bond) {
-  std::string text = fmt::format("{}: {} with {}, ", bond.name, bond.between[0], bond.between[1]);
+  std::string text = bond.between[0].empty() ? fmt::format("{}: within bodies, ", bond.name)
+                                             : fmt::format("{}: {} with {}, ", bond.name, bond.between[0], bond.between[1]);
   text += bond.youngs_modulus ? fmt::format("E {} Pa", number(*bond.youngs_modulus))
                               : fmt::format("{} and {} Pa/m", number(bond.normal_stiffness.value_or(0)),
                                             number(bond.shear_stiffness.value_or(0)));
@@ -59,7 +60,9 @@ std::string explain(const SpheresCase& spheres) {
                                       contact_text(pair.restitution.value_or(contact.restitution),
                                                    pair.friction_coefficient.value_or(contact.friction_coefficient),
                                                    pair.rolling_friction.value_or(contact.rolling_friction))));
-  for (const ClumpShape& shape : spheres.shapes) text += line("shapes", fmt::format("{}: {}", shape.name, word(shape.source)));
+  for (const ClumpShape& shape : spheres.shapes)
+    text += line("shapes", fmt::format("{}: {}, {}", shape.name, word(shape.source),
+                                       shape.bonds.empty() ? "rigid" : fmt::format("bonded by {}", shape.bonds)));
   for (const SphereGroup& group : spheres.spheres)
     text += line("spheres", fmt::format("{}: {} of {}{}{}{}", group.name, word(group.source), group.material,
                                         group.shape.empty() ? "" : ", shape " + group.shape, group.held ? ", held" : "",

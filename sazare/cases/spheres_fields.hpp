@@ -68,6 +68,7 @@ template <class Visitor>
 void visit_fields(Visitor& visit, ClumpShape& shape) {
   visit("name", shape.name);
   visit("source", shape.source);
+  if (visit.has("bonds", !shape.bonds.empty())) visit("bonds", shape.bonds);
   if (shape.source == ClumpSource::tetrapod) {
     visit("height", shape.height);
     visit("leg_spheres", shape.leg_spheres);
@@ -137,7 +138,7 @@ void visit_fields(Visitor& visit, WallRules& wall) {
 template <class Visitor>
 void visit_fields(Visitor& visit, BondRules& bond) {
   visit("name", bond.name);
-  visit("between", bond.between);
+  if (visit.has("between", !bond.between[0].empty())) visit("between", bond.between);
   visit("reach", bond.reach);
   visit("radius_ratio", bond.radius_ratio);
   visit("youngs_modulus", bond.youngs_modulus);

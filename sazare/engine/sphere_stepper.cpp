@@ -25,12 +25,13 @@ Real largest_radius(const state::Spheres& spheres) {
 
 SphereStepper::SphereStepper(state::Spheres spheres, methods::spheres::ContactTable table,
                              std::vector<methods::spheres::Wall> walls, const SphereRules& rules, methods::spheres::Bonds bonds,
-                             state::Clumps clumps)
+                             state::Clumps clumps, methods::spheres::BondedBodies bodies)
     : spheres_(std::move(spheres)),
       pairs_(table),
       walls_(std::move(table), std::move(walls), largest_radius(spheres_) + rules.wall_margin),
       bonds_(std::move(bonds)),
       clumps_(std::move(clumps)),
+      bodies_(std::move(bodies)),
       rules_(rules) {
   if (!clumps_.empty()) body_.assign(spheres_.size(), -1);
   for (std::size_t c = 0; c < clumps_.clumps.size(); ++c)
@@ -110,13 +111,20 @@ std::vector<Index> SphereStepper::places() const {
   return place;
 }
 
-/// Spheres of one clump never touch.
+/// Spheres of one clump never touch, nor do those of one piece of a bonded body.
 void SphereStepper::rest_bodies() {
+  if (!clumps_.empty() || !bodies_.empty()) place_ = places();
+  if (!bodies_.empty()) rest_pieces();
   if (clumps_.empty()) return;
-  place_ = places();
   std::vector<Index> body(spheres_.size());
   for (std::size_t i = 0; i < body.size(); ++i) body[i] = body_[static_cast<std::size_t>(spheres_.number[i])];
   pairs_.rest_within(body);
+}
+
+void SphereStepper::rest_pieces() {
+  std::vector<Index> piece(spheres_.size());
+  for (std::size_t i = 0; i < piece.size(); ++i) piece[i] = bodies_.piece(spheres_.number[i]);
+  pairs_.rest_within(piece);
 }
 
 /// Where bonds stand after the spheres have been sorted; bonded spheres have no contact.
@@ -129,6 +137,7 @@ void SphereStepper::arrange_bonds() {
   }
   loads_.arrange(pairs_.pairs(), bonds_.links());
   pairs_.write_to(loads_);
+  wake_broken_within_pieces();
 }
 
 void SphereStepper::find_walls(std::span<const Index> places_before) {
@@ -139,6 +148,15 @@ void SphereStepper::find_walls(std::span<const Index> places_before) {
     if (wall.motion.moves())
       for (const auto& place : spheres_.place) wall_radius_ = std::max(wall_radius_, (place.centre() - wall.motion.pivot).norm());
   wall_approach_ = 0;
+}
+
+/// A bond that has broken where others still join its spheres leaves a contact.
+void SphereStepper::wake_broken_within_pieces() {
+  if (bodies_.empty()) return;
+  for (const auto& bond : bonds_.bonds()) {
+    if (bond.gone == 0 || bodies_.piece(bond.first) < 0 || bodies_.piece(bond.first) != bodies_.piece(bond.second)) continue;
+    pairs_.wake(place_[static_cast<std::size_t>(bond.first)], place_[static_cast<std::size_t>(bond.second)], 0, loads_);
+  }
 }
 
 SphereSpeeds SphereStepper::move(std::size_t block, const state::SphereLoad* loads) {
@@ -238,13 +256,41 @@ void SphereStepper::book() {
   walls_.book_surface(rules_.step);
 }
 
-/// Spheres whose bond has broken may touch from the next step on.
+/// Spheres whose bond has broken may touch from the next step on; those of one piece when it has parted.
 void SphereStepper::part_broken() {
+  std::vector<Index> torn;
   for (std::size_t block = 0; block < loads_.blocks(); ++block)
-    for (const std::size_t link : bonds_.broken(block)) {
+    for (const auto& [link, allowed_overlap] : bonds_.broken(block)) {
       bonds_.note_broken(link);
-      pairs_.wake(bonds_.first()[link], bonds_.links().second[link]);
+      const Index first = bonds_.first()[link], second = bonds_.links().second[link];
+      const Index body = bodies_.empty() ? -1 : bodies_.of(spheres_.number[static_cast<std::size_t>(first)]);
+      if (body >= 0 && body == bodies_.of(spheres_.number[static_cast<std::size_t>(second)])) torn.push_back(body);
+      pairs_.wake(first, second, allowed_overlap, loads_);
     }
+  std::ranges::sort(torn);
+  torn.erase(std::unique(torn.begin(), torn.end()), torn.end());
+  for (const Index body : torn) part_pieces(body);
+}
+
+/// Pairs that two pieces part from now on may touch: they push beyond the overlap they have.
+void SphereStepper::part_pieces(Index body) {
+  const auto range = bodies_.spheres(body);
+  std::vector<Index> before;
+  for (Index sphere = range.begin; sphere < range.end; ++sphere) before.push_back(bodies_.piece(sphere));
+  const auto was_in = [&](Index sphere) { return before[static_cast<std::size_t>(sphere - range.begin)]; };
+  bodies_.find_pieces(body, bonds_);
+  const auto& pairs = pairs_.pairs();
+  for (Index sphere = range.begin; sphere < range.end; ++sphere) {
+    const auto i = static_cast<std::size_t>(place_[static_cast<std::size_t>(sphere)]);
+    for (std::size_t p = pairs.first[i]; p < pairs.first[i + 1]; ++p) {
+      const auto j = static_cast<std::size_t>(pairs.other[p]);
+      const Index other = spheres_.number[j];
+      if (bodies_.of(other) != body || was_in(sphere) != was_in(other) || bodies_.piece(sphere) == bodies_.piece(other)) continue;
+      const state::SpherePlace &one = spheres_.place[i], &next = spheres_.place[j];
+      const Real overlap = one.radius + next.radius - spheres_.box.nearest(next.centre() - one.centre()).norm();
+      pairs_.wake(static_cast<Index>(i), static_cast<Index>(j), overlap, loads_);
+    }
+  }
 }
 
 void SphereStepper::settle() {
@@ -295,9 +341,10 @@ void SphereStepper::columns(Archive& archive) {
   archive.folder("spheres", [&] { spheres_.columns(archive); });
   archive.folder("pairs", [&] { pairs_.columns(archive); });
   archive.folder("clumps", [&] { clumps_.columns(archive); });
-  if (archive.reading() && !clumps_.empty()) place_ = places();
+  if (archive.reading() && (!clumps_.empty() || !bodies_.empty())) place_ = places();
   archive.folder("bonds", [&] { bonds_.columns(archive); });
   if (archive.reading()) {
+    bodies_.find_pieces(bonds_);
     if (!bonds_.empty()) bonds_.arrange(places());
     loads_.arrange(pairs_.pairs(), bonds_.links());
   }

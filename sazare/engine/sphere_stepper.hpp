@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "sazare/engine/sphere_motion.hpp"
-#include "sazare/methods/spheres/bonds.hpp"
+#include "sazare/methods/spheres/bonded_bodies.hpp"
 #include "sazare/methods/spheres/pair_contacts.hpp"
 #include "sazare/methods/spheres/wall_contacts.hpp"
 #include "sazare/state/clumps.hpp"
@@ -61,7 +61,8 @@ struct RainEnd {
 class SphereStepper {
 public:
   SphereStepper(state::Spheres spheres, methods::spheres::ContactTable table, std::vector<methods::spheres::Wall> walls,
-                const SphereRules& rules, methods::spheres::Bonds bonds = {}, state::Clumps clumps = {});
+                const SphereRules& rules, methods::spheres::Bonds bonds = {}, state::Clumps clumps = {},
+                methods::spheres::BondedBodies bodies = {});
 
   /// Adds a surface that moves with its nodes, before `start` or a resume; one at most.
   void add_surface(methods::spheres::Wall wall) { walls_.add_surface(std::move(wall)); }
@@ -94,6 +95,7 @@ public:
   const methods::spheres::LoadTable& loads() const { return loads_; }
   const methods::spheres::Bonds& bonds() const { return bonds_; }
   const state::Clumps& clumps() const { return clumps_; }
+  const methods::spheres::BondedBodies& bodies() const { return bodies_; }
 
   /// At `time()`.
   Vector3 velocity(std::size_t sphere) const;
@@ -126,6 +128,7 @@ private:
   void find_pairs();
   std::vector<Index> places() const;
   void rest_bodies();
+  void rest_pieces();
   void gather_clumps();
   void move_clumps();
   bool is_member(std::size_t sphere) const {
@@ -134,7 +137,9 @@ private:
   void slow(Real kept);
   Real unrest();
   void arrange_bonds();
+  void wake_broken_within_pieces();
   void part_broken();
+  void part_pieces(Index body);
   void find_walls(std::span<const Index> places_before);
 
   state::Spheres spheres_;
@@ -142,8 +147,9 @@ private:
   methods::spheres::WallContacts walls_;
   methods::spheres::Bonds bonds_;
   state::Clumps clumps_;
+  methods::spheres::BondedBodies bodies_;
   std::vector<Index> body_;   ///< by number of the sphere: its clump, below 0 where none; empty without clumps
-  std::vector<Index> place_;  ///< by number, where the spheres stand; empty without clumps
+  std::vector<Index> place_;  ///< by number, where the spheres stand; empty without clumps and bonded bodies
   methods::spheres::LoadTable loads_;
   SphereRules rules_;
   std::int64_t step_ = 0, searches_ = 0;

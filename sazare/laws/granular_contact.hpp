@@ -113,6 +113,13 @@ inline Real normal_energy(ContactModel model, const ContactConstants<Real>& cons
   return (model == ContactModel::hertz ? 0.4 : 0.5) * constants.normal * width * overlap * overlap;
 }
 
+/// The overlap at which the normal spring of a pair holds an energy [m].
+inline Real overlap_of_energy(ContactModel model, const ContactConstants<Real>& constants, Real energy, Real reduced_radius) {
+  if (!(energy > 0)) return 0;
+  return model == ContactModel::hertz ? std::pow(energy / (0.4 * constants.normal * std::sqrt(reduced_radius)), 0.4)
+                                      : std::sqrt(2 * energy / constants.normal);
+}
+
 template <class Number>
 Triple<Number> across(const Triple<Number>& vector, const Triple<Number>& normal) {
   return vector - dot(vector, normal) * normal;

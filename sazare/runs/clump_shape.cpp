@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "sazare/cases/number_text.hpp"
 #include "sazare/core/error.hpp"
 #include "sazare/geometry/surface_file.hpp"
 
@@ -28,6 +29,25 @@ std::vector<geometry::Ball> balls_of(const cases::CaseFile& file, std::size_t nu
     refuse(file, fmt::format("shapes.{}.file", number), fmt::format("the surface of the shape \"{}\" has holes", shape.name),
            "every edge must belong to two triangles, with corners that agree to the last digit");
   return geometry::fill_with_balls(surface, shape.count);
+}
+
+/// What balls of a shape have of its mass, and which of them are bonded.
+void take_apart(const cases::CaseFile& file, std::size_t number, Shape& shape) {
+  const cases::SpheresCase& spheres = file.spheres();
+  const auto entry = std::ranges::find(spheres.bonds, spheres.shapes[number].bonds, &cases::BondRules::name);
+  shape.bonds = static_cast<Index>(entry - spheres.bonds.begin());
+  shape.neighbours = geometry::neighbouring_balls(shape.balls, entry->reach);
+  const std::string key = fmt::format("shapes.{}.bonds", number), name = spheres.shapes[number].name;
+  if (shape.balls.size() < 2 || !geometry::hang_together(shape.balls.size(), shape.neighbours))
+    refuse(file, key, fmt::format("the spheres of the shape \"{}\" do not hang together by bonds", name),
+           fmt::format("neighbours are bonded whose gap is at most reach = {} of the sum of their radii",
+                       cases::short_number(entry->reach)));
+  geometry::MassShares shares = geometry::share_mass(shape.balls, shape.volume, shape.inertia);
+  if (shares.of.empty())
+    refuse(file, key, fmt::format("the mass of the shape \"{}\" cannot be shared out among its spheres", name),
+           "its centre of mass lies outside of them: use more spheres, spread over the shape");
+  shape.shares = std::move(shares.of);
+  shape.share_error = shares.error;
 }
 
 }  // namespace
@@ -82,6 +102,7 @@ Shape make_shape(const cases::CaseFile& file, std::size_t number) {
     ball.centre = shape.axes.transpose() * (ball.centre - of.centre);
     shape.reach = std::max(shape.reach, ball.centre.norm() + ball.radius);
   }
+  if (!file.spheres().shapes[number].bonds.empty()) take_apart(file, number, shape);
   return shape;
 }
 

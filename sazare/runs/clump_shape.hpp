@@ -3,7 +3,7 @@
 /// Shapes of a case as balls about their centres of mass, along their principal axes.
 
 #include "sazare/cases/case_file.hpp"
-#include "sazare/geometry/ball_union.hpp"
+#include "sazare/geometry/ball_members.hpp"
 
 namespace sazare::runs {
 
@@ -15,9 +15,15 @@ struct Shape {
   Vector3 inertia = Vector3::Zero();   ///< about its principal axes [m5]
   Real error = 0;                      ///< of volume and inertia, relative, estimated
   Real reach = 0;                      ///< of its farthest point from the centre of mass [m]
+
+  /// Of bonded balls; empty for a rigid body.
+  std::vector<geometry::MassShare> shares;
+  Real share_error = 0;                             ///< what their inertia together lacks of the body's, relative
+  std::vector<std::pair<Index, Index>> neighbours;  ///< which are bonded
+  Index bonds = -1;                                 ///< entry of [[bonds]]
 };
 
-/// Throws UserError when a shape has no ball, or its surface has holes.
+/// Throws UserError when a shape has no ball, its surface has holes, or its balls are to be bonded and do not hang together.
 Shape make_shape(const cases::CaseFile& file, std::size_t shape);
 
 /// Rows of radius, x, y, z of a file. Throws UserError with the line that is none.

@@ -24,7 +24,7 @@ the plane energies and forces are per metre across it. `NAME` stands for what th
 | `history.csv` | a row per `history_interval`: energies and extremes of the whole body |
 | `gauges.csv` | the same clock, for each `[[gauges]]` |
 | `walls.csv` | method `spheres`: forces and moments on walls |
-| `fragments.csv` | method `blocks`: the fragments at the end |
+| `fragments.csv` | method `blocks`: the fragments at the end; `spheres`: the pieces of bonded bodies |
 | `timing.csv`, `ranks.csv` | where the time went: by part of a step; with several processes, by rank |
 | `snapshots/*.vtkhdf` | places and fields per `snapshot_interval`; ParaView 5.11 or newer and pyvista open them |
 | `mesh.msh` | of a case that names a geometry: the mesh that Gmsh made of it |
@@ -109,7 +109,7 @@ std::string folder_markdown() {
              {"`walls.csv`", {columns::spheres::wall}}});
   page += "\n## fragments.csv, timing.csv, ranks.csv\n";
   add_table(page, "file", "column",
-            {{"`fragments.csv`", {columns::blocks::fragments}},
+            {{"`fragments.csv`", {columns::fragments}},
              {"`timing.csv`", {columns::timing}},
              {"`ranks.csv`, a row per rank and interval", {columns::blocks::ranks}}});
   page += snapshots_head;

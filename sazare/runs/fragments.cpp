@@ -6,6 +6,9 @@
 #include <numeric>
 #include <utility>
 
+#include "sazare/observe/csv_writer.hpp"
+#include "sazare/runs/record_columns.hpp"
+
 namespace sazare::runs {
 
 namespace {
@@ -34,6 +37,15 @@ public:
 private:
   std::vector<Index> parent_;
 };
+
+std::vector<observe::CsvField> fragment_row(const Fragment& fragment) {
+  std::vector<observe::CsvField> row = {std::int64_t{fragment.number}, std::int64_t{fragment.elements}, fragment.volume,
+                                        fragment.mass, fragment.size};
+  row.insert(row.end(), fragment.center.begin(), fragment.center.end());
+  row.insert(row.end(), fragment.velocity.begin(), fragment.velocity.end());
+  row.emplace_back(fragment.throw_distance);
+  return row;
+}
 
 }  // namespace
 
@@ -65,6 +77,11 @@ std::vector<Fragment> measure_fragments(const FragmentMap& map, std::span<const 
     fragment.velocity += mass * now.velocity[element];
     moved[number] += mass * (now.pose[element].position - bodies.start[element]);
   }
+  finish_fragments(fragments, moved);
+  return fragments;
+}
+
+void finish_fragments(std::vector<Fragment>& fragments, std::span<const Vector3> moved) {
   for (std::size_t number = 0; number < fragments.size(); ++number) {
     Fragment& fragment = fragments[number];
     fragment.number = static_cast<Index>(number);
@@ -74,7 +91,14 @@ std::vector<Fragment> measure_fragments(const FragmentMap& map, std::span<const 
     fragment.throw_distance = moved[number].norm() / fragment.mass;
   }
   std::ranges::stable_sort(fragments, std::ranges::greater{}, &Fragment::volume);
-  return fragments;
+}
+
+void write_fragments(const std::filesystem::path& file, std::span<const Fragment> fragments) {
+  std::vector<std::vector<observe::CsvField>> rows;
+  for (const Fragment& fragment : fragments) rows.push_back(fragment_row(fragment));
+  std::vector<std::string> titles;
+  observe::add_titles(titles, columns::fragments);
+  observe::write_csv(file, titles, rows);
 }
 
 Real passing_size(std::span<const Fragment> largest_first, Real share) {

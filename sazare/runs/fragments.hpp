@@ -1,7 +1,8 @@
 #pragma once
 
-/// Fragments: elements that still hang together by joints that hold.
+/// Fragments: elements that still hang together by joints, or spheres by bonds, that hold.
 
+#include <filesystem>
 #include <span>
 #include <vector>
 
@@ -32,6 +33,13 @@ struct Fragment {
 /// Fragments at a moment, largest volume first; equal ones in the order of their numbers.
 std::vector<Fragment> measure_fragments(const FragmentMap& map, std::span<const Real> volume, const state::Bodies<3>& bodies,
                                         const engine::Snapshot<3>& now);
+
+/// Numbers fragments, of which elements, volume, mass, and mass times centre and velocity have been added up, and sorts them by
+/// volume, the largest first. `moved`: mass times way [kg m].
+void finish_fragments(std::vector<Fragment>& fragments, std::span<const Vector3> moved);
+
+/// Writes fragments.csv.
+void write_fragments(const std::filesystem::path& file, std::span<const Fragment> fragments);
 
 /// The size [m] that a share of the volume (0..1) passes, on the cumulative curve: straight lines between the fragments'
 /// sizes, each with the volume of all fragments up to it; below the smallest fragment its own size. 0 without fragments.

@@ -16,6 +16,16 @@ inline constexpr std::array clock = {Column{"wall_seconds", "s", "of the clock o
 inline constexpr std::array place_motion = {Column{"NAME.displacement", "m", "since the beginning", 3},
                                             Column{"NAME.velocity", "m/s", "", 3}, Column{"NAME.acceleration", "m/s2", "", 3}};
 
+inline constexpr std::array fragments = {
+    Column{"fragment", "-", "number, as in the snapshots"},
+    Column{"elements", "-", "of bonded bodies their spheres"},
+    Column{"volume", "m3", ""},
+    Column{"mass", "kg", ""},
+    Column{"size", "m", "diameter of the sphere of the same volume"},
+    Column{"center", "m", "of mass", 3},
+    Column{"velocity", "m/s", "of the centre", 3},
+    Column{"throw", "m", "way of the centre; of bonded bodies from where the group puts it"}};
+
 namespace blocks {
 
 inline constexpr std::array pieces = {Column{"broken_joints", "-", "so far"}, Column{"fragments", "-", "now"}};
@@ -34,14 +44,6 @@ inline constexpr std::array progress = {Column{"energy_residual", "J", "work tha
                                         Column{"smallest_step", "s", "of any element since the last row"},
                                         Column{"pair_evaluations", "-", "so far"}};
 inline constexpr std::array gauge = {Column{"NAME.velocity", "m/s", "of the point", 3}};
-inline constexpr std::array fragments = {Column{"fragment", "-", "number, as in the snapshots"},
-                                         Column{"elements", "-", ""},
-                                         Column{"volume", "m3", ""},
-                                         Column{"mass", "kg", ""},
-                                         Column{"size", "m", "diameter of the sphere of the same volume"},
-                                         Column{"center", "m", "of mass", 3},
-                                         Column{"velocity", "m/s", "of the centre", 3},
-                                         Column{"throw", "m", "way of the centre"}};
 inline constexpr std::array ranks = {Column{"time", "s", "end of an interval between new shares"},
                                      Column{"rank", "-", ""},
                                      Column{"processor_time", "s", "of its work so far"},
@@ -134,6 +136,7 @@ inline constexpr std::array history = {Column{"energy_translation", "J", ""},
                                        Column{"energy_residual", "J", "change of the sum of all"},
                                        Column{"contacts", "-", "that touch"},
                                        Column{"bonds_broken", "-", "so far"},
+                                       Column{"bodies_broken", "-", "bonded bodies in more than one piece"},
                                        Column{"speed_max", "m/s", "of any sphere"}};
 inline constexpr std::array gauge = {Column{"NAME.position", "m", "of the group's centre of mass", 3},
                                      Column{"NAME.velocity", "m/s", "of the group's centre of mass", 3},
@@ -145,7 +148,7 @@ inline constexpr std::array particles = {Column{"velocity", "m/s", ""},
                                          Column{"radius", "m", ""},
                                          Column{"group", "-", "number in the case"},
                                          Column{"material", "-", "number in the case"},
-                                         Column{"body", "-", "number of its clump, or -1"},
+                                         Column{"body", "-", "its clump, or behind all clumps its bonded body, or -1"},
                                          Column{"broken", "-", "share of its bonds that broke"}};
 
 }  // namespace spheres

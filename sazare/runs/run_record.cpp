@@ -23,15 +23,6 @@ std::vector<std::string> history_titles() {
   return titles;
 }
 
-std::vector<observe::CsvField> fragment_row(const Fragment& fragment) {
-  std::vector<observe::CsvField> row = {std::int64_t{fragment.number}, std::int64_t{fragment.elements}, fragment.volume,
-                                        fragment.mass, fragment.size};
-  row.insert(row.end(), fragment.center.begin(), fragment.center.end());
-  row.insert(row.end(), fragment.velocity.begin(), fragment.velocity.end());
-  row.emplace_back(fragment.throw_distance);
-  return row;
-}
-
 }  // namespace
 
 RunRecord::RunRecord(const RunFolder& folder, const cases::CaseFile& file, BlocksModel& model, const RunClocks& clocks)
@@ -98,13 +89,8 @@ void RunRecord::flush(bool to_disk) {
 }
 
 void RunRecord::write_fragments() {
-  std::vector<std::vector<observe::CsvField>> rows;
-  for (const Fragment& fragment :
-       measure_fragments(fragments(), model_->volume, model_->simulation->bodies(), model_->simulation->snapshot()))
-    rows.push_back(fragment_row(fragment));
-  std::vector<std::string> titles;
-  observe::add_titles(titles, columns::blocks::fragments);
-  observe::write_csv(folder_->fragments(), titles, rows);
+  runs::write_fragments(folder_->fragments(), measure_fragments(fragments(), model_->volume, model_->simulation->bodies(),
+                                                                model_->simulation->snapshot()));
 }
 
 std::vector<std::pair<std::string, observe::Figure>> RunRecord::results(std::int64_t step, Real wall_seconds) {

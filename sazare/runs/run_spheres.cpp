@@ -73,7 +73,7 @@ struct SpheresWork {
   std::uint64_t state_hash() const { return record.state_hash(); }
   static std::span<const engine::PartTime> part_times() { return {}; }
   void write_case() const { observe::write_file(folder.case_file(), cases::write_resolved(file.spheres(), folder.path())); }
-  void write_end() {}
+  void write_end() { record.write_fragments(); }
   void write_rank_times() {}
 };
 
@@ -102,6 +102,10 @@ std::string check_spheres(const cases::CaseFile& file) {
          fmt::format("  {:<12}{} spheres of radius {} to {} m, {} kg, {} walls\n", "body", model.group.size(), number(smallest),
                      number(largest), number(mass), model.stepper->walls().walls().size()) +
          (model.clumps > 0 ? fmt::format("  {:<12}{} rigid, of {} m3 together\n", "clumps", model.clumps, number(volume)) : "") +
+         (model.stepper->bodies().empty()
+              ? ""
+              : fmt::format("  {:<12}{} bonded, their inertia within {} of that of their shapes\n", "bodies",
+                            model.stepper->bodies().count(), number(model.share_error, 2))) +
          (model.bonds > 0 ? fmt::format("  {:<12}{} at the start\n", "bonds", model.bonds) : "") +
          fmt::format("  {:<12}limit {} s\n", "stability", number(model.limit, 5)) +
          fmt::format("  {:<12}{} s, {} of the limit, {} to a history row\n", "step", number(model.step, 5),

@@ -26,10 +26,11 @@ laws::BondStiffness<Real> stiffness_of(const BondRules& rules, Real length, Real
 
 /// Dashpots as shares of those that are critical for two spheres and their bond alone.
 laws::BondDamping<Real> damping_of(const BondRules& rules, const laws::BondStiffness<Real>& stiffness,
-                                   const state::SpherePlace& one, const state::SpherePlace& other) {
-  const auto inertia_of = [](const state::SpherePlace& place) { return 0.4 * place.mass * place.radius * place.radius; };
+                                   const state::Spheres& spheres, const BondedPair& pair) {
+  const auto one = static_cast<std::size_t>(pair.first), other = static_cast<std::size_t>(pair.second);
   const auto reduced = [](Real a, Real b) { return a * b / (a + b); };
-  const Real mass = reduced(one.mass, other.mass), inertia = reduced(inertia_of(one), inertia_of(other));
+  const Real mass = reduced(spheres.place[one].mass, spheres.place[other].mass),
+             inertia = reduced(spheres.inertia(one), spheres.inertia(other));
   const Real twice = 2 * rules.damping_ratio, across = stiffness.shear / (stiffness.length * stiffness.length);
   return {twice * std::sqrt(stiffness.stretch * mass), twice * std::sqrt(across * mass),
           twice * std::sqrt(stiffness.bend * inertia)};
@@ -61,7 +62,9 @@ public:
     for (std::size_t entry = 0; entry < rules_.size(); ++entry)
       if (counts_[entry] == 0)
         refuse(file_, fmt::format("bonds.{}", entry), fmt::format("the bonds \"{}\" join no spheres", rules_[entry].name),
-               "the gaps at the start are larger than reach allows, or an entry below holds for the same spheres");
+               rules_[entry].between[0].empty()
+                   ? "no group is of a shape that names them"
+                   : "the gaps at the start are larger than reach allows, or an entry below holds for the same spheres");
     return {std::move(bonds_), std::move(kinds_)};
   }
 
@@ -76,7 +79,7 @@ private:
     bond.second = pair.second;
     bond.radius = rules.radius_ratio * std::min(one.radius, other.radius);
     bond.stiffness = stiffness_of(rules, apart.norm(), bond.radius);
-    bond.damping = damping_of(rules, bond.stiffness, one, other);
+    bond.damping = damping_of(rules, bond.stiffness, placement_.spheres, pair);
     bond.direction = triple(apart.normalized());
     bond.kind = kind_of(rules, ultimate_of(file_, static_cast<std::size_t>(pair.entry), apart.norm()));
     bonds_.push_back(bond);

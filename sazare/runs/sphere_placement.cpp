@@ -85,6 +85,7 @@ private:
       result_.spheres.add(ball.centre, ball.radius, density_of(material), material, group.held);
       result_.group.push_back(static_cast<Index>(number));
       result_.body.push_back(-1);
+      result_.bonded_body.push_back(-1);
       result_.spheres.set_motion(result_.spheres.size() - 1, group.held ? group.velocity : velocity_of(group, random),
                                  group.spin);
     }
@@ -145,6 +146,7 @@ private:
     const auto found = std::ranges::find(spheres_.shapes, group.shape, &cases::ClumpShape::name);
     const Shape shape = make_shape(file_, static_cast<std::size_t>(found - spheres_.shapes.begin()));
     group.radius = shape.reach;
+    if (!shape.shares.empty()) result_.share_error = std::max(result_.share_error, shape.share_error);
     std::vector<Ball> places;
     std::vector<Vector3> rotations;
     if (group.source == SphereSource::one) places = {{group.centre, shape.reach}};
@@ -166,7 +168,9 @@ private:
         std::vector<Ball> balls = balls_of(shape, places[n].centre, rotation);
         places[n].centre += lower(number, *lowering, balls);
       }
-      add_body(number, shape, places[n].centre, rotation, velocity_of(group, random));
+      const Vector3 velocity = velocity_of(group, random);
+      shape.shares.empty() ? add_body(number, shape, places[n].centre, rotation, velocity)
+                           : add_bonded_body(number, shape, places[n].centre, rotation, velocity);
     }
   }
 
@@ -198,8 +202,30 @@ private:
       result_.spheres.place.back().mass = clump.mass;
       result_.group.push_back(static_cast<Index>(number));
       result_.body.push_back(static_cast<Index>(result_.clumps.clumps.size()));
+      result_.bonded_body.push_back(-1);
     }
     result_.clumps.clumps.push_back(clump);
+  }
+
+  /// Single spheres with their shares of the mass, and bonds between neighbours.
+  void add_bonded_body(std::size_t number, const Shape& shape, const Vector3& centre, const Eigen::Quaternion<Real>& rotation,
+                       const Vector3& velocity) {
+    const SphereGroup& group = spheres_.spheres[number];
+    const Index material = material_of(group);
+    const Real density = density_of(material);
+    const auto first = static_cast<Index>(result_.spheres.size());
+    const std::vector<Ball> balls = balls_of(shape, centre, rotation);
+    for (std::size_t n = 0; n < balls.size(); ++n) {
+      const std::size_t sphere = result_.spheres.size();
+      result_.spheres.add(balls[n].centre, balls[n].radius, density, material);
+      result_.spheres.set_share(sphere, density * shape.shares[n].volume, density * shape.shares[n].inertia);
+      result_.spheres.set_motion(sphere, velocity + group.spin.cross(balls[n].centre - centre), group.spin);
+      result_.group.push_back(static_cast<Index>(number));
+      result_.body.push_back(-1);
+      result_.bonded_body.push_back(result_.bonded_bodies);
+    }
+    for (const auto& [one, other] : shape.neighbours) result_.bonded.push_back({first + one, first + other, shape.bonds});
+    ++result_.bonded_bodies;
   }
 
   /// Random places without overlap, one after the other, the largest first.
@@ -276,8 +302,9 @@ private:
     }
   }
 
-  /// The last entry of [[bonds]] whose groups and reach fit a pair; -1 where there is none.
+  /// The last entry of [[bonds]] whose groups and reach fit a pair of two bodies; -1 where there is none.
   Index entry_of(std::size_t first, std::size_t second, Real gap, Real reach) const {
+    if (are_of_one_body(first, second)) return -1;
     const std::string& one = spheres_.spheres[static_cast<std::size_t>(result_.group[first])].name;
     const std::string& other = spheres_.spheres[static_cast<std::size_t>(result_.group[second])].name;
     for (std::size_t entry = spheres_.bonds.size(); entry-- > 0;) {
@@ -304,11 +331,17 @@ private:
         if (const Index entry = entry_of(i, j, gap, radii); entry >= 0)
           result_.bonded.push_back({static_cast<Index>(i), static_cast<Index>(j), entry});
       }
+    std::ranges::stable_sort(result_.bonded, {}, &BondedPair::first);
+  }
+
+  bool are_of_one_body(std::size_t first, std::size_t second) const {
+    return (result_.body[first] >= 0 && result_.body[first] == result_.body[second]) ||
+           (result_.bonded_body[first] >= 0 && result_.bonded_body[first] == result_.bonded_body[second]);
   }
 
   /// Whether two spheres are of one body or bonded for good, so that they never touch.
   bool are_joined(std::size_t first, std::size_t second) const {
-    if (result_.body[first] >= 0 && result_.body[first] == result_.body[second]) return true;
+    if (are_of_one_body(first, second)) return true;
     const std::array wanted{static_cast<Index>(first), static_cast<Index>(second)};
     const auto range = std::ranges::equal_range(result_.bonded, wanted[0], {}, &BondedPair::first);
     return std::ranges::any_of(range, [&](const BondedPair& pair) {

@@ -19,6 +19,9 @@ struct Placement {
   std::vector<Index> group;  ///< by number of the sphere
   std::vector<Index> body;   ///< by number of the sphere: its clump, below 0 where none
   state::Clumps clumps;
+  std::vector<Index> bonded_body;  ///< by number of the sphere: its body of bonded spheres, below 0 where none
+  Index bonded_bodies = 0;
+  Real share_error = 0;            ///< what their inertia lacks of that of their shapes, relative
   std::vector<BondedPair> bonded;  ///< by first sphere
 };
 

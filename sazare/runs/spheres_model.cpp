@@ -88,13 +88,21 @@ void add_walls(const SpheresCase& spheres, SpheresModel& model, std::vector<Wall
 }
 
 /// Rayleigh's time of the smallest sphere of each material: in it a surface wave goes half around a sphere [s].
-Real rayleigh_limit(const SpheresCase& spheres, const state::Spheres& placed) {
+Real rayleigh_limit(const SpheresCase& spheres, const Placement& placement) {
+  const state::Spheres& placed = placement.spheres;
   Real limit = std::numeric_limits<Real>::infinity();
   for (std::size_t i = 0; i < placed.size(); ++i) {
     const cases::SphereMaterial& material = spheres.materials[static_cast<std::size_t>(placed.spin[i].material)];
     const Real shear_modulus = 0.5 * material.youngs_modulus / (1 + material.poisson_ratio);
-    limit = std::min(limit, std::numbers::pi * placed.place[i].radius * std::sqrt(material.density / shear_modulus) /
-                                (0.1631 * material.poisson_ratio + 0.8766));
+    const state::SpherePlace& place = placed.place[i];
+    Real own = std::numbers::pi * place.radius * std::sqrt(material.density / shear_modulus) /
+               (0.1631 * material.poisson_ratio + 0.8766);
+    if (placement.bonded_body[i] >= 0) {
+      // It has less mass than one that stands alone, so its contacts last less long.
+      const Real full = 4 * std::numbers::pi / 3 * material.density * std::pow(place.radius, 3);
+      own *= std::sqrt(std::min(place.mass / full, Real{1}));
+    }
+    limit = std::min(limit, own);
   }
   return limit;
 }
@@ -169,7 +177,7 @@ SpheresModel build_spheres(const cases::CaseFile& file, std::optional<Real> cloc
   add_walls(spheres, model, walls);
   check_walls(file, model, walls, placement.spheres);
   const methods::spheres::ContactTable table = contact_table(spheres);
-  model.limit = spheres.contact.model == ContactModel::hertz ? rayleigh_limit(spheres, placement.spheres)
+  model.limit = spheres.contact.model == ContactModel::hertz ? rayleigh_limit(spheres, placement)
                                                              : spring_limit(spheres, table, placement.spheres);
   methods::spheres::Bonds bonds = bond_spheres(file, placement);
   model.clumps = static_cast<std::int64_t>(placement.clumps.clumps.size());
@@ -177,13 +185,20 @@ SpheresModel build_spheres(const cases::CaseFile& file, std::optional<Real> cloc
   model.limit = std::min(model.limit, methods::spheres::stable_step(bonds.bonds(), placement.spheres));
   model.step = choose_step(file, model.limit, clock.value_or(spheres.time.history_interval));
   model.start = hash_of(placement, walls);
+  methods::spheres::BondedBodies bodies;
+  if (placement.bonded_bodies > 0) {
+    bodies = methods::spheres::BondedBodies(std::move(placement.bonded_body), bonds);
+    for (const auto& place : placement.spheres.place) model.placed.push_back(place.centre());
+    for (const cases::SphereMaterial& material : spheres.materials) model.density.push_back(material.density);
+  }
+  model.share_error = placement.share_error;
   model.group = std::move(placement.group);
   model.body = std::move(placement.body);
   const Real margin = search_margin(spheres, placement.spheres);
   const engine::SphereRules rules{model.step, spheres.gravity.acceleration, margin,
                                   wall_margin / spheres.contact.margin * margin};
   model.stepper = std::make_unique<engine::SphereStepper>(std::move(placement.spheres), table, std::move(walls), rules,
-                                                          std::move(bonds), std::move(placement.clumps));
+                                                          std::move(bonds), std::move(placement.clumps), std::move(bodies));
   return model;
 }
 

@@ -11,10 +11,13 @@
 namespace sazare::runs {
 
 struct SpheresModel {
-  std::vector<Index> group;  ///< by number of the sphere
-  std::vector<Index> body;   ///< by number of the sphere: its clump, below 0 where none
-  std::int64_t bonds = 0;    ///< at the start
+  std::vector<Index> group;     ///< by number of the sphere
+  std::vector<Index> body;      ///< by number of the sphere: its clump, below 0 where none
+  std::vector<Vector3> placed;  ///< by number of the sphere, where its group puts it [m]; empty without bonded bodies
+  std::vector<Real> density;    ///< by material [kg/m3]; empty without bonded bodies
+  std::int64_t bonds = 0;       ///< at the start
   std::int64_t clumps = 0;
+  Real share_error = 0;          ///< what the inertia of bonded bodies lacks of that of their shapes, relative
   std::uint64_t start = 0;       ///< hash of where everything stands at the start
   Real limit = 0;                ///< of the step [s]
   Real step = 0;                 ///< [s]

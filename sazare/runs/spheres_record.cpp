@@ -10,6 +10,7 @@
 #include "sazare/engine/clump_motion.hpp"
 #include "sazare/observe/hash.hpp"
 #include "sazare/runs/record_columns.hpp"
+#include "sazare/runs/sphere_pieces.hpp"
 
 namespace sazare::runs {
 
@@ -55,8 +56,8 @@ void SpheresRecord::observe(std::int64_t step, Real wall_seconds) {
   files_.add_row(0, std::vector<Real>{time, energies_.translation, energies_.rotation, energies_.elastic, energies_.sliding,
                                       energies_.potential, energies_.dashpot_work, energies_.sliding_work, energies_.wall_work,
                                       energies_.bonds, energies_.bond_drag, energies_.fracture, energies_.sum() - first_sum_,
-                                      static_cast<Real>(stepper.contacts()), static_cast<Real>(stepper.broken_bonds()), speed,
-                                      wall_seconds});
+                                      static_cast<Real>(stepper.contacts()), static_cast<Real>(stepper.broken_bonds()),
+                                      static_cast<Real>(broken_bodies(stepper.bodies())), speed, wall_seconds});
   largest_speed_ = std::max(largest_speed_, speed);
   peak_kinetic_ = std::max(peak_kinetic_, energies_.translation + energies_.rotation);
   add_gauge_row(time);
@@ -115,7 +116,7 @@ void SpheresRecord::write_snapshot(Real time) {
   std::vector<Vector3> place(n), velocity(n), spin(n);
   const std::vector<Real> broken = broken_share();
   std::vector<Real> radius(n);
-  const std::vector<std::int32_t> body(model_->body.begin(), model_->body.end());
+  const std::vector<std::int32_t> body = body_numbers(*model_);
   std::vector<std::int32_t> cell(n), group(n), material(n);
   for (std::size_t i = 0; i < n; ++i) {
     const auto number = static_cast<std::size_t>(spheres.number[i]);
@@ -145,6 +146,10 @@ std::vector<Real> SpheresRecord::broken_share() const {
   return broken;
 }
 
+void SpheresRecord::write_fragments() const {
+  if (!model_->stepper->bodies().empty()) runs::write_fragments(folder_->fragments(), measure_pieces(*model_));
+}
+
 void SpheresRecord::check_motion(Real time) const {
   const Real speed = model_->stepper->largest_speed();
   if (speed < senseless_speed) return;
@@ -160,22 +165,30 @@ void SpheresRecord::check_motion(Real time) const {
 std::vector<std::pair<std::string, observe::Figure>> SpheresRecord::results(std::int64_t step, Real wall_seconds) const {
   const auto spheres = static_cast<std::int64_t>(model_->group.size());
   const Real lost = energies_.dashpot_work + energies_.sliding_work + energies_.bond_drag + energies_.fracture;
-  return {{"particles", spheres},
-          {"steps", step},
-          {"step", model_->step},
-          {"predicted_limit", model_->limit},
-          {"particle_steps", spheres * step},
-          {"contacts", model_->stepper->contacts()},
-          {"clumps", model_->clumps},
-          {"bonds", model_->bonds},
-          {"bonds_broken", model_->stepper->broken_bonds()},
-          {"searches", model_->stepper->searches()},
-          {"wall_seconds", wall_seconds},
-          {"energy_kinetic", energies_.translation + energies_.rotation},
-          {"energy_lost", lost},
-          {"energy_work", std::max({lost, peak_kinetic_, std::abs(energies_.wall_work)})},
-          {"energy_residual", energy_residual()},
-          {"peak_speed", largest_speed_}};
+  const methods::spheres::BondedBodies& bodies = model_->stepper->bodies();
+  std::vector<std::pair<std::string, observe::Figure>> results = {
+      {"particles", spheres},
+      {"steps", step},
+      {"step", model_->step},
+      {"predicted_limit", model_->limit},
+      {"particle_steps", spheres * step},
+      {"contacts", model_->stepper->contacts()},
+      {"clumps", model_->clumps},
+      {"bonds", model_->bonds},
+      {"bonds_broken", model_->stepper->broken_bonds()},
+      {"searches", model_->stepper->searches()},
+      {"wall_seconds", wall_seconds},
+      {"energy_kinetic", energies_.translation + energies_.rotation},
+      {"energy_lost", lost},
+      {"energy_work", std::max({lost, peak_kinetic_, std::abs(energies_.wall_work)})},
+      {"energy_residual", energy_residual()},
+      {"peak_speed", largest_speed_}};
+  if (!bodies.empty()) {
+    results.emplace_back("bodies", static_cast<std::int64_t>(bodies.count()));
+    results.emplace_back("bodies_broken", broken_bodies(bodies));
+    results.emplace_back("fragments", count_pieces(bodies));
+  }
+  return results;
 }
 
 std::vector<std::pair<std::string, Real>> SpheresRecord::peak_particle_velocity() const {

@@ -19,6 +19,8 @@ public:
   void resume() { files_.resume(tables()); }
   void observe(std::int64_t step, Real wall_seconds);
   void flush(bool to_disk) { files_.flush(to_disk); }
+  /// Writes the pieces of bonded bodies; nothing where there are none.
+  void write_fragments() const;
 
   /// Throws PhysicsError when a velocity is no number or makes no sense any more.
   void check_motion(Real time) const;

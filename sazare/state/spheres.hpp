@@ -84,7 +84,17 @@ struct Spheres {
     kick.push_back({0, 0, 0, held ? 0 : 1 / mass, 0, 0, 0, held ? 0 : 2.5 / (mass * radius * radius)});
   }
 
-  Real inertia(std::size_t i) const { return 0.4 * place[i].mass * place[i].radius * place[i].radius; }
+  /// A sphere that is part of a body of bonded spheres has its share of the mass and of the inertia of the whole.
+  void set_share(std::size_t i, Real mass, Real inertia) {
+    place[i].mass = mass;
+    kick[i].inverse_mass = 1 / mass;
+    kick[i].inverse_inertia = 1 / inertia;
+  }
+
+  Real inertia(std::size_t i) const {
+    const Real inverse = kick[i].inverse_inertia;
+    return inverse > 0 ? 1 / inverse : 0.4 * place[i].mass * place[i].radius * place[i].radius;
+  }
 
   /// Velocity and spin of a sphere, at all its times at once: before the first step.
   void set_motion(std::size_t i, const Vector3& velocity, const Vector3& turning) {

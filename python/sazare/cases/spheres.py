@@ -79,7 +79,7 @@ class Pair(Part):
 
 @dataclass(kw_only=True, eq=False)
 class Shape(Part):
-    """Rigid bodies made of spheres."""
+    """Bodies made of spheres, rigid or bonded."""
 
     name: str
     """Name by which [[spheres]] refer to it."""
@@ -95,6 +95,8 @@ class Shape(Part):
     """Length of the file's unit in m. Default: 1.0. Greater than 0."""
     count: int | None = None
     """Spheres that fill a mesh, at most. Default: 40. At least 1 and at most 10000."""
+    bonds: str | None = None
+    """Name of the [[bonds]] that join neighbouring spheres of a body, so that it bends and breaks. (none: rigid)"""
 
 
 @dataclass(kw_only=True, eq=False)
@@ -149,7 +151,9 @@ class Sphere(Part):
     meanwhile. Default: false.
     """
     shape: str | None = None
-    """Shape of [[shapes]]: the group is of rigid bodies, places are those of their centres of mass. (none: single spheres)"""
+    """Shape of [[shapes]]: the group is of rigid or bonded bodies, places are those of their centres of mass. (none: single
+    spheres)
+    """
     rotation: tuple[float, float, float] | None = None
     """Rotation vector of a shape at the start. [rad] Default: [0.0, 0.0, 0.0]."""
     random_rotation: bool | None = None
@@ -162,8 +166,10 @@ class Bond(Part):
 
     name: str
     """Name for messages."""
-    between: tuple[str, str]
-    """The two groups; the same twice for bonds within one. Where several entries match a pair the last one wins."""
+    between: tuple[str, str] | None = None
+    """The two groups; the same twice for bonds within one, of groups of bonded bodies from body to body. Where several entries
+    match a pair the last one wins. (required unless a shape names the bonds)
+    """
     reach: float | None = None
     """Spheres are bonded whose gap at the start is at most this, over the sum of their radii. Default: 0.01. At least 0."""
     radius_ratio: float | None = None
@@ -336,7 +342,7 @@ class Case(AnyCase):
     pairs: list[Pair] = field(default_factory=list)
     """What is different between two materials."""
     shapes: list[Shape] = field(default_factory=list)
-    """Rigid bodies made of spheres."""
+    """Bodies made of spheres, rigid or bonded."""
     spheres: list[Sphere]
     """Groups of spheres."""
     bonds: list[Bond] = field(default_factory=list)

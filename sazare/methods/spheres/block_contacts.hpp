@@ -37,6 +37,9 @@ public:
     sliding_.resize(groups_of(n + 1));
     if (rolls) rolling_.resize(groups_of(n + 1));
     remember(n, {}, {});
+    if (rest_.empty()) return;
+    rest_.resize(groups_of(n + 1));
+    rest_[n / lane_count][n % lane_count] = 0;
   }
 
   void set_slot(std::size_t contact, Index slot) { contacts_[contact].slot = slot; }
@@ -51,6 +54,9 @@ public:
       put(*memory, contact, get(*memory, last));
       memory->resize(groups_of(last));
     }
+    if (rest_.empty()) return;
+    set_rest(contact, rest(last));
+    rest_.resize(groups_of(last));
   }
 
   /// What the `lane_count` contacts from a multiple of it on remember [m]; lanes beyond the last contact may hold anything.
@@ -62,6 +68,15 @@ public:
   void remember(std::size_t contact, const Triple<Real>& sliding, const Triple<Real>& rolling) {
     put(sliding_, contact, sliding);
     if (!rolling_.empty()) put(rolling_, contact, rolling);
+  }
+
+  /// Whether some contact has an overlap at rest, beyond which alone it pushes [m].
+  bool rests() const { return !rest_.empty(); }
+  Lanes& rest_of(std::size_t contact) { return rest_[contact / lane_count]; }
+  Real rest(std::size_t contact) const { return rest_.empty() ? 0 : rest_[contact / lane_count][contact % lane_count]; }
+  void set_rest(std::size_t contact, Real overlap) {
+    if (rest_.empty()) rest_.resize(groups_of(contacts_.size()));
+    rest_[contact / lane_count][contact % lane_count] = overlap;
   }
 
 private:
@@ -84,7 +99,8 @@ private:
 
   std::vector<Contact> contacts_;
   Memory sliding_;
-  Memory rolling_;  ///< empty where nothing resists rolling
+  Memory rolling_;           ///< empty where nothing resists rolling
+  std::vector<Lanes> rest_;  ///< empty where none has an overlap at rest
 };
 
 }  // namespace sazare::methods::spheres

@@ -84,7 +84,7 @@ private:
     Lanes lost = 0.5 * (kept_before - kept) * (energy_before + force.energy);
     if (any(breaks_now)) {
       lost += select(breaks_now, force.compression, Lanes{});
-      note_broken(link, breaks_now, pose.apart, radius, other_radius);
+      note_broken(link, breaks_now, pose.apart, {radius, other_radius, force.compression});
     }
     energy_ += kept * force.energy + holds * force.compression;
     fracture_ += lost;
@@ -98,21 +98,30 @@ private:
     force.second_moment = kept * force.second_moment;
   }
 
-  /// What the contact of a broken bond holds at once is taken off what breaking it has cost.
-  void note_broken(std::size_t link, LaneMask breaks_now, const Triple<Lanes>& apart, const Lanes& radius,
-                   const Lanes& other_radius) {
+  /// What of broken bonds their contacts must know.
+  struct Ends {
+    Lanes radius, other_radius, compression;
+  };
+
+  /// The contact begins with the overlap at which it holds what the bond held in compression, and at most with what came since
+  /// the start; it pushes beyond the rest alone. What it holds is taken off what breaking has cost, which so is never below 0.
+  void note_broken(std::size_t link, LaneMask breaks_now, const Triple<Lanes>& apart, const Ends& ends) {
     for (int lane = 0; lane < lane_count; ++lane) {
       if (breaks_now[lane] == 0) continue;
       const std::size_t at = link + static_cast<std::size_t>(lane);
       const auto i = static_cast<std::size_t>(bonds_.first_[at]), j = static_cast<std::size_t>(bonds_.links_.second[at]);
       const Real distance =
           std::sqrt(apart.x[lane] * apart.x[lane] + apart.y[lane] * apart.y[lane] + apart.z[lane] * apart.z[lane]);
-      const Real reach = radius[lane] + other_radius[lane];
-      contact_energy_ += laws::normal_energy(
-          task_.contacts.model,
-          task_.contacts.of(static_cast<Index>(spheres_.spin[i].material), static_cast<Index>(spheres_.spin[j].material)),
-          reach - distance, radius[lane] * other_radius[lane] / reach);
-      bonds_.broken_[task_.block].push_back(at);
+      const Real reach = ends.radius[lane] + ends.other_radius[lane], overlap = reach - distance;
+      const auto& constants =
+          task_.contacts.of(static_cast<Index>(spheres_.spin[i].material), static_cast<Index>(spheres_.spin[j].material));
+      const laws::ContactModel model = task_.contacts.model;
+      const Real reduced_radius = ends.radius[lane] * ends.other_radius[lane] / reach;
+      const Real since_start = overlap - std::max(reach - bonds_.length_[at], Real{0});
+      const Real begins = std::min(std::max(since_start, Real{0}),
+                                   laws::overlap_of_energy(model, constants, ends.compression[lane], reduced_radius));
+      contact_energy_ += laws::normal_energy(model, constants, begins, reduced_radius);
+      bonds_.broken_[task_.block].push_back({at, std::max(overlap - begins, Real{0})});
       ++broken_;
     }
   }

@@ -24,6 +24,12 @@ struct Bond {
   Real energy_before = 0;  ///< what damage may take, at the last evaluation [J]
 };
 
+/// A bond that has just broken: its place among the links, and the overlap beyond which alone its spheres push each other [m].
+struct BrokenLink {
+  std::size_t link = 0;
+  Real allowed_overlap = 0;
+};
+
 class Bonds {
 public:
   Bonds() = default;
@@ -59,8 +65,8 @@ public:
   /// Adds the forces of a block's bonds to the loads.
   ContactSums evaluate(const state::Spheres& spheres, const Task& task);
 
-  /// Places among `links` of the bonds of a block that broke at the last evaluation.
-  std::span<const std::size_t> broken(std::size_t block) const { return broken_[block]; }
+  /// The bonds of a block that broke at the last evaluation.
+  std::span<const BrokenLink> broken(std::size_t block) const { return broken_[block]; }
 
   /// To be called for each of them.
   void note_broken(std::size_t link);
@@ -84,7 +90,7 @@ private:
   std::vector<Real> length_, stretch_, shear_, bend_, twist_, direction_x_, direction_y_, direction_z_;
   std::vector<Real> radius_, largest_use_, energy_before_;  ///< where bonds break
   std::vector<Real> along_, across_, turning_;              ///< where they have dashpots
-  std::vector<std::vector<std::size_t>> broken_;            ///< by block
+  std::vector<std::vector<BrokenLink>> broken_;             ///< by block
 };
 
 /// Limit of the step by the bonds alone [s]: the least of any bond whose spheres share their masses and inertias among all their

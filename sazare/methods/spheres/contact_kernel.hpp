@@ -12,7 +12,9 @@
 
 namespace sazare::methods::spheres {
 
-template <laws::ContactModel model, bool rolls>
+/// `rests`: contacts may have an overlap at rest, beyond which alone they push. It shrinks with the overlap and never grows, so
+/// that spheres which come apart meet as others do.
+template <laws::ContactModel model, bool rolls, bool rests>
 class ContactKernel {
 public:
   ContactKernel(PairContacts& contacts, const state::Spheres& spheres, const PairContacts::Task& task)
@@ -55,12 +57,21 @@ public:
     laws::ContactMotion<Lanes> at;
     at.normal = (inverse * reach_and_masses) * apart;
     const Lanes gap = distance - reach;
-    const LaneMask touches = gap < 0.0;
-    at.overlap = touches ? -gap : Lanes{} + tiny;
+    Lanes beyond = -gap, rest{};
+    if constexpr (rests) {
+      rest = contacts_.rest_of(begin);
+      rest = maximum(Lanes(rest < beyond ? rest : beyond), Lanes{});
+      contacts_.rest_of(begin) = rest;
+      beyond -= rest;
+    }
+    const LaneMask touches = beyond > 0.0;
+    at.overlap = touches ? beyond : Lanes{} + tiny;
     at.reduced_radius = first[3] * second[3] * (inverse * distance * masses);
     at.reduced_mass = first_velocity[3] * second_velocity[3] * (inverse * distance * reach);
     at.step = step_;
-    const Lanes half = 0.5 * at.overlap, first_arm = first[3] - half, second_arm = second[3] - half;
+    Lanes half = 0.5 * at.overlap;
+    if constexpr (rests) half += 0.5 * rest;
+    const Lanes first_arm = first[3] - half, second_arm = second[3] - half;
     const Triple<Lanes> one{first_spin[0], first_spin[1], first_spin[2]}, other{second_spin[0], second_spin[1], second_spin[2]};
     const Triple<Lanes> velocity{second_velocity[0] - first_velocity[0], second_velocity[1] - first_velocity[1],
                                  second_velocity[2] - first_velocity[2]};
@@ -118,12 +129,12 @@ private:
     }
   };
 
-  /// Pairs that do not touch: no force, and sleep for as long as the gap lasts.
+  /// Pairs that do not push: no force, and where there is a gap sleep for as long as it lasts.
   void leave_alone(std::size_t begin, int lanes, LaneMask touches, const Lanes& gap, laws::ContactForce<Lanes>& force) {
     force.normal = select(touches, force.normal, Lanes{});
     for (auto* part : {&force.friction, &force.rolling}) *part = select(touches, *part, Triple<Lanes>{});
     for (int lane = 0; lane < lanes; ++lane) {
-      if (touches[lane] != 0) continue;
+      if (touches[lane] != 0 || gap[lane] < 0) continue;
       const std::size_t contact = begin + static_cast<std::size_t>(lane);
       pairs_.sleep_on(contacts_[contact].pair, approach_ + gap[lane]);
       parted_.push_back(contact);

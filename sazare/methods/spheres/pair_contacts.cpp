@@ -51,10 +51,15 @@ std::vector<Index> PairContacts::find(state::Spheres& spheres, Real margin) {
 /// The contacts by the new places of their spheres. All that is kept by pair is given up before new pairs are sought.
 PairContacts::Touches PairContacts::take_touches(const std::vector<Index>& new_place) {
   std::size_t count = 0;
-  for (const BlockContacts& block : contacts_) count += block.size();
+  bool some_rest = false;
+  for (const BlockContacts& block : contacts_) {
+    count += block.size();
+    some_rest = some_rest || block.rests();
+  }
   Touches touches;
   touches.pairs.reserve(count);
   if (table_.rolls) touches.rolling.reserve(count);
+  if (some_rest) touches.rest.reserve(count);
   for (const BlockContacts& block : contacts_)
     for (std::size_t n = 0; n < block.size(); ++n) {
       const Contact& contact = block[n];
@@ -67,6 +72,7 @@ PairContacts::Touches PairContacts::take_touches(const std::vector<Index>& new_p
       }
       touches.pairs.push_back(touch);
       if (table_.rolls) touches.rolling.push_back(block.rolling(n));
+      if (some_rest) touches.rest.push_back(block.rest(n));
     }
   pairs_ = {};
   owner_ = {};
@@ -104,7 +110,8 @@ void PairContacts::go_on(const Touches& touches) {
       const Touch& touch = touches.pairs[n];
       contacts_[block].add({touch.one, touch.other, 0, static_cast<std::uint32_t>(p)}, table_.rolls);
       contacts_[block].remember(contacts_[block].size() - 1, touch.sliding, table_.rolls ? touches.rolling[n] : Triple<Real>{});
-      sleeps_until_[p] = never;
+      if (!touches.rest.empty() && touches.rest[n] > 0) contacts_[block].set_rest(contacts_[block].size() - 1, touches.rest[n]);
+      sleeps_until_[p] = in_contact;
     }
   }
 }
@@ -129,10 +136,21 @@ void PairContacts::set_sleep(Index one, Index other, float until) {
   if (const std::size_t pair = pair_of(one, other); pair < sleeps_until_.size()) sleeps_until_[pair] = until;
 }
 
+void PairContacts::wake(Index one, Index other, Real allowed, const LoadTable& loads) {
+  const std::size_t pair = pair_of(one, other);
+  if (pair >= sleeps_until_.size() || sleeps_until_[pair] != at_rest) return;
+  sleeps_until_[pair] = looked_at_next;
+  if (!(allowed > 0)) return;
+  const std::size_t block = static_cast<std::size_t>(std::min(one, other)) / neighbors::block_size;
+  begin_contact(block, pair, loads);
+  contacts_[block].set_rest(contacts_[block].size() - 1, allowed);
+}
+
 void PairContacts::rest_within(std::span<const Index> body) {
   for (std::size_t i = 0; i < body.size(); ++i)
     for (std::size_t p = pairs_.first[i]; p < pairs_.first[i + 1]; ++p)
-      if (body[i] >= 0 && body[i] == body[static_cast<std::size_t>(pairs_.other[p])]) sleeps_until_[p] = never;
+      if (body[i] >= 0 && body[i] == body[static_cast<std::size_t>(pairs_.other[p])] && sleeps_until_[p] != in_contact)
+        sleeps_until_[p] = at_rest;
 }
 
 /// Looks at the pairs of a block that may touch by now: those that do become contacts, the others sleep on.
@@ -153,7 +171,7 @@ void PairContacts::wake_those_due(const state::Spheres& spheres, const Task& tas
       const std::span<const std::uint32_t, lane_count> some(&due[n], lane_count);
       const Lanes gap = gaps(spheres, task, some);
       for (std::size_t lane = 0; lane < std::min<std::size_t>(lane_count, count - n); ++lane)
-        gap[lane] < 0 ? begin_contact(task, some[lane]) : sleep_on(some[lane], task.approach + gap[lane]);
+        gap[lane] < 0 ? begin_contact(task.block, some[lane], task.loads) : sleep_on(some[lane], task.approach + gap[lane]);
     }
   }
 }
@@ -171,10 +189,10 @@ void PairContacts::wake_those_due(const state::Spheres& spheres, const Task& tas
   return square_root(dot(apart, apart)) - (first[3] + second[3]);
 }
 
-void PairContacts::begin_contact(const Task& task, std::size_t pair) {
-  const Index first = static_cast<Index>(task.loads.begin_of(task.block)) + owner_[pair], second = pairs_.other[pair];
-  sleeps_until_[pair] = never;
-  contacts_[task.block].add({first, second, task.loads.slot(task.block, second), static_cast<std::uint32_t>(pair)}, table_.rolls);
+void PairContacts::begin_contact(std::size_t block, std::size_t pair, const LoadTable& loads) {
+  const Index first = static_cast<Index>(loads.begin_of(block)) + owner_[pair], second = pairs_.other[pair];
+  sleeps_until_[pair] = in_contact;
+  contacts_[block].add({first, second, loads.slot(block, second), static_cast<std::uint32_t>(pair)}, table_.rolls);
 }
 
 void PairContacts::sleep_on(std::size_t pair, Real until) {
@@ -184,9 +202,15 @@ void PairContacts::sleep_on(std::size_t pair, Real until) {
 
 template <laws::ContactModel model, bool rolls>
 ContactSums PairContacts::evaluate_with(const state::Spheres& spheres, const Task& task) {
+  return contacts_[task.block].rests() ? evaluate_those<model, rolls, true>(spheres, task)
+                                       : evaluate_those<model, rolls, false>(spheres, task);
+}
+
+template <laws::ContactModel model, bool rolls, bool rests>
+ContactSums PairContacts::evaluate_those(const state::Spheres& spheres, const Task& task) {
   constexpr std::size_t ahead = 48;  // contacts whose spheres are on their way to the cache: the second ones stand anywhere
   BlockContacts& contacts = contacts_[task.block];
-  ContactKernel<model, rolls> kernel(*this, spheres, task);
+  ContactKernel<model, rolls, rests> kernel(*this, spheres, task);
   for (std::size_t soon = 0; soon < std::min(contacts.size(), ahead); ++soon) kernel.fetch(soon);
   for (std::size_t next = 0; next < contacts.size(); next += lane_count) {
     for (std::size_t soon = next + ahead; soon < std::min(next + ahead + lane_count, contacts.size()); ++soon) kernel.fetch(soon);
@@ -212,18 +236,22 @@ void PairContacts::columns(Archive& archive) {
   std::vector<std::uint64_t> counts;
   std::vector<Contact> contacts;
   std::vector<Triple<Real>> sliding, rolling;
+  std::vector<Real> rest;
   for (const BlockContacts& block : contacts_) {
     counts.push_back(block.size());
     for (std::size_t n = 0; n < block.size(); ++n) {
       contacts.push_back(block[n]);
       sliding.push_back(block.sliding(n));
       if (table_.rolls) rolling.push_back(block.rolling(n));
+      rest.push_back(block.rest(n));
     }
   }
+  if (std::ranges::all_of(rest, [](Real overlap) { return overlap == 0; })) rest.clear();
   archive("contacts_of_blocks", counts);
   archive("contacts", contacts);
   archive("sliding", sliding);
   archive("rolling", rolling);
+  archive("rest_overlap", rest);
   if (!archive.reading()) return;
   contacts_.assign(counts.size(), {});
   std::size_t next = 0;
@@ -232,6 +260,7 @@ void PairContacts::columns(Archive& archive) {
     for (std::size_t n = 0; n < counts[block]; ++n, ++next) {
       contacts_[block].add(contacts[next], table_.rolls);
       contacts_[block].remember(n, sliding[next], table_.rolls ? rolling[next] : Triple<Real>{});
+      if (!rest.empty() && rest[next] > 0) contacts_[block].set_rest(n, rest[next]);
     }
   }
 }

@@ -30,10 +30,12 @@ public:
   void write_to(const LoadTable& loads);
 
   /// A pair of places that is bonded has no contact until it is woken.
-  void rest(Index one, Index other) { set_sleep(one, other, never); }
-  void wake(Index one, Index other) { set_sleep(one, other, looked_at_next); }
+  void rest(Index one, Index other) { set_sleep(one, other, at_rest); }
+  /// The pair may touch from the next evaluation on, and pushes beyond the overlap `allowed` alone [m]. Does nothing where it is
+  /// awake.
+  void wake(Index one, Index other, Real allowed, const LoadTable& loads);
 
-  /// The same for good, for all pairs of one body; `body` says by place which, below 0 where none.
+  /// The same as `rest` for all pairs of one body that do not touch; `body` says by place which, below 0 where none.
   void rest_within(std::span<const Index> body);
 
   /// A block, and where its forces go.
@@ -62,9 +64,12 @@ private:
   struct Touches {
     std::vector<Touch> pairs;
     std::vector<Triple<Real>> rolling;  ///< by pair; empty where nothing resists rolling
+    std::vector<Real> rest;             ///< by pair [m]; empty where none has an overlap at rest
   };
 
-  static constexpr float looked_at_next = -1, never = std::numeric_limits<float>::infinity();
+  /// In place of how long a pair sleeps.
+  static constexpr float looked_at_next = -1, at_rest = std::numeric_limits<float>::max(),
+                         in_contact = std::numeric_limits<float>::infinity();
 
   void set_sleep(Index one, Index other, float until);
   Touches take_touches(const std::vector<Index>& new_place);
@@ -73,19 +78,21 @@ private:
   void go_on(const Touches& touches);
   void wake_those_due(const state::Spheres& spheres, const Task& task);
   Lanes gaps(const state::Spheres& spheres, const Task& task, std::span<const std::uint32_t, lane_count> pairs) const;
-  void begin_contact(const Task& task, std::size_t pair);
+  void begin_contact(std::size_t block, std::size_t pair, const LoadTable& loads);
   void sleep_on(std::size_t pair, Real until);
 
   template <laws::ContactModel model, bool rolls>
   ContactSums evaluate_with(const state::Spheres& spheres, const Task& task);
+  template <laws::ContactModel model, bool rolls, bool rests>
+  ContactSums evaluate_those(const state::Spheres& spheres, const Task& task);
 
-  template <laws::ContactModel model, bool rolls>
+  template <laws::ContactModel model, bool rolls, bool rests>
   friend class ContactKernel;
 
   ContactTable table_;
   neighbors::SpherePairs pairs_;
   std::vector<std::uint16_t> owner_;     ///< by pair: place in its block of its first sphere
-  std::vector<float> sleeps_until_;      ///< by pair: the approach at which it may touch [m]; infinite while it is a contact
+  std::vector<float> sleeps_until_;      ///< by pair: the approach at which it may touch [m], or one of the words above
   std::vector<BlockContacts> contacts_;  ///< by block
 };
 

@@ -2,50 +2,19 @@
 
 #include <atomic>
 #include <chrono>
-#include <map>
-#include <sstream>
 #include <thread>
 
 #include "sazare/core/error.hpp"
 #include "sazare/parallel/threads.hpp"
-#include "sazare/runs/run_case.hpp"
 #include "sazare/runs/spheres_model.hpp"
-#include "tests/unit/runs/support.hpp"
+#include "tests/unit/runs/sphere_cases.hpp"
 
 namespace sazare::runs {
 namespace {
 
 namespace fs = std::filesystem;
+using namespace sphere_cases;
 using test::read_manifest, test::read_text, test::TemporaryFolder, test::words_of;
-
-const char* head = R"([case]
-title = "grains"
-method = "spheres"
-[[materials]]
-name = "glass"
-density = 2500.0
-youngs_modulus = 1e7
-poisson_ratio = 0.2
-[contact]
-restitution = 0.6
-friction_coefficient = 0.4
-rolling_friction = 0.05
-[gravity]
-acceleration = [0.0, 0.0, -9.81]
-[time]
-end = 0.2
-history_interval = 0.01
-snapshot_interval = 0.1
-[[walls]]
-name = "floor"
-material = "glass"
-point = [0.0, 0.0, 0.0]
-normal = [0.0, 0.0, 2.0]
-[domain]
-periodic = ["x", "y"]
-lower = [0.0, 0.0, 0.0]
-upper = [0.08, 0.08, 0.0]
-)";
 
 const char* scattered = R"([[spheres]]
 name = "grains"
@@ -84,25 +53,6 @@ damping_ratio = 0.05
 [[gauges]]
 name = "block"
 group = "block"
-)";
-
-const char* tetrapods = R"([[shapes]]
-name = "tetrapod"
-height = 0.02
-leg_spheres = 2
-[[spheres]]
-name = "armour"
-material = "glass"
-source = "random"
-shape = "tetrapod"
-random_rotation = true
-lower = [0.0, 0.0, 0.0]
-upper = [0.08, 0.08, 0.15]
-count = 20
-velocity = [0.0, 0.0, -1.0]
-[[gauges]]
-name = "armour"
-group = "armour"
 )";
 
 /// Grains and tetrapods that rest at the start, and a ball above that falls into them.
@@ -145,15 +95,6 @@ group = "armour"
 name = "ball"
 group = "ball"
 )";
-
-cases::CaseFile case_of(const TemporaryFolder& folder, const std::string& rest, const std::vector<std::string>& settings = {}) {
-  return cases::read_case(folder.write("case.toml", head + rest), settings);
-}
-
-RunOutcome carry_out(const cases::CaseFile& file, const fs::path& folder, Begin begin = Begin::fresh,
-                     const std::atomic<bool>* stop = nullptr) {
-  return run_case(file, {folder, begin, true, stop});
-}
 
 std::string refused(const std::string& rest, const std::vector<std::string>& settings = {}) {
   const TemporaryFolder folder;
@@ -204,22 +145,7 @@ TEST_P(InParts, gives_the_bits_of_one_run) {
             test::without_last_column(read_text(folder / "parts/history.csv")));
 }
 
-INSTANTIATE_TEST_SUITE_P(run_spheres, InParts, testing::Values(scattered, bonded, tetrapods, rained));
-
-/// The rows of a table, by the names of its columns without their units.
-std::vector<std::map<std::string, Real>> rows_of(const fs::path& file) {
-  std::istringstream lines(read_text(file));
-  std::string names, values, name, value;
-  std::getline(lines, names);
-  std::vector<std::map<std::string, Real>> rows;
-  while (std::getline(lines, values)) {
-    std::istringstream columns(names), numbers(values);
-    rows.emplace_back();
-    while (std::getline(columns, name, ',') && std::getline(numbers, value, ','))
-      rows.back()[name.substr(0, name.find(" ["))] = std::stod(value);
-  }
-  return rows;
-}
+INSTANTIATE_TEST_SUITE_P(run_spheres, InParts, testing::Values(scattered, bonded, tetrapods, brittle, rained));
 
 TEST(run_spheres, what_rains_rests_at_the_start_and_all_else_has_waited) {
   const TemporaryFolder folder;
@@ -317,6 +243,15 @@ TEST(run_spheres, says_what_is_wrong_with_bonds_and_shapes) {
   };
   const std::string empty = refused(shape("file", folder.write("none.txt", "# nothing\n").string()));
   EXPECT_NE(empty.find("error: the shape \"s\" has no sphere"), std::string::npos) << empty;
+  const std::string cement = "[[bonds]]\nname = \"cement\"\nnormal_stiffness = 1e9\nshear_stiffness = 1e9\n";
+  const std::string apart_within = refused(shape("file", folder.write("two.txt", "0.1 0 0 0\n0.1 0.3 0 0\n").string()) + cement,
+                                           {"shapes.0.bonds=\"cement\""});
+  EXPECT_NE(apart_within.find("error: the spheres of the shape \"s\" do not hang together by bonds"), std::string::npos)
+      << apart_within;
+  const std::string unused =
+      refused(std::string(scattered) + cement + "[[shapes]]\nname = \"s\"\nheight = 0.1\nbonds = \"cement\"\n");
+  EXPECT_NE(unused.find("error: the bonds \"cement\" join no spheres"), std::string::npos) << unused;
+  EXPECT_NE(unused.find("no group is of a shape that names them"), std::string::npos) << unused;
   const std::string open = refused(shape("mesh", folder
                                                      .write("open.stl",
                                                             "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 "
