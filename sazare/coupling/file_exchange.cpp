@@ -188,8 +188,11 @@ void FileExchange::send(Message message) {
 
 Message FileExchange::receive(std::int64_t sequence) {
   damaged_since_ = -1;
-  for (Patience patience;; wait(patience)) {
-    if (std::optional<Message> message = look_for(sequence, patience)) return opened(std::move(*message));
+  for (Patience patience(last_wait_);; wait(patience)) {
+    if (std::optional<Message> message = look_for(sequence, patience)) {
+      last_wait_ = patience.waited();
+      return opened(std::move(*message));
+    }
     if (patience.glance_is_due()) watch_partner(sequence, patience);
   }
 }

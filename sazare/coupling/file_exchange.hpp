@@ -99,6 +99,7 @@ private:
   std::int64_t oldest_ = 1;  ///< of own messages that may still be there
   Real damaged_since_ = -1;  ///< of the wait, when the awaited file was first seen damaged [s]
   ExchangeCost cost_;
+  Real last_wait_ = 0;  ///< for a message [s]
   bool has_parted_ = false;
 };
 
