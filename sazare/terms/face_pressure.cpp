@@ -42,7 +42,7 @@ void FacePressure::evaluate(const Moment& now, std::span<const Due> due, const s
       const PressureLoad& load = loads_[static_cast<std::size_t>(face.load)];
       if ((body.position + arm - face.start).norm() > load.cut_distance) face.acts = 0;
       const Vector3 force = (-pressures[static_cast<std::size_t>(face.load)] * face.acts) * (body.rotation * face.area);
-      const PairForce<3> push{arm.cross(force), -force, {}};
+      const PairForce<3> push{arm.cross(force), -force, Vector3::Zero()};
       write<3, 1>(table_[at.link], now, at, push, {push});
     }
   });

@@ -47,8 +47,8 @@ struct Clearance {
   std::int8_t is_known = 0;
   std::int8_t is_distant = 0;  ///< too far apart to meet within two base steps, when last evaluated
   std::int8_t rests = 0;       ///< evaluated at base steps only
-  Vector3 apart;
-  Matrix3 first, second;
+  Vector3 apart = Vector3::Zero();
+  Matrix3 first = Matrix3::Zero(), second = Matrix3::Zero();
 
   /// How far any point of either has moved against the other since then, at most [m].
   Real moved(const state::Pose<3>& a, const state::Pose<3>& b, Real first_reach, Real second_reach) const {

@@ -352,7 +352,7 @@ void Contacts::columns(Archive& archive) {
   }
   table_.incidence = terms::ChangingIncidence(static_cast<Index>(corners_.size()));
   for (Index pair = 0; pair < static_cast<Index>(links_.size()); ++pair) {
-    if (is_idle(links_[at(pair)])) continue;
+    if (is_idle(links_[at(pair)]) || std::ranges::find(ending_, pair) != ending_.end()) continue;
     list_side(links_[at(pair)].first, {pair, 0});
     list_side(links_[at(pair)].second, {pair, 1});
   }

@@ -115,61 +115,75 @@ void SurfaceContacts::find_points(const ContactSphere& sphere, const Vector3& ce
   points.resize(kept);
 }
 
-void SurfaceContacts::evaluate_one(const Moment& now, const Due& due, const state::Bodies<3>& bodies) {
-  const Index number = links_[at(due.link)].first;
-  const ContactBody body{bodies.motion[at(number)], bodies.inertia[at(number)]};
-  Near& near = near_[at(due.link)];
-  near.pushes.clear();
-  near.elastic = 0;
-  struct Met {
-    Point point;
-    Real overlap = 0;
-    Index sphere = 0;
-  };
-  thread_local std::vector<Met> met;
+/// Where the spheres of a block press into the surface deeper than they rest.
+void SurfaceContacts::find_met(const ContactBody& body, Near& near, Real seconds, std::vector<Met>& met) const {
   thread_local std::vector<Point> points;
   met.clear();
   for (Sphere& one : near.spheres) {
     const ContactSphere& sphere = contacts_->surface().sphere(one.number);
-    find_points(sphere, body.motion.position + body.motion.rotation * sphere.centre, near.faces, time(now), points);
+    find_points(sphere, body.motion.position + body.motion.rotation * sphere.centre, near.faces, seconds, points);
     const Real deepest = points.empty() ? 0 : points.front().overlap;
     one.rest = one.is_known != 0 ? std::min(one.rest, deepest) : deepest;
     one.is_known = 1;
     for (const Point& point : points)
       if (point.overlap > one.rest) met.push_back({point, point.overlap - one.rest, one.number});
   }
-  auto& slot = table_[due.link];
+}
+
+/// The memory of a touching point: that of the point of the same sphere that faced the same way, else a new one.
+SurfaceContacts::Touch& SurfaceContacts::touch_of(const Met& met, Near& near) {
+  auto touch = std::ranges::find_if(near.touches, [&](const Touch& known) {
+    return known.sphere == met.sphere && known.is_touching == 0 && known.normal.dot(met.point.normal) > same_direction;
+  });
+  if (touch == near.touches.end()) touch = near.touches.insert(touch, {met.sphere, 0, met.point.normal, {}});
+  touch->is_touching = 1;
+  touch->normal = met.point.normal;
+  return *touch;
+}
+
+/// Pushes the surface in one point; `shared` is what all points of the block have in common.
+const SurfaceContacts::Push& SurfaceContacts::push(const ContactBody& body, const Met& met, Real seconds,
+                                                   laws::SphereMotion shared, Near& near) const {
+  Touch& touch = touch_of(met, near);
+  const auto face = surface_.point(static_cast<std::size_t>(met.point.face), seconds, met.point.place);
+  const Vector3 arm = met.point.place - body.motion.position, &normal = met.point.normal;
+  shared.overlap = met.overlap;
+  const laws::SphereForce given = force_at(
+      law_, normal, face.velocity() - body.motion.velocity_at(arm),
+      [&](const Vector3& along) { return body.softness(arm, along); }, shared, touch.memory);
+  near.elastic += laws::sphere_energy(law_, met.overlap);
+  Push& push = near.pushes.emplace_back();
+  push.nodes = face.nodes;
+  push.shares = face.shares;
+  push.dashpot = given.dashpot * normal;
+  push.friction = given.friction;
+  push.total = given.elastic * normal + push.dashpot + push.friction;
+  return push;
+}
+
+void SurfaceContacts::evaluate_one(const Moment& now, const Due& due, const state::Bodies<3>& bodies) {
+  const Index number = links_[at(due.link)].first;
+  const ContactBody body{bodies.motion[at(number)], bodies.inertia[at(number)]};
+  Near& near = near_[at(due.link)];
+  near.pushes.clear();
+  near.elastic = 0;
   for (Touch& touch : near.touches) touch.is_touching = 0;
+  thread_local std::vector<Met> met;
+  find_met(body, near, time(now), met);
   laws::SphereMotion shared;
   shared.contacts = static_cast<Real>(met.size());
   shared.step = std::max(due.acting, 2 * due.ahead);
   shared.elapsed = due.acting;
   ContactForce force;
   for (const Met& one : met) {
-    auto touch = std::ranges::find_if(near.touches, [&](const Touch& known) {
-      return known.sphere == one.sphere && known.is_touching == 0 && known.normal.dot(one.point.normal) > same_direction;
-    });
-    if (touch == near.touches.end()) touch = near.touches.insert(touch, {one.sphere, 0, one.point.normal, {}});
-    touch->is_touching = 1;
-    touch->normal = one.point.normal;
-    Push& push = near.pushes.emplace_back();
-    const auto face = surface_.point(static_cast<std::size_t>(one.point.face), time(now), one.point.place);
-    push.nodes = face.nodes;
-    push.shares = face.shares;
+    const Push& given = push(body, one, time(now), shared, near);
     const Vector3 arm = one.point.place - body.motion.position;
-    shared.overlap = one.overlap;
-    const laws::SphereForce given = force_at(
-        law_, one.point.normal, face.velocity() - body.motion.velocity_at(arm),
-        [&](const Vector3& along) { return body.softness(arm, along); }, shared, touch->memory);
-    push.dashpot = given.dashpot * one.point.normal;
-    push.friction = given.friction;
-    push.total = given.elastic * one.point.normal + push.dashpot + push.friction;
-    near.elastic += laws::sphere_energy(law_, one.overlap);
-    force.dashpot.add_at(arm, Vector3::Zero(), push.dashpot);
-    force.friction.add_at(arm, Vector3::Zero(), push.friction);
-    force.total.add_at(arm, Vector3::Zero(), push.total);
+    force.dashpot.add_at(arm, Vector3::Zero(), given.dashpot);
+    force.friction.add_at(arm, Vector3::Zero(), given.friction);
+    force.total.add_at(arm, Vector3::Zero(), given.total);
   }
   std::erase_if(near.touches, [](const Touch& touch) { return touch.is_touching == 0; });
+  auto& slot = table_[due.link];
   if (met.empty())
     slot = {};
   else
@@ -203,63 +217,71 @@ void SurfaceContacts::settle_base(const Moment& now, const state::Bodies<3>& bod
 
 /// Which spheres of which blocks are nearer to the surface than the skin.
 void SurfaceContacts::search(const Moment& now, const state::Bodies<3>& bodies, terms::Changes& changes) {
-  const ContactSurface& open = contacts_->surface();
-  const Real skin = open.skin(), seconds = time(now);
   travel_ = 0;
-  known_spheres_ = open.sphere_count();
+  known_spheres_ = contacts_->surface().sphere_count();
   neighbors::SphereGrid grid;
   std::vector<geometry::Triangle> triangles;
   for (std::size_t face = 0; face < surface_.face_count(); ++face) {
-    const geometry::Triangle& corners = triangles.emplace_back(surface_.corners(face, seconds));
+    const geometry::Triangle& corners = triangles.emplace_back(surface_.corners(face, time(now)));
     const Vector3 middle = (corners[0] + corners[1] + corners[2]) / 3;
     Real radius = 0;
     for (const Vector3& corner : corners) radius = std::max(radius, (corner - middle).norm());
     grid.place(static_cast<Index>(face), middle, radius);
   }
-  for (const Index body : open.bodies()) {
-    const state::Pose<3> pose = state::pose_at(bodies.motion[at(body)], now);
-    const Real reach = reach_[at(body)] + skin;
-    Near found;
-    grid.visit_near(pose.position, reach, [&](Index face) {
-      if ((geometry::nearest_point(triangles[at(face)], pose.position) - pose.position).norm() <= reach)
-        found.faces.push_back(face);
-    });
-    std::ranges::sort(found.faces);
-    if (!found.faces.empty())
-      open.visit_spheres(body, [&](Index number) {
-        const ContactSphere& sphere = open.sphere(number);
-        const Vector3 centre = pose.position + pose.rotation * sphere.centre;
-        if (std::ranges::any_of(found.faces, [&](std::int32_t face) {
-              return (geometry::nearest_point(triangles[at(face)], centre) - centre).norm() <= sphere.radius + skin;
-            }))
-          found.spheres.push_back({number, 0, 0});
-      });
-    Index& link = link_of_[at(body)];
-    const bool was_near = link >= 0 && near_[at(link)].is_near();
-    if (!found.is_near() && !was_near) continue;
-    if (link < 0) {
-      link = static_cast<Index>(links_.size());
-      links_.push_back({body, Link::outside});
-      near_.emplace_back();
-      table_.slots.emplace_back();
-      table_.incidence.list(body).push_back({link, 0});
-    }
-    Near& near = near_[at(link)];
-    for (Sphere& sphere : found.spheres)  // known ones keep what they remember
-      for (const Sphere& known : near.spheres)
-        if (known.number == sphere.number) sphere = known;
-    if (!found.is_near()) {
-      near = {};
-      table_[link] = {};
-      changes.ended_links.push_back(link);
-      changes.softer.push_back(body);
-      continue;
-    }
-    near.faces = std::move(found.faces);
-    near.spheres = std::move(found.spheres);
-    if (!was_near) changes.new_links.push_back(link);
-    changes.stiffer.push_back(body);
+  for (const Index body : contacts_->surface().bodies())
+    take_over(body, near_to(body, state::pose_at(bodies.motion[at(body)], now), grid, triangles), changes);
+}
+
+/// Faces near a block, and those of its spheres that are near one of them.
+SurfaceContacts::Near SurfaceContacts::near_to(Index body, const state::Pose<3>& pose, const neighbors::SphereGrid& grid,
+                                               std::span<const geometry::Triangle> triangles) const {
+  const ContactSurface& open = contacts_->surface();
+  const Real reach = reach_[at(body)] + open.skin();
+  const auto distance = [&](Index face, const Vector3& place) {
+    return (geometry::nearest_point(triangles[at(face)], place) - place).norm();
+  };
+  Near found;
+  grid.visit_near(pose.position, reach, [&](Index face) {
+    if (distance(face, pose.position) <= reach) found.faces.push_back(face);
+  });
+  std::ranges::sort(found.faces);
+  if (found.faces.empty()) return found;
+  open.visit_spheres(body, [&](Index number) {
+    const ContactSphere& sphere = open.sphere(number);
+    const Vector3 centre = pose.position + pose.rotation * sphere.centre;
+    const auto is_near = [&](std::int32_t face) { return distance(face, centre) <= sphere.radius + open.skin(); };
+    if (std::ranges::any_of(found.faces, is_near)) found.spheres.push_back({number, 0, 0});
+  });
+  return found;
+}
+
+/// Begins, goes on with or ends the link of a block with the surface.
+void SurfaceContacts::take_over(Index body, Near found, terms::Changes& changes) {
+  Index& link = link_of_[at(body)];
+  const bool was_near = link >= 0 && near_[at(link)].is_near();
+  if (!found.is_near() && !was_near) return;
+  if (link < 0) {
+    link = static_cast<Index>(links_.size());
+    links_.push_back({body, Link::outside});
+    near_.emplace_back();
+    table_.slots.emplace_back();
+    table_.incidence.list(body).push_back({link, 0});
   }
+  Near& near = near_[at(link)];
+  if (!found.is_near()) {
+    near = {};
+    table_[link] = {};
+    changes.ended_links.push_back(link);
+    changes.softer.push_back(body);
+    return;
+  }
+  for (Sphere& sphere : found.spheres)  // known ones keep what they remember
+    for (const Sphere& known : near.spheres)
+      if (known.number == sphere.number) sphere = known;
+  near.faces = std::move(found.faces);
+  near.spheres = std::move(found.spheres);
+  if (!was_near) changes.new_links.push_back(link);
+  changes.stiffer.push_back(body);
 }
 
 terms::Rates SurfaceContacts::rates(Index body) const {

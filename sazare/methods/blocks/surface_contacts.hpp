@@ -10,7 +10,9 @@
 /// A link is a block near the surface, and has the block's time level. Impulses on the nodes are counted as those of the block
 /// are, from the middle of one interval to the middle of the next; at a base step the part that acts later is set aside.
 
+#include "sazare/methods/blocks/contact_kernel.hpp"
 #include "sazare/methods/blocks/contacts.hpp"
+#include "sazare/neighbors/sphere_grid.hpp"
 #include "sazare/terms/nodal_surface.hpp"
 
 namespace sazare::methods::blocks {
@@ -80,6 +82,12 @@ private:
     Real overlap = 0;
     Vector3 place, normal;
   };
+  /// A sphere in a point where it presses.
+  struct Met {
+    Point point;
+    Real overlap = 0;  ///< beyond its rest [m]
+    Index sphere = 0;
+  };
   /// Of the surface on the blocks, in all and by causes [J].
   struct Work {
     Real total = 0, dashpot = 0, friction = 0;
@@ -88,7 +96,13 @@ private:
 
   Real time(const Moment& now) const { return now.seconds_since(led_); }
   void search(const Moment& now, const state::Bodies<3>& bodies, terms::Changes& changes);
+  Near near_to(Index body, const state::Pose<3>& pose, const neighbors::SphereGrid& grid,
+               std::span<const geometry::Triangle> triangles) const;
+  void take_over(Index body, Near found, terms::Changes& changes);
   void evaluate_one(const Moment& now, const Due& due, const state::Bodies<3>& bodies);
+  void find_met(const ContactBody& body, Near& near, Real seconds, std::vector<Met>& met) const;
+  static Touch& touch_of(const Met& met, Near& near);
+  const Push& push(const ContactBody& body, const Met& met, Real seconds, laws::SphereMotion shared, Near& near) const;
   void find_points(const ContactSphere& sphere, const Vector3& centre, std::span<const std::int32_t> faces, Real seconds,
                    std::vector<Point>& points) const;
   Vector3 velocity(const Push& push) const;
