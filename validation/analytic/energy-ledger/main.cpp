@@ -2,6 +2,7 @@
 #include <cmath>
 #include <string>
 
+#include "sazare/runs/record_columns.hpp"
 #include "validation/common/blast.hpp"
 #include "validation/common/rows.hpp"
 
@@ -20,7 +21,7 @@ int main() {
   validation::print_row("residual-on-the-way", worst);
   for (const Account account : {Account::work, Account::kinetic, Account::elastic, Account::joint_dashpot, Account::slip,
                                 Account::fracture, Account::release, Account::contact_dashpot, Account::friction}) {
-    const std::string name(terms::account_names[static_cast<std::size_t>(account)]);
-    validation::print_row(name.c_str(), ledger[account]);
+    const std::string column(runs::columns::blocks::energies[static_cast<std::size_t>(account)].name);
+    validation::print_row(column.substr(std::string("energy_").size()).c_str(), ledger[account]);
   }
 }
