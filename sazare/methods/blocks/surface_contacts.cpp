@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "sazare/core/member_archive.hpp"
 #include "sazare/parallel/threads.hpp"
 
 namespace sazare::methods::blocks {
@@ -318,30 +319,12 @@ void SurfaceContacts::columns(Archive& archive) {
   archive("travel", travel_);
   archive("known_spheres", known_spheres_);
   near_.resize(links_.size());
-  const auto lists = [&](const std::string& name, auto member) {
-    std::remove_reference_t<decltype(Near{}.*member)> all;
-    std::vector<std::int64_t> sizes;
-    for (Near& near : near_) {
-      sizes.push_back(static_cast<std::int64_t>((near.*member).size()));
-      all.insert(all.end(), (near.*member).begin(), (near.*member).end());
-    }
-    archive(name + "_sizes", sizes);
-    archive(name, all);
-    auto next = all.begin();
-    for (std::size_t i = 0; archive.reading() && i < near_.size(); ++i) {
-      (near_[i].*member).assign(next, next + sizes[i]);
-      next += sizes[i];
-    }
-  };
-  lists("faces", &Near::faces);
-  lists("spheres", &Near::spheres);
-  lists("touches", &Near::touches);
-  lists("pushes", &Near::pushes);
-  std::vector<Real> elastic;
-  for (const Near& near : near_) elastic.push_back(near.elastic);
-  archive("elastic", elastic);
+  archive_lists(archive, "faces", near_, &Near::faces);
+  archive_lists(archive, "spheres", near_, &Near::spheres);
+  archive_lists(archive, "touches", near_, &Near::touches);
+  archive_lists(archive, "pushes", near_, &Near::pushes);
+  archive_members(archive, "elastic", near_, &Near::elastic);
   if (!archive.reading()) return;
-  for (std::size_t i = 0; i < near_.size(); ++i) near_[i].elastic = elastic[i];
   table_.incidence = terms::ChangingIncidence(static_cast<Index>(link_of_.size()));
   for (Index link = 0; link < static_cast<Index>(links_.size()); ++link)
     table_.incidence.list(links_[at(link)].first).push_back({link, 0});

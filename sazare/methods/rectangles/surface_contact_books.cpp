@@ -1,8 +1,8 @@
 /// Energies and checkpoints of SurfaceContacts.
 
 #include <algorithm>
-#include <type_traits>
 
+#include "sazare/core/member_archive.hpp"
 #include "sazare/methods/rectangles/surface_contacts.hpp"
 
 namespace sazare::methods::rectangles {
@@ -38,37 +38,15 @@ void SurfaceContacts::columns(Archive& archive) {
   std::int64_t count = static_cast<std::int64_t>(near_.size());
   archive("near", count);
   near_.resize(static_cast<std::size_t>(count));
-  // A list that every element near the surface has, and a record of each, one behind the other.
-  const auto lists = [&](const std::string& name, auto member) {
-    std::vector<std::int64_t> sizes;
-    std::remove_reference_t<decltype(Near{}.*member)> all;
-    for (Near& near : near_) {
-      sizes.push_back(static_cast<std::int64_t>((near.*member).size()));
-      all.insert(all.end(), (near.*member).begin(), (near.*member).end());
-    }
-    archive(name + "_sizes", sizes);
-    archive(name, all);
-    auto next = all.begin();
-    for (std::size_t i = 0; archive.reading() && i < near_.size(); ++i) {
-      (near_[i].*member).assign(next, next + sizes[i]);
-      next += sizes[i];
-    }
-  };
-  lists("segments", &Near::segments);
-  lists("touches", &Near::touches);
-  lists("points", &Near::points);
-  const auto records = [&](const std::string& name, auto member) {
-    std::vector<std::remove_cvref_t<decltype(Near{}.*member)>> all;
-    for (Near& near : near_) all.push_back(near.*member);
-    archive(name, all);
-    for (std::size_t i = 0; i < near_.size(); ++i) near_[i].*member = all[i];
-  };
-  records("element", &Near::element);
-  records("force", &Near::force);
-  records("dashpot", &Near::dashpot);
-  records("dashpot_power", &Near::dashpot_power);
-  records("elastic", &Near::elastic);
-  records("loss", &Near::loss);
+  archive_lists(archive, "segments", near_, &Near::segments);
+  archive_lists(archive, "touches", near_, &Near::touches);
+  archive_lists(archive, "points", near_, &Near::points);
+  archive_members(archive, "element", near_, &Near::element);
+  archive_members(archive, "force", near_, &Near::force);
+  archive_members(archive, "dashpot", near_, &Near::dashpot);
+  archive_members(archive, "dashpot_power", near_, &Near::dashpot_power);
+  archive_members(archive, "elastic", near_, &Near::elastic);
+  archive_members(archive, "loss", near_, &Near::loss);
   if (!archive.reading()) return;
   time_ = numbers[0];
   drift_ = numbers[1];

@@ -9,6 +9,7 @@
 #include "sazare/parallel/threads.hpp"
 #include "sazare/terms/gravity.hpp"
 #include "tests/support/two_sides.hpp"
+#include "tests/support/window_checks.hpp"
 
 namespace sazare::engine {
 namespace {
@@ -42,8 +43,7 @@ public:
     simulation_ = std::make_unique<Simulation<3>>(std::move(bodies), std::move(terms), rules);
     bodies_ = std::make_unique<BlockSide>(*simulation_, *surface_, can_return);
     const auto& mesh = fem_->body().mesh();
-    continuum_ =
-        std::make_unique<ContinuumSide<3>>(*fem_, geometry::linear_surface(mesh, *mesh.find_group("top")), scene.rules);
+    continuum_ = std::make_unique<ContinuumSide<3>>(*fem_, geometry::linear_surface(mesh, *mesh.find_group("top")), scene.rules);
   }
 
   void start() {
@@ -192,20 +192,7 @@ TEST(block_side, goes_on_from_a_checkpoint_and_with_more_threads_as_if_nothing_h
 
 TEST(block_side, takes_a_window_back_and_refuses_what_it_cannot_do) {
   TetrahedronOnTop sides(thrown(CouplingScheme::impulse), 1e-3), once(thrown(CouplingScheme::impulse), 1e-3, false);
-  for (TetrahedronOnTop* each : {&sides, &once}) {
-    each->start();
-    each->advance(4);
-  }
-  coupling::SurfaceMotion motion{4, 0, 5e-3, std::vector<Real>(sides.continuum().shape().nodes.size(), 1e-4), {}};
-  const auto first = sides.bodies().answer(motion);
-  sides.bodies().take_back();
-  EXPECT_EQ(sides.bodies().windows(), 4);
-  EXPECT_EQ(sides.bodies().answer(motion).mean, first.mean);
-  once.bodies().answer(motion);
-  motion.pass = 1;
-  EXPECT_EQ(sides.bodies().answer(motion).mean, first.mean);
-  EXPECT_THROW(once.bodies().answer(motion), UserError);
-  EXPECT_THROW(once.bodies().take_back(), UserError);
+  test::expect_windows_can_be_taken_back(sides, once, 4);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "sazare/parallel/threads.hpp"
 #include "tests/support/blocks_of_squares.hpp"
 #include "tests/support/two_sides.hpp"
+#include "tests/support/window_checks.hpp"
 
 namespace sazare::engine {
 namespace {
@@ -162,20 +163,7 @@ TEST(rectangle_side, goes_on_from_a_checkpoint_and_with_more_threads_as_if_nothi
 
 TEST(rectangle_side, takes_a_window_back_and_refuses_what_it_cannot_do) {
   BlocksOnTop sides(fall(CouplingScheme::impulse), 1e-3), once(fall(CouplingScheme::impulse), 1e-3, false);
-  for (BlocksOnTop* each : {&sides, &once}) {
-    each->start();
-    each->advance(5);
-  }
-  coupling::SurfaceMotion motion{5, 0, 6e-3, std::vector<Real>(sides.continuum().shape().nodes.size(), 1e-4), {}};
-  const auto first = sides.bodies().answer(motion);
-  sides.bodies().take_back();
-  EXPECT_EQ(sides.bodies().windows(), 5);
-  EXPECT_EQ(sides.bodies().answer(motion).mean, first.mean);
-  once.bodies().answer(motion);
-  motion.pass = 1;
-  EXPECT_EQ(sides.bodies().answer(motion).mean, first.mean);
-  EXPECT_THROW(once.bodies().answer(motion), UserError);
-  EXPECT_THROW(once.bodies().take_back(), UserError);
+  test::expect_windows_can_be_taken_back(sides, once, 5);
   coupling::SurfaceShape shape = sides.continuum().shape();
   shape.dimension = 3;
   EXPECT_THROW(sides.bodies().attach(shape), UserError);
