@@ -87,6 +87,30 @@ inline void store_quads(const std::array<Lanes, 4>& fields, const std::array<Rea
 #endif
 }
 
+/// Numbers in single precision, two in the place of each double of a record.
+using FloatLanes = float __attribute__((vector_size(4 * lane_count)));
+using FloatPairs = float __attribute__((vector_size(8 * lane_count)));
+
+inline std::array<Lanes, 2> unpack(const Lanes& pairs) {
+  const auto all = reinterpret_cast<FloatPairs>(pairs);
+#ifdef __AVX512F__
+  return {__builtin_convertvector(__builtin_shufflevector(all, all, 0, 2, 4, 6, 8, 10, 12, 14), Lanes),
+          __builtin_convertvector(__builtin_shufflevector(all, all, 1, 3, 5, 7, 9, 11, 13, 15), Lanes)};
+#else
+  return {__builtin_convertvector(__builtin_shufflevector(all, all, 0, 2, 4, 6), Lanes),
+          __builtin_convertvector(__builtin_shufflevector(all, all, 1, 3, 5, 7), Lanes)};
+#endif
+}
+
+inline Lanes pack(const Lanes& first, const Lanes& second) {
+  const FloatLanes one = __builtin_convertvector(first, FloatLanes), other = __builtin_convertvector(second, FloatLanes);
+#ifdef __AVX512F__
+  return reinterpret_cast<Lanes>(__builtin_shufflevector(one, other, 0, 8, 1, 9, 2, 10, 3, 11, 4, 12, 5, 13, 6, 14, 7, 15));
+#else
+  return reinterpret_cast<Lanes>(__builtin_shufflevector(one, other, 0, 4, 1, 5, 2, 6, 3, 7));
+#endif
+}
+
 /// A record read or written as `Count` doubles, a multiple of `lane_count`; one pointer per lane.
 template <class Record>
 using LanePointers = std::array<Record*, lane_count>;

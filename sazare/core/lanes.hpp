@@ -100,6 +100,15 @@ struct LaneMatrix {
 
 inline Lanes dot(const LaneVector& a, const LaneVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
+/// Rotations by quaternions; `twice` is 2 over their squared length.
+inline LaneMatrix rotation_of(Lanes twice, Lanes x, Lanes y, Lanes z, Lanes w) {
+  const Lanes x2 = twice * x, y2 = twice * y, z2 = twice * z;
+  const Lanes xx = x2 * x, yy = y2 * y, zz = z2 * z, xy = x2 * y, xz = x2 * z, yz = y2 * z;
+  const Lanes wx = x2 * w, wy = y2 * w, wz = z2 * w;
+  return {{LaneVector{{1.0 - yy - zz, xy + wz, xz - wy}}, LaneVector{{xy - wz, 1.0 - xx - zz, yz + wx}},
+           LaneVector{{xz + wy, yz - wx, 1.0 - xx - yy}}}};
+}
+
 /// m^T v.
 inline LaneVector transposed(const LaneMatrix& m, const LaneVector& v) { return {{dot(m[0], v), dot(m[1], v), dot(m[2], v)}}; }
 

@@ -33,9 +33,11 @@ Replicas<D>::Replicas(const parallel::Ranks& ranks, state::Bodies<D>& bodies, co
 }
 
 template <int D>
-bool Replicas<D>::sees(Index body) const {
-  const auto& viewers = viewers_[at(body)];
-  return std::ranges::find(viewers, ranks_->rank()) != viewers.end();
+void Replicas<D>::share_out(std::span<const Index> bodies, std::vector<Index>& own, std::vector<Index>& seen) const {
+  for (const Index body : bodies) {
+    const Role role = role_[at(body)];
+    if (role != Role::unseen) (role == Role::own ? own : seen).push_back(body);
+  }
 }
 
 template <int D>
@@ -46,6 +48,7 @@ void Replicas<D>::add_link(const Link& link) {
   const auto show = [&](Index body, int rank) {
     auto& viewers = viewers_[at(body)];
     if (std::ranges::find(viewers, rank) == viewers.end()) viewers.push_back(rank);
+    if (rank == ranks_->rank()) role_[at(body)] = Role::seen;
   };
   show(link.first, second);
   show(link.second, first);
@@ -151,6 +154,8 @@ template <int D>
 void Replicas<D>::divide(Ranges ranges) {
   ranges_ = std::move(ranges);
   viewers_.assign(at(bodies_->size()), {});
+  role_.assign(at(bodies_->size()), Role::unseen);
+  std::fill_n(role_.begin() + ranges_.begin(ranks_->rank()), ranges_.size(ranks_->rank()), Role::own);
   for (const auto& term : *terms_) {
     const auto links = term->links();
     for (const Index link : term->first_links()) add_link(links[at(link)]);

@@ -9,6 +9,7 @@
 ///
 /// What is linked, and every level, is known everywhere: all ranks take the same decisions from the same lists.
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -32,11 +33,12 @@ public:
   const Ranges& ranges() const { return ranges_; }
 
   bool alone() const override { return false; }
-  bool owns(Index body) const override { return ranges_.owner(body) == ranks_->rank(); }
+  bool owns(Index body) const override { return role_[static_cast<std::size_t>(body)] == Role::own; }
   /// Whether a link is evaluated here.
   bool holds(const Link& link) const { return owns(link.first) || (link.second != Link::outside && owns(link.second)); }
-  /// Whether the motion of another range's body is known here at every tick.
-  bool sees(Index body) const;
+
+  /// Appends own bodies to one list, and to the other one those of other ranges whose motion is known here at every tick.
+  void share_out(std::span<const Index> bodies, std::vector<Index>& own, std::vector<Index>& seen) const;
 
   /// Makes a new link's bodies seen by both their owners.
   void add_link(const Link& link);
@@ -57,6 +59,8 @@ public:
   void divide(Ranges ranges);
 
 private:
+  enum class Role : std::uint8_t { unseen, seen, own };
+
   struct Moving {
     state::Motion<D> motion;
     state::Inertia<D> inertia;
@@ -70,6 +74,7 @@ private:
   state::Bodies<D>* bodies_;
   const Terms* terms_;
   Ranges ranges_;
+  std::vector<Role> role_;                 ///< by body, here
   std::vector<std::vector<int>> viewers_;  ///< by body: other ranks that see it
   std::vector<parallel::Message> sent_, received_;
 };

@@ -9,19 +9,6 @@ namespace {
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 }  // namespace
 
-/// Of what is due, keeps what is done here, and notes which bodies will come from others.
-template <int D>
-void Simulation<D>::leave_to_others() {
-  due_elsewhere_.clear();
-  for (const Index body : due_bodies_)
-    if (!replicas_->owns(body) && replicas_->sees(body)) due_elsewhere_.push_back(body);
-  std::erase_if(due_bodies_, [&](Index body) { return !replicas_->owns(body); });
-  for (std::size_t term = 0; term < terms_.size(); ++term) {
-    const auto links = terms_[term]->links();
-    std::erase_if(due_links_[term], [&](const Due& due) { return !replicas_->holds(links[at(due.link)]); });
-  }
-}
-
 template <int D>
 void Simulation<D>::count_work(std::size_t kind, std::size_t count, Real since) {
   own_work_.seconds[kind] += parallel::processor_seconds() - since;
@@ -87,8 +74,6 @@ void Simulation<D>::take_ranges(distribute::Ranges next) {
   replicas_->divide(std::move(next));
 }
 
-template void Simulation<2>::leave_to_others();
-template void Simulation<3>::leave_to_others();
 template void Simulation<2>::count_work(std::size_t, std::size_t, Real);
 template void Simulation<3>::count_work(std::size_t, std::size_t, Real);
 template void Simulation<2>::collect();

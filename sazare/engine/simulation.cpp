@@ -101,24 +101,37 @@ void Simulation<D>::tick() {
 template <int D>
 void Simulation<D>::collect_due() {
   due_bodies_.clear();
-  for (int level = schedule::coarsest_due(now_.tick); level <= schedule::deepest_level; ++level)
-    due_bodies_.insert(due_bodies_.end(), levels_.bodies_at_pace(level).begin(), levels_.bodies_at_pace(level).end());
+  due_elsewhere_.clear();
+  for (int level = schedule::coarsest_due(now_.tick); level <= schedule::deepest_level; ++level) {
+    const std::span<const Index> bodies = levels_.bodies_at_pace(level);
+    counters_.kicks += static_cast<std::int64_t>(bodies.size());
+    if (replicas_)
+      replicas_->share_out(bodies, due_bodies_, due_elsewhere_);
+    else
+      due_bodies_.insert(due_bodies_.end(), bodies.begin(), bodies.end());
+  }
   std::int64_t all_links = 0;
   for (std::size_t term = 0; term < terms_.size(); ++term) {
-    auto& due = due_links_[term];
-    due.clear();
-    levels_.clock(term).collect(now_, due);
+    due_links_[term].clear();
+    const std::int64_t count = collect_links(term);
     if (!terms_[term]->joins_bodies()) continue;
-    counters_.pair_evaluations += static_cast<std::int64_t>(due.size());
+    counters_.pair_evaluations += count;
     all_links += static_cast<std::int64_t>(levels_.clock(term).size());
   }
   if (now_.tick % schedule::base_stride == 0) counters_.uniform_evaluations += all_links << levels_.finest();
-  counters_.kicks += static_cast<std::int64_t>(due_bodies_.size());
-  if (replicas_) leave_to_others();
   for (const auto* due : {&due_bodies_, &due_elsewhere_})
     for (const Index body : *due)  // those whose pace has quickened had planned to be due later
       if (bodies_.motion[at(body)].due != now_.tick)
         motion::drift_back(bodies_.motion[at(body)], bodies_.inertia[at(body)], now_);
+}
+
+/// Links of a term that are due and evaluated here; returns how many are due everywhere.
+template <int D>
+std::int64_t Simulation<D>::collect_links(std::size_t term) {
+  if (!replicas_) return levels_.clock(term).collect(now_, due_links_[term]);
+  const auto links = terms_[term]->links();
+  return levels_.clock(term).collect(
+      now_, [&](Index link) { return replicas_->holds(links[at(link)]); }, due_links_[term]);
 }
 
 template <int D>

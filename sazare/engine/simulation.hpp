@@ -102,7 +102,7 @@ public:
 private:
   void tick();
   void collect_due();
-  void leave_to_others();
+  std::int64_t collect_links(std::size_t term);
   void take_refined();
   void divide_anew();
   void take_ranges(distribute::Ranges next);

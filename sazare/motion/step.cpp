@@ -42,11 +42,7 @@ void rotate(LaneState& body, const LaneVector& half) {
   const LaneVector u = v + body.w * half + cross(half, v);
   const Lanes scale = 1.0 / square_root(w * w + dot(u, u));
   body.w = w * scale, body.x = u[0] * scale, body.y = u[1] * scale, body.z = u[2] * scale;
-  const Lanes x2 = 2.0 * body.x, y2 = 2.0 * body.y, z2 = 2.0 * body.z;
-  const Lanes xx = x2 * body.x, yy = y2 * body.y, zz = z2 * body.z, xy = x2 * body.y, xz = x2 * body.z, yz = y2 * body.z;
-  const Lanes wx = x2 * body.w, wy = y2 * body.w, wz = z2 * body.w;
-  body.rotation = {{LaneVector{{1.0 - yy - zz, xy + wz, xz - wy}}, LaneVector{{xy - wz, 1.0 - xx - zz, yz + wx}},
-                    LaneVector{{xz + wy, yz - wx, 1.0 - xx - yy}}}};
+  body.rotation = rotation_of(broadcast(2), body.x, body.y, body.z, body.w);
 }
 
 struct LaneImpulse {

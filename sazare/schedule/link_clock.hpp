@@ -8,6 +8,8 @@
 /// windows still join without gap or overlap. [Konno2018], 3.1 takes force x time since the last evaluation instead,
 /// which agrees for equal steps and is of first order where levels change.
 
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "sazare/core/archive.hpp"
@@ -26,13 +28,32 @@ public:
   std::size_t size() const { return buckets_.size(); }
   void sort() { buckets_.sort(); }
 
-  /// Appends the links due at `now`, each with the time that its force acts, and marks that time as given.
-  void collect(const Moment& now, std::vector<Due>& due);
+  /// Appends those of the links due at `now` that are wanted, each with the time that its force acts, and marks that time as
+  /// given for all of them. Returns how many are due.
+  template <class Wanted>
+  std::int64_t collect(const Moment& now, const Wanted& wanted, std::vector<Due>& due) {
+    std::size_t count = 0;
+    for (int level = coarsest_due(now.tick); level <= deepest_level; ++level) {
+      count += buckets_.at(level).size();
+      for (const Index link : buckets_.at(level))
+        if (const Due taken = take(link, level, now); wanted(link)) due.push_back(taken);
+    }
+    return static_cast<std::int64_t>(count);
+  }
+  std::int64_t collect(const Moment& now, std::vector<Due>& due) {
+    return collect(
+        now, [](Index) { return true; }, due);
+  }
 
   void columns(Archive& archive);
 
 private:
-  Due take(Index link, const Moment& now);
+  Due take(Index link, int level, const Moment& now) {
+    Tick& given = given_[static_cast<std::size_t>(link)];
+    const Tick acting = std::max<Tick>(0, now.tick + stride(level) / 2 - given);
+    given += acting;
+    return {link, static_cast<Real>(acting) * now.tick_seconds, static_cast<Real>(given - now.tick) * now.tick_seconds};
+  }
 
   Buckets buckets_;
   std::vector<Tick> given_;  ///< until when the link's force has acted

@@ -24,16 +24,23 @@ inline constexpr Real mean_share = 0.5;
 
 /// Action and reaction: `linear` is the force on the second body, minus it that on the first; each moment is about the
 /// centre of its own body.
-template <int D>
+template <int D, class Number = Real>
 struct PairForce {
-  using Packed = Eigen::Matrix<Real, D, 1, Eigen::DontAlign>;  // no gap before it in the plane
+  // No gaps, neither in the plane nor in single precision.
+  using Force = Eigen::Matrix<Number, D, 1, Eigen::DontAlign>;
+  using Moment = Eigen::Matrix<Number, angular_dimension<D>, 1, Eigen::DontAlign>;
 
-  Angular<D> first_moment = Angular<D>::Zero();   ///< [N m]
-  Packed linear = Packed::Zero();                 ///< [N]
-  Angular<D> second_moment = Angular<D>::Zero();  ///< [N m]
+  Moment first_moment = Moment::Zero();   ///< [N m]
+  Force linear = Force::Zero();           ///< [N]
+  Moment second_moment = Moment::Zero();  ///< [N m]
 
-  Wrench<D> on_first() const { return {-linear, first_moment}; }
-  Wrench<D> on_second() const { return {linear, second_moment}; }
+  Wrench<D> on_first() const { return {-linear.template cast<Real>(), first_moment.template cast<Real>()}; }
+  Wrench<D> on_second() const { return {linear.template cast<Real>(), second_moment.template cast<Real>()}; }
+
+  template <class Other>
+  PairForce<D, Other> as() const {
+    return {first_moment.template cast<Other>(), linear.template cast<Other>(), second_moment.template cast<Other>()};
+  }
 
   /// Becomes the mean that follows on an earlier one.
   void approach(const PairForce& earlier) {
@@ -52,15 +59,16 @@ struct PairForce {
 };
 
 /// `Parts` counts the parts of the force whose work is booked apart (dashpot, friction, a load). The order of the members
-/// is that in which kernels write them and gathers read them.
+/// is that in which kernels write them and gathers read them. Impulses come from the total alone. What only books work or
+/// foresees velocities is kept in single precision: kicks read every slot of a body, and wait for memory more than for anything.
 template <int D, int Parts>
 struct alignas(64) Slot {
   PairForce<D> total;
-  std::array<PairForce<D>, Parts> part;
-  PairForce<D> mean;    ///< of the total, over the last evaluations
-  Real acting = 0;      ///< time for which the force was given at the last evaluation [s]
-  Real ahead = 0;       ///< how much of the time given until then lies after that evaluation [s]
-  Real evaluated = -1;  ///< tick of the last evaluation; a double, for gathers, and exact far beyond the longest run
+  Real acting = 0;           ///< time for which the force was given at the last evaluation [s]
+  Real ahead = 0;            ///< how much of the time given until then lies after that evaluation [s]
+  Real evaluated = -1;       ///< tick of the last evaluation; a double, for gathers, and exact far beyond the longest run
+  PairForce<D, float> mean;  ///< of the total, over the last evaluations
+  std::array<PairForce<D, float>, Parts> part;
 };
 
 /// Writes what an evaluation has found.
@@ -68,8 +76,13 @@ template <int D, int Parts>
 void write(Slot<D, Parts>& slot, const Moment& now, const Due& due, const PairForce<D>& total,
            const std::array<PairForce<D>, Parts>& part) {
   PairForce<D> mean = total;
-  if (slot.evaluated >= 0) mean.approach(slot.mean);
-  slot = {total, part, mean, due.acting, due.ahead, static_cast<Real>(now.tick)};
+  if (slot.evaluated >= 0) mean.approach(slot.mean.template as<Real>());
+  slot.total = total;
+  slot.acting = due.acting;
+  slot.ahead = due.ahead;
+  slot.evaluated = static_cast<Real>(now.tick);
+  slot.mean = mean.template as<float>();
+  for (std::size_t p = 0; p < Parts; ++p) slot.part[p] = part[p].template as<float>();
 }
 
 }  // namespace sazare::terms

@@ -62,18 +62,26 @@ private:
 };
 
 /// As many numbers as fit a register: the force and the moment on one body, and a few that follow.
-template <int D>
+template <int D, class Number>
 struct WideOf {};
 template <>
-struct WideOf<3> {
+struct WideOf<3, Real> {
   using Type = Real __attribute__((vector_size(64)));
 };
 template <>
-struct WideOf<2> {
+struct WideOf<2, Real> {
   using Type = Real __attribute__((vector_size(32)));
 };
-template <int D>
-using Wide = typename WideOf<D>::Type;
+template <>
+struct WideOf<3, float> {
+  using Type = float __attribute__((vector_size(32)));
+};
+template <>
+struct WideOf<2, float> {
+  using Type = float __attribute__((vector_size(16)));
+};
+template <int D, class Number = Real>
+using Wide = typename WideOf<D, Number>::Type;
 
 /// Sums over the slots on one side of a body, in the order of PairForce from that side's first number on: (moment, force)
 /// on side 0, (force, moment) on side 1.
@@ -83,10 +91,11 @@ struct SideSums {
   std::array<Wide<D>, Parts> part{};
 
   /// What it reads beyond the six (or three) numbers that count lies within the slot and is never used.
-  static Wide<D> read(const PairForce<D>& from, int side) {
-    Wide<D> read;
+  template <class Number>
+  static Wide<D> read(const PairForce<D, Number>& from, int side) {
+    Wide<D, Number> read;
     std::memcpy(&read, side == 0 ? from.first_moment.data() : from.linear.data(), sizeof(read));
-    return read;
+    return __builtin_convertvector(read, Wide<D>);
   }
 
   /// All in registers and without branches: at a mix of levels no processor guesses which slots are new.

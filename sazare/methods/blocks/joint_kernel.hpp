@@ -39,15 +39,15 @@ struct FaceGeometry {
   std::array<LaneVector, vertex_count> displacement;  ///< d [m]
 };
 
-inline FaceGeometry face_geometry(const JointShape<Lanes, LaneVector>& shape, const LaneBodies& master, const LaneBodies& slave) {
+inline FaceGeometry face_geometry(const LaneJoints& joints, const LaneBodies& master, const LaneBodies& slave) {
   FaceGeometry at;
-  at.axes = master.rotation * LaneMatrix{shape.frame};
+  at.axes = master.rotation * joints.frame;
   at.apart = transposed(at.axes, slave.position - master.position);
   LaneMatrix slave_axes;  // slave's body frame to face axes
   for (int i = 0; i < 3; ++i) slave_axes[i] = transposed(at.axes, slave.rotation[i]);
   for (std::size_t v = 0; v < vertex_count; ++v) {
-    at.point[v] = slave_axes * shape.arm[v] + at.apart;
-    at.displacement[v] = at.point[v] - shape.corner[v];
+    at.point[v] = slave_axes * joints.arm[v] + at.apart;
+    at.displacement[v] = at.point[v] - joints.corner[v];
   }
   return at;
 }
@@ -60,17 +60,26 @@ struct JointForce {
   FaceForce total, dashpots;
 };
 
+/// Slopes [Pa/m] on which the vertices of joints unload. Few joints have softened.
+inline LaneVector unloading_of(const LaneJoints& joints, const JointParameters<Lanes>& kind) {
+  LaneVector unloading;
+  for (int v = 0; v < vertex_count; ++v)
+    unloading[v] = any(joints.peak[v] > kind.tension.elastic_opening) ? laws::unloading_stiffness(kind.tension, joints.peak[v])
+                                                                      : kind.tension.stiffness;
+  return unloading;
+}
+
 /// Recoverable energy [J].
 inline Lanes elastic_energy(const LaneJoints& joints, const JointParameters<Lanes>& kind, const FaceGeometry& at) {
-  const auto& memory = joints.memory;
+  const LaneVector unloading = unloading_of(joints, kind);
   Lanes energy{};
   for (std::size_t v = 0; v < vertex_count; ++v) {
     const LaneVector& d = at.displacement[v];
-    const Lanes x = d[1] - memory.slip[v][0], y = d[2] - memory.slip[v][1];
-    energy += laws::tension_energy(kind.tension, d[0], memory.unloading[static_cast<int>(v)]) +
-              0.5 * kind.shear.stiffness * (x * x + y * y);
+    const Lanes x = d[1] - joints.slip[v][0], y = d[2] - joints.slip[v][1];
+    energy +=
+        laws::tension_energy(kind.tension, d[0], unloading[static_cast<int>(v)]) + 0.5 * kind.shear.stiffness * (x * x + y * y);
   }
-  return energy * joints.shape.vertex_area;
+  return energy * joints.vertex_area;
 }
 
 /// What an evaluation has done to its joints.
@@ -78,33 +87,33 @@ struct JointChange {
   LaneMask softened{};  ///< the memory of opening has grown
   LaneMask slipped{};
   LaneMask failed{};  ///< a vertex has failed: the whole face comes apart and gives nothing
+  Lanes slip_work{};  ///< energy that slip has taken [J]
+  Lanes released{};   ///< elastic energy of what came apart [J]
 };
 
 /// Raises the memory to the present opening; what is stored in a face that fails is lost.
 inline void soften(LaneJoints& joints, const JointParameters<Lanes>& kind, const FaceGeometry& at, JointChange& change) {
-  auto& memory = joints.memory;
   for (int v = 0; v < vertex_count; ++v) {
     const Lanes opening = at.displacement[static_cast<std::size_t>(v)][0];
-    const LaneMask opens = opening > memory.peak[v];
-    memory.peak[v] = select(opens, opening, memory.peak[v]);
-    memory.unloading[v] = select(opens, laws::unloading_stiffness(kind.tension, memory.peak[v]), memory.unloading[v]);
+    const LaneMask opens = opening > joints.peak[v];
+    joints.peak[v] = select(opens, opening, joints.peak[v]);
     change.softened |= opens;
-    change.failed |= memory.peak[v] >= kind.tension.failure_opening;
+    change.failed |= joints.peak[v] >= kind.tension.failure_opening;
   }
-  if (any(change.failed)) memory.released = select(change.failed, elastic_energy(joints, kind, at), memory.released);
+  if (any(change.failed)) change.released = select(change.failed, elastic_energy(joints, kind, at), Lanes{});
 }
 
 /// Elastic shear displacement of a vertex, after it has slipped where it must.
 inline std::array<Lanes, 2> shear(LaneJoints& joints, const JointParameters<Lanes>& kind, std::size_t v, const LaneVector& d,
                                   Lanes stress, JointChange& change) {
-  auto& slip = joints.memory.slip[v];
+  auto& slip = joints.slip[v];
   laws::Slip<Lanes> at{{d[1] - slip[0], d[2] - slip[1]}, {slip[0], slip[1]}, {}};
   const Lanes strength = laws::shear_strength(kind.shear, stress);
   const LaneMask slips = laws::slips(kind.shear, at, strength);
   if (any(slips)) {
     laws::slip_back(kind.shear, at, strength);
     slip = {at.memory[0], at.memory[1]};
-    joints.memory.slip_work += select(change.failed, Lanes{}, joints.shape.vertex_area * at.dissipation);
+    change.slip_work += select(change.failed, Lanes{}, joints.vertex_area * at.dissipation);
     change.slipped |= slips;
   }
   return {at.elastic[0], at.elastic[1]};
@@ -129,22 +138,23 @@ inline FaceForce face_force(const FaceGeometry& at, const FaceSums& sums) {
 /// Evaluates joints. A face that fails has no force any more.
 inline JointChange evaluate(LaneJoints& joints, const JointParameters<Lanes>& kind, const LaneBodies& master,
                             const LaneBodies& slave, JointForce& force) {
-  const FaceGeometry at = face_geometry(joints.shape, master, slave);
+  const FaceGeometry at = face_geometry(joints, master, slave);
   JointChange change;
   LaneMask opening{};
-  for (int v = 0; v < vertex_count; ++v) opening |= at.displacement[static_cast<std::size_t>(v)][0] > joints.memory.peak[v];
+  for (int v = 0; v < vertex_count; ++v) opening |= at.displacement[static_cast<std::size_t>(v)][0] > joints.peak[v];
   if (any(opening)) soften(joints, kind, at, change);
 
   const LaneVector slave_spin = transposed(at.axes, slave.spin);
   const LaneVector spin = slave_spin - transposed(at.axes, master.spin);
   const LaneVector velocity = transposed(at.axes, slave.velocity - master.velocity) - cross(slave_spin, at.apart);
-  const Lanes area = select(change.failed, Lanes{}, -joints.shape.vertex_area);
+  const Lanes area = select(change.failed, Lanes{}, -joints.vertex_area);
   const Lanes shear_area = area * kind.shear.stiffness;
   const Lanes across = area * kind.normal_damping, along = area * kind.shear_damping;
+  const LaneVector unloading = unloading_of(joints, kind);
   FaceSums all, dashpots;
   for (std::size_t v = 0; v < vertex_count; ++v) {
     const LaneVector& d = at.displacement[v];
-    const Lanes stress = laws::tension_stress(kind.tension, d[0], joints.memory.unloading[static_cast<int>(v)]);
+    const Lanes stress = laws::tension_stress(kind.tension, d[0], unloading[static_cast<int>(v)]);
     const auto elastic = shear(joints, kind, v, d, stress, change);
     const LaneVector speed = velocity + cross(spin, at.point[v]);
     const LaneVector dashpot{{across * speed[0], along * speed[1], along * speed[2]}};

@@ -54,12 +54,9 @@ void add_face(BodyMatrices& matrices, const FaceSprings& face) {
 }
 
 FaceSprings face_springs(const JointRecord& joint, const JointKind& kind, bool as_master) {
-  FaceSprings face = springs_of(kind, joint.shape.vertex_area);
-  const auto& [normal, first, second] = joint.shape.frame;
-  for (std::size_t v = 0; v < vertex_count; ++v) {
-    const Vector3& corner = joint.shape.corner[v];
-    face.corners[v] = as_master ? Vector3(corner.x() * normal + corner.y() * first + corner.z() * second) : joint.shape.arm[v];
-  }
+  FaceSprings face = springs_of(kind, joint.vertex_area);
+  for (std::size_t v = 0; v < vertex_count; ++v)
+    face.corners[v] = as_master ? Vector3(joint.frame() * joint.corner[v]) : joint.arm_of(v);
   return face;
 }
 

@@ -5,13 +5,14 @@
 #include <array>
 
 #include "sazare/core/lane_records.hpp"
+#include "sazare/core/rotation.hpp"
 #include "sazare/core/time.hpp"
 #include "sazare/laws/joint_shear.hpp"
 #include "sazare/laws/joint_tension.hpp"
 
 namespace sazare::methods::blocks {
 
-enum class JointState : std::int32_t { intact, softening, broken };
+enum class JointState : std::int16_t { intact, softening, broken };
 
 /// Strength and stiffness of a kind of joint; `P` as in the laws.
 template <class P>
@@ -26,56 +27,74 @@ using JointKind = JointParameters<Real>;
 
 inline constexpr int vertex_count = 3;
 
-/// What a joint remembers. Written back after an evaluation only where it has changed.
-template <class T, class V>
-struct JointMemory {
-  std::array<std::array<T, 2>, vertex_count> slip{};  ///< u_0 [m]
-  T slip_work{};                                      ///< energy that slip has taken [J]
-  T released{};                                       ///< elastic energy when the face came apart [J]
-  V peak{};                                           ///< by vertex: largest opening, at least the elastic one [m]
-  V unloading{};                                      ///< by vertex: slope to the origin [Pa/m]
-};
-
-/// Where the vertices are.
-template <class T, class V>
-struct JointShape {
-  std::array<V, 3> frame;              ///< Q: face axes (normal out of the master, two tangents) in its body frame, columns
-  std::array<V, vertex_count> corner;  ///< a: vertex from the master's centre, in face axes [m]
-  std::array<V, vertex_count> arm;     ///< b: vertex from the slave's centre, in its body frame [m]
-  T vertex_area{};                     ///< A: a third of the face [m2]
-};
-
-/// One joint in memory. Its doubles are read by number (see `load_joints`).
+/// One joint in memory, as small as it goes: a run waits for these records more than for anything. What it remembers comes first
+/// and is written back after an evaluation where it has changed. Places on the slave, the face's axes and slips are rounded to
+/// single precision, and everything else follows what they have been rounded to: a joint is at rest, to round-off, as it was
+/// given.
 struct alignas(64) JointRecord {
-  JointMemory<Real, Vector3> memory;  // 14 doubles
-  std::array<Real, 2> unused{};       // the shape begins on a cache line
-  JointShape<Real, Vector3> shape;    // 28 doubles
+  std::array<std::array<float, 2>, vertex_count> slip{};  ///< u_0, by vertex [m]
+  std::array<Real, vertex_count> peak{};                  ///< by vertex: largest opening, at least the elastic one [m]
+  std::array<Vector3, vertex_count> corner;               ///< a: vertex from the master's centre, in face axes [m]
+  std::array<std::array<float, 3>, vertex_count> arm{};   ///< b: vertex from the slave's centre, in its body frame [m]
+  std::int16_t kind = 0;
+  JointState state = JointState::intact;
+  std::array<float, 4> axes{};  ///< quaternion x, y, z, w, its length any: Q in the master's body frame
+  Real vertex_area = 0;         ///< A: a third of the face [m2]
   Index master = 0;
   Index slave = 0;
-  Index kind = 0;
-  JointState state = JointState::intact;
+
+  /// Q: face axes (normal out of the master, two tangents) in its body frame, columns.
+  Matrix3 frame() const { return Quaternion(axes[3], axes[0], axes[1], axes[2]).normalized().toRotationMatrix(); }
+  Vector3 arm_of(std::size_t vertex) const { return {arm[vertex][0], arm[vertex][1], arm[vertex][2]}; }
 };
-static_assert(sizeof(JointRecord) == 48 * sizeof(Real));
+inline constexpr int joint_numbers = 24;  ///< doubles, or pairs of what is shorter
+static_assert(sizeof(JointRecord) == joint_numbers * sizeof(Real));
+
+/// What a joint has taken for good.
+struct JointLosses {
+  Real slip_work = 0;  ///< [J]
+  Real released = 0;   ///< elastic energy when the face came apart [J]
+};
 
 /// Joints in lanes.
 struct LaneJoints {
-  JointMemory<Lanes, LaneVector> memory;
-  JointShape<Lanes, LaneVector> shape;
+  std::array<std::array<Lanes, 2>, vertex_count> slip;
+  LaneVector peak;
+  LaneMatrix frame;
+  std::array<LaneVector, vertex_count> corner, arm;
+  Lanes vertex_area{};
 };
 
 inline LaneJoints load_joints(const LanePointers<JointRecord>& records) {
-  const auto f = load_records<48>(records);
-  const auto vector = [&](std::size_t first) { return LaneVector{{f[first], f[first + 1], f[first + 2]}}; };
-  return {
-      {{{{f[0], f[1]}, {f[2], f[3]}, {f[4], f[5]}}}, f[6], f[7], vector(8), vector(11)},
-      {{vector(16), vector(19), vector(22)}, {vector(25), vector(28), vector(31)}, {vector(34), vector(37), vector(40)}, f[43]}};
+  const auto f = load_records<joint_numbers>(records);
+  LaneJoints joints;
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    joints.slip[v] = unpack(f[v]);
+    joints.corner[v] = {{f[6 + 3 * v], f[7 + 3 * v], f[8 + 3 * v]}};
+  }
+  joints.peak = {{f[3], f[4], f[5]}};
+  std::array<Lanes, 10> arm;
+  for (std::size_t pair = 0; pair < 5; ++pair) {
+    const auto both = unpack(f[15 + pair]);
+    arm[2 * pair] = both[0], arm[2 * pair + 1] = both[1];
+  }
+  for (std::size_t v = 0; v < vertex_count; ++v) joints.arm[v] = {{arm[3 * v], arm[3 * v + 1], arm[3 * v + 2]}};
+  const auto [x, y] = unpack(f[20]);
+  const auto [z, w] = unpack(f[21]);
+  joints.frame = rotation_of(2.0 / (x * x + y * y + z * z + w * w), x, y, z, w);
+  joints.vertex_area = f[22];
+  return joints;
 }
 
-/// Writes the memory of the first `count` lanes back.
-inline void store_memory(const JointMemory<Lanes, LaneVector>& m, const LanePointers<JointRecord>& records, int count) {
-  store_records<16>({m.slip[0][0], m.slip[0][1], m.slip[1][0], m.slip[1][1], m.slip[2][0], m.slip[2][1], m.slip_work, m.released,
-                     m.peak[0], m.peak[1], m.peak[2], m.unloading[0], m.unloading[1], m.unloading[2], Lanes{}, Lanes{}},
-                    records, count);
+/// Writes what the first `count` lanes remember back, with the part of a corner that fills the row.
+inline void store_memory(const LaneJoints& joints, const LanePointers<JointRecord>& records, int count) {
+  std::array<Lanes, 8> row;
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    row[v] = pack(joints.slip[v][0], joints.slip[v][1]);
+    row[3 + v] = joints.peak[static_cast<int>(v)];
+  }
+  row[6] = joints.corner[0][0], row[7] = joints.corner[0][1];
+  store_records<8>(row, records, count);
 }
 
 }  // namespace sazare::methods::blocks

@@ -38,19 +38,20 @@ void set_lane(JointParameters<Lanes>& lanes, int lane, const JointKind& kind) {
 JointRecord make_joint(const JointFace& face, const JointKind& kind, const state::Bodies<3>& bodies) {
   const auto &master = bodies.motion[at(face.master)], &slave = bodies.motion[at(face.slave)];
   const auto& c = face.corners;
-  const Matrix3 frame = master.rotation.transpose() * face_axes(c);
   JointRecord joint;
-  joint.shape.frame = {frame.col(0), frame.col(1), frame.col(2)};
+  const Quaternion axes(Matrix3(master.rotation.transpose() * face_axes(c)));
+  for (int i = 0; i < 4; ++i) joint.axes[at(i)] = static_cast<float>(axes.coeffs()[i]);
   for (std::size_t v = 0; v < vertex_count; ++v) {
-    joint.shape.corner[v] = frame.transpose() * (master.rotation.transpose() * (c[v] - master.position));
-    joint.shape.arm[v] = slave.rotation.transpose() * (c[v] - slave.position);
+    const Vector3 arm = slave.rotation.transpose() * (c[v] - slave.position);
+    for (int axis = 0; axis < 3; ++axis) joint.arm[v][at(axis)] = static_cast<float>(arm[axis]);
+    const Vector3 vertex = slave.position + slave.rotation * joint.arm_of(v);
+    joint.corner[v] = joint.frame().transpose() * (master.rotation.transpose() * (vertex - master.position));
   }
-  joint.shape.vertex_area = (c[1] - c[0]).cross(c[2] - c[0]).norm() / 6;
-  joint.memory.peak.setConstant(kind.tension.elastic_opening);
-  joint.memory.unloading.setConstant(kind.tension.stiffness);
+  joint.vertex_area = (c[1] - c[0]).cross(c[2] - c[0]).norm() / 6;
+  joint.peak.fill(kind.tension.elastic_opening);
   joint.master = face.master;
   joint.slave = face.slave;
-  joint.kind = face.kind;
+  joint.kind = static_cast<std::int16_t>(face.kind);
   return joint;
 }
 
@@ -73,6 +74,7 @@ Joints::Joints(std::vector<JointKind> kinds, std::span<const JointFace> faces, s
     links_.push_back({face.master, face.slave});
   }
   table_.causes = {terms::Cause::joint_dashpot};
+  losses_.resize(faces.size());
   table_.slots.resize(faces.size());
   table_.incidence = terms::FixedIncidence(bodies.size(), links_);
 }
@@ -104,9 +106,10 @@ void Joints::evaluate_lanes(const Moment& now, std::span<const Due> due, const s
   JointParameters<Lanes> mixed;
   JointForce force;
   const JointChange change = blocks::evaluate(joints, kinds_of(records, mixed), load_bodies(masters), load_bodies(slaves), force);
-  if (any(change.softened | change.slipped)) store_memory(joints.memory, records, static_cast<int>(due.size()));
   write_slots(now, due, force, change.failed);
-  if (any(change.softened)) note_changes(due, change);
+  if (!any(change.softened | change.slipped)) return;
+  store_memory(joints, records, static_cast<int>(due.size()));
+  note_changes(due, change);
 }
 
 void Joints::write_slots(const Moment& now, std::span<const Due> due, const JointForce& force, const LaneMask& failed) {
@@ -117,30 +120,40 @@ void Joints::write_slots(const Moment& now, std::span<const Due> due, const Join
     acting[static_cast<int>(lane)] = due[lane < due.size() ? lane : 0].acting;
     ahead[static_cast<int>(lane)] = due[lane < due.size() ? lane : 0].ahead;
   }
-  constexpr std::size_t whole = sizeof(terms::Slot<3, 1>) / sizeof(Real);
-  static_assert(whole == 32);
-  constexpr std::size_t mean = 18, evaluated = 29;  // places in it
+  // Places of the doubles of a slot: the total, `acting` and `ahead`, then
+  constexpr std::size_t evaluated = 11, mean = 12, whole = sizeof(terms::Slot<3, 1>) / sizeof(Real);
+  static_assert(whole == 24);
   const FaceForce &t = force.total, &d = force.dashpots;
-  std::array<Lanes, whole> f = {t.master_moment[0], t.master_moment[1], t.master_moment[2], t.linear[0],       t.linear[1],
-                                t.linear[2],        t.slave_moment[0],  t.slave_moment[1],  t.slave_moment[2], d.master_moment[0],
-                                d.master_moment[1], d.master_moment[2], d.linear[0],        d.linear[1],       d.linear[2],
-                                d.slave_moment[0],  d.slave_moment[1],  d.slave_moment[2]};
-  const auto before = load_records<16, 16>(slots);
-  const LaneMask follows = before[evaluated - 16] >= 0.0;
+  std::array<Lanes, 18> single = {
+      // the mean, still to come, and the dashpots
+      t.master_moment[0], t.master_moment[1], t.master_moment[2], t.linear[0],        t.linear[1],        t.linear[2],
+      t.slave_moment[0],  t.slave_moment[1],  t.slave_moment[2],  d.master_moment[0], d.master_moment[1], d.master_moment[2],
+      d.linear[0],        d.linear[1],        d.linear[2],        d.slave_moment[0],  d.slave_moment[1],  d.slave_moment[2]};
+  std::array<Lanes, whole> f{};
+  for (std::size_t i = 0; i < 9; ++i) f[i] = single[i];
+  f[9] = acting, f[10] = ahead, f[evaluated] = broadcast(static_cast<Real>(now.tick));
+  constexpr std::size_t from = 8;  // what is read of the slots as they were
+  const auto before = load_records<16, from>(slots);
+  const LaneMask follows = before[evaluated - from] >= 0.0;
   for (std::size_t i = 0; i < 9; ++i) {
-    const Lanes earlier = select(follows, before[mean - 16 + i], f[i]);
-    f[mean + i] = select(failed, Lanes{}, earlier + terms::mean_share * (f[i] - earlier));
+    const Lanes earlier = select(follows, unpack(before[mean - from + i / 2])[i % 2], f[i]);
+    single[i] = select(failed, Lanes{}, earlier + terms::mean_share * (f[i] - earlier));
   }
-  f[27] = acting, f[28] = ahead, f[evaluated] = broadcast(static_cast<Real>(now.tick));
+  for (std::size_t pair = 0; pair < single.size() / 2; ++pair) f[mean + pair] = pack(single[2 * pair], single[2 * pair + 1]);
   store_records<whole>(f, slots, static_cast<int>(due.size()));
 }
 
 void Joints::note_changes(std::span<const Due> due, const JointChange& change) {
   for (std::size_t lane = 0; lane < due.size(); ++lane) {
-    if (change.softened[static_cast<int>(lane)] == 0) continue;
-    const bool failed = change.failed[static_cast<int>(lane)] != 0;
+    const int i = static_cast<int>(lane);
+    JointLosses& losses = losses_[at(due[lane].link)];
+    losses.slip_work += change.slip_work[i];
+    if (change.softened[i] == 0) continue;
+    const bool failed = change.failed[i] != 0;
     records_[at(due[lane].link)].state = failed ? JointState::broken : JointState::softening;
-    if (failed) failed_.add(due[lane].link);
+    if (!failed) continue;
+    losses.released = change.released[i];
+    failed_.add(due[lane].link);
   }
 }
 
@@ -183,10 +196,10 @@ JointReport Joints::report(Index joint) const {
                      record.slave,
                      record.kind,
                      record.state,
-                     vertex_count * record.shape.vertex_area,
-                     record.memory.peak.maxCoeff(),
+                     vertex_count * record.vertex_area,
+                     *std::ranges::max_element(record.peak),
                      0};
-  for (const auto& slip : record.memory.slip) report.slip = std::max(report.slip, std::hypot(slip[0], slip[1]));
+  for (const auto& slip : record.slip) report.slip = std::max<Real>(report.slip, std::hypot(slip[0], slip[1]));
   return report;
 }
 
@@ -228,7 +241,7 @@ Lanes Joints::elastic_energies(Index first, const terms::Synchronized<3>& synchr
   }
   const LaneJoints joints = load_joints(records);
   JointParameters<Lanes> mixed;
-  return elastic_energy(joints, kinds_of(records, mixed), face_geometry(joints.shape, master, slave));
+  return elastic_energy(joints, kinds_of(records, mixed), face_geometry(joints, master, slave));
 }
 
 void Joints::add_energies(const terms::Synchronized<3>& synchronized, terms::Ledger& ledger) const {
@@ -236,24 +249,27 @@ void Joints::add_energies(const terms::Synchronized<3>& synchronized, terms::Led
   for (Index number = 0; number < count(); ++number) {
     const JointRecord& joint = records_[at(number)];
     table_.take_back(number, links_[at(number)], synchronized, ledger);
-    ledger[terms::Account::slip] += joint.memory.slip_work;
-    ledger[terms::Account::release] += joint.memory.released;
-    for (int v = 0; v < vertex_count; ++v)
+    ledger[terms::Account::slip] += losses_[at(number)].slip_work;
+    ledger[terms::Account::release] += losses_[at(number)].released;
+    for (std::size_t v = 0; v < vertex_count; ++v)
       ledger[terms::Account::fracture] +=
-          joint.shape.vertex_area * laws::fracture_dissipation(kinds_[at(joint.kind)].tension, joint.memory.peak[v]);
+          joint.vertex_area * laws::fracture_dissipation(kinds_[at(joint.kind)].tension, joint.peak[v]);
     if (number % lane_count == 0) elastic = elastic_energies(number, synchronized);
     if (joint.state != JointState::broken) ledger[terms::Account::elastic] += elastic[static_cast<int>(number % lane_count)];
   }
 }
 
 void Joints::carry(Index joint, Parcel& parcel) {
-  parcel(records_[at(joint)].memory);
+  parcel(records_[at(joint)].slip);
+  parcel(records_[at(joint)].peak);
   parcel(records_[at(joint)].state);
+  parcel(losses_[at(joint)]);
   parcel(table_[joint]);
 }
 
 void Joints::columns(Archive& archive) {
   archive("joints", records_);
+  archive("losses", losses_);
   archive("slots", table_.slots);
   archive("rates", rates_);
   archive("broken", broken_);

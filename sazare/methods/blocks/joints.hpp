@@ -73,6 +73,7 @@ private:
   std::vector<JointKind> kinds_;
   std::vector<JointParameters<Lanes>> lane_kinds_;  ///< each kind in all lanes
   std::vector<JointRecord> records_;
+  std::vector<JointLosses> losses_;
   std::vector<Link> links_;
   terms::SlotTable<3, 1, terms::FixedIncidence> table_;
   std::vector<std::array<Index, 4>> at_face_;  ///< joint by body and local face

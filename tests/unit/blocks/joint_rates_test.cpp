@@ -61,7 +61,8 @@ TEST(joint_rates, are_the_largest_eigenvalues_of_what_the_block_feels) {
     const Matrix6 stiffness = response(body, 1e-9, displace), damping = response(body, 1e-3, push);
     // The master's force acts at the slave's vertices: its own turning moves no point, to first order the same matrix.
     EXPECT_NEAR(rates.stiffness, largest(stiffness, pair.bodies(), body, {0, 1, 2, 3, 4, 5}), 1e-5 * rates.stiffness);
-    EXPECT_NEAR(rates.damping, largest(damping, pair.bodies(), body, {0, 1, 2, 3, 4, 5}), 1e-8 * rates.damping);
+    // Joints round places on the slave to single precision.
+    EXPECT_NEAR(rates.damping, largest(damping, pair.bodies(), body, {0, 1, 2, 3, 4, 5}), 1e-7 * rates.damping);
   }
 }
 

@@ -15,10 +15,12 @@ TEST(replicas, alone_owns_all_and_brings_nothing) {
   std::vector<std::unique_ptr<terms::Term<2>>> terms;
   terms.push_back(std::make_unique<terms::Springs<2>>(network.springs, network.bodies));
   Replicas<2> replicas(ranks, network.bodies, terms);
-  for (Index body = 0; body < network.bodies.size(); ++body) {
-    EXPECT_TRUE(replicas.owns(body));
-    EXPECT_FALSE(replicas.sees(body));
-  }
+  const std::vector<Index> all = {0, 1, 2};
+  for (const Index body : all) EXPECT_TRUE(replicas.owns(body));
+  std::vector<Index> own, seen;
+  replicas.share_out(all, own, seen);
+  EXPECT_EQ(own, all);
+  EXPECT_TRUE(seen.empty());
   const auto before = network.bodies.motion;
   std::vector<terms::CauseWork> work(before.size());
   replicas.fetch_all();

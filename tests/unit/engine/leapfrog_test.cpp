@@ -51,12 +51,13 @@ test::Network<D> damped_ladder() {
 
 /// Mean force of each spring, by hand; empty before the first step.
 template <int D>
-using Means = std::vector<terms::PairForce<D>>;
+using Means = std::vector<terms::PairForce<D, float>>;
 
-/// The mean of a force and what it was: half and half.
-template <class Numbers>
-Numbers follow(const Numbers& before, const Numbers& now) {
-  return before + terms::mean_share * (now - before);
+/// Makes a mean, in single precision, half of what it was and half of a force.
+template <class Mean, class Force>
+void follow(bool begins, Mean& mean, const Force& now) {
+  const Force before = begins ? now : Force(mean.template cast<Real>());
+  mean = (before + terms::mean_share * (now - before)).template cast<float>();
 }
 
 /// What all springs give to all bodies, in the order of the springs: as second bodies, and from that as first bodies.
@@ -79,11 +80,12 @@ std::vector<state::Impulse<D>> impulses(const test::Network<D>& network, Real ac
     const auto at = pull(spring, motion[first], motion[second]);
     const Angular<D> on_first = -moment(at.first_arm, at.force), on_second = moment(at.second_arm, at.force);
     auto& mean = means[i];
-    mean.first_moment = begins ? on_first : follow<Angular<D>>(mean.first_moment, on_first);
-    mean.linear = begins ? at.force : follow<Vector<D>>(mean.linear, at.force);
-    mean.second_moment = begins ? on_second : follow<Angular<D>>(mean.second_moment, on_second);
-    add(as_first[first], at.force, on_first, mean.linear, mean.first_moment);
-    add(as_second[second], at.force, on_second, mean.linear, mean.second_moment);
+    follow(begins, mean.first_moment, on_first);
+    follow(begins, mean.linear, at.force);
+    follow(begins, mean.second_moment, on_second);
+    const auto as_found = mean.template as<Real>();
+    add(as_first[first], at.force, on_first, as_found.linear, as_found.first_moment);
+    add(as_second[second], at.force, on_second, as_found.linear, as_found.second_moment);
   }
   for (std::size_t body = 0; body < motion.size(); ++body) {
     auto& sum = as_second[body];

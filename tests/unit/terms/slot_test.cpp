@@ -34,12 +34,12 @@ struct OneLink {
 TEST(slot, the_mean_follows_the_force_from_the_first_one_on) {
   OneLink link;
   link.evaluate(0, 8, 0.1, 0.1);
-  EXPECT_EQ(link.table[0].mean.linear, push(8).linear);
+  EXPECT_EQ(link.table[0].mean.as<Real>().linear, push(8).linear);
   link.evaluate(2, 4, 0.2, 0.1);
-  EXPECT_EQ(link.table[0].mean.linear, push(6).linear);
-  EXPECT_EQ(link.table[0].mean.second_moment, push(6).second_moment);
+  EXPECT_EQ(link.table[0].mean.as<Real>().linear, push(6).linear);
+  EXPECT_EQ(link.table[0].mean.as<Real>().second_moment, push(6).second_moment);
   link.evaluate(4, 4, 0.2, 0.1);
-  EXPECT_EQ(link.table[0].mean.first_moment, push(5).first_moment);
+  EXPECT_EQ(link.table[0].mean.as<Real>().first_moment, push(5).first_moment);
 }
 
 TEST(slot, what_was_given_beyond_now_is_taken_back_with_the_force_itself) {
