@@ -63,7 +63,8 @@ struct LaneJoints {
   JointShape<Lanes, LaneVector> shape;
 };
 
-inline LaneJoints load_joints(const LanePointers<JointRecord>& records) {
+template <class Record>  // of a JointRecord, const or not
+LaneJoints load_joints(const LanePointers<Record>& records) {
   const auto f = load_records<48>(records);
   const auto vector = [&](std::size_t first) { return LaneVector{{f[first], f[first + 1], f[first + 2]}}; };
   return {
