@@ -3,6 +3,7 @@
 /// How memory of large tables is handled.
 
 #include <cstdlib>  // says whether the C library is glibc
+#include <vector>
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -17,6 +18,12 @@ inline void give_back_large_tables() {
   mallopt(M_MMAP_THRESHOLD, 1 << 20);
   mallopt(M_TRIM_THRESHOLD, 1 << 20);
 #endif
+}
+
+/// Frees a table; one that is assigned {} keeps its memory.
+template <class T>
+void release(std::vector<T>& table) {
+  std::vector<T>().swap(table);
 }
 
 }  // namespace sazare

@@ -9,7 +9,22 @@
 namespace sazare::engine {
 
 namespace {
+
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
+
+/// By body, at the beginning.
+template <int D>
+std::vector<Index> count_links(const TermList<D>& terms, Index bodies) {
+  std::vector<Index> counts(at(bodies), 0);
+  for (const auto& term : terms)
+    for (const Index number : term->first_links()) {
+      const Link& link = term->links()[at(number)];
+      for (const Index body : {link.first, link.second})
+        if (body != Link::outside) ++counts[at(body)];
+    }
+  return counts;
+}
+
 }  // namespace
 
 template <int D>
@@ -17,7 +32,7 @@ LevelKeeper<D>::LevelKeeper(const StepRules& rules, const TermList<D>& terms, co
     : rules_(rules),
       clocks_(terms.size()),
       resting_(terms.size()),
-      links_(at(bodies.size())),
+      links_(count_links(terms, bodies.size())),
       level_(at(bodies.size()), 0),
       by_rates_(at(bodies.size())),
       asked_(at(bodies.size()), -1),
@@ -66,7 +81,7 @@ void LevelKeeper<D>::join(std::size_t term, Index link, Tick now) {
   clocks_[term].add(link, link_level(of), now);
   for (const Index body : {bodies.first, bodies.second}) {
     if (body == Link::outside) continue;
-    links_[at(body)].push_back(of);
+    links_.add(body, of);
     quicken(body, link_level(of));
   }
 }
@@ -77,8 +92,7 @@ void LevelKeeper<D>::part(std::size_t term, Index link) {
   clocks_[term].remove(link);
   if (rests({static_cast<Index>(term), link})) resting_[term][at(link)] = 0;
   for (const Index body : {bodies.first, bodies.second})
-    if (body != Link::outside)
-      std::erase_if(links_[at(body)], [&](const LinkOf& of) { return at(of.term) == term && of.link == link; });
+    if (body != Link::outside) links_.remove(body, {static_cast<Index>(term), link});
 }
 
 template <int D>
@@ -86,7 +100,7 @@ void LevelKeeper<D>::set_level(Index body, int level) {
   if (level_[at(body)] == level) return;
   level_[at(body)] = static_cast<std::int8_t>(level);
   quicken(body, level);
-  for (const LinkOf& of : links_[at(body)]) {
+  for (const LinkOf& of : links_.of(body)) {
     const Link& link = bodies_of(of);
     const int finer = link_level(of);
     clocks_[at(of.term)].set_level(of.link, finer);
@@ -104,7 +118,7 @@ void LevelKeeper<D>::quicken(Index body, int level) {
 template <int D>
 void LevelKeeper<D>::set_pace(Index body) {
   int finest = level(body);
-  for (const LinkOf& of : links_[at(body)]) finest = std::max(finest, link_level(of));
+  for (const LinkOf& of : links_.of(body)) finest = std::max(finest, link_level(of));
   if (finest != paces_.level(body)) paces_.move(body, finest);
 }
 
@@ -121,7 +135,7 @@ template <int D>
 void LevelKeeper<D>::ask_neighbors(Index body) {
   const int least = level(body) - rules_.neighbor_levels;
   if (least <= 0) return;
-  for (const LinkOf& of : links_[at(body)]) {
+  for (const LinkOf& of : links_.of(body)) {
     const Link& link = bodies_of(of);
     if (link.second != Link::outside) ask(link.first == body ? link.second : link.first, least);
   }
@@ -154,7 +168,7 @@ void LevelKeeper<D>::spread(std::vector<std::int8_t>& wanted) const {
       const Index body = bodies[next];
       if (wanted[at(body)] != level) continue;
       const int least = level - rules_.neighbor_levels;
-      for (const LinkOf& of : links_[at(body)]) {
+      for (const LinkOf& of : links_.of(body)) {
         const Link& link = bodies_of(of);
         if (link.second == Link::outside) continue;
         const Index other = link.first == body ? link.second : link.first;
@@ -265,13 +279,13 @@ void LevelKeeper<D>::columns(Archive& archive) {
   if (!archive.reading()) return;
   stale_ = stale != 0;
   paces_.assign(std::move(paces));
-  for (auto& list : links_) list.clear();
+  links_.clear();
   for (std::size_t term = 0; term < clocks_.size(); ++term) {
     const auto links = (*terms_)[term]->links();
     for (Index link = 0; link < static_cast<Index>(links.size()); ++link)
       if (clocks_[term].holds(link))
         for (const Index body : {links[at(link)].first, links[at(link)].second})
-          if (body != Link::outside) links_[at(body)].push_back({static_cast<Index>(term), link});
+          if (body != Link::outside) links_.add(body, {static_cast<Index>(term), link});
   }
 }
 

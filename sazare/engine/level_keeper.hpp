@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "sazare/engine/limiters.hpp"
+#include "sazare/engine/link_lists.hpp"
 #include "sazare/schedule/levels.hpp"
 #include "sazare/schedule/link_clock.hpp"
 #include "sazare/state/bodies.hpp"
@@ -22,12 +23,6 @@ namespace sazare::engine {
 
 template <int D>
 using TermList = std::vector<std::unique_ptr<terms::Term<D>>>;
-
-/// A link of one of the terms.
-struct LinkOf {
-  Index term = 0;
-  Index link = 0;
-};
 
 template <int D>
 class LevelKeeper {
@@ -80,7 +75,7 @@ private:
   schedule::Buckets paces_;                          ///< bodies by the level at which they are kicked
   std::vector<schedule::LinkClock> clocks_;          ///< by term
   std::vector<std::vector<std::int8_t>> resting_;    ///< by term and link; shorter than there are links
-  std::vector<std::vector<LinkOf>> links_;           ///< by body
+  LinkLists links_;                                  ///< by body
   std::vector<std::int8_t> level_;                   ///< by body
   std::vector<std::int8_t> by_rates_;                ///< level that a body's own springs and dashpots ask for
   std::vector<std::int8_t> asked_;                   ///< level asked for since the last tick, where in `asking_`

@@ -204,46 +204,6 @@ void Simulation<D>::settle() {
 }
 
 template <int D>
-Snapshot<D> Simulation<D>::snapshot() const {
-  Snapshot<D> at_now;
-  terms::CauseImpulses<D> parts;
-  for (Index body = 0; body < bodies_.size(); ++body) {
-    state::Impulse<D> given;
-    parts.clear();
-    for (const auto& term : terms_) term->gather(now_, std::span(&body, 1), bodies_, std::span(&given, 1), parts);
-    motion::clear_locked(given, bodies_.locks[at(body)]);
-    const auto& motion = bodies_.motion[at(body)];
-    at_now.pose.push_back(state::pose_at(motion, now_));
-    at_now.velocity.push_back(motion.velocity - given.linear_ahead / bodies_.inertia[at(body)].mass);
-    at_now.angular_momentum.push_back(motion.angular_momentum - given.angular_ahead);
-    at_now.force.push_back(given.force);
-  }
-  return at_now;
-}
-
-template <int D>
-terms::Ledger Simulation<D>::ledger(const Snapshot<D>& at_now) const {
-  terms::Ledger ledger;
-  std::vector<state::MeanMotion<D>> ahead;
-  Real kinetic = 0;
-  for (std::size_t body = 0; body < at_now.pose.size(); ++body) {
-    state::Motion<D> motion = bodies_.motion[body];
-    motion.rotation = at_now.pose[body].rotation;
-    const auto& inertia = bodies_.inertia[body];
-    const state::Locks locks = bodies_.locks[body];
-    ahead.push_back({0.5 * (motion.velocity + at_now.velocity[body]),
-                     motion::spin_of(motion, inertia, locks, 0.5 * (motion.angular_momentum + at_now.angular_momentum[body]))});
-    kinetic += motion::kinetic_energy(motion, inertia, locks, at_now.velocity[body], at_now.angular_momentum[body]);
-  }
-  ledger[terms::Account::kinetic] = kinetic - kinetic_at_start_;
-  for (const terms::CauseWork& work : work_)
-    for (std::size_t cause = 0; cause < terms::cause_count; ++cause)
-      terms::book(static_cast<terms::Cause>(cause), work[cause], ledger);
-  for (const auto& term : terms_) term->add_energies({at_now.pose, ahead}, ledger);
-  return ledger;
-}
-
-template <int D>
 Real Simulation<D>::take_smallest_step() {
   return levels_.step(std::exchange(finest_seen_, levels_.finest()));
 }

@@ -30,13 +30,12 @@ struct PartTime {
   Real seconds = 0;
 };
 
-/// Positions and velocities of all bodies at a base step, and the forces on them as last evaluated [N].
+/// Positions and velocities of all bodies at a base step.
 template <int D>
 struct Snapshot {
   std::vector<state::Pose<D>> pose;
   std::vector<Vector<D>> velocity;
   std::vector<Angular<D>> angular_momentum;
-  std::vector<Vector<D>> force;
 };
 
 /// How the work is shared out among the processes of a run.
@@ -87,6 +86,8 @@ public:
 
   /// Positions and velocities at `now()`: the part of the last kicks that acts after it is taken back.
   Snapshot<D> snapshot() const;
+  /// Forces on all bodies as last evaluated [N].
+  std::vector<Vector<D>> forces() const;
   terms::Ledger ledger() const { return ledger(snapshot()); }
   terms::Ledger ledger(const Snapshot<D>& at_now) const;  ///< where the snapshot is at hand
 
@@ -114,6 +115,8 @@ private:
   void kick_chunk(std::span<const Index> which);
   void settle();
   void add_time(std::size_t part, std::int64_t since);
+  template <class Take>
+  void gather_all(Take&& take) const;
 
   state::Bodies<D> bodies_;
   TermList<D> terms_;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,11 +34,21 @@ inline std::int64_t element_tag(const TetraMesh& mesh, std::int32_t element) {
   return index < mesh.tags.size() ? mesh.tags[index] : static_cast<std::int64_t>(element) + 1;
 }
 
+/// The corners of a mesh's elements, as a view: nodes and elements must stay where they are.
+struct ElementCorners {
+  std::span<const Vector3> nodes;                           ///< positions [m]
+  std::span<const std::array<std::int32_t, 4>> tetrahedra;  ///< node indices
+
+  std::array<Vector3, 4> of(std::int32_t element) const {
+    const auto& own = tetrahedra[static_cast<std::size_t>(element)];
+    const auto at = [&](std::size_t corner) { return nodes[static_cast<std::size_t>(own[corner])]; };
+    return {at(0), at(1), at(2), at(3)};
+  }
+};
+
 /// The corners of an element [m].
 inline std::array<Vector3, 4> corners_of(const TetraMesh& mesh, std::int32_t element) {
-  const auto& nodes = mesh.tetrahedra[static_cast<std::size_t>(element)];
-  const auto at = [&](std::size_t corner) { return mesh.nodes[static_cast<std::size_t>(nodes[corner])]; };
-  return {at(0), at(1), at(2), at(3)};
+  return ElementCorners{mesh.nodes, mesh.tetrahedra}.of(element);
 }
 
 }  // namespace sazare::geometry

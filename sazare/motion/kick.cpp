@@ -6,25 +6,6 @@ namespace sazare::motion {
 
 namespace {
 
-/// Inverse inertia tensor in world axes. Locked axes are taken out of the tensor itself (not of its inverse): the body then
-/// answers as if its free axes were all there is.
-Matrix3 inverse_inertia(const state::Motion<3>& motion, const state::Inertia<3>& inertia, state::Locks locks) {
-  const Matrix3 scaled = motion.rotation * inertia.inverse_moments.asDiagonal();
-  const Matrix3 inverse = scaled * motion.rotation.transpose();
-  if (locks.rotation == 0) return inverse;
-  Matrix3 tensor = inverse.inverse();
-  for (int axis = 0; axis < 3; ++axis)
-    if (locks.rotation >> axis & 1) {
-      tensor.row(axis).setZero();
-      tensor.col(axis).setZero();
-      tensor(axis, axis) = 1;
-    }
-  Matrix3 free = tensor.inverse();
-  for (int axis = 0; axis < 3; ++axis)
-    if (locks.rotation >> axis & 1) free(axis, axis) = 0;
-  return free;
-}
-
 template <int N>
 void clear_axes(Vector<N>& vector, std::uint8_t locked) {
   for (int axis = 0; axis < N; ++axis)
@@ -56,9 +37,32 @@ Vector3 spin_midway(const Matrix3& inverse, const Vector3& angular_momentum, con
 
 }  // namespace
 
+/// Locked axes are taken out of the tensor itself (not of its inverse): the body then answers as if its free axes were all there
+/// is.
+Matrix3 inverse_inertia(const Rotation<3>& rotation, const state::Inertia<3>& inertia, state::Locks locks) {
+  const Matrix3 scaled = rotation * inertia.inverse_moments.asDiagonal();
+  const Matrix3 inverse = scaled * rotation.transpose();
+  if (locks.rotation == 0) return inverse;
+  Matrix3 tensor = inverse.inverse();
+  for (int axis = 0; axis < 3; ++axis)
+    if (locks.rotation >> axis & 1) {
+      tensor.row(axis).setZero();
+      tensor.col(axis).setZero();
+      tensor(axis, axis) = 1;
+    }
+  Matrix3 free = tensor.inverse();
+  for (int axis = 0; axis < 3; ++axis)
+    if (locks.rotation >> axis & 1) free(axis, axis) = 0;
+  return free;
+}
+
+Vector<1> inverse_inertia(const Rotation<2>&, const state::Inertia<2>& inertia, state::Locks locks) {
+  return Vector<1>(locks.rotation != 0 ? 0 : inertia.inverse_moments[0]);
+}
+
 Vector3 spin_of(const state::Motion<3>& motion, const state::Inertia<3>& inertia, state::Locks locks,
                 const Vector3& angular_momentum) {
-  return inverse_inertia(motion, inertia, locks) * angular_momentum;
+  return inverse_inertia(motion.rotation, inertia, locks) * angular_momentum;
 }
 
 Angular<2> spin_of(const state::Motion<2>&, const state::Inertia<2>& inertia, state::Locks locks,
@@ -100,7 +104,7 @@ void foresee(state::Motion<D>& motion, const state::Inertia<D>& inertia, state::
 template <>
 void drift<3>(state::Motion<3>& motion, state::Inertia<3>& inertia, state::Locks locks, Tick due, Real seconds) {
   motion.position += seconds * motion.velocity;
-  const Matrix3 inverse = inverse_inertia(motion, inertia, locks);
+  const Matrix3 inverse = inverse_inertia(motion.rotation, inertia, locks);
   const Vector3 spin = inverse * motion.angular_momentum;
   motion.spin = spin_midway(inverse, motion.angular_momentum, spin, 0.5 * seconds);
   rotate(motion, inertia, seconds);

@@ -46,6 +46,10 @@ Vector3 spin_of(const state::Motion<3>& motion, const state::Inertia<3>& inertia
 Angular<2> spin_of(const state::Motion<2>& motion, const state::Inertia<2>& inertia, state::Locks locks,
                    const Angular<2>& angular_momentum);
 
+/// What turns an angular momentum into the spin, where a body has this rotation.
+Matrix3 inverse_inertia(const Rotation<3>& rotation, const state::Inertia<3>& inertia, state::Locks locks);
+Vector<1> inverse_inertia(const Rotation<2>& rotation, const state::Inertia<2>& inertia, state::Locks locks);
+
 /// Kinetic energy [J] of a velocity and an angular momentum.
 template <int D>
 Real kinetic_energy(const state::Motion<D>& motion, const state::Inertia<D>& inertia, state::Locks locks,

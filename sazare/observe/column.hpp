@@ -34,6 +34,16 @@ inline CellData cell_data(std::string_view name, const std::vector<Vector3>& val
   return {std::string(name), 3, std::span(first, 3 * values.size())};
 }
 
+template <class T>
+CellData cell_data(std::string_view name, const MadeNumbers<T>& values) {
+  return {std::string(name), 1, values};
+}
+/// Vectors that are made while they are written, three numbers each.
+struct MadeVectors {
+  MadeNumbers<Real> numbers;
+};
+inline CellData cell_data(std::string_view name, const MadeVectors& values) { return {std::string(name), 3, values.numbers}; }
+
 /// The fields of a snapshot, values in the order of the columns.
 template <std::size_t N, class... Values>
 std::vector<CellData> cell_data(const std::array<Column, N>& columns, const Values&... values) {

@@ -3,6 +3,8 @@
 /// A fast hash of bytes (XXH64, Yann Collet's xxHash), for the state of a run and the blobs of a checkpoint.
 /// It finds differences and damage; it does not withstand an adversary.
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -52,30 +54,76 @@ inline std::uint64_t finished(std::uint64_t hash, const std::byte* bytes, std::s
 
 }  // namespace detail
 
-/// The hash of some bytes; another seed gives another hash.
-inline std::uint64_t hash_bytes(std::span<const std::byte> input, std::uint64_t seed = 0) {
-  using namespace detail;
-  const std::byte* bytes = input.data();
-  std::size_t count = input.size();
-  std::uint64_t hash = seed + prime_5;
-  if (count >= 32) {
-    std::uint64_t lanes[4] = {seed + prime_1 + prime_2, seed + prime_2, seed, seed - prime_1};
-    for (; count >= 32; count -= 32) {
-      for (std::uint64_t& lane : lanes) {
-        lane = mixed(lane, load<std::uint64_t>(bytes));
-        bytes += 8;
-      }
+/// The hash of bytes that come in pieces, whatever the pieces; another seed gives another hash.
+class PieceHash {
+public:
+  explicit PieceHash(std::uint64_t seed = 0)
+      : seed_(seed), lanes_{seed + detail::prime_1 + detail::prime_2, seed + detail::prime_2, seed, seed - detail::prime_1} {}
+
+  void add(std::span<const std::byte> piece) {
+    total_ += piece.size();
+    if (kept_ > 0) {
+      const std::size_t taken = std::min(block - kept_, piece.size());
+      std::copy_n(piece.begin(), taken, rest_.begin() + static_cast<std::ptrdiff_t>(kept_));
+      kept_ += taken;
+      piece = piece.subspan(taken);
+      if (kept_ < block) return;
+      mix(lanes_, rest_.data());
+      kept_ = 0;
     }
-    hash = std::rotl(lanes[0], 1) + std::rotl(lanes[1], 7) + std::rotl(lanes[2], 12) + std::rotl(lanes[3], 18);
-    for (const std::uint64_t lane : lanes) hash = merged(hash, lane);
+    auto lanes = lanes_;  // in registers
+    for (; piece.size() >= block; piece = piece.subspan(block)) mix(lanes, piece.data());
+    lanes_ = lanes;
+    std::copy(piece.begin(), piece.end(), rest_.begin());
+    kept_ = piece.size();
   }
-  return finished(hash + input.size(), bytes, count);
+
+  std::uint64_t value() const {
+    std::uint64_t hash = seed_ + detail::prime_5;
+    if (total_ >= block) {
+      hash = std::rotl(lanes_[0], 1) + std::rotl(lanes_[1], 7) + std::rotl(lanes_[2], 12) + std::rotl(lanes_[3], 18);
+      for (const std::uint64_t lane : lanes_) hash = detail::merged(hash, lane);
+    }
+    return detail::finished(hash + total_, rest_.data(), kept_);
+  }
+
+private:
+  static constexpr std::size_t block = 32;
+
+  static void mix(std::array<std::uint64_t, 4>& lanes, const std::byte* bytes) {
+    for (std::uint64_t& lane : lanes) {
+      lane = detail::mixed(lane, detail::load<std::uint64_t>(bytes));
+      bytes += 8;
+    }
+  }
+
+  std::uint64_t seed_;
+  std::array<std::uint64_t, 4> lanes_;
+  std::array<std::byte, block> rest_{};  ///< of a block that is not yet whole
+  std::size_t kept_ = 0;
+  std::size_t total_ = 0;
+};
+
+/// The hash of some bytes.
+inline std::uint64_t hash_bytes(std::span<const std::byte> input, std::uint64_t seed = 0) {
+  PieceHash hash(seed);
+  hash.add(input);
+  return hash.value();
 }
 
 /// The hash of several parts in their order; where one part ends and the next begins counts as well.
 class Hash {
 public:
   void add(std::span<const std::byte> part) { value_ = hash_bytes(part, value_); }
+
+  /// A part that `make` adds to a PieceHash, piece by piece.
+  template <class Make>
+  void add_pieces(Make&& make) {
+    PieceHash part(value_);
+    make(part);
+    value_ = part.value();
+  }
+
   std::uint64_t value() const { return value_; }
 
 private:

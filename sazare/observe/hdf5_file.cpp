@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <functional>
+#include <numeric>
 #include <system_error>
 #include <type_traits>
 #include <utility>
@@ -48,6 +51,20 @@ hid_t type_of() {
   return H5T_NATIVE_UINT8;
 }
 
+constexpr std::size_t numbers_of_piece = 1 << 14;
+
+std::vector<hsize_t> sizes_of(const std::vector<std::size_t>& shape) { return {shape.begin(), shape.end()}; }
+
+hid_t make_space(const std::vector<hsize_t>& sizes) {
+  return H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr);
+}
+
+hid_t make_dataset(hid_t file, const std::string& path, hid_t type, hid_t space) {
+  const Properties properties(H5Pcreate(H5P_DATASET_CREATE));
+  H5Pset_obj_track_times(properties, false);  // equal contents make equal files
+  return H5Dcreate2(file, path.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT);
+}
+
 }  // namespace
 
 Hdf5Writer::Hdf5Writer(const std::filesystem::path& file, Tables tables)
@@ -75,16 +92,38 @@ void Hdf5Writer::make_group(const std::string& path) {
 
 template <class T>
 void Hdf5Writer::write(const std::string& path, std::span<const T> values, const std::vector<std::size_t>& shape) {
-  const std::vector<hsize_t> sizes(shape.begin(), shape.end());
-  const Space space(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr));
-  const Properties properties(H5Pcreate(H5P_DATASET_CREATE));
-  H5Pset_obj_track_times(properties, false);  // equal contents make equal files
-  Dataset dataset(H5Dcreate2(file_, path.c_str(), type_of<T>(), space, H5P_DEFAULT, properties, H5P_DEFAULT));
+  const Space space(make_space(sizes_of(shape)));
+  Dataset dataset(make_dataset(file_, path, type_of<T>(), space));
   check(dataset);
   if (!values.empty()) check(H5Dwrite(dataset, type_of<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
   check(dataset.close());
 }
 
+template <class T>
+void Hdf5Writer::write(const std::string& path, const MadeNumbers<T>& numbers, const std::vector<std::size_t>& shape) {
+  std::vector<hsize_t> sizes = sizes_of(shape), begin(shape.size(), 0);
+  const Space space(make_space(sizes));
+  Dataset dataset(make_dataset(file_, path, type_of<T>(), space));
+  check(dataset);
+  const std::size_t rows = shape.front();
+  const std::size_t width = std::accumulate(shape.begin() + 1, shape.end(), std::size_t{1}, std::multiplies<>());
+  const std::size_t rows_of_piece = std::max<std::size_t>(1, numbers_of_piece / width);
+  std::vector<T> piece;
+  for (std::size_t row = 0; row < rows; row += rows_of_piece) {
+    begin.front() = row;
+    sizes.front() = std::min(rows_of_piece, rows - row);
+    piece.resize(sizes.front() * width);
+    numbers.fill(row * width, piece);
+    const Space memory(make_space(sizes));
+    check(H5Sselect_hyperslab(space, H5S_SELECT_SET, begin.data(), nullptr, sizes.data(), nullptr));
+    check(H5Dwrite(dataset, type_of<T>(), memory, space, H5P_DEFAULT, piece.data()));
+  }
+  check(dataset.close());
+}
+
+template void Hdf5Writer::write(const std::string&, const MadeNumbers<double>&, const std::vector<std::size_t>&);
+template void Hdf5Writer::write(const std::string&, const MadeNumbers<std::int32_t>&, const std::vector<std::size_t>&);
+template void Hdf5Writer::write(const std::string&, const MadeNumbers<std::int64_t>&, const std::vector<std::size_t>&);
 template void Hdf5Writer::write(const std::string&, std::span<const double>, const std::vector<std::size_t>&);
 template void Hdf5Writer::write(const std::string&, std::span<const std::int32_t>, const std::vector<std::size_t>&);
 template void Hdf5Writer::write(const std::string&, std::span<const std::int64_t>, const std::vector<std::size_t>&);

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -13,6 +14,16 @@
 namespace sazare::observe {
 
 struct Hdf5Disk;
+
+/// Numbers that are made while they are written, so that they never stand in memory all at once: `fill(first, piece)` sets those
+/// from number `first` on.
+template <class T>
+struct MadeNumbers {
+  std::size_t count = 0;
+  std::function<void(std::size_t first, std::span<T> piece)> fill;
+
+  std::size_t size() const { return count; }
+};
 
 /// An HDF5 file in the making, atomic (see AtomicFile). Paths of groups and datasets are absolute
 /// ("/group/name"). Every member throws MachineError when the disk fails; then nothing is left of the file.
@@ -36,6 +47,9 @@ public:
   void write(const std::string& path, std::span<const T> values) {
     write(path, values, {values.size()});
   }
+  /// The same of numbers that are made in pieces of whole rows.
+  template <class T>
+  void write(const std::string& path, const MadeNumbers<T>& numbers, const std::vector<std::size_t>& shape);
 
   /// Attributes of a group or dataset: whole numbers (an array), a text of fixed length in ASCII.
   void set_attribute(const std::string& path, const std::string& name, std::span<const std::int64_t> values);

@@ -11,7 +11,6 @@
 
 #include "sazare/core/error.hpp"
 #include "sazare/observe/atomic_file.hpp"
-#include "sazare/observe/hdf5_file.hpp"
 
 namespace sazare::observe {
 namespace {
@@ -54,23 +53,45 @@ void write_count(Hdf5Writer& out, const std::string& name, std::size_t count) {
   out.write("/VTKHDF/" + name, std::span<const std::int64_t>(value));
 }
 
+std::size_t count_points(const Grid& grid) { return grid.own_points.fill ? grid.own_points.count / 3 : grid.points.size(); }
+
+std::size_t count_corners(const Grid& grid) { return grid.own_points.fill ? count_points(grid) : grid.connectivity.size(); }
+
 std::size_t count_cells(const Grid& grid) {
   if (grid.cell == Grid::Cell::polygon) return grid.ends.size();
   if (!grid.types.empty()) return grid.types.size();
-  return grid.connectivity.size() / points_of(static_cast<std::uint8_t>(grid.cell));
+  return count_corners(grid) / points_of(static_cast<std::uint8_t>(grid.cell));
+}
+
+void write_points(Hdf5Writer& out, const Grid& grid) {
+  static_assert(sizeof(Vector3) == 3 * sizeof(Real), "points are written as they lie in memory");
+  const std::vector<std::size_t> shape = {count_points(grid), 3};
+  if (grid.own_points.fill) return out.write("/VTKHDF/Points", grid.own_points, shape);
+  const Real* first = grid.points.empty() ? nullptr : grid.points.front().data();
+  out.write("/VTKHDF/Points", std::span(first, 3 * grid.points.size()), shape);
+}
+
+/// Whole numbers of 64 bits from a function of their place.
+template <class NumberAt>
+void write_long(Hdf5Writer& out, const std::string& name, std::size_t count, NumberAt&& number_at) {
+  const auto fill = [&](std::size_t first, std::span<std::int64_t> piece) {
+    for (std::size_t i = 0; i < piece.size(); ++i) piece[i] = number_at(first + i);
+  };
+  out.write("/VTKHDF/" + name, MadeNumbers<std::int64_t>{count, fill}, {count});
 }
 
 void write_cells(Hdf5Writer& out, const Grid& grid, std::size_t cells) {
-  std::vector<std::int64_t> numbers(grid.connectivity.begin(), grid.connectivity.end());
-  out.write("/VTKHDF/Connectivity", std::span<const std::int64_t>(numbers));
+  write_long(out, "Connectivity", count_corners(grid), [&](std::size_t i) {
+    return grid.own_points.fill ? static_cast<std::int64_t>(i) : std::int64_t{grid.connectivity[i]};
+  });
   std::vector<std::uint8_t> types(grid.types.begin(), grid.types.end());
   if (types.empty()) types.assign(cells, static_cast<std::uint8_t>(grid.cell));
-  numbers.assign(1, 0);
-  if (grid.cell == Grid::Cell::polygon)
-    numbers.insert(numbers.end(), grid.ends.begin(), grid.ends.end());
-  else
-    for (const std::uint8_t type : types) numbers.push_back(numbers.back() + static_cast<std::int64_t>(points_of(type)));
-  out.write("/VTKHDF/Offsets", std::span<const std::int64_t>(numbers));
+  std::int64_t end = 0;  // offsets are asked for one after the other
+  write_long(out, "Offsets", cells + 1, [&](std::size_t i) {
+    if (i > 0)
+      end = grid.cell == Grid::Cell::polygon ? grid.ends[i - 1] : end + static_cast<std::int64_t>(points_of(types[i - 1]));
+    return end;
+  });
   out.write("/VTKHDF/Types", std::span<const std::uint8_t>(types));
 }
 
@@ -96,17 +117,15 @@ void write_vtkhdf(const fs::path& file, const Grid& grid, Sync sync) {
   out.make_group("/VTKHDF");
   out.set_attribute("/VTKHDF", "Version", std::vector<std::int64_t>{1, 0});
   out.set_attribute("/VTKHDF", "Type", "UnstructuredGrid");
-  write_count(out, "NumberOfPoints", grid.points.size());
+  write_count(out, "NumberOfPoints", count_points(grid));
   write_count(out, "NumberOfCells", cells);
-  write_count(out, "NumberOfConnectivityIds", grid.connectivity.size());
-  static_assert(sizeof(Vector3) == 3 * sizeof(Real), "points are written as they lie in memory");
-  const Real* first = grid.points.empty() ? nullptr : grid.points.front().data();
-  out.write("/VTKHDF/Points", std::span(first, 3 * grid.points.size()), {grid.points.size(), 3});
+  write_count(out, "NumberOfConnectivityIds", count_corners(grid));
+  write_points(out, grid);
   write_cells(out, grid, cells);
   out.make_group("/VTKHDF/CellData");
   for (const CellData& data : grid.cell_data) write_data(out, "/VTKHDF/CellData/", data, cells);
   if (!grid.point_data.empty()) out.make_group("/VTKHDF/PointData");
-  for (const CellData& data : grid.point_data) write_data(out, "/VTKHDF/PointData/", data, grid.points.size());
+  for (const CellData& data : grid.point_data) write_data(out, "/VTKHDF/PointData/", data, count_points(grid));
   out.make_group("/VTKHDF/FieldData");
   out.write("/VTKHDF/FieldData/time", std::span<const Real>(&grid.time, 1));
   out.commit(sync);

@@ -10,6 +10,7 @@
 
 #include "sazare/core/vector.hpp"
 #include "sazare/observe/atomic_file.hpp"
+#include "sazare/observe/hdf5_file.hpp"
 
 namespace sazare::observe {
 
@@ -17,7 +18,7 @@ namespace sazare::observe {
 struct CellData {
   std::string name;
   std::size_t components = 1;  ///< 1 or 3
-  std::variant<std::span<const Real>, std::span<const std::int32_t>> values;
+  std::variant<std::span<const Real>, std::span<const std::int32_t>, MadeNumbers<Real>, MadeNumbers<std::int32_t>> values;
 };
 
 /// A grid of cells, as views on the caller's memory.
@@ -34,6 +35,9 @@ struct Grid {
 
   std::span<const std::uint8_t> types = {};   ///< VTK's number of every cell, where they are not all equal
   std::span<const CellData> point_data = {};  ///< numbers of the points, (points, components)
+
+  /// Points that are made while they are written, in place of `points` and `connectivity`: every cell has its own, in order.
+  MadeNumbers<Real> own_points = {};
 };
 
 /// Writes a VTKHDF file (version 1.0, UnstructuredGrid), which ParaView 5.11 and newer and pyvista open; the

@@ -28,11 +28,19 @@ laws::SphereContact contact_law(const cases::Contact& contact) {
           caps[static_cast<std::size_t>(contact.damping_cap)]};
 }
 
-std::vector<terms::Rates> rates_of(const Terms& terms, Index bodies) {
-  std::vector<terms::Rates> rates(static_cast<std::size_t>(bodies));
-  for (Index body = 0; body < bodies; ++body)
-    for (const auto& term : terms) rates[static_cast<std::size_t>(body)] += term->rates(body);
-  return rates;
+/// Which part of w^2 h^2 + 2 c h = 4 is the larger one.
+bool is_bound_by_dashpots(const terms::Rates& rates, Real step) {
+  return 4 * rates.damping / (2 - terms::mean_share) > rates.stiffness * step;
+}
+
+/// What every element's step may be, with its neighbours held.
+void find_stable_steps(const Terms& terms, Index bodies, BlocksModel& model) {
+  for (Index body = 0; body < bodies; ++body) {
+    terms::Rates rates;
+    for (const auto& term : terms) rates += term->rates(body);
+    model.stable_step.push_back(engine::stable_step(rates));
+    model.is_bound_by_dashpots.push_back(is_bound_by_dashpots(rates, model.stable_step.back()));
+  }
 }
 
 engine::StepRules step_rules(const cases::Time& time, Real base_step) {
@@ -46,6 +54,58 @@ engine::StepRules step_rules(const cases::Time& time, Real base_step) {
   return rules;
 }
 
+/// Makes the terms of a model. The tables that only this takes are gone when it has.
+class TermMaker {
+public:
+  TermMaker(const cases::BlocksCase& blocks, BlocksModel& model, const state::Bodies<3>& bodies)
+      : blocks_(blocks), model_(model), bodies_(bodies) {}
+
+  Terms make(std::optional<Real> window) {
+    const auto map = geometry::build_face_map(model_.mesh);
+    const MeshFaces faces{model_.mesh, map, geometry::find_surface_faces(model_.mesh, map)};
+    const std::vector<Index> joint_of_face = joint_by_face(blocks_, faces, model_.material);
+    make_joints(make_joint_faces(blocks_, faces, joint_of_face), window.value_or(blocks_.time.history_interval));
+    model_.contacts = keep(terms_, std::make_unique<methods::blocks::Contacts>(
+                                       contact_law(blocks_.contact), blocks_.contact.edge_division, *model_.joints,
+                                       geometry::ElementCorners{model_.mesh.nodes, model_.mesh.tetrahedra},
+                                       make_free_faces(blocks_, faces, joint_of_face), bodies_));
+    if (window)
+      model_.surface = keep(
+          terms_, std::make_unique<methods::blocks::SurfaceContacts>(contact_law(blocks_.contact), *model_.contacts, bodies_));
+    if (auto boundaries = make_boundaries(blocks_, faces, model_.material, bodies_); !boundaries.empty())
+      keep(terms_, std::make_unique<methods::blocks::OuterFaces>(std::move(boundaries), bodies_));
+    if (!blocks_.blasts.empty())
+      keep(terms_,
+           std::make_unique<terms::FacePressure>(make_loads(blocks_), make_pressed_faces(blocks_, faces, bodies_), bodies_));
+    if (!blocks_.gravity.acceleration.isZero())
+      keep(terms_, std::make_unique<terms::Gravity<3>>(blocks_.gravity.acceleration, bodies_));
+    return std::move(terms_);
+  }
+
+  Real base_step() const { return base_step_; }
+
+private:
+  void make_joints(std::vector<methods::blocks::JointFace> joint_faces, Real whole) {
+    std::vector<methods::blocks::JointKind> kinds;
+    for (const cases::Joint& joint : blocks_.joints) kinds.push_back(make_joint_kind(joint));
+    auto joint_rates = methods::blocks::joint_rates(kinds, joint_faces, bodies_);
+    const Real coupling = methods::blocks::coupled_damping(kinds, joint_faces, bodies_, joint_rates);
+    for (terms::Rates& rates : joint_rates) rates.damping *= coupling / 2;
+    std::vector<Real> steps;
+    for (const terms::Rates& rates : joint_rates) steps.push_back(blocks_.time.stability_fraction * engine::stable_step(rates));
+    base_step_ = blocks_.time.base_step.value_or(choose_base_step(steps, joint_faces, whole));
+    if (blocks_.time.limiter == cases::Limiter::stability) sort_by_level(joint_faces, steps, base_step_);
+    model_.joints =
+        keep(terms_, std::make_unique<methods::blocks::Joints>(std::move(kinds), joint_faces, std::move(joint_rates), bodies_));
+  }
+
+  const cases::BlocksCase& blocks_;
+  BlocksModel& model_;
+  const state::Bodies<3>& bodies_;
+  Terms terms_;
+  Real base_step_ = 0;  // [s]
+};
+
 }  // namespace
 
 BlocksModel build_blocks(const cases::BlocksCase& blocks, geometry::TetraMesh mesh, const engine::Sharing& sharing,
@@ -54,46 +114,13 @@ BlocksModel build_blocks(const cases::BlocksCase& blocks, geometry::TetraMesh me
   model.mesh = std::move(mesh);
   for (Index element = 0; element < static_cast<Index>(model.mesh.tetrahedra.size()); ++element)
     model.volume.push_back(geometry::volume(geometry::corners_of(model.mesh, element)));
-  const auto map = geometry::build_face_map(model.mesh);
-  const MeshFaces faces{model.mesh, map, geometry::find_surface_faces(model.mesh, map)};
   model.material = materials_by_element(blocks, model.mesh);
   state::Bodies<3> bodies = make_bodies(blocks, model.mesh, model.material);
-
-  std::vector<methods::blocks::JointKind> kinds;
-  for (const cases::Joint& joint : blocks.joints) kinds.push_back(make_joint_kind(joint));
-  const std::vector<Index> joint_of_face = joint_by_face(blocks, faces, model.material);
-  auto joint_faces = make_joint_faces(blocks, faces, joint_of_face);
-  auto joint_rates = methods::blocks::joint_rates(kinds, joint_faces, bodies);
-  const Real coupling = methods::blocks::coupled_damping(kinds, joint_faces, bodies, joint_rates);
-  for (terms::Rates& rates : joint_rates) rates.damping *= coupling / 2;
-  std::vector<Real> steps;
-  for (const terms::Rates& rates : joint_rates) steps.push_back(blocks.time.stability_fraction * engine::stable_step(rates));
-  const Real base_step =
-      blocks.time.base_step.value_or(choose_base_step(steps, joint_faces, window.value_or(blocks.time.history_interval)));
-  if (blocks.time.limiter == cases::Limiter::stability) sort_by_level(joint_faces, steps, base_step);
-  std::vector<geometry::Tetrahedron> corners;
-  for (Index element = 0; element < bodies.size(); ++element) corners.push_back(geometry::corners_of(model.mesh, element));
-
-  Terms terms;
-  model.joints =
-      keep(terms, std::make_unique<methods::blocks::Joints>(std::move(kinds), joint_faces, std::move(joint_rates), bodies));
-  model.contacts = keep(terms, std::make_unique<methods::blocks::Contacts>(
-                                   contact_law(blocks.contact), blocks.contact.edge_division, *model.joints, std::move(corners),
-                                   make_free_faces(blocks, faces, joint_of_face), bodies));
-  if (window)
-    model.surface =
-        keep(terms, std::make_unique<methods::blocks::SurfaceContacts>(contact_law(blocks.contact), *model.contacts, bodies));
-  if (auto boundaries = make_boundaries(blocks, faces, model.material, bodies); !boundaries.empty())
-    keep(terms, std::make_unique<methods::blocks::OuterFaces>(std::move(boundaries), bodies));
-  if (!blocks.blasts.empty())
-    keep(terms, std::make_unique<terms::FacePressure>(make_loads(blocks), make_pressed_faces(blocks, faces, bodies), bodies));
-  if (!blocks.gravity.acceleration.isZero())
-    keep(terms, std::make_unique<terms::Gravity<3>>(blocks.gravity.acceleration, bodies));
-
-  model.rates = rates_of(terms, bodies.size());
-  for (const terms::Rates& rates : model.rates) model.stable_step.push_back(engine::stable_step(rates));
-  model.simulation =
-      std::make_unique<engine::Simulation<3>>(std::move(bodies), std::move(terms), step_rules(blocks.time, base_step), sharing);
+  TermMaker maker(blocks, model, bodies);
+  Terms terms = maker.make(window);
+  find_stable_steps(terms, bodies.size(), model);
+  model.simulation = std::make_unique<engine::Simulation<3>>(std::move(bodies), std::move(terms),
+                                                             step_rules(blocks.time, maker.base_step()), sharing);
   return model;
 }
 

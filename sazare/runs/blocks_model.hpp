@@ -18,10 +18,10 @@ namespace sazare::runs {
 /// A simulation and what is needed to read its results.
 struct BlocksModel {
   geometry::TetraMesh mesh;
-  std::vector<Real> volume;         ///< by element [m3]
-  std::vector<Index> material;      ///< by element
-  std::vector<terms::Rates> rates;  ///< by element, at the beginning
-  std::vector<Real> stable_step;    ///< by element, the fraction of the case not yet applied [s]
+  std::vector<Real> volume;                ///< by element [m3]
+  std::vector<Index> material;             ///< by element
+  std::vector<Real> stable_step;           ///< by element at the beginning, the fraction of the case not yet applied [s]
+  std::vector<bool> is_bound_by_dashpots;  ///< by element: what the larger part of that step's bound comes from
   std::unique_ptr<engine::Simulation<3>> simulation;
   methods::blocks::Joints* joints = nullptr;            ///< owned by the simulation
   methods::blocks::Contacts* contacts = nullptr;        ///< owned by the simulation

@@ -5,19 +5,22 @@
 namespace sazare::runs {
 
 namespace {
-
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
-/// From the element's centre to the point, in world axes [m].
-Vector3 arm(const state::Bodies<3>& bodies, const engine::Snapshot<3>& now, Index element, const Vector3& start) {
-  const Vector3 in_body = bodies.start_rotation[at(element)].transpose() * (start - bodies.start[at(element)]);
-  return now.pose[at(element)].rotation * in_body;
-}
-
 }  // namespace
 
-Vector3 moved_point(const state::Bodies<3>& bodies, const engine::Snapshot<3>& now, Index element, const Vector3& start) {
-  return now.pose[at(element)].position + arm(bodies, now, element, start);
+PlacedElement::PlacedElement(const state::Bodies<3>& bodies, const engine::Snapshot<3>& now, Index element)
+    : pose_(&now.pose[at(element)]),
+      start_(&bodies.start[at(element)]),
+      start_rotation_(state::start_rotation(bodies, element)) {}
+
+Vector3 PlacedElement::arm(const Vector3& start) const {
+  const Vector3 in_body = start_rotation_.transpose() * (start - *start_);
+  return pose_->rotation * in_body;
+}
+
+Vector3 PlacedElement::turned(const Vector3& start) const {
+  const Matrix3 turned = pose_->rotation * start_rotation_.transpose();
+  return turned * start;
 }
 
 Vector3 point_velocity(const state::Bodies<3>& bodies, const engine::Snapshot<3>& now, Index element, const Vector3& start) {
@@ -25,7 +28,7 @@ Vector3 point_velocity(const state::Bodies<3>& bodies, const engine::Snapshot<3>
   motion.rotation = now.pose[at(element)].rotation;
   const Vector3 spin =
       motion::spin_of(motion, bodies.inertia[at(element)], bodies.locks[at(element)], now.angular_momentum[at(element)]);
-  return now.velocity[at(element)] + spin.cross(arm(bodies, now, element, start));
+  return now.velocity[at(element)] + spin.cross(PlacedElement(bodies, now, element).arm(start));
 }
 
 }  // namespace sazare::runs

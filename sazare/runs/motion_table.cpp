@@ -9,11 +9,12 @@ namespace sazare::runs {
 
 void read_bodies(const engine::Simulation<3>& simulation, MotionTable& table) {
   const engine::Snapshot<3> now = simulation.snapshot();
+  const std::vector<Vector3> forces = simulation.forces();
   table.resize(now.pose.size());
   for (std::size_t i = 0; i < now.pose.size(); ++i) {
     table.position[i] = now.pose[i].position;
     table.velocity[i] = now.velocity[i];
-    table.force[i] = now.force[i];
+    table.force[i] = forces[i];
   }
 }
 

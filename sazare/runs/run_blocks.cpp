@@ -1,6 +1,7 @@
 #include "sazare/runs/run_case.hpp"
 
 #include "sazare/cases/resolved.hpp"
+#include "sazare/core/large_tables.hpp"
 #include "sazare/observe/atomic_file.hpp"
 #include "sazare/runs/case_run.hpp"
 #include "sazare/runs/mesh_source.hpp"
@@ -31,7 +32,7 @@ struct BlocksWork {
       : file(of),
         options(with),
         folder(enter_folder()),
-        model(build_blocks(of.blocks(), mesh(), with.sharing)),
+        model(make_model()),
         identity(identify(of.blocks(), model.mesh)),
         clocks(make_clocks(of.blocks().time, simulation().levels().step(0))),
         record(folder, of, model, clocks) {
@@ -43,6 +44,12 @@ struct BlocksWork {
     if (is_writer(options)) return {options.folder, options.begin};
     options.sharing.ranks->barrier();
     return RunFolder::of_another(options.folder, options.begin);
+  }
+
+  /// What only the making takes is given back before the run needs as much for its snapshots.
+  BlocksModel make_model() const {
+    give_back_large_tables();
+    return build_blocks(file.blocks(), mesh(), options.sharing);
   }
 
   geometry::TetraMesh mesh() const {

@@ -1,6 +1,7 @@
 #include "sazare/runs/run_record.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "sazare/core/error.hpp"
 #include "sazare/runs/failure.hpp"
@@ -53,12 +54,12 @@ void RunRecord::check_motion(Real time) const {
 void RunRecord::observe(std::int64_t step, Real wall_seconds) {
   if (!clocks_.is_row(step)) return;
   const Real time = clocks_.time(step);
-  const engine::Snapshot<3> now = model_->simulation->snapshot();
+  engine::Snapshot<3> now = model_->simulation->snapshot();
   for (const Vector3& velocity : now.velocity) peak_speed_ = std::max(peak_speed_, velocity.norm());
   files_.add_row(1, gauges_.sample(time, model_->simulation->bodies(), now));
   add_history_row(time, now, wall_seconds);
   if (!clocks_.is_snapshot(step)) return;
-  snapshots_.write(time, now, fragments());
+  snapshots_.write(time, std::move(now), fragments());
   ++snapshot_count_;
 }
 

@@ -9,13 +9,14 @@
 namespace sazare::runs {
 
 /// Pictures of a run for ParaView and pyvista: the elements, and the joints between them, at the snapshot times. Files are
-/// written while the run goes on; what goes wrong then is thrown by the next call.
+/// written while the run goes on; what goes wrong then is thrown by the next call. What a file holds is made from places and
+/// velocities as it is written, piece by piece: all of it at once would be four times as large as they are.
 class Snapshots {
 public:
   /// Makes the folder.
   Snapshots(const std::filesystem::path& folder, const BlocksModel& model);
 
-  void write(Real time, const engine::Snapshot<3>& now, const FragmentMap& fragments);
+  void write(Real time, engine::Snapshot<3> now, const FragmentMap& fragments);
 
   /// Brings what was written to the disk; to be called before a checkpoint counts on it.
   void sync();
@@ -24,27 +25,14 @@ public:
   void resume(std::size_t count);
 
 private:
-  /// A joint's face as a face of its first element.
-  struct Face {
-    Index joint = 0;
-    std::array<Vector3, 3> corners;  ///< at the beginning [m]
-    Vector3 normal;                  ///< out of the first element, at the beginning
-  };
-
-  struct ElementData;
-  struct JointData;
-  ElementData element_data(const engine::Snapshot<3>& now, const FragmentMap& fragments) const;
-  JointData joint_data(const engine::Snapshot<3>& now) const;
-  void write_elements(Real time, const ElementData& data);
-  void write_joints(Real time, const JointData& data);
-  std::vector<Real> damage() const;
+  struct Picture;
+  void write_elements(const Picture& picture);
+  void write_joints(const Picture& picture);
   void finish_writing();
 
   const BlocksModel* model_;
   observe::SnapshotSeries elements_;
   observe::SnapshotSeries joints_;
-  std::vector<Face> faces_;  ///< by joint
-  std::vector<std::int32_t> tags_;
   std::future<void> writing_;  ///< the snapshot in the making; last, so that it ends before the rest goes
 };
 

@@ -32,12 +32,6 @@ std::string element_text(const geometry::TetraMesh& mesh, Index element) {
                      cases::short_number(centre.y(), 4), cases::short_number(centre.z(), 4));
 }
 
-/// Which part of w^2 h^2 + 2 c h = 4 is the larger one.
-bool bound_by_dashpots(const BlocksModel& model, Index element) {
-  const terms::Rates& rates = model.rates[at(element)];
-  return 4 * rates.damping / (2 - terms::mean_share) > rates.stiffness * model.stable_step[at(element)];
-}
-
 std::vector<LimitingElement> limiting_elements(const BlocksModel& model, std::size_t count) {
   std::vector<Index> order(model.stable_step.size());
   std::iota(order.begin(), order.end(), 0);

@@ -22,7 +22,9 @@ struct LimitingElement {
 };
 
 /// Whether an element's dashpots bind its step more than its springs.
-bool bound_by_dashpots(const BlocksModel& model, Index element);
+inline bool bound_by_dashpots(const BlocksModel& model, Index element) {
+  return model.is_bound_by_dashpots[static_cast<std::size_t>(element)];
+}
 
 /// The elements with the smallest stable steps, smallest first.
 std::vector<LimitingElement> limiting_elements(const BlocksModel& model, std::size_t count);

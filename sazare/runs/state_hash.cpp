@@ -1,7 +1,7 @@
 #include "sazare/runs/state_hash.hpp"
 
+#include <array>
 #include <span>
-#include <vector>
 
 #include "sazare/observe/hash.hpp"
 
@@ -9,29 +9,30 @@ namespace sazare::runs {
 
 namespace {
 
-template <class Matrix>
-void append(std::vector<Real>& numbers, const Matrix& matrix) {
-  numbers.insert(numbers.end(), matrix.data(), matrix.data() + matrix.size());
+template <class Numbers>
+void add(observe::PieceHash& hash, const Numbers& numbers) {
+  hash.add(std::as_bytes(std::span(numbers.data(), static_cast<std::size_t>(numbers.size()))));
 }
 
 }  // namespace
 
 std::uint64_t state_hash(const BlocksModel& model) {
-  const engine::Snapshot<3> now = model.simulation->snapshot();
-  std::vector<Real> motion, memory;
-  for (std::size_t element = 0; element < now.pose.size(); ++element) {
-    append(motion, now.pose[element].position);
-    append(motion, now.pose[element].rotation);
-    append(motion, now.velocity[element]);
-    append(motion, now.angular_momentum[element]);
-  }
-  for (Index joint = 0; joint < model.joints->count(); ++joint) {
-    const methods::blocks::JointReport report = model.joints->report(joint);
-    memory.insert(memory.end(), {static_cast<Real>(report.state), report.opening, report.slip});
-  }
   observe::Hash hash;
-  hash.add(std::as_bytes(std::span(motion)));
-  hash.add(std::as_bytes(std::span(memory)));
+  hash.add_pieces([&](observe::PieceHash& motion) {
+    const engine::Snapshot<3> now = model.simulation->snapshot();
+    for (std::size_t element = 0; element < now.pose.size(); ++element) {
+      add(motion, now.pose[element].position);
+      add(motion, now.pose[element].rotation);
+      add(motion, now.velocity[element]);
+      add(motion, now.angular_momentum[element]);
+    }
+  });
+  hash.add_pieces([&](observe::PieceHash& memory) {
+    for (Index joint = 0; joint < model.joints->count(); ++joint) {
+      const methods::blocks::JointReport report = model.joints->report(joint);
+      add(memory, std::array{static_cast<Real>(report.state), report.opening, report.slip});
+    }
+  });
   return hash.value();
 }
 

@@ -19,7 +19,7 @@ Index add_body(Bodies<3>& bodies, Real mass, const Vector3& centre, const Vector
   bodies.reach.push_back(reach);
   bodies.locks.push_back({});
   bodies.start.push_back(centre);
-  bodies.start_rotation.push_back(motion.rotation);
+  bodies.start_orientation.push_back(orientation);
   return bodies.size() - 1;
 }
 
@@ -37,7 +37,7 @@ Index add_body(Bodies<2>& bodies, Real mass, const Vector<2>& centre, Real momen
   bodies.reach.push_back(reach);
   bodies.locks.push_back({});
   bodies.start.push_back(centre);
-  bodies.start_rotation.push_back(motion.rotation);
+  bodies.start_orientation.push_back(0);
   return bodies.size() - 1;
 }
 

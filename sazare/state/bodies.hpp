@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "sazare/core/rotation.hpp"
@@ -57,14 +58,18 @@ struct Inertia<2> {
   Real mass = 0;  ///< [kg]
 };
 
+/// An orientation as a body's inertia holds it: an angle [rad] in the plane.
+template <int D>
+using Orientation = std::conditional_t<D == 2, Real, Quaternion>;
+
 template <int D>
 struct Bodies {
   std::vector<Motion<D>> motion;
   std::vector<Inertia<D>> inertia;
   std::vector<Locks> locks;
-  std::vector<Real> reach;                  ///< distance of the farthest point of a body from its centre [m]
-  std::vector<Vector<D>> start;             ///< position at the beginning [m]
-  std::vector<Rotation<D>> start_rotation;  ///< rotation at the beginning
+  std::vector<Real> reach;                        ///< distance of the farthest point of a body from its centre [m]
+  std::vector<Vector<D>> start;                   ///< position at the beginning [m]
+  std::vector<Orientation<D>> start_orientation;  ///< as a rotation it would be twice as large, and few ask for it
 
   Index size() const { return static_cast<Index>(motion.size()); }
 };
@@ -73,6 +78,11 @@ struct Bodies {
 template <int D>
 bool is_finite(const Motion<D>& motion) {
   return std::isfinite(motion.position.sum() + motion.velocity.sum() + motion.angular_momentum.sum() + motion.rotation.sum());
+}
+
+/// Body frame to world, at the beginning.
+inline Rotation<3> start_rotation(const Bodies<3>& bodies, Index body) {
+  return bodies.start_orientation[static_cast<std::size_t>(body)].toRotationMatrix();
 }
 
 /// Adds a body at rest.

@@ -24,9 +24,10 @@ Real inscribed_radius(const geometry::Tetrahedron& corners) {
   return 3 * geometry::volume(corners) / area;
 }
 
-Real choose_skin(const std::vector<geometry::Tetrahedron>& corners) {
+Real choose_skin(const geometry::ElementCorners& corners) {
   std::vector<Real> radii;
-  for (const auto& body : corners) radii.push_back(inscribed_radius(body));
+  for (std::size_t body = 0; body < corners.tetrahedra.size(); ++body)
+    radii.push_back(inscribed_radius(corners.of(static_cast<Index>(body))));
   if (radii.empty()) return 0;
   const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
   std::nth_element(radii.begin(), middle, radii.end());
@@ -35,16 +36,17 @@ Real choose_skin(const std::vector<geometry::Tetrahedron>& corners) {
 
 }  // namespace
 
-Contacts::Contacts(const laws::SphereContact& law, int edge_division, Joints& joints, std::vector<geometry::Tetrahedron> corners,
+Contacts::Contacts(const laws::SphereContact& law, int edge_division, Joints& joints, const geometry::ElementCorners& corners,
                    std::span<const FreeFace> free_faces, const state::Bodies<3>& bodies)
-    : law_(law), joints_(&joints), corners_(std::move(corners)), surface_(bodies.size(), edge_division, choose_skin(corners_)) {
+    : law_(law), joints_(&joints), corners_(corners), surface_(bodies.size(), edge_division, choose_skin(corners_)) {
   table_.causes = {terms::Cause::contact_dashpot, terms::Cause::friction};
   table_.incidence = terms::ChangingIncidence(bodies.size());
-  touching_.assign(corners_.size(), 0);
-  for (std::size_t body = 0; body < corners_.size(); ++body) {
+  touching_.assign(bodies.inertia.size(), 0);
+  softness_.reserve(bodies.inertia.size());
+  for (std::size_t body = 0; body < bodies.inertia.size(); ++body) {
     const auto& inertia = bodies.inertia[body];
-    reach_.push_back(bodies.reach[body]);
-    softness_.push_back(1 / inertia.mass + reach_.back() * reach_.back() * inertia.inverse_moments.maxCoeff());
+    const Real reach = bodies.reach[body];
+    softness_.push_back(1 / inertia.mass + reach * reach * inertia.inverse_moments.maxCoeff());
   }
   for (const FreeFace& face : free_faces) open_face(face, bodies);
   terms::Changes ignored;
@@ -72,13 +74,15 @@ void Contacts::evaluate_pair(const Moment& now, const Due& due, const state::Bod
   Clearance& clearance = clearance_[at(due.link)];
   const state::Pose<3> first_pose = first.pose(), second_pose = second.pose();
   Real moved = 0;
-  if (clearance.is_known) moved = clearance.moved(first_pose, second_pose, reach_[at(link.first)], reach_[at(link.second)]);
+  if (clearance.is_known)
+    moved = clearance.moved(first_pose, second_pose, bodies.reach[at(link.first)], bodies.reach[at(link.second)]);
   if (!clearance.is_known || moved > surface_.skin() / 8) {
     measure(spheres_[at(due.link)], first_pose, second_pose, clearance);
     moved = 0;
   }
   const Real closing = (second.motion.velocity - first.motion.velocity).norm() +
-                       reach_[at(link.first)] * first.motion.spin.norm() + reach_[at(link.second)] * second.motion.spin.norm();
+                       bodies.reach[at(link.first)] * first.motion.spin.norm() +
+                       bodies.reach[at(link.second)] * second.motion.spin.norm();
   clearance.is_distant = clearance.gap - moved > 2 * base_step_ * closing + surface_.skin() / 100;
   if (moved < clearance.gap && table_[due.link].evaluated < 0) return;  // apart, as they were before
 
@@ -139,7 +143,7 @@ void Contacts::gather(const Moment& now, std::span<const Index> which, const sta
 }
 
 void Contacts::open_face(const FreeFace& face, const state::Bodies<3>& bodies) {
-  surface_.open(face, corners_[at(face.body)], {bodies.start[at(face.body)], bodies.start_rotation[at(face.body)]});
+  surface_.open(face, corners_.of(face.body), {bodies.start[at(face.body)], state::start_rotation(bodies, face.body)});
 }
 
 void Contacts::settle(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) {
@@ -172,7 +176,7 @@ void Contacts::settle_base(const Moment& now, const state::Bodies<3>& bodies, te
   peers.fetch(surface_.bodies());
   std::vector<Index> moved;
   for (const Index body : surface_.bodies())
-    if (surface_.moved(body, state::pose_at(bodies.motion[at(body)], now), reach_[at(body)]) > surface_.skin() / 3)
+    if (surface_.moved(body, state::pose_at(bodies.motion[at(body)], now), bodies.reach[at(body)]) > surface_.skin() / 3)
       moved.push_back(body);
   if (moved.empty()) return;
   std::ranges::sort(moved);
@@ -350,7 +354,7 @@ void Contacts::columns(Archive& archive) {
     spheres_[pair].assign(next, next + counts[pair]);
     next += counts[pair];
   }
-  table_.incidence = terms::ChangingIncidence(static_cast<Index>(corners_.size()));
+  table_.incidence = terms::ChangingIncidence(static_cast<Index>(softness_.size()));
   for (Index pair = 0; pair < static_cast<Index>(links_.size()); ++pair) {
     if (is_idle(links_[at(pair)]) || std::ranges::find(ending_, pair) != ending_.end()) continue;
     list_side(links_[at(pair)].first, {pair, 0});

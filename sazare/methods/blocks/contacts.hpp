@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "sazare/geometry/tetra_mesh.hpp"
 #include "sazare/methods/blocks/contact_kernel.hpp"
 #include "sazare/methods/blocks/contact_surface.hpp"
 #include "sazare/methods/blocks/joints.hpp"
@@ -16,8 +17,8 @@ namespace sazare::methods::blocks {
 
 class Contacts final : public terms::Term<3> {
 public:
-  /// `corners` of every body as it stands at the beginning; `free_faces` are open from then on.
-  Contacts(const laws::SphereContact& law, int edge_division, Joints& joints, std::vector<geometry::Tetrahedron> corners,
+  /// `corners` of every body as it stands at the beginning, which must outlive the term; `free_faces` are open from then on.
+  Contacts(const laws::SphereContact& law, int edge_division, Joints& joints, const geometry::ElementCorners& corners,
            std::span<const FreeFace> free_faces, const state::Bodies<3>& bodies);
 
   std::string_view name() const override { return "contacts"; }
@@ -58,9 +59,8 @@ private:
 
   laws::SphereContact law_;
   Joints* joints_;
-  std::vector<geometry::Tetrahedron> corners_;
+  geometry::ElementCorners corners_;
   std::vector<Real> softness_;  ///< by body: the largest 1/mass that it can show at a point of it [1/kg]
-  std::vector<Real> reach_;
   ContactSurface surface_;
   std::vector<Link> links_;
   std::vector<std::vector<SpherePair>> spheres_;  ///< by pair

@@ -31,6 +31,18 @@ inline LaneBodies load_bodies(const LanePointers<const state::Motion<3>>& bodies
           {{LaneVector{{f[3], f[4], f[5]}}, LaneVector{{f[6], f[7], f[8]}}, LaneVector{{f[9], f[10], f[11]}}}}};
 }
 
+/// Places of bodies, whose velocities are not asked for.
+inline LaneBodies load_poses(const LanePointers<const state::Pose<3>>& poses) {
+  std::array<const Real*, lane_count> last;
+  for (std::size_t lane = 0; lane < lane_count; ++lane) last[lane] = poses[lane]->rotation.data() + 5;
+  const auto f = load_records<8>(poses);
+  const auto g = load_quads(last);
+  return {{{f[0], f[1], f[2]}},
+          {},
+          {},
+          {{LaneVector{{f[3], f[4], f[5]}}, LaneVector{{f[6], f[7], g[0]}}, LaneVector{{g[1], g[2], g[3]}}}}};
+}
+
 /// Vertices in face axes.
 struct FaceGeometry {
   LaneMatrix axes;                                    ///< E

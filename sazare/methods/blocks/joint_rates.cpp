@@ -75,7 +75,8 @@ std::vector<terms::Rates> joint_rates(std::span<const JointKind> kinds, std::spa
   std::vector<terms::Rates> rates(matrices.size());
   parallel::parallel_for(rates.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t body = begin; body < end; ++body)
-      rates[body] = largest_rates(matrices[body], bodies.inertia[body], bodies.start_rotation[body], bodies.locks[body]);
+      rates[body] = largest_rates(matrices[body], bodies.inertia[body], state::start_rotation(bodies, static_cast<Index>(body)),
+                                  bodies.locks[body]);
   });
   return rates;
 }

@@ -65,7 +65,8 @@ struct LaneJoints {
   Lanes vertex_area{};
 };
 
-inline LaneJoints load_joints(const LanePointers<JointRecord>& records) {
+template <class Record>  // JointRecord, const or not
+LaneJoints load_joints(const LanePointers<Record>& records) {
   const auto f = load_records<joint_numbers>(records);
   LaneJoints joints;
   for (std::size_t v = 0; v < vertex_count; ++v) {

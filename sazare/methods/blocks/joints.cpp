@@ -158,7 +158,8 @@ void Joints::note_changes(std::span<const Due> due, const JointChange& change) {
 }
 
 /// Parameters of each lane; `mixed` holds them where the lanes are of several kinds.
-const JointParameters<Lanes>& Joints::kinds_of(const LanePointers<JointRecord>& joints, JointParameters<Lanes>& mixed) const {
+template <class Record>
+const JointParameters<Lanes>& Joints::kinds_of(const LanePointers<Record>& joints, JointParameters<Lanes>& mixed) const {
   const Index kind = joints[0]->kind;
   if (std::ranges::all_of(joints, [&](const JointRecord* joint) { return joint->kind == kind; })) return lane_kinds_[at(kind)];
   for (int lane = 0; lane < lane_count; ++lane) set_lane(mixed, lane, kinds_[at(joints[at(lane)]->kind)]);
@@ -211,37 +212,24 @@ void Joints::update_rates(Index body, const state::Bodies<3>& bodies) {
       add_face(matrices, face_springs(joint, kinds_[at(joint.kind)], joint.master == body));
     }
   const terms::Rates held =
-      largest_rates(matrices, bodies.inertia[at(body)], bodies.start_rotation[at(body)], bodies.locks[at(body)]);
+      largest_rates(matrices, bodies.inertia[at(body)], state::start_rotation(bodies, body), bodies.locks[at(body)]);
   auto& rates = rates_[at(body)];
   rates = {std::min(rates.stiffness, held.stiffness), std::min(rates.damping, held.damping)};
 }
 
-namespace {
-
-void set_lane(LaneBodies& bodies, int lane, const state::Pose<3>& pose) {
-  for (int row = 0; row < 3; ++row) {
-    bodies.position[row][lane] = pose.position[row];
-    for (int column = 0; column < 3; ++column) bodies.rotation[column][row][lane] = pose.rotation(row, column);
-  }
-}
-
-}  // namespace
-
 /// Elastic energy [J] of as many joints as there are lanes, in the places of a base step; lanes beyond the last joint
 /// repeat it.
 Lanes Joints::elastic_energies(Index first, const terms::Synchronized<3>& synchronized) const {
-  std::array<JointRecord, lane_count> own;
-  LanePointers<JointRecord> records;
-  LaneBodies master{}, slave{};
-  for (int lane = 0; lane < lane_count; ++lane) {
-    const JointRecord& joint = own[at(lane)] = records_[at(std::min(first + lane, count() - 1))];
-    records[at(lane)] = &own[at(lane)];
-    set_lane(master, lane, synchronized.pose_of(joint.master));
-    set_lane(slave, lane, synchronized.pose_of(joint.slave));
+  LanePointers<const JointRecord> records;
+  LanePointers<const state::Pose<3>> masters, slaves;
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    records[lane] = &records_[at(std::min(first + static_cast<Index>(lane), count() - 1))];
+    masters[lane] = &synchronized.pose_of(records[lane]->master);
+    slaves[lane] = &synchronized.pose_of(records[lane]->slave);
   }
   const LaneJoints joints = load_joints(records);
   JointParameters<Lanes> mixed;
-  return elastic_energy(joints, kinds_of(records, mixed), face_geometry(joints, master, slave));
+  return elastic_energy(joints, kinds_of(records, mixed), face_geometry(joints, load_poses(masters), load_poses(slaves)));
 }
 
 void Joints::add_energies(const terms::Synchronized<3>& synchronized, terms::Ledger& ledger) const {

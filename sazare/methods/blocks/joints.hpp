@@ -66,7 +66,8 @@ private:
   void evaluate_lanes(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies);
   void write_slots(const Moment& now, std::span<const Due> due, const JointForce& force, const LaneMask& failed);
   void note_changes(std::span<const Due> due, const JointChange& change);
-  const JointParameters<Lanes>& kinds_of(const LanePointers<JointRecord>& joints, JointParameters<Lanes>& mixed) const;
+  template <class Record>
+  const JointParameters<Lanes>& kinds_of(const LanePointers<Record>& joints, JointParameters<Lanes>& mixed) const;
   void update_rates(Index body, const state::Bodies<3>& bodies);
   Lanes elastic_energies(Index first, const terms::Synchronized<3>& synchronized) const;
 

@@ -26,7 +26,7 @@ OuterFaces::OuterFaces(std::vector<OuterFace> faces, const state::Bodies<3>& bod
   }
   for (const auto& [body, sum] : matrices) {
     const auto at = static_cast<std::size_t>(body);
-    rates_[at] = largest_rates(sum, bodies.inertia[at], bodies.start_rotation[at], bodies.locks[at]);
+    rates_[at] = largest_rates(sum, bodies.inertia[at], state::start_rotation(bodies, body), bodies.locks[at]);
   }
   table_.causes = {terms::Cause::boundary};
   table_.slots.resize(faces_.size());

@@ -61,7 +61,7 @@ TEST(joint_failure, one_failed_vertex_releases_the_whole_face) {
     const Matrix3 turn = Eigen::AngleAxis<Real>(opening / height, Vector3::UnitY()).toRotationMatrix();
     auto& motion = pair.bodies().motion[1];
     motion.position = hinge + turn * (pair.start() - hinge);
-    motion.rotation = turn * pair.bodies().start_rotation[1];
+    motion.rotation = turn * state::start_rotation(pair.bodies(), 1);
   };
   open(0.99 * failure_opening);
   EXPECT_GT(pair.forces()[1].linear.norm(), 0);

@@ -24,6 +24,7 @@ public:
     const Real top = scene.box.size.z(), size = 0.1;
     const Vector3 low(0.14, 0.12, top + 5e-4);
     const geometry::Tetrahedron corners = {low, low + Vector3(size, 0, 0), low + Vector3(0, size, 0), low + Vector3(0, 0, size)};
+    corners_.assign(corners.begin(), corners.end());
     state::Bodies<3> bodies = of(corners, 2000);
     bodies.motion[0].velocity = velocity_;
     const laws::SphereContact law{scene.stiffness, scene.restitution < 1 ? 50.0 : 0.0, scene.friction, laws::DampingCap::step};
@@ -33,7 +34,8 @@ public:
     auto& joints = static_cast<blocks::Joints&>(*terms.back());
     std::vector<blocks::FreeFace> faces;
     for (int face = 0; face < 4; ++face) faces.push_back({0, face});
-    terms.push_back(std::make_unique<blocks::Contacts>(law, 5, joints, std::vector{corners}, faces, bodies));
+    terms.push_back(
+        std::make_unique<blocks::Contacts>(law, 5, joints, geometry::ElementCorners{corners_, numbers_}, faces, bodies));
     auto& contacts = static_cast<blocks::Contacts&>(*terms.back());
     terms.push_back(std::make_unique<blocks::SurfaceContacts>(law, contacts, bodies));
     surface_ = static_cast<blocks::SurfaceContacts*>(terms.back().get());
@@ -86,6 +88,8 @@ private:
   }
 
   Vector3 velocity_{0.1, 0.05, -0.3}, gravity_;
+  std::vector<Vector3> corners_;
+  std::vector<std::array<std::int32_t, 4>> numbers_{{0, 1, 2, 3}};
   std::unique_ptr<FemStepper<3>> fem_;
   blocks::SurfaceContacts* surface_ = nullptr;
   std::unique_ptr<Simulation<3>> simulation_;

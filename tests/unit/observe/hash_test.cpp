@@ -53,6 +53,25 @@ TEST(hash, parts_count_with_their_order_and_their_bounds) {
   EXPECT_NE(of_parts({"ab", ""}), of_parts({"ab"}));
 }
 
+TEST(hash, pieces_do_not_matter) {
+  std::string text;
+  for (int i = 0; i < 200; ++i) text += static_cast<char>(37 * i);
+  const std::span bytes = std::as_bytes(std::span(text));
+  for (std::size_t size = 1; size < 70; ++size) {
+    PieceHash whole(7);
+    Hash part;
+    part.add_pieces([&](PieceHash& hash) {
+      for (std::size_t first = 0; first < bytes.size(); first += size) {
+        const auto piece = bytes.subspan(first, std::min(size, bytes.size() - first));
+        whole.add(piece);
+        hash.add(piece);
+      }
+    });
+    EXPECT_EQ(whole.value(), hash_bytes(bytes, 7)) << size;
+    EXPECT_EQ(part.value(), hash_bytes(bytes)) << size;
+  }
+}
+
 TEST(hash, hex_has_sixteen_digits) {
   EXPECT_EQ(to_hex(0), "0000000000000000");
   EXPECT_EQ(to_hex(0x0123456789abcdefULL), "0123456789abcdef");

@@ -47,6 +47,32 @@ TEST(vtkhdf, says_what_it_is) {
   EXPECT_EQ(folder.files(), Names{"a.vtkhdf"});
 }
 
+TEST(vtkhdf, numbers_made_in_pieces_are_those_in_memory) {
+  const TemporaryFolder folder;
+  constexpr std::size_t cells = 20000;  // more than a piece
+  std::vector<Vector3> places(3 * cells);
+  std::vector<std::int32_t> order(3 * cells), number(cells);
+  std::vector<Real> way(3 * cells);
+  for (std::size_t i = 0; i < 3 * cells; ++i) {
+    places[i] = {0.5 * static_cast<Real>(i), 1, -static_cast<Real>(i)};
+    order[i] = static_cast<std::int32_t>(i);
+    way[i] = static_cast<Real>(7 * i);
+    number[i / 3] = static_cast<std::int32_t>(i);
+  }
+  Grid held{Grid::Cell::triangle, places, order, {}, 2};
+  held.cell_data = {{"number", 1, std::span<const std::int32_t>(number)}, {"way", 3, std::span<const Real>(way)}};
+  Grid made{Grid::Cell::triangle, {}, {}, {}, 2};
+  const auto from = [](const auto* numbers) {
+    return [numbers](std::size_t first, auto piece) { std::copy_n(numbers + first, piece.size(), piece.begin()); };
+  };
+  made.own_points = {9 * cells, from(places.front().data())};
+  made.cell_data = {{"number", 1, MadeNumbers<std::int32_t>{cells, from(number.data())}},
+                    {"way", 3, MadeNumbers<Real>{3 * cells, from(way.data())}}};
+  write_vtkhdf(folder.path() / "held.vtkhdf", held);
+  write_vtkhdf(folder.path() / "made.vtkhdf", made);
+  EXPECT_TRUE(test::read_text(folder.path() / "held.vtkhdf") == test::read_text(folder.path() / "made.vtkhdf"));
+}
+
 TEST(vtkhdf, data_of_another_length_is_a_programming_error) {
   const TemporaryFolder folder;
   Grid grid = grid_at(0);
