@@ -10,9 +10,9 @@ namespace {
 
 /// What pairs are kept for, over what two spheres may come nearer in a base step at their present speeds.
 constexpr Real margin_over_way = 8;
-/// Pairs are found anew before a base step in which so many times this way might lead beyond half of the margin. The rest is for
-/// spheres that are hit within the base step.
-constexpr Real way_ahead = 2;
+/// Pairs are found anew before a base step in which so many times this way might lead beyond this share of the margin. The rest is
+/// for spheres that are hit within the base step.
+constexpr Real way_ahead = 2, usable_share = 0.75;
 
 }  // namespace
 
@@ -58,9 +58,9 @@ void SphereStepper::advance_levels() {
 void SphereStepper::seek_in_time(const SphereSpeeds& speeds) {
   const Real way = way_ahead * rules_.step * (speeds.first + speeds.second),
              wall_way = way_ahead * rules_.step * (speeds.largest + walls_.largest_speed(wall_radius_ + rules_.wall_margin));
-  if (approach_ + way > 0.5 * margin_)
+  if (approach_ + way > usable_share * margin_)
     find_pairs();
-  else if (!walls_.walls().empty() && wall_approach_ + wall_way > 0.5 * rules_.wall_margin)
+  else if (!walls_.walls().empty() && wall_approach_ + wall_way > usable_share * rules_.wall_margin)
     find_walls({});
 }
 

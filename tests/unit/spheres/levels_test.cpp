@@ -213,6 +213,23 @@ TEST(sphere_levels, what_is_driven_brings_its_work_in) {
   EXPECT_LT(fine, coarse / 3);  // contacts begin and slip within it
 }
 
+TEST(sphere_levels, tell_when_spheres_may_have_met_unseen) {
+  // Two small ones that stand half within each other fly apart; the large one is far from them when pairs are sought.
+  Rules rules;
+  rules.step = 4e-5;
+  rules.margin = 1e-5;
+  auto grains = one_to_eight();
+  for (Grain& grain : grains) grain.velocity = grain.spin = Vector3::Zero();
+  grains.push_back(grains[1]);
+  grains[1].centre.x() = 0.0093;
+  grains[2].centre.x() = 0.0103;
+  auto stepper = leveled(grains, rules);
+  stepper.start();
+  EXPECT_FALSE(stepper.missed_pairs());
+  advance(stepper, 1);
+  EXPECT_TRUE(stepper.missed_pairs());
+}
+
 test::MemoryArchive state_of(engine::SphereStepper& stepper) {
   test::MemoryArchive archive;
   stepper.columns(archive);
