@@ -14,6 +14,7 @@ ACROSS = 46  # 97 336 spheres
 MANY = {79: "493 039", 126: "2 000 376"}  # spheres across: how many there are
 STEPS = 1000
 YADE_STEPS = 200
+LEVELS_ACROSS, LEVELS_STEPS = 30, 300
 BONDS_ACROSS, BONDS, BOND_STEPS = 48, 324864, 200
 SCENE = "97 336 spheres that settle, Hertz-Mindlin with history"
 _found = {}
@@ -137,6 +138,23 @@ def many_rows(across):
     ]
 
 
+def leveled(bench, every):
+    """Processor seconds of a bed with time levels and with its finest step for all; one in `every` grains is an eighth as wide. Raises NotRun."""
+    program = (bench.options.build / "benchmarks" / "sphere-levels").resolve()
+    done = subprocess.run([program, str(every), str(LEVELS_ACROSS), str(LEVELS_STEPS)], capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise NotRun(f"exit code {done.returncode}: {done.stderr.strip()}")
+    values = [float(word) for word in done.stdout.split(",")]
+    return values[2], values[3]
+
+
+def level_row(every, low):
+    """Time levels beside one step for all."""
+    return Row(f"spheres/ourselves-levels-one-in-{every}",
+               f"processor seconds, bed of 27 000 grains of 4 mm, one in {every} of 0.5 mm, {LEVELS_STEPS} base steps", "s",
+               lambda bench: leveled(bench, every), peer=Peer("ourselves, finest step for all"), limit=Limit("ratio", low=low))
+
+
 def growth(bench):
     """Slope of cost over spheres, both logarithmic, from a hundred thousand to two million."""
     few, most = ours(bench, 1), many(bench, max(MANY))
@@ -156,6 +174,8 @@ def rows():
         *(peer_row(name) for name in PEERS),
         Row("spheres/ourselves-settling-two-threads", f"rate with 2 threads over that with 1, {SCENE}", "-", speed_up, limit=Limit("ours", low=1.8),
             more_is_better=True),
+        level_row(100, 4),
+        level_row(20, 4),
         Row("bonds/lammps-cube", "bond-steps per second, 48^3 spheres bonded to their neighbours, 1 thread", "1/s", bonded_peer, peer=Peer("lammps bpm/rotational"),
             limit=Limit("ratio", low=5), more_is_better=True),
         Row("bonds/ourselves-cube", "bond-steps per second, the same", "1/s", bonded, limit=Limit("ours", low=25e6), more_is_better=True),

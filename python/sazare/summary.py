@@ -77,7 +77,7 @@ def headlines(results):
         ("final_displacement", "displacement at the end", lambda x: quantity(x, "m"), ""),
         ("peak_acceleration", "peak acceleration", lambda x: quantity(x, "m/s²"), ""),
         ("peak_displacement", "peak displacement", lambda x: quantity(x, "m"), ""),
-        ("step", "step", lambda x: quantity(x, "s"), _note(figures, "predicted_limit", "limit ", "s")),
+        ("step", "step", lambda x: quantity(x, "s"), _step_note(figures)),
         ("freedoms", "degrees of freedom", count, _of(figures, "nodes", "nodes")),
         ("windows", "windows", count, _of(figures, "passes", "passes")),
         ("peak_force", "peak force on the surface", lambda x: quantity(x, "N"), ""),
@@ -95,6 +95,13 @@ def headlines(results):
 def _share_of_limit(figures):
     limit = figures.get("predicted_limit")
     return figures["step"] / limit if limit and figures.get("step") else None
+
+
+def _step_note(figures):
+    limit = _note(figures, "predicted_limit", "limit ", "s")
+    if "levels" not in figures:
+        return limit
+    return f"{figures['levels']} levels, smallest {quantity(figures['smallest_step'], 's')}, {limit}"
 
 
 def _share(figures, part, whole):

@@ -64,3 +64,11 @@ def test_bonded_bodies_tell_how_many_broke(granular_run):
 
 def test_a_run_without_bonded_bodies_has_no_such_picture(granular_run):
     assert granular.broken_bodies(open_run(granular_run)) is None
+
+
+def test_a_run_with_levels_tells_its_smallest_step(granular_run):
+    manifest = json.loads((granular_run / "manifest.json").read_text())
+    manifest["results"] |= {"step": 8e-6, "levels": 4, "smallest_step": 1e-6, "predicted_limit": 5e-6}
+    (granular_run / "manifest.json").write_text(json.dumps(manifest))
+    page = write_report(granular_run).read_text()
+    assert "4 levels, smallest 1 µs, limit 5 µs" in page

@@ -9,6 +9,7 @@ enum class ContactModel { hertz, linear };
 enum class SphereSource { one, file, lattice, random };
 enum class WallShape { plane, box, mesh };
 enum class ClumpSource { tetrapod, file, mesh };
+enum class SphereLevels { automatic, per_sphere, uniform };
 
 struct Domain {
   std::array<bool, 3> periodic{false, false, false};
@@ -121,6 +122,10 @@ struct GroupGauge {
   std::string group;
 };
 
+struct SphereTime : LeapfrogTime {
+  SphereLevels levels = SphereLevels::automatic;
+};
+
 struct SpheresCase {
   std::string title;
   Domain domain;
@@ -134,7 +139,7 @@ struct SpheresCase {
   std::vector<Motion> motions;
   Gravity gravity;
   std::vector<GroupGauge> gauges;
-  LeapfrogTime time;
+  SphereTime time;
   Output output;
 };
 

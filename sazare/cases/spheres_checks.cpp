@@ -286,6 +286,21 @@ void check_gauges(const CheckContext& context, const SpheresCase& spheres) {
     check_known(context, list[i], "group", list[i].place("group"), spheres.gauges[i].group, groups, "group");
 }
 
+/// Each sphere can have steps of its own where nothing else joins it to others.
+void check_levels(const CheckContext& context, const SpheresCase& spheres) {
+  const Entry entry = context.entries_of("time").front();
+  if (!entry.gives("levels") || spheres.time.levels != SphereLevels::per_sphere) return;
+  const auto refuse = [&](const std::string& why) {
+    context.problems.error(entry.place("levels"), why, "give levels = \"uniform\", or leave it out");
+  };
+  if (entry.has("step"))
+    context.problems.error(entry.place("step"), "step and levels = \"per_sphere\" are both given",
+                           "step is that of all spheres: keep one of them; stability_fraction sets the steps of levels");
+  if (!spheres.bonds.empty()) refuse(fmt::format("the bonds \"{}\" need one step for all spheres", spheres.bonds.front().name));
+  for (const SphereGroup& group : spheres.spheres)
+    if (!group.shape.empty()) return refuse(fmt::format("the bodies of \"{}\" need one step for all spheres", group.name));
+}
+
 }  // namespace
 
 void check_spheres(const CheckContext& context, SpheresCase& spheres) {
@@ -306,6 +321,7 @@ void check_spheres(const CheckContext& context, SpheresCase& spheres) {
   check_walls(context, spheres);
   check_motions(context, spheres.motions);
   check_gauges(context, spheres);
+  check_levels(context, spheres);
 }
 
 }  // namespace sazare::cases

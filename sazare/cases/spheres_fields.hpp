@@ -15,6 +15,10 @@ struct EnumWords<SphereSource> {
   static constexpr std::array<std::string_view, 4> words{"one", "file", "lattice", "random"};
 };
 template <>
+struct EnumWords<SphereLevels> {
+  static constexpr std::array<std::string_view, 3> words{"automatic", "per_sphere", "uniform"};
+};
+template <>
 struct EnumWords<WallShape> {
   static constexpr std::array<std::string_view, 3> words{"plane", "box", "mesh"};
 };
@@ -156,6 +160,12 @@ template <class Visitor>
 void visit_fields(Visitor& visit, GroupGauge& gauge) {
   visit("name", gauge.name);
   visit("group", gauge.group);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, SphereTime& time) {
+  visit_fields(visit, static_cast<LeapfrogTime&>(time));
+  visit("levels", time.levels);
 }
 
 template <class Visitor>

@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::array<std::string_view, 2> models{"hertz", "linear"};
 constexpr std::array<std::string_view, 4> sources{"one", "file", "lattice", "random"};
+constexpr std::array<std::string_view, 3> level_choices{"automatic", "per_sphere", "uniform"};
 constexpr std::array<std::string_view, 3> wall_shapes{"plane", "box", "mesh"};
 
 constexpr Range restitution_range{.low = 0, .high = 1, .low_open = true};
@@ -105,7 +106,8 @@ constexpr std::array contact_keys{
         .type = Type::number,
         .range = {.low = 0, .high = 10, .low_open = true},
         .default_text = "0.1",
-        .sentence = "Spheres nearer than this, over the smallest diameter, are kept as pairs; it changes the speed only."},
+        .sentence = "Spheres nearer than this, over the smallest diameter, are kept as pairs; it changes the speed only, and "
+                    "with levels also what the step leaves."},
 };
 
 constexpr std::array pair_keys{
@@ -316,12 +318,19 @@ constexpr std::array time_keys{
         .range = positive,
         .note = "default: stability_fraction of the limit, or a little less",
         .sentence = "Step of all spheres; above the limit the case is refused."},
+    Key{.name = "levels",
+        .type = Type::choice,
+        .default_text = "\"automatic\"",
+        .sentence = "Whether every sphere has its own time level, or all take the step of the one that bears least. Levels are "
+                    "for single spheres, without bonds and shapes; automatic takes them where spheres then need less than half "
+                    "of the steps and no step is given.",
+        .choices = level_choices},
     Key{.name = "stability_fraction",
         .type = Type::number,
         .range = stability_fraction_range,
         .default_text = "0.2",
         .sentence = "Step over the limit where no step is given: Rayleigh's time of the smallest sphere, or with linear springs "
-                    "2/frequency of a contact."},
+                    "2/frequency of a contact; with levels each sphere's own."},
     history_interval_key,
     snapshot_interval_key,
     strict_key,

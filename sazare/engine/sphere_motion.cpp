@@ -60,6 +60,43 @@ SphereSpeeds kick_and_drift(state::Spheres& spheres, std::size_t begin, std::siz
   return {std::sqrt(first), std::sqrt(second), std::sqrt(largest)};
 }
 
+SphereSpeeds kick_and_drift(state::Spheres& spheres, std::size_t begin, std::size_t end, std::span<const TimedLoads> loads,
+                            const SphereFlight& flight) {
+  const Real half = 0.5 * flight.step;
+  const Quad falls = quad(flight.gravity), drifts = quad(flight.drift);
+  Real first = 0, second = 0, largest = 0;
+  for (std::size_t i = begin; i < end; ++i) {
+    state::SphereKick& kick = spheres.kick[i];
+    state::SpherePlace& place = spheres.place[i];
+    state::SphereSpin& spin = spheres.spin[i];
+    Quad impulse{}, ahead{}, turning{}, turning_ahead{};
+    for (const TimedLoads& level : loads) {
+      const state::SphereLoad& load = level.loads[i - begin];
+      const Quad force = read(load.fx), moment = read(load.mx);
+      impulse += level.given * force;
+      ahead += level.foreseen * force;
+      turning += level.given * moment;
+      turning_ahead += level.foreseen * moment;
+    }
+    Quad moves = read(kick.vx), turns = read(kick.wx);
+    const Quad gravity = moves[3] > 0 ? falls : Quad{};
+    ahead = moves[3] * ahead + half * gravity;
+    turning_ahead = turns[3] * turning_ahead;
+    moves += moves[3] * impulse + flight.step * gravity;
+    turns += turns[3] * turning;
+    write(kick.vx, moves);
+    write(kick.wx, turns);
+    write(place.x, read(place.x) + with_number_of(Quad{}, flight.step * moves));
+    write(place.vx, with_number_of(read(place.vx), moves + ahead));
+    write(spin.x, with_number_of(read(spin.x), turns + turning_ahead));
+    const Real square = square_of(moves - drifts);
+    second = std::max(second, std::min(first, square));
+    first = square <= first ? first : square;  // what is no number stays
+    largest = std::max(largest, square_of(moves));
+  }
+  return {std::sqrt(first), std::sqrt(second), std::sqrt(largest)};
+}
+
 void turn(state::Spheres& spheres, std::size_t begin, std::size_t end, Real step) {
   const Real half = 0.5 * step;
   for (std::size_t i = begin; i < end; ++i) {

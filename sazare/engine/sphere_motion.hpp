@@ -3,6 +3,7 @@
 /// Motion of single spheres: the step of some that stand one after the other in memory.
 
 #include <algorithm>
+#include <span>
 
 #include "sazare/state/spheres.hpp"
 
@@ -25,6 +26,25 @@ struct SphereSpeeds {
 /// velocities.
 SphereSpeeds kick_and_drift(state::Spheres& spheres, std::size_t begin, std::size_t end, const state::SphereLoad* loads,
                             const Vector3& gravity, const Vector3& drift, Real step);
+
+/// Loads of one time level on spheres of one pace, and for how long they act.
+struct TimedLoads {
+  const state::SphereLoad* loads = nullptr;  ///< of the first of the spheres and those behind it
+  Real given = 0;                            ///< by this kick; 0 where the level is not due [s]
+  Real foreseen =
+      0;  ///< what they will have given besides when the spheres are kicked next; below 0: what they have too much [s]
+};
+
+/// The flight of spheres of one pace.
+struct SphereFlight {
+  Real step = 0;                      ///< of the pace [s]
+  Vector3 gravity = Vector3::Zero();  ///< [m/s2]
+  Vector3 drift = Vector3::Zero();    ///< from which speeds are seen [m/s]
+};
+
+/// The same for spheres of one pace whose loads are those of several levels.
+SphereSpeeds kick_and_drift(state::Spheres& spheres, std::size_t begin, std::size_t end, std::span<const TimedLoads> loads,
+                            const SphereFlight& flight);
 
 /// Turns spheres begin .. end - 1 by the spin of a step. The angle is 2 atan(|w| h/2) (Cayley), which is |w| h to the second
 /// order and, for spheres, the exact course of a kinetic energy a little different, so that the step stays symplectic.

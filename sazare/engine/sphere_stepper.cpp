@@ -33,6 +33,8 @@ SphereStepper::SphereStepper(state::Spheres spheres, methods::spheres::ContactTa
       clumps_(std::move(clumps)),
       bodies_(std::move(bodies)),
       rules_(rules) {
+  if (std::ranges::any_of(rules_.level, [](std::int8_t level) { return level > 0; }))
+    levels_ = {std::move(rules_.level), pairs_.table(), rules_.step};
   if (!clumps_.empty()) body_.assign(spheres_.size(), -1);
   for (std::size_t c = 0; c < clumps_.clumps.size(); ++c)
     for (std::size_t m = clumps_.begin_of(c); m < clumps_.end_of(c); ++m)
@@ -43,29 +45,6 @@ SphereStepper::SphereStepper(state::Spheres spheres, methods::spheres::ContactTa
                           (kick.vx != 0 || kick.vy != 0 || kick.vz != 0 || kick.wx != 0 || kick.wy != 0 || kick.wz != 0));
 }
 
-Vector3 SphereStepper::acceleration(std::size_t sphere) const {
-  const state::SphereLoad& load = loads_.of(sphere);
-  const Real inverse = spheres_.kick[sphere].inverse_mass;
-  return inverse * Vector3(load.fx, load.fy, load.fz) + (inverse > 0 ? rules_.gravity : Vector3(Vector3::Zero()));
-}
-
-Vector3 SphereStepper::angular_acceleration(std::size_t sphere) const {
-  const state::SphereLoad& load = loads_.of(sphere);
-  return spheres_.kick[sphere].inverse_inertia * Vector3(load.mx, load.my, load.mz);
-}
-
-Vector3 SphereStepper::velocity(std::size_t sphere) const {
-  if (is_member(sphere)) return spheres_.place[sphere].velocity();
-  const state::SphereKick& kick = spheres_.kick[sphere];
-  return Vector3(kick.vx, kick.vy, kick.vz) + 0.5 * rules_.step * acceleration(sphere);
-}
-
-Vector3 SphereStepper::spin(std::size_t sphere) const {
-  if (is_member(sphere)) return spheres_.spin[sphere].spin();
-  const state::SphereKick& kick = spheres_.kick[sphere];
-  return Vector3(kick.wx, kick.wy, kick.wz) + 0.5 * rules_.step * angular_acceleration(sphere);
-}
-
 void SphereStepper::start() {
   find_pairs();
   for (std::size_t c = 0; c < clumps_.clumps.size(); ++c)
@@ -74,8 +53,9 @@ void SphereStepper::start() {
   for (state::Clump& clump : clumps_.clumps) kick(clump, rules_.gravity, -0.5 * rules_.step);
   sums_.dashpot_work = sums_.bond_drag = wall_work_ = 0;
   sums_.sliding_work = sums_.sliding;  // what sliders hold at the beginning is not lost
+  levels_.count_anew();
   for (std::size_t i = 0; i < spheres_.size(); ++i) {
-    const Vector3 back = 0.5 * rules_.step * acceleration(i), turn_back = 0.5 * rules_.step * angular_acceleration(i);
+    const Vector3 back = half_kick(i), turn_back = half_turning_kick(i);
     state::SphereKick& kick = spheres_.kick[i];
     kick.vx -= back.x();
     kick.vy -= back.y();
@@ -88,18 +68,13 @@ void SphereStepper::start() {
 }
 
 void SphereStepper::find_pairs() {
+  if (!levels_.empty()) return find_level_pairs();
   loads_ = {};
   const std::vector<Index> places_before = pairs_.find(spheres_, rules_.margin);
   rest_bodies();
   arrange_bonds();
   find_walls(places_before);
-  Real mass = 0;
-  drift_ = Vector3::Zero();
-  for (std::size_t i = 0; i < spheres_.size(); ++i) {
-    drift_ += spheres_.place[i].mass * spheres_.place[i].velocity();
-    mass += spheres_.place[i].mass;
-  }
-  if (mass > 0) drift_ /= mass;
+  find_drift();
   approach_ = 0;
   ++searches_;
 }
@@ -142,7 +117,8 @@ void SphereStepper::arrange_bonds() {
 
 void SphereStepper::find_walls(std::span<const Index> places_before) {
   if (walls_.walls().empty()) return;
-  walls_.find(spheres_, time(), rules_.wall_margin, places_before);
+  const auto level = levels_.by_place(spheres_);
+  walls_.find(spheres_, time(), rules_.wall_margin, places_before, {levels_.count(), level});
   wall_radius_ = 0;
   for (const auto& wall : walls_.walls())
     if (wall.motion.moves())
@@ -179,7 +155,7 @@ void SphereStepper::measure() {
 methods::spheres::ContactSums SphereStepper::evaluate(std::size_t block, state::SphereLoad* loads) {
   loads_.clear(block, loads);
   auto sums = pairs_.evaluate(spheres_, {block, approach_, rules_.step, loads_, loads});
-  if (!walls_.walls().empty()) sums += walls_.evaluate(spheres_, block, rules_.step, loads);
+  if (!walls_.walls().empty()) sums += walls_.evaluate(spheres_, {block, rules_.step, loads});
   if (!bonds_.empty()) sums += bonds_.evaluate(spheres_, {block, rules_.step, pairs_.table(), loads_, loads});
   return sums;
 }
@@ -295,6 +271,11 @@ void SphereStepper::part_pieces(Index body) {
 
 void SphereStepper::settle() {
   if (settled_) return;
+  if (!levels_.empty()) {
+    evaluate_levels(0);
+    settled_ = true;
+    return;
+  }
   walls_.move(time());
   block_sums_.resize(loads_.blocks());
   parallel::parallel_for(loads_.blocks(), serial_below, [&](std::size_t begin, std::size_t end) {
@@ -309,6 +290,7 @@ void SphereStepper::settle() {
 }
 
 void SphereStepper::advance() {
+  if (!levels_.empty()) return advance_levels();
   block_sums_.resize(loads_.blocks());
   speeds_.resize(loads_.blocks());
   if (drives_) driven_work_.resize(loads_.blocks());
@@ -346,13 +328,15 @@ void SphereStepper::columns(Archive& archive) {
   if (archive.reading()) {
     bodies_.find_pieces(bonds_);
     if (!bonds_.empty()) bonds_.arrange(places());
-    loads_.arrange(pairs_.pairs(), bonds_.links());
+    if (levels_.empty()) loads_.arrange(pairs_.pairs(), bonds_.links());
   }
-  if (settled_) loads_.columns(archive);
+  if (settled_ && levels_.empty()) loads_.columns(archive);
+  levels_.columns(archive, settled_);
   archive.folder("walls", [&] { walls_.columns(archive); });
   if (archive.reading()) find_walls({});
   for (int axis = 0; axis < 3; ++axis) archive("drift" + std::to_string(axis), drift_[axis]);
   archive("approach", approach_);
+  if (!levels_.empty()) archive("margin", margin_);
   archive("largest_speed", largest_speed_);
   archive("contacts", sums_.contacts);
   archive("elastic", sums_.elastic);

@@ -5,11 +5,12 @@
 ///     v(k+1/2) = v(k-1/2) + h a(k)     x(k+1) = x(k) + h v(k+1/2)     foreseen v(k+1) = v(k+1/2) + h a(k)/2
 ///
 /// so the step is of second order with dashpots too. The spheres stand in memory along a curve, sorted anew whenever pairs are.
+/// Where spheres have time levels, a step is a base step, in which each takes as many steps as its level asks for.
 
 #include <functional>
 #include <utility>
 
-#include "sazare/engine/sphere_motion.hpp"
+#include "sazare/engine/sphere_levels.hpp"
 #include "sazare/methods/spheres/bonded_bodies.hpp"
 #include "sazare/methods/spheres/pair_contacts.hpp"
 #include "sazare/methods/spheres/wall_contacts.hpp"
@@ -18,10 +19,11 @@
 namespace sazare::engine {
 
 struct SphereRules {
-  Real step = 0;                      ///< h [s]
-  Vector3 gravity = Vector3::Zero();  ///< [m/s2]
-  Real margin = 0;                    ///< spheres nearer than this are kept as pairs until they may have come closer [m]
-  Real wall_margin = 0;               ///< the same for walls [m]
+  Real step = 0;                        ///< h; with levels the base step [s]
+  Vector3 gravity = Vector3::Zero();    ///< [m/s2]
+  Real margin = 0;                      ///< spheres nearer than this are kept as pairs until they may have come closer [m]
+  Real wall_margin = 0;                 ///< the same for walls [m]
+  std::vector<std::int8_t> level = {};  ///< by number of the sphere; empty: all in one step. Single spheres alone have levels
 };
 
 /// Where the energy is, and where it went; their sum without the works of walls stays.
@@ -93,11 +95,13 @@ public:
   const methods::spheres::PairContacts& pairs() const { return pairs_; }
   const methods::spheres::WallContacts& walls() const { return walls_; }
   const methods::spheres::LoadTable& loads() const { return loads_; }
+  const SphereLevels& levels() const { return levels_; }
   const methods::spheres::Bonds& bonds() const { return bonds_; }
   const state::Clumps& clumps() const { return clumps_; }
   const methods::spheres::BondedBodies& bodies() const { return bodies_; }
 
   /// At `time()`.
+  state::SphereLoad load(std::size_t sphere) const { return levels_.empty() ? loads_.of(sphere) : levels_.load(sphere); }
   Vector3 velocity(std::size_t sphere) const;
   Vector3 spin(std::size_t sphere) const;
   SphereEnergies energies() const;
@@ -112,12 +116,19 @@ public:
   std::int64_t broken_bonds() const { return sums_.broken; }
   /// The largest speed in the last step [m/s]; infinite when one is no number.
   Real largest_speed() const { return largest_speed_; }
+  /// Steps of single spheres so far.
+  std::int64_t particle_steps() const {
+    return levels_.empty() ? step_ * static_cast<std::int64_t>(spheres_.size()) : levels_.counts().kicks;
+  }
+  /// With levels: whether two spheres came so fast within a base step that they may have met before they were sought as a pair.
+  bool missed_pairs() const { return missed_pairs_; }
 
   void columns(Archive& archive);
 
 private:
   Vector3 acceleration(std::size_t sphere) const;
-  Vector3 angular_acceleration(std::size_t sphere) const;
+  Vector3 half_kick(std::size_t sphere) const;
+  Vector3 half_turning_kick(std::size_t sphere) const;
   SphereSpeeds move(std::size_t block, const state::SphereLoad* loads);
   methods::spheres::ContactSums evaluate(std::size_t block, state::SphereLoad* loads);
   void walk(std::size_t begin, std::size_t end);
@@ -141,6 +152,11 @@ private:
   void part_broken();
   void part_pieces(Index body);
   void find_walls(std::span<const Index> places_before);
+  void find_drift();
+  void find_level_pairs();
+  void evaluate_levels(std::int64_t tick);
+  void advance_levels();
+  void seek_in_time(const SphereSpeeds& speeds);
 
   state::Spheres spheres_;
   methods::spheres::PairContacts pairs_;
@@ -152,13 +168,16 @@ private:
   std::vector<Index> place_;  ///< by number, where the spheres stand; empty without clumps and bonded bodies
   methods::spheres::LoadTable loads_;
   SphereRules rules_;
+  SphereLevels levels_;
   std::int64_t step_ = 0, searches_ = 0;
   bool drives_ = false;              ///< some held sphere moves
   bool settled_ = false;             ///< the forces at `time()` are kept, and the kick is still to come
   Vector3 drift_ = Vector3::Zero();  ///< mean velocity when pairs were last found [m/s]
   Real approach_ = 0;                ///< how much nearer any two may have come since then [m]
   Real wall_approach_ = 0;           ///< the same of spheres and walls [m]
-  Real wall_radius_ = 0;             ///< of the spheres about the pivots of the walls [m]
+  Real margin_ = 0;                  ///< with levels: at which pairs were last found [m]
+  bool missed_pairs_ = false;
+  Real wall_radius_ = 0;  ///< of the spheres about the pivots of the walls [m]
   Real largest_speed_ = 0;
   std::vector<SphereSpeeds> speeds_;  ///< by block, and one more for clumps
   std::vector<Real> driven_work_;     ///< by block: of driven spheres in the last step [J]; empty without them

@@ -1,9 +1,57 @@
-/// What a body of spheres holds as a whole.
+/// What spheres have at the time of the forces kept, and what all hold together.
 
 #include "sazare/engine/clump_motion.hpp"
 #include "sazare/engine/sphere_stepper.hpp"
 
 namespace sazare::engine {
+
+Vector3 SphereStepper::acceleration(std::size_t sphere) const {
+  const state::SphereLoad load = this->load(sphere);
+  const Real inverse = spheres_.kick[sphere].inverse_mass;
+  return inverse * Vector3(load.fx, load.fy, load.fz) + (inverse > 0 ? rules_.gravity : Vector3(Vector3::Zero()));
+}
+
+/// What the velocity of a single sphere gains from half a step before `time()` to `time()`.
+Vector3 SphereStepper::half_kick(std::size_t sphere) const {
+  if (levels_.empty()) return 0.5 * rules_.step * acceleration(sphere);
+  const state::SphereLoad impulse = levels_.half_impulse(sphere);
+  const Real inverse = spheres_.kick[sphere].inverse_mass;
+  return inverse * Vector3(impulse.fx, impulse.fy, impulse.fz) +
+         (inverse > 0 ? 0.5 * levels_.step_of(sphere) * rules_.gravity : Vector3(Vector3::Zero()));
+}
+
+Vector3 SphereStepper::half_turning_kick(std::size_t sphere) const {
+  const Real inverse = spheres_.kick[sphere].inverse_inertia;
+  if (!levels_.empty()) {
+    const state::SphereLoad impulse = levels_.half_impulse(sphere);
+    return inverse * Vector3(impulse.mx, impulse.my, impulse.mz);
+  }
+  const state::SphereLoad& load = loads_.of(sphere);
+  return 0.5 * rules_.step * (inverse * Vector3(load.mx, load.my, load.mz));
+}
+
+Vector3 SphereStepper::velocity(std::size_t sphere) const {
+  if (is_member(sphere)) return spheres_.place[sphere].velocity();
+  const state::SphereKick& kick = spheres_.kick[sphere];
+  return Vector3(kick.vx, kick.vy, kick.vz) + half_kick(sphere);
+}
+
+Vector3 SphereStepper::spin(std::size_t sphere) const {
+  if (is_member(sphere)) return spheres_.spin[sphere].spin();
+  const state::SphereKick& kick = spheres_.kick[sphere];
+  return Vector3(kick.wx, kick.wy, kick.wz) + half_turning_kick(sphere);
+}
+
+/// The mean velocity, from which speeds are seen.
+void SphereStepper::find_drift() {
+  Real mass = 0;
+  drift_ = Vector3::Zero();
+  for (std::size_t i = 0; i < spheres_.size(); ++i) {
+    drift_ += spheres_.place[i].mass * spheres_.place[i].velocity();
+    mass += spheres_.place[i].mass;
+  }
+  if (mass > 0) drift_ /= mass;
+}
 
 SphereEnergies SphereStepper::energies() const {
   SphereEnergies energies;

@@ -285,6 +285,24 @@ private:
   std::vector<Cells> cells_;                        ///< of the classes that are not empty, largest spheres first
 };
 
+/// The n-th record becomes what order[n] was. In place, circle by circle: a copy would be the most that a search needs.
+template <class T>
+void permute(std::vector<T>& records, const std::vector<Index>& order) {
+  std::vector<bool> done(records.size());
+  for (std::size_t first = 0; first < records.size(); ++first) {
+    if (done[first]) continue;
+    const T kept = records[first];
+    std::size_t to = first;
+    for (auto from = static_cast<std::size_t>(order[to]); from != first; from = static_cast<std::size_t>(order[to])) {
+      records[to] = records[from];
+      done[to] = true;
+      to = from;
+    }
+    records[to] = kept;
+    done[to] = true;
+  }
+}
+
 }  // namespace
 
 std::vector<Index> order_along_curve(const state::Spheres& spheres, Real margin) {
@@ -299,6 +317,20 @@ std::vector<Index> order_along_curve(const state::Spheres& spheres, Real margin)
   std::vector<Index> order(keyed.size());
   for (std::size_t n = 0; n < keyed.size(); ++n) order[n] = keyed[n].second;
   return order;
+}
+
+std::vector<Index> places_after(const std::vector<Index>& order) {
+  std::vector<Index> place(order.size());
+  for (std::size_t n = 0; n < order.size(); ++n) place[static_cast<std::size_t>(order[n])] = static_cast<Index>(n);
+  return place;
+}
+
+void put_in_order(state::Spheres& spheres, const std::vector<Index>& order) {
+  permute(spheres.place, order);
+  permute(spheres.spin, order);
+  permute(spheres.kick, order);
+  if (!spheres.turn.empty()) permute(spheres.turn, order);
+  permute(spheres.number, order);
 }
 
 SpherePairs find_pairs(const state::Spheres& spheres, Real margin) { return Search(spheres, margin).run(); }

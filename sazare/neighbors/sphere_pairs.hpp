@@ -21,6 +21,12 @@ struct SpherePairs {
 /// The order along a Morton curve: the n-th is the sphere that should stand n-th.
 std::vector<Index> order_along_curve(const state::Spheres& spheres, Real margin);
 
+/// Where each sphere stands when the n-th has become what `order[n]` was.
+std::vector<Index> places_after(const std::vector<Index>& order);
+
+/// Sorts spheres: the n-th becomes what `order[n]` was.
+void put_in_order(state::Spheres& spheres, const std::vector<Index>& order);
+
 /// All pairs whose surfaces are nearer than the margin [m]. Each pair once, by the nearest image in a periodic box.
 SpherePairs find_pairs(const state::Spheres& spheres, Real margin);
 

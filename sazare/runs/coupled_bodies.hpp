@@ -51,7 +51,7 @@ struct CoupledSpheres {
 
   explicit CoupledSpheres(const BodiesSetting& setting);
   std::int64_t count() const { return static_cast<std::int64_t>(model.group.size()); }
-  Real step() const { return model.step; }
+  Real step() const { return model.steps.step; }
   bool prepare(const RunOptions& options);
   RunIdentity identity() const;
   const std::string& title() const { return file.spheres().title; }

@@ -40,7 +40,7 @@ void read_spheres(engine::SphereStepper& stepper, MotionTable& table) {
   table.resize(spheres.size());
   for (std::size_t i = 0; i < spheres.size(); ++i) {
     const auto number = static_cast<std::size_t>(spheres.number[i]);
-    const state::SphereLoad& load = stepper.loads().of(i);
+    const state::SphereLoad load = stepper.load(i);
     const bool falls = spheres.kick[i].inverse_mass > 0;
     table.position[number] = spheres.place[i].centre();
     table.velocity[number] = stepper.velocity(i);

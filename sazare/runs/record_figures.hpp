@@ -52,6 +52,10 @@ inline constexpr std::array rectangles = {Column{"elements", "-", ""}, Column{"e
 inline constexpr std::array spheres = {
     Column{"particles", "-", ""},
     Column{"particle_steps", "-", ""},
+    Column{"levels", "-", "of the steps, where there are any; the same for the next three"},
+    Column{"smallest_step", "s", "of any sphere"},
+    Column{"pair_evaluations", "-", "of contacts"},
+    Column{"uniform_evaluations", "-", "what the smallest step for all would have taken"},
     Column{"contacts", "-", "at the end"},
     Column{"clumps", "-", ""},
     Column{"bonds", "-", ""},

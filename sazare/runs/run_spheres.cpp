@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "sazare/cases/resolved.hpp"
 #include "sazare/core/large_tables.hpp"
 #include "sazare/observe/atomic_file.hpp"
@@ -33,7 +35,7 @@ struct SpheresWork {
         model(build_spheres(of)),
         folder(of_run.folder, of_run.begin),
         identity(identify(of.spheres(), observe::to_hex(model.start))),
-        clocks(make_clocks(of.spheres().time, model.step)),
+        clocks(make_clocks(of.spheres().time, model.steps.step)),
         record(folder, of, model, clocks),
         options(of_run) {
     give_back_large_tables();
@@ -46,8 +48,11 @@ struct SpheresWork {
   static std::string method() { return "spheres"; }
   const std::string& warning() const { return no_warning; }
   std::string words() const {
-    return fmt::format("{} spheres, step {} s, {} of the limit", spheres(), number(model.step),
-                       number(model.step / model.limit, 3));
+    const SphereSteps& steps = model.steps;
+    const std::string share = number(steps.smallest() / steps.limit, 3);
+    if (steps.level.empty()) return fmt::format("{} spheres, step {} s, {} of the limit", spheres(), number(steps.step), share);
+    return fmt::format("{} spheres at {} levels, steps {} to {} s, {} of the limit", spheres(), steps.count.size(),
+                       number(steps.smallest()), number(steps.step), share);
   }
   Real checkpoint_interval() const { return file.spheres().output.checkpoint_interval; }
 
@@ -64,7 +69,7 @@ struct SpheresWork {
   void read_motion(MotionTable& table) { read_spheres(*model.stepper, table); }
 
   ProgressState progress(Real share, Real time) const {
-    return {share, time, step() * spheres(), model.step, -1, "particle-steps"};
+    return {share, time, model.stepper->particle_steps(), model.steps.smallest(), -1, "particle-steps"};
   }
   void columns(Archive& archive) {
     archive.folder("stepper", [&] { model.stepper->columns(archive); });
@@ -83,10 +88,28 @@ std::unique_ptr<LiveRun> open_spheres(const cases::CaseFile& file, const RunOpti
   return std::make_unique<CaseRun<SpheresWork>>(file, options);
 }
 
+namespace {
+
+/// What `check` says of the steps of a body.
+std::string steps_text(const SphereSteps& steps, const RunClocks& clocks) {
+  std::string text =
+      fmt::format("  {:<12}limit {} s\n", "stability", number(steps.limit, 5)) +
+      fmt::format("  {:<12}{} s, {} of the limit, {} to a history row\n", steps.level.empty() ? "step" : "base step",
+                  number(steps.step, 5), number(steps.step / steps.limit, 3), clocks.steps_per_row);
+  for (std::size_t level = 0; level < steps.count.size(); ++level)
+    text += fmt::format("  {:<12}{}: {} spheres, {} s\n", level == 0 ? "levels" : "", level, steps.count[level],
+                        number(std::ldexp(steps.step, -static_cast<int>(level)), 5));
+  text += fmt::format("  {:<12}{} steps, {} particle-steps", "work", clocks.steps(),
+                      number(steps.particle_steps * static_cast<Real>(clocks.steps())));
+  if (steps.level.empty()) return text + "\n";
+  return text + fmt::format(" or so, {} of those that one step for all takes\n", number(steps.share_of_uniform, 2));
+}
+
+}  // namespace
+
 std::string check_spheres(const cases::CaseFile& file) {
   const SpheresModel model = build_spheres(file);
-  const RunClocks clocks = make_clocks(file.spheres().time, model.step);
-  const auto spheres = static_cast<Real>(model.group.size());
+  const RunClocks clocks = make_clocks(file.spheres().time, model.steps.step);
   Real volume = 0, mass = 0, smallest = 0, largest = 0;
   for (const state::Clump& clump : model.stepper->clumps().clumps) {
     volume += clump.volume;
@@ -107,11 +130,7 @@ std::string check_spheres(const cases::CaseFile& file) {
               : fmt::format("  {:<12}{} bonded, their inertia within {} of that of their shapes\n", "bodies",
                             model.stepper->bodies().count(), number(model.share_error, 2))) +
          (model.bonds > 0 ? fmt::format("  {:<12}{} at the start\n", "bonds", model.bonds) : "") +
-         fmt::format("  {:<12}limit {} s\n", "stability", number(model.limit, 5)) +
-         fmt::format("  {:<12}{} s, {} of the limit, {} to a history row\n", "step", number(model.step, 5),
-                     number(model.step / model.limit, 3), clocks.steps_per_row) +
-         fmt::format("  {:<12}{} steps, {} particle-steps\n", "work", clocks.steps(),
-                     number(spheres * static_cast<Real>(clocks.steps())));
+         steps_text(model.steps, clocks);
 }
 
 }  // namespace sazare::runs

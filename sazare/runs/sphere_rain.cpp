@@ -40,14 +40,14 @@ bool let_rain(const cases::SpheresCase& spheres, SpheresModel& model, const RunO
   if (std::ranges::count(rules.rains, 1) == 0) return true;
   if (!options.quiet) fmt::print("falling to rest under gravity\n");
   std::fflush(stdout);
-  Progress progress(options.quiet, {.smallest_step = model.step, .broken_joints = -1, .evaluated = "particle-steps"});
+  Progress progress(options.quiet, {.smallest_step = model.steps.smallest(), .broken_joints = -1, .evaluated = "particle-steps"});
   const auto count = static_cast<std::int64_t>(model.group.size());
   Real first = 0;
   rules.goes_on = [&](std::int64_t done, Real unrest) {
     first = std::max(first, unrest);
     // What is left falls by about the same factor in equal times.
     if (progress.is_due())
-      progress.show({std::log(first / unrest) / std::log(first), 0, done * count, model.step, -1, "particle-steps"});
+      progress.show({std::log(first / unrest) / std::log(first), 0, done * count, model.steps.smallest(), -1, "particle-steps"});
     return options.stop_asked == nullptr || !options.stop_asked->load(std::memory_order_relaxed);
   };
   const engine::RainEnd end = model.stepper->rain(rules);

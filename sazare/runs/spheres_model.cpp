@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 #include "sazare/cases/number_text.hpp"
 #include "sazare/geometry/surface_file.hpp"
@@ -87,47 +85,6 @@ void add_walls(const SpheresCase& spheres, SpheresModel& model, std::vector<Wall
   }
 }
 
-/// Rayleigh's time of the smallest sphere of each material: in it a surface wave goes half around a sphere [s].
-Real rayleigh_limit(const SpheresCase& spheres, const Placement& placement) {
-  const state::Spheres& placed = placement.spheres;
-  Real limit = std::numeric_limits<Real>::infinity();
-  for (std::size_t i = 0; i < placed.size(); ++i) {
-    const cases::SphereMaterial& material = spheres.materials[static_cast<std::size_t>(placed.spin[i].material)];
-    const Real shear_modulus = 0.5 * material.youngs_modulus / (1 + material.poisson_ratio);
-    const state::SpherePlace& place = placed.place[i];
-    Real own = std::numbers::pi * place.radius * std::sqrt(material.density / shear_modulus) /
-               (0.1631 * material.poisson_ratio + 0.8766);
-    if (placement.bonded_body[i] >= 0) {
-      // It has less mass than one that stands alone, so its contacts last less long.
-      const Real full = 4 * std::numbers::pi / 3 * material.density * std::pow(place.radius, 3);
-      own *= std::sqrt(std::min(place.mass / full, Real{1}));
-    }
-    limit = std::min(limit, own);
-  }
-  return limit;
-}
-
-/// Twice over the frequency of the lightest sphere between two like it on the stiffest springs [s].
-Real spring_limit(const SpheresCase& spheres, const methods::spheres::ContactTable& table, const state::Spheres& placed) {
-  Real stiffest = 0, lightest = std::numeric_limits<Real>::infinity();
-  for (Index a = 0; a < table.materials; ++a)
-    for (Index b = 0; b < table.materials; ++b) stiffest = std::max({stiffest, table.of(a, b).normal, table.of(a, b).tangential});
-  for (const auto& place : placed.place) lightest = std::min(lightest, place.mass);
-  return spheres.contact.model == ContactModel::linear ? 2 * std::sqrt(0.5 * lightest / stiffest) : 0;
-}
-
-/// The step of a run, which divides a clock [s].
-Real choose_step(const cases::CaseFile& file, Real limit, Real clock) {
-  const cases::LeapfrogTime& time = file.spheres().time;
-  if (!time.step) return clock / std::ceil(clock / (time.stability_fraction * limit));
-  if (*time.step > limit)
-    refuse(file, "time.step",
-           fmt::format("the step of {} s is {} times the limit of {} s", cases::short_number(*time.step, 4),
-                       cases::short_number(*time.step / limit, 4), cases::short_number(limit, 4)),
-           fmt::format("choose {} s or less, or give no step", cases::short_number(0.2 * limit, 3)));
-  return *time.step;
-}
-
 std::uint64_t hash_of(const Placement& placement, const std::vector<Wall>& walls) {
   observe::Hash hash;
   hash.add(std::as_bytes(std::span(placement.bonded)));
@@ -158,6 +115,13 @@ void check_walls(const cases::CaseFile& file, const SpheresModel& model, const s
   }
 }
 
+/// A base step of finer levels goes farther and costs less, so that searches weigh more: by the root of both the margin that is
+/// best grows.
+Real margin_growth(const SphereSteps& steps) {
+  constexpr Real most = 4;
+  return steps.level.empty() ? 1 : std::min(most, std::sqrt(steps.step / steps.smallest()));
+}
+
 }  // namespace
 
 methods::spheres::ContactTable contact_table(const SpheresCase& spheres) {
@@ -169,7 +133,7 @@ methods::spheres::ContactTable contact_table(const SpheresCase& spheres) {
   return table;
 }
 
-SpheresModel build_spheres(const cases::CaseFile& file, std::optional<Real> clock) {
+SpheresModel build_spheres(const cases::CaseFile& file, std::optional<Real> window) {
   const SpheresCase& spheres = file.spheres();
   SpheresModel model;
   Placement placement = place_spheres(file);
@@ -177,13 +141,10 @@ SpheresModel build_spheres(const cases::CaseFile& file, std::optional<Real> cloc
   add_walls(spheres, model, walls);
   check_walls(file, model, walls, placement.spheres);
   const methods::spheres::ContactTable table = contact_table(spheres);
-  model.limit = spheres.contact.model == ContactModel::hertz ? rayleigh_limit(spheres, placement)
-                                                             : spring_limit(spheres, table, placement.spheres);
   methods::spheres::Bonds bonds = bond_spheres(file, placement);
   model.clumps = static_cast<std::int64_t>(placement.clumps.clumps.size());
   model.bonds = static_cast<std::int64_t>(bonds.bonds().size());
-  model.limit = std::min(model.limit, methods::spheres::stable_step(bonds.bonds(), placement.spheres));
-  model.step = choose_step(file, model.limit, clock.value_or(spheres.time.history_interval));
+  model.steps = choose_steps(file, placement, {table, bonds}, window);
   model.start = hash_of(placement, walls);
   methods::spheres::BondedBodies bodies;
   if (placement.bonded_bodies > 0) {
@@ -194,9 +155,9 @@ SpheresModel build_spheres(const cases::CaseFile& file, std::optional<Real> cloc
   model.share_error = placement.share_error;
   model.group = std::move(placement.group);
   model.body = std::move(placement.body);
-  const Real margin = search_margin(spheres, placement.spheres);
-  const engine::SphereRules rules{model.step, spheres.gravity.acceleration, margin,
-                                  wall_margin / spheres.contact.margin * margin};
+  const Real margin = margin_growth(model.steps) * search_margin(spheres, placement.spheres);
+  const engine::SphereRules rules{model.steps.step, spheres.gravity.acceleration, margin,
+                                  wall_margin / spheres.contact.margin * margin, model.steps.level};
   model.stepper = std::make_unique<engine::SphereStepper>(std::move(placement.spheres), table, std::move(walls), rules,
                                                           std::move(bonds), std::move(placement.clumps), std::move(bodies));
   return model;

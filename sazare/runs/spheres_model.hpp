@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "sazare/engine/sphere_stepper.hpp"
-#include "sazare/runs/sphere_placement.hpp"
+#include "sazare/runs/sphere_steps.hpp"
 
 namespace sazare::runs {
 
@@ -17,17 +17,16 @@ struct SpheresModel {
   std::vector<Real> density;    ///< by material [kg/m3]; empty without bonded bodies
   std::int64_t bonds = 0;       ///< at the start
   std::int64_t clumps = 0;
-  Real share_error = 0;          ///< what the inertia of bonded bodies lacks of that of their shapes, relative
-  std::uint64_t start = 0;       ///< hash of where everything stands at the start
-  Real limit = 0;                ///< of the step [s]
-  Real step = 0;                 ///< [s]
+  Real share_error = 0;     ///< what the inertia of bonded bodies lacks of that of their shapes, relative
+  std::uint64_t start = 0;  ///< hash of where everything stands at the start
+  SphereSteps steps;
   std::vector<Index> case_wall;  ///< by wall of the stepper: which of the case; a box has six
   std::unique_ptr<engine::SphereStepper> stepper;
 };
 
-/// Throws UserError when the case does not fit its spheres or its step is above the limit. A step that the case does not give
-/// divides its history interval, or a shorter clock that is given [s].
-SpheresModel build_spheres(const cases::CaseFile& file, std::optional<Real> clock = std::nullopt);
+/// Throws UserError when the case does not fit its spheres or its step is above the limit. `window`: see
+/// `choose_steps`.
+SpheresModel build_spheres(const cases::CaseFile& file, std::optional<Real> window = std::nullopt);
 
 /// The constants of every pair of materials of a case.
 methods::spheres::ContactTable contact_table(const cases::SpheresCase& spheres);

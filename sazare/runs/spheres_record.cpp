@@ -78,7 +78,7 @@ void SpheresRecord::add_gauge_row(Real time) {
       mass[g] += own;
       place[g] += own * spheres.place[i].centre();
       momentum[g] += own * model_->stepper->velocity(i);
-      const state::SphereLoad& load = model_->stepper->loads().of(i);
+      const state::SphereLoad load = model_->stepper->load(i);
       force[g] += Vector3(load.fx, load.fy, load.fz);
     }
   const engine::SphereStepper& stepper = *model_->stepper;
@@ -152,14 +152,19 @@ void SpheresRecord::write_fragments() const {
 
 void SpheresRecord::check_motion(Real time) const {
   const Real speed = model_->stepper->largest_speed();
+  if (model_->stepper->missed_pairs())
+    throw PhysicsError(
+        fmt::format("two spheres came so fast before t = {} s that they may have met unseen within a base step of {} s\n"
+                    "  set contact.margin larger, or time.levels = \"uniform\"; or look at spheres that overlap at the start",
+                    cases::short_number(time), cases::short_number(model_->steps.step, 4)));
   if (speed < senseless_speed) return;
+  const Real smallest = model_->steps.smallest(), limit = model_->steps.limit;
   throw PhysicsError(
       fmt::format("the motion of the spheres makes no sense any more at t = {} s: the largest speed is {} m/s, above {} m/s\n"
                   "  the step of {} s is {} times the limit of {} s: set time.stability_fraction = 0.1, or look at spheres that "
                   "overlap at the start",
                   cases::short_number(time), cases::short_number(speed, 3), cases::short_number(senseless_speed, 3),
-                  cases::short_number(model_->step, 4), cases::short_number(model_->step / model_->limit, 3),
-                  cases::short_number(model_->limit, 4)));
+                  cases::short_number(smallest, 4), cases::short_number(smallest / limit, 3), cases::short_number(limit, 4)));
 }
 
 std::vector<std::pair<std::string, observe::Figure>> SpheresRecord::results(std::int64_t step, Real wall_seconds) const {
@@ -169,9 +174,9 @@ std::vector<std::pair<std::string, observe::Figure>> SpheresRecord::results(std:
   std::vector<std::pair<std::string, observe::Figure>> results = {
       {"particles", spheres},
       {"steps", step},
-      {"step", model_->step},
-      {"predicted_limit", model_->limit},
-      {"particle_steps", spheres * step},
+      {"step", model_->steps.step},
+      {"predicted_limit", model_->steps.limit},
+      {"particle_steps", model_->stepper->particle_steps()},
       {"contacts", model_->stepper->contacts()},
       {"clumps", model_->clumps},
       {"bonds", model_->bonds},
@@ -183,6 +188,12 @@ std::vector<std::pair<std::string, observe::Figure>> SpheresRecord::results(std:
       {"energy_work", std::max({lost, peak_kinetic_, std::abs(energies_.wall_work)})},
       {"energy_residual", energy_residual()},
       {"peak_speed", largest_speed_}};
+  if (const engine::SphereLevels& levels = model_->stepper->levels(); !levels.empty()) {
+    results.emplace_back("levels", static_cast<std::int64_t>(levels.count()));
+    results.emplace_back("smallest_step", model_->steps.smallest());
+    results.emplace_back("pair_evaluations", levels.counts().evaluations);
+    results.emplace_back("uniform_evaluations", levels.counts().uniform_evaluations);
+  }
   if (!bodies.empty()) {
     results.emplace_back("bodies", static_cast<std::int64_t>(bodies.count()));
     results.emplace_back("bodies_broken", broken_bodies(bodies));

@@ -54,8 +54,8 @@ class Contact(Part):
     overlap_limit: float | None = None
     """Largest overlap at the start over the smaller radius; more is refused. Default: 0.05. At least 0 and at most 1."""
     margin: float | None = None
-    """Spheres nearer than this, over the smallest diameter, are kept as pairs; it changes the speed only. Default: 0.1. Greater
-    than 0 and at most 10.
+    """Spheres nearer than this, over the smallest diameter, are kept as pairs; it changes the speed only, and with levels also
+    what the step leaves. Default: 0.1. Greater than 0 and at most 10.
     """
 
 
@@ -290,9 +290,14 @@ class Time(Part):
     """Step of all spheres; above the limit the case is refused. [s] (default: stability_fraction of the limit, or a little less)
     Greater than 0.
     """
+    levels: Literal["automatic", "per_sphere", "uniform"] | None = None
+    """Whether every sphere has its own time level, or all take the step of the one that bears least. Levels are for single
+    spheres, without bonds and shapes; automatic takes them where spheres then need less than half of the steps and no step is
+    given. Default: "automatic".
+    """
     stability_fraction: float | None = None
     """Step over the limit where no step is given: Rayleigh's time of the smallest sphere, or with linear springs 2/frequency of a
-    contact. Default: 0.2. Greater than 0 and less than 1.
+    contact; with levels each sphere's own. Default: 0.2. Greater than 0 and less than 1.
     """
     history_interval: float | None = None
     """Time between rows of the histories; the end is a whole multiple of it. [s] (default: about end/200) Greater than 0."""

@@ -9,43 +9,21 @@
 
 namespace sazare::methods::spheres {
 
-namespace {
-
-/// The n-th record becomes what order[n] was. In place, circle by circle: a copy would be the most that a search needs.
-template <class T>
-void permute(std::vector<T>& records, const std::vector<Index>& order) {
-  std::vector<bool> done(records.size());
-  for (std::size_t first = 0; first < records.size(); ++first) {
-    if (done[first]) continue;
-    const T kept = records[first];
-    std::size_t to = first;
-    for (auto from = static_cast<std::size_t>(order[to]); from != first; from = static_cast<std::size_t>(order[to])) {
-      records[to] = records[from];
-      done[to] = true;
-      to = from;
-    }
-    records[to] = kept;
-    done[to] = true;
-  }
-}
-
-}  // namespace
-
 std::vector<Index> PairContacts::find(state::Spheres& spheres, Real margin) {
   std::vector<Index> order = neighbors::order_along_curve(spheres, margin);
-  std::vector<Index> new_place(order.size());
-  for (std::size_t n = 0; n < order.size(); ++n) new_place[static_cast<std::size_t>(order[n])] = static_cast<Index>(n);
-  const Touches touches = take_touches(new_place);
-  new_place = {};
-  permute(spheres.place, order);
-  permute(spheres.spin, order);
-  permute(spheres.kick, order);
-  if (!spheres.turn.empty()) permute(spheres.turn, order);
-  permute(spheres.number, order);
+  const Touches touches = take_touches(neighbors::places_after(order));
+  neighbors::put_in_order(spheres, order);
   pairs_ = neighbors::find_pairs(spheres, margin);
   lay_out();
   go_on(touches);
   return order;
+}
+
+void PairContacts::go_over(neighbors::SpherePairs pairs, const std::vector<Index>& new_place) {
+  const Touches touches = take_touches(new_place);
+  pairs_ = std::move(pairs);
+  lay_out();
+  go_on(touches);
 }
 
 /// The contacts by the new places of their spheres. All that is kept by pair is given up before new pairs are sought.

@@ -26,6 +26,10 @@ public:
   /// Returns the place before of each sphere. `write_to` is to follow.
   std::vector<Index> find(state::Spheres& spheres, Real margin);
 
+  /// Goes over to these pairs of spheres that are sorted anew; `new_place` says by place where each of them comes to stand. What
+  /// touches goes on remembering. `write_to` is to follow.
+  void go_over(neighbors::SpherePairs pairs, const std::vector<Index>& new_place);
+
   /// Tells the contacts where their loads add up.
   void write_to(const LoadTable& loads);
 

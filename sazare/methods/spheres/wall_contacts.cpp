@@ -35,41 +35,55 @@ Real WallContacts::lead(Real time, Real step, std::vector<Vector3> from, std::ve
 void WallContacts::book_surface(Real step) {
   if (surface() == nullptr) return;
   std::vector<terms::NodeForce> forces;
-  for (const Block& block : blocks_) forces.insert(forces.end(), block.on_nodes.begin(), block.on_nodes.end());
+  for (const auto& blocks : parts_)
+    for (const Block& block : blocks) forces.insert(forces.end(), block.on_nodes.begin(), block.on_nodes.end());
   walls_[surface_].nodal.book(forces, step);
 }
 
 void WallContacts::move(Real time) {
-  time_ = time;
+  if (!stand_still_) time_ = time;
   for (std::size_t w = 0; w < walls_.size(); ++w) {
-    poses_[w] = WallPose::of(walls_[w].motion, time);
+    poses_[w] = WallPose::of(walls_[w].motion, time_);
     if (stand_still_) poses_[w].velocity = poses_[w].spin = Vector3::Zero();
   }
 }
 
-void WallContacts::find(const state::Spheres& spheres, Real time, Real margin, std::span<const Index> places_before) {
+/// Of all parts, by part and sphere.
+std::vector<WallContacts::Touch> WallContacts::touches() const {
+  std::vector<Touch> all;
+  for (const auto& blocks : parts_)
+    for (const Block& block : blocks) all.insert(all.end(), block.touches.begin(), block.touches.end());
+  return all;
+}
+
+void WallContacts::find(const state::Spheres& spheres, Real time, Real margin, std::span<const Index> places_before,
+                        const Parts& parts) {
   move(time);
   if (surface() != nullptr) {
     std::vector<geometry::Triangle> now;
     for (std::size_t face = 0; face < surface()->face_count(); ++face) now.push_back(surface()->corners(face, time));
     grids_[surface_] = geometry::TriangleGrid(now, reach_);
   }
-  std::vector<Touch> kept;
-  for (const Block& block : blocks_) kept.insert(kept.end(), block.touches.begin(), block.touches.end());
+  std::vector<Touch> kept = touches();
   if (!places_before.empty()) {
     std::vector<Index> place(places_before.size());
     for (std::size_t n = 0; n < place.size(); ++n) place[static_cast<std::size_t>(places_before[n])] = static_cast<Index>(n);
     for (Touch& touch : kept) touch.sphere = place[static_cast<std::size_t>(touch.sphere)];
     std::ranges::stable_sort(kept, {}, &Touch::sphere);
   }
-  blocks_.assign((spheres.size() + neighbors::block_size - 1) / neighbors::block_size, {});
-  for (Block& block : blocks_) block.loads.resize(walls_.size());
-  for (const Touch& touch : kept)
-    blocks_[static_cast<std::size_t>(touch.sphere) / neighbors::block_size].touches.push_back(touch);
-  parallel::parallel_for(blocks_.size(), 2, [&](std::size_t begin, std::size_t end) {
+  const std::size_t block_count = (spheres.size() + neighbors::block_size - 1) / neighbors::block_size;
+  Block empty;
+  empty.loads.resize(walls_.size());
+  parts_.assign(parts.count, std::vector<Block>(block_count, empty));
+  const auto block_of = [&](std::size_t sphere) -> Block& {
+    const std::size_t part = parts.of.empty() ? 0 : static_cast<std::size_t>(parts.of[sphere]);
+    return parts_[part][sphere / neighbors::block_size];
+  };
+  for (const Touch& touch : kept) block_of(static_cast<std::size_t>(touch.sphere)).touches.push_back(touch);
+  parallel::parallel_for(block_count, 2, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin * neighbors::block_size; i < std::min(end * neighbors::block_size, spheres.size()); ++i) {
       const state::SpherePlace& place = spheres.place[i];
-      auto& near = blocks_[i / neighbors::block_size].near;
+      auto& near = block_of(i).near;
       const Real reach = place.radius + margin;
       for (std::size_t w = 0; w < walls_.size(); ++w) {
         const Wall& wall = walls_[w];
@@ -180,9 +194,9 @@ ContactSums WallContacts::push(const state::Spheres& spheres, const Point& point
   return {force.elastic_energy, force.sliding_energy, step * force.dashpot_power, step * force.sliding_power, 1};
 }
 
-ContactSums WallContacts::evaluate(const state::Spheres& spheres, std::size_t number, Real step, state::SphereLoad* own) {
+ContactSums WallContacts::evaluate(const state::Spheres& spheres, const Task& task) {
   ContactSums sums;
-  Block& block = blocks_[number];
+  Block& block = parts_[task.part][task.block];
   std::swap(block.before, block.touches);
   block.touches.clear();
   std::fill(block.loads.begin(), block.loads.end(), WallLoad{});
@@ -211,20 +225,30 @@ ContactSums WallContacts::evaluate(const state::Spheres& spheres, std::size_t nu
           old->wall = -1;  // each goes on once
           break;
         }
-      state::SphereLoad& load = own[static_cast<std::size_t>(sphere) - number * neighbors::block_size];
+      state::SphereLoad& load = task.own[static_cast<std::size_t>(sphere) - task.block * neighbors::block_size];
       sums += table_.model == laws::ContactModel::hertz
-                  ? push<laws::ContactModel::hertz>(spheres, point, touch, step, block, load)
-                  : push<laws::ContactModel::linear>(spheres, point, touch, step, block, load);
+                  ? push<laws::ContactModel::hertz>(spheres, point, touch, task.step, block, load)
+                  : push<laws::ContactModel::linear>(spheres, point, touch, task.step, block, load);
       block.touches.push_back(touch);
     }
   }
   return sums;
 }
 
-std::vector<WallLoad> WallContacts::loads() const {
+std::vector<WallLoad> WallContacts::loads(std::size_t part) const {
   std::vector<WallLoad> total(walls_.size());
-  for (const Block& block : blocks_)
+  if (part >= parts_.size()) return total;
+  for (const Block& block : parts_[part])
     for (std::size_t w = 0; w < total.size(); ++w) total[w] += block.loads[w];
+  return total;
+}
+
+std::vector<WallLoad> WallContacts::loads() const {
+  std::vector<WallLoad> total = loads(0);
+  for (std::size_t part = 1; part < parts_.size(); ++part) {
+    const std::vector<WallLoad> more = loads(part);
+    for (std::size_t w = 0; w < total.size(); ++w) total[w] += more[w];
+  }
   return total;
 }
 
@@ -236,21 +260,20 @@ Real WallContacts::largest_speed(Real radius) const {
 }
 
 void WallContacts::columns(Archive& archive) {
-  std::vector<Touch> touches;
+  std::vector<Touch> all = touches();
   std::vector<std::uint64_t> counts;
-  for (const Block& block : blocks_) {
-    touches.insert(touches.end(), block.touches.begin(), block.touches.end());
-    counts.push_back(block.touches.size());
-  }
-  archive("touches", touches);
+  for (const auto& blocks : parts_)
+    for (const Block& block : blocks) counts.push_back(block.touches.size());
+  archive("touches", all);
   archive("counts", counts);
   if (surface() != nullptr) archive.folder("surface", [&] { walls_[surface_].nodal.columns(archive); });
   if (!archive.reading()) return;
-  blocks_.assign(counts.size(), {});
-  auto next = touches.begin();
+  // All in one part: `find`, which follows, hands out what is touched.
+  parts_.assign(1, std::vector<Block>(counts.size()));
+  auto next = all.begin();
   for (std::size_t b = 0; b < counts.size(); ++b) {
-    blocks_[b].loads.resize(walls_.size());
-    blocks_[b].touches.assign(next, next + static_cast<std::ptrdiff_t>(counts[b]));
+    parts_[0][b].loads.resize(walls_.size());
+    parts_[0][b].touches.assign(next, next + static_cast<std::ptrdiff_t>(counts[b]));
     next += static_cast<std::ptrdiff_t>(counts[b]);
   }
 }

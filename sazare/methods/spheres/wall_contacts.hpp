@@ -21,11 +21,17 @@ public:
   /// Materials of walls are numbered like those of the spheres. `reach`: largest radius and margin together [m].
   WallContacts(ContactTable table, std::vector<Wall> walls, Real reach);
 
+  /// Spheres may be worked on in parts, each at times of its own.
+  struct Parts {
+    std::size_t count = 1;
+    std::span<const std::int8_t> of;  ///< by place; empty: all are in part 0
+  };
+
   /// Finds which spheres are nearer to a wall than the margin [m]. `places_before` says where each sphere stood when they
   /// were last found; empty where all stand as they did.
-  void find(const state::Spheres& spheres, Real time, Real margin, std::span<const Index> places_before);
+  void find(const state::Spheres& spheres, Real time, Real margin, std::span<const Index> places_before, const Parts& parts);
 
-  /// Whether walls stand still from the next `move` on: where they are then, and without velocity.
+  /// Whether walls stand still from the next `move` on: where they were at the last one, and without velocity.
   void stand_still(bool still) { stand_still_ = still; }
 
   /// To be called once before the blocks of a step.
@@ -39,10 +45,20 @@ public:
   /// To be called once after the blocks of a step: what its nodes have got.
   void book_surface(Real step);
 
-  /// Adds the forces on a block's spheres to their loads, `own`.
-  ContactSums evaluate(const state::Spheres& spheres, std::size_t block, Real step, state::SphereLoad* own);
+  /// The spheres of a part in a block.
+  struct Task {
+    std::size_t block = 0;
+    Real step = 0;           ///< [s]
+    state::SphereLoad* own;  ///< the loads of the block's spheres
+    std::size_t part = 0;
+  };
+
+  /// Adds the forces on spheres to their loads.
+  ContactSums evaluate(const state::Spheres& spheres, const Task& task);
 
   const std::vector<Wall>& walls() const { return walls_; }
+  /// By wall, as last evaluated: of a part, and of all.
+  std::vector<WallLoad> loads(std::size_t part) const;
   std::vector<WallLoad> loads() const;
   /// Of any wall, anywhere near the spheres [m/s]: within `radius` of its pivot.
   Real largest_speed(Real radius) const;
@@ -86,6 +102,7 @@ private:
   geometry::Triangle triangle(std::size_t wall, std::int32_t number) const;
   Ground ground_at(const Point& point, const Vector3& centre, Real radius) const;
   void find_touches(const state::SpherePlace& place, std::span<const Near> near, std::vector<Point>& points) const;
+  std::vector<Touch> touches() const;
   template <laws::ContactModel model>
   ContactSums push(const state::Spheres& spheres, const Point& point, Touch& touch, Real step, Block& block,
                    state::SphereLoad& load) const;
@@ -98,7 +115,7 @@ private:
   Real reach_ = 0;
   Real time_ = 0;                                       ///< of the last `move` [s]
   std::size_t surface_ = static_cast<std::size_t>(-1);  ///< which of the walls moves with its nodes
-  std::vector<Block> blocks_;
+  std::vector<std::vector<Block>> parts_;               ///< by part and block
 };
 
 }  // namespace sazare::methods::spheres

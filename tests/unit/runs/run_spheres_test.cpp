@@ -145,7 +145,7 @@ TEST_P(InParts, gives_the_bits_of_one_run) {
             test::without_last_column(read_text(folder / "parts/history.csv")));
 }
 
-INSTANTIATE_TEST_SUITE_P(run_spheres, InParts, testing::Values(scattered, bonded, tetrapods, brittle, rained));
+INSTANTIATE_TEST_SUITE_P(run_spheres, InParts, testing::Values(scattered, bonded, tetrapods, brittle, rained, mixed));
 
 TEST(run_spheres, what_rains_rests_at_the_start_and_all_else_has_waited) {
   const TemporaryFolder folder;

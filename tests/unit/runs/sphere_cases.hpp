@@ -41,6 +41,36 @@ lower = [0.0, 0.0, 0.0]
 upper = [0.08, 0.08, 0.0]
 )";
 
+/// Few small spheres among large ones, which rest at the start, and a ball above: sizes of 1 to 8, four levels.
+inline const char* mixed = R"([[spheres]]
+name = "stones"
+material = "glass"
+source = "random"
+radius = 0.006
+lower = [0.0, 0.0, 0.0]
+upper = [0.08, 0.08, 0.06]
+count = 100
+rain = true
+[[spheres]]
+name = "sand"
+material = "glass"
+source = "random"
+radius = 0.00075
+lower = [0.0, 0.0, 0.0]
+upper = [0.08, 0.08, 0.06]
+count = 8
+rain = true
+[[spheres]]
+name = "ball"
+material = "glass"
+centre = [0.04, 0.04, 0.1]
+radius = 0.006
+velocity = [0.0, 0.0, -1.0]
+[[gauges]]
+name = "ball"
+group = "ball"
+)";
+
 inline const char* tetrapods = R"([[shapes]]
 name = "tetrapod"
 height = 0.02

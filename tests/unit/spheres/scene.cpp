@@ -1,6 +1,7 @@
 #include "scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace sazare::methods::spheres {
 
@@ -20,7 +21,7 @@ engine::SphereStepper make_stepper(const std::vector<Grain>& grains, const Rules
     spheres.add(grain.centre, grain.radius, 2500, 0);
     spheres.set_motion(spheres.size() - 1, grain.velocity, grain.spin);
   }
-  return {std::move(spheres), table(rules), std::move(walls), {rules.step, rules.gravity, rules.margin, 5e-3}};
+  return {std::move(spheres), table(rules), std::move(walls), {rules.step, rules.gravity, rules.margin, 5e-3, rules.level}};
 }
 
 std::vector<Grain> heap(int across, Real speed, Real spacing) {
@@ -41,6 +42,15 @@ std::vector<Grain> heap(int across, Real speed, Real spacing) {
         grains.push_back(grain);
       }
   return grains;
+}
+
+std::vector<std::int8_t> levels_by_radius(const std::vector<Grain>& grains) {
+  Real largest = 0;
+  for (const Grain& grain : grains) largest = std::max(largest, grain.radius);
+  std::vector<std::int8_t> level;
+  for (const Grain& grain : grains)
+    level.push_back(static_cast<std::int8_t>(std::ceil(std::log2(largest / grain.radius) - 1e-9)));
+  return level;
 }
 
 std::size_t place_of(const engine::SphereStepper& stepper, Index number) {

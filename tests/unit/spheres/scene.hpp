@@ -22,6 +22,7 @@ struct Rules {
   Real margin = 1e-3;
   laws::ContactModel model = laws::ContactModel::hertz;
   state::PeriodicBox box = {};
+  std::vector<std::int8_t> level = {};  ///< by grain; empty: all in one step
 };
 
 ContactTable table(const Rules& rules);
@@ -29,6 +30,9 @@ engine::SphereStepper make_stepper(const std::vector<Grain>& grains, const Rules
 
 /// A heap of some hundred spheres of several sizes that fall into each other.
 std::vector<Grain> heap(int across, Real speed, Real spacing = 0.021);
+
+/// Levels of grains whose steps grow with their radius; the largest radius has level 0.
+std::vector<std::int8_t> levels_by_radius(const std::vector<Grain>& grains);
 
 /// Where the sphere with a number stands in memory.
 std::size_t place_of(const engine::SphereStepper& stepper, Index number);

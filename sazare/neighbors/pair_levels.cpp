@@ -1,0 +1,71 @@
+#include "sazare/neighbors/pair_levels.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+namespace sazare::neighbors {
+
+namespace {
+
+/// Calls f(i, j) for all pairs.
+template <class F>
+void visit(const SpherePairs& pairs, F&& f) {
+  for (std::size_t i = 0; i + 1 < pairs.first.size(); ++i)
+    for (std::size_t p = pairs.first[i]; p < pairs.first[i + 1]; ++p) f(i, static_cast<std::size_t>(pairs.other[p]));
+}
+
+std::vector<std::int8_t> paces_of(const SpherePairs& pairs, std::span<const std::int8_t> level) {
+  std::vector<std::int8_t> pace(level.begin(), level.end());
+  visit(pairs, [&](std::size_t i, std::size_t j) {
+    pace[i] = std::max(pace[i], level[j]);
+    pace[j] = std::max(pace[j], level[i]);
+  });
+  return pace;
+}
+
+/// The pairs of each level, by the new places of their spheres.
+std::vector<SpherePairs> split(const SpherePairs& all, std::span<const std::int8_t> level, const std::vector<Index>& place,
+                               const std::vector<std::size_t>& spheres) {
+  std::vector<SpherePairs> pairs(spheres.size());
+  for (std::size_t l = 0; l < pairs.size(); ++l) pairs[l].first.assign(spheres[l] + 1, 0);
+  const auto with_pair = [&](std::size_t i, std::size_t j, auto&& f) {
+    f(pairs[static_cast<std::size_t>(std::max(level[i], level[j]))], static_cast<std::size_t>(std::min(place[i], place[j])),
+      std::max(place[i], place[j]));
+  };
+  visit(all, [&](std::size_t i, std::size_t j) {
+    with_pair(i, j, [](SpherePairs& of, std::size_t first, Index) { ++of.first[first + 1]; });
+  });
+  std::vector<std::vector<std::uint32_t>> next(pairs.size());
+  for (std::size_t l = 0; l < pairs.size(); ++l) {
+    std::partial_sum(pairs[l].first.begin(), pairs[l].first.end(), pairs[l].first.begin());
+    pairs[l].other.resize(pairs[l].first.back());
+    next[l] = pairs[l].first;
+  }
+  visit(all, [&](std::size_t i, std::size_t j) {
+    with_pair(i, j, [&](SpherePairs& of, std::size_t first, Index second) {
+      of.other[next[static_cast<std::size_t>(&of - pairs.data())][first]++] = second;
+    });
+  });
+  for (SpherePairs& of : pairs)
+    for (std::size_t i = 0; i + 1 < of.first.size(); ++i)
+      std::sort(of.other.begin() + of.first[i], of.other.begin() + of.first[i + 1]);
+  return pairs;
+}
+
+}  // namespace
+
+LeveledPairs find_leveled_pairs(const state::Spheres& spheres, Real margin, std::span<const std::int8_t> level, int finest) {
+  const SpherePairs all = find_pairs(spheres, margin);
+  const std::vector<std::int8_t> pace = paces_of(all, level);
+  LeveledPairs found;
+  found.order = order_along_curve(spheres, margin);
+  std::ranges::stable_sort(found.order, std::greater{}, [&](Index i) { return pace[static_cast<std::size_t>(i)]; });
+  found.spheres.assign(static_cast<std::size_t>(finest) + 1, 0);
+  for (const std::int8_t own : pace)
+    for (std::size_t l = 0; l <= static_cast<std::size_t>(own); ++l) ++found.spheres[l];
+  found.pairs = split(all, level, places_after(found.order), found.spheres);
+  return found;
+}
+
+}  // namespace sazare::neighbors

@@ -1,0 +1,142 @@
+#include "sazare/runs/sphere_steps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "sazare/cases/number_text.hpp"
+#include "sazare/schedule/levels.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+using cases::ContactModel;
+using cases::SpheresCase;
+
+/// Levels are taken unasked where they take less than this share of the steps that one step for all would.
+constexpr Real worth_it = 0.5;
+
+/// Rayleigh's time of each sphere: in it a surface wave goes half around it [s].
+std::vector<Real> rayleigh_limits(const SpheresCase& spheres, const Placement& placement) {
+  const state::Spheres& placed = placement.spheres;
+  std::vector<Real> limits;
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    const cases::SphereMaterial& material = spheres.materials[static_cast<std::size_t>(placed.spin[i].material)];
+    const Real shear_modulus = 0.5 * material.youngs_modulus / (1 + material.poisson_ratio);
+    const state::SpherePlace& place = placed.place[i];
+    Real own = std::numbers::pi * place.radius * std::sqrt(material.density / shear_modulus) /
+               (0.1631 * material.poisson_ratio + 0.8766);
+    if (placement.bonded_body[i] >= 0) {
+      // It has less mass than one that stands alone, so its contacts last less long.
+      const Real full = 4 * std::numbers::pi / 3 * material.density * std::pow(place.radius, 3);
+      own *= std::sqrt(std::min(place.mass / full, Real{1}));
+    }
+    limits.push_back(own);
+  }
+  return limits;
+}
+
+/// Twice over the frequency of each sphere between two like it, on the stiffest springs that its material has [s].
+std::vector<Real> spring_limits(const methods::spheres::ContactTable& table, const state::Spheres& placed) {
+  std::vector<Real> stiffest(static_cast<std::size_t>(table.materials), 0);
+  for (Index a = 0; a < table.materials; ++a)
+    for (Index b = 0; b < table.materials; ++b) {
+      Real& most = stiffest[static_cast<std::size_t>(a)];
+      most = std::max({most, table.of(a, b).normal, table.of(a, b).tangential});
+    }
+  std::vector<Real> limits;
+  for (std::size_t i = 0; i < placed.size(); ++i)
+    limits.push_back(2 * std::sqrt(0.5 * placed.place[i].mass / stiffest[static_cast<std::size_t>(placed.spin[i].material)]));
+  return limits;
+}
+
+/// The step of all, which divides a clock [s].
+Real choose_step(const cases::CaseFile& file, Real limit, Real clock) {
+  const cases::SphereTime& time = file.spheres().time;
+  if (!time.step) return clock / std::ceil(clock / (time.stability_fraction * limit));
+  if (*time.step > limit)
+    refuse(file, "time.step",
+           fmt::format("the step of {} s is {} times the limit of {} s", cases::short_number(*time.step, 4),
+                       cases::short_number(*time.step / limit, 4), cases::short_number(limit, 4)),
+           fmt::format("choose {} s or less, or give no step", cases::short_number(0.2 * limit, 3)));
+  return *time.step;
+}
+
+/// Steps of single spheres per second, about: each at the coarsest level under its own step, of which `steps` rise, and the finer
+/// ones with what touches them.
+Real rate(const std::vector<Real>& steps, Real base_step) {
+  constexpr std::ptrdiff_t kicked_together = 3;
+  const auto all = static_cast<std::ptrdiff_t>(steps.size());
+  Real sum = static_cast<Real>(all) / base_step;
+  for (Real step = base_step;; step /= 2) {
+    const std::ptrdiff_t finer = std::ranges::lower_bound(steps, step) - steps.begin();
+    if (finer == 0) return sum;
+    sum += static_cast<Real>(std::min(all, kicked_together * finer)) / step;  // they step twice as often
+  }
+}
+
+/// The base step for which spheres need the fewest steps [s]; it divides a clock.
+Real choose_base_step(const std::vector<Real>& steps, Real clock) {
+  constexpr int octaves = 4, candidates_per_octave = 16;
+  Real best = 0, fewest = std::numeric_limits<Real>::infinity();
+  for (int i = 0; i <= octaves * candidates_per_octave; ++i) {
+    const Real wished = steps.back() * std::exp2(-static_cast<Real>(i) / candidates_per_octave);
+    const Real step = clock / std::ceil(clock / wished), now = rate(steps, step);
+    if (now >= fewest) continue;
+    fewest = now;
+    best = step;
+  }
+  return best;
+}
+
+/// Whether all spheres of a case must take one step.
+bool must_be_uniform(const SpheresCase& spheres, const Placement& placement, const methods::spheres::Bonds& bonds) {
+  return spheres.time.step || !bonds.empty() || !placement.clumps.empty() || placement.bonded_bodies > 0;
+}
+
+/// Levels for spheres of which each bears so much, beside one step for all.
+SphereSteps choose_levels(const std::vector<Real>& limits, Real fraction, Real clock, const SphereSteps& uniform) {
+  std::vector<Real> rising;
+  for (const Real limit : limits) rising.push_back(fraction * limit);
+  std::ranges::sort(rising);
+  SphereSteps steps;
+  steps.limit = uniform.limit;
+  steps.step = choose_base_step(rising, clock);
+  steps.particle_steps = rate(rising, steps.step) * steps.step;
+  steps.share_of_uniform = steps.particle_steps / steps.step * uniform.step / uniform.particle_steps;
+  steps.count.assign(static_cast<std::size_t>(schedule::level_for(rising.front(), steps.step)) + 1, 0);
+  for (const Real limit : limits) {
+    steps.level.push_back(static_cast<std::int8_t>(schedule::level_for(fraction * limit, steps.step)));
+    ++steps.count[static_cast<std::size_t>(steps.level.back())];
+  }
+  return steps;
+}
+
+}  // namespace
+
+Real SphereSteps::smallest() const { return std::ldexp(step, count.empty() ? 0 : 1 - static_cast<int>(count.size())); }
+
+SphereSteps choose_steps(const cases::CaseFile& file, const Placement& placement, const SphereStepLimits& limits,
+                         std::optional<Real> window) {
+  const SpheresCase& spheres = file.spheres();
+  const cases::SphereTime& time = spheres.time;
+  if (window && time.levels == cases::SphereLevels::per_sphere)
+    refuse(file, "time.levels", "spheres that are coupled take one step for all", "give levels = \"uniform\", or leave it out");
+  const std::vector<Real> own = spheres.contact.model == ContactModel::hertz ? rayleigh_limits(spheres, placement)
+                                                                             : spring_limits(limits.contacts, placement.spheres);
+  SphereSteps steps;
+  steps.limit = std::min(*std::ranges::min_element(own), methods::spheres::stable_step(limits.bonds.bonds(), placement.spheres));
+  const Real clock = window.value_or(time.history_interval);
+  steps.step = choose_step(file, steps.limit, clock);
+  steps.particle_steps = static_cast<Real>(own.size());
+  if (window || time.levels == cases::SphereLevels::uniform || must_be_uniform(spheres, placement, limits.bonds)) return steps;
+  const SphereSteps leveled = choose_levels(own, time.stability_fraction, clock, steps);
+  const bool takes_them = time.levels == cases::SphereLevels::per_sphere || leveled.share_of_uniform <= worth_it;
+  return takes_them && leveled.count.size() > 1 ? leveled : steps;
+}
+
+}  // namespace sazare::runs
