@@ -10,8 +10,8 @@ namespace {
 
 /// What pairs are kept for, over what two spheres may come nearer in a base step at their present speeds.
 constexpr Real margin_over_way = 16;
-/// Pairs are found anew before a base step in which so many times this way might lead beyond this share of the margin. The rest is
-/// for spheres that are hit within the base step.
+/// Pairs are found anew before a base step in which so many times this way might lead beyond this share of the margin. What is
+/// left of it is for spheres that are hit within the base step.
 constexpr Real way_ahead = 2, usable_share = 0.75;
 
 }  // namespace

@@ -49,7 +49,9 @@ void CoupledBlocks::write_case(const RunFolder& folder) const {
 std::string check_bodies(const cases::CaseFile& bodies, Real window) {
   if (std::holds_alternative<cases::BlocksCase>(bodies.content)) return check_blocks(bodies);
   if (std::holds_alternative<cases::RectanglesCase>(bodies.content)) return check_rectangles(bodies, window);
-  return check_spheres(bodies);
+  cases::CaseFile in_one_step = bodies;  // as they are when coupled
+  std::get<cases::SpheresCase>(in_one_step.content).time.levels = cases::SphereLevels::uniform;
+  return check_spheres(in_one_step);
 }
 
 }  // namespace sazare::runs
