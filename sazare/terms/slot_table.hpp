@@ -3,7 +3,9 @@
 /// The slots of a term and whose they are: the loops that every term shares.
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -13,10 +15,10 @@
 
 namespace sazare::terms {
 
-/// One side of one slot.
+/// One side of one slot, in four bytes.
 struct SlotSide {
-  Index slot = 0;
-  Index side = 0;
+  Index slot : 31 = 0;
+  std::uint32_t side : 1 = 0;
 };
 
 /// Sides by body, for links that are known at the beginning: those where it is the second body, then those where it is the
@@ -33,7 +35,7 @@ public:
     each_side([&](Index body, SlotSide) { ++begin_[static_cast<std::size_t>(body) + 1]; });
     for (std::size_t body = 1; body < begin_.size(); ++body) begin_[body] += begin_[body - 1];
     sides_.resize(begin_.back());
-    std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
+    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
     each_side([&](Index body, SlotSide side) { sides_[next[static_cast<std::size_t>(body)]++] = side; });
   }
 
@@ -43,7 +45,7 @@ public:
   }
 
 private:
-  std::vector<std::size_t> begin_;
+  std::vector<std::uint32_t> begin_;
   std::vector<SlotSide> sides_;
 };
 
@@ -54,11 +56,18 @@ public:
   ChangingIncidence() = default;
   explicit ChangingIncidence(Index bodies) : lists_(static_cast<std::size_t>(bodies)) {}
 
-  std::span<const SlotSide> of(Index body) const { return lists_[static_cast<std::size_t>(body)]; }
-  std::vector<SlotSide>& list(Index body) { return lists_[static_cast<std::size_t>(body)]; }
+  std::span<const SlotSide> of(Index body) const {
+    const auto& list = lists_[static_cast<std::size_t>(body)];
+    return list ? std::span<const SlotSide>(*list) : std::span<const SlotSide>();
+  }
+  std::vector<SlotSide>& list(Index body) {
+    auto& list = lists_[static_cast<std::size_t>(body)];
+    if (!list) list = std::make_unique<std::vector<SlotSide>>();
+    return *list;
+  }
 
 private:
-  std::vector<std::vector<SlotSide>> lists_;
+  std::vector<std::unique_ptr<std::vector<SlotSide>>> lists_;  ///< none where a body never had a link: most never have
 };
 
 /// As many numbers as fit a register: the force and the moment on one body, and a few that follow.
