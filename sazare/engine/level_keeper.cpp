@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -37,6 +38,7 @@ LevelKeeper<D>::LevelKeeper(const StepRules& rules, const TermList<D>& terms, co
       by_rates_(at(bodies.size())),
       asked_(at(bodies.size()), -1),
       terms_(&terms) {
+  if (terms.size() > at(LinkOf::most_terms)) throw std::length_error("more terms than there are numbers for");
   for (int level = 0; level < schedule::level_count; ++level)
     steps_[static_cast<std::size_t>(level)] = rules_.base_step / static_cast<Real>(Tick{1} << level);
   for (Index body = 0; body < bodies.size(); ++body) {
@@ -77,6 +79,7 @@ int LevelKeeper<D>::link_level(const LinkOf& of) const {
 template <int D>
 void LevelKeeper<D>::join(std::size_t term, Index link, Tick now) {
   const Link& bodies = (*terms_)[term]->links()[at(link)];
+  if (link >= LinkOf::most_links) throw std::length_error("more links than a process can number");
   const LinkOf of{static_cast<Index>(term), link};
   clocks_[term].add(link, link_level(of), now);
   for (const Index body : {bodies.first, bodies.second}) {

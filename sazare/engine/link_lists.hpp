@@ -12,10 +12,12 @@
 
 namespace sazare::engine {
 
-/// A link of one of the terms.
+/// A link of one of the terms, in four bytes.
 struct LinkOf {
-  Index term = 0;
-  Index link = 0;
+  Index term : 5 = 0;
+  Index link : 27 = 0;
+
+  static constexpr Index most_terms = 1 << 4, most_links = 1 << 26;
 
   friend bool operator==(const LinkOf&, const LinkOf&) = default;
 };

@@ -32,12 +32,13 @@ public:
   /// given for all of them. Returns how many are due.
   template <class Wanted>
   std::int64_t collect(const Moment& now, const Wanted& wanted, std::vector<Due>& due) {
+    const int coarsest = coarsest_due(now.tick);
     std::size_t count = 0;
-    for (int level = coarsest_due(now.tick); level <= deepest_level; ++level) {
-      count += buckets_.at(level).size();
+    for (int level = coarsest; level <= deepest_level; ++level) count += buckets_.at(level).size();
+    due.reserve(due.size() + count);  // growing by and by would leave holes in memory as large as the list
+    for (int level = coarsest; level <= deepest_level; ++level)
       for (const Index link : buckets_.at(level))
         if (const Due taken = take(link, level, now); wanted(link)) due.push_back(taken);
-    }
     return static_cast<std::int64_t>(count);
   }
   std::int64_t collect(const Moment& now, std::vector<Due>& due) {

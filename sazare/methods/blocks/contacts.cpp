@@ -46,7 +46,7 @@ Contacts::Contacts(const laws::SphereContact& law, int edge_division, Joints& jo
   for (std::size_t body = 0; body < bodies.inertia.size(); ++body) {
     const auto& inertia = bodies.inertia[body];
     const Real reach = bodies.reach[body];
-    softness_.push_back(1 / inertia.mass + reach * reach * inertia.inverse_moments.maxCoeff());
+    softness_.push_back(static_cast<float>(1 / inertia.mass + reach * reach * inertia.inverse_moments.maxCoeff()));
   }
   for (const FreeFace& face : free_faces) open_face(face, bodies);
   terms::Changes ignored;

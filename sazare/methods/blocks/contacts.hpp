@@ -60,7 +60,7 @@ private:
   laws::SphereContact law_;
   Joints* joints_;
   geometry::ElementCorners corners_;
-  std::vector<Real> softness_;  ///< by body: the largest 1/mass that it can show at a point of it [1/kg]
+  std::vector<float> softness_;  ///< by body: the largest 1/mass that it can show at a point of it [1/kg]
   ContactSurface surface_;
   std::vector<Link> links_;
   std::vector<std::vector<SpherePair>> spheres_;  ///< by pair
