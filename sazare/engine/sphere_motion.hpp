@@ -31,8 +31,7 @@ SphereSpeeds kick_and_drift(state::Spheres& spheres, std::size_t begin, std::siz
 struct TimedLoads {
   const state::SphereLoad* loads = nullptr;  ///< of the first of the spheres and those behind it
   Real given = 0;                            ///< by this kick; 0 where the level is not due [s]
-  Real foreseen =
-      0;  ///< what they will have given besides when the spheres are kicked next; below 0: what they have too much [s]
+  Real foreseen = 0;                         ///< given besides until the next kick; below 0 what they have too much [s]
 };
 
 /// The flight of spheres of one pace.
