@@ -10,6 +10,7 @@
 /// What is linked, and every level, is known everywhere: all ranks take the same decisions from the same lists.
 
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <span>
 #include <vector>
@@ -52,6 +53,14 @@ public:
 
   void fetch_all();
 
+  /// Fills in what other ranks have found for their bodies; a record by body.
+  template <class Record>
+  void complete(std::vector<Record>& by_body) const;
+
+  /// Every rank's record to the first one, by rank; the others learn only their own.
+  template <class Record>
+  std::vector<Record> give_first(const Record& own) const;
+
   /// Brings everything up to date, everywhere or in the first rank: bodies, their work, and what links remember.
   void collect(std::vector<terms::CauseWork>& work, parallel::To to);
 
@@ -78,6 +87,25 @@ private:
   std::vector<std::vector<int>> viewers_;  ///< by body: other ranks that see it
   std::vector<parallel::Message> sent_, received_;
 };
+
+template <int D>
+template <class Record>
+void Replicas<D>::complete(std::vector<Record>& by_body) const {
+  const auto own = std::span(by_body).subspan(static_cast<std::size_t>(ranges_.begin(ranks_->rank())),
+                                              static_cast<std::size_t>(ranges_.size(ranks_->rank())));
+  const parallel::Gathered all = ranks_->gather(std::as_bytes(own));
+  std::memcpy(static_cast<void*>(by_body.data()), all.bytes.data(), all.bytes.size());
+}
+
+template <int D>
+template <class Record>
+std::vector<Record> Replicas<D>::give_first(const Record& own) const {
+  const parallel::Gathered all = ranks_->gather(std::as_bytes(std::span(&own, 1)), parallel::To::first);
+  if (!ranks_->is_first()) return {own};
+  std::vector<Record> records(all.bytes.size() / sizeof(Record));
+  std::memcpy(static_cast<void*>(records.data()), all.bytes.data(), all.bytes.size());
+  return records;
+}
 
 extern template class Replicas<2>;
 extern template class Replicas<3>;

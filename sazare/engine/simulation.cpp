@@ -43,9 +43,11 @@ Simulation<D>::Simulation(state::Bodies<D> bodies, TermList<D> terms, const Step
     motion.foreseen_velocity = motion.velocity;
     motion.foreseen_spin = motion.spin;
   }
+  ExactSum kinetic;
   for (Index body = 0; body < bodies_.size(); ++body)
-    kinetic_at_start_ += motion::kinetic_energy(bodies_.motion[at(body)], bodies_.inertia[at(body)], bodies_.locks[at(body)],
-                                                bodies_.motion[at(body)].velocity, bodies_.motion[at(body)].angular_momentum);
+    kinetic += motion::kinetic_energy(bodies_.motion[at(body)], bodies_.inertia[at(body)], bodies_.locks[at(body)],
+                                      bodies_.motion[at(body)].velocity, bodies_.motion[at(body)].angular_momentum);
+  kinetic_at_start_ = kinetic.value();
 }
 
 template <int D>

@@ -38,6 +38,13 @@ struct Snapshot {
   std::vector<Angular<D>> angular_momentum;
 };
 
+/// What a row of a history tells of.
+template <int D>
+struct Survey {
+  Snapshot<D> bodies;
+  terms::Ledger ledger;
+};
+
 /// How the work is shared out among the processes of a run.
 struct Sharing {
   const parallel::Ranks* ranks = nullptr;  ///< none: this process does it all
@@ -74,6 +81,10 @@ public:
   const Counters& counters() const { return counters_; }
   const std::vector<PartTime>& part_times() const { return times_; }
 
+  /// Motion and energy at `now()`. With several processes each finds what is its own: all call it, all know the motion then, and
+  /// the first one the energy.
+  Survey<D> survey() const;
+
   /// With several processes: makes all that is read below true in the first one, for the present base step. All call it.
   void collect();
 
@@ -85,11 +96,11 @@ public:
   std::vector<RankWork> take_rank_work() { return std::exchange(rank_work_, {}); }
 
   /// Positions and velocities at `now()`: the part of the last kicks that acts after it is taken back.
-  Snapshot<D> snapshot() const;
+  Snapshot<D> snapshot() const { return snapshot(0, bodies_.size()); }
   /// Forces on all bodies as last evaluated [N].
   std::vector<Vector<D>> forces() const;
   terms::Ledger ledger() const { return ledger(snapshot()); }
-  terms::Ledger ledger(const Snapshot<D>& at_now) const;  ///< where the snapshot is at hand
+  terms::Ledger ledger(const Snapshot<D>& at_now) const { return close(books(at_now, nullptr)); }  ///< where it is at hand
 
   /// Smallest step since the last call [s].
   Real take_smallest_step();
@@ -116,7 +127,10 @@ private:
   void settle();
   void add_time(std::size_t part, std::int64_t since);
   template <class Take>
-  void gather_all(Take&& take) const;
+  void gather(Index begin, Index end, Take&& take) const;
+  Snapshot<D> snapshot(Index begin, Index end) const;
+  terms::Books books(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared) const;
+  terms::Ledger close(const terms::Books& books) const;
 
   state::Bodies<D> bodies_;
   TermList<D> terms_;

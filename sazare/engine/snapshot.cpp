@@ -1,4 +1,5 @@
 /// The parts of a simulation that look at it and change nothing: for every row of a history they walk all bodies and links.
+/// Processes that share a run each walk their own.
 
 #include <algorithm>
 #include <numeric>
@@ -6,6 +7,7 @@
 #include "sazare/engine/simulation.hpp"
 #include "sazare/motion/kick.hpp"
 #include "sazare/parallel/threads.hpp"
+#include "sazare/terms/book_ranges.hpp"
 
 namespace sazare::engine {
 
@@ -17,36 +19,37 @@ std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
-/// Calls take(body, what it has received) for every body.
+/// Calls take(body, what it has received) for bodies of a range.
 template <int D>
 template <class Take>
-void Simulation<D>::gather_all(Take&& take) const {
-  const auto gather_chunk = [&](std::size_t begin, std::size_t end) {
+void Simulation<D>::gather(Index begin, Index end, Take&& take) const {
+  const auto gather_chunk = [&](std::size_t from, std::size_t to) {
     std::array<Index, terms::chunk_size> which;
-    std::iota(which.begin(), which.end(), static_cast<Index>(begin));
+    std::iota(which.begin(), which.end(), static_cast<Index>(from));
     std::array<state::Impulse<D>, terms::chunk_size> given{};
     thread_local terms::CauseImpulses<D> ignored;
     ignored.clear();
     for (const auto& term : terms_)
-      term->gather(now_, std::span(which.data(), end - begin), bodies_, std::span(given.data(), end - begin), ignored);
-    for (std::size_t body = begin; body < end; ++body) {
-      motion::clear_locked(given[body - begin], bodies_.locks[body]);
-      take(body, given[body - begin]);
+      term->gather(now_, std::span(which.data(), to - from), bodies_, std::span(given.data(), to - from), ignored);
+    for (std::size_t body = from; body < to; ++body) {
+      motion::clear_locked(given[body - from], bodies_.locks[body]);
+      take(body, given[body - from]);
     }
   };
-  parallel::parallel_for(at(bodies_.size()), serial_below, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t chunk = begin; chunk < end; chunk += terms::chunk_size)
-      gather_chunk(chunk, std::min(chunk + terms::chunk_size, end));
+  parallel::parallel_for(at(end - begin), serial_below, [&](std::size_t from, std::size_t to) {
+    for (std::size_t chunk = at(begin) + from; chunk < at(begin) + to; chunk += terms::chunk_size)
+      gather_chunk(chunk, std::min(chunk + terms::chunk_size, at(begin) + to));
   });
 }
 
+/// That of a range of bodies, the others left empty.
 template <int D>
-Snapshot<D> Simulation<D>::snapshot() const {
+Snapshot<D> Simulation<D>::snapshot(Index begin, Index end) const {
   Snapshot<D> at_now;
   at_now.pose.resize(at(bodies_.size()));
   at_now.velocity.resize(at_now.pose.size());
   at_now.angular_momentum.resize(at_now.pose.size());
-  gather_all([&](std::size_t body, const state::Impulse<D>& given) {
+  gather(begin, end, [&](std::size_t body, const state::Impulse<D>& given) {
     const auto& motion = bodies_.motion[body];
     at_now.pose[body] = state::pose_at(motion, now_);
     at_now.velocity[body] = motion.velocity - given.linear_ahead / bodies_.inertia[body].mass;
@@ -58,38 +61,67 @@ Snapshot<D> Simulation<D>::snapshot() const {
 template <int D>
 std::vector<Vector<D>> Simulation<D>::forces() const {
   std::vector<Vector<D>> forces(at(bodies_.size()));
-  gather_all([&](std::size_t body, const state::Impulse<D>& given) { forces[body] = given.force; });
+  gather(0, bodies_.size(), [&](std::size_t body, const state::Impulse<D>& given) { forces[body] = given.force; });
   return forces;
 }
 
+/// Enters what bodies and links have; of a process that shares them, its own.
 template <int D>
-terms::Ledger Simulation<D>::ledger(const Snapshot<D>& at_now) const {
-  terms::Ledger ledger;
-  std::vector<state::MeanMotion<D>> ahead;
-  ahead.reserve(at_now.pose.size());
-  Real kinetic = 0;
-  for (std::size_t body = 0; body < at_now.pose.size(); ++body) {
-    const auto& motion = bodies_.motion[body];
-    const auto inverse = motion::inverse_inertia(at_now.pose[body].rotation, bodies_.inertia[body], bodies_.locks[body]);
-    const Vector<D>& velocity = at_now.velocity[body];
-    const Angular<D>& momentum = at_now.angular_momentum[body];
-    const Angular<D> mean_momentum = 0.5 * (motion.angular_momentum + momentum), spin = inverse * momentum;
-    ahead.push_back({0.5 * (motion.velocity + velocity), inverse * mean_momentum});
-    kinetic += 0.5 * (bodies_.inertia[body].mass * velocity.squaredNorm() + momentum.dot(spin));
-  }
-  ledger[terms::Account::kinetic] = kinetic - kinetic_at_start_;
-  for (const terms::CauseWork& work : work_)
-    for (std::size_t cause = 0; cause < terms::cause_count; ++cause)
-      terms::book(static_cast<terms::Cause>(cause), work[cause], ledger);
-  for (const auto& term : terms_) term->add_energies({at_now.pose, ahead}, ledger);
+terms::Books Simulation<D>::books(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared) const {
+  terms::Books books;
+  std::vector<state::MeanMotion<D>> ahead(at_now.pose.size());
+  terms::book_ranges(ahead.size(), serial_below, books, [&](std::size_t begin, std::size_t end, terms::Books& part) {
+    for (std::size_t body = begin; body < end; ++body) {
+      const auto& motion = bodies_.motion[body];
+      const auto inverse = motion::inverse_inertia(at_now.pose[body].rotation, bodies_.inertia[body], bodies_.locks[body]);
+      const Vector<D>& velocity = at_now.velocity[body];
+      const Angular<D>& momentum = at_now.angular_momentum[body];
+      const Angular<D> mean_momentum = 0.5 * (motion.angular_momentum + momentum), spin = inverse * momentum;
+      ahead[body] = {0.5 * (motion.velocity + velocity), inverse * mean_momentum};
+      if (shared != nullptr && !shared->owns(static_cast<Index>(body))) continue;
+      part[terms::Account::kinetic] += 0.5 * (bodies_.inertia[body].mass * velocity.squaredNorm() + momentum.dot(spin));
+      for (std::size_t cause = 0; cause < terms::cause_count; ++cause)
+        terms::book(static_cast<terms::Cause>(cause), work_[body][cause], part);
+    }
+  });
+  for (const auto& term : terms_) term->add_energies({at_now.pose, ahead, shared}, books);
+  return books;
+}
+
+/// The kinetic energy counts from the beginning.
+template <int D>
+terms::Ledger Simulation<D>::close(const terms::Books& books) const {
+  terms::Ledger ledger = books.ledger();
+  ledger[terms::Account::kinetic] -= kinetic_at_start_;
   return ledger;
 }
 
-template Snapshot<2> Simulation<2>::snapshot() const;
-template Snapshot<3> Simulation<3>::snapshot() const;
+template <int D>
+Survey<D> Simulation<D>::survey() const {
+  if (!replicas_) {
+    Snapshot<D> all = snapshot();
+    const terms::Ledger ledger = this->ledger(all);
+    return {std::move(all), ledger};
+  }
+  const int rank = replicas_->ranks().rank();
+  Snapshot<D> all = snapshot(replicas_->ranges().begin(rank), replicas_->ranges().end(rank));
+  replicas_->complete(all.pose);
+  replicas_->complete(all.velocity);
+  replicas_->complete(all.angular_momentum);
+  terms::Books sum;
+  for (const terms::Books& part : replicas_->give_first(books(all, replicas_.get()))) sum += part;
+  return {std::move(all), close(sum)};
+}
+
+template Snapshot<2> Simulation<2>::snapshot(Index, Index) const;
+template Snapshot<3> Simulation<3>::snapshot(Index, Index) const;
+template terms::Ledger Simulation<2>::close(const terms::Books&) const;
+template terms::Ledger Simulation<3>::close(const terms::Books&) const;
+template Survey<2> Simulation<2>::survey() const;
+template Survey<3> Simulation<3>::survey() const;
 template std::vector<Vector<2>> Simulation<2>::forces() const;
 template std::vector<Vector<3>> Simulation<3>::forces() const;
-template terms::Ledger Simulation<2>::ledger(const Snapshot<2>&) const;
-template terms::Ledger Simulation<3>::ledger(const Snapshot<3>&) const;
+template terms::Books Simulation<2>::books(const Snapshot<2>&, const distribute::Replicas<2>*) const;
+template terms::Books Simulation<3>::books(const Snapshot<3>&, const distribute::Replicas<3>*) const;
 
 }  // namespace sazare::engine

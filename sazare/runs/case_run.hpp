@@ -19,6 +19,10 @@
 ///     state_hash(), part_times()                  for the manifest and timing.csv
 ///     write_case(), write_end(), write_rank_times()   the files that only it knows
 ///
+/// and, where several processes may share it,
+///
+///     survey()                                    what they all do before the first one writes a row
+///
 /// and, where it has a partner in another program, whose `coupling::Stopped` ends a walk:
 ///
 ///     checkpoint_made()                           a checkpoint is on the disk
@@ -227,7 +231,7 @@ private:
   void observe() {
     if (!work_.clocks.is_row(work_.step())) return;
     const Real before = work_.times.now();
-    work_.collect();
+    if constexpr (requires { work_.survey(); }) work_.survey();
     if (!writes()) return;
     work_.record.observe(work_.step(), before);
     work_.times.add(RunTimes::Part::output, work_.times.now() - before);

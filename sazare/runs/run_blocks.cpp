@@ -81,6 +81,7 @@ struct BlocksWork {
     return mixed || step() % motion_check_steps == 0;
   }
   void collect() { simulation().collect(); }
+  void survey() { record.survey(step()); }
   void read_motion(MotionTable& table) const { read_bodies(simulation(), table); }
 
   ProgressState progress(Real share, Real time) const {

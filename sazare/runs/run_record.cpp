@@ -51,22 +51,25 @@ void RunRecord::check_motion(Real time) const {
   if (find_failed_element(*model_) >= 0) throw PhysicsError(describe_failure(*model_, *file_, time));
 }
 
+void RunRecord::survey(std::int64_t step) {
+  survey_ = model_->simulation->survey();
+  if (clocks_.is_snapshot(step)) model_->simulation->collect();
+}
+
 void RunRecord::observe(std::int64_t step, Real wall_seconds) {
-  if (!clocks_.is_row(step)) return;
   const Real time = clocks_.time(step);
-  engine::Snapshot<3> now = model_->simulation->snapshot();
+  auto [now, ledger] = std::exchange(survey_, {});
   for (const Vector3& velocity : now.velocity) peak_speed_ = std::max(peak_speed_, velocity.norm());
   files_.add_row(1, gauges_.sample(time, model_->simulation->bodies(), now));
-  add_history_row(time, now, wall_seconds);
+  add_history_row(time, ledger, wall_seconds);
   if (!clocks_.is_snapshot(step)) return;
   snapshots_.write(time, std::move(now), fragments());
   ++snapshot_count_;
 }
 
-void RunRecord::add_history_row(Real time, const engine::Snapshot<3>& now, Real wall_seconds) {
+void RunRecord::add_history_row(Real time, const terms::Ledger& ledger, Real wall_seconds) {
   latest_smallest_step_ = model_->simulation->take_smallest_step();
   smallest_step_ = smallest_step_ > 0 ? std::min(smallest_step_, latest_smallest_step_) : latest_smallest_step_;
-  const terms::Ledger ledger = model_->simulation->ledger(now);
   std::vector<Real> row = {time, static_cast<Real>(model_->joints->broken_count()), static_cast<Real>(fragments().count)};
   row.insert(row.end(), ledger.joules.begin(), ledger.joules.end());
   energy_residual_ = ledger.residual();

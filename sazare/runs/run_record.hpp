@@ -23,7 +23,10 @@ public:
   /// Goes on with the tables and snapshots of an earlier run, of which `columns` has read how far they count.
   void resume();
 
-  /// Writes what is due at a base step.
+  /// Looks at what is to be written at a base step. All processes of a run call it.
+  void survey(std::int64_t step);
+
+  /// Writes what was looked at.
   void observe(std::int64_t step, Real wall_seconds);
 
   /// Hands the tables to the system; all that was written to the disk where `to_disk`.
@@ -51,7 +54,7 @@ public:
 private:
   std::vector<RecordFiles::Table> tables() const;
   const FragmentMap& fragments();
-  void add_history_row(Real time, const engine::Snapshot<3>& now, Real wall_seconds);
+  void add_history_row(Real time, const terms::Ledger& ledger, Real wall_seconds);
 
   const RunFolder* folder_;
   const cases::CaseFile* file_;
@@ -60,6 +63,7 @@ private:
   Gauges gauges_;
   Snapshots snapshots_;
   RecordFiles files_;
+  engine::Survey<3> survey_;  ///< of the row that comes; empty from row to row
   FragmentMap fragments_;
   Index fragments_at_broken_ = -1;  ///< number of broken joints for which `fragments_` holds
   Real smallest_step_ = 0;          ///< of the run so far; 0 before the first row [s]

@@ -48,8 +48,9 @@ void FacePressure::evaluate(const Moment& now, std::span<const Due> due, const s
   });
 }
 
-void FacePressure::add_energies(const Synchronized<3>& at, Ledger& ledger) const {
-  for (std::size_t face = 0; face < faces_.size(); ++face) table_.take_back(static_cast<Index>(face), links_[face], at, ledger);
+void FacePressure::add_energies(const Synchronized<3>& at, Books& books) const {
+  for (std::size_t face = 0; face < faces_.size(); ++face)
+    if (at.counts(links_[face])) table_.take_back(static_cast<Index>(face), links_[face], at, books);
 }
 
 void FacePressure::carry(Index link, Parcel& parcel) {

@@ -42,7 +42,7 @@ public:
     table_.gather(now, which, bodies, sum, parts);
   }
   Rates rates(Index) const override { return {}; }
-  void add_energies(const Synchronized<3>& at, Ledger& ledger) const override;
+  void add_energies(const Synchronized<3>& at, Books& books) const override;
   void carry(Index link, Parcel& parcel) override;
   void columns(Archive& archive) override;
 

@@ -48,9 +48,9 @@ public:
   Rates rates(Index) const override { return {}; }
 
   /// The work of gravity is known from the places alone.
-  void add_energies(const Synchronized<D>& at, Ledger& ledger) const override {
+  void add_energies(const Synchronized<D>& at, Books& books) const override {
     for (std::size_t body = 0; body < mass_.size(); ++body)
-      ledger[Account::work] += mass_[body] * acceleration_.dot(at.pose[body].position - start_[body]);
+      if (at.counts(links_[body])) books[Account::work] += mass_[body] * acceleration_.dot(at.pose[body].position - start_[body]);
   }
 
   void carry(Index link, Parcel& parcel) override { parcel(given_[static_cast<std::size_t>(link)]); }

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <numeric>
 
-#include "sazare/core/vector.hpp"
+#include "sazare/core/exact_sum.hpp"
 
 namespace sazare::terms {
 
@@ -33,6 +33,25 @@ struct Ledger {
 
   /// Work that is found nowhere [J].
   Real residual() const { return joules[0] - std::accumulate(joules.begin() + 1, joules.end(), Real{0}); }
+};
+
+/// A ledger that is being added up. Its sums are exact, so they are the same in whatever order, by however many threads and
+/// processes the parts are found.
+struct Books {
+  std::array<ExactSum, account_count> joules{};
+
+  ExactSum& operator[](Account account) { return joules[static_cast<std::size_t>(account)]; }
+
+  Books& operator+=(const Books& other) {
+    for (std::size_t account = 0; account < account_count; ++account) joules[account] += other.joules[account];
+    return *this;
+  }
+
+  Ledger ledger() const {
+    Ledger sums;
+    for (std::size_t account = 0; account < account_count; ++account) sums.joules[account] = joules[account].value();
+    return sums;
+  }
 };
 
 }  // namespace sazare::terms

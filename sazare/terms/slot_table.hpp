@@ -173,12 +173,12 @@ struct SlotTable {
   }
 
   /// Books what the parts of a link's force will have done after now, taken back: the kicks at now had it in them.
-  void take_back(Index slot, const Link& link, const Synchronized<D>& at, Ledger& ledger) const {
+  void take_back(Index slot, const Link& link, const Synchronized<D>& at, Books& books) const {
     const auto& of = (*this)[slot];
     for (std::size_t p = 0; p < Parts; ++p) {
       Real work = of.part[p].on_first().power(at.ahead[static_cast<std::size_t>(link.first)]);
       if (link.second != Link::outside) work += of.part[p].on_second().power(at.ahead[static_cast<std::size_t>(link.second)]);
-      book(causes[p], -of.ahead * work, ledger);
+      book(causes[p], -of.ahead * work, books);
     }
   }
 };

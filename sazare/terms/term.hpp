@@ -48,8 +48,11 @@ template <int D>
 struct Synchronized {
   std::span<const state::Pose<D>> pose;  ///< per body
   std::span<const MeanMotion<D>> ahead;  ///< mean motion over the part that was taken back, per body
+  const Peers* peers = nullptr;          ///< who shares the bodies with this process; none: all are its own
 
   const state::Pose<D>& pose_of(Index body) const { return pose[static_cast<std::size_t>(body)]; }
+  /// Whether the link is entered in the books of this process.
+  bool counts(const Link& link) const { return peers == nullptr || peers->owns(link.first); }
 };
 
 template <int D>
@@ -83,8 +86,8 @@ public:
 
   virtual Rates rates(Index body) const = 0;
 
-  /// Adds this term's energies at a base step, and takes back the work of parts that act after now.
-  virtual void add_energies(const Synchronized<D>& at, Ledger& ledger) const = 0;
+  /// Adds this term's energies at a base step, and takes back the work of parts that act after now: of links that count.
+  virtual void add_energies(const Synchronized<D>& at, Books& books) const = 0;
 
   /// What a link remembers, on its way to other processes; and what is to be done when all that come have arrived.
   virtual void carry(Index link, Parcel& parcel) = 0;

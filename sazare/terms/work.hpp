@@ -20,22 +20,22 @@ inline constexpr std::size_t cause_count = 5;
 using CauseWork = std::array<Real, cause_count>;
 
 /// Books work on the bodies: that of loads comes in, all other is taken from them.
-inline void book(Cause cause, Real work, Ledger& ledger) {
+inline void book(Cause cause, Real work, Books& books) {
   switch (cause) {
     case Cause::load:
-      ledger[Account::work] += work;
+      books[Account::work] += work;
       break;
     case Cause::joint_dashpot:
-      ledger[Account::joint_dashpot] -= work;
+      books[Account::joint_dashpot] -= work;
       break;
     case Cause::contact_dashpot:
-      ledger[Account::contact_dashpot] -= work;
+      books[Account::contact_dashpot] -= work;
       break;
     case Cause::friction:
-      ledger[Account::friction] -= work;
+      books[Account::friction] -= work;
       break;
     case Cause::boundary:
-      ledger[Account::boundary] -= work;
+      books[Account::boundary] -= work;
       break;
   }
 }

@@ -47,9 +47,9 @@ public:
     std::vector<state::Pose<D>> poses;
     for (const auto& motion : bodies_.motion) poses.push_back({motion.position, motion.rotation});
     const std::vector<state::MeanMotion<D>> still(poses.size(), state::MeanMotion<D>{Vector<D>::Zero(), Angular<D>::Zero()});
-    terms::Ledger ledger;
-    term_.add_energies({poses, still}, ledger);
-    return ledger;
+    terms::Books books;
+    term_.add_energies({poses, still}, books);
+    return books.ledger();
   }
 
   terms::Changes settle() {

@@ -147,7 +147,7 @@ public:
               terms::CauseImpulses<D>&) const override {}
   void settle(const Moment& now, const state::Bodies<D>& bodies, terms::Peers&, terms::Changes&) override { watch_(now, bodies); }
   terms::Rates rates(Index) const override { return {}; }
-  void add_energies(const terms::Synchronized<D>&, terms::Ledger&) const override {}
+  void add_energies(const terms::Synchronized<D>&, terms::Books&) const override {}
   void carry(Index, Parcel&) override {}
   void columns(Archive&) override {}
 

@@ -301,17 +301,17 @@ terms::Rates Contacts::rates(Index body) const {
   return sum;
 }
 
-void Contacts::add_energies(const terms::Synchronized<3>& at_time, terms::Ledger& ledger) const {
+void Contacts::add_energies(const terms::Synchronized<3>& at_time, terms::Books& books) const {
   for (std::size_t pair = 0; pair < links_.size(); ++pair) {
     const Link& link = links_[pair];
-    if (is_idle(link)) continue;
+    if (is_idle(link) || !at_time.counts(link)) continue;
     if (table_.slots[pair].evaluated < 0) continue;  // apart when last evaluated, and far from meeting where that was earlier
-    table_.take_back(static_cast<Index>(pair), link, at_time, ledger);
+    table_.take_back(static_cast<Index>(pair), link, at_time, books);
     for (const SpherePair& sphere : spheres_[pair]) {
       const SphereTouch touched = touch(surface_.sphere(sphere.first), surface_.sphere(sphere.second),
                                         at_time.pose_of(link.first), at_time.pose_of(link.second));
       if (touched.overlap > sphere.rest)
-        ledger[terms::Account::elastic] += laws::sphere_energy(law_, touched.overlap - sphere.rest);
+        books[terms::Account::elastic] += laws::sphere_energy(law_, touched.overlap - sphere.rest);
     }
   }
 }

@@ -30,7 +30,7 @@ public:
   void settle(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
   void settle_base(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
   terms::Rates rates(Index body) const override;
-  void add_energies(const terms::Synchronized<3>& at, terms::Ledger& ledger) const override;
+  void add_energies(const terms::Synchronized<3>& at, terms::Books& books) const override;
   void carry(Index pair, Parcel& parcel) override;
   void carried() override;
   void columns(Archive& archive) override;

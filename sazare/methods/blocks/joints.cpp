@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sazare/parallel/threads.hpp"
+#include "sazare/terms/book_ranges.hpp"
 
 namespace sazare::methods::blocks {
 
@@ -232,18 +233,29 @@ Lanes Joints::elastic_energies(Index first, const terms::Synchronized<3>& synchr
   return elastic_energy(joints, kinds_of(records, mixed), face_geometry(joints, load_poses(masters), load_poses(slaves)));
 }
 
-void Joints::add_energies(const terms::Synchronized<3>& synchronized, terms::Ledger& ledger) const {
-  Lanes elastic{};
-  for (Index number = 0; number < count(); ++number) {
+void Joints::add_energies(const terms::Synchronized<3>& synchronized, terms::Books& books) const {
+  terms::book_ranges(links_.size(), serial_below, books, [&](std::size_t begin, std::size_t end, terms::Books& own) {
+    for (auto first = static_cast<Index>(begin); at(first) < end; first += lane_count)
+      add_energies(first, std::min(first + lane_count, static_cast<Index>(end)), synchronized, own);
+  });
+}
+
+/// Those of as many joints as there are lanes at most.
+void Joints::add_energies(Index begin, Index end, const terms::Synchronized<3>& synchronized, terms::Books& books) const {
+  const auto counted = std::span(links_).subspan(at(begin), at(end - begin));
+  if (std::ranges::none_of(counted, [&](const Link& link) { return synchronized.counts(link); })) return;
+  const Lanes elastic = elastic_energies(begin, synchronized);
+  for (Index number = begin; number < end; ++number) {
+    if (!synchronized.counts(links_[at(number)])) continue;
     const JointRecord& joint = records_[at(number)];
-    table_.take_back(number, links_[at(number)], synchronized, ledger);
-    ledger[terms::Account::slip] += losses_[at(number)].slip_work;
-    ledger[terms::Account::release] += losses_[at(number)].released;
-    for (std::size_t v = 0; v < vertex_count; ++v)
-      ledger[terms::Account::fracture] +=
-          joint.vertex_area * laws::fracture_dissipation(kinds_[at(joint.kind)].tension, joint.peak[v]);
-    if (number % lane_count == 0) elastic = elastic_energies(number, synchronized);
-    if (joint.state != JointState::broken) ledger[terms::Account::elastic] += elastic[static_cast<int>(number % lane_count)];
+    const laws::TensionParameters<Real>& tension = kinds_[at(joint.kind)].tension;
+    table_.take_back(number, links_[at(number)], synchronized, books);
+    Real fracture = 0;
+    for (const Real peak : joint.peak) fracture += joint.vertex_area * laws::fracture_dissipation(tension, peak);
+    books[terms::Account::fracture] += fracture;
+    books[terms::Account::slip] += losses_[at(number)].slip_work;
+    books[terms::Account::release] += losses_[at(number)].released;
+    if (joint.state != JointState::broken) books[terms::Account::elastic] += elastic[static_cast<int>(number - begin)];
   }
 }
 

@@ -41,7 +41,7 @@ public:
   }
   void settle(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
   terms::Rates rates(Index body) const override { return rates_[static_cast<std::size_t>(body)]; }
-  void add_energies(const terms::Synchronized<3>& at, terms::Ledger& ledger) const override;
+  void add_energies(const terms::Synchronized<3>& at, terms::Books& books) const override;
   void carry(Index joint, Parcel& parcel) override;
   void columns(Archive& archive) override;
 
@@ -69,6 +69,7 @@ private:
   template <class Record>
   const JointParameters<Lanes>& kinds_of(const LanePointers<Record>& joints, JointParameters<Lanes>& mixed) const;
   void update_rates(Index body, const state::Bodies<3>& bodies);
+  void add_energies(Index begin, Index end, const terms::Synchronized<3>& synchronized, terms::Books& books) const;
   Lanes elastic_energies(Index first, const terms::Synchronized<3>& synchronized) const;
 
   std::vector<JointKind> kinds_;

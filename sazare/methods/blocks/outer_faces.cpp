@@ -60,14 +60,15 @@ void OuterFaces::evaluate(const Moment& now, std::span<const Due> due, const sta
   });
 }
 
-void OuterFaces::add_energies(const terms::Synchronized<3>& at, terms::Ledger& ledger) const {
+void OuterFaces::add_energies(const terms::Synchronized<3>& at, terms::Books& books) const {
   for (std::size_t i = 0; i < faces_.size(); ++i) {
+    if (!at.counts(links_[i])) continue;
     const OuterFace& face = faces_[i];
     const auto& body = at.pose_of(face.body);
-    table_.take_back(static_cast<Index>(i), links_[i], at, ledger);
+    table_.take_back(static_cast<Index>(i), links_[i], at, books);
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const Vector3 moved = body.position + body.rotation * face.springs.corners[corner] - face.place[corner];
-      ledger[terms::Account::elastic] +=
+      books[terms::Account::elastic] +=
           0.5 * face.springs.corner_area *
           moved.dot(stress(face.normal, face.springs.normal_stiffness, face.springs.shear_stiffness, moved));
     }

@@ -293,15 +293,15 @@ terms::Rates SurfaceContacts::rates(Index body) const {
 }
 
 /// Elastic energy is that of the last evaluation, at this base step.
-void SurfaceContacts::add_energies(const terms::Synchronized<3>& at_time, terms::Ledger& ledger) const {
+void SurfaceContacts::add_energies(const terms::Synchronized<3>& at_time, terms::Books& books) const {
   for (std::size_t link = 0; link < links_.size(); ++link) {
-    table_.take_back(static_cast<Index>(link), links_[link], at_time, ledger);
-    ledger[terms::Account::elastic] += near_[link].elastic;
+    table_.take_back(static_cast<Index>(link), links_[link], at_time, books);
+    books[terms::Account::elastic] += near_[link].elastic;
   }
   const Work ahead = work_ahead();
-  ledger[terms::Account::work] += work_.total - ahead.total;
-  ledger[terms::Account::contact_dashpot] += work_.dashpot - ahead.dashpot;
-  ledger[terms::Account::friction] += work_.friction - ahead.friction;
+  books[terms::Account::work] += work_.total - ahead.total;
+  books[terms::Account::contact_dashpot] += work_.dashpot - ahead.dashpot;
+  books[terms::Account::friction] += work_.friction - ahead.friction;
 }
 
 void SurfaceContacts::columns(Archive& archive) {
