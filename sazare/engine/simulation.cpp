@@ -165,13 +165,15 @@ void Simulation<D>::take_refined() {
 template <int D>
 void Simulation<D>::kick_chunk(std::span<const Index> which) {
   thread_local std::array<state::Impulse<D>, terms::chunk_size> impulses;
-  std::memset(static_cast<void*>(impulses.data()), 0, which.size() * sizeof(impulses[0]));  // in the width of the gathers
   std::array<state::MeanMotion<D>, terms::chunk_size> means;
   std::array<motion::Stride, terms::chunk_size> strides;
   thread_local terms::CauseImpulses<D> parts;
   parts.clear();
   const std::span sums(impulses.data(), which.size());
-  for (std::size_t i = 0; i < which.size(); ++i) sums[i].until_next = levels_.step(levels_.pace(which[i]));
+  for (std::size_t i = 0; i < which.size(); ++i) {
+    sums[i] = {};
+    sums[i].until_next = levels_.step(levels_.pace(which[i]));
+  }
   for (const auto& term : terms_) term->gather(now_, which, bodies_, sums, parts);
   const bool travels = this->travels();
   for (std::size_t i = 0; i < which.size(); ++i) {

@@ -57,8 +57,10 @@ void RunRecord::survey(std::int64_t step) {
 }
 
 void RunRecord::observe(std::int64_t step, Real wall_seconds) {
+  if (!clocks_.is_row(step)) return;
   const Real time = clocks_.time(step);
-  auto [now, ledger] = std::exchange(survey_, {});
+  if (!survey_) survey(step);
+  auto [now, ledger] = *std::exchange(survey_, std::nullopt);
   for (const Vector3& velocity : now.velocity) peak_speed_ = std::max(peak_speed_, velocity.norm());
   files_.add_row(1, gauges_.sample(time, model_->simulation->bodies(), now));
   add_history_row(time, ledger, wall_seconds);

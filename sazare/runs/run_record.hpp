@@ -3,6 +3,8 @@
 /// What a run writes down as it goes: histories, gauges, snapshots, and at its end fragments and headline figures.
 /// It reads the simulation and never changes it.
 
+#include <optional>
+
 #include "sazare/observe/manifest.hpp"
 #include "sazare/runs/gauges.hpp"
 #include "sazare/runs/record_files.hpp"
@@ -23,10 +25,11 @@ public:
   /// Goes on with the tables and snapshots of an earlier run, of which `columns` has read how far they count.
   void resume();
 
-  /// Looks at what is to be written at a base step. All processes of a run call it.
+  /// Looks at what is to be written at a base step: for several processes of a run, which all call it before the first one
+  /// writes.
   void survey(std::int64_t step);
 
-  /// Writes what was looked at.
+  /// Writes what is due at a base step.
   void observe(std::int64_t step, Real wall_seconds);
 
   /// Hands the tables to the system; all that was written to the disk where `to_disk`.
@@ -63,7 +66,7 @@ private:
   Gauges gauges_;
   Snapshots snapshots_;
   RecordFiles files_;
-  engine::Survey<3> survey_;  ///< of the row that comes; empty from row to row
+  std::optional<engine::Survey<3>> survey_;  ///< of the row that comes
   FragmentMap fragments_;
   Index fragments_at_broken_ = -1;  ///< number of broken joints for which `fragments_` holds
   Real smallest_step_ = 0;          ///< of the run so far; 0 before the first row [s]

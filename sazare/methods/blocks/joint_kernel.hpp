@@ -148,10 +148,9 @@ inline FaceForce face_force(const FaceGeometry& at, const FaceSums& sums) {
 }
 
 /// Evaluates joints. A face that fails has no force any more.
-inline JointChange evaluate(LaneJoints& joints, const JointParameters<Lanes>& kind, const LaneBodies& master,
-                            const LaneBodies& slave, JointForce& force) {
+inline JointForce evaluate(LaneJoints& joints, const JointParameters<Lanes>& kind, const LaneBodies& master,
+                           const LaneBodies& slave, JointChange& change) {
   const FaceGeometry at = face_geometry(joints, master, slave);
-  JointChange change;
   LaneMask opening{};
   for (int v = 0; v < vertex_count; ++v) opening |= at.displacement[static_cast<std::size_t>(v)][0] > joints.peak[v];
   if (any(opening)) soften(joints, kind, at, change);
@@ -173,8 +172,7 @@ inline JointChange evaluate(LaneJoints& joints, const JointParameters<Lanes>& ki
     dashpots.add(at.point[v], dashpot);
     all.add(at.point[v], dashpot + LaneVector{{area * stress, shear_area * elastic[0], shear_area * elastic[1]}});
   }
-  force = {face_force(at, all), face_force(at, dashpots)};
-  return change;
+  return {face_force(at, all), face_force(at, dashpots)};
 }
 
 }  // namespace sazare::methods::blocks

@@ -104,9 +104,8 @@ void Joints::evaluate_lanes(const Moment& now, std::span<const Due> due, const s
     slaves[lane] = &bodies.motion[at(records[lane]->slave)];
   }
   LaneJoints joints = load_joints(records);
-  JointParameters<Lanes> mixed;
-  JointForce force;
-  const JointChange change = blocks::evaluate(joints, kinds_of(records, mixed), load_bodies(masters), load_bodies(slaves), force);
+  JointChange change;
+  const JointForce force = blocks::evaluate(joints, kinds_of(records), load_bodies(masters), load_bodies(slaves), change);
   write_slots(now, due, force, change.failed);
   if (!any(change.softened | change.slipped)) return;
   store_memory(joints, records, static_cast<int>(due.size()));
@@ -130,7 +129,8 @@ void Joints::write_slots(const Moment& now, std::span<const Due> due, const Join
       t.master_moment[0], t.master_moment[1], t.master_moment[2], t.linear[0],        t.linear[1],        t.linear[2],
       t.slave_moment[0],  t.slave_moment[1],  t.slave_moment[2],  d.master_moment[0], d.master_moment[1], d.master_moment[2],
       d.linear[0],        d.linear[1],        d.linear[2],        d.slave_moment[0],  d.slave_moment[1],  d.slave_moment[2]};
-  std::array<Lanes, whole> f{};
+  std::array<Lanes, whole> f;
+  for (std::size_t i = mean + single.size() / 2; i < whole; ++i) f[i] = Lanes{};
   for (std::size_t i = 0; i < 9; ++i) f[i] = single[i];
   f[9] = acting, f[10] = ahead, f[evaluated] = broadcast(static_cast<Real>(now.tick));
   constexpr std::size_t from = 8;  // what is read of the slots as they were
@@ -158,9 +158,10 @@ void Joints::note_changes(std::span<const Due> due, const JointChange& change) {
   }
 }
 
-/// Parameters of each lane; `mixed` holds them where the lanes are of several kinds.
+/// Parameters of each lane, until the next call in this thread.
 template <class Record>
-const JointParameters<Lanes>& Joints::kinds_of(const LanePointers<Record>& joints, JointParameters<Lanes>& mixed) const {
+const JointParameters<Lanes>& Joints::kinds_of(const LanePointers<Record>& joints) const {
+  thread_local JointParameters<Lanes> mixed;
   const Index kind = joints[0]->kind;
   if (std::ranges::all_of(joints, [&](const JointRecord* joint) { return joint->kind == kind; })) return lane_kinds_[at(kind)];
   for (int lane = 0; lane < lane_count; ++lane) set_lane(mixed, lane, kinds_[at(joints[at(lane)]->kind)]);
@@ -229,8 +230,7 @@ Lanes Joints::elastic_energies(Index first, const terms::Synchronized<3>& synchr
     slaves[lane] = &synchronized.pose_of(records[lane]->slave);
   }
   const LaneJoints joints = load_joints(records);
-  JointParameters<Lanes> mixed;
-  return elastic_energy(joints, kinds_of(records, mixed), face_geometry(joints, load_poses(masters), load_poses(slaves)));
+  return elastic_energy(joints, kinds_of(records), face_geometry(joints, load_poses(masters), load_poses(slaves)));
 }
 
 void Joints::add_energies(const terms::Synchronized<3>& synchronized, terms::Books& books) const {

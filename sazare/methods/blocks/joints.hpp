@@ -67,7 +67,7 @@ private:
   void write_slots(const Moment& now, std::span<const Due> due, const JointForce& force, const LaneMask& failed);
   void note_changes(std::span<const Due> due, const JointChange& change);
   template <class Record>
-  const JointParameters<Lanes>& kinds_of(const LanePointers<Record>& joints, JointParameters<Lanes>& mixed) const;
+  const JointParameters<Lanes>& kinds_of(const LanePointers<Record>& joints) const;
   void update_rates(Index body, const state::Bodies<3>& bodies);
   void add_energies(Index begin, Index end, const terms::Synchronized<3>& synchronized, terms::Books& books) const;
   Lanes elastic_energies(Index first, const terms::Synchronized<3>& synchronized) const;
