@@ -96,7 +96,7 @@ void SphereLevels::evaluate(std::int64_t tick, const state::Spheres& spheres, me
       Level& level = levels_[number];
       state::SphereLoad* const own = level.loads.kept(block);
       level.loads.clear(block, own);
-      sums_[n] = level.pairs.evaluate(spheres, {block, approach, level.step, level.loads, own});
+      sums_[n] = level.pairs.evaluate(spheres, {block, approach, level.step, level.loads, own, {}});
       if (!walls.walls().empty()) sums_[n] += walls.evaluate(spheres, {block, level.step, own, number});
     }
   });

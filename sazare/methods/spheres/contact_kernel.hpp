@@ -94,7 +94,6 @@ public:
     const auto j = static_cast<std::size_t>(contacts_[contact].second);
     __builtin_prefetch(&spheres_.place[j]);
     __builtin_prefetch(&spheres_.spin[j]);
-    __builtin_prefetch(loads_.at(contacts_[contact].slot, own_), 1);
   }
 
   /// Takes the contacts that have parted off the list, the last one first: what stands behind one that goes stays.

@@ -179,31 +179,42 @@ void PairContacts::sleep_on(std::size_t pair, Real until) {
 }
 
 template <laws::ContactModel model, bool rolls>
-ContactSums PairContacts::evaluate_with(const state::Spheres& spheres, const Task& task) {
+ContactSums PairContacts::evaluate_with(const state::Spheres& spheres, Task& task) {
   return contacts_[task.block].rests() ? evaluate_those<model, rolls, true>(spheres, task)
                                        : evaluate_those<model, rolls, false>(spheres, task);
 }
 
 template <laws::ContactModel model, bool rolls, bool rests>
-ContactSums PairContacts::evaluate_those(const state::Spheres& spheres, const Task& task) {
+ContactSums PairContacts::evaluate_those(const state::Spheres& spheres, Task& task) {
   constexpr std::size_t ahead = 48;  // contacts whose spheres are on their way to the cache: the second ones stand anywhere
   BlockContacts& contacts = contacts_[task.block];
   ContactKernel<model, rolls, rests> kernel(*this, spheres, task);
+  const std::size_t lines_at_once = 1 + task.coming.lines() * lane_count / std::max<std::size_t>(contacts.size(), 1);
   for (std::size_t soon = 0; soon < std::min(contacts.size(), ahead); ++soon) kernel.fetch(soon);
   for (std::size_t next = 0; next < contacts.size(); next += lane_count) {
     for (std::size_t soon = next + ahead; soon < std::min(next + ahead + lane_count, contacts.size()); ++soon) kernel.fetch(soon);
     kernel.evaluate(next);
+    task.coming.fetch(lines_at_once);
   }
   kernel.part();
   return kernel.sums();
 }
 
-ContactSums PairContacts::evaluate(const state::Spheres& spheres, const Task& task) {
+ContactSums PairContacts::evaluate(const state::Spheres& spheres, Task task) {
   using enum laws::ContactModel;
   wake_those_due(spheres, task);
   if (table_.model == hertz)
     return table_.rolls ? evaluate_with<hertz, true>(spheres, task) : evaluate_with<hertz, false>(spheres, task);
   return table_.rolls ? evaluate_with<linear, true>(spheres, task) : evaluate_with<linear, false>(spheres, task);
+}
+
+void PairContacts::add_to(ComingLines& coming, std::size_t block) const {
+  const std::size_t begin = block * neighbors::block_size, end = std::min(begin + neighbors::block_size, pairs_.first.size() - 1);
+  const std::size_t first = pairs_.first[begin], count = pairs_.first[end] - first;
+  coming.add(std::span(sleeps_until_).subspan(first, count));
+  coming.add(std::span(owner_).subspan(first, count));
+  coming.add(std::span(pairs_.other).subspan(first, count));
+  contacts_[block].add_to(coming);
 }
 
 void PairContacts::columns(Archive& archive) {

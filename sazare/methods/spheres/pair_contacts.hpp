@@ -48,11 +48,15 @@ public:
     Real approach = 0;  ///< how much nearer any two spheres may have come since `find` [m]
     Real step = 0;      ///< [s]
     LoadTable& loads;
-    state::SphereLoad* own;  ///< the loads of the block's spheres
+    state::SphereLoad* own;   ///< the loads of the block's spheres
+    ComingLines coming = {};  ///< what will be needed next, asked for on the way
   };
 
   /// Adds the forces of a block's pairs to the loads.
-  ContactSums evaluate(const state::Spheres& spheres, const Task& task);
+  ContactSums evaluate(const state::Spheres& spheres, Task task);
+
+  /// What the evaluation of a block will read besides the spheres.
+  void add_to(ComingLines& coming, std::size_t block) const;
 
   const neighbors::SpherePairs& pairs() const { return pairs_; }
   const ContactTable& table() const { return table_; }
@@ -86,9 +90,9 @@ private:
   void sleep_on(std::size_t pair, Real until);
 
   template <laws::ContactModel model, bool rolls>
-  ContactSums evaluate_with(const state::Spheres& spheres, const Task& task);
+  ContactSums evaluate_with(const state::Spheres& spheres, Task& task);
   template <laws::ContactModel model, bool rolls, bool rests>
-  ContactSums evaluate_those(const state::Spheres& spheres, const Task& task);
+  ContactSums evaluate_those(const state::Spheres& spheres, Task& task);
 
   template <laws::ContactModel model, bool rolls, bool rests>
   friend class ContactKernel;
