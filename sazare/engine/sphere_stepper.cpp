@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "sazare/core/large_tables.hpp"
 #include "sazare/engine/clump_motion.hpp"
 #include "sazare/parallel/threads.hpp"
 
@@ -33,6 +34,9 @@ SphereStepper::SphereStepper(state::Spheres spheres, methods::spheres::ContactTa
       clumps_(std::move(clumps)),
       bodies_(std::move(bodies)),
       rules_(rules) {
+  put_on_large_pages(spheres_.place);
+  put_on_large_pages(spheres_.spin);
+  put_on_large_pages(spheres_.kick);
   if (std::ranges::any_of(rules_.level, [](std::int8_t level) { return level > 0; }))
     levels_ = {std::move(rules_.level), pairs_.table(), rules_.step};
   if (!clumps_.empty()) body_.assign(spheres_.size(), -1);
@@ -137,7 +141,7 @@ void SphereStepper::wake_broken_within_pieces() {
 
 SphereSpeeds SphereStepper::move(std::size_t block, const state::SphereLoad* loads) {
   const std::size_t begin = loads_.begin_of(block), end = loads_.end_of(block);
-  const SphereSpeeds speeds = kick_and_drift(spheres_, begin, end, loads, rules_.gravity, drift_, rules_.step);
+  const SphereSpeeds speeds = kick_and_drift(spheres_, begin, end, loads, {rules_.step, rules_.gravity, drift_});
   if (!spheres_.turn.empty()) turn(spheres_, begin, end, rules_.step);
   if (drives_) driven_work_[block] = work_of_driven(spheres_, begin, end, loads, rules_.step);
   return speeds;

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "sazare/core/lane_choice.hpp"
 #include "sazare/methods/spheres/contact_kernel.hpp"
 #include "sazare/parallel/threads.hpp"
 
@@ -134,22 +135,22 @@ void PairContacts::rest_within(std::span<const Index> body) {
 /// Looks at the pairs of a block that may touch by now: those that do become contacts, the others sleep on.
 void PairContacts::wake_those_due(const state::Spheres& spheres, const Task& task) {
   constexpr std::size_t at_once = 256;
-  std::array<std::uint32_t, at_once + lane_count> due;
+  std::array<std::uint32_t, at_once + choice_spare> due;
   const auto now = static_cast<float>(task.approach);
   const std::size_t last = pairs_.first[task.loads.end_of(task.block)];
   for (std::size_t begin = pairs_.first[task.loads.begin_of(task.block)]; begin < last; begin += at_once) {
-    std::size_t count = 0;
-    for (std::size_t p = begin; p < std::min(begin + at_once, last); ++p) {
-      due[count] = static_cast<std::uint32_t>(p);
-      count += sleeps_until_[p] <= now ? 1 : 0;
-    }
+    const std::span some_sleeps = std::span(sleeps_until_).subspan(begin, std::min(at_once, last - begin));
+    const std::size_t count = choose_up_to(now, some_sleeps, static_cast<std::uint32_t>(begin), due);
     for (std::size_t n = 0; n < count; ++n) __builtin_prefetch(&spheres.place[static_cast<std::size_t>(pairs_.other[due[n]])]);
     std::fill_n(due.begin() + static_cast<std::ptrdiff_t>(count), lane_count, due[0]);  // lanes beyond do not count
     for (std::size_t n = 0; n < count; n += lane_count) {
       const std::span<const std::uint32_t, lane_count> some(&due[n], lane_count);
-      const Lanes gap = gaps(spheres, task, some);
-      for (std::size_t lane = 0; lane < std::min<std::size_t>(lane_count, count - n); ++lane)
-        gap[lane] < 0 ? begin_contact(task.block, some[lane], task.loads) : sleep_on(some[lane], task.approach + gap[lane]);
+      const Lanes gap = gaps(spheres, task, some), until = task.approach + gap;
+      const std::size_t lanes = std::min<std::size_t>(lane_count, count - n);
+      for (std::size_t lane = 0; lane < lanes; ++lane) sleep_on(some[lane], until[lane]);
+      if (!any(gap < 0.0)) continue;
+      for (std::size_t lane = 0; lane < lanes; ++lane)
+        if (gap[lane] < 0) begin_contact(task.block, some[lane], task.loads);
     }
   }
 }
@@ -171,11 +172,6 @@ void PairContacts::begin_contact(std::size_t block, std::size_t pair, const Load
   const Index first = static_cast<Index>(loads.begin_of(block)) + owner_[pair], second = pairs_.other[pair];
   sleeps_until_[pair] = in_contact;
   contacts_[block].add({first, second, loads.slot(block, second), static_cast<std::uint32_t>(pair)}, table_.rolls);
-}
-
-void PairContacts::sleep_on(std::size_t pair, Real until) {
-  constexpr float rounded_down = 1 - 1e-6F;
-  sleeps_until_[pair] = rounded_down * static_cast<float>(until);
 }
 
 template <laws::ContactModel model, bool rolls>
