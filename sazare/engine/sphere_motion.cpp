@@ -5,7 +5,8 @@
 #include <cstring>
 #include <limits>
 
-#include "sazare/core/lane_math.hpp"
+#include "sazare/core/lane_records.hpp"
+#include "sazare/core/triple.hpp"
 
 namespace sazare::engine {
 
@@ -27,23 +28,26 @@ Quad quad(const Vector3& vector) { return Quad{vector.x(), vector.y(), vector.z(
 /// The vector of one record with the further number of another.
 Quad with_number_of(const Quad& other, const Quad& vector) { return __builtin_shufflevector(vector, other, 0, 1, 2, 7); }
 
-Real square_of(const Quad& vector) {
-  const Quad squares = vector * vector;
-  return squares[0] + squares[1] + squares[2];
-}
-
-/// The largest speeds of spheres that come one after the other, compared in lanes: each would wait for the one before.
+/// The largest speeds of spheres, compared in lanes: one by one each would wait for the one before.
 class LargestSpeeds {
 public:
-  void take(const Quad& from_drift, const Quad& velocity) {
-    from_drift_[now_] = square_of(from_drift);
-    squares_[now_] = square_of(velocity);
-    if (++now_ == lane_count) compare();
+  explicit LargestSpeeds(const Vector3& drift) : drift_{broadcast(drift.x()), broadcast(drift.y()), broadcast(drift.z())} {}
+
+  /// Of `count` spheres that stand one after the other, as many as there are lanes at most.
+  void take(const state::SphereKick* kicks, std::size_t count) {
+    std::array<const Real*, lane_count> from;
+    for (std::size_t lane = 0; lane < lane_count; ++lane) from[lane] = &kicks[lane < count ? lane : 0].vx;
+    const auto kick = load_quads(from);
+    const Triple<Lanes> velocity{kick[0], kick[1], kick[2]}, from_drift = velocity - drift_;
+    Lanes seen = dot(from_drift, from_drift), square = dot(velocity, velocity);
+    for (std::size_t lane = count; lane < lane_count; ++lane) seen[lane] = square[lane] = 0;
+    second_ = maximum(second_, Lanes(seen < first_ ? seen : first_));
+    first_ = maximum(first_, seen);
+    largest_ = maximum(largest_, square);
+    sum_ += seen;
   }
 
-  SphereSpeeds speeds() {
-    for (; now_ > 0 && now_ < lane_count; ++now_) from_drift_[now_] = squares_[now_] = 0;
-    if (now_ > 0) compare();
+  SphereSpeeds speeds() const {
     SphereSpeeds all;
     for (int lane = 0; lane < lane_count; ++lane)
       all.take({std::sqrt(first_[lane]), std::sqrt(second_[lane]), std::sqrt(largest_[lane])});
@@ -53,17 +57,7 @@ public:
   }
 
 private:
-  void compare() {
-    const Lanes from_drift = load_lanes(from_drift_.data());
-    second_ = maximum(second_, Lanes(from_drift < first_ ? from_drift : first_));
-    first_ = maximum(first_, from_drift);
-    largest_ = maximum(largest_, load_lanes(squares_.data()));
-    sum_ += from_drift;
-    now_ = 0;
-  }
-
-  std::array<Real, lane_count> from_drift_, squares_;  // of those that are to be compared next
-  int now_ = 0;
+  Triple<Lanes> drift_;
   Lanes first_{}, second_{}, largest_{};
   Lanes sum_{};  // tells what is no number, which comparisons lose
 };
@@ -73,30 +67,35 @@ struct Impulses {
   Quad force, force_ahead, moment, moment_ahead;
 };
 
+/// A sphere's next velocities and place.
+void fly(state::Spheres& spheres, std::size_t i, const Impulses& given, const Quad& falls, Real step) {
+  state::SphereKick& kick = spheres.kick[i];
+  state::SpherePlace& place = spheres.place[i];
+  state::SphereSpin& spin = spheres.spin[i];
+  // The further number of a load and of gravity is 0, so those of the velocities stay what they are.
+  Quad moves = read(kick.vx), turns = read(kick.wx);
+  const Real inverse_mass = kick.inverse_mass, inverse_inertia = kick.inverse_inertia;
+  const Quad gravity = inverse_mass > 0 ? step * falls : Quad{};
+  moves += inverse_mass * given.force + gravity;
+  turns += inverse_inertia * given.moment;
+  write(kick.vx, moves);
+  write(kick.wx, turns);
+  write(place.x, read(place.x) + with_number_of(Quad{}, step * moves));
+  write(place.vx, with_number_of(read(place.vx), moves + (inverse_mass * given.force_ahead + 0.5 * gravity)));
+  write(spin.x, with_number_of(read(spin.x), turns + inverse_inertia * given.moment_ahead));
+}
+
 /// `impulses(i)` are those of the sphere at place i.
 template <class ImpulsesOn>
 SphereSpeeds fly(state::Spheres& spheres, std::size_t begin, std::size_t end, const SphereFlight& flight,
                  const ImpulsesOn& impulses) {
-  const Real half = 0.5 * flight.step;
-  const Quad falls = quad(flight.gravity), drifts = quad(flight.drift);
-  LargestSpeeds speeds;
-  for (std::size_t i = begin; i < end; ++i) {
-    state::SphereKick& kick = spheres.kick[i];
-    state::SpherePlace& place = spheres.place[i];
-    state::SphereSpin& spin = spheres.spin[i];
-    const Impulses given = impulses(i);
-    // The further number of a load and of gravity is 0, so those of the velocities stay what they are.
-    Quad moves = read(kick.vx), turns = read(kick.wx);
-    const Quad gravity = moves[3] > 0 ? falls : Quad{};
-    const Quad ahead = moves[3] * given.force_ahead + half * gravity, turning_ahead = turns[3] * given.moment_ahead;
-    moves += moves[3] * given.force + flight.step * gravity;
-    turns += turns[3] * given.moment;
-    write(kick.vx, moves);
-    write(kick.wx, turns);
-    write(place.x, read(place.x) + with_number_of(Quad{}, flight.step * moves));
-    write(place.vx, with_number_of(read(place.vx), moves + ahead));
-    write(spin.x, with_number_of(read(spin.x), turns + turning_ahead));
-    speeds.take(moves - drifts, moves);
+  const Quad falls = quad(flight.gravity);
+  const Real step = flight.step;
+  LargestSpeeds speeds(flight.drift);
+  for (std::size_t first = begin; first < end; first += lane_count) {
+    const std::size_t last = std::min<std::size_t>(first + lane_count, end);
+    for (std::size_t i = first; i < last; ++i) fly(spheres, i, impulses(i), falls, step);
+    speeds.take(&spheres.kick[first], last - first);
   }
   return speeds.speeds();
 }
@@ -105,9 +104,8 @@ SphereSpeeds fly(state::Spheres& spheres, std::size_t begin, std::size_t end, co
 
 SphereSpeeds kick_and_drift(state::Spheres& spheres, std::size_t begin, std::size_t end, const state::SphereLoad* loads,
                             const SphereFlight& flight) {
-  return fly(spheres, begin, end, flight, [&](std::size_t i) {
+  return fly(spheres, begin, end, flight, [=, step = flight.step, half = 0.5 * flight.step](std::size_t i) {
     const Quad force = read(loads[i - begin].fx), moment = read(loads[i - begin].mx);
-    const Real step = flight.step, half = 0.5 * step;
     return Impulses{step * force, half * force, step * moment, half * moment};
   });
 }

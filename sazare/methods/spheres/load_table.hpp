@@ -52,7 +52,9 @@ public:
   /// Where what a block's contacts bring to a sphere, its own or one of a later block, adds up.
   Index slot(std::size_t block, Index sphere) const;
   state::SphereLoad* at(Index slot, state::SphereLoad* own) {
-    return slot >= 0 ? own + slot : &guests_[static_cast<std::size_t>(-1 - slot)];
+    // Without a branch: nobody foretells which contact has a guest.
+    const Index guest = slot >> 31;
+    return (guest == 0 ? own : guests_.data()) + (slot ^ guest);
   }
   /// The load of the second sphere of a bond of a block.
   state::SphereLoad* bonded(std::size_t bond, state::SphereLoad* own) { return at(bond_slot_[bond], own); }
