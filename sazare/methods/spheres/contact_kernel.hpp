@@ -89,13 +89,6 @@ public:
     book(force, touches, lanes);
   }
 
-  /// Asks for what a contact will read of its second sphere.
-  void fetch(std::size_t contact) const {
-    const auto j = static_cast<std::size_t>(contacts_[contact].second);
-    __builtin_prefetch(&spheres_.place[j]);
-    __builtin_prefetch(&spheres_.spin[j]);
-  }
-
   /// Takes the contacts that have parted off the list, the last one first: what stands behind one that goes stays.
   void part() {
     for (auto contact = parted_.rbegin(); contact != parted_.rend(); ++contact) contacts_.remove(*contact);

@@ -7,6 +7,7 @@
 /// before it are done; each sphere takes what stands for it as a guest, in the order of the blocks.
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "sazare/neighbors/sphere_pairs.hpp"
@@ -35,6 +36,10 @@ public:
 
   /// Sets the loads of a block and those of its guests to zero. `own` are the loads of its spheres.
   void clear(std::size_t block, state::SphereLoad* own);
+  /// The guests of a block, in order.
+  std::span<const Index> guests(std::size_t block) const {
+    return std::span(guest_).subspan(guest_begin_[block], guest_begin_[block + 1] - guest_begin_[block]);
+  }
   /// Adds what guests of other blocks brought to the loads of a block.
   void gather(std::size_t block, state::SphereLoad* own) const;
 

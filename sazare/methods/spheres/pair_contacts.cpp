@@ -141,7 +141,6 @@ void PairContacts::wake_those_due(const state::Spheres& spheres, const Task& tas
   for (std::size_t begin = pairs_.first[task.loads.begin_of(task.block)]; begin < last; begin += at_once) {
     const std::span some_sleeps = std::span(sleeps_until_).subspan(begin, std::min(at_once, last - begin));
     const std::size_t count = choose_up_to(now, some_sleeps, static_cast<std::uint32_t>(begin), due);
-    for (std::size_t n = 0; n < count; ++n) __builtin_prefetch(&spheres.place[static_cast<std::size_t>(pairs_.other[due[n]])]);
     std::fill_n(due.begin() + static_cast<std::ptrdiff_t>(count), lane_count, due[0]);  // lanes beyond do not count
     for (std::size_t n = 0; n < count; n += lane_count) {
       const std::span<const std::uint32_t, lane_count> some(&due[n], lane_count);
@@ -158,12 +157,10 @@ void PairContacts::wake_those_due(const state::Spheres& spheres, const Task& tas
 /// Of as many pairs of a block as there are lanes [m].
 [[gnu::flatten]] Lanes PairContacts::gaps(const state::Spheres& spheres, const Task& task,
                                           std::span<const std::uint32_t, lane_count> pairs) const {
-  std::array<const Real*, lane_count> from, to;
-  for (std::size_t lane = 0; lane < lane_count; ++lane) {
-    from[lane] = &spheres.place[task.loads.begin_of(task.block) + owner_[pairs[lane]]].x;
-    to[lane] = &spheres.place[static_cast<std::size_t>(pairs_.other[pairs[lane]])].x;
-  }
-  const auto first = load_quads(from), second = load_quads(to);
+  const state::SpherePlace* const own = &spheres.place[task.loads.begin_of(task.block)];
+  const auto first = load_quads([&](std::size_t lane) { return &own[owner_[pairs[lane]]].x; });
+  const auto second =
+      load_quads([&](std::size_t lane) { return &spheres.place[static_cast<std::size_t>(pairs_.other[pairs[lane]])].x; });
   const Triple<Lanes> apart = BoxLanes(spheres.box).nearest({second[0] - first[0], second[1] - first[1], second[2] - first[2]});
   return square_root(dot(apart, apart)) - (first[3] + second[3]);
 }
@@ -182,13 +179,10 @@ ContactSums PairContacts::evaluate_with(const state::Spheres& spheres, Task& tas
 
 template <laws::ContactModel model, bool rolls, bool rests>
 ContactSums PairContacts::evaluate_those(const state::Spheres& spheres, Task& task) {
-  constexpr std::size_t ahead = 48;  // contacts whose spheres are on their way to the cache: the second ones stand anywhere
   BlockContacts& contacts = contacts_[task.block];
   ContactKernel<model, rolls, rests> kernel(*this, spheres, task);
   const std::size_t lines_at_once = 1 + task.coming.lines() * lane_count / std::max<std::size_t>(contacts.size(), 1);
-  for (std::size_t soon = 0; soon < std::min(contacts.size(), ahead); ++soon) kernel.fetch(soon);
   for (std::size_t next = 0; next < contacts.size(); next += lane_count) {
-    for (std::size_t soon = next + ahead; soon < std::min(next + ahead + lane_count, contacts.size()); ++soon) kernel.fetch(soon);
     kernel.evaluate(next);
     task.coming.fetch(lines_at_once);
   }
