@@ -159,14 +159,7 @@ void SphereStepper::measure() {
 /// What a block's contacts and its kick will need.
 ComingLines SphereStepper::coming(std::size_t block) const {
   const std::size_t begin = loads_.begin_of(block), count = loads_.end_of(block) - begin;
-  const std::span place(spheres_.place);
-  const std::span spin(spheres_.spin);
-  ComingLines coming;
-  coming.add(place, loads_.guests(block));
-  coming.add(spin, loads_.guests(block));
-  coming.add(place.subspan(begin, count));
-  coming.add(spin.subspan(begin, count));
-  pairs_.add_to(coming, block);
+  ComingLines coming = pairs_.coming(spheres_, loads_, block);
   coming.add(std::span(spheres_.kick).subspan(begin, count));
   return coming;
 }

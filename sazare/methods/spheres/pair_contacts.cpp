@@ -198,13 +198,21 @@ ContactSums PairContacts::evaluate(const state::Spheres& spheres, Task task) {
   return table_.rolls ? evaluate_with<linear, true>(spheres, task) : evaluate_with<linear, false>(spheres, task);
 }
 
-void PairContacts::add_to(ComingLines& coming, std::size_t block) const {
-  const std::size_t begin = block * neighbors::block_size, end = std::min(begin + neighbors::block_size, pairs_.first.size() - 1);
-  const std::size_t first = pairs_.first[begin], count = pairs_.first[end] - first;
+ComingLines PairContacts::coming(const state::Spheres& spheres, const LoadTable& loads, std::size_t block) const {
+  const std::span place(spheres.place);
+  const std::span spin(spheres.spin);
+  const std::size_t begin = loads.begin_of(block), end = loads.end_of(block), first = pairs_.first[begin],
+                    count = pairs_.first[end] - first;
+  ComingLines coming;
+  coming.add(place, loads.guests(block));
+  coming.add(spin, loads.guests(block));
+  coming.add(place.subspan(begin, end - begin));
+  coming.add(spin.subspan(begin, end - begin));
   coming.add(std::span(sleeps_until_).subspan(first, count));
   coming.add(std::span(owner_).subspan(first, count));
   coming.add(std::span(pairs_.other).subspan(first, count));
   contacts_[block].add_to(coming);
+  return coming;
 }
 
 void PairContacts::columns(Archive& archive) {

@@ -55,8 +55,8 @@ public:
   /// Adds the forces of a block's pairs to the loads.
   ContactSums evaluate(const state::Spheres& spheres, Task task);
 
-  /// What the evaluation of a block will read besides the spheres.
-  void add_to(ComingLines& coming, std::size_t block) const;
+  /// What the evaluation of a block will read.
+  ComingLines coming(const state::Spheres& spheres, const LoadTable& loads, std::size_t block) const;
 
   const neighbors::SpherePairs& pairs() const { return pairs_; }
   const ContactTable& table() const { return table_; }
