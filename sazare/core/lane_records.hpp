@@ -3,6 +3,7 @@
 /// Between records in memory and lanes: the n-th double of `lane_count` records becomes one `Lanes`, and back.
 
 #include <array>
+#include <concepts>
 #include <cstring>
 
 #include "sazare/core/lanes.hpp"
@@ -38,12 +39,13 @@ inline void transpose(std::array<Lanes, lane_count>& rows) {
 #endif
 }
 
-/// Four doubles of `lane_count` records become four `Lanes`.
-inline std::array<Lanes, 4> load_quads(const std::array<const Real*, lane_count>& from) {
+/// Four doubles of `lane_count` records become four `Lanes`; `from(lane)` says where those of a lane begin.
+template <class From>
+requires std::invocable<const From&, std::size_t> std::array<Lanes, 4> load_quads(const From& from) {
 #ifdef __AVX512F__
   std::array<Lanes, 4> halves, pairs;
   for (std::size_t i = 0; i < 4; ++i)
-    halves[i] = _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(from[i])), _mm256_loadu_pd(from[i + 4]), 1);
+    halves[i] = _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(from(i))), _mm256_loadu_pd(from(i + 4)), 1);
   for (std::size_t i = 0; i < 4; i += 2) {
     pairs[i] = __builtin_shufflevector(halves[i], halves[i + 1], 0, 8, 2, 10, 4, 12, 6, 14);
     pairs[i + 1] = __builtin_shufflevector(halves[i], halves[i + 1], 1, 9, 3, 11, 5, 13, 7, 15);
@@ -56,10 +58,13 @@ inline std::array<Lanes, 4> load_quads(const std::array<const Real*, lane_count>
   return fields;
 #else
   std::array<Lanes, lane_count> rows;
-  for (std::size_t lane = 0; lane < lane_count; ++lane) std::memcpy(&rows[lane], from[lane], sizeof(Lanes));
+  for (std::size_t lane = 0; lane < lane_count; ++lane) std::memcpy(&rows[lane], from(lane), sizeof(Lanes));
   transpose(rows);
   return rows;
 #endif
+}
+inline std::array<Lanes, 4> load_quads(const std::array<const Real*, lane_count>& from) {
+  return load_quads([&](std::size_t lane) { return from[lane]; });
 }
 
 /// Back again, for the first `lanes` records.

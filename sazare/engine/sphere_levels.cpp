@@ -86,6 +86,11 @@ void SphereLevels::arrange() {
   driven_work_.resize(flocks_.size());
 }
 
+ComingLines SphereLevels::coming(const state::Spheres& spheres, const Block& block) const {
+  const Level& level = levels_[static_cast<std::size_t>(block.level)];
+  return level.pairs.coming(spheres, level.loads, block.block);
+}
+
 void SphereLevels::evaluate(std::int64_t tick, const state::Spheres& spheres, methods::spheres::WallContacts& walls,
                             Real approach) {
   const auto coarsest = static_cast<std::size_t>(coarsest_due(tick));
@@ -96,7 +101,8 @@ void SphereLevels::evaluate(std::int64_t tick, const state::Spheres& spheres, me
       Level& level = levels_[number];
       state::SphereLoad* const own = level.loads.kept(block);
       level.loads.clear(block, own);
-      sums_[n] = level.pairs.evaluate(spheres, {block, approach, level.step, level.loads, own});
+      const ComingLines next = n + 1 < end ? coming(spheres, blocks_[n + 1]) : ComingLines{};
+      sums_[n] = level.pairs.evaluate(spheres, {block, approach, level.step, level.loads, own, next});
       if (!walls.walls().empty()) sums_[n] += walls.evaluate(spheres, {block, level.step, own, number});
     }
   });

@@ -103,6 +103,7 @@ private:
 
   int pace(std::size_t sphere) const;
   void arrange();
+  ComingLines coming(const state::Spheres& spheres, const Block& block) const;
   std::vector<TimedLoads> loads_on(const Flock& flock, std::int64_t tick) const;
 
   std::vector<std::int8_t> level_;  ///< by number of the sphere

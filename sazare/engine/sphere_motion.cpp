@@ -1,7 +1,12 @@
 #include "sazare/engine/sphere_motion.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
+
+#include "sazare/core/lane_records.hpp"
+#include "sazare/core/triple.hpp"
 
 namespace sazare::engine {
 
@@ -23,78 +28,101 @@ Quad quad(const Vector3& vector) { return Quad{vector.x(), vector.y(), vector.z(
 /// The vector of one record with the further number of another.
 Quad with_number_of(const Quad& other, const Quad& vector) { return __builtin_shufflevector(vector, other, 0, 1, 2, 7); }
 
-Real square_of(const Quad& vector) {
-  const Quad squares = vector * vector;
-  return squares[0] + squares[1] + squares[2];
+/// The largest speeds of spheres, compared in lanes: one by one each would wait for the one before.
+class LargestSpeeds {
+public:
+  explicit LargestSpeeds(const Vector3& drift) : drift_{broadcast(drift.x()), broadcast(drift.y()), broadcast(drift.z())} {}
+
+  /// Of `count` spheres that stand one after the other, as many as there are lanes at most.
+  void take(const state::SphereKick* kicks, std::size_t count) {
+    std::array<const Real*, lane_count> from;
+    for (std::size_t lane = 0; lane < lane_count; ++lane) from[lane] = &kicks[lane < count ? lane : 0].vx;
+    const auto kick = load_quads(from);
+    const Triple<Lanes> velocity{kick[0], kick[1], kick[2]}, from_drift = velocity - drift_;
+    Lanes seen = dot(from_drift, from_drift), square = dot(velocity, velocity);
+    for (std::size_t lane = count; lane < lane_count; ++lane) seen[lane] = square[lane] = 0;
+    second_ = maximum(second_, Lanes(seen < first_ ? seen : first_));
+    first_ = maximum(first_, seen);
+    largest_ = maximum(largest_, square);
+    sum_ += seen;
+  }
+
+  SphereSpeeds speeds() const {
+    SphereSpeeds all;
+    for (int lane = 0; lane < lane_count; ++lane)
+      all.take({std::sqrt(first_[lane]), std::sqrt(second_[lane]), std::sqrt(largest_[lane])});
+    for (int lane = 0; lane < lane_count; ++lane)
+      if (!(sum_[lane] <= std::numeric_limits<Real>::max())) all.first = sum_[lane];
+    return all;
+  }
+
+private:
+  Triple<Lanes> drift_;
+  Lanes first_{}, second_{}, largest_{};
+  Lanes sum_{};  // tells what is no number, which comparisons lose
+};
+
+/// What loads give a sphere in a kick, and what is foreseen besides for its next time.
+struct Impulses {
+  Quad force, force_ahead, moment, moment_ahead;
+};
+
+/// A sphere's next velocities and place.
+void fly(state::Spheres& spheres, std::size_t i, const Impulses& given, const Quad& falls, Real step) {
+  state::SphereKick& kick = spheres.kick[i];
+  state::SpherePlace& place = spheres.place[i];
+  state::SphereSpin& spin = spheres.spin[i];
+  // The further number of a load and of gravity is 0, so those of the velocities stay what they are.
+  Quad moves = read(kick.vx), turns = read(kick.wx);
+  const Real inverse_mass = kick.inverse_mass, inverse_inertia = kick.inverse_inertia;
+  const Quad gravity = inverse_mass > 0 ? step * falls : Quad{};
+  moves += inverse_mass * given.force + gravity;
+  turns += inverse_inertia * given.moment;
+  write(kick.vx, moves);
+  write(kick.wx, turns);
+  write(place.x, read(place.x) + with_number_of(Quad{}, step * moves));
+  write(place.vx, with_number_of(read(place.vx), moves + (inverse_mass * given.force_ahead + 0.5 * gravity)));
+  write(spin.x, with_number_of(read(spin.x), turns + inverse_inertia * given.moment_ahead));
+}
+
+/// `impulses(i)` are those of the sphere at place i.
+template <class ImpulsesOn>
+SphereSpeeds fly(state::Spheres& spheres, std::size_t begin, std::size_t end, const SphereFlight& flight,
+                 const ImpulsesOn& impulses) {
+  const Quad falls = quad(flight.gravity);
+  const Real step = flight.step;
+  LargestSpeeds speeds(flight.drift);
+  for (std::size_t first = begin; first < end; first += lane_count) {
+    const std::size_t last = std::min<std::size_t>(first + lane_count, end);
+    for (std::size_t i = first; i < last; ++i) fly(spheres, i, impulses(i), falls, step);
+    speeds.take(&spheres.kick[first], last - first);
+  }
+  return speeds.speeds();
 }
 
 }  // namespace
 
 SphereSpeeds kick_and_drift(state::Spheres& spheres, std::size_t begin, std::size_t end, const state::SphereLoad* loads,
-                            const Vector3& gravity, const Vector3& drift, Real step) {
-  const Real half = 0.5 * step;
-  const Quad falls = quad(gravity), drifts = quad(drift);
-  Real first = 0, second = 0, largest = 0;
-  for (std::size_t i = begin; i < end; ++i) {
-    state::SphereKick& kick = spheres.kick[i];
-    state::SpherePlace& place = spheres.place[i];
-    state::SphereSpin& spin = spheres.spin[i];
-    const state::SphereLoad& load = loads[i - begin];
-    // The further number of a load and of gravity is 0, so those of the velocities stay what they are.
-    Quad moves = read(kick.vx), turns = read(kick.wx);
-    const Quad acceleration = moves[3] * read(load.fx) + (moves[3] > 0 ? falls : Quad{});
-    const Quad angular = turns[3] * read(load.mx);
-    moves += step * acceleration;
-    turns += step * angular;
-    write(kick.vx, moves);
-    write(kick.wx, turns);
-    const Quad centre = read(place.x), far = step * moves;
-    write(place.x, centre + with_number_of(Quad{}, far));
-    write(place.vx, with_number_of(read(place.vx), moves + half * acceleration));
-    write(spin.x, with_number_of(read(spin.x), turns + half * angular));
-    const Real square = square_of(moves - drifts);
-    second = std::max(second, std::min(first, square));
-    first = square <= first ? first : square;  // what is no number stays
-    largest = std::max(largest, square_of(moves));
-  }
-  return {std::sqrt(first), std::sqrt(second), std::sqrt(largest)};
+                            const SphereFlight& flight) {
+  return fly(spheres, begin, end, flight, [=, step = flight.step, half = 0.5 * flight.step](std::size_t i) {
+    const Quad force = read(loads[i - begin].fx), moment = read(loads[i - begin].mx);
+    return Impulses{step * force, half * force, step * moment, half * moment};
+  });
 }
 
 SphereSpeeds kick_and_drift(state::Spheres& spheres, std::size_t begin, std::size_t end, std::span<const TimedLoads> loads,
                             const SphereFlight& flight) {
-  const Real half = 0.5 * flight.step;
-  const Quad falls = quad(flight.gravity), drifts = quad(flight.drift);
-  Real first = 0, second = 0, largest = 0;
-  for (std::size_t i = begin; i < end; ++i) {
-    state::SphereKick& kick = spheres.kick[i];
-    state::SpherePlace& place = spheres.place[i];
-    state::SphereSpin& spin = spheres.spin[i];
-    Quad impulse{}, ahead{}, turning{}, turning_ahead{};
+  return fly(spheres, begin, end, flight, [&](std::size_t i) {
+    Impulses all{};
     for (const TimedLoads& level : loads) {
-      const state::SphereLoad& load = level.loads[i - begin];
-      const Quad force = read(load.fx), moment = read(load.mx);
-      impulse += level.given * force;
-      ahead += level.foreseen * force;
-      turning += level.given * moment;
-      turning_ahead += level.foreseen * moment;
+      const Quad force = read(level.loads[i - begin].fx), moment = read(level.loads[i - begin].mx);
+      all.force += level.given * force;
+      all.force_ahead += level.foreseen * force;
+      all.moment += level.given * moment;
+      all.moment_ahead += level.foreseen * moment;
     }
-    Quad moves = read(kick.vx), turns = read(kick.wx);
-    const Quad gravity = moves[3] > 0 ? falls : Quad{};
-    ahead = moves[3] * ahead + half * gravity;
-    turning_ahead = turns[3] * turning_ahead;
-    moves += moves[3] * impulse + flight.step * gravity;
-    turns += turns[3] * turning;
-    write(kick.vx, moves);
-    write(kick.wx, turns);
-    write(place.x, read(place.x) + with_number_of(Quad{}, flight.step * moves));
-    write(place.vx, with_number_of(read(place.vx), moves + ahead));
-    write(spin.x, with_number_of(read(spin.x), turns + turning_ahead));
-    const Real square = square_of(moves - drifts);
-    second = std::max(second, std::min(first, square));
-    first = square <= first ? first : square;  // what is no number stays
-    largest = std::max(largest, square_of(moves));
-  }
-  return {std::sqrt(first), std::sqrt(second), std::sqrt(largest)};
+    return all;
+  });
 }
 
 void turn(state::Spheres& spheres, std::size_t begin, std::size_t end, Real step) {

@@ -22,23 +22,23 @@ struct SphereSpeeds {
   }
 };
 
+/// The flight of spheres of one pace.
+struct SphereFlight {
+  Real step = 0;                      ///< [s]
+  Vector3 gravity = Vector3::Zero();  ///< [m/s2]
+  Vector3 drift = Vector3::Zero();    ///< from which speeds are seen [m/s]
+};
+
 /// Kicks spheres begin .. end - 1 by their loads, of which the first belongs to `begin`, moves them and foresees their
 /// velocities.
 SphereSpeeds kick_and_drift(state::Spheres& spheres, std::size_t begin, std::size_t end, const state::SphereLoad* loads,
-                            const Vector3& gravity, const Vector3& drift, Real step);
+                            const SphereFlight& flight);
 
 /// Loads of one time level on spheres of one pace, and for how long they act.
 struct TimedLoads {
   const state::SphereLoad* loads = nullptr;  ///< of the first of the spheres and those behind it
   Real given = 0;                            ///< by this kick; 0 where the level is not due [s]
   Real foreseen = 0;                         ///< given besides until the next kick; below 0 what they have too much [s]
-};
-
-/// The flight of spheres of one pace.
-struct SphereFlight {
-  Real step = 0;                      ///< of the pace [s]
-  Vector3 gravity = Vector3::Zero();  ///< [m/s2]
-  Vector3 drift = Vector3::Zero();    ///< from which speeds are seen [m/s]
 };
 
 /// The same for spheres of one pace whose loads are those of several levels.

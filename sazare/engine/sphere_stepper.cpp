@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "sazare/core/large_tables.hpp"
 #include "sazare/engine/clump_motion.hpp"
 #include "sazare/parallel/threads.hpp"
 
@@ -33,6 +34,9 @@ SphereStepper::SphereStepper(state::Spheres spheres, methods::spheres::ContactTa
       clumps_(std::move(clumps)),
       bodies_(std::move(bodies)),
       rules_(rules) {
+  put_on_large_pages(spheres_.place);
+  put_on_large_pages(spheres_.spin);
+  put_on_large_pages(spheres_.kick);
   if (std::ranges::any_of(rules_.level, [](std::int8_t level) { return level > 0; }))
     levels_ = {std::move(rules_.level), pairs_.table(), rules_.step};
   if (!clumps_.empty()) body_.assign(spheres_.size(), -1);
@@ -137,7 +141,7 @@ void SphereStepper::wake_broken_within_pieces() {
 
 SphereSpeeds SphereStepper::move(std::size_t block, const state::SphereLoad* loads) {
   const std::size_t begin = loads_.begin_of(block), end = loads_.end_of(block);
-  const SphereSpeeds speeds = kick_and_drift(spheres_, begin, end, loads, rules_.gravity, drift_, rules_.step);
+  const SphereSpeeds speeds = kick_and_drift(spheres_, begin, end, loads, {rules_.step, rules_.gravity, drift_});
   if (!spheres_.turn.empty()) turn(spheres_, begin, end, rules_.step);
   if (drives_) driven_work_[block] = work_of_driven(spheres_, begin, end, loads, rules_.step);
   return speeds;
@@ -152,9 +156,19 @@ void SphereStepper::measure() {
   wall_approach_ += rules_.step * (all.largest + walls_.largest_speed(wall_radius_ + rules_.wall_margin));
 }
 
-methods::spheres::ContactSums SphereStepper::evaluate(std::size_t block, state::SphereLoad* loads) {
+/// What a block's contacts and its kick will need.
+ComingLines SphereStepper::coming(std::size_t block) const {
+  const std::size_t begin = loads_.begin_of(block), count = loads_.end_of(block) - begin;
+  ComingLines coming = pairs_.coming(spheres_, loads_, block);
+  coming.add(std::span(spheres_.kick).subspan(begin, count));
+  return coming;
+}
+
+/// The forces of a block; the next one, before `end`, comes to the cache meanwhile.
+methods::spheres::ContactSums SphereStepper::evaluate(std::size_t block, std::size_t end, state::SphereLoad* loads) {
   loads_.clear(block, loads);
-  auto sums = pairs_.evaluate(spheres_, {block, approach_, rules_.step, loads_, loads});
+  const ComingLines next = block + 1 < end ? coming(block + 1) : ComingLines{};
+  auto sums = pairs_.evaluate(spheres_, {block, approach_, rules_.step, loads_, loads, next});
   if (!walls_.walls().empty()) sums += walls_.evaluate(spheres_, {block, rules_.step, loads});
   if (!bonds_.empty()) sums += bonds_.evaluate(spheres_, {block, rules_.step, pairs_.table(), loads_, loads});
   return sums;
@@ -167,7 +181,7 @@ void SphereStepper::walk(std::size_t begin, std::size_t end) {
   for (std::size_t block = begin; block < end; ++block) {
     waits_[block] = loads_.first_visitor(block) < begin ? 1 : 0;
     state::SphereLoad* const loads = waits_[block] != 0 ? loads_.kept(block) : passing.data();
-    block_sums_[block] = evaluate(block, loads);
+    block_sums_[block] = evaluate(block, end, loads);
     if (waits_[block] != 0) continue;
     loads_.gather(block, loads);
     speeds_[block] = move(block, loads);
@@ -279,7 +293,7 @@ void SphereStepper::settle() {
   walls_.move(time());
   block_sums_.resize(loads_.blocks());
   parallel::parallel_for(loads_.blocks(), serial_below, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t block = begin; block < end; ++block) block_sums_[block] = evaluate(block, loads_.kept(block));
+    for (std::size_t block = begin; block < end; ++block) block_sums_[block] = evaluate(block, end, loads_.kept(block));
   });
   parallel::parallel_for(loads_.blocks(), serial_below, [&](std::size_t begin, std::size_t end) {
     for (std::size_t block = begin; block < end; ++block) loads_.gather(block, loads_.kept(block));

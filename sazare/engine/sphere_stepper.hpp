@@ -130,7 +130,8 @@ private:
   Vector3 half_kick(std::size_t sphere) const;
   Vector3 half_turning_kick(std::size_t sphere) const;
   SphereSpeeds move(std::size_t block, const state::SphereLoad* loads);
-  methods::spheres::ContactSums evaluate(std::size_t block, state::SphereLoad* loads);
+  methods::spheres::ContactSums evaluate(std::size_t block, std::size_t end, state::SphereLoad* loads);
+  ComingLines coming(std::size_t block) const;
   void walk(std::size_t begin, std::size_t end);
   void kick_those_that_waited();
   void kick_kept();

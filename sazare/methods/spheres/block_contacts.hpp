@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sazare/core/coming_lines.hpp"
 #include "sazare/core/lanes.hpp"
 #include "sazare/core/time.hpp"
 #include "sazare/core/triple.hpp"
@@ -40,6 +41,12 @@ public:
     if (rest_.empty()) return;
     rest_.resize(groups_of(n + 1));
     rest_[n / lane_count][n % lane_count] = 0;
+  }
+
+  void add_to(ComingLines& coming) const {
+    coming.add(std::span(contacts_));
+    coming.add(std::span(sliding_));
+    coming.add(std::span(rolling_));
   }
 
   void set_slot(std::size_t contact, Index slot) { contacts_[contact].slot = slot; }

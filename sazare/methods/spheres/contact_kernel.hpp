@@ -40,15 +40,15 @@ public:
   /// count. All that it calls becomes part of it, which the compiler by itself finds too much.
   [[gnu::flatten]] void evaluate(std::size_t begin) {
     const int lanes = static_cast<int>(std::min<std::size_t>(lane_count, contacts_.size() - begin));
-    Sources from, to;
-    for (int lane = 0; lane < lane_count; ++lane) {
-      const Contact& contact = contacts_[begin + static_cast<std::size_t>(lane < lanes ? lane : 0)];
-      from.set(static_cast<std::size_t>(lane), spheres_, contact.first);
-      to.set(static_cast<std::size_t>(lane), spheres_, contact.second);
+    std::array<Contact, lane_count> padded;
+    const Contact* some = &contacts_[begin];
+    if (lanes < lane_count) {
+      padded.fill(*some);
+      std::copy_n(some, lanes, padded.begin());
+      some = padded.data();
     }
-    const auto first = load_quads(from.place), second = load_quads(to.place);
-    const auto first_velocity = load_quads(from.velocity), second_velocity = load_quads(to.velocity);
-    const auto first_spin = load_quads(from.spin), second_spin = load_quads(to.spin);
+    const auto [first, first_velocity, first_spin] = read(some, &Contact::first);
+    const auto [second, second_velocity, second_spin] = read(some, &Contact::second);
     const Triple<Lanes> apart = box_.nearest({second[0] - first[0], second[1] - first[1], second[2] - first[2]});
     const Lanes distance = square_root(dot(apart, apart)), reach = first[3] + second[3],
                 masses = first_velocity[3] + second_velocity[3];
@@ -89,14 +89,6 @@ public:
     book(force, touches, lanes);
   }
 
-  /// Asks for what a contact will read of its second sphere.
-  void fetch(std::size_t contact) const {
-    const auto j = static_cast<std::size_t>(contacts_[contact].second);
-    __builtin_prefetch(&spheres_.place[j]);
-    __builtin_prefetch(&spheres_.spin[j]);
-    __builtin_prefetch(loads_.at(contacts_[contact].slot, own_), 1);
-  }
-
   /// Takes the contacts that have parted off the list, the last one first: what stands behind one that goes stays.
   void part() {
     for (auto contact = parted_.rbegin(); contact != parted_.rend(); ++contact) contacts_.remove(*contact);
@@ -117,17 +109,18 @@ public:
 private:
   static constexpr Real tiny = 1e-30;  // an overlap at which nothing of the law fails
 
-  /// What lanes read of one sphere each.
-  struct Sources {
-    std::array<const Real*, lane_count> place, velocity, spin;
-
-    void set(std::size_t lane, const state::Spheres& spheres, Index sphere) {
-      const auto i = static_cast<std::size_t>(sphere);
-      place[lane] = &spheres.place[i].x;
-      velocity[lane] = &spheres.place[i].vx;
-      spin[lane] = &spheres.spin[i].x;
-    }
+  /// A sphere in each lane.
+  struct SphereLanes {
+    std::array<Lanes, 4> place, velocity, spin;
   };
+
+  /// One of the two spheres of `lane_count` contacts.
+  SphereLanes read(const Contact* contacts, Index Contact::*sphere) const {
+    const auto at = [&](std::size_t lane) { return static_cast<std::size_t>(contacts[lane].*sphere); };
+    return {load_quads([&](std::size_t lane) { return &spheres_.place[at(lane)].x; }),
+            load_quads([&](std::size_t lane) { return &spheres_.place[at(lane)].vx; }),
+            load_quads([&](std::size_t lane) { return &spheres_.spin[at(lane)].x; })};
+  }
 
   /// Pairs that do not push: no force, and where there is a gap sleep for as long as it lasts.
   void leave_alone(std::size_t begin, int lanes, LaneMask touches, const Lanes& gap, laws::ContactForce<Lanes>& force) {

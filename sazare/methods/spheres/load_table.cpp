@@ -73,7 +73,11 @@ void LoadTable::clear(std::size_t block, state::SphereLoad* own) {
 }
 
 void LoadTable::gather(std::size_t block, state::SphereLoad* own) const {
-  for (const Guest& guest : homecoming_[block]) {
+  constexpr std::size_t ahead = 16;  // guests come from many blocks: what they bring is on its way so many before
+  const std::vector<Guest>& guests = homecoming_[block];
+  for (std::size_t n = 0; n < guests.size(); ++n) {
+    if (n + ahead < guests.size()) __builtin_prefetch(&guests_[static_cast<std::size_t>(guests[n + ahead].load)]);
+    const Guest& guest = guests[n];
     state::SphereLoad& load = own[guest.local];
     const state::SphereLoad& brought = guests_[static_cast<std::size_t>(guest.load)];
     load.fx += brought.fx;

@@ -7,6 +7,7 @@
 /// before it are done; each sphere takes what stands for it as a guest, in the order of the blocks.
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "sazare/neighbors/sphere_pairs.hpp"
@@ -35,6 +36,10 @@ public:
 
   /// Sets the loads of a block and those of its guests to zero. `own` are the loads of its spheres.
   void clear(std::size_t block, state::SphereLoad* own);
+  /// The guests of a block, in order.
+  std::span<const Index> guests(std::size_t block) const {
+    return std::span(guest_).subspan(guest_begin_[block], guest_begin_[block + 1] - guest_begin_[block]);
+  }
   /// Adds what guests of other blocks brought to the loads of a block.
   void gather(std::size_t block, state::SphereLoad* own) const;
 
@@ -52,7 +57,9 @@ public:
   /// Where what a block's contacts bring to a sphere, its own or one of a later block, adds up.
   Index slot(std::size_t block, Index sphere) const;
   state::SphereLoad* at(Index slot, state::SphereLoad* own) {
-    return slot >= 0 ? own + slot : &guests_[static_cast<std::size_t>(-1 - slot)];
+    // Without a branch: nobody foretells which contact has a guest.
+    const Index guest = slot >> 31;
+    return (guest == 0 ? own : guests_.data()) + (slot ^ guest);
   }
   /// The load of the second sphere of a bond of a block.
   state::SphereLoad* bonded(std::size_t bond, state::SphereLoad* own) { return at(bond_slot_[bond], own); }

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "sazare/core/lane_choice.hpp"
 #include "sazare/methods/spheres/contact_kernel.hpp"
 #include "sazare/parallel/threads.hpp"
 
@@ -134,22 +135,21 @@ void PairContacts::rest_within(std::span<const Index> body) {
 /// Looks at the pairs of a block that may touch by now: those that do become contacts, the others sleep on.
 void PairContacts::wake_those_due(const state::Spheres& spheres, const Task& task) {
   constexpr std::size_t at_once = 256;
-  std::array<std::uint32_t, at_once + lane_count> due;
+  std::array<std::uint32_t, at_once + choice_spare> due;
   const auto now = static_cast<float>(task.approach);
   const std::size_t last = pairs_.first[task.loads.end_of(task.block)];
   for (std::size_t begin = pairs_.first[task.loads.begin_of(task.block)]; begin < last; begin += at_once) {
-    std::size_t count = 0;
-    for (std::size_t p = begin; p < std::min(begin + at_once, last); ++p) {
-      due[count] = static_cast<std::uint32_t>(p);
-      count += sleeps_until_[p] <= now ? 1 : 0;
-    }
-    for (std::size_t n = 0; n < count; ++n) __builtin_prefetch(&spheres.place[static_cast<std::size_t>(pairs_.other[due[n]])]);
+    const std::span some_sleeps = std::span(sleeps_until_).subspan(begin, std::min(at_once, last - begin));
+    const std::size_t count = choose_up_to(now, some_sleeps, static_cast<std::uint32_t>(begin), due);
     std::fill_n(due.begin() + static_cast<std::ptrdiff_t>(count), lane_count, due[0]);  // lanes beyond do not count
     for (std::size_t n = 0; n < count; n += lane_count) {
       const std::span<const std::uint32_t, lane_count> some(&due[n], lane_count);
-      const Lanes gap = gaps(spheres, task, some);
-      for (std::size_t lane = 0; lane < std::min<std::size_t>(lane_count, count - n); ++lane)
-        gap[lane] < 0 ? begin_contact(task.block, some[lane], task.loads) : sleep_on(some[lane], task.approach + gap[lane]);
+      const Lanes gap = gaps(spheres, task, some), until = task.approach + gap;
+      const std::size_t lanes = std::min<std::size_t>(lane_count, count - n);
+      for (std::size_t lane = 0; lane < lanes; ++lane) sleep_on(some[lane], until[lane]);
+      if (!any(gap < 0.0)) continue;
+      for (std::size_t lane = 0; lane < lanes; ++lane)
+        if (gap[lane] < 0) begin_contact(task.block, some[lane], task.loads);
     }
   }
 }
@@ -157,12 +157,10 @@ void PairContacts::wake_those_due(const state::Spheres& spheres, const Task& tas
 /// Of as many pairs of a block as there are lanes [m].
 [[gnu::flatten]] Lanes PairContacts::gaps(const state::Spheres& spheres, const Task& task,
                                           std::span<const std::uint32_t, lane_count> pairs) const {
-  std::array<const Real*, lane_count> from, to;
-  for (std::size_t lane = 0; lane < lane_count; ++lane) {
-    from[lane] = &spheres.place[task.loads.begin_of(task.block) + owner_[pairs[lane]]].x;
-    to[lane] = &spheres.place[static_cast<std::size_t>(pairs_.other[pairs[lane]])].x;
-  }
-  const auto first = load_quads(from), second = load_quads(to);
+  const state::SpherePlace* const own = &spheres.place[task.loads.begin_of(task.block)];
+  const auto first = load_quads([&](std::size_t lane) { return &own[owner_[pairs[lane]]].x; });
+  const auto second =
+      load_quads([&](std::size_t lane) { return &spheres.place[static_cast<std::size_t>(pairs_.other[pairs[lane]])].x; });
   const Triple<Lanes> apart = BoxLanes(spheres.box).nearest({second[0] - first[0], second[1] - first[1], second[2] - first[2]});
   return square_root(dot(apart, apart)) - (first[3] + second[3]);
 }
@@ -173,37 +171,48 @@ void PairContacts::begin_contact(std::size_t block, std::size_t pair, const Load
   contacts_[block].add({first, second, loads.slot(block, second), static_cast<std::uint32_t>(pair)}, table_.rolls);
 }
 
-void PairContacts::sleep_on(std::size_t pair, Real until) {
-  constexpr float rounded_down = 1 - 1e-6F;
-  sleeps_until_[pair] = rounded_down * static_cast<float>(until);
-}
-
 template <laws::ContactModel model, bool rolls>
-ContactSums PairContacts::evaluate_with(const state::Spheres& spheres, const Task& task) {
+ContactSums PairContacts::evaluate_with(const state::Spheres& spheres, Task& task) {
   return contacts_[task.block].rests() ? evaluate_those<model, rolls, true>(spheres, task)
                                        : evaluate_those<model, rolls, false>(spheres, task);
 }
 
 template <laws::ContactModel model, bool rolls, bool rests>
-ContactSums PairContacts::evaluate_those(const state::Spheres& spheres, const Task& task) {
-  constexpr std::size_t ahead = 48;  // contacts whose spheres are on their way to the cache: the second ones stand anywhere
+ContactSums PairContacts::evaluate_those(const state::Spheres& spheres, Task& task) {
   BlockContacts& contacts = contacts_[task.block];
   ContactKernel<model, rolls, rests> kernel(*this, spheres, task);
-  for (std::size_t soon = 0; soon < std::min(contacts.size(), ahead); ++soon) kernel.fetch(soon);
+  const std::size_t lines_at_once = 1 + task.coming.lines() * lane_count / std::max<std::size_t>(contacts.size(), 1);
   for (std::size_t next = 0; next < contacts.size(); next += lane_count) {
-    for (std::size_t soon = next + ahead; soon < std::min(next + ahead + lane_count, contacts.size()); ++soon) kernel.fetch(soon);
     kernel.evaluate(next);
+    task.coming.fetch(lines_at_once);
   }
   kernel.part();
   return kernel.sums();
 }
 
-ContactSums PairContacts::evaluate(const state::Spheres& spheres, const Task& task) {
+ContactSums PairContacts::evaluate(const state::Spheres& spheres, Task task) {
   using enum laws::ContactModel;
   wake_those_due(spheres, task);
   if (table_.model == hertz)
     return table_.rolls ? evaluate_with<hertz, true>(spheres, task) : evaluate_with<hertz, false>(spheres, task);
   return table_.rolls ? evaluate_with<linear, true>(spheres, task) : evaluate_with<linear, false>(spheres, task);
+}
+
+ComingLines PairContacts::coming(const state::Spheres& spheres, const LoadTable& loads, std::size_t block) const {
+  const std::span place(spheres.place);
+  const std::span spin(spheres.spin);
+  const std::size_t begin = loads.begin_of(block), end = loads.end_of(block), first = pairs_.first[begin],
+                    count = pairs_.first[end] - first;
+  ComingLines coming;
+  coming.add(place, loads.guests(block));
+  coming.add(spin, loads.guests(block));
+  coming.add(place.subspan(begin, end - begin));
+  coming.add(spin.subspan(begin, end - begin));
+  coming.add(std::span(sleeps_until_).subspan(first, count));
+  coming.add(std::span(owner_).subspan(first, count));
+  coming.add(std::span(pairs_.other).subspan(first, count));
+  contacts_[block].add_to(coming);
+  return coming;
 }
 
 void PairContacts::columns(Archive& archive) {

@@ -48,11 +48,15 @@ public:
     Real approach = 0;  ///< how much nearer any two spheres may have come since `find` [m]
     Real step = 0;      ///< [s]
     LoadTable& loads;
-    state::SphereLoad* own;  ///< the loads of the block's spheres
+    state::SphereLoad* own;   ///< the loads of the block's spheres
+    ComingLines coming = {};  ///< what will be needed next, asked for on the way
   };
 
   /// Adds the forces of a block's pairs to the loads.
-  ContactSums evaluate(const state::Spheres& spheres, const Task& task);
+  ContactSums evaluate(const state::Spheres& spheres, Task task);
+
+  /// What the evaluation of a block will read.
+  ComingLines coming(const state::Spheres& spheres, const LoadTable& loads, std::size_t block) const;
 
   const neighbors::SpherePairs& pairs() const { return pairs_; }
   const ContactTable& table() const { return table_; }
@@ -83,12 +87,15 @@ private:
   void wake_those_due(const state::Spheres& spheres, const Task& task);
   Lanes gaps(const state::Spheres& spheres, const Task& task, std::span<const std::uint32_t, lane_count> pairs) const;
   void begin_contact(std::size_t block, std::size_t pair, const LoadTable& loads);
-  void sleep_on(std::size_t pair, Real until);
+  void sleep_on(std::size_t pair, Real until) {
+    constexpr float rounded_down = 1 - 1e-6F;
+    sleeps_until_[pair] = rounded_down * static_cast<float>(until);
+  }
 
   template <laws::ContactModel model, bool rolls>
-  ContactSums evaluate_with(const state::Spheres& spheres, const Task& task);
+  ContactSums evaluate_with(const state::Spheres& spheres, Task& task);
   template <laws::ContactModel model, bool rolls, bool rests>
-  ContactSums evaluate_those(const state::Spheres& spheres, const Task& task);
+  ContactSums evaluate_those(const state::Spheres& spheres, Task& task);
 
   template <laws::ContactModel model, bool rolls, bool rests>
   friend class ContactKernel;

@@ -142,17 +142,22 @@ void WallContacts::find_touches(const state::SpherePlace& place, std::span<const
     if (distance < place.radius && distance > 0)
       points.push_back({one.wall, one.triangle, place.radius - distance, foot, (centre - foot) / distance});
   }
+  if (points.size() > 1) keep_those_in_front(place.radius, points);
+  for (Point& point : points) point.normal = poses_[static_cast<std::size_t>(point.wall)].direction_out(point.normal);
+}
+
+/// Of the points of a wall the deepest one, and those in front of the tangent planes of the points kept before.
+void WallContacts::keep_those_in_front(Real radius, std::vector<Point>& points) {
   std::ranges::stable_sort(
       points, [](const Point& a, const Point& b) { return a.wall != b.wall ? a.wall < b.wall : a.overlap > b.overlap; });
   std::size_t kept = 0;
   for (const Point& point : points) {
     const bool counts = std::all_of(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(kept), [&](const Point& before) {
-      return before.wall != point.wall || (point.place - before.place).dot(before.normal) > same_plane * place.radius;
+      return before.wall != point.wall || (point.place - before.place).dot(before.normal) > same_plane * radius;
     });
     if (counts) points[kept++] = point;
   }
   points.resize(kept);
-  for (Point& point : points) point.normal = poses_[static_cast<std::size_t>(point.wall)].direction_out(point.normal);
 }
 
 template <laws::ContactModel model>

@@ -102,6 +102,7 @@ private:
   geometry::Triangle triangle(std::size_t wall, std::int32_t number) const;
   Ground ground_at(const Point& point, const Vector3& centre, Real radius) const;
   void find_touches(const state::SpherePlace& place, std::span<const Near> near, std::vector<Point>& points) const;
+  static void keep_those_in_front(Real radius, std::vector<Point>& points);
   std::vector<Touch> touches() const;
   template <laws::ContactModel model>
   ContactSums push(const state::Spheres& spheres, const Point& point, Touch& touch, Real step, Block& block,

@@ -1,0 +1,78 @@
+#pragma once
+
+/// Memory that will be needed soon, asked for line by line while other work is done. A core reads what it asks for one after the
+/// other from memory much faster than what it comes upon, and computes meanwhile.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "sazare/core/time.hpp"
+
+namespace sazare {
+
+class ComingLines {
+public:
+  /// A part of a table; what is added beyond `most` parts is left out.
+  template <class T>
+  void add(std::span<const T> part) {
+    add({reinterpret_cast<const char*>(part.data()), line_bytes, nullptr, (part.size_bytes() + line_bytes - 1) / line_bytes});
+  }
+
+  /// Single records of a table, each within one line.
+  template <class T>
+  void add(std::span<const T> table, std::span<const Index> places) {
+    static_assert(line_bytes % sizeof(T) == 0 && alignof(T) == sizeof(T));
+    add({reinterpret_cast<const char*>(table.data()), sizeof(T), places.data(), places.size()});
+  }
+
+  /// Lines of the cache in all parts.
+  std::size_t lines() const { return lines_; }
+
+  /// Those that are not yet asked for.
+  std::size_t left() const {
+    std::size_t left = 0;
+    for (std::size_t n = now_; n < count_; ++n) left += parts_[n].lines;
+    return left;
+  }
+
+  /// Asks for the next lines, so many at most.
+  void fetch(std::size_t lines) {
+    while (lines > 0 && now_ < count_) {
+      Part& part = parts_[now_];
+      const std::size_t some = std::min(lines, part.lines);
+      if (part.places == nullptr)
+        for (std::size_t n = 0; n < some; ++n, part.table += part.stride) ask_for(part.table);
+      else
+        for (std::size_t n = 0; n < some; ++n) ask_for(part.table + part.stride * static_cast<std::size_t>(*part.places++));
+      lines -= some;
+      part.lines -= some;
+      if (part.lines == 0) ++now_;
+    }
+  }
+
+private:
+  static constexpr std::size_t line_bytes = 64, most = 12;
+
+  struct Part {
+    const char* table = nullptr;
+    std::size_t stride = 0;
+    const Index* places = nullptr;  // of single records
+    std::size_t lines = 0;          // that are left
+  };
+
+  void add(const Part& part) {
+    if (part.lines == 0 || count_ == most) return;
+    parts_[count_++] = part;
+    lines_ += part.lines;
+  }
+
+  /// To the second cache: the first one is too small for what comes this early.
+  static void ask_for(const char* line) { __builtin_prefetch(line, 0, 2); }
+
+  std::array<Part, most> parts_;
+  std::size_t count_ = 0, now_ = 0, lines_ = 0;
+};
+
+}  // namespace sazare
