@@ -106,6 +106,7 @@ void Replicas<D>::fetch(std::span<const Index> bodies) {
     }
   const parallel::Gathered all = ranks_->gather(own.packed());
   std::vector<Parcel> from;
+  from.reserve(at(ranks_->size()));
   for (int rank = 0; rank < ranks_->size(); ++rank) from.emplace_back(all.of(rank));
   for (const Index body : bodies) {
     Moving arrived;
