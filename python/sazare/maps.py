@@ -65,6 +65,11 @@ def _views(body, snapshots):
     return [(view, snapshot) for snapshot in snapshots[-2:] for view in views]
 
 
+def _wide(view, *meshes):
+    """A view onto a plane with room for what has moved out of the body; one from a corner as it is."""
+    return view.holding(*meshes) if isinstance(view, PlaneView) else view
+
+
 def _title(body, view, snapshot, factor=1.0):
     words = [style.quantity(snapshot.time, "s")]
     if not body.is_slab:
@@ -163,8 +168,13 @@ def displaced_shape(body, shares=(0.4, 1.0)):
     # The fastest splinters would leave everything else in one colour.
     top = float(np.percentile(speeds, 99.0)) or float(speeds.max()) or 1.0
     options = {"scalars": "speed", "cmap": style.SPEED, "clim": (0.0, top)}
+    shapes = {snapshot.time: body.displaced(snapshot, factor) for snapshot in snapshots}
     panels = [
-        (view, _field_layers(body, view, body.displaced(snapshot, factor), options), _title(body, view, snapshot, factor))
+        (
+            _wide(view, *shapes.values()),
+            _field_layers(body, view, shapes[snapshot.time], options),
+            _title(body, view, snapshot, factor),
+        )
         for view, snapshot in _views(body, snapshots)
     ]
     figure, axes = _sheet(panels)
@@ -187,7 +197,7 @@ def fragment_map(body):
     table = [style.STONE, *style.RUBBLE.colors]
     options = {"scalars": "color", "cmap": table, "clim": (-0.5, len(table) - 0.5)}
     panels = [
-        (view, _field_layers(body, view, mesh, options), _title(body, view, snapshot, factor))
+        (_wide(view, mesh), _field_layers(body, view, mesh, options), _title(body, view, snapshot, factor))
         for view, _ in _views(body, [snapshot])
     ]
     figure, _ = _sheet(panels)

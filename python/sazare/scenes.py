@@ -52,6 +52,16 @@ class PlaneView:
         """What the view shows, such as `plane z = 0.1 m`."""
         return f"plane {AXES[self.axis]} = {self.position:.3g} m"
 
+    def holding(self, *meshes):
+        """The view with a window that holds these meshes too, each side moved out by a quarter of its length at most."""
+        boxes = np.array([mesh.bounds for mesh in meshes]).reshape(-1, 3, 2)[:, self.in_plane, :]
+        lower, upper = self.window
+        room = 0.25 * (upper - lower)
+        margin = MARGIN * (upper - lower).max()
+        lowest = np.clip(boxes[:, :, 0].min(axis=0) - margin, lower - room, lower)
+        highest = np.clip(boxes[:, :, 1].max(axis=0) + margin, upper, upper + room)
+        return PlaneView(self.axis, self.position, np.array([lowest, highest]))
+
     def cut(self, mesh):
         """The mesh in the plane: polygons of a solid, lines of a surface, with the data of their cells."""
         origin = np.zeros(3)

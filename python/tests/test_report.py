@@ -6,13 +6,14 @@ import shutil
 
 import numpy as np
 import pytest
+import pyvista
 from matplotlib.image import imread
 
 import sazare
 from sazare import plot
 from sazare.__main__ import main
 from sazare.report import write_report
-from sazare.scenes import Body
+from sazare.scenes import MARGIN, Body, PlaneView
 from sazare.style import count, quantity
 from sazare.summary import energy_balance, terminal_text, verdict
 
@@ -202,3 +203,12 @@ def test_a_movie_has_a_frame_for_every_snapshot_and_moves(slab, tmp_path, capsys
         assert ImageChops.difference(first, movie.convert("RGB")).getbbox() is not None
     assert main(["movie", str(slab), "--field", "heat"]) == 2
     assert "there are: speed, displacement" in capsys.readouterr().err
+
+
+def test_a_view_holds_what_has_moved_out_of_the_body_up_to_a_quarter_of_its_size():
+    view = PlaneView(2, 0.5, np.array([[0.0, 0.0], [4.0, 2.0]]))
+    near = pyvista.Box((1.0, 4.4, -0.2, 1.0, 0.0, 1.0))
+    margin = 4.0 * MARGIN
+    np.testing.assert_allclose(view.holding(near).window, [[0.0, -0.2 - margin], [4.4 + margin, 2.0]])
+    splinter = pyvista.Box((90.0, 91.0, 0.0, 1.0, 0.0, 1.0))
+    np.testing.assert_allclose(view.holding(near, splinter).window, [[0.0, -0.2 - margin], [5.0, 2.0]])
