@@ -292,7 +292,7 @@ terms::Rates SurfaceContacts::rates(Index body) const {
   return contact_rates(law_, count, softness_[at(body)]);
 }
 
-/// Elastic energy is that of the last evaluation, at this base step.
+/// Elastic energy is that of the last evaluation, at this base step. All links count: a run that is coupled is one process.
 void SurfaceContacts::add_energies(const terms::Synchronized<3>& at_time, terms::Books& books) const {
   for (std::size_t link = 0; link < links_.size(); ++link) {
     table_.take_back(static_cast<Index>(link), links_[link], at_time, books);
