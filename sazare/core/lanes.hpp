@@ -67,15 +67,16 @@ inline Lanes square_root(Lanes a) {
 }
 inline Real square_root(Real a) { return std::sqrt(a); }
 
-/// A vector in every lane, and its products.
+/// A vector in every lane, and its products. Like a number it is not set unless it is told to: kernels have many of them.
 struct LaneVector {
-  std::array<Lanes, 3> part{};
+  std::array<Lanes, 3> part;
 
   Lanes& operator[](int axis) { return part[static_cast<std::size_t>(axis)]; }
   const Lanes& operator[](int axis) const { return part[static_cast<std::size_t>(axis)]; }
 
   friend LaneVector operator+(const LaneVector& a, const LaneVector& b) { return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}}; }
   friend LaneVector operator-(const LaneVector& a, const LaneVector& b) { return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}}; }
+  friend LaneVector operator-(const LaneVector& a) { return {{-a[0], -a[1], -a[2]}}; }
   friend LaneVector operator*(Lanes factor, const LaneVector& a) { return {{factor * a[0], factor * a[1], factor * a[2]}}; }
 };
 
@@ -85,7 +86,7 @@ inline LaneVector cross(const LaneVector& a, const LaneVector& b) {
 
 /// A 3 x 3 matrix in every lane, by columns.
 struct LaneMatrix {
-  std::array<LaneVector, 3> column{};
+  std::array<LaneVector, 3> column;
 
   LaneVector& operator[](int i) { return column[static_cast<std::size_t>(i)]; }
   const LaneVector& operator[](int i) const { return column[static_cast<std::size_t>(i)]; }

@@ -80,22 +80,19 @@ struct Batch {
   int count = 0;
 };
 
+/// What the kick does not read of the bodies is left open.
 LaneState load(const LanePointers<state::Motion<3>>& motions, const LanePointers<state::Inertia<3>>& inertias) {
   const auto m = load_records<24>(motions);
   const auto i = load_records<8>(inertias);
-  return {{{m[0], m[1], m[2]}},
-          {{m[18], m[19], m[20]}},
-          {},
-          {},
-          {},
-          {{m[21], m[22], m[23]}},
-          {{LaneVector{{m[3], m[4], m[5]}}, LaneVector{{m[6], m[7], m[8]}}, LaneVector{{m[9], m[10], m[11]}}}},
-          i[3],
-          i[0],
-          i[1],
-          i[2],
-          {{i[4], i[5], i[6]}},
-          i[7]};
+  LaneState body;
+  body.position = {{m[0], m[1], m[2]}};
+  body.rotation = {{LaneVector{{m[3], m[4], m[5]}}, LaneVector{{m[6], m[7], m[8]}}, LaneVector{{m[9], m[10], m[11]}}}};
+  body.velocity = {{m[18], m[19], m[20]}};
+  body.angular_momentum = {{m[21], m[22], m[23]}};
+  body.x = i[0], body.y = i[1], body.z = i[2], body.w = i[3];
+  body.inverse_moments = {{i[4], i[5], i[6]}};
+  body.mass = i[7];
+  return body;
 }
 
 void store(const LaneState& body, const LongLanes& kicked, const LongLanes& due, int count,
@@ -149,8 +146,8 @@ LaneVector free_axes(const state::Bodies<3>& bodies, const Batch& batch) {
   return free;
 }
 
-void step_batch(state::Bodies<3>& bodies, const Batch& batch, std::span<const state::Impulse<3>> given,
-                std::span<const Stride> strides, std::span<state::MeanMotion<3>> mean) {
+[[gnu::flatten]] void step_batch(state::Bodies<3>& bodies, const Batch& batch, std::span<const state::Impulse<3>> given,
+                                 std::span<const Stride> strides, std::span<state::MeanMotion<3>> mean) {
   LanePointers<state::Motion<3>> motions;
   LanePointers<state::Inertia<3>> inertias;
   LanePointers<const state::Impulse<3>> impulses;

@@ -158,8 +158,12 @@ struct SlotTable {
     const auto kicked = static_cast<Real>(last_kick), tick = static_cast<Real>(now.tick);
     const Real until_next = sum.until_next;
     auto at = sides.begin();
-    for (; at != sides.end() && at->side == 1; ++at) second.add((*this)[at->slot], 1, kicked, tick, now.tick_seconds, until_next);
-    for (; at != sides.end(); ++at) first.add((*this)[at->slot], 0, kicked, tick, now.tick_seconds, until_next);
+    const auto add = [&](SideSums<D, Parts>& sums, SlotSide side) {
+      const auto& slot = (*this)[side.slot];
+      if (slot.evaluated >= 0) sums.add(slot, static_cast<int>(side.side), kicked, tick, now.tick_seconds, until_next);
+    };
+    for (; at != sides.end() && at->side == 1; ++at) add(second, {at->slot, 1});
+    for (; at != sides.end(); ++at) add(first, {at->slot, 0});
     add_to<D>(sum.linear, join(first.given, second.given));
     add_to<D>(sum.force, join(first.force, second.force));
     add_to<D>(sum.linear_ahead, join(first.ahead, second.ahead));

@@ -3,6 +3,7 @@
 /// Work that is known from impulses: an impulse times the mean motion of its body over the kick is exactly the work done.
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <cstring>
 
@@ -66,8 +67,10 @@ public:
 
   /// Adds the work of all that one body has received.
   void book(std::size_t place, const state::MeanMotion<D>& mean, CauseWork& work) const {
-    for (std::size_t c = 0; c < cause_count; ++c)
-      if (received_[place] >> c & 1) work[c] += impulse_[c][place].power(mean);
+    for (unsigned left = received_[place]; left != 0; left &= left - 1) {
+      const auto c = static_cast<std::size_t>(std::countr_zero(left));
+      work[c] += impulse_[c][place].power(mean);
+    }
   }
 
 private:

@@ -93,6 +93,9 @@ std::vector<NearPair> ContactSurface::search(Index body, const std::function<boo
   const state::Pose<3> pose = pose_of(body);
   std::map<Index, NearPair> by_partner;
   visit_near(body, pose, [&](const Patch& mine, const Vector3& centre, const Patch& theirs) {
+    const auto& placed = searched_[at(open_of_[at(theirs.body)])];  // less than half a skin from where it is
+    const Real reach = mine.bound.radius + theirs.bound.radius + 1.5 * skin_;
+    if ((placed.position + placed.rotation * theirs.bound.centre - centre).squaredNorm() > reach * reach) return;
     if (skip(theirs.body)) return;
     const state::Pose<3> other = pose_of(theirs.body);
     const Vector3 apart = other.position + other.rotation * theirs.bound.centre - centre;

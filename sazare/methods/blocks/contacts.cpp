@@ -71,37 +71,13 @@ void Contacts::evaluate_pair(const Moment& now, const Due& due, const state::Bod
   const Link& link = links_[at(due.link)];
   const auto body = [&](Index number) { return ContactBody{bodies.motion[at(number)], bodies.inertia[at(number)]}; };
   const ContactBody first = body(link.first), second = body(link.second);
-  Clearance& clearance = clearance_[at(due.link)];
-  const state::Pose<3> first_pose = first.pose(), second_pose = second.pose();
-  Real moved = 0;
-  if (clearance.is_known)
-    moved = clearance.moved(first_pose, second_pose, bodies.reach[at(link.first)], bodies.reach[at(link.second)]);
-  if (!clearance.is_known || moved > surface_.skin() / 8) {
-    measure(spheres_[at(due.link)], first_pose, second_pose, clearance);
-    moved = 0;
-  }
-  const Real closing = (second.motion.velocity - first.motion.velocity).norm() +
-                       bodies.reach[at(link.first)] * first.motion.spin.norm() +
-                       bodies.reach[at(link.second)] * second.motion.spin.norm();
-  clearance.is_distant = clearance.gap - moved > 2 * base_step_ * closing + surface_.skin() / 100;
-  if (moved < clearance.gap && table_[due.link].evaluated < 0) return;  // apart, as they were before
-
-  thread_local std::vector<Touching> touching;
-  touching.clear();
-  for (SpherePair& pair : spheres_[at(due.link)]) {
-    if (moved < pair.gap) {
-      pair.memory = {};
-      continue;
-    }
-    const SphereTouch touched = touch(surface_.sphere(pair.first), surface_.sphere(pair.second), first_pose, second_pose);
-    if (touched.overlap < pair.rest) pair.rest = std::max(touched.overlap, Real{0});
-    if (touched.overlap > pair.rest)
-      touching.push_back({touched, &pair});
-    else
-      pair.memory = {};
-  }
   auto& slot = table_[due.link];
-  count_touching(link, static_cast<int>(!touching.empty()) - static_cast<int>(slot.evaluated >= 0));
+  const bool were_apart = slot.evaluated < 0;
+  const Real moved = update_clearance(due.link, first, second, bodies);
+  if (were_apart && moved < clearance_[at(due.link)].gap) return;
+
+  const std::span<const Touching> touching = find_touching(due.link, moved, first.pose(), second.pose());
+  count_touching(link, static_cast<int>(!touching.empty()) - static_cast<int>(!were_apart));
   if (touching.empty()) {
     slot = {};
     return;
@@ -113,6 +89,58 @@ void Contacts::evaluate_pair(const Moment& now, const Due& due, const state::Bod
   ContactForce force;
   for (const Touching& each : touching) add_touch(law_, each, shared, first, second, force);
   terms::write<3, 2>(slot, now, due, force.total, {force.dashpot, force.friction});
+}
+
+/// Measures the clearance of a pair anew where what has moved since then has used it up; returns how far the two have moved
+/// since it was measured, at most [m].
+Real Contacts::update_clearance(Index pair, const ContactBody& first, const ContactBody& second, const state::Bodies<3>& bodies) {
+  const Link& link = links_[at(pair)];
+  Clearance& clearance = clearance_[at(pair)];
+  const state::Pose<3> first_pose = first.pose(), second_pose = second.pose();
+  Real moved = 0;
+  if (clearance.is_known)
+    moved = clearance.moved(first_pose, second_pose, bodies.reach[at(link.first)], bodies.reach[at(link.second)]);
+  const bool gap_is_used_up = table_[pair].evaluated < 0 && clearance.gap > 0 && moved >= clearance.gap;
+  if (!clearance.is_known || gap_is_used_up || moved > surface_.skin() / 32) {
+    measure(spheres_[at(pair)], first_pose, second_pose, clearance);
+    moved = 0;
+  }
+  clearance.is_distant = are_distant(first, second, link, clearance.gap - moved - surface_.skin() / 100, bodies);
+  return moved;
+}
+
+/// Spheres of a pair that touch, until the next call in this thread; the others forget. None can that were farther apart than
+/// the two have moved since their clearance was measured.
+std::span<const Touching> Contacts::find_touching(Index pair, Real moved, const state::Pose<3>& first,
+                                                  const state::Pose<3>& second) {
+  thread_local std::vector<Touching> touching;
+  touching.clear();
+  bool overlap = false;
+  for (SpherePair& spheres : spheres_[at(pair)]) {
+    if (moved < spheres.gap) {
+      spheres.memory = {};
+      continue;
+    }
+    const SphereTouch touched = touch(surface_.sphere(spheres.first), surface_.sphere(spheres.second), first, second);
+    overlap = overlap || touched.overlap > 0;
+    if (touched.overlap < spheres.rest) spheres.rest = std::max(touched.overlap, Real{0});
+    if (touched.overlap > spheres.rest)
+      touching.push_back({touched, &spheres});
+    else
+      spheres.memory = {};
+  }
+  if (!overlap) clearance_[at(pair)].is_known = 0;  // a gap has opened: once measured, it spares the spheres for a while
+  return touching;
+}
+
+/// Whether two bodies, which may still come nearer by `room`, cannot meet within two base steps.
+bool Contacts::are_distant(const ContactBody& first, const ContactBody& second, const Link& link, Real room,
+                           const state::Bodies<3>& bodies) const {
+  if (!(room > 0)) return false;
+  const Real closing = (second.motion.velocity - first.motion.velocity).norm() +
+                       bodies.reach[at(link.first)] * first.motion.spin.norm() +
+                       bodies.reach[at(link.second)] * second.motion.spin.norm();
+  return room > 2 * base_step_ * closing;
 }
 
 /// Clearance of a pair where it stands, with the gaps of its spheres.

@@ -6,6 +6,7 @@
 /// bodies when their joint breaks. Bodies that share a joint that holds do not touch.
 
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "sazare/geometry/tetra_mesh.hpp"
@@ -43,6 +44,10 @@ public:
 
 private:
   void evaluate_pair(const Moment& now, const Due& due, const state::Bodies<3>& bodies);
+  Real update_clearance(Index pair, const ContactBody& first, const ContactBody& second, const state::Bodies<3>& bodies);
+  std::span<const Touching> find_touching(Index pair, Real moved, const state::Pose<3>& first, const state::Pose<3>& second);
+  bool are_distant(const ContactBody& first, const ContactBody& second, const Link& link, Real room,
+                   const state::Bodies<3>& bodies) const;
   void rest_the_distant(const Moment& now, terms::Peers& peers, terms::Changes& changes);
   void measure(std::vector<SpherePair>& spheres, const state::Pose<3>& first, const state::Pose<3>& second,
                Clearance& clearance) const;

@@ -11,36 +11,37 @@
 /// potential and conserves linear and angular momentum exactly. Everything is worked out in face axes and turned to
 /// world axes once. [Konno2018], 2.1, figs. 1 and 2.
 
+#include <algorithm>
+
 #include "sazare/methods/blocks/joint_record.hpp"
 #include "sazare/state/bodies.hpp"
 
 namespace sazare::methods::blocks {
 
-/// Bodies, one in each lane, at one moment.
+/// Bodies, one in each lane, at one moment; in the order of a motion's numbers, which are never moved once they are read.
 struct LaneBodies {
-  LaneVector position, velocity, spin;
-  LaneMatrix rotation;
+  std::array<Lanes, 24> number;
+
+  LaneVector position() const { return vector(0); }
+  LaneMatrix rotation() const { return {{vector(3), vector(6), vector(9)}}; }
+  LaneVector velocity() const { return vector(12); }
+  LaneVector spin() const { return vector(15); }
+
+private:
+  LaneVector vector(std::size_t first) const { return {{number[first], number[first + 1], number[first + 2]}}; }
 };
 
 /// Bodies that stand at their own time.
-inline LaneBodies load_bodies(const LanePointers<const state::Motion<3>>& bodies) {
-  const auto f = load_records<24>(bodies);
-  return {{{f[0], f[1], f[2]}},
-          {{f[12], f[13], f[14]}},
-          {{f[15], f[16], f[17]}},
-          {{LaneVector{{f[3], f[4], f[5]}}, LaneVector{{f[6], f[7], f[8]}}, LaneVector{{f[9], f[10], f[11]}}}}};
-}
+inline LaneBodies load_bodies(const LanePointers<const state::Motion<3>>& bodies) { return {load_records<24>(bodies)}; }
 
 /// Places of bodies, whose velocities are not asked for.
 inline LaneBodies load_poses(const LanePointers<const state::Pose<3>>& poses) {
   std::array<const Real*, lane_count> last;
   for (std::size_t lane = 0; lane < lane_count; ++lane) last[lane] = poses[lane]->rotation.data() + 5;
-  const auto f = load_records<8>(poses);
-  const auto g = load_quads(last);
-  return {{{f[0], f[1], f[2]}},
-          {},
-          {},
-          {{LaneVector{{f[3], f[4], f[5]}}, LaneVector{{f[6], f[7], g[0]}}, LaneVector{{g[1], g[2], g[3]}}}}};
+  LaneBodies bodies;
+  std::ranges::copy(load_records<8>(poses), bodies.number.begin());
+  std::ranges::copy(load_quads(last), bodies.number.begin() + 8);
+  return bodies;
 }
 
 /// Vertices in face axes.
@@ -53,10 +54,10 @@ struct FaceGeometry {
 
 inline FaceGeometry face_geometry(const LaneJoints& joints, const LaneBodies& master, const LaneBodies& slave) {
   FaceGeometry at;
-  at.axes = master.rotation * joints.frame;
-  at.apart = transposed(at.axes, slave.position - master.position);
+  at.axes = master.rotation() * joints.frame;
+  at.apart = transposed(at.axes, slave.position() - master.position());
   LaneMatrix slave_axes;  // slave's body frame to face axes
-  for (int i = 0; i < 3; ++i) slave_axes[i] = transposed(at.axes, slave.rotation[i]);
+  for (int i = 0; i < 3; ++i) slave_axes[i] = transposed(at.axes, slave.rotation()[i]);
   for (std::size_t v = 0; v < vertex_count; ++v) {
     at.point[v] = slave_axes * joints.arm[v] + at.apart;
     at.displacement[v] = at.point[v] - joints.corner[v];
@@ -143,8 +144,7 @@ struct FaceSums {
 
 /// From face axes to world axes.
 inline FaceForce face_force(const FaceGeometry& at, const FaceSums& sums) {
-  const LaneVector none, moment = at.axes * sums.moment;
-  return {none - moment, at.axes * sums.force, at.axes * (sums.moment - cross(at.apart, sums.force))};
+  return {-(at.axes * sums.moment), at.axes * sums.force, at.axes * (sums.moment - cross(at.apart, sums.force))};
 }
 
 /// Evaluates joints. A face that fails has no force any more.
@@ -155,14 +155,14 @@ inline JointForce evaluate(LaneJoints& joints, const JointParameters<Lanes>& kin
   for (int v = 0; v < vertex_count; ++v) opening |= at.displacement[static_cast<std::size_t>(v)][0] > joints.peak[v];
   if (any(opening)) soften(joints, kind, at, change);
 
-  const LaneVector slave_spin = transposed(at.axes, slave.spin);
-  const LaneVector spin = slave_spin - transposed(at.axes, master.spin);
-  const LaneVector velocity = transposed(at.axes, slave.velocity - master.velocity) - cross(slave_spin, at.apart);
+  const LaneVector slave_spin = transposed(at.axes, slave.spin());
+  const LaneVector spin = slave_spin - transposed(at.axes, master.spin());
+  const LaneVector velocity = transposed(at.axes, slave.velocity() - master.velocity()) - cross(slave_spin, at.apart);
   const Lanes area = select(change.failed, Lanes{}, -joints.vertex_area);
   const Lanes shear_area = area * kind.shear.stiffness;
   const Lanes across = area * kind.normal_damping, along = area * kind.shear_damping;
   const LaneVector unloading = unloading_of(joints, kind);
-  FaceSums all, dashpots;
+  FaceSums all{}, dashpots{};
   for (std::size_t v = 0; v < vertex_count; ++v) {
     const LaneVector& d = at.displacement[v];
     const Lanes stress = laws::tension_stress(kind.tension, d[0], unloading[static_cast<int>(v)]);
