@@ -48,9 +48,9 @@ public:
   }
 
   SphereSpeeds speeds() const {
-    SphereSpeeds all;
-    for (int lane = 0; lane < lane_count; ++lane)
-      all.take({std::sqrt(first_[lane]), std::sqrt(second_[lane]), std::sqrt(largest_[lane])});
+    SphereSpeeds all;  // of squares, until roots are taken of the three that are left
+    for (int lane = 0; lane < lane_count; ++lane) all.take({first_[lane], second_[lane], largest_[lane]});
+    all = {std::sqrt(all.first), std::sqrt(all.second), std::sqrt(all.largest)};
     for (int lane = 0; lane < lane_count; ++lane)
       if (!(sum_[lane] <= std::numeric_limits<Real>::max())) all.first = sum_[lane];
     return all;

@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::size_t serial_below = 2;  // blocks
 constexpr std::size_t serial_below_clumps = 500;
+constexpr std::int64_t steps_between_cuts = 64;  // cuts follow the spheres, which move little meanwhile
 
 Real largest_radius(const state::Spheres& spheres) {
   Real largest = 0;
@@ -115,6 +116,7 @@ void SphereStepper::arrange_bonds() {
       pairs_.rest(bonds_.first()[link], bonds_.links().second[link]);
   }
   loads_.arrange(pairs_.pairs(), bonds_.links());
+  share_out();
   pairs_.write_to(loads_);
   wake_broken_within_pieces();
 }
@@ -139,12 +141,25 @@ void SphereStepper::wake_broken_within_pieces() {
   }
 }
 
-SphereSpeeds SphereStepper::move(std::size_t block, const state::SphereLoad* loads) {
-  const std::size_t begin = loads_.begin_of(block), end = loads_.end_of(block);
-  const SphereSpeeds speeds = kick_and_drift(spheres_, begin, end, loads, {rules_.step, rules_.gravity, drift_});
-  if (!spheres_.turn.empty()) turn(spheres_, begin, end, rules_.step);
-  if (drives_) driven_work_[block] = work_of_driven(spheres_, begin, end, loads, rules_.step);
+/// Moves the spheres at some places of a block.
+SphereSpeeds SphereStepper::move(std::size_t block, std::span<const methods::spheres::PlaceRange> places,
+                                 const state::SphereLoad* loads) {
+  SphereSpeeds speeds;
+  for (const auto& range : places) {
+    const std::size_t begin = loads_.begin_of(block) + range.begin, end = loads_.begin_of(block) + range.end;
+    speeds.take(kick_and_drift(spheres_, begin, end, loads + range.begin, {rules_.step, rules_.gravity, drift_}));
+    if (!spheres_.turn.empty()) turn(spheres_, begin, end, rules_.step);
+    if (drives_) book_driven(begin, end, loads + range.begin);
+  }
   return speeds;
+}
+
+/// The same sums, however blocks are cut.
+void SphereStepper::book_driven(std::size_t begin, std::size_t end, const state::SphereLoad* loads) {
+  constexpr std::size_t together = methods::spheres::LoadTable::together;
+  for (std::size_t first = begin; first < end; first += together)
+    driven_work_[first / together] =
+        work_of_driven(spheres_, first, std::min(first + together, end), loads + (first - begin), rules_.step);
 }
 
 void SphereStepper::measure() {
@@ -174,32 +189,6 @@ methods::spheres::ContactSums SphereStepper::evaluate(std::size_t block, std::si
   return sums;
 }
 
-/// Forces and kicks of some blocks, each while it is in the cache. A block that others look at, before this range, waits for them
-/// all.
-void SphereStepper::walk(std::size_t begin, std::size_t end) {
-  std::vector<state::SphereLoad> passing(neighbors::block_size);
-  for (std::size_t block = begin; block < end; ++block) {
-    waits_[block] = loads_.first_visitor(block) < begin ? 1 : 0;
-    state::SphereLoad* const loads = waits_[block] != 0 ? loads_.kept(block) : passing.data();
-    block_sums_[block] = evaluate(block, end, loads);
-    if (waits_[block] != 0) continue;
-    loads_.gather(block, loads);
-    speeds_[block] = move(block, loads);
-  }
-}
-
-void SphereStepper::kick_those_that_waited() {
-  std::vector<std::size_t> late;
-  for (std::size_t block = 0; block < waits_.size(); ++block)
-    if (waits_[block] != 0) late.push_back(block);
-  parallel::parallel_for(late.size(), serial_below, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) {
-      loads_.gather(late[n], loads_.kept(late[n]));
-      speeds_[late[n]] = move(late[n], loads_.kept(late[n]));
-    }
-  });
-}
-
 void SphereStepper::gather_clumps() {
   parallel::parallel_for(clumps_.clumps.size(), serial_below_clumps, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) gather_loads(clumps_, c, loads_, place_);
@@ -226,7 +215,10 @@ void SphereStepper::move_clumps() {
 
 void SphereStepper::kick_kept() {
   parallel::parallel_for(loads_.blocks(), serial_below, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t block = begin; block < end; ++block) speeds_[block] = move(block, loads_.kept(block));
+    for (std::size_t block = begin; block < end; ++block) {
+      const methods::spheres::PlaceRange all{0, loads_.end_of(block) - loads_.begin_of(block)};
+      speeds_[block] = move(block, {&all, 1}, loads_.kept(block));
+    }
   });
 }
 
@@ -307,16 +299,14 @@ void SphereStepper::advance() {
   if (!levels_.empty()) return advance_levels();
   block_sums_.resize(loads_.blocks());
   speeds_.resize(loads_.blocks());
-  if (drives_) driven_work_.resize(loads_.blocks());
+  if (drives_) driven_work_.resize(spheres_.size() / methods::spheres::LoadTable::together + 1);
   if (!clumps_.empty()) settle();
   if (settled_) {
     kick_kept();
     if (!clumps_.empty()) move_clumps();
   } else {
     walls_.move(time());
-    waits_.assign(loads_.blocks(), 0);
-    parallel::parallel_for(loads_.blocks(), serial_below, [&](std::size_t begin, std::size_t end) { walk(begin, end); });
-    kick_those_that_waited();
+    walk();
     book();
   }
   settled_ = false;
@@ -326,6 +316,8 @@ void SphereStepper::advance() {
     find_pairs();
   else if (!walls_.walls().empty() && wall_approach_ >= rules_.wall_margin)
     find_walls({});
+  else if (step_ % steps_between_cuts == 0)
+    balance();
 }
 
 void SphereStepper::columns(Archive& archive) {
@@ -342,7 +334,10 @@ void SphereStepper::columns(Archive& archive) {
   if (archive.reading()) {
     bodies_.find_pieces(bonds_);
     if (!bonds_.empty()) bonds_.arrange(places());
-    if (levels_.empty()) loads_.arrange(pairs_.pairs(), bonds_.links());
+    if (levels_.empty()) {
+      loads_.arrange(pairs_.pairs(), bonds_.links());
+      share_out();
+    }
   }
   if (settled_ && levels_.empty()) loads_.columns(archive);
   levels_.columns(archive, settled_);

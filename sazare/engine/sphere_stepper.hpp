@@ -8,12 +8,14 @@
 /// Where spheres have time levels, a step is a base step, in which each takes as many steps as its level asks for.
 
 #include <functional>
+#include <span>
 #include <utility>
 
 #include "sazare/engine/sphere_levels.hpp"
 #include "sazare/methods/spheres/bonded_bodies.hpp"
 #include "sazare/methods/spheres/pair_contacts.hpp"
 #include "sazare/methods/spheres/wall_contacts.hpp"
+#include "sazare/parallel/progress.hpp"
 #include "sazare/state/clumps.hpp"
 
 namespace sazare::engine {
@@ -129,11 +131,16 @@ private:
   Vector3 acceleration(std::size_t sphere) const;
   Vector3 half_kick(std::size_t sphere) const;
   Vector3 half_turning_kick(std::size_t sphere) const;
-  SphereSpeeds move(std::size_t block, const state::SphereLoad* loads);
+  SphereSpeeds move(std::size_t block, std::span<const methods::spheres::PlaceRange> places, const state::SphereLoad* loads);
+  void book_driven(std::size_t begin, std::size_t end, const state::SphereLoad* loads);
   methods::spheres::ContactSums evaluate(std::size_t block, std::size_t end, state::SphereLoad* loads);
   ComingLines coming(std::size_t block) const;
-  void walk(std::size_t begin, std::size_t end);
-  void kick_those_that_waited();
+  void walk();
+  void walk(std::size_t share, parallel::Progress& progress);
+  void ask_for_late(std::size_t block) const;
+  Real kick_late(std::size_t share, const parallel::Progress& progress);
+  void share_out();
+  void balance();
   void kick_kept();
   void book();
   void measure();
@@ -181,8 +188,9 @@ private:
   Real wall_radius_ = 0;  ///< of the spheres about the pivots of the walls [m]
   Real largest_speed_ = 0;
   std::vector<SphereSpeeds> speeds_;  ///< by block, and one more for clumps
-  std::vector<Real> driven_work_;     ///< by block: of driven spheres in the last step [J]; empty without them
-  std::vector<std::uint8_t> waits_;   ///< by block: to be kicked when all are evaluated
+  std::vector<Real> driven_work_;  ///< by spheres that are late together: of driven ones in the last step [J]; empty without them
+  std::vector<std::size_t> cuts_;  ///< of the blocks into shares, see LoadTable
+  std::vector<Real> share_seconds_;                        ///< by share of the blocks: processor time since they were cut [s]
   std::vector<methods::spheres::ContactSums> block_sums_;  ///< by block
   methods::spheres::ContactSums sums_;                     ///< of the last evaluation; works since the start
   Real wall_work_ = 0;

@@ -2,6 +2,7 @@
 
 #include <iterator>
 #include <span>
+#include <utility>
 
 #include "sazare/parallel/threads.hpp"
 
@@ -42,7 +43,7 @@ void LoadTable::arrange(const neighbors::SpherePairs& pairs, const BlockLinks& b
   for (std::size_t block = 0; block + 1 < bonds.begin.size(); ++block)
     for (std::size_t bond = bonds.begin[block]; bond < bonds.begin[block + 1]; ++bond)
       bond_slot_[bond] = slot(block, bonds.second[bond]);
-  send_home();
+  share_out({0, blocks_});
 }
 
 Index LoadTable::slot(std::size_t block, Index sphere) const {
@@ -52,18 +53,60 @@ Index LoadTable::slot(std::size_t block, Index sphere) const {
   return -1 - static_cast<Index>(std::lower_bound(begin, end, sphere) - guest_.begin());
 }
 
+void LoadTable::share_out(std::vector<std::size_t> cuts) {
+  cuts_ = std::move(cuts);
+  send_home();
+  late_.assign(blocks_, {});
+  late_loads_.assign(blocks_, {});
+  late_blocks_.assign(cuts_.size() - 1, {});
+  for (std::size_t share = 1; share < late_blocks_.size(); ++share) {
+    for (std::size_t block = cuts_[share]; block < cuts_[share + 1]; ++block) part_late(block, share);
+    std::ranges::stable_sort(late_blocks_[share], {}, &LateBlock::after);
+  }
+}
+
 /// Room for the loads of guests, and where they belong.
 void LoadTable::send_home() {
   guests_.assign(guest_.size(), {});
-  homecoming_.assign(blocks_, {});
-  first_visitor_.resize(blocks_);
-  for (std::size_t block = 0; block < blocks_; ++block) first_visitor_[block] = block;
+  in_time_.assign(blocks_, {});
+  for (std::size_t block = 0; block < blocks_; ++block) in_time_[block].places = {{0, end_of(block) - begin_of(block)}};
   for (std::size_t block = 0; block < blocks_; ++block)
     for (std::size_t n = guest_begin_[block]; n < guest_begin_[block + 1]; ++n) {
       const std::size_t home = static_cast<std::size_t>(guest_[n]) / neighbors::block_size;
-      first_visitor_[home] = std::min(first_visitor_[home], block);
-      homecoming_[home].push_back({guest_[n] - static_cast<Index>(begin_of(home)), static_cast<Index>(n)});
+      in_time_[home].guests.push_back({guest_[n] - static_cast<Index>(begin_of(home)), static_cast<Index>(n)});
     }
+}
+
+/// Tells the late spheres of a block from the others.
+void LoadTable::part_late(std::size_t block, std::size_t share) {
+  const std::size_t count = end_of(block) - begin_of(block);
+  std::vector<std::uint8_t> is_late((count + together - 1) / together, 0);
+  const std::vector<Guest> guests = std::move(in_time_[block].guests);
+  const auto late_of = [&](const Guest& guest) -> std::uint8_t& {
+    return is_late[static_cast<std::size_t>(guest.local) / together];
+  };
+  std::size_t after = 0;
+  for (const Guest& guest : guests) {
+    const auto load = static_cast<std::size_t>(guest.load);
+    if (load >= guest_begin_[cuts_[share]]) break;  // guests stand in the order of the blocks that they visit
+    late_of(guest) = 1;
+    while (guest_begin_[after] <= load) ++after;
+  }
+  in_time_[block] = {};
+  for (const Guest& guest : guests) (late_of(guest) != 0 ? late_ : in_time_)[block].guests.push_back(guest);
+  for (std::size_t begin = 0; begin < count; begin += together) {
+    auto& places = (is_late[begin / together] != 0 ? late_ : in_time_)[block].places;
+    const std::size_t end = std::min(begin + together, count);
+    if (!places.empty() && places.back().end == begin)
+      places.back().end = end;
+    else
+      places.push_back({begin, end});
+  }
+  if (late_[block].places.empty()) return;
+  late_blocks_[share].push_back({block, after});
+  std::size_t late_count = 0;
+  for (const PlaceRange& range : late_[block].places) late_count += range.end - range.begin;
+  late_loads_[block].resize(late_count);
 }
 
 void LoadTable::clear(std::size_t block, state::SphereLoad* own) {
@@ -72,9 +115,8 @@ void LoadTable::clear(std::size_t block, state::SphereLoad* own) {
             guests_.begin() + static_cast<std::ptrdiff_t>(guest_begin_[block + 1]), state::SphereLoad{});
 }
 
-void LoadTable::gather(std::size_t block, state::SphereLoad* own) const {
+void LoadTable::add(const std::vector<Guest>& guests, state::SphereLoad* own) const {
   constexpr std::size_t ahead = 16;  // guests come from many blocks: what they bring is on its way so many before
-  const std::vector<Guest>& guests = homecoming_[block];
   for (std::size_t n = 0; n < guests.size(); ++n) {
     if (n + ahead < guests.size()) __builtin_prefetch(&guests_[static_cast<std::size_t>(guests[n + ahead].load)]);
     const Guest& guest = guests[n];
@@ -87,6 +129,22 @@ void LoadTable::gather(std::size_t block, state::SphereLoad* own) const {
     load.my += brought.my;
     load.mz += brought.mz;
   }
+}
+
+void LoadTable::gather_in_time(std::size_t block, state::SphereLoad* own) {
+  auto kept = late_loads_[block].begin();
+  for (const PlaceRange& range : late_[block].places) kept = std::copy(own + range.begin, own + range.end, kept);
+  add(in_time_[block].guests, own);
+}
+
+void LoadTable::gather_late(std::size_t block, state::SphereLoad* own) const {
+  auto kept = late_loads_[block].begin();
+  for (const PlaceRange& range : late_[block].places) {
+    const auto last = kept + static_cast<std::ptrdiff_t>(range.end - range.begin);
+    std::copy(kept, last, own + range.begin);
+    kept = last;
+  }
+  add(late_[block].guests, own);
 }
 
 void LoadTable::columns(Archive& archive) {

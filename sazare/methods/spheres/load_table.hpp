@@ -5,6 +5,10 @@
 /// A block's contacts add to loads of its own: those of its spheres, and one more for each sphere of another block that it
 /// looks at, its guests. These stand behind it in memory, so that the loads of a block are whole as soon as it and all blocks
 /// before it are done; each sphere takes what stands for it as a guest, in the order of the blocks.
+///
+/// Threads have shares of the blocks, one after the other. A sphere at which blocks of an earlier share look is late: its load is
+/// whole, and it may move, when these are evaluated. With it wait its neighbours in memory, so that no thread writes to a
+/// line of the cache that another one reads.
 
 #include <algorithm>
 #include <span>
@@ -21,18 +25,34 @@ struct BlockLinks {
   std::vector<Index> second;
 };
 
+/// Places begin .. end - 1 in a block.
+struct PlaceRange {
+  std::size_t begin = 0, end = 0;
+};
+
 class LoadTable {
 public:
-  /// Where the contacts of these pairs and these bonds write.
+  /// Spheres that are late together: the records of so many fill whole lines of the cache.
+  static constexpr std::size_t together = 8;
+
+  /// Where the contacts of these pairs and these bonds write. All blocks are one share.
   void arrange(const neighbors::SpherePairs& pairs, const BlockLinks& bonds);
+  /// Cuts the blocks into shares: share s has the blocks cuts[s] .. cuts[s + 1] - 1. To be called between steps alone.
+  void share_out(std::vector<std::size_t> cuts);
 
   std::size_t blocks() const { return blocks_; }
   std::size_t begin_of(std::size_t block) const { return block * neighbors::block_size; }
   std::size_t end_of(std::size_t block) const { return std::min((block + 1) * neighbors::block_size, spheres_); }
   /// Of all blocks together.
   std::size_t guests() const { return guest_.size(); }
-  /// The first block whose contacts look at spheres of this one.
-  std::size_t first_visitor(std::size_t block) const { return first_visitor_[block]; }
+  const std::vector<std::size_t>& cuts() const { return cuts_; }
+  /// A block with late spheres.
+  struct LateBlock {
+    std::size_t block = 0;
+    std::size_t after = 0;  ///< all blocks of earlier shares that look at them are before this one
+  };
+  /// Those of a share, in the order in which they may move.
+  std::span<const LateBlock> late_blocks(std::size_t share) const { return late_blocks_[share]; }
 
   /// Sets the loads of a block and those of its guests to zero. `own` are the loads of its spheres.
   void clear(std::size_t block, state::SphereLoad* own);
@@ -40,8 +60,19 @@ public:
   std::span<const Index> guests(std::size_t block) const {
     return std::span(guest_).subspan(guest_begin_[block], guest_begin_[block + 1] - guest_begin_[block]);
   }
-  /// Adds what guests of other blocks brought to the loads of a block.
-  void gather(std::size_t block, state::SphereLoad* own) const;
+  /// Adds what guests of other blocks brought to the loads of a block, all of which are evaluated.
+  void gather(std::size_t block, state::SphereLoad* own) const {
+    add(in_time_[block].guests, own);
+    add(late_[block].guests, own);
+  }
+  /// The same for the spheres of a block that are not late, as soon as those before it of its share are evaluated. The others'
+  /// loads are kept for `gather_late`.
+  void gather_in_time(std::size_t block, state::SphereLoad* own);
+  /// Which are not late, and which are.
+  std::span<const PlaceRange> places_in_time(std::size_t block) const { return in_time_[block].places; }
+  std::span<const PlaceRange> late_places(std::size_t block) const { return late_[block].places; }
+  /// The same for those that are late, whose loads come to where they stand in `own`.
+  void gather_late(std::size_t block, state::SphereLoad* own) const;
 
   /// Where the loads of a block's spheres are kept; there is no memory for them before they are asked for.
   state::SphereLoad* kept(std::size_t block) {
@@ -73,16 +104,26 @@ private:
     Index load = 0;   ///< in guests_
   };
 
+  /// Spheres of a block that move at one time.
+  struct Flock {
+    std::vector<PlaceRange> places;
+    std::vector<Guest> guests;  ///< those of them that are guests elsewhere
+  };
+
   void send_home();
+  void part_late(std::size_t block, std::size_t share);
+  void add(const std::vector<Guest>& guests, state::SphereLoad* own) const;
 
   std::size_t spheres_ = 0, blocks_ = 0;
-  std::vector<Index> bond_slot_;                      ///< by bond, see `slot`
-  std::vector<std::vector<state::SphereLoad>> kept_;  ///< by block
-  std::vector<Index> guest_;                          ///< the guests of each block, in order
-  std::vector<state::SphereLoad> guests_;             ///< their loads
-  std::vector<std::size_t> guest_begin_;              ///< by block, in guest_
-  std::vector<std::vector<Guest>> homecoming_;        ///< by block: its spheres that are guests elsewhere
-  std::vector<std::size_t> first_visitor_;            ///< by block
+  std::vector<Index> bond_slot_;                            ///< by bond, see `slot`
+  std::vector<std::vector<state::SphereLoad>> kept_;        ///< by block
+  std::vector<Index> guest_;                                ///< the guests of each block, in order
+  std::vector<state::SphereLoad> guests_;                   ///< their loads
+  std::vector<std::size_t> guest_begin_;                    ///< by block, in guest_
+  std::vector<std::size_t> cuts_;                           ///< first block of each share, and the end
+  std::vector<Flock> in_time_, late_;                       ///< by block
+  std::vector<std::vector<LateBlock>> late_blocks_;         ///< by share
+  std::vector<std::vector<state::SphereLoad>> late_loads_;  ///< by block, before guests come home
 };
 
 }  // namespace sazare::methods::spheres

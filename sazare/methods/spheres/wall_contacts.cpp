@@ -160,7 +160,7 @@ void WallContacts::keep_those_in_front(Real radius, std::vector<Point>& points) 
   points.resize(kept);
 }
 
-template <laws::ContactModel model>
+template <laws::ContactModel model, bool rolls>
 ContactSums WallContacts::push(const state::Spheres& spheres, const Point& point, Touch& touch, Real step, Block& block,
                                state::SphereLoad& load) const {
   const auto i = static_cast<std::size_t>(touch.sphere), w = static_cast<std::size_t>(point.wall);
@@ -173,15 +173,19 @@ ContactSums WallContacts::push(const state::Spheres& spheres, const Point& point
   at.reduced_mass = place.mass;
   at.normal = triple(point.normal);
   at.velocity = triple(place.velocity() - ground.arm * spin.cross(point.normal) - ground.velocity);
-  at.rolling = triple(Vector3(place.radius * (spin - ground.spin).cross(point.normal)));
+  if constexpr (rolls) at.rolling = triple(Vector3(place.radius * (spin - ground.spin).cross(point.normal)));
   at.step = step;
   laws::ContactMemory<Real> memory{triple(touch.sliding), triple(touch.rolling)};
   const auto& constants = table_.of(static_cast<Index>(spheres.spin[i].material), walls_[w].material);
-  const auto force = laws::contact_force<model, true>(constants, at, memory);
+  const auto force = laws::contact_force<model, rolls>(constants, at, memory);
   touch.sliding = vector(memory.sliding);
   touch.rolling = vector(memory.rolling);
   const Vector3 push = force.normal * point.normal + vector(force.friction);
-  const Vector3 moment = -ground.arm * point.normal.cross(push) + place.radius * point.normal.cross(vector(force.rolling));
+  Vector3 moment = -ground.arm * point.normal.cross(push), rolling_moment = Vector3::Zero();
+  if constexpr (rolls) {
+    rolling_moment = -place.radius * point.normal.cross(vector(force.rolling));
+    moment -= rolling_moment;
+  }
   load.fx += push.x();
   load.fy += push.y();
   load.fz += push.z();
@@ -189,7 +193,6 @@ ContactSums WallContacts::push(const state::Spheres& spheres, const Point& point
   load.my += moment.y();
   load.mz += moment.z();
   const Vector3 foot = ground.place - poses_[w].pivot - poses_[w].shift;
-  const Vector3 rolling_moment = -place.radius * point.normal.cross(vector(force.rolling));
   block.loads[w] +=
       {-push, rolling_moment - foot.cross(push), step * (push.dot(ground.velocity) - rolling_moment.dot(ground.spin))};
   if (ground.face) {
@@ -199,6 +202,12 @@ ContactSums WallContacts::push(const state::Spheres& spheres, const Point& point
   return {force.elastic_energy, force.sliding_energy, step * force.dashpot_power, step * force.sliding_power, 1};
 }
 
+WallContacts::Push WallContacts::push_of_table() const {
+  using enum laws::ContactModel;
+  if (table_.model == hertz) return table_.rolls ? &WallContacts::push<hertz, true> : &WallContacts::push<hertz, false>;
+  return table_.rolls ? &WallContacts::push<linear, true> : &WallContacts::push<linear, false>;
+}
+
 ContactSums WallContacts::evaluate(const state::Spheres& spheres, const Task& task) {
   ContactSums sums;
   Block& block = parts_[task.part][task.block];
@@ -206,6 +215,7 @@ ContactSums WallContacts::evaluate(const state::Spheres& spheres, const Task& ta
   block.touches.clear();
   std::fill(block.loads.begin(), block.loads.end(), WallLoad{});
   block.on_nodes.clear();
+  const Push push_one = push_of_table();
   std::vector<Point> points;
   auto remembered = block.before.begin();
   for (auto from = block.near.begin(); from != block.near.end();) {
@@ -231,9 +241,7 @@ ContactSums WallContacts::evaluate(const state::Spheres& spheres, const Task& ta
           break;
         }
       state::SphereLoad& load = task.own[static_cast<std::size_t>(sphere) - task.block * neighbors::block_size];
-      sums += table_.model == laws::ContactModel::hertz
-                  ? push<laws::ContactModel::hertz>(spheres, point, touch, task.step, block, load)
-                  : push<laws::ContactModel::linear>(spheres, point, touch, task.step, block, load);
+      sums += (this->*push_one)(spheres, point, touch, task.step, block, load);
       block.touches.push_back(touch);
     }
   }

@@ -104,7 +104,10 @@ private:
   void find_touches(const state::SpherePlace& place, std::span<const Near> near, std::vector<Point>& points) const;
   static void keep_those_in_front(Real radius, std::vector<Point>& points);
   std::vector<Touch> touches() const;
-  template <laws::ContactModel model>
+  using Push = ContactSums (WallContacts::*)(const state::Spheres& spheres, const Point& point, Touch& touch, Real step,
+                                             Block& block, state::SphereLoad& load) const;
+  Push push_of_table() const;
+  template <laws::ContactModel model, bool rolls>
   ContactSums push(const state::Spheres& spheres, const Point& point, Touch& touch, Real step, Block& block,
                    state::SphereLoad& load) const;
 
