@@ -7,6 +7,7 @@ option(SAZARE_NATIVE "Compile for the processor of this machine (-march=native)"
 set(SAZARE_MPI "AUTO" CACHE STRING "Build with MPI, for runs on several ranks: ON, OFF, or AUTO where it is installed")
 option(SAZARE_TESTS "Build the C++ tests" ON)
 option(SAZARE_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" ON)
+option(SAZARE_PRECOMPILE "Read the headers that most sources need once for all of them" ON)
 set(SAZARE_SANITIZE "" CACHE STRING "Comma-separated sanitizers, such as address,undefined or thread")
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
@@ -28,11 +29,13 @@ add_library(sazare_options INTERFACE)
 add_library(sazare::options ALIAS sazare_options)
 target_include_directories(sazare_options INTERFACE
   "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/generated")
+target_link_libraries(sazare_options INTERFACE Eigen3::Eigen fmt::fmt OpenMP::OpenMP_CXX)
 # Warnings of GCC 12 that are off because it gives them for its own headers: those of uninitialized values for vector
-# intrinsics (GCC bug 105593, on some processors only), and -Wrestrict for the sum of two strings (GCC bug 105651).
+# intrinsics (GCC bug 105593, on some processors only), -Wrestrict and -Wstringop-overflow for the sum of two strings (GCC bug
+# 105651).
 target_compile_options(sazare_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi -Wno-uninitialized -Wno-maybe-uninitialized -Wno-restrict
-  -ffp-contract=off -fno-math-errno)
+  -Wno-stringop-overflow -ffp-contract=off -fno-math-errno)
 if(SAZARE_WARNINGS_AS_ERRORS)
   target_compile_options(sazare_options INTERFACE -Werror)
 endif()
@@ -57,6 +60,31 @@ add_custom_target(sazare_version
   BYPRODUCTS "${PROJECT_BINARY_DIR}/generated/sazare/core/version.hpp"
   COMMENT "Checking the version header"
   VERBATIM)
+
+# Headers that most sources need are read once: half of what compiling costs is reading them. What is compiled with them must be
+# compiled as they were, which is why all of it gets Eigen, fmt and OpenMP by sazare::options.
+set(sazare_common_headers
+  <algorithm> <array> <atomic> <chrono> <cmath> <cstdint> <cstring> <filesystem> <fstream> <functional> <limits> <map> <memory>
+  <mutex> <numbers> <numeric> <optional> <random> <set> <span> <sstream> <stdexcept> <string> <string_view> <thread> <utility>
+  <variant> <vector> <Eigen/Core> <Eigen/Geometry> <fmt/format.h>)
+
+# sazare_precompile(<target> HEADERS header ... [LIBRARIES target ...]): headers for targets that sazare_reuse_headers names.
+function(sazare_precompile target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;LIBRARIES")
+  if(SAZARE_PRECOMPILE)
+    set(source "${PROJECT_BINARY_DIR}/generated/${target}.cpp")
+    file(CONFIGURE OUTPUT "${source}" CONTENT "// Only the precompiled headers of this library are wanted.\n")
+    add_library(${target} OBJECT "${source}")
+    target_link_libraries(${target} PRIVATE sazare::options ${arg_LIBRARIES})
+    target_precompile_headers(${target} PRIVATE ${arg_HEADERS})
+  endif()
+endfunction()
+
+function(sazare_reuse_headers target from)
+  if(SAZARE_PRECOMPILE)
+    target_precompile_headers(${target} REUSE_FROM ${from})
+  endif()
+endfunction()
 
 # The name of a module without its folder: methods/blocks -> blocks.
 function(sazare_module_name module result)
@@ -91,6 +119,7 @@ function(sazare_module module)
   set(target sazare_${name})
   if(arg_SOURCES)
     add_library(${target} STATIC ${arg_SOURCES})
+    sazare_reuse_headers(${target} sazare_headers)
     set(scope PUBLIC)
   else()
     add_library(${target} INTERFACE)
@@ -98,7 +127,7 @@ function(sazare_module module)
   endif()
   add_library(sazare::${name} ALIAS ${target})
   add_dependencies(${target} sazare_version)
-  target_link_libraries(${target} ${scope} sazare::options Eigen3::Eigen ${arg_LIBRARIES})
+  target_link_libraries(${target} ${scope} sazare::options ${arg_LIBRARIES})
   foreach(depends IN LISTS arg_DEPENDS)
     sazare_module_name("${depends}" depends_name)
     target_link_libraries(${target} ${scope} sazare::${depends_name})
@@ -120,8 +149,8 @@ function(sazare_test module)
   sazare_module_name("${module}" name)
   set(target ${name}_test)
   add_executable(${target} ${arg_SOURCES})
-  target_link_libraries(${target} PRIVATE sazare::options GTest::gtest_main ${arg_LIBRARIES})
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)  # of the tests' own code, which is soon compiled this way
+  sazare_reuse_headers(${target} sazare_test_headers)
+  target_link_libraries(${target} PRIVATE sazare_test_options ${arg_LIBRARIES})
   foreach(depends IN LISTS arg_DEPENDS)
     sazare_module_name("${depends}" depends_name)
     target_link_libraries(${target} PRIVATE sazare::${depends_name})

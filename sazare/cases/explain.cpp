@@ -17,7 +17,7 @@ std::string number(Real value) { return short_number(value, 4); }
 std::string axes_text(const std::array<bool, 3>& axes) {
   std::string out;
   for (std::size_t i = 0; i < 3; ++i)
-    if (axes[i]) out += (out.empty() ? "" : " ") + std::string(1, static_cast<char>('x' + i));
+    if (axes[i]) out += fmt::format("{}{}", out.empty() ? "" : " ", static_cast<char>('x' + i));
   return out.empty() ? "none" : out;
 }
 

@@ -43,7 +43,7 @@ std::string text(Real value, const std::string& scientific) {
   if (std::isnan(value)) return "nan";
   if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
   if (value == 0) return "0";
-  return (value < 0 ? "-" : "") + engineering(decimal(scientific));
+  return fmt::format("{}{}", value < 0 ? "-" : "", engineering(decimal(scientific)));
 }
 
 /// The shortest digits that read back to the same number, as d.ddde+xx.

@@ -2,7 +2,7 @@
 
 /// Which of many numbers are chosen, without a branch for each.
 
-#ifdef __AVX512F__
+#ifdef __AVX2__
 #include <immintrin.h>
 #endif
 
@@ -32,12 +32,22 @@ inline std::size_t choose_up_to(float limit, std::span<const float> numbers, std
     _mm512_storeu_si512(&chosen[count], _mm512_maskz_compress_epi32(yes, places));
     count += static_cast<std::size_t>(std::popcount(static_cast<unsigned>(yes)));
   }
-#else
+#elif defined(__AVX2__) && defined(__BMI2__)
+  for (; n + 8 <= numbers.size(); n += 8) {
+    const __m256 some = _mm256_loadu_ps(&numbers[n]);
+    const auto yes = static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(some, _mm256_set1_ps(limit), _CMP_LE_OQ)));
+    const std::uint64_t a_byte_each = _pdep_u64(yes, 0x0101010101010101u) * 0xff;
+    const auto steps = static_cast<long long>(_pext_u64(0x0706050403020100u, a_byte_each));  // of those chosen, pushed together
+    const __m256i places =
+        _mm256_add_epi32(_mm256_cvtepu8_epi32(_mm_cvtsi64_si128(steps)), _mm256_set1_epi32(static_cast<int>(offset + n)));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(&chosen[count]), places);
+    count += static_cast<std::size_t>(std::popcount(yes));
+  }
+#endif
   for (; n < numbers.size(); ++n) {
     chosen[count] = offset + static_cast<std::uint32_t>(n);
     count += numbers[n] <= limit ? 1 : 0;
   }
-#endif
   return count;
 }
 

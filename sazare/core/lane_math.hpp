@@ -6,20 +6,10 @@
 #include <immintrin.h>
 #endif
 
-#include <cstring>
-
 #include "sazare/core/lanes.hpp"
 #include "sazare/core/time.hpp"
 
 namespace sazare {
-
-inline Lanes load_lanes(const Real* from) {
-  Lanes lanes;
-  std::memcpy(&lanes, from, sizeof(Lanes));
-  return lanes;
-}
-
-inline void store_lanes(Real* to, const Lanes& lanes) { std::memcpy(to, &lanes, sizeof(Lanes)); }
 
 /// Numbers of a column at `lane_count` places.
 inline Lanes gather_lanes(const Real* column, const Index* places) {

@@ -58,7 +58,7 @@ requires std::invocable<const From&, std::size_t> std::array<Lanes, 4> load_quad
   return fields;
 #else
   std::array<Lanes, lane_count> rows;
-  for (std::size_t lane = 0; lane < lane_count; ++lane) std::memcpy(&rows[lane], from(lane), sizeof(Lanes));
+  for (std::size_t lane = 0; lane < lane_count; ++lane) rows[lane] = load_lanes(from(lane));
   transpose(rows);
   return rows;
 #endif
@@ -87,8 +87,8 @@ inline void store_quads(const std::array<Lanes, 4>& fields, const std::array<Rea
 #else
   std::array<Lanes, lane_count> rows = fields;
   transpose(rows);
-  for (int lane = 0; lane < lanes; ++lane)
-    std::memcpy(to[static_cast<std::size_t>(lane)], &rows[static_cast<std::size_t>(lane)], sizeof(Lanes));
+  for (std::size_t lane = 0; lane < lane_count; ++lane)
+    if (static_cast<int>(lane) < lanes) store_lanes(to[lane], rows[lane]);
 #endif
 }
 
@@ -101,6 +101,9 @@ inline std::array<Lanes, 2> unpack(const Lanes& pairs) {
 #ifdef __AVX512F__
   return {__builtin_convertvector(__builtin_shufflevector(all, all, 0, 2, 4, 6, 8, 10, 12, 14), Lanes),
           __builtin_convertvector(__builtin_shufflevector(all, all, 1, 3, 5, 7, 9, 11, 13, 15), Lanes)};
+#elif defined(__AVX2__)  // the compiler converts four numbers in two halves
+  const __m256 sorted = _mm256_permutevar8x32_ps(all, _mm256_setr_epi32(0, 2, 4, 6, 1, 3, 5, 7));
+  return {_mm256_cvtps_pd(_mm256_castps256_ps128(sorted)), _mm256_cvtps_pd(_mm256_extractf128_ps(sorted, 1))};
 #else
   return {__builtin_convertvector(__builtin_shufflevector(all, all, 0, 2, 4, 6), Lanes),
           __builtin_convertvector(__builtin_shufflevector(all, all, 1, 3, 5, 7), Lanes)};
@@ -108,11 +111,16 @@ inline std::array<Lanes, 2> unpack(const Lanes& pairs) {
 }
 
 inline Lanes pack(const Lanes& first, const Lanes& second) {
+#if defined(__AVX2__) && !defined(__AVX512F__)
+  const __m128 one = _mm256_cvtpd_ps(first), other = _mm256_cvtpd_ps(second);
+  return _mm256_castps_pd(_mm256_set_m128(_mm_unpackhi_ps(one, other), _mm_unpacklo_ps(one, other)));
+#else
   const FloatLanes one = __builtin_convertvector(first, FloatLanes), other = __builtin_convertvector(second, FloatLanes);
 #ifdef __AVX512F__
   return reinterpret_cast<Lanes>(__builtin_shufflevector(one, other, 0, 8, 1, 9, 2, 10, 3, 11, 4, 12, 5, 13, 6, 14, 7, 15));
 #else
   return reinterpret_cast<Lanes>(__builtin_shufflevector(one, other, 0, 4, 1, 5, 2, 6, 3, 7));
+#endif
 #endif
 }
 
@@ -128,7 +136,7 @@ std::array<Lanes, Count> load_records(const LanePointers<Record>& records) {
   for (std::size_t first = 0; first < Count; first += lane_count) {
     std::array<Lanes, lane_count> rows;
     for (std::size_t lane = 0; lane < lane_count; ++lane)
-      std::memcpy(&rows[lane], reinterpret_cast<const char*>(records[lane]) + (Begin + first) * sizeof(Real), sizeof(Lanes));
+      rows[lane] = load_lanes(reinterpret_cast<const Real*>(records[lane]) + Begin + first);
     transpose(rows);
     for (std::size_t i = 0; i < lane_count; ++i) fields[first + i] = rows[i];
   }
@@ -143,8 +151,8 @@ void store_records(const std::array<Lanes, Count>& fields, const LanePointers<Re
     std::array<Lanes, lane_count> rows;
     for (std::size_t i = 0; i < lane_count; ++i) rows[i] = fields[first + i];
     transpose(rows);
-    for (std::size_t lane = 0; lane < static_cast<std::size_t>(lanes); ++lane)
-      std::memcpy(reinterpret_cast<char*>(records[lane]) + first * sizeof(Real), &rows[lane], sizeof(Lanes));
+    for (std::size_t lane = 0; lane < lane_count; ++lane)  // a number of turns that the compiler knows: rows stay in registers
+      if (static_cast<int>(lane) < lanes) store_lanes(reinterpret_cast<Real*>(records[lane]) + first, rows[lane]);
   }
 }
 

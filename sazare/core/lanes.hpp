@@ -3,7 +3,7 @@
 /// Several doubles worked on together. Laws are written once as templates and run on `Real` (tests, single evaluations)
 /// or on `Lanes` (kernels: several joints or several bodies at a time).
 
-#ifdef __AVX512F__
+#ifdef __AVX__
 #include <immintrin.h>
 #endif
 
@@ -32,6 +32,8 @@ inline bool any(LaneMask mask) {
 #ifdef __AVX512F__
   const auto bits = reinterpret_cast<__m512i>(mask);
   return _mm512_test_epi64_mask(bits, bits) != 0;  // the compiler makes eight steps of the loop below
+#elif defined(__AVX__)
+  return _mm256_movemask_pd(reinterpret_cast<__m256d>(mask)) != 0;
 #else
   std::int64_t bits = 0;
   for (int lane = 0; lane < lane_count; ++lane) bits |= mask[lane];
@@ -47,13 +49,25 @@ inline LaneMask mask_of(LaneBits bits) {
 #ifdef __AVX512F__
   return reinterpret_cast<LaneMask>(_mm512_movm_epi64(bits));
 #else
-  LaneMask mask{};
-  for (int lane = 0; lane < lane_count; ++lane) mask[lane] = (bits >> lane & 1) != 0 ? -1 : 0;
-  return mask;
+  constexpr LongLanes bit = {1, 2, 4, 8};
+  return (bit & bits) != 0;
 #endif
 }
 
-inline Lanes broadcast(Real value) { return Lanes{} + value; }
+/// Lanes in memory, at any number of a row of them. Copying byte by byte would say the same, but not every compiler makes one
+/// load or store of it.
+using LooseLanes = Real __attribute__((vector_size(8 * lane_count), aligned(8), may_alias));
+
+inline Lanes load_lanes(const Real* from) { return *reinterpret_cast<const LooseLanes*>(from); }
+inline void store_lanes(Real* to, const Lanes& lanes) { *reinterpret_cast<LooseLanes*>(to) = lanes; }
+
+inline Lanes broadcast(Real value) {
+#if defined(__AVX512F__)
+  return _mm512_set1_pd(value);
+#else
+  return Lanes{value, value, value, value};
+#endif
+}
 
 inline Lanes maximum(Lanes a, Lanes b) { return a > b ? a : b; }
 inline Real maximum(Real a, Real b) { return a > b ? a : b; }
@@ -61,9 +75,12 @@ inline Real maximum(Real a, Real b) { return a > b ? a : b; }
 inline Lanes square_root(Lanes a) {
 #ifdef __AVX512F__
   return _mm512_sqrt_pd(a);
-#endif
+#elif defined(__AVX__)
+  return _mm256_sqrt_pd(a);
+#else
   for (int lane = 0; lane < lane_count; ++lane) a[lane] = std::sqrt(a[lane]);
   return a;
+#endif
 }
 inline Real square_root(Real a) { return std::sqrt(a); }
 

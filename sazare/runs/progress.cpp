@@ -19,8 +19,7 @@ constexpr int bar_width = 24;
 
 std::string bar(Real share) {
   const int filled = std::clamp(static_cast<int>(share * bar_width), 0, bar_width);
-  return "[" + std::string(static_cast<std::size_t>(filled), '#') +
-         std::string(static_cast<std::size_t>(bar_width - filled), '.') + "]";
+  return fmt::format("[{:#<{}}{:.<{}}]", "", filled, "", bar_width - filled);
 }
 
 }  // namespace

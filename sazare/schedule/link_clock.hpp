@@ -35,10 +35,20 @@ public:
     const int coarsest = coarsest_due(now.tick);
     std::size_t count = 0;
     for (int level = coarsest; level <= deepest_level; ++level) count += buckets_.at(level).size();
-    due.reserve(due.size() + count);  // growing by and by would leave holes in memory as large as the list
-    for (int level = coarsest; level <= deepest_level; ++level)
-      for (const Index link : buckets_.at(level))
-        if (const Due taken = take(link, level, now); wanted(link)) due.push_back(taken);
+    std::size_t next = due.size();
+    due.resize(next + count);  // at once: growing by and by would leave holes in memory as large as the list
+    for (int level = coarsest; level <= deepest_level; ++level) {
+      const Tick middle = now.tick + stride(level) / 2;
+      for (const Index link : buckets_.at(level)) {
+        Tick& given = given_[static_cast<std::size_t>(link)];
+        const Tick before = given;
+        given = std::max(before, middle);
+        if (wanted(link))
+          due[next++] = {link, static_cast<Real>(given - before) * now.tick_seconds,
+                         static_cast<Real>(given - now.tick) * now.tick_seconds};
+      }
+    }
+    due.resize(next);
     return static_cast<std::int64_t>(count);
   }
   std::int64_t collect(const Moment& now, std::vector<Due>& due) {
@@ -49,13 +59,6 @@ public:
   void columns(Archive& archive);
 
 private:
-  Due take(Index link, int level, const Moment& now) {
-    Tick& given = given_[static_cast<std::size_t>(link)];
-    const Tick acting = std::max<Tick>(0, now.tick + stride(level) / 2 - given);
-    given += acting;
-    return {link, static_cast<Real>(acting) * now.tick_seconds, static_cast<Real>(given - now.tick) * now.tick_seconds};
-  }
-
   Buckets buckets_;
   std::vector<Tick> given_;  ///< until when the link's force has acted
 };

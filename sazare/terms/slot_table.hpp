@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <memory>
 #include <span>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "sazare/terms/events.hpp"
 #include "sazare/terms/slot.hpp"
 #include "sazare/terms/term.hpp"
+#include "sazare/terms/wide.hpp"
 
 namespace sazare::terms {
 
@@ -70,74 +70,31 @@ private:
   std::vector<std::unique_ptr<std::vector<SlotSide>>> lists_;  ///< none where a body never had a link: most never have
 };
 
-/// As many numbers as fit a register: the force and the moment on one body, and a few that follow.
-template <int D, class Number>
-struct WideOf {};
-template <>
-struct WideOf<3, Real> {
-  using Type = Real __attribute__((vector_size(64)));
-};
-template <>
-struct WideOf<2, Real> {
-  using Type = Real __attribute__((vector_size(32)));
-};
-template <>
-struct WideOf<3, float> {
-  using Type = float __attribute__((vector_size(32)));
-};
-template <>
-struct WideOf<2, float> {
-  using Type = float __attribute__((vector_size(16)));
-};
-template <int D, class Number = Real>
-using Wide = typename WideOf<D, Number>::Type;
-
 /// Sums over the slots on one side of a body, in the order of PairForce from that side's first number on: (moment, force)
 /// on side 0, (force, moment) on side 1.
 template <int D, int Parts>
 struct SideSums {
-  Wide<D> given{}, force{}, ahead{};
-  std::array<Wide<D>, Parts> part{};
+  Wide<D> given, force, ahead;
+  std::array<Wide<D>, Parts> part;
 
   /// What it reads beyond the six (or three) numbers that count lies within the slot and is never used.
   template <class Number>
   static Wide<D> read(const PairForce<D, Number>& from, int side) {
-    Wide<D, Number> read;
-    std::memcpy(&read, side == 0 ? from.first_moment.data() : from.linear.data(), sizeof(read));
-    return __builtin_convertvector(read, Wide<D>);
+    return Wide<D>::load(side == 0 ? from.first_moment.data() : from.linear.data());
   }
 
   /// All in registers and without branches: at a mix of levels no processor guesses which slots are new.
   void add(const Slot<D, Parts>& slot, int side, Real last_kick, Real now, Real tick_seconds, Real until_next) {
-    const Wide<D> acts = read(slot.total, side), evaluated = Wide<D>{} + slot.evaluated;
-    const Wide<D> acting = evaluated > last_kick ? Wide<D>{} + slot.acting : Wide<D>{};
+    constexpr auto broadcast = &Wide<D>::broadcast;
+    const Wide<D> acts = read(slot.total, side);
+    const auto acting = broadcast(slot.evaluated) > last_kick ? broadcast(slot.acting) : broadcast(0);
     given += acting * acts;
     force += acts;
     const Real left = slot.ahead - (now - slot.evaluated) * tick_seconds;
-    ahead += left * acts - std::max(until_next - left, Real{0}) * (read(slot.mean, side) - acts);
+    ahead += broadcast(left) * acts - broadcast(std::max(until_next - left, Real{0})) * (read(slot.mean, side) - acts);
     for (std::size_t p = 0; p < Parts; ++p) part[p] += acting * read(slot.part[p], side);
   }
 };
-
-/// Force and moment on the body, then zeros: what it is as the second of its pairs and what it is as the first.
-inline Wide<3> join(const Wide<3>& first, const Wide<3>& second) {
-  constexpr Wide<3> sign = {-1, -1, -1, 1, 1, 1, 0, 0};
-  return __builtin_shufflevector(second, Wide<3>{}, 0, 1, 2, 3, 4, 5, 8, 8) +
-         sign * __builtin_shufflevector(first, Wide<3>{}, 3, 4, 5, 0, 1, 2, 8, 8);
-}
-inline Wide<2> join(const Wide<2>& first, const Wide<2>& second) {
-  constexpr Wide<2> sign = {-1, -1, 1, 0};
-  return __builtin_shufflevector(second, Wide<2>{}, 0, 1, 2, 4) + sign * __builtin_shufflevector(first, Wide<2>{}, 1, 2, 0, 4);
-}
-
-/// Adds force and moment to neighbouring members of a record.
-template <int D>
-void add_to(Vector<D>& linear, const Wide<D>& wide) {
-  Wide<D> sum;
-  std::memcpy(&sum, linear.data(), sizeof(sum));
-  sum += wide;
-  std::memcpy(linear.data(), &sum, sizeof(sum));
-}
 
 /// The slots of a term; the work of each part of the force is booked on its cause.
 template <int D, int Parts, class Incidence>
@@ -164,9 +121,9 @@ struct SlotTable {
     };
     for (; at != sides.end() && at->side == 1; ++at) add(second, {at->slot, 1});
     for (; at != sides.end(); ++at) add(first, {at->slot, 0});
-    add_to<D>(sum.linear, join(first.given, second.given));
-    add_to<D>(sum.force, join(first.force, second.force));
-    add_to<D>(sum.linear_ahead, join(first.ahead, second.ahead));
+    join(first.given, second.given).add_to(sum.linear.data());
+    join(first.force, second.force).add_to(sum.force.data());
+    join(first.ahead, second.ahead).add_to(sum.linear_ahead.data());
     for (std::size_t p = 0; p < Parts; ++p) parts.add(causes[p], place, join(first.part[p], second.part[p]));
   }
 

@@ -5,10 +5,10 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <cstring>
 
 #include "sazare/state/impulse.hpp"
 #include "sazare/terms/ledger.hpp"
+#include "sazare/terms/wide.hpp"
 
 namespace sazare::terms {
 
@@ -50,18 +50,13 @@ class CauseImpulses {
 public:
   void clear() { received_.fill(0); }
 
-  /// Adds force and moment, given as neighbouring numbers.
-  template <class Numbers>
-  void add(Cause cause, std::size_t place, const Numbers& impulse) {
-    static_assert(sizeof(Numbers) <= sizeof(Record));
+  void add(Cause cause, std::size_t place, const Wide<D>& impulse) {
     const auto c = static_cast<std::size_t>(cause);
-    Record& record = impulse_[c][place];
-    Numbers sum = impulse;
-    if (received_[place] >> c & 1) {
-      std::memcpy(&sum, record.numbers.data(), sizeof(sum));
-      sum += impulse;
-    }
-    std::memcpy(record.numbers.data(), &sum, sizeof(sum));
+    Real* numbers = impulse_[c][place].numbers.data();
+    if (received_[place] >> c & 1)
+      impulse.add_to(numbers);
+    else
+      impulse.store(numbers);
     received_[place] = static_cast<std::uint8_t>(received_[place] | 1U << c);
   }
 
