@@ -12,6 +12,19 @@
 
 namespace sazare {
 
+inline constexpr std::size_t line_bytes = 64;
+
+/// Bytes of a table from which what comes next is worth asking for: with less, most is in the cache of a core and asking costs
+/// more than it saves.
+inline constexpr std::size_t large_table = std::size_t{1} << 20;
+
+/// Asks for one record.
+template <class T>
+void ask_for(const T& record) {
+  for (std::size_t byte = 0; byte < sizeof(T); byte += line_bytes)
+    __builtin_prefetch(reinterpret_cast<const char*>(&record) + byte);
+}
+
 class ComingLines {
 public:
   /// A part of a table; what is added beyond `most` parts is left out.
@@ -43,9 +56,9 @@ public:
       Part& part = parts_[now_];
       const std::size_t some = std::min(lines, part.lines);
       if (part.places == nullptr)
-        for (std::size_t n = 0; n < some; ++n, part.table += part.stride) ask_for(part.table);
+        for (std::size_t n = 0; n < some; ++n, part.table += part.stride) ask_early(part.table);
       else
-        for (std::size_t n = 0; n < some; ++n) ask_for(part.table + part.stride * static_cast<std::size_t>(*part.places++));
+        for (std::size_t n = 0; n < some; ++n) ask_early(part.table + part.stride * static_cast<std::size_t>(*part.places++));
       lines -= some;
       part.lines -= some;
       if (part.lines == 0) ++now_;
@@ -53,7 +66,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t line_bytes = 64, most = 12;
+  static constexpr std::size_t most = 12;
 
   struct Part {
     const char* table = nullptr;
@@ -69,7 +82,7 @@ private:
   }
 
   /// To the second cache: the first one is too small for what comes this early.
-  static void ask_for(const char* line) { __builtin_prefetch(line, 0, 2); }
+  static void ask_early(const char* line) { __builtin_prefetch(line, 0, 2); }
 
   std::array<Part, most> parts_;
   std::size_t count_ = 0, now_ = 0, lines_ = 0;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "sazare/core/coming_lines.hpp"
 #include "sazare/motion/kick.hpp"
 #include "sazare/motion/step.hpp"
 #include "sazare/parallel/threads.hpp"
@@ -168,6 +169,11 @@ void Simulation<D>::kick_chunk(std::span<const Index> which) {
   std::array<motion::Stride, terms::chunk_size> strides;
   thread_local terms::CauseImpulses<D> parts;
   parts.clear();
+  if (bodies_.motion.size() * sizeof(state::Motion<D>) > large_table)
+    for (const Index body : which) {
+      ask_for(bodies_.motion[at(body)]);
+      ask_for(bodies_.inertia[at(body)]);
+    }
   const std::span sums(impulses.data(), which.size());
   for (std::size_t i = 0; i < which.size(); ++i) {
     sums[i] = {};

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "sazare/core/coming_lines.hpp"
 #include "sazare/terms/events.hpp"
 #include "sazare/terms/slot.hpp"
 #include "sazare/terms/term.hpp"
@@ -103,6 +104,8 @@ struct SlotTable {
   std::vector<Slot<D, Parts>> slots;
   Incidence incidence;
 
+  bool is_large() const { return slots.size() * sizeof(Slot<D, Parts>) > large_table; }
+
   Slot<D, Parts>& operator[](Index slot) { return slots[static_cast<std::size_t>(slot)]; }
   const Slot<D, Parts>& operator[](Index slot) const { return slots[static_cast<std::size_t>(slot)]; }
 
@@ -129,8 +132,11 @@ struct SlotTable {
 
   void gather(const Moment& now, std::span<const Index> which, const state::Bodies<D>& bodies, std::span<Impulse<D>> sum,
               CauseImpulses<D>& parts) const {
-    for (std::size_t i = 0; i < which.size(); ++i)
+    for (std::size_t i = 0; i < which.size(); ++i) {
+      if (is_large() && i + 2 < which.size())
+        for (const SlotSide side : incidence.of(which[i + 2])) ask_for((*this)[side.slot]);
       gather_one(now, which[i], bodies.motion[static_cast<std::size_t>(which[i])].last_kick, i, sum[i], parts);
+    }
   }
 
   /// Books what the parts of a link's force will have done after now, taken back: the kicks at now had it in them.

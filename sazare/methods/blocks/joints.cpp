@@ -89,9 +89,21 @@ std::vector<Index> Joints::first_links() const {
 
 void Joints::evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
   parallel::parallel_for(due.size(), serial_below, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; i += lane_count)
+    for (std::size_t i = begin; i < end; i += lane_count) {
+      if (table_.is_large()) ask_for_some(due.subspan(i, end - i), bodies);
       evaluate_lanes(now, due.subspan(i, std::min<std::size_t>(lane_count, end - i)), bodies);
+    }
   });
+}
+
+/// Asks for what the joints after the next ones need.
+void Joints::ask_for_some(std::span<const Due> due, const state::Bodies<3>& bodies) const {
+  for (std::size_t n = lane_count; n < std::min<std::size_t>(2 * lane_count, due.size()); ++n) {
+    const Index joint = due[n].link;
+    ask_for(records_[at(joint)]);
+    ask_for(table_[joint]);
+    for (const Index body : {links_[at(joint)].first, links_[at(joint)].second}) ask_for(bodies.motion[at(body)]);
+  }
 }
 
 /// Evaluates as many joints as there are lanes, or fewer: idle lanes repeat the first.

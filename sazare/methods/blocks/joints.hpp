@@ -63,6 +63,7 @@ public:
   std::vector<Index> take_broken();
 
 private:
+  void ask_for_some(std::span<const Due> due, const state::Bodies<3>& bodies) const;
   void evaluate_lanes(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies);
   void write_slots(const Moment& now, std::span<const Due> due, const JointForce& force, const LaneMask& failed);
   void note_changes(std::span<const Due> due, const JointChange& change);
