@@ -61,8 +61,8 @@ add_custom_target(sazare_version
   COMMENT "Checking the version header"
   VERBATIM)
 
-# Headers that most sources need are read once: half of what compiling costs is reading them. What is compiled with them must be
-# compiled as they were, which is why all of it gets Eigen, fmt and OpenMP by sazare::options.
+# Headers that most sources need are read once: half of what compiling a small source costs is reading them. What is compiled
+# with them must be compiled as they were, which is why all of it gets Eigen, fmt and OpenMP by sazare::options.
 set(sazare_common_headers
   <algorithm> <array> <atomic> <chrono> <cmath> <cstdint> <cstring> <filesystem> <fstream> <functional> <limits> <map> <memory>
   <mutex> <numbers> <numeric> <optional> <random> <set> <span> <sstream> <stdexcept> <string> <string_view> <thread> <utility>

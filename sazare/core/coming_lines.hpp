@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "sazare/core/time.hpp"
 
@@ -14,9 +15,12 @@ namespace sazare {
 
 inline constexpr std::size_t line_bytes = 64;
 
-/// Bytes of a table from which what comes next is worth asking for: with less, most is in the cache of a core and asking costs
-/// more than it saves.
-inline constexpr std::size_t large_table = std::size_t{1} << 20;
+/// Whether what comes next of a table is worth asking for: of a smaller one most is in the cache of a core, and asking costs more
+/// than it saves.
+template <class T>
+bool is_large(const std::vector<T>& table) {
+  return table.size() * sizeof(T) > std::size_t{1} << 20;
+}
 
 /// Asks for one record.
 template <class T>

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "sazare/core/registers.hpp"
 #include "sazare/core/vector.hpp"
 
 namespace sazare {
@@ -54,20 +55,12 @@ inline LaneMask mask_of(LaneBits bits) {
 #endif
 }
 
-/// Lanes in memory, at any number of a row of them. Copying byte by byte would say the same, but not every compiler makes one
-/// load or store of it.
-using LooseLanes = Real __attribute__((vector_size(8 * lane_count), aligned(8), may_alias));
+using LooseLanes = RegisterOf<lane_count>::InMemory;  ///< at any number of a row of them
 
 inline Lanes load_lanes(const Real* from) { return *reinterpret_cast<const LooseLanes*>(from); }
 inline void store_lanes(Real* to, const Lanes& lanes) { *reinterpret_cast<LooseLanes*>(to) = lanes; }
 
-inline Lanes broadcast(Real value) {
-#if defined(__AVX512F__)
-  return _mm512_set1_pd(value);
-#else
-  return Lanes{value, value, value, value};
-#endif
-}
+inline Lanes broadcast(Real value) { return RegisterOf<lane_count>::broadcast(value); }
 
 inline Lanes maximum(Lanes a, Lanes b) { return a > b ? a : b; }
 inline Real maximum(Real a, Real b) { return a > b ? a : b; }

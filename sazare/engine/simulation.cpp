@@ -169,7 +169,7 @@ void Simulation<D>::kick_chunk(std::span<const Index> which) {
   std::array<motion::Stride, terms::chunk_size> strides;
   thread_local terms::CauseImpulses<D> parts;
   parts.clear();
-  if (bodies_.motion.size() * sizeof(state::Motion<D>) > large_table)
+  if (is_large(bodies_.motion))
     for (const Index body : which) {
       ask_for(bodies_.motion[at(body)]);
       ask_for(bodies_.inertia[at(body)]);

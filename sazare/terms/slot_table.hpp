@@ -104,8 +104,6 @@ struct SlotTable {
   std::vector<Slot<D, Parts>> slots;
   Incidence incidence;
 
-  bool is_large() const { return slots.size() * sizeof(Slot<D, Parts>) > large_table; }
-
   Slot<D, Parts>& operator[](Index slot) { return slots[static_cast<std::size_t>(slot)]; }
   const Slot<D, Parts>& operator[](Index slot) const { return slots[static_cast<std::size_t>(slot)]; }
 
@@ -133,7 +131,7 @@ struct SlotTable {
   void gather(const Moment& now, std::span<const Index> which, const state::Bodies<D>& bodies, std::span<Impulse<D>> sum,
               CauseImpulses<D>& parts) const {
     for (std::size_t i = 0; i < which.size(); ++i) {
-      if (is_large() && i + 2 < which.size())
+      if (is_large(slots) && i + 2 < which.size())
         for (const SlotSide side : incidence.of(which[i + 2])) ask_for((*this)[side.slot]);
       gather_one(now, which[i], bodies.motion[static_cast<std::size_t>(which[i])].last_kick, i, sum[i], parts);
     }

@@ -10,35 +10,6 @@
 
 namespace sazare::terms {
 
-/// So many numbers in a register, and in memory at any place.
-template <int Width>
-struct RegisterOf {};
-template <>
-struct RegisterOf<4> {
-  using Reals = Real __attribute__((vector_size(32)));
-  using InMemory = Real __attribute__((vector_size(32), aligned(8), may_alias));
-
-  static Reals broadcast(Real value) { return Reals{value, value, value, value}; }
-  static Reals converted(const float* from) {
-#ifdef __AVX__
-    return _mm256_cvtps_pd(_mm_loadu_ps(from));  // the compiler converts four numbers in two halves
-#else
-    return Reals{from[0], from[1], from[2], from[3]};
-#endif
-  }
-};
-template <>
-struct RegisterOf<8> {
-  using Reals = Real __attribute__((vector_size(64)));
-  using InMemory = Real __attribute__((vector_size(64), aligned(8), may_alias));
-
-  static Reals broadcast(Real value) { return Reals{value, value, value, value, value, value, value, value}; }
-  static Reals converted(const float* from) {
-    using Floats = float __attribute__((vector_size(32), aligned(4), may_alias));
-    return __builtin_convertvector(*reinterpret_cast<const Floats*>(from), Reals);
-  }
-};
-
 using InTwo = std::array<RegisterOf<4>::Reals, 2>;
 using InOne = std::array<RegisterOf<8>::Reals, 1>;
 using InPlane = std::array<RegisterOf<4>::Reals, 1>;
