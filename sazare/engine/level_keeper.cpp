@@ -7,9 +7,13 @@
 #include <string>
 #include <utility>
 
+#include "sazare/parallel/threads.hpp"
+
 namespace sazare::engine {
 
 namespace {
+
+constexpr std::size_t serial_below = 2048;  // a body takes some 20 ns, waking a thread some microseconds
 
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
@@ -117,12 +121,27 @@ void LevelKeeper<D>::quicken(Index body, int level) {
   if (level > paces_.level(body)) paces_.move(body, level);
 }
 
-/// To the finest level among its links, and its own.
+/// The finest level among its links, and its own: what its pace is to be.
 template <int D>
-void LevelKeeper<D>::set_pace(Index body) {
+int LevelKeeper<D>::finest_around(Index body) const {
   int finest = level(body);
   for (const LinkOf& of : links_.of(body)) finest = std::max(finest, link_level(of));
-  if (finest != paces_.level(body)) paces_.move(body, finest);
+  return finest;
+}
+
+template <int D>
+void LevelKeeper<D>::change_pace(Index body, int pace) {
+  if (pace != paces_.level(body)) paces_.move(body, pace);
+}
+
+template <int D>
+void LevelKeeper<D>::set_all_paces() {
+  std::vector<std::int8_t> paces(level_.size());
+  parallel::parallel_for(paces.size(), serial_below, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t body = begin; body < end; ++body)
+      paces[body] = static_cast<std::int8_t>(finest_around(static_cast<Index>(body)));
+  });
+  for (std::size_t body = 0; body < paces.size(); ++body) change_pace(static_cast<Index>(body), paces[body]);
 }
 
 template <int D>
@@ -187,7 +206,7 @@ template <int D>
 void LevelKeeper<D>::relevel(const state::Bodies<D>& bodies) {
   for (const Index body : asking_) asked_[at(body)] = -1;
   asking_.clear();
-  for (const Index body : calmed_) set_pace(body);
+  for (const Index body : calmed_) change_pace(body, finest_around(body));
   calmed_.clear();
   paces_.sort();
   for (auto& clock : clocks_) clock.sort();
@@ -202,7 +221,7 @@ void LevelKeeper<D>::relevel(const state::Bodies<D>& bodies) {
   else
     spread(wanted);
   for (Index body = 0; body < bodies.size(); ++body) set_level(body, wanted[at(body)]);
-  for (Index body = 0; body < bodies.size(); ++body) set_pace(body);
+  set_all_paces();
   stale_ = false;
 }
 

@@ -65,7 +65,9 @@ private:
   void part(std::size_t term, Index link);
   void set_level(Index body, int level);
   void quicken(Index body, int level);
-  void set_pace(Index body);
+  int finest_around(Index body) const;
+  void change_pace(Index body, int pace);
+  void set_all_paces();
   void ask(Index body, int level);
   void ask_neighbors(Index body);
   void spread(std::vector<std::int8_t>& wanted) const;

@@ -114,33 +114,42 @@ void Simulation<D>::collect_due() {
   }
   std::int64_t all_links = 0;
   for (std::size_t term = 0; term < terms_.size(); ++term) {
-    due_links_[term].clear();
     const std::int64_t count = collect_links(term);
     if (!terms_[term]->joins_bodies()) continue;
     counters_.pair_evaluations += count;
     all_links += static_cast<std::int64_t>(levels_.clock(term).size());
   }
   if (now_.tick % schedule::base_stride == 0) counters_.uniform_evaluations += all_links << levels_.finest();
-  for (const auto* due : {&due_bodies_, &due_elsewhere_})
-    for (const Index body : *due)  // those whose pace has quickened had planned to be due later
+  for (const auto* due : {&due_bodies_, &due_elsewhere_}) call_back(*due);
+}
+
+/// Bodies whose pace has quickened had planned to be due later.
+template <int D>
+void Simulation<D>::call_back(std::span<const Index> due) {
+  parallel::parallel_for(due.size(), serial_below, [&](std::size_t begin, std::size_t end) {
+    for (const Index body : due.subspan(begin, end - begin))
       if (bodies_.motion[at(body)].due != now_.tick)
         motion::drift_back(bodies_.motion[at(body)], bodies_.inertia[at(body)], now_);
+  });
 }
 
 /// Links of a term that are due and evaluated here; returns how many are due everywhere.
 template <int D>
 std::int64_t Simulation<D>::collect_links(std::size_t term) {
-  if (!replicas_) return levels_.clock(term).collect(now_, due_links_[term]);
+  const std::span<Due> due = levels_.clock(term).collect(now_);
   const auto links = terms_[term]->links();
-  return levels_.clock(term).collect(
-      now_, [&](Index link) { return replicas_->holds(links[at(link)]); }, due_links_[term]);
+  std::size_t here = due.size();
+  if (replicas_)
+    here -= std::ranges::remove_if(due, [&](const Due& each) { return !replicas_->holds(links[at(each.link)]); }).size();
+  due_links_[term] = due.first(here);
+  return static_cast<std::int64_t>(due.size());
 }
 
 template <int D>
 void Simulation<D>::kick_all() {
   const Real worked = replicas_ ? parallel::processor_seconds() : 0;
   if (travels()) stepped_level_.resize(due_bodies_.size());
-  parallel::parallel_for(due_bodies_.size(), serial_below, [&](std::size_t begin, std::size_t end) {
+  parallel::parallel_for_uneven(due_bodies_.size(), serial_below, [&](std::size_t begin, std::size_t end) {
     for (std::size_t chunk = begin; chunk < end; chunk += terms::chunk_size)
       kick_chunk(std::span(due_bodies_).subspan(chunk, std::min(terms::chunk_size, end - chunk)));
   });

@@ -115,6 +115,7 @@ private:
   void tick();
   void collect_due();
   std::int64_t collect_links(std::size_t term);
+  void call_back(std::span<const Index> due);
   void take_refined();
   void divide_anew();
   void take_ranges(distribute::Ranges next);
@@ -137,10 +138,10 @@ private:
   LevelKeeper<D> levels_;
   Moment now_;
   std::vector<Index> due_bodies_;
-  std::vector<Index> due_elsewhere_;         ///< with several processes: those of others that are seen here
-  std::vector<std::vector<Due>> due_links_;  ///< by term
-  std::vector<std::int8_t> stepped_level_;   ///< by place in `due_bodies_`: level of the coming step, under a travel limit
-  std::vector<terms::CauseWork> work_;       ///< by body
+  std::vector<Index> due_elsewhere_;             ///< with several processes: those of others that are seen here
+  std::vector<std::span<const Due>> due_links_;  ///< by term
+  std::vector<std::int8_t> stepped_level_;       ///< by place in `due_bodies_`: level of the coming step, under a travel limit
+  std::vector<terms::CauseWork> work_;           ///< by body
   Counters counters_;
   std::vector<PartTime> times_;
   int finest_seen_ = 0;

@@ -37,15 +37,6 @@ std::string_view advice_for(int error) {
   }
 }
 
-/// Makes a rename durable. Not every file system can sync a folder; then the rename is as safe as it gets
-/// there.
-void sync_folder(const fs::path& folder) {
-  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  fsync(descriptor);
-  close(descriptor);
-}
-
 }  // namespace
 
 void fail_to_write(const fs::path& file, int error) {
@@ -93,7 +84,13 @@ void sync_file(const fs::path& file) {
   const int error = fsync(descriptor) == 0 ? 0 : errno;
   close(descriptor);
   if (error != 0) fail_to_write(file, error);
-  sync_folder(folder_of(file));
+}
+
+void sync_folder(const fs::path& folder) {
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  fsync(descriptor);
+  close(descriptor);
 }
 
 }  // namespace sazare::observe

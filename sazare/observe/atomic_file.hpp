@@ -42,8 +42,11 @@ private:
 /// Writes a whole file; see AtomicFile.
 void write_file(const std::filesystem::path& file, std::string_view content, Sync sync = Sync::disk);
 
-/// Brings a file that was written with Sync::system, and its name, to the disk. Throws MachineError.
+/// Brings what a file holds that was written with Sync::system to the disk. Throws MachineError.
 void sync_file(const std::filesystem::path& file);
+
+/// The same for the names in a folder. Not every file system can do that; then they are as safe as they get there.
+void sync_folder(const std::filesystem::path& folder);
 
 /// Throws MachineError with the file, the words of `error` (an errno) and what to do.
 [[noreturn]] void fail_to_write(const std::filesystem::path& file, int error);

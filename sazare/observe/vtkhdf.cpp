@@ -146,13 +146,20 @@ fs::path SnapshotSeries::series_file(const std::string& ending) const {
 void SnapshotSeries::write(const Grid& grid) {
   write_vtkhdf(folder_ / file_name(times_.size()), grid, Sync::system);
   times_.push_back(grid.time);
+  is_listed_ = false;
   write_series();
 }
 
 void SnapshotSeries::sync() {
-  if (synced_ == times_.size()) return;
-  for (; synced_ < times_.size(); ++synced_) sync_file(folder_ / file_name(synced_));
+  sync_early();
+  if (is_listed_) return;
   for (const std::string ending : {"vtkhdf", "hdf"}) sync_file(series_file(ending));
+  sync_folder(folder_);
+  is_listed_ = true;
+}
+
+void SnapshotSeries::sync_early() {
+  for (; synced_ < times_.size(); ++synced_) sync_file(folder_ / file_name(synced_));
 }
 
 void SnapshotSeries::write_series() const {

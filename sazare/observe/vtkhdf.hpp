@@ -60,6 +60,9 @@ public:
   /// Brings all that was written so far to the disk; to be called before a checkpoint counts on it.
   void sync();
 
+  /// Brings the snapshots to the disk, so that less is left for `sync`: where somebody has the time.
+  void sync_early();
+
   /// Number of snapshots written.
   std::size_t size() const { return times_.size(); }
 
@@ -76,6 +79,7 @@ private:
   std::string name_;
   std::vector<Real> times_;
   std::size_t synced_ = 0;  ///< snapshots that are on the disk
+  bool is_listed_ = true;   ///< so are their names and the lists
 };
 
 }  // namespace sazare::observe

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <exception>
 #include <mutex>
+#include <vector>
 
 namespace sazare::parallel {
 namespace {
@@ -15,10 +16,16 @@ namespace {
 /// 0: not set, as many as OpenMP offers.
 std::atomic<int> chosen_threads{0};
 
+/// How many pieces of a thread's range are begun.
+struct alignas(64) Begun {
+  std::atomic<std::size_t> pieces = 0;
+};
+
 /// One parallel_for.
 struct Work {
   std::size_t n;
-  std::size_t parts;
+  std::size_t pieces;  ///< of each range
+  std::vector<Begun> begun;
   detail::RangeFunction function;
   void* context;
 
@@ -26,7 +33,13 @@ struct Work {
   std::size_t failed_part = SIZE_MAX;  ///< the lowest
   std::exception_ptr failure = {};
 
-  void run(std::size_t part) noexcept {
+  /// The pieces that are left of a range.
+  void run_range(std::size_t range) noexcept {
+    for (std::size_t piece = begun[range].pieces++; piece < pieces; piece = begun[range].pieces++)
+      run(range * pieces + piece, begun.size() * pieces);
+  }
+
+  void run(std::size_t part, std::size_t parts) noexcept {
     const std::size_t quotient = n / parts;
     const std::size_t rest = n % parts;
     const std::size_t begin = part * quotient + std::min(part, rest);
@@ -53,16 +66,17 @@ struct Work {
 
 std::atomic<int> fence{0};
 
-void run_thread(Work* work, std::size_t thread, std::size_t thread_count) {
+void run_thread(Work* work, std::size_t thread) {
   fence.load(std::memory_order_acquire);
-  // OpenMP may give fewer threads than asked for: then each does several parts.
-  for (std::size_t part = thread; part < work->parts; part += thread_count) work->run(part);
+  // Its own range, then what others have left, or have not begun: OpenMP may give fewer threads than asked for.
+  const std::size_t ranges = work->begun.size();
+  for (std::size_t n = 0; n < ranges; ++n) work->run_range((thread + n) % ranges);
   fence.fetch_add(1, std::memory_order_release);
 }
 
-SAZARE_HIDE_FORK void fork(Work* work, int parts) {
-#pragma omp parallel num_threads(parts) default(none) firstprivate(work)
-  run_thread(work, static_cast<std::size_t>(omp_get_thread_num()), static_cast<std::size_t>(omp_get_num_threads()));
+SAZARE_HIDE_FORK void fork(Work* work, int ranges) {
+#pragma omp parallel num_threads(ranges) default(none) firstprivate(work)
+  run_thread(work, static_cast<std::size_t>(omp_get_thread_num()));
 }
 
 }  // namespace
@@ -88,11 +102,11 @@ namespace detail {
 
 bool is_serial() { return omp_in_parallel() != 0 || threads() == 1; }
 
-void run_ranges(std::size_t n, RangeFunction function, void* context) {
-  const auto parts = std::min(static_cast<std::size_t>(threads()), n);
-  Work work{n, parts, function, context};
+void run_ranges(std::size_t n, std::size_t pieces, RangeFunction function, void* context) {
+  const auto ranges = std::min(static_cast<std::size_t>(threads()), n);
+  Work work{n, pieces, std::vector<Begun>(ranges), function, context};
   fence.fetch_add(1, std::memory_order_release);
-  fork(&work, static_cast<int>(parts));
+  fork(&work, static_cast<int>(ranges));
   fence.load(std::memory_order_acquire);
   if (work.failure) std::rethrow_exception(work.failure);
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <type_traits>
 
 namespace sazare::parallel {
 
@@ -19,8 +18,20 @@ double processor_seconds();
 
 namespace detail {
 using RangeFunction = void (*)(void* context, std::size_t begin, std::size_t end);
-void run_ranges(std::size_t n, RangeFunction function, void* context);
+void run_ranges(std::size_t n, std::size_t pieces, RangeFunction function, void* context);
 bool is_serial();
+
+template <class F>
+void run_ranges(std::size_t n, std::size_t serial_below, std::size_t pieces, F& f) {
+  if (n == 0) return;
+  if (n < serial_below || is_serial()) {
+    f(std::size_t{0}, n);
+    return;
+  }
+  run_ranges(
+      n, pieces, [](void* context, std::size_t begin, std::size_t end) { (*static_cast<F*>(context))(begin, end); },
+      const_cast<void*>(static_cast<const void*>(&f)));
+}
 }  // namespace detail
 
 /// Calls f(begin, end) for contiguous ranges that cover 0..n, one range per thread, and waits for all.
@@ -29,15 +40,15 @@ bool is_serial();
 /// parallel_for. The first exception (lowest range) is thrown again in the caller.
 template <class F>
 void parallel_for(std::size_t n, std::size_t serial_below, F&& f) {
-  if (n == 0) return;
-  if (n < serial_below || detail::is_serial()) {
-    f(std::size_t{0}, n);
-    return;
-  }
-  using Function = std::remove_reference_t<F>;
-  detail::run_ranges(
-      n, [](void* context, std::size_t begin, std::size_t end) { (*static_cast<Function*>(context))(begin, end); },
-      const_cast<void*>(static_cast<const void*>(&f)));
+  detail::run_ranges(n, serial_below, 1, f);
+}
+
+/// The same where some of the n take much longer than others: each thread's range is cut into pieces, and whoever is done with
+/// its own helps others with theirs.
+template <class F>
+void parallel_for_uneven(std::size_t n, std::size_t serial_below, F&& f) {
+  constexpr std::size_t pieces = 4;
+  detail::run_ranges(n, serial_below, pieces, f);
 }
 
 }  // namespace sazare::parallel

@@ -2,14 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <cmath>
 
 #include "sazare/cases/number_text.hpp"
+#include "sazare/parallel/threads.hpp"
 #include "sazare/runs/stability.hpp"
 
 namespace sazare::runs {
 
 namespace {
+
+constexpr std::size_t serial_below = 4096;
 
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
@@ -58,9 +62,19 @@ std::string likely_reason(const BlocksModel& model, const cases::CaseFile& file,
 }  // namespace
 
 Index find_failed_element(BlocksModel& model) {
+  const Index count = model.simulation->bodies().size();
+  std::atomic<Index> first = count;
+  parallel::parallel_for(at(count), serial_below, [&](std::size_t begin, std::size_t end) {
+    for (auto element = static_cast<Index>(begin); element < static_cast<Index>(end); ++element) {
+      if (!model.simulation->owns(element) || !has_failed(model, element)) continue;
+      Index seen = first;
+      while (element < seen && !first.compare_exchange_weak(seen, element)) {
+      }
+      return;
+    }
+  });
   std::vector<Index> failed;
-  for (Index element = 0; element < model.simulation->bodies().size() && failed.empty(); ++element)
-    if (model.simulation->owns(element) && has_failed(model, element)) failed.push_back(element);
+  if (first < count) failed.push_back(first);
   model.simulation->unite(failed);
   if (failed.empty()) return -1;
   model.simulation->collect();

@@ -133,6 +133,8 @@ void Snapshots::write(Real time, engine::Snapshot<3> now, const FragmentMap& fra
   writing_ = std::async(std::launch::async, [this, picture = std::move(picture)] {
     write_elements(picture);
     write_joints(picture);
+    elements_.sync_early();
+    joints_.sync_early();
   });
 }
 

@@ -54,14 +54,16 @@ int Buckets::finest() const {
 }
 
 void Buckets::sort() {
-  for (std::size_t level = 0; level < members_.size(); ++level) {
-    if (!unsorted_[level]) continue;
-    auto& members = members_[level];
-    std::sort(members.begin(), members.end());
-    for (std::size_t place = 0; place < members.size(); ++place)
-      place_[static_cast<std::size_t>(members[place])] = static_cast<Index>(place);
-    unsorted_[level] = false;
+  if (std::ranges::find(unsorted_, true) == unsorted_.end()) return;
+  for (std::size_t level = 0; level < members_.size(); ++level)
+    if (unsorted_[level]) members_[level].clear();
+  for (std::size_t item = 0; item < level_.size(); ++item) {
+    if (level_[item] == absent || !unsorted_[static_cast<std::size_t>(level_[item])]) continue;
+    auto& members = members_[static_cast<std::size_t>(level_[item])];
+    place_[item] = static_cast<Index>(members.size());
+    members.push_back(static_cast<Index>(item));
   }
+  unsorted_.fill(false);
 }
 
 void Buckets::assign(std::vector<std::int8_t> levels) {

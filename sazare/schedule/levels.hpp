@@ -49,7 +49,7 @@ public:
   /// Finest level in use, or `absent` when empty.
   int finest() const;
 
-  /// Puts every level's items in rising order: neighbours in memory are then visited together.
+  /// Puts every level's items in rising order: neighbours in memory are then visited together. Looks at all items once.
   void sort();
 
   /// Levels by item, for checkpoints; the buckets are rebuilt from them in rising order.

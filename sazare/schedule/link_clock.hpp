@@ -8,7 +8,6 @@
 /// windows still join without gap or overlap. [Konno2018], 3.1 takes force x time since the last evaluation instead,
 /// which agrees for equal steps and is of first order where levels change.
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -28,39 +27,18 @@ public:
   std::size_t size() const { return buckets_.size(); }
   void sort() { buckets_.sort(); }
 
-  /// Appends those of the links due at `now` that are wanted, each with the time that its force acts, and marks that time as
-  /// given for all of them. Returns how many are due.
-  template <class Wanted>
-  std::int64_t collect(const Moment& now, const Wanted& wanted, std::vector<Due>& due) {
-    const int coarsest = coarsest_due(now.tick);
-    std::size_t count = 0;
-    for (int level = coarsest; level <= deepest_level; ++level) count += buckets_.at(level).size();
-    std::size_t next = due.size();
-    due.resize(next + count);  // at once: growing by and by would leave holes in memory as large as the list
-    for (int level = coarsest; level <= deepest_level; ++level) {
-      const Tick middle = now.tick + stride(level) / 2;
-      for (const Index link : buckets_.at(level)) {
-        Tick& given = given_[static_cast<std::size_t>(link)];
-        const Tick before = given;
-        given = std::max(before, middle);
-        if (wanted(link))
-          due[next++] = {link, static_cast<Real>(given - before) * now.tick_seconds,
-                         static_cast<Real>(given - now.tick) * now.tick_seconds};
-      }
-    }
-    due.resize(next);
-    return static_cast<std::int64_t>(count);
-  }
-  std::int64_t collect(const Moment& now, std::vector<Due>& due) {
-    return collect(
-        now, [](Index) { return true; }, due);
-  }
+  /// The links due at `now`, level by level, each with the time that its force acts, which is marked as given. The list stands
+  /// until the next call.
+  std::span<Due> collect(const Moment& now);
 
   void columns(Archive& archive);
 
 private:
+  Due give(Index link, Tick until, const Moment& now);
+
   Buckets buckets_;
   std::vector<Tick> given_;  ///< until when the link's force has acted
+  std::vector<Due> due_;     ///< room for those that are due: lists that shrink and grow would be cleared each time
 };
 
 }  // namespace sazare::schedule

@@ -12,7 +12,8 @@ namespace sazare::methods::blocks {
 
 namespace {
 
-constexpr std::size_t serial_below = 512;  // most pairs do not touch
+constexpr std::size_t serial_below = 256;         // most pairs do not touch
+constexpr std::size_t searched_alone_below = 16;  // bodies; a search takes some microseconds
 constexpr int base_steps_between_searches = 8;
 constexpr Real skin_of_radius = 0.15;  // of the median inscribed radius: few false neighbours, few searches (measured)
 
@@ -62,7 +63,7 @@ std::vector<Index> Contacts::first_links() const {
 }
 
 void Contacts::evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
-  parallel::parallel_for(due.size(), serial_below, [&](std::size_t begin, std::size_t end) {
+  parallel::parallel_for_uneven(due.size(), serial_below, [&](std::size_t begin, std::size_t end) {
     for (const Due& given : due.subspan(begin, end - begin)) evaluate_pair(now, given, bodies);
   });
 }
@@ -233,11 +234,13 @@ void Contacts::search(std::span<const Index> which, bool may_end, const Moment& 
                       terms::Changes& changes) {
   const auto pose_of = [&](Index body) { return state::pose_at(bodies.motion[at(body)], now); };
   for (const Index body : which) surface_.place(body, pose_of(body));
-  for (const Index body : which) {
-    auto found = surface_.search(
-        body, [&](Index partner) { return joints_->bonded(body, partner); }, pose_of);
-    merge(body, std::move(found), may_end, changes);
-  }
+  std::vector<std::vector<NearPair>> found(which.size());
+  parallel::parallel_for_uneven(which.size(), searched_alone_below, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+      found[n] = surface_.search(
+          which[n], [&](Index partner) { return joints_->bonded(which[n], partner); }, pose_of);
+  });
+  for (std::size_t n = 0; n < which.size(); ++n) merge(which[n], std::move(found[n]), may_end, changes);
 }
 
 /// Brings the pairs of a body up to what has been found near it; both lists rise by partner.

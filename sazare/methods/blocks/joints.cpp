@@ -88,7 +88,7 @@ std::vector<Index> Joints::first_links() const {
 }
 
 void Joints::evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
-  parallel::parallel_for(due.size(), serial_below, [&](std::size_t begin, std::size_t end) {
+  parallel::parallel_for_uneven(due.size(), serial_below, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; i += lane_count) {
       if (is_large(records_)) ask_for_some(due.subspan(i, end - i), bodies);
       evaluate_lanes(now, due.subspan(i, std::min<std::size_t>(lane_count, end - i)), bodies);

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <mutex>
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -56,6 +58,29 @@ TEST_F(Threads, every_index_exactly_once) {
       EXPECT_EQ(visits, std::vector<int>(n, 1)) << count << " threads";
     }
   }
+}
+
+TEST_F(Threads, uneven_loop_reaches_every_index_exactly_once) {
+  for (const int count : {1, 2, 3, 8}) {
+    set_threads(count);
+    for (const std::size_t n : {0, 1, 2, 7, 100, 1001}) {
+      std::vector<int> visits(n, 0);
+      parallel_for_uneven(n, 0, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) ++visits[i];
+      });
+      EXPECT_EQ(visits, std::vector<int>(n, 1)) << count << " threads";
+    }
+  }
+}
+
+TEST_F(Threads, who_is_done_in_an_uneven_loop_helps_the_others) {
+  set_threads(2);
+  std::atomic<int> done = 0;
+  parallel_for_uneven(8, 0, [&](std::size_t begin, std::size_t) {
+    while (begin == 0 && done < 7) std::this_thread::yield();  // ends only if the other thread does all the rest
+    ++done;
+  });
+  EXPECT_EQ(done, 8);
 }
 
 TEST_F(Threads, short_loops_and_one_thread_are_serial) {

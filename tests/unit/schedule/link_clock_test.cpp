@@ -13,9 +13,8 @@ namespace {
 Moment at(Tick tick) { return {tick, 1.0}; }
 
 std::vector<Due> collect(LinkClock& clock, Tick tick) {
-  std::vector<Due> due;
-  clock.collect(at(tick), due);
-  return due;
+  const std::span<const Due> due = clock.collect(at(tick));
+  return {due.begin(), due.end()};
 }
 
 TEST(link_clock, at_one_level_the_first_window_is_half_a_step_and_the_others_whole) {
