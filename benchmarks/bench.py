@@ -93,19 +93,32 @@ class Bench:
             raise self._found[scene]
         return self._found[scene]
 
+    def run_in_turns(self, *scenes):
+        """The Measurements of scenes that differ little: run after run in turns, so that a machine which is slower for a
+        while is so for all of them. Raises NotRun."""
+        settings = [self._settings(scene) for scene in scenes]
+        runs, began = [[] for _ in scenes], time.monotonic()
+        while not runs[-1] or (len(runs[-1]) < self.options.repeats and time.monotonic() - began < REPEAT_WITHIN):
+            for scene, with_these, of_scene in zip(scenes, settings, runs):
+                of_scene.append(self._run_once(scene, with_these))
+                print(f"    {scene.name}: run {len(of_scene)}, {of_scene[-1].wall_seconds:.2f} s, "
+                      f"processors {of_scene[-1].processor_seconds:.2f} s, {of_scene[-1].peak_bytes / 1e6:.0f} MB", flush=True)
+        return [self._least(scene, of_scene) for scene, of_scene in zip(scenes, runs)]
+
     def _measure(self, scene):
+        return self.run_in_turns(scene)[0]
+
+    def _settings(self, scene):
+        """All that a scene sets. Raises NotRun where it cannot be run here."""
         if scene.long and not self.options.long:
             raise NotChosen("takes long; --long runs it")
         if scene.threads * scene.ranks > self.cores:
             raise NotRun(f"needs {scene.threads * scene.ranks} processors, this machine has {self.cores}")
         if scene.ranks > 1 and shutil.which("mpirun") is None:
             raise NotRun("there is no mpirun")
-        settings = scene.settings + self._mesh_settings(scene)
-        runs, began = [], time.monotonic()
-        while not runs or (len(runs) < self.options.repeats and time.monotonic() - began < REPEAT_WITHIN):
-            runs.append(self._run_once(scene, settings))
-            print(f"    {scene.name}: run {len(runs)}, {runs[-1].wall_seconds:.2f} s, "
-                  f"processors {runs[-1].processor_seconds:.2f} s, {runs[-1].peak_bytes / 1e6:.0f} MB", flush=True)
+        return scene.settings + self._mesh_settings(scene)
+
+    def _least(self, scene, runs):
         if len({run.state_hash for run in runs}) > 1:
             raise NotRun("repeated runs end in different states")
         best = min(runs, key=lambda run: run.wall_seconds)

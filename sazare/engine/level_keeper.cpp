@@ -13,7 +13,7 @@ namespace sazare::engine {
 
 namespace {
 
-constexpr std::size_t serial_below = 2048;  // a body takes some 20 ns, waking a thread some microseconds
+constexpr std::size_t serial_below = 1024;  // a body takes some 20 ns, waking a thread some microseconds
 
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 

@@ -227,13 +227,6 @@ Real Simulation<D>::take_smallest_step() {
 }
 
 template <int D>
-Index Simulation<D>::find_invalid_body() const {
-  for (Index body = 0; body < bodies_.size(); ++body)
-    if (!state::is_finite(bodies_.motion[at(body)])) return body;
-  return -1;
-}
-
-template <int D>
 bool Simulation<D>::travels() const {
   return levels_.rules().travel_length < std::numeric_limits<Real>::infinity();
 }

@@ -105,9 +105,6 @@ public:
   /// Smallest step since the last call [s].
   Real take_smallest_step();
 
-  /// A body whose motion is no number, or -1.
-  Index find_invalid_body() const;
-
   /// All columns of a checkpoint. After reading, the run goes on as if it had never stopped.
   void columns(Archive& archive);
 

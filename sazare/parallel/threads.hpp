@@ -34,7 +34,7 @@ void run_ranges(std::size_t n, std::size_t serial_below, std::size_t pieces, F& 
 }
 }  // namespace detail
 
-/// Calls f(begin, end) for contiguous ranges that cover 0..n, one range per thread, and waits for all.
+/// Calls f(begin, end) for contiguous ranges that cover 0..n, as many as there are threads, and waits for all.
 ///
 /// One range on the calling thread when n < serial_below, when there is one thread, or inside another
 /// parallel_for. The first exception (lowest range) is thrown again in the caller.

@@ -13,7 +13,7 @@ namespace sazare::runs {
 
 namespace {
 
-constexpr std::size_t serial_below = 4096;
+constexpr std::size_t serial_below = 1024;
 
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 

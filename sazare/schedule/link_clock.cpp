@@ -34,19 +34,22 @@ std::span<Due> LinkClock::collect(const Moment& now) {
   Due* next = due_.data();
   for (int level = coarsest; level <= deepest_level; ++level) {
     const std::span<const Index> links = buckets_.at(level);
-    parallel::parallel_for(links.size(), serial_below, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n) next[n] = give(links[n], now.tick + stride(level) / 2, now);
+    parallel::parallel_for(links.size(), serial_below, [=, this](std::size_t begin, std::size_t end) {
+      give(links.subspan(begin, end - begin), now.tick + stride(level) / 2, now, next + begin);
     });
     next += links.size();
   }
   return std::span(due_).first(count);
 }
 
-/// A link whose force acts until some tick.
-Due LinkClock::give(Index link, Tick until, const Moment& now) {
-  const Tick before = given_[static_cast<std::size_t>(link)], given = std::max(before, until);
-  given_[static_cast<std::size_t>(link)] = given;
-  return {link, static_cast<Real>(given - before) * now.tick_seconds, static_cast<Real>(given - now.tick) * now.tick_seconds};
+/// Forces of some links act until a tick.
+void LinkClock::give(std::span<const Index> links, Tick until, Moment now, Due* due) {
+  Tick* const given = given_.data();
+  for (const Index link : links) {
+    const Tick before = given[link], after = std::max(before, until);
+    given[link] = after;
+    *due++ = {link, static_cast<Real>(after - before) * now.tick_seconds, static_cast<Real>(after - now.tick) * now.tick_seconds};
+  }
 }
 
 void LinkClock::columns(Archive& archive) {

@@ -34,7 +34,7 @@ public:
   void columns(Archive& archive);
 
 private:
-  Due give(Index link, Tick until, const Moment& now);
+  void give(std::span<const Index> links, Tick until, Moment now, Due* due);
 
   Buckets buckets_;
   std::vector<Tick> given_;  ///< until when the link's force has acted

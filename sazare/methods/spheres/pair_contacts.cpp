@@ -81,8 +81,8 @@ void PairContacts::go_on(const Touches& touches) {
   for (std::size_t block = 0; block < contacts_.size(); ++block) {
     const std::size_t begin = pairs_.first[block * neighbors::block_size],
                       end = pairs_.first[std::min((block + 1) * neighbors::block_size, spheres)];
-    contacts_[block].reserve((end - begin) - static_cast<std::size_t>(std::count(&touch_of[begin], &touch_of[end], -1)),
-                             table_.rolls);
+    const auto apart = std::ranges::count(std::span(touch_of).subspan(begin, end - begin), -1);
+    contacts_[block].reserve((end - begin) - static_cast<std::size_t>(apart), table_.rolls);
     for (std::size_t p = begin; p < end; ++p) {
       if (touch_of[p] < 0) continue;
       const auto n = static_cast<std::size_t>(touch_of[p]);

@@ -141,7 +141,7 @@ TEST(leapfrog, one_level_in_the_plane_is_the_step_by_hand_bit_for_bit) {
     step_by_hand(by_hand, h, means);
   }
   expect_same_bits(simulation, by_hand);
-  const auto& start = damped_ladder<2>().bodies.motion[5];  // it did move
+  const auto start = damped_ladder<2>().bodies.motion[5];  // it did move
   EXPECT_GT((simulation.bodies().motion[5].position - start.position).norm(), 0.1);
 }
 

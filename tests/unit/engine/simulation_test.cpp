@@ -3,22 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "tests/support/networks.hpp"
 
 namespace sazare::engine {
 namespace {
-
-TEST(simulation, names_a_body_whose_motion_is_no_number) {
-  auto network = test::ladder<3>();
-  auto good = network.simulation({.base_step = 0.01});
-  good.start();
-  EXPECT_EQ(good.find_invalid_body(), -1);
-  network.bodies.motion[4].velocity.y() = std::numeric_limits<Real>::quiet_NaN();
-  auto bad = network.simulation({.base_step = 0.01});
-  EXPECT_EQ(bad.find_invalid_body(), 4);
-}
 
 TEST(simulation, time_is_counted_in_whole_base_steps) {
   auto simulation = test::ladder<3>().simulation({.base_step = 0.08});
