@@ -18,7 +18,8 @@ void keep(Eigen::MatrixXd& columns, const Eigen::VectorXd& newest) {
   const Eigen::Index kept = std::min(columns.cols(), newest.size() - 1);
   const Eigen::MatrixXd old = columns.rightCols(kept);
   columns.resize(newest.size(), kept + 1);
-  columns << old, newest;
+  if (kept > 0) columns.leftCols(kept) = old;  // at first there are none, not even empty ones of this height
+  columns.rightCols(1) = newest;
 }
 
 }  // namespace
