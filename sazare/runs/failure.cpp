@@ -63,18 +63,15 @@ std::string likely_reason(const BlocksModel& model, const cases::CaseFile& file,
 
 Index find_failed_element(BlocksModel& model) {
   const Index count = model.simulation->bodies().size();
-  std::atomic<Index> first = count;
+  const auto fails_here = [&](Index element) { return model.simulation->owns(element) && has_failed(model, element); };
+  std::atomic<bool> some_failed = false;
   parallel::parallel_for(at(count), serial_below, [&](std::size_t begin, std::size_t end) {
-    for (auto element = static_cast<Index>(begin); element < static_cast<Index>(end); ++element) {
-      if (!model.simulation->owns(element) || !has_failed(model, element)) continue;
-      Index seen = first;
-      while (element < seen && !first.compare_exchange_weak(seen, element)) {
-      }
-      return;
-    }
+    for (auto element = static_cast<Index>(begin); element < static_cast<Index>(end); ++element)
+      if (fails_here(element)) some_failed = true;
   });
   std::vector<Index> failed;
-  if (first < count) failed.push_back(first);
+  for (Index element = 0; some_failed && failed.empty() && element < count; ++element)
+    if (fails_here(element)) failed.push_back(element);
   model.simulation->unite(failed);
   if (failed.empty()) return -1;
   model.simulation->collect();
