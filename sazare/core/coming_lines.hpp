@@ -3,6 +3,8 @@
 /// Memory that will be needed soon, asked for line by line while other work is done. A core reads what it asks for one after the
 /// other from memory much faster than what it comes upon, and computes meanwhile.
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -27,6 +29,13 @@ template <class T>
 void ask_for(const T& record) {
   for (std::size_t byte = 0; byte < sizeof(T); byte += line_bytes)
     __builtin_prefetch(reinterpret_cast<const char*>(&record) + byte);
+}
+
+/// Whether the processor by itself reads ahead what stands in a row, far enough and to where it stays. Those with a second cache
+/// of 2 MiB were measured to, and to wait where they are asked for it besides; those with up to 1 MiB gain from being asked.
+inline bool reads_rows_ahead() {
+  static const bool reads = sysconf(_SC_LEVEL2_CACHE_SIZE) >= 2L << 20;
+  return reads;
 }
 
 class ComingLines {

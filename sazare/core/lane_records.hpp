@@ -98,10 +98,12 @@ using FloatPairs = float __attribute__((vector_size(8 * lane_count)));
 
 inline std::array<Lanes, 2> unpack(const Lanes& pairs) {
   const auto all = reinterpret_cast<FloatPairs>(pairs);
-#ifdef __AVX512F__
-  return {__builtin_convertvector(__builtin_shufflevector(all, all, 0, 2, 4, 6, 8, 10, 12, 14), Lanes),
-          __builtin_convertvector(__builtin_shufflevector(all, all, 1, 3, 5, 7, 9, 11, 13, 15), Lanes)};
-#elif defined(__AVX2__)  // the compiler converts four numbers in two halves
+#ifdef __AVX512F__  // the compiler converts eight numbers in two halves
+  const __m512i first = _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 0, 0, 0, 0, 0, 0, 0, 0),
+                second = _mm512_setr_epi32(1, 3, 5, 7, 9, 11, 13, 15, 0, 0, 0, 0, 0, 0, 0, 0);
+  return {_mm512_cvtps_pd(_mm512_castps512_ps256(_mm512_permutexvar_ps(first, all))),
+          _mm512_cvtps_pd(_mm512_castps512_ps256(_mm512_permutexvar_ps(second, all)))};
+#elif defined(__AVX2__)  // as for eight
   const __m256 sorted = _mm256_permutevar8x32_ps(all, _mm256_setr_epi32(0, 2, 4, 6, 1, 3, 5, 7));
   return {_mm256_cvtps_pd(_mm256_castps256_ps128(sorted)), _mm256_cvtps_pd(_mm256_extractf128_ps(sorted, 1))};
 #else
@@ -111,16 +113,16 @@ inline std::array<Lanes, 2> unpack(const Lanes& pairs) {
 }
 
 inline Lanes pack(const Lanes& first, const Lanes& second) {
-#if defined(__AVX2__) && !defined(__AVX512F__)
+#ifdef __AVX512F__
+  const __m512 one = _mm512_castps256_ps512(_mm512_cvtpd_ps(first)), other = _mm512_castps256_ps512(_mm512_cvtpd_ps(second));
+  const __m512i in_turn = _mm512_setr_epi32(0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
+  return _mm512_castps_pd(_mm512_permutex2var_ps(one, in_turn, other));
+#elif defined(__AVX2__)
   const __m128 one = _mm256_cvtpd_ps(first), other = _mm256_cvtpd_ps(second);
   return _mm256_castps_pd(_mm256_set_m128(_mm_unpackhi_ps(one, other), _mm_unpacklo_ps(one, other)));
 #else
   const FloatLanes one = __builtin_convertvector(first, FloatLanes), other = __builtin_convertvector(second, FloatLanes);
-#ifdef __AVX512F__
-  return reinterpret_cast<Lanes>(__builtin_shufflevector(one, other, 0, 8, 1, 9, 2, 10, 3, 11, 4, 12, 5, 13, 6, 14, 7, 15));
-#else
   return reinterpret_cast<Lanes>(__builtin_shufflevector(one, other, 0, 4, 1, 5, 2, 6, 3, 7));
-#endif
 #endif
 }
 

@@ -68,10 +68,8 @@ struct Impulses {
 };
 
 /// A sphere's next velocities and place.
-void fly(state::Spheres& spheres, std::size_t i, const Impulses& given, const Quad& falls, Real step) {
-  state::SphereKick& kick = spheres.kick[i];
-  state::SpherePlace& place = spheres.place[i];
-  state::SphereSpin& spin = spheres.spin[i];
+void fly(state::SphereKick& kick, state::SpherePlace& place, state::SphereSpin& spin, const Impulses& given, const Quad& falls,
+         Real step) {
   // The further number of a load and of gravity is 0, so those of the velocities stay what they are.
   Quad moves = read(kick.vx), turns = read(kick.wx);
   const Real inverse_mass = kick.inverse_mass, inverse_inertia = kick.inverse_inertia;
@@ -87,15 +85,17 @@ void fly(state::Spheres& spheres, std::size_t i, const Impulses& given, const Qu
 
 /// `impulses(i)` are those of the sphere at place i.
 template <class ImpulsesOn>
-SphereSpeeds fly(state::Spheres& spheres, std::size_t begin, std::size_t end, const SphereFlight& flight,
-                 const ImpulsesOn& impulses) {
+SphereSpeeds fly(state::Spheres& spheres, std::size_t begin, std::size_t end, const SphereFlight& flight, ImpulsesOn impulses) {
   const Quad falls = quad(flight.gravity);
   const Real step = flight.step;
+  state::SphereKick* const kicks = spheres.kick.data();
+  state::SpherePlace* const places = spheres.place.data();
+  state::SphereSpin* const spins = spheres.spin.data();
   LargestSpeeds speeds(flight.drift);
   for (std::size_t first = begin; first < end; first += lane_count) {
     const std::size_t last = std::min<std::size_t>(first + lane_count, end);
-    for (std::size_t i = first; i < last; ++i) fly(spheres, i, impulses(i), falls, step);
-    speeds.take(&spheres.kick[first], last - first);
+    for (std::size_t i = first; i < last; ++i) fly(kicks[i], places[i], spins[i], impulses(i), falls, step);
+    speeds.take(&kicks[first], last - first);
   }
   return speeds.speeds();
 }

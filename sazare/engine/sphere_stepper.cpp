@@ -175,7 +175,7 @@ void SphereStepper::measure() {
 ComingLines SphereStepper::coming(std::size_t block) const {
   const std::size_t begin = loads_.begin_of(block), count = loads_.end_of(block) - begin;
   ComingLines coming = pairs_.coming(spheres_, loads_, block);
-  coming.add(std::span(spheres_.kick).subspan(begin, count));
+  if (!reads_rows_ahead()) coming.add(std::span(spheres_.kick).subspan(begin, count));
   return coming;
 }
 

@@ -129,27 +129,27 @@ Triple<Number> across(const Triple<Number>& vector, const Triple<Number>& normal
 template <ContactModel model, bool rolls, class Number>
 ContactForce<Number> contact_force(const ContactConstants<Number>& constants, const ContactMotion<Number>& at,
                                    ContactMemory<Number>& memory) {
-  ContactForce<Number> result;
-  Number width{}, root = square_root(at.reduced_mass);
+  Number width = Number{} + 1, root;
   if constexpr (model == ContactModel::hertz) {
     width = square_root(at.reduced_radius * at.overlap);
     root = square_root(width * at.reduced_mass);
   } else {
-    width = Number{} + 1;
+    root = square_root(at.reduced_mass);
   }
   const Number opening = dot(at.velocity, at.normal);
   const Number spring = constants.normal * width * at.overlap, dashpot = constants.normal_damping * root * opening;
-  result.normal = spring - dashpot;
-  result.elastic_energy = (model == ContactModel::hertz ? 0.4 : 0.5) * spring * at.overlap;
-  result.dashpot_power = dashpot * opening;
-  const Number pressing = maximum(result.normal, Number{});
+  const Number normal = spring - dashpot, pressing = maximum(normal, Number{});
   const Number stiffness = constants.tangential * width, damping = constants.tangential_damping * root;
   const Triple<Number> sliding = at.velocity - opening * at.normal;
   memory.sliding = across(memory.sliding, at.normal);
   const auto slid = slide(stiffness, damping, Number(constants.friction * pressing), sliding, at.step, memory.sliding);
-  result.friction = slid.force;
-  result.sliding_power = Number{} - dot(slid.force, sliding);
-  result.sliding_energy = 0.5 * stiffness * dot(slid.stretch, slid.stretch);
+  ContactForce<Number> result{.normal = normal,
+                              .friction = slid.force,
+                              .rolling = {},
+                              .elastic_energy = (model == ContactModel::hertz ? 0.4 : 0.5) * spring * at.overlap,
+                              .sliding_energy = 0.5 * stiffness * dot(slid.stretch, slid.stretch),
+                              .dashpot_power = dashpot * opening,
+                              .sliding_power = Number{} - dot(slid.force, sliding)};
   if constexpr (rolls) {
     memory.rolling = across(memory.rolling, at.normal);
     const auto rolled = slide(stiffness, damping, Number(constants.rolling * pressing), at.rolling, at.step, memory.rolling);

@@ -23,22 +23,16 @@ template <class Number>
 SliderForce<Number> slide(const Number& stiffness, const Number& damping, const Number& limit, const Triple<Number>& velocity,
                           const Number& step, Triple<Number>& memory) {
   const Number half = 0.5 * step;
-  SliderForce<Number> result;
-  result.stretch = memory + half * velocity;
-  const Number spring = stiffness * stiffness * dot(result.stretch, result.stretch), most = limit * limit;
-  if (const auto slips = spring > most; any(slips)) {
-    const Number share = select(slips, limit / square_root(spring), Number{} + 1);
-    result.stretch = share * result.stretch;
-  }
-  const Triple<Number> pull = stiffness * result.stretch + damping * velocity;
-  result.force = Triple<Number>{} - pull;
-  const Number square = dot(pull, pull);
-  if (const auto slips = square > most; any(slips)) {
-    const Number share = select(slips, limit / square_root(square), Number{} + 1);
-    result.force = share * result.force;
-  }
-  memory = result.stretch + half * velocity;
-  return result;
+  Triple<Number> stretch = memory + half * velocity;
+  const Number spring = stiffness * stiffness * dot(stretch, stretch), most = limit * limit;
+  if (const auto slips = spring > most; any(slips))
+    stretch = select(slips, limit * inverse_square_root(spring), Number{} + 1) * stretch;
+  Triple<Number> force = Triple<Number>{} - (stiffness * stretch + damping * velocity);
+  const Number square = dot(force, force);
+  if (const auto slips = square > most; any(slips))
+    force = select(slips, limit * inverse_square_root(square), Number{} + 1) * force;
+  memory = stretch + half * velocity;
+  return {force, stretch};
 }
 
 }  // namespace sazare::laws

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "sazare/core/coming_lines.hpp"
-#include "sazare/core/lanes.hpp"
 #include "sazare/core/time.hpp"
 #include "sazare/core/triple.hpp"
+#include "sazare/core/twin_lanes.hpp"
 
 namespace sazare::methods::spheres {
 
@@ -20,6 +20,8 @@ struct Contact {
 
 class BlockContacts {
 public:
+  static constexpr std::size_t at_once = TwinLanes::count;  ///< contacts that are evaluated together
+
   std::size_t size() const { return contacts_.size(); }
   const Contact& operator[](std::size_t contact) const { return contacts_[contact]; }
 
@@ -40,7 +42,7 @@ public:
     remember(n, {}, {});
     if (rest_.empty()) return;
     rest_.resize(groups_of(n + 1));
-    rest_[n / lane_count][n % lane_count] = 0;
+    set_rest(n, 0);
   }
 
   void add_to(ComingLines& coming) const {
@@ -66,9 +68,9 @@ public:
     rest_.resize(groups_of(last));
   }
 
-  /// What the `lane_count` contacts from a multiple of it on remember [m]; lanes beyond the last contact may hold anything.
-  Triple<Lanes>& sliding_of(std::size_t contact) { return sliding_[contact / lane_count]; }
-  Triple<Lanes>& rolling_of(std::size_t contact) { return rolling_[contact / lane_count]; }
+  /// What the `at_once` contacts from a multiple of it on remember [m]; lanes beyond the last contact may hold anything.
+  Triple<TwinLanes>& sliding_of(std::size_t contact) { return sliding_[contact / at_once]; }
+  Triple<TwinLanes>& rolling_of(std::size_t contact) { return rolling_[contact / at_once]; }
 
   Triple<Real> sliding(std::size_t contact) const { return get(sliding_, contact); }
   Triple<Real> rolling(std::size_t contact) const { return rolling_.empty() ? Triple<Real>{} : get(rolling_, contact); }
@@ -79,35 +81,36 @@ public:
 
   /// Whether some contact has an overlap at rest, beyond which alone it pushes [m].
   bool rests() const { return !rest_.empty(); }
-  Lanes& rest_of(std::size_t contact) { return rest_[contact / lane_count]; }
-  Real rest(std::size_t contact) const { return rest_.empty() ? 0 : rest_[contact / lane_count][contact % lane_count]; }
+  TwinLanes& rest_of(std::size_t contact) { return rest_[contact / at_once]; }
+  Real rest(std::size_t contact) const { return rest_.empty() ? 0 : rest_[contact / at_once][lane_of(contact)]; }
   void set_rest(std::size_t contact, Real overlap) {
     if (rest_.empty()) rest_.resize(groups_of(contacts_.size()));
-    rest_[contact / lane_count][contact % lane_count] = overlap;
+    rest_[contact / at_once].set(lane_of(contact), overlap);
   }
 
 private:
-  using Memory = std::vector<Triple<Lanes>>;
+  using Memory = std::vector<Triple<TwinLanes>>;
   static constexpr std::size_t spare = 32;
 
-  static std::size_t groups_of(std::size_t count) { return (count + lane_count - 1) / lane_count; }
+  static std::size_t groups_of(std::size_t count) { return (count + at_once - 1) / at_once; }
+  static int lane_of(std::size_t contact) { return static_cast<int>(contact % at_once); }
   static Triple<Real> get(const Memory& memory, std::size_t contact) {
-    const Triple<Lanes>& group = memory[contact / lane_count];
-    const std::size_t lane = contact % lane_count;
+    const Triple<TwinLanes>& group = memory[contact / at_once];
+    const int lane = lane_of(contact);
     return {group.x[lane], group.y[lane], group.z[lane]};
   }
   static void put(Memory& memory, std::size_t contact, const Triple<Real>& value) {
-    Triple<Lanes>& group = memory[contact / lane_count];
-    const std::size_t lane = contact % lane_count;
-    group.x[lane] = value.x;
-    group.y[lane] = value.y;
-    group.z[lane] = value.z;
+    Triple<TwinLanes>& group = memory[contact / at_once];
+    const int lane = lane_of(contact);
+    group.x.set(lane, value.x);
+    group.y.set(lane, value.y);
+    group.z.set(lane, value.z);
   }
 
   std::vector<Contact> contacts_;
   Memory sliding_;
-  Memory rolling_;           ///< empty where nothing resists rolling
-  std::vector<Lanes> rest_;  ///< empty where none has an overlap at rest
+  Memory rolling_;               ///< empty where nothing resists rolling
+  std::vector<TwinLanes> rest_;  ///< empty where none has an overlap at rest
 };
 
 }  // namespace sazare::methods::spheres

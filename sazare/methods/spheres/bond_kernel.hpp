@@ -164,7 +164,7 @@ private:
   const state::Spheres& spheres_;
   const Bonds::Task& task_;
   std::size_t begin_;
-  BoxLanes box_;
+  BoxLanes<Lanes> box_;
   Lanes step_;
   Lanes energy_{}, drag_work_{}, fracture_{};
   Real contact_energy_ = 0;

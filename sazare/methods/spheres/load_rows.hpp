@@ -10,16 +10,17 @@
 namespace sazare::methods::spheres {
 
 /// A periodic box that lanes read.
+template <class Number>
 class BoxLanes {
 public:
   explicit BoxLanes(const state::PeriodicBox& box) : repeats_(box.repeats()) {
     const Vector3 inverse = box.inverse();
-    length_ = {broadcast(box.length.x()), broadcast(box.length.y()), broadcast(box.length.z())};
-    inverse_ = {broadcast(inverse.x()), broadcast(inverse.y()), broadcast(inverse.z())};
+    length_ = {Number{} + box.length.x(), Number{} + box.length.y(), Number{} + box.length.z()};
+    inverse_ = {Number{} + inverse.x(), Number{} + inverse.y(), Number{} + inverse.z()};
   }
 
   /// From one place to the nearest image of another, of which any image is given.
-  Triple<Lanes> nearest(Triple<Lanes> apart) const {
+  Triple<Number> nearest(Triple<Number> apart) const {
     if (!repeats_) return apart;
     apart.x -= length_.x * whole(apart.x * inverse_.x);
     apart.y -= length_.y * whole(apart.y * inverse_.y);
@@ -29,13 +30,13 @@ public:
 
 private:
   /// Rounds to the nearest whole number, up to 2^51.
-  static Lanes whole(const Lanes& number) {
+  static Number whole(const Number& number) {
     constexpr Real shift = 6755399441055744.0;  // 1.5 * 2^52
     return (number + shift) - shift;
   }
 
   bool repeats_;
-  Triple<Lanes> length_, inverse_;
+  Triple<Number> length_, inverse_;
 };
 
 /// Force and moment in lanes, to be added to loads one after the other.

@@ -11,6 +11,7 @@
 /// line of the cache that another one reads.
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <vector>
 
@@ -87,13 +88,22 @@ public:
 
   /// Where what a block's contacts bring to a sphere, its own or one of a later block, adds up.
   Index slot(std::size_t block, Index sphere) const;
-  state::SphereLoad* at(Index slot, state::SphereLoad* own) {
-    // Without a branch: nobody foretells which contact has a guest.
-    const Index guest = slot >> 31;
-    return (guest == 0 ? own : guests_.data()) + (slot ^ guest);
-  }
+  /// Finds the load of a slot; `own` are the loads of the block's spheres.
+  class Slots {
+  public:
+    Slots(state::SphereLoad* own, state::SphereLoad* guests) : loads_{guests, own} {}
+    /// Without a branch: nobody foretells which contact has a guest.
+    state::SphereLoad* operator[](Index slot) const {
+      const Index guest = slot >> 31;
+      return loads_[static_cast<std::size_t>(1 + guest)] + (slot ^ guest);
+    }
+
+  private:
+    std::array<state::SphereLoad*, 2> loads_;
+  };
+  Slots slots(state::SphereLoad* own) { return {own, guests_.data()}; }
   /// The load of the second sphere of a bond of a block.
-  state::SphereLoad* bonded(std::size_t bond, state::SphereLoad* own) { return at(bond_slot_[bond], own); }
+  state::SphereLoad* bonded(std::size_t bond, state::SphereLoad* own) { return slots(own)[bond_slot_[bond]]; }
 
   /// The loads of the spheres, which all have to be kept.
   void columns(Archive& archive);

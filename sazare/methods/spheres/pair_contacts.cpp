@@ -161,7 +161,8 @@ void PairContacts::wake_those_due(const state::Spheres& spheres, const Task& tas
   const auto first = load_quads([&](std::size_t lane) { return &own[owner_[pairs[lane]]].x; });
   const auto second =
       load_quads([&](std::size_t lane) { return &spheres.place[static_cast<std::size_t>(pairs_.other[pairs[lane]])].x; });
-  const Triple<Lanes> apart = BoxLanes(spheres.box).nearest({second[0] - first[0], second[1] - first[1], second[2] - first[2]});
+  const Triple<Lanes> apart =
+      BoxLanes<Lanes>(spheres.box).nearest({second[0] - first[0], second[1] - first[1], second[2] - first[2]});
   return square_root(dot(apart, apart)) - (first[3] + second[3]);
 }
 
@@ -181,8 +182,8 @@ template <laws::ContactModel model, bool rolls, bool rests>
 ContactSums PairContacts::evaluate_those(const state::Spheres& spheres, Task& task) {
   BlockContacts& contacts = contacts_[task.block];
   ContactKernel<model, rolls, rests> kernel(*this, spheres, task);
-  const std::size_t lines_at_once = 1 + task.coming.lines() * lane_count / std::max<std::size_t>(contacts.size(), 1);
-  for (std::size_t next = 0; next < contacts.size(); next += lane_count) {
+  const std::size_t lines_at_once = 1 + task.coming.lines() * contacts.at_once / std::max<std::size_t>(contacts.size(), 1);
+  for (std::size_t next = 0; next < contacts.size(); next += contacts.at_once) {
     kernel.evaluate(next);
     task.coming.fetch(lines_at_once);
   }
@@ -206,6 +207,7 @@ ComingLines PairContacts::coming(const state::Spheres& spheres, const LoadTable&
   ComingLines coming;
   coming.add(place, loads.guests(block));
   coming.add(spin, loads.guests(block));
+  if (reads_rows_ahead()) return coming;
   coming.add(place.subspan(begin, end - begin));
   coming.add(spin.subspan(begin, end - begin));
   coming.add(std::span(sleeps_until_).subspan(first, count));
