@@ -23,7 +23,7 @@ constexpr laws::GrainElasticity rigid{1e20, 0};
 
 struct Ball {
   Real radius;
-  Vector3 centre, velocity, spin;
+  Vector3 centre, velocity, spin = Vector3::Zero();
 };
 
 struct After {
@@ -90,7 +90,7 @@ void equal_spheres(const std::string& name, const Solid& solid) {
   const Real radius = 0.01, speed = 10, mass = 0.5 * mass_of(solid.density, radius), modulus = 0.5 * modulus_of(solid.elasticity);
   const Real expected = duration(mass, 0.5 * radius, modulus, 2 * speed);
   const After after =
-      impact(solid, {{radius, {0, 0, -radius}, {0, 0, speed}, {}}, {radius, {0, 0, radius}, {0, 0, -speed}, {}}}, expected);
+      impact(solid, {{radius, {0, 0, -radius}, {0, 0, speed}}, {radius, {0, 0, radius}, {0, 0, -speed}}}, expected);
   const Real stiffness = 4.0 / 3 * modulus * std::sqrt(0.5 * radius),
              deepest = std::pow(1.25 * mass * 4 * speed * speed / stiffness, 0.4);
   print_row("1-" + name + "-force", after.largest_force, stiffness * std::pow(deepest, 1.5));
