@@ -5,8 +5,6 @@
 /// prints `bonds,bond_steps_per_second,bond_steps_per_processor_second,bytes_per_bond`: steps 20 to 220. With `breaks` the bonds
 /// have a strength that they never reach, and every step looks at it.
 
-#include <sys/resource.h>
-
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -14,12 +12,14 @@
 #include <limits>
 #include <string>
 
+#include "benchmarks/memory.hpp"
 #include "sazare/engine/sphere_stepper.hpp"
 #include "sazare/parallel/threads.hpp"
 
 namespace {
 
 using namespace sazare;
+using namespace sazare::benchmarks;
 
 constexpr Real radius = 5e-4, spacing = 1e-3, step = 1e-7;
 constexpr int warm_up = 20, measured = 200;
@@ -34,12 +34,6 @@ methods::spheres::Bond bond(Index first, Index second, int axis) {
   return bond;
 }
 
-Real resident_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return 1024 * static_cast<Real>(usage.ru_maxrss);
-}
-
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -49,7 +43,7 @@ int main(int count, char** arguments) {
     return 2;
   }
   parallel::set_threads(threads);
-  const Real before = resident_bytes();
+  const Real before = largest_resident_bytes();
   state::Spheres spheres;
   std::vector<methods::spheres::Bond> bonds;
   std::uint64_t seed = 42;
@@ -84,5 +78,5 @@ int main(int count, char** arguments) {
   const Real seconds = std::chrono::duration<Real>(std::chrono::steady_clock::now() - began).count();
   const Real processor = static_cast<Real>(std::clock() - worked) / CLOCKS_PER_SEC;
   std::printf("%.0f,%.4g,%.4g,%.4g\n", bond_count, measured * bond_count / seconds, measured * bond_count / processor,
-              (resident_bytes() - before) / bond_count);
+              (largest_resident_bytes() - before) / bond_count);
 }

@@ -8,14 +8,12 @@
 /// sought) and at the end, and how many candidates and guests of blocks there are per sphere. Where FILE is given and not "-", it
 /// gets the start as rows of radius, x, y, z, vx, vy, vz, from which other codes can begin.
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 
+#include "benchmarks/memory.hpp"
 #include "sazare/core/large_tables.hpp"
 #include "sazare/engine/sphere_stepper.hpp"
 #include "sazare/parallel/threads.hpp"
@@ -23,6 +21,7 @@
 namespace {
 
 using namespace sazare;
+using namespace sazare::benchmarks;
 
 constexpr Real radius = 5e-4, spacing = 1.0005e-3, speed = 0.05, step = 2e-6;
 
@@ -50,21 +49,6 @@ void write(const state::Spheres& spheres, const std::string& name) {
   for (const auto& at : spheres.place)
     std::fprintf(file, "%.17g %.17g %.17g %.17g %.17g %.17g %.17g\n", at.radius, at.x, at.y, at.z, at.vx, at.vy, at.vz);
   std::fclose(file);
-}
-
-Real largest_resident_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return 1024 * static_cast<Real>(usage.ru_maxrss);
-}
-
-Real resident_bytes() {
-  long size = 0, resident = 0;
-  std::FILE* const file = std::fopen("/proc/self/statm", "r");
-  if (file == nullptr) return 0;
-  if (std::fscanf(file, "%ld %ld", &size, &resident) != 2) resident = 0;
-  std::fclose(file);
-  return static_cast<Real>(resident) * static_cast<Real>(sysconf(_SC_PAGESIZE));
 }
 
 }  // namespace
