@@ -79,6 +79,6 @@ int main(int count, char** arguments) {
   const Real largest = largest_resident_bytes(), resident = resident_bytes();
   std::printf("%.0f,%.4g,%.3g,%.4g,%.4g,%.3g,%.3g,%lld\n", spheres, steps * spheres / seconds,
               static_cast<Real>(stepper.contacts()) / spheres, (largest - before) / spheres, (resident - before) / spheres,
-              static_cast<Real>(stepper.pairs().pairs().other.size()) / spheres,
-              static_cast<Real>(stepper.loads().guests()) / spheres, static_cast<long long>(stepper.searches()));
+              static_cast<Real>(stepper.levels().pairs(0).pairs().other.size()) / spheres,
+              static_cast<Real>(stepper.levels().loads(0).guests()) / spheres, static_cast<long long>(stepper.searches()));
 }

@@ -286,19 +286,12 @@ void check_gauges(const CheckContext& context, const SpheresCase& spheres) {
     check_known(context, list[i], "group", list[i].place("group"), spheres.gauges[i].group, groups, "group");
 }
 
-/// Each sphere can have steps of its own where nothing else joins it to others.
+/// Spheres have steps of their own, or one that is given.
 void check_levels(const CheckContext& context, const SpheresCase& spheres) {
   const Entry entry = context.entries_of("time").front();
-  if (!entry.gives("levels") || spheres.time.levels != SphereLevels::per_sphere) return;
-  const auto refuse = [&](const std::string& why) {
-    context.problems.error(entry.place("levels"), why, "give levels = \"uniform\", or leave it out");
-  };
-  if (entry.has("step"))
+  if (entry.gives("levels") && spheres.time.levels == SphereLevels::per_sphere && entry.has("step"))
     context.problems.error(entry.place("step"), "step and levels = \"per_sphere\" are both given",
                            "step is that of all spheres: keep one of them; stability_fraction sets the steps of levels");
-  if (!spheres.bonds.empty()) refuse(fmt::format("the bonds \"{}\" need one step for all spheres", spheres.bonds.front().name));
-  for (const SphereGroup& group : spheres.spheres)
-    if (!group.shape.empty()) return refuse(fmt::format("the bodies of \"{}\" need one step for all spheres", group.name));
 }
 
 }  // namespace

@@ -321,16 +321,16 @@ constexpr std::array time_keys{
     Key{.name = "levels",
         .type = Type::choice,
         .default_text = "\"automatic\"",
-        .sentence = "Whether every sphere has its own time level, or all take the step of the one that bears least. Levels are "
-                    "for single spheres, without bonds and shapes; automatic takes them where spheres then need less than half "
-                    "of the steps and no step is given.",
+        .sentence = "Whether every sphere, or every clump, has its own time level, or all take the step of the one that bears "
+                    "least. Automatic takes levels where spheres then need less than half of the steps, no step is given, and "
+                    "nothing is coupled.",
         .choices = level_choices},
     Key{.name = "stability_fraction",
         .type = Type::number,
         .range = stability_fraction_range,
         .default_text = "0.2",
         .sentence = "Step over the limit where no step is given: Rayleigh's time of the smallest sphere, or with linear springs "
-                    "2/frequency of a contact; with levels each sphere's own."},
+                    "2/frequency of a contact, or the limit of the bonds; with levels each sphere's own."},
     history_interval_key,
     snapshot_interval_key,
     strict_key,

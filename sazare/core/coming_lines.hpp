@@ -46,6 +46,12 @@ public:
     add({reinterpret_cast<const char*>(part.data()), line_bytes, nullptr, (part.size_bytes() + line_bytes - 1) / line_bytes});
   }
 
+  /// The same where the processor does not read ahead by itself.
+  template <class T>
+  void add_row(std::span<const T> part) {
+    if (!reads_rows_ahead()) add(part);
+  }
+
   /// Single records of a table, each within one line.
   template <class T>
   void add(std::span<const T> table, std::span<const Index> places) {

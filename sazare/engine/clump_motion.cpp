@@ -26,26 +26,35 @@ void turn_about(state::Clump& clump, int axis, Real time) {
                   cosine * old.z + sine * old.w};
 }
 
-Triple<Real> momentum_at(const state::Clump& clump, Real step) { return clump.angular_momentum + 0.5 * step * clump.moment; }
+Triple<Real> momentum_at_its_time(const state::Clump& clump) { return clump.angular_momentum + clump.turning_ahead; }
 
 }  // namespace
 
-void gather_loads(state::Clumps& clumps, std::size_t clump, const methods::spheres::LoadTable& loads,
-                  std::span<const Index> place) {
-  state::Clump& body = clumps.clumps[clump];
-  body.force = body.moment = {};
-  for (std::size_t m = clumps.begin_of(clump); m < clumps.end_of(clump); ++m) {
-    const state::ClumpMember& member = clumps.members[m];
-    const state::SphereLoad& load = loads.of(static_cast<std::size_t>(place[static_cast<std::size_t>(member.sphere)]));
-    const Triple<Real> force{load.fx, load.fy, load.fz};
-    body.force = body.force + force;
-    body.moment = body.moment + Triple<Real>{load.mx, load.my, load.mz} + cross(body.out(member.place), force);
+ClumpImpulse gather(state::Clump& clump, std::span<const state::ClumpMember> members, std::span<const TimedTable> loads,
+                    const ClumpFlight& flight, std::span<const Index> place) {
+  const Triple<Real> fall = flight.step * clump.mass * triple(flight.gravity);
+  ClumpImpulse given{fall, {}};
+  clump.impulse_ahead = 0.5 * fall;
+  clump.turning_ahead = {};
+  for (const TimedTable& level : loads) {
+    Triple<Real> force{}, moment{};
+    for (const state::ClumpMember& member : members) {
+      const state::SphereLoad& load = level.loads->of(static_cast<std::size_t>(place[static_cast<std::size_t>(member.sphere)]));
+      const Triple<Real> push{load.fx, load.fy, load.fz};
+      force = force + push;
+      moment = moment + Triple<Real>{load.mx, load.my, load.mz} + cross(clump.out(member.place), push);
+    }
+    given.linear = given.linear + level.given * force;
+    given.turning = given.turning + level.given * moment;
+    clump.impulse_ahead = clump.impulse_ahead + level.foreseen * force;
+    clump.turning_ahead = clump.turning_ahead + level.foreseen * moment;
   }
+  return given;
 }
 
-void kick(state::Clump& clump, const Vector3& gravity, Real time) {
-  clump.velocity = clump.velocity + time * (1 / clump.mass * clump.force + triple(gravity));
-  clump.angular_momentum = clump.angular_momentum + time * clump.moment;
+void kick(state::Clump& clump, const ClumpImpulse& impulse) {
+  clump.velocity = clump.velocity + 1 / clump.mass * impulse.linear;
+  clump.angular_momentum = clump.angular_momentum + impulse.turning;
 }
 
 void drift(state::Clump& clump, Real step) {
@@ -57,42 +66,36 @@ void drift(state::Clump& clump, Real step) {
   turn = {shrink * turn.w, shrink * turn.x, shrink * turn.y, shrink * turn.z};
 }
 
-void place_members(const state::Clumps& clumps, std::size_t clump, const Vector3& gravity, Real step,
-                   std::span<const Index> place, state::Spheres& spheres) {
-  const state::Clump& body = clumps.clumps[clump];
-  const Triple<Real> spin = body.spin_of(momentum_at(body, step)), moves = triple(velocity(body, gravity, step));
-  for (std::size_t m = clumps.begin_of(clump); m < clumps.end_of(clump); ++m) {
-    const state::ClumpMember& member = clumps.members[m];
+void place_members(const state::Clump& clump, std::span<const state::ClumpMember> members, std::span<const Index> place,
+                   state::Spheres& spheres) {
+  const Triple<Real> spin = clump.spin_of(momentum_at_its_time(clump)), moves = triple(velocity(clump));
+  for (const state::ClumpMember& member : members) {
     const auto i = static_cast<std::size_t>(place[static_cast<std::size_t>(member.sphere)]);
-    const Triple<Real> arm = body.out(member.place), centre = body.centre + arm, at = moves + cross(spin, arm);
+    const Triple<Real> arm = clump.out(member.place), centre = clump.centre + arm, at = moves + cross(spin, arm);
     state::SpherePlace& sphere = spheres.place[i];
     sphere = {centre.x, centre.y, centre.z, sphere.radius, at.x, at.y, at.z, sphere.mass};
     spheres.spin[i] = {spin.x, spin.y, spin.z, spheres.spin[i].material};
   }
 }
 
-Real turning_speed(const state::Clumps& clumps, std::size_t clump) {
+Real turning_speed(const state::Clump& clump, std::span<const state::ClumpMember> members) {
   constexpr Real rounded_up = 1.01;  // the spin changes a little within a step
-  const state::Clump& body = clumps.clumps[clump];
   Real reach = 0;
-  for (std::size_t m = clumps.begin_of(clump); m < clumps.end_of(clump); ++m)
-    reach = std::max(reach, dot(clumps.members[m].place, clumps.members[m].place));
-  const Triple<Real> spin = body.spin_of(body.angular_momentum);
+  for (const state::ClumpMember& member : members) reach = std::max(reach, dot(member.place, member.place));
+  const Triple<Real> spin = clump.spin_of(clump.angular_momentum);
   return rounded_up * std::sqrt(reach * dot(spin, spin));
 }
 
-Vector3 velocity(const state::Clump& clump, const Vector3& gravity, Real step) {
-  return vector(clump.velocity) + 0.5 * step * (vector(clump.force) / clump.mass + gravity);
-}
+Vector3 velocity(const state::Clump& clump) { return vector(clump.velocity + 1 / clump.mass * clump.impulse_ahead); }
 
-ClumpEnergies energies(const state::Clump& clump, const Vector3& gravity, Real step) {
-  const Triple<Real> momentum = momentum_at(clump, step);
-  return {0.5 * clump.mass * velocity(clump, gravity, step).squaredNorm(), 0.5 * dot(momentum, clump.spin_of(momentum)),
+ClumpEnergies energies(const state::Clump& clump, const Vector3& gravity) {
+  const Triple<Real> momentum = momentum_at_its_time(clump);
+  return {0.5 * clump.mass * velocity(clump).squaredNorm(), 0.5 * dot(momentum, clump.spin_of(momentum)),
           -clump.mass * gravity.dot(vector(clump.centre))};
 }
 
-Vector3 angular_momentum(const state::Clump& clump, const Vector3& gravity, Real step) {
-  return clump.mass * vector(clump.centre).cross(velocity(clump, gravity, step)) + vector(momentum_at(clump, step));
+Vector3 angular_momentum(const state::Clump& clump) {
+  return clump.mass * vector(clump.centre).cross(velocity(clump)) + vector(momentum_at_its_time(clump));
 }
 
 }  // namespace sazare::engine

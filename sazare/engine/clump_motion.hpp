@@ -9,32 +9,51 @@
 
 namespace sazare::engine {
 
-/// Adds up what pushes the spheres of a clump; `place` says by number where a sphere stands.
-void gather_loads(state::Clumps& clumps, std::size_t clump, const methods::spheres::LoadTable& loads,
-                  std::span<const Index> place);
+/// Loads of one time level on all spheres of a clump, and for how long they act; see TimedLoads.
+struct TimedTable {
+  const methods::spheres::LoadTable* loads = nullptr;
+  Real given = 0, foreseen = 0;  ///< [s]
+};
 
-/// Velocity and angular momentum by so much time of the forces kept and of gravity.
-void kick(state::Clump& clump, const Vector3& gravity, Real time);
+/// What a kick gives a clump.
+struct ClumpImpulse {
+  Triple<Real> linear;   ///< [N s]
+  Triple<Real> turning;  ///< about its centre [N m s]
+};
+
+/// How a clump falls from one of its times to the next.
+struct ClumpFlight {
+  Real step = 0;                      ///< [s]
+  Vector3 gravity = Vector3::Zero();  ///< [m/s2]
+};
+
+/// Adds up what pushes the spheres of a clump: returns what a kick gives, and keeps what is foreseen besides, of gravity half
+/// a step. `place` says by number where a sphere stands.
+ClumpImpulse gather(state::Clump& clump, std::span<const state::ClumpMember> members, std::span<const TimedTable> loads,
+                    const ClumpFlight& flight, std::span<const Index> place);
+
+/// Velocity and angular momentum by an impulse.
+void kick(state::Clump& clump, const ClumpImpulse& impulse);
 
 /// Free flight by a step. The turn goes axis by axis (Dullweber, Leimkuhler and McLachlan 1997): symplectic, of second order, and
 /// angular momentum stays to the last bit.
 void drift(state::Clump& clump, Real step);
 
 /// Places, velocities and spins of a clump's spheres, from its foreseen motion.
-void place_members(const state::Clumps& clumps, std::size_t clump, const Vector3& gravity, Real step,
-                   std::span<const Index> place, state::Spheres& spheres);
+void place_members(const state::Clump& clump, std::span<const state::ClumpMember> members, std::span<const Index> place,
+                   state::Spheres& spheres);
 
 /// Not less than how fast any of a clump's spheres goes around its centre [m/s].
-Real turning_speed(const state::Clumps& clumps, std::size_t clump);
+Real turning_speed(const state::Clump& clump, std::span<const state::ClumpMember> members);
 
 struct ClumpEnergies {
   Real translation = 0, rotation = 0, potential = 0;  ///< [J]
 };
 
-/// At the time of the forces kept.
-ClumpEnergies energies(const state::Clump& clump, const Vector3& gravity, Real step);
-Vector3 velocity(const state::Clump& clump, const Vector3& gravity, Real step);
+/// At its time.
+ClumpEnergies energies(const state::Clump& clump, const Vector3& gravity);
+Vector3 velocity(const state::Clump& clump);
 /// About the origin [kg m2/s].
-Vector3 angular_momentum(const state::Clump& clump, const Vector3& gravity, Real step);
+Vector3 angular_momentum(const state::Clump& clump);
 
 }  // namespace sazare::engine

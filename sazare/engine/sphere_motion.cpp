@@ -7,6 +7,7 @@
 
 #include "sazare/core/lane_records.hpp"
 #include "sazare/core/triple.hpp"
+#include "sazare/methods/spheres/load_table.hpp"
 
 namespace sazare::engine {
 
@@ -112,14 +113,18 @@ SphereSpeeds kick_and_drift(state::Spheres& spheres, std::size_t begin, std::siz
 
 SphereSpeeds kick_and_drift(state::Spheres& spheres, std::size_t begin, std::size_t end, std::span<const TimedLoads> loads,
                             const SphereFlight& flight) {
+  const auto by_level = [=](const TimedLoads& level, std::size_t i) {
+    const Quad force = read(level.loads[i - begin].fx), moment = read(level.loads[i - begin].mx);
+    return Impulses{level.given * force, level.foreseen * force, level.given * moment, level.foreseen * moment};
+  };
   return fly(spheres, begin, end, flight, [&](std::size_t i) {
-    Impulses all{};
-    for (const TimedLoads& level : loads) {
-      const Quad force = read(level.loads[i - begin].fx), moment = read(level.loads[i - begin].mx);
-      all.force += level.given * force;
-      all.force_ahead += level.foreseen * force;
-      all.moment += level.given * moment;
-      all.moment_ahead += level.foreseen * moment;
+    Impulses all = by_level(loads.front(), i);
+    for (const TimedLoads& level : loads.subspan(1)) {
+      const Impulses more = by_level(level, i);
+      all.force += more.force;
+      all.force_ahead += more.force_ahead;
+      all.moment += more.moment;
+      all.moment_ahead += more.moment_ahead;
     }
     return all;
   });
@@ -141,13 +146,18 @@ void turn(state::Spheres& spheres, std::size_t begin, std::size_t end, Real step
 
 Real work_of_driven(const state::Spheres& spheres, std::size_t begin, std::size_t end, const state::SphereLoad* loads,
                     Real step) {
+  constexpr std::size_t together = methods::spheres::LoadTable::together;
   Real work = 0;
-  for (std::size_t i = begin; i < end; ++i) {
-    const state::SphereKick& kick = spheres.kick[i];
-    const state::SphereLoad& load = loads[i - begin];
-    if (kick.inverse_mass > 0) continue;
-    work -= step * (load.fx * kick.vx + load.fy * kick.vy + load.fz * kick.vz + load.mx * kick.wx + load.my * kick.wy +
-                    load.mz * kick.wz);
+  for (std::size_t first = begin; first < end; first += together) {
+    Real of_some = 0;
+    for (std::size_t i = first; i < std::min(first + together, end); ++i) {
+      const state::SphereKick& kick = spheres.kick[i];
+      const state::SphereLoad& load = loads[i - begin];
+      if (kick.inverse_mass > 0) continue;
+      of_some -= step * (load.fx * kick.vx + load.fy * kick.vy + load.fz * kick.vz + load.mx * kick.wx + load.my * kick.wy +
+                         load.mz * kick.wz);
+    }
+    work += of_some;
   }
   return work;
 }

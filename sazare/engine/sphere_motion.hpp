@@ -49,7 +49,8 @@ SphereSpeeds kick_and_drift(state::Spheres& spheres, std::size_t begin, std::siz
 /// order and, for spheres, the exact course of a kinetic energy a little different, so that the step stays symplectic.
 void turn(state::Spheres& spheres, std::size_t begin, std::size_t end, Real step);
 
-/// What held spheres that move bring in in a step, against the loads on them [J].
+/// What held spheres that move bring in in a step, against the loads on them [J]. Added up by so many as are late together, so
+/// that the sums of parts which are cut between these add up to the same bits.
 Real work_of_driven(const state::Spheres& spheres, std::size_t begin, std::size_t end, const state::SphereLoad* loads, Real step);
 
 }  // namespace sazare::engine

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "sazare/engine/clump_motion.hpp"
 #include "sazare/engine/sphere_stepper.hpp"
 
 namespace sazare::engine {
@@ -60,6 +59,7 @@ RainEnd SphereStepper::rain(const RainRules& rules) {
     all.clumps[c] = clumps_.clumps[rained++];
     all.clumps[c].first_member = first;
     all.clumps[c].velocity = all.clumps[c].angular_momentum = {};
+    all.clumps[c].impulse_ahead = all.clumps[c].turning_ahead = {};
   }
   clumps_ = std::move(all);
   for (std::size_t i = 0; i < spheres_.size(); ++i) {
@@ -101,9 +101,15 @@ Real SphereStepper::unrest() {
     mass += spheres_.place[i].mass;
     squares += spheres_.place[i].mass * acceleration(i).squaredNorm();
   }
-  for (const state::Clump& clump : clumps_.clumps) {
-    mass += clump.mass;
-    squares += clump.mass * (vector(clump.force) / clump.mass + rules_.gravity).squaredNorm();
+  for (std::size_t c = 0; c < clumps_.clumps.size(); ++c) {
+    const Real own = clumps_.clumps[c].mass;
+    Vector3 force = own * rules_.gravity;
+    for (const auto& member : clumps_.members_of(c)) {
+      const state::SphereLoad load = this->load(static_cast<std::size_t>(place_[static_cast<std::size_t>(member.sphere)]));
+      force += Vector3(load.fx, load.fy, load.fz);
+    }
+    mass += own;
+    squares += force.squaredNorm() / own;
   }
   radius /= static_cast<Real>(spheres_.size());
   const SphereEnergies now = energies();

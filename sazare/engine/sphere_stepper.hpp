@@ -5,7 +5,8 @@
 ///     v(k+1/2) = v(k-1/2) + h a(k)     x(k+1) = x(k) + h v(k+1/2)     foreseen v(k+1) = v(k+1/2) + h a(k)/2
 ///
 /// so the step is of second order with dashpots too. The spheres stand in memory along a curve, sorted anew whenever pairs are.
-/// Where spheres have time levels, a step is a base step, in which each takes as many steps as its level asks for.
+/// Where spheres have time levels, a step is a base step, in which each takes as many steps as its level asks for. Where all
+/// take one step, and no clump waits for the forces on all its spheres, blocks are evaluated and kicked in one walk.
 
 #include <functional>
 #include <span>
@@ -25,7 +26,7 @@ struct SphereRules {
   Vector3 gravity = Vector3::Zero();    ///< [m/s2]
   Real margin = 0;                      ///< spheres nearer than this are kept as pairs until they may have come closer [m]
   Real wall_margin = 0;                 ///< the same for walls [m]
-  std::vector<std::int8_t> level = {};  ///< by number of the sphere; empty: all in one step. Single spheres alone have levels
+  std::vector<std::int8_t> level = {};  ///< by number of the sphere; empty: all in one step. Those of a clump go by its finest
 };
 
 /// Where the energy is, and where it went; their sum without the works of walls stays.
@@ -64,7 +65,7 @@ struct RainEnd {
 
 class SphereStepper {
 public:
-  SphereStepper(state::Spheres spheres, methods::spheres::ContactTable table, std::vector<methods::spheres::Wall> walls,
+  SphereStepper(state::Spheres spheres, const methods::spheres::ContactTable& table, std::vector<methods::spheres::Wall> walls,
                 const SphereRules& rules, methods::spheres::Bonds bonds = {}, state::Clumps clumps = {},
                 methods::spheres::BondedBodies bodies = {});
 
@@ -83,7 +84,7 @@ public:
   /// meanwhile, and no time passes. To be called before `start`; contacts go on with what they remember.
   RainEnd rain(const RainRules& rules);
 
-  /// A step: forces at `time()`, kick and drift, block by block in one go.
+  /// A step: forces at `time()`, kick and drift.
   void advance();
 
   /// Evaluates the forces at `time()` and keeps them: to be called before anything below is asked for. The next `advance` goes on
@@ -94,16 +95,14 @@ public:
   Real time() const { return static_cast<Real>(step_) * rules_.step; }
   const SphereRules& rules() const { return rules_; }
   const state::Spheres& spheres() const { return spheres_; }
-  const methods::spheres::PairContacts& pairs() const { return pairs_; }
   const methods::spheres::WallContacts& walls() const { return walls_; }
-  const methods::spheres::LoadTable& loads() const { return loads_; }
   const SphereLevels& levels() const { return levels_; }
   const methods::spheres::Bonds& bonds() const { return bonds_; }
   const state::Clumps& clumps() const { return clumps_; }
   const methods::spheres::BondedBodies& bodies() const { return bodies_; }
 
   /// At `time()`.
-  state::SphereLoad load(std::size_t sphere) const { return levels_.empty() ? loads_.of(sphere) : levels_.load(sphere); }
+  state::SphereLoad load(std::size_t sphere) const { return levels_.load(sphere); }
   Vector3 velocity(std::size_t sphere) const;
   Vector3 spin(std::size_t sphere) const;
   SphereEnergies energies() const;
@@ -119,10 +118,9 @@ public:
   /// The largest speed in the last step [m/s]; infinite when one is no number.
   Real largest_speed() const { return largest_speed_; }
   /// Steps of single spheres so far.
-  std::int64_t particle_steps() const {
-    return levels_.empty() ? step_ * static_cast<std::int64_t>(spheres_.size()) : levels_.counts().kicks;
-  }
-  /// With levels: whether two spheres came so fast within a base step that they may have met before they were sought as a pair.
+  std::int64_t particle_steps() const { return levels_.counts().kicks; }
+  /// With several levels: whether two spheres came so fast within a base step that they may have met before they were sought as a
+  /// pair.
   bool missed_pairs() const { return missed_pairs_; }
 
   void columns(Archive& archive);
@@ -131,50 +129,61 @@ private:
   Vector3 acceleration(std::size_t sphere) const;
   Vector3 half_kick(std::size_t sphere) const;
   Vector3 half_turning_kick(std::size_t sphere) const;
+  bool is_member(std::size_t sphere) const {
+    return !body_.empty() && body_[static_cast<std::size_t>(spheres_.number[sphere])] >= 0;
+  }
+
+  SphereLevels::Scene scene() { return {spheres_, walls_, bonds_, approach_}; }
+  void evaluate(std::int64_t tick);
+  void book(std::int64_t tick);
+  SphereSpeeds kick(std::int64_t tick);
+  void hold_clumps();
+  void kick_clumps(std::size_t pace, std::int64_t tick);
+  void measure(const SphereSpeeds& speeds);
+
+  bool can_walk() const;
+  SphereSpeeds walk();
+  void walk(std::size_t share, parallel::Progress& progress);
   SphereSpeeds move(std::size_t block, std::span<const methods::spheres::PlaceRange> places, const state::SphereLoad* loads);
   void book_driven(std::size_t begin, std::size_t end, const state::SphereLoad* loads);
-  methods::spheres::ContactSums evaluate(std::size_t block, std::size_t end, state::SphereLoad* loads);
+  Real driven_work() const;
   ComingLines coming(std::size_t block) const;
-  void walk();
-  void walk(std::size_t share, parallel::Progress& progress);
   void ask_for_late(std::size_t block) const;
   Real kick_late(std::size_t share, const parallel::Progress& progress);
   void share_out();
   void balance();
-  void kick_kept();
-  void book();
-  void measure();
+
+  bool seek_in_time(const SphereSpeeds& speeds);
   void find_pairs();
-  std::vector<Index> places() const;
+  void arrange();
+  void find_drift();
+  Real margin_for_step() const;
+  void find_places();
+  SphereLevels::Together together();
   void rest_bodies();
-  void rest_pieces();
-  void gather_clumps();
-  void move_clumps();
-  bool is_member(std::size_t sphere) const {
-    return !body_.empty() && body_[static_cast<std::size_t>(spheres_.number[sphere])] >= 0;
+  void wake_broken_within_pieces();
+  void find_walls(std::span<const Index> places_before);
+  /// What `of_number` says of a sphere, by place.
+  template <class OfNumber>
+  std::vector<Index> by_place(OfNumber&& of_number) const {
+    std::vector<Index> values(spheres_.size());
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = of_number(spheres_.number[i]);
+    return values;
   }
+  void part_broken(std::size_t coarsest);
+  void part_pieces(Index body);
+
   void slow(Real kept);
   Real unrest();
-  void arrange_bonds();
-  void wake_broken_within_pieces();
-  void part_broken();
-  void part_pieces(Index body);
-  void find_walls(std::span<const Index> places_before);
-  void find_drift();
-  void find_level_pairs();
-  void evaluate_levels(std::int64_t tick);
-  void advance_levels();
-  void seek_in_time(const SphereSpeeds& speeds);
 
   state::Spheres spheres_;
-  methods::spheres::PairContacts pairs_;
   methods::spheres::WallContacts walls_;
   methods::spheres::Bonds bonds_;
   state::Clumps clumps_;
   methods::spheres::BondedBodies bodies_;
   std::vector<Index> body_;   ///< by number of the sphere: its clump, below 0 where none; empty without clumps
-  std::vector<Index> place_;  ///< by number, where the spheres stand; empty without clumps and bonded bodies
-  methods::spheres::LoadTable loads_;
+  std::vector<Index> place_;  ///< by number, where the spheres stand; empty without bodies and bonds
+  std::vector<std::vector<Index>> clumps_at_pace_;
   SphereRules rules_;
   SphereLevels levels_;
   std::int64_t step_ = 0, searches_ = 0;
@@ -183,17 +192,18 @@ private:
   Vector3 drift_ = Vector3::Zero();  ///< mean velocity when pairs were last found [m/s]
   Real approach_ = 0;                ///< how much nearer any two may have come since then [m]
   Real wall_approach_ = 0;           ///< the same of spheres and walls [m]
-  Real margin_ = 0;                  ///< with levels: at which pairs were last found [m]
+  Real margin_ = 0;                  ///< at which pairs were last found [m]
   bool missed_pairs_ = false;
   Real wall_radius_ = 0;  ///< of the spheres about the pivots of the walls [m]
   Real largest_speed_ = 0;
-  std::vector<SphereSpeeds> speeds_;  ///< by block, and one more for clumps
+  methods::spheres::ContactSums sums_;  ///< of the last evaluation; works since the start
+  Real wall_work_ = 0;
+
+  // Of a walk.
+  std::vector<SphereSpeeds> speeds_;  ///< by block
   std::vector<Real> driven_work_;  ///< by spheres that are late together: of driven ones in the last step [J]; empty without them
   std::vector<std::size_t> cuts_;  ///< of the blocks into shares, see LoadTable
-  std::vector<Real> share_seconds_;                        ///< by share of the blocks: processor time since they were cut [s]
-  std::vector<methods::spheres::ContactSums> block_sums_;  ///< by block
-  methods::spheres::ContactSums sums_;                     ///< of the last evaluation; works since the start
-  Real wall_work_ = 0;
+  std::vector<Real> share_seconds_;  ///< by share of the blocks: processor time since they were cut [s]
 };
 
 }  // namespace sazare::engine

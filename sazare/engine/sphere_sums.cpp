@@ -1,6 +1,5 @@
 /// What spheres have at the time of the forces kept, and what all hold together.
 
-#include "sazare/engine/clump_motion.hpp"
 #include "sazare/engine/sphere_stepper.hpp"
 
 namespace sazare::engine {
@@ -11,23 +10,17 @@ Vector3 SphereStepper::acceleration(std::size_t sphere) const {
   return inverse * Vector3(load.fx, load.fy, load.fz) + (inverse > 0 ? rules_.gravity : Vector3(Vector3::Zero()));
 }
 
-/// What the velocity of a single sphere gains from half a step before `time()` to `time()`.
+/// What the velocity of a single sphere lacks at `time()`.
 Vector3 SphereStepper::half_kick(std::size_t sphere) const {
-  if (levels_.empty()) return 0.5 * rules_.step * acceleration(sphere);
   const state::SphereLoad impulse = levels_.half_impulse(sphere);
   const Real inverse = spheres_.kick[sphere].inverse_mass;
   return inverse * Vector3(impulse.fx, impulse.fy, impulse.fz) +
-         (inverse > 0 ? 0.5 * levels_.step_of(sphere) * rules_.gravity : Vector3(Vector3::Zero()));
+         (inverse > 0 ? 0.5 * levels_.step(levels_.pace(sphere)) * rules_.gravity : Vector3(Vector3::Zero()));
 }
 
 Vector3 SphereStepper::half_turning_kick(std::size_t sphere) const {
-  const Real inverse = spheres_.kick[sphere].inverse_inertia;
-  if (!levels_.empty()) {
-    const state::SphereLoad impulse = levels_.half_impulse(sphere);
-    return inverse * Vector3(impulse.mx, impulse.my, impulse.mz);
-  }
-  const state::SphereLoad& load = loads_.of(sphere);
-  return 0.5 * rules_.step * (inverse * Vector3(load.mx, load.my, load.mz));
+  const state::SphereLoad impulse = levels_.half_impulse(sphere);
+  return spheres_.kick[sphere].inverse_inertia * Vector3(impulse.mx, impulse.my, impulse.mz);
 }
 
 Vector3 SphereStepper::velocity(std::size_t sphere) const {
@@ -42,17 +35,6 @@ Vector3 SphereStepper::spin(std::size_t sphere) const {
   return Vector3(kick.wx, kick.wy, kick.wz) + half_turning_kick(sphere);
 }
 
-/// The mean velocity, from which speeds are seen.
-void SphereStepper::find_drift() {
-  Real mass = 0;
-  drift_ = Vector3::Zero();
-  for (std::size_t i = 0; i < spheres_.size(); ++i) {
-    drift_ += spheres_.place[i].mass * spheres_.place[i].velocity();
-    mass += spheres_.place[i].mass;
-  }
-  if (mass > 0) drift_ /= mass;
-}
-
 SphereEnergies SphereStepper::energies() const {
   SphereEnergies energies;
   for (std::size_t i = 0; i < spheres_.size(); ++i) {
@@ -62,7 +44,7 @@ SphereEnergies SphereStepper::energies() const {
     energies.potential -= spheres_.place[i].mass * rules_.gravity.dot(spheres_.place[i].centre());
   }
   for (const state::Clump& clump : clumps_.clumps) {
-    const ClumpEnergies of = engine::energies(clump, rules_.gravity, rules_.step);
+    const ClumpEnergies of = engine::energies(clump, rules_.gravity);
     energies.translation += of.translation;
     energies.rotation += of.rotation;
     energies.potential += of.potential;
@@ -82,7 +64,7 @@ Vector3 SphereStepper::momentum() const {
   Vector3 total = Vector3::Zero();
   for (std::size_t i = 0; i < spheres_.size(); ++i)
     if (!is_member(i)) total += spheres_.place[i].mass * velocity(i);
-  for (const state::Clump& clump : clumps_.clumps) total += clump.mass * engine::velocity(clump, rules_.gravity, rules_.step);
+  for (const state::Clump& clump : clumps_.clumps) total += clump.mass * engine::velocity(clump);
   return total;
 }
 
@@ -91,7 +73,7 @@ Vector3 SphereStepper::angular_momentum() const {
   for (std::size_t i = 0; i < spheres_.size(); ++i)
     if (!is_member(i))
       total += spheres_.place[i].mass * spheres_.place[i].centre().cross(velocity(i)) + spheres_.inertia(i) * spin(i);
-  for (const state::Clump& clump : clumps_.clumps) total += engine::angular_momentum(clump, rules_.gravity, rules_.step);
+  for (const state::Clump& clump : clumps_.clumps) total += engine::angular_momentum(clump);
   return total;
 }
 

@@ -1,6 +1,8 @@
-/// A step of spheres, block by block on several threads, each of which has a share of the blocks that stand one after the other.
+/// A step of spheres that all take one, block by block on several threads, each of which has a share of the blocks that stand one
+/// after the other.
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "sazare/engine/block_shares.hpp"
@@ -9,8 +11,16 @@
 
 namespace sazare::engine {
 
-/// Forces and kicks of all spheres.
-void SphereStepper::walk() {
+/// A clump waits for the forces on all its spheres; and where a body parts, its pieces push beyond the overlap that they had when
+/// forces were evaluated, before any sphere moved.
+bool SphereStepper::can_walk() const { return levels_.is_one() && clumps_.empty() && bodies_.empty() && !settled_; }
+
+/// Forces and kicks of all spheres. Returns their speeds.
+SphereSpeeds SphereStepper::walk() {
+  const std::size_t blocks = levels_.loads(0).blocks();
+  speeds_.resize(blocks);
+  if (drives_) driven_work_.resize(spheres_.size() / methods::spheres::LoadTable::together + 1);
+  walls_.move(time());
   parallel::Progress progress(share_seconds_.size());
   parallel::parallel_for(share_seconds_.size(), 2, [&](std::size_t begin, std::size_t end) {
     try {
@@ -20,18 +30,69 @@ void SphereStepper::walk() {
       throw;
     }
   });
+  levels_.add_up(0);
+  levels_.count_kicks(spheres_.size());
+  book(0);
+  if (drives_) wall_work_ += driven_work();
+  SphereSpeeds all;
+  for (const SphereSpeeds& one : speeds_) all.take(one);
+  return all;
+}
+
+/// Moves the spheres at some places of a block.
+SphereSpeeds SphereStepper::move(std::size_t block, std::span<const methods::spheres::PlaceRange> places,
+                                 const state::SphereLoad* loads) {
+  SphereSpeeds speeds;
+  const std::size_t first = levels_.loads(0).begin_of(block);
+  for (const auto& range : places) {
+    const std::size_t begin = first + range.begin, end = first + range.end;
+    speeds.take(kick_and_drift(spheres_, begin, end, loads + range.begin, {rules_.step, rules_.gravity, drift_}));
+    if (!spheres_.turn.empty()) turn(spheres_, begin, end, rules_.step);
+    if (drives_) book_driven(begin, end, loads + range.begin);
+  }
+  return speeds;
+}
+
+/// The same sums, however blocks are cut.
+void SphereStepper::book_driven(std::size_t begin, std::size_t end, const state::SphereLoad* loads) {
+  constexpr std::size_t together = methods::spheres::LoadTable::together;
+  for (std::size_t first = begin; first < end; first += together)
+    driven_work_[first / together] =
+        work_of_driven(spheres_, first, std::min(first + together, end), loads + (first - begin), rules_.step);
+}
+
+/// Of the last walk, added up block by block [J].
+Real SphereStepper::driven_work() const {
+  constexpr std::size_t of_block = neighbors::block_size / methods::spheres::LoadTable::together;
+  Real all = 0;
+  for (std::size_t begin = 0; begin < driven_work_.size(); begin += of_block) {
+    const auto first = driven_work_.begin() + static_cast<std::ptrdiff_t>(begin);
+    all += std::accumulate(first, first + static_cast<std::ptrdiff_t>(std::min(of_block, driven_work_.size() - begin)), Real{0});
+  }
+  return all;
+}
+
+/// What a block's contacts and its kick will need.
+ComingLines SphereStepper::coming(std::size_t block) const {
+  const auto& loads = levels_.loads(0);
+  const std::size_t begin = loads.begin_of(block), count = loads.end_of(block) - begin;
+  ComingLines coming = levels_.coming(spheres_, block);
+  coming.add_row(std::span(spheres_.kick).subspan(begin, count));
+  return coming;
 }
 
 /// Forces and kicks of a share's blocks, each while it is in the cache; then of its spheres at which earlier shares look.
 void SphereStepper::walk(std::size_t share, parallel::Progress& progress) {
   const Real began = parallel::processor_seconds();
   std::vector<state::SphereLoad> loads(neighbors::block_size);
-  const std::size_t end = loads_.cuts()[share + 1];
-  for (std::size_t block = loads_.cuts()[share]; block < end; ++block) {
-    block_sums_[block] = evaluate(block, end, loads.data());
+  methods::spheres::LoadTable& table = levels_.loads(0);
+  const SphereLevels::Scene scene = this->scene();
+  const std::size_t end = cuts_[share + 1];
+  for (std::size_t block = cuts_[share]; block < end; ++block) {
+    levels_.evaluate_block(block, scene, loads.data(), block + 1 < end ? coming(block + 1) : ComingLines{});
     progress.set(share, block + 1);
-    loads_.gather_in_time(block, loads.data());
-    speeds_[block] = move(block, loads_.places_in_time(block), loads.data());
+    table.gather_in_time(block, loads.data());
+    speeds_[block] = move(block, table.places_in_time(block), loads.data());
   }
   const Real waited = kick_late(share, progress);
   share_seconds_[share] += parallel::processor_seconds() - began - waited;
@@ -39,8 +100,9 @@ void SphereStepper::walk(std::size_t share, parallel::Progress& progress) {
 
 /// Late spheres have left the cache since their block was evaluated: they are asked for while those before them are kicked.
 void SphereStepper::ask_for_late(std::size_t block) const {
-  for (const auto& range : loads_.late_places(block)) {
-    const std::size_t begin = loads_.begin_of(block) + range.begin, count = range.end - range.begin;
+  const auto& table = levels_.loads(0);
+  for (const auto& range : table.late_places(block)) {
+    const std::size_t begin = table.begin_of(block) + range.begin, count = range.end - range.begin;
     ComingLines lines;
     lines.add(std::span(spheres_.place).subspan(begin, count));
     lines.add(std::span(spheres_.spin).subspan(begin, count));
@@ -53,36 +115,40 @@ void SphereStepper::ask_for_late(std::size_t block) const {
 Real SphereStepper::kick_late(std::size_t share, const parallel::Progress& progress) {
   Real waited = 0;
   std::vector<state::SphereLoad> loads(neighbors::block_size);
-  const auto blocks = loads_.late_blocks(share);
+  const auto& table = levels_.loads(0);
+  const auto blocks = table.late_blocks(share);
   if (!blocks.empty()) ask_for_late(blocks.front().block);
   for (std::size_t n = 0; n < blocks.size(); ++n) {
     const auto [block, after] = blocks[n];
     if (n + 1 < blocks.size()) ask_for_late(blocks[n + 1].block);
     for (std::size_t earlier = 0; earlier < share; ++earlier) {
-      const std::size_t until = std::min(after, loads_.cuts()[earlier + 1]);
+      const std::size_t until = std::min(after, cuts_[earlier + 1]);
       if (progress.has_come(earlier, until)) continue;
       const Real from = parallel::processor_seconds();
       if (!progress.wait(earlier, until)) return waited;
       waited += parallel::processor_seconds() - from;
     }
-    loads_.gather_late(block, loads.data());
-    speeds_[block].take(move(block, loads_.late_places(block), loads.data()));
+    table.gather_late(block, loads.data());
+    speeds_[block].take(move(block, table.late_places(block), loads.data()));
   }
   return waited;
 }
 
-/// Cuts new lists of loads as they were cut before; evenly where there are none, or as many threads no more.
+/// Cuts new lists of loads as they were cut before; evenly where there are none, or as many threads no more. With several levels
+/// no one walks, and nothing is cut.
 void SphereStepper::share_out() {
-  std::vector<std::size_t> even = even_cuts(loads_.blocks(), static_cast<std::size_t>(parallel::threads()));
+  if (!levels_.is_one()) return;
+  std::vector<std::size_t> even = even_cuts(levels_.loads(0).blocks(), static_cast<std::size_t>(parallel::threads()));
   if (cuts_.size() != even.size()) cuts_ = std::move(even);
-  loads_.share_out(cuts_);
+  levels_.loads(0).share_out(cuts_);
   share_seconds_.assign(cuts_.size() - 1, 0);
 }
 
 /// Cuts anew so that all threads have as much work.
 void SphereStepper::balance() {
+  if (!levels_.is_one()) return;
   std::vector<std::size_t> cuts = balanced_cuts(cuts_, share_seconds_);
-  if (cuts != cuts_) loads_.share_out(cuts_ = std::move(cuts));
+  if (cuts != cuts_) levels_.loads(0).share_out(cuts_ = std::move(cuts));
   std::ranges::fill(share_seconds_, 0);
 }
 

@@ -4,21 +4,34 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "sazare/neighbors/sphere_pairs.hpp"
 
 namespace sazare::neighbors {
 
-/// A pair has the finer level of its two spheres. The pace of a sphere is the finest level among its own and its pairs'. Spheres
-/// are to be sorted by their pace, the finest first, and then along a curve: those of a pace or a finer one so come first.
+/// A pair has the finer level of its two spheres. The pace of a sphere is the finest level among its own, its pairs' and its
+/// bonds'. Spheres are to be sorted by their pace, the finest first, and then along a curve: those of a pace or a finer one so
+/// come first.
 struct LeveledPairs {
   std::vector<Index> order;          ///< the n-th is the sphere that should stand n-th
   std::vector<std::size_t> spheres;  ///< by level: so many have this pace or a finer one
   std::vector<SpherePairs> pairs;    ///< by level, of that many spheres, by the places they are to have
 };
 
-/// All pairs whose surfaces are nearer than the margin [m]; `level` by present place, at least one of each sphere, `finest` at
-/// most.
-LeveledPairs find_leveled_pairs(const state::Spheres& spheres, Real margin, std::span<const std::int8_t> level, int finest);
+/// Time levels of spheres, all by present place.
+struct LevelsByPlace {
+  std::span<const std::int8_t> level;
+  int finest = 0;  ///< level at most
+  /// Two spheres that act on each other however far apart they are.
+  struct Bonded {
+    Index one = 0, other = 0;
+  };
+  std::vector<Bonded> bonded = {};
+  std::vector<Index> body = {};  ///< spheres of one body have one pace; below 0 those of none; empty where all are
+};
+
+/// All pairs whose surfaces are nearer than the margin [m].
+LeveledPairs find_leveled_pairs(const state::Spheres& spheres, Real margin, const LevelsByPlace& levels);
 
 }  // namespace sazare::neighbors

@@ -93,14 +93,27 @@ Real choose_base_step(const std::vector<Real>& steps, Real clock) {
   return best;
 }
 
-/// Whether all spheres of a case must take one step.
-bool must_be_uniform(const SpheresCase& spheres, const Placement& placement, const methods::spheres::Bonds& bonds) {
-  return spheres.time.step || !bonds.empty() || !placement.clumps.empty() || placement.bonded_bodies > 0;
+/// What each sphere bears between others, on its bonds, and with the others of its clump [s].
+std::vector<Real> step_limits(const SpheresCase& spheres, const Placement& placement, const SphereStepLimits& all) {
+  std::vector<Real> limits = spheres.contact.model == ContactModel::hertz ? rayleigh_limits(spheres, placement)
+                                                                          : spring_limits(all.contacts, placement.spheres);
+  const std::vector<Real> by_bonds = methods::spheres::stable_steps(all.bonds.bonds(), placement.spheres);
+  for (std::size_t i = 0; i < limits.size(); ++i) limits[i] = std::min(limits[i], by_bonds[i]);
+  for (std::size_t c = 0; c < placement.clumps.clumps.size(); ++c) {
+    Real least = std::numeric_limits<Real>::infinity();
+    const auto limit_of = [&](const state::ClumpMember& member) -> Real& {
+      return limits[static_cast<std::size_t>(member.sphere)];
+    };
+    for (const auto& member : placement.clumps.members_of(c)) least = std::min(least, limit_of(member));
+    for (const auto& member : placement.clumps.members_of(c)) limit_of(member) = least;
+  }
+  return limits;
 }
 
 /// Levels for spheres of which each bears so much, beside one step for all.
 SphereSteps choose_levels(const std::vector<Real>& limits, Real fraction, Real clock, const SphereSteps& uniform) {
   std::vector<Real> rising;
+  rising.reserve(limits.size());
   for (const Real limit : limits) rising.push_back(fraction * limit);
   std::ranges::sort(rising);
   SphereSteps steps;
@@ -126,14 +139,13 @@ SphereSteps choose_steps(const cases::CaseFile& file, const Placement& placement
   const cases::SphereTime& time = spheres.time;
   if (window && time.levels == cases::SphereLevels::per_sphere)
     refuse(file, "time.levels", "spheres that are coupled take one step for all", "give levels = \"uniform\", or leave it out");
-  const std::vector<Real> own = spheres.contact.model == ContactModel::hertz ? rayleigh_limits(spheres, placement)
-                                                                             : spring_limits(limits.contacts, placement.spheres);
+  const std::vector<Real> own = step_limits(spheres, placement, limits);
   SphereSteps steps;
-  steps.limit = std::min(*std::ranges::min_element(own), methods::spheres::stable_step(limits.bonds.bonds(), placement.spheres));
+  steps.limit = std::ranges::min(own);
   const Real clock = window.value_or(time.history_interval);
   steps.step = choose_step(file, steps.limit, clock);
   steps.particle_steps = static_cast<Real>(own.size());
-  if (window || time.levels == cases::SphereLevels::uniform || must_be_uniform(spheres, placement, limits.bonds)) return steps;
+  if (window || time.levels == cases::SphereLevels::uniform || time.step) return steps;
   const SphereSteps leveled = choose_levels(own, time.stability_fraction, clock, steps);
   const bool takes_them = time.levels == cases::SphereLevels::per_sphere || leveled.share_of_uniform <= worth_it;
   return takes_them && leveled.count.size() > 1 ? leveled : steps;

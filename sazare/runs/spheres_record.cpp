@@ -88,7 +88,7 @@ void SpheresRecord::add_gauge_row(Real time) {
     const auto g = static_cast<std::size_t>(model_->group[first]);
     mass[g] += clump.mass;
     place[g] += clump.mass * vector(clump.centre);
-    momentum[g] += clump.mass * engine::velocity(clump, stepper.rules().gravity, stepper.rules().step);
+    momentum[g] += clump.mass * engine::velocity(clump);
   }
   std::vector<Real> row = {time};
   for (std::size_t gauge = 0; gauge < gauge_group_.size(); ++gauge) {
@@ -188,7 +188,7 @@ std::vector<std::pair<std::string, observe::Figure>> SpheresRecord::results(std:
       {"energy_work", std::max({lost, peak_kinetic_, std::abs(energies_.wall_work)})},
       {"energy_residual", energy_residual()},
       {"peak_speed", largest_speed_}};
-  if (const engine::SphereLevels& levels = model_->stepper->levels(); !levels.empty()) {
+  if (const engine::SphereLevels& levels = model_->stepper->levels(); !levels.is_one()) {
     results.emplace_back("levels", static_cast<std::int64_t>(levels.count()));
     results.emplace_back("smallest_step", model_->steps.smallest());
     results.emplace_back("pair_evaluations", levels.counts().evaluations);

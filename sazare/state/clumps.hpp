@@ -2,6 +2,7 @@
 
 /// Rigid bodies of spheres: the spheres go where the body goes, and hand it what pushes them.
 
+#include <span>
 #include <vector>
 
 #include "sazare/core/archive.hpp"
@@ -10,16 +11,16 @@
 
 namespace sazare::state {
 
-/// A body whose axes are its principal ones. Momenta are those half a step back.
+/// A body whose axes are its principal ones. Its momenta hold what each force gives until half a step after it was evaluated.
 struct Clump {
   Triple<Real> centre;            ///< [m]
-  Triple<Real> velocity;          ///< half a step back [m/s]
-  Triple<Real> angular_momentum;  ///< about its centre, half a step back [kg m2/s]
+  Triple<Real> velocity;          ///< [m/s]
+  Triple<Real> angular_momentum;  ///< about its centre [kg m2/s]
   Turn<Real> turn{1, 0, 0, 0};    ///< from its own axes to those of space
   Real mass = 0;                  ///< [kg]
   Triple<Real> inertia;           ///< about its own axes [kg m2]
-  Triple<Real> force;             ///< of all its spheres, when forces were kept last [N]
-  Triple<Real> moment;            ///< about its centre [N m]
+  Triple<Real> impulse_ahead;     ///< what its momentum lacks at its time [N s]
+  Triple<Real> turning_ahead;     ///< what its angular momentum lacks [N m s]
   Real volume = 0;                ///< [m3]
   std::int64_t first_member = 0;  ///< its members end where those of the next begin
 
@@ -45,6 +46,9 @@ struct Clumps {
   bool empty() const { return clumps.empty(); }
   std::size_t begin_of(std::size_t clump) const { return static_cast<std::size_t>(clumps[clump].first_member); }
   std::size_t end_of(std::size_t clump) const { return clump + 1 < clumps.size() ? begin_of(clump + 1) : members.size(); }
+  std::span<const ClumpMember> members_of(std::size_t clump) const {
+    return std::span(members).subspan(begin_of(clump), end_of(clump) - begin_of(clump));
+  }
 
   void columns(Archive& archive) {
     archive("clumps", clumps);

@@ -291,13 +291,13 @@ class Time(Part):
     Greater than 0.
     """
     levels: Literal["automatic", "per_sphere", "uniform"] | None = None
-    """Whether every sphere has its own time level, or all take the step of the one that bears least. Levels are for single
-    spheres, without bonds and shapes; automatic takes them where spheres then need less than half of the steps and no step is
-    given. Default: "automatic".
+    """Whether every sphere, or every clump, has its own time level, or all take the step of the one that bears least. Automatic
+    takes levels where spheres then need less than half of the steps, no step is given, and nothing is coupled. Default:
+    "automatic".
     """
     stability_fraction: float | None = None
     """Step over the limit where no step is given: Rayleigh's time of the smallest sphere, or with linear springs 2/frequency of a
-    contact; with levels each sphere's own. Default: 0.2. Greater than 0 and less than 1.
+    contact, or the limit of the bonds; with levels each sphere's own. Default: 0.2. Greater than 0 and less than 1.
     """
     history_interval: float | None = None
     """Time between rows of the histories; the end is a whole multiple of it. [s] (default: about end/200) Greater than 0."""

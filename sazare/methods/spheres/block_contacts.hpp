@@ -46,9 +46,9 @@ public:
   }
 
   void add_to(ComingLines& coming) const {
-    coming.add(std::span(contacts_));
-    coming.add(std::span(sliding_));
-    coming.add(std::span(rolling_));
+    coming.add_row(std::span(contacts_));
+    coming.add_row(std::span(sliding_));
+    coming.add_row(std::span(rolling_));
   }
 
   void set_slot(std::size_t contact, Index slot) { contacts_[contact].slot = slot; }

@@ -10,8 +10,10 @@ namespace sazare::methods::spheres {
 template <bool breaks, bool damped>
 class BondKernel {
 public:
-  BondKernel(Bonds& bonds, const state::Spheres& spheres, const Bonds::Task& task)
+  BondKernel(BondLinks& bonds, const std::vector<laws::BondStrength<Real>>& kinds, const state::Spheres& spheres,
+             const Bonds::Task& task)
       : bonds_(bonds),
+        kinds_(kinds),
         spheres_(spheres),
         task_(task),
         begin_(task.loads.begin_of(task.block)),
@@ -22,8 +24,8 @@ public:
   void evaluate(std::size_t link) {
     std::array<const Real*, lane_count> place, other_place, turn, other_turn;
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
-      const auto i = static_cast<std::size_t>(bonds_.first_[link + lane]),
-                 j = static_cast<std::size_t>(bonds_.links_.second[link + lane]);
+      const auto i = static_cast<std::size_t>(bonds_.first[link + lane]),
+                 j = static_cast<std::size_t>(bonds_.ends.second[link + lane]);
       place[lane] = &spheres_.place[i].x;
       other_place[lane] = &spheres_.place[j].x;
       turn[lane] = &spheres_.turn[i].w;
@@ -31,14 +33,13 @@ public:
     }
     const auto first = load_quads(place), second = load_quads(other_place), turned = load_quads(turn),
                other_turned = load_quads(other_turn);
-    const laws::BondStiffness<Lanes> stiffness{column(bonds_.length_, link), column(bonds_.stretch_, link),
-                                               column(bonds_.shear_, link), column(bonds_.bend_, link),
-                                               column(bonds_.twist_, link)};
+    const laws::BondStiffness<Lanes> stiffness{column(bonds_.length, link), column(bonds_.stretch, link),
+                                               column(bonds_.shear, link), column(bonds_.bend, link), column(bonds_.twist, link)};
     laws::BondPose<Lanes> pose;
     pose.apart = box_.nearest({second[0] - first[0], second[1] - first[1], second[2] - first[2]});
     pose.first = {turned[0], turned[1], turned[2], turned[3]};
     pose.second = {other_turned[0], other_turned[1], other_turned[2], other_turned[3]};
-    pose.direction = {column(bonds_.direction_x_, link), column(bonds_.direction_y_, link), column(bonds_.direction_z_, link)};
+    pose.direction = {column(bonds_.direction_x, link), column(bonds_.direction_y, link), column(bonds_.direction_z, link)};
     auto force = laws::bond_force<Lanes>(stiffness, pose, Lanes{} + 1);
     if constexpr (breaks) {
       weaken(link, force, pose, first[3], second[3]);
@@ -69,13 +70,13 @@ private:
   void weaken(std::size_t link, laws::BondForce<Lanes>& force, const laws::BondPose<Lanes>& pose, const Lanes& radius,
               const Lanes& other_radius) {
     laws::BondStrength<Lanes> strength;
-    const Real* const table = &bonds_.kinds_.front().tensile;
+    const Real* const table = &kinds_.front().tensile;
     std::array<const Real*, lane_count> from;
-    for (std::size_t lane = 0; lane < lane_count; ++lane) from[lane] = table + 4 * bonds_.kind_[link + lane];
+    for (std::size_t lane = 0; lane < lane_count; ++lane) from[lane] = table + std::ptrdiff_t{4} * bonds_.kind[link + lane];
     const auto numbers = load_quads(from);
     strength = {numbers[0], numbers[1], numbers[2], numbers[3]};
-    const Lanes before = column(bonds_.largest_use_, link), energy_before = column(bonds_.energy_before_, link);
-    const Lanes use = laws::bond_use<Lanes>(strength, force, column(bonds_.radius_, link)), largest = maximum(before, use);
+    const Lanes before = column(bonds_.largest_use, link), energy_before = column(bonds_.energy_before, link);
+    const Lanes use = laws::bond_use<Lanes>(strength, force, column(bonds_.radius, link)), largest = maximum(before, use);
     const Lanes kept_before = laws::kept_stiffness<Lanes>(before, strength.ultimate),
                 kept = laws::kept_stiffness<Lanes>(largest, strength.ultimate);
     // A broken bond carries no compression either: from then on the contact does.
@@ -88,8 +89,8 @@ private:
     }
     energy_ += kept * force.energy + holds * force.compression;
     fracture_ += lost;
-    store_lanes(&bonds_.largest_use_[link], largest);
-    store_lanes(&bonds_.energy_before_[link], force.energy);
+    store_lanes(&bonds_.largest_use[link], largest);
+    store_lanes(&bonds_.energy_before[link], force.energy);
     if (!any(largest > 1.0)) return;
     const Lanes tension = Lanes{} - dot(force.force, force.direction),
                 pull = select(tension > 0.0, Lanes(kept * tension), Lanes(holds * tension));
@@ -109,7 +110,7 @@ private:
     for (int lane = 0; lane < lane_count; ++lane) {
       if (breaks_now[lane] == 0) continue;
       const std::size_t at = link + static_cast<std::size_t>(lane);
-      const auto i = static_cast<std::size_t>(bonds_.first_[at]), j = static_cast<std::size_t>(bonds_.links_.second[at]);
+      const auto i = static_cast<std::size_t>(bonds_.first[at]), j = static_cast<std::size_t>(bonds_.ends.second[at]);
       const Real distance =
           std::sqrt(apart.x[lane] * apart.x[lane] + apart.y[lane] * apart.y[lane] + apart.z[lane] * apart.z[lane]);
       const Real reach = ends.radius[lane] + ends.other_radius[lane], overlap = reach - distance;
@@ -117,11 +118,11 @@ private:
           task_.contacts.of(static_cast<Index>(spheres_.spin[i].material), static_cast<Index>(spheres_.spin[j].material));
       const laws::ContactModel model = task_.contacts.model;
       const Real reduced_radius = ends.radius[lane] * ends.other_radius[lane] / reach;
-      const Real since_start = overlap - std::max(reach - bonds_.length_[at], Real{0});
+      const Real since_start = overlap - std::max(reach - bonds_.length[at], Real{0});
       const Real begins = std::min(std::max(since_start, Real{0}),
                                    laws::overlap_of_energy(model, constants, ends.compression[lane], reduced_radius));
       contact_energy_ += laws::normal_energy(model, constants, begins, reduced_radius);
-      bonds_.broken_[task_.block].push_back({at, std::max(overlap - begins, Real{0})});
+      bonds_.broken[task_.block].push_back({at, std::max(overlap - begins, Real{0})});
       ++broken_;
     }
   }
@@ -132,13 +133,13 @@ private:
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
       velocity[lane] = place[lane] + 4;
       other_velocity[lane] = other_place[lane] + 4;
-      spin[lane] = &spheres_.spin[static_cast<std::size_t>(bonds_.first_[link + lane])].x;
-      other_spin[lane] = &spheres_.spin[static_cast<std::size_t>(bonds_.links_.second[link + lane])].x;
+      spin[lane] = &spheres_.spin[static_cast<std::size_t>(bonds_.first[link + lane])].x;
+      other_spin[lane] = &spheres_.spin[static_cast<std::size_t>(bonds_.ends.second[link + lane])].x;
     }
     const auto v = load_quads(velocity), u = load_quads(other_velocity), w = load_quads(spin), z = load_quads(other_spin);
-    laws::BondDamping<Lanes> damping{column(bonds_.along_, link), column(bonds_.across_, link), column(bonds_.turning_, link)};
+    laws::BondDamping<Lanes> damping{column(bonds_.along, link), column(bonds_.across, link), column(bonds_.turning, link)};
     if constexpr (breaks) {
-      const auto holds = column(bonds_.largest_use_, link) < 1.0;  // dashpots go with the first damage
+      const auto holds = column(bonds_.largest_use, link) < 1.0;  // dashpots go with the first damage
       for (Lanes* part : {&damping.along, &damping.across, &damping.turning}) *part = select(holds, *part, Lanes{});
     }
     const Lanes half = Lanes{} + 0.5;
@@ -155,12 +156,13 @@ private:
     const Triple<Lanes> back = Triple<Lanes>{} - force.force;
     const LoadRows first(back, force.first_moment), second(force.force, force.second_moment);
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
-      first.add(lane, &task_.own[static_cast<std::size_t>(bonds_.first_[link + lane]) - begin_]);
+      first.add(lane, &task_.own[static_cast<std::size_t>(bonds_.first[link + lane]) - begin_]);
       second.add(lane, task_.loads.bonded(link + lane, task_.own));
     }
   }
 
-  Bonds& bonds_;
+  BondLinks& bonds_;
+  const std::vector<laws::BondStrength<Real>>& kinds_;
   const state::Spheres& spheres_;
   const Bonds::Task& task_;
   std::size_t begin_;

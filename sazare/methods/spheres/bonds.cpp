@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "sazare/methods/spheres/bond_kernel.hpp"
@@ -12,8 +11,6 @@
 namespace sazare::methods::spheres {
 
 namespace {
-
-constexpr Index filler = -1;
 
 /// Largest frequency squared of a bond whose ends have these masses and inertias [1/s2].
 Real largest_frequency_squared(const laws::BondStiffness<Real>& bond, const std::array<Real, 2>& inverse_mass,
@@ -38,46 +35,25 @@ Real largest_damping_rate(const Bond& bond, const std::array<Real, 2>& inverse_m
 
 Bonds::Bonds(std::vector<Bond> bonds, std::vector<laws::BondStrength<Real>> kinds)
     : bonds_(std::move(bonds)), kinds_(std::move(kinds)) {
-  for (const auto& kind : kinds_)
-    breaks_ =
-        breaks_ || kind.tensile < std::numeric_limits<Real>::infinity() || kind.cohesion < std::numeric_limits<Real>::infinity();
-  for (const Bond& bond : bonds_) damped_ = damped_ || bond.damping.along > 0;
+  constexpr Real infinity = std::numeric_limits<Real>::infinity();
+  for (const auto& kind : kinds_) traits_.breaks = traits_.breaks || kind.tensile < infinity || kind.cohesion < infinity;
+  for (const Bond& bond : bonds_) traits_.damped = traits_.damped || bond.damping.along > 0;
 }
 
 void Bonds::collect() {
-  if (!breaks_) return;
-  for (std::size_t link = 0; link < source_.size(); ++link) {
-    if (source_[link] == filler) continue;
-    Bond& bond = bonds_[static_cast<std::size_t>(source_[link])];
-    bond.largest_use = largest_use_[link];
-    bond.energy_before = energy_before_[link];
-  }
+  if (!traits_.breaks) return;
+  for (const BondLinks& links : levels_)
+    for (std::size_t link = 0; link < links.source.size(); ++link) {
+      if (links.source[link] == BondLinks::filler) continue;
+      Bond& bond = bonds_[static_cast<std::size_t>(links.source[link])];
+      bond.largest_use = links.largest_use[link];
+      bond.energy_before = links.energy_before[link];
+    }
 }
 
-void Bonds::note_broken(std::size_t link) { bonds_[static_cast<std::size_t>(source_[link])].largest_use = largest_use_[link]; }
-
-void Bonds::append(Index number, bool is_filler) {
-  const Bond& bond = bonds_[static_cast<std::size_t>(number)];
-  const Real share = is_filler ? 0 : 1;
-  source_.push_back(is_filler ? filler : number);
-  kind_.push_back(bond.kind);
-  length_.push_back(bond.stiffness.length);
-  stretch_.push_back(share * bond.stiffness.stretch);
-  shear_.push_back(share * bond.stiffness.shear);
-  bend_.push_back(share * bond.stiffness.bend);
-  twist_.push_back(share * bond.stiffness.twist);
-  direction_x_.push_back(bond.direction.x);
-  direction_y_.push_back(bond.direction.y);
-  direction_z_.push_back(bond.direction.z);
-  if (breaks_) {
-    radius_.push_back(bond.radius);
-    largest_use_.push_back(is_filler ? 0 : bond.largest_use);
-    energy_before_.push_back(is_filler ? 0 : bond.energy_before);
-  }
-  if (!damped_) return;
-  along_.push_back(share * bond.damping.along);
-  across_.push_back(share * bond.damping.across);
-  turning_.push_back(share * bond.damping.turning);
+void Bonds::note_broken(std::size_t level, std::size_t link) {
+  const BondLinks& links = levels_[level];
+  bonds_[static_cast<std::size_t>(links.source[link])].largest_use = links.largest_use[link];
 }
 
 void Bonds::drop_broken() {
@@ -85,12 +61,11 @@ void Bonds::drop_broken() {
   for (std::size_t n = 0; n < bonds_.size(); ++n) bonds_[n].gone = is_broken(n) ? 1 : 0;
 }
 
-void Bonds::arrange(std::span<const Index> place) {
-  struct Placed {
-    Index first, second, bond;
+void Bonds::arrange(std::span<const Index> place, const Levels& levels) {
+  std::vector<std::vector<BondLinks::Placed>> placed(levels.count);
+  const auto level_of = [&](Index sphere) -> std::size_t {
+    return levels.of.empty() ? 0 : static_cast<std::size_t>(levels.of[static_cast<std::size_t>(sphere)]);
   };
-  std::vector<Placed> placed;
-  placed.reserve(bonds_.size());
   for (std::size_t n = 0; n < bonds_.size(); ++n) {
     Bond& bond = bonds_[n];
     if (bond.gone != 0) continue;
@@ -100,46 +75,32 @@ void Bonds::arrange(std::span<const Index> place) {
       std::swap(bond.first, bond.second);
       bond.direction = Triple<Real>{} - bond.direction;
     }
-    placed.push_back({i, j, static_cast<Index>(n)});
+    placed[std::max(level_of(bond.first), level_of(bond.second))].push_back({i, j, static_cast<Index>(n)});
   }
-  std::ranges::sort(placed, {}, [](const Placed& one) { return std::array{one.first, one.second, one.bond}; });
-  links_.begin.assign(1, 0);
-  for (auto* column : {&links_.second, &first_, &kind_, &source_}) column->clear();
-  for (auto* column : {&length_, &stretch_, &shear_, &bend_, &twist_, &direction_x_, &direction_y_, &direction_z_, &radius_,
-                       &largest_use_, &energy_before_, &along_, &across_, &turning_})
-    column->clear();
   const std::size_t blocks = (place.size() + neighbors::block_size - 1) / neighbors::block_size;
-  auto next = placed.begin();
-  for (std::size_t block = 0; block < blocks; ++block) {
-    const auto end = static_cast<Index>((block + 1) * neighbors::block_size);
-    const Placed* last = nullptr;
-    const auto add = [&](const Placed& one, bool is_filler) {
-      first_.push_back(one.first);
-      links_.second.push_back(one.second);
-      append(one.bond, is_filler);
-    };
-    for (; next != placed.end() && next->first < end; ++next) {
-      last = &*next;
-      add(*last, false);
-    }
-    while (last != nullptr && first_.size() % lane_count != 0) add(*last, true);
-    links_.begin.push_back(first_.size());
+  levels_.resize(levels.count);
+  for (std::size_t level = 0; level < levels.count; ++level) {
+    std::ranges::sort(placed[level], {}, [](const BondLinks::Placed& one) {
+      return std::array{one.first, one.second, one.bond};
+    });
+    levels_[level].lay_out(placed[level], bonds_, traits_, blocks);
   }
-  broken_.assign(blocks, {});
 }
 
 template <bool breaks, bool damped>
 ContactSums Bonds::evaluate_with(const state::Spheres& spheres, const Task& task) {
-  BondKernel<breaks, damped> kernel(*this, spheres, task);
-  for (std::size_t link = links_.begin[task.block]; link < links_.begin[task.block + 1]; link += lane_count)
+  BondLinks& links = levels_[task.level];
+  BondKernel<breaks, damped> kernel(links, kinds_, spheres, task);
+  for (std::size_t link = links.ends.begin[task.block]; link < links.ends.begin[task.block + 1]; link += lane_count)
     kernel.evaluate(link);
   return kernel.sums();
 }
 
 ContactSums Bonds::evaluate(const state::Spheres& spheres, const Task& task) {
-  broken_[task.block].clear();
-  if (breaks_) return damped_ ? evaluate_with<true, true>(spheres, task) : evaluate_with<true, false>(spheres, task);
-  return damped_ ? evaluate_with<false, true>(spheres, task) : evaluate_with<false, false>(spheres, task);
+  levels_[task.level].broken[task.block].clear();
+  const auto [breaks, damped] = traits_;
+  if (breaks) return damped ? evaluate_with<true, true>(spheres, task) : evaluate_with<true, false>(spheres, task);
+  return damped ? evaluate_with<false, true>(spheres, task) : evaluate_with<false, false>(spheres, task);
 }
 
 void Bonds::columns(Archive& archive) {
@@ -147,11 +108,11 @@ void Bonds::columns(Archive& archive) {
   archive("bonds", bonds_);
 }
 
-Real stable_step(std::span<const Bond> bonds, const state::Spheres& spheres) {
+std::vector<Real> stable_steps(std::span<const Bond> bonds, const state::Spheres& spheres) {
   std::vector<Real> shares(spheres.size(), 0);
   for (const Bond& bond : bonds)
     for (const Index end : {bond.first, bond.second}) shares[static_cast<std::size_t>(end)] += 1;
-  Real limit = std::numeric_limits<Real>::infinity();
+  std::vector<Real> limits(spheres.size(), std::numeric_limits<Real>::infinity());
   for (const Bond& bond : bonds) {
     std::array<Real, 2> inverse_mass{}, inverse_inertia{};
     for (std::size_t n = 0; n < 2; ++n) {
@@ -161,9 +122,17 @@ Real stable_step(std::span<const Bond> bonds, const state::Spheres& spheres) {
     }
     const Real square = largest_frequency_squared(bond.stiffness, inverse_mass, inverse_inertia),
                rate = largest_damping_rate(bond, inverse_mass, inverse_inertia);
-    if (square > 0) limit = std::min(limit, 2 / (rate + std::sqrt(rate * rate + square)));
+    if (!(square > 0)) continue;
+    for (const Index end : {bond.first, bond.second}) {
+      Real& limit = limits[static_cast<std::size_t>(end)];
+      limit = std::min(limit, 2 / (rate + std::sqrt(rate * rate + square)));
+    }
   }
-  return limit;
+  return limits;
+}
+
+Real stable_step(std::span<const Bond> bonds, const state::Spheres& spheres) {
+  return std::ranges::min(stable_steps(bonds, spheres));
 }
 
 }  // namespace sazare::methods::spheres

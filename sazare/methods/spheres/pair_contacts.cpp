@@ -126,7 +126,7 @@ void PairContacts::wake(Index one, Index other, Real allowed, const LoadTable& l
 }
 
 void PairContacts::rest_within(std::span<const Index> body) {
-  for (std::size_t i = 0; i < body.size(); ++i)
+  for (std::size_t i = 0; i + 1 < pairs_.first.size(); ++i)
     for (std::size_t p = pairs_.first[i]; p < pairs_.first[i + 1]; ++p)
       if (body[i] >= 0 && body[i] == body[static_cast<std::size_t>(pairs_.other[p])] && sleeps_until_[p] != in_contact)
         sleeps_until_[p] = at_rest;
@@ -207,12 +207,11 @@ ComingLines PairContacts::coming(const state::Spheres& spheres, const LoadTable&
   ComingLines coming;
   coming.add(place, loads.guests(block));
   coming.add(spin, loads.guests(block));
-  if (reads_rows_ahead()) return coming;
-  coming.add(place.subspan(begin, end - begin));
-  coming.add(spin.subspan(begin, end - begin));
-  coming.add(std::span(sleeps_until_).subspan(first, count));
-  coming.add(std::span(owner_).subspan(first, count));
-  coming.add(std::span(pairs_.other).subspan(first, count));
+  coming.add_row(place.subspan(begin, end - begin));
+  coming.add_row(spin.subspan(begin, end - begin));
+  coming.add_row(std::span(sleeps_until_).subspan(first, count));
+  coming.add_row(std::span(owner_).subspan(first, count));
+  coming.add_row(std::span(pairs_.other).subspan(first, count));
   contacts_[block].add_to(coming);
   return coming;
 }

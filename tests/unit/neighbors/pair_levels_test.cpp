@@ -42,7 +42,7 @@ TEST(pair_levels, are_all_pairs_once_each_at_the_finer_level_of_its_spheres) {
       const auto j = static_cast<std::size_t>(all.other[p]);
       expected.insert({std::max(scene.level[i], scene.level[j]), static_cast<Index>(i), static_cast<Index>(j)});
     }
-  const LeveledPairs leveled = find_leveled_pairs(scene.spheres, margin, scene.level, finest);
+  const LeveledPairs leveled = find_leveled_pairs(scene.spheres, margin, {scene.level, finest});
   std::size_t count = 0;
   for (std::size_t l = 0; l < leveled.pairs.size(); ++l) {
     const SpherePairs& pairs = leveled.pairs[l];
@@ -71,7 +71,7 @@ TEST(pair_levels, put_the_spheres_of_a_pace_or_a_finer_one_first) {
       pace[i] = std::max(pace[i], scene.level[j]);
       pace[j] = std::max(pace[j], scene.level[i]);
     }
-  const LeveledPairs leveled = find_leveled_pairs(scene.spheres, margin, scene.level, finest);
+  const LeveledPairs leveled = find_leveled_pairs(scene.spheres, margin, {scene.level, finest});
   ASSERT_EQ(leveled.spheres.size(), finest + 1U);
   EXPECT_EQ(leveled.spheres[0], pace.size());
   EXPECT_EQ(leveled.spheres[2], leveled.spheres[3]);  // nobody has level 2
@@ -80,6 +80,19 @@ TEST(pair_levels, put_the_spheres_of_a_pace_or_a_finer_one_first) {
       EXPECT_EQ(n < leveled.spheres[l], pace[static_cast<std::size_t>(leveled.order[n])] >= static_cast<std::int8_t>(l));
   const std::set<Index> each(leveled.order.begin(), leveled.order.end());
   EXPECT_EQ(each.size(), pace.size());
+}
+
+TEST(pair_levels, bonds_and_bodies_quicken_spheres_that_are_far_apart) {
+  state::Spheres spheres;
+  for (int n = 0; n < 5; ++n) spheres.add(Vector3(n, 0, 0), 0.1, 2500, 0);
+  const std::vector<std::int8_t> level = {3, 0, 0, 0, 1};
+  LevelsByPlace levels{level, 3};
+  levels.bonded = {{1, 0}};
+  levels.body = {-1, 7, 7, -1, -1};
+  const LeveledPairs leveled = find_leveled_pairs(spheres, 0.01, levels);
+  EXPECT_EQ(leveled.spheres, (std::vector<std::size_t>{5, 4, 3, 3}));
+  EXPECT_EQ(std::set<Index>(leveled.order.begin(), leveled.order.begin() + 3), (std::set<Index>{0, 1, 2}));
+  EXPECT_EQ(leveled.order[3], 4);
 }
 
 }  // namespace

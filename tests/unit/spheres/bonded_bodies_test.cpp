@@ -46,12 +46,19 @@ public:
     ++count_;
   }
 
+  /// Level 1 for spheres that are smaller than this [m].
+  std::vector<std::int8_t> levels(Real small) const {
+    std::vector<std::int8_t> level;
+    for (const auto& place : spheres_.place) level.push_back(place.radius < small ? 1 : 0);
+    return level;
+  }
+
   void set_velocity(std::size_t sphere, const Vector3& velocity) { spheres_.set_motion(sphere, velocity, Vector3::Zero()); }
 
   engine::SphereStepper stepper(const Rules& rules, std::vector<Wall> walls = {}) const {
     Bonds bonds(bonds_, {cement_.strength});
     BondedBodies bodies(body_, bonds);
-    return {spheres_,         table(rules), std::move(walls), {rules.step, rules.gravity, rules.margin, 5e-3},
+    return {spheres_,         table(rules), std::move(walls), {rules.step, rules.gravity, rules.margin, 5e-3, rules.level},
             std::move(bonds), {},           std::move(bodies)};
   }
 
@@ -88,6 +95,11 @@ struct Template {
 
 const Template& tetrapod() {
   static const Template shape(geometry::tetrapod_balls(0.05, 2));
+  return shape;
+}
+
+const Template& small_tetrapod() {
+  static const Template shape(geometry::tetrapod_balls(0.02, 2));
   return shape;
 }
 
@@ -244,8 +256,8 @@ TEST(bonded_bodies, a_crack_that_parts_nothing_closes_again) {
 
 Rules falling() { return {.restitution = 0.5, .friction = 0.4, .step = 1e-6, .gravity = {0, 0, -10}}; }
 
-/// Tetrapods that fly into each other and break: three blocks of spheres.
-Bodies cloud(int across) {
+/// Tetrapods that fly into each other and break; with `small`, every third one is of less than half the size.
+Bodies cloud(int across, bool small = false) {
   std::uint64_t state = 5;
   const auto random = [&] {
     state = state * 6364136223846793005ULL + 1442695040888963407ULL;
@@ -257,10 +269,18 @@ Bodies cloud(int across) {
       for (int k = 0; k < across; ++k) {
         const Eigen::Quaternion<Real> turn = Eigen::Quaternion<Real>(random(), random(), random(), random()).normalized();
         const Vector3 velocity(random(), random(), random()), spin(random(), random(), random());
-        bodies.add(tetrapod().balls, tetrapod().whole, 0.056 * Vector3(i, j, k) + Vector3(0.03, 0.03, 0.03), turn, 8 * velocity,
+        const Template& shape = small && (i + j + k) % 3 == 0 ? small_tetrapod() : tetrapod();
+        bodies.add(shape.balls, shape.whole, 0.056 * Vector3(i, j, k) + Vector3(0.03, 0.03, 0.03), turn, 8 * velocity,
                    200 * spin);
       }
   return bodies;
+}
+
+/// Tetrapods of two sizes, at two levels.
+engine::SphereStepper two_sizes(int across, Rules rules, std::vector<Wall> walls = {}) {
+  const Bodies bodies = cloud(across, true);
+  rules.level = bodies.levels(0.7 * std::ranges::max(tetrapod().balls, {}, &geometry::Ball::radius).radius);
+  return bodies.stepper(rules, std::move(walls));
 }
 
 test::MemoryArchive state_of(engine::SphereStepper& stepper) {
@@ -275,10 +295,7 @@ std::size_t broken_bodies(const engine::SphereStepper& stepper) {
   return broken;
 }
 
-TEST(bonded_bodies, break_each_other_and_the_ledger_closes) {
-  auto rules = falling();
-  rules.gravity = Vector3::Zero();
-  auto stepper = cloud(3).stepper(rules);
+void expect_to_break_and_close_the_ledger(engine::SphereStepper stepper) {
   stepper.start();
   const Vector3 momentum = stepper.momentum(), turning = stepper.angular_momentum();
   const Real energy = stepper.energies().sum();
@@ -291,10 +308,25 @@ TEST(bonded_bodies, break_each_other_and_the_ledger_closes) {
   EXPECT_NEAR(stepper.energies().sum(), energy, 2e-3 * energy);
 }
 
+TEST(bonded_bodies, break_each_other_and_the_ledger_closes) {
+  auto rules = falling();
+  rules.gravity = Vector3::Zero();
+  expect_to_break_and_close_the_ledger(cloud(3).stepper(rules));
+}
+
+TEST(bonded_bodies, of_several_levels_break_each_other_and_the_ledger_closes) {
+  auto rules = falling();
+  rules.gravity = Vector3::Zero();
+  auto stepper = two_sizes(3, rules);
+  EXPECT_EQ(stepper.levels().finest(), 1);
+  expect_to_break_and_close_the_ledger(std::move(stepper));
+}
+
 TEST(bonded_bodies, give_the_same_bits_on_any_number_of_threads) {
-  const auto run = [](int threads) {
+  const auto run = [](int threads, bool levels) {
     parallel::set_threads(threads);
-    auto stepper = cloud(7).stepper(falling(), {Wall{}});  // 3087 spheres: four blocks
+    auto stepper =
+        levels ? two_sizes(7, falling(), {Wall{}}) : cloud(7).stepper(falling(), {Wall{}});  // 3087 spheres: four blocks
     stepper.start();
     advance(stepper, 1500);
     EXPECT_GT(stepper.searches(), 2);
@@ -302,22 +334,42 @@ TEST(bonded_bodies, give_the_same_bits_on_any_number_of_threads) {
     parallel::set_threads(1);
     return state_of(stepper);
   };
-  const auto alone = run(1);
-  for (const int threads : {2, 3}) EXPECT_TRUE(run(threads) == alone) << threads;
+  for (const bool levels : {false, true}) {
+    const auto alone = run(1, levels);
+    for (const int threads : {2, 3}) EXPECT_TRUE(run(threads, levels) == alone) << threads << levels;
+  }
+}
+
+/// Bodies part while forces are kept or not.
+TEST(bonded_bodies, go_the_same_way_whether_or_not_one_looks_at_them) {
+  auto watched = cloud(3).stepper(falling()), alone = cloud(3).stepper(falling());
+  watched.start();
+  alone.start();
+  for (int step = 0; step < 4000; ++step) {
+    watched.advance();
+    watched.settle();
+    alone.advance();
+  }
+  alone.settle();
+  EXPECT_GT(broken_bodies(alone), 1);
+  EXPECT_TRUE(state_of(watched) == state_of(alone));
 }
 
 TEST(bonded_bodies, go_on_from_a_checkpoint_as_if_nothing_had_been) {
-  auto through = cloud(3).stepper(falling(), {Wall{}}), resumed = cloud(3).stepper(falling(), {Wall{}});
-  through.start();
-  advance(through, 4000);
-  EXPECT_GT(broken_bodies(through), 1);
-  test::MemoryArchive checkpoint = state_of(through);
-  checkpoint.turn_round();
-  resumed.columns(checkpoint);
-  EXPECT_EQ(broken_bodies(resumed), broken_bodies(through));
-  advance(through, 3000);
-  advance(resumed, 3000);
-  EXPECT_TRUE(state_of(through) == state_of(resumed));
+  for (const bool levels : {false, true}) {
+    const auto make = [&] { return levels ? two_sizes(3, falling(), {Wall{}}) : cloud(3).stepper(falling(), {Wall{}}); };
+    auto through = make(), resumed = make();
+    through.start();
+    advance(through, 4000);
+    EXPECT_GT(broken_bodies(through), 1);
+    test::MemoryArchive checkpoint = state_of(through);
+    checkpoint.turn_round();
+    resumed.columns(checkpoint);
+    EXPECT_EQ(broken_bodies(resumed), broken_bodies(through));
+    advance(through, 3000);
+    advance(resumed, 3000);
+    EXPECT_TRUE(state_of(through) == state_of(resumed)) << levels;
+  }
 }
 
 }  // namespace

@@ -51,11 +51,11 @@ std::vector<Vector3> nodes_of(int pieces) {
 }
 
 TEST(nodal_surface, pushes_once_wherever_its_edges_are) {
-  const Real once = on_fan({{.centre = {0.3, 1e-5, pressed}}}, {}, 3).loads().of(0).fz;
+  const Real once = on_fan({{.centre = {0.3, 1e-5, pressed}}}, {}, 3).load(0).fz;
   EXPECT_GT(once, 0);
   for (const int pieces : {3, 7, 40})
     for (const Vector3& place : {Vector3(0, 0, pressed), Vector3(1e-4, 0, pressed), Vector3(5e-4, 3e-4, pressed)})
-      EXPECT_NEAR(on_fan({{.centre = place}}, {}, pieces).loads().of(0).fz, once, 1e-9 * once) << pieces;
+      EXPECT_NEAR(on_fan({{.centre = place}}, {}, pieces).load(0).fz, once, 1e-9 * once) << pieces;
 }
 
 TEST(nodal_surface, its_nodes_get_the_force_and_the_moment_that_spheres_get_turned_round) {
@@ -63,7 +63,7 @@ TEST(nodal_surface, its_nodes_get_the_force_and_the_moment_that_spheres_get_turn
       on_fan({{.centre = {0.2, 0.1, pressed}, .velocity = {0.5, 0, 0}, .spin = {3, 0, 1}}}, {.friction = 0.3, .rolling = 0.1}, 5);
   stepper.lead(nodes_of(5), bending(nodes_of(5)));
   advance(stepper, 5);
-  const auto& load = stepper.loads().of(0);
+  const auto& load = stepper.load(0);
   const Vector3 force(load.fx, load.fy, load.fz), moment(load.mx, load.my, load.mz);
   const auto velocities = bending(nodes_of(5));
   Vector3 sum = Vector3::Zero(), turning = Vector3::Zero();

@@ -31,7 +31,7 @@ Wall fan(int pieces) {
 Vector3 force_at(const Vector3& centre, const std::vector<Wall>& walls) {
   auto stepper = make_stepper({{.centre = centre}}, {}, walls);
   stepper.start();
-  const auto& load = stepper.loads().of(0);
+  const auto& load = stepper.load(0);
   return {load.fx, load.fy, load.fz};
 }
 
@@ -87,7 +87,7 @@ TEST(wall_contacts, force_and_moment_on_the_wall_are_those_on_the_sphere_turned_
                               {.friction = 0.3, .rolling = 0.1}, {Wall{}});
   stepper.start();
   advance(stepper, 3);
-  const auto& load = stepper.loads().of(0);
+  const auto& load = stepper.load(0);
   const auto wall = stepper.walls().loads().front();
   const Vector3 force(load.fx, load.fy, load.fz), moment(load.mx, load.my, load.mz);
   EXPECT_LT((wall.force + force).norm(), 1e-12 * force.norm());

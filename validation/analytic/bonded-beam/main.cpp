@@ -66,7 +66,7 @@ state::SphereLoad reaction(const Vector3& shift, const Vector3& turning) {
   stepper.settle();
   const auto& numbers = stepper.spheres().number;
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    if (numbers[i] + 1 == nodes) return stepper.loads().of(i);
+    if (numbers[i] + 1 == nodes) return stepper.load(i);
   return {};
 }
 
@@ -103,7 +103,7 @@ void breaking() {
     if (way < 0.4 * breaks_at || way > 0.6 * breaks_at) continue;
     stepper.settle();
     for (std::size_t i = 0; i < stepper.spheres().size(); ++i)
-      if (model.group[static_cast<std::size_t>(stepper.spheres().number[i])] == 2) force += stepper.loads().of(i).fz / way;
+      if (model.group[static_cast<std::size_t>(stepper.spheres().number[i])] == 2) force += stepper.load(i).fz / way;
     ++samples;
   }
   validation::print_row("stiffness", force / samples, beam.across());

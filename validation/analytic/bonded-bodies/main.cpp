@@ -82,7 +82,8 @@ Parting part(Real speed) {
     placement.spheres.set_motion(i, {(placement.spheres.place[i].x > 0 ? 0.5 : -0.5) * speed, 0, 0}, Vector3::Zero());
   const runs::SpheresModel model = runs::build_spheres(file);
   const engine::SphereStepper& built = *model.stepper;
-  engine::SphereStepper stepper(placement.spheres, built.pairs().table(), {}, built.rules(), built.bonds(), {}, built.bodies());
+  engine::SphereStepper stepper(placement.spheres, built.levels().pairs(0).table(), {}, built.rules(), built.bonds(), {},
+                                built.bodies());
   stepper.start();
   const Real energy = stepper.energies().sum();
   Parting parting;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "sazare/engine/sphere_stepper.hpp"
@@ -82,6 +83,67 @@ struct Ring {
   }
 };
 
+/// A bar of bonded spheres that touch, pulled and whirled by chance; nothing touches but by bonds.
+struct Bar {
+  std::vector<Real> radius;
+  Real damping = 0;  ///< share of the critical one of a bond
+  Real whirl = 1;    ///< of the whole bar, across it [rad/s]
+
+  engine::SphereStepper stepper(Real step, bool levels) const {
+    Random random;
+    state::Spheres spheres;
+    Real place = 0;
+    for (std::size_t n = 0; n < radius.size(); ++n) {
+      if (n > 0) place += radius[n - 1] + radius[n];
+      spheres.add({place, 0, 0}, radius[n], density, 0);
+      const Real vx = random(), vy = random(), vz = random();
+      spheres.set_motion(n, Vector3(1e-2 * vx, 1e-2 * vy, 1e-2 * vz + whirl * place), {0, -whirl, 0});
+    }
+    const auto bonds = bonds_of(spheres);
+    std::vector<std::int8_t> level;
+    if (levels) level = levels_of(spheres);
+    return {std::move(spheres),
+            table(1, 0),
+            {},
+            {step, Vector3::Zero(), 1e-3, 1e-3, level},
+            methods::spheres::Bonds(bonds, {{infinite, infinite, 0, 1}})};
+  }
+
+  /// A fifth of what the spheres that bear most bear [s].
+  Real base_step() const {
+    state::Spheres spheres;
+    for (const Real one : radius) spheres.add({0, 0, 0}, one, density, 0);
+    return 0.2 * std::ranges::max(methods::spheres::stable_steps(bonds_of(spheres), spheres));
+  }
+
+private:
+  static constexpr Real infinite = std::numeric_limits<Real>::infinity();
+
+  std::vector<methods::spheres::Bond> bonds_of(const state::Spheres& spheres) const {
+    std::vector<methods::spheres::Bond> bonds;
+    for (std::size_t n = 0; n + 1 < radius.size(); ++n) {
+      methods::spheres::Bond bond;
+      bond.first = static_cast<Index>(n);
+      bond.second = static_cast<Index>(n + 1);
+      bond.radius = std::min(radius[n], radius[n + 1]);
+      bond.stiffness = laws::beam_stiffness(radius[n] + radius[n + 1], bond.radius, soft.youngs_modulus, soft.poisson_ratio);
+      bond.direction = {1, 0, 0};
+      const Real mass = std::min(spheres.place[n].mass, spheres.place[n + 1].mass);
+      bond.damping.along = bond.damping.across = damping * std::sqrt(bond.stiffness.stretch * mass);
+      bonds.push_back(bond);
+    }
+    return bonds;
+  }
+
+  std::vector<std::int8_t> levels_of(const state::Spheres& spheres) const {
+    const auto limits = methods::spheres::stable_steps(bonds_of(spheres), spheres);
+    const Real largest = std::ranges::max(limits);
+    std::vector<std::int8_t> level;
+    for (const Real limit : limits) level.push_back(static_cast<std::int8_t>(std::ceil(std::log2(largest / limit) - 1e-9)));
+    return level;
+  }
+};
+
 void advance(engine::SphereStepper& stepper, int steps) {
   for (int k = 0; k < steps; ++k) stepper.advance();
   stepper.settle();
@@ -105,11 +167,12 @@ Real distance(const std::vector<Vector3>& one, const std::vector<Vector3>& other
   return std::sqrt(sum);
 }
 
-Real observed_order(const Ring& ring, bool levels) {
-  constexpr Real end = 4e-3;
+/// Of a row or a bar.
+template <class Scene>
+Real observed_order(const Scene& scene, bool levels, Real end = 4e-3) {
   constexpr int coarse = 256, ticks = 8;
   const auto at_end = [&](int steps, bool with_levels) {
-    auto stepper = ring.stepper(end / steps, with_levels);
+    auto stepper = scene.stepper(end / steps, with_levels);
     stepper.start();
     advance(stepper, steps);
     return motion(stepper);
@@ -128,6 +191,12 @@ void print_orders() {
   ring.sags = true;
   validation::print_row("damped-one-step", observed_order(ring, false));
   validation::print_row("damped-levels", observed_order(ring, true));
+  Bar bar;
+  bar.radius = ring.radius;
+  validation::print_row("bonded-one-step", observed_order(bar, false, 5e-4));
+  validation::print_row("bonded-levels", observed_order(bar, true, 5e-4));
+  bar.damping = 0.1;
+  validation::print_row("bonded-damped-levels", observed_order(bar, true, 5e-4));
 }
 
 /// A small sphere meets a large one, 1:8, head on: share of the relative speed that is left.
@@ -210,34 +279,47 @@ void print_ledger() {
   validation::print_row("ledger-falls", fine / coarse);
 }
 
-/// Rows by chance without any dashpot, each some hundred times to and fro: how much energy they have more than at the start, at
-/// the most, over that at the start.
-void print_resonance() {
-  constexpr int rings = 60, steps = 3000, look = 50;
-  Random random;
-  Real most = 0;
-  for (int n = 0; n < rings; ++n) {
-    Ring ring;
-    const int count = 3 + static_cast<int>(2 * (1 + random()));
-    for (int k = 0; k < count; ++k) ring.radius.push_back(largest_radius * std::exp2(1.5 * (random() - 1)));
-    ring.radius.front() = largest_radius;
-    ring.radius.back() = largest_radius / 8;
-    auto stepper = ring.stepper(0.2 * rayleigh(largest_radius), true);
-    stepper.start();
-    stepper.settle();
-    const auto swinging = [&] {
-      const auto now = stepper.energies();
-      return now.translation + now.rotation;
-    };
-    Real first = 0, last = 0;  // largest kinetic energy in the first and the last third
-    for (int k = 0; k < steps; k += look) {
-      advance(stepper, look);
-      Real& part = k < steps / 3 ? first : last;
-      if (k < steps / 3 || k >= 2 * steps / 3) part = std::max(part, swinging());
-    }
-    most = std::max(most, last / first);
+/// How much the largest kinetic energy seen has grown from the first to the last third of a long swing.
+Real growth(engine::SphereStepper stepper) {
+  constexpr int steps = 3000, look = 50;
+  stepper.start();
+  stepper.settle();
+  Real first = 0, last = 0;
+  for (int k = 0; k < steps; k += look) {
+    advance(stepper, look);
+    const auto now = stepper.energies();
+    Real& part = k < steps / 3 ? first : last;
+    if (k < steps / 3 || k >= 2 * steps / 3) part = std::max(part, now.translation + now.rotation);
   }
-  validation::print_row("resonance", most);
+  return last / first;
+}
+
+/// Rows and bars by chance without any dashpot, each some hundred times to and fro: the largest growth.
+void print_resonance() {
+  constexpr int rows = 60;
+  Random random;
+  const auto radii_by_chance = [&] {
+    std::vector<Real> radius;
+    const int count = 3 + static_cast<int>(2 * (1 + random()));
+    for (int k = 0; k < count; ++k) radius.push_back(largest_radius * std::exp2(1.5 * (random() - 1)));
+    radius.front() = largest_radius;
+    radius.back() = largest_radius / 8;
+    return radius;
+  };
+  Real of_rows = 0, of_bars = 0;
+  for (int n = 0; n < rows; ++n) {
+    Ring ring;
+    ring.radius = radii_by_chance();
+    of_rows = std::max(of_rows, growth(ring.stepper(0.2 * rayleigh(largest_radius), true)));
+  }
+  for (int n = 0; n < rows; ++n) {
+    Bar bar;
+    bar.radius = radii_by_chance();
+    bar.whirl = 0;
+    of_bars = std::max(of_bars, growth(bar.stepper(bar.base_step(), true)));
+  }
+  validation::print_row("resonance", of_rows);
+  validation::print_row("bonded-resonance", of_bars);
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ After impact(const Solid& solid, const std::vector<Ball>& balls, Real expected_d
     const Real gap = balls.size() == 1 ? places[0].z - radius
                                        : (places[0].centre() - places[1].centre()).norm() - places[0].radius - places[1].radius;
     after.largest_overlap = std::max(after.largest_overlap, -gap);
-    after.largest_force = std::max(after.largest_force, std::abs(stepper.loads().of(0).fz));
+    after.largest_force = std::max(after.largest_force, std::abs(stepper.load(0).fz));
   }
   for (Index number = 0; number < static_cast<Index>(balls.size()); ++number) {
     const auto& numbers = stepper.spheres().number;
