@@ -31,7 +31,7 @@ Triple<Real> momentum_at_its_time(const state::Clump& clump) { return clump.angu
 }  // namespace
 
 ClumpImpulse gather(state::Clump& clump, std::span<const state::ClumpMember> members, std::span<const TimedTable> loads,
-                    const ClumpFlight& flight, std::span<const Index> place) {
+                    const SphereFlight& flight, std::span<const Index> place) {
   const Triple<Real> fall = flight.step * clump.mass * triple(flight.gravity);
   ClumpImpulse given{fall, {}};
   clump.impulse_ahead = 0.5 * fall;

@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "sazare/engine/sphere_motion.hpp"
 #include "sazare/methods/spheres/load_table.hpp"
 #include "sazare/state/clumps.hpp"
 
@@ -21,16 +22,10 @@ struct ClumpImpulse {
   Triple<Real> turning;  ///< about its centre [N m s]
 };
 
-/// How a clump falls from one of its times to the next.
-struct ClumpFlight {
-  Real step = 0;                      ///< [s]
-  Vector3 gravity = Vector3::Zero();  ///< [m/s2]
-};
-
 /// Adds up what pushes the spheres of a clump: returns what a kick gives, and keeps what is foreseen besides, of gravity half
 /// a step. `place` says by number where a sphere stands.
 ClumpImpulse gather(state::Clump& clump, std::span<const state::ClumpMember> members, std::span<const TimedTable> loads,
-                    const ClumpFlight& flight, std::span<const Index> place);
+                    const SphereFlight& flight, std::span<const Index> place);
 
 /// Velocity and angular momentum by an impulse.
 void kick(state::Clump& clump, const ClumpImpulse& impulse);

@@ -107,7 +107,7 @@ void SphereStepper::settle() {
 void SphereStepper::hold_clumps() {
   for (std::size_t pace = 0; pace < clumps_at_pace_.size(); ++pace) {
     const auto loads = levels_.acting_until_now(pace);
-    const ClumpFlight flight{levels_.step(pace), rules_.gravity};
+    const SphereFlight flight{levels_.step(pace), rules_.gravity, drift_};
     for (const Index clump : clumps_at_pace_[pace]) {
       const auto c = static_cast<std::size_t>(clump);
       gather(clumps_.clumps[c], clumps_.members_of(c), loads, flight, place_);
@@ -126,7 +126,7 @@ SphereSpeeds SphereStepper::kick(std::int64_t tick) {
 void SphereStepper::kick_clumps(std::size_t pace, std::int64_t tick) {
   const std::vector<Index>& which = clumps_at_pace_[pace];
   const auto loads = levels_.acting(pace, tick);
-  const ClumpFlight flight{levels_.step(pace), rules_.gravity};
+  const SphereFlight flight{levels_.step(pace), rules_.gravity, drift_};
   parallel::parallel_for(which.size(), serial_below_clumps, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       const auto c = static_cast<std::size_t>(which[n]);
@@ -163,9 +163,8 @@ void SphereStepper::advance() {
     speeds = walk();
     measure(speeds);
   } else {
-    settle();
     for (std::int64_t tick = 0; tick < levels_.ticks(); ++tick) {
-      if (tick > 0) evaluate(tick);
+      if (tick > 0 || !settled_) evaluate(tick);
       speeds = kick(tick);
       measure(speeds);
     }
