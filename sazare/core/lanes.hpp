@@ -100,6 +100,16 @@ inline Lanes inverse_square_root(Lanes a) {
 }
 inline Real inverse_square_root(Real a) { return 1 / std::sqrt(a); }
 
+/// sqrt(a / b), both above zero and a b neither too small nor too large for a double.
+inline Lanes root_of_quotient(Lanes a, Lanes b) {
+#ifdef __AVX512F__
+  return a * inverse_square_root(a * b);
+#else
+  return square_root(a / b);
+#endif
+}
+inline Real root_of_quotient(Real a, Real b) { return std::sqrt(a / b); }
+
 /// A vector in every lane, and its products. Like a number it is not set unless it is told to: kernels have many of them.
 struct LaneVector {
   std::array<Lanes, 3> part;

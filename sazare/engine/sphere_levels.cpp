@@ -113,8 +113,9 @@ ComingLines SphereLevels::coming(const state::Spheres& spheres, std::size_t n) c
 void SphereLevels::evaluate_block(std::size_t n, const Scene& scene, state::SphereLoad* own, const ComingLines& next) {
   const auto [number, block] = blocks_[n];
   Level& level = levels_[number];
-  level.loads.clear(block, own);
-  sums_[n] = level.pairs.evaluate(scene.spheres, {block, scene.approach, level.step, level.loads, own, next});
+  level.loads.clear_guests(block);
+  sums_[n] =
+      level.pairs.evaluate(scene.spheres, {block, scene.approach, level.step, level.loads, own, next, scene.tells_energies});
   if (!scene.walls.walls().empty()) sums_[n] += scene.walls.evaluate(scene.spheres, {block, level.step, own, number});
   if (!scene.bonds.empty())
     sums_[n] += scene.bonds.evaluate(scene.spheres, {block, level.step, level.pairs.table(), level.loads, own, number});
@@ -125,11 +126,13 @@ void SphereLevels::evaluate(std::int64_t tick, const Scene& scene) {
                     alone_below = serial_below(levels_[coarsest].spheres);
   const auto kept = [&](std::size_t n) { return levels_[blocks_[n].level].loads.kept(blocks_[n].block); };
   parallel::parallel_for(count, alone_below, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n)
-      evaluate_block(n, scene, kept(n), n + 1 < end ? coming(scene.spheres, n + 1) : ComingLines{});
+    for (std::size_t n = begin; n < end; ++n) {
+      std::ranges::fill(kept(n), state::SphereLoad{});
+      evaluate_block(n, scene, kept(n).data(), n + 1 < end ? coming(scene.spheres, n + 1) : ComingLines{});
+    }
   });
   parallel::parallel_for(count, alone_below, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) levels_[blocks_[n].level].loads.gather(blocks_[n].block, kept(n));
+    for (std::size_t n = begin; n < end; ++n) levels_[blocks_[n].level].loads.gather(blocks_[n].block, kept(n).data());
   });
   add_up(tick);
 }

@@ -71,11 +71,13 @@ public:
     const state::Spheres& spheres;
     methods::spheres::WallContacts& walls;
     methods::spheres::Bonds& bonds;
-    Real approach = 0;  ///< how much nearer any two spheres may have come since pairs were found [m]
+    Real approach = 0;           ///< how much nearer any two spheres may have come since pairs were found [m]
+    bool tells_energies = true;  ///< whether somebody may ask what contacts hold at this time
   };
   /// Evaluates all that is due at a tick of a base step, and keeps the loads.
   void evaluate(std::int64_t tick, const Scene& scene);
-  /// Evaluates block number `n` of the finest level; its loads add up in `own`, and `next` comes to the cache meanwhile.
+  /// Evaluates block number `n` of the finest level; its loads add up in `own`, which is zero, and `next` comes to the cache
+  /// meanwhile.
   void evaluate_block(std::size_t n, const Scene& scene, state::SphereLoad* own, const ComingLines& next);
   /// Adds up what the blocks due at a tick have given, after all of them; `evaluate` has done so.
   void add_up(std::int64_t tick);

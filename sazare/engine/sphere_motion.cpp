@@ -103,10 +103,12 @@ SphereSpeeds fly(state::Spheres& spheres, std::size_t begin, std::size_t end, co
 
 }  // namespace
 
-SphereSpeeds kick_and_drift(state::Spheres& spheres, std::size_t begin, std::size_t end, const state::SphereLoad* loads,
+SphereSpeeds kick_and_drift(state::Spheres& spheres, std::size_t begin, std::size_t end, state::SphereLoad* loads,
                             const SphereFlight& flight) {
   return fly(spheres, begin, end, flight, [=, step = flight.step, half = 0.5 * flight.step](std::size_t i) {
-    const Quad force = read(loads[i - begin].fx), moment = read(loads[i - begin].mx);
+    state::SphereLoad& load = loads[i - begin];
+    const Quad force = read(load.fx), moment = read(load.mx);
+    load = {};
     return Impulses{step * force, half * force, step * moment, half * moment};
   });
 }

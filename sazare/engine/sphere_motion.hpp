@@ -29,9 +29,9 @@ struct SphereFlight {
   Vector3 drift = Vector3::Zero();    ///< from which speeds are seen [m/s]
 };
 
-/// Kicks spheres begin .. end - 1 by their loads, of which the first belongs to `begin`, moves them and foresees their
-/// velocities.
-SphereSpeeds kick_and_drift(state::Spheres& spheres, std::size_t begin, std::size_t end, const state::SphereLoad* loads,
+/// Kicks spheres begin .. end - 1 by their loads, of which the first belongs to `begin` and which become zero, moves them and
+/// foresees their velocities.
+SphereSpeeds kick_and_drift(state::Spheres& spheres, std::size_t begin, std::size_t end, state::SphereLoad* loads,
                             const SphereFlight& flight);
 
 /// Loads of one time level on spheres of one pace, and for how long they act.
@@ -41,7 +41,7 @@ struct TimedLoads {
   Real foreseen = 0;                         ///< given besides until the next kick; below 0 what they have too much [s]
 };
 
-/// The same for spheres of one pace whose loads are those of several levels.
+/// The same for spheres of one pace whose loads are those of several levels, which stay.
 SphereSpeeds kick_and_drift(state::Spheres& spheres, std::size_t begin, std::size_t end, std::span<const TimedLoads> loads,
                             const SphereFlight& flight);
 

@@ -144,7 +144,7 @@ private:
   bool can_walk() const;
   SphereSpeeds walk();
   void walk(std::size_t share, parallel::Progress& progress);
-  SphereSpeeds move(std::size_t block, std::span<const methods::spheres::PlaceRange> places, const state::SphereLoad* loads);
+  SphereSpeeds move(std::size_t block, std::span<const methods::spheres::PlaceRange> places, state::SphereLoad* loads);
   void book_driven(std::size_t begin, std::size_t end, const state::SphereLoad* loads);
   Real driven_work() const;
   ComingLines coming(std::size_t block) const;

@@ -41,14 +41,14 @@ SphereSpeeds SphereStepper::walk() {
 
 /// Moves the spheres at some places of a block.
 SphereSpeeds SphereStepper::move(std::size_t block, std::span<const methods::spheres::PlaceRange> places,
-                                 const state::SphereLoad* loads) {
+                                 state::SphereLoad* loads) {
   SphereSpeeds speeds;
   const std::size_t first = levels_.loads(0).begin_of(block);
   for (const auto& range : places) {
     const std::size_t begin = first + range.begin, end = first + range.end;
+    if (drives_) book_driven(begin, end, loads + range.begin);
     speeds.take(kick_and_drift(spheres_, begin, end, loads + range.begin, {rules_.step, rules_.gravity, drift_}));
     if (!spheres_.turn.empty()) turn(spheres_, begin, end, rules_.step);
-    if (drives_) book_driven(begin, end, loads + range.begin);
   }
   return speeds;
 }
@@ -86,7 +86,8 @@ void SphereStepper::walk(std::size_t share, parallel::Progress& progress) {
   const Real began = parallel::processor_seconds();
   std::vector<state::SphereLoad> loads(neighbors::block_size);
   methods::spheres::LoadTable& table = levels_.loads(0);
-  const SphereLevels::Scene scene = this->scene();
+  SphereLevels::Scene scene = this->scene();
+  scene.tells_energies = false;  // who asks settles first
   const std::size_t end = cuts_[share + 1];
   for (std::size_t block = cuts_[share]; block < end; ++block) {
     levels_.evaluate_block(block, scene, loads.data(), block + 1 < end ? coming(block + 1) : ComingLines{});

@@ -76,12 +76,23 @@ inline ContactConstants<Real> linear_constants(Real normal_stiffness, Real shear
           friction,         rolling};
 }
 
+/// a b / (a + b) of two numbers, or a of one that has no partner. Its roots need no division.
+template <class Number>
+struct Reduced {
+  Number product, sum;
+
+  static Reduced of(const Number& a, const Number& b) { return {a * b, a + b}; }
+  static Reduced alone(const Number& a) { return {a, Number{} + 1}; }
+
+  Number value() const { return product / sum; }
+};
+
 /// What the law needs to know of a touching pair.
 template <class Number>
 struct ContactMotion {
   Number overlap;           ///< d [m], > 0
-  Number reduced_radius;    ///< R [m]
-  Number reduced_mass;      ///< m [kg]
+  Reduced<Number> radius;   ///< R [m]
+  Reduced<Number> mass;     ///< m [kg]
   Triple<Number> normal;    ///< n, from the first to the second
   Triple<Number> velocity;  ///< of the second relative to the first where they touch [m/s]
   Triple<Number> rolling;   ///< R (w_2 - w_1) x n [m/s]; read where there is resistance to rolling
@@ -131,10 +142,10 @@ ContactForce<Number> contact_force(const ContactConstants<Number>& constants, co
                                    ContactMemory<Number>& memory) {
   Number width = Number{} + 1, root;
   if constexpr (model == ContactModel::hertz) {
-    width = square_root(at.reduced_radius * at.overlap);
-    root = square_root(width * at.reduced_mass);
+    width = root_of_quotient(at.radius.product * at.overlap, at.radius.sum);
+    root = root_of_quotient(width * at.mass.product, at.mass.sum);
   } else {
-    root = square_root(at.reduced_mass);
+    root = root_of_quotient(at.mass.product, at.mass.sum);
   }
   const Number opening = dot(at.velocity, at.normal);
   const Number spring = constants.normal * width * at.overlap, dashpot = constants.normal_damping * root * opening;

@@ -29,6 +29,7 @@ public:
         approach_(task.approach),
         step_(task.step),
         box_(spheres.box),
+        tells_energies_(task.tells_energies),
         is_one_material_(contacts.table_.materials == 1) {
     if (is_one_material_) {
       const auto& one = contacts.table_.of(0, 0);
@@ -47,16 +48,16 @@ public:
       std::copy_n(some, lanes, padded.begin());
       some = padded.data();
     }
-    const auto [first, first_velocity, first_spin] = read(some, &Contact::first);
-    const auto [second, second_velocity, second_spin] = read(some, &Contact::second);
-    const Triple<TwinLanes> apart = box_.nearest({second[0] - first[0], second[1] - first[1], second[2] - first[2]});
-    const TwinLanes square = dot(apart, apart), inverse_distance = inverse_square_root(square),
-                    distance = square * inverse_distance, reach = first[3] + second[3],
-                    masses = first_velocity[3] + second_velocity[3];
-    const TwinLanes inverse_of_both = inverse(reach * masses);  // one division instead of two
+    if (!is_one_material_) look_up(some);
+    // Each number is read where it is used first: registers are few, and what is set aside in memory costs as much as a product.
+    const auto [x, y, z, radius] = read(some, &Contact::first, [&](std::size_t i) { return &spheres_.place[i].x; });
+    const auto [x2, y2, z2, radius2] = read(some, &Contact::second, [&](std::size_t i) { return &spheres_.place[i].x; });
+    Triple<TwinLanes> apart{x2 - x, y2 - y, z2 - z};
     laws::ContactMotion<TwinLanes> at;
+    at.radius = laws::Reduced<TwinLanes>::of(radius, radius2);
+    const TwinLanes square = box_.square_of_nearest(apart), inverse_distance = inverse_square_root(square),
+                    gap = square * inverse_distance - at.radius.sum;
     at.normal = inverse_distance * apart;
-    const TwinLanes gap = distance - reach;
     TwinLanes beyond = -gap, rest;
     if constexpr (rests) {
       rest = maximum(minimum(contacts_.rest_of(begin), beyond), 0);
@@ -65,28 +66,30 @@ public:
     }
     const TwinMask touches = beyond > 0.0;
     at.overlap = select(touches, beyond, tiny);
-    at.reduced_radius = first[3] * second[3] * (inverse_of_both * masses);
-    at.reduced_mass = first_velocity[3] * second_velocity[3] * (inverse_of_both * reach);
-    at.step = step_;
     TwinLanes half = 0.5 * at.overlap;
     if constexpr (rests) half += 0.5 * rest;
-    const TwinLanes first_arm = first[3] - half, second_arm = second[3] - half;
-    const Triple<TwinLanes> one{first_spin[0], first_spin[1], first_spin[2]},
-        other{second_spin[0], second_spin[1], second_spin[2]};
-    const Triple<TwinLanes> velocity{second_velocity[0] - first_velocity[0], second_velocity[1] - first_velocity[1],
-                                     second_velocity[2] - first_velocity[2]};
-    at.velocity = velocity - cross(first_arm * one + second_arm * other, at.normal);
-    if constexpr (rolls) at.rolling = at.reduced_radius * cross(other - one, at.normal);
-    if (!is_one_material_) look_up(first_spin[3], second_spin[3]);
+    const TwinLanes first_arm = radius - half, second_arm = radius2 - half;
+    const auto [wx, wy, wz, material] = read(some, &Contact::first, [&](std::size_t i) { return &spheres_.spin[i].x; });
+    const auto [wx2, wy2, wz2, material2] = read(some, &Contact::second, [&](std::size_t i) { return &spheres_.spin[i].x; });
+    const Triple<TwinLanes> one{wx, wy, wz}, other{wx2, wy2, wz2};
+    const Triple<TwinLanes> turning = cross(first_arm * one + second_arm * other, at.normal);
+    if constexpr (rolls) at.rolling = at.radius.value() * cross(other - one, at.normal);
+    const auto [vx, vy, vz, mass] = read(some, &Contact::first, [&](std::size_t i) { return &spheres_.place[i].vx; });
+    const auto [vx2, vy2, vz2, mass2] = read(some, &Contact::second, [&](std::size_t i) { return &spheres_.place[i].vx; });
+    at.velocity = Triple<TwinLanes>{vx2 - vx, vy2 - vy, vz2 - vz} - turning;
+    at.mass = laws::Reduced<TwinLanes>::of(mass, mass2);
+    at.step = step_;
     laws::ContactMemory<TwinLanes> memory;
     memory.sliding = contacts_.sliding_of(begin);
     if constexpr (rolls) memory.rolling = contacts_.rolling_of(begin);
     auto force = laws::contact_force<model, rolls>(constants_, at, memory);
-    if (any(~touches)) leave_alone(begin, lanes, touches, gap, force);
+    force.normal = select(touches, force.normal, 0);
+    for (auto* part : {&force.friction, &force.rolling}) *part = select(touches, *part, Triple<TwinLanes>{});
     contacts_.sliding_of(begin) = memory.sliding;
     if constexpr (rolls) contacts_.rolling_of(begin) = memory.rolling;
     deliver(force, at, first_arm, second_arm, begin, lanes);
     book(force, touches, lanes);
+    if (any(~touches)) leave_alone(begin, lanes, touches, gap);
   }
 
   /// Takes the contacts that have parted off the list, the last one first: what stands behind one that goes stays.
@@ -99,8 +102,8 @@ public:
     for (int lane = 0; lane < TwinLanes::count; ++lane) {
       total.elastic += elastic_[lane];
       total.sliding += sliding_[lane];
-      total.dashpot_work += dashpot_work_[lane];
-      total.sliding_work += sliding_work_[lane];
+      total.dashpot_work += step_[lane] * dashpot_power_[lane];
+      total.sliding_work += step_[lane] * sliding_power_[lane];
       total.contacts += static_cast<std::int64_t>(touching_[lane]);
     }
     return total;
@@ -109,17 +112,10 @@ public:
 private:
   static constexpr Real tiny = 1e-30;  // an overlap at which nothing of the law fails
 
-  /// A sphere in each lane.
-  struct SphereLanes {
-    std::array<TwinLanes, 4> place, velocity, spin;
-  };
-
-  /// One of the two spheres of `at_once` contacts.
-  SphereLanes read(const Contact* contacts, Index Contact::*sphere) const {
-    const auto at = [&](std::size_t lane) { return static_cast<std::size_t>(contacts[lane].*sphere); };
-    return {load_twins([&](std::size_t lane) { return &spheres_.place[at(lane)].x; }),
-            load_twins([&](std::size_t lane) { return &spheres_.place[at(lane)].vx; }),
-            load_twins([&](std::size_t lane) { return &spheres_.spin[at(lane)].x; })};
+  /// Four doubles of one of the two spheres of `at_once` contacts.
+  template <class Of>
+  static std::array<TwinLanes, 4> read(const Contact* contacts, Index Contact::*sphere, const Of& of) {
+    return load_twins([&](std::size_t lane) { return of(static_cast<std::size_t>(contacts[lane].*sphere)); });
   }
 
   /// Four doubles of as many records, see `load_quads`.
@@ -129,10 +125,8 @@ private:
     return {TwinLanes{one[0], other[0]}, {one[1], other[1]}, {one[2], other[2]}, {one[3], other[3]}};
   }
 
-  /// Pairs that do not push: no force, and where there is a gap sleep for as long as it lasts.
-  void leave_alone(std::size_t begin, int lanes, TwinMask touches, const TwinLanes& gap, laws::ContactForce<TwinLanes>& force) {
-    force.normal = select(touches, force.normal, 0);
-    for (auto* part : {&force.friction, &force.rolling}) *part = select(touches, *part, Triple<TwinLanes>{});
+  /// Pairs that do not push sleep, where there is a gap, for as long as it lasts.
+  [[gnu::noinline]] void leave_alone(std::size_t begin, int lanes, const TwinMask& touches, const TwinLanes& gap) {
     for (int lane = 0; lane < lanes; ++lane) {
       if (touches[lane] || gap[lane] < 0) continue;
       const std::size_t contact = begin + static_cast<std::size_t>(lane);
@@ -141,11 +135,14 @@ private:
     }
   }
 
-  void look_up(const TwinLanes& one, const TwinLanes& other) {
+  /// The constants of contacts of several materials.
+  [[gnu::noinline]] void look_up(const Contact* contacts) {
     std::array<const Real*, BlockContacts::at_once> from;
-    for (int lane = 0; lane < TwinLanes::count; ++lane)
-      from[static_cast<std::size_t>(lane)] =
-          pairs_.table_.numbers(static_cast<Index>(one[lane]) * pairs_.table_.materials + static_cast<Index>(other[lane]));
+    const auto material = [&](Index sphere) {
+      return static_cast<Index>(spheres_.spin[static_cast<std::size_t>(sphere)].material);
+    };
+    for (std::size_t n = 0; n < BlockContacts::at_once; ++n)
+      from[n] = pairs_.table_.numbers(material(contacts[n].first) * pairs_.table_.materials + material(contacts[n].second));
     const auto numbers = load_twins([&](std::size_t lane) { return from[lane]; }),
                more = load_twins([&](std::size_t lane) { return from[lane] + 4; });
     constants_ = {numbers[0], numbers[1], numbers[2], numbers[3], more[0], more[1]};
@@ -154,37 +151,38 @@ private:
   /// Equal and opposite forces; moments about both centres, whose arms together are the distance.
   void deliver(const laws::ContactForce<TwinLanes>& force, const laws::ContactMotion<TwinLanes>& at, const TwinLanes& first_arm,
                const TwinLanes& second_arm, std::size_t begin, int lanes) {
-    const Triple<TwinLanes> push = force.normal * at.normal + force.friction, moment = cross(force.friction, at.normal), none;
-    Triple<TwinLanes> first_moment = first_arm * moment, second_moment = second_arm * moment;
-    if constexpr (rolls) {
-      const Triple<TwinLanes> rolling = at.reduced_radius * cross(at.normal, force.rolling);
-      first_moment = first_moment - rolling;
-      second_moment = second_moment + rolling;
-    }
     const std::span contacts(&contacts_[begin], static_cast<std::size_t>(lanes));
     const std::size_t in_first = std::min<std::size_t>(lane_count, contacts.size());
-    const Loads loads{none - push, first_moment, push, second_moment};
-    add(loads, &TwinLanes::first, contacts.first(in_first));
-    add(loads, &TwinLanes::second, contacts.subspan(in_first));
+    Push push{force.normal * at.normal + force.friction, cross(force.friction, at.normal), {}, first_arm, second_arm};
+    if constexpr (rolls) push.rolling = at.radius.value() * cross(at.normal, force.rolling);
+    add(push, &TwinLanes::first, contacts.first(in_first));
+    add(push, &TwinLanes::second, contacts.subspan(in_first));
   }
 
-  /// What contacts bring to their first and their second spheres.
-  struct Loads {
-    Triple<TwinLanes> first_force, first_moment, second_force, second_moment;
+  /// What contacts bring to their second spheres, and what its moments come from.
+  struct Push {
+    Triple<TwinLanes> force, moment_by_arm, rolling;
+    TwinLanes first_arm, second_arm;
   };
 
   /// One half of them.
-  void add(const Loads& loads, Lanes TwinLanes::*half, std::span<const Contact> contacts) {
-    const LoadRows first(lanes_of(loads.first_force, half), lanes_of(loads.first_moment, half)),
-        second(lanes_of(loads.second_force, half), lanes_of(loads.second_moment, half));
+  void add(const Push& push, Lanes TwinLanes::*half, std::span<const Contact> contacts) {
     // Their own copies: for all that the compiler knows, a load that is written to might be one of the members.
     state::SphereLoad* const own = own_;
     const LoadTable::Slots slots = slots_;
     const Index block_begin = block_begin_;
-    for (std::size_t lane = 0; lane < lane_count && lane < contacts.size(); ++lane) {
-      first.add(lane, own + (contacts[lane].first - block_begin));
-      second.add(lane, slots[contacts[lane].slot]);
+    const Triple<Lanes> force = lanes_of(push.force, half), by_arm = lanes_of(push.moment_by_arm, half);
+    Triple<Lanes> first_moment = push.first_arm.*half * by_arm, second_moment = push.second_arm.*half * by_arm;
+    if constexpr (rolls) {
+      const Triple<Lanes> rolling = lanes_of(push.rolling, half);
+      first_moment = first_moment - rolling;
+      second_moment = second_moment + rolling;
     }
+    const std::size_t count = std::min<std::size_t>(lane_count, contacts.size());
+    const LoadRows first(Triple<Lanes>{} - force, first_moment);
+    for (std::size_t lane = 0; lane < count; ++lane) first.add(lane, own + (contacts[lane].first - block_begin));
+    const LoadRows second(force, second_moment);
+    for (std::size_t lane = 0; lane < count; ++lane) second.add(lane, slots[contacts[lane].slot]);
   }
 
   static Triple<Lanes> lanes_of(const Triple<TwinLanes>& numbers, Lanes TwinLanes::*half) {
@@ -194,11 +192,12 @@ private:
   void book(const laws::ContactForce<TwinLanes>& force, TwinMask touches, int lanes) {
     TwinLanes counts = select(touches, 1, 0);
     for (int lane = lanes; lane < TwinLanes::count; ++lane) counts.set(lane, 0);
+    touching_ += counts;
+    dashpot_power_ += counts * force.dashpot_power;
+    sliding_power_ += counts * force.sliding_power;
+    if (!tells_energies_) return;
     elastic_ += counts * force.elastic_energy;
     sliding_ += counts * force.sliding_energy;
-    dashpot_work_ += counts * step_ * force.dashpot_power;
-    sliding_work_ += counts * step_ * force.sliding_power;
-    touching_ += counts;
   }
 
   PairContacts& pairs_;
@@ -210,10 +209,11 @@ private:
   Real approach_;
   TwinLanes step_;
   BoxLanes<TwinLanes> box_;
+  bool tells_energies_;
   bool is_one_material_;
   laws::ContactConstants<TwinLanes> constants_;
   std::vector<std::size_t> parted_;
-  TwinLanes elastic_, sliding_, dashpot_work_, sliding_work_, touching_;
+  TwinLanes elastic_, sliding_, dashpot_power_, sliding_power_, touching_;
 };
 
 }  // namespace sazare::methods::spheres

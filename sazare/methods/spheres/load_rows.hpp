@@ -2,6 +2,8 @@
 
 /// What kernels of pairs share: the nearest image in lanes, and forces in lanes that are added to loads.
 
+#include <limits>
+
 #include "sazare/core/lane_math.hpp"
 #include "sazare/core/lane_records.hpp"
 #include "sazare/core/triple.hpp"
@@ -17,6 +19,17 @@ public:
     const Vector3 inverse = box.inverse();
     length_ = {Number{} + box.length.x(), Number{} + box.length.y(), Number{} + box.length.z()};
     inverse_ = {Number{} + inverse.x(), Number{} + inverse.y(), Number{} + inverse.z()};
+    const Real shortest = (box.length.array() > 0).select(box.length, std::numeric_limits<Real>::infinity()).minCoeff();
+    surely_nearest_ = Number{} + 0.25 * shortest * shortest;
+  }
+
+  /// Squares of the distances `apart`, from some places to any images of others, which become the nearest. Most are: where no
+  /// square is beyond that of half a box all of them are.
+  Number square_of_nearest(Triple<Number>& apart) const {
+    const Number square = dot(apart, apart);
+    if (!any(square > surely_nearest_)) return square;
+    apart = nearest(apart);
+    return dot(apart, apart);
   }
 
   /// From one place to the nearest image of another, of which any image is given.
@@ -37,6 +50,7 @@ private:
 
   bool repeats_;
   Triple<Number> length_, inverse_;
+  Number surely_nearest_;
 };
 
 /// Force and moment in lanes, to be added to loads one after the other.

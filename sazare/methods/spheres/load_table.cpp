@@ -109,8 +109,7 @@ void LoadTable::part_late(std::size_t block, std::size_t share) {
   late_loads_[block].resize(late_count);
 }
 
-void LoadTable::clear(std::size_t block, state::SphereLoad* own) {
-  std::fill(own, own + (end_of(block) - begin_of(block)), state::SphereLoad{});
+void LoadTable::clear_guests(std::size_t block) {
   std::fill(guests_.begin() + static_cast<std::ptrdiff_t>(guest_begin_[block]),
             guests_.begin() + static_cast<std::ptrdiff_t>(guest_begin_[block + 1]), state::SphereLoad{});
 }
@@ -133,7 +132,10 @@ void LoadTable::add(const std::vector<Guest>& guests, state::SphereLoad* own) co
 
 void LoadTable::gather_in_time(std::size_t block, state::SphereLoad* own) {
   auto kept = late_loads_[block].begin();
-  for (const PlaceRange& range : late_[block].places) kept = std::copy(own + range.begin, own + range.end, kept);
+  for (const PlaceRange& range : late_[block].places) {
+    kept = std::copy(own + range.begin, own + range.end, kept);
+    std::fill(own + range.begin, own + range.end, state::SphereLoad{});
+  }
   add(in_time_[block].guests, own);
 }
 
@@ -154,7 +156,7 @@ void LoadTable::columns(Archive& archive) {
   if (!archive.reading()) return;
   for (std::size_t block = 0; block < blocks_; ++block)
     std::copy(all.begin() + static_cast<std::ptrdiff_t>(begin_of(block)),
-              all.begin() + static_cast<std::ptrdiff_t>(end_of(block)), kept(block));
+              all.begin() + static_cast<std::ptrdiff_t>(end_of(block)), kept(block).begin());
 }
 
 }  // namespace sazare::methods::spheres

@@ -55,8 +55,8 @@ public:
   /// Those of a share, in the order in which they may move.
   std::span<const LateBlock> late_blocks(std::size_t share) const { return late_blocks_[share]; }
 
-  /// Sets the loads of a block and those of its guests to zero. `own` are the loads of its spheres.
-  void clear(std::size_t block, state::SphereLoad* own);
+  /// Sets the loads of a block's guests to zero, before it is evaluated; those of its own spheres are to be zero then as well.
+  void clear_guests(std::size_t block);
   /// The guests of a block, in order.
   std::span<const Index> guests(std::size_t block) const {
     return std::span(guest_).subspan(guest_begin_[block], guest_begin_[block + 1] - guest_begin_[block]);
@@ -67,7 +67,7 @@ public:
     add(late_[block].guests, own);
   }
   /// The same for the spheres of a block that are not late, as soon as those before it of its share are evaluated. The others'
-  /// loads are kept for `gather_late`.
+  /// loads are kept for `gather_late` and become zero in `own`.
   void gather_in_time(std::size_t block, state::SphereLoad* own);
   /// Which are not late, and which are.
   std::span<const PlaceRange> places_in_time(std::size_t block) const { return in_time_[block].places; }
@@ -76,9 +76,9 @@ public:
   void gather_late(std::size_t block, state::SphereLoad* own) const;
 
   /// Where the loads of a block's spheres are kept; there is no memory for them before they are asked for.
-  state::SphereLoad* kept(std::size_t block) {
+  std::span<state::SphereLoad> kept(std::size_t block) {
     if (kept_[block].empty()) kept_[block].resize(end_of(block) - begin_of(block));
-    return kept_[block].data();
+    return kept_[block];
   }
   const state::SphereLoad& of(std::size_t sphere) const {
     return kept_[sphere / neighbors::block_size][sphere % neighbors::block_size];

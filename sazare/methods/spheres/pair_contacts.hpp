@@ -14,6 +14,7 @@
 
 #include "sazare/methods/spheres/block_contacts.hpp"
 #include "sazare/methods/spheres/contact_table.hpp"
+#include "sazare/methods/spheres/load_rows.hpp"
 #include "sazare/methods/spheres/load_table.hpp"
 
 namespace sazare::methods::spheres {
@@ -48,8 +49,9 @@ public:
     Real approach = 0;  ///< how much nearer any two spheres may have come since `find` [m]
     Real step = 0;      ///< [s]
     LoadTable& loads;
-    state::SphereLoad* own;   ///< the loads of the block's spheres
-    ComingLines coming = {};  ///< what will be needed next, asked for on the way
+    state::SphereLoad* own;      ///< the loads of the block's spheres
+    ComingLines coming = {};     ///< what will be needed next, asked for on the way
+    bool tells_energies = true;  ///< whether the sums are to tell what contacts hold; works they always tell
   };
 
   /// Adds the forces of a block's pairs to the loads.
@@ -85,7 +87,8 @@ private:
   std::size_t pair_of(Index one, Index other) const;
   void go_on(const Touches& touches);
   void wake_those_due(const state::Spheres& spheres, const Task& task);
-  Lanes gaps(const state::Spheres& spheres, const Task& task, std::span<const std::uint32_t, lane_count> pairs) const;
+  Lanes gaps(const state::Spheres& spheres, const BoxLanes<Lanes>& box, const Task& task,
+             std::span<const std::uint32_t, lane_count> pairs) const;
   void begin_contact(std::size_t block, std::size_t pair, const LoadTable& loads);
   void sleep_on(std::size_t pair, Real until) {
     constexpr float rounded_down = 1 - 1e-6F;

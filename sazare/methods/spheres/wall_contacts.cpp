@@ -169,8 +169,8 @@ ContactSums WallContacts::push(const state::Spheres& spheres, const Point& point
   const Ground ground = ground_at(point, centre, place.radius);
   laws::ContactMotion<Real> at;
   at.overlap = point.overlap;
-  at.reduced_radius = place.radius;
-  at.reduced_mass = place.mass;
+  at.radius = laws::Reduced<Real>::alone(place.radius);
+  at.mass = laws::Reduced<Real>::alone(place.mass);
   at.normal = triple(point.normal);
   at.velocity = triple(place.velocity() - ground.arm * spin.cross(point.normal) - ground.velocity);
   if constexpr (rolls) at.rolling = triple(Vector3(place.radius * (spin - ground.spin).cross(point.normal)));

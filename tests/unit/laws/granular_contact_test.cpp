@@ -20,8 +20,8 @@ ContactConstants<Real> constants(ContactModel model, Real restitution = 1, Real 
 ContactMotion<Real> touching(Real overlap) {
   ContactMotion<Real> at{};
   at.overlap = overlap;
-  at.reduced_radius = 0.005;
-  at.reduced_mass = 0.01;
+  at.radius = Reduced<Real>::of(0.007, 0.0175);
+  at.mass = Reduced<Real>::alone(0.01);
   at.normal = {0, 0, 1};
   at.step = 1e-7;
   return at;
@@ -159,8 +159,10 @@ TEST(granular_contact, lanes_compute_what_one_number_does) {
   for (int lane = 0; lane < TwinLanes::count; ++lane) {
     const auto at = scene(lane);
     lanes.overlap.set(lane, at.overlap);
-    lanes.reduced_radius.set(lane, at.reduced_radius);
-    lanes.reduced_mass.set(lane, at.reduced_mass);
+    lanes.radius.product.set(lane, at.radius.product);
+    lanes.radius.sum.set(lane, at.radius.sum);
+    lanes.mass.product.set(lane, at.mass.product);
+    lanes.mass.sum.set(lane, at.mass.sum);
     lanes.normal.z.set(lane, 1);
     lanes.velocity.x.set(lane, at.velocity.x);
     lanes.velocity.y.set(lane, at.velocity.y);
