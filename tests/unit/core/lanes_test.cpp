@@ -29,6 +29,19 @@ TEST(lanes, inverses_are_exact_to_round_off) {
   }
 }
 
+TEST(lanes, root_of_a_quotient_is_exact_to_round_off) {
+  for (int n = 0; n < 30000; n += lane_count) {
+    Lanes a{}, b{};
+    for (int lane = 0; lane < lane_count; ++lane) {
+      a[lane] = number(n + lane);
+      b[lane] = number(7 * (n + lane) + 3);
+    }
+    const Lanes roots = root_of_quotient(a, b);
+    for (int lane = 0; lane < lane_count; ++lane)
+      EXPECT_NEAR(roots[lane] / std::sqrt(a[lane] / b[lane]), 1, 4 * round_off) << a[lane] << " over " << b[lane];
+  }
+}
+
 TEST(lanes, numbers_of_single_precision_come_back_from_their_pairs) {
   Lanes first{}, second{};
   for (int lane = 0; lane < lane_count; ++lane) {
