@@ -153,8 +153,8 @@ private:
   Real elastic_at_start_ = 0;  ///< [J]
   std::unique_ptr<methods::fem::LinearSolver<D>> solver_;
   std::unique_ptr<methods::fem::LinearSolver<D>> mass_solver_;  ///< made when forces from outside first change
-  std::optional<Factors> factorized_;  ///< of what the solver holds, while the tangent has not changed
-  std::string last_failure_;           ///< of an attempt
+  std::optional<Factors> factorized_;                           ///< of what the solver holds, while the tangent has not changed
+  std::string last_failure_;                                    ///< of an attempt
 };
 
 extern template class FemStepper<2>;

@@ -125,7 +125,8 @@ private:
     return {TwinLanes{one[0], other[0]}, {one[1], other[1]}, {one[2], other[2]}, {one[3], other[3]}};
   }
 
-  /// Pairs that do not push sleep, where there is a gap, for as long as it lasts.
+  /// Pairs that do not push sleep, where there is a gap, for as long as it lasts. Called, like `look_up`, where the kernel has
+  /// nothing in registers: as a part of it the seldom one would cost the others theirs.
   [[gnu::noinline]] void leave_alone(std::size_t begin, int lanes, const TwinMask& touches, const TwinLanes& gap) {
     for (int lane = 0; lane < lanes; ++lane) {
       if (touches[lane] || gap[lane] < 0) continue;
