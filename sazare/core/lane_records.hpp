@@ -39,9 +39,11 @@ inline void transpose(std::array<Lanes, lane_count>& rows) {
 #endif
 }
 
-/// Four doubles of `lane_count` records become four `Lanes`; `from(lane)` says where those of a lane begin.
+/// Four doubles of `lane_count` records become four `Lanes`; `from(lane)` says where those of a lane begin. Parts of two or four
+/// records are put side by side as they are loaded, which takes no unit that turns them over.
 template <class From>
 requires std::invocable<const From&, std::size_t> std::array<Lanes, 4> load_quads(const From& from) {
+  std::array<Lanes, 4> fields;
 #ifdef __AVX512F__
   std::array<Lanes, 4> halves, pairs;
   for (std::size_t i = 0; i < 4; ++i)
@@ -50,18 +52,27 @@ requires std::invocable<const From&, std::size_t> std::array<Lanes, 4> load_quad
     pairs[i] = __builtin_shufflevector(halves[i], halves[i + 1], 0, 8, 2, 10, 4, 12, 6, 14);
     pairs[i + 1] = __builtin_shufflevector(halves[i], halves[i + 1], 1, 9, 3, 11, 5, 13, 7, 15);
   }
-  std::array<Lanes, 4> fields;
   for (std::size_t i = 0; i < 2; ++i) {
     fields[i] = __builtin_shufflevector(pairs[i], pairs[i + 2], 0, 1, 8, 9, 4, 5, 12, 13);
     fields[i + 2] = __builtin_shufflevector(pairs[i], pairs[i + 2], 2, 3, 10, 11, 6, 7, 14, 15);
   }
-  return fields;
 #else
-  std::array<Lanes, lane_count> rows;
-  for (std::size_t lane = 0; lane < lane_count; ++lane) rows[lane] = load_lanes(from(lane));
-  transpose(rows);
-  return rows;
+  const auto halves = [&](std::size_t lane, int number) {
+#ifdef __AVX__
+    return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(from(lane) + number)), _mm_loadu_pd(from(lane + 2) + number),
+                                1);
+#else
+    const Real *first = from(lane) + number, *second = from(lane + 2) + number;
+    return Lanes{first[0], first[1], second[0], second[1]};
 #endif
+  };
+  for (std::size_t i = 0; i < 4; i += 2) {
+    const Lanes even = halves(0, static_cast<int>(i)), odd = halves(1, static_cast<int>(i));
+    fields[i] = __builtin_shufflevector(even, odd, 0, 4, 2, 6);
+    fields[i + 1] = __builtin_shufflevector(even, odd, 1, 5, 3, 7);
+  }
+#endif
+  return fields;
 }
 inline std::array<Lanes, 4> load_quads(const std::array<const Real*, lane_count>& from) {
   return load_quads([&](std::size_t lane) { return from[lane]; });
@@ -133,14 +144,11 @@ using LanePointers = std::array<Record*, lane_count>;
 /// Reads `Count` doubles of each lane's record, from number `Begin` on.
 template <int Count, int Begin = 0, class Record>
 std::array<Lanes, Count> load_records(const LanePointers<Record>& records) {
-  static_assert(Count % lane_count == 0 && sizeof(Record) >= (Begin + Count) * sizeof(Real));
+  static_assert(Count % 4 == 0 && sizeof(Record) >= (Begin + Count) * sizeof(Real));
   std::array<Lanes, Count> fields;
-  for (std::size_t first = 0; first < Count; first += lane_count) {
-    std::array<Lanes, lane_count> rows;
-    for (std::size_t lane = 0; lane < lane_count; ++lane)
-      rows[lane] = load_lanes(reinterpret_cast<const Real*>(records[lane]) + Begin + first);
-    transpose(rows);
-    for (std::size_t i = 0; i < lane_count; ++i) fields[first + i] = rows[i];
+  for (std::size_t first = 0; first < Count; first += 4) {
+    const auto quad = load_quads([&](std::size_t lane) { return reinterpret_cast<const Real*>(records[lane]) + Begin + first; });
+    for (std::size_t i = 0; i < 4; ++i) fields[first + i] = quad[i];
   }
   return fields;
 }

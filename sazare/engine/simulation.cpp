@@ -197,12 +197,26 @@ void Simulation<D>::kick_chunk(std::span<const Index> which) {
       const Real speed = (bodies_.motion[at(body)].velocity + impulses[i].linear / bodies_.inertia[at(body)].mass).norm();
       const int level = levels_.level_for_speed(levels_.level(body), speed);
       stepped_level_[static_cast<std::size_t>(&which[i] - due_bodies_.data())] = static_cast<std::int8_t>(level);
-      pace = std::max(pace, level);
+      if (level > pace) {  // its momentum was foreseen for a longer step
+        pace = level;
+        impulses[i] = gather_one(body, levels_.step(pace));
+      }
     }
     strides[i] = {now_.tick + schedule::stride(pace), levels_.step(pace)};
   }
   motion::step(bodies_, which, sums, std::span(strides.data(), which.size()), std::span(means.data(), which.size()));
   for (std::size_t i = 0; i < which.size(); ++i) parts.book(i, means[i], work_[at(which[i])]);
+}
+
+/// What a body receives, and what its momentum gains by a time; the parts of its work are known already.
+template <int D>
+state::Impulse<D> Simulation<D>::gather_one(Index body, Real until_next) const {
+  state::Impulse<D> sum;
+  sum.until_next = until_next;
+  thread_local terms::CauseImpulses<D> known;
+  known.clear();
+  for (const auto& term : terms_) term->gather(now_, std::span(&body, 1), bodies_, std::span(&sum, 1), known);
+  return sum;
 }
 
 template <int D>

@@ -122,10 +122,11 @@ private:
   bool travels() const;
   void kick_all();
   void kick_chunk(std::span<const Index> which);
+  state::Impulse<D> gather_one(Index body, Real until_next) const;
   void settle();
   void add_time(std::size_t part, std::int64_t since);
   template <class Take>
-  void gather(Index begin, Index end, Take&& take) const;
+  void gather(Index begin, Index end, Real until_next, Take&& take) const;
   Snapshot<D> snapshot(Index begin, Index end) const;
   terms::Books books(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared) const;
   terms::Ledger close(const terms::Books& books) const;

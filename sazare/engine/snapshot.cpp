@@ -19,14 +19,18 @@ std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
-/// Calls take(body, what it has received) for bodies of a range.
+/// Calls take(body, what it has received, and what its momentum gains by a time) for bodies of a range.
 template <int D>
 template <class Take>
-void Simulation<D>::gather(Index begin, Index end, Take&& take) const {
+void Simulation<D>::gather(Index begin, Index end, Real until_next, Take&& take) const {
   const auto gather_chunk = [&](std::size_t from, std::size_t to) {
     std::array<Index, terms::chunk_size> which;
     std::iota(which.begin(), which.end(), static_cast<Index>(from));
-    std::array<state::Impulse<D>, terms::chunk_size> given{};
+    thread_local std::array<state::Impulse<D>, terms::chunk_size> given;
+    for (std::size_t i = 0; i < to - from; ++i) {
+      given[i] = {};
+      given[i].until_next = until_next;
+    }
     thread_local terms::CauseImpulses<D> ignored;
     ignored.clear();
     for (const auto& term : terms_)
@@ -49,19 +53,23 @@ Snapshot<D> Simulation<D>::snapshot(Index begin, Index end) const {
   at_now.pose.resize(at(bodies_.size()));
   at_now.velocity.resize(at_now.pose.size());
   at_now.angular_momentum.resize(at_now.pose.size());
-  gather(begin, end, [&](std::size_t body, const state::Impulse<D>& given) {
+  gather(begin, end, 0, [&](std::size_t body, const state::Impulse<D>& given) {
     const auto& motion = bodies_.motion[body];
     at_now.pose[body] = state::pose_at(motion, now_);
-    at_now.velocity[body] = motion.velocity - given.linear_ahead / bodies_.inertia[body].mass;
-    at_now.angular_momentum[body] = motion.angular_momentum - given.angular_ahead;
+    at_now.velocity[body] = motion.velocity + given.linear_lead / bodies_.inertia[body].mass;
+    at_now.angular_momentum[body] = motion.angular_momentum + given.angular_lead;
   });
   return at_now;
 }
 
+/// A body's kick does not sum its forces. They are the slope of what is taken back with them: over a second so long ago that every
+/// force has been given beyond it.
 template <int D>
 std::vector<Vector<D>> Simulation<D>::forces() const {
   std::vector<Vector<D>> forces(at(bodies_.size()));
-  gather(0, bodies_.size(), [&](std::size_t body, const state::Impulse<D>& given) { forces[body] = given.force; });
+  constexpr Real early = -2, late = -1;
+  gather(0, bodies_.size(), late, [&](std::size_t body, const auto& given) { forces[body] = given.linear_lead; });
+  gather(0, bodies_.size(), early, [&](std::size_t body, const auto& given) { forces[body] -= given.linear_lead; });
   return forces;
 }
 

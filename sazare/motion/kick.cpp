@@ -73,8 +73,8 @@ Angular<2> spin_of(const state::Motion<2>&, const state::Inertia<2>& inertia, st
 template <int D>
 void clear_locked(state::Impulse<D>& given, state::Locks locks) {
   if (!locks.any()) return;
-  for (Vector<D>* const each : {&given.linear, &given.force, &given.linear_ahead}) clear_axes<D>(*each, locks.translation);
-  for (Angular<D>* const each : {&given.angular, &given.torque, &given.angular_ahead})
+  for (Vector<D>* const each : {&given.linear, &given.linear_lead}) clear_axes<D>(*each, locks.translation);
+  for (Angular<D>* const each : {&given.angular, &given.angular_lead})
     clear_axes<angular_dimension<D>>(*each, locks.rotation);
 }
 
@@ -93,12 +93,10 @@ state::MeanMotion<D> kick(state::Motion<D>& motion, const state::Inertia<D>& ine
 }
 
 template <int D>
-void foresee(state::Motion<D>& motion, const state::Inertia<D>& inertia, state::Locks locks, state::Impulse<D> given,
-             Real seconds) {
+void foresee(state::Motion<D>& motion, const state::Inertia<D>& inertia, state::Locks locks, state::Impulse<D> given) {
   clear_locked(given, locks);
-  motion.foreseen_velocity = motion.velocity + (1 / inertia.mass) * (seconds * given.force - given.linear_ahead);
-  const Angular<D> lead = seconds * given.torque - given.angular_ahead;
-  motion.foreseen_spin = spin_of(motion, inertia, locks, motion.angular_momentum + lead);
+  motion.foreseen_velocity = motion.velocity + (1 / inertia.mass) * given.linear_lead;
+  motion.foreseen_spin = spin_of(motion, inertia, locks, motion.angular_momentum + given.angular_lead);
 }
 
 template <>
@@ -139,7 +137,7 @@ template void drift_back(state::Motion<2>&, state::Inertia<2>&, const Moment&);
 template void drift_back(state::Motion<3>&, state::Inertia<3>&, const Moment&);
 template state::MeanMotion<2> kick(state::Motion<2>&, const state::Inertia<2>&, state::Locks, state::Impulse<2>);
 template state::MeanMotion<3> kick(state::Motion<3>&, const state::Inertia<3>&, state::Locks, state::Impulse<3>);
-template void foresee(state::Motion<2>&, const state::Inertia<2>&, state::Locks, state::Impulse<2>, Real);
-template void foresee(state::Motion<3>&, const state::Inertia<3>&, state::Locks, state::Impulse<3>, Real);
+template void foresee(state::Motion<2>&, const state::Inertia<2>&, state::Locks, state::Impulse<2>);
+template void foresee(state::Motion<3>&, const state::Inertia<3>&, state::Locks, state::Impulse<3>);
 
 }  // namespace sazare::motion

@@ -6,7 +6,7 @@
 /// The impulse of a link acts from the middle of the link's last interval to the middle of its next one, whatever the
 /// levels of its bodies. So after a kick at T the momentum p holds what link l gives until e_l, and
 ///
-///     p(t) = p + sum f_l (t - e_l) = p - sum f_l (e_l - T) + (t - T) sum f_l
+///     p(t) = p + sum f_l (t - e_l)
 ///
 /// with the forces f_l as last evaluated, or their means where nothing has been given yet (terms/slot.hpp): of second order in
 /// time, for every body at any mix of levels. Dashpots and contacts take velocities from it; positions drift with p/m, which
@@ -31,10 +31,9 @@ state::MeanMotion<D> kick(state::Motion<D>& motion, const state::Inertia<D>& ine
 template <int D>
 void drift(state::Motion<D>& motion, state::Inertia<D>& inertia, state::Locks locks, Tick due, Real seconds);
 
-/// Foresees the velocity at `due`, where the body stands, `seconds` after the kick at which this was given.
+/// Foresees the velocity at `due`, where the body stands, after the kick at which this was given.
 template <int D>
-void foresee(state::Motion<D>& motion, const state::Inertia<D>& inertia, state::Locks locks, state::Impulse<D> given,
-             Real seconds);
+void foresee(state::Motion<D>& motion, const state::Inertia<D>& inertia, state::Locks locks, state::Impulse<D> given);
 
 /// Takes a body that a link needs before its time back from `due` to `now`, which becomes its own time.
 template <int D>

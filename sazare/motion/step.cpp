@@ -16,7 +16,7 @@ void step_one(state::Bodies<D>& bodies, Index body, const state::Impulse<D>& giv
   auto& inertia = bodies.inertia[at(body)];
   mean = kick(motion, inertia, bodies.locks[at(body)], given);
   drift(motion, inertia, bodies.locks[at(body)], stride.due, stride.seconds);
-  foresee(motion, inertia, bodies.locks[at(body)], given, stride.seconds);
+  foresee(motion, inertia, bodies.locks[at(body)], given);
 }
 
 /// Bodies in lanes, with all that their step changes.
@@ -46,7 +46,7 @@ void rotate(LaneState& body, const LaneVector& half) {
 }
 
 struct LaneImpulse {
-  LaneVector linear, angular, force, torque, linear_ahead, angular_ahead;
+  LaneVector linear, angular, linear_lead, angular_lead;
 };
 
 /// See kick.hpp.
@@ -67,10 +67,9 @@ void drift(LaneState& body, Lanes seconds) {
   rotate(body, (0.5 * seconds) * body.spin);
 }
 
-void foresee(LaneState& body, const LaneImpulse& given, Lanes seconds) {
-  body.foreseen_velocity = body.velocity + (1.0 / body.mass) * (seconds * given.force - given.linear_ahead);
-  const LaneVector lead = seconds * given.torque - given.angular_ahead;
-  body.foreseen_spin = inverse_inertia(body, body.angular_momentum + lead);
+void foresee(LaneState& body, const LaneImpulse& given) {
+  body.foreseen_velocity = body.velocity + (1.0 / body.mass) * given.linear_lead;
+  body.foreseen_spin = inverse_inertia(body, body.angular_momentum + given.angular_lead);
 }
 
 /// Bodies whose rotation is free, one per lane; lanes beyond `count` repeat the first and are not written back.
@@ -164,20 +163,18 @@ LaneVector free_axes(const state::Bodies<3>& bodies, const Batch& batch) {
     due[i] = strides[batch.place[lane]].due;
     kicked[i] = motions[lane]->due;
   }
-  const auto f = load_records<24>(impulses);
-  LaneImpulse impulse{{{f[0], f[1], f[2]}},    {{f[3], f[4], f[5]}},    {{f[8], f[9], f[10]}},
-                      {{f[11], f[12], f[13]}}, {{f[16], f[17], f[18]}}, {{f[19], f[20], f[21]}}};
+  const auto f = load_records<16>(impulses);
+  LaneImpulse impulse{{{f[0], f[1], f[2]}}, {{f[3], f[4], f[5]}}, {{f[8], f[9], f[10]}}, {{f[11], f[12], f[13]}}};
   const LaneVector free = free_axes(bodies, batch);
   for (int axis = 0; axis < 3; ++axis) {
     impulse.linear[axis] *= free[axis];
-    impulse.force[axis] *= free[axis];
-    impulse.linear_ahead[axis] *= free[axis];
+    impulse.linear_lead[axis] *= free[axis];
   }
   LaneState body = load(motions, inertias);
   LaneVector mean_velocity;
   const LaneVector mean_spin = kick(body, impulse, mean_velocity);
   drift(body, seconds);
-  foresee(body, impulse, seconds);
+  foresee(body, impulse);
   store(body, kicked, due, batch.count, motions, inertias);
   store_records<8>(
       {mean_velocity[0], mean_velocity[1], mean_velocity[2], mean_spin[0], mean_spin[1], mean_spin[2], Lanes{}, Lanes{}}, means,

@@ -6,21 +6,18 @@
 
 namespace sazare::state {
 
-/// What one body receives at a kick, and what pulls at it then: the sums over its links of
+/// What one body receives at a kick, and what its momentum will have gained by its next time: the sums over its links of
 ///
 ///     impulse given since its last kick
-///     force f as last evaluated
-///     f x (end of the time for which it has been given - now), so that momentum - this is the momentum at now; less, for the
-///     part of `until_next` that no force has been given for yet, the mean force of the link (see terms/slot.hpp) less f
+///     f (until_next - e)   where the force f, as last evaluated, has been given until e beyond that time: it is taken back
+///     F (until_next - e)   where nothing has been given yet after e: the mean force F of the link, see terms/slot.hpp
 template <int D>
 struct alignas(64) Impulse {
-  Vector<D> linear = Vector<D>::Zero();                    ///< [N s]
-  Angular<D> angular = Angular<D>::Zero();                 ///< about the centre of mass [N m s]
-  Real until_next = 0;                                     ///< asked for: time from now to the body's next one [s]
-  alignas(64) Vector<D> force = Vector<D>::Zero();         ///< [N]; each pair begins a cache line, for gathers
-  Angular<D> torque = Angular<D>::Zero();                  ///< about the centre of mass [N m]
-  alignas(64) Vector<D> linear_ahead = Vector<D>::Zero();  ///< [N s]
-  Angular<D> angular_ahead = Angular<D>::Zero();           ///< [N m s]
+  Vector<D> linear = Vector<D>::Zero();                   ///< [N s]
+  Angular<D> angular = Angular<D>::Zero();                ///< about the centre of mass [N m s]
+  Real until_next = 0;                                    ///< asked for: time from now to the body's next one [s]
+  alignas(64) Vector<D> linear_lead = Vector<D>::Zero();  ///< [N s]; each pair begins a cache line, for gathers
+  Angular<D> angular_lead = Angular<D>::Zero();           ///< [N m s]
 };
 
 /// Mean of a body's motion before and after a kick: impulse times this is exactly the work done.

@@ -40,8 +40,7 @@ public:
       const auto at = static_cast<std::size_t>(which[i]);
       const Vector<D> weight = mass_[at] * acceleration_;
       if (given_[at].tick > bodies.motion[at].last_kick) sum[i].linear += given_[at].acting * weight;
-      sum[i].force += weight;
-      sum[i].linear_ahead += (given_[at].ahead - now.seconds_since(given_[at].tick)) * weight;
+      sum[i].linear_lead += (sum[i].until_next - given_[at].ahead + now.seconds_since(given_[at].tick)) * weight;
     }
   }
 

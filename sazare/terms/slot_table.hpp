@@ -75,7 +75,7 @@ private:
 /// on side 0, (force, moment) on side 1.
 template <int D, int Parts>
 struct SideSums {
-  Wide<D> given, force, ahead;
+  Wide<D> given, lead;
   std::array<Wide<D>, Parts> part;
 
   /// What it reads beyond the six (or three) numbers that count lies within the slot and is never used.
@@ -90,9 +90,8 @@ struct SideSums {
     const Wide<D> acts = read(slot.total, side);
     const auto acting = broadcast(slot.evaluated) > last_kick ? broadcast(slot.acting) : broadcast(0);
     given += acting * acts;
-    force += acts;
-    const Real left = slot.ahead - (now - slot.evaluated) * tick_seconds;
-    ahead += broadcast(left) * acts - broadcast(std::max(until_next - left, Real{0})) * (read(slot.mean, side) - acts);
+    const auto open = broadcast(until_next - slot.ahead + (now - slot.evaluated) * tick_seconds);  // below 0: given beyond it
+    lead += open * select(open > 0.0, read(slot.mean, side), acts);
     for (std::size_t p = 0; p < Parts; ++p) part[p] += acting * read(slot.part[p], side);
   }
 };
@@ -123,8 +122,7 @@ struct SlotTable {
     for (; at != sides.end() && at->side == 1; ++at) add(second, {at->slot, 1});
     for (; at != sides.end(); ++at) add(first, {at->slot, 0});
     join(first.given, second.given).add_to(sum.linear.data());
-    join(first.force, second.force).add_to(sum.force.data());
-    join(first.ahead, second.ahead).add_to(sum.linear_ahead.data());
+    join(first.lead, second.lead).add_to(sum.linear_lead.data());
     for (std::size_t p = 0; p < Parts; ++p) parts.add(causes[p], place, join(first.part[p], second.part[p]));
   }
 

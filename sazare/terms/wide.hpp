@@ -68,6 +68,12 @@ struct Wide {
     return *this;
   }
   friend Wide operator-(Wide a, const Wide& b) { return a -= b; }
+  template <class Mask>
+  friend Wide select(const Mask& mask, const Wide& yes, const Wide& no) {
+    Wide chosen;
+    for (std::size_t i = 0; i < registers; ++i) chosen.part[i] = mask ? yes.part[i] : no.part[i];
+    return chosen;
+  }
   friend Wide operator*(const Register& factor, const Wide& a) {
     Wide product;
     for (std::size_t i = 0; i < registers; ++i) product.part[i] = factor * a.part[i];

@@ -20,7 +20,7 @@ namespace sazare::methods::blocks {
 
 /// Bodies, one in each lane, at one moment; in the order of a motion's numbers, which are never moved once they are read.
 struct LaneBodies {
-  std::array<Lanes, 24> number;
+  std::array<Lanes, 20> number;
 
   LaneVector position() const { return vector(0); }
   LaneMatrix rotation() const { return {{vector(3), vector(6), vector(9)}}; }
@@ -32,15 +32,12 @@ private:
 };
 
 /// Bodies that stand at their own time.
-inline LaneBodies load_bodies(const LanePointers<const state::Motion<3>>& bodies) { return {load_records<24>(bodies)}; }
+inline LaneBodies load_bodies(const LanePointers<const state::Motion<3>>& bodies) { return {load_records<20>(bodies)}; }
 
 /// Places of bodies, whose velocities are not asked for.
 inline LaneBodies load_poses(const LanePointers<const state::Pose<3>>& poses) {
-  std::array<const Real*, lane_count> last;
-  for (std::size_t lane = 0; lane < lane_count; ++lane) last[lane] = poses[lane]->rotation.data() + 5;
   LaneBodies bodies;
-  std::ranges::copy(load_records<8>(poses), bodies.number.begin());
-  std::ranges::copy(load_quads(last), bodies.number.begin() + 8);
+  std::ranges::copy(load_records<12>(poses), bodies.number.begin());
   return bodies;
 }
 

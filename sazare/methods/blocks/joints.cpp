@@ -107,7 +107,7 @@ void Joints::ask_for_some(std::span<const Due> due, const state::Bodies<3>& bodi
 }
 
 /// Evaluates as many joints as there are lanes, or fewer: idle lanes repeat the first.
-void Joints::evaluate_lanes(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
+[[gnu::flatten]] void Joints::evaluate_lanes(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
   LanePointers<JointRecord> records;
   LanePointers<const state::Motion<3>> masters, slaves;
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
@@ -146,7 +146,7 @@ void Joints::write_slots(const Moment& now, std::span<const Due> due, const Join
   for (std::size_t i = 0; i < 9; ++i) f[i] = single[i];
   f[9] = acting, f[10] = ahead, f[evaluated] = broadcast(static_cast<Real>(now.tick));
   constexpr std::size_t from = 8;  // what is read of the slots as they were
-  const auto before = load_records<16, from>(slots);
+  const auto before = load_records<12, from>(slots);
   const LaneMask follows = before[evaluated - from] >= 0.0;
   for (std::size_t i = 0; i < 9; ++i) {
     const Lanes earlier = select(follows, unpack(before[mean - from + i / 2])[i % 2], f[i]);

@@ -68,9 +68,8 @@ std::vector<state::Impulse<D>> impulses(const test::Network<D>& network, Real ac
   const auto add = [acting](state::Impulse<D>& sum, const Vector<D>& force, const Angular<D>& torque, const Vector<D>& mean_force,
                             const Angular<D>& mean_torque) {
     sum.linear += acting * force, sum.angular += acting * torque;
-    sum.force += force, sum.torque += torque;
-    sum.linear_ahead += (h / 2) * force - (h / 2) * (mean_force - force);
-    sum.angular_ahead += (h / 2) * torque - (h / 2) * (mean_torque - torque);
+    sum.linear_lead += (h / 2) * mean_force;
+    sum.angular_lead += (h / 2) * mean_torque;
   };
   const bool begins = means.empty();
   means.resize(network.springs.size());
@@ -90,8 +89,8 @@ std::vector<state::Impulse<D>> impulses(const test::Network<D>& network, Real ac
   for (std::size_t body = 0; body < motion.size(); ++body) {
     auto& sum = as_second[body];
     const auto& first = as_first[body];
-    sum.linear -= first.linear, sum.force -= first.force, sum.linear_ahead -= first.linear_ahead;
-    sum.angular += first.angular, sum.torque += first.torque, sum.angular_ahead += first.angular_ahead;
+    sum.linear -= first.linear, sum.linear_lead -= first.linear_lead;
+    sum.angular += first.angular, sum.angular_lead += first.angular_lead;
   }
   return as_second;
 }
@@ -117,13 +116,12 @@ void step_by_hand(test::Network<2>& network, Real acting, Means<2>& means) {
     const Real inverse_mass = 1 / inertia.mass;
     for (int i = 0; i < 2; ++i) {
       motion.velocity[i] = motion.velocity[i] + inverse_mass * sum[body].linear[i];
-      motion.foreseen_velocity[i] = motion.velocity[i] + inverse_mass * (h * sum[body].force[i] - sum[body].linear_ahead[i]);
+      motion.foreseen_velocity[i] = motion.velocity[i] + inverse_mass * sum[body].linear_lead[i];
       motion.position[i] = motion.position[i] + h * motion.velocity[i];
     }
     motion.angular_momentum[0] = motion.angular_momentum[0] + sum[body].angular[0];
     motion.spin[0] = inertia.inverse_moments[0] * motion.angular_momentum[0];
-    const Real lead = h * sum[body].torque[0] - sum[body].angular_ahead[0];
-    motion.foreseen_spin[0] = inertia.inverse_moments[0] * (motion.angular_momentum[0] + lead);
+    motion.foreseen_spin[0] = inertia.inverse_moments[0] * (motion.angular_momentum[0] + sum[body].angular_lead[0]);
     inertia.angle = inertia.angle + motion.spin[0] * h;
     const Real c = std::cos(inertia.angle), s = std::sin(inertia.angle);
     motion.rotation << c, -s, s, c;
@@ -168,7 +166,7 @@ TEST(leapfrog, one_level_in_space_is_the_step_by_hand_bit_for_bit) {
       const Real inverse_mass = 1 / by_hand.bodies.inertia[body].mass;
       for (int i = 0; i < 3; ++i) {
         motion.velocity[i] = motion.velocity[i] + inverse_mass * sum[body].linear[i];
-        motion.foreseen_velocity[i] = motion.velocity[i] + inverse_mass * (h * sum[body].force[i] - sum[body].linear_ahead[i]);
+        motion.foreseen_velocity[i] = motion.velocity[i] + inverse_mass * sum[body].linear_lead[i];
         motion.position[i] = motion.position[i] + h * motion.velocity[i];
       }
     }
