@@ -35,7 +35,7 @@ target_link_libraries(sazare_options INTERFACE Eigen3::Eigen fmt::fmt OpenMP::Op
 # 105651).
 target_compile_options(sazare_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi -Wno-uninitialized -Wno-maybe-uninitialized -Wno-restrict
-  -Wno-stringop-overflow -ffp-contract=off -fno-math-errno)
+  -Wno-stringop-overflow -ffp-contract=off -fno-math-errno -fno-semantic-interposition)
 if(SAZARE_WARNINGS_AS_ERRORS)
   target_compile_options(sazare_options INTERFACE -Werror)
 endif()

@@ -90,11 +90,9 @@ inline void store_quads(const std::array<Lanes, 4>& fields, const std::array<Rea
     halves[i] = __builtin_shufflevector(pairs[i], pairs[i + 2], 0, 1, 8, 9, 4, 5, 12, 13);
     halves[i + 2] = __builtin_shufflevector(pairs[i], pairs[i + 2], 2, 3, 10, 11, 6, 7, 14, 15);
   }
-  for (int lane = 0; lane < lanes; ++lane) {
-    const Lanes& half = halves[static_cast<std::size_t>(lane % 4)];
-    std::memcpy(to[static_cast<std::size_t>(lane)], reinterpret_cast<const char*>(&half) + lane / 4 * 4 * sizeof(Real),
-                4 * sizeof(Real));
-  }
+  for (std::size_t lane = 0; lane < lane_count; ++lane)  // a number of turns that the compiler knows: halves stay in registers
+    if (static_cast<int>(lane) < lanes)
+      _mm256_storeu_pd(to[lane], lane < 4 ? _mm512_castpd512_pd256(halves[lane]) : _mm512_extractf64x4_pd(halves[lane - 4], 1));
 #else
   std::array<Lanes, lane_count> rows = fields;
   transpose(rows);
@@ -137,17 +135,31 @@ inline Lanes pack(const Lanes& first, const Lanes& second) {
 #endif
 }
 
-/// A record read or written as `Count` doubles, a multiple of `lane_count`; one pointer per lane.
+/// A record read or written as doubles, four or `lane_count` at a time; one pointer per lane.
 template <class Record>
 using LanePointers = std::array<Record*, lane_count>;
 
-/// Reads `Count` doubles of each lane's record, from number `Begin` on.
-template <int Count, int Begin = 0, class Record>
+/// Four doubles of each lane's record, from number `begin` on.
+template <class Record>
+std::array<Lanes, 4> load_quad(const LanePointers<Record>& records, std::size_t begin) {
+  return load_quads([&](std::size_t lane) { return reinterpret_cast<const Real*>(records[lane]) + begin; });
+}
+
+/// Writes four doubles of the records of the first `lanes` lanes, from number `begin` on.
+template <class Record>
+void store_quad(const std::array<Lanes, 4>& fields, const LanePointers<Record>& records, std::size_t begin, int lanes) {
+  std::array<Real*, lane_count> to;
+  for (std::size_t lane = 0; lane < lane_count; ++lane) to[lane] = reinterpret_cast<Real*>(records[lane]) + begin;
+  store_quads(fields, to, lanes);
+}
+
+/// The first `Count` doubles of each lane's record.
+template <int Count, class Record>
 std::array<Lanes, Count> load_records(const LanePointers<Record>& records) {
-  static_assert(Count % 4 == 0 && sizeof(Record) >= (Begin + Count) * sizeof(Real));
+  static_assert(Count % 4 == 0 && sizeof(Record) >= Count * sizeof(Real));
   std::array<Lanes, Count> fields;
   for (std::size_t first = 0; first < Count; first += 4) {
-    const auto quad = load_quads([&](std::size_t lane) { return reinterpret_cast<const Real*>(records[lane]) + Begin + first; });
+    const auto quad = load_quad(records, first);
     for (std::size_t i = 0; i < 4; ++i) fields[first + i] = quad[i];
   }
   return fields;

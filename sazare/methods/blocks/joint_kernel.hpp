@@ -11,53 +11,65 @@
 /// potential and conserves linear and angular momentum exactly. Everything is worked out in face axes and turned to
 /// world axes once. [Konno2018], 2.1, figs. 1 and 2.
 
-#include <algorithm>
-
 #include "sazare/methods/blocks/joint_record.hpp"
 #include "sazare/state/bodies.hpp"
 
 namespace sazare::methods::blocks {
 
-/// Bodies, one in each lane, at one moment; in the order of a motion's numbers, which are never moved once they are read.
-struct LaneBodies {
-  std::array<Lanes, 20> number;
-
-  LaneVector position() const { return vector(0); }
-  LaneMatrix rotation() const { return {{vector(3), vector(6), vector(9)}}; }
-  LaneVector velocity() const { return vector(12); }
-  LaneVector spin() const { return vector(15); }
-
-private:
-  LaneVector vector(std::size_t first) const { return {{number[first], number[first + 1], number[first + 2]}}; }
+/// Places of bodies, one in each lane: of motions or of poses, which both begin with them.
+struct LanePlaces {
+  LaneVector position;
+  LaneMatrix rotation;
 };
 
-/// Bodies that stand at their own time.
-inline LaneBodies load_bodies(const LanePointers<const state::Motion<3>>& bodies) { return {load_records<20>(bodies)}; }
-
-/// Places of bodies, whose velocities are not asked for.
-inline LaneBodies load_poses(const LanePointers<const state::Pose<3>>& poses) {
-  LaneBodies bodies;
-  std::ranges::copy(load_records<12>(poses), bodies.number.begin());
-  return bodies;
+template <class Body>
+LanePlaces load_places(const LanePointers<Body>& bodies) {
+  const auto n = load_records<12>(bodies);
+  return {{{n[0], n[1], n[2]}},
+          {{LaneVector{{n[3], n[4], n[5]}}, LaneVector{{n[6], n[7], n[8]}}, LaneVector{{n[9], n[10], n[11]}}}}};
 }
 
-/// Vertices in face axes.
-struct FaceGeometry {
-  LaneMatrix axes;                                    ///< E
-  LaneVector apart;                                   ///< x_j - x_i in face axes [m]
-  std::array<LaneVector, vertex_count> point;         ///< from the master's centre [m]
-  std::array<LaneVector, vertex_count> displacement;  ///< d [m]
+/// Velocities foreseen of bodies that stand at their own time.
+struct LaneVelocities {
+  LaneVector velocity, spin;
 };
 
-inline FaceGeometry face_geometry(const LaneJoints& joints, const LaneBodies& master, const LaneBodies& slave) {
+inline LaneVelocities load_velocities(const LanePointers<const state::Motion<3>>& bodies) {
+  const auto first = load_quad(bodies, 12), last = load_quad(bodies, 16);
+  return {{{first[0], first[1], first[2]}}, {{first[3], last[0], last[1]}}};
+}
+
+/// Vertices in face axes, and what their joints remember.
+struct FaceGeometry {
+  LaneMatrix axes;                                       ///< E
+  LaneVector apart;                                      ///< x_j - x_i in face axes [m]
+  std::array<LaneVector, vertex_count> point;            ///< from the master's centre [m]
+  LaneVector opening;                                    ///< d_n, by vertex [m]
+  std::array<std::array<Lanes, 2>, vertex_count> shear;  ///< d_t less the slip so far [m]
+  LaneVector peak;
+  Lanes vertex_area;
+};
+
+template <class Record, class Body>
+FaceGeometry face_geometry(const LaneJoints<Record>& joints, const LanePointers<Body>& masters,
+                           const LanePointers<Body>& slaves) {
   FaceGeometry at;
-  at.axes = master.rotation() * joints.frame;
-  at.apart = transposed(at.axes, slave.position() - master.position());
+  const auto head = joints.head();
+  at.vertex_area = head.vertex_area;
+  const LanePlaces master = load_places(masters);
+  at.axes = master.rotation * head.frame;
+  const LanePlaces slave = load_places(slaves);
+  at.apart = transposed(at.axes, slave.position - master.position);
   LaneMatrix slave_axes;  // slave's body frame to face axes
-  for (int i = 0; i < 3; ++i) slave_axes[i] = transposed(at.axes, slave.rotation()[i]);
+  for (int i = 0; i < 3; ++i) slave_axes[i] = transposed(at.axes, slave.rotation[i]);
+  const auto tail = joints.tail();
+  at.peak = tail.peak;
   for (std::size_t v = 0; v < vertex_count; ++v) {
-    at.point[v] = slave_axes * joints.arm[v] + at.apart;
-    at.displacement[v] = at.point[v] - joints.corner[v];
+    at.point[v] = slave_axes * tail.arm[v] + at.apart;
+    const auto vertex = joints.vertex(v);
+    const LaneVector displacement = at.point[v] - vertex.corner;
+    at.opening[static_cast<int>(v)] = displacement[0];
+    at.shear[v] = {displacement[1] - vertex.slip[0], displacement[2] - vertex.slip[1]};
   }
   return at;
 }
@@ -70,63 +82,66 @@ struct JointForce {
   FaceForce total, dashpots;
 };
 
-/// Slopes [Pa/m] on which the vertices of joints unload. Few joints have softened.
-inline LaneVector unloading_of(const LaneJoints& joints, const JointParameters<Lanes>& kind) {
-  LaneVector unloading;
-  for (int v = 0; v < vertex_count; ++v)
-    unloading[v] = any(joints.peak[v] > kind.tension.elastic_opening) ? laws::unloading_stiffness(kind.tension, joints.peak[v])
-                                                                      : kind.tension.stiffness;
-  return unloading;
+/// Stress [Pa] at every vertex once the memory has been raised to the opening. Few joints have softened.
+inline LaneVector tension_stress(const JointParameters<Lanes>& kind, const FaceGeometry& at) {
+  LaneVector stress;
+  for (int v = 0; v < vertex_count; ++v) {
+    stress[v] = kind.tension.stiffness * at.opening[v];
+    if (any(at.peak[v] > kind.tension.elastic_opening))
+      stress[v] = laws::tension_stress(kind.tension, at.opening[v], laws::unloading_stiffness(kind.tension, at.peak[v]));
+  }
+  return stress;
 }
 
 /// Recoverable energy [J].
-inline Lanes elastic_energy(const LaneJoints& joints, const JointParameters<Lanes>& kind, const FaceGeometry& at) {
-  const LaneVector unloading = unloading_of(joints, kind);
+inline Lanes elastic_energy(const JointParameters<Lanes>& kind, const FaceGeometry& at) {
+  const LaneVector stress = tension_stress(kind, at);
   Lanes energy{};
   for (std::size_t v = 0; v < vertex_count; ++v) {
-    const LaneVector& d = at.displacement[v];
-    const Lanes x = d[1] - joints.slip[v][0], y = d[2] - joints.slip[v][1];
-    energy +=
-        laws::tension_energy(kind.tension, d[0], unloading[static_cast<int>(v)]) + 0.5 * kind.shear.stiffness * (x * x + y * y);
+    const auto [x, y] = at.shear[v];
+    const auto i = static_cast<int>(v);
+    energy += 0.5 * at.opening[i] * stress[i] + 0.5 * kind.shear.stiffness * (x * x + y * y);
   }
-  return energy * joints.vertex_area;
+  return energy * at.vertex_area;
 }
 
 /// What an evaluation has done to its joints.
 struct JointChange {
   LaneMask softened{};  ///< the memory of opening has grown
   LaneMask slipped{};
-  LaneMask failed{};  ///< a vertex has failed: the whole face comes apart and gives nothing
-  Lanes slip_work{};  ///< energy that slip has taken [J]
-  Lanes released{};   ///< elastic energy of what came apart [J]
+  LaneMask failed{};                                    ///< a vertex has failed: the whole face comes apart and gives nothing
+  Lanes slip_work{};                                    ///< energy that slip has taken [J]
+  Lanes released{};                                     ///< elastic energy of what came apart [J]
+  LaneVector peak;                                      ///< the memory as it is now, where one has softened
+  std::array<std::array<Lanes, 2>, vertex_count> slip;  ///< and the slip, where one has slipped
 };
 
 /// Raises the memory to the present opening; what is stored in a face that fails is lost.
-inline void soften(LaneJoints& joints, const JointParameters<Lanes>& kind, const FaceGeometry& at, JointChange& change) {
+inline void soften(const JointParameters<Lanes>& kind, FaceGeometry& at, JointChange& change) {
   for (int v = 0; v < vertex_count; ++v) {
-    const Lanes opening = at.displacement[static_cast<std::size_t>(v)][0];
-    const LaneMask opens = opening > joints.peak[v];
-    joints.peak[v] = select(opens, opening, joints.peak[v]);
+    const LaneMask opens = at.opening[v] > at.peak[v];
+    at.peak[v] = select(opens, at.opening[v], at.peak[v]);
     change.softened |= opens;
-    change.failed |= joints.peak[v] >= kind.tension.failure_opening;
+    change.failed |= at.peak[v] >= kind.tension.failure_opening;
   }
-  if (any(change.failed)) change.released = select(change.failed, elastic_energy(joints, kind, at), Lanes{});
+  change.peak = at.peak;
+  if (any(change.failed)) change.released = select(change.failed, elastic_energy(kind, at), Lanes{});
 }
 
-/// Elastic shear displacement of a vertex, after it has slipped where it must.
-inline std::array<Lanes, 2> shear(LaneJoints& joints, const JointParameters<Lanes>& kind, std::size_t v, const LaneVector& d,
-                                  Lanes stress, JointChange& change) {
-  auto& slip = joints.slip[v];
-  laws::Slip<Lanes> at{{d[1] - slip[0], d[2] - slip[1]}, {slip[0], slip[1]}, {}};
-  const Lanes strength = laws::shear_strength(kind.shear, stress);
-  const LaneMask slips = laws::slips(kind.shear, at, strength);
-  if (any(slips)) {
-    laws::slip_back(kind.shear, at, strength);
-    slip = {at.memory[0], at.memory[1]};
-    change.slip_work += select(change.failed, Lanes{}, joints.vertex_area * at.dissipation);
-    change.slipped |= slips;
+/// Lets the vertices slip that must.
+template <class Record>
+void slide(const LaneJoints<Record>& joints, const JointParameters<Lanes>& kind, const LaneVector& strength, FaceGeometry& at,
+           JointChange& change) {
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    const Lanes limit = strength[static_cast<int>(v)];
+    const auto before = joints.vertex(v).slip;
+    laws::Slip<Lanes> slip{{at.shear[v][0], at.shear[v][1]}, {before[0], before[1]}, {}};
+    change.slipped |= laws::slips(kind.shear, slip, limit);
+    laws::slip_back(kind.shear, slip, limit);
+    at.shear[v] = {slip.elastic[0], slip.elastic[1]};
+    change.slip[v] = {slip.memory[0], slip.memory[1]};
+    change.slip_work += select(change.failed, Lanes{}, at.vertex_area * slip.dissipation);
   }
-  return {at.elastic[0], at.elastic[1]};
 }
 
 /// Sums over the vertices of forces and of their moments about the master's centre, in face axes.
@@ -137,7 +152,44 @@ struct FaceSums {
     force = force + at_point;
     moment = moment + cross(point, at_point);
   }
+  friend FaceSums operator+(const FaceSums& a, const FaceSums& b) { return {a.force + b.force, a.moment + b.moment}; }
 };
+
+/// Springs, once the memory is what it must be.
+template <class Record>
+FaceSums springs(const LaneJoints<Record>& joints, const JointParameters<Lanes>& kind, FaceGeometry& at, JointChange& change) {
+  const LaneMask opens = (at.opening[0] > at.peak[0]) | (at.opening[1] > at.peak[1]) | (at.opening[2] > at.peak[2]);
+  if (any(opens)) soften(kind, at, change);
+  const LaneVector stress = tension_stress(kind, at);
+  LaneVector strength;
+  LaneMask slips{};
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    const auto i = static_cast<int>(v);
+    strength[i] = laws::shear_strength(kind.shear, stress[i]);
+    slips |= laws::slips(kind.shear, laws::Slip<Lanes>{{at.shear[v][0], at.shear[v][1]}, {}, {}}, strength[i]);
+  }
+  if (any(slips)) slide(joints, kind, strength, at, change);
+  const Lanes area = select(change.failed, Lanes{}, -at.vertex_area), shear_area = area * kind.shear.stiffness;
+  FaceSums sums{};
+  for (std::size_t v = 0; v < vertex_count; ++v)
+    sums.add(at.point[v], {{area * stress[static_cast<int>(v)], shear_area * at.shear[v][0], shear_area * at.shear[v][1]}});
+  return sums;
+}
+
+inline FaceSums dashpots(const JointParameters<Lanes>& kind, const FaceGeometry& at, const LaneMask& failed,
+                         const LaneVelocities& master, const LaneVelocities& slave) {
+  const LaneVector slave_spin = transposed(at.axes, slave.spin);
+  const LaneVector spin = slave_spin - transposed(at.axes, master.spin);
+  const LaneVector velocity = transposed(at.axes, slave.velocity - master.velocity) - cross(slave_spin, at.apart);
+  const Lanes area = select(failed, Lanes{}, -at.vertex_area);
+  const Lanes across = area * kind.normal_damping, along = area * kind.shear_damping;
+  FaceSums sums{};
+  for (const LaneVector& point : at.point) {
+    const LaneVector speed = velocity + cross(spin, point);
+    sums.add(point, {{across * speed[0], along * speed[1], along * speed[2]}});
+  }
+  return sums;
+}
 
 /// From face axes to world axes.
 inline FaceForce face_force(const FaceGeometry& at, const FaceSums& sums) {
@@ -145,31 +197,14 @@ inline FaceForce face_force(const FaceGeometry& at, const FaceSums& sums) {
 }
 
 /// Evaluates joints. A face that fails has no force any more.
-inline JointForce evaluate(LaneJoints& joints, const JointParameters<Lanes>& kind, const LaneBodies& master,
-                           const LaneBodies& slave, JointChange& change) {
-  const FaceGeometry at = face_geometry(joints, master, slave);
-  LaneMask opening{};
-  for (int v = 0; v < vertex_count; ++v) opening |= at.displacement[static_cast<std::size_t>(v)][0] > joints.peak[v];
-  if (any(opening)) soften(joints, kind, at, change);
-
-  const LaneVector slave_spin = transposed(at.axes, slave.spin());
-  const LaneVector spin = slave_spin - transposed(at.axes, master.spin());
-  const LaneVector velocity = transposed(at.axes, slave.velocity() - master.velocity()) - cross(slave_spin, at.apart);
-  const Lanes area = select(change.failed, Lanes{}, -joints.vertex_area);
-  const Lanes shear_area = area * kind.shear.stiffness;
-  const Lanes across = area * kind.normal_damping, along = area * kind.shear_damping;
-  const LaneVector unloading = unloading_of(joints, kind);
-  FaceSums all{}, dashpots{};
-  for (std::size_t v = 0; v < vertex_count; ++v) {
-    const LaneVector& d = at.displacement[v];
-    const Lanes stress = laws::tension_stress(kind.tension, d[0], unloading[static_cast<int>(v)]);
-    const auto elastic = shear(joints, kind, v, d, stress, change);
-    const LaneVector speed = velocity + cross(spin, at.point[v]);
-    const LaneVector dashpot{{across * speed[0], along * speed[1], along * speed[2]}};
-    dashpots.add(at.point[v], dashpot);
-    all.add(at.point[v], dashpot + LaneVector{{area * stress, shear_area * elastic[0], shear_area * elastic[1]}});
-  }
-  return {face_force(at, all), face_force(at, dashpots)};
+template <class Record>
+JointForce evaluate(const LaneJoints<Record>& joints, const JointParameters<Lanes>& kind,
+                    const LanePointers<const state::Motion<3>>& masters, const LanePointers<const state::Motion<3>>& slaves,
+                    JointChange& change) {
+  FaceGeometry at = face_geometry(joints, masters, slaves);
+  const FaceSums held = springs(joints, kind, at, change);
+  const FaceSums damped = dashpots(kind, at, change.failed, load_velocities(masters), load_velocities(slaves));
+  return {face_force(at, held + damped), face_force(at, damped)};
 }
 
 }  // namespace sazare::methods::blocks

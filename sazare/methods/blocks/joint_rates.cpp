@@ -56,7 +56,7 @@ void add_face(BodyMatrices& matrices, const FaceSprings& face) {
 FaceSprings face_springs(const JointRecord& joint, const JointKind& kind, bool as_master) {
   FaceSprings face = springs_of(kind, joint.vertex_area);
   for (std::size_t v = 0; v < vertex_count; ++v)
-    face.corners[v] = as_master ? Vector3(joint.frame() * joint.corner[v]) : joint.arm_of(v);
+    face.corners[v] = as_master ? Vector3(joint.frame() * joint.vertex[v].corner) : joint.arm_of(v);
   return face;
 }
 

@@ -46,7 +46,7 @@ JointRecord make_joint(const JointFace& face, const JointKind& kind, const state
     const Vector3 arm = slave.rotation.transpose() * (c[v] - slave.position);
     for (int axis = 0; axis < 3; ++axis) joint.arm[v][at(axis)] = static_cast<float>(arm[axis]);
     const Vector3 vertex = slave.position + slave.rotation * joint.arm_of(v);
-    joint.corner[v] = joint.frame().transpose() * (master.rotation.transpose() * (vertex - master.position));
+    joint.vertex[v].corner = joint.frame().transpose() * (master.rotation.transpose() * (vertex - master.position));
   }
   joint.vertex_area = (c[1] - c[0]).cross(c[2] - c[0]).norm() / 6;
   joint.peak.fill(kind.tension.elastic_opening);
@@ -108,62 +108,69 @@ void Joints::ask_for_some(std::span<const Due> due, const state::Bodies<3>& bodi
 
 /// Evaluates as many joints as there are lanes, or fewer: idle lanes repeat the first.
 [[gnu::flatten]] void Joints::evaluate_lanes(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
+  std::array<Due, lane_count> in_lanes;  // a copy: compilers gather where they choose between addresses, which is slow
+  for (std::size_t lane = 0; lane < lane_count; ++lane) in_lanes[lane] = due[lane < due.size() ? lane : 0];
   LanePointers<JointRecord> records;
   LanePointers<const state::Motion<3>> masters, slaves;
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
-    records[lane] = &records_[at(due[lane < due.size() ? lane : 0].link)];
+    records[lane] = &records_[at(in_lanes[lane].link)];
     masters[lane] = &bodies.motion[at(records[lane]->master)];
     slaves[lane] = &bodies.motion[at(records[lane]->slave)];
   }
-  LaneJoints joints = load_joints(records);
   JointChange change;
-  const JointForce force = blocks::evaluate(joints, kinds_of(records), load_bodies(masters), load_bodies(slaves), change);
-  write_slots(now, due, force, change.failed);
-  if (!any(change.softened | change.slipped)) return;
-  store_memory(joints, records, static_cast<int>(due.size()));
-  note_changes(due, change);
+  const JointForce force = blocks::evaluate(LaneJoints<JointRecord>{records}, kinds_of(records), masters, slaves, change);
+  write_slots(now, in_lanes, force, change.failed, static_cast<int>(due.size()));
+  if (any(change.softened | change.slipped)) note_changes(due, change);
 }
 
-void Joints::write_slots(const Moment& now, std::span<const Due> due, const JointForce& force, const LaneMask& failed) {
+/// Writes the slots of the first `count` lanes, four doubles at a time.
+void Joints::write_slots(const Moment& now, const std::array<Due, lane_count>& due, const JointForce& force,
+                         const LaneMask& failed, int count) {
+  static_assert(sizeof(terms::Slot<3, 1>) == 24 * sizeof(Real));
   LanePointers<terms::Slot<3, 1>> slots;
   Lanes acting{}, ahead{};
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
-    slots[lane] = &table_[due[lane < due.size() ? lane : 0].link];
-    acting[static_cast<int>(lane)] = due[lane < due.size() ? lane : 0].acting;
-    ahead[static_cast<int>(lane)] = due[lane < due.size() ? lane : 0].ahead;
+    slots[lane] = &table_[due[lane].link];
+    acting[static_cast<int>(lane)] = due[lane].acting;
+    ahead[static_cast<int>(lane)] = due[lane].ahead;
   }
-  // Places of the doubles of a slot: the total, `acting` and `ahead`, then
-  constexpr std::size_t evaluated = 11, mean = 12, whole = sizeof(terms::Slot<3, 1>) / sizeof(Real);
-  static_assert(whole == 24);
+  const auto last = load_quad(slots, 8), means = load_quad(slots, 12), more_means = load_quad(slots, 16);
+  const LaneMask follows = last[3] >= 0.0;  // it has been evaluated
+  const auto follow = [&](const Lanes& earlier, const Lanes& force_now) {
+    const Lanes from = select(follows, earlier, force_now);
+    return select(failed, Lanes{}, from + terms::mean_share * (force_now - from));
+  };
+  const auto follow_both = [&](const Lanes& earlier, const Lanes& first, const Lanes& second) {
+    const auto both = unpack(earlier);
+    return pack(follow(both[0], first), follow(both[1], second));
+  };
   const FaceForce &t = force.total, &d = force.dashpots;
-  std::array<Lanes, 18> single = {
-      // the mean, still to come, and the dashpots
-      t.master_moment[0], t.master_moment[1], t.master_moment[2], t.linear[0],        t.linear[1],        t.linear[2],
-      t.slave_moment[0],  t.slave_moment[1],  t.slave_moment[2],  d.master_moment[0], d.master_moment[1], d.master_moment[2],
-      d.linear[0],        d.linear[1],        d.linear[2],        d.slave_moment[0],  d.slave_moment[1],  d.slave_moment[2]};
-  std::array<Lanes, whole> f;
-  for (std::size_t i = mean + single.size() / 2; i < whole; ++i) f[i] = Lanes{};
-  for (std::size_t i = 0; i < 9; ++i) f[i] = single[i];
-  f[9] = acting, f[10] = ahead, f[evaluated] = broadcast(static_cast<Real>(now.tick));
-  constexpr std::size_t from = 8;  // what is read of the slots as they were
-  const auto before = load_records<12, from>(slots);
-  const LaneMask follows = before[evaluated - from] >= 0.0;
-  for (std::size_t i = 0; i < 9; ++i) {
-    const Lanes earlier = select(follows, unpack(before[mean - from + i / 2])[i % 2], f[i]);
-    single[i] = select(failed, Lanes{}, earlier + terms::mean_share * (f[i] - earlier));
-  }
-  for (std::size_t pair = 0; pair < single.size() / 2; ++pair) f[mean + pair] = pack(single[2 * pair], single[2 * pair + 1]);
-  store_records<whole>(f, slots, static_cast<int>(due.size()));
+  store_quad({t.master_moment[0], t.master_moment[1], t.master_moment[2], t.linear[0]}, slots, 0, count);
+  store_quad({t.linear[1], t.linear[2], t.slave_moment[0], t.slave_moment[1]}, slots, 4, count);
+  store_quad({t.slave_moment[2], acting, ahead, broadcast(static_cast<Real>(now.tick))}, slots, 8, count);
+  store_quad(
+      {follow_both(means[0], t.master_moment[0], t.master_moment[1]), follow_both(means[1], t.master_moment[2], t.linear[0]),
+       follow_both(means[2], t.linear[1], t.linear[2]), follow_both(means[3], t.slave_moment[0], t.slave_moment[1])},
+      slots, 12, count);
+  store_quad({pack(follow(unpack(more_means[0])[0], t.slave_moment[2]), d.master_moment[0]),
+              pack(d.master_moment[1], d.master_moment[2]), pack(d.linear[0], d.linear[1]), pack(d.linear[2], d.slave_moment[0])},
+             slots, 16, count);
+  store_quad({pack(d.slave_moment[1], d.slave_moment[2]), Lanes{}, Lanes{}, Lanes{}}, slots, 20, count);
 }
 
 void Joints::note_changes(std::span<const Due> due, const JointChange& change) {
   for (std::size_t lane = 0; lane < due.size(); ++lane) {
     const int i = static_cast<int>(lane);
+    JointRecord& joint = records_[at(due[lane].link)];
     JointLosses& losses = losses_[at(due[lane].link)];
+    if (change.slipped[i] != 0)
+      for (std::size_t v = 0; v < vertex_count; ++v)
+        for (std::size_t axis = 0; axis < 2; ++axis) joint.vertex[v].slip[axis] = static_cast<float>(change.slip[v][axis][i]);
     losses.slip_work += change.slip_work[i];
     if (change.softened[i] == 0) continue;
+    for (int v = 0; v < vertex_count; ++v) joint.peak[static_cast<std::size_t>(v)] = change.peak[v][i];
     const bool failed = change.failed[i] != 0;
-    records_[at(due[lane].link)].state = failed ? JointState::broken : JointState::softening;
+    joint.state = failed ? JointState::broken : JointState::softening;
     if (!failed) continue;
     losses.released = change.released[i];
     failed_.add(due[lane].link);
@@ -214,7 +221,7 @@ JointReport Joints::report(Index joint) const {
                      vertex_count * record.vertex_area,
                      *std::ranges::max_element(record.peak),
                      0};
-  for (const auto& slip : record.slip) report.slip = std::max<Real>(report.slip, std::hypot(slip[0], slip[1]));
+  for (const auto& vertex : record.vertex) report.slip = std::max<Real>(report.slip, std::hypot(vertex.slip[0], vertex.slip[1]));
   return report;
 }
 
@@ -241,8 +248,7 @@ Lanes Joints::elastic_energies(Index first, const terms::Synchronized<3>& synchr
     masters[lane] = &synchronized.pose_of(records[lane]->master);
     slaves[lane] = &synchronized.pose_of(records[lane]->slave);
   }
-  const LaneJoints joints = load_joints(records);
-  return elastic_energy(joints, kinds_of(records), face_geometry(joints, load_poses(masters), load_poses(slaves)));
+  return elastic_energy(kinds_of(records), face_geometry(LaneJoints<const JointRecord>{records}, masters, slaves));
 }
 
 void Joints::add_energies(const terms::Synchronized<3>& synchronized, terms::Books& books) const {
@@ -272,7 +278,7 @@ void Joints::add_energies(Index begin, Index end, const terms::Synchronized<3>& 
 }
 
 void Joints::carry(Index joint, Parcel& parcel) {
-  parcel(records_[at(joint)].slip);
+  for (auto& vertex : records_[at(joint)].vertex) parcel(vertex.slip);
   parcel(records_[at(joint)].peak);
   parcel(records_[at(joint)].state);
   parcel(losses_[at(joint)]);
