@@ -165,17 +165,4 @@ std::array<Lanes, Count> load_records(const LanePointers<Record>& records) {
   return fields;
 }
 
-/// Writes doubles 0 .. Count - 1 of the records of the first `lanes` lanes.
-template <int Count, class Record>
-void store_records(const std::array<Lanes, Count>& fields, const LanePointers<Record>& records, int lanes = lane_count) {
-  static_assert(Count % lane_count == 0 && sizeof(Record) >= Count * sizeof(Real));
-  for (std::size_t first = 0; first < Count; first += lane_count) {
-    std::array<Lanes, lane_count> rows;
-    for (std::size_t i = 0; i < lane_count; ++i) rows[i] = fields[first + i];
-    transpose(rows);
-    for (std::size_t lane = 0; lane < lane_count; ++lane)  // a number of turns that the compiler knows: rows stay in registers
-      if (static_cast<int>(lane) < lanes) store_lanes(reinterpret_cast<Real*>(records[lane]) + first, rows[lane]);
-  }
-}
-
 }  // namespace sazare

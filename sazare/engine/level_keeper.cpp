@@ -43,8 +43,11 @@ LevelKeeper<D>::LevelKeeper(const StepRules& rules, const TermList<D>& terms, co
       asked_(at(bodies.size()), -1),
       terms_(&terms) {
   if (terms.size() > at(LinkOf::most_terms)) throw std::length_error("more terms than there are numbers for");
-  for (int level = 0; level < schedule::level_count; ++level)
-    steps_[static_cast<std::size_t>(level)] = rules_.base_step / static_cast<Real>(Tick{1} << level);
+  for (std::size_t level = 0; level < steps_.size(); ++level) {
+    steps_[level] = rules_.base_step / static_cast<Real>(Tick{1} << level);
+    const Real fastest = travel_speed(steps_[level], rules_.travel_length);
+    fastest_squared_[level] = fastest * fastest;
+  }
   for (Index body = 0; body < bodies.size(); ++body) {
     by_rates_[at(body)] = static_cast<std::int8_t>(wanted_by_rates(body));
     paces_.insert(body, 0);
@@ -215,7 +218,8 @@ void LevelKeeper<D>::relevel(const state::Bodies<D>& bodies) {
   std::vector<std::int8_t> wanted = by_rates_;
   if (travels)
     for (Index body = 0; body < bodies.size(); ++body)
-      wanted[at(body)] = static_cast<std::int8_t>(level_for_speed(wanted[at(body)], bodies.motion[at(body)].velocity.norm()));
+      wanted[at(body)] =
+          static_cast<std::int8_t>(level_for_speed(wanted[at(body)], bodies.motion[at(body)].velocity.squaredNorm()));
   if (rules_.uniform)
     std::fill(wanted.begin(), wanted.end(), wanted.empty() ? std::int8_t{0} : *std::max_element(wanted.begin(), wanted.end()));
   else
@@ -240,13 +244,6 @@ void LevelKeeper<D>::refine_asked() {
     ask_neighbors(body);
   }
   asking_.clear();
-}
-
-template <int D>
-int LevelKeeper<D>::level_for_speed(int level, Real speed) const {
-  const Real longest = travel_step(speed, rules_.travel_length);
-  while (level < schedule::deepest_level && step(level) > longest) ++level;
-  return level;
 }
 
 template <int D>

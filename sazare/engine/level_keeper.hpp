@@ -45,7 +45,10 @@ public:
   void refine_asked();
 
   /// The coarsest level from a given one on that a speed allows.
-  int level_for_speed(int level, Real speed) const;
+  int level_for_speed(int level, Real speed_squared) const {
+    while (level < schedule::deepest_level && speed_squared > fastest_squared_[static_cast<std::size_t>(level)]) ++level;
+    return level;
+  }
 
   /// Takes over a finer level that a body has begun to step with.
   void refined(Index body, int level);
@@ -74,13 +77,15 @@ private:
 
   StepRules rules_;
   std::array<Real, schedule::level_count> steps_{};  ///< by level [s]
-  schedule::Buckets paces_;                          ///< bodies by the level at which they are kicked
-  std::vector<schedule::LinkClock> clocks_;          ///< by term
-  std::vector<std::vector<std::int8_t>> resting_;    ///< by term and link; shorter than there are links
-  LinkLists links_;                                  ///< by body
-  std::vector<std::int8_t> level_;                   ///< by body
-  std::vector<std::int8_t> by_rates_;                ///< level that a body's own springs and dashpots ask for
-  std::vector<std::int8_t> asked_;                   ///< level asked for since the last tick, where in `asking_`
+  std::array<Real, schedule::level_count>
+      fastest_squared_{};                          ///< by level: of the speed that travels as far as is allowed [m2/s2]
+  schedule::Buckets paces_;                        ///< bodies by the level at which they are kicked
+  std::vector<schedule::LinkClock> clocks_;        ///< by term
+  std::vector<std::vector<std::int8_t>> resting_;  ///< by term and link; shorter than there are links
+  LinkLists links_;                                ///< by body
+  std::vector<std::int8_t> level_;                 ///< by body
+  std::vector<std::int8_t> by_rates_;              ///< level that a body's own springs and dashpots ask for
+  std::vector<std::int8_t> asked_;                 ///< level asked for since the last tick, where in `asking_`
   std::vector<Index> asking_;
   std::vector<Index> calmed_;  ///< bodies whose pace may fall at the next base step
   const TermList<D>* terms_ = nullptr;

@@ -34,9 +34,7 @@ inline Real stable_step(const terms::Rates& rates) {
   return 2 / (damping + std::sqrt(damping * damping + rates.stiffness));
 }
 
-/// Largest step [s] in which a body travels no farther than the rule's length. [Konno2018], 3.1.
-inline Real travel_step(Real speed, Real travel_length) {
-  return speed > 0 ? travel_length / speed : std::numeric_limits<Real>::infinity();
-}
+/// Largest speed [m/s] at which a body travels no farther than the rule's length in a step. [Konno2018], 3.1.
+inline Real travel_speed(Real step, Real travel_length) { return travel_length / step; }
 
 }  // namespace sazare::engine

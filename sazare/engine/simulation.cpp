@@ -50,9 +50,12 @@ Simulation<D>::Simulation(state::Bodies<D> bodies, TermList<D> terms, const Step
   kinetic_at_start_ = kinetic.value();
 }
 
+/// Returns the time now.
 template <int D>
-void Simulation<D>::add_time(std::size_t part, std::int64_t since) {
-  times_[part].seconds += 1e-9 * static_cast<Real>(clock_now() - since);
+std::int64_t Simulation<D>::add_time(std::size_t part, std::int64_t since) {
+  const std::int64_t now = clock_now();
+  times_[part].seconds += 1e-9 * static_cast<Real>(now - since);
+  return now;
 }
 
 template <int D>
@@ -75,7 +78,7 @@ void Simulation<D>::advance() {
 /// The step, as a list: choose levels, find what is due, evaluate, kick and drift, settle what has changed.
 template <int D>
 void Simulation<D>::tick() {
-  const std::int64_t begin = clock_now();
+  std::int64_t since = clock_now();
   const bool base = now_.tick % schedule::base_stride == 0;
   if (base && replicas_ && travels()) replicas_->fetch_all();
   if (base)
@@ -84,19 +87,16 @@ void Simulation<D>::tick() {
     levels_.refine_asked();
   finest_seen_ = std::max(finest_seen_, levels_.finest());
   collect_due();
-  add_time(terms_.size() + 1, begin);
+  since = add_time(terms_.size() + 1, since);
   for (std::size_t term = 0; term < terms_.size(); ++term) {
     if (due_links_[term].empty()) continue;
-    const std::int64_t before = clock_now();
     const Real worked = replicas_ ? parallel::processor_seconds() : 0;
     terms_[term]->evaluate(now_, due_links_[term], bodies_);
     if (replicas_) count_work(term, due_links_[term].size(), worked);
-    add_time(term, before);
+    since = add_time(term, since);
   }
-  const std::int64_t before = clock_now();
   kick_all();
-  add_time(terms_.size(), before);
-  settle();
+  settle(add_time(terms_.size(), since));
   ++counters_.ticks;
 }
 
@@ -194,8 +194,8 @@ void Simulation<D>::kick_chunk(std::span<const Index> which) {
     const Index body = which[i];
     int pace = levels_.pace(body);
     if (travels) {
-      const Real speed = (bodies_.motion[at(body)].velocity + impulses[i].linear / bodies_.inertia[at(body)].mass).norm();
-      const int level = levels_.level_for_speed(levels_.level(body), speed);
+      const Vector<D> velocity = bodies_.motion[at(body)].velocity + (1 / bodies_.inertia[at(body)].mass) * impulses[i].linear;
+      const int level = levels_.level_for_speed(levels_.level(body), velocity.squaredNorm());
       stepped_level_[static_cast<std::size_t>(&which[i] - due_bodies_.data())] = static_cast<std::int8_t>(level);
       if (level > pace) {  // its momentum was foreseen for a longer step
         pace = level;
@@ -219,19 +219,19 @@ state::Impulse<D> Simulation<D>::gather_one(Index body, Real until_next) const {
   return sum;
 }
 
+/// From a time on that counts as theirs.
 template <int D>
-void Simulation<D>::settle() {
+void Simulation<D>::settle(std::int64_t since) {
   terms::Changes changes;
   const bool base = now_.tick % schedule::base_stride == 0;
   for (std::size_t term = 0; term < terms_.size(); ++term) {
-    const std::int64_t before = clock_now();
     changes.clear();
     terms_[term]->settle(now_, bodies_, peers(), changes);
     if (base) terms_[term]->settle_base(now_, bodies_, peers(), changes);
     levels_.apply(term, changes, now_.tick);
     if (replicas_)
       for (const Index link : changes.new_links) replicas_->add_link(terms_[term]->links()[at(link)]);
-    add_time(term, before);
+    since = add_time(term, since);
   }
 }
 

@@ -123,8 +123,8 @@ private:
   void kick_all();
   void kick_chunk(std::span<const Index> which);
   state::Impulse<D> gather_one(Index body, Real until_next) const;
-  void settle();
-  void add_time(std::size_t part, std::int64_t since);
+  void settle(std::int64_t since);
+  std::int64_t add_time(std::size_t part, std::int64_t since);
   template <class Take>
   void gather(Index begin, Index end, Real until_next, Take&& take) const;
   Snapshot<D> snapshot(Index begin, Index end) const;

@@ -62,8 +62,8 @@ Snapshot<D> Simulation<D>::snapshot(Index begin, Index end) const {
   return at_now;
 }
 
-/// A body's kick does not sum its forces. They are the slope of what is taken back with them: over a second so long ago that every
-/// force has been given beyond it.
+/// A body's kick does not sum its forces. They are the slope of what is taken back with them: over a second so long ago that
+/// every force has been given beyond it.
 template <int D>
 std::vector<Vector<D>> Simulation<D>::forces() const {
   std::vector<Vector<D>> forces(at(bodies_.size()));

@@ -25,7 +25,7 @@ struct LaneState {
   LaneMatrix rotation;
   Lanes w, x, y, z;  ///< orientation
   LaneVector inverse_moments;
-  Lanes mass;
+  Lanes inverse_mass;
 };
 
 /// Inverse inertia tensor in world axes times a vector.
@@ -40,7 +40,7 @@ void rotate(LaneState& body, const LaneVector& half) {
   const Lanes w = body.w - half[0] * body.x - half[1] * body.y - half[2] * body.z;
   const LaneVector v{{body.x, body.y, body.z}};
   const LaneVector u = v + body.w * half + cross(half, v);
-  const Lanes scale = 1.0 / square_root(w * w + dot(u, u));
+  const Lanes scale = inverse_square_root(w * w + dot(u, u));
   body.w = w * scale, body.x = u[0] * scale, body.y = u[1] * scale, body.z = u[2] * scale;
   body.rotation = rotation_of(broadcast(2), body.x, body.y, body.z, body.w);
 }
@@ -51,7 +51,7 @@ struct LaneImpulse {
 
 /// See kick.hpp.
 LaneVector kick(LaneState& body, const LaneImpulse& given, LaneVector& mean_velocity) {
-  const LaneVector gained = (1.0 / body.mass) * given.linear;
+  const LaneVector gained = body.inverse_mass * given.linear;
   mean_velocity = body.velocity + broadcast(0.5) * gained;
   body.velocity = body.velocity + gained;
   const LaneVector before = body.angular_momentum;
@@ -68,7 +68,7 @@ void drift(LaneState& body, Lanes seconds) {
 }
 
 void foresee(LaneState& body, const LaneImpulse& given) {
-  body.foreseen_velocity = body.velocity + (1.0 / body.mass) * given.linear_lead;
+  body.foreseen_velocity = body.velocity + body.inverse_mass * given.linear_lead;
   body.foreseen_spin = inverse_inertia(body, body.angular_momentum + given.angular_lead);
 }
 
@@ -81,16 +81,18 @@ struct Batch {
 
 /// What the kick does not read of the bodies is left open.
 LaneState load(const LanePointers<state::Motion<3>>& motions, const LanePointers<state::Inertia<3>>& inertias) {
-  const auto m = load_records<24>(motions);
+  const auto m = load_records<12>(motions);
+  const auto v = load_quad(motions, 18);
+  const auto l = load_quad(motions, 20);
   const auto i = load_records<8>(inertias);
   LaneState body;
   body.position = {{m[0], m[1], m[2]}};
   body.rotation = {{LaneVector{{m[3], m[4], m[5]}}, LaneVector{{m[6], m[7], m[8]}}, LaneVector{{m[9], m[10], m[11]}}}};
-  body.velocity = {{m[18], m[19], m[20]}};
-  body.angular_momentum = {{m[21], m[22], m[23]}};
+  body.velocity = {{v[0], v[1], v[2]}};
+  body.angular_momentum = {{l[1], l[2], l[3]}};
   body.x = i[0], body.y = i[1], body.z = i[2], body.w = i[3];
   body.inverse_moments = {{i[4], i[5], i[6]}};
-  body.mass = i[7];
+  body.inverse_mass = 1.0 / i[7];
   return body;
 }
 
@@ -99,50 +101,27 @@ void store(const LaneState& body, const LongLanes& kicked, const LongLanes& due,
   const LaneVector &p = body.position, &v = body.velocity, &s = body.spin, &l = body.angular_momentum;
   const LaneVector &u = body.foreseen_velocity, &t = body.foreseen_spin;
   const LaneMatrix& r = body.rotation;
-  store_records<32>({p[0],
-                     p[1],
-                     p[2],
-                     r[0][0],
-                     r[0][1],
-                     r[0][2],
-                     r[1][0],
-                     r[1][1],
-                     r[1][2],
-                     r[2][0],
-                     r[2][1],
-                     r[2][2],
-                     u[0],
-                     u[1],
-                     u[2],
-                     t[0],
-                     t[1],
-                     t[2],
-                     v[0],
-                     v[1],
-                     v[2],
-                     l[0],
-                     l[1],
-                     l[2],
-                     s[0],
-                     s[1],
-                     s[2],
-                     reinterpret_cast<Lanes>(kicked),
-                     reinterpret_cast<Lanes>(due),
-                     Lanes{},
-                     Lanes{},
-                     Lanes{}},
-                    motions, count);
-  const LaneVector& i = body.inverse_moments;
-  store_records<8>({body.x, body.y, body.z, body.w, i[0], i[1], i[2], body.mass}, inertias, count);
+  store_quad({p[0], p[1], p[2], r[0][0]}, motions, 0, count);
+  store_quad({r[0][1], r[0][2], r[1][0], r[1][1]}, motions, 4, count);
+  store_quad({r[1][2], r[2][0], r[2][1], r[2][2]}, motions, 8, count);
+  store_quad({u[0], u[1], u[2], t[0]}, motions, 12, count);
+  store_quad({t[1], t[2], v[0], v[1]}, motions, 16, count);
+  store_quad({v[2], l[0], l[1], l[2]}, motions, 20, count);
+  store_quad({s[0], s[1], s[2], reinterpret_cast<Lanes>(kicked)}, motions, 24, count);
+  store_quad({reinterpret_cast<Lanes>(due), Lanes{}, Lanes{}, Lanes{}}, motions, 28, count);
+  store_quad({body.x, body.y, body.z, body.w}, inertias, 0, count);
 }
 
-/// 0 in the lanes whose body may not move along an axis, else 1.
-LaneVector free_axes(const state::Bodies<3>& bodies, const Batch& batch) {
-  LaneVector free{{broadcast(1), broadcast(1), broadcast(1)}};
+/// Removes what the locks of bodies take up. Few have any.
+void clear_locked(LaneImpulse& given, const state::Bodies<3>& bodies, const Batch& batch) {
+  std::array<unsigned, lane_count> locked;
+  unsigned all = 0;
+  for (std::size_t lane = 0; lane < lane_count; ++lane) all |= locked[lane] = bodies.locks[at(batch.body[lane])].translation;
+  if (all == 0) return;
   for (std::size_t lane = 0; lane < lane_count; ++lane)
     for (int axis = 0; axis < 3; ++axis)
-      if (bodies.locks[at(batch.body[lane])].translation >> axis & 1) free[axis][static_cast<int>(lane)] = 0;
-  return free;
+      if (locked[lane] >> axis & 1)
+        given.linear[axis][static_cast<int>(lane)] = given.linear_lead[axis][static_cast<int>(lane)] = 0;
 }
 
 [[gnu::flatten]] void step_batch(state::Bodies<3>& bodies, const Batch& batch, std::span<const state::Impulse<3>> given,
@@ -165,20 +144,15 @@ LaneVector free_axes(const state::Bodies<3>& bodies, const Batch& batch) {
   }
   const auto f = load_records<16>(impulses);
   LaneImpulse impulse{{{f[0], f[1], f[2]}}, {{f[3], f[4], f[5]}}, {{f[8], f[9], f[10]}}, {{f[11], f[12], f[13]}}};
-  const LaneVector free = free_axes(bodies, batch);
-  for (int axis = 0; axis < 3; ++axis) {
-    impulse.linear[axis] *= free[axis];
-    impulse.linear_lead[axis] *= free[axis];
-  }
+  clear_locked(impulse, bodies, batch);
   LaneState body = load(motions, inertias);
   LaneVector mean_velocity;
   const LaneVector mean_spin = kick(body, impulse, mean_velocity);
   drift(body, seconds);
   foresee(body, impulse);
   store(body, kicked, due, batch.count, motions, inertias);
-  store_records<8>(
-      {mean_velocity[0], mean_velocity[1], mean_velocity[2], mean_spin[0], mean_spin[1], mean_spin[2], Lanes{}, Lanes{}}, means,
-      batch.count);
+  store_quad({mean_velocity[0], mean_velocity[1], mean_velocity[2], mean_spin[0]}, means, 0, batch.count);
+  store_quad({mean_spin[1], mean_spin[2], Lanes{}, Lanes{}}, means, 4, batch.count);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 /// The slots of a term and whose they are: the loops that every term shares.
 
-#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -10,9 +10,9 @@
 
 #include "sazare/core/coming_lines.hpp"
 #include "sazare/terms/events.hpp"
+#include "sazare/terms/force_moment.hpp"
 #include "sazare/terms/slot.hpp"
 #include "sazare/terms/term.hpp"
-#include "sazare/terms/wide.hpp"
 
 namespace sazare::terms {
 
@@ -71,28 +71,35 @@ private:
   std::vector<std::unique_ptr<std::vector<SlotSide>>> lists_;  ///< none where a body never had a link: most never have
 };
 
-/// Sums over the slots on one side of a body, in the order of PairForce from that side's first number on: (moment, force)
-/// on side 0, (force, moment) on side 1.
+/// Sums over the slots of a body.
 template <int D, int Parts>
-struct SideSums {
-  Wide<D> given, lead;
-  std::array<Wide<D>, Parts> part;
+struct SlotSums {
+  ForceMoment<D> given, lead;
+  std::array<ForceMoment<D>, Parts> part;
 
-  /// What it reads beyond the six (or three) numbers that count lies within the slot and is never used.
+  // What is read beyond the last moment lies within the slot too.
+  static_assert(sizeof(PairForce<D>) + 3 * sizeof(Real) + (1 + Parts) * sizeof(PairForce<D, float>) +
+                    (4 - angular_dimension<D>)*sizeof(float) <=
+                sizeof(Slot<D, Parts>));
+
   template <class Number>
-  static Wide<D> read(const PairForce<D, Number>& from, int side) {
-    return Wide<D>::load(side == 0 ? from.first_moment.data() : from.linear.data());
+  static ForceMoment<D> read(const PairForce<D, Number>& from, int side) {
+    return ForceMoment<D>::load(from.linear.data(), side == 0 ? from.first_moment.data() : from.second_moment.data());
   }
 
-  /// All in registers and without branches: at a mix of levels no processor guesses which slots are new.
+  /// All in registers and without branches: at a mix of levels no processor guesses which slots are new, nor on which side of
+  /// each a body is.
   void add(const Slot<D, Parts>& slot, int side, Real last_kick, Real now, Real tick_seconds, Real until_next) {
-    constexpr auto broadcast = &Wide<D>::broadcast;
-    const Wide<D> acts = read(slot.total, side);
+    constexpr auto broadcast = &RegisterOf<4>::broadcast;
+    static constexpr std::array<Real, 2> signs = {-1, 1};
+    const auto sign = broadcast(signs[static_cast<std::size_t>(side)]);
+    const ForceMoment<D> acts = read(slot.total, side), mean = read(slot.mean, side);
     const auto acting = broadcast(slot.evaluated) > last_kick ? broadcast(slot.acting) : broadcast(0);
-    given += acting * acts;
+    given.add(acting, sign, acts);
     const auto open = broadcast(until_next - slot.ahead + (now - slot.evaluated) * tick_seconds);  // below 0: given beyond it
-    lead += open * select(open > 0.0, read(slot.mean, side), acts);
-    for (std::size_t p = 0; p < Parts; ++p) part[p] += acting * read(slot.part[p], side);
+    const auto waits = open > 0.0;
+    lead.add(open, sign, {waits ? mean.force : acts.force, waits ? mean.moment : acts.moment});
+    for (std::size_t p = 0; p < Parts; ++p) part[p].add(acting, sign, read(slot.part[p], side));
   }
 };
 
@@ -111,19 +118,15 @@ struct SlotTable {
                   CauseImpulses<D>& parts) const {
     const auto sides = incidence.of(body);
     if (sides.empty()) return;
-    SideSums<D, Parts> first, second;
+    SlotSums<D, Parts> sums;
     const auto kicked = static_cast<Real>(last_kick), tick = static_cast<Real>(now.tick);
-    const Real until_next = sum.until_next;
-    auto at = sides.begin();
-    const auto add = [&](SideSums<D, Parts>& sums, SlotSide side) {
+    for (const SlotSide side : sides) {
       const auto& slot = (*this)[side.slot];
-      if (slot.evaluated >= 0) sums.add(slot, static_cast<int>(side.side), kicked, tick, now.tick_seconds, until_next);
-    };
-    for (; at != sides.end() && at->side == 1; ++at) add(second, {at->slot, 1});
-    for (; at != sides.end(); ++at) add(first, {at->slot, 0});
-    join(first.given, second.given).add_to(sum.linear.data());
-    join(first.lead, second.lead).add_to(sum.linear_lead.data());
-    for (std::size_t p = 0; p < Parts; ++p) parts.add(causes[p], place, join(first.part[p], second.part[p]));
+      if (slot.evaluated >= 0) sums.add(slot, static_cast<int>(side.side), kicked, tick, now.tick_seconds, sum.until_next);
+    }
+    sums.given.add_to(sum.linear.data());
+    sums.lead.add_to(sum.linear_lead.data());
+    for (std::size_t p = 0; p < Parts; ++p) parts.add(causes[p], place, sums.part[p]);
   }
 
   void gather(const Moment& now, std::span<const Index> which, const state::Bodies<D>& bodies, std::span<Impulse<D>> sum,

@@ -7,8 +7,8 @@
 #include <cstdint>
 
 #include "sazare/state/impulse.hpp"
+#include "sazare/terms/force_moment.hpp"
 #include "sazare/terms/ledger.hpp"
-#include "sazare/terms/wide.hpp"
 
 namespace sazare::terms {
 
@@ -50,7 +50,7 @@ class CauseImpulses {
 public:
   void clear() { received_.fill(0); }
 
-  void add(Cause cause, std::size_t place, const Wide<D>& impulse) {
+  void add(Cause cause, std::size_t place, const ForceMoment<D>& impulse) {
     const auto c = static_cast<std::size_t>(cause);
     Real* numbers = impulse_[c][place].numbers.data();
     if (received_[place] >> c & 1)

@@ -60,39 +60,38 @@ void follow(bool begins, Mean& mean, const Force& now) {
   mean = (before + terms::mean_share * (now - before)).template cast<float>();
 }
 
-/// What all springs give to all bodies, in the order of the springs: as second bodies, and from that as first bodies.
+/// What all springs give to all bodies: to their second bodies, in the order of the springs, then to their first ones.
 template <int D>
 std::vector<state::Impulse<D>> impulses(const test::Network<D>& network, Real acting, Means<D>& means) {
   const auto& motion = network.bodies.motion;
-  std::vector<state::Impulse<D>> as_first(motion.size()), as_second(motion.size());
+  std::vector<state::Impulse<D>> sums(motion.size());
   const auto add = [acting](state::Impulse<D>& sum, const Vector<D>& force, const Angular<D>& torque, const Vector<D>& mean_force,
                             const Angular<D>& mean_torque) {
     sum.linear += acting * force, sum.angular += acting * torque;
     sum.linear_lead += (h / 2) * mean_force;
     sum.angular_lead += (h / 2) * mean_torque;
   };
+  std::vector<Pull<D>> pulls;
   const bool begins = means.empty();
   means.resize(network.springs.size());
   for (std::size_t i = 0; i < network.springs.size(); ++i) {
     const auto& spring = network.springs[i];
-    const auto first = static_cast<std::size_t>(spring.first), second = static_cast<std::size_t>(spring.second);
-    const auto at = pull(spring, motion[first], motion[second]);
-    const Angular<D> on_first = -moment(at.first_arm, at.force), on_second = moment(at.second_arm, at.force);
-    auto& mean = means[i];
-    follow(begins, mean.first_moment, on_first);
-    follow(begins, mean.linear, at.force);
-    follow(begins, mean.second_moment, on_second);
-    const auto as_found = mean.template as<Real>();
-    add(as_first[first], at.force, on_first, as_found.linear, as_found.first_moment);
-    add(as_second[second], at.force, on_second, as_found.linear, as_found.second_moment);
+    const auto second = static_cast<std::size_t>(spring.second);
+    const auto& at = pulls.emplace_back(pull(spring, motion[static_cast<std::size_t>(spring.first)], motion[second]));
+    const Angular<D> torque = moment(at.second_arm, at.force);
+    follow(begins, means[i].first_moment, Angular<D>(-moment(at.first_arm, at.force)));
+    follow(begins, means[i].linear, at.force);
+    follow(begins, means[i].second_moment, torque);
+    const auto mean = means[i].template as<Real>();
+    add(sums[second], at.force, torque, mean.linear, mean.second_moment);
   }
-  for (std::size_t body = 0; body < motion.size(); ++body) {
-    auto& sum = as_second[body];
-    const auto& first = as_first[body];
-    sum.linear -= first.linear, sum.linear_lead -= first.linear_lead;
-    sum.angular += first.angular, sum.angular_lead += first.angular_lead;
+  for (std::size_t i = 0; i < network.springs.size(); ++i) {
+    const auto& at = pulls[i];
+    const auto mean = means[i].template as<Real>();
+    add(sums[static_cast<std::size_t>(network.springs[i].first)], -at.force, -moment(at.first_arm, at.force), -mean.linear,
+        mean.first_moment);
   }
-  return as_second;
+  return sums;
 }
 
 template <int D>
