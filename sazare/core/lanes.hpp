@@ -77,16 +77,8 @@ inline Lanes square_root(Lanes a) {
 }
 inline Real square_root(Real a) { return std::sqrt(a); }
 
-/// 1 / a and 1 / sqrt(a), within 2e-16 of them. A division and a root keep one unit busy for 17 and 19 cycles where eight numbers
-/// are worked on; a first guess to 14 bits and a correction of fourth order take half of that and all units.
-inline Lanes inverse(Lanes a) {
-#ifdef __AVX512F__
-  const __m512d one = _mm512_set1_pd(1), guess = _mm512_rcp14_pd(a), error = _mm512_fnmadd_pd(a, guess, one);
-  return _mm512_fmadd_pd(guess, _mm512_fmadd_pd(_mm512_fmadd_pd(error, error, error), error, error), guess);
-#else
-  return 1.0 / a;
-#endif
-}
+/// 1 / sqrt(a), within 2e-16 of it. A division and a root keep one unit busy for 17 and 19 cycles where eight numbers are worked
+/// on; a first guess to 14 bits and a correction of fourth order take half of that and all units.
 inline Lanes inverse_square_root(Lanes a) {
 #ifdef __AVX512F__
   const __m512d one = _mm512_set1_pd(1), guess = _mm512_rsqrt14_pd(a),

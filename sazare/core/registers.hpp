@@ -34,14 +34,6 @@ struct RegisterOf<8> {
   using InMemory = Real __attribute__((vector_size(64), aligned(8), may_alias));
 
   static Reals broadcast(Real value) { return Reals{value, value, value, value, value, value, value, value}; }
-  static Reals converted(const float* from) {
-#ifdef __AVX512F__
-    return _mm512_cvtps_pd(_mm256_loadu_ps(from));  // as for four
-#else
-    using Floats = float __attribute__((vector_size(32), aligned(4), may_alias));
-    return __builtin_convertvector(*reinterpret_cast<const Floats*>(from), Reals);
-#endif
-  }
 };
 
 }  // namespace sazare

@@ -53,7 +53,6 @@ inline TwinLanes maximum(const TwinLanes& a, const TwinLanes& b) {
   return {maximum(a.first, b.first), maximum(a.second, b.second)};
 }
 inline TwinLanes minimum(const TwinLanes& a, const TwinLanes& b) { return select(a < b, a, b); }
-inline TwinLanes inverse(const TwinLanes& a) { return {inverse(a.first), inverse(a.second)}; }
 inline TwinLanes inverse_square_root(const TwinLanes& a) { return {inverse_square_root(a.first), inverse_square_root(a.second)}; }
 inline TwinLanes root_of_quotient(const TwinLanes& a, const TwinLanes& b) {
   return {root_of_quotient(a.first, b.first), root_of_quotient(a.second, b.second)};

@@ -48,10 +48,10 @@ T tension_stress(const TensionParameters<P>& law, T opening, T unloading) {
   return opening * select(opening > 0.0, unloading, T{} + law.stiffness);
 }
 
-/// Recoverable energy per area [J/m2].
-template <class P, class T>
-T tension_energy(const TensionParameters<P>& law, T opening, T unloading) {
-  return 0.5 * opening * tension_stress(law, opening, unloading);
+/// Recoverable energy per area [J/m2]: under the line to the origin.
+template <class T>
+T tension_energy(T opening, T stress) {
+  return 0.5 * opening * stress;
 }
 
 /// Energy per area [J/m2] that fracture has taken for good: the area under the envelope up to `peak` less the

@@ -100,7 +100,7 @@ inline Lanes elastic_energy(const JointParameters<Lanes>& kind, const FaceGeomet
   for (std::size_t v = 0; v < vertex_count; ++v) {
     const auto [x, y] = at.shear[v];
     const auto i = static_cast<int>(v);
-    energy += 0.5 * at.opening[i] * stress[i] + 0.5 * kind.shear.stiffness * (x * x + y * y);
+    energy += laws::tension_energy(at.opening[i], stress[i]) + 0.5 * kind.shear.stiffness * (x * x + y * y);
   }
   return energy * at.vertex_area;
 }

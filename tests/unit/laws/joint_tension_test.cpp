@@ -25,7 +25,7 @@ TEST(joint_tension, stress_is_the_slope_of_the_energy_at_any_memory) {
   for (const Real peak : {first, first + 0.3 * (last - first), first + 0.9 * (last - first)}) {
     const Real unloading = unloading_stiffness(concrete, peak);
     for (const Real opening : {-2 * first, -0.1 * first, 0.2 * first, 0.5 * first, 0.99 * peak}) {
-      const auto energy = [&](Real d) { return tension_energy(concrete, d, unloading); };
+      const auto energy = [&](Real d) { return tension_energy(d, tension_stress(concrete, d, unloading)); };
       const Real stress = tension_stress(concrete, opening, unloading);
       EXPECT_NEAR(slope(energy, opening, 1e-3 * first), stress, rounding * strength) << peak << " " << opening;
     }
@@ -34,7 +34,7 @@ TEST(joint_tension, stress_is_the_slope_of_the_energy_at_any_memory) {
 
 TEST(joint_tension, on_the_envelope_the_work_is_what_is_stored_and_what_fracture_took) {
   const auto taken = [&](Real d) {
-    return tension_energy(concrete, d, unloading_stiffness(concrete, d)) + fracture_dissipation(concrete, d);
+    return tension_energy(d, tension_stress(concrete, d, unloading_stiffness(concrete, d))) + fracture_dissipation(concrete, d);
   };
   for (const Real share : {0.1, 0.5, 0.9}) {
     const Real width = concrete.failure_opening - concrete.elastic_opening;
@@ -98,12 +98,12 @@ TEST(joint_tension, four_lanes_give_the_bits_of_four_numbers) {
   const Lanes peak = maximum(opening, broadcast(concrete.elastic_opening));
   const Lanes unloading = unloading_stiffness(concrete, peak);
   const Lanes stress = tension_stress(concrete, opening, unloading);
-  const Lanes energy = tension_energy(concrete, opening, unloading);
+  const Lanes energy = tension_energy(opening, stress);
   for (int lane = 0; lane < 4; ++lane) {
     const Real alone = unloading_stiffness(concrete, Real{peak[lane]});
     EXPECT_EQ(unloading[lane], alone);
     EXPECT_EQ(stress[lane], tension_stress(concrete, Real{opening[lane]}, alone));
-    EXPECT_EQ(energy[lane], tension_energy(concrete, Real{opening[lane]}, alone));
+    EXPECT_EQ(energy[lane], tension_energy(Real{opening[lane]}, tension_stress(concrete, Real{opening[lane]}, alone)));
   }
 }
 

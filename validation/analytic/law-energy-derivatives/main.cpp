@@ -23,7 +23,8 @@ Real tension_error(const laws::JointTension& law) {
     const Real unloading = laws::unloading_stiffness(law, peak);
     for (int i = -20; i < 20; ++i) {
       const Real opening = (i + 0.5) / 20 * peak;
-      const Real derived = slope([&](Real d) { return laws::tension_energy(law, d, unloading); }, opening, 1e-3 * peak / 20);
+      const auto energy = [&](Real d) { return laws::tension_energy(d, laws::tension_stress(law, d, unloading)); };
+      const Real derived = slope(energy, opening, 1e-3 * peak / 20);
       worst = std::max(worst, std::abs(derived - laws::tension_stress(law, opening, unloading)) / law.strength);
     }
   }
@@ -34,7 +35,8 @@ Real tension_error(const laws::JointTension& law) {
 Real softening_error(const laws::JointTension& law) {
   Real worst = 0;
   const auto taken = [&](Real d) {
-    return laws::tension_energy(law, d, laws::unloading_stiffness(law, d)) + laws::fracture_dissipation(law, d);
+    const Real stress = laws::tension_stress(law, d, laws::unloading_stiffness(law, d));
+    return laws::tension_energy(d, stress) + laws::fracture_dissipation(law, d);
   };
   for (int i = 0; i < 100; ++i) {
     const Real opening = law.elastic_opening + (i + 0.5) / 100 * (law.failure_opening - law.elastic_opening);

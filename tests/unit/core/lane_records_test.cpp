@@ -1,0 +1,81 @@
+#include "sazare/core/lane_records.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace sazare {
+namespace {
+
+struct Record {
+  std::array<Real, 12> number{};
+};
+
+/// As many records as there are lanes; every number another one.
+std::vector<Record> records() {
+  std::vector<Record> all(lane_count);
+  for (std::size_t lane = 0; lane < all.size(); ++lane)
+    for (std::size_t i = 0; i < 12; ++i) all[lane].number[i] = static_cast<Real>(100 * lane + i);
+  return all;
+}
+
+/// In another order than in memory.
+LanePointers<Record> pointers(std::vector<Record>& all) {
+  LanePointers<Record> to;
+  for (std::size_t lane = 0; lane < lane_count; ++lane) to[lane] = &all[(3 * lane + 1) % lane_count];
+  return to;
+}
+
+TEST(lane_records, a_quad_is_four_numbers_of_each_record_from_any_number_on) {
+  auto all = records();
+  const auto from = pointers(all);
+  for (std::size_t begin = 0; begin <= 8; ++begin) {
+    const auto quad = load_quad(from, begin);
+    for (std::size_t lane = 0; lane < lane_count; ++lane)
+      for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(quad[i][static_cast<int>(lane)], from[lane]->number[begin + i]);
+  }
+}
+
+TEST(lane_records, whole_records_are_read_likewise) {
+  auto all = records();
+  const auto from = pointers(all);
+  const auto fields = load_records<12>(from);
+  for (std::size_t lane = 0; lane < lane_count; ++lane)
+    for (std::size_t i = 0; i < 12; ++i) EXPECT_EQ(fields[i][static_cast<int>(lane)], from[lane]->number[i]);
+}
+
+TEST(lane_records, a_quad_is_written_to_the_first_lanes_alone) {
+  for (int lanes = 0; lanes <= lane_count; ++lanes) {
+    auto all = records();
+    const auto to = pointers(all);
+    const auto quad = load_quad(to, 0);
+    store_quad(quad, to, 5, lanes);
+    for (std::size_t lane = 0; lane < lane_count; ++lane)
+      for (std::size_t i = 0; i < 12; ++i) {
+        const bool written = static_cast<int>(lane) < lanes && i >= 5 && i < 9;
+        EXPECT_EQ(to[lane]->number[i] - to[lane]->number[0], static_cast<Real>(written ? i - 5 : i)) << lanes;
+      }
+  }
+}
+
+TEST(lane_records, a_square_is_turned_over_its_diagonal) {
+  std::array<Lanes, lane_count> rows;
+  for (std::size_t row = 0; row < lane_count; ++row)
+    for (int lane = 0; lane < lane_count; ++lane) rows[row][lane] = static_cast<Real>(10 * row) + lane;
+  transpose(rows);
+  for (std::size_t row = 0; row < lane_count; ++row)
+    for (int lane = 0; lane < lane_count; ++lane) EXPECT_EQ(rows[row][lane], 10.0 * lane + static_cast<Real>(row));
+}
+
+TEST(lane_records, numbers_in_single_precision_stand_in_pairs) {
+  Lanes first{}, second{};
+  for (int lane = 0; lane < lane_count; ++lane) first[lane] = lane + 0.5, second[lane] = -2.0 * lane;
+  const auto [one, other] = unpack(pack(first, second));
+  for (int lane = 0; lane < lane_count; ++lane) {
+    EXPECT_EQ(one[lane], first[lane]);
+    EXPECT_EQ(other[lane], second[lane]);
+  }
+}
+
+}  // namespace
+}  // namespace sazare
