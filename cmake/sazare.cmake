@@ -25,6 +25,7 @@ set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g -fno-omit-frame-pointer")
 # Flags that reach every source, those that change how memory is laid out (Eigen's alignment) included.
 # -ffp-contract=off: a law compiled into two loops must give the same bits in both, so the compiler may not fuse
 # a multiplication with an addition in one of them only. No flag here lets it reorder arithmetic.
+# -fno-semantic-interposition: functions of one source may be inlined into each other although all code can be moved.
 add_library(sazare_options INTERFACE)
 add_library(sazare::options ALIAS sazare_options)
 target_include_directories(sazare_options INTERFACE

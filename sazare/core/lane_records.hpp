@@ -4,7 +4,6 @@
 
 #include <array>
 #include <concepts>
-#include <cstring>
 
 #include "sazare/core/lanes.hpp"
 

@@ -76,16 +76,15 @@ private:
   void spread(std::vector<std::int8_t>& wanted) const;
 
   StepRules rules_;
-  std::array<Real, schedule::level_count> steps_{};  ///< by level [s]
-  std::array<Real, schedule::level_count>
-      fastest_squared_{};                          ///< by level: of the speed that travels as far as is allowed [m2/s2]
-  schedule::Buckets paces_;                        ///< bodies by the level at which they are kicked
-  std::vector<schedule::LinkClock> clocks_;        ///< by term
-  std::vector<std::vector<std::int8_t>> resting_;  ///< by term and link; shorter than there are links
-  LinkLists links_;                                ///< by body
-  std::vector<std::int8_t> level_;                 ///< by body
-  std::vector<std::int8_t> by_rates_;              ///< level that a body's own springs and dashpots ask for
-  std::vector<std::int8_t> asked_;                 ///< level asked for since the last tick, where in `asking_`
+  std::array<Real, schedule::level_count> steps_{};            ///< by level [s]
+  std::array<Real, schedule::level_count> fastest_squared_{};  ///< by level: square of the largest speed [m2/s2]
+  schedule::Buckets paces_;                                    ///< bodies by the level at which they are kicked
+  std::vector<schedule::LinkClock> clocks_;                    ///< by term
+  std::vector<std::vector<std::int8_t>> resting_;              ///< by term and link; shorter than there are links
+  LinkLists links_;                                            ///< by body
+  std::vector<std::int8_t> level_;                             ///< by body
+  std::vector<std::int8_t> by_rates_;                          ///< level that a body's own springs and dashpots ask for
+  std::vector<std::int8_t> asked_;                             ///< level asked for since the last tick, where in `asking_`
   std::vector<Index> asking_;
   std::vector<Index> calmed_;  ///< bodies whose pace may fall at the next base step
   const TermList<D>* terms_ = nullptr;

@@ -79,6 +79,10 @@ struct Batch {
   int count = 0;
 };
 
+// Whole quads of each record are read and written.
+static_assert(sizeof(state::Motion<3>) == 32 * sizeof(Real) && sizeof(state::Inertia<3>) == 8 * sizeof(Real));
+static_assert(sizeof(state::Impulse<3>) == 16 * sizeof(Real) && sizeof(state::MeanMotion<3>) == 8 * sizeof(Real));
+
 /// What the kick does not read of the bodies is left open.
 LaneState load(const LanePointers<state::Motion<3>>& motions, const LanePointers<state::Inertia<3>>& inertias) {
   const auto m = load_records<12>(motions);
