@@ -87,6 +87,12 @@ function(sazare_reuse_headers target from)
   endif()
 endfunction()
 
+# sazare_by_hand(file ...): sources written in lanes by hand. Vectors of addresses, which the compiler would make besides, cost
+# more than they bring. Without the common headers, whose optimization flags GCC takes for those of the source.
+function(sazare_by_hand)
+  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -fno-tree-vectorize SKIP_PRECOMPILE_HEADERS ON)
+endfunction()
+
 # The name of a module without its folder: methods/blocks -> blocks.
 function(sazare_module_name module result)
   get_filename_component(name "${module}" NAME)

@@ -77,8 +77,9 @@ inline std::array<Lanes, 4> load_quads(const std::array<const Real*, lane_count>
   return load_quads([&](std::size_t lane) { return from[lane]; });
 }
 
-/// Back again, for the first `lanes` records.
-inline void store_quads(const std::array<Lanes, 4>& fields, const std::array<Real*, lane_count>& to, int lanes = lane_count) {
+/// Back again; `to(lane)` says where. Where lanes have the same record they must have the same numbers.
+template <class To>
+void store_quads(const std::array<Lanes, 4>& fields, const To& to) {
 #ifdef __AVX512F__
   std::array<Lanes, 4> pairs, halves;
   for (std::size_t i = 0; i < 4; i += 2) {
@@ -90,13 +91,11 @@ inline void store_quads(const std::array<Lanes, 4>& fields, const std::array<Rea
     halves[i + 2] = __builtin_shufflevector(pairs[i], pairs[i + 2], 2, 3, 10, 11, 6, 7, 14, 15);
   }
   for (std::size_t lane = 0; lane < lane_count; ++lane)  // a number of turns that the compiler knows: halves stay in registers
-    if (static_cast<int>(lane) < lanes)
-      _mm256_storeu_pd(to[lane], lane < 4 ? _mm512_castpd512_pd256(halves[lane]) : _mm512_extractf64x4_pd(halves[lane - 4], 1));
+    _mm256_storeu_pd(to(lane), lane < 4 ? _mm512_castpd512_pd256(halves[lane]) : _mm512_extractf64x4_pd(halves[lane - 4], 1));
 #else
   std::array<Lanes, lane_count> rows = fields;
   transpose(rows);
-  for (std::size_t lane = 0; lane < lane_count; ++lane)
-    if (static_cast<int>(lane) < lanes) store_lanes(to[lane], rows[lane]);
+  for (std::size_t lane = 0; lane < lane_count; ++lane) store_lanes(to(lane), rows[lane]);
 #endif
 }
 
@@ -144,12 +143,10 @@ std::array<Lanes, 4> load_quad(const LanePointers<Record>& records, std::size_t 
   return load_quads([&](std::size_t lane) { return reinterpret_cast<const Real*>(records[lane]) + begin; });
 }
 
-/// Writes four doubles of the records of the first `lanes` lanes, from number `begin` on.
+/// Writes four doubles of each lane's record, from number `begin` on.
 template <class Record>
-void store_quad(const std::array<Lanes, 4>& fields, const LanePointers<Record>& records, std::size_t begin, int lanes) {
-  std::array<Real*, lane_count> to;
-  for (std::size_t lane = 0; lane < lane_count; ++lane) to[lane] = reinterpret_cast<Real*>(records[lane]) + begin;
-  store_quads(fields, to, lanes);
+void store_quad(const std::array<Lanes, 4>& fields, const LanePointers<Record>& records, std::size_t begin) {
+  store_quads(fields, [&](std::size_t lane) { return reinterpret_cast<Real*>(records[lane]) + begin; });
 }
 
 /// The first `Count` doubles of each lane's record.

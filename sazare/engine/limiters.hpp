@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "sazare/core/vector.hpp"
-#include "sazare/terms/slot.hpp"
 #include "sazare/terms/term.hpp"
 
 namespace sazare::engine {
@@ -22,16 +21,16 @@ struct StepRules {
 };
 
 /// Largest stable step [s] of a body with its neighbours held, by leapfrog with the dashpot's velocity foreseen by the mean of
-/// the last forces (terms/slot.hpp): the positive root of
+/// its last two forces (terms/slot.hpp): the positive root of
 ///
-///     w^2 h^2 + 4 c h / (2 - b) = 4        w^2, c  largest eigenvalues of M^-1 K [1/s2] and M^-1 C [1/s]; b = mean_share
+///     w^2 h^2 + 2 c h = 4        w^2, c  largest eigenvalues of M^-1 K [1/s2] and M^-1 C [1/s]
 ///
-/// so 2 / w without dashpots and (2 - b) / c without springs. Where the neighbours move as well, half of it is stable whatever
+/// so 2 / w without dashpots and 2 / c without springs. Where the neighbours move as well, half of it is stable whatever
 /// they do: a link's energy |a - b|^2 is at most 2 |a|^2 + 2 |b|^2.
 inline Real stable_step(const terms::Rates& rates) {
   if (rates.stiffness <= 0 && rates.damping <= 0) return std::numeric_limits<Real>::infinity();
-  const Real damping = rates.damping / (2 - terms::mean_share);
-  return 2 / (damping + std::sqrt(damping * damping + rates.stiffness));
+  const Real half = rates.damping / 2;
+  return 2 / (half + std::sqrt(half * half + rates.stiffness));
 }
 
 /// Largest speed [m/s] at which a body travels no farther than the rule's length in a step. [Konno2018], 3.1.

@@ -28,19 +28,18 @@ struct LaneState {
   Lanes inverse_mass;
 };
 
-/// Inverse inertia tensor in world axes times a vector.
-LaneVector inverse_inertia(const LaneState& body, const LaneVector& v) {
-  LaneVector own = transposed(body.rotation, v);
-  for (int axis = 0; axis < 3; ++axis) own[axis] = own[axis] * body.inverse_moments[axis];
-  return body.rotation * own;
+/// Spin of an angular momentum, both in the body frame.
+LaneVector spin_of(const LaneState& body, const LaneVector& momentum) {
+  const LaneVector& inverse = body.inverse_moments;
+  return {{momentum[0] * inverse[0], momentum[1] * inverse[1], momentum[2] * inverse[2]}};
 }
 
 /// Turns orientation and rotation by 2 atan(|half|) about `half`.
 void rotate(LaneState& body, const LaneVector& half) {
-  const Lanes w = body.w - half[0] * body.x - half[1] * body.y - half[2] * body.z;
   const LaneVector v{{body.x, body.y, body.z}};
-  const LaneVector u = v + body.w * half + cross(half, v);
-  const Lanes scale = inverse_square_root(w * w + dot(u, u));
+  const Lanes w = body.w - dot(half, v);
+  const LaneVector u = add_cross(half, v, add_product(body.w, half, v));
+  const Lanes scale = inverse_square_root(add_product(w, w, dot(u, u)));
   body.w = w * scale, body.x = u[0] * scale, body.y = u[1] * scale, body.z = u[2] * scale;
   body.rotation = rotation_of(broadcast(2), body.x, body.y, body.z, body.w);
 }
@@ -49,30 +48,37 @@ struct LaneImpulse {
   LaneVector linear, angular, linear_lead, angular_lead;
 };
 
-/// See kick.hpp.
-LaneVector kick(LaneState& body, const LaneImpulse& given, LaneVector& mean_velocity) {
-  const LaneVector gained = body.inverse_mass * given.linear;
-  mean_velocity = body.velocity + broadcast(0.5) * gained;
+struct LaneMeanMotion {
+  LaneVector velocity, spin;
+};
+
+/// See kick.hpp; the angular momentum after the kick goes to `own` in the body frame.
+LaneMeanMotion kick(LaneState& body, const LaneImpulse& given, LaneVector& own) {
+  const LaneVector gained = body.inverse_mass * given.linear, turned = transposed(body.rotation, given.angular);
+  own = transposed(body.rotation, body.angular_momentum);
+  const Lanes half = broadcast(0.5);
+  const LaneMeanMotion mean{add_product(half, gained, body.velocity),
+                            body.rotation * spin_of(body, add_product(half, turned, own))};
   body.velocity = body.velocity + gained;
-  const LaneVector before = body.angular_momentum;
-  body.angular_momentum = before + given.angular;
-  return inverse_inertia(body, before + broadcast(0.5) * given.angular);
+  body.angular_momentum = body.angular_momentum + given.angular;
+  own = own + turned;
+  return mean;
 }
 
-void drift(LaneState& body, Lanes seconds) {
+void drift(LaneState& body, const LaneVector& own, Lanes seconds) {
   body.position = body.position + seconds * body.velocity;
-  const LaneVector spin = inverse_inertia(body, body.angular_momentum);
-  const LaneVector turning = inverse_inertia(body, cross(body.angular_momentum, spin));
-  body.spin = spin + (0.5 * seconds) * turning;
+  const LaneVector spin = spin_of(body, own), turning = spin_of(body, cross(own, spin));
+  body.spin = body.rotation * add_product(0.5 * seconds, turning, spin);
   rotate(body, (0.5 * seconds) * body.spin);
 }
 
 void foresee(LaneState& body, const LaneImpulse& given) {
   body.foreseen_velocity = body.velocity + body.inverse_mass * given.linear_lead;
-  body.foreseen_spin = inverse_inertia(body, body.angular_momentum + given.angular_lead);
+  const LaneVector own = transposed(body.rotation, body.angular_momentum + given.angular_lead);
+  body.foreseen_spin = body.rotation * spin_of(body, own);
 }
 
-/// Bodies whose rotation is free, one per lane; lanes beyond `count` repeat the first and are not written back.
+/// Bodies whose rotation is free, one per lane; lanes beyond `count` repeat the first.
 struct Batch {
   std::array<Index, lane_count> body{};
   std::array<std::size_t, lane_count> place{};  ///< in the spans
@@ -100,20 +106,20 @@ LaneState load(const LanePointers<state::Motion<3>>& motions, const LanePointers
   return body;
 }
 
-void store(const LaneState& body, const LongLanes& kicked, const LongLanes& due, int count,
-           const LanePointers<state::Motion<3>>& motions, const LanePointers<state::Inertia<3>>& inertias) {
+void store(const LaneState& body, const LongLanes& kicked, const LongLanes& due, const LanePointers<state::Motion<3>>& motions,
+           const LanePointers<state::Inertia<3>>& inertias) {
   const LaneVector &p = body.position, &v = body.velocity, &s = body.spin, &l = body.angular_momentum;
   const LaneVector &u = body.foreseen_velocity, &t = body.foreseen_spin;
   const LaneMatrix& r = body.rotation;
-  store_quad({p[0], p[1], p[2], r[0][0]}, motions, 0, count);
-  store_quad({r[0][1], r[0][2], r[1][0], r[1][1]}, motions, 4, count);
-  store_quad({r[1][2], r[2][0], r[2][1], r[2][2]}, motions, 8, count);
-  store_quad({u[0], u[1], u[2], t[0]}, motions, 12, count);
-  store_quad({t[1], t[2], v[0], v[1]}, motions, 16, count);
-  store_quad({v[2], l[0], l[1], l[2]}, motions, 20, count);
-  store_quad({s[0], s[1], s[2], reinterpret_cast<Lanes>(kicked)}, motions, 24, count);
-  store_quad({reinterpret_cast<Lanes>(due), Lanes{}, Lanes{}, Lanes{}}, motions, 28, count);
-  store_quad({body.x, body.y, body.z, body.w}, inertias, 0, count);
+  store_quad({p[0], p[1], p[2], r[0][0]}, motions, 0);
+  store_quad({r[0][1], r[0][2], r[1][0], r[1][1]}, motions, 4);
+  store_quad({r[1][2], r[2][0], r[2][1], r[2][2]}, motions, 8);
+  store_quad({u[0], u[1], u[2], t[0]}, motions, 12);
+  store_quad({t[1], t[2], v[0], v[1]}, motions, 16);
+  store_quad({v[2], l[0], l[1], l[2]}, motions, 20);
+  store_quad({s[0], s[1], s[2], reinterpret_cast<Lanes>(kicked)}, motions, 24);
+  store_quad({reinterpret_cast<Lanes>(due), Lanes{}, Lanes{}, Lanes{}}, motions, 28);
+  store_quad({body.x, body.y, body.z, body.w}, inertias, 0);
 }
 
 /// Removes what the locks of bodies take up. Few have any.
@@ -150,13 +156,13 @@ void clear_locked(LaneImpulse& given, const state::Bodies<3>& bodies, const Batc
   LaneImpulse impulse{{{f[0], f[1], f[2]}}, {{f[3], f[4], f[5]}}, {{f[8], f[9], f[10]}}, {{f[11], f[12], f[13]}}};
   clear_locked(impulse, bodies, batch);
   LaneState body = load(motions, inertias);
-  LaneVector mean_velocity;
-  const LaneVector mean_spin = kick(body, impulse, mean_velocity);
-  drift(body, seconds);
+  LaneVector own;
+  const auto [mean_velocity, mean_spin] = kick(body, impulse, own);
+  drift(body, own, seconds);
   foresee(body, impulse);
-  store(body, kicked, due, batch.count, motions, inertias);
-  store_quad({mean_velocity[0], mean_velocity[1], mean_velocity[2], mean_spin[0]}, means, 0, batch.count);
-  store_quad({mean_spin[1], mean_spin[2], Lanes{}, Lanes{}}, means, 4, batch.count);
+  store(body, kicked, due, motions, inertias);
+  store_quad({mean_velocity[0], mean_velocity[1], mean_velocity[2], mean_spin[0]}, means, 0);
+  store_quad({mean_spin[1], mean_spin[2], Lanes{}, Lanes{}}, means, 4);
 }
 
 }  // namespace

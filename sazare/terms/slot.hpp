@@ -18,10 +18,6 @@ using state::Impulse;
 using state::MeanMotion;
 using state::Wrench;
 
-/// Share of a new force in the mean that a link keeps of its forces, by which velocities are foreseen. A dashpot whose velocity
-/// is foreseen by the last force alone is stable up to 1 / c; with the mean up to (2 - mean_share) / c, still of second order.
-inline constexpr Real mean_share = 0.5;
-
 /// Action and reaction: `linear` is the force on the second body, minus it that on the first; each moment is about the
 /// centre of its own body.
 template <int D, class Number = Real>
@@ -42,12 +38,10 @@ struct PairForce {
     return {first_moment.template cast<Other>(), linear.template cast<Other>(), second_moment.template cast<Other>()};
   }
 
-  /// Becomes the mean that follows on an earlier one.
-  void approach(const PairForce& earlier) {
-    const auto follow = [](auto& now, const auto& before) { now = before + mean_share * (now - before); };
-    follow(first_moment, earlier.first_moment);
-    follow(linear, earlier.linear);
-    follow(second_moment, earlier.second_moment);
+  /// Half of this one and half of another.
+  PairForce mean_with(const PairForce& other) const {
+    return {0.5 * (first_moment + other.first_moment), 0.5 * (linear + other.linear),
+            0.5 * (second_moment + other.second_moment)};
   }
 
   /// Adds a force on the second body at a point, given by its arms from both centres.
@@ -67,21 +61,20 @@ struct alignas(64) Slot {
   Real acting = 0;           ///< time for which the force was given at the last evaluation [s]
   Real ahead = 0;            ///< how much of the time given until then lies after that evaluation [s]
   Real evaluated = -1;       ///< tick of the last evaluation; a double, for gathers, and exact far beyond the longest run
-  PairForce<D, float> mean;  ///< of the total, over the last evaluations
+  PairForce<D, float> mean;  ///< of the total at the last two evaluations
   std::array<PairForce<D, float>, Parts> part;
 };
 
-/// Writes what an evaluation has found.
+/// Writes what an evaluation has found. Velocities are foreseen by the mean of a link's last two forces: a dashpot whose velocity
+/// is foreseen by the last force alone is stable up to 1 / c, by this mean up to 2 / c, and both are of second order.
 template <int D, int Parts>
 void write(Slot<D, Parts>& slot, const Moment& now, const Due& due, const PairForce<D>& total,
            const std::array<PairForce<D>, Parts>& part) {
-  PairForce<D> mean = total;
-  if (slot.evaluated >= 0) mean.approach(slot.mean.template as<Real>());
+  slot.mean = (slot.evaluated >= 0 ? total.mean_with(slot.total) : total).template as<float>();
   slot.total = total;
   slot.acting = due.acting;
   slot.ahead = due.ahead;
   slot.evaluated = static_cast<Real>(now.tick);
-  slot.mean = mean.template as<float>();
   for (std::size_t p = 0; p < Parts; ++p) slot.part[p] = part[p].template as<float>();
 }
 

@@ -24,13 +24,10 @@ methods::blocks::Joints make_joints(const cases::Joint& joint, const geometry::T
 }  // namespace
 
 BondedPair::BondedPair(const cases::Joint& joint)
-    : bodies_(make_bodies(two_blocks())),
-      joints_(make_joints(joint, two_blocks(), bodies_)),
-      probe_(joints_, bodies_),
-      area_(0.1 * 0.1 * std::sqrt(3.0) / 4) {}
+    : bodies_(make_bodies(two_blocks())), joints_(make_joints(joint, two_blocks(), bodies_)), probe_(joints_, bodies_) {}
 
 void BondedPair::place(Real n, Real s, Real t) { bodies_.motion[1].position = start() + Vector3(n, s, t); }
 
-Vector3 BondedPair::stress() { return -forces()[1].linear / area_; }
+Vector3 BondedPair::stress() { return -forces()[1].linear / area(); }
 
 }  // namespace sazare::test

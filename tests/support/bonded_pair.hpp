@@ -24,14 +24,14 @@ public:
   ForceProbe<3>& probe() { return probe_; }
   state::Bodies<3>& bodies() { return bodies_; }
   methods::blocks::Joints& joints() { return joints_; }
-  Real area() const { return area_; }
+  /// Of the face, as its joint has it [m2].
+  Real area() const { return joints_.report(0).area; }
   const Vector3& start() const { return bodies_.start[1]; }
 
 private:
   state::Bodies<3> bodies_;
   methods::blocks::Joints joints_;
   ForceProbe<3> probe_;
-  Real area_;
 };
 
 }  // namespace sazare::test

@@ -4,12 +4,15 @@
 ///
 ///     d = E^T (x_j + R_j b - x_i) - a       relative displacement of the slave's vertex in face axes
 ///     E = R_i Q                             face axes: normal out of the master, two tangents
-///     f = -A (s(d_n) + c_n v_n) n - A (k_s d_t + c_s v_t)
+///     f = -A s(d_n) n - A k_s (d_t - u_0)
+///     g = -A c_n v_n n - A c_s v_t
 ///
 /// x, R place and rotation of master i and slave j; a, b the vertex in face axes of the master and in the slave's body
-/// frame; A a third of the face [m2]. The force acts at the one point x_j + R_j b on both bodies, so it derives from a
-/// potential and conserves linear and angular momentum exactly. Everything is worked out in face axes and turned to
-/// world axes once. [Konno2018], 2.1, figs. 1 and 2.
+/// frame; u_0 its slip; A a third of the face [m2]. The springs' force f acts at the one point x_j + R_j b on both bodies, so it
+/// derives from a potential and conserves linear and angular momentum exactly. The dashpots' g acts at the middle of the three
+/// points, with the moment that it has about there for vertices that lie in the face as they did at first: that is a dashpot
+/// too, keeps the momenta as exactly, and differs from three at the points by the share that displacements have of a face's size.
+/// Everything is worked out in face axes and turned to world axes once. [Konno2018], 2.1, figs. 1 and 2.
 
 #include "sazare/methods/blocks/joint_record.hpp"
 #include "sazare/state/bodies.hpp"
@@ -42,34 +45,38 @@ inline LaneVelocities load_velocities(const LanePointers<const state::Motion<3>>
 /// Vertices in face axes, and what their joints remember.
 struct FaceGeometry {
   LaneMatrix axes;                                       ///< E
-  LaneVector apart;                                      ///< x_j - x_i in face axes [m]
+  LaneVector between;                                    ///< x_j - x_i in world axes [m]
+  LaneVector apart;                                      ///< and in face axes
   std::array<LaneVector, vertex_count> point;            ///< from the master's centre [m]
   LaneVector opening;                                    ///< d_n, by vertex [m]
   std::array<std::array<Lanes, 2>, vertex_count> shear;  ///< d_t less the slip so far [m]
   LaneVector peak;
   Lanes vertex_area;
+  std::array<Lanes, 3> spread;
 };
 
 template <class Record, class Body>
 FaceGeometry face_geometry(const LaneJoints<Record>& joints, const LanePointers<Body>& masters,
                            const LanePointers<Body>& slaves) {
   FaceGeometry at;
-  const auto head = joints.head();
-  at.vertex_area = head.vertex_area;
+  const LaneMatrix frame = joints.frame();
   const LanePlaces master = load_places(masters);
-  at.axes = master.rotation * head.frame;
+  at.axes = master.rotation * frame;
   const LanePlaces slave = load_places(slaves);
-  at.apart = transposed(at.axes, slave.position - master.position);
+  at.between = slave.position - master.position;
+  at.apart = transposed(at.axes, at.between);
   LaneMatrix slave_axes;  // slave's body frame to face axes
   for (int i = 0; i < 3; ++i) slave_axes[i] = transposed(at.axes, slave.rotation[i]);
   const auto tail = joints.tail();
-  at.peak = tail.peak;
+  at.vertex_area = tail.vertex_area;
+  at.spread = tail.spread;
   for (std::size_t v = 0; v < vertex_count; ++v) {
-    at.point[v] = slave_axes * tail.arm[v] + at.apart;
+    at.point[v] = add_product(slave_axes, tail.arm[v], at.apart);
     const auto vertex = joints.vertex(v);
     const LaneVector displacement = at.point[v] - vertex.corner;
     at.opening[static_cast<int>(v)] = displacement[0];
-    at.shear[v] = {displacement[1] - vertex.slip[0], displacement[2] - vertex.slip[1]};
+    at.peak[static_cast<int>(v)] = vertex.peak;
+    at.shear[v] = {displacement[1], displacement[2]};
   }
   return at;
 }
@@ -113,7 +120,7 @@ struct JointChange {
   Lanes slip_work{};                                    ///< energy that slip has taken [J]
   Lanes released{};                                     ///< elastic energy of what came apart [J]
   LaneVector peak;                                      ///< the memory as it is now, where one has softened
-  std::array<std::array<Lanes, 2>, vertex_count> slip;  ///< and the slip, where one has slipped
+  std::array<std::array<Lanes, 2>, vertex_count> slip;  ///< what has been added to the slip, where one has slipped
 };
 
 /// Raises the memory to the present opening; what is stored in a face that fails is lost.
@@ -129,13 +136,10 @@ inline void soften(const JointParameters<Lanes>& kind, FaceGeometry& at, JointCh
 }
 
 /// Lets the vertices slip that must.
-template <class Record>
-void slide(const LaneJoints<Record>& joints, const JointParameters<Lanes>& kind, const LaneVector& strength, FaceGeometry& at,
-           JointChange& change) {
+inline void slide(const JointParameters<Lanes>& kind, const LaneVector& strength, FaceGeometry& at, JointChange& change) {
   for (std::size_t v = 0; v < vertex_count; ++v) {
     const Lanes limit = strength[static_cast<int>(v)];
-    const auto before = joints.vertex(v).slip;
-    laws::Slip<Lanes> slip{{at.shear[v][0], at.shear[v][1]}, {before[0], before[1]}, {}};
+    laws::Slip<Lanes> slip{{at.shear[v][0], at.shear[v][1]}, {}, {}};
     change.slipped |= laws::slips(kind.shear, slip, limit);
     laws::slip_back(kind.shear, slip, limit);
     at.shear[v] = {slip.elastic[0], slip.elastic[1]};
@@ -150,14 +154,13 @@ struct FaceSums {
 
   void add(const LaneVector& point, const LaneVector& at_point) {
     force = force + at_point;
-    moment = moment + cross(point, at_point);
+    moment = add_cross(point, at_point, moment);
   }
   friend FaceSums operator+(const FaceSums& a, const FaceSums& b) { return {a.force + b.force, a.moment + b.moment}; }
 };
 
 /// Springs, once the memory is what it must be.
-template <class Record>
-FaceSums springs(const LaneJoints<Record>& joints, const JointParameters<Lanes>& kind, FaceGeometry& at, JointChange& change) {
+inline FaceSums springs(const JointParameters<Lanes>& kind, FaceGeometry& at, JointChange& change) {
   const LaneMask opens = (at.opening[0] > at.peak[0]) | (at.opening[1] > at.peak[1]) | (at.opening[2] > at.peak[2]);
   if (any(opens)) soften(kind, at, change);
   const LaneVector stress = tension_stress(kind, at);
@@ -168,7 +171,7 @@ FaceSums springs(const LaneJoints<Record>& joints, const JointParameters<Lanes>&
     strength[i] = laws::shear_strength(kind.shear, stress[i]);
     slips |= laws::slips(kind.shear, laws::Slip<Lanes>{{at.shear[v][0], at.shear[v][1]}, {}, {}}, strength[i]);
   }
-  if (any(slips)) slide(joints, kind, strength, at, change);
+  if (any(slips)) slide(kind, strength, at, change);
   const Lanes area = select(change.failed, Lanes{}, -at.vertex_area), shear_area = area * kind.shear.stiffness;
   FaceSums sums{};
   for (std::size_t v = 0; v < vertex_count; ++v)
@@ -178,31 +181,32 @@ FaceSums springs(const LaneJoints<Record>& joints, const JointParameters<Lanes>&
 
 inline FaceSums dashpots(const JointParameters<Lanes>& kind, const FaceGeometry& at, const LaneMask& failed,
                          const LaneVelocities& master, const LaneVelocities& slave) {
-  const LaneVector slave_spin = transposed(at.axes, slave.spin);
-  const LaneVector spin = slave_spin - transposed(at.axes, master.spin);
-  const LaneVector velocity = transposed(at.axes, slave.velocity - master.velocity) - cross(slave_spin, at.apart);
-  const Lanes area = select(failed, Lanes{}, -at.vertex_area);
-  const Lanes across = area * kind.normal_damping, along = area * kind.shear_damping;
-  FaceSums sums{};
-  for (const LaneVector& point : at.point) {
-    const LaneVector speed = velocity + cross(spin, point);
-    sums.add(point, {{across * speed[0], along * speed[1], along * speed[2]}});
-  }
-  return sums;
+  const LaneVector spin = transposed(at.axes, slave.spin - master.spin);
+  const LaneVector velocity = transposed(at.axes, add_cross(at.between, slave.spin, slave.velocity - master.velocity));
+  const Lanes minus = select(failed, Lanes{}, broadcast(-1));
+  const Lanes across = minus * kind.normal_damping, along = minus * kind.shear_damping;
+  const LaneVector sum = at.point[0] + at.point[1] + at.point[2], swept = cross(spin, sum);
+  const Lanes across_area = across * at.vertex_area, along_area = along * at.vertex_area;
+  const LaneVector thrice = add_product(broadcast(vertex_count), velocity, swept);
+  const LaneVector force{{across_area * thrice[0], along_area * thrice[1], along_area * thrice[2]}};
+  const auto& [yy, zz, yz] = at.spread;
+  const LaneVector about_middle{
+      {along * ((yy + zz) * spin[0]), across * (zz * spin[1] - yz * spin[2]), across * (yy * spin[2] - yz * spin[1])}};
+  return {force, add_product(broadcast(1.0 / vertex_count), cross(sum, force), about_middle)};
 }
 
 /// From face axes to world axes.
 inline FaceForce face_force(const FaceGeometry& at, const FaceSums& sums) {
-  return {-(at.axes * sums.moment), at.axes * sums.force, at.axes * (sums.moment - cross(at.apart, sums.force))};
+  const LaneVector force = at.axes * sums.force, moment = at.axes * sums.moment;
+  return {-moment, force, add_cross(force, at.between, moment)};
 }
 
 /// Evaluates joints. A face that fails has no force any more.
-template <class Record>
-JointForce evaluate(const LaneJoints<Record>& joints, const JointParameters<Lanes>& kind,
-                    const LanePointers<const state::Motion<3>>& masters, const LanePointers<const state::Motion<3>>& slaves,
-                    JointChange& change) {
+inline JointForce evaluate(const LaneJoints<JointRecord>& joints, const JointParameters<Lanes>& kind,
+                           const LanePointers<const state::Motion<3>>& masters,
+                           const LanePointers<const state::Motion<3>>& slaves, JointChange& change) {
   FaceGeometry at = face_geometry(joints, masters, slaves);
-  const FaceSums held = springs(joints, kind, at, change);
+  const FaceSums held = springs(kind, at, change);
   const FaceSums damped = dashpots(kind, at, change.failed, load_velocities(masters), load_velocities(slaves));
   return {face_force(at, held + damped), face_force(at, damped)};
 }

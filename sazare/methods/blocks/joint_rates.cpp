@@ -55,8 +55,11 @@ void add_face(BodyMatrices& matrices, const FaceSprings& face) {
 
 FaceSprings face_springs(const JointRecord& joint, const JointKind& kind, bool as_master) {
   FaceSprings face = springs_of(kind, joint.vertex_area);
-  for (std::size_t v = 0; v < vertex_count; ++v)
-    face.corners[v] = as_master ? Vector3(joint.frame() * joint.vertex[v].corner) : joint.arm_of(v);
+  const auto axes = face_axes(joint.normal, joint.tilt);
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    const Vector3& corner = joint.vertex[v].corner;
+    face.corners[v] = as_master ? Vector3(corner[0] * axes[0] + corner[1] * axes[1] + corner[2] * axes[2]) : joint.arm_of(v);
+  }
   return face;
 }
 

@@ -3,6 +3,7 @@
 /// Bonded faces as records in memory, and several of them as lanes.
 
 #include <array>
+#include <cmath>
 
 #include "sazare/core/lane_records.hpp"
 #include "sazare/core/rotation.hpp"
@@ -28,34 +29,47 @@ using JointKind = JointParameters<Real>;
 inline constexpr int vertex_count = 3;
 
 /// One joint in memory, as small as it goes: a run waits for these records more than for anything. Lanes read it four numbers at
-/// a time, in the order of its members. Places on the slave, the face's axes and slips are rounded to single precision, and
-/// everything else follows what they have been rounded to: a joint is at rest, to round-off, as it was given.
+/// a time, in the order of its members. Places on the slave and areas are rounded to single precision, and everything else
+/// follows what they have been rounded to: a joint is at rest, to round-off, as it was given.
 struct alignas(64) JointRecord {
   struct Vertex {
-    Vector3 corner = Vector3::Zero();  ///< a: from the master's centre, in face axes [m]
-    std::array<float, 2> slip{};       ///< u_0 [m]
+    Vector3 corner = Vector3::Zero();  ///< a + u_0: from the master's centre, in face axes, with the slip so far [m]
+    Real peak = 0;                     ///< largest opening, at least the elastic one [m]
   };
 
-  std::array<float, 4> axes{};  ///< quaternion x, y, z, w, its length any: Q in the master's body frame
-  Real vertex_area = 0;         ///< A: a third of the face [m2]
-  Index master = 0;
-  Index slave = 0;
+  Vector3 normal = Vector3::UnitX();  ///< of the face, out of the master, in its body frame
+  Real tilt = 0;                      ///< gives the face's other axes, see face_axes
   std::array<Vertex, vertex_count> vertex;
   std::array<std::array<float, 3>, vertex_count> arm{};  ///< b: vertex from the slave's centre, in its body frame [m]
   std::int16_t kind = 0;
   JointState state = JointState::intact;
-  std::array<Real, vertex_count> peak{};  ///< by vertex: largest opening, at least the elastic one [m]
+  Index master = 0;
+  Index slave = 0;
+  float vertex_area = 0;  ///< A: a third of the face [m2]
+  std::array<float, 3>
+      spread{};  ///< S_yy, S_zz, S_yz: A times the sums over the vertices of y y, z z, y z from their middle [m4]
 
-  /// Q: face axes (normal out of the master, two tangents) in its body frame, columns.
-  Matrix3 frame() const { return Quaternion(axes[3], axes[0], axes[1], axes[2]).normalized().toRotationMatrix(); }
   Vector3 arm_of(std::size_t v) const { return {arm[v][0], arm[v][1], arm[v][2]}; }
 };
 static_assert(sizeof(JointRecord) == 24 * sizeof(Real));
 
+/// What `face_axes` needs besides the normal.
+inline Real face_tilt(const Vector3& normal) { return -1 / (std::copysign(1.0, normal.z()) + normal.z()); }
+
+/// Face axes as columns: a unit normal and two tangents, to round-off at right angles. T. Duff and others: Building an
+/// orthonormal basis, revisited. Journal of Computer Graphics Techniques 6(1), 2017.
+template <class Vector, class Number>
+std::array<Vector, 3> face_axes(const Vector& n, const Number& tilt) {
+  const Number one = Number{} + 1.0, sign = select(tilt > 0.0, -one, one);
+  const Number xt = n[0] * tilt, yt = n[1] * tilt, xyt = xt * n[1], signed_x = sign * n[0];
+  return {n, Vector{{one + signed_x * xt, sign * xyt, -signed_x}}, Vector{{xyt, sign + n[1] * yt, -n[1]}}};
+}
+
 /// What a joint has taken for good.
 struct JointLosses {
-  Real slip_work = 0;  ///< [J]
-  Real released = 0;   ///< elastic energy when the face came apart [J]
+  Real slip_work = 0;                                    ///< [J]
+  Real released = 0;                                     ///< elastic energy when the face came apart [J]
+  std::array<std::array<Real, 2>, vertex_count> slip{};  ///< u_0 by vertex [m]
 };
 
 /// Joints in lanes; `Record` is a JointRecord, const or not. Each part is read where it is needed: all of it together would not
@@ -64,35 +78,33 @@ template <class Record>
 struct LaneJoints {
   LanePointers<Record> records;
 
-  struct Head {
-    LaneMatrix frame;
-    Lanes vertex_area;
-  };
-  Head head() const {
+  /// Q: face axes in the master's body frame.
+  LaneMatrix frame() const {
     const auto numbers = load_quad(records, 0);
-    const auto [x, y] = unpack(numbers[0]);
-    const auto [z, w] = unpack(numbers[1]);
-    return {rotation_of(2.0 / (x * x + y * y + z * z + w * w), x, y, z, w), numbers[2]};
+    return {face_axes(LaneVector{{numbers[0], numbers[1], numbers[2]}}, numbers[3])};
   }
 
   struct Vertex {
     LaneVector corner;
-    std::array<Lanes, 2> slip;
+    Lanes peak;
   };
   Vertex vertex(std::size_t v) const {
     const auto numbers = load_quad(records, 4 + 4 * v);
-    return {{{numbers[0], numbers[1], numbers[2]}}, unpack(numbers[3])};
+    return {{{numbers[0], numbers[1], numbers[2]}}, numbers[3]};
   }
 
   struct Tail {
     std::array<LaneVector, vertex_count> arm;
-    LaneVector peak;
+    Lanes vertex_area;
+    std::array<Lanes, 3> spread;
   };
   Tail tail() const {
     const auto first = load_quad(records, 16), last = load_quad(records, 20);
     const auto a = unpack(first[0]), b = unpack(first[1]), c = unpack(first[2]), d = unpack(first[3]), e = unpack(last[0]);
+    const auto f = unpack(last[2]), g = unpack(last[3]);
     return {{LaneVector{{a[0], a[1], b[0]}}, LaneVector{{b[1], c[0], c[1]}}, LaneVector{{d[0], d[1], e[0]}}},
-            {{last[1], last[2], last[3]}}};
+            f[0],
+            {f[1], g[0], g[1]}};
   }
 };
 

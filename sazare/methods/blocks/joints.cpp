@@ -15,13 +15,16 @@ constexpr std::size_t serial_below = 1024;  // a joint takes some 35 ns, waking 
 
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
-/// Face axes: the normal out of the master and two tangents.
-Matrix3 face_axes(const std::array<Vector3, 3>& corners) {
-  Matrix3 axes;
-  axes.col(0) = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
-  axes.col(1) = (corners[1] - corners[0]).normalized();
-  axes.col(2) = axes.col(0).cross(axes.col(1));
-  return axes;
+/// Sums over the vertices about their middle, see JointRecord.
+std::array<float, 3> spread_of(const JointRecord& joint) {
+  const Vector3 middle = (joint.vertex[0].corner + joint.vertex[1].corner + joint.vertex[2].corner) / vertex_count;
+  Vector3 sums = Vector3::Zero();
+  for (const auto& vertex : joint.vertex) {
+    const Vector3 from = vertex.corner - middle;
+    sums += Vector3(from.y() * from.y(), from.z() * from.z(), from.y() * from.z());
+  }
+  sums *= Real{joint.vertex_area};
+  return {static_cast<float>(sums[0]), static_cast<float>(sums[1]), static_cast<float>(sums[2])};
 }
 
 void set_lane(JointParameters<Lanes>& lanes, int lane, const JointKind& kind) {
@@ -40,16 +43,20 @@ JointRecord make_joint(const JointFace& face, const JointKind& kind, const state
   const auto &master = bodies.motion[at(face.master)], &slave = bodies.motion[at(face.slave)];
   const auto& c = face.corners;
   JointRecord joint;
-  const Quaternion axes(Matrix3(master.rotation.transpose() * face_axes(c)));
-  for (int i = 0; i < 4; ++i) joint.axes[at(i)] = static_cast<float>(axes.coeffs()[i]);
+  const Vector3 across = (c[1] - c[0]).cross(c[2] - c[0]);
+  joint.normal = (master.rotation.transpose() * across).normalized();
+  joint.tilt = face_tilt(joint.normal);
+  const auto axes = face_axes(joint.normal, joint.tilt);
   for (std::size_t v = 0; v < vertex_count; ++v) {
     const Vector3 arm = slave.rotation.transpose() * (c[v] - slave.position);
     for (int axis = 0; axis < 3; ++axis) joint.arm[v][at(axis)] = static_cast<float>(arm[axis]);
     const Vector3 vertex = slave.position + slave.rotation * joint.arm_of(v);
-    joint.vertex[v].corner = joint.frame().transpose() * (master.rotation.transpose() * (vertex - master.position));
+    const Vector3 from_master = master.rotation.transpose() * (vertex - master.position);
+    for (int axis = 0; axis < 3; ++axis) joint.vertex[v].corner[axis] = axes[at(axis)].dot(from_master);
+    joint.vertex[v].peak = kind.tension.elastic_opening;
   }
-  joint.vertex_area = (c[1] - c[0]).cross(c[2] - c[0]).norm() / 6;
-  joint.peak.fill(kind.tension.elastic_opening);
+  joint.vertex_area = static_cast<float>(across.norm() / 6);
+  joint.spread = spread_of(joint);
   joint.master = face.master;
   joint.slave = face.slave;
   joint.kind = static_cast<std::int16_t>(face.kind);
@@ -98,7 +105,7 @@ void Joints::evaluate(const Moment& now, std::span<const Due> due, const state::
 
 /// Asks for what the joints after the next ones need.
 void Joints::ask_for_some(std::span<const Due> due, const state::Bodies<3>& bodies) const {
-  for (std::size_t n = lane_count; n < std::min<std::size_t>(2 * lane_count, due.size()); ++n) {
+  for (std::size_t n = lane_count; n < std::min(std::size_t{2} * lane_count, due.size()); ++n) {
     const Index joint = due[n].link;
     ask_for(records_[at(joint)]);
     ask_for(table_[joint]);
@@ -119,13 +126,13 @@ void Joints::ask_for_some(std::span<const Due> due, const state::Bodies<3>& bodi
   }
   JointChange change;
   const JointForce force = blocks::evaluate(LaneJoints<JointRecord>{records}, kinds_of(records), masters, slaves, change);
-  write_slots(now, in_lanes, force, change.failed, static_cast<int>(due.size()));
+  write_slots(now, in_lanes, force, change.failed);
   if (any(change.softened | change.slipped)) note_changes(due, change);
 }
 
-/// Writes the slots of the first `count` lanes, four doubles at a time.
+/// Writes the slots, four doubles at a time; idle lanes write once more what the first one does.
 void Joints::write_slots(const Moment& now, const std::array<Due, lane_count>& due, const JointForce& force,
-                         const LaneMask& failed, int count) {
+                         const LaneMask& failed) {
   static_assert(sizeof(terms::Slot<3, 1>) == 24 * sizeof(Real));
   LanePointers<terms::Slot<3, 1>> slots;
   Lanes acting{}, ahead{};
@@ -134,28 +141,25 @@ void Joints::write_slots(const Moment& now, const std::array<Due, lane_count>& d
     acting[static_cast<int>(lane)] = due[lane].acting;
     ahead[static_cast<int>(lane)] = due[lane].ahead;
   }
-  const auto last = load_quad(slots, 8), means = load_quad(slots, 12), more_means = load_quad(slots, 16);
-  const LaneMask follows = last[3] >= 0.0;  // it has been evaluated
-  const auto follow = [&](const Lanes& earlier, const Lanes& force_now) {
-    const Lanes from = select(follows, earlier, force_now);
-    return select(failed, Lanes{}, from + terms::mean_share * (force_now - from));
-  };
-  const auto follow_both = [&](const Lanes& earlier, const Lanes& first, const Lanes& second) {
-    const auto both = unpack(earlier);
-    return pack(follow(both[0], first), follow(both[1], second));
+  const auto before = load_records<12>(slots);
+  const LaneMask follows = ~failed & (before[11] >= 0.0);  // it has been evaluated
+  const auto mean = [&](const Lanes& earlier, const Lanes& force_now) {
+    return 0.5 * (select(follows, earlier, force_now) + force_now);
   };
   const FaceForce &t = force.total, &d = force.dashpots;
-  store_quad({t.master_moment[0], t.master_moment[1], t.master_moment[2], t.linear[0]}, slots, 0, count);
-  store_quad({t.linear[1], t.linear[2], t.slave_moment[0], t.slave_moment[1]}, slots, 4, count);
-  store_quad({t.slave_moment[2], acting, ahead, broadcast(static_cast<Real>(now.tick))}, slots, 8, count);
-  store_quad(
-      {follow_both(means[0], t.master_moment[0], t.master_moment[1]), follow_both(means[1], t.master_moment[2], t.linear[0]),
-       follow_both(means[2], t.linear[1], t.linear[2]), follow_both(means[3], t.slave_moment[0], t.slave_moment[1])},
-      slots, 12, count);
-  store_quad({pack(follow(unpack(more_means[0])[0], t.slave_moment[2]), d.master_moment[0]),
-              pack(d.master_moment[1], d.master_moment[2]), pack(d.linear[0], d.linear[1]), pack(d.linear[2], d.slave_moment[0])},
-             slots, 16, count);
-  store_quad({pack(d.slave_moment[1], d.slave_moment[2]), Lanes{}, Lanes{}, Lanes{}}, slots, 20, count);
+  const Lanes last_mean = mean(before[8], t.slave_moment[2]);
+  store_quad({t.master_moment[0], t.master_moment[1], t.master_moment[2], t.linear[0]}, slots, 0);
+  store_quad({t.linear[1], t.linear[2], t.slave_moment[0], t.slave_moment[1]}, slots, 4);
+  store_quad({t.slave_moment[2], acting, ahead, broadcast(static_cast<Real>(now.tick))}, slots, 8);
+  store_quad({pack(mean(before[0], t.master_moment[0]), mean(before[1], t.master_moment[1])),
+              pack(mean(before[2], t.master_moment[2]), mean(before[3], t.linear[0])),
+              pack(mean(before[4], t.linear[1]), mean(before[5], t.linear[2])),
+              pack(mean(before[6], t.slave_moment[0]), mean(before[7], t.slave_moment[1]))},
+             slots, 12);
+  store_quad({pack(last_mean, d.master_moment[0]), pack(d.master_moment[1], d.master_moment[2]), pack(d.linear[0], d.linear[1]),
+              pack(d.linear[2], d.slave_moment[0])},
+             slots, 16);
+  store_quad({pack(d.slave_moment[1], d.slave_moment[2]), Lanes{}, Lanes{}, Lanes{}}, slots, 20);
 }
 
 void Joints::note_changes(std::span<const Due> due, const JointChange& change) {
@@ -165,10 +169,13 @@ void Joints::note_changes(std::span<const Due> due, const JointChange& change) {
     JointLosses& losses = losses_[at(due[lane].link)];
     if (change.slipped[i] != 0)
       for (std::size_t v = 0; v < vertex_count; ++v)
-        for (std::size_t axis = 0; axis < 2; ++axis) joint.vertex[v].slip[axis] = static_cast<float>(change.slip[v][axis][i]);
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+          joint.vertex[v].corner[static_cast<int>(axis) + 1] += change.slip[v][axis][i];
+          losses.slip[v][axis] += change.slip[v][axis][i];
+        }
     losses.slip_work += change.slip_work[i];
     if (change.softened[i] == 0) continue;
-    for (int v = 0; v < vertex_count; ++v) joint.peak[static_cast<std::size_t>(v)] = change.peak[v][i];
+    for (int v = 0; v < vertex_count; ++v) joint.vertex[at(v)].peak = change.peak[v][i];
     const bool failed = change.failed[i] != 0;
     joint.state = failed ? JointState::broken : JointState::softening;
     if (!failed) continue;
@@ -214,14 +221,9 @@ bool Joints::bonded(Index first, Index second) const {
 
 JointReport Joints::report(Index joint) const {
   const JointRecord& record = records_[at(joint)];
-  JointReport report{record.master,
-                     record.slave,
-                     record.kind,
-                     record.state,
-                     vertex_count * record.vertex_area,
-                     *std::ranges::max_element(record.peak),
-                     0};
-  for (const auto& vertex : record.vertex) report.slip = std::max<Real>(report.slip, std::hypot(vertex.slip[0], vertex.slip[1]));
+  JointReport report{record.master, record.slave, record.kind, record.state, vertex_count * Real{record.vertex_area}, 0, 0};
+  for (const auto& vertex : record.vertex) report.opening = std::max(report.opening, vertex.peak);
+  for (const auto& [y, z] : losses_[at(joint)].slip) report.slip = std::max(report.slip, std::hypot(y, z));
   return report;
 }
 
@@ -269,7 +271,7 @@ void Joints::add_energies(Index begin, Index end, const terms::Synchronized<3>& 
     const laws::TensionParameters<Real>& tension = kinds_[at(joint.kind)].tension;
     table_.take_back(number, links_[at(number)], synchronized, books);
     Real fracture = 0;
-    for (const Real peak : joint.peak) fracture += joint.vertex_area * laws::fracture_dissipation(tension, peak);
+    for (const auto& vertex : joint.vertex) fracture += joint.vertex_area * laws::fracture_dissipation(tension, vertex.peak);
     books[terms::Account::fracture] += fracture;
     books[terms::Account::slip] += losses_[at(number)].slip_work;
     books[terms::Account::release] += losses_[at(number)].released;
@@ -278,8 +280,7 @@ void Joints::add_energies(Index begin, Index end, const terms::Synchronized<3>& 
 }
 
 void Joints::carry(Index joint, Parcel& parcel) {
-  for (auto& vertex : records_[at(joint)].vertex) parcel(vertex.slip);
-  parcel(records_[at(joint)].peak);
+  parcel(records_[at(joint)].vertex);
   parcel(records_[at(joint)].state);
   parcel(losses_[at(joint)]);
   parcel(table_[joint]);

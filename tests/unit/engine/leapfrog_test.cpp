@@ -49,20 +49,19 @@ test::Network<D> damped_ladder() {
   return network;
 }
 
-/// Mean force of each spring, by hand; empty before the first step.
+/// Force of each spring at the last step, by hand; empty before the first one.
 template <int D>
-using Means = std::vector<terms::PairForce<D, float>>;
+using Forces = std::vector<terms::PairForce<D>>;
 
-/// Makes a mean, in single precision, half of what it was and half of a force.
-template <class Mean, class Force>
-void follow(bool begins, Mean& mean, const Force& now) {
-  const Force before = begins ? now : Force(mean.template cast<Real>());
-  mean = (before + terms::mean_share * (now - before)).template cast<float>();
+/// Half of each force, in single precision.
+template <class Force>
+Force mean(const Force& now, const Force& last) {
+  return (0.5 * (now + last)).template cast<float>().template cast<Real>();
 }
 
 /// What all springs give to all bodies: to their second bodies, in the order of the springs, then to their first ones.
 template <int D>
-std::vector<state::Impulse<D>> impulses(const test::Network<D>& network, Real acting, Means<D>& means) {
+std::vector<state::Impulse<D>> impulses(const test::Network<D>& network, Real acting, Forces<D>& last) {
   const auto& motion = network.bodies.motion;
   std::vector<state::Impulse<D>> sums(motion.size());
   const auto add = [acting](state::Impulse<D>& sum, const Vector<D>& force, const Angular<D>& torque, const Vector<D>& mean_force,
@@ -72,24 +71,26 @@ std::vector<state::Impulse<D>> impulses(const test::Network<D>& network, Real ac
     sum.angular_lead += (h / 2) * mean_torque;
   };
   std::vector<Pull<D>> pulls;
-  const bool begins = means.empty();
-  means.resize(network.springs.size());
+  const bool begins = last.empty();
+  last.resize(network.springs.size());
+  Forces<D> means(last.size());
   for (std::size_t i = 0; i < network.springs.size(); ++i) {
     const auto& spring = network.springs[i];
     const auto second = static_cast<std::size_t>(spring.second);
     const auto& at = pulls.emplace_back(pull(spring, motion[static_cast<std::size_t>(spring.first)], motion[second]));
     const Angular<D> torque = moment(at.second_arm, at.force);
-    follow(begins, means[i].first_moment, Angular<D>(-moment(at.first_arm, at.force)));
-    follow(begins, means[i].linear, at.force);
-    follow(begins, means[i].second_moment, torque);
-    const auto mean = means[i].template as<Real>();
-    add(sums[second], at.force, torque, mean.linear, mean.second_moment);
+    const terms::PairForce<D> now{-moment(at.first_arm, at.force), at.force, torque};
+    if (begins) last[i] = now;
+    means[i].first_moment = mean(now.first_moment, last[i].first_moment);
+    means[i].linear = mean(now.linear, last[i].linear);
+    means[i].second_moment = mean(now.second_moment, last[i].second_moment);
+    last[i] = now;
+    add(sums[second], at.force, torque, means[i].linear, means[i].second_moment);
   }
   for (std::size_t i = 0; i < network.springs.size(); ++i) {
     const auto& at = pulls[i];
-    const auto mean = means[i].template as<Real>();
-    add(sums[static_cast<std::size_t>(network.springs[i].first)], -at.force, -moment(at.first_arm, at.force), -mean.linear,
-        mean.first_moment);
+    add(sums[static_cast<std::size_t>(network.springs[i].first)], -at.force, -moment(at.first_arm, at.force), -means[i].linear,
+        means[i].first_moment);
   }
   return sums;
 }
@@ -107,8 +108,8 @@ void expect_same_bits(const Simulation<D>& simulation, const test::Network<D>& b
 }
 
 /// Every number that a two-dimensional body has, by hand.
-void step_by_hand(test::Network<2>& network, Real acting, Means<2>& means) {
-  const auto sum = impulses(network, acting, means);
+void step_by_hand(test::Network<2>& network, Real acting, Forces<2>& last) {
+  const auto sum = impulses(network, acting, last);
   for (std::size_t body = 0; body < sum.size(); ++body) {
     auto& motion = network.bodies.motion[body];
     auto& inertia = network.bodies.inertia[body];
@@ -131,11 +132,11 @@ TEST(leapfrog, one_level_in_the_plane_is_the_step_by_hand_bit_for_bit) {
   auto by_hand = damped_ladder<2>();
   auto simulation = by_hand.simulation(one_level());
   simulation.start();
-  Means<2> means;
-  step_by_hand(by_hand, h / 2, means);
+  Forces<2> last;
+  step_by_hand(by_hand, h / 2, last);
   for (int step = 1; step < steps; ++step) {
     simulation.advance();
-    step_by_hand(by_hand, h, means);
+    step_by_hand(by_hand, h, last);
   }
   expect_same_bits(simulation, by_hand);
   const auto start = damped_ladder<2>().bodies.motion[5];  // it did move
@@ -156,10 +157,10 @@ TEST(leapfrog, one_level_in_space_is_the_step_by_hand_bit_for_bit) {
   }
   auto simulation = by_hand.simulation(one_level());
   simulation.start();
-  Means<3> means;
+  Forces<3> last;
   for (int step = 0; step < steps; ++step) {
     if (step > 0) simulation.advance();
-    const auto sum = impulses(by_hand, step == 0 ? h / 2 : h, means);
+    const auto sum = impulses(by_hand, step == 0 ? h / 2 : h, last);
     for (std::size_t body = 0; body < sum.size(); ++body) {
       auto& motion = by_hand.bodies.motion[body];
       const Real inverse_mass = 1 / by_hand.bodies.inertia[body].mass;
@@ -183,11 +184,11 @@ TEST(leapfrog, one_level_in_space_is_the_step_of_all_bodies_bit_for_bit) {
   std::vector<Index> all(by_hand.bodies.motion.size());
   std::iota(all.begin(), all.end(), 0);
   std::vector<state::MeanMotion<3>> mean(all.size());
-  Means<3> means;
+  Forces<3> last;
   simulation.start();
   for (int step = 0; step < steps; ++step) {
     if (step > 0) simulation.advance();
-    const auto sum = impulses(by_hand, step == 0 ? h / 2 : h, means);
+    const auto sum = impulses(by_hand, step == 0 ? h / 2 : h, last);
     motion::Stride stride;
     stride.due = step + 1;
     stride.seconds = h;

@@ -31,7 +31,7 @@ struct OneLink {
   }
 };
 
-TEST(slot, the_mean_follows_the_force_from_the_first_one_on) {
+TEST(slot, the_mean_is_that_of_the_last_two_forces_from_the_first_one_on) {
   OneLink link;
   link.evaluate(0, 8, 0.1, 0.1);
   EXPECT_EQ(link.table[0].mean.as<Real>().linear, push(8).linear);
@@ -39,7 +39,7 @@ TEST(slot, the_mean_follows_the_force_from_the_first_one_on) {
   EXPECT_EQ(link.table[0].mean.as<Real>().linear, push(6).linear);
   EXPECT_EQ(link.table[0].mean.as<Real>().second_moment, push(6).second_moment);
   link.evaluate(4, 4, 0.2, 0.1);
-  EXPECT_EQ(link.table[0].mean.as<Real>().first_moment, push(5).first_moment);
+  EXPECT_EQ(link.table[0].mean.as<Real>().first_moment, push(4).first_moment);
 }
 
 TEST(slot, what_was_given_beyond_now_is_taken_back_with_the_force_itself) {
