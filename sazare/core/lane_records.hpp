@@ -149,7 +149,7 @@ void store_quad(const std::array<Lanes, 4>& fields, const LanePointers<Record>& 
   store_quads(fields, [&](std::size_t lane) { return reinterpret_cast<Real*>(records[lane]) + begin; });
 }
 
-/// The first `Count` doubles of each lane's record.
+/// The first `Count` doubles of each lane's record, and back again.
 template <int Count, class Record>
 std::array<Lanes, Count> load_records(const LanePointers<Record>& records) {
   static_assert(Count % 4 == 0 && sizeof(Record) >= Count * sizeof(Real));
@@ -159,6 +159,13 @@ std::array<Lanes, Count> load_records(const LanePointers<Record>& records) {
     for (std::size_t i = 0; i < 4; ++i) fields[first + i] = quad[i];
   }
   return fields;
+}
+
+template <std::size_t Count, class Record>
+void store_records(const std::array<Lanes, Count>& fields, const LanePointers<Record>& records) {
+  static_assert(Count % 4 == 0 && sizeof(Record) >= Count * sizeof(Real));
+  for (std::size_t first = 0; first < Count; first += 4)
+    store_quad({fields[first], fields[first + 1], fields[first + 2], fields[first + 3]}, records, first);
 }
 
 }  // namespace sazare

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
 
 #include "sazare/core/registers.hpp"
 #include "sazare/core/vector.hpp"
@@ -64,6 +65,9 @@ inline Lanes broadcast(Real value) { return RegisterOf<lane_count>::broadcast(va
 
 inline Lanes maximum(Lanes a, Lanes b) { return a > b ? a : b; }
 inline Real maximum(Real a, Real b) { return a > b ? a : b; }
+
+inline Lanes minimum(Lanes a, Lanes b) { return a < b ? a : b; }
+inline Real minimum(Real a, Real b) { return a < b ? a : b; }
 
 inline Lanes square_root(Lanes a) {
 #ifdef __AVX512F__
@@ -171,6 +175,19 @@ struct LaneMatrix {
 
 inline Lanes dot(const LaneVector& a, const LaneVector& b) {
   return add_product(a[2], b[2], add_product(a[1], b[1], a[0] * b[0]));
+}
+inline Real dot(const Vector3& a, const Vector3& b) { return a.dot(b); }
+
+/// Vectors of a law that is written for a type of numbers, `Real` or `Lanes`.
+template <class T>
+using VectorOf = std::conditional_t<std::is_same_v<T, Real>, Vector3, LaneVector>;
+
+template <class T>
+VectorOf<T> zero_vector() {
+  if constexpr (std::is_same_v<T, Real>)
+    return Vector3::Zero();
+  else
+    return {};
 }
 
 /// Rotations by quaternions; `twice` is 2 over their squared length.

@@ -53,9 +53,12 @@ Snapshot<D> Simulation<D>::snapshot(Index begin, Index end) const {
   at_now.pose.resize(at(bodies_.size()));
   at_now.velocity.resize(at_now.pose.size());
   at_now.angular_momentum.resize(at_now.pose.size());
+  parallel::parallel_for(at(end - begin), serial_below, [&](std::size_t from, std::size_t to) {
+    const std::size_t first = at(begin) + from, count = to - from;
+    state::poses_at(std::span(bodies_.motion).subspan(first, count), now_, std::span(at_now.pose).subspan(first, count));
+  });
   gather(begin, end, 0, [&](std::size_t body, const state::Impulse<D>& given) {
     const auto& motion = bodies_.motion[body];
-    at_now.pose[body] = state::pose_at(motion, now_);
     at_now.velocity[body] = motion.velocity + given.linear_lead / bodies_.inertia[body].mass;
     at_now.angular_momentum[body] = motion.angular_momentum + given.angular_lead;
   });

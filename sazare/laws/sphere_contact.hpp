@@ -18,10 +18,7 @@
 /// error of order h^2. So it is for the cap `step`; `critical` keeps c under critical damping instead, and `literal` takes c
 /// as it is.
 
-#include <algorithm>
-#include <cmath>
-
-#include "sazare/core/vector.hpp"
+#include "sazare/core/lanes.hpp"
 
 namespace sazare::laws {
 
@@ -34,55 +31,65 @@ struct SphereContact {
   DampingCap cap = DampingCap::step;
 };
 
-/// What the law needs to know of one touching pair of spheres.
-struct SphereMotion {
-  Real overlap = 0;                   ///< d [m], > 0
-  Real opening_speed = 0;             ///< v_n [m/s], positive when the spheres part
-  Vector3 sliding = Vector3::Zero();  ///< v_t [m/s]
-  Real normal_mass = 0;               ///< m along the normal [kg]
-  Real sliding_mass = 0;              ///< m along the sliding direction [kg]
-  Real contacts = 1;                  ///< n
-  Real step = 0;                      ///< h, the longer of two evaluations' distances [s]
-  Real elapsed = 0;                   ///< since the last evaluation [s]
+/// What the law needs to know of one touching pair of spheres; `T` is Real or Lanes.
+template <class T>
+struct SphereMotionOf {
+  T overlap{};                             ///< d [m], > 0
+  T opening_speed{};                       ///< v_n [m/s], positive when the spheres part
+  VectorOf<T> sliding = zero_vector<T>();  ///< v_t [m/s]
+  T normal_mass{};                         ///< m along the normal [kg]
+  T sliding_mass{};                        ///< m along the sliding direction [kg]
+  T contacts = T{} + 1.0;                  ///< n
+  T step{};                                ///< h, the longer of two evaluations' distances [s]
+  T elapsed{};                             ///< since the last evaluation [s]
 };
 
 /// What a touching pair remembers until it parts.
-struct SphereMemory {
-  Real dashpot = 0;                    ///< E [N]
-  Vector3 friction = Vector3::Zero();  ///< S [N]
+template <class T>
+struct SphereMemoryOf {
+  T dashpot{};                              ///< E [N]
+  VectorOf<T> friction = zero_vector<T>();  ///< S [N]
 };
 
-struct SphereForce {
-  Real elastic = 0;                    ///< k d [N], pushes apart
-  Real dashpot = 0;                    ///< D [N], pushes apart when positive
-  Vector3 friction = Vector3::Zero();  ///< T [N], on the second sphere
+template <class T>
+struct SphereForceOf {
+  T elastic{};                              ///< k d [N], pushes apart
+  T dashpot{};                              ///< D [N], pushes apart when positive
+  VectorOf<T> friction = zero_vector<T>();  ///< T [N], on the second sphere
 };
 
-inline Real capped_damping(const SphereContact& law, const SphereMotion& at) {
-  if (law.cap != DampingCap::critical) return law.damping;
-  return std::min(law.damping, 2 * std::sqrt(law.stiffness * at.normal_mass / at.contacts));
+using SphereMotion = SphereMotionOf<Real>;
+using SphereMemory = SphereMemoryOf<Real>;
+using SphereForce = SphereForceOf<Real>;
+
+template <class T>
+T capped_damping(const SphereContact& law, const SphereMotionOf<T>& at) {
+  const T damping = T{} + law.damping;
+  if (law.cap != DampingCap::critical) return damping;
+  return minimum(damping, 2.0 * square_root(law.stiffness * at.normal_mass / at.contacts));
 }
 
-inline Vector3 limited(const Vector3& vector, Real length) {
-  const Real square = vector.squaredNorm();
-  return square > length * length ? Vector3(length / std::sqrt(square) * vector) : vector;
+template <class T>
+VectorOf<T> limited(const VectorOf<T>& vector, T length) {
+  const T square = dot(vector, vector);
+  return select(square > length * length, length / square_root(square), T{} + 1.0) * vector;
 }
 
-inline SphereForce sphere_force(const SphereContact& law, const SphereMotion& at, SphereMemory& memory) {
-  const Real calming = 1 / (4 * at.contacts * at.step), stiffness = calming / (4 * at.step);  // times a mass
-  const Real damping = capped_damping(law, at);
-  const Real direct = law.cap == DampingCap::step ? std::min(damping, calming * at.normal_mass) : damping;
-  SphereForce force;
+template <class T>
+SphereForceOf<T> sphere_force(const SphereContact& law, const SphereMotionOf<T>& at, SphereMemoryOf<T>& memory) {
+  const T calming = 1.0 / (4.0 * at.contacts * at.step), stiffness = calming / (4.0 * at.step);  // times a mass
+  const T damping = capped_damping(law, at);
+  const T direct = law.cap == DampingCap::step ? minimum(damping, calming * at.normal_mass) : damping;
+  SphereForceOf<T> force;
   force.elastic = law.stiffness * at.overlap;
-  if (damping > direct) {
-    const Real spring = stiffness * at.normal_mass * at.elapsed;
-    const Real leak = 1 + spring / (damping - direct);
-    memory.dashpot = std::max((memory.dashpot - spring * at.opening_speed) / leak, -force.elastic);
-  }
-  force.dashpot = std::max(memory.dashpot - direct * at.opening_speed, -force.elastic);
-  const Real most = law.friction * (force.elastic + force.dashpot);
-  memory.friction = limited(memory.friction - stiffness * at.sliding_mass * at.elapsed * at.sliding, most);
-  force.friction = limited(memory.friction - calming * at.sliding_mass * at.sliding, most);
+  const T spring = stiffness * at.normal_mass * at.elapsed, slow = damping - direct;
+  const T leak = 1.0 + spring / slow;  // infinite where the dashpot is taken as it is
+  const T built_up = maximum((memory.dashpot - spring * at.opening_speed) / leak, -force.elastic);
+  memory.dashpot = select(slow > 0.0, built_up, memory.dashpot);
+  force.dashpot = maximum(memory.dashpot - direct * at.opening_speed, -force.elastic);
+  const T most = law.friction * (force.elastic + force.dashpot);
+  memory.friction = limited(memory.friction - (stiffness * at.sliding_mass * at.elapsed) * at.sliding, most);
+  force.friction = limited(memory.friction - (calming * at.sliding_mass) * at.sliding, most);
   return force;
 }
 

@@ -1,6 +1,11 @@
 #include "sazare/state/bodies.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstddef>
+
+#include "sazare/core/lane_records.hpp"
 
 namespace sazare::state {
 
@@ -51,6 +56,40 @@ Rotation<2> turn(const Angular<2>& spin, Real seconds) {
   Rotation<2> rotation;
   rotation << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
   return rotation;
+}
+
+namespace {
+
+/// Of `lane_count` bodies.
+void poses_in_lanes(const LanePointers<const Motion<3>>& bodies, const Moment& now, const LanePointers<Pose<3>>& poses) {
+  static_assert(offsetof(Motion<3>, velocity) == 18 * sizeof(Real) && offsetof(Motion<3>, spin) == 24 * sizeof(Real));
+  Lanes seconds{};
+  for (std::size_t lane = 0; lane < lane_count; ++lane) seconds[static_cast<int>(lane)] = now.seconds_since(bodies[lane]->due);
+  const auto n = load_records<28>(bodies);
+  const LaneMatrix rotation{{LaneVector{{n[3], n[4], n[5]}}, LaneVector{{n[6], n[7], n[8]}}, LaneVector{{n[9], n[10], n[11]}}}};
+  const LaneVector position = add_product(seconds, {{n[18], n[19], n[20]}}, {{n[0], n[1], n[2]}});
+  const LaneVector half = (0.5 * seconds) * LaneVector{{n[24], n[25], n[26]}};
+  const LaneMatrix r = rotation_of(2.0 / (1.0 + dot(half, half)), half[0], half[1], half[2], broadcast(1)) * rotation;
+  store_records(std::bit_cast<std::array<Lanes, 12>>(std::array{position, r[0], r[1], r[2]}), poses);
+}
+
+}  // namespace
+
+void poses_at(std::span<const Motion<3>> motion, const Moment& now, std::span<Pose<3>> poses) {
+  LanePointers<const Motion<3>> bodies;
+  LanePointers<Pose<3>> to;
+  for (std::size_t first = 0; first < poses.size(); first += lane_count) {
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      const std::size_t body = std::min(first + lane, poses.size() - 1);
+      bodies[lane] = &motion[body];
+      to[lane] = &poses[body];
+    }
+    poses_in_lanes(bodies, now, to);
+  }
+}
+
+void poses_at(std::span<const Motion<2>> motion, const Moment& now, std::span<Pose<2>> poses) {
+  for (std::size_t body = 0; body < poses.size(); ++body) poses[body] = pose_at(motion[body], now);
 }
 
 }  // namespace sazare::state

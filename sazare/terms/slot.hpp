@@ -38,6 +38,13 @@ struct PairForce {
     return {first_moment.template cast<Other>(), linear.template cast<Other>(), second_moment.template cast<Other>()};
   }
 
+  PairForce& operator+=(const PairForce& other) {
+    first_moment += other.first_moment;
+    linear += other.linear;
+    second_moment += other.second_moment;
+    return *this;
+  }
+
   /// Half of this one and half of another.
   PairForce mean_with(const PairForce& other) const {
     return {0.5 * (first_moment + other.first_moment), 0.5 * (linear + other.linear),

@@ -138,14 +138,24 @@ struct SlotTable {
     }
   }
 
-  /// Books what the parts of a link's force will have done after now, taken back: the kicks at now had it in them.
-  void take_back(Index slot, const Link& link, const Synchronized<D>& at, Books& books) const {
+  /// Work that the parts of a link's force will have done after now: the kicks at now had it in them [J].
+  std::array<Real, Parts> work_after(Index slot, const Link& link, const Synchronized<D>& at) const {
     const auto& of = (*this)[slot];
+    std::array<Real, Parts> work;
     for (std::size_t p = 0; p < Parts; ++p) {
-      Real work = of.part[p].on_first().power(at.ahead[static_cast<std::size_t>(link.first)]);
-      if (link.second != Link::outside) work += of.part[p].on_second().power(at.ahead[static_cast<std::size_t>(link.second)]);
-      book(causes[p], -of.ahead * work, books);
+      work[p] = of.part[p].on_first().power(at.ahead[static_cast<std::size_t>(link.first)]);
+      if (link.second != Link::outside) work[p] += of.part[p].on_second().power(at.ahead[static_cast<std::size_t>(link.second)]);
+      work[p] *= of.ahead;
     }
+    return work;
+  }
+
+  /// Books that work, taken back.
+  void take_back(const std::array<Real, Parts>& work, Books& books) const {
+    for (std::size_t p = 0; p < Parts; ++p) book(causes[p], -work[p], books);
+  }
+  void take_back(Index slot, const Link& link, const Synchronized<D>& at, Books& books) const {
+    take_back(work_after(slot, link, at), books);
   }
 };
 

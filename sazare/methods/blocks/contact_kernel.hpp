@@ -22,21 +22,24 @@ struct ContactBody {
   }
 };
 
-/// Overlap of two spheres, and where.
-struct SphereTouch {
-  Real overlap = 0;  ///< [m], negative when apart
-  Vector3 normal;    ///< from the first to the second
-  Vector3 point;     ///< between the surfaces [m]
+/// Overlap of two spheres, and where; `T` is Real or Lanes.
+template <class T>
+struct SphereTouchOf {
+  T overlap{};         ///< [m], negative when apart
+  VectorOf<T> normal;  ///< from the first to the second
+  VectorOf<T> point;   ///< between the surfaces [m]
 };
+using SphereTouch = SphereTouchOf<Real>;
 
-inline SphereTouch touch(const ContactSphere& a, const ContactSphere& b, const state::Pose<3>& first,
-                         const state::Pose<3>& second) {
-  const Vector3 from = first.position + first.rotation * a.centre;
-  const Vector3 apart = second.position + second.rotation * b.centre - from;
-  const Real distance = apart.norm();
-  SphereTouch at;
+/// Of spheres that know a centre and a radius, on bodies that know a position and a rotation.
+template <class Sphere, class Place, class T = decltype(Sphere::radius)>
+SphereTouchOf<T> touch(const Sphere& a, const Sphere& b, const Place& first, const Place& second) {
+  const VectorOf<T> from = first.position + first.rotation * a.centre;
+  const VectorOf<T> apart = second.position + second.rotation * b.centre - from;
+  const T distance = square_root(dot(apart, apart));
+  SphereTouchOf<T> at;
   at.overlap = a.radius + b.radius - distance;
-  at.normal = apart / distance;
+  at.normal = (1.0 / distance) * apart;
   at.point = from + (a.radius - 0.5 * at.overlap) * at.normal;
   return at;
 }
@@ -47,6 +50,7 @@ struct Clearance {
   std::int8_t is_known = 0;
   std::int8_t is_distant = 0;  ///< too far apart to meet within two base steps, when last evaluated
   std::int8_t rests = 0;       ///< evaluated at base steps only
+  Index near = 0;              ///< so many of the spheres, the first ones, may touch before it is measured anew
   Vector3 apart = Vector3::Zero();
   Matrix3 first = Matrix3::Zero(), second = Matrix3::Zero();
 
@@ -57,15 +61,16 @@ struct Clearance {
   }
 };
 
-/// Forces of a pair.
-struct ContactForce {
+/// Forces of a pair, or of two of its spheres. Kernels write it in fours of doubles.
+struct alignas(32) ContactForce {
   terms::PairForce<3> total, dashpot, friction;
-};
 
-/// Two touching spheres and how their pair is evaluated.
-struct Touching {
-  SphereTouch at;
-  SpherePair* pair = nullptr;
+  ContactForce& operator+=(const ContactForce& other) {
+    total += other.total;
+    dashpot += other.dashpot;
+    friction += other.friction;
+    return *this;
+  }
 };
 
 /// Rates of a body that shows this softness [1/kg] to a number of spheres.
@@ -77,35 +82,18 @@ inline terms::Rates contact_rates(const laws::SphereContact& law, Real count, Re
 }
 
 /// Force at a point on what lies along the normal, with its motion there against the other body [m/s]. `softness` tells the
-/// 1/mass that both show along a direction; `shared` holds overlap, step and number of contacts.
-template <class Softness>
-laws::SphereForce force_at(const laws::SphereContact& law, const Vector3& normal, const Vector3& opening, Softness&& softness,
-                           laws::SphereMotion shared, laws::SphereMemory& memory) {
-  shared.opening_speed = opening.dot(normal);
+/// 1/mass that both show along a direction; `shared` holds overlap, step and number of contacts. `T` is Real or Lanes.
+template <class T, class Softness>
+laws::SphereForceOf<T> force_at(const laws::SphereContact& law, const VectorOf<T>& normal, const VectorOf<T>& opening,
+                                const Softness& softness, laws::SphereMotionOf<T> shared, laws::SphereMemoryOf<T>& memory) {
+  shared.opening_speed = dot(opening, normal);
   shared.sliding = opening - shared.opening_speed * normal;
-  const Real speed = shared.sliding.norm();
-  const Vector3 direction = speed > 0 ? Vector3(shared.sliding / speed) : Vector3(Vector3::Zero());
-  shared.normal_mass = 1 / softness(normal);
-  shared.sliding_mass = 1 / softness(direction);
-  memory.friction -= normal.dot(memory.friction) * normal;  // the plane of contact turns
+  const T speed = square_root(dot(shared.sliding, shared.sliding));
+  const VectorOf<T> direction = select(speed > 0.0, 1.0 / speed, T{}) * shared.sliding;
+  shared.normal_mass = 1.0 / softness(normal);
+  shared.sliding_mass = 1.0 / softness(direction);
+  memory.friction = memory.friction - dot(normal, memory.friction) * normal;  // the plane of contact turns
   return laws::sphere_force(law, shared, memory);
-}
-
-/// Adds touching spheres to the force of their pair. `shared` holds what all spheres of the pair have in common.
-inline void add_touch(const laws::SphereContact& law, const Touching& touching, laws::SphereMotion shared,
-                      const ContactBody& first, const ContactBody& second, ContactForce& sum) {
-  const SphereTouch& at = touching.at;
-  const Vector3 arm = at.point - first.motion.position, other_arm = at.point - second.motion.position;
-  const Vector3 opening = second.motion.velocity_at(other_arm) - first.motion.velocity_at(arm);
-  shared.overlap = at.overlap - touching.pair->rest;
-  const laws::SphereForce force = force_at(
-      law, at.normal, opening,
-      [&](const Vector3& along) { return first.softness(arm, along) + second.softness(other_arm, along); }, shared,
-      touching.pair->memory);
-  const Vector3 dashpot = force.dashpot * at.normal;
-  sum.dashpot.add_at(arm, other_arm, dashpot);
-  sum.friction.add_at(arm, other_arm, force.friction);
-  sum.total.add_at(arm, other_arm, force.elastic * at.normal + dashpot + force.friction);
 }
 
 }  // namespace sazare::methods::blocks

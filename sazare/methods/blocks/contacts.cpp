@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "sazare/methods/blocks/contact_kernel.hpp"
 #include "sazare/parallel/threads.hpp"
 
 namespace sazare::methods::blocks {
@@ -15,7 +14,8 @@ namespace {
 constexpr std::size_t serial_below = 256;         // most pairs do not touch
 constexpr std::size_t searched_alone_below = 16;  // bodies; a search takes some microseconds
 constexpr int base_steps_between_searches = 8;
-constexpr Real skin_of_radius = 0.15;  // of the median inscribed radius: few false neighbours, few searches (measured)
+constexpr Real known_moves = 1.0 / 32;  // of the skin: so far a clearance is good for
+constexpr Real skin_of_radius = 0.15;   // of the median inscribed radius: few false neighbours, few searches (measured)
 
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
@@ -64,32 +64,47 @@ std::vector<Index> Contacts::first_links() const {
 
 void Contacts::evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
   parallel::parallel_for_uneven(due.size(), serial_below, [&](std::size_t begin, std::size_t end) {
-    for (const Due& given : due.subspan(begin, end - begin)) evaluate_pair(now, given, bodies);
+    for (std::size_t first = begin; first < end; first += ContactBatch::most_pairs)
+      evaluate_batch(now, due.subspan(first, std::min(ContactBatch::most_pairs, end - first)), bodies);
   });
 }
 
-void Contacts::evaluate_pair(const Moment& now, const Due& due, const state::Bodies<3>& bodies) {
-  const Link& link = links_[at(due.link)];
+void Contacts::evaluate_batch(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
+  thread_local ContactBatch batch;
+  batch.clear();
   const auto body = [&](Index number) { return ContactBody{bodies.motion[at(number)], bodies.inertia[at(number)]}; };
-  const ContactBody first = body(link.first), second = body(link.second);
-  auto& slot = table_[due.link];
-  const bool were_apart = slot.evaluated < 0;
-  const Real moved = update_clearance(due.link, first, second, bodies);
-  if (were_apart && moved < clearance_[at(due.link)].gap) return;
+  for (const Due& each : due) {
+    const Link& link = links_[at(each.link)];
+    const ContactBody first = body(link.first), second = body(link.second);
+    const Real moved = update_clearance(each.link, first, second, bodies);
+    const Clearance& clearance = clearance_[at(each.link)];
+    const bool were_apart = table_[each.link].evaluated < 0;
+    if (were_apart && moved < clearance.gap) continue;
+    batch.begin_pair(each, first, second);
+    for (SpherePair& spheres : std::span(spheres_[at(each.link)]).first(at(clearance.near))) {
+      if (moved < spheres.gap)
+        spheres.memory = {};
+      else
+        batch.add(spheres);
+    }
+  }
+  batch.evaluate(law_, surface_);
+  for (const ContactBatch::Pair& pair : batch.pairs()) conclude(now, batch, pair);
+}
 
-  const std::span<const Touching> touching = find_touching(due.link, moved, first.pose(), second.pose());
-  count_touching(link, static_cast<int>(!touching.empty()) - static_cast<int>(!were_apart));
-  if (touching.empty()) {
+/// Writes what a batch has found of a pair.
+void Contacts::conclude(const Moment& now, const ContactBatch& batch, const ContactBatch::Pair& pair) {
+  const Index number = pair.due.link;
+  auto& slot = table_[number];
+  if (!pair.overlap) clearance_[at(number)].is_known = 0;  // a gap has opened: once measured, it spares the spheres for a while
+  const bool did_touch = slot.evaluated >= 0, touches = pair.touching > 0;
+  count_touching(links_[at(number)], static_cast<int>(touches) - static_cast<int>(did_touch));
+  if (!touches) {
     slot = {};
     return;
   }
-  laws::SphereMotion shared;
-  shared.contacts = static_cast<Real>(touching.size());
-  shared.step = std::max(due.acting, 2 * due.ahead);
-  shared.elapsed = due.acting;
-  ContactForce force;
-  for (const Touching& each : touching) add_touch(law_, each, shared, first, second, force);
-  terms::write<3, 2>(slot, now, due, force.total, {force.dashpot, force.friction});
+  const ContactForce force = batch.force(pair);
+  terms::write<3, 2>(slot, now, pair.due, force.total, {force.dashpot, force.friction});
 }
 
 /// Measures the clearance of a pair anew where what has moved since then has used it up; returns how far the two have moved
@@ -102,36 +117,12 @@ Real Contacts::update_clearance(Index pair, const ContactBody& first, const Cont
   if (clearance.is_known)
     moved = clearance.moved(first_pose, second_pose, bodies.reach[at(link.first)], bodies.reach[at(link.second)]);
   const bool gap_is_used_up = table_[pair].evaluated < 0 && clearance.gap > 0 && moved >= clearance.gap;
-  if (!clearance.is_known || gap_is_used_up || moved > surface_.skin() / 32) {
+  if (!clearance.is_known || gap_is_used_up || moved > surface_.skin() * known_moves) {
     measure(spheres_[at(pair)], first_pose, second_pose, clearance);
     moved = 0;
   }
   clearance.is_distant = are_distant(first, second, link, clearance.gap - moved - surface_.skin() / 100, bodies);
   return moved;
-}
-
-/// Spheres of a pair that touch, until the next call in this thread; the others forget. None can that were farther apart than
-/// the two have moved since their clearance was measured.
-std::span<const Touching> Contacts::find_touching(Index pair, Real moved, const state::Pose<3>& first,
-                                                  const state::Pose<3>& second) {
-  thread_local std::vector<Touching> touching;
-  touching.clear();
-  bool overlap = false;
-  for (SpherePair& spheres : spheres_[at(pair)]) {
-    if (moved < spheres.gap) {
-      spheres.memory = {};
-      continue;
-    }
-    const SphereTouch touched = touch(surface_.sphere(spheres.first), surface_.sphere(spheres.second), first, second);
-    overlap = overlap || touched.overlap > 0;
-    if (touched.overlap < spheres.rest) spheres.rest = std::max(touched.overlap, Real{0});
-    if (touched.overlap > spheres.rest)
-      touching.push_back({touched, &spheres});
-    else
-      spheres.memory = {};
-  }
-  if (!overlap) clearance_[at(pair)].is_known = 0;  // a gap has opened: once measured, it spares the spheres for a while
-  return touching;
 }
 
 /// Whether two bodies, which may still come nearer by `room`, cannot meet within two base steps.
@@ -144,7 +135,8 @@ bool Contacts::are_distant(const ContactBody& first, const ContactBody& second, 
   return room > 2 * base_step_ * closing;
 }
 
-/// Clearance of a pair where it stands, with the gaps of its spheres.
+/// Clearance of a pair where it stands, with the gaps of its spheres. Those come first that may touch until the next time; the
+/// others forget.
 void Contacts::measure(std::vector<SpherePair>& spheres, const state::Pose<3>& first, const state::Pose<3>& second,
                        Clearance& clearance) const {
   clearance.gap = surface_.skin();
@@ -152,10 +144,14 @@ void Contacts::measure(std::vector<SpherePair>& spheres, const state::Pose<3>& f
   clearance.apart = second.position - first.position;
   clearance.first = first.rotation;
   clearance.second = second.rotation;
+  const auto is_near = [&](const SpherePair& pair) { return pair.gap <= surface_.skin() * known_moves; };
   for (SpherePair& pair : spheres) {
     pair.gap = -touch(surface_.sphere(pair.first), surface_.sphere(pair.second), first, second).overlap;
     clearance.gap = std::min(clearance.gap, pair.gap);
+    if (!is_near(pair)) pair.memory = {};
   }
+  const auto far = std::ranges::stable_partition(spheres, is_near);
+  clearance.near = static_cast<Index>(spheres.size() - far.size());
 }
 
 void Contacts::count_touching(const Link& link, int change) {

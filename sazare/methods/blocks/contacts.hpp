@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "sazare/geometry/tetra_mesh.hpp"
-#include "sazare/methods/blocks/contact_kernel.hpp"
+#include "sazare/methods/blocks/contact_batch.hpp"
 #include "sazare/methods/blocks/contact_surface.hpp"
 #include "sazare/methods/blocks/joints.hpp"
 
@@ -43,9 +43,9 @@ public:
   Index pair_count() const { return static_cast<Index>(links_.size() - idle_.size()); }
 
 private:
-  void evaluate_pair(const Moment& now, const Due& due, const state::Bodies<3>& bodies);
+  void evaluate_batch(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies);
+  void conclude(const Moment& now, const ContactBatch& batch, const ContactBatch::Pair& pair);
   Real update_clearance(Index pair, const ContactBody& first, const ContactBody& second, const state::Bodies<3>& bodies);
-  std::span<const Touching> find_touching(Index pair, Real moved, const state::Pose<3>& first, const state::Pose<3>& second);
   bool are_distant(const ContactBody& first, const ContactBody& second, const Link& link, Real room,
                    const state::Bodies<3>& bodies) const;
   void rest_the_distant(const Moment& now, terms::Peers& peers, terms::Changes& changes);

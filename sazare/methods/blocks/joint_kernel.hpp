@@ -14,33 +14,10 @@
 /// too, keeps the momenta as exactly, and differs from three at the points by the share that displacements have of a face's size.
 /// Everything is worked out in face axes and turned to world axes once. [Konno2018], 2.1, figs. 1 and 2.
 
+#include "sazare/methods/blocks/body_lanes.hpp"
 #include "sazare/methods/blocks/joint_record.hpp"
-#include "sazare/state/bodies.hpp"
 
 namespace sazare::methods::blocks {
-
-/// Places of bodies, one in each lane: of motions or of poses, which both begin with them.
-struct LanePlaces {
-  LaneVector position;
-  LaneMatrix rotation;
-};
-
-template <class Body>
-LanePlaces load_places(const LanePointers<Body>& bodies) {
-  const auto n = load_records<12>(bodies);
-  return {{{n[0], n[1], n[2]}},
-          {{LaneVector{{n[3], n[4], n[5]}}, LaneVector{{n[6], n[7], n[8]}}, LaneVector{{n[9], n[10], n[11]}}}}};
-}
-
-/// Velocities foreseen of bodies that stand at their own time.
-struct LaneVelocities {
-  LaneVector velocity, spin;
-};
-
-inline LaneVelocities load_velocities(const LanePointers<const state::Motion<3>>& bodies) {
-  const auto first = load_quad(bodies, 12), last = load_quad(bodies, 16);
-  return {{{first[0], first[1], first[2]}}, {{first[3], last[0], last[1]}}};
-}
 
 /// Vertices in face axes, and what their joints remember.
 struct FaceGeometry {

@@ -242,7 +242,7 @@ void Joints::update_rates(Index body, const state::Bodies<3>& bodies) {
 
 /// Elastic energy [J] of as many joints as there are lanes, in the places of a base step; lanes beyond the last joint
 /// repeat it.
-Lanes Joints::elastic_energies(Index first, const terms::Synchronized<3>& synchronized) const {
+[[gnu::flatten]] Lanes Joints::elastic_energies(Index first, const terms::Synchronized<3>& synchronized) const {
   LanePointers<const JointRecord> records;
   LanePointers<const state::Pose<3>> masters, slaves;
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
@@ -260,23 +260,32 @@ void Joints::add_energies(const terms::Synchronized<3>& synchronized, terms::Boo
   });
 }
 
-/// Those of as many joints as there are lanes at most.
+/// Those of as many joints as there are lanes at most. What waits for memory comes first, all of it at a time.
 void Joints::add_energies(Index begin, Index end, const terms::Synchronized<3>& synchronized, terms::Books& books) const {
   const auto counted = std::span(links_).subspan(at(begin), at(end - begin));
   if (std::ranges::none_of(counted, [&](const Link& link) { return synchronized.counts(link); })) return;
   const Lanes elastic = elastic_energies(begin, synchronized);
-  for (Index number = begin; number < end; ++number) {
-    if (!synchronized.counts(links_[at(number)])) continue;
-    const JointRecord& joint = records_[at(number)];
-    const laws::TensionParameters<Real>& tension = kinds_[at(joint.kind)].tension;
-    table_.take_back(number, links_[at(number)], synchronized, books);
-    Real fracture = 0;
-    for (const auto& vertex : joint.vertex) fracture += joint.vertex_area * laws::fracture_dissipation(tension, vertex.peak);
-    books[terms::Account::fracture] += fracture;
-    books[terms::Account::slip] += losses_[at(number)].slip_work;
-    books[terms::Account::release] += losses_[at(number)].released;
-    if (joint.state != JointState::broken) books[terms::Account::elastic] += elastic[static_cast<int>(number - begin)];
+  std::array<std::array<Real, 1>, lane_count> after;
+  for (std::size_t i = 0; i < counted.size(); ++i)
+    after[i] = table_.work_after(begin + static_cast<Index>(i), counted[i], synchronized);
+  for (std::size_t i = 0; i < counted.size(); ++i) {
+    if (!synchronized.counts(counted[i])) continue;
+    table_.take_back(after[i], books);
+    const JointRecord& joint = records_[at(begin) + i];
+    const JointLosses& losses = losses_[at(begin) + i];
+    books[terms::Account::slip] += losses.slip_work;
+    if (joint.state != JointState::broken) books[terms::Account::elastic] += elastic[static_cast<int>(i)];
+    if (joint.state == JointState::intact) continue;
+    books[terms::Account::fracture] += fracture_work(joint);
+    books[terms::Account::release] += losses.released;
   }
+}
+
+Real Joints::fracture_work(const JointRecord& joint) const {
+  const laws::JointTension& tension = kinds_[at(joint.kind)].tension;
+  Real work = 0;
+  for (const auto& vertex : joint.vertex) work += joint.vertex_area * laws::fracture_dissipation(tension, vertex.peak);
+  return work;
 }
 
 void Joints::carry(Index joint, Parcel& parcel) {

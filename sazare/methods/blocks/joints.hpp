@@ -72,6 +72,7 @@ private:
   void update_rates(Index body, const state::Bodies<3>& bodies);
   void add_energies(Index begin, Index end, const terms::Synchronized<3>& synchronized, terms::Books& books) const;
   Lanes elastic_energies(Index first, const terms::Synchronized<3>& synchronized) const;
+  Real fracture_work(const JointRecord& joint) const;
 
   std::vector<JointKind> kinds_;
   std::vector<JointParameters<Lanes>> lane_kinds_;  ///< each kind in all lanes

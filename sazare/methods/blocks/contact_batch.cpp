@@ -1,0 +1,171 @@
+#include "sazare/methods/blocks/contact_batch.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+
+#include "sazare/methods/blocks/body_lanes.hpp"
+
+namespace sazare::methods::blocks {
+
+namespace {
+
+using LaneTouch = SphereTouchOf<Lanes>;
+
+struct LaneSpheres {
+  LaneVector centre;
+  Lanes radius;
+};
+
+LaneSpheres load_spheres(const LanePointers<const ContactSphere>& spheres) {
+  static_assert(sizeof(ContactSphere) == 4 * sizeof(Real));
+  const auto n = load_quad(spheres, 0);
+  return {{{n[0], n[1], n[2]}}, n[3]};
+}
+
+/// What a body shows to an impulse, see ContactBody.
+struct LaneSoftness {
+  LaneMatrix rotation;
+  LaneVector inverse_moments;
+  Lanes inverse_mass;
+
+  Lanes operator()(const LaneVector& arm, const LaneVector& direction) const {
+    const LaneVector turning = transposed(rotation, cross(arm, direction));
+    Lanes sum = inverse_mass;
+    for (int i = 0; i < 3; ++i) sum = add_product(turning[i] * turning[i], inverse_moments[i], sum);
+    return sum;
+  }
+};
+
+LaneSoftness load_softness(const LaneMatrix& rotation, const LanePointers<const state::Inertia<3>>& bodies) {
+  const auto n = load_quad(bodies, 4);  // after the orientation
+  return {rotation, {{n[0], n[1], n[2]}}, 1.0 / n[3]};
+}
+
+/// Force on the second body and its moments about both centres, as PairForce has them.
+struct LanePairForce {
+  LaneVector first_moment, linear, second_moment;
+
+  LanePairForce(const LaneVector& arm, const LaneVector& other_arm, const LaneVector& force)
+      : first_moment(cross(force, arm)), linear(force), second_moment(cross(other_arm, force)) {}
+};
+
+struct LaneContactForce {
+  LanePairForce total, dashpot, friction;
+  Lanes unused{};
+
+  void store(const LanePointers<ContactForce>& to) const {
+    static_assert(sizeof(LaneContactForce) == lane_count * sizeof(ContactForce));
+    store_records(std::bit_cast<std::array<Lanes, 28>>(*this), to);
+  }
+};
+
+}  // namespace
+
+/// Members of the batch, one in each lane; idle lanes repeat the first.
+struct ContactBatch::InLanes {
+  LanePointers<SpherePair> spheres;
+  LanePointers<const Pair> pairs;
+  LanePointers<const ContactSphere> first_sphere, second_sphere;
+  LanePointers<const state::Motion<3>> first, second;
+
+  LaneTouch touch(const LanePlaces& first_place, const LanePlaces& second_place) const {
+    return blocks::touch(load_spheres(first_sphere), load_spheres(second_sphere), first_place, second_place);
+  }
+};
+
+void ContactBatch::clear() {
+  pairs_.clear();
+  may_touch_.clear();
+  touching_.clear();
+  forces_.clear();
+}
+
+void ContactBatch::evaluate(const laws::SphereContact& law, const ContactSurface& surface) {
+  find_touching(surface);
+  forces_.resize(touching_.size());
+  for (std::size_t i = 0; i < touching_.size(); i += lane_count) {
+    const std::size_t count = std::min<std::size_t>(lane_count, touching_.size() - i);
+    push(law, in_lanes(std::span(touching_).subspan(i, count), surface), std::span(forces_).subspan(i, count));
+  }
+}
+
+ContactForce ContactBatch::force(const Pair& pair) const {
+  ContactForce sum;
+  for (const ContactForce& each : std::span(forces_).subspan(pair.first_touch, pair.touching)) sum += each;
+  return sum;
+}
+
+ContactBatch::InLanes ContactBatch::in_lanes(std::span<const Member> members, const ContactSurface& surface) const {
+  InLanes lanes;
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    const Member member = members[lane < members.size() ? lane : 0];
+    lanes.spheres[lane] = member.spheres;
+    lanes.pairs[lane] = &pairs_[member.pair];
+    lanes.first_sphere[lane] = &surface.sphere(member.spheres->first);
+    lanes.second_sphere[lane] = &surface.sphere(member.spheres->second);
+    lanes.first[lane] = &pairs_[member.pair].first.motion;
+    lanes.second[lane] = &pairs_[member.pair].second.motion;
+  }
+  return lanes;
+}
+
+[[gnu::flatten]] void ContactBatch::find_touching(const ContactSurface& surface) {
+  for (std::size_t i = 0; i < may_touch_.size(); i += lane_count) {
+    const auto members = std::span(may_touch_).subspan(i, std::min<std::size_t>(lane_count, may_touch_.size() - i));
+    const InLanes lanes = in_lanes(members, surface);
+    const Lanes overlap = lanes.touch(load_places(lanes.first), load_places(lanes.second)).overlap;
+    for (std::size_t lane = 0; lane < members.size(); ++lane) keep_if_touching(members[lane], overlap[static_cast<int>(lane)]);
+  }
+}
+
+void ContactBatch::keep_if_touching(const Member& member, Real overlap) {
+  SpherePair& spheres = *member.spheres;
+  Pair& pair = pairs_[member.pair];
+  pair.overlap = pair.overlap || overlap > 0;
+  if (overlap < spheres.rest) spheres.rest = std::max(overlap, Real{0});
+  if (!(overlap > spheres.rest)) {
+    spheres.memory = {};
+    return;
+  }
+  if (pair.touching++ == 0) pair.first_touch = touching_.size();
+  touching_.push_back(member);
+}
+
+/// Forces of the members in the lanes, and what they remember.
+[[gnu::flatten]] void ContactBatch::push(const laws::SphereContact& law, const InLanes& members,
+                                         std::span<ContactForce> forces) const {
+  static_assert(offsetof(SpherePair, rest) == sizeof(Real) && offsetof(SpherePair, memory) == 3 * sizeof(Real));
+  LanePointers<const state::Inertia<3>> first_inertia, second_inertia;
+  LanePointers<ContactForce> to;
+  laws::SphereMotionOf<Lanes> shared;
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    const Pair& pair = *members.pairs[lane];
+    const int i = static_cast<int>(lane);
+    first_inertia[lane] = &pair.first.inertia;
+    second_inertia[lane] = &pair.second.inertia;
+    to[lane] = &forces[lane < forces.size() ? lane : 0];
+    shared.contacts[i] = static_cast<Real>(pair.touching);
+    shared.step[i] = std::max(pair.due.acting, 2 * pair.due.ahead);
+    shared.elapsed[i] = pair.due.acting;
+  }
+  const LanePlaces first = load_places(members.first), second = load_places(members.second);
+  const LaneTouch at = members.touch(first, second);
+  const LaneVector arm = at.point - first.position, other_arm = at.point - second.position;
+  const LaneVelocities mine = load_velocities(members.first), theirs = load_velocities(members.second);
+  const LaneVector opening = add_cross(theirs.spin, other_arm, theirs.velocity) - add_cross(mine.spin, arm, mine.velocity);
+  const LaneSoftness soft = load_softness(first.rotation, first_inertia),
+                     other_soft = load_softness(second.rotation, second_inertia);
+  shared.overlap = at.overlap - load_quad(members.spheres, 0)[1];
+  const auto known = load_quad(members.spheres, 3);
+  laws::SphereMemoryOf<Lanes> memory{known[0], {{known[1], known[2], known[3]}}};
+  const auto force = force_at(
+      law, at.normal, opening, [&](const LaneVector& along) { return soft(arm, along) + other_soft(other_arm, along); }, shared,
+      memory);
+  const LaneVector &friction = memory.friction, dashpot = force.dashpot * at.normal;
+  store_quad({memory.dashpot, friction[0], friction[1], friction[2]}, members.spheres, 3);
+  const LaneVector total = add_product(force.elastic, at.normal, dashpot + force.friction);
+  LaneContactForce{{arm, other_arm, total}, {arm, other_arm, dashpot}, {arm, other_arm, force.friction}}.store(to);
+}
+
+}  // namespace sazare::methods::blocks
