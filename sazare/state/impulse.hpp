@@ -27,20 +27,4 @@ struct alignas(64) MeanMotion {
   Angular<D> spin;
 };
 
-/// A force, or an impulse, on one body and its moment about the centre of mass.
-template <int D>
-struct Wrench {
-  Vector<D> linear = Vector<D>::Zero();
-  Angular<D> angular = Angular<D>::Zero();
-
-  Real power(const MeanMotion<D>& mean) const { return linear.dot(mean.velocity) + angular.dot(mean.spin); }
-
-  Wrench& operator+=(const Wrench& other) {
-    linear += other.linear;
-    angular += other.angular;
-    return *this;
-  }
-  friend Wrench operator*(Real factor, const Wrench& wrench) { return {factor * wrench.linear, factor * wrench.angular}; }
-};
-
 }  // namespace sazare::state

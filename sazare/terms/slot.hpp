@@ -16,7 +16,6 @@ namespace sazare::terms {
 
 using state::Impulse;
 using state::MeanMotion;
-using state::Wrench;
 
 /// Action and reaction: `linear` is the force on the second body, minus it that on the first; each moment is about the
 /// centre of its own body.
@@ -30,8 +29,13 @@ struct PairForce {
   Force linear = Force::Zero();           ///< [N]
   Moment second_moment = Moment::Zero();  ///< [N m]
 
-  Wrench<D> on_first() const { return {-linear.template cast<Real>(), first_moment.template cast<Real>()}; }
-  Wrench<D> on_second() const { return {linear.template cast<Real>(), second_moment.template cast<Real>()}; }
+  /// Power on a body that moves so [W].
+  Real power_on_first(const MeanMotion<D>& mean) const {
+    return product(first_moment, mean.spin) - product(linear, mean.velocity);
+  }
+  Real power_on_second(const MeanMotion<D>& mean) const {
+    return product(second_moment, mean.spin) + product(linear, mean.velocity);
+  }
 
   template <class Other>
   PairForce<D, Other> as() const {
@@ -56,6 +60,15 @@ struct PairForce {
     first_moment -= moment(first_arm, force);
     linear += force;
     second_moment += moment(second_arm, force);
+  }
+
+private:
+  /// Number by number: vectors of converted ones would wait for one another in memory.
+  template <class Any, class Vector>
+  static Real product(const Any& a, const Vector& b) {
+    Real sum = 0;
+    for (int i = 0; i < b.size(); ++i) sum += static_cast<Real>(a[i]) * b[i];
+    return sum;
   }
 };
 

@@ -143,8 +143,8 @@ struct SlotTable {
     const auto& of = (*this)[slot];
     std::array<Real, Parts> work;
     for (std::size_t p = 0; p < Parts; ++p) {
-      work[p] = of.part[p].on_first().power(at.ahead[static_cast<std::size_t>(link.first)]);
-      if (link.second != Link::outside) work[p] += of.part[p].on_second().power(at.ahead[static_cast<std::size_t>(link.second)]);
+      work[p] = of.part[p].power_on_first(at.ahead[static_cast<std::size_t>(link.first)]);
+      if (link.second != Link::outside) work[p] += of.part[p].power_on_second(at.ahead[static_cast<std::size_t>(link.second)]);
       work[p] *= of.ahead;
     }
     return work;

@@ -41,7 +41,7 @@ TEST(kick, the_impulse_times_the_mean_motion_is_the_energy_gained) {
   given.linear = {1, 2, 4};
   given.angular = {-1, 0.5, 0.25};
   const auto mean = kick<3>(bodies.motion[0], bodies.inertia[0], {}, given);
-  const Real work = state::Wrench<3>{given.linear, given.angular}.power(mean);
+  const Real work = given.linear.dot(mean.velocity) + given.angular.dot(mean.spin);
   EXPECT_NEAR(energy(bodies) - before, work, 1e-14 * work);
 }
 
@@ -57,7 +57,7 @@ TEST(kick, in_the_plane_too) {
   const auto mean = kick<2>(bodies.motion[0], bodies.inertia[0], {}, given);
   EXPECT_EQ(bodies.motion[0].velocity, Vector<2>(1.5, -1));
   EXPECT_EQ(bodies.motion[0].angular_momentum[0], 0.75);
-  const Real work = state::Wrench<2>{given.linear, given.angular}.power(mean);
+  const Real work = given.linear.dot(mean.velocity) + given.angular.dot(mean.spin);
   EXPECT_NEAR(energy(bodies) - before, work, 1e-14);
 }
 

@@ -31,6 +31,15 @@ struct OneLink {
   }
 };
 
+TEST(slot, power_on_both_bodies_is_that_of_the_force_at_its_points) {
+  const Vector3 arm(0.3, -0.2, 0.5), other_arm(-0.1, 0.4, 0.2), force(1, 2, -3);
+  PairForce<3> pair;
+  pair.add_at(arm, other_arm, force);
+  const MeanMotion<3> motion{{0.1, 0.2, 0.3}, {-1, 0.5, 2}};
+  EXPECT_NEAR(pair.power_on_first(motion), -force.dot(motion.velocity + turned(motion.spin, arm)), 1e-15);
+  EXPECT_NEAR(pair.power_on_second(motion), force.dot(motion.velocity + turned(motion.spin, other_arm)), 1e-15);
+}
+
 TEST(slot, the_mean_is_that_of_the_last_two_forces_from_the_first_one_on) {
   OneLink link;
   link.evaluate(0, 8, 0.1, 0.1);
