@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "sazare/core/version.hpp"
 #include "sazare/observe/atomic_file.hpp"
 #include "sazare/observe/hash.hpp"
 #include "sazare/parallel/threads.hpp"
@@ -42,6 +43,15 @@ Machine this_machine() { return {cpu_model(), static_cast<int>(std::thread::hard
 std::string time_of_day() {
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
+}
+
+Manifest new_manifest() {
+  Manifest manifest;
+  manifest.version = version;
+  manifest.commit = commit;
+  manifest.started = time_of_day();
+  manifest.machine = this_machine();
+  return manifest;
 }
 
 void write_manifest(const std::filesystem::path& file, const Manifest& manifest) {

@@ -43,6 +43,9 @@ struct Manifest {
   std::vector<std::pair<std::string, Real>> peak_particle_velocity;  ///< `ppv` in the results, by gauge [m/s]
 };
 
+/// Of a run of this program on this machine that starts now.
+Manifest new_manifest();
+
 /// Writes the manifest as JSON, atomically. Numbers that are not finite become null. Throws MachineError.
 void write_manifest(const std::filesystem::path& file, const Manifest& manifest);
 

@@ -38,7 +38,6 @@
 #include "sazare/cases/case_file.hpp"
 #include "sazare/cases/number_text.hpp"
 #include "sazare/core/error.hpp"
-#include "sazare/core/version.hpp"
 #include "sazare/coupling/file_exchange.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "sazare/runs/checkpoint_archive.hpp"
@@ -56,12 +55,8 @@ class CaseRun final : public LiveRun {
 public:
   /// The case must outlive the run.
   CaseRun(const cases::CaseFile& file, const RunOptions& options) : options_(options), work_(file, options_) {
-    manifest_.version = version;
-    manifest_.commit = commit;
     manifest_.case_title = work_.title();
     manifest_.method = work_.method();
-    manifest_.started = observe::time_of_day();
-    manifest_.machine = observe::this_machine();
     if (options.sharing.ranks != nullptr) manifest_.machine.ranks = options.sharing.ranks->size();
     if (is_writer(options)) fmt::print(stderr, "{}", work_.warning());
     work_.times.add(RunTimes::Part::setup, work_.times.now());
@@ -325,7 +320,7 @@ private:
 
   RunOptions options_;
   Work work_;
-  observe::Manifest manifest_;
+  observe::Manifest manifest_ = observe::new_manifest();
   Clock::time_point next_checkpoint_, next_flush_;
   std::int64_t checkpoint_step_ = -1;
   bool is_pushed_ = false;  ///< by forces from outside

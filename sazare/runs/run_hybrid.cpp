@@ -174,13 +174,10 @@ struct HybridWork {
   void write_rank_times() {}
 
   void write_manifests(const std::string& status) {
-    observe::Manifest manifest;
-    manifest.version = version;
-    manifest.commit = commit;
+    observe::Manifest manifest = observe::new_manifest();
     manifest.status = status;
     manifest.started = started;
     manifest.finished = status == "done" ? observe::time_of_day() : "";
-    manifest.machine = observe::this_machine();
     record.write_manifests(manifest, step(), times.now());
   }
 };

@@ -197,15 +197,12 @@ private:
   }
 
   void write_manifest(const std::string& status) const {
-    observe::Manifest manifest;
-    manifest.version = version;
-    manifest.commit = commit;
+    observe::Manifest manifest = observe::new_manifest();
     manifest.case_title = study_.title;
     manifest.method = "study";
     manifest.status = status;
     manifest.started = started_;
     manifest.finished = status == "running" ? "" : observe::time_of_day();
-    manifest.machine = observe::this_machine();
     manifest.machine.threads = options_.threads;
     manifest.results = {{"cases", static_cast<std::int64_t>(study_.size())},
                         {"cases_done", static_cast<std::int64_t>(rows_.size())},

@@ -25,7 +25,7 @@ struct ForceMoment {
     moment += factor * other.moment;
   }
 
-  /// To eight numbers: force, moment, zeros.
+  /// To eight numbers, in the plane to four: force, moment, zeros.
   void store(Real* numbers) const {
     four(numbers) = head();
     if constexpr (D == 3) four(numbers + 4) = tail();
