@@ -29,9 +29,7 @@ laws::SphereContact contact_law(const cases::Contact& contact) {
 }
 
 /// Which part of w^2 h^2 + 2 c h = 4 is the larger one.
-bool is_bound_by_dashpots(const terms::Rates& rates, Real step) {
-  return 2 * rates.damping > rates.stiffness * step;
-}
+bool is_bound_by_dashpots(const terms::Rates& rates, Real step) { return 2 * rates.damping > rates.stiffness * step; }
 
 /// What every element's step may be, with its neighbours held.
 void find_stable_steps(const Terms& terms, Index bodies, BlocksModel& model) {

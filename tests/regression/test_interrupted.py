@@ -9,7 +9,7 @@ import pytest
 from conftest import DONE, MACHINE_FAILED, ROOT, USER_ERROR, manifest, rows_without_wall_time
 
 OFTEN = "output.checkpoint_interval=0.02"
-LATER = "time.end=8e-4"
+LATER = "time.end=1.6e-3"
 
 
 def assert_same_results(whole, parts):
