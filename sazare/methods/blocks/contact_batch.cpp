@@ -38,7 +38,9 @@ struct LaneSoftness {
 };
 
 LaneSoftness load_softness(const LaneMatrix& rotation, const LanePointers<const state::Inertia<3>>& bodies) {
-  const auto n = load_quad(bodies, 4);  // after the orientation
+  static_assert(offsetof(state::Inertia<3>, inverse_moments) == 4 * sizeof(Real) &&
+                offsetof(state::Inertia<3>, mass) == 7 * sizeof(Real));
+  const auto n = load_quad(bodies, 4);
   return {rotation, {{n[0], n[1], n[2]}}, 1.0 / n[3]};
 }
 
