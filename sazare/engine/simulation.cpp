@@ -45,8 +45,8 @@ Simulation<D>::Simulation(state::Bodies<D> bodies, TermList<D> terms, const Step
   }
   ExactSum kinetic;
   for (Index body = 0; body < bodies_.size(); ++body)
-    kinetic += motion::kinetic_energy(bodies_.motion[at(body)], bodies_.inertia[at(body)], bodies_.locks[at(body)],
-                                      bodies_.motion[at(body)].velocity, bodies_.motion[at(body)].angular_momentum);
+    kinetic += motion::kinetic_energy<D>(bodies_.motion[at(body)].rotation, bodies_.inertia[at(body)], bodies_.locks[at(body)],
+                                         bodies_.motion[at(body)].velocity, bodies_.motion[at(body)].angular_momentum);
   kinetic_at_start_ = kinetic.value();
 }
 

@@ -84,13 +84,14 @@ terms::Books Simulation<D>::books(const Snapshot<D>& at_now, const distribute::R
   terms::book_ranges(ahead.size(), serial_below, books, [&](std::size_t begin, std::size_t end, terms::Books& part) {
     for (std::size_t body = begin; body < end; ++body) {
       const auto& motion = bodies_.motion[body];
-      const auto inverse = motion::inverse_inertia(at_now.pose[body].rotation, bodies_.inertia[body], bodies_.locks[body]);
+      const auto& inertia = bodies_.inertia[body];
+      const Rotation<D>& rotation = at_now.pose[body].rotation;
       const Vector<D>& velocity = at_now.velocity[body];
       const Angular<D>& momentum = at_now.angular_momentum[body];
-      const Angular<D> mean_momentum = 0.5 * (motion.angular_momentum + momentum), spin = inverse * momentum;
-      ahead[body] = {0.5 * (motion.velocity + velocity), inverse * mean_momentum};
+      const Angular<D> mean_momentum = 0.5 * (motion.angular_momentum + momentum);
+      ahead[body] = {0.5 * (motion.velocity + velocity), motion::spin_of(rotation, inertia, bodies_.locks[body], mean_momentum)};
       if (shared != nullptr && !shared->owns(static_cast<Index>(body))) continue;
-      part[terms::Account::kinetic] += 0.5 * (bodies_.inertia[body].mass * velocity.squaredNorm() + momentum.dot(spin));
+      part[terms::Account::kinetic] += motion::kinetic_energy<D>(rotation, inertia, bodies_.locks[body], velocity, momentum);
       for (std::size_t cause = 0; cause < terms::cause_count; ++cause)
         terms::book(static_cast<terms::Cause>(cause), work_[body][cause], part);
     }

@@ -56,20 +56,6 @@ Matrix3 inverse_inertia(const Rotation<3>& rotation, const state::Inertia<3>& in
   return free;
 }
 
-Vector<1> inverse_inertia(const Rotation<2>&, const state::Inertia<2>& inertia, state::Locks locks) {
-  return Vector<1>(locks.rotation != 0 ? 0 : inertia.inverse_moments[0]);
-}
-
-Vector3 spin_of(const state::Motion<3>& motion, const state::Inertia<3>& inertia, state::Locks locks,
-                const Vector3& angular_momentum) {
-  return inverse_inertia(motion.rotation, inertia, locks) * angular_momentum;
-}
-
-Angular<2> spin_of(const state::Motion<2>&, const state::Inertia<2>& inertia, state::Locks locks,
-                   const Angular<2>& angular_momentum) {
-  return locks.rotation != 0 ? Angular<2>::Zero() : Angular<2>(inertia.inverse_moments[0] * angular_momentum[0]);
-}
-
 template <int D>
 void clear_locked(state::Impulse<D>& given, state::Locks locks) {
   if (!locks.any()) return;
@@ -88,7 +74,7 @@ state::MeanMotion<D> kick(state::Motion<D>& motion, const state::Inertia<D>& ine
   motion.velocity += gained;
   const Angular<D> before = motion.angular_momentum;
   motion.angular_momentum += given.angular;
-  mean.spin = spin_of(motion, inertia, locks, before + 0.5 * given.angular);
+  mean.spin = spin_of(motion.rotation, inertia, locks, before + 0.5 * given.angular);
   return mean;
 }
 
@@ -96,7 +82,7 @@ template <int D>
 void foresee(state::Motion<D>& motion, const state::Inertia<D>& inertia, state::Locks locks, state::Impulse<D> given) {
   clear_locked(given, locks);
   motion.foreseen_velocity = motion.velocity + (1 / inertia.mass) * given.linear_lead;
-  motion.foreseen_spin = spin_of(motion, inertia, locks, motion.angular_momentum + given.angular_lead);
+  motion.foreseen_spin = spin_of(motion.rotation, inertia, locks, motion.angular_momentum + given.angular_lead);
 }
 
 template <>
@@ -113,7 +99,7 @@ void drift<3>(state::Motion<3>& motion, state::Inertia<3>& inertia, state::Locks
 template <>
 void drift<2>(state::Motion<2>& motion, state::Inertia<2>& inertia, state::Locks locks, Tick due, Real seconds) {
   motion.position += seconds * motion.velocity;
-  motion.spin = spin_of(motion, inertia, locks, motion.angular_momentum);
+  motion.spin = spin_of(motion.rotation, inertia, locks, motion.angular_momentum);
   rotate(motion, inertia, seconds);
   motion.last_kick = motion.due;
   motion.due = due;

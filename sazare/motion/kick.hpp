@@ -39,21 +39,27 @@ void foresee(state::Motion<D>& motion, const state::Inertia<D>& inertia, state::
 template <int D>
 void drift_back(state::Motion<D>& motion, state::Inertia<D>& inertia, const Moment& now);
 
-/// Angular velocity [rad/s] that belongs to an angular momentum in the body's present place.
-Vector3 spin_of(const state::Motion<3>& motion, const state::Inertia<3>& inertia, state::Locks locks,
-                const Vector3& angular_momentum);
-Angular<2> spin_of(const state::Motion<2>& motion, const state::Inertia<2>& inertia, state::Locks locks,
-                   const Angular<2>& angular_momentum);
-
 /// What turns an angular momentum into the spin, where a body has this rotation.
 Matrix3 inverse_inertia(const Rotation<3>& rotation, const state::Inertia<3>& inertia, state::Locks locks);
-Vector<1> inverse_inertia(const Rotation<2>& rotation, const state::Inertia<2>& inertia, state::Locks locks);
 
-/// Kinetic energy [J] of a velocity and an angular momentum.
+/// Angular velocity [rad/s] that belongs to an angular momentum, where a body has this rotation.
+inline Vector3 spin_of(const Rotation<3>& rotation, const state::Inertia<3>& inertia, state::Locks locks,
+                       const Vector3& angular_momentum) {
+  if (locks.rotation != 0) return inverse_inertia(rotation, inertia, locks) * angular_momentum;
+  const Vector3 own = rotation.transpose() * angular_momentum;
+  return rotation * inertia.inverse_moments.cwiseProduct(own);
+}
+inline Angular<2> spin_of(const Rotation<2>&, const state::Inertia<2>& inertia, state::Locks locks,
+                          const Angular<2>& angular_momentum) {
+  return Angular<2>(locks.rotation != 0 ? 0 : inertia.inverse_moments[0] * angular_momentum[0]);
+}
+
+/// Kinetic energy [J] of a velocity and an angular momentum, where a body has this rotation.
 template <int D>
-Real kinetic_energy(const state::Motion<D>& motion, const state::Inertia<D>& inertia, state::Locks locks,
-                    const Vector<D>& velocity, const Angular<D>& angular_momentum) {
-  return 0.5 * (inertia.mass * velocity.squaredNorm() + angular_momentum.dot(spin_of(motion, inertia, locks, angular_momentum)));
+Real kinetic_energy(const Rotation<D>& rotation, const state::Inertia<D>& inertia, state::Locks locks, const Vector<D>& velocity,
+                    const Angular<D>& angular_momentum) {
+  const Angular<D> spin = spin_of(rotation, inertia, locks, angular_momentum);
+  return 0.5 * (inertia.mass * velocity.squaredNorm() + angular_momentum.dot(spin));
 }
 
 }  // namespace sazare::motion

@@ -163,8 +163,8 @@ private:
     say(fmt::format("{}: {}", work_.title(), work_.words()));
     if (writes()) work_.record.begin();
     if (!work_.start()) return false;
+    save_state();  // before the first row: to wait until that is on the disk takes longer than all of this
     observe();
-    save_checkpoint();
     return true;
   }
 
@@ -182,6 +182,7 @@ private:
     if (writes()) work_.record.resume();
     checkpoint_step_ = work_.step();
     write_manifest("running");
+    observe();
     say(fmt::format("{}: resumed at t = {} s of {} s", work_.title(), cases::short_number(time()),
                     cases::short_number(work_.clocks.end)));
   }
@@ -224,7 +225,8 @@ private:
   }
 
   void observe() {
-    if (!work_.clocks.is_row(work_.step())) return;
+    if (!work_.clocks.is_row(work_.step()) || observed_step_ == work_.step()) return;
+    observed_step_ = work_.step();
     const Real before = work_.times.now();
     if constexpr (requires { work_.survey(); }) work_.survey();
     if (!writes()) return;
@@ -254,8 +256,13 @@ private:
     if (done) work_.folder.remove_checkpoint();
   }
 
-  /// Never of a state that is no number: the last good checkpoint stays.
   void save_checkpoint() {
+    save_state();
+    write_manifest("running");
+  }
+
+  /// Never of a state that is no number: the last good checkpoint stays.
+  void save_state() {
     work_.record.check_motion(time());
     const Real before = work_.times.now();
     work_.collect();
@@ -269,13 +276,13 @@ private:
     if constexpr (requires { work_.checkpoint_made(); }) work_.checkpoint_made();
     checkpoint_step_ = work_.step();
     work_.times.add(RunTimes::Part::checkpoints, work_.times.now() - before);
-    write_manifest("running");
   }
 
   void columns(Archive& archive) {
     archive.folder("times", [&] { work_.times.columns(archive, work_.part_times()); });
     archive.folder("record", [&] { work_.record.columns(archive); });
     work_.columns(archive);
+    archive("observed_step", observed_step_);
     std::int64_t was_pushed = is_pushed_ ? 1 : 0;
     archive("was_pushed", was_pushed);
     if (was_pushed != 0 && !is_pushed_)
@@ -323,7 +330,8 @@ private:
   observe::Manifest manifest_ = observe::new_manifest();
   Clock::time_point next_checkpoint_, next_flush_;
   std::int64_t checkpoint_step_ = -1;
-  bool is_pushed_ = false;  ///< by forces from outside
+  std::int64_t observed_step_ = -1;  ///< of the latest row
+  bool is_pushed_ = false;           ///< by forces from outside
 };
 
 }  // namespace sazare::runs

@@ -24,10 +24,8 @@ Vector3 PlacedElement::turned(const Vector3& start) const {
 }
 
 Vector3 point_velocity(const state::Bodies<3>& bodies, const engine::Snapshot<3>& now, Index element, const Vector3& start) {
-  state::Motion<3> motion = bodies.motion[at(element)];
-  motion.rotation = now.pose[at(element)].rotation;
-  const Vector3 spin =
-      motion::spin_of(motion, bodies.inertia[at(element)], bodies.locks[at(element)], now.angular_momentum[at(element)]);
+  const Vector3 spin = motion::spin_of(now.pose[at(element)].rotation, bodies.inertia[at(element)], bodies.locks[at(element)],
+                                       now.angular_momentum[at(element)]);
   return now.velocity[at(element)] + spin.cross(PlacedElement(bodies, now, element).arm(start));
 }
 

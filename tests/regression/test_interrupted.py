@@ -9,7 +9,7 @@ import pytest
 from conftest import DONE, MACHINE_FAILED, ROOT, USER_ERROR, manifest, rows_without_wall_time
 
 OFTEN = "output.checkpoint_interval=0.02"
-LATER = "time.end=1.6e-3"
+LATER = "time.end=4e-3"
 
 
 def assert_same_results(whole, parts):
@@ -59,6 +59,21 @@ def test_killed_again_and_again(sazare, tmp_path, whole):
         assert process.returncode == DONE
         break
     assert kills > 3
+    assert_same_results(whole, parts)
+
+
+def test_killed_before_its_first_row(sazare, tmp_path, whole):
+    """The checkpoint of the beginning comes before any row, and no other follows."""
+    parts = tmp_path / "parts"
+    seldom = ["--set", "output.checkpoint_interval=1000"]
+    process = start(sazare, parts, *seldom)
+    wait_for(parts / "checkpoint" / "state.h5")
+    process.send_signal(signal.SIGKILL)
+    process.communicate()
+    resumed = start(sazare, parts, "--resume", *seldom)
+    out, words = resumed.communicate(timeout=120)
+    assert resumed.returncode == DONE, words
+    assert "resumed at t = 0 s" in out
     assert_same_results(whole, parts)
 
 

@@ -11,7 +11,7 @@ from conftest import DONE, MACHINE_FAILED, MPI_ENVIRONMENT, USER_ERROR, Sazare, 
 
 OFTEN = "output.checkpoint_interval=0.02"
 LATER = "time.end=4e-4"
-LONG = ("--set", "time.end=4e-3")  # seconds: whoever interrupts it comes before its end
+LONG = ("--set", "time.end=1.2e-2")  # seconds: whoever interrupts it comes before its end
 
 
 def block_run(sazare, folder, *options, threads=1):

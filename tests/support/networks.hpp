@@ -56,7 +56,7 @@ Network<D> ladder() {
     auto& motion = made.bodies.motion[static_cast<std::size_t>(body)];
     motion.velocity = vector_of<D>(0.1 * body - 0.2, 0.1 - 0.05 * body, 0.05 * body);
     motion.angular_momentum.setConstant(0.005 * (body - 2));
-    motion.spin = motion::spin_of(motion, made.bodies.inertia[static_cast<std::size_t>(body)], {}, motion.angular_momentum);
+    motion.spin = motion::spin_of(motion.rotation, made.bodies.inertia[static_cast<std::size_t>(body)], {}, motion.angular_momentum);
     motion.foreseen_velocity = motion.velocity;
     motion.foreseen_spin = motion.spin;
   }

@@ -27,7 +27,7 @@ struct Spun {
 };
 
 Real energy(const state::Bodies<3>& bodies) {
-  return kinetic_energy<3>(bodies.motion[0], bodies.inertia[0], {}, Vector3::Zero(), bodies.motion[0].angular_momentum);
+  return kinetic_energy<3>(bodies.motion[0].rotation, bodies.inertia[0], {}, Vector3::Zero(), bodies.motion[0].angular_momentum);
 }
 
 /// Spins freely for four seconds, more than one tumble.

@@ -17,7 +17,7 @@ state::Bodies<3> moving_body() {
 template <int D>
 Real energy(const state::Bodies<D>& bodies) {
   const auto& motion = bodies.motion[0];
-  return kinetic_energy<D>(motion, bodies.inertia[0], bodies.locks[0], motion.velocity, motion.angular_momentum);
+  return kinetic_energy<D>(motion.rotation, bodies.inertia[0], bodies.locks[0], motion.velocity, motion.angular_momentum);
 }
 
 TEST(kick, changes_the_momenta_by_the_impulse) {
@@ -73,7 +73,7 @@ TEST(foresee, the_velocity_follows_what_the_momentum_gains) {
 TEST(foresee, the_spin_follows_likewise) {
   auto bodies = moving_body();
   auto& motion = bodies.motion[0];
-  const Vector3 spin = spin_of(motion, bodies.inertia[0], {}, motion.angular_momentum);
+  const Vector3 spin = spin_of(motion.rotation, bodies.inertia[0], {}, motion.angular_momentum);
   const Vector3 torque = motion.rotation * Vector3(0, 4, 0);  // about the second principal axis, 2 kg m2
   state::Impulse<3> given;
   given.angular_lead = 0.3 * torque;

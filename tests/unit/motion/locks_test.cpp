@@ -53,7 +53,7 @@ TEST(locks, the_free_axis_answers_with_its_own_moment_of_inertia) {
   auto bodies = locked_body(out_of_plane);
   const auto& motion = bodies.motion[0];
   const Matrix3 tensor = motion.rotation * Vector3(1, 2, 2.5).asDiagonal() * motion.rotation.transpose();
-  const Vector3 spin = spin_of(motion, bodies.inertia[0], out_of_plane, {0, 0, 0.7});
+  const Vector3 spin = spin_of(motion.rotation, bodies.inertia[0], out_of_plane, {0, 0, 0.7});
   EXPECT_NEAR(spin.z(), 0.7 / tensor(2, 2), 1e-14);
   EXPECT_EQ(spin.head<2>(), Vector<2>(0, 0));
 }
@@ -63,7 +63,7 @@ TEST(locks, the_impulse_times_the_mean_motion_is_still_the_energy_gained) {
   auto& motion = bodies.motion[0];
   const state::Impulse<3> given = from_all_sides();
   const auto mean = kick<3>(motion, bodies.inertia[0], out_of_plane, given);
-  const Real gained = kinetic_energy<3>(motion, bodies.inertia[0], out_of_plane, motion.velocity, motion.angular_momentum);
+  const Real gained = kinetic_energy<3>(motion.rotation, bodies.inertia[0], out_of_plane, motion.velocity, motion.angular_momentum);
   EXPECT_NEAR(given.linear.dot(mean.velocity) + given.angular.dot(mean.spin), gained, 1e-14);
 }
 
