@@ -123,14 +123,15 @@ void Snapshots::resume(std::size_t count) {
 void Snapshots::write(Real time, engine::Snapshot<3> now, const FragmentMap& fragments) {
   finish_writing();
   release(now.angular_momentum);
-  Picture picture{time, std::move(now), {}, fragments.of_element, {}};
+  Picture taken{time, std::move(now), {}, fragments.of_element, {}};
   const Index elements = model_->simulation->bodies().size(), joints = model_->joints->count();
-  picture.level.reserve(at(elements));
-  picture.state.reserve(at(joints));
+  taken.level.reserve(at(elements));
+  taken.state.reserve(at(joints));
   for (Index element = 0; element < elements; ++element)
-    picture.level.push_back(static_cast<std::int8_t>(model_->simulation->levels().level(element)));
-  for (Index joint = 0; joint < joints; ++joint) picture.state.push_back(model_->joints->state(joint));
-  writing_ = std::async(std::launch::async, [this, picture = std::move(picture)] {
+    taken.level.push_back(static_cast<std::int8_t>(model_->simulation->levels().level(element)));
+  for (Index joint = 0; joint < joints; ++joint) taken.state.push_back(model_->joints->state(joint));
+  writing_ = std::async(std::launch::async, [this, taken = std::move(taken)]() mutable {
+    const Picture picture = std::move(taken);  // goes when it is written, not when the next one comes
     write_elements(picture);
     write_joints(picture);
     elements_.sync_early();

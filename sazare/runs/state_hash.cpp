@@ -29,8 +29,12 @@ std::uint64_t state_hash(const BlocksModel& model) {
   });
   hash.add_pieces([&](observe::PieceHash& memory) {
     for (Index joint = 0; joint < model.joints->count(); ++joint) {
-      const methods::blocks::JointReport report = model.joints->report(joint);
-      add(memory, std::array{static_cast<Real>(report.state), report.opening, report.slip});
+      const methods::blocks::JointRecord& record = model.joints->record(joint);
+      add(memory, std::array{static_cast<Real>(record.state)});
+      for (const auto& [corner, peak] : record.vertex) {
+        add(memory, corner);
+        add(memory, std::array{peak});
+      }
     }
   });
   return hash.value();

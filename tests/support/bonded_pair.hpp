@@ -25,7 +25,7 @@ public:
   state::Bodies<3>& bodies() { return bodies_; }
   methods::blocks::Joints& joints() { return joints_; }
   /// Of the face, as its joint has it [m2].
-  Real area() const { return joints_.report(0).area; }
+  Real area() const { return methods::blocks::vertex_count * Real{joints_.record(0).vertex_area}; }
   const Vector3& start() const { return bodies_.start[1]; }
 
 private:

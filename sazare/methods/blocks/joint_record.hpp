@@ -67,9 +67,8 @@ std::array<Vector, 3> face_axes(const Vector& n, const Number& tilt) {
 
 /// What a joint has taken for good.
 struct JointLosses {
-  Real slip_work = 0;                                    ///< [J]
-  Real released = 0;                                     ///< elastic energy when the face came apart [J]
-  std::array<std::array<Real, 2>, vertex_count> slip{};  ///< u_0 by vertex [m]
+  Real slip_work = 0;  ///< [J]
+  Real released = 0;   ///< elastic energy when the face came apart [J]
 };
 
 /// Joints in lanes; `Record` is a JointRecord, const or not. Each part is read where it is needed: all of it together would not

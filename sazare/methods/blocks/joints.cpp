@@ -169,10 +169,8 @@ void Joints::note_changes(std::span<const Due> due, const JointChange& change) {
     JointLosses& losses = losses_[at(due[lane].link)];
     if (change.slipped[i] != 0)
       for (std::size_t v = 0; v < vertex_count; ++v)
-        for (std::size_t axis = 0; axis < 2; ++axis) {
+        for (std::size_t axis = 0; axis < 2; ++axis)
           joint.vertex[v].corner[static_cast<int>(axis) + 1] += change.slip[v][axis][i];
-          losses.slip[v][axis] += change.slip[v][axis][i];
-        }
     losses.slip_work += change.slip_work[i];
     if (change.softened[i] == 0) continue;
     for (int v = 0; v < vertex_count; ++v) joint.vertex[at(v)].peak = change.peak[v][i];
@@ -217,14 +215,6 @@ bool Joints::bonded(Index first, Index second) const {
     if (links_[at(joint)].first == second || links_[at(joint)].second == second) return true;
   }
   return false;
-}
-
-JointReport Joints::report(Index joint) const {
-  const JointRecord& record = records_[at(joint)];
-  JointReport report{record.master, record.slave, record.kind, record.state, vertex_count * Real{record.vertex_area}, 0, 0};
-  for (const auto& vertex : record.vertex) report.opening = std::max(report.opening, vertex.peak);
-  for (const auto& [y, z] : losses_[at(joint)].slip) report.slip = std::max(report.slip, std::hypot(y, z));
-  return report;
 }
 
 void Joints::update_rates(Index body, const state::Bodies<3>& bodies) {

@@ -12,17 +12,6 @@
 
 namespace sazare::methods::blocks {
 
-/// A joint as results show it.
-struct JointReport {
-  Index master = 0;
-  Index slave = 0;
-  Index kind = 0;
-  JointState state = JointState::intact;
-  Real area = 0;     ///< of the face [m2]
-  Real opening = 0;  ///< largest so far at a vertex, at least the elastic one [m]
-  Real slip = 0;     ///< largest so far at a vertex [m]
-};
-
 class Joints final : public terms::Term<3> {
 public:
   /// `bodies` stand where the faces are given.
@@ -46,7 +35,6 @@ public:
   void columns(Archive& archive) override;
 
   Index count() const { return static_cast<Index>(links_.size()); }
-  JointReport report(Index joint) const;
   const JointRecord& record(Index joint) const { return records_[static_cast<std::size_t>(joint)]; }
   const JointKind& kind(Index joint) const { return kinds_[static_cast<std::size_t>(record(joint).kind)]; }
   JointState state(Index joint) const { return record(joint).state; }
