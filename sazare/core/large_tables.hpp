@@ -30,20 +30,36 @@ void release(std::vector<T>& table) {
   std::vector<T>().swap(table);
 }
 
-/// Moves a table of some megabytes to large pages where the system grants them: a processor knows the places of few pages.
+inline constexpr std::size_t large_page = 2 << 20;
+
+/// Whether a table of so many is sure to have a large page of its own.
+template <class T>
+constexpr bool fills_large_pages(std::size_t count) {
+  return count * sizeof(T) >= 2 * large_page;
+}
+
+/// Room for a table that is empty as yet, from some megabytes on on large pages where the system grants them: a processor knows
+/// the places of few pages.
+template <class T>
+void reserve_on_large_pages(std::vector<T>& table, std::size_t count) {
+  table.reserve(count);
+#ifdef MADV_HUGEPAGE
+  constexpr std::size_t page = 4096;
+  if (!fills_large_pages<T>(count)) return;
+  const auto address = reinterpret_cast<std::uintptr_t>(table.data());
+  const std::size_t before = address % page;
+  madvise(reinterpret_cast<void*>(address - before), before + count * sizeof(T), MADV_HUGEPAGE);
+#endif
+}
+
+/// Moves a table that is there already.
 template <class T>
 void put_on_large_pages(std::vector<T>& table) {
-#ifdef MADV_HUGEPAGE
-  constexpr std::size_t page = 4096, large_page = 2 << 20;
-  if (table.size() * sizeof(T) < 2 * large_page) return;
+  if (!fills_large_pages<T>(table.size())) return;
   std::vector<T> moved;
-  moved.reserve(table.size());
-  const auto address = reinterpret_cast<std::uintptr_t>(moved.data());
-  const std::size_t before = address % page;
-  madvise(reinterpret_cast<void*>(address - before), before + table.size() * sizeof(T), MADV_HUGEPAGE);
+  reserve_on_large_pages(moved, table.size());
   moved.assign(table.begin(), table.end());
   table.swap(moved);
-#endif
 }
 
 }  // namespace sazare

@@ -34,7 +34,7 @@ public:
   int pace(Index body) const { return paces_.level(body); }
   int finest() const { return paces_.finest(); }
   Real step(int level) const { return steps_[static_cast<std::size_t>(level)]; }
-  std::span<const Index> bodies_at_pace(int level) const { return paces_.at(level); }
+  void list_bodies_from_pace(int level, std::vector<Index>& bodies) const { paces_.list_from(level, bodies); }
   schedule::LinkClock& clock(std::size_t term) { return clocks_[term]; }
   const schedule::LinkClock& clock(std::size_t term) const { return clocks_[term]; }
 

@@ -102,15 +102,12 @@ void Simulation<D>::tick() {
 
 template <int D>
 void Simulation<D>::collect_due() {
-  due_bodies_.clear();
   due_elsewhere_.clear();
-  for (int level = schedule::coarsest_due(now_.tick); level <= schedule::deepest_level; ++level) {
-    const std::span<const Index> bodies = levels_.bodies_at_pace(level);
-    counters_.kicks += static_cast<std::int64_t>(bodies.size());
-    if (replicas_)
-      replicas_->share_out(bodies, due_bodies_, due_elsewhere_);
-    else
-      due_bodies_.insert(due_bodies_.end(), bodies.begin(), bodies.end());
+  levels_.list_bodies_from_pace(schedule::coarsest_due(now_.tick), due_bodies_);
+  counters_.kicks += static_cast<std::int64_t>(due_bodies_.size());
+  if (replicas_) {
+    const std::vector<Index> everywhere = std::exchange(due_bodies_, {});
+    replicas_->share_out(everywhere, due_bodies_, due_elsewhere_);
   }
   std::int64_t all_links = 0;
   for (std::size_t term = 0; term < terms_.size(); ++term) {

@@ -68,6 +68,7 @@ std::vector<Index> materials_by_element(const cases::BlocksCase& blocks, const g
 state::Bodies<3> make_bodies(const cases::BlocksCase& blocks, const geometry::TetraMesh& mesh,
                              const std::vector<Index>& material) {
   state::Bodies<3> bodies;
+  state::reserve(bodies, mesh.tetrahedra.size());
   for (Index element = 0; element < static_cast<Index>(mesh.tetrahedra.size()); ++element) {
     add_tetrahedron(bodies, geometry::corners_of(mesh, element), blocks.materials[at(material[at(element)])].density);
     const std::string& region = mesh.region_names[at(mesh.region[at(element)])];

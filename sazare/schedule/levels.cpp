@@ -47,6 +47,23 @@ void Buckets::move(Index item, int level) {
   insert(item, level);
 }
 
+void Buckets::list_from(int level, std::vector<Index>& items) const {
+  constexpr std::size_t many = 2048;  // most of fewer is in the cache of a core
+  std::size_t count = 0;
+  for (int finer = level; finer <= deepest_level; ++finer) count += at(finer).size();
+  items.resize(count + 1);  // a place for what the loop below writes and does not count
+  Index* next = items.data();
+  if (count < many || count < level_.size() / 4) {
+    for (int finer = level; finer <= deepest_level; ++finer) next = std::ranges::copy(at(finer), next).out;
+  } else {
+    for (std::size_t item = 0; item < level_.size(); ++item) {
+      *next = static_cast<Index>(item);
+      next += level_[item] >= level ? 1 : 0;
+    }
+  }
+  items.resize(count);
+}
+
 int Buckets::finest() const {
   for (int level = deepest_level; level >= 0; --level)
     if (!at(level).empty()) return level;

@@ -46,6 +46,10 @@ public:
   std::span<const Index> at(int level) const { return members_[static_cast<std::size_t>(level)]; }
   std::size_t size() const { return size_; }
 
+  /// Makes a list of the items of a level and of all finer ones. Many come in rising order, whatever their levels: what
+  /// neighbours share is then read from memory once.
+  void list_from(int level, std::vector<Index>& items) const;
+
   /// Finest level in use, or `absent` when empty.
   int finest() const;
 

@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "sazare/core/large_tables.hpp"
 #include "sazare/core/rotation.hpp"
 #include "sazare/core/time.hpp"
 
@@ -74,6 +75,17 @@ struct Bodies {
 
   Index size() const { return static_cast<Index>(motion.size()); }
 };
+
+/// Room for so many bodies.
+template <int D>
+void reserve(Bodies<D>& bodies, std::size_t count) {
+  reserve_on_large_pages(bodies.motion, count);
+  reserve_on_large_pages(bodies.inertia, count);
+  bodies.locks.reserve(count);
+  bodies.reach.reserve(count);
+  bodies.start.reserve(count);
+  bodies.start_orientation.reserve(count);
+}
 
 /// False when a body's motion is infinite or no number.
 template <int D>

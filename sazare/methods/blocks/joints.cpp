@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "sazare/core/large_tables.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "sazare/terms/book_ranges.hpp"
 
@@ -75,6 +76,7 @@ Joints::Joints(std::vector<JointKind> kinds, std::span<const JointFace> faces, s
     lane_kinds_.emplace_back();
     for (int lane = 0; lane < lane_count; ++lane) set_lane(lane_kinds_.back(), lane, kind);
   }
+  reserve_on_large_pages(records_, faces.size());
   for (const JointFace& face : faces) {
     at_face_[at(face.master)][at(face.master_face)] = count();
     at_face_[at(face.slave)][at(face.slave_face)] = count();
@@ -83,6 +85,7 @@ Joints::Joints(std::vector<JointKind> kinds, std::span<const JointFace> faces, s
   }
   table_.causes = {terms::Cause::joint_dashpot};
   losses_.resize(faces.size());
+  reserve_on_large_pages(table_.slots, faces.size());
   table_.slots.resize(faces.size());
   table_.incidence = terms::FixedIncidence(bodies.size(), links_);
 }

@@ -65,6 +65,32 @@ TEST(buckets, sorted_they_rise) {
   EXPECT_EQ(buckets.at(4).size(), 1u);
 }
 
+TEST(buckets, listed_from_a_level_all_finer_items_come) {
+  Buckets buckets;
+  for (const Index item : {5, 1, 9, 3, 7}) buckets.insert(item, static_cast<int>(item));
+  std::vector<Index> items = {42};
+  buckets.list_from(5, items);
+  std::ranges::sort(items);
+  EXPECT_EQ(items, (std::vector<Index>{5, 7, 9}));
+  buckets.list_from(10, items);
+  EXPECT_TRUE(items.empty());
+}
+
+TEST(buckets, many_are_listed_in_rising_order) {
+  Buckets buckets;
+  const Index count = 10'000;
+  std::vector<Index> expected;
+  for (Index place = 0; place < count; ++place) {
+    const Index item = place * 7919 % count;  // every item once, in no order
+    if (item != 17) buckets.insert(item, static_cast<int>(item % 5));
+  }
+  for (Index item = 0; item < count; ++item)
+    if (item != 17 && item % 5 >= 2) expected.push_back(item);
+  std::vector<Index> items;
+  buckets.list_from(2, items);
+  EXPECT_EQ(items, expected);
+}
+
 TEST(buckets, rebuilt_from_their_levels_they_hold_the_same) {
   Buckets buckets, copy;
   for (const Index item : {4, 0, 2}) buckets.insert(item, static_cast<int>(item));
