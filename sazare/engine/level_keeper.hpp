@@ -44,6 +44,9 @@ public:
   /// Between base steps: refines what was asked for since the last tick.
   void refine_asked();
 
+  /// Square of the largest speed with which a body keeps its level [m2/s2].
+  Real fastest_squared(Index body) const { return fastest_squared_[static_cast<std::size_t>(level(body))]; }
+
   /// The coarsest level from a given one on that a speed allows.
   int level_for_speed(int level, Real speed_squared) const {
     while (level < schedule::deepest_level && speed_squared > fastest_squared_[static_cast<std::size_t>(level)]) ++level;

@@ -8,7 +8,6 @@
 
 #include "sazare/core/coming_lines.hpp"
 #include "sazare/motion/kick.hpp"
-#include "sazare/motion/step.hpp"
 #include "sazare/parallel/threads.hpp"
 
 namespace sazare::engine {
@@ -145,7 +144,6 @@ std::int64_t Simulation<D>::collect_links(std::size_t term) {
 template <int D>
 void Simulation<D>::kick_all() {
   const Real worked = replicas_ ? parallel::processor_seconds() : 0;
-  if (travels()) stepped_level_.resize(due_bodies_.size());
   parallel::parallel_for_uneven(due_bodies_.size(), serial_below, [&](std::size_t begin, std::size_t end) {
     for (std::size_t chunk = begin; chunk < end; chunk += terms::chunk_size)
       kick_chunk(std::span(due_bodies_).subspan(chunk, std::min(terms::chunk_size, end - chunk)));
@@ -157,13 +155,10 @@ void Simulation<D>::kick_all() {
   if (travels()) take_refined();
 }
 
-/// Levels that kicked bodies have given themselves.
+/// Levels that kicked bodies have given themselves, each written as body and level in one.
 template <int D>
 void Simulation<D>::take_refined() {
-  std::vector<Index> refined;
-  for (std::size_t i = 0; i < due_bodies_.size(); ++i)
-    if (stepped_level_[i] > levels_.level(due_bodies_[i]))
-      refined.push_back(due_bodies_[i] * schedule::level_count + stepped_level_[i]);
+  std::vector<Index> refined = refined_.take();
   peers().unite(refined);
   for (const Index both : refined) levels_.refined(both / schedule::level_count, both % schedule::level_count);
 }
@@ -174,6 +169,7 @@ void Simulation<D>::kick_chunk(std::span<const Index> which) {
   std::array<state::MeanMotion<D>, terms::chunk_size> means;
   std::array<motion::Stride, terms::chunk_size> strides;
   thread_local terms::CauseImpulses<D> parts;
+  thread_local std::vector<std::size_t> too_fast;
   parts.clear();
   if (is_large(bodies_.motion))
     for (const Index body : which) {
@@ -182,27 +178,37 @@ void Simulation<D>::kick_chunk(std::span<const Index> which) {
     }
   const std::span sums(impulses.data(), which.size());
   for (std::size_t i = 0; i < which.size(); ++i) {
+    strides[i] = stride(which[i], levels_.pace(which[i]));
     sums[i] = {};
-    sums[i].until_next = levels_.step(levels_.pace(which[i]));
+    sums[i].until_next = strides[i].seconds;
   }
   for (const auto& term : terms_) term->gather(now_, which, bodies_, sums, parts);
-  const bool travels = this->travels();
-  for (std::size_t i = 0; i < which.size(); ++i) {
-    const Index body = which[i];
-    int pace = levels_.pace(body);
-    if (travels) {
-      const Vector<D> velocity = bodies_.motion[at(body)].velocity + (1 / bodies_.inertia[at(body)].mass) * impulses[i].linear;
-      const int level = levels_.level_for_speed(levels_.level(body), velocity.squaredNorm());
-      stepped_level_[static_cast<std::size_t>(&which[i] - due_bodies_.data())] = static_cast<std::int8_t>(level);
-      if (level > pace) {  // its momentum was foreseen for a longer step
-        pace = level;
-        impulses[i] = gather_one(body, levels_.step(pace));
-      }
-    }
-    strides[i] = {now_.tick + schedule::stride(pace), levels_.step(pace)};
-  }
-  motion::step(bodies_, which, sums, std::span(strides.data(), which.size()), std::span(means.data(), which.size()));
+  too_fast.clear();
+  motion::step(bodies_, which, sums, std::span(strides.data(), which.size()), std::span(means.data(), which.size()), too_fast);
+  for (const std::size_t i : too_fast) means[i] = step_faster(which[i], sums[i]);
   for (std::size_t i = 0; i < which.size(); ++i) parts.book(i, means[i], work_[at(which[i])]);
+}
+
+template <int D>
+motion::Stride Simulation<D>::stride(Index body, int pace) const {
+  return {now_.tick + schedule::stride(pace), levels_.step(pace), levels_.fastest_squared(body)};
+}
+
+/// Steps a body that this kick makes too fast for its level.
+template <int D>
+state::MeanMotion<D> Simulation<D>::step_faster(Index body, state::Impulse<D> given) {
+  motion::clear_locked(given, bodies_.locks[at(body)]);
+  const Vector<D> velocity = bodies_.motion[at(body)].velocity + (1 / bodies_.inertia[at(body)].mass) * given.linear;
+  const int level = levels_.level_for_speed(levels_.level(body), velocity.squaredNorm());
+  if (level > levels_.level(body)) refined_.add(body * schedule::level_count + level);
+  const int pace = std::max(level, levels_.pace(body));
+  if (pace > levels_.pace(body)) given = gather_one(body, levels_.step(pace));  // its momentum was foreseen for a longer step
+  motion::Stride stride = this->stride(body, pace);
+  stride.fastest_squared = std::numeric_limits<Real>::infinity();
+  state::MeanMotion<D> mean;
+  std::vector<std::size_t> none;
+  motion::step(bodies_, std::span(&body, 1), std::span(&given, 1), std::span(&stride, 1), std::span(&mean, 1), none);
+  return mean;
 }
 
 /// What a body receives, and what its momentum gains by a time; the parts of its work are known already.

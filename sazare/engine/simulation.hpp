@@ -12,6 +12,8 @@
 #include "sazare/distribute/balance.hpp"
 #include "sazare/distribute/replicas.hpp"
 #include "sazare/engine/level_keeper.hpp"
+#include "sazare/motion/step.hpp"
+#include "sazare/terms/events.hpp"
 #include "sazare/terms/term.hpp"
 
 namespace sazare::engine {
@@ -122,6 +124,8 @@ private:
   bool travels() const;
   void kick_all();
   void kick_chunk(std::span<const Index> which);
+  motion::Stride stride(Index body, int pace) const;
+  state::MeanMotion<D> step_faster(Index body, state::Impulse<D> given);
   state::Impulse<D> gather_one(Index body, Real until_next) const;
   void settle(std::int64_t since);
   std::int64_t add_time(std::size_t part, std::int64_t since);
@@ -138,7 +142,7 @@ private:
   std::vector<Index> due_bodies_;
   std::vector<Index> due_elsewhere_;             ///< with several processes: those of others that are seen here
   std::vector<std::span<const Due>> due_links_;  ///< by term
-  std::vector<std::int8_t> stepped_level_;       ///< by place in `due_bodies_`: level of the coming step, under a travel limit
+  terms::Events refined_;                        ///< levels that kicked bodies have given themselves, see take_refined
   std::vector<terms::CauseWork> work_;           ///< by body
   Counters counters_;
   std::vector<PartTime> times_;

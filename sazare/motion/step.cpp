@@ -9,14 +9,17 @@ namespace {
 
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
+/// Returns whether the body would be too fast.
 template <int D>
-void step_one(state::Bodies<D>& bodies, Index body, const state::Impulse<D>& given, const Stride& stride,
-              state::MeanMotion<D>& mean) {
+bool step_one(state::Bodies<D>& bodies, Index body, state::Impulse<D> given, const Stride& stride, state::MeanMotion<D>& mean) {
   auto& motion = bodies.motion[at(body)];
   auto& inertia = bodies.inertia[at(body)];
+  clear_locked(given, bodies.locks[at(body)]);
+  if ((motion.velocity + (1 / inertia.mass) * given.linear).squaredNorm() > stride.fastest_squared) return true;
   mean = kick(motion, inertia, bodies.locks[at(body)], given);
   drift(motion, inertia, bodies.locks[at(body)], stride.due, stride.seconds);
   foresee(motion, inertia, bodies.locks[at(body)], given);
+  return false;
 }
 
 /// Bodies in lanes, with all that their step changes.
@@ -78,11 +81,23 @@ void foresee(LaneState& body, const LaneImpulse& given) {
   body.foreseen_spin = body.rotation * spin_of(body, own);
 }
 
-/// Bodies whose rotation is free, one per lane; lanes beyond `count` repeat the first.
+/// Bodies whose rotation is free, one per lane; idle lanes repeat the first.
 struct Batch {
   std::array<Index, lane_count> body{};
   std::array<std::size_t, lane_count> place{};  ///< in the spans
   int count = 0;
+
+  void add(Index each, std::size_t its_place) {
+    body[at(count)] = each;
+    place[at(count)] = its_place;
+    ++count;
+  }
+  void fill_idle_lanes() {
+    for (auto lane = at(count); lane < lane_count; ++lane) {
+      body[lane] = body[0];
+      place[lane] = place[0];
+    }
+  }
 };
 
 // Whole quads of each record are read and written.
@@ -134,13 +149,14 @@ void clear_locked(LaneImpulse& given, const state::Bodies<3>& bodies, const Batc
         given.linear[axis][static_cast<int>(lane)] = given.linear_lead[axis][static_cast<int>(lane)] = 0;
 }
 
-[[gnu::flatten]] void step_batch(state::Bodies<3>& bodies, const Batch& batch, std::span<const state::Impulse<3>> given,
-                                 std::span<const Stride> strides, std::span<state::MeanMotion<3>> mean) {
+/// Returns in which lanes a body would be too fast: then none has moved.
+[[gnu::flatten]] LaneMask step_batch(state::Bodies<3>& bodies, const Batch& batch, std::span<const state::Impulse<3>> given,
+                                     std::span<const Stride> strides, std::span<state::MeanMotion<3>> mean) {
   LanePointers<state::Motion<3>> motions;
   LanePointers<state::Inertia<3>> inertias;
   LanePointers<const state::Impulse<3>> impulses;
   LanePointers<state::MeanMotion<3>> means;
-  Lanes seconds;
+  Lanes seconds, fastest_squared;
   LongLanes kicked, due;
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
     const auto i = static_cast<int>(lane);
@@ -148,8 +164,10 @@ void clear_locked(LaneImpulse& given, const state::Bodies<3>& bodies, const Batc
     inertias[lane] = &bodies.inertia[at(batch.body[lane])];
     impulses[lane] = &given[batch.place[lane]];
     means[lane] = &mean[batch.place[lane]];
-    seconds[i] = strides[batch.place[lane]].seconds;
-    due[i] = strides[batch.place[lane]].due;
+    const Stride& stride = strides[batch.place[lane]];
+    seconds[i] = stride.seconds;
+    fastest_squared[i] = stride.fastest_squared;
+    due[i] = stride.due;
     kicked[i] = motions[lane]->due;
   }
   const auto f = load_records<16>(impulses);
@@ -158,42 +176,55 @@ void clear_locked(LaneImpulse& given, const state::Bodies<3>& bodies, const Batc
   LaneState body = load(motions, inertias);
   LaneVector own;
   const auto [mean_velocity, mean_spin] = kick(body, impulse, own);
+  const LaneMask too_fast = dot(body.velocity, body.velocity) > fastest_squared;
+  if (any(too_fast)) return too_fast;
   drift(body, own, seconds);
   foresee(body, impulse);
   store(body, kicked, due, motions, inertias);
   store_quad({mean_velocity[0], mean_velocity[1], mean_velocity[2], mean_spin[0]}, means, 0);
   store_quad({mean_spin[1], mean_spin[2], Lanes{}, Lanes{}}, means, 4);
+  return too_fast;
+}
+
+/// Takes the bodies in some lanes out.
+Batch without(const LaneMask& lanes, const Batch& batch) {
+  Batch rest;
+  for (int lane = 0; lane < batch.count; ++lane)
+    if (lanes[lane] == 0) rest.add(batch.body[at(lane)], batch.place[at(lane)]);
+  return rest;
 }
 
 }  // namespace
 
 void step(state::Bodies<3>& bodies, std::span<const Index> which, std::span<const state::Impulse<3>> given,
-          std::span<const Stride> strides, std::span<state::MeanMotion<3>> mean) {
+          std::span<const Stride> strides, std::span<state::MeanMotion<3>> mean, std::vector<std::size_t>& too_fast) {
   Batch batch;
   const auto flush = [&] {
-    if (batch.count == 0) return;
-    for (auto lane = at(batch.count); lane < lane_count; ++lane) {
-      batch.body[lane] = batch.body[0];
-      batch.place[lane] = batch.place[0];
+    while (batch.count > 0) {
+      batch.fill_idle_lanes();
+      const LaneMask left = step_batch(bodies, batch, given, strides, mean);
+      if (!any(left)) break;
+      for (int lane = 0; lane < batch.count; ++lane)
+        if (left[lane] != 0) too_fast.push_back(batch.place[at(lane)]);
+      batch = without(left, batch);
     }
-    step_batch(bodies, batch, given, strides, mean);
     batch.count = 0;
   };
   for (std::size_t i = 0; i < which.size(); ++i) {
     if (bodies.locks[at(which[i])].rotation != 0) {
-      step_one(bodies, which[i], given[i], strides[i], mean[i]);
+      if (step_one(bodies, which[i], given[i], strides[i], mean[i])) too_fast.push_back(i);
       continue;
     }
-    batch.body[at(batch.count)] = which[i];
-    batch.place[at(batch.count)] = i;
-    if (++batch.count == lane_count) flush();
+    batch.add(which[i], i);
+    if (batch.count == lane_count) flush();
   }
   flush();
 }
 
 void step(state::Bodies<2>& bodies, std::span<const Index> which, std::span<const state::Impulse<2>> given,
-          std::span<const Stride> strides, std::span<state::MeanMotion<2>> mean) {
-  for (std::size_t i = 0; i < which.size(); ++i) step_one(bodies, which[i], given[i], strides[i], mean[i]);
+          std::span<const Stride> strides, std::span<state::MeanMotion<2>> mean, std::vector<std::size_t>& too_fast) {
+  for (std::size_t i = 0; i < which.size(); ++i)
+    if (step_one(bodies, which[i], given[i], strides[i], mean[i])) too_fast.push_back(i);
 }
 
 }  // namespace sazare::motion

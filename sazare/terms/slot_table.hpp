@@ -2,6 +2,7 @@
 
 /// The slots of a term and whose they are: the loops that every term shares.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -42,10 +43,24 @@ public:
 
   std::span<const SlotSide> of(Index body) const {
     const auto at = static_cast<std::size_t>(body);
-    return std::span(sides_).subspan(begin_[at], begin_[at + 1] - begin_[at]);
+    const SlotSide *const begin = sides_.data() + begin_[at], *end = sides_.data() + begin_[at + 1];
+    while (end != begin && end[-1].slot == ended) --end;
+    return {begin, end};
+  }
+
+  /// Leaves out a link that has no force any more: bodies around broken joints are often those that are kicked most.
+  void end(Index slot, const Link& link) {
+    for (const Index body : {link.first, link.second}) {
+      if (body == Link::outside) continue;
+      const auto sides = std::span(sides_).subspan(begin_[static_cast<std::size_t>(body)], of(body).size());
+      const auto rest = std::ranges::remove(sides, slot, [](const SlotSide& side) { return Index{side.slot}; });
+      for (SlotSide& side : rest) side.slot = ended;
+    }
   }
 
 private:
+  static constexpr Index ended = -1;  ///< in place of links that are left out, behind those that are not
+
   std::vector<std::uint32_t> begin_;
   std::vector<SlotSide> sides_;
 };

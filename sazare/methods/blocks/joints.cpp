@@ -201,6 +201,7 @@ void Joints::settle(const Moment&, const state::Bodies<3>& bodies, terms::Peers&
   for (const Index joint : failed) {
     records_[at(joint)].state = JointState::broken;  // it may have failed in another process
     changes.ended_links.push_back(joint);
+    table_.incidence.end(joint, links_[at(joint)]);
     for (const Index body : {links_[at(joint)].first, links_[at(joint)].second}) {
       update_rates(body, bodies);
       changes.softer.push_back(body);
@@ -295,6 +296,9 @@ void Joints::columns(Archive& archive) {
   archive("rates", rates_);
   archive("broken", broken_);
   archive("broken_count", broken_count_);
+  if (!archive.reading()) return;
+  for (Index joint = 0; joint < count(); ++joint)
+    if (state(joint) == JointState::broken) table_.incidence.end(joint, links_[at(joint)]);
 }
 
 }  // namespace sazare::methods::blocks
