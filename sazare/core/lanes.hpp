@@ -127,6 +127,15 @@ inline Lanes subtract_product(Lanes a, Lanes b, Lanes c) {
 #endif
 }
 
+inline Real add_product(Real a, Real b, Real c) {
+#ifdef __FMA__
+  return __builtin_fma(a, b, c);
+#else
+  return a * b + c;
+#endif
+}
+inline Real subtract_product(Real a, Real b, Real c) { return add_product(-a, b, c); }
+
 /// A vector in every lane, and its products. Like a number it is not set unless it is told to: kernels have many of them.
 struct LaneVector {
   std::array<Lanes, 3> part;

@@ -17,12 +17,23 @@ struct Triple {
 
 template <class Number>
 Number dot(const Triple<Number>& a, const Triple<Number>& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
+  return add_product(a.z, b.z, add_product(a.y, b.y, Number(a.x * b.x)));
 }
 
 template <class Number>
 Triple<Number> cross(const Triple<Number>& a, const Triple<Number>& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  return {subtract_product(a.z, b.y, Number(a.y * b.z)), subtract_product(a.x, b.z, Number(a.z * b.x)),
+          subtract_product(a.y, b.x, Number(a.x * b.y))};
+}
+
+/// c + factor a and c - factor a.
+template <class Number>
+Triple<Number> add_product(const Number& factor, const Triple<Number>& a, const Triple<Number>& c) {
+  return {add_product(factor, a.x, c.x), add_product(factor, a.y, c.y), add_product(factor, a.z, c.z)};
+}
+template <class Number>
+Triple<Number> subtract_product(const Number& factor, const Triple<Number>& a, const Triple<Number>& c) {
+  return {subtract_product(factor, a.x, c.x), subtract_product(factor, a.y, c.y), subtract_product(factor, a.z, c.z)};
 }
 
 template <class Number, class Condition>

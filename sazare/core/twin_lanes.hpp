@@ -57,6 +57,12 @@ inline TwinLanes inverse_square_root(const TwinLanes& a) { return {inverse_squar
 inline TwinLanes root_of_quotient(const TwinLanes& a, const TwinLanes& b) {
   return {root_of_quotient(a.first, b.first), root_of_quotient(a.second, b.second)};
 }
+inline TwinLanes add_product(const TwinLanes& a, const TwinLanes& b, const TwinLanes& c) {
+  return {add_product(a.first, b.first, c.first), add_product(a.second, b.second, c.second)};
+}
+inline TwinLanes subtract_product(const TwinLanes& a, const TwinLanes& b, const TwinLanes& c) {
+  return {subtract_product(a.first, b.first, c.first), subtract_product(a.second, b.second, c.second)};
+}
 inline TwinLanes square_root(const TwinLanes& a) {
 #ifdef __AVX512F__
   const TwinLanes inverse = inverse_square_root(a);  // not a number for 0

@@ -133,7 +133,7 @@ inline Real overlap_of_energy(ContactModel model, const ContactConstants<Real>& 
 
 template <class Number>
 Triple<Number> across(const Triple<Number>& vector, const Triple<Number>& normal) {
-  return vector - dot(vector, normal) * normal;
+  return subtract_product(dot(vector, normal), normal, vector);
 }
 
 /// `model` is known at compile time: a kernel runs one of them. With `rolls` false the resistance to rolling is left out.
@@ -148,10 +148,10 @@ ContactForce<Number> contact_force(const ContactConstants<Number>& constants, co
     root = root_of_quotient(at.mass.product, at.mass.sum);
   }
   const Number opening = dot(at.velocity, at.normal);
-  const Number spring = constants.normal * width * at.overlap, dashpot = constants.normal_damping * root * opening;
-  const Number normal = spring - dashpot, pressing = maximum(normal, Number{});
+  const Number spring = constants.normal * width * at.overlap, damped = constants.normal_damping * root;
+  const Number dashpot = damped * opening, normal = subtract_product(damped, opening, spring), pressing = maximum(normal, Number{});
   const Number stiffness = constants.tangential * width, damping = constants.tangential_damping * root;
-  const Triple<Number> sliding = at.velocity - opening * at.normal;
+  const Triple<Number> sliding = subtract_product(opening, at.normal, at.velocity);
   memory.sliding = across(memory.sliding, at.normal);
   const auto slid = slide(stiffness, damping, Number(constants.friction * pressing), sliding, at.step, memory.sliding);
   ContactForce<Number> result{.normal = normal,

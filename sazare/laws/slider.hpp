@@ -23,15 +23,15 @@ template <class Number>
 SliderForce<Number> slide(const Number& stiffness, const Number& damping, const Number& limit, const Triple<Number>& velocity,
                           const Number& step, Triple<Number>& memory) {
   const Number half = 0.5 * step;
-  Triple<Number> stretch = memory + half * velocity;
+  Triple<Number> stretch = add_product(half, velocity, memory);
   const Number spring = stiffness * stiffness * dot(stretch, stretch), most = limit * limit;
   if (const auto slips = spring > most; any(slips))
     stretch = select(slips, limit * inverse_square_root(spring), Number{} + 1) * stretch;
-  Triple<Number> force = Triple<Number>{} - (stiffness * stretch + damping * velocity);
+  Triple<Number> force = Triple<Number>{} - add_product(stiffness, stretch, damping * velocity);
   const Number square = dot(force, force);
   if (const auto slips = square > most; any(slips))
     force = select(slips, limit * inverse_square_root(square), Number{} + 1) * force;
-  memory = stretch + half * velocity;
+  memory = add_product(half, velocity, stretch);
   return {force, stretch};
 }
 

@@ -59,8 +59,10 @@ struct PeriodicBox {
     return apart - (length.array() * (apart.array() * inverse().array()).round()).matrix();
   }
   /// The same place within the box.
-  Vector3 wrapped(const Vector3& place) const {
-    return place - (length.array() * ((place - lower).array() * inverse().array()).floor()).matrix();
+  Vector3 wrapped(const Vector3& place) const { return wrapped(place, inverse()); }
+  /// For many places: with `inverse()`, worked out once.
+  Vector3 wrapped(const Vector3& place, const Vector3& inverse) const {
+    return place - (length.array() * ((place - lower).array() * inverse.array()).floor()).matrix();
   }
 };
 

@@ -56,7 +56,7 @@ public:
     laws::ContactMotion<TwinLanes> at;
     at.radius = laws::Reduced<TwinLanes>::of(radius, radius2);
     const TwinLanes square = box_.square_of_nearest(apart), inverse_distance = inverse_square_root(square),
-                    gap = square * inverse_distance - at.radius.sum;
+                    gap = add_product(square, inverse_distance, -at.radius.sum);
     at.normal = inverse_distance * apart;
     TwinLanes beyond = -gap, rest;
     if constexpr (rests) {
@@ -72,7 +72,7 @@ public:
     const auto [wx, wy, wz, material] = read(some, &Contact::first, [&](std::size_t i) { return &spheres_.spin[i].x; });
     const auto [wx2, wy2, wz2, material2] = read(some, &Contact::second, [&](std::size_t i) { return &spheres_.spin[i].x; });
     const Triple<TwinLanes> one{wx, wy, wz}, other{wx2, wy2, wz2};
-    const Triple<TwinLanes> turning = cross(first_arm * one + second_arm * other, at.normal);
+    const Triple<TwinLanes> turning = cross(add_product(second_arm, other, first_arm * one), at.normal);
     if constexpr (rolls) at.rolling = at.radius.value() * cross(other - one, at.normal);
     const auto [vx, vy, vz, mass] = read(some, &Contact::first, [&](std::size_t i) { return &spheres_.place[i].vx; });
     const auto [vx2, vy2, vz2, mass2] = read(some, &Contact::second, [&](std::size_t i) { return &spheres_.place[i].vx; });
@@ -154,7 +154,7 @@ private:
                const TwinLanes& second_arm, std::size_t begin, int lanes) {
     const std::span contacts(&contacts_[begin], static_cast<std::size_t>(lanes));
     const std::size_t in_first = std::min<std::size_t>(lane_count, contacts.size());
-    Push push{force.normal * at.normal + force.friction, cross(force.friction, at.normal), {}, first_arm, second_arm};
+    Push push{add_product(force.normal, at.normal, force.friction), cross(force.friction, at.normal), {}, first_arm, second_arm};
     if constexpr (rolls) push.rolling = at.radius.value() * cross(at.normal, force.rolling);
     add(push, &TwinLanes::first, contacts.first(in_first));
     add(push, &TwinLanes::second, contacts.subspan(in_first));
@@ -194,11 +194,11 @@ private:
     TwinLanes counts = select(touches, 1, 0);
     for (int lane = lanes; lane < TwinLanes::count; ++lane) counts.set(lane, 0);
     touching_ += counts;
-    dashpot_power_ += counts * force.dashpot_power;
-    sliding_power_ += counts * force.sliding_power;
+    dashpot_power_ = add_product(counts, force.dashpot_power, dashpot_power_);
+    sliding_power_ = add_product(counts, force.sliding_power, sliding_power_);
     if (!tells_energies_) return;
-    elastic_ += counts * force.elastic_energy;
-    sliding_ += counts * force.sliding_energy;
+    elastic_ = add_product(counts, force.elastic_energy, elastic_);
+    sliding_ = add_product(counts, force.sliding_energy, sliding_);
   }
 
   PairContacts& pairs_;

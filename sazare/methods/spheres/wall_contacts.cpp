@@ -107,99 +107,154 @@ geometry::Triangle WallContacts::triangle(std::size_t wall, std::int32_t number)
 }
 
 /// A rigid wall is touched in the middle of the overlap; a face with nodes on itself, where its shape functions are known.
-WallContacts::Ground WallContacts::ground_at(const Point& point, const Vector3& centre, Real radius) const {
+WallContacts::Ground WallContacts::ground_at(const Point& point, Real radius) const {
   const auto w = static_cast<std::size_t>(point.wall);
   Ground ground;
   if (w == surface_) {
     ground.arm = radius - point.overlap;
-    ground.place = centre - ground.arm * point.normal;
+    ground.place = point.centre - ground.arm * point.normal;
     ground.face = walls_[w].nodal.point(static_cast<std::size_t>(point.triangle), time_, ground.place);
     ground.velocity = ground.face->velocity();
     ground.spin = table_.rolls ? ground.face->spin() : Vector3(Vector3::Zero());
     return ground;
   }
   ground.arm = radius - 0.5 * point.overlap;
-  ground.place = centre - ground.arm * point.normal;
+  ground.place = point.centre - ground.arm * point.normal;
   ground.velocity = poses_[w].velocity_at(ground.place);
   ground.spin = poses_[w].spin;
   return ground;
 }
 
-void WallContacts::find_touches(const state::SpherePlace& place, std::span<const Near> near, std::vector<Point>& points) const {
-  points.clear();
+/// Adds the points where a sphere touches.
+void WallContacts::find_points(const Vector3& place, Real radius, std::span<const Near> near, std::vector<Point>& points) const {
+  const std::size_t begin = points.size();
   for (const Near& one : near) {
     const auto w = static_cast<std::size_t>(one.wall);
     const Wall& wall = walls_[w];
-    const Vector3 centre = poses_[w].into(place.centre());
+    const Vector3 centre = poses_[w].into(place);
     if (wall.is_plane()) {
       const Real distance = (centre - wall.point).dot(wall.normal);
-      if (distance < place.radius)
-        points.push_back({one.wall, -1, place.radius - distance, centre - distance * wall.normal, wall.normal});
+      if (distance < radius)
+        points.push_back({one.wall, -1, radius - distance, place, centre - distance * wall.normal, wall.normal});
       continue;
     }
     const Vector3 foot = geometry::nearest_point(triangle(w, one.triangle), centre);
     const Real distance = (centre - foot).norm();
-    if (distance < place.radius && distance > 0)
-      points.push_back({one.wall, one.triangle, place.radius - distance, foot, (centre - foot) / distance});
+    if (distance < radius && distance > 0)
+      points.push_back({one.wall, one.triangle, radius - distance, place, foot, (centre - foot) / distance});
   }
-  if (points.size() > 1) keep_those_in_front(place.radius, points);
-  for (Point& point : points) point.normal = poses_[static_cast<std::size_t>(point.wall)].direction_out(point.normal);
+  if (points.size() > begin + 1) points.resize(begin + keep_those_in_front(radius, std::span(points).subspan(begin)));
+  for (Point& point : std::span(points).subspan(begin))
+    point.normal = poses_[static_cast<std::size_t>(point.wall)].direction_out(point.normal);
 }
 
-/// Of the points of a wall the deepest one, and those in front of the tangent planes of the points kept before.
-void WallContacts::keep_those_in_front(Real radius, std::vector<Point>& points) {
+/// Of the points of a wall the deepest one, and those in front of the tangent planes of the points kept before: these come first.
+/// Returns how many they are.
+std::size_t WallContacts::keep_those_in_front(Real radius, std::span<Point> points) {
   std::ranges::stable_sort(
       points, [](const Point& a, const Point& b) { return a.wall != b.wall ? a.wall < b.wall : a.overlap > b.overlap; });
   std::size_t kept = 0;
   for (const Point& point : points) {
-    const bool counts = std::all_of(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(kept), [&](const Point& before) {
-      return before.wall != point.wall || (point.place - before.place).dot(before.normal) > same_plane * radius;
+    const bool counts = std::ranges::all_of(points.first(kept), [&](const Point& before) {
+      return before.wall != point.wall || (point.foot - before.foot).dot(before.normal) > same_plane * radius;
     });
     if (counts) points[kept++] = point;
   }
-  points.resize(kept);
+  return kept;
 }
 
-template <laws::ContactModel model, bool rolls>
-ContactSums WallContacts::push(const state::Spheres& spheres, const Point& point, Touch& touch, Real step, Block& block,
-                               state::SphereLoad& load) const {
-  const auto i = static_cast<std::size_t>(touch.sphere), w = static_cast<std::size_t>(point.wall);
-  const state::SpherePlace& place = spheres.place[i];
-  const Vector3 centre = spheres.box.wrapped(place.centre()), spin = spheres.spin[i].spin();
-  const Ground ground = ground_at(point, centre, place.radius);
-  laws::ContactMotion<Real> at;
-  at.overlap = point.overlap;
-  at.radius = laws::Reduced<Real>::alone(place.radius);
-  at.mass = laws::Reduced<Real>::alone(place.mass);
-  at.normal = triple(point.normal);
-  at.velocity = triple(place.velocity() - ground.arm * spin.cross(point.normal) - ground.velocity);
-  if constexpr (rolls) at.rolling = triple(Vector3(place.radius * (spin - ground.spin).cross(point.normal)));
-  at.step = step;
-  laws::ContactMemory<Real> memory{triple(touch.sliding), triple(touch.rolling)};
-  const auto& constants = table_.of(static_cast<Index>(spheres.spin[i].material), walls_[w].material);
-  const auto force = laws::contact_force<model, rolls>(constants, at, memory);
-  touch.sliding = vector(memory.sliding);
-  touch.rolling = vector(memory.rolling);
-  const Vector3 push = force.normal * point.normal + vector(force.friction);
-  Vector3 moment = -ground.arm * point.normal.cross(push), rolling_moment = Vector3::Zero();
-  if constexpr (rolls) {
-    rolling_moment = -place.radius * point.normal.cross(vector(force.rolling));
-    moment -= rolling_moment;
+/// Contacts in lanes, one in each.
+template <bool rolls>
+struct WallContacts::InLanes {
+  laws::ContactConstants<Lanes> constants;
+  laws::ContactMotion<Lanes> at;
+  laws::ContactMemory<Lanes> memory;
+
+  void set(int lane, const laws::ContactConstants<Real>& of, const Point& point, const Touch& touch) {
+    constants.normal[lane] = of.normal;
+    constants.tangential[lane] = of.tangential;
+    constants.normal_damping[lane] = of.normal_damping;
+    constants.tangential_damping[lane] = of.tangential_damping;
+    constants.friction[lane] = of.friction;
+    at.overlap[lane] = point.overlap;
+    put(at.normal, lane, point.normal);
+    put(memory.sliding, lane, touch.sliding);
+    if constexpr (rolls) {
+      constants.rolling[lane] = of.rolling;
+      put(memory.rolling, lane, touch.rolling);
+    }
   }
-  load.fx += push.x();
-  load.fy += push.y();
-  load.fz += push.z();
+
+  void set(int lane, const state::SpherePlace& place, const Vector3& spin, const Vector3& normal, const Ground& ground) {
+    at.radius.product[lane] = place.radius;
+    at.mass.product[lane] = place.mass;
+    put(at.velocity, lane, place.velocity() - ground.arm * spin.cross(normal) - ground.velocity);
+    if constexpr (rolls) put(at.rolling, lane, place.radius * (spin - ground.spin).cross(normal));
+  }
+
+  static void put(Triple<Lanes>& numbers, int lane, const Vector3& vector) {
+    numbers.x[lane] = vector.x();
+    numbers.y[lane] = vector.y();
+    numbers.z[lane] = vector.z();
+  }
+  static Vector3 get(const Triple<Lanes>& numbers, int lane) { return {numbers.x[lane], numbers.y[lane], numbers.z[lane]}; }
+};
+
+/// Forces at as many points as there are lanes, or fewer, from one on; what is too much repeats the first and does not count.
+template <laws::ContactModel model, bool rolls>
+ContactSums WallContacts::push(const state::Spheres& spheres, std::size_t begin, const Task& task, Block& block) const {
+  const int count = static_cast<int>(std::min<std::size_t>(lane_count, block.points.size() - begin));
+  InLanes<rolls> lanes;
+  std::array<Ground, lane_count> grounds;
+  for (int lane = 0; lane < lane_count; ++lane) {
+    const std::size_t n = begin + static_cast<std::size_t>(lane < count ? lane : 0);
+    const Point& point = block.points[n];
+    const auto i = static_cast<std::size_t>(block.touches[n].sphere);
+    Ground& ground = grounds[static_cast<std::size_t>(lane)] = ground_at(point, spheres.place[i].radius);
+    lanes.set(lane, table_.of(static_cast<Index>(spheres.spin[i].material), walls_[static_cast<std::size_t>(point.wall)].material),
+              point, block.touches[n]);
+    lanes.set(lane, spheres.place[i], spheres.spin[i].spin(), point.normal, ground);
+  }
+  lanes.at.radius.sum = lanes.at.mass.sum = broadcast(1);
+  lanes.at.step = broadcast(task.step);
+  const auto forces = laws::contact_force<model, rolls>(lanes.constants, lanes.at, lanes.memory);
+  ContactSums sums;
+  for (int lane = 0; lane < count; ++lane) {
+    const std::size_t n = begin + static_cast<std::size_t>(lane);
+    Touch& touch = block.touches[n];
+    const Vector3& normal = block.points[n].normal;
+    touch.sliding = lanes.get(lanes.memory.sliding, lane);
+    const Vector3 force = forces.normal[lane] * normal + lanes.get(forces.friction, lane);
+    Vector3 rolling = Vector3::Zero();
+    if constexpr (rolls) {
+      touch.rolling = lanes.get(lanes.memory.rolling, lane);
+      rolling = -spheres.place[static_cast<std::size_t>(touch.sphere)].radius * normal.cross(lanes.get(forces.rolling, lane));
+    }
+    deliver(n, grounds[static_cast<std::size_t>(lane)], force, rolling, task, block);
+    sums += {forces.elastic_energy[lane], forces.sliding_energy[lane], task.step * forces.dashpot_power[lane],
+             task.step * forces.sliding_power[lane], 1};
+  }
+  return sums;
+}
+
+/// A force and a moment of rolling at a point, to its sphere and back to its wall.
+void WallContacts::deliver(std::size_t n, const Ground& ground, const Vector3& force, const Vector3& rolling, const Task& task,
+                           Block& block) const {
+  const Point& point = block.points[n];
+  const auto w = static_cast<std::size_t>(point.wall);
+  const Vector3 moment = -ground.arm * point.normal.cross(force) - rolling;
+  state::SphereLoad& load = task.own[static_cast<std::size_t>(block.touches[n].sphere) - task.block * neighbors::block_size];
+  load.fx += force.x();
+  load.fy += force.y();
+  load.fz += force.z();
   load.mx += moment.x();
   load.my += moment.y();
   load.mz += moment.z();
   const Vector3 foot = ground.place - poses_[w].pivot - poses_[w].shift;
-  block.loads[w] +=
-      {-push, rolling_moment - foot.cross(push), step * (push.dot(ground.velocity) - rolling_moment.dot(ground.spin))};
-  if (ground.face) {
-    const auto forces = ground.face->on_corners(-push, rolling_moment);
-    for (std::size_t k = 0; k < 3; ++k) block.on_nodes.push_back({ground.face->nodes[k], forces[k]});
-  }
-  return {force.elastic_energy, force.sliding_energy, step * force.dashpot_power, step * force.sliding_power, 1};
+  block.loads[w] += {-force, rolling - foot.cross(force), task.step * (force.dot(ground.velocity) - rolling.dot(ground.spin))};
+  if (!ground.face) return;
+  const auto forces = ground.face->on_corners(-force, rolling);
+  for (std::size_t k = 0; k < 3; ++k) block.on_nodes.push_back({ground.face->nodes[k], forces[k]});
 }
 
 WallContacts::Push WallContacts::push_of_table() const {
@@ -208,30 +263,23 @@ WallContacts::Push WallContacts::push_of_table() const {
   return table_.rolls ? &WallContacts::push<linear, true> : &WallContacts::push<linear, false>;
 }
 
-ContactSums WallContacts::evaluate(const state::Spheres& spheres, const Task& task) {
-  ContactSums sums;
-  Block& block = parts_[task.part][task.block];
+/// Where the spheres of a block touch, each with what it remembers.
+void WallContacts::touch_anew(const state::Spheres& spheres, Block& block) const {
   std::swap(block.before, block.touches);
   block.touches.clear();
-  std::fill(block.loads.begin(), block.loads.end(), WallLoad{});
-  block.on_nodes.clear();
-  const Push push_one = push_of_table();
-  std::vector<Point> points;
+  block.points.clear();
+  const bool repeats = spheres.box.repeats();
+  const Vector3 inverse = spheres.box.inverse();
   auto remembered = block.before.begin();
   for (auto from = block.near.begin(); from != block.near.end();) {
     const Index sphere = from->sphere;
     const auto to = std::find_if(from, block.near.end(), [&](const Near& one) { return one.sphere != sphere; });
-    state::SpherePlace place = spheres.place[static_cast<std::size_t>(sphere)];
-    if (spheres.box.repeats()) {
-      const Vector3 within = spheres.box.wrapped(place.centre());
-      place.x = within.x();
-      place.y = within.y();
-      place.z = within.z();
-    }
-    find_touches(place, {from, to}, points);
+    const state::SpherePlace& place = spheres.place[static_cast<std::size_t>(sphere)];
+    const std::size_t begin = block.points.size();
+    find_points(repeats ? spheres.box.wrapped(place.centre(), inverse) : place.centre(), place.radius, {from, to}, block.points);
     from = to;
     while (remembered != block.before.end() && remembered->sphere < sphere) ++remembered;
-    for (const Point& point : points) {
+    for (const Point& point : std::span(block.points).subspan(begin)) {
       Touch touch{sphere, point.wall, point.normal, Vector3::Zero(), Vector3::Zero()};
       for (auto old = remembered; old != block.before.end() && old->sphere == sphere; ++old)
         if (old->wall == point.wall && old->normal.dot(point.normal) > same_direction) {
@@ -240,11 +288,19 @@ ContactSums WallContacts::evaluate(const state::Spheres& spheres, const Task& ta
           old->wall = -1;  // each goes on once
           break;
         }
-      state::SphereLoad& load = task.own[static_cast<std::size_t>(sphere) - task.block * neighbors::block_size];
-      sums += (this->*push_one)(spheres, point, touch, task.step, block, load);
       block.touches.push_back(touch);
     }
   }
+}
+
+ContactSums WallContacts::evaluate(const state::Spheres& spheres, const Task& task) {
+  Block& block = parts_[task.part][task.block];
+  std::fill(block.loads.begin(), block.loads.end(), WallLoad{});
+  block.on_nodes.clear();
+  touch_anew(spheres, block);
+  const Push push_some = push_of_table();
+  ContactSums sums;
+  for (std::size_t begin = 0; begin < block.points.size(); begin += lane_count) sums += (this->*push_some)(spheres, begin, task, block);
   return sums;
 }
 

@@ -79,18 +79,22 @@ private:
     Index sphere = 0, wall = 0;
     std::int32_t triangle = -1;
   };
-  struct Block {
-    std::vector<Near> near;      ///< by sphere
-    std::vector<Touch> touches;  ///< by sphere
-    std::vector<Touch> before;
-    std::vector<WallLoad> loads;             ///< by wall
-    std::vector<terms::NodeForce> on_nodes;  ///< of the surface [N]
-  };
+  /// Where a sphere touches now.
   struct Point {
     Index wall = 0;
     std::int32_t triangle = -1;
-    Real overlap = 0;
-    Vector3 place, normal;
+    Real overlap = 0;  ///< [m]
+    Vector3 centre;    ///< of the sphere, within a periodic box [m]
+    Vector3 foot;      ///< on the wall, where that was at the start [m]
+    Vector3 normal;    ///< from the wall to the sphere
+  };
+  struct Block {
+    std::vector<Near> near;      ///< by sphere
+    std::vector<Touch> touches;  ///< by sphere
+    std::vector<Point> points;   ///< those of the touches
+    std::vector<Touch> before;
+    std::vector<WallLoad> loads;             ///< by wall
+    std::vector<terms::NodeForce> on_nodes;  ///< of the surface [N]
   };
   /// How a wall moves where it is touched.
   struct Ground {
@@ -100,16 +104,19 @@ private:
   };
 
   geometry::Triangle triangle(std::size_t wall, std::int32_t number) const;
-  Ground ground_at(const Point& point, const Vector3& centre, Real radius) const;
-  void find_touches(const state::SpherePlace& place, std::span<const Near> near, std::vector<Point>& points) const;
-  static void keep_those_in_front(Real radius, std::vector<Point>& points);
+  Ground ground_at(const Point& point, Real radius) const;
+  void find_points(const Vector3& place, Real radius, std::span<const Near> near, std::vector<Point>& points) const;
+  static std::size_t keep_those_in_front(Real radius, std::span<Point> points);
+  void touch_anew(const state::Spheres& spheres, Block& block) const;
   std::vector<Touch> touches() const;
-  using Push = ContactSums (WallContacts::*)(const state::Spheres& spheres, const Point& point, Touch& touch, Real step,
-                                             Block& block, state::SphereLoad& load) const;
+  using Push = ContactSums (WallContacts::*)(const state::Spheres& spheres, std::size_t begin, const Task& task, Block& block) const;
   Push push_of_table() const;
+  template <bool rolls>
+  struct InLanes;
   template <laws::ContactModel model, bool rolls>
-  ContactSums push(const state::Spheres& spheres, const Point& point, Touch& touch, Real step, Block& block,
-                   state::SphereLoad& load) const;
+  ContactSums push(const state::Spheres& spheres, std::size_t begin, const Task& task, Block& block) const;
+  void deliver(std::size_t n, const Ground& ground, const Vector3& force, const Vector3& rolling, const Task& task,
+               Block& block) const;
 
   ContactTable table_;
   std::vector<Wall> walls_;
