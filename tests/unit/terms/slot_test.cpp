@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace sazare::terms {
 namespace {
 
@@ -75,6 +77,26 @@ TEST(slot, a_constant_force_is_foreseen_as_it_is) {
   for (const Tick tick : {0, 2, 4}) link.evaluate(tick, 8, 0.2, 0.1);
   const auto sum = link.gathered(1, 0.2);
   EXPECT_LT((sum.linear_lead - 0.1 * push(8).linear).norm(), 1e-15);
+}
+
+std::vector<Index> slots_of(const FixedIncidence& incidence, Index body) {
+  std::vector<Index> slots;
+  for (const SlotSide side : incidence.of(body)) slots.push_back(side.slot);
+  return slots;
+}
+
+TEST(slot, links_that_have_ended_are_left_out_and_the_others_keep_their_order) {
+  const std::vector<Link> links = {{0, 1}, {1, 2}, {1, Link::outside}, {0, 1}, {3, 1}};
+  FixedIncidence incidence(4, links);
+  const std::vector<Index> all = {0, 3, 4, 1, 2};
+  EXPECT_EQ(slots_of(incidence, 1), all);
+  incidence.end(3, links[3]);
+  incidence.end(2, links[2]);
+  EXPECT_EQ(slots_of(incidence, 0), (std::vector<Index>{0}));
+  EXPECT_EQ(slots_of(incidence, 1), (std::vector<Index>{0, 4, 1}));
+  EXPECT_EQ(slots_of(incidence, 2), (std::vector<Index>{1}));
+  for (const Index slot : {0, 1, 4}) incidence.end(slot, links[static_cast<std::size_t>(slot)]);
+  for (const Index body : {0, 1, 2, 3}) EXPECT_TRUE(slots_of(incidence, body).empty());
 }
 
 }  // namespace
