@@ -246,6 +246,16 @@ void check_bonds(const CheckContext& context, const SpheresCase& spheres) {
   }
 }
 
+/// A plane is the same in every image of a periodic room.
+void check_plane_repeats(const CheckContext& context, const Entry& entry, const Domain& domain, const Vector3& normal) {
+  constexpr Real along = 1e-9;
+  for (int axis = 0; axis < 3; ++axis)
+    if (domain.periodic[static_cast<std::size_t>(axis)] && std::abs(normal[axis]) > along * normal.norm())
+      context.problems.error(entry.place("normal"),
+                             fmt::format("the normal has a part along {}, and the room repeats itself along {}", "xyz"[axis], "xyz"[axis]),
+                             "a plane in a periodic room goes along its periodic axes");
+}
+
 void check_walls(const CheckContext& context, const SpheresCase& spheres) {
   const auto materials = names_of(spheres.materials), motions = names_of(spheres.motions);
   const auto list = context.entries_of("walls");
@@ -263,9 +273,14 @@ void check_walls(const CheckContext& context, const SpheresCase& spheres) {
       if (entry.gives("normal") && !(wall.normal.norm() > 0))
         context.problems.error(entry.place("normal"), "normal has no length",
                                "write the direction across the plane, such as [0.0, 0.0, 1.0]");
+      check_plane_repeats(context, entry, spheres.domain, wall.normal);
     } else if (wall.shape == WallShape::box) {
       check_keys(context, entry, "a box", {"lower", "upper"}, {"point", "normal", "file", "group", "scale"});
       check_box(context, entry, wall.lower, wall.upper);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if (spheres.domain.periodic[axis])
+          context.problems.error(entry.place("shape"), fmt::format("a box has walls across the periodic axis {}", "xyz"[axis]),
+                                 "use planes for the sides that are closed");
     } else {
       check_keys(context, entry, "a mesh", {"file"}, {"point", "normal", "lower", "upper"});
       if (!entry.gives("file")) continue;

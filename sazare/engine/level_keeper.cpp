@@ -269,8 +269,11 @@ void LevelKeeper<D>::apply(std::size_t term, const terms::Changes& changes, Tick
     ask(bodies.first, level(bodies.second) - rules_.neighbor_levels);
     ask(bodies.second, level(bodies.first) - rules_.neighbor_levels);
   }
-  for (const Index link : changes.resting) rest({static_cast<Index>(term), link}, true);
-  for (const Index link : changes.watching) rest({static_cast<Index>(term), link}, false);
+  // One that has ended in the same step neither rests nor watches.
+  for (const Index link : changes.resting)
+    if (clocks_[term].holds(link)) rest({static_cast<Index>(term), link}, true);
+  for (const Index link : changes.watching)
+    if (clocks_[term].holds(link)) rest({static_cast<Index>(term), link}, false);
   for (const Index body : changes.softer) by_rates_[at(body)] = static_cast<std::int8_t>(wanted_by_rates(body));
   for (const Index body : changes.stiffer) {
     by_rates_[at(body)] = static_cast<std::int8_t>(wanted_by_rates(body));

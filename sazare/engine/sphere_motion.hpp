@@ -3,6 +3,7 @@
 /// Motion of single spheres: the step of some that stand one after the other in memory.
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "sazare/state/spheres.hpp"
@@ -17,7 +18,7 @@ struct SphereSpeeds {
   /// Takes more speeds in; one that is no number stays.
   void take(const SphereSpeeds& more) {
     second = std::max({second, std::min(first, more.first), more.second});
-    first = more.first <= first ? first : more.first;
+    first = std::isnan(first) || more.first <= first ? first : more.first;
     largest = std::max(largest, more.largest);
   }
 };

@@ -19,6 +19,10 @@
 ///
 /// Linear: a = 1, K and G are springs [N/m], C = 2 b sqrt(K), D = 2 b sqrt(G). A contact lasts pi/sqrt(K/m (1 - b^2)).
 ///
+/// A dashpot is no stronger than a step h bears where a sphere has twelve contacts, as many as equal ones can have: sums of c h/m over
+/// them, with spins that go against each other, stay below 1. That is 0.2 m/h along the normal and 0.03 m/h of a slider; contacts
+/// that last for more than some 10 steps have weaker dashpots along the normal anyway.
+///
 /// The slider's memory turns with the contact: its part along n is taken off, which shortens it by 1 - cos of the step's turn.
 
 #include <cmath>
@@ -131,6 +135,17 @@ inline Real overlap_of_energy(ContactModel model, const ContactConstants<Real>& 
                                       : std::sqrt(2 * energy / constants.normal);
 }
 
+/// Shares of m/h that dashpots may have at most.
+inline constexpr Real most_normal_damping = 0.2, most_tangential_damping = 0.03;
+
+/// The dashpot `constant` sqrt(a m) [N s/m], with `width` a and `root` sqrt(a m), or `share` m/h where that is less.
+template <class Number>
+Number bearable_damping(const Number& constant, Real share, const Number& width, const Number& root, const Number& step) {
+  const Number asked = constant * root, over = constant * step * width, bears = share * root;
+  if (const auto strong = over > bears; any(strong)) return select(strong, asked * bears / over, asked);
+  return asked;
+}
+
 template <class Number>
 Triple<Number> across(const Triple<Number>& vector, const Triple<Number>& normal) {
   return subtract_product(dot(vector, normal), normal, vector);
@@ -148,9 +163,10 @@ ContactForce<Number> contact_force(const ContactConstants<Number>& constants, co
     root = root_of_quotient(at.mass.product, at.mass.sum);
   }
   const Number opening = dot(at.velocity, at.normal);
-  const Number spring = constants.normal * width * at.overlap, damped = constants.normal_damping * root;
+  const Number spring = constants.normal * width * at.overlap, damped = bearable_damping(constants.normal_damping, most_normal_damping, width, root, at.step);
   const Number dashpot = damped * opening, normal = subtract_product(damped, opening, spring), pressing = maximum(normal, Number{});
-  const Number stiffness = constants.tangential * width, damping = constants.tangential_damping * root;
+  const Number stiffness = constants.tangential * width,
+               damping = bearable_damping(constants.tangential_damping, most_tangential_damping, width, root, at.step);
   const Triple<Number> sliding = subtract_product(opening, at.normal, at.velocity);
   memory.sliding = across(memory.sliding, at.normal);
   const auto slid = slide(stiffness, damping, Number(constants.friction * pressing), sliding, at.step, memory.sliding);

@@ -50,7 +50,7 @@ CheckpointReader::CheckpointReader(const std::filesystem::path& path) try : path
                                 path.string(), version.empty() ? 0 : version[0], format_version));
   }
 } catch (const UserError& error) {
-  throw UserError(fmt::format("{}. Start the run again without --resume", error.what()));
+  throw UserError(fmt::format("{}. Start the run anew with --overwrite", error.what()));
 }
 
 bool CheckpointReader::has(const std::string& name) const { return file_.has(path_of(name)); }
@@ -59,14 +59,14 @@ std::vector<std::byte> CheckpointReader::read(const std::string& name) const {
   if (!has(name)) {
     throw UserError(
         fmt::format("{}: holds no '{}': it was written by another Sazare or is damaged. Start the run "
-                    "again without --resume",
+                    "anew with --overwrite",
                     path_.string(), name));
   }
   std::vector<std::byte> bytes = file_.read_bytes(path_of(name));
   if (file_.read_attribute(path_of(name), "length_and_checksum") != seal_of(bytes)) {
     throw UserError(
-        fmt::format("{}: '{}' is damaged: its checksum is not that of its bytes. Start the run again "
-                    "without --resume",
+        fmt::format("{}: '{}' is damaged: its checksum is not that of its bytes. Start the run anew "
+                    "with --overwrite",
                     path_.string(), name));
   }
   return bytes;

@@ -184,7 +184,7 @@ void SnapshotSeries::resume(std::size_t count) {
   if (times.size() < count) {
     throw UserError(
         fmt::format("{}: should list {} snapshots at least, of the run to be resumed, and lists {}. Start "
-                    "the run again without --resume",
+                    "the run anew with --overwrite",
                     series_file("vtkhdf").string(), count, times.size()));
   }
   const std::size_t found = times.size();

@@ -107,6 +107,20 @@ std::vector<Index> joint_by_face(const cases::BlocksCase& blocks, const MeshFace
   return joint_of;
 }
 
+std::vector<UnjoinedFaces> unjoined_faces(const MeshFaces& faces, const std::vector<Index>& material,
+                                          const std::vector<Index>& joint_of_face) {
+  std::vector<UnjoinedFaces> unjoined;
+  for (std::size_t face = 0; face < joint_of_face.size(); ++face) {
+    if (joint_of_face[face] >= 0) continue;
+    const auto& shared = faces.map.interior[face];
+    const auto [first, second] = std::minmax({material[at(shared.element_i)], material[at(shared.element_j)]});
+    auto same = std::ranges::find_if(unjoined, [&](const UnjoinedFaces& of) { return of.first == first && of.second == second; });
+    if (same == unjoined.end()) same = unjoined.insert(same, {first, second, 0});
+    ++same->count;
+  }
+  return unjoined;
+}
+
 methods::blocks::JointKind make_joint_kind(const cases::Joint& joint) {
   methods::blocks::JointKind kind;
   if (!joint.bonded) return kind;

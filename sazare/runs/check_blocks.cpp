@@ -77,7 +77,7 @@ std::string check_blocks(const cases::CaseFile& file) {
   BlocksModel model = build_blocks(file.blocks(), load_mesh(file, folder.path() / "mesh.msh", false));
   const Gauges gauges(file, model.mesh);
   const RunClocks clocks = make_clocks(file.blocks().time, model.simulation->levels().step(0));
-  const std::string warning = check_stability(file, model);
+  const std::string warning = check_joints(file, model) + check_stability(file, model);
   model.simulation->start();
   return cases::explain(file.blocks()) + body_text(model) + step_text(model, clocks) + level_text(model) + limiting_text(model) +
          (warning.empty() ? "" : "\n" + warning);

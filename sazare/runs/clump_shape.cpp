@@ -7,6 +7,7 @@
 #include <cctype>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 #include "sazare/cases/number_text.hpp"
 #include "sazare/core/error.hpp"
@@ -57,10 +58,12 @@ std::vector<std::vector<Real>> read_rows(const std::filesystem::path& file, std:
   if (!stream) throw UserError(fmt::format("{}: the file of spheres cannot be read", file.string()));
   std::vector<std::vector<Real>> rows;
   std::string line;
+  bool may_be_titles = true;  // of the columns, in the first line that is not empty
   for (std::size_t number = 1; std::getline(stream, line); ++number) {
     std::ranges::replace(line, ',', ' ');
     const auto begin = line.find_first_not_of(" \t\r");
-    if (begin == std::string::npos || line[begin] == '#' || std::isalpha(static_cast<unsigned char>(line[begin])) != 0) continue;
+    if (begin == std::string::npos || line[begin] == '#') continue;
+    if (std::exchange(may_be_titles, false) && std::isalpha(static_cast<unsigned char>(line[begin])) != 0) continue;
     std::istringstream words(line);
     std::vector<Real> row(count);
     bool good = std::ranges::all_of(row, [&](Real& value) { return static_cast<bool>(words >> value); });

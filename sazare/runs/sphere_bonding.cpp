@@ -18,6 +18,7 @@ using cases::short_number;
 using methods::spheres::Bond;
 
 constexpr Real infinite = std::numeric_limits<Real>::infinity();
+constexpr Real same_place = 1e-9;  // of a radius
 
 laws::BondStiffness<Real> stiffness_of(const BondRules& rules, Real length, Real radius) {
   return rules.youngs_modulus ? laws::beam_stiffness(length, radius, *rules.youngs_modulus, *rules.poisson_ratio)
@@ -74,6 +75,11 @@ private:
     const auto &one = placement_.spheres.place[static_cast<std::size_t>(pair.first)],
                &other = placement_.spheres.place[static_cast<std::size_t>(pair.second)];
     const Vector3 apart = placement_.spheres.box.nearest(other.centre() - one.centre());
+    if (!(apart.norm() > same_place * std::min(one.radius, other.radius)))
+      refuse(file_, fmt::format("bonds.{}", pair.entry),
+             fmt::format("two spheres stand at one place, ({}, {}, {}), where no bond can join them",
+                         short_number(one.x, 4), short_number(one.y, 4), short_number(one.z, 4)),
+             "a bond needs a direction: look for a row that stands twice in a file, or for groups that lie in each other");
     Bond bond;
     bond.first = pair.first;
     bond.second = pair.second;

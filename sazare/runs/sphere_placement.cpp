@@ -146,6 +146,8 @@ private:
     const auto found = std::ranges::find(spheres_.shapes, group.shape, &cases::ClumpShape::name);
     const Shape shape = make_shape(file_, static_cast<std::size_t>(found - spheres_.shapes.begin()));
     group.radius = shape.reach;
+    group.largest_radius.reset();
+    check_room(shape, group.shape);
     if (!shape.shares.empty()) result_.share_error = std::max(result_.share_error, shape.share_error);
     std::vector<Ball> places;
     std::vector<Vector3> rotations;
@@ -228,8 +230,22 @@ private:
     ++result_.bonded_bodies;
   }
 
+  /// Random places are those of whole spheres within the box of their group.
+  void check_box(std::size_t number, const SphereGroup& group) const {
+    const Real width = 2 * group.largest_radius.value_or(group.radius);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Real length = group.upper[axis] - group.lower[axis];
+      if (repeats(axis, group) || length >= width) continue;
+      refuse(file_, fmt::format("spheres.{}.upper", number),
+             fmt::format("the box of the group \"{}\" is {} m along {}, and its largest {} {} m wide", group.name,
+                         short_number(length, 4), "xyz"[axis], group.shape.empty() ? "sphere" : "body", short_number(width, 4)),
+             "random places are such that all lies within the box: make it larger");
+    }
+  }
+
   /// Random places without overlap, one after the other, the largest first.
   std::vector<Ball> scatter(std::size_t number, const SphereGroup& group) {
+    check_box(number, group);
     Random random(group.seed);
     std::vector<Ball> balls(static_cast<std::size_t>(group.count));
     for (Ball& ball : balls) ball.radius = random.between(group.radius, group.largest_radius.value_or(group.radius));
@@ -285,6 +301,18 @@ private:
                        group.count, group.name, short_number(share, 3)),
            "random places without overlap rarely fill more than 0.35: choose a larger box or fewer spheres, and let them settle "
            "under gravity");
+  }
+
+  /// A body must not meet itself through a periodic side, however it turns.
+  void check_room(const Shape& shape, const std::string& name) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      const Real length = result_.spheres.box.length[axis];
+      if (length <= 0 || length > 2 * shape.reach) continue;
+      refuse(file_, "domain.upper",
+             fmt::format("the room is {} m along the periodic axis {}, and a body of the shape \"{}\" may be {} m long",
+                         short_number(length, 4), "xyz"[axis], name, short_number(2 * shape.reach, 4)),
+             "it would meet itself on the other side: make the room longer than the body in any position");
+    }
   }
 
   void check_sizes() const {

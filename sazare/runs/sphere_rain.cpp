@@ -15,6 +15,9 @@ namespace sazare::runs {
 
 namespace {
 
+/// Rain that becomes no calmer, by this factor, in so many of the times in which it is slowed to a third has no end.
+constexpr Real calmer = 0.99, waits = 50;
+
 /// Which spheres fall, and what slows them.
 engine::RainRules rain_rules(const cases::SpheresCase& spheres, const SpheresModel& model) {
   constexpr std::int64_t most_steps = 20'000'000;
@@ -42,16 +45,29 @@ bool let_rain(const cases::SpheresCase& spheres, SpheresModel& model, const RunO
   std::fflush(stdout);
   Progress progress(options.quiet, {.smallest_step = model.steps.smallest(), .broken_joints = -1, .evaluated = "particle-steps"});
   const auto count = static_cast<std::int64_t>(model.group.size());
-  Real first = 0;
+  const auto patience = static_cast<std::int64_t>(waits / (rules.damping * model.steps.step));
+  Real first = 0, least = std::numeric_limits<Real>::infinity();
+  std::int64_t calmer_at = 0;
+  bool gains = true;
   rules.goes_on = [&](std::int64_t done, Real unrest) {
     first = std::max(first, unrest);
+    if (unrest < calmer * least) {
+      least = unrest;
+      calmer_at = done;
+    }
+    gains = std::isfinite(unrest) && done - calmer_at < patience;
+    if (!gains) return false;
     // What is left falls by about the same factor in equal times.
     if (progress.is_due())
       progress.show({std::log(first / unrest) / std::log(first), 0, done * count, model.steps.smallest(), -1, "particle-steps"});
     return options.stop_asked == nullptr || !options.stop_asked->load(std::memory_order_relaxed);
   };
   const engine::RainEnd end = model.stepper->rain(rules);
-  if (!end.goes_on || end.unrest <= 1) return end.goes_on;
+  if (gains && (!end.goes_on || end.unrest <= 1)) return end.goes_on;
+  if (!std::isfinite(end.unrest))
+    throw PhysicsError(fmt::format("what rains moves beyond all bounds after {} steps of {} s\n"
+                                   "  the step is too long for its contacts: give a smaller time.stability_fraction",
+                                   end.steps, cases::short_number(model.steps.step, 3)));
   throw PhysicsError(
       fmt::format("what rains does not come to rest: after {} steps it moves {} times as much as at rest\n"
                   "  it finds no ground, or nothing brakes it: look at the walls below, at friction and at restitution",

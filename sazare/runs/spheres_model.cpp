@@ -94,24 +94,52 @@ std::uint64_t hash_of(const Placement& placement, const std::vector<Wall>& walls
   return hash.value();
 }
 
+/// How far a sphere reaches through a wall, over its radius; below 0 where it does not.
+Real share_within(const Wall& wall, const geometry::TriangleGrid& grid, const Vector3& centre, Real radius) {
+  if (wall.is_plane()) return 1 - (centre - wall.point).dot(wall.normal) / radius;
+  Real nearest = std::numeric_limits<Real>::infinity();
+  for (const std::int32_t t : grid.near(centre))
+    nearest = std::min(nearest, (geometry::nearest_point(wall.triangles[static_cast<std::size_t>(t)], centre) - centre).norm());
+  return 1 - nearest / radius;
+}
+
+/// The first of them, with their groups and places.
+std::string some_of(std::span<const std::size_t> which, const SpheresCase& spheres, const Placement& placement) {
+  constexpr std::size_t most = 3;
+  std::string text;
+  for (const std::size_t i : which.first(std::min(most, which.size()))) {
+    const auto& place = placement.spheres.place[i];
+    text += fmt::format("{}sphere {} of \"{}\" at ({}, {}, {})", text.empty() ? "" : ", ", i + 1,
+                        spheres.spheres[static_cast<std::size_t>(placement.group[i])].name, cases::short_number(place.x, 4),
+                        cases::short_number(place.y, 4), cases::short_number(place.z, 4));
+  }
+  return which.size() > most ? text + ", and others" : text;
+}
+
 /// Spheres that begin beyond a wall by more than contact.overlap_limit are refused.
 void check_walls(const cases::CaseFile& file, const SpheresModel& model, const std::vector<Wall>& walls,
-                 const state::Spheres& placed) {
+                 const Placement& placement) {
   const SpheresCase& spheres = file.spheres();
+  const state::Spheres& placed = placement.spheres;
+  Real largest = 0;
+  for (const auto& place : placed.place) largest = std::max(largest, place.radius);
   for (std::size_t w = 0; w < walls.size(); ++w) {
-    if (!walls[w].is_plane()) continue;
-    long beyond = 0;
+    if (walls[w].nodal.exists()) continue;
+    const geometry::TriangleGrid grid(walls[w].triangles, largest);
+    std::vector<std::size_t> beyond;
     Real deepest = 0;
-    for (const auto& place : placed.place) {
-      const Real share = 1 - (place.centre() - walls[w].point).dot(walls[w].normal) / place.radius;
-      if (share > spheres.contact.overlap_limit) ++beyond;
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+      const Real share = share_within(walls[w], grid, placed.box.wrapped(placed.place[i].centre()), placed.place[i].radius);
+      if (share > spheres.contact.overlap_limit) beyond.push_back(i);
       deepest = std::max(deepest, share);
     }
-    if (beyond == 0) continue;
+    if (beyond.empty()) continue;
     refuse(file, fmt::format("walls.{}", model.case_wall[w]),
-           fmt::format("{} spheres begin beyond the wall \"{}\", by {} of their radius or less", beyond, walls[w].name,
-                       cases::short_number(deepest, 3)),
-           "the normal of a plane points into the room for spheres; overlap_limit in [contact] says how much is allowed");
+           fmt::format("{} spheres begin within the wall \"{}\", by {} of their radius or less: {}", beyond.size(), walls[w].name,
+                       cases::short_number(deepest, 3), some_of(beyond, spheres, placement)),
+           walls[w].is_plane()
+               ? "the normal of a plane points into the room for spheres; overlap_limit in [contact] says how much is allowed"
+               : "a sphere's surface must not reach through the mesh; overlap_limit in [contact] says how much is allowed");
   }
 }
 
@@ -139,7 +167,7 @@ SpheresModel build_spheres(const cases::CaseFile& file, std::optional<Real> wind
   Placement placement = place_spheres(file);
   std::vector<Wall> walls;
   add_walls(spheres, model, walls);
-  check_walls(file, model, walls, placement.spheres);
+  check_walls(file, model, walls, placement);
   const methods::spheres::ContactTable table = contact_table(spheres);
   methods::spheres::Bonds bonds = bond_spheres(file, placement);
   model.clumps = static_cast<std::int64_t>(placement.clumps.clumps.size());

@@ -84,6 +84,15 @@ def test_a_motion_that_makes_no_sense_ends_the_run(sazare, tmp_path):
     assert (tmp_path / "checkpoint" / "state.h5").exists()
 
 
+def test_long_base_steps_of_a_blast_run_to_their_end(sazare, tmp_path):
+    """Pairs of blocks then part in the base step in which they would rest."""
+    long = ("--set", "time.base_step=2.5e-5", "--set", "time.history_interval=2.5e-5")
+    done = sazare("run", ROOT / "cases/free-face-blast/case.toml", "--out", tmp_path / "run", "--threads", 1, *long)
+    assert done.returncode == DONE
+    figures = manifest(tmp_path / "run")["results"]
+    assert abs(figures["energy_residual"]) < 1e-4 * figures["energy_work"]
+
+
 def test_a_strict_case_refuses_a_step_above_stability(sazare, tmp_path):
     strict = sazare.run_block(tmp_path, "time.limiter=none", "time.base_step=2e-6", "time.strict=true")
     assert strict.returncode == USER_ERROR

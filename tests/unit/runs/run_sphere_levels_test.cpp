@@ -42,12 +42,12 @@ TEST(run_sphere_levels, of_linear_springs_go_by_mass) {
   ASSERT_FALSE(steps.level.empty());
   EXPECT_GE(steps.count.size(), 5U);  // the steps differ by sqrt(8^3), 22.6
   const Real lightest = 2500 * 4.18879020478639 * std::pow(0.00075, 3);
-  EXPECT_NEAR(steps.limit, 2 * std::sqrt(0.5 * lightest / 1e5), 1e-12);
+  EXPECT_NEAR(steps.limit, 2 * std::sqrt(lightest / (40 * 8e4)), 1e-12);  // turning among twelve
 }
 
 TEST(run_sphere_levels, give_what_one_step_for_all_gives_for_less) {
   const TemporaryFolder folder;
-  const std::vector<std::string> settings = {"time.end=0.1", "time.history_interval=0.005", "time.snapshot_interval=0.1"};
+  const std::vector<std::string> settings = {"time.end=0.1", "time.stability_fraction=0.15", "time.history_interval=0.005", "time.snapshot_interval=0.1"};
   const auto with = [&](const std::string& levels) {
     auto all = settings;
     all.push_back("time.levels=\"" + levels + "\"");
