@@ -12,11 +12,13 @@ class Comparison:
     """Two runs beside each other.
 
     figures: name -> (first, second) of the headline figures that both have;
+    ppv: gauge -> (first, second) peak particle velocity [m/s] of the gauges that both have;
     history: column -> largest difference over the largest magnitude of the first, at times that both have;
     same_bits: whether both end in the same state, None where that cannot be said.
     """
 
     figures: dict
+    ppv: dict
     history: dict
     same_bits: bool | None
 
@@ -27,8 +29,10 @@ class Comparison:
 
     def __str__(self):
         rows = [(name, f"{first:.6g}", f"{second:.6g}") for name, (first, second) in self.figures.items()]
-        width = max((len(name) for name, _, _ in rows), default=0)
+        peaks = [(f"peak velocity, {gauge}", f"{first:.4g} m/s", f"{second:.4g} m/s", _ratio(first, second)) for gauge, (first, second) in self.ppv.items()]
+        width = max((len(row[0]) for row in [*rows, *peaks]), default=0)
         lines = [f"{name:<{width}}  {first:>14}  {second:>14}" for name, first, second in rows]
+        lines += [f"{name:<{width}}  {first:>14}  {second:>14}  ratio {ratio}" for name, first, second, ratio in peaks]
         bits = {True: "the same bits", False: "different bits", None: "bits not known"}[self.same_bits]
         return "\n".join([*lines, f"histories differ by at most {self.largest_difference:.2e} of their size; {bits}"])
 
@@ -41,12 +45,18 @@ def compare(first, second):
     """Compares two runs, given as Results or folders. Raises NotARun where one is none."""
     first, second = (run if isinstance(run, Results) else open_run(run) for run in (first, second))
     common = [name for name in first.figures if name in second.figures and name not in OF_THE_MACHINE]
+    peaks = [run.figures.get("ppv", {}) for run in (first, second)]
     hashes = [run.manifest.get("state_hash") for run in (first, second)]
     return Comparison(
         {name: (first.figures[name], second.figures[name]) for name in common if _are_numbers(first, second, name)},
+        {gauge: (peaks[0][gauge], peaks[1][gauge]) for gauge in peaks[0] if gauge in peaks[1]},
         _history_differences(first.history, second.history),
         hashes[0] == hashes[1] if all(hashes) else None,
     )
+
+
+def _ratio(first, second):
+    return f"{first / second:.3f}" if second else "-"
 
 
 def _are_numbers(first, second, name):

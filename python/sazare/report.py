@@ -255,7 +255,7 @@ def _largest_fragments(results):
     table = results.fragments
     return [
         {
-            "number": number + 1,
+            "number": int(table["fragment"][number]),
             "elements": style.count(table["elements"][number]),
             "volume": f"{table['volume'][number]:.3g}",
             "mass": f"{table['mass'][number]:.4g}",

@@ -131,6 +131,10 @@ def test_a_run_compared_with_itself_is_the_same(slab):
     assert compared.largest_difference == 0.0
     assert compared.same_bits is (True if sazare.open(slab).manifest.get("state_hash") else None)
     assert all(first == second for first, second in compared.figures.values())
+    assert compared.ppv == {name: (peak, peak) for name, peak in sazare.open(slab).figures["ppv"].items()}
+    for gauge in compared.ppv:
+        assert f"peak velocity, {gauge}" in str(compared)
+    assert "ratio 1.000" in str(compared)
 
 
 def test_what_differs_between_two_runs_is_found(slab, tmp_path):

@@ -16,7 +16,7 @@ constexpr const char* page_head = R"(# The case file
 
 A case is a TOML file. All numbers are in SI units, given here for each key; file names are relative to the case
 file. Keys that are not listed are errors. `sazare check CASE` reads a case, lists everything that is wrong, and
-prints it with all defaults. `--set table.key=value` changes a key for one run; entries of a list are numbered
+prints it with the defaults that hold for it. `--set table.key=value` changes a key for one run; entries of a list are numbered
 from 0: `--set joints.0.cohesion=5e6`.
 
 This page is written from the table that also checks cases. `sazare schema` prints the same as a JSON schema for

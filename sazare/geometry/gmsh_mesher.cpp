@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -210,6 +211,10 @@ void check_outcome(const MeshRequest& request, const Outcome& outcome, const fs:
   const Messages messages = split(outcome.messages);
   constexpr std::size_t shown = 8;
   const std::string words = last_lines(messages.errors.empty() ? messages.lines : messages.errors, shown);
+  if (WIFSIGNALED(outcome.status) && (WTERMSIG(outcome.status) == SIGINT || WTERMSIG(outcome.status) == SIGTERM)) {
+    throw MachineError(
+        fmt::format("{}: stopped while gmsh was meshing it. Nothing of the run is there yet: start it once more", geometry));
+  }
   if (WIFSIGNALED(outcome.status)) {
     throw MachineError(
         fmt::format("{}: gmsh was ended by signal {} (too little memory?).{}", geometry, WTERMSIG(outcome.status), words));
@@ -217,6 +222,19 @@ void check_outcome(const MeshRequest& request, const Outcome& outcome, const fs:
   std::error_code ignored;
   if (WEXITSTATUS(outcome.status) == 0 && messages.errors.empty() && fs::exists(output, ignored)) return;
   throw UserError(fmt::format("{}: gmsh could not mesh it. Its last messages:{}", geometry, words));
+}
+
+/// Gmsh does not tell of a disk that is full: the end of its file then is not that of a section.
+void check_end(const MeshRequest& request, const fs::path& output) {
+  constexpr std::streamoff tail = 32;
+  std::ifstream stream(output, std::ios::binary | std::ios::ate);
+  const std::streamoff length = stream.tellg();
+  std::string end(static_cast<std::size_t>(std::clamp<std::streamoff>(length, 0, tail)), ' ');
+  stream.seekg(length - static_cast<std::streamoff>(end.size()));
+  stream.read(end.data(), static_cast<std::streamsize>(end.size()));
+  if (end.find("$End") != std::string::npos) return;
+  throw MachineError(fmt::format("{}: the mesh that gmsh has written is cut short: is the disk full? Nothing of it is kept",
+                                 request.mesh.string()));
 }
 
 }  // namespace
@@ -232,6 +250,7 @@ void mesh_geometry(const MeshRequest& request) {
   }
   const RemoveAtEnd temporary{folder / fmt::format(".{}.{}.msh", request.mesh.stem().string(), getpid())};
   check_outcome(request, run(arguments_for(request, temporary.file)), temporary.file);
+  check_end(request, temporary.file);
   fs::rename(temporary.file, request.mesh, error);
   if (error) {
     throw MachineError(fmt::format("{}: cannot be written: {}", request.mesh.string(), error.message()));

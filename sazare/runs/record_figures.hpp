@@ -11,7 +11,7 @@ using observe::Column;
 
 inline constexpr std::array of_all = {Column{"wall_seconds", "s", "of the clock on the wall"},
                                       Column{"energy_residual", "J", "what no cause accounts for"},
-                                      Column{"ppv", "m/s", "largest speed by gauge"}};
+                                      Column{"ppv", "m/s", "largest speed by gauge, at the rows of the history"}};
 
 inline constexpr std::array of_steps = {Column{"steps", "-", ""}, Column{"step", "s", ""},
                                         Column{"predicted_limit", "s", "largest stable step, predicted; not of fem"}};
@@ -29,7 +29,7 @@ inline constexpr std::array blocks = {Column{"elements", "-", ""},
                                       Column{"x50", "m", "size that half of the volume passes"},
                                       Column{"x80", "m", "size that 80 % of the volume passes"},
                                       Column{"throw_max", "m", "longest way of a fragment's centre"},
-                                      Column{"peak_speed", "m/s", "largest of any element"},
+                                      Column{"peak_speed", "m/s", "largest of any element, at the rows of the history"},
                                       Column{"steps", "-", "base steps"},
                                       Column{"kicks", "-", "steps of elements, each at its level"},
                                       Column{"ticks", "-", "moments at which something was due"},

@@ -139,7 +139,9 @@ class Boundary(Part):
     surface: str
     """Physical surface group on the outside of the body."""
     kind: Literal["fixed", "frictionless", "absorbing"]
-    """fixed does not move, frictionless slides along the plane of each face, absorbing lets waves leave (dashpots)."""
+    """fixed stands on ground like it, with its own springs and dashpots, frictionless slides along the plane of each face,
+    absorbing lets waves leave (dashpots).
+    """
 
 
 @dataclass(kw_only=True, eq=False)

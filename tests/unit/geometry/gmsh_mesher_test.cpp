@@ -100,6 +100,28 @@ TEST(gmsh_mesher, names_with_spaces_and_quotes_are_plain_names) {
   EXPECT_EQ(files_in(folder.path()), 2u);
 }
 
+/// A program in the place of gmsh; "$4" is the file that it is to write.
+std::string in_place_of_gmsh(const TemporaryFolder& folder, const std::string& does) {
+  const std::filesystem::path program = folder.write("gmsh.sh", "#!/bin/sh\n" + does + "\n");
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  return program.string();
+}
+
+TEST(gmsh_mesher, a_mesh_that_is_cut_short_is_not_kept) {
+  const TemporaryFolder folder;
+  MeshRequest request{folder.write("box.geo", box), folder.path() / "meshes/box.msh"};
+  request.program = in_place_of_gmsh(folder, "printf '$MeshFormat\\n4.1 1 8\\n$EndMeshFormat\\n$Nodes\\n1 2 3 and much more of them' > \"$4\"");
+  EXPECT_WORDS(words_of<MachineError>(request), "box.msh: the mesh that gmsh has written is cut short: is the disk full?");
+  EXPECT_EQ(files_in(folder.path() / "meshes"), 0U);
+}
+
+TEST(gmsh_mesher, a_stop_while_it_works_is_said_to_be_one) {
+  const TemporaryFolder folder;
+  MeshRequest request{folder.write("box.geo", box), folder.path() / "box.msh"};
+  request.program = in_place_of_gmsh(folder, "kill -INT $$");
+  EXPECT_WORDS(words_of<MachineError>(request), "stopped while gmsh was meshing it. Nothing of the run is there yet");
+}
+
 TEST(gmsh_mesher, missing_program) {
   const TemporaryFolder folder;
   const MeshRequest request{folder.write("box.geo", box), folder.path() / "box.msh", {}, 1, 3, "no-such-gmsh"};
