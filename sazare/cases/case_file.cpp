@@ -1,7 +1,9 @@
 #include "sazare/cases/case_file.hpp"
 
+#include <cerrno>
 #include <fstream>
 #include <sstream>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -26,10 +28,14 @@ std::string read_text(const fs::path& path) {
   if (fs::is_directory(path, failure))
     throw UserError(fmt::format("{} is a folder; name the case file in it, such as {}", path.string(),
                                 (path / "case.toml").lexically_normal().string()));
+  errno = 0;
   std::ifstream stream(path, std::ios::binary);
+  const int error = errno;
   std::ostringstream text;
   text << stream.rdbuf();
-  if (!stream) throw UserError(fmt::format("cannot read the case file {}: is the path right?", path.string()));
+  if (!stream)
+    throw UserError(fmt::format("cannot read the case file {}: {}", path.string(),
+                                error == 0 || error == ENOENT ? "is the path right?" : std::generic_category().message(error)));
   return text.str();
 }
 

@@ -145,6 +145,10 @@ TEST(gmsh_reader_errors, same_element_twice) {
   EXPECT_WORDS(words, "elements 103, 104 and 105 share one face");
 }
 
+TEST(gmsh_reader_errors, element_number_twice) {
+  EXPECT_WORDS(words_of(replaced(two_tetrahedra().text(), "\n104 ", "\n103 ")), "two tetrahedra have the number 103");
+}
+
 TEST(gmsh_reader_errors, elements_on_one_side_of_their_face) {
   const std::string words = words_of([](MshWriter& mesh) {
     mesh.nodes.emplace_back(0.1, 0.1, 0.05);
