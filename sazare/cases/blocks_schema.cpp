@@ -188,7 +188,8 @@ constexpr std::array boundary_keys{
     Key{.name = "kind",
         .type = Type::choice,
         .need = Need::required,
-        .sentence = "fixed stands on ground like it, with its own springs and dashpots, frictionless slides along the plane of each face, absorbing lets waves "
+        .sentence = "fixed stands on ground like it, with its own springs and dashpots, frictionless slides along the plane of "
+                    "each face, absorbing lets waves "
                     "leave (dashpots).",
         .choices = boundary_kinds},
 };

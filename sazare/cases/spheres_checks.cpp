@@ -251,9 +251,10 @@ void check_plane_repeats(const CheckContext& context, const Entry& entry, const 
   constexpr Real along = 1e-9;
   for (int axis = 0; axis < 3; ++axis)
     if (domain.periodic[static_cast<std::size_t>(axis)] && std::abs(normal[axis]) > along * normal.norm())
-      context.problems.error(entry.place("normal"),
-                             fmt::format("the normal has a part along {}, and the room repeats itself along {}", "xyz"[axis], "xyz"[axis]),
-                             "a plane in a periodic room goes along its periodic axes");
+      context.problems.error(
+          entry.place("normal"),
+          fmt::format("the normal has a part along {}, and the room repeats itself along {}", "xyz"[axis], "xyz"[axis]),
+          "a plane in a periodic room goes along its periodic axes");
 }
 
 void check_walls(const CheckContext& context, const SpheresCase& spheres) {

@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <csignal>
 #include <cmath>
+#include <csignal>
 #include <fstream>
 #include <iterator>
 #include <string_view>

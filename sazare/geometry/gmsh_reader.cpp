@@ -145,9 +145,10 @@ void add_tetrahedra(const GmshFile& file, const NodeMap& nodes, TetraMesh& mesh)
   auto numbers = mesh.tags;
   std::ranges::sort(numbers);
   if (const auto twice = std::ranges::adjacent_find(numbers); twice != numbers.end())
-    throw UserError(fmt::format("$Elements: two tetrahedra have the number {}, by which messages and results name them. Save the mesh "
-                                "from gmsh once more, which numbers them anew",
-                                *twice));
+    throw UserError(
+        fmt::format("$Elements: two tetrahedra have the number {}, by which messages and results name them. Save the mesh "
+                    "from gmsh once more, which numbers them anew",
+                    *twice));
 }
 
 void add_surfaces(const GmshFile& file, const NodeMap& nodes, TetraMesh& mesh) {

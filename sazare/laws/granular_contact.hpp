@@ -19,9 +19,9 @@
 ///
 /// Linear: a = 1, K and G are springs [N/m], C = 2 b sqrt(K), D = 2 b sqrt(G). A contact lasts pi/sqrt(K/m (1 - b^2)).
 ///
-/// A dashpot is no stronger than a step h bears where a sphere has twelve contacts, as many as equal ones can have: sums of c h/m over
-/// them, with spins that go against each other, stay below 1. That is 0.2 m/h along the normal and 0.03 m/h of a slider; contacts
-/// that last for more than some 10 steps have weaker dashpots along the normal anyway.
+/// A dashpot is no stronger than a step h bears where a sphere has twelve contacts, as many as equal ones can have: sums of c h/m
+/// over them, with spins that go against each other, stay below 1. That is 0.2 m/h along the normal and 0.03 m/h of a slider;
+/// contacts that last for more than some 10 steps have weaker dashpots along the normal anyway.
 ///
 /// The slider's memory turns with the contact: its part along n is taken off, which shortens it by 1 - cos of the step's turn.
 
@@ -163,8 +163,10 @@ ContactForce<Number> contact_force(const ContactConstants<Number>& constants, co
     root = root_of_quotient(at.mass.product, at.mass.sum);
   }
   const Number opening = dot(at.velocity, at.normal);
-  const Number spring = constants.normal * width * at.overlap, damped = bearable_damping(constants.normal_damping, most_normal_damping, width, root, at.step);
-  const Number dashpot = damped * opening, normal = subtract_product(damped, opening, spring), pressing = maximum(normal, Number{});
+  const Number spring = constants.normal * width * at.overlap,
+               damped = bearable_damping(constants.normal_damping, most_normal_damping, width, root, at.step);
+  const Number dashpot = damped * opening, normal = subtract_product(damped, opening, spring),
+               pressing = maximum(normal, Number{});
   const Number stiffness = constants.tangential * width,
                damping = bearable_damping(constants.tangential_damping, most_tangential_damping, width, root, at.step);
   const Triple<Number> sliding = subtract_product(opening, at.normal, at.velocity);

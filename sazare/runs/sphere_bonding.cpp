@@ -77,8 +77,8 @@ private:
     const Vector3 apart = placement_.spheres.box.nearest(other.centre() - one.centre());
     if (!(apart.norm() > same_place * std::min(one.radius, other.radius)))
       refuse(file_, fmt::format("bonds.{}", pair.entry),
-             fmt::format("two spheres stand at one place, ({}, {}, {}), where no bond can join them",
-                         short_number(one.x, 4), short_number(one.y, 4), short_number(one.z, 4)),
+             fmt::format("two spheres stand at one place, ({}, {}, {}), where no bond can join them", short_number(one.x, 4),
+                         short_number(one.y, 4), short_number(one.z, 4)),
              "a bond needs a direction: look for a row that stands twice in a file, or for groups that lie in each other");
     Bond bond;
     bond.first = pair.first;

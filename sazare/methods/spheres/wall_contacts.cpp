@@ -211,7 +211,8 @@ ContactSums WallContacts::push(const state::Spheres& spheres, std::size_t begin,
     const Point& point = block.points[n];
     const auto i = static_cast<std::size_t>(block.touches[n].sphere);
     Ground& ground = grounds[static_cast<std::size_t>(lane)] = ground_at(point, spheres.place[i].radius);
-    lanes.set(lane, table_.of(static_cast<Index>(spheres.spin[i].material), walls_[static_cast<std::size_t>(point.wall)].material),
+    lanes.set(lane,
+              table_.of(static_cast<Index>(spheres.spin[i].material), walls_[static_cast<std::size_t>(point.wall)].material),
               point, block.touches[n]);
     lanes.set(lane, spheres.place[i], spheres.spin[i].spin(), point.normal, ground);
   }
@@ -300,7 +301,8 @@ ContactSums WallContacts::evaluate(const state::Spheres& spheres, const Task& ta
   touch_anew(spheres, block);
   const Push push_some = push_of_table();
   ContactSums sums;
-  for (std::size_t begin = 0; begin < block.points.size(); begin += lane_count) sums += (this->*push_some)(spheres, begin, task, block);
+  for (std::size_t begin = 0; begin < block.points.size(); begin += lane_count)
+    sums += (this->*push_some)(spheres, begin, task, block);
   return sums;
 }
 

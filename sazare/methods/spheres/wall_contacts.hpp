@@ -109,7 +109,8 @@ private:
   static std::size_t keep_those_in_front(Real radius, std::span<Point> points);
   void touch_anew(const state::Spheres& spheres, Block& block) const;
   std::vector<Touch> touches() const;
-  using Push = ContactSums (WallContacts::*)(const state::Spheres& spheres, std::size_t begin, const Task& task, Block& block) const;
+  using Push = ContactSums (WallContacts::*)(const state::Spheres& spheres, std::size_t begin, const Task& task,
+                                             Block& block) const;
   Push push_of_table() const;
   template <bool rolls>
   struct InLanes;

@@ -110,7 +110,8 @@ std::string in_place_of_gmsh(const TemporaryFolder& folder, const std::string& d
 TEST(gmsh_mesher, a_mesh_that_is_cut_short_is_not_kept) {
   const TemporaryFolder folder;
   MeshRequest request{folder.write("box.geo", box), folder.path() / "meshes/box.msh"};
-  request.program = in_place_of_gmsh(folder, "printf '$MeshFormat\\n4.1 1 8\\n$EndMeshFormat\\n$Nodes\\n1 2 3 and much more of them' > \"$4\"");
+  request.program =
+      in_place_of_gmsh(folder, "printf '$MeshFormat\\n4.1 1 8\\n$EndMeshFormat\\n$Nodes\\n1 2 3 and much more of them' > \"$4\"");
   EXPECT_WORDS(words_of<MachineError>(request), "box.msh: the mesh that gmsh has written is cut short: is the disk full?");
   EXPECT_EQ(files_in(folder.path() / "meshes"), 0U);
 }

@@ -47,7 +47,8 @@ TEST(run_sphere_levels, of_linear_springs_go_by_mass) {
 
 TEST(run_sphere_levels, give_what_one_step_for_all_gives_for_less) {
   const TemporaryFolder folder;
-  const std::vector<std::string> settings = {"time.end=0.1", "time.stability_fraction=0.15", "time.history_interval=0.005", "time.snapshot_interval=0.1"};
+  const std::vector<std::string> settings = {"time.end=0.1", "time.stability_fraction=0.15", "time.history_interval=0.005",
+                                             "time.snapshot_interval=0.1"};
   const auto with = [&](const std::string& levels) {
     auto all = settings;
     all.push_back("time.levels=\"" + levels + "\"");
