@@ -15,6 +15,7 @@ namespace sazare::engine {
 namespace {
 
 constexpr std::size_t serial_below = 1024;  // a kick takes some 60 ns, waking a thread some microseconds
+constexpr std::int64_t ticks_between_pauses = 64;
 
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
@@ -64,14 +65,16 @@ void Simulation<D>::start() {
 }
 
 template <int D>
-void Simulation<D>::advance() {
-  const Tick end = now_.tick + schedule::base_stride;
+bool Simulation<D>::advance(const std::function<bool()>& pause) {
+  const Tick end = now_.tick - now_.tick % schedule::base_stride + schedule::base_stride;
   while (now_.tick < end) {
+    if (pause && counters_.ticks % ticks_between_pauses == 0 && pause()) return false;
     now_.tick += schedule::stride(levels_.finest());
     now_.tick -= now_.tick % schedule::stride(levels_.finest());
     tick();
   }
   if (replicas_ && now_.tick / schedule::base_stride % interval_ == 0) divide_anew();
+  return true;
 }
 
 /// The step, as a list: choose levels, find what is due, evaluate, kick and drift, settle what has changed.

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -74,8 +75,9 @@ public:
   /// Evaluates the beginning; call once before the first `advance`, not after a resume.
   void start();
 
-  /// To the next base step.
-  void advance();
+  /// To the next base step, or until `pause`, asked now and then on the way, says so: then false. Deep levels make a long way
+  /// of it; the next call goes on from there. With several processes all ask at the same ticks.
+  bool advance(const std::function<bool()>& pause = {});
 
   Moment now() const { return now_; }
   const state::Bodies<D>& bodies() const { return bodies_; }

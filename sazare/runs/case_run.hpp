@@ -9,7 +9,8 @@
 ///     warning()                                   what is to be warned of; empty where all is well
 ///     checkpoint_interval()                       [s] of wall clock
 ///     start()                                     the beginning; false when asked to stop before it was there
-///     advance(), step()                           a step, how many there have been
+///     advance(), step()                           a step, how many there have been; advance(pause) where a step may take long,
+///                                                 false where `pause` ended it on the way
 ///     must_check()                                whether the motion is to be looked at after this step
 ///     collect()                                   makes all true in the first process
 ///     progress(share, time)                       what there is to tell on the way
@@ -158,6 +159,7 @@ private:
   bool begin_anew() {
     if (options_.begin == Begin::resume)
       say(fmt::format("{}: no checkpoint to resume from, so the run begins anew", work_.folder.path().string()));
+    if (writes()) work_.folder.clear();
     write_manifest("running");
     if (writes()) work_.write_case();
     say(fmt::format("{}: {}", work_.title(), work_.words()));
@@ -189,7 +191,7 @@ private:
 
   bool walk_to(std::int64_t until, const std::function<bool()>& pause) {
     while (work_.step() < until) {
-      if (agree(pause()) || !advance()) return true;
+      if (agree(pause()) || !advance(pause)) return true;
       if (work_.must_check() || work_.clocks.is_row(work_.step())) work_.record.check_motion(time());
       observe();
       keep();
@@ -197,11 +199,15 @@ private:
     return false;
   }
 
-  /// False when a partner has stopped, or this side while it waited for it.
-  bool advance() {
+  /// False when a partner has stopped, or this side while it waited for it, or where it paused on the way.
+  bool advance(const std::function<bool()>& pause) {
     try {
-      work_.advance();
-      return true;
+      if constexpr (requires { work_.advance(pause); }) {
+        return work_.advance(pause);
+      } else {
+        work_.advance();
+        return true;
+      }
     } catch (const coupling::Stopped&) {
       return false;
     }

@@ -14,8 +14,9 @@ namespace sazare::runs {
 
 namespace {
 
-constexpr Index elements_per_thread = 4000;     // with fewer a second thread takes more time than it saves (measured)
-constexpr std::int64_t motion_check_steps = 8;  // a failing motion grows by some orders of magnitude in a step
+constexpr Index elements_per_thread = 4000;        // with fewer a second thread takes more time than it saves (measured)
+constexpr std::int64_t motion_check_steps = 8;     // a failing motion grows by some orders of magnitude in a step
+constexpr std::int64_t motion_check_ticks = 1024;  // more than a base step has, but where levels grow very deep
 
 /// The part of method blocks in a run, see CaseRun.
 struct BlocksWork {
@@ -54,7 +55,9 @@ struct BlocksWork {
 
   geometry::TetraMesh mesh() const {
     geometry::TetraMesh loaded = load_mesh(file, folder.mesh(), folder.resumes() || !is_writer(options));
-    if (is_writer(options) && options.sharing.ranks != nullptr) options.sharing.ranks->barrier();
+    if (options.sharing.ranks == nullptr) return loaded;
+    if (is_writer(options)) options.sharing.ranks->barrier();
+    options.sharing.ranks->barrier();  // now all have read it, and it may be given another name
     return loaded;
   }
 
@@ -74,7 +77,12 @@ struct BlocksWork {
     simulation().start();
     return true;
   }
-  void advance() { simulation().advance(); }
+  bool advance(const std::function<bool()>& pause) {
+    return simulation().advance([&] {
+      if (simulation().counters().ticks % motion_check_ticks == 0) record.check_motion(simulation().now().seconds());
+      return options.sharing.ranks == nullptr && pause();
+    });
+  }
   std::int64_t step() const { return simulation().now().tick / schedule::base_stride; }
   bool must_check() const {
     const bool mixed = simulation().levels().finest() > 0;  // then a base step is many

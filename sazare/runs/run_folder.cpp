@@ -27,6 +27,12 @@ void make_folder(const fs::path& folder) {
   if (error) observe::fail_to_write(folder, error.value());
 }
 
+void remove_file(const fs::path& file) {
+  std::error_code error;
+  fs::remove(file, error);
+  if (error) observe::fail_to_write(file, error.value());
+}
+
 /// Snapshots, their lists, and parts of them that a killed run has left.
 bool is_snapshot(const fs::path& file) {
   const std::string name = file.filename().string();
@@ -54,9 +60,10 @@ RunFolder::RunFolder(fs::path folder, Begin begin) : path_(std::move(folder)) {
   try {
     if (begin == Begin::fresh) refuse_unless_free();
     if (begin == Begin::resume) refuse_when_done();
-    if (begin == Begin::overwrite) remove_run();
+    replaces_ = begin == Begin::overwrite;
+    if (replaces_) remove_file(mesh());  // of a run that could not begin
     resumes_ = begin == Begin::resume && fs::exists(checkpoint());
-    make_folder(checkpoint().parent_path());
+    make_folder(checkpoint_folder());
   } catch (...) {
     close(descriptor_);
     throw;
@@ -65,12 +72,16 @@ RunFolder::RunFolder(fs::path folder, Begin begin) : path_(std::move(folder)) {
 
 RunFolder RunFolder::of_another(fs::path folder, Begin begin) {
   RunFolder names(std::move(folder));
+  names.replaces_ = begin == Begin::overwrite;
   names.resumes_ = begin == Begin::resume && fs::exists(names.checkpoint());
   return names;
 }
 
 RunFolder::RunFolder(RunFolder&& other) noexcept
-    : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)), resumes_(other.resumes_) {}
+    : path_(std::move(other.path_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      resumes_(other.resumes_),
+      replaces_(other.replaces_) {}
 
 RunFolder::~RunFolder() {
   if (descriptor_ >= 0) close(descriptor_);
@@ -115,9 +126,20 @@ void RunFolder::refuse_when_done() const {
                   path_.string()));
 }
 
+void RunFolder::clear() {
+  if (!replaces_) return;
+  const fs::path made = mesh();
+  replaces_ = false;
+  remove_run();
+  make_folder(checkpoint_folder());
+  std::error_code error;
+  if (fs::exists(made)) fs::rename(made, mesh(), error);
+  if (error) observe::fail_to_write(mesh(), error.value());
+}
+
 void RunFolder::remove_checkpoint() const {
   std::error_code ignored;
-  fs::remove_all(checkpoint().parent_path(), ignored);
+  fs::remove_all(checkpoint_folder(), ignored);
 }
 
 /// The manifest goes last: until then the folder still counts as one of a run.
@@ -140,11 +162,7 @@ void RunFolder::remove_run() const {
   for (const auto& entry : fs::directory_iterator(snapshots(), ignored))
     if (is_snapshot(entry.path())) files.push_back(entry.path());
   files.push_back(manifest());
-  for (const fs::path& file : files) {
-    std::error_code error;
-    fs::remove(file, error);
-    if (error) observe::fail_to_write(file, error.value());
-  }
+  for (const fs::path& file : files) remove_file(file);
 }
 
 }  // namespace sazare::runs

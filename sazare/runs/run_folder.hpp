@@ -11,7 +11,7 @@ namespace sazare::runs {
 /// How a run begins in its folder.
 enum class Begin {
   fresh,      ///< only where no run is yet
-  overwrite,  ///< removes the files of the run that is there
+  overwrite,  ///< replaces the run that is there, once the new one can begin
   resume,     ///< goes on from its checkpoint
 };
 
@@ -37,17 +37,22 @@ public:
   std::filesystem::path fragments() const { return path_ / "fragments.csv"; }
   std::filesystem::path ranks() const { return path_ / "ranks.csv"; }
   std::filesystem::path timing() const { return path_ / "timing.csv"; }
-  std::filesystem::path mesh() const { return path_ / "mesh.msh"; }
+  /// The mesh that is made for the run; it stands beside that of a run which is still to be replaced.
+  std::filesystem::path mesh() const { return path_ / (replaces_ ? "mesh.new.msh" : "mesh.msh"); }
   std::filesystem::path snapshots() const { return path_ / "snapshots"; }
   std::filesystem::path checkpoint() const { return path_ / "checkpoint" / "state.h5"; }
 
   /// Whether there is a checkpoint to go on from.
   bool resumes() const { return resumes_; }
 
+  /// Removes the run that is to be replaced: to be called when the new one is ready to begin.
+  void clear();
+
   void remove_checkpoint() const;
 
 private:
   explicit RunFolder(std::filesystem::path folder) : path_(std::move(folder)) {}
+  std::filesystem::path checkpoint_folder() const { return checkpoint().parent_path(); }
   void hold();
   void refuse_unless_free() const;
   void refuse_when_done() const;
@@ -56,6 +61,7 @@ private:
   std::filesystem::path path_;
   int descriptor_ = -1;
   bool resumes_ = false;
+  bool replaces_ = false;  ///< a run that is still there
 };
 
 /// `status` of the run in a folder; empty when there is no run, or no readable manifest.

@@ -39,8 +39,7 @@ private:
 /// The folder of a side: as of a run alone, but for the checkpoint, which both have together.
 RunFolder side_folder(const RunFolder& whole, const char* name, Begin begin) {
   const auto path = whole.path() / name;
-  if (begin != Begin::resume) RunFolder(path, begin).remove_checkpoint();
-  return RunFolder::of_another(path, begin);
+  return begin == Begin::resume ? RunFolder::of_another(path, begin) : RunFolder(path, begin);
 }
 
 /// The two sides of a case, ready to begin or to be resumed.
@@ -160,6 +159,10 @@ struct HybridWork {
   std::span<const engine::PartTime> part_times() const { return parts; }
 
   void write_case() {
+    for (RunFolder* side : {&continuum_folder, &bodies_folder}) {
+      side->clear();
+      side->remove_checkpoint();
+    }
     cases::HybridCase both = file.hybrid();
     both.sides = {continuum_folder.case_file(), bodies_folder.case_file()};
     observe::write_file(folder.case_file(), cases::write_resolved(both, folder.path()));

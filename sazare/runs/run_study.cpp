@@ -76,12 +76,13 @@ public:
 
   StudyOutcome run() {
     if (options_.begin == Begin::resume) take_rows();
-    observe::write_file(identity_file_, identity_of(study_));
-    write_manifest("running");
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < study_.size(); ++i)
       if (!rows_.contains(i)) open.push_back(i);
     check_cases(open);
+    folder_.clear();
+    observe::write_file(identity_file_, identity_of(study_));
+    write_manifest("running");
     already_ = rows_.size();
     parallel::run_tasks(open.size(), options_.threads, [&](std::size_t i) { solve(open[i]); });
     StudyOutcome outcome{rows_.size(), study_.size(), largest_difference(), seconds_since_start()};

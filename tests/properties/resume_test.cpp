@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "sazare/parallel/threads.hpp"
 #include "tests/properties/slab.hpp"
 #include "tests/support/memory_archive.hpp"
@@ -44,6 +46,32 @@ TEST(resume, at_any_base_step_with_the_stability_limiter) { expect_resumed_is_un
 
 TEST(resume, at_any_base_step_while_levels_change_and_bodies_wake) {
   expect_resumed_is_uninterrupted({cases::Limiter::travel, cases::Levels::per_element}, {1, 120, 203}, 220);
+}
+
+/// Stopped on its way from one base step to the next, where only the finer levels are in phase.
+TEST(resume, within_a_base_step) {
+  const test::SlabRules rules{cases::Limiter::travel, cases::Levels::per_element};
+  parallel::set_threads(1);
+  auto whole = test::slab(rules);
+  whole.simulation->start();
+  test::advance(whole, 120);
+  std::vector<test::MemoryArchive> checkpoints;
+  std::vector<Tick> ticks;
+  for (int step = 120; step < 125; ++step) {
+    whole.simulation->advance([&] {
+      ticks.push_back(whole.simulation->now().tick);
+      checkpoints.push_back(checkpoint_of(whole));
+      return false;
+    });
+  }
+  ASSERT_TRUE(std::ranges::any_of(ticks, [](Tick tick) { return tick % schedule::base_stride != 0; }));
+  const std::string expected = test::fingerprint(whole);
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    auto resumed = test::slab(rules);
+    resumed.simulation->columns(checkpoints[i]);
+    while (resumed.simulation->now().tick < whole.simulation->now().tick) resumed.simulation->advance();
+    EXPECT_TRUE(test::fingerprint(resumed) == expected) << "resumed at tick " << ticks[i];
+  }
 }
 
 TEST(resume, a_checkpoint_holds_broken_joints_contacts_and_levels) {

@@ -5,6 +5,7 @@ import os
 import pty
 import subprocess
 
+import pytest
 from conftest import DONE, PHYSICS_FAILED, ROOT, USER_ERROR, manifest
 
 SHORT = "time.end=4e-5"
@@ -57,6 +58,15 @@ def test_a_run_is_not_overwritten_in_silence(sazare, tmp_path):
     assert resumed.returncode == USER_ERROR
     assert "is done, there is nothing to resume" in resumed.stderr
     assert sazare.run_block(tmp_path, SHORT, options=["--overwrite"]).returncode == DONE
+
+
+@pytest.mark.parametrize("mistake", ["gauges.0.point=[9, 9, 9]", "time.strict=true"])
+def test_a_run_stands_until_the_one_that_replaces_it_begins(sazare, tmp_path, mistake):
+    assert sazare.run_block(tmp_path, SHORT).returncode == DONE
+    before = {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()}
+    bad = sazare.run_block(tmp_path, mistake, "time.limiter=none", "time.base_step=2e-6", options=["--overwrite"])
+    assert bad.returncode == USER_ERROR
+    assert {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()} == before
 
 
 def test_a_case_with_errors_is_not_run(sazare, tmp_path):

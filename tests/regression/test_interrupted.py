@@ -6,7 +6,7 @@ import time
 from subprocess import TimeoutExpired
 
 import pytest
-from conftest import DONE, MACHINE_FAILED, ROOT, USER_ERROR, manifest, rows_without_wall_time
+from conftest import DONE, MACHINE_FAILED, PHYSICS_FAILED, ROOT, USER_ERROR, manifest, rows_without_wall_time
 
 OFTEN = "output.checkpoint_interval=0.02"
 LATER = "time.end=4e-3"
@@ -104,6 +104,28 @@ def test_stopped_before_the_ground_has_come_to_rest(sazare, tmp_path):
     assert process.returncode == MACHINE_FAILED
     assert "stopped before the beginning" in words and f"--out {tmp_path / 'run'} --resume" in words
     assert manifest(tmp_path / "run")["status"] == "stopped"
+
+
+DEEP = ('time.limiter="travel"', "time.travel_length=1e-6", "time.base_step=2e-6")  # a base step of up to 17 million ticks
+ABSURD = "blasts.0.peak_pressure=5e13"  # Pa: a base step takes many minutes
+
+
+def test_stopped_on_the_way_to_the_next_base_step(sazare, tmp_path):
+    settings = [word for setting in (*DEEP, ABSURD) for word in ("--set", setting)]
+    process = sazare.start("run", sazare.block, "--out", tmp_path / "run", "--threads", 1, *settings)
+    wait_for(tmp_path / "run" / "checkpoint" / "state.h5")
+    time.sleep(1)
+    process.send_signal(signal.SIGTERM)
+    _, words = process.communicate(timeout=60)
+    assert process.returncode == MACHINE_FAILED
+    assert "with a checkpoint. To go on:" in words
+
+
+def test_motion_that_is_no_number_ends_a_run_on_the_way_to_the_next_base_step(sazare, tmp_path):
+    failed = sazare.run_block(tmp_path, *DEEP, "blasts.0.peak_pressure=5e16")
+    assert failed.returncode == PHYSICS_FAILED
+    assert "has a motion that is no number any more, found at t = 2.01" in failed.stderr
+    assert "the checkpoint of t = 0 s is kept" in failed.stderr
 
 
 def test_two_at_once_are_kept_apart(sazare, tmp_path):

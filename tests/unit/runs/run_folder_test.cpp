@@ -57,6 +57,25 @@ TEST(RunFolder, WithADoneRunIsNotResumed) {
                 "use --overwrite to run the case again");
 }
 
+TEST(RunFolder, ARunThatIsToBeReplacedStandsUntilTheNewOneBegins) {
+  const test::TemporaryFolder folder;
+  const fs::path run = folder / "run";
+  sazare::test::write_text(run / "manifest.json", "old");
+  sazare::test::write_text(run / "checkpoint/state.h5", "old");
+  sazare::test::write_text(run / "mesh.msh", "old");
+  sazare::test::write_text(run / "mesh.new.msh", "of a run that could not begin");
+  RunFolder opened(run, Begin::overwrite);
+  EXPECT_FALSE(fs::exists(opened.mesh()));
+  sazare::test::write_text(opened.mesh(), "new");
+  EXPECT_EQ(test::read_text(run / "mesh.msh"), "old");
+  EXPECT_TRUE(fs::exists(run / "manifest.json") && fs::exists(opened.checkpoint()));
+  opened.clear();
+  EXPECT_EQ(test::read_text(run / "mesh.msh"), "new");
+  EXPECT_EQ(opened.mesh(), run / "mesh.msh");
+  EXPECT_FALSE(fs::exists(run / "manifest.json") || fs::exists(opened.checkpoint()) || fs::exists(run / "mesh.new.msh"));
+  EXPECT_TRUE(fs::exists(opened.checkpoint().parent_path()));
+}
+
 TEST(RunFolder, OverwritingRemovesTheRunAndNothingElse) {
   const test::TemporaryFolder folder;
   const fs::path run = folder / "run";
@@ -65,7 +84,7 @@ TEST(RunFolder, OverwritingRemovesTheRunAndNothingElse) {
     sazare::test::write_text(run / name, "old");
   sazare::test::write_text(run / "notes.txt", "mine");
   sazare::test::write_text(run / "snapshots/picture.png", "mine");
-  const RunFolder opened(run, Begin::overwrite);
+  RunFolder(run, Begin::overwrite).clear();
   std::vector<std::string> left;
   for (const auto& entry : fs::recursive_directory_iterator(run))
     if (entry.is_regular_file()) left.push_back(entry.path().filename().string());
