@@ -51,6 +51,7 @@ struct MeshSurface {
   std::string name;
   long outer_faces = 0;
   long inner_faces = 0;
+  std::vector<std::string> regions = {};  ///< of the elements behind its outer faces
 };
 
 /// What a case may refer to in its mesh.

@@ -125,6 +125,7 @@ void explain_time(Explanation& text, const Time& time) {
   text.more(time.levels == Levels::uniform
                 ? std::string("all elements take the finest level that any asks for")
                 : fmt::format("a level for each element, at most {} apart where linked", time.neighbor_levels));
+  text.more(fmt::format("steps above what is stable are {}", time.strict ? "refused" : "warned of"));
 }
 
 }  // namespace
@@ -136,6 +137,7 @@ std::string explain(const BlocksCase& blocks) {
   explain_contact(text, blocks.contact);
   explain_conditions(text, blocks);
   explain_time(text, blocks.time);
+  text.add("checkpoint", fmt::format("every {} s of wall time", number(blocks.output.checkpoint_interval)));
   return text.take(blocks.title);
 }
 

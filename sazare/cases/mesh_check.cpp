@@ -25,6 +25,7 @@ public:
     check_joints();
     check_outer_surfaces("blasts", blocks_.blasts, "pressure acts on the outside of the body");
     check_outer_surfaces("boundaries", blocks_.boundaries, "boundaries are on the outside of the body");
+    check_grounds();
   }
 
 private:
@@ -86,6 +87,31 @@ private:
       if (surface == nullptr || surface->outer_faces > 0) continue;
       context_.problems.error(list[i].place("surface"), fmt::format("surface \"{}\" lies inside the body", items[i].surface),
                               reason);
+    }
+  }
+
+  /// The ground behind a boundary is like the element that stands on it: it has the joint of that material with itself.
+  void check_grounds() {
+    const auto list = context_.entries_of("boundaries");
+    for (std::size_t i = 0; i < list.size(); ++i)
+      for (const MeshSurface& surface : groups_.surfaces)
+        if (surface.name == blocks_.boundaries[i].surface) check_ground(list[i], surface);
+  }
+
+  void check_ground(const Entry& entry, const MeshSurface& surface) {
+    for (const Material& material : blocks_.materials) {
+      const auto is_behind = [&](const std::string& region) {
+        return std::ranges::find(surface.regions, region) != surface.regions.end();
+      };
+      const auto joins_itself = [&](const Joint& joint) {
+        return joint.bonded && !joint.on_surface() && joint.between[0] == material.name && joint.between[1] == material.name;
+      };
+      if (std::ranges::none_of(material.regions, is_behind) || std::ranges::any_of(blocks_.joints, joins_itself)) continue;
+      context_.problems.error(
+          entry.place("surface"),
+          fmt::format("the ground behind \"{0}\" is like its material \"{1}\", and \"{1}\" has no joint with itself",
+                      surface.name, material.name),
+          fmt::format("add [[joints]] with between = [\"{0}\", \"{0}\"]", material.name));
     }
   }
 

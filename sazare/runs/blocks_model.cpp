@@ -62,7 +62,7 @@ public:
     const auto map = geometry::build_face_map(model_.mesh);
     const MeshFaces faces{model_.mesh, map, geometry::find_surface_faces(model_.mesh, map)};
     const std::vector<Index> joint_of_face = joint_by_face(blocks_, faces, model_.material);
-    model_.unjoined = unjoined_faces(faces, model_.material, joint_of_face);
+    model_.fit = find_mesh_fit(blocks_, faces, model_.material, joint_of_face);
     make_joints(make_joint_faces(blocks_, faces, joint_of_face), window.value_or(blocks_.time.history_interval));
     model_.contacts = keep(terms_, std::make_unique<methods::blocks::Contacts>(
                                        contact_law(blocks_.contact), blocks_.contact.edge_division, *model_.joints,

@@ -12,7 +12,7 @@
 #include "sazare/methods/blocks/contacts.hpp"
 #include "sazare/methods/blocks/joints.hpp"
 #include "sazare/methods/blocks/surface_contacts.hpp"
-#include "sazare/runs/blocks_parts.hpp"
+#include "sazare/runs/mesh_fit.hpp"
 
 namespace sazare::runs {
 
@@ -22,7 +22,7 @@ struct BlocksModel {
   std::vector<Real> volume;                ///< by element [m3]
   std::vector<Index> material;             ///< by element
   std::vector<Real> stable_step;           ///< by element at the beginning, the fraction of the case not yet applied [s]
-  std::vector<UnjoinedFaces> unjoined;     ///< faces without a joint of which the case says nothing
+  MeshFit fit;
   std::vector<bool> is_bound_by_dashpots;  ///< by element: what the larger part of that step's bound comes from
   std::unique_ptr<engine::Simulation<3>> simulation;
   methods::blocks::Joints* joints = nullptr;            ///< owned by the simulation

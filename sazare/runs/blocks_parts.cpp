@@ -3,9 +3,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
-#include "sazare/core/error.hpp"
 #include "sazare/geometry/tetrahedron.hpp"
 
 namespace sazare::runs {
@@ -107,20 +107,6 @@ std::vector<Index> joint_by_face(const cases::BlocksCase& blocks, const MeshFace
   return joint_of;
 }
 
-std::vector<UnjoinedFaces> unjoined_faces(const MeshFaces& faces, const std::vector<Index>& material,
-                                          const std::vector<Index>& joint_of_face) {
-  std::vector<UnjoinedFaces> unjoined;
-  for (std::size_t face = 0; face < joint_of_face.size(); ++face) {
-    if (joint_of_face[face] >= 0) continue;
-    const auto& shared = faces.map.interior[face];
-    const auto [first, second] = std::minmax({material[at(shared.element_i)], material[at(shared.element_j)]});
-    auto same = std::ranges::find_if(unjoined, [&](const UnjoinedFaces& of) { return of.first == first && of.second == second; });
-    if (same == unjoined.end()) same = unjoined.insert(same, {first, second, 0});
-    ++same->count;
-  }
-  return unjoined;
-}
-
 methods::blocks::JointKind make_joint_kind(const cases::Joint& joint) {
   methods::blocks::JointKind kind;
   if (!joint.bonded) return kind;
@@ -153,15 +139,14 @@ std::vector<methods::blocks::JointFace> make_joint_faces(const cases::BlocksCase
 
 namespace {
 
-/// The joint that an element's material has with itself: the ground behind an outer face is like it.
-const cases::Joint& own_joint(const cases::BlocksCase& blocks, Index material, const std::string& surface) {
+/// The joint that an element's material has with itself: the ground behind an outer face is like it. A case that was checked
+/// against its mesh has one.
+const cases::Joint& own_joint(const cases::BlocksCase& blocks, Index material) {
   const std::string& name = blocks.materials[at(material)].name;
   const cases::Joint* own = nullptr;
   for (const cases::Joint& joint : blocks.joints)
     if (joint.bonded && !joint.on_surface() && joint.between[0] == name && joint.between[1] == name) own = &joint;
-  if (own == nullptr)
-    throw UserError("boundary \"" + surface + "\": the ground behind it is like its material \"" + name +
-                    "\", but no joint between \"" + name + "\" and itself is given; add one to [[joints]]");
+  if (own == nullptr) throw std::logic_error("material " + name + " has no joint with itself");
   return *own;
 }
 
@@ -197,8 +182,7 @@ std::vector<methods::blocks::OuterFace> make_boundaries(const cases::BlocksCase&
       const Vector3 area = area_vector(face.place);
       face.normal = area.normalized();
       const Real height = 2 * face.normal.dot(face.place[0] - motion.position);
-      face.springs =
-          ground_springs(boundary.kind, own_joint(blocks, own, boundary.surface), blocks.materials[at(own)].density, height);
+      face.springs = ground_springs(boundary.kind, own_joint(blocks, own), blocks.materials[at(own)].density, height);
       face.springs.corner_area = area.norm() / 3;
       for (std::size_t corner = 0; corner < 3; ++corner)
         face.springs.corners[corner] = motion.rotation.transpose() * (face.place[corner] - motion.position);

@@ -30,14 +30,6 @@ state::Bodies<3> make_bodies(const cases::BlocksCase& blocks, const geometry::Te
                              const std::vector<Index>& material);
 
 /// Which joint of the case a face has: the last entry that matches, or -1 for none.
-/// Faces between elements of two materials that no entry of [[joints]] holds for.
-struct UnjoinedFaces {
-  Index first = 0, second = 0;  ///< materials
-  Index count = 0;
-};
-std::vector<UnjoinedFaces> unjoined_faces(const MeshFaces& faces, const std::vector<Index>& material,
-                                          const std::vector<Index>& joint_of_face);
-
 std::vector<Index> joint_by_face(const cases::BlocksCase& blocks, const MeshFaces& faces, const std::vector<Index>& material);
 
 methods::blocks::JointKind make_joint_kind(const cases::Joint& joint);

@@ -47,7 +47,7 @@ std::string level_text(const BlocksModel& model) {
   return text;
 }
 
-std::string limiting_text(const BlocksModel& model) {
+std::string limiting_text(const BlocksModel& model, const cases::Mesh& mesh) {
   std::string text =
       "\nelements that limit the step (half of the longest stable step with the neighbours held)\n"
       "    element      step [s]  bound by   level  place [m]\n";
@@ -58,6 +58,7 @@ std::string limiting_text(const BlocksModel& model) {
         number(stable_share * limiting.stable_step), bound_by_dashpots(model, limiting.element) ? "dashpots" : "springs",
         model.simulation->levels().level(limiting.element), number(place.x()), number(place.y()), number(place.z()));
   }
+  if (mesh.is_geometry()) text += "  elements have the numbers of mesh.msh, which a run makes in its folder\n";
   return text;
 }
 
@@ -70,17 +71,20 @@ std::string step_text(const BlocksModel& model, const RunClocks& clocks) {
       "steps", number(base_step), clocks.steps_per_row, number(smallest), "work", number(rate), number(rate * clocks.end));
 }
 
+std::string check(const cases::CaseFile& file, const fs::path& made) {
+  BlocksModel model = build_blocks(file.blocks(), load_mesh(file, made, false));
+  const Gauges gauges(file, model.mesh);
+  const RunClocks clocks = make_clocks(file.blocks().time, model.simulation->levels().step(0));
+  const std::string warning = warn_of_mesh_fit(file, model.fit) + check_stability(file, model);
+  model.simulation->start();
+  return cases::explain(file.blocks()) + body_text(model) + step_text(model, clocks) + level_text(model) +
+         limiting_text(model, file.blocks().mesh) + (warning.empty() ? "" : "\n" + warning);
+}
+
 }  // namespace
 
 std::string check_blocks(const cases::CaseFile& file) {
-  const TemporaryFolder folder;
-  BlocksModel model = build_blocks(file.blocks(), load_mesh(file, folder.path() / "mesh.msh", false));
-  const Gauges gauges(file, model.mesh);
-  const RunClocks clocks = make_clocks(file.blocks().time, model.simulation->levels().step(0));
-  const std::string warning = check_joints(file, model) + check_stability(file, model);
-  model.simulation->start();
-  return cases::explain(file.blocks()) + body_text(model) + step_text(model, clocks) + level_text(model) + limiting_text(model) +
-         (warning.empty() ? "" : "\n" + warning);
+  return check_with_meshes([&](const fs::path& folder) { return check(file, folder / "mesh.msh"); });
 }
 
 }  // namespace sazare::runs

@@ -1,5 +1,7 @@
 #include "sazare/runs/mesh_source.hpp"
 
+#include <set>
+
 #include "sazare/geometry/element_order.hpp"
 #include "sazare/geometry/face_map.hpp"
 #include "sazare/geometry/gmsh_mesher.hpp"
@@ -9,13 +11,23 @@ namespace sazare::runs {
 
 namespace {
 
+std::vector<std::string> regions_behind(const geometry::TetraMesh& mesh, const geometry::FaceMap& faces,
+                                        const geometry::SurfaceFaces& surface) {
+  std::set<std::int32_t> regions;
+  for (const std::int32_t face : surface.outer)
+    regions.insert(mesh.region[static_cast<std::size_t>(faces.outer[static_cast<std::size_t>(face)].element)]);
+  std::vector<std::string> names;
+  for (const std::int32_t region : regions) names.push_back(mesh.region_names[static_cast<std::size_t>(region)]);
+  return names;
+}
+
 cases::MeshGroups groups_of(const geometry::TetraMesh& mesh) {
   cases::MeshGroups groups{mesh.region_names, {}};
   const geometry::FaceMap faces = geometry::build_face_map(mesh);
   const auto surfaces = geometry::find_surface_faces(mesh, faces);
   for (std::size_t i = 0; i < surfaces.size(); ++i)
-    groups.surfaces.push_back(
-        {mesh.surfaces[i].name, static_cast<long>(surfaces[i].outer.size()), static_cast<long>(surfaces[i].interior.size())});
+    groups.surfaces.push_back({mesh.surfaces[i].name, static_cast<long>(surfaces[i].outer.size()),
+                               static_cast<long>(surfaces[i].interior.size()), regions_behind(mesh, faces, surfaces[i])});
   return groups;
 }
 

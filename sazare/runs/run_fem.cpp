@@ -74,9 +74,8 @@ struct FemWork {
 };
 
 template <int D>
-std::string check(const cases::CaseFile& file) {
-  const TemporaryFolder folder;
-  const FemModel<D> model = build_fem<D>(file, load_fem_mesh(file, folder.path() / "mesh.msh", false));
+std::string check(const cases::CaseFile& file, const std::filesystem::path& folder) {
+  const FemModel<D> model = build_fem<D>(file, load_fem_mesh(file, folder / "mesh.msh", false));
   const RunClocks clocks = make_clocks(file.fem().time, model.step);
   const auto& body = model.stepper->body();
   return cases::explain(file.fem()) +
@@ -94,6 +93,10 @@ std::unique_ptr<LiveRun> open_fem(const cases::CaseFile& file, const RunOptions&
   return std::make_unique<CaseRun<FemWork<3>>>(file, options);
 }
 
-std::string check_fem(const cases::CaseFile& file) { return file.fem().mesh.dimension == 2 ? check<2>(file) : check<3>(file); }
+std::string check_fem(const cases::CaseFile& file) {
+  return check_with_meshes([&](const std::filesystem::path& folder) {
+    return file.fem().mesh.dimension == 2 ? check<2>(file, folder) : check<3>(file, folder);
+  });
+}
 
 }  // namespace sazare::runs

@@ -186,10 +186,9 @@ struct HybridWork {
 };
 
 template <int D, class Bodies>
-std::string check(const cases::CaseFile& file) {
-  const TemporaryFolder folder;
-  HybridModel<D, Bodies> model(file, load_fem_mesh(*file.hybrid().continuum, folder.path() / "mesh.msh", false),
-                               folder.path() / "bodies.msh", false);
+std::string check(const cases::CaseFile& file, const std::filesystem::path& folder) {
+  HybridModel<D, Bodies> model(file, load_fem_mesh(*file.hybrid().continuum, folder / "mesh.msh", false), folder / "bodies.msh",
+                               false);
   model.attach(file);
   const RunClocks clocks = make_clocks(file.hybrid().continuum->fem().time, model.continuum.step);
   return cases::explain(file.hybrid()) +
@@ -221,7 +220,7 @@ std::unique_ptr<LiveRun> open_hybrid(const cases::CaseFile& file, const RunOptio
 
 std::string check_hybrid(const cases::CaseFile& file) {
   return visit_sides(file.hybrid(), [&]<int D, class Bodies>(std::integral_constant<int, D>, std::type_identity<Bodies>) {
-    return check<D, Bodies>(file);
+    return check_with_meshes([&](const std::filesystem::path& folder) { return check<D, Bodies>(file, folder); });
   });
 }
 

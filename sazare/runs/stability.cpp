@@ -89,17 +89,4 @@ std::string check_stability(const cases::CaseFile& file, const BlocksModel& mode
   return warning(file, key, what, help);
 }
 
-std::string check_joints(const cases::CaseFile& file, const BlocksModel& model) {
-  std::string all;
-  for (const UnjoinedFaces& of : model.unjoined) {
-    const std::string &first = file.blocks().materials[static_cast<std::size_t>(of.first)].name,
-                      &second = file.blocks().materials[static_cast<std::size_t>(of.second)].name;
-    all += warning(
-        file, fmt::format("materials.{}", of.first),
-        fmt::format("{} faces between \"{}\" and \"{}\" have no joint: these elements only touch", of.count, first, second),
-        fmt::format("add [[joints]] with between = [\"{}\", \"{}\"], and bonded = false if that is meant", first, second));
-  }
-  return all;
-}
-
 }  // namespace sazare::runs

@@ -39,9 +39,6 @@ Real evaluations_per_second(const BlocksModel& model);
 /// Throws UserError instead where the case is strict.
 std::string check_stability(const cases::CaseFile& file, const BlocksModel& model);
 
-/// A warning of faces between elements that no entry of [[joints]] holds for; empty where there are none.
-std::string check_joints(const cases::CaseFile& file, const BlocksModel& model);
-
 /// "element 12 at (1, 2, 3) m"
 std::string element_text(const geometry::TetraMesh& mesh, Index element);
 

@@ -1,9 +1,14 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
+#include <string>
 
+#include "sazare/core/error.hpp"
 #include "sazare/observe/atomic_file.hpp"
 
 namespace sazare::runs {
@@ -18,14 +23,30 @@ public:
   }
   ~TemporaryFolder() {
     std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
+    if (!is_kept_) std::filesystem::remove_all(path_, ignored);
   }
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
   const std::filesystem::path& path() const { return path_; }
+  void keep() { is_kept_ = true; }
 
 private:
   std::filesystem::path path_;
+  bool is_kept_ = false;
 };
+
+/// What `check` finds with a folder for the meshes that gmsh makes. They are gone afterwards, but where an error tells of one: it
+/// then ends with where the mesh is.
+inline std::string check_with_meshes(const std::function<std::string(const std::filesystem::path&)>& check) {
+  TemporaryFolder folder;
+  try {
+    return check(folder.path());
+  } catch (const UserError& error) {
+    if (std::filesystem::is_empty(folder.path())) throw;
+    folder.keep();
+    throw UserError(
+        fmt::format("{}\n  gmsh has made the mesh of the case; it is kept in {}", error.what(), folder.path().string()));
+  }
+}
 
 }  // namespace sazare::runs

@@ -45,6 +45,7 @@ Instructions read_instructions(const fs::path& path) {
     } else if (word == "surface") {
       MeshSurface surface;
       words >> surface.name >> surface.outer_faces >> surface.inner_faces;
+      while (words >> word) surface.regions.push_back(word);
       result.groups.surfaces.push_back(surface);
     }
   }

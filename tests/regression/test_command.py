@@ -4,6 +4,7 @@ import json
 import os
 import pty
 import subprocess
+from pathlib import Path
 
 import pytest
 from conftest import DONE, PHYSICS_FAILED, ROOT, USER_ERROR, manifest
@@ -120,6 +121,17 @@ def test_check_of_a_bad_case_is_an_error(sazare):
     checked = sazare("check", sazare.block, "--set", "mesh.file=none.msh")
     assert checked.returncode == USER_ERROR
     assert "none.msh" in checked.stderr
+
+
+def test_check_keeps_the_mesh_that_its_error_tells_of(sazare, tmp_path):
+    words = sazare("check", sazare.block, "--set", "mesh.file=block.geo", "--set", "gauges.0.point=[9, 9, 9]",
+                   env=os.environ | {"TMPDIR": str(tmp_path)}).stderr
+    assert "lies in no element" in words
+    kept = words.split("gmsh has made the mesh of the case; it is kept in ")[1].strip()
+    assert [path.name for path in Path(kept).iterdir()] == ["mesh.msh"]
+    assert "elements have the numbers of mesh.msh" in sazare("check", sazare.block, "--set", "mesh.file=block.geo",
+                                                            env=os.environ | {"TMPDIR": str(tmp_path)}).stdout
+    assert list(tmp_path.iterdir()) == [Path(kept)]
 
 
 def test_case_of_a_geometry_is_meshed_into_the_folder(sazare, tmp_path):

@@ -81,8 +81,9 @@ TEST(Stability, AStrictCaseIsRefused) {
 
 TEST(Check, SaysWhatTheCaseWillDo) {
   const std::string text = check_blocks(block_case());
-  for (const char* words : {"Small block", "base ", "levels at the beginning", "elements that limit the step", "one piece",
-                            "pair evaluations per second of simulated time"})
+  for (const char* words :
+       {"Small block", "base ", "levels at the beginning", "elements that limit the step", "one piece",
+        "pair evaluations per second of simulated time", "steps above what is stable are warned of", "every 60 s of wall time"})
     EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
 }
 

@@ -1,0 +1,71 @@
+#include "sazare/runs/mesh_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include "sazare/runs/blocks_model.hpp"
+
+namespace sazare::runs {
+namespace {
+
+/// Two tetrahedra of two regions on either side of a face, which belongs to a surface group with one that lies outside.
+geometry::TetraMesh two_elements() {
+  geometry::TetraMesh mesh;
+  mesh.nodes = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+  mesh.tetrahedra = {{0, 1, 2, 3}, {4, 1, 3, 2}};
+  mesh.region = {0, 1};
+  mesh.region_names = {"lower", "upper"};
+  mesh.surfaces = {{"hole", {{1, 2, 3}, {0, 1, 2}}}, {"top", {{4, 1, 3}}}};
+  return mesh;
+}
+
+std::string joint(const std::string& name, const std::string& first, const std::string& second) {
+  return "[[joints]]\nname = \"" + name + "\"\nbetween = [\"" + first + "\", \"" + second +
+         "\"]\nnormal_stiffness = 450e9\nshear_stiffness = 90e9\ncohesion = 6e6\nfriction_coefficient = 0.58\n"
+         "tensile_strength = 6e6\nfracture_energy = 100.0\n";
+}
+
+cases::CaseFile case_with(const std::string& joints) {
+  return cases::read_case_text(
+      "[case]\ntitle = \"Two\"\nmethod = \"blocks\"\n[mesh]\nfile = \"tests/regression/block/block.msh\"\n"
+      "[[materials]]\nname = \"soft\"\nregions = [\"lower\"]\ndensity = 2390.0\n"
+      "[[materials]]\nname = \"hard\"\nregions = [\"upper\"]\ndensity = 2390.0\n" +
+          joints +
+          "[contact]\nnormal_stiffness = 1.5e9\nfriction_coefficient = 0.58\n"
+          "[[blasts]]\nsurface = \"hole\"\npeak_pressure = 5e8\nrise_time = 1e-4\ndecay_ratio = 2.0\n"
+          "[[boundaries]]\nsurface = \"hole\"\nkind = \"fixed\"\n"
+          "[time]\nend = 5e-4\nhistory_interval = 1e-6\nsnapshot_interval = 1e-5\n",
+      "case.toml");
+}
+
+std::string warnings_of(const std::string& joints) {
+  const cases::CaseFile file = case_with(joints);
+  const geometry::TetraMesh mesh = two_elements();
+  const auto map = geometry::build_face_map(mesh);
+  const MeshFaces faces{mesh, map, geometry::find_surface_faces(mesh, map)};
+  const std::vector<Index> material = materials_by_element(file.blocks(), mesh);
+  return warn_of_mesh_fit(file, find_mesh_fit(file.blocks(), faces, material, joint_by_face(file.blocks(), faces, material)));
+}
+
+bool has(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+
+TEST(MeshFit, FacesThatNoJointHoldsForAreWarnedOf) {
+  const std::string words = warnings_of(joint("soft", "soft", "soft"));
+  EXPECT_TRUE(has(words, "1 faces between \"soft\" and \"hard\" have no joint: these elements only touch")) << words;
+  EXPECT_TRUE(has(words, "add [[joints]] with between = [\"soft\", \"hard\"]")) << words;
+  EXPECT_FALSE(has(warnings_of(joint("both", "hard", "soft")), "have no joint"));
+}
+
+TEST(MeshFit, AJointThatHoldsForNoFaceIsWarnedOf) {
+  const std::string words = warnings_of(joint("soft", "soft", "soft") + joint("both", "hard", "soft"));
+  EXPECT_TRUE(has(words, "the joint \"soft\" holds for no face of the mesh")) << words;
+  EXPECT_FALSE(has(words, "the joint \"both\"")) << words;
+}
+
+TEST(MeshFit, FacesBetweenElementsInTheSurfaceOfABlastOrABoundaryAreWarnedOf) {
+  const std::string words = warnings_of(joint("both", "hard", "soft"));
+  EXPECT_TRUE(has(words, "1 faces of this surface lie between two elements: no pressure acts on them")) << words;
+  EXPECT_TRUE(has(words, "1 faces of this surface lie between two elements: the boundary does not hold them")) << words;
+}
+
+}  // namespace
+}  // namespace sazare::runs
