@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "sazare/geometry/tetrahedron.hpp"
 #include "sazare/methods/blocks/coupled_rates.hpp"
 #include "sazare/runs/base_step.hpp"
 #include "sazare/runs/blocks_parts.hpp"
@@ -111,8 +110,6 @@ BlocksModel build_blocks(const cases::BlocksCase& blocks, geometry::TetraMesh me
                          std::optional<Real> window) {
   BlocksModel model;
   model.mesh = std::move(mesh);
-  for (Index element = 0; element < static_cast<Index>(model.mesh.tetrahedra.size()); ++element)
-    model.volume.push_back(geometry::volume(geometry::corners_of(model.mesh, element)));
   model.material = materials_by_element(blocks, model.mesh);
   state::Bodies<3> bodies = make_bodies(blocks, model.mesh, model.material);
   TermMaker maker(blocks, model, bodies);

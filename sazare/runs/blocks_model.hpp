@@ -19,7 +19,6 @@ namespace sazare::runs {
 /// A simulation and what is needed to read its results.
 struct BlocksModel {
   geometry::TetraMesh mesh;
-  std::vector<Real> volume;                ///< by element [m3]
   std::vector<Index> material;             ///< by element
   std::vector<Real> stable_step;           ///< by element at the beginning, the fraction of the case not yet applied [s]
   MeshFit fit;

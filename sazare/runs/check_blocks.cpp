@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <numeric>
 
 #include "sazare/cases/number_text.hpp"
 #include "sazare/cases/resolved.hpp"
+#include "sazare/geometry/tetrahedron.hpp"
 #include "sazare/runs/fragments.hpp"
 #include "sazare/runs/gauges.hpp"
 #include "sazare/runs/mesh_source.hpp"
@@ -26,8 +26,9 @@ constexpr int longest_bar = 40;
 std::string number(Real value) { return cases::short_number(value, 4); }
 
 std::string body_text(const BlocksModel& model) {
-  const Real volume = std::accumulate(model.volume.begin(), model.volume.end(), Real{0});
   const auto elements = model.simulation->bodies().size();
+  Real volume = 0;
+  for (Index element = 0; element < elements; ++element) volume += geometry::volume(geometry::corners_of(model.mesh, element));
   return fmt::format("  {:<12}{} elements, {} joints, {} m3, {} to begin with\n", "body", elements, model.joints->links().size(),
                      number(volume),
                      find_fragments(elements, *model.joints).count == 1

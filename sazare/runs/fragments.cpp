@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "sazare/geometry/tetrahedron.hpp"
 #include "sazare/observe/csv_writer.hpp"
 #include "sazare/runs/record_columns.hpp"
 
@@ -62,16 +63,16 @@ FragmentMap find_fragments(Index elements, const methods::blocks::Joints& joints
   return map;
 }
 
-std::vector<Fragment> measure_fragments(const FragmentMap& map, std::span<const Real> volume, const state::Bodies<3>& bodies,
+std::vector<Fragment> measure_fragments(const FragmentMap& map, const geometry::TetraMesh& mesh, const state::Bodies<3>& bodies,
                                         const engine::Snapshot<3>& now) {
   std::vector<Fragment> fragments(at(map.count));
   std::vector<Vector3> moved(at(map.count), Vector3::Zero());
-  for (std::size_t element = 0; element < volume.size(); ++element) {
+  for (std::size_t element = 0; element < mesh.tetrahedra.size(); ++element) {
     const auto number = at(map.of_element[element]);
     Fragment& fragment = fragments[number];
     const Real mass = bodies.inertia[element].mass;
     ++fragment.elements;
-    fragment.volume += volume[element];
+    fragment.volume += geometry::volume(geometry::corners_of(mesh, static_cast<Index>(element)));
     fragment.mass += mass;
     fragment.center += mass * now.pose[element].position;
     fragment.velocity += mass * now.velocity[element];

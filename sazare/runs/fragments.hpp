@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sazare/engine/simulation.hpp"
+#include "sazare/geometry/tetra_mesh.hpp"
 #include "sazare/methods/blocks/joints.hpp"
 
 namespace sazare::runs {
@@ -31,7 +32,7 @@ struct Fragment {
 };
 
 /// Fragments at a moment, largest volume first; equal ones in the order of their numbers.
-std::vector<Fragment> measure_fragments(const FragmentMap& map, std::span<const Real> volume, const state::Bodies<3>& bodies,
+std::vector<Fragment> measure_fragments(const FragmentMap& map, const geometry::TetraMesh& mesh, const state::Bodies<3>& bodies,
                                         const engine::Snapshot<3>& now);
 
 /// Numbers fragments, of which elements, volume, mass, and mass times centre and velocity have been added up, and sorts them by

@@ -95,7 +95,7 @@ void RunRecord::flush(bool to_disk) {
 }
 
 void RunRecord::write_fragments() {
-  runs::write_fragments(folder_->fragments(), measure_fragments(fragments(), model_->volume, model_->simulation->bodies(),
+  runs::write_fragments(folder_->fragments(), measure_fragments(fragments(), model_->mesh, model_->simulation->bodies(),
                                                                 model_->simulation->snapshot()));
 }
 
@@ -104,7 +104,7 @@ std::vector<std::pair<std::string, observe::Figure>> RunRecord::results(std::int
   const engine::Counters& counters = simulation.counters();
   const engine::Snapshot<3> now = simulation.snapshot();
   const terms::Ledger ledger = simulation.ledger(now);
-  const auto pieces = measure_fragments(fragments(), model_->volume, simulation.bodies(), now);
+  const auto pieces = measure_fragments(fragments(), model_->mesh, simulation.bodies(), now);
   Real farthest = 0;
   for (const Fragment& piece : pieces) farthest = std::max(farthest, piece.throw_distance);
   std::vector<std::pair<std::string, observe::Figure>> results = {
