@@ -153,10 +153,10 @@ void SpheresRecord::write_fragments() const {
 void SpheresRecord::check_motion(Real time) const {
   const Real speed = model_->stepper->largest_speed();
   if (model_->stepper->missed_pairs())
-    throw PhysicsError(
-        fmt::format("two spheres came so fast before t = {} s that they may have met unseen within a base step of {} s\n"
-                    "  set contact.margin larger, or time.levels = \"uniform\"; or look at spheres that overlap at the start",
-                    cases::short_number(time), cases::short_number(model_->steps.step, 4)));
+    throw PhysicsError(fmt::format(
+        "two spheres came so fast before t = {} s, or one to a wall, that they may have met unseen within a base step of {} s\n"
+        "  set contact.margin larger, or time.levels = \"uniform\"; or look at spheres that overlap at the start",
+        cases::short_number(time), cases::short_number(model_->steps.step, 4)));
   if (speed < senseless_speed) return check_surfaces();
   const Real smallest = model_->steps.smallest(), limit = model_->steps.limit;
   throw PhysicsError(
