@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <iterator>
 #include <utility>
+#include <vector>
 
 namespace sazare::geometry {
 
@@ -13,35 +14,41 @@ using Edge = std::pair<Vector3, Vector3>;
 
 bool less(const Vector3& a, const Vector3& b) { return std::ranges::lexicographical_compare(a, b); }
 
-struct EdgeLess {
-  bool operator()(const Edge& a, const Edge& b) const {
-    return less(a.first, b.first) || (!less(b.first, a.first) && less(a.second, b.second));
-  }
+/// An edge of a triangle, from its lesser corner to its greater one, and whether the triangle goes along it.
+struct Side {
+  Edge edge;
+  bool along = true;
 };
 
-/// How many triangles go along an edge, and against it.
-struct Uses {
-  std::size_t along = 0, against = 0;
-};
+bool less(const Side& a, const Side& b) {
+  return less(a.edge.first, b.edge.first) || (a.edge.first == b.edge.first && less(a.edge.second, b.edge.second));
+}
+
+std::vector<Side> sides_of(std::span<const Triangle> surface) {
+  std::vector<Side> sides;
+  sides.reserve(3 * surface.size());
+  for (const Triangle& triangle : surface)
+    for (std::size_t n = 0; n < 3; ++n) {
+      const Vector3 &from = triangle[n], &to = triangle[(n + 1) % 3];
+      const bool along = less(from, to);
+      sides.push_back({along ? Edge(from, to) : Edge(to, from), along});
+    }
+  std::ranges::sort(sides, [](const Side& a, const Side& b) { return less(a, b); });
+  return sides;
+}
 
 }  // namespace
 
 SurfaceEdges edges_of(std::span<const Triangle> surface) {
-  std::map<Edge, Uses, EdgeLess> uses;
-  for (const Triangle& triangle : surface)
-    for (std::size_t n = 0; n < 3; ++n) {
-      const Vector3 &from = triangle[n], &to = triangle[(n + 1) % 3];
-      if (less(from, to))
-        ++uses[{from, to}].along;
-      else
-        ++uses[{to, from}].against;
-    }
+  const std::vector<Side> sides = sides_of(surface);
   SurfaceEdges edges;
-  for (const auto& [edge, of] : uses) {
-    const std::size_t triangles = of.along + of.against;
+  for (auto from = sides.begin(); from != sides.end();) {
+    const auto to = std::find_if(from, sides.end(), [&](const Side& side) { return side.edge != from->edge; });
+    const std::ptrdiff_t triangles = to - from;
     edges.open += triangles == 1 ? 1 : 0;
     edges.crowded += triangles > 2 ? 1 : 0;
-    edges.turned += triangles == 2 && of.along != of.against ? 1 : 0;
+    edges.turned += triangles == 2 && from->along == std::next(from)->along ? 1 : 0;
+    from = to;
   }
   return edges;
 }

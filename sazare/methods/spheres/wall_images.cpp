@@ -57,18 +57,17 @@ bool comes_to_a_side(const Wall& wall, const state::PeriodicBox& box, int axis, 
   return swept.low < box.lower[axis] + reach || swept.high > box.lower[axis] + box.length[axis] - reach;
 }
 
-/// Adds the images of triangles along an axis that come within the reach of the room. Returns whether there are any.
+/// Adds the next images of triangles along an axis, as far as they come within the reach of the room: those after them would lie
+/// where a longer surface is already. Returns whether there are any.
 bool add_images(std::vector<geometry::Triangle>& triangles, const state::PeriodicBox& box, int axis, Real reach) {
   const Real length = box.length[axis], low = box.lower[axis] - reach, high = box.lower[axis] + length + reach;
   const std::size_t count = triangles.size();
   for (std::size_t n = 0; n < count; ++n) {
     const Range range = range_of(triangles[n], axis);
-    const auto first = static_cast<int>(std::ceil((low - range.high) / length)),
-               last = static_cast<int>(std::floor((high - range.low) / length));
-    for (int image = first; image <= last; ++image) {
-      if (image == 0) continue;
+    for (const Real way : {-length, length}) {
+      if (range.high + way < low || range.low + way > high) continue;
       geometry::Triangle moved = triangles[n];
-      for (Vector3& corner : moved) corner[axis] += image * length;
+      for (Vector3& corner : moved) corner[axis] += way;
       triangles.push_back(moved);
     }
   }

@@ -18,9 +18,9 @@ struct WallSides {
 /// `reach`: how far beyond the sides of the room triangles may be touched [m].
 WallSides sides_of(const Wall& wall, const state::PeriodicBox& box, int axis, Real reach);
 
-/// Adds to a surface its images along those periodic axes beyond whose sides it does not reach, as far as they come within the
-/// reach of the room. To be called once, for a surface that can repeat itself, see `sides_of`. Returns along which axes there are
-/// any.
+/// Adds to a surface its next images along those periodic axes beyond whose sides it does not reach, as far as they come within
+/// the reach of the room. To be called once, for a surface that can repeat itself, see `sides_of`. Returns along which axes there
+/// are any.
 std::array<bool, 3> repeat_wall(Wall& wall, const state::PeriodicBox& box, Real reach);
 
 }  // namespace sazare::methods::spheres

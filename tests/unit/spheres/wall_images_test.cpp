@@ -107,6 +107,13 @@ TEST(wall_images, a_belt_that_moves_along_the_room_has_no_end) {
   EXPECT_LT((on_short - on_long).norm(), 1e-6);
 }
 
+TEST(wall_images, a_floor_longer_than_the_room_on_one_side_has_its_next_images_alone) {
+  const Wall floor = repeated(floor_from(0, 20 * side));
+  EXPECT_EQ(floor.triangles.size(), 6);
+  const Real flat = force_at({0.05, 0.05, pressed}, floor).z();
+  EXPECT_LT((force_at({0, 0.05, pressed}, floor) - Vector3(0, 0, flat)).norm(), 1e-9 * flat);
+}
+
 TEST(wall_images, which_walls_repeat_themselves) {
   const auto sides = [](const Wall& wall) { return sides_of(wall, room(), 0, radius); };
   EXPECT_FALSE(sides(floor_from(-0.01, side + 0.01)).repeats) << "it reaches beyond both sides";
