@@ -30,7 +30,9 @@ inline constexpr std::array shape_keys{
     Key{.name = "file",
         .type = Type::file,
         .note = "required for a file and for a mesh",
-        .sentence = "Rows of radius, x, y, z; or the triangles of an .stl or a .msh without holes."},
+        .sentence =
+            "Rows of radius, x, y, z, of spheres that hang together; or the triangles of an .stl or a .msh without holes, "
+            "all with the same side out: the body has the mass and inertia of the solid within them."},
     Key{.name = "scale",
         .type = Type::number,
         .range = positive,

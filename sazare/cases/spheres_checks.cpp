@@ -101,6 +101,10 @@ void check_shapes(const CheckContext& context, const SpheresCase& spheres) {
     else
       check_keys(context, entry, "a mesh", {"file"}, {"height", "leg_spheres"});
     check_known(context, entry, "bonds", entry.place("bonds"), spheres.shapes[i].bonds, names_of(spheres.bonds), "bond");
+    if (!std::ranges::any_of(spheres.spheres, [&](const SphereGroup& group) { return group.shape == spheres.shapes[i].name; }))
+      context.problems.warning(entry.header(),
+                               fmt::format("no group is of the shape \"{}\", so it is never looked at", spheres.shapes[i].name),
+                               "name it in a group by shape, or remove it");
     if (source != ClumpSource::tetrapod && entry.gives("file"))
       check_file(context, entry.place("file"), source == ClumpSource::file ? "file of spheres" : "surface",
                  spheres.shapes[i].file, *entry.value->find("file")->text());

@@ -172,9 +172,9 @@ constexpr std::array sphere_keys{
     Key{.name = "file",
         .type = Type::file,
         .note = "required for a file",
-        .sentence = "Rows of radius, x, y, z in m, parted by blanks or commas; a line that begins with a letter or # is skipped. "
-                    "Of a shape: rows of "
-                    "x, y, z in m and its rotation vector in rad."},
+        .sentence =
+            "Rows of radius, x, y, z in m, parted by blanks or commas; titles in the first line and lines that begin with # "
+            "are skipped. Of a shape: rows of x, y, z in m and its rotation vector in rad."},
     Key{.name = "lower",
         .type = Type::vector,
         .unit = "m",

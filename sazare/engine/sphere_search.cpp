@@ -26,9 +26,15 @@ bool SphereStepper::seek_in_time(const SphereSpeeds& speeds) {
     find_pairs();
     return true;
   }
-  const Real wall_speed = speeds.largest + walls_.largest_speed(wall_radius_ + rules_.wall_margin);
-  if (has_walls && wall_approach_ + ahead * wall_speed >= share * rules_.wall_margin) find_walls({});
+  const bool is_near = wall_approach_ + wall_approach_in(ahead, speeds) >= share * rules_.wall_margin;
+  if (has_walls && (is_near || may_pass_unseen(speeds))) find_walls({});
   return false;
+}
+
+/// With one step for all: whether a sphere might go through a surface in the next one that no list has by then.
+bool SphereStepper::may_pass_unseen(const SphereSpeeds& speeds) const {
+  return levels_.is_one() && walls_.have_surfaces() &&
+         wall_approach_ + wall_approach_in(rules_.step, speeds) > rules_.wall_margin + smallest_radius_;
 }
 
 void SphereStepper::find_pairs() {

@@ -14,6 +14,12 @@ namespace {
 constexpr std::size_t serial_below_clumps = 500;
 constexpr std::int64_t steps_between_cuts = 64;  // cuts follow the spheres, which move little meanwhile
 
+Real smallest_radius(const state::Spheres& spheres) {
+  Real smallest = std::numeric_limits<Real>::infinity();
+  for (const auto& place : spheres.place) smallest = std::min(smallest, place.radius);
+  return smallest;
+}
+
 Real largest_radius(const state::Spheres& spheres) {
   Real largest = 0;
   for (const auto& place : spheres.place) largest = std::max(largest, place.radius);
@@ -45,7 +51,8 @@ SphereStepper::SphereStepper(state::Spheres spheres, const methods::spheres::Con
       clumps_(std::move(clumps)),
       bodies_(std::move(bodies)),
       rules_(rules),
-      levels_(one_level_each(clumps_, rules.level), table, rules.step) {
+      levels_(one_level_each(clumps_, rules.level), table, rules.step),
+      smallest_radius_(smallest_radius(spheres_)) {
   put_on_large_pages(spheres_.place);
   put_on_large_pages(spheres_.spin);
   put_on_large_pages(spheres_.kick);
@@ -93,6 +100,8 @@ void SphereStepper::book(std::int64_t tick) {
   if (levels_.book(tick, sums_) > 0) part_broken(coarsest);
   for (std::size_t level = coarsest; level < levels_.count(); ++level)
     for (const auto& load : walls_.loads(level)) wall_work_ += load.work;
+  if (walls_.have_surfaces())
+    for (std::size_t level = coarsest; level < levels_.count(); ++level) walls_.note_passages(level);
   walls_.book_surface(rules_.step);
 }
 
@@ -153,7 +162,16 @@ void SphereStepper::measure(const SphereSpeeds& speeds) {
   largest_speed_ = speeds.first <= std::numeric_limits<Real>::max() ? std::max(largest_speed_, speeds.largest)
                                                                     : std::numeric_limits<Real>::infinity();
   approach_ += seconds * (speeds.first + speeds.second);
-  wall_approach_ += seconds * (speeds.largest + walls_.largest_speed(wall_radius_ + rules_.wall_margin));
+  const Real way = wall_approach_in(seconds, speeds);
+  wall_approach_ += way;
+  // A surface beyond the margin is in no list; a centre that is nearer to it than its radius has touched it first.
+  if (levels_.is_one() && wall_approach_ > rules_.wall_margin + smallest_radius_ && walls_.have_surfaces())
+    missed_way_ = std::max(missed_way_, way);
+}
+
+/// How much nearer a sphere and a wall may come [m].
+Real SphereStepper::wall_approach_in(Real seconds, const SphereSpeeds& speeds) const {
+  return seconds * (speeds.largest + walls_.largest_speed(wall_radius_ + rules_.wall_margin));
 }
 
 void SphereStepper::advance() {

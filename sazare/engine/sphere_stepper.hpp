@@ -9,6 +9,7 @@
 /// take one step, and no clump waits for the forces on all its spheres, blocks are evaluated and kicked in one walk.
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -122,6 +123,11 @@ public:
   /// With several levels: whether two spheres came so fast within a base step that they may have met before they were sought as a
   /// pair.
   bool missed_pairs() const { return missed_pairs_; }
+  /// Where a sphere's centre went through a surface of triangles, which pushes it on since; nothing where none did.
+  const std::optional<methods::spheres::Passage>& passage() const { return walls_.passage(); }
+  /// With one step for all: how far a sphere came in a step in which it may have gone through a surface unseen; 0 where there was
+  /// none [m].
+  Real missed_way() const { return missed_way_; }
 
   void columns(Archive& archive);
 
@@ -140,6 +146,7 @@ private:
   void hold_clumps();
   void kick_clumps(std::size_t pace, std::int64_t tick);
   void measure(const SphereSpeeds& speeds);
+  Real wall_approach_in(Real seconds, const SphereSpeeds& speeds) const;
 
   bool can_walk() const;
   SphereSpeeds walk();
@@ -154,6 +161,7 @@ private:
   void balance();
 
   bool seek_in_time(const SphereSpeeds& speeds);
+  bool may_pass_unseen(const SphereSpeeds& speeds) const;
   void find_pairs();
   void arrange();
   void find_drift();
@@ -194,7 +202,9 @@ private:
   Real wall_approach_ = 0;           ///< the same of spheres and walls [m]
   Real margin_ = 0;                  ///< at which pairs were last found [m]
   bool missed_pairs_ = false;
-  Real wall_radius_ = 0;  ///< of the spheres about the pivots of the walls [m]
+  Real missed_way_ = 0;       ///< [m]
+  Real smallest_radius_ = 0;  ///< [m]
+  Real wall_radius_ = 0;      ///< of the spheres about the pivots of the walls [m]
   Real largest_speed_ = 0;
   methods::spheres::ContactSums sums_;  ///< of the last evaluation; works since the start
   Real wall_work_ = 0;

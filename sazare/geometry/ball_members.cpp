@@ -170,21 +170,24 @@ std::vector<std::pair<Index, Index>> neighbouring_balls(std::span<const Ball> ba
   return pairs;
 }
 
-bool hang_together(std::size_t balls, std::span<const std::pair<Index, Index>> pairs) {
+std::vector<bool> joined_to_first(std::size_t balls, std::span<const std::pair<Index, Index>> pairs) {
   std::vector<std::size_t> set(balls);
   for (std::size_t n = 0; n < balls; ++n) set[n] = n;
   const auto root = [&](std::size_t n) {
     while (set[n] != n) n = set[n] = set[set[n]];
     return n;
   };
-  std::size_t parts = balls;
   for (const auto& [first, second] : pairs) {
     const std::size_t one = root(static_cast<std::size_t>(first)), other = root(static_cast<std::size_t>(second));
-    if (one == other) continue;
     set[std::max(one, other)] = std::min(one, other);
-    --parts;
   }
-  return parts <= 1;
+  std::vector<bool> joined(balls);
+  for (std::size_t n = 0; n < balls; ++n) joined[n] = root(n) == 0;
+  return joined;
+}
+
+bool hang_together(std::size_t balls, std::span<const std::pair<Index, Index>> pairs) {
+  return std::ranges::count(joined_to_first(balls, pairs), false) == 0;
 }
 
 }  // namespace sazare::geometry

@@ -38,7 +38,10 @@ MassShares share_mass(std::span<const Ball> balls, Real volume, const Vector3& i
 /// together by touching hangs together by neighbours, since a pair that is left out goes by two shorter ones.
 std::vector<std::pair<Index, Index>> neighbouring_balls(std::span<const Ball> balls, Real reach);
 
-/// Whether all of so many balls hang together by these pairs.
+/// Which of so many balls hang together with the first one by these pairs.
+std::vector<bool> joined_to_first(std::size_t balls, std::span<const std::pair<Index, Index>> pairs);
+
+/// Whether all of them do.
 bool hang_together(std::size_t balls, std::span<const std::pair<Index, Index>> pairs);
 
 }  // namespace sazare::geometry

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
 #include <utility>
 
@@ -115,20 +114,6 @@ std::vector<Ball> tetrapod_balls(Real height, int per_leg) {
       balls.push_back({at * leg, fitting(at)});
     }
   return balls;
-}
-
-bool is_closed(std::span<const Triangle> surface) {
-  const auto less = [](const Vector3& a, const Vector3& b) { return std::ranges::lexicographical_compare(a, b); };
-  const auto edge_less = [&](const std::pair<Vector3, Vector3>& a, const std::pair<Vector3, Vector3>& b) {
-    return less(a.first, b.first) || (!less(b.first, a.first) && less(a.second, b.second));
-  };
-  std::map<std::pair<Vector3, Vector3>, int, decltype(edge_less)> uses(edge_less);
-  for (const Triangle& triangle : surface)
-    for (std::size_t n = 0; n < 3; ++n) {
-      const Vector3 &from = triangle[n], &to = triangle[(n + 1) % 3];
-      uses[less(from, to) ? std::pair(from, to) : std::pair(to, from)] += 1;
-    }
-  return std::ranges::all_of(uses, [](const auto& edge) { return edge.second == 2; });
 }
 
 std::vector<Ball> fill_with_balls(std::span<const Triangle> surface, int count, int cells) {

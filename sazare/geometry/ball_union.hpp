@@ -19,7 +19,7 @@ struct UnionProperties {
   Real volume = 0;                    ///< [m3]
   Vector3 centre = Vector3::Zero();   ///< [m]
   Matrix3 inertia = Matrix3::Zero();  ///< about the centre [m5]
-  Real error = 0;                     ///< estimated, of the volume and of the inertia, relative
+  Real error = 0;                     ///< estimated, of the volume and of the inertia, relative; 0 where they are exact
 };
 
 /// Volume, centre and inertia of the union of balls, none of it counted twice: exact along lines parallel to z, of which `lines`
@@ -37,8 +37,5 @@ std::vector<Ball> tetrapod_balls(Real height, int per_leg);
 /// Balls inside a closed surface, the largest first: each takes the place, on a grid of `cells` along the longest side, where
 /// the largest ball fits that adds to what is filled. At most `count`.
 std::vector<Ball> fill_with_balls(std::span<const Triangle> surface, int count, int cells = 48);
-
-/// Whether every edge of a surface belongs to two triangles.
-bool is_closed(std::span<const Triangle> surface);
 
 }  // namespace sazare::geometry

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -30,18 +31,27 @@ std::string read_bytes(const fs::path& file) {
   return text.str();
 }
 
-/// A binary STL has 80 bytes of anything, the number of triangles, and 50 bytes for each; one that begins with "solid" may still
-/// be binary.
-bool is_binary_stl(const std::string& bytes) {
-  if (bytes.size() < 84) return false;
-  std::uint32_t count = 0;
-  std::memcpy(&count, bytes.data() + 80, sizeof count);
-  return bytes.size() == 84 + std::size_t{50} * count;
-}
+constexpr std::size_t header_bytes = 84, triangle_bytes = 50;
 
-std::vector<Triangle> binary_stl(const std::string& bytes) {
+/// A binary STL has 80 bytes of anything, which may be "solid", the number of triangles, and 50 bytes for each: no text.
+bool is_binary_stl(const std::string& bytes) { return bytes.find('\0') != std::string::npos; }
+
+std::vector<Triangle> binary_stl(const fs::path& file, const std::string& bytes) {
+  if (bytes.size() < header_bytes)
+    throw UserError(fmt::format("{}: the file is cut short: a binary STL begins with {} bytes before its triangles, found {}",
+                                file.string(), header_bytes, bytes.size()));
+  std::uint32_t count = 0;
+  std::memcpy(&count, bytes.data() + header_bytes - sizeof count, sizeof count);
+  const std::size_t expected = header_bytes + triangle_bytes * count;
+  if (bytes.size() < expected)
+    throw UserError(
+        fmt::format("{}: the file is cut short: it announces {} triangles, {} bytes, and ends after {} of them, {} bytes",
+                    file.string(), count, expected, (bytes.size() - header_bytes) / triangle_bytes, bytes.size()));
+  if (bytes.size() > expected)
+    throw UserError(fmt::format("{}: a binary STL of {} triangles, as it announces, has {} bytes, found {}: is it an STL?",
+                                file.string(), count, expected, bytes.size()));
   std::vector<Triangle> triangles;
-  for (std::size_t at = 84; at + 50 <= bytes.size(); at += 50) {
+  for (std::size_t at = header_bytes; at < expected; at += triangle_bytes) {
     float numbers[12];  // the normal, which follows from the corners, and these
     std::memcpy(numbers, bytes.data() + at, sizeof numbers);
     Triangle& triangle = triangles.emplace_back();
@@ -52,23 +62,32 @@ std::vector<Triangle> binary_stl(const std::string& bytes) {
   return triangles;
 }
 
+[[noreturn]] void refuse_loop(const fs::path& file, std::size_t line, std::size_t corners) {
+  throw UserError(fmt::format("{}:{}: a facet has {} corners, and those of an STL have three: export triangles", file.string(),
+                              line, corners < 3 ? fmt::format("{}", corners) : "four or more"));
+}
+
 std::vector<Triangle> text_stl(const fs::path& file, const std::string& text) {
   std::vector<Triangle> triangles;
   std::istringstream stream(text);
   std::string line, word;
-  std::size_t number = 0, corner = 0;
-  for (; std::getline(stream, line); ++number) {
+  std::size_t corner = 0;  // of the facet, so far
+  for (std::size_t number = 1; std::getline(stream, line); ++number) {
     std::istringstream words(line);
-    if (!(words >> word) || word != "vertex") continue;
+    if (!(words >> word)) continue;
+    std::ranges::transform(word, word.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (word == "endloop" && corner != 3) refuse_loop(file, number, corner);
+    if (word == "endloop") corner = 0;
+    if (word != "vertex") continue;
+    if (corner == 3) refuse_loop(file, number, 4);
     if (corner == 0) triangles.emplace_back();
-    Vector3& at = triangles.back()[corner];
+    Vector3& at = triangles.back()[corner++];
     if (!(words >> at.x() >> at.y() >> at.z()))
       throw UserError(
-          fmt::format("{}:{}: three numbers were expected after \"vertex\", found \"{}\"", file.string(), number + 1, line));
-    corner = (corner + 1) % 3;
+          fmt::format("{}:{}: three numbers were expected after \"vertex\", found \"{}\"", file.string(), number, line));
   }
   if (corner != 0)
-    throw UserError(fmt::format("{}: the last triangle has {} corners: the file was cut short", file.string(), corner));
+    throw UserError(fmt::format("{}: the file ends within its facet {}: it is cut short", file.string(), triangles.size()));
   return triangles;
 }
 
@@ -138,7 +157,7 @@ std::vector<Triangle> read_surface(const fs::path& file, const std::string& grou
     triangles = gmsh_surface(file, group);
   } else {
     const std::string bytes = read_bytes(file);
-    triangles = is_binary_stl(bytes) ? binary_stl(bytes) : text_stl(file, bytes);
+    triangles = is_binary_stl(bytes) ? binary_stl(file, bytes) : text_stl(file, bytes);
   }
   if (triangles.empty()) throw UserError(fmt::format("{}: the surface has no triangles", file.string()));
   for (Triangle& triangle : triangles)

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A triangle in space and the point of it that is nearest to another one.
+/// A triangle in space: the point of it that is nearest to another one, and what goes through it.
 
 #include <array>
 #include <vector>
@@ -33,6 +33,19 @@ inline Vector3 nearest_point(const Triangle& corners, const Vector3& point) {
   if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
   const Real sum = va + vb + vc;
   return a + vb / sum * ab + vc / sum * ac;
+}
+
+/// Whether the straight way from one point to another leads through the triangle, to whose face edges and corners belong.
+inline bool leads_through(const Triangle& corners, const Vector3& from, const Vector3& to) {
+  constexpr Real rounding = 1e-9;  // of the face: no way leads between two triangles at their edge
+  const Vector3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  const Real before = normal.dot(from - corners[0]), after = normal.dot(to - corners[0]);
+  if ((before > 0) == (after > 0)) return false;
+  const Vector3 place = from + before / (before - after) * (to - from);
+  for (std::size_t n = 0; n < 3; ++n)
+    if (normal.dot((corners[(n + 1) % 3] - corners[n]).cross(place - corners[n])) < -rounding * normal.squaredNorm())
+      return false;
+  return true;
 }
 
 }  // namespace sazare::geometry

@@ -4,32 +4,83 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <cctype>
-#include <fstream>
-#include <sstream>
+#include <span>
 #include <utility>
 
 #include "sazare/cases/number_text.hpp"
-#include "sazare/core/error.hpp"
+#include "sazare/geometry/closed_surface.hpp"
 #include "sazare/geometry/surface_file.hpp"
+#include "sazare/runs/sphere_file.hpp"
 
 namespace sazare::runs {
 
 namespace {
 
-std::vector<geometry::Ball> balls_of(const cases::CaseFile& file, std::size_t number) {
+/// A gap of less than this of the sum of two radii is none: numbers of files are rounded.
+constexpr Real no_gap = 0.01;
+
+/// The balls of a rigid body must touch: what lies apart is two bodies.
+void check_touching(const cases::CaseFile& file, std::size_t number, std::span<const FileBall> rows) {
+  std::vector<geometry::Ball> balls;
+  for (const FileBall& row : rows) balls.push_back(row.ball);
+  const std::vector<bool> joined = geometry::joined_to_first(balls.size(), geometry::neighbouring_balls(balls, no_gap));
+  const auto apart = std::ranges::find(joined, false) - joined.begin();
+  if (apart == static_cast<std::ptrdiff_t>(joined.size())) return;
   const cases::ClumpShape& shape = file.spheres().shapes[number];
-  if (shape.source == cases::ClumpSource::tetrapod) return geometry::tetrapod_balls(shape.height, shape.leg_spheres);
-  if (shape.source == cases::ClumpSource::file) {
-    std::vector<geometry::Ball> balls = read_balls(shape.file);
-    for (geometry::Ball& ball : balls) ball = {shape.scale * ball.centre, shape.scale * ball.radius};
-    return balls;
-  }
-  const std::vector<geometry::Triangle> surface = geometry::read_surface(shape.file, "", shape.scale);
-  if (!geometry::is_closed(surface))
-    refuse(file, fmt::format("shapes.{}.file", number), fmt::format("the surface of the shape \"{}\" has holes", shape.name),
+  refuse(file, fmt::format("shapes.{}.file", number),
+         fmt::format(
+             "the spheres of the rigid shape \"{}\" do not all touch: that of {}:{} hangs on nothing that hangs on the first",
+             shape.name, shape.file.filename().string(), rows[static_cast<std::size_t>(apart)].line),
+         fmt::format(
+             "spheres touch when their gap is at most {} of the sum of their radii: add some between, or make two shapes of it",
+             no_gap));
+}
+
+/// A surface around a solid.
+std::vector<geometry::Triangle> solid_of(const cases::CaseFile& file, std::size_t number) {
+  const cases::ClumpShape& shape = file.spheres().shapes[number];
+  std::vector<geometry::Triangle> surface = geometry::read_surface(shape.file, "", shape.scale);
+  const geometry::SurfaceEdges edges = geometry::edges_of(surface);
+  const std::string key = fmt::format("shapes.{}.file", number);
+  if (!edges.are_closed())
+    refuse(file, key,
+           fmt::format("the surface of the shape \"{}\" has holes: {} edges do not belong to two triangles", shape.name,
+                       edges.open + edges.crowded),
            "every edge must belong to two triangles, with corners that agree to the last digit");
-  return geometry::fill_with_balls(surface, shape.count);
+  if (edges.turned > 0)
+    refuse(file, key,
+           fmt::format("the surface of the shape \"{}\" has triangles that are turned inside out, at {} edges", shape.name,
+                       edges.turned),
+           "all triangles must have the same side out: programs that mend meshes unify their normals");
+  return surface;
+}
+
+/// The balls of a shape, and the mass properties of the body that it is.
+struct Body {
+  std::vector<geometry::Ball> balls;
+  geometry::UnionProperties of;
+  std::optional<Real> fill;
+};
+
+Body body_of(const cases::CaseFile& file, std::size_t number) {
+  const cases::ClumpShape& shape = file.spheres().shapes[number];
+  Body body;
+  if (shape.source == cases::ClumpSource::mesh) {
+    const std::vector<geometry::Triangle> surface = solid_of(file, number);
+    body.balls = geometry::fill_with_balls(surface, shape.count);
+    if (body.balls.empty()) return body;
+    body.of = geometry::properties_of_solid(surface);
+    body.fill = geometry::properties_of_union(body.balls).volume / body.of.volume;
+    return body;
+  }
+  if (shape.source == cases::ClumpSource::tetrapod) body.balls = geometry::tetrapod_balls(shape.height, shape.leg_spheres);
+  if (shape.source == cases::ClumpSource::file) {
+    const std::vector<FileBall> rows = read_balls(shape.file);
+    if (shape.bonds.empty()) check_touching(file, number, rows);
+    for (const FileBall& row : rows) body.balls.push_back({shape.scale * row.ball.centre, shape.scale * row.ball.radius});
+  }
+  if (!body.balls.empty()) body.of = geometry::properties_of_union(body.balls);
+  return body;
 }
 
 /// What balls of a shape have of its mass, and which of them are bonded.
@@ -53,48 +104,16 @@ void take_apart(const cases::CaseFile& file, std::size_t number, Shape& shape) {
 
 }  // namespace
 
-std::vector<std::vector<Real>> read_rows(const std::filesystem::path& file, std::size_t count, const std::string& expected) {
-  std::ifstream stream(file);
-  if (!stream) throw UserError(fmt::format("{}: the file of spheres cannot be read", file.string()));
-  std::vector<std::vector<Real>> rows;
-  std::string line;
-  bool may_be_titles = true;  // of the columns, in the first line that is not empty
-  for (std::size_t number = 1; std::getline(stream, line); ++number) {
-    std::ranges::replace(line, ',', ' ');
-    const auto begin = line.find_first_not_of(" \t\r");
-    if (begin == std::string::npos || line[begin] == '#') continue;
-    if (std::exchange(may_be_titles, false) && std::isalpha(static_cast<unsigned char>(line[begin])) != 0) continue;
-    std::istringstream words(line);
-    std::vector<Real> row(count);
-    bool good = std::ranges::all_of(row, [&](Real& value) { return static_cast<bool>(words >> value); });
-    std::string rest;
-    good = good && !(words >> rest);
-    if (!good) throw UserError(fmt::format("{}:{}: {}, found \"{}\"", file.string(), number, expected, line));
-    rows.push_back(std::move(row));
-  }
-  return rows;
-}
-
-std::vector<geometry::Ball> read_balls(const std::filesystem::path& file) {
-  std::vector<geometry::Ball> balls;
-  for (const auto& row : read_rows(file, 4, "four numbers were expected, radius, x, y and z in m")) {
-    balls.push_back({{row[1], row[2], row[3]}, row[0]});
-    if (!(balls.back().radius > 0) || !balls.back().centre.allFinite())
-      throw UserError(
-          fmt::format("{}: sphere {}: a radius greater than 0 and a finite centre were expected, found {} at ({}, {}, {})",
-                      file.string(), balls.size(), row[0], row[1], row[2], row[3]));
-  }
-  return balls;
-}
-
 Shape make_shape(const cases::CaseFile& file, std::size_t number) {
   Shape shape;
-  shape.balls = balls_of(file, number);
+  Body body = body_of(file, number);
+  shape.balls = std::move(body.balls);
+  shape.fill = body.fill;
   if (shape.balls.empty())
     refuse(file, fmt::format("shapes.{}", number),
            fmt::format("the shape \"{}\" has no sphere", file.spheres().shapes[number].name),
            "its file holds no row of radius, x, y and z, or its surface is too flat for a sphere within");
-  const geometry::UnionProperties of = geometry::properties_of_union(shape.balls);
+  const geometry::UnionProperties& of = body.of;
   const Eigen::SelfAdjointEigenSolver<Matrix3> principal(of.inertia);
   shape.axes = principal.eigenvectors();
   if (shape.axes.determinant() < 0) shape.axes.col(0) = -shape.axes.col(0);

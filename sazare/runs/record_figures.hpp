@@ -58,6 +58,8 @@ inline constexpr std::array spheres = {
     Column{"uniform_evaluations", "-", "what the smallest step for all would have taken"},
     Column{"contacts", "-", "at the end"},
     Column{"clumps", "-", ""},
+    Column{"shape_fill_NAME", "-",
+           "volume that the spheres of a shape from a mesh fill, over that of its surface, whose mass it has"},
     Column{"bonds", "-", ""},
     Column{"bonds_broken", "-", ""},
     Column{"bodies", "-", "that are bonded, where there are any"},

@@ -50,9 +50,12 @@ struct SpheresWork {
   std::string words() const {
     const SphereSteps& steps = model.steps;
     const std::string share = number(steps.smallest() / steps.limit, 3);
-    if (steps.level.empty()) return fmt::format("{} spheres, step {} s, {} of the limit", spheres(), number(steps.step), share);
-    return fmt::format("{} spheres at {} levels, steps {} to {} s, {} of the limit", spheres(), steps.count.size(),
-                       number(steps.smallest()), number(steps.step), share);
+    std::string words = steps.level.empty()
+                            ? fmt::format("{} spheres, step {} s, {} of the limit", spheres(), number(steps.step), share)
+                            : fmt::format("{} spheres at {} levels, steps {} to {} s, {} of the limit", spheres(),
+                                          steps.count.size(), number(steps.smallest()), number(steps.step), share);
+    for (const std::string& note : model.wall_notes) words += "\n  " + note;
+    return words;
   }
   Real checkpoint_interval() const { return file.spheres().output.checkpoint_interval; }
 
@@ -89,6 +92,16 @@ std::unique_ptr<LiveRun> open_spheres(const cases::CaseFile& file, const RunOpti
 }
 
 namespace {
+
+/// What `check` says of shapes and walls of triangles.
+std::string notes_text(const SpheresModel& model) {
+  std::string text;
+  for (const ShapeFill& fill : model.fills)
+    text += fmt::format("  {:<12}\"{}\": its spheres fill {} % of its surface, whose mass and inertia it has\n", "shapes",
+                        fill.shape, number(100 * fill.share, 3));
+  for (const std::string& note : model.wall_notes) text += fmt::format("  {:<12}{}\n", "walls", note);
+  return text;
+}
 
 /// What `check` says of the steps of a body.
 std::string steps_text(const SphereSteps& steps, const RunClocks& clocks) {
@@ -129,7 +142,7 @@ std::string check_spheres(const cases::CaseFile& file) {
               ? ""
               : fmt::format("  {:<12}{} bonded, their inertia within {} of that of their shapes\n", "bodies",
                             model.stepper->bodies().count(), number(model.share_error, 2))) +
-         (model.bonds > 0 ? fmt::format("  {:<12}{} at the start\n", "bonds", model.bonds) : "") +
+         (model.bonds > 0 ? fmt::format("  {:<12}{} at the start\n", "bonds", model.bonds) : "") + notes_text(model) +
          steps_text(model.steps, clocks);
 }
 

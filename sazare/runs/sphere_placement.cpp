@@ -14,6 +14,8 @@
 #include "sazare/neighbors/sphere_grid.hpp"
 #include "sazare/neighbors/sphere_pairs.hpp"
 #include "sazare/runs/clump_shape.hpp"
+#include "sazare/runs/sphere_file.hpp"
+#include "sazare/runs/sphere_lattice.hpp"
 #include "sazare/runs/sphere_lowering.hpp"
 
 namespace sazare::runs {
@@ -27,25 +29,6 @@ using geometry::Ball;
 
 constexpr int most_tries = 2000;  // for a place of a random sphere
 constexpr std::size_t most_listed = 4;
-
-std::vector<Ball> lattice(const SphereGroup& group) {
-  const Real spacing = group.spacing.value_or(2 * group.radius);
-  std::array<std::int64_t, 3> count;
-  Vector3 first;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Real room = group.upper[axis] - group.lower[axis] - 2 * group.radius;
-    const auto a = static_cast<std::size_t>(axis);
-    count[a] = room < -1e-9 * spacing ? 0 : static_cast<std::int64_t>(std::floor(room / spacing + 1e-9)) + 1;
-    first[axis] = 0.5 * (group.lower[axis] + group.upper[axis] - spacing * static_cast<Real>(count[a] - 1));
-  }
-  std::vector<Ball> balls;
-  for (std::int64_t k = 0; k < count[2]; ++k)
-    for (std::int64_t j = 0; j < count[1]; ++j)
-      for (std::int64_t i = 0; i < count[0]; ++i)
-        balls.push_back(
-            {first + spacing * Vector3(static_cast<Real>(i), static_cast<Real>(j), static_cast<Real>(k)), group.radius});
-  return balls;
-}
 
 class Placer {
 public:
@@ -71,7 +54,9 @@ private:
     if (!group.shape.empty()) return add_bodies(number);
     std::vector<Ball> balls;
     if (group.source == SphereSource::one) balls = {{group.centre, group.radius}};
-    if (group.source == SphereSource::file) balls = read_balls(group.file);
+    check_count(file_, number, group, 1);
+    if (group.source == SphereSource::file)
+      for (const FileBall& row : read_balls(group.file)) balls.push_back(row.ball);
     if (group.source == SphereSource::lattice) balls = lattice(group);
     if (group.source == SphereSource::random) balls = scatter(number, group);
     if (balls.empty()) refuse_empty(number);
@@ -95,6 +80,11 @@ private:
     const SphereGroup& group = spheres_.spheres[number];
     refuse(file_, fmt::format("spheres.{}", number), fmt::format("the group \"{}\" has no sphere", group.name),
            group.source == SphereSource::file ? "the file holds no row of numbers" : "its box is too small for the radius");
+  }
+
+  void note_fill(const std::string& name, const Shape& shape) {
+    const bool is_new = std::ranges::find(result_.fills, name, &ShapeFill::shape) == result_.fills.end();
+    if (shape.fill && is_new) result_.fills.push_back({name, *shape.fill});
   }
 
   /// Lowers the balls of one body; how far.
@@ -148,6 +138,8 @@ private:
     group.radius = shape.reach;
     group.largest_radius.reset();
     check_room(shape, group.shape);
+    check_count(file_, number, group, shape.balls.size());
+    note_fill(group.shape, shape);
     if (!shape.shares.empty()) result_.share_error = std::max(result_.share_error, shape.share_error);
     std::vector<Ball> places;
     std::vector<Vector3> rotations;
@@ -155,7 +147,8 @@ private:
     if (group.source == SphereSource::lattice) places = lattice(group);
     if (group.source == SphereSource::random) places = scatter(number, group);
     if (group.source == SphereSource::file)
-      for (const auto& row : read_rows(group.file, 6, "six numbers were expected, x, y, z in m and a rotation vector in rad")) {
+      for (const auto& [line, row] :
+           read_rows(group.file, 6, "six numbers were expected, x, y, z in m and a rotation vector in rad")) {
         places.push_back({{row[0], row[1], row[2]}, shape.reach});
         rotations.emplace_back(row[3], row[4], row[5]);
       }

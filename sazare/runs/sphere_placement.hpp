@@ -2,6 +2,8 @@
 
 /// Puts the spheres of a case where its groups say.
 
+#include <string>
+
 #include "sazare/cases/case_file.hpp"
 #include "sazare/state/clumps.hpp"
 #include "sazare/state/spheres.hpp"
@@ -14,6 +16,12 @@ struct BondedPair {
   Index entry = 0;  ///< of [[bonds]]
 };
 
+/// How much of the surface of a shape its spheres fill, by volume.
+struct ShapeFill {
+  std::string shape;
+  Real share = 0;
+};
+
 struct Placement {
   state::Spheres spheres;
   std::vector<Index> group;  ///< by number of the sphere
@@ -23,10 +31,12 @@ struct Placement {
   Index bonded_bodies = 0;
   Real share_error = 0;            ///< what their inertia lacks of that of their shapes, relative
   std::vector<BondedPair> bonded;  ///< by first sphere
+  std::vector<ShapeFill> fills;    ///< of the shapes of surfaces that groups are of
 };
 
-/// Throws UserError when a file of spheres cannot be read, a group has no sphere, random spheres find no room, a sphere is too
-/// large for a periodic axis, or spheres overlap by more than contact.overlap_limit that no lasting bond joins.
+/// Throws UserError when a file of spheres cannot be read, a group has no sphere, or more than this machine can hold, random
+/// spheres find no room, a sphere is too large for a periodic axis, or spheres overlap by more than contact.overlap_limit that no
+/// lasting bond joins.
 Placement place_spheres(const cases::CaseFile& file);
 
 /// How near two spheres must be to be kept as a pair [m].

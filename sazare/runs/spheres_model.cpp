@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sazare/cases/number_text.hpp"
-#include "sazare/geometry/surface_file.hpp"
 #include "sazare/observe/hash.hpp"
-#include "sazare/runs/motion_of_case.hpp"
 #include "sazare/runs/sphere_bonding.hpp"
+#include "sazare/runs/sphere_walls.hpp"
 
 namespace sazare::runs {
 
@@ -43,48 +41,6 @@ laws::ContactConstants<Real> constants_of(const SpheresCase& spheres, std::size_
                                rolling);
 }
 
-Wall plane(const cases::WallRules& rules, const Vector3& point, const Vector3& normal) {
-  Wall wall;
-  wall.name = rules.name;
-  wall.point = point;
-  wall.normal = normal.normalized();
-  return wall;
-}
-
-/// The walls of one entry of a case: six for a box.
-std::vector<Wall> walls_of(const cases::WallRules& rules) {
-  std::vector<Wall> walls;
-  if (rules.shape == cases::WallShape::plane) walls.push_back(plane(rules, rules.point, rules.normal));
-  if (rules.shape == cases::WallShape::box)
-    for (int axis = 0; axis < 3; ++axis) {
-      walls.push_back(plane(rules, rules.lower, Vector3::Unit(axis)));
-      walls.push_back(plane(rules, rules.upper, -Vector3::Unit(axis)));
-    }
-  if (rules.shape == cases::WallShape::mesh) {
-    walls.emplace_back().name = rules.name;
-    walls.back().triangles = geometry::read_surface(rules.file, rules.group, rules.scale);
-  }
-  return walls;
-}
-
-void add_walls(const SpheresCase& spheres, SpheresModel& model, std::vector<Wall>& walls) {
-  for (std::size_t i = 0; i < spheres.walls.size(); ++i) {
-    const cases::WallRules& rules = spheres.walls[i];
-    const auto material = std::ranges::find(spheres.materials, rules.material, &cases::SphereMaterial::name);
-    for (Wall& wall : walls_of(rules)) {
-      wall.material = static_cast<Index>(material - spheres.materials.begin());
-      wall.motion.pivot = rules.pivot;
-      wall.motion.spin = rules.spin;
-      for (int axis = 0; axis < 3; ++axis)
-        for (const cases::Motion& motion : spheres.motions)
-          if (!motion.name.empty() && motion.name == rules.motion[static_cast<std::size_t>(axis)])
-            wall.motion.histories.emplace_back(axis, motion_of_case(motion));
-      walls.push_back(std::move(wall));
-      model.case_wall.push_back(static_cast<Index>(i));
-    }
-  }
-}
-
 std::uint64_t hash_of(const Placement& placement, const std::vector<Wall>& walls) {
   observe::Hash hash;
   hash.add(std::as_bytes(std::span(placement.bonded)));
@@ -92,55 +48,6 @@ std::uint64_t hash_of(const Placement& placement, const std::vector<Wall>& walls
   hash.add(std::as_bytes(std::span(placement.group)));
   for (const Wall& wall : walls) hash.add(std::as_bytes(std::span(wall.triangles)));
   return hash.value();
-}
-
-/// How far a sphere reaches through a wall, over its radius; below 0 where it does not.
-Real share_within(const Wall& wall, const geometry::TriangleGrid& grid, const Vector3& centre, Real radius) {
-  if (wall.is_plane()) return 1 - (centre - wall.point).dot(wall.normal) / radius;
-  Real nearest = std::numeric_limits<Real>::infinity();
-  for (const std::int32_t t : grid.near(centre))
-    nearest = std::min(nearest, (geometry::nearest_point(wall.triangles[static_cast<std::size_t>(t)], centre) - centre).norm());
-  return 1 - nearest / radius;
-}
-
-/// The first of them, with their groups and places.
-std::string some_of(std::span<const std::size_t> which, const SpheresCase& spheres, const Placement& placement) {
-  constexpr std::size_t most = 3;
-  std::string text;
-  for (const std::size_t i : which.first(std::min(most, which.size()))) {
-    const auto& place = placement.spheres.place[i];
-    text += fmt::format("{}sphere {} of \"{}\" at ({}, {}, {})", text.empty() ? "" : ", ", i + 1,
-                        spheres.spheres[static_cast<std::size_t>(placement.group[i])].name, cases::short_number(place.x, 4),
-                        cases::short_number(place.y, 4), cases::short_number(place.z, 4));
-  }
-  return which.size() > most ? text + ", and others" : text;
-}
-
-/// Spheres that begin beyond a wall by more than contact.overlap_limit are refused.
-void check_walls(const cases::CaseFile& file, const SpheresModel& model, const std::vector<Wall>& walls,
-                 const Placement& placement) {
-  const SpheresCase& spheres = file.spheres();
-  const state::Spheres& placed = placement.spheres;
-  Real largest = 0;
-  for (const auto& place : placed.place) largest = std::max(largest, place.radius);
-  for (std::size_t w = 0; w < walls.size(); ++w) {
-    if (walls[w].nodal.exists()) continue;
-    const geometry::TriangleGrid grid(walls[w].triangles, largest);
-    std::vector<std::size_t> beyond;
-    Real deepest = 0;
-    for (std::size_t i = 0; i < placed.size(); ++i) {
-      const Real share = share_within(walls[w], grid, placed.box.wrapped(placed.place[i].centre()), placed.place[i].radius);
-      if (share > spheres.contact.overlap_limit) beyond.push_back(i);
-      deepest = std::max(deepest, share);
-    }
-    if (beyond.empty()) continue;
-    refuse(file, fmt::format("walls.{}", model.case_wall[w]),
-           fmt::format("{} spheres begin within the wall \"{}\", by {} of their radius or less: {}", beyond.size(), walls[w].name,
-                       cases::short_number(deepest, 3), some_of(beyond, spheres, placement)),
-           walls[w].is_plane()
-               ? "the normal of a plane points into the room for spheres; overlap_limit in [contact] says how much is allowed"
-               : "a sphere's surface must not reach through the mesh; overlap_limit in [contact] says how much is allowed");
-  }
 }
 
 /// A base step of finer levels goes farther and costs less, so that searches weigh more: by the root of both the margin that is
@@ -165,9 +72,10 @@ SpheresModel build_spheres(const cases::CaseFile& file, std::optional<Real> wind
   const SpheresCase& spheres = file.spheres();
   SpheresModel model;
   Placement placement = place_spheres(file);
-  std::vector<Wall> walls;
-  add_walls(spheres, model, walls);
-  check_walls(file, model, walls, placement);
+  CaseWalls case_walls = make_walls(file, placement);
+  std::vector<Wall>& walls = case_walls.walls;
+  model.case_wall = std::move(case_walls.entry);
+  model.wall_notes = std::move(case_walls.notes);
   const methods::spheres::ContactTable table = contact_table(spheres);
   methods::spheres::Bonds bonds = bond_spheres(file, placement);
   model.clumps = static_cast<std::int64_t>(placement.clumps.clumps.size());
@@ -181,6 +89,7 @@ SpheresModel build_spheres(const cases::CaseFile& file, std::optional<Real> wind
     for (const cases::SphereMaterial& material : spheres.materials) model.density.push_back(material.density);
   }
   model.share_error = placement.share_error;
+  model.fills = std::move(placement.fills);
   model.group = std::move(placement.group);
   model.body = std::move(placement.body);
   const Real margin = margin_growth(model.steps) * search_margin(spheres, placement.spheres);

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "sazare/engine/sphere_stepper.hpp"
 #include "sazare/runs/sphere_steps.hpp"
@@ -17,10 +18,12 @@ struct SpheresModel {
   std::vector<Real> density;    ///< by material [kg/m3]; empty without bonded bodies
   std::int64_t bonds = 0;       ///< at the start
   std::int64_t clumps = 0;
-  Real share_error = 0;     ///< what the inertia of bonded bodies lacks of that of their shapes, relative
+  Real share_error = 0;  ///< what the inertia of bonded bodies lacks of that of their shapes, relative
+  std::vector<ShapeFill> fills;
   std::uint64_t start = 0;  ///< hash of where everything stands at the start
   SphereSteps steps;
-  std::vector<Index> case_wall;  ///< by wall of the stepper: which of the case; a box has six
+  std::vector<Index> case_wall;         ///< by wall of the stepper: which of the case; a box has six
+  std::vector<std::string> wall_notes;  ///< what is to be told of walls of triangles
   std::unique_ptr<engine::SphereStepper> stepper;
 };
 

@@ -153,11 +153,11 @@ void SpheresRecord::write_fragments() const {
 void SpheresRecord::check_motion(Real time) const {
   const Real speed = model_->stepper->largest_speed();
   if (model_->stepper->missed_pairs())
-    throw PhysicsError(
-        fmt::format("two spheres came so fast before t = {} s that they may have met unseen within a base step of {} s\n"
-                    "  set contact.margin larger, or time.levels = \"uniform\"; or look at spheres that overlap at the start",
-                    cases::short_number(time), cases::short_number(model_->steps.step, 4)));
-  if (speed < senseless_speed) return;
+    throw PhysicsError(fmt::format(
+        "two spheres came so fast before t = {} s, or one to a wall, that they may have met unseen within a base step of {} s\n"
+        "  set contact.margin larger, or time.levels = \"uniform\"; or look at spheres that overlap at the start",
+        cases::short_number(time), cases::short_number(model_->steps.step, 4)));
+  if (speed < senseless_speed) return check_surfaces();
   const Real smallest = model_->steps.smallest(), limit = model_->steps.limit;
   throw PhysicsError(
       fmt::format("the motion of the spheres makes no sense any more at t = {} s: the largest speed is {} m/s, above {} m/s\n"
@@ -165,6 +165,28 @@ void SpheresRecord::check_motion(Real time) const {
                   "overlap at the start",
                   cases::short_number(time), cases::short_number(speed, 3), cases::short_number(senseless_speed, 3),
                   cases::short_number(smallest, 4), cases::short_number(smallest / limit, 3), cases::short_number(limit, 4)));
+}
+
+/// Whether spheres went through walls of triangles: these would push them on.
+void SpheresRecord::check_surfaces() const {
+  const engine::SphereStepper& stepper = *model_->stepper;
+  const Real step = model_->steps.smallest();
+  if (const auto& passage = stepper.passage()) {
+    const auto number = static_cast<std::size_t>(passage->sphere);
+    throw PhysicsError(fmt::format(
+        "sphere {} of \"{}\" went through the wall \"{}\" at t = {} s, at ({}, {}, {}): its centre is beyond the surface\n"
+        "  its contact is too soft for its speed, or the step of {} s too long: give stiffer contacts, or a smaller "
+        "time.stability_fraction",
+        number + 1, file_->spheres().spheres[static_cast<std::size_t>(model_->group[number])].name,
+        stepper.walls().walls()[static_cast<std::size_t>(passage->wall)].name, cases::short_number(passage->time, 4),
+        cases::short_number(passage->centre.x(), 4), cases::short_number(passage->centre.y(), 4),
+        cases::short_number(passage->centre.z(), 4), cases::short_number(step, 4)));
+  }
+  if (stepper.missed_way() > 0)
+    throw PhysicsError(
+        fmt::format("a sphere came {} m nearer to a wall in a step of {} s, so that it may have passed one of triangles unseen\n"
+                    "  none may go farther in a step than the smallest sphere is wide: set a smaller time.stability_fraction",
+                    cases::short_number(stepper.missed_way(), 4), cases::short_number(step, 4)));
 }
 
 std::vector<std::pair<std::string, observe::Figure>> SpheresRecord::results(std::int64_t step, Real wall_seconds) const {
@@ -194,6 +216,7 @@ std::vector<std::pair<std::string, observe::Figure>> SpheresRecord::results(std:
     results.emplace_back("pair_evaluations", levels.counts().evaluations);
     results.emplace_back("uniform_evaluations", levels.counts().uniform_evaluations);
   }
+  for (const ShapeFill& fill : model_->fills) results.emplace_back("shape_fill_" + fill.shape, fill.share);
   if (!bodies.empty()) {
     results.emplace_back("bodies", static_cast<std::int64_t>(bodies.count()));
     results.emplace_back("bodies_broken", broken_bodies(bodies));

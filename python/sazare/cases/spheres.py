@@ -90,7 +90,9 @@ class Shape(Part):
     leg_spheres: int | None = None
     """Spheres along each leg of a tetrapod, besides the one in its centre. Default: 4. At least 1 and at most 100."""
     file: str | None = None
-    """Rows of radius, x, y, z; or the triangles of an .stl or a .msh without holes. (required for a file and for a mesh)"""
+    """Rows of radius, x, y, z, of spheres that hang together; or the triangles of an .stl or a .msh without holes, all with the
+    same side out: the body has the mass and inertia of the solid within them. (required for a file and for a mesh)
+    """
     scale: float | None = None
     """Length of the file's unit in m. Default: 1.0. Greater than 0."""
     count: int | None = None
@@ -119,8 +121,8 @@ class Sphere(Part):
     """Radii are equally likely between the two; the largest are placed first. [m] (random only; default: radius) Greater than 0.
     """
     file: str | None = None
-    """Rows of radius, x, y, z in m, parted by blanks or commas; a line that begins with a letter or # is skipped. Of a shape:
-    rows of x, y, z in m and its rotation vector in rad. (required for a file)
+    """Rows of radius, x, y, z in m, parted by blanks or commas; titles in the first line and lines that begin with # are skipped.
+    Of a shape: rows of x, y, z in m and its rotation vector in rad. (required for a file)
     """
     lower: tuple[float, float, float] | None = None
     """Corner of the box with the smallest coordinates. [m] (required for lattice and random)"""

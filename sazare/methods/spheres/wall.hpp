@@ -13,6 +13,7 @@
 #include "sazare/core/time.hpp"
 #include "sazare/geometry/triangle_grid.hpp"
 #include "sazare/laws/ground_motion.hpp"
+#include "sazare/state/spheres.hpp"
 #include "sazare/terms/nodal_surface.hpp"
 
 namespace sazare::methods::spheres {
@@ -62,10 +63,21 @@ struct Wall {
   Vector3 point = Vector3::Zero();            ///< of a plane, at the start [m]
   Vector3 normal = Vector3::UnitZ();          ///< of a plane, into the room for spheres
   std::vector<geometry::Triangle> triangles;  ///< at the start [m]; none: a plane, or a surface that moves with its nodes
+  state::PeriodicBox images;                  ///< of a surface: the axes along which it repeats itself, see `repeat_wall`
   WallMotion motion;
   terms::NodalSurface nodal;
 
+  /// Whether a sphere can be on either side of it.
+  bool is_surface() const { return !is_plane(); }
   bool is_plane() const { return triangles.empty() && !nodal.exists(); }
+};
+
+/// A sphere whose centre has gone through a surface.
+struct Passage {
+  Index sphere = 0;  ///< its number
+  Index wall = 0;
+  Vector3 centre = Vector3::Zero();  ///< [m]
+  Real time = 0;                     ///< when that was seen [s]
 };
 
 /// Force and moment of all spheres on a wall, the moment about its pivot, and the work of the wall on the spheres in this step.

@@ -48,58 +48,6 @@ void WallContacts::move(Real time) {
   }
 }
 
-/// Of all parts, by part and sphere.
-std::vector<WallContacts::Touch> WallContacts::touches() const {
-  std::vector<Touch> all;
-  for (const auto& blocks : parts_)
-    for (const Block& block : blocks) all.insert(all.end(), block.touches.begin(), block.touches.end());
-  return all;
-}
-
-void WallContacts::find(const state::Spheres& spheres, Real time, Real margin, std::span<const Index> places_before,
-                        const Parts& parts) {
-  move(time);
-  if (surface() != nullptr) {
-    std::vector<geometry::Triangle> now;
-    for (std::size_t face = 0; face < surface()->face_count(); ++face) now.push_back(surface()->corners(face, time));
-    grids_[surface_] = geometry::TriangleGrid(now, reach_);
-  }
-  std::vector<Touch> kept = touches();
-  if (!places_before.empty()) {
-    std::vector<Index> place(places_before.size());
-    for (std::size_t n = 0; n < place.size(); ++n) place[static_cast<std::size_t>(places_before[n])] = static_cast<Index>(n);
-    for (Touch& touch : kept) touch.sphere = place[static_cast<std::size_t>(touch.sphere)];
-    std::ranges::stable_sort(kept, {}, &Touch::sphere);
-  }
-  const std::size_t block_count = (spheres.size() + neighbors::block_size - 1) / neighbors::block_size;
-  Block empty;
-  empty.loads.resize(walls_.size());
-  parts_.assign(parts.count, std::vector<Block>(block_count, empty));
-  const auto block_of = [&](std::size_t sphere) -> Block& {
-    const std::size_t part = parts.of.empty() ? 0 : static_cast<std::size_t>(parts.of[sphere]);
-    return parts_[part][sphere / neighbors::block_size];
-  };
-  for (const Touch& touch : kept) block_of(static_cast<std::size_t>(touch.sphere)).touches.push_back(touch);
-  parallel::parallel_for(block_count, 2, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin * neighbors::block_size; i < std::min(end * neighbors::block_size, spheres.size()); ++i) {
-      const state::SpherePlace& place = spheres.place[i];
-      auto& near = block_of(i).near;
-      const Real reach = place.radius + margin;
-      for (std::size_t w = 0; w < walls_.size(); ++w) {
-        const Wall& wall = walls_[w];
-        const Vector3 centre = poses_[w].into(spheres.box.wrapped(place.centre()));
-        const auto sphere = static_cast<Index>(i), number = static_cast<Index>(w);
-        if (wall.is_plane()) {
-          if ((centre - wall.point).dot(wall.normal) < reach) near.push_back({sphere, number, -1});
-          continue;
-        }
-        for (const std::int32_t t : grids_[w].near(centre))
-          if ((geometry::nearest_point(triangle(w, t), centre) - centre).norm() < reach) near.push_back({sphere, number, t});
-      }
-    }
-  });
-}
-
 /// A triangle of a wall, in the frame of its pose.
 geometry::Triangle WallContacts::triangle(std::size_t wall, std::int32_t number) const {
   const auto face = static_cast<std::size_t>(number);
@@ -125,21 +73,27 @@ WallContacts::Ground WallContacts::ground_at(const Point& point, Real radius) co
   return ground;
 }
 
-/// Adds the points where a sphere touches.
-void WallContacts::find_points(const Vector3& place, Real radius, std::span<const Near> near, std::vector<Point>& points) const {
+/// Adds the points where the sphere touches to which `near` belongs, and sees whether it went through a surface.
+void WallContacts::find_points(const state::Spheres& spheres, const Vector3& place, std::span<Near> near, Block& block) const {
+  std::vector<Point>& points = block.points;
   const std::size_t begin = points.size();
-  for (const Near& one : near) {
+  const auto sphere = static_cast<std::size_t>(near.front().sphere);
+  const Real radius = spheres.place[sphere].radius;
+  for (Near& one : near) {
     const auto w = static_cast<std::size_t>(one.wall);
     const Wall& wall = walls_[w];
-    const Vector3 centre = poses_[w].into(place);
+    const Vector3 centre = seen_by(w, place);
     if (wall.is_plane()) {
       const Real distance = (centre - wall.point).dot(wall.normal);
       if (distance < radius)
         points.push_back({one.wall, -1, radius - distance, place, centre - distance * wall.normal, wall.normal});
       continue;
     }
-    const Vector3 foot = geometry::nearest_point(triangle(w, one.triangle), centre);
+    const geometry::Triangle corners = triangle(w, one.triangle);
+    const Vector3 foot = geometry::nearest_point(corners, centre);
     const Real distance = (centre - foot).norm();
+    if (went_through(one, corners, centre, distance, spheres.box) && !block.passage)
+      block.passage = {spheres.number[sphere], one.wall, place, time_};
     if (distance < radius && distance > 0)
       points.push_back({one.wall, one.triangle, radius - distance, place, foot, (centre - foot) / distance});
   }
@@ -277,7 +231,7 @@ void WallContacts::touch_anew(const state::Spheres& spheres, Block& block) const
     const auto to = std::find_if(from, block.near.end(), [&](const Near& one) { return one.sphere != sphere; });
     const state::SpherePlace& place = spheres.place[static_cast<std::size_t>(sphere)];
     const std::size_t begin = block.points.size();
-    find_points(repeats ? spheres.box.wrapped(place.centre(), inverse) : place.centre(), place.radius, {from, to}, block.points);
+    find_points(spheres, repeats ? spheres.box.wrapped(place.centre(), inverse) : place.centre(), {from, to}, block);
     from = to;
     while (remembered != block.before.end() && remembered->sphere < sphere) ++remembered;
     for (const Point& point : std::span(block.points).subspan(begin)) {
@@ -298,6 +252,7 @@ ContactSums WallContacts::evaluate(const state::Spheres& spheres, const Task& ta
   Block& block = parts_[task.part][task.block];
   std::fill(block.loads.begin(), block.loads.end(), WallLoad{});
   block.on_nodes.clear();
+  block.passage.reset();
   touch_anew(spheres, block);
   const Push push_some = push_of_table();
   ContactSums sums;

@@ -5,6 +5,8 @@
 /// A sphere touches a surface of triangles in the points where it is nearest to one of them. Of these the deepest comes first,
 /// and each further one counts only when it lies in front of the tangent planes of those before: so a flat surface, an outer edge
 /// or a corner pushes once, however many triangles share it, and the two sides of a groove push both.
+///
+/// A centre beyond a surface would be pushed on to the wrong side: that it went through is seen and kept.
 
 #include <optional>
 #include <span>
@@ -36,6 +38,12 @@ public:
 
   /// To be called once before the blocks of a step.
   void move(Real time);
+
+  /// To be called after the blocks of a part: whether a sphere went through a surface.
+  void note_passages(std::size_t part);
+  /// The first sphere whose centre went through a surface, between two evaluations or two searches; nothing where none did.
+  const std::optional<Passage>& passage() const { return passage_; }
+  bool have_surfaces() const;
 
   /// Adds a wall, whose nodes are led from outside; one at most.
   void add_surface(Wall wall);
@@ -78,6 +86,7 @@ private:
   struct Near {
     Index sphere = 0, wall = 0;
     std::int32_t triangle = -1;
+    Vector3 before = Vector3::Zero();  ///< where the sphere's centre was last seen, from the triangle's middle [m]
   };
   /// Where a sphere touches now.
   struct Point {
@@ -95,6 +104,7 @@ private:
     std::vector<Touch> before;
     std::vector<WallLoad> loads;             ///< by wall
     std::vector<terms::NodeForce> on_nodes;  ///< of the surface [N]
+    std::optional<Passage> passage;
   };
   /// How a wall moves where it is touched.
   struct Ground {
@@ -104,8 +114,16 @@ private:
   };
 
   geometry::Triangle triangle(std::size_t wall, std::int32_t number) const;
+  Vector3 seen_by(std::size_t wall, const Vector3& place) const;
+  void places_seen_by(std::size_t wall, const state::SpherePlace& place, const state::PeriodicBox& box, Real margin,
+                      std::vector<Vector3>& places) const;
+  void find_surface(std::size_t wall, const state::Spheres& spheres, std::size_t sphere, Real margin,
+                    std::vector<Near>& near) const;
+  void look_back(const state::Spheres& spheres, std::span<const Index> place);
+  bool went_through(Near& one, const geometry::Triangle& corners, const Vector3& centre, Real distance,
+                    const state::PeriodicBox& box) const;
   Ground ground_at(const Point& point, Real radius) const;
-  void find_points(const Vector3& place, Real radius, std::span<const Near> near, std::vector<Point>& points) const;
+  void find_points(const state::Spheres& spheres, const Vector3& place, std::span<Near> near, Block& block) const;
   static std::size_t keep_those_in_front(Real radius, std::span<Point> points);
   void touch_anew(const state::Spheres& spheres, Block& block) const;
   std::vector<Touch> touches() const;
@@ -128,6 +146,7 @@ private:
   Real time_ = 0;                                       ///< of the last `move` [s]
   std::size_t surface_ = static_cast<std::size_t>(-1);  ///< which of the walls moves with its nodes
   std::vector<std::vector<Block>> parts_;               ///< by part and block
+  std::optional<Passage> passage_;
 };
 
 }  // namespace sazare::methods::spheres

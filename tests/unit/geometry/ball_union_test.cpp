@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "cube.hpp"
+
 namespace sazare::geometry {
 namespace {
 
@@ -62,24 +64,8 @@ TEST(ball_union, a_tetrapod_has_four_equal_legs) {
   EXPECT_GT(highest - lowest, 1.9);
 }
 
-std::vector<Triangle> cube(Real side) {
-  std::vector<Triangle> triangles;
-  for (int axis = 0; axis < 3; ++axis)
-    for (const Real at : {0.0, side}) {
-      const Vector3 corner = at * Vector3::Unit(axis), u = side * Vector3::Unit((axis + 1) % 3),
-                    v = side * Vector3::Unit((axis + 2) % 3);
-      triangles.push_back({corner, corner + u, corner + u + v});
-      triangles.push_back({corner, corner + u + v, corner + v});
-      if (at == 0)
-        for (Triangle* one : {&triangles[triangles.size() - 2], &triangles.back()}) std::swap((*one)[1], (*one)[2]);
-    }
-  return triangles;
-}
-
 TEST(ball_union, balls_fill_a_cube_from_within) {
   const auto surface = cube(1);
-  EXPECT_TRUE(is_closed(surface));
-  EXPECT_FALSE(is_closed(std::span(surface).first(11)));
   const std::vector<Ball> balls = fill_with_balls(surface, 60, 24);
   ASSERT_EQ(balls.size(), 60);
   EXPECT_NEAR(balls.front().radius, 0.5, 0.03);

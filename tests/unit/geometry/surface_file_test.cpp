@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstring>
 
 #include "msh_writer.hpp"
@@ -82,6 +84,37 @@ TEST(surface_file, says_what_is_wrong) {
   const std::string flat = words(folder.write("flat.stl", as_binary({{Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0)},
                                                                      {Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(2, 0, 0)}})));
   EXPECT_NE(flat.find("1 of 2 triangles have no area, counted from 1: 2;"), std::string::npos) << flat;
+}
+
+TEST(surface_file, facets_of_four_corners_are_no_triangles) {
+  const TemporaryFolder folder;
+  const std::string head = "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n",
+                    tail = "endloop\nendfacet\nendsolid s\n";
+  const std::string four = words(folder.write("four.stl", head + "vertex 1 1 0\nvertex 0 1 0\n" + tail));
+  EXPECT_NE(four.find("four.stl:7: a facet has four or more corners, and those of an STL have three"), std::string::npos) << four;
+  const std::string two = words(folder.write("two.stl", head + tail));
+  EXPECT_NE(two.find("two.stl:6: a facet has 2 corners"), std::string::npos) << two;
+  const std::string ends = words(folder.write("ends.stl", head + "vertex 1 1 0\n"));
+  EXPECT_NE(ends.find("ends.stl: the file ends within its facet 1: it is cut short"), std::string::npos) << ends;
+}
+
+TEST(surface_file, keywords_may_be_capitals) {
+  const TemporaryFolder folder;
+  std::string capitals = two_triangles;
+  std::ranges::transform(capitals, capitals.begin(), [](unsigned char c) { return std::toupper(c); });
+  EXPECT_EQ(read_surface(folder.write("a.stl", capitals), "", 1).size(), 2);
+}
+
+TEST(surface_file, says_how_much_of_a_binary_file_is_there) {
+  const TemporaryFolder folder;
+  const Triangle one = {Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0)};
+  const std::string whole = as_binary({one, one, one});
+  const std::string cut = words(folder.write("cut.stl", whole.substr(0, whole.size() - 70)));
+  EXPECT_NE(cut.find("it announces 3 triangles, 234 bytes, and ends after 1 of them, 164 bytes"), std::string::npos) << cut;
+  const std::string head = words(folder.write("head.stl", std::string(20, '\0')));
+  EXPECT_NE(head.find("begins with 84 bytes before its triangles, found 20"), std::string::npos) << head;
+  const std::string more = words(folder.write("more.stl", whole + "more"));
+  EXPECT_NE(more.find("a binary STL of 3 triangles, as it announces, has 234 bytes, found 238"), std::string::npos) << more;
 }
 
 }  // namespace

@@ -21,6 +21,21 @@ TEST(triangle, nearest_point_is_on_face_edges_and_corners) {
   EXPECT_EQ(nearest_point(corner, {-1, 5, 0}), Vector3(0, 2, 0));
 }
 
+TEST(triangle, is_gone_through_within_its_edges) {
+  const Triangle lower = {Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(1, 1, 0)},
+                 upper = {Vector3(0, 0, 0), Vector3(1, 1, 0), Vector3(0, 1, 0)};
+  EXPECT_TRUE(leads_through(lower, {0.7, 0.2, 1}, {0.7, 0.2, -0.1}));
+  EXPECT_TRUE(leads_through(lower, {0.7, 0.2, -0.1}, {0.7, 0.2, 1}));
+  EXPECT_FALSE(leads_through(lower, {0.7, 0.2, 1}, {0.7, 0.2, 0.1}));
+  EXPECT_FALSE(leads_through(lower, {0.2, 0.7, 1}, {0.2, 0.7, -1}));
+  EXPECT_FALSE(leads_through(lower, {-3, 0.2, 1}, {0.5, 0.2, -1}));
+  EXPECT_FALSE(leads_through(lower, {-1, 0.2, 0}, {2, 0.2, 0})) << "in its plane";
+  for (int n = 1; n < 50; ++n) {  // no way leads between two of them
+    const Vector3 on_edge(n / 50.0, n / 50.0, 0), along(0.3, -0.17, 1);
+    EXPECT_TRUE(leads_through(lower, on_edge - along, on_edge + along) || leads_through(upper, on_edge - along, on_edge + along));
+  }
+}
+
 TEST(triangle_grid, knows_all_that_are_near) {
   std::uint64_t state = 3;
   const auto random = [&] {

@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
+#include <array>
+
 #include "tests/unit/runs/sphere_cases.hpp"
 
 namespace sazare::runs {
@@ -87,6 +91,116 @@ TEST(sphere_refusals, rain_without_ground_ends_soon) {
                             {"walls.0.normal=[0.0, 0.0, -1.0]", "walls.0.point=[0.0, 0.0, 1.0]"});
   const std::string words = words_of<PhysicsError>([&] { carry_out(file, folder / "run"); });
   EXPECT_SAYS(words, "what rains does not come to rest");
+}
+
+TEST(sphere_refusals, rows_of_a_file_that_are_no_spheres) {
+  const TemporaryFolder folder;
+  const auto with = [&](const std::string& rows) {
+    return refused(folder, sphere("a", "source = \"file\"\nfile = \"" + folder.write("a.csv", rows).string() + "\"\n"));
+  };
+  EXPECT_SAYS(with("radius,x,y,z\n\n0.005,0,0,0.01\n-0.005,0.03,0,0.01\n"),
+              "a.csv:4: a radius greater than 0 and a finite centre were expected, found -0.005 at (0.03, 0, 0.01)");
+}
+
+TEST(sphere_refusals, more_spheres_than_the_machine_can_hold) {
+  const TemporaryFolder folder;
+  const std::string box = "lower = [0.0, 0.0, 0.0]\nupper = [0.08, 0.08, 0.08]\n";
+  const std::string fine = refused(folder, sphere("dust", "source = \"lattice\"\nradius = 1e-8\n" + box));
+  EXPECT_SAYS(fine, "radius = 1e-8");
+  EXPECT_SAYS(fine, "error: the group \"dust\" would have 64e18 spheres");
+  EXPECT_SAYS(fine, "help: they need 22.4e12 GB, 350 bytes each, and this machine has");
+  EXPECT_SAYS(fine, "a run has 2147483647 at most: choose larger or fewer ones");
+  const std::string shape = "[[shapes]]\nname = \"t\"\nheight = 1e-6\nleg_spheres = 2\n";
+  EXPECT_SAYS(refused(folder, shape + sphere("dust", "shape = \"t\"\nsource = \"lattice\"\n" + box)),
+              "the group \"dust\" would have");
+  const std::string many = "[[shapes]]\nname = \"t\"\nheight = 1e-6\nleg_spheres = 11\n";
+  EXPECT_SAYS(refused(folder, many + sphere("dust", "shape = \"t\"\nsource = \"random\"\ncount = 50000000\n" + box)),
+              "the group \"dust\" would have 2.25e9 spheres");
+}
+
+TEST(sphere_refusals, a_rigid_shape_of_spheres_that_do_not_touch) {
+  const TemporaryFolder folder;
+  const auto with = [&](const std::string& rows) {
+    return refused(folder, "[[shapes]]\nname = \"two\"\nsource = \"file\"\nfile = \"" + folder.write("two.csv", rows).string() +
+                               "\"\n" + sphere("a", "shape = \"two\"\ncentre = [0.04, 0.04, 0.03]\n"));
+  };
+  const std::string words = with("radius,x,y,z\n0.005,0,0,0\n0.005,0.01,0,0\n0.005,0.03,0,0\n");
+  EXPECT_SAYS(words, "error: the spheres of the rigid shape \"two\" do not all touch: that of two.csv:4 hangs on nothing");
+  EXPECT_SAYS(words, "spheres touch when their gap is at most 0.01 of the sum of their radii");
+  EXPECT_EQ(with("0.005,0,0,0\n0.005,0.01005,0,0\n"), "");
+}
+
+/// Facets of four corners would be read as other triangles, and are refused where they stand.
+TEST(sphere_refusals, a_surface_of_a_shape_that_is_no_solid) {
+  const TemporaryFolder folder;
+  const auto facet = [](const std::string& corners) {
+    return "facet normal 0 0 1\nouter loop\n" + corners + "endloop\nendfacet\n";
+  };
+  const std::string a = "vertex 0 0 0\n", b = "vertex 0.02 0 0\n", c = "vertex 0 0.02 0\n", d = "vertex 0 0 0.02\n";
+  const auto with = [&](const std::string& facets) {
+    return refused(folder, "[[shapes]]\nname = \"stone\"\nsource = \"mesh\"\nfile = \"" +
+                               folder.write("stone.stl", "solid s\n" + facets + "endsolid s\n").string() + "\"\n" +
+                               sphere("a", "shape = \"stone\"\ncentre = [0.04, 0.04, 0.03]\n"));
+  };
+  EXPECT_EQ(with(facet(a + c + b) + facet(a + b + d) + facet(b + c + d) + facet(a + d + c)), "");
+  EXPECT_SAYS(with(facet(a + c + b) + facet(a + b + d) + facet(b + c + d)),
+              "the surface of the shape \"stone\" has holes: 3 edges do not belong to two triangles");
+  EXPECT_SAYS(with(facet(a + c + b) + facet(a + b + d) + facet(b + c + d) + facet(a + c + d)),
+              "the surface of the shape \"stone\" has triangles that are turned inside out, at 3 edges");
+  EXPECT_SAYS(with(facet(a + b + c + d)), "stone.stl:7: a facet has four or more corners");
+}
+
+std::string facets(const std::vector<std::array<Vector3, 3>>& triangles) {
+  std::string text = "solid s\n";
+  for (const auto& triangle : triangles) {
+    text += "facet normal 0 0 1\nouter loop\n";
+    for (const Vector3& at : triangle) text += fmt::format("vertex {} {} {}\n", at.x(), at.y(), at.z());
+    text += "endloop\nendfacet\n";
+  }
+  return text + "endsolid s\n";
+}
+
+/// A mesh wall across the room of `sphere_cases`, between two places along x.
+std::string plate(const TemporaryFolder& folder, Real from, Real to, Real height, const std::string& rest = "") {
+  const Vector3 a(from, -1, height), b(to, -1, height), c(to, 1, height), d(from, 1, height);
+  return "[[walls]]\nname = \"plate\"\nmaterial = \"glass\"\nshape = \"mesh\"\n" + rest + "file = \"" +
+         folder.write("plate.stl", facets({{a, b, c}, {a, c, d}})).string() + "\"\n";
+}
+
+TEST(sphere_refusals, a_wall_that_turns_where_it_would_repeat_itself) {
+  const TemporaryFolder folder;
+  const std::string one = sphere("a", "radius = 0.005\ncentre = [0.04, 0.04, 0.02]\n");
+  const std::string words = refused(folder, one + plate(folder, 0, 0.08, 0.06, "spin = [0.0, 0.0, 1.0]\n"));
+  EXPECT_SAYS(words, "the wall \"plate\" turns across the periodic axis x, ends at its sides, and comes within 0.005 m of them");
+  EXPECT_EQ(refused(folder, one + plate(folder, -0.01, 0.09, 0.06, "spin = [0.0, 0.0, 1.0]\n")), "");
+}
+
+TEST(sphere_refusals, check_tells_of_open_edges_and_of_walls_that_repeat_themselves) {
+  const TemporaryFolder folder;
+  const std::string one = sphere("a", "radius = 0.005\ncentre = [0.04, 0.04, 0.02]\n");
+  const std::string words = check_case(case_of(folder, one + plate(folder, 0, 0.078, 0.06)));
+  EXPECT_SAYS(words, "\"plate\" has 4 open edges, of one triangle each: it ends there, or has holes");
+  EXPECT_SAYS(words, "\"plate\" repeats itself along x, with a gap of 0.002 m");
+  const std::string whole = check_case(case_of(folder, one + plate(folder, 0, 0.08, 0.06)));
+  EXPECT_SAYS(whole, "\"plate\" repeats itself along x\n");
+}
+
+TEST(sphere_refusals, a_sphere_that_goes_through_a_wall_ends_the_run) {
+  const TemporaryFolder folder;
+  const auto end_of = [&](const std::string& velocity, Real height) {
+    const auto file =
+        case_of(folder, sphere("shot", "radius = 0.005\ncentre = [0.04, 0.04, 0.1]\nvelocity = [0.0, 0.0, " + velocity + "]\n") +
+                            plate(folder, -1, 1, height));
+    return words_of<PhysicsError>([&] { carry_out(file, folder / ("run" + velocity)); });
+  };
+  EXPECT_EQ(end_of("-10.0", 0.06), "");
+  const std::string soft = end_of("-40.0", 0.06);
+  EXPECT_SAYS(soft, "sphere 1 of \"shot\" went through the wall \"plate\" at t = 0.00");
+  EXPECT_SAYS(soft, "its centre is beyond the surface\n  its contact is too soft for its speed, or the step of");
+  const std::string fast = end_of("-400.0", 50);
+  EXPECT_SAYS(
+      fast,
+      "a sphere came 0.03361 m nearer to a wall in a step of 84.03e-6 s, so that it may have passed one of triangles unseen");
 }
 
 }  // namespace

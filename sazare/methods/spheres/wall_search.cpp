@@ -1,0 +1,157 @@
+/// Which spheres are near walls, found anew in time, and whether one went through a surface meanwhile.
+
+#include <algorithm>
+
+#include "sazare/methods/spheres/wall_contacts.hpp"
+#include "sazare/parallel/threads.hpp"
+
+namespace sazare::methods::spheres {
+
+namespace {
+
+Vector3 middle_of(const geometry::Triangle& corners) { return (corners[0] + corners[1] + corners[2]) / 3; }
+
+/// Adds to places the same ones beyond those sides of a room that are within a margin of them.
+void add_beyond(const state::PeriodicBox& box, Real margin, std::vector<Vector3>& places) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (box.length[axis] <= 0) continue;
+    const Vector3 length = box.length[axis] * Vector3::Unit(axis);
+    for (std::size_t n = 0, count = places.size(); n < count; ++n) {
+      const Vector3 place = places[n];
+      const Real at = place[axis] - box.lower[axis];
+      if (at < margin) places.push_back(place + length);
+      if (box.length[axis] - at < margin) places.push_back(place - length);
+    }
+  }
+}
+
+}  // namespace
+
+/// A place of the room as a wall at the start would have it; one that repeats itself has it within its first image.
+Vector3 WallContacts::seen_by(std::size_t wall, const Vector3& place) const {
+  const Vector3 at = poses_[wall].into(place);
+  const state::PeriodicBox& images = walls_[wall].images;
+  return images.repeats() ? images.wrapped(at) : at;
+}
+
+/// All places where a surface may see a sphere until it is sought again: beyond a periodic side, too, where it may cross that.
+void WallContacts::places_seen_by(std::size_t wall, const state::SpherePlace& place, const state::PeriodicBox& box, Real margin,
+                                  std::vector<Vector3>& places) const {
+  places.assign(1, box.wrapped(place.centre()));
+  add_beyond(box, margin, places);
+  for (Vector3& one : places) one = seen_by(wall, one);
+  add_beyond(walls_[wall].images, margin, places);
+}
+
+/// Adds the triangles of a surface that are near a sphere, in the order of the file.
+void WallContacts::find_surface(std::size_t wall, const state::Spheres& spheres, std::size_t sphere, Real margin,
+                                std::vector<Near>& near) const {
+  thread_local std::vector<Vector3> places;
+  const state::SpherePlace& place = spheres.place[sphere];
+  const auto begin = static_cast<std::ptrdiff_t>(near.size());
+  places_seen_by(wall, place, spheres.box, margin, places);
+  for (const Vector3& centre : places)
+    for (const std::int32_t t : grids_[wall].near(centre)) {
+      const geometry::Triangle corners = triangle(wall, t);
+      if ((geometry::nearest_point(corners, centre) - centre).norm() < place.radius + margin)
+        near.push_back({static_cast<Index>(sphere), static_cast<Index>(wall), t, places.front() - middle_of(corners)});
+    }
+  if (places.size() == 1) return;
+  std::ranges::stable_sort(near.begin() + begin, near.end(), {}, &Near::triangle);
+  const auto twice = std::ranges::unique(near.begin() + begin, near.end(), {}, &Near::triangle);
+  near.erase(twice.begin(), twice.end());
+}
+
+/// Of all parts, by part and sphere.
+std::vector<WallContacts::Touch> WallContacts::touches() const {
+  std::vector<Touch> all;
+  for (const auto& blocks : parts_)
+    for (const Block& block : blocks) all.insert(all.end(), block.touches.begin(), block.touches.end());
+  return all;
+}
+
+void WallContacts::find(const state::Spheres& spheres, Real time, Real margin, std::span<const Index> places_before,
+                        const Parts& parts) {
+  move(time);
+  if (surface() != nullptr) {
+    std::vector<geometry::Triangle> now;
+    for (std::size_t face = 0; face < surface()->face_count(); ++face) now.push_back(surface()->corners(face, time));
+    grids_[surface_] = geometry::TriangleGrid(now, reach_);
+  }
+  std::vector<Index> place(places_before.size());
+  for (std::size_t n = 0; n < place.size(); ++n) place[static_cast<std::size_t>(places_before[n])] = static_cast<Index>(n);
+  if (have_surfaces()) look_back(spheres, place);
+  std::vector<Touch> kept = touches();
+  if (!place.empty()) {
+    for (Touch& touch : kept) touch.sphere = place[static_cast<std::size_t>(touch.sphere)];
+    std::ranges::stable_sort(kept, {}, &Touch::sphere);
+  }
+  const std::size_t block_count = (spheres.size() + neighbors::block_size - 1) / neighbors::block_size;
+  Block empty;
+  empty.loads.resize(walls_.size());
+  parts_.assign(parts.count, std::vector<Block>(block_count, empty));
+  const auto block_of = [&](std::size_t sphere) -> Block& {
+    const std::size_t part = parts.of.empty() ? 0 : static_cast<std::size_t>(parts.of[sphere]);
+    return parts_[part][sphere / neighbors::block_size];
+  };
+  for (const Touch& touch : kept) block_of(static_cast<std::size_t>(touch.sphere)).touches.push_back(touch);
+  parallel::parallel_for(block_count, 2, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin * neighbors::block_size; i < std::min(end * neighbors::block_size, spheres.size()); ++i) {
+      auto& near = block_of(i).near;
+      for (std::size_t w = 0; w < walls_.size(); ++w) {
+        const Wall& wall = walls_[w];
+        if (wall.is_surface()) {
+          find_surface(w, spheres, i, margin, near);
+          continue;
+        }
+        const Vector3 centre = seen_by(w, spheres.box.wrapped(spheres.place[i].centre()));
+        if ((centre - wall.point).dot(wall.normal) < spheres.place[i].radius + margin)
+          near.push_back({static_cast<Index>(i), static_cast<Index>(w), -1, Vector3::Zero()});
+      }
+    }
+  });
+}
+
+/// Whether spheres went through surfaces since they were last evaluated; `place` says where each stands that stood elsewhere.
+void WallContacts::look_back(const state::Spheres& spheres, std::span<const Index> place) {
+  for (std::size_t part = 0; part < parts_.size(); ++part) {
+    parallel::parallel_for(parts_[part].size(), 2, [&](std::size_t begin, std::size_t end) {
+      for (Block& block : std::span(parts_[part]).subspan(begin, end - begin))
+        for (Near& one : block.near) {
+          if (one.triangle < 0) continue;
+          const auto w = static_cast<std::size_t>(one.wall);
+          const auto before = static_cast<std::size_t>(one.sphere);
+          const std::size_t sphere = place.empty() ? before : static_cast<std::size_t>(place[before]);
+          const Vector3 centre = spheres.box.wrapped(spheres.place[sphere].centre());
+          if (went_through(one, triangle(w, one.triangle), seen_by(w, centre), 0, spheres.box) && !block.passage)
+            block.passage = {spheres.number[sphere], one.wall, centre, time_};
+        }
+    });
+    note_passages(part);
+  }
+}
+
+/// Whether a centre went through a triangle since it was last seen, as seen from the triangle's middle; now it is seen here, at
+/// this distance or more.
+bool WallContacts::went_through(Near& one, const geometry::Triangle& corners, const Vector3& centre, Real distance,
+                                const state::PeriodicBox& box) const {
+  const Vector3 at = centre - middle_of(corners);
+  Vector3 way = at - one.before;
+  one.before = at;
+  if (way.squaredNorm() < distance * distance) return false;
+  if (box.repeats()) {
+    const Matrix3& turn = poses_[static_cast<std::size_t>(one.wall)].turn;
+    way = turn.transpose() * box.nearest(turn * way);  // from the other side of the room
+  }
+  return geometry::leads_through(corners, centre - way, centre);
+}
+
+void WallContacts::note_passages(std::size_t part) {
+  if (part >= parts_.size()) return;
+  for (const Block& block : parts_[part])
+    if (block.passage && !passage_) passage_ = block.passage;
+}
+
+bool WallContacts::have_surfaces() const { return std::ranges::any_of(walls_, &Wall::is_surface); }
+
+}  // namespace sazare::methods::spheres
