@@ -76,7 +76,7 @@ std::string check(const cases::CaseFile& file, const fs::path& made) {
   BlocksModel model = build_blocks(file.blocks(), load_mesh(file, made, false));
   const Gauges gauges(file, model.mesh);
   const RunClocks clocks = make_clocks(file.blocks().time, model.simulation->levels().step(0));
-  const std::string warning = warn_of_mesh_fit(file, model.fit) + check_stability(file, model);
+  const std::string warning = warn_of(file, model);
   model.simulation->start();
   return cases::explain(file.blocks()) + body_text(model) + step_text(model, clocks) + level_text(model) +
          limiting_text(model, file.blocks().mesh) + (warning.empty() ? "" : "\n" + warning);

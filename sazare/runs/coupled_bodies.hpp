@@ -11,6 +11,7 @@
 ///     model, side                       the bodies, and their side of the coupling
 ///     count(), step()                   how many there are, and their own step [s]
 ///     prepare(options)                  what comes before the windows; false when asked to stop meanwhile
+///     warning()                         see CaseRun
 ///     identity(), title(), write_case(folder)
 ///     read_motion(table), columns(archive)
 
@@ -24,6 +25,7 @@
 #include "sazare/runs/run_options.hpp"
 #include "sazare/runs/run_record.hpp"
 #include "sazare/runs/spheres_record.hpp"
+#include "sazare/runs/stability.hpp"
 
 namespace sazare::runs {
 
@@ -53,6 +55,7 @@ struct CoupledSpheres {
   std::int64_t count() const { return static_cast<std::int64_t>(model.group.size()); }
   Real step() const { return model.steps.step; }
   bool prepare(const RunOptions& options);
+  static std::string warning() { return ""; }
   RunIdentity identity() const;
   const std::string& title() const { return file.spheres().title; }
   void write_case(const RunFolder& folder) const;
@@ -74,6 +77,7 @@ struct CoupledRectangles {
   std::int64_t count() const { return model.elements; }
   Real step() const { return model.step; }
   static bool prepare(const RunOptions&) { return true; }
+  const std::string& warning() const { return model.warning; }
   RunIdentity identity() const;
   const std::string& title() const { return file.rectangles().title; }
   void write_case(const RunFolder& folder) const;
@@ -95,6 +99,7 @@ struct CoupledBlocks {
   std::int64_t count() const { return model.simulation->bodies().size(); }
   Real step() const { return model.simulation->levels().step(0); }
   static bool prepare(const RunOptions&) { return true; }
+  std::string warning() const { return warn_of(file, model); }
   RunIdentity identity() const { return identify(file.blocks(), model.mesh); }
   const std::string& title() const { return file.blocks().title; }
   void write_case(const RunFolder& folder) const;

@@ -66,7 +66,7 @@ struct BlocksWork {
 
   const std::string& title() const { return file.blocks().title; }
   static std::string method() { return "blocks"; }
-  std::string warning() const { return warn_of_mesh_fit(file, model.fit) + check_stability(file, model); }
+  std::string warning() const { return warn_of(file, model); }
   std::string words() const {
     return fmt::format("{} elements, {} joints, base step {} s", simulation().bodies().size(), model.joints->links().size(),
                        cases::short_number(simulation().levels().step(0), 4));

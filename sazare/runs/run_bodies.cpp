@@ -58,7 +58,7 @@ struct BodiesWork {
 
   const std::string& title() const { return bodies.title(); }
   static std::string method() { return Bodies::method; }
-  static std::string warning() { return ""; }
+  std::string warning() const { return bodies.warning(); }
   std::string words() const {
     return fmt::format("{} {}, windows of {} s, step {} s, the continuum in another program", bodies.count(), Bodies::name,
                        cases::short_number(window(), 4), cases::short_number(bodies.step(), 4));

@@ -105,7 +105,7 @@ struct HybridWork {
 
   const std::string& title() const { return file.hybrid().title; }
   static std::string method() { return "hybrid"; }
-  static std::string warning() { return ""; }
+  std::string warning() const { return model.bodies.warning(); }
   std::string words() const {
     return fmt::format("{} elements and {} {}, windows of {} s, {} steps of the {} in each",
                        model.continuum.mesh().elements.size(), model.bodies.count(), Bodies::name, number(model.continuum.step),
@@ -191,10 +191,9 @@ std::string check(const cases::CaseFile& file, const std::filesystem::path& fold
                                false);
   model.attach(file);
   const RunClocks clocks = make_clocks(file.hybrid().continuum->fem().time, model.continuum.step);
-  return cases::explain(file.hybrid()) +
-         fmt::format("  {:<12}{} windows, {} steps of the {} of {} s in each\n", "work", clocks.steps(),
-                     model.bodies.side.steps_per_window(), Bodies::name, number(model.bodies.step(), 5)) +
-         "\n" + check_fem(*file.hybrid().continuum) + "\n" + check_bodies(*file.hybrid().bodies, model.continuum.step);
+  return cases::explain(file.hybrid()) + fmt::format("  {:<12}{} windows, {} steps of the {} of {} s in each\n", "work",
+                                                     clocks.steps(), model.bodies.side.steps_per_window(), Bodies::name,
+                                                     number(model.bodies.step(), 5));
 }
 
 /// Calls `visit` with the dimension and the bodies of a case, and hands back what it gives. Elements of rectangles touch none but
@@ -219,9 +218,12 @@ std::unique_ptr<LiveRun> open_hybrid(const cases::CaseFile& file, const RunOptio
 }
 
 std::string check_hybrid(const cases::CaseFile& file) {
-  return visit_sides(file.hybrid(), [&]<int D, class Bodies>(std::integral_constant<int, D>, std::type_identity<Bodies>) {
-    return check_with_meshes([&](const std::filesystem::path& folder) { return check<D, Bodies>(file, folder); });
-  });
+  const cases::CaseFile &continuum = *file.hybrid().continuum, &bodies = *file.hybrid().bodies;
+  const std::string both =
+      visit_sides(file.hybrid(), [&]<int D, class Bodies>(std::integral_constant<int, D>, std::type_identity<Bodies>) {
+        return check_with_meshes([&](const std::filesystem::path& folder) { return check<D, Bodies>(file, folder); });
+      });
+  return both + "\n" + check_fem(continuum) + "\n" + check_bodies(bodies, *continuum.fem().time.step);
 }
 
 }  // namespace sazare::runs

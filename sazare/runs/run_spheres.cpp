@@ -28,7 +28,6 @@ struct SpheresWork {
   RunClocks clocks;
   SpheresRecord record;
   const RunOptions& options;
-  std::string no_warning;
 
   SpheresWork(const cases::CaseFile& of, const RunOptions& of_run)
       : file(of),
@@ -46,7 +45,7 @@ struct SpheresWork {
 
   const std::string& title() const { return file.spheres().title; }
   static std::string method() { return "spheres"; }
-  const std::string& warning() const { return no_warning; }
+  static std::string warning() { return ""; }
   std::string words() const {
     const SphereSteps& steps = model.steps;
     const std::string share = number(steps.smallest() / steps.limit, 3);

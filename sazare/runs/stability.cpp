@@ -89,4 +89,8 @@ std::string check_stability(const cases::CaseFile& file, const BlocksModel& mode
   return warning(file, key, what, help);
 }
 
+std::string warn_of(const cases::CaseFile& file, const BlocksModel& model) {
+  return warn_of_mesh_fit(file, model.fit) + check_stability(file, model);
+}
+
 }  // namespace sazare::runs

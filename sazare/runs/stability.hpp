@@ -39,6 +39,9 @@ Real evaluations_per_second(const BlocksModel& model);
 /// Throws UserError instead where the case is strict.
 std::string check_stability(const cases::CaseFile& file, const BlocksModel& model);
 
+/// All warnings of a case with its mesh: what it holds for, and its steps.
+std::string warn_of(const cases::CaseFile& file, const BlocksModel& model);
+
 /// "element 12 at (1, 2, 3) m"
 std::string element_text(const geometry::TetraMesh& mesh, Index element);
 

@@ -123,6 +123,13 @@ def test_check_of_a_bad_case_is_an_error(sazare):
     assert "none.msh" in checked.stderr
 
 
+def test_blocks_on_finite_elements_are_warned_of_like_blocks_alone(sazare, tmp_path):
+    case, long = ROOT / "cases/rock-fall-on-slab/case.toml", ("--set", "bodies.time.limiter=none", "--set", "bodies.time.base_step=2e-5")
+    strict = sazare("run", case, "--out", tmp_path / "run", *long, "--set", "bodies.time.strict=true")
+    assert strict.returncode == USER_ERROR
+    assert "error: step above stability" in strict.stderr
+
+
 def test_check_keeps_the_mesh_that_its_error_tells_of(sazare, tmp_path):
     words = sazare("check", sazare.block, "--set", "mesh.file=block.geo", "--set", "gauges.0.point=[9, 9, 9]",
                    env=os.environ | {"TMPDIR": str(tmp_path)}).stderr
