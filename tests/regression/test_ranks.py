@@ -74,6 +74,20 @@ def test_under_a_travel_limit_bodies_refine_each_other_across_ranks(sazare, tmp_
     assert_same_results(tmp_path / "one", tmp_path / "many")
 
 
+def test_joints_that_slip_far_before_they_break(sazare, tmp_path):
+    """Slip is known where a joint is evaluated, and levels must not depend on it."""
+    weak = ["--set", "joints.0.cohesion=2e5", "--set", "joints.0.friction_coefficient=0.05"]
+    one = sazare(*block_run(sazare, tmp_path / "one", *weak))
+    assert one.returncode == DONE, one.stderr
+    for ranks, interval in ((2, 3), (3, 5)):
+        many = sazare.on_ranks(ranks, *block_run(sazare, tmp_path / f"{ranks}", "--balance-interval", interval, *weak))
+        assert many.returncode == DONE, many.stderr
+        assert_same_results(tmp_path / "one", tmp_path / f"{ranks}")
+    figures = manifest(tmp_path / "one")["results"]
+    assert figures["broken_joints"] > 0
+    assert figures["energy_slip"] > 0.05 * figures["energy_work"]
+
+
 def test_what_each_rank_did_is_written(sazare, tmp_path):
     sazare.on_ranks(3, *block_run(sazare, tmp_path / "run", "--balance-interval", 10))
     with open(tmp_path / "run" / "ranks.csv", newline="") as stream:

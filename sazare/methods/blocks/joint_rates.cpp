@@ -53,12 +53,14 @@ void add_face(BodyMatrices& matrices, const FaceSprings& face) {
   }
 }
 
-FaceSprings face_springs(const JointRecord& joint, const JointKind& kind, bool as_master) {
+FaceSprings face_springs(const JointRecord& joint, const JointKind& kind, Index body, const state::Bodies<3>& bodies) {
   FaceSprings face = springs_of(kind, joint.vertex_area);
-  const auto axes = face_axes(joint.normal, joint.tilt);
+  const auto start = [&](Index of) -> const Vector3& { return bodies.start[static_cast<std::size_t>(of)]; };
   for (std::size_t v = 0; v < vertex_count; ++v) {
-    const Vector3& corner = joint.vertex[v].corner;
-    face.corners[v] = as_master ? Vector3(corner[0] * axes[0] + corner[1] * axes[1] + corner[2] * axes[2]) : joint.arm_of(v);
+    face.corners[v] = joint.arm_of(v);
+    if (body == joint.slave) continue;
+    const Vector3 place = start(joint.slave) + state::start_rotation(bodies, joint.slave) * joint.arm_of(v);
+    face.corners[v] = state::start_rotation(bodies, body).transpose() * (place - start(body));
   }
   return face;
 }

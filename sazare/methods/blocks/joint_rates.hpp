@@ -43,8 +43,9 @@ struct FaceSprings {
 
 void add_face(BodyMatrices& matrices, const FaceSprings& face);
 
-/// The springs of a joint as one of its two bodies has them at the beginning.
-FaceSprings face_springs(const JointRecord& joint, const JointKind& kind, bool as_master);
+/// The springs of a joint as one of its two bodies has them at the beginning. The corners are those that the joint keeps on its
+/// slave: slip moves those on the master, and only the processes that evaluate the joint know it.
+FaceSprings face_springs(const JointRecord& joint, const JointKind& kind, Index body, const state::Bodies<3>& bodies);
 
 /// Rates of every body from the faces that are to be bonded.
 std::vector<terms::Rates> joint_rates(std::span<const JointKind> kinds, std::span<const JointFace> faces,

@@ -198,8 +198,8 @@ const JointParameters<Lanes>& Joints::kinds_of(const LanePointers<Record>& joint
 void Joints::settle(const Moment&, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) {
   std::vector<Index> failed = failed_.take();
   peers.unite(failed);
+  for (const Index joint : failed) records_[at(joint)].state = JointState::broken;  // it may have failed in another process
   for (const Index joint : failed) {
-    records_[at(joint)].state = JointState::broken;  // it may have failed in another process
     changes.ended_links.push_back(joint);
     table_.incidence.end(joint, links_[at(joint)]);
     for (const Index body : {links_[at(joint)].first, links_[at(joint)].second}) {
@@ -226,7 +226,7 @@ void Joints::update_rates(Index body, const state::Bodies<3>& bodies) {
   for (const Index number : at_face_[at(body)])
     if (number >= 0 && state(number) != JointState::broken) {
       const JointRecord& joint = records_[at(number)];
-      add_face(matrices, face_springs(joint, kinds_[at(joint.kind)], joint.master == body));
+      add_face(matrices, face_springs(joint, kinds_[at(joint.kind)], body, bodies));
     }
   const terms::Rates held =
       largest_rates(matrices, bodies.inertia[at(body)], state::start_rotation(bodies, body), bodies.locks[at(body)]);

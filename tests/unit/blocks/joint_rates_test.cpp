@@ -66,6 +66,23 @@ TEST(joint_rates, are_the_largest_eigenvalues_of_what_the_block_feels) {
   }
 }
 
+/// Of several processes only those that evaluate a joint know how far it has slipped, and all must find the same rates.
+TEST(joint_rates, are_those_of_the_beginning_however_far_a_joint_has_slipped) {
+  BondedPair pair;
+  JointRecord joint = pair.joints().record(0);
+  const JointKind& kind = pair.joints().kind(0);
+  const FaceSprings before = face_springs(joint, kind, joint.master, pair.bodies());
+  const auto axes = face_axes(joint.normal, joint.tilt);
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    const Vector3& corner = joint.vertex[v].corner;
+    const Vector3 own = corner[0] * axes[0] + corner[1] * axes[1] + corner[2] * axes[2];
+    EXPECT_LT((before.corners[v] - own).norm(), 1e-6 * own.norm());
+    joint.vertex[v].corner[1] += 0.1 * own.norm();
+  }
+  const FaceSprings after = face_springs(joint, kind, joint.master, pair.bodies());
+  for (std::size_t v = 0; v < vertex_count; ++v) EXPECT_EQ(after.corners[v], before.corners[v]);
+}
+
 TEST(joint_rates, leave_out_what_is_locked) {
   BondedPair pair;
   FaceSprings face;
