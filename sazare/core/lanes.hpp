@@ -56,6 +56,17 @@ inline LaneMask mask_of(LaneBits bits) {
 #endif
 }
 
+/// The bytes of a number, the lowest one first, one in each lane.
+inline LongLanes spread_bytes(std::uint64_t bytes) {
+#ifdef __AVX512F__
+  return reinterpret_cast<LongLanes>(_mm512_cvtepu8_epi64(_mm_cvtsi64_si128(static_cast<long long>(bytes))));
+#else
+  LongLanes spread;
+  for (int lane = 0; lane < lane_count; ++lane) spread[lane] = static_cast<std::int64_t>(bytes >> 8 * lane & 0xFF);
+  return spread;
+#endif
+}
+
 using LooseLanes = RegisterOf<lane_count>::InMemory;  ///< at any number of a row of them
 
 inline Lanes load_lanes(const Real* from) { return *reinterpret_cast<const LooseLanes*>(from); }

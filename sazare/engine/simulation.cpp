@@ -169,8 +169,8 @@ void Simulation<D>::take_refined() {
 template <int D>
 void Simulation<D>::kick_chunk(std::span<const Index> which) {
   thread_local std::array<state::Impulse<D>, terms::chunk_size> impulses;
-  std::array<state::MeanMotion<D>, terms::chunk_size> means;
-  std::array<motion::Stride, terms::chunk_size> strides;
+  thread_local std::array<state::MeanMotion<D>, terms::chunk_size> means;
+  thread_local std::array<motion::Stride, terms::chunk_size> strides;
   thread_local terms::CauseImpulses<D> parts;
   thread_local std::vector<std::size_t> too_fast;
   parts.clear();
@@ -194,7 +194,7 @@ void Simulation<D>::kick_chunk(std::span<const Index> which) {
 
 template <int D>
 motion::Stride Simulation<D>::stride(Index body, int pace) const {
-  return {now_.tick + schedule::stride(pace), levels_.step(pace), levels_.fastest_squared(body)};
+  return {now_.tick, now_.tick + schedule::stride(pace), levels_.step(pace), levels_.fastest_squared(body)};
 }
 
 /// Steps a body that this kick makes too fast for its level.

@@ -1,5 +1,10 @@
 #include "sazare/motion/step.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+
 #include "sazare/core/lane_records.hpp"
 #include "sazare/motion/kick.hpp"
 
@@ -81,28 +86,28 @@ void foresee(LaneState& body, const LaneImpulse& given) {
   body.foreseen_spin = body.rotation * spin_of(body, own);
 }
 
-/// Bodies whose rotation is free, one per lane; idle lanes repeat the first.
+/// Bodies whose rotation is free, one per lane, with what they are given and give side by side.
 struct Batch {
-  std::array<Index, lane_count> body{};
-  std::array<std::size_t, lane_count> place{};  ///< in the spans
-  int count = 0;
-
-  void add(Index each, std::size_t its_place) {
-    body[at(count)] = each;
-    place[at(count)] = its_place;
-    ++count;
-  }
-  void fill_idle_lanes() {
-    for (auto lane = at(count); lane < lane_count; ++lane) {
-      body[lane] = body[0];
-      place[lane] = place[0];
-    }
-  }
+  const Index* body;
+  const state::Impulse<3>* given;
+  const Stride* strides;
+  state::MeanMotion<3>* mean;
 };
 
 // Whole quads of each record are read and written.
 static_assert(sizeof(state::Motion<3>) == 32 * sizeof(Real) && sizeof(state::Inertia<3>) == 8 * sizeof(Real));
 static_assert(sizeof(state::Impulse<3>) == 16 * sizeof(Real) && sizeof(state::MeanMotion<3>) == 8 * sizeof(Real));
+static_assert(sizeof(Stride) == 4 * sizeof(Real));
+
+/// Four numbers, from number `begin` on, of records side by side.
+template <class Record>
+std::array<Lanes, 4> load_row(const Record* first, std::size_t begin) {
+  return load_quads([&](std::size_t lane) { return reinterpret_cast<const Real*>(first + lane) + begin; });
+}
+template <class Record>
+void store_row(const std::array<Lanes, 4>& fields, Record* first, std::size_t begin) {
+  store_quads(fields, [&](std::size_t lane) { return reinterpret_cast<Real*>(first + lane) + begin; });
+}
 
 /// What the kick does not read of the bodies is left open.
 LaneState load(const LanePointers<state::Motion<3>>& motions, const LanePointers<state::Inertia<3>>& inertias) {
@@ -121,7 +126,7 @@ LaneState load(const LanePointers<state::Motion<3>>& motions, const LanePointers
   return body;
 }
 
-void store(const LaneState& body, const LongLanes& kicked, const LongLanes& due, const LanePointers<state::Motion<3>>& motions,
+void store(const LaneState& body, const Lanes& now, const Lanes& due, const LanePointers<state::Motion<3>>& motions,
            const LanePointers<state::Inertia<3>>& inertias) {
   const LaneVector &p = body.position, &v = body.velocity, &s = body.spin, &l = body.angular_momentum;
   const LaneVector &u = body.foreseen_velocity, &t = body.foreseen_spin;
@@ -132,93 +137,145 @@ void store(const LaneState& body, const LongLanes& kicked, const LongLanes& due,
   store_quad({u[0], u[1], u[2], t[0]}, motions, 12);
   store_quad({t[1], t[2], v[0], v[1]}, motions, 16);
   store_quad({v[2], l[0], l[1], l[2]}, motions, 20);
-  store_quad({s[0], s[1], s[2], reinterpret_cast<Lanes>(kicked)}, motions, 24);
-  store_quad({reinterpret_cast<Lanes>(due), Lanes{}, Lanes{}, Lanes{}}, motions, 28);
+  store_quad({s[0], s[1], s[2], now}, motions, 24);
+  store_quad({due, Lanes{}, Lanes{}, Lanes{}}, motions, 28);  // with what is unused, which checkpoints hold too
   store_quad({body.x, body.y, body.z, body.w}, inertias, 0);
 }
 
-/// Removes what the locks of bodies take up. Few have any.
-void clear_locked(LaneImpulse& given, const state::Bodies<3>& bodies, const Batch& batch) {
-  std::array<unsigned, lane_count> locked;
-  unsigned all = 0;
-  for (std::size_t lane = 0; lane < lane_count; ++lane) all |= locked[lane] = bodies.locks[at(batch.body[lane])].translation;
-  if (all == 0) return;
+/// Removes what the locks of bodies take up.
+void clear_locked(LaneImpulse& given, const state::Bodies<3>& bodies, const Index* body) {
+  std::uint64_t locked = 0;  // a byte each
   for (std::size_t lane = 0; lane < lane_count; ++lane)
-    for (int axis = 0; axis < 3; ++axis)
-      if (locked[lane] >> axis & 1)
-        given.linear[axis][static_cast<int>(lane)] = given.linear_lead[axis][static_cast<int>(lane)] = 0;
+    locked |= std::uint64_t{bodies.locks[at(body[lane])].translation} << 8 * lane;
+  if (locked == 0) return;
+  const LongLanes axes = spread_bytes(locked);
+  for (int axis = 0; axis < 3; ++axis) {
+    const LaneMask free = (axes >> axis & 1) == 0;
+    given.linear[axis] = select(free, given.linear[axis], Lanes{});
+    given.linear_lead[axis] = select(free, given.linear_lead[axis], Lanes{});
+  }
 }
 
-/// Returns in which lanes a body would be too fast: then none has moved.
-[[gnu::flatten]] LaneMask step_batch(state::Bodies<3>& bodies, const Batch& batch, std::span<const state::Impulse<3>> given,
-                                     std::span<const Stride> strides, std::span<state::MeanMotion<3>> mean) {
+/// Returns in which lanes a body would be too fast: then none has moved. Numbers of lanes never pass through memory one by one:
+/// what loads them together would wait until everything before is done.
+[[gnu::flatten]] LaneMask step_batch(state::Bodies<3>& bodies, const Batch& batch) {
   LanePointers<state::Motion<3>> motions;
   LanePointers<state::Inertia<3>> inertias;
-  LanePointers<const state::Impulse<3>> impulses;
-  LanePointers<state::MeanMotion<3>> means;
-  Lanes seconds, fastest_squared;
-  LongLanes kicked, due;
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
-    const auto i = static_cast<int>(lane);
     motions[lane] = &bodies.motion[at(batch.body[lane])];
     inertias[lane] = &bodies.inertia[at(batch.body[lane])];
-    impulses[lane] = &given[batch.place[lane]];
-    means[lane] = &mean[batch.place[lane]];
-    const Stride& stride = strides[batch.place[lane]];
-    seconds[i] = stride.seconds;
-    fastest_squared[i] = stride.fastest_squared;
-    due[i] = stride.due;
-    kicked[i] = motions[lane]->due;
   }
-  const auto f = load_records<16>(impulses);
-  LaneImpulse impulse{{{f[0], f[1], f[2]}}, {{f[3], f[4], f[5]}}, {{f[8], f[9], f[10]}}, {{f[11], f[12], f[13]}}};
-  clear_locked(impulse, bodies, batch);
+  const auto linear = load_row(batch.given, 0), angular = load_row(batch.given, 4);
+  const auto linear_lead = load_row(batch.given, 8), angular_lead = load_row(batch.given, 12);
+  LaneImpulse impulse{{{linear[0], linear[1], linear[2]}},
+                      {{linear[3], angular[0], angular[1]}},
+                      {{linear_lead[0], linear_lead[1], linear_lead[2]}},
+                      {{linear_lead[3], angular_lead[0], angular_lead[1]}}};
+  clear_locked(impulse, bodies, batch.body);
   LaneState body = load(motions, inertias);
+  const auto [now, due, seconds, fastest_squared] = load_row(batch.strides, 0);
   LaneVector own;
   const auto [mean_velocity, mean_spin] = kick(body, impulse, own);
   const LaneMask too_fast = dot(body.velocity, body.velocity) > fastest_squared;
   if (any(too_fast)) return too_fast;
   drift(body, own, seconds);
   foresee(body, impulse);
-  store(body, kicked, due, motions, inertias);
-  store_quad({mean_velocity[0], mean_velocity[1], mean_velocity[2], mean_spin[0]}, means, 0);
-  store_quad({mean_spin[1], mean_spin[2], Lanes{}, Lanes{}}, means, 4);
+  store(body, now, due, motions, inertias);
+  store_row({mean_velocity[0], mean_velocity[1], mean_velocity[2], mean_spin[0]}, batch.mean, 0);
+  store_row({mean_spin[1], mean_spin[2], Lanes{}, Lanes{}}, batch.mean, 4);
   return too_fast;
 }
 
-/// Takes the bodies in some lanes out.
-Batch without(const LaneMask& lanes, const Batch& batch) {
-  Batch rest;
-  for (int lane = 0; lane < batch.count; ++lane)
-    if (lanes[lane] == 0) rest.add(batch.body[at(lane)], batch.place[at(lane)]);
-  return rest;
+/// What bodies are given and give, in spans of one length.
+struct Spans {
+  std::span<const Index> which;
+  std::span<const state::Impulse<3>> given;
+  std::span<const Stride> strides;
+  std::span<state::MeanMotion<3>> mean;
+
+  Batch batch(std::size_t first) const { return {&which[first], &given[first], &strides[first], &mean[first]}; }
+};
+
+/// Bodies that do not stand side by side in the spans, or too few for a batch.
+class Stragglers {
+public:
+  Stragglers(state::Bodies<3>& bodies, const Spans& spans, std::vector<std::size_t>& too_fast)
+      : bodies_(bodies), spans_(spans), too_fast_(too_fast) {}
+
+  void add(std::size_t place) {
+    set(count_, place);
+    if (++count_ == lane_count) step();
+  }
+
+  /// Steps those there are; idle lanes repeat the first.
+  void step() {
+    while (count_ > 0) {
+      for (auto lane = count_; lane < lane_count; ++lane) set(lane, place_[0]);
+      const LaneMask left = step_batch(bodies_, {body_.data(), given_.data(), strides_.data(), mean_.data()});
+      const std::size_t count = std::exchange(count_, 0);
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        if (!any(left))
+          spans_.mean[place_[lane]] = mean_[lane];
+        else if (left[static_cast<int>(lane)] != 0)
+          too_fast_.push_back(place_[lane]);
+        else
+          set(count_++, place_[lane]);
+      }
+    }
+  }
+
+private:
+  void set(std::size_t lane, std::size_t place) {
+    place_[lane] = place;
+    body_[lane] = spans_.which[place];
+    given_[lane] = spans_.given[place];
+    strides_[lane] = spans_.strides[place];
+  }
+
+  state::Bodies<3>& bodies_;
+  const Spans& spans_;
+  std::vector<std::size_t>& too_fast_;
+  std::array<std::size_t, lane_count> place_;
+  std::array<Index, lane_count> body_;
+  std::array<state::Impulse<3>, lane_count> given_;
+  std::array<Stride, lane_count> strides_;
+  std::array<state::MeanMotion<3>, lane_count> mean_;
+  std::size_t count_ = 0;
+};
+
+/// Whether none of a batch of bodies has its rotation locked.
+bool turn_freely(const state::Bodies<3>& bodies, std::span<const Index> which) {
+  unsigned locked = 0;
+  for (const Index body : which) locked |= bodies.locks[at(body)].rotation;
+  return locked == 0;
 }
 
 }  // namespace
 
 void step(state::Bodies<3>& bodies, std::span<const Index> which, std::span<const state::Impulse<3>> given,
           std::span<const Stride> strides, std::span<state::MeanMotion<3>> mean, std::vector<std::size_t>& too_fast) {
-  Batch batch;
-  const auto flush = [&] {
-    while (batch.count > 0) {
-      batch.fill_idle_lanes();
-      const LaneMask left = step_batch(bodies, batch, given, strides, mean);
-      if (!any(left)) break;
-      for (int lane = 0; lane < batch.count; ++lane)
-        if (left[lane] != 0) too_fast.push_back(batch.place[at(lane)]);
-      batch = without(left, batch);
-    }
-    batch.count = 0;
-  };
-  for (std::size_t i = 0; i < which.size(); ++i) {
-    if (bodies.locks[at(which[i])].rotation != 0) {
-      if (step_one(bodies, which[i], given[i], strides[i], mean[i])) too_fast.push_back(i);
+  const Spans spans{which, given, strides, mean};
+  Stragglers stragglers(bodies, spans, too_fast);
+  for (std::size_t first = 0; first < which.size(); first += lane_count) {
+    const auto some = which.subspan(first, std::min<std::size_t>(lane_count, which.size() - first));
+    if (some.size() == lane_count && turn_freely(bodies, some)) {
+      const LaneMask left = step_batch(bodies, spans.batch(first));
+      if (!any(left)) continue;
+      for (std::size_t lane = 0; lane < lane_count; ++lane)
+        if (left[static_cast<int>(lane)] != 0)
+          too_fast.push_back(first + lane);
+        else
+          stragglers.add(first + lane);
       continue;
     }
-    batch.add(which[i], i);
-    if (batch.count == lane_count) flush();
+    for (std::size_t i = first; i < first + some.size(); ++i) {
+      if (bodies.locks[at(which[i])].rotation == 0)
+        stragglers.add(i);
+      else if (step_one(bodies, which[i], given[i], strides[i], mean[i]))
+        too_fast.push_back(i);
+    }
   }
-  flush();
+  stragglers.step();
 }
 
 void step(state::Bodies<2>& bodies, std::span<const Index> which, std::span<const state::Impulse<2>> given,

@@ -14,7 +14,8 @@ namespace sazare::motion {
 
 /// How far a body steps.
 struct Stride {
-  Tick due = 0;                                                  ///< its next own time
+  Tick now = 0;                                                  ///< its own time, at which it is kicked
+  Tick due = 0;                                                  ///< its next one
   Real seconds = 0;                                              ///< from now until then
   Real fastest_squared = std::numeric_limits<Real>::infinity();  ///< of the speeds after the kick for which this is right [m2/s2]
 };

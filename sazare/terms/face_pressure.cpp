@@ -1,8 +1,11 @@
 #include "sazare/terms/face_pressure.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include "sazare/parallel/threads.hpp"
+#include "sazare/state/body_lanes.hpp"
+#include "sazare/terms/lane_slots.hpp"
 
 namespace sazare::terms {
 
@@ -32,20 +35,41 @@ std::vector<Index> FacePressure::first_links() const {
 }
 
 void FacePressure::evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
-  std::vector<Real> pressures;
-  for (const PressureLoad& load : loads_) pressures.push_back(pressure_at(load, now.seconds()));
-  parallel::parallel_for(due.size(), 256, [&](std::size_t begin, std::size_t end) {
-    for (const Due& at : due.subspan(begin, end - begin)) {
-      PressedFace& face = faces_[static_cast<std::size_t>(at.link)];
-      const auto& body = bodies.motion[static_cast<std::size_t>(face.body)];
-      const Vector3 arm = body.rotation * face.centre;
-      const PressureLoad& load = loads_[static_cast<std::size_t>(face.load)];
-      if ((body.position + arm - face.start).norm() > load.cut_distance) face.acts = 0;
-      const Vector3 force = (-pressures[static_cast<std::size_t>(face.load)] * face.acts) * (body.rotation * face.area);
-      const PairForce<3> push{arm.cross(force), -force, Vector3::Zero()};
-      write<3, 1>(table_[at.link], now, at, push, {push});
-    }
+  pressures_.resize(loads_.size());
+  std::ranges::transform(loads_, pressures_.begin(), [&](const PressureLoad& load) { return pressure_at(load, now.seconds()); });
+  parallel::parallel_for(due.size(), 512, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; i += lane_count)
+      evaluate_lanes(now, due.subspan(i, std::min<std::size_t>(lane_count, end - i)), bodies);
   });
+}
+
+/// As many faces as there are lanes, or fewer.
+[[gnu::flatten]] void FacePressure::evaluate_lanes(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
+  const LaneDue in_lanes = terms::in_lanes(due);
+  LanePointers<PressedFace> faces;
+  LanePointers<const state::Motion<3>> motions;
+  LanePointers<Slot<3, 1>> slots;
+  Lanes pressure{}, cut{};
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    PressedFace& face = faces_[static_cast<std::size_t>(in_lanes[lane].link)];
+    const auto load = static_cast<std::size_t>(face.load);
+    faces[lane] = &face;
+    motions[lane] = &bodies.motion[static_cast<std::size_t>(face.body)];
+    slots[lane] = &table_[in_lanes[lane].link];
+    pressure[static_cast<int>(lane)] = pressures_[load];
+    cut[static_cast<int>(lane)] = loads_[load].cut_distance;
+  }
+  const auto n = load_records<12>(faces);
+  const LaneVector area{{n[0], n[1], n[2]}}, centre{{n[4], n[5], n[6]}}, start{{n[8], n[9], n[10]}};
+  const auto [position, rotation] = state::load_places(motions);
+  const LaneVector arm = rotation * centre, moved = position + arm - start;
+  const LaneMask acts = (n[3] > 0.0) & ~(dot(moved, moved) > cut * cut);
+  if (any(~acts))
+    for (std::size_t lane = 0; lane < lane_count; ++lane)
+      if (acts[static_cast<int>(lane)] == 0) faces[lane]->acts = 0;
+  const LaneVector push = select(acts, pressure, Lanes{}) * (rotation * area);  // on the outside, the second body
+  const LanePairForce force{cross(push, arm), push, {}};
+  write(slots, now, in_lanes, force, force);
 }
 
 void FacePressure::add_energies(const Synchronized<3>& at, Books& books) const {

@@ -19,14 +19,17 @@ struct PressureLoad {
   Real cut_distance = std::numeric_limits<Real>::infinity();  ///< the load leaves a face for good this far out [m]
 };
 
-struct PressedFace {
+/// Lanes read it four numbers at a time, in the order of its members.
+struct alignas(32) PressedFace {
+  Vector3 area;    ///< outward vector with the length of the area, in the body frame [m2]
+  Real acts = 1;   ///< 0 once cut off
+  Vector3 centre;  ///< in the body frame [m]
   Index body = 0;
   Index load = 0;
-  Vector3 area;    ///< outward vector with the length of the area, in the body frame [m2]
-  Vector3 centre;  ///< in the body frame [m]
-  Vector3 start;   ///< place of the centre at the beginning [m]
-  int acts = 1;    ///< 0 once cut off
+  Vector3 start;  ///< place of the centre at the beginning [m]
+  Real unused = 0;
 };
+static_assert(sizeof(PressedFace) == 12 * sizeof(Real));
 
 class FacePressure final : public Term<3> {
 public:
@@ -47,7 +50,10 @@ public:
   void columns(Archive& archive) override;
 
 private:
+  void evaluate_lanes(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies);
+
   std::vector<PressureLoad> loads_;
+  std::vector<Real> pressures_;  ///< of the loads, at the last evaluation [Pa]
   std::vector<PressedFace> faces_;
   std::vector<Link> links_;
   SlotTable<3, 1, FixedIncidence> table_;

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "sazare/core/coming_lines.hpp"
@@ -28,40 +30,45 @@ struct SlotSide {
 class FixedIncidence {
 public:
   FixedIncidence() = default;
-  FixedIncidence(Index bodies, std::span<const Link> links) : begin_(static_cast<std::size_t>(bodies) + 1, 0) {
+  FixedIncidence(Index bodies, std::span<const Link> links) : ranges_(static_cast<std::size_t>(bodies)) {
     const auto each_side = [&](auto&& visit) {
       for (std::size_t link = 0; link < links.size(); ++link)
         if (links[link].second != Link::outside) visit(links[link].second, SlotSide{static_cast<Index>(link), 1});
       for (std::size_t link = 0; link < links.size(); ++link) visit(links[link].first, SlotSide{static_cast<Index>(link), 0});
     };
-    each_side([&](Index body, SlotSide) { ++begin_[static_cast<std::size_t>(body) + 1]; });
-    for (std::size_t body = 1; body < begin_.size(); ++body) begin_[body] += begin_[body - 1];
-    sides_.resize(begin_.back());
-    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-    each_side([&](Index body, SlotSide side) { sides_[next[static_cast<std::size_t>(body)]++] = side; });
+    each_side([&](Index body, SlotSide) { ++range(body).end; });
+    std::uint32_t count = 0;
+    for (Range& of : ranges_) {
+      of.begin = count;
+      count += std::exchange(of.end, count);
+    }
+    sides_.resize(count);
+    each_side([&](Index body, SlotSide side) { sides_[range(body).end++] = side; });
   }
 
   std::span<const SlotSide> of(Index body) const {
-    const auto at = static_cast<std::size_t>(body);
-    const SlotSide *const begin = sides_.data() + begin_[at], *end = sides_.data() + begin_[at + 1];
-    while (end != begin && end[-1].slot == ended) --end;
-    return {begin, end};
+    const Range& range = ranges_[static_cast<std::size_t>(body)];
+    return {sides_.data() + range.begin, sides_.data() + range.end};
   }
 
   /// Leaves out a link that has no force any more: bodies around broken joints are often those that are kicked most.
   void end(Index slot, const Link& link) {
     for (const Index body : {link.first, link.second}) {
       if (body == Link::outside) continue;
-      const auto sides = std::span(sides_).subspan(begin_[static_cast<std::size_t>(body)], of(body).size());
+      const auto sides = std::span(sides_).subspan(range(body).begin, of(body).size());
       const auto rest = std::ranges::remove(sides, slot, [](const SlotSide& side) { return Index{side.slot}; });
-      for (SlotSide& side : rest) side.slot = ended;
+      range(body).end -= static_cast<std::uint32_t>(rest.size());
     }
   }
 
 private:
-  static constexpr Index ended = -1;  ///< in place of links that are left out, behind those that are not
+  struct Range {
+    std::uint32_t begin = 0, end = 0;
+  };
 
-  std::vector<std::uint32_t> begin_;
+  Range& range(Index body) { return ranges_[static_cast<std::size_t>(body)]; }
+
+  std::vector<Range> ranges_;
   std::vector<SlotSide> sides_;
 };
 
@@ -97,9 +104,12 @@ struct SlotSums {
                     (4 - angular_dimension<D>)*sizeof(float) <=
                 sizeof(Slot<D, Parts>));
 
+  /// The moment of a side is found by its distance: compilers branch between addresses.
   template <class Number>
   static ForceMoment<D> read(const PairForce<D, Number>& from, int side) {
-    return ForceMoment<D>::load(from.linear.data(), side == 0 ? from.first_moment.data() : from.second_moment.data());
+    constexpr int between = angular_dimension<D> + D;
+    static_assert(offsetof(PairForce<D>, second_moment) == between * sizeof(Real));
+    return ForceMoment<D>::load(from.linear.data(), from.first_moment.data() + side * between);
   }
 
   /// All in registers and without branches: at a mix of levels no processor guesses which slots are new, nor on which side of
@@ -111,9 +121,9 @@ struct SlotSums {
     const ForceMoment<D> acts = read(slot.total, side), mean = read(slot.mean, side);
     const auto acting = broadcast(slot.evaluated) > last_kick ? broadcast(slot.acting) : broadcast(0);
     given.add(acting, sign, acts);
-    const auto open = broadcast(until_next - slot.ahead + (now - slot.evaluated) * tick_seconds);  // below 0: given beyond it
-    const auto waits = open > 0.0;
-    lead.add(open, sign, {waits ? mean.force : acts.force, waits ? mean.moment : acts.moment});
+    const Real open = until_next - slot.ahead + (now - slot.evaluated) * tick_seconds;  // below 0: given beyond it
+    lead.add(broadcast(open > 0 ? open : 0), sign, mean);
+    lead.add(broadcast(open > 0 ? 0 : open), sign, acts);
     for (std::size_t p = 0; p < Parts; ++p) part[p].add(acting, sign, read(slot.part[p], side));
   }
 };

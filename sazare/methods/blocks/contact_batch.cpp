@@ -4,7 +4,8 @@
 #include <bit>
 #include <cstddef>
 
-#include "sazare/methods/blocks/body_lanes.hpp"
+#include "sazare/state/body_lanes.hpp"
+#include "sazare/terms/lane_slots.hpp"
 
 namespace sazare::methods::blocks {
 
@@ -44,16 +45,13 @@ LaneSoftness load_softness(const LaneMatrix& rotation, const LanePointers<const 
   return {rotation, {{n[0], n[1], n[2]}}, 1.0 / n[3]};
 }
 
-/// Force on the second body and its moments about both centres, as PairForce has them.
-struct LanePairForce {
-  LaneVector first_moment, linear, second_moment;
-
-  LanePairForce(const LaneVector& arm, const LaneVector& other_arm, const LaneVector& force)
-      : first_moment(cross(force, arm)), linear(force), second_moment(cross(other_arm, force)) {}
-};
+/// A force on the second body at a point, given by its arms from both centres.
+terms::LanePairForce force_at_arms(const LaneVector& arm, const LaneVector& other_arm, const LaneVector& force) {
+  return {cross(force, arm), force, cross(other_arm, force)};
+}
 
 struct LaneContactForce {
-  LanePairForce total, dashpot, friction;
+  terms::LanePairForce total, dashpot, friction;
   Lanes unused{};
 
   void store(const LanePointers<ContactForce>& to) const {
@@ -71,7 +69,7 @@ struct ContactBatch::InLanes {
   LanePointers<const ContactSphere> first_sphere, second_sphere;
   LanePointers<const state::Motion<3>> first, second;
 
-  LaneTouch touch(const LanePlaces& first_place, const LanePlaces& second_place) const {
+  LaneTouch touch(const state::LanePlaces& first_place, const state::LanePlaces& second_place) const {
     return blocks::touch(load_spheres(first_sphere), load_spheres(second_sphere), first_place, second_place);
   }
 };
@@ -116,7 +114,7 @@ ContactBatch::InLanes ContactBatch::in_lanes(std::span<const Member> members, co
   for (std::size_t i = 0; i < may_touch_.size(); i += lane_count) {
     const auto members = std::span(may_touch_).subspan(i, std::min<std::size_t>(lane_count, may_touch_.size() - i));
     const InLanes lanes = in_lanes(members, surface);
-    const Lanes overlap = lanes.touch(load_places(lanes.first), load_places(lanes.second)).overlap;
+    const Lanes overlap = lanes.touch(state::load_places(lanes.first), state::load_places(lanes.second)).overlap;
     for (std::size_t lane = 0; lane < members.size(); ++lane) keep_if_touching(members[lane], overlap[static_cast<int>(lane)]);
   }
 }
@@ -151,10 +149,10 @@ void ContactBatch::keep_if_touching(const Member& member, Real overlap) {
     shared.step[i] = std::max(pair.due.acting, 2 * pair.due.ahead);
     shared.elapsed[i] = pair.due.acting;
   }
-  const LanePlaces first = load_places(members.first), second = load_places(members.second);
+  const state::LanePlaces first = state::load_places(members.first), second = state::load_places(members.second);
   const LaneTouch at = members.touch(first, second);
   const LaneVector arm = at.point - first.position, other_arm = at.point - second.position;
-  const LaneVelocities mine = load_velocities(members.first), theirs = load_velocities(members.second);
+  const state::LaneVelocities mine = state::load_velocities(members.first), theirs = state::load_velocities(members.second);
   const LaneVector opening = add_cross(theirs.spin, other_arm, theirs.velocity) - add_cross(mine.spin, arm, mine.velocity);
   const LaneSoftness soft = load_softness(first.rotation, first_inertia),
                      other_soft = load_softness(second.rotation, second_inertia);
@@ -167,7 +165,8 @@ void ContactBatch::keep_if_touching(const Member& member, Real overlap) {
   const LaneVector &friction = memory.friction, dashpot = force.dashpot * at.normal;
   store_quad({memory.dashpot, friction[0], friction[1], friction[2]}, members.spheres, 3);
   const LaneVector total = add_product(force.elastic, at.normal, dashpot + force.friction);
-  LaneContactForce{{arm, other_arm, total}, {arm, other_arm, dashpot}, {arm, other_arm, force.friction}}.store(to);
+  const auto acting_at_point = [&](const LaneVector& acting) { return force_at_arms(arm, other_arm, acting); };
+  LaneContactForce{acting_at_point(total), acting_at_point(dashpot), acting_at_point(force.friction)}.store(to);
 }
 
 }  // namespace sazare::methods::blocks

@@ -14,8 +14,9 @@
 /// too, keeps the momenta as exactly, and differs from three at the points by the share that displacements have of a face's size.
 /// Everything is worked out in face axes and turned to world axes once. [Konno2018], 2.1, figs. 1 and 2.
 
-#include "sazare/methods/blocks/body_lanes.hpp"
 #include "sazare/methods/blocks/joint_record.hpp"
+#include "sazare/state/body_lanes.hpp"
+#include "sazare/terms/lane_slots.hpp"
 
 namespace sazare::methods::blocks {
 
@@ -37,9 +38,9 @@ FaceGeometry face_geometry(const LaneJoints<Record>& joints, const LanePointers<
                            const LanePointers<Body>& slaves) {
   FaceGeometry at;
   const LaneMatrix frame = joints.frame();
-  const LanePlaces master = load_places(masters);
+  const state::LanePlaces master = state::load_places(masters);
   at.axes = master.rotation * frame;
-  const LanePlaces slave = load_places(slaves);
+  const state::LanePlaces slave = state::load_places(slaves);
   at.between = slave.position - master.position;
   at.apart = transposed(at.axes, at.between);
   LaneMatrix slave_axes;  // slave's body frame to face axes
@@ -58,12 +59,9 @@ FaceGeometry face_geometry(const LaneJoints<Record>& joints, const LanePointers<
   return at;
 }
 
-/// Action and reaction in world axes: the force on the slave and its moments about both centres.
-struct FaceForce {
-  LaneVector master_moment, linear, slave_moment;
-};
+/// Action and reaction in world axes: the master is the first body.
 struct JointForce {
-  FaceForce total, dashpots;
+  terms::LanePairForce total, dashpots;
 };
 
 /// Stress [Pa] at every vertex once the memory has been raised to the opening. Few joints have softened.
@@ -157,7 +155,7 @@ inline FaceSums springs(const JointParameters<Lanes>& kind, FaceGeometry& at, Jo
 }
 
 inline FaceSums dashpots(const JointParameters<Lanes>& kind, const FaceGeometry& at, const LaneMask& failed,
-                         const LaneVelocities& master, const LaneVelocities& slave) {
+                         const state::LaneVelocities& master, const state::LaneVelocities& slave) {
   const LaneVector spin = transposed(at.axes, slave.spin - master.spin);
   const LaneVector velocity = transposed(at.axes, add_cross(at.between, slave.spin, slave.velocity - master.velocity));
   const Lanes minus = select(failed, Lanes{}, broadcast(-1));
@@ -173,7 +171,7 @@ inline FaceSums dashpots(const JointParameters<Lanes>& kind, const FaceGeometry&
 }
 
 /// From face axes to world axes.
-inline FaceForce face_force(const FaceGeometry& at, const FaceSums& sums) {
+inline terms::LanePairForce face_force(const FaceGeometry& at, const FaceSums& sums) {
   const LaneVector force = at.axes * sums.force, moment = at.axes * sums.moment;
   return {-moment, force, add_cross(force, at.between, moment)};
 }
@@ -184,7 +182,7 @@ inline JointForce evaluate(const LaneJoints<JointRecord>& joints, const JointPar
                            const LanePointers<const state::Motion<3>>& slaves, JointChange& change) {
   FaceGeometry at = face_geometry(joints, masters, slaves);
   const FaceSums held = springs(kind, at, change);
-  const FaceSums damped = dashpots(kind, at, change.failed, load_velocities(masters), load_velocities(slaves));
+  const FaceSums damped = dashpots(kind, at, change.failed, state::load_velocities(masters), state::load_velocities(slaves));
   return {face_force(at, held + damped), face_force(at, damped)};
 }
 

@@ -72,10 +72,11 @@ struct JointLosses {
 };
 
 /// Joints in lanes; `Record` is a JointRecord, const or not. Each part is read where it is needed: all of it together would not
-/// stay in registers.
+/// stay in registers. The pointers stay where they are: a copy of what has just been written one by one makes a processor wait
+/// until all that came before is done.
 template <class Record>
 struct LaneJoints {
-  LanePointers<Record> records;
+  const LanePointers<Record>& records;
 
   /// Q: face axes in the master's body frame.
   LaneMatrix frame() const {

@@ -7,6 +7,7 @@
 #include "sazare/core/large_tables.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "sazare/terms/book_ranges.hpp"
+#include "sazare/terms/lane_slots.hpp"
 
 namespace sazare::methods::blocks {
 
@@ -118,51 +119,20 @@ void Joints::ask_for_some(std::span<const Due> due, const state::Bodies<3>& bodi
 
 /// Evaluates as many joints as there are lanes, or fewer: idle lanes repeat the first.
 [[gnu::flatten]] void Joints::evaluate_lanes(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
-  std::array<Due, lane_count> in_lanes;  // a copy: compilers gather where they choose between addresses, which is slow
-  for (std::size_t lane = 0; lane < lane_count; ++lane) in_lanes[lane] = due[lane < due.size() ? lane : 0];
+  const terms::LaneDue in_lanes = terms::in_lanes(due);
   LanePointers<JointRecord> records;
   LanePointers<const state::Motion<3>> masters, slaves;
+  LanePointers<terms::Slot<3, 1>> slots;
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
     records[lane] = &records_[at(in_lanes[lane].link)];
     masters[lane] = &bodies.motion[at(records[lane]->master)];
     slaves[lane] = &bodies.motion[at(records[lane]->slave)];
+    slots[lane] = &table_[in_lanes[lane].link];
   }
   JointChange change;
   const JointForce force = blocks::evaluate(LaneJoints<JointRecord>{records}, kinds_of(records), masters, slaves, change);
-  write_slots(now, in_lanes, force, change.failed);
+  terms::write(slots, now, in_lanes, force.total, force.dashpots, change.failed);
   if (any(change.softened | change.slipped)) note_changes(due, change);
-}
-
-/// Writes the slots, four doubles at a time; idle lanes write once more what the first one does.
-void Joints::write_slots(const Moment& now, const std::array<Due, lane_count>& due, const JointForce& force,
-                         const LaneMask& failed) {
-  static_assert(sizeof(terms::Slot<3, 1>) == 24 * sizeof(Real));
-  LanePointers<terms::Slot<3, 1>> slots;
-  Lanes acting{}, ahead{};
-  for (std::size_t lane = 0; lane < lane_count; ++lane) {
-    slots[lane] = &table_[due[lane].link];
-    acting[static_cast<int>(lane)] = due[lane].acting;
-    ahead[static_cast<int>(lane)] = due[lane].ahead;
-  }
-  const auto before = load_records<12>(slots);
-  const LaneMask follows = ~failed & (before[11] >= 0.0);  // it has been evaluated
-  const auto mean = [&](const Lanes& earlier, const Lanes& force_now) {
-    return 0.5 * (select(follows, earlier, force_now) + force_now);
-  };
-  const FaceForce &t = force.total, &d = force.dashpots;
-  const Lanes last_mean = mean(before[8], t.slave_moment[2]);
-  store_quad({t.master_moment[0], t.master_moment[1], t.master_moment[2], t.linear[0]}, slots, 0);
-  store_quad({t.linear[1], t.linear[2], t.slave_moment[0], t.slave_moment[1]}, slots, 4);
-  store_quad({t.slave_moment[2], acting, ahead, broadcast(static_cast<Real>(now.tick))}, slots, 8);
-  store_quad({pack(mean(before[0], t.master_moment[0]), mean(before[1], t.master_moment[1])),
-              pack(mean(before[2], t.master_moment[2]), mean(before[3], t.linear[0])),
-              pack(mean(before[4], t.linear[1]), mean(before[5], t.linear[2])),
-              pack(mean(before[6], t.slave_moment[0]), mean(before[7], t.slave_moment[1]))},
-             slots, 12);
-  store_quad({pack(last_mean, d.master_moment[0]), pack(d.master_moment[1], d.master_moment[2]), pack(d.linear[0], d.linear[1]),
-              pack(d.linear[2], d.slave_moment[0])},
-             slots, 16);
-  store_quad({pack(d.slave_moment[1], d.slave_moment[2]), Lanes{}, Lanes{}, Lanes{}}, slots, 20);
 }
 
 void Joints::note_changes(std::span<const Due> due, const JointChange& change) {

@@ -53,7 +53,6 @@ public:
 private:
   void ask_for_some(std::span<const Due> due, const state::Bodies<3>& bodies) const;
   void evaluate_lanes(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies);
-  void write_slots(const Moment& now, const std::array<Due, lane_count>& due, const JointForce& force, const LaneMask& failed);
   void note_changes(std::span<const Due> due, const JointChange& change);
   template <class Record>
   const JointParameters<Lanes>& kinds_of(const LanePointers<Record>& joints) const;

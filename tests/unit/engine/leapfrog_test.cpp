@@ -191,6 +191,7 @@ TEST(leapfrog, one_level_in_space_is_the_step_of_all_bodies_bit_for_bit) {
     if (step > 0) simulation.advance();
     const auto sum = impulses(by_hand, step == 0 ? h / 2 : h, last);
     motion::Stride stride;
+    stride.now = step;
     stride.due = step + 1;
     stride.seconds = h;
     motion::step(by_hand.bodies, all, sum, std::vector<motion::Stride>(all.size(), stride), mean, none);

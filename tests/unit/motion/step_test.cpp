@@ -18,7 +18,7 @@ struct Row {
   std::vector<state::MeanMotion<3>> mean;
   std::vector<std::size_t> too_fast;
 
-  explicit Row(std::size_t count) : which(count), given(count), strides(count, {4, 0.5}), mean(count) {
+  explicit Row(std::size_t count) : which(count), given(count), strides(count, {0, 4, 0.5}), mean(count) {
     std::iota(which.begin(), which.end(), 0);
     for (std::size_t i = 0; i < count; ++i) {
       state::add_body(bodies, 2.0, Vector3(i, 0, 0), Vector3(1, 2, 2.5), Quaternion::Identity(), 1.0);

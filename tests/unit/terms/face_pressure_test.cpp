@@ -20,7 +20,7 @@ struct PressedBody {
     return made;
   }
   static PressedFace face(const state::Bodies<3>&) {
-    return {0, 0, Vector3(0.5, 0, 0), Vector3(1, 0.2, 0), Vector3(1, 0.2, 0), 1};
+    return {.area = Vector3(0.5, 0, 0), .centre = Vector3(1, 0.2, 0), .start = Vector3(1, 0.2, 0)};
   }
 
   state::Impulse<3> force() { return probe.forces()[0]; }

@@ -1,11 +1,11 @@
 #pragma once
 
-/// Blocks, one in each lane.
+/// Bodies, one in each lane.
 
 #include "sazare/core/lane_records.hpp"
 #include "sazare/state/bodies.hpp"
 
-namespace sazare::methods::blocks {
+namespace sazare::state {
 
 /// Places of bodies, one in each lane: of motions or of poses, which both begin with them.
 struct LanePlaces {
@@ -25,9 +25,9 @@ struct LaneVelocities {
   LaneVector velocity, spin;
 };
 
-inline LaneVelocities load_velocities(const LanePointers<const state::Motion<3>>& bodies) {
+inline LaneVelocities load_velocities(const LanePointers<const Motion<3>>& bodies) {
   const auto first = load_quad(bodies, 12), last = load_quad(bodies, 16);
   return {{{first[0], first[1], first[2]}}, {{first[3], last[0], last[1]}}};
 }
 
-}  // namespace sazare::methods::blocks
+}  // namespace sazare::state
