@@ -67,7 +67,7 @@ int main(int count, char** arguments) {
   const auto bond_count = static_cast<Real>(bonds.size());
   methods::spheres::ContactTable table(laws::ContactModel::hertz, 1);
   const laws::GrainElasticity grain{1e8, 0.3};
-  table.set(0, 0, laws::hertz_constants(grain, grain, 0.7, 0.5, 0));
+  table.set(0, 0, laws::hertz_constants(grain, grain, 0.7, {0.5}));
   engine::SphereStepper stepper(std::move(spheres), table, {}, {step, Vector3::Zero(), 0.1 * spacing, radius},
                                 methods::spheres::Bonds(std::move(bonds), {{strength, strength, 0, 1}}));
   stepper.start();

@@ -53,7 +53,7 @@ struct Result {
 
 Result walk(const Bed& bed, Real step, bool levels, int steps) {
   methods::spheres::ContactTable table(laws::ContactModel::hertz, 1);
-  table.set(0, 0, laws::hertz_constants(grain, grain, 0.7, 0.5, 0));
+  table.set(0, 0, laws::hertz_constants(grain, grain, 0.7, {0.5}));
   engine::SphereStepper stepper(
       bed.spheres, table, {{}},
       {step, Vector3(0, 0, -9.81), 0.5 * small, small, levels ? bed.level : std::vector<std::int8_t>{}});

@@ -68,7 +68,7 @@ int main(int count, char** arguments) {
   const auto spheres = static_cast<Real>(start.size());
   methods::spheres::ContactTable table(laws::ContactModel::hertz, 1);
   const laws::GrainElasticity grain{1e8, 0.3};
-  table.set(0, 0, laws::hertz_constants(grain, grain, 0.7, 0.5, 0));
+  table.set(0, 0, laws::hertz_constants(grain, grain, 0.7, {0.5}));
   engine::SphereStepper stepper(std::move(start), table, {{}}, {step, Vector3(0, 0, -9.81), 0.1 * 2 * radius, radius});
   stepper.start();
   for (int k = 0; k < steps / 2; ++k) stepper.advance();

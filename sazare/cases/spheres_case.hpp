@@ -30,6 +30,7 @@ struct GranularContact {
   Real restitution = 1;
   Real friction_coefficient = 0;
   Real rolling_friction = 0;
+  Real twisting_friction = 0;
   Real normal_stiffness = 0;  // N/m, model linear
   Real shear_stiffness = 0;   // N/m, model linear
   Real overlap_limit = 0.05;  // of the smaller radius, at the start
@@ -41,6 +42,7 @@ struct MaterialPair {
   std::optional<Real> restitution;
   std::optional<Real> friction_coefficient;
   std::optional<Real> rolling_friction;
+  std::optional<Real> twisting_friction;
   std::optional<Real> normal_stiffness;  // N/m
   std::optional<Real> shear_stiffness;   // N/m
 };

@@ -17,8 +17,11 @@ std::string_view word(Enum value) {
 
 std::string line(std::string_view topic, const std::string& text) { return fmt::format("  {:<12}{}\n", topic, text); }
 
-std::string contact_text(Real restitution, Real friction, Real rolling) {
-  return fmt::format("restitution {}, friction {}, rolling {}", number(restitution), number(friction), number(rolling));
+std::string contact_text(const GranularContact& contact, const MaterialPair& pair = {}) {
+  const auto of = [](const std::optional<Real>& own, Real of_all) { return number(own.value_or(of_all)); };
+  return fmt::format("restitution {}, friction {}, rolling {}, twisting {}", of(pair.restitution, contact.restitution),
+                     of(pair.friction_coefficient, contact.friction_coefficient),
+                     of(pair.rolling_friction, contact.rolling_friction), of(pair.twisting_friction, contact.twisting_friction));
 }
 
 std::string wall_text(const WallRules& wall) {
@@ -53,13 +56,9 @@ std::string explain(const SpheresCase& spheres) {
                               ? fmt::format("{}: {} kg/m3, E {} Pa, Poisson's ratio {}", material.name, number(material.density),
                                             number(material.youngs_modulus), number(material.poisson_ratio))
                               : fmt::format("{}: {} kg/m3", material.name, number(material.density)));
-  text += line("contact", fmt::format("{}: {}", word(contact.model),
-                                      contact_text(contact.restitution, contact.friction_coefficient, contact.rolling_friction)));
+  text += line("contact", fmt::format("{}: {}", word(contact.model), contact_text(contact)));
   for (const MaterialPair& pair : spheres.pairs)
-    text += line("pairs", fmt::format("{} and {}: {}", pair.between[0], pair.between[1],
-                                      contact_text(pair.restitution.value_or(contact.restitution),
-                                                   pair.friction_coefficient.value_or(contact.friction_coefficient),
-                                                   pair.rolling_friction.value_or(contact.rolling_friction))));
+    text += line("pairs", fmt::format("{} and {}: {}", pair.between[0], pair.between[1], contact_text(contact, pair)));
   for (const ClumpShape& shape : spheres.shapes)
     text += line("shapes", fmt::format("{}: {}, {}", shape.name, word(shape.source),
                                        shape.bonds.empty() ? "rigid" : fmt::format("bonded by {}", shape.bonds)));

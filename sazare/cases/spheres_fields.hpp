@@ -45,6 +45,7 @@ void visit_fields(Visitor& visit, GranularContact& contact) {
   visit("restitution", contact.restitution);
   visit.friction(contact.friction_coefficient);
   visit("rolling_friction", contact.rolling_friction);
+  visit("twisting_friction", contact.twisting_friction);
   if (contact.model == ContactModel::linear) {
     if (visit.has("normal_stiffness", contact.normal_stiffness > 0)) visit("normal_stiffness", contact.normal_stiffness);
     if (visit.has("shear_stiffness", contact.shear_stiffness > 0)) visit("shear_stiffness", contact.shear_stiffness);
@@ -59,6 +60,7 @@ void visit_fields(Visitor& visit, MaterialPair& pair) {
   visit("restitution", pair.restitution);
   visit("friction_coefficient", pair.friction_coefficient);
   visit("rolling_friction", pair.rolling_friction);
+  visit("twisting_friction", pair.twisting_friction);
   visit("normal_stiffness", pair.normal_stiffness);
   visit("shear_stiffness", pair.shear_stiffness);
 }

@@ -1,9 +1,10 @@
 #pragma once
 
 /// Contact of two spheres, or of a sphere and a wall: an elastic normal force, dashpots from a coefficient of restitution,
-/// friction with memory, and resistance to rolling.
+/// friction with memory, and resistance to rolling and to twisting.
 ///
-///     N = K a d - C sqrt(a m) v_n        T = slider(G a, D sqrt(a m), mu N)        M = R n x slider(G a, D sqrt(a m), mu_r N)
+///     N = K a d - C sqrt(a m) v_n        T = slider(G a, D sqrt(a m), mu N)
+///     M = R n x slider(G a, D sqrt(a m), mu_r N) + R n slider(G a, D sqrt(a m), mu_t N)
 ///
 /// d    overlap [m]                                        v_n  opening speed [m/s], v_t sliding velocity [m/s]
 /// R    reduced radius [m]                                 m    reduced mass [kg]
@@ -43,6 +44,7 @@ struct ContactConstants {
   Number tangential_damping{};  ///< D [sqrt(Pa)]
   Number friction{};            ///< mu [-]
   Number rolling{};             ///< mu_r [-]
+  Number twisting{};            ///< mu_t [-]
 };
 
 /// b of a coefficient of restitution, 0 < e <= 1.
@@ -51,13 +53,20 @@ inline Real damping_share(Real restitution) {
   return -log / std::sqrt(std::numbers::pi * std::numbers::pi + log * log);
 }
 
+/// Coefficients of the sliders: largest force, and largest moments over the reduced radius, over the normal force.
+struct GrainFriction {
+  Real sliding = 0;   ///< mu [-]
+  Real rolling = 0;   ///< mu_r [-]
+  Real twisting = 0;  ///< mu_t, about the normal [-]
+};
+
 struct GrainElasticity {
   Real youngs_modulus = 0;  ///< [Pa]
   Real poisson_ratio = 0;   ///< [-]
 };
 
 inline ContactConstants<Real> hertz_constants(const GrainElasticity& one, const GrainElasticity& other, Real restitution,
-                                              Real friction, Real rolling) {
+                                              const GrainFriction& friction) {
   const auto softness = [](const GrainElasticity& of) { return (1 - of.poisson_ratio * of.poisson_ratio) / of.youngs_modulus; };
   const auto shear_softness = [](const GrainElasticity& of) {
     return (2 - of.poisson_ratio) * 2 * (1 + of.poisson_ratio) / of.youngs_modulus;
@@ -68,16 +77,22 @@ inline ContactConstants<Real> hertz_constants(const GrainElasticity& one, const 
   const Real damping = 2 * std::sqrt(5.0 / 6.0) * damping_share(restitution);
   constants.normal_damping = damping * std::sqrt(1.5 * constants.normal);
   constants.tangential_damping = damping * std::sqrt(constants.tangential);
-  constants.friction = friction;
-  constants.rolling = rolling;
+  constants.friction = friction.sliding;
+  constants.rolling = friction.rolling;
+  constants.twisting = friction.twisting;
   return constants;
 }
 
-inline ContactConstants<Real> linear_constants(Real normal_stiffness, Real shear_stiffness, Real restitution, Real friction,
-                                               Real rolling) {
+inline ContactConstants<Real> linear_constants(Real normal_stiffness, Real shear_stiffness, Real restitution,
+                                               const GrainFriction& friction) {
   const Real damping = 2 * damping_share(restitution);
-  return {normal_stiffness, shear_stiffness, damping * std::sqrt(normal_stiffness), damping * std::sqrt(shear_stiffness),
-          friction,         rolling};
+  return {normal_stiffness,
+          shear_stiffness,
+          damping * std::sqrt(normal_stiffness),
+          damping * std::sqrt(shear_stiffness),
+          friction.sliding,
+          friction.rolling,
+          friction.twisting};
 }
 
 /// a b / (a + b) of two numbers, or a of one that has no partner. Its roots need no division.
@@ -99,7 +114,8 @@ struct ContactMotion {
   Reduced<Number> mass;     ///< m [kg]
   Triple<Number> normal;    ///< n, from the first to the second
   Triple<Number> velocity;  ///< of the second relative to the first where they touch [m/s]
-  Triple<Number> rolling;   ///< R (w_2 - w_1) x n [m/s]; read where there is resistance to rolling
+  Triple<Number> rolling;   ///< R (w_2 - w_1) x n [m/s]; read, like the next, where spheres resist to turn on each other
+  Number twisting;          ///< R (w_2 - w_1) . n [m/s]
   Number step;              ///< h [s]
 };
 
@@ -108,6 +124,7 @@ template <class Number>
 struct ContactMemory {
   Triple<Number> sliding;  ///< [m]
   Triple<Number> rolling;  ///< [m]
+  Number twisting{};       ///< [m]
 };
 
 template <class Number>
@@ -115,6 +132,7 @@ struct ContactForce {
   Number normal{};          ///< N on the second, along n [N]
   Triple<Number> friction;  ///< T on the second [N]
   Triple<Number> rolling;   ///< slider's force of rolling [N]; the moment on the second is R n x it
+  Number twisting{};        ///< slider's force of twisting [N]; the moment on the second is R n times it
   Number elastic_energy{};  ///< of the normal spring [J]
   Number sliding_energy{};  ///< in the sliders' springs [J]
   Number dashpot_power{};   ///< taken by the normal dashpot [W]
@@ -151,7 +169,8 @@ Triple<Number> across(const Triple<Number>& vector, const Triple<Number>& normal
   return subtract_product(dot(vector, normal), normal, vector);
 }
 
-/// `model` is known at compile time: a kernel runs one of them. With `rolls` false the resistance to rolling is left out.
+/// `model` is known at compile time: a kernel runs one of them. With `rolls` false the resistance to rolling and twisting is left
+/// out.
 template <ContactModel model, bool rolls, class Number>
 ContactForce<Number> contact_force(const ContactConstants<Number>& constants, const ContactMotion<Number>& at,
                                    ContactMemory<Number>& memory) {
@@ -175,6 +194,7 @@ ContactForce<Number> contact_force(const ContactConstants<Number>& constants, co
   ContactForce<Number> result{.normal = normal,
                               .friction = slid.force,
                               .rolling = {},
+                              .twisting = {},
                               .elastic_energy = (model == ContactModel::hertz ? 0.4 : 0.5) * spring * at.overlap,
                               .sliding_energy = 0.5 * stiffness * dot(slid.stretch, slid.stretch),
                               .dashpot_power = dashpot * opening,
@@ -182,9 +202,12 @@ ContactForce<Number> contact_force(const ContactConstants<Number>& constants, co
   if constexpr (rolls) {
     memory.rolling = across(memory.rolling, at.normal);
     const auto rolled = slide(stiffness, damping, Number(constants.rolling * pressing), at.rolling, at.step, memory.rolling);
+    const auto twisted = slide(stiffness, damping, Number(constants.twisting * pressing), at.twisting, at.step, memory.twisting);
     result.rolling = rolled.force;
-    result.sliding_power = result.sliding_power - dot(rolled.force, at.rolling);
-    result.sliding_energy = result.sliding_energy + 0.5 * stiffness * dot(rolled.stretch, rolled.stretch);
+    result.twisting = twisted.force;
+    result.sliding_power = result.sliding_power - dot(rolled.force, at.rolling) - twisted.force * at.twisting;
+    result.sliding_energy =
+        result.sliding_energy + 0.5 * stiffness * (dot(rolled.stretch, rolled.stretch) + square_of(twisted.stretch));
   }
   return result;
 }

@@ -7,28 +7,37 @@
 /// S is the stiffness [N/m], c the damping [N s/m], L the force at which it slips [N]. Spring and dashpot together hold no more
 /// than L, and the spring is never stretched beyond L/S, whatever the dashpot does: S, c and L change while a contact is pressed
 /// together. The memory is x half a step back, m: x = m + h v/2 at the evaluation, and m = x + h v/2 after it, h being the step
-/// [s]; so x is the integral of v by the trapezoidal rule.
+/// [s]; so x is the integral of v by the trapezoidal rule. x, v and T are vectors, or numbers where there is one way to slide.
 
 #include "sazare/core/triple.hpp"
 
 namespace sazare::laws {
 
-template <class Number>
+template <class Way>
 struct SliderForce {
-  Triple<Number> force;    ///< T [N]
-  Triple<Number> stretch;  ///< x [m]
+  Way force;    ///< T [N]
+  Way stretch;  ///< x [m]
 };
 
 template <class Number>
-SliderForce<Number> slide(const Number& stiffness, const Number& damping, const Number& limit, const Triple<Number>& velocity,
-                          const Number& step, Triple<Number>& memory) {
+Number square_of(const Number& number) {
+  return number * number;
+}
+template <class Number>
+Number square_of(const Triple<Number>& vector) {
+  return dot(vector, vector);
+}
+
+template <class Number, class Way>
+SliderForce<Way> slide(const Number& stiffness, const Number& damping, const Number& limit, const Way& velocity,
+                       const Number& step, Way& memory) {
   const Number half = 0.5 * step;
-  Triple<Number> stretch = add_product(half, velocity, memory);
-  const Number spring = stiffness * stiffness * dot(stretch, stretch), most = limit * limit;
+  Way stretch = add_product(half, velocity, memory);
+  const Number spring = stiffness * stiffness * square_of(stretch), most = limit * limit;
   if (const auto slips = spring > most; any(slips))
     stretch = select(slips, limit * inverse_square_root(spring), Number{} + 1) * stretch;
-  Triple<Number> force = Triple<Number>{} - add_product(stiffness, stretch, damping * velocity);
-  const Number square = dot(force, force);
+  Way force = Way{} - add_product(stiffness, stretch, Way(damping * velocity));
+  const Number square = square_of(force);
   if (const auto slips = square > most; any(slips))
     force = select(slips, limit * inverse_square_root(square), Number{} + 1) * force;
   memory = add_product(half, velocity, stretch);

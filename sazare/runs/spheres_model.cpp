@@ -31,14 +31,14 @@ laws::ContactConstants<Real> constants_of(const SpheresCase& spheres, std::size_
   const cases::SphereMaterial &a = spheres.materials[one], &b = spheres.materials[other];
   const cases::MaterialPair none, *found = find_pair(spheres, a.name, b.name);
   const cases::MaterialPair& pair = found == nullptr ? none : *found;
-  const Real restitution = pair.restitution.value_or(contact.restitution),
-             friction = pair.friction_coefficient.value_or(contact.friction_coefficient),
-             rolling = pair.rolling_friction.value_or(contact.rolling_friction);
+  const Real restitution = pair.restitution.value_or(contact.restitution);
+  const laws::GrainFriction friction{pair.friction_coefficient.value_or(contact.friction_coefficient),
+                                     pair.rolling_friction.value_or(contact.rolling_friction),
+                                     pair.twisting_friction.value_or(contact.twisting_friction)};
   if (contact.model == ContactModel::linear)
     return laws::linear_constants(pair.normal_stiffness.value_or(contact.normal_stiffness),
-                                  pair.shear_stiffness.value_or(contact.shear_stiffness), restitution, friction, rolling);
-  return laws::hertz_constants({a.youngs_modulus, a.poisson_ratio}, {b.youngs_modulus, b.poisson_ratio}, restitution, friction,
-                               rolling);
+                                  pair.shear_stiffness.value_or(contact.shear_stiffness), restitution, friction);
+  return laws::hertz_constants({a.youngs_modulus, a.poisson_ratio}, {b.youngs_modulus, b.poisson_ratio}, restitution, friction);
 }
 
 std::uint64_t hash_of(const Placement& placement, const std::vector<Wall>& walls) {

@@ -17,7 +17,7 @@ std::unique_ptr<engine::SphereStepper> make_balls(const CouplingScene& scene, Re
   }
   methods::spheres::ContactTable table(laws::ContactModel::linear, 1);
   table.set(0, 0,
-            laws::linear_constants(scene.stiffness, 0.8 * scene.stiffness, scene.restitution, scene.friction, scene.rolling));
+            laws::linear_constants(scene.stiffness, 0.8 * scene.stiffness, scene.restitution, {scene.friction, scene.rolling}));
   return std::make_unique<engine::SphereStepper>(
       std::move(spheres), table, std::vector<methods::spheres::Wall>{},
       engine::SphereRules{step, scene.gravity, 0.1 * scene.radius, 0.5 * scene.radius});

@@ -47,6 +47,8 @@ class Contact(Part):
     """Angle whose tangent is the coefficient of friction. [deg] (instead of friction_coefficient) At least 0 and less than 90."""
     rolling_friction: float | None = None
     """Largest moment against rolling over normal force and reduced radius. Default: 0.0. At least 0."""
+    twisting_friction: float | None = None
+    """Largest moment against turning about the normal over normal force and reduced radius. Default: 0.0. At least 0."""
     normal_stiffness: float | None = None
     """Spring along the normal. [N/m] (required for model linear, here or in every pair) Greater than 0."""
     shear_stiffness: float | None = None
@@ -70,6 +72,8 @@ class Pair(Part):
     friction_coefficient: float | None = None
     """As in [contact]. (default: that of [contact]) At least 0."""
     rolling_friction: float | None = None
+    """As in [contact]. (default: that of [contact]) At least 0."""
+    twisting_friction: float | None = None
     """As in [contact]. (default: that of [contact]) At least 0."""
     normal_stiffness: float | None = None
     """As in [contact]. [N/m] (default: that of [contact]) Greater than 0."""

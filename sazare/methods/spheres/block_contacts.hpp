@@ -9,6 +9,7 @@
 #include "sazare/core/time.hpp"
 #include "sazare/core/triple.hpp"
 #include "sazare/core/twin_lanes.hpp"
+#include "sazare/laws/granular_contact.hpp"
 
 namespace sazare::methods::spheres {
 
@@ -29,7 +30,9 @@ public:
   void reserve(std::size_t count, bool rolls) {
     contacts_.reserve(count);
     sliding_.reserve(groups_of(count));
-    if (rolls) rolling_.reserve(groups_of(count));
+    if (!rolls) return;
+    rolling_.reserve(groups_of(count));
+    twisting_.reserve(groups_of(count));
   }
 
   /// A contact that remembers nothing yet.
@@ -38,8 +41,11 @@ public:
     if (n == contacts_.capacity()) reserve(n + n / 8 + spare, rolls);
     contacts_.push_back(contact);
     sliding_.resize(groups_of(n + 1));
-    if (rolls) rolling_.resize(groups_of(n + 1));
-    remember(n, {}, {});
+    if (rolls) {
+      rolling_.resize(groups_of(n + 1));
+      twisting_.resize(groups_of(n + 1));
+    }
+    remember(n, {});
     if (rest_.empty()) return;
     rest_.resize(groups_of(n + 1));
     set_rest(n, 0);
@@ -49,6 +55,7 @@ public:
     coming.add_row(std::span(contacts_));
     coming.add_row(std::span(sliding_));
     coming.add_row(std::span(rolling_));
+    coming.add_row(std::span(twisting_));
   }
 
   void set_slot(std::size_t contact, Index slot) { contacts_[contact].slot = slot; }
@@ -58,10 +65,11 @@ public:
     const std::size_t last = contacts_.size() - 1;
     contacts_[contact] = contacts_[last];
     contacts_.pop_back();
-    for (auto* memory : {&sliding_, &rolling_}) {
-      if (memory->empty()) continue;
-      put(*memory, contact, get(*memory, last));
-      memory->resize(groups_of(last));
+    remember(contact, memory(last));
+    sliding_.resize(groups_of(last));
+    if (!rolling_.empty()) {
+      rolling_.resize(groups_of(last));
+      twisting_.resize(groups_of(last));
     }
     if (rest_.empty()) return;
     set_rest(contact, rest(last));
@@ -71,12 +79,17 @@ public:
   /// What the `at_once` contacts from a multiple of it on remember [m]; lanes beyond the last contact may hold anything.
   Triple<TwinLanes>& sliding_of(std::size_t contact) { return sliding_[contact / at_once]; }
   Triple<TwinLanes>& rolling_of(std::size_t contact) { return rolling_[contact / at_once]; }
+  TwinLanes& twisting_of(std::size_t contact) { return twisting_[contact / at_once]; }
 
-  Triple<Real> sliding(std::size_t contact) const { return get(sliding_, contact); }
-  Triple<Real> rolling(std::size_t contact) const { return rolling_.empty() ? Triple<Real>{} : get(rolling_, contact); }
-  void remember(std::size_t contact, const Triple<Real>& sliding, const Triple<Real>& rolling) {
-    put(sliding_, contact, sliding);
-    if (!rolling_.empty()) put(rolling_, contact, rolling);
+  laws::ContactMemory<Real> memory(std::size_t contact) const {
+    if (rolling_.empty()) return {get(sliding_, contact), {}, 0};
+    return {get(sliding_, contact), get(rolling_, contact), twisting_[contact / at_once][lane_of(contact)]};
+  }
+  void remember(std::size_t contact, const laws::ContactMemory<Real>& memory) {
+    put(sliding_, contact, memory.sliding);
+    if (rolling_.empty()) return;
+    put(rolling_, contact, memory.rolling);
+    twisting_[contact / at_once].set(lane_of(contact), memory.twisting);
   }
 
   /// Whether some contact has an overlap at rest, beyond which alone it pushes [m].
@@ -109,8 +122,9 @@ private:
 
   std::vector<Contact> contacts_;
   Memory sliding_;
-  Memory rolling_;               ///< empty where nothing resists rolling
-  std::vector<TwinLanes> rest_;  ///< empty where none has an overlap at rest
+  Memory rolling_;                   ///< empty, like the next, where nothing resists rolling or twisting
+  std::vector<TwinLanes> twisting_;  ///< beside it
+  std::vector<TwinLanes> rest_;      ///< empty where none has an overlap at rest
 };
 
 }  // namespace sazare::methods::spheres

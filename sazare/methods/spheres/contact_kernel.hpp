@@ -33,7 +33,8 @@ public:
         is_one_material_(contacts.table_.materials == 1) {
     if (is_one_material_) {
       const auto& one = contacts.table_.of(0, 0);
-      constants_ = {one.normal, one.tangential, one.normal_damping, one.tangential_damping, one.friction, one.rolling};
+      constants_ = {one.normal,   one.tangential, one.normal_damping, one.tangential_damping,
+                    one.friction, one.rolling,    one.twisting};
     }
   }
 
@@ -73,7 +74,12 @@ public:
     const auto [wx2, wy2, wz2, material2] = read(some, &Contact::second, [&](std::size_t i) { return &spheres_.spin[i].x; });
     const Triple<TwinLanes> one{wx, wy, wz}, other{wx2, wy2, wz2};
     const Triple<TwinLanes> turning = cross(add_product(second_arm, other, first_arm * one), at.normal);
-    if constexpr (rolls) at.rolling = at.radius.value() * cross(other - one, at.normal);
+    if constexpr (rolls) {
+      const TwinLanes reduced = at.radius.value();
+      const Triple<TwinLanes> turns = other - one;
+      at.rolling = reduced * cross(turns, at.normal);
+      at.twisting = reduced * dot(turns, at.normal);
+    }
     const auto [vx, vy, vz, mass] = read(some, &Contact::first, [&](std::size_t i) { return &spheres_.place[i].vx; });
     const auto [vx2, vy2, vz2, mass2] = read(some, &Contact::second, [&](std::size_t i) { return &spheres_.place[i].vx; });
     at.velocity = Triple<TwinLanes>{vx2 - vx, vy2 - vy, vz2 - vz} - turning;
@@ -81,12 +87,19 @@ public:
     at.step = step_;
     laws::ContactMemory<TwinLanes> memory;
     memory.sliding = contacts_.sliding_of(begin);
-    if constexpr (rolls) memory.rolling = contacts_.rolling_of(begin);
+    if constexpr (rolls) {
+      memory.rolling = contacts_.rolling_of(begin);
+      memory.twisting = contacts_.twisting_of(begin);
+    }
     auto force = laws::contact_force<model, rolls>(constants_, at, memory);
     force.normal = select(touches, force.normal, 0);
+    force.twisting = select(touches, force.twisting, 0);
     for (auto* part : {&force.friction, &force.rolling}) *part = select(touches, *part, Triple<TwinLanes>{});
     contacts_.sliding_of(begin) = memory.sliding;
-    if constexpr (rolls) contacts_.rolling_of(begin) = memory.rolling;
+    if constexpr (rolls) {
+      contacts_.rolling_of(begin) = memory.rolling;
+      contacts_.twisting_of(begin) = memory.twisting;
+    }
     deliver(force, at, first_arm, second_arm, begin, lanes);
     book(force, touches, lanes);
     if (any(~touches)) leave_alone(begin, lanes, touches, gap);
@@ -146,7 +159,7 @@ private:
       from[n] = pairs_.table_.numbers(material(contacts[n].first) * pairs_.table_.materials + material(contacts[n].second));
     const auto numbers = load_twins([&](std::size_t lane) { return from[lane]; }),
                more = load_twins([&](std::size_t lane) { return from[lane] + 4; });
-    constants_ = {numbers[0], numbers[1], numbers[2], numbers[3], more[0], more[1]};
+    constants_ = {numbers[0], numbers[1], numbers[2], numbers[3], more[0], more[1], more[2]};
   }
 
   /// Equal and opposite forces; moments about both centres, whose arms together are the distance.
@@ -155,14 +168,15 @@ private:
     const std::span contacts(&contacts_[begin], static_cast<std::size_t>(lanes));
     const std::size_t in_first = std::min<std::size_t>(lane_count, contacts.size());
     Push push{add_product(force.normal, at.normal, force.friction), cross(force.friction, at.normal), {}, first_arm, second_arm};
-    if constexpr (rolls) push.rolling = at.radius.value() * cross(at.normal, force.rolling);
+    if constexpr (rolls)
+      push.turning = at.radius.value() * add_product(force.twisting, at.normal, cross(at.normal, force.rolling));
     add(push, &TwinLanes::first, contacts.first(in_first));
     add(push, &TwinLanes::second, contacts.subspan(in_first));
   }
 
   /// What contacts bring to their second spheres, and what its moments come from.
   struct Push {
-    Triple<TwinLanes> force, moment_by_arm, rolling;
+    Triple<TwinLanes> force, moment_by_arm, turning;
     TwinLanes first_arm, second_arm;
   };
 
@@ -175,9 +189,9 @@ private:
     const Triple<Lanes> force = lanes_of(push.force, half), by_arm = lanes_of(push.moment_by_arm, half);
     Triple<Lanes> first_moment = push.first_arm.*half * by_arm, second_moment = push.second_arm.*half * by_arm;
     if constexpr (rolls) {
-      const Triple<Lanes> rolling = lanes_of(push.rolling, half);
-      first_moment = first_moment - rolling;
-      second_moment = second_moment + rolling;
+      const Triple<Lanes> turning = lanes_of(push.turning, half);
+      first_moment = first_moment - turning;
+      second_moment = second_moment + turning;
     }
     const std::size_t count = std::min<std::size_t>(lane_count, contacts.size());
     const LoadRows first(Triple<Lanes>{} - force, first_moment);

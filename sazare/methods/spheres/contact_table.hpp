@@ -18,8 +18,8 @@ public:
 
   void set(Index one, Index other, const laws::ContactConstants<Real>& constants) {
     for (const Index place : {one * materials + other, other * materials + one}) {
-      records_[static_cast<std::size_t>(place)] = {constants, {}};
-      rolls = rolls || constants.rolling > 0;
+      records_[static_cast<std::size_t>(place)] = {constants, 0};
+      rolls = rolls || constants.rolling > 0 || constants.twisting > 0;
     }
   }
 
@@ -30,13 +30,13 @@ public:
 
   laws::ContactModel model;
   Index materials;
-  bool rolls = false;  ///< some pair resists rolling
+  bool rolls = false;  ///< some pair resists rolling or twisting
 
 private:
   /// As eight doubles, which lanes read at once.
   struct alignas(64) Record {
     laws::ContactConstants<Real> constants;
-    Real unused[2];
+    Real unused;
   };
   std::vector<Record> records_;
 };

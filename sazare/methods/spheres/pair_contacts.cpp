@@ -37,20 +37,18 @@ PairContacts::Touches PairContacts::take_touches(const std::vector<Index>& new_p
   }
   Touches touches;
   touches.pairs.reserve(count);
-  if (table_.rolls) touches.rolling.reserve(count);
   if (some_rest) touches.rest.reserve(count);
   for (const BlockContacts& block : contacts_)
     for (std::size_t n = 0; n < block.size(); ++n) {
       const Contact& contact = block[n];
       Touch touch{new_place[static_cast<std::size_t>(contact.first)], new_place[static_cast<std::size_t>(contact.second)],
-                  block.sliding(n)};
+                  block.memory(n)};
       if (touch.one > touch.other) {
-        // Seen from the other sphere, sliding changes its sign; rolling does not.
+        // Seen from the other sphere, sliding changes its sign; rolling and twisting do not.
         std::swap(touch.one, touch.other);
-        touch.sliding = Triple<Real>{} - touch.sliding;
+        touch.memory.sliding = Triple<Real>{} - touch.memory.sliding;
       }
       touches.pairs.push_back(touch);
-      if (table_.rolls) touches.rolling.push_back(block.rolling(n));
       if (some_rest) touches.rest.push_back(block.rest(n));
     }
   pairs_ = {};
@@ -88,7 +86,7 @@ void PairContacts::go_on(const Touches& touches) {
       const auto n = static_cast<std::size_t>(touch_of[p]);
       const Touch& touch = touches.pairs[n];
       contacts_[block].add({touch.one, touch.other, 0, static_cast<std::uint32_t>(p)}, table_.rolls);
-      contacts_[block].remember(contacts_[block].size() - 1, touch.sliding, table_.rolls ? touches.rolling[n] : Triple<Real>{});
+      contacts_[block].remember(contacts_[block].size() - 1, touch.memory);
       if (!touches.rest.empty() && touches.rest[n] > 0) contacts_[block].set_rest(contacts_[block].size() - 1, touches.rest[n]);
       sleeps_until_[p] = in_contact;
     }
@@ -224,14 +222,17 @@ void PairContacts::columns(Archive& archive) {
   std::vector<std::uint64_t> counts;
   std::vector<Contact> contacts;
   std::vector<Triple<Real>> sliding, rolling;
-  std::vector<Real> rest;
+  std::vector<Real> twisting, rest;
   for (const BlockContacts& block : contacts_) {
     counts.push_back(block.size());
     for (std::size_t n = 0; n < block.size(); ++n) {
+      const laws::ContactMemory<Real> memory = block.memory(n);
       contacts.push_back(block[n]);
-      sliding.push_back(block.sliding(n));
-      if (table_.rolls) rolling.push_back(block.rolling(n));
+      sliding.push_back(memory.sliding);
       rest.push_back(block.rest(n));
+      if (!table_.rolls) continue;
+      rolling.push_back(memory.rolling);
+      twisting.push_back(memory.twisting);
     }
   }
   if (std::ranges::all_of(rest, [](Real overlap) { return overlap == 0; })) rest.clear();
@@ -239,6 +240,7 @@ void PairContacts::columns(Archive& archive) {
   archive("contacts", contacts);
   archive("sliding", sliding);
   archive("rolling", rolling);
+  archive("twisting", twisting);
   archive("rest_overlap", rest);
   if (!archive.reading()) return;
   contacts_.assign(counts.size(), {});
@@ -247,7 +249,9 @@ void PairContacts::columns(Archive& archive) {
     contacts_[block].reserve(counts[block], table_.rolls);
     for (std::size_t n = 0; n < counts[block]; ++n, ++next) {
       contacts_[block].add(contacts[next], table_.rolls);
-      contacts_[block].remember(n, sliding[next], table_.rolls ? rolling[next] : Triple<Real>{});
+      laws::ContactMemory<Real> memory{sliding[next], {}, 0};
+      if (table_.rolls) memory.rolling = rolling[next], memory.twisting = twisting[next];
+      contacts_[block].remember(n, memory);
       if (!rest.empty() && rest[next] > 0) contacts_[block].set_rest(n, rest[next]);
     }
   }

@@ -69,12 +69,11 @@ private:
   /// A contact that goes on when pairs are found anew.
   struct Touch {
     Index one, other;  ///< places
-    Triple<Real> sliding;
+    laws::ContactMemory<Real> memory;
   };
   struct Touches {
     std::vector<Touch> pairs;
-    std::vector<Triple<Real>> rolling;  ///< by pair; empty where nothing resists rolling
-    std::vector<Real> rest;             ///< by pair [m]; empty where none has an overlap at rest
+    std::vector<Real> rest;  ///< by pair [m]; empty where none has an overlap at rest
   };
 
   /// In place of how long a pair sleeps.

@@ -135,7 +135,9 @@ struct WallContacts::InLanes {
     put(memory.sliding, lane, touch.sliding);
     if constexpr (rolls) {
       constants.rolling[lane] = of.rolling;
+      constants.twisting[lane] = of.twisting;
       put(memory.rolling, lane, touch.rolling);
+      memory.twisting[lane] = touch.twisting;
     }
   }
 
@@ -143,7 +145,10 @@ struct WallContacts::InLanes {
     at.radius.product[lane] = place.radius;
     at.mass.product[lane] = place.mass;
     put(at.velocity, lane, place.velocity() - ground.arm * spin.cross(normal) - ground.velocity);
-    if constexpr (rolls) put(at.rolling, lane, place.radius * (spin - ground.spin).cross(normal));
+    if constexpr (rolls) {
+      put(at.rolling, lane, place.radius * (spin - ground.spin).cross(normal));
+      at.twisting[lane] = place.radius * (spin - ground.spin).dot(normal);
+    }
   }
 
   static void put(Triple<Lanes>& numbers, int lane, const Vector3& vector) {
@@ -180,24 +185,26 @@ ContactSums WallContacts::push(const state::Spheres& spheres, std::size_t begin,
     const Vector3& normal = block.points[n].normal;
     touch.sliding = lanes.get(lanes.memory.sliding, lane);
     const Vector3 force = forces.normal[lane] * normal + lanes.get(forces.friction, lane);
-    Vector3 rolling = Vector3::Zero();
+    Vector3 turning = Vector3::Zero();
     if constexpr (rolls) {
       touch.rolling = lanes.get(lanes.memory.rolling, lane);
-      rolling = -spheres.place[static_cast<std::size_t>(touch.sphere)].radius * normal.cross(lanes.get(forces.rolling, lane));
+      touch.twisting = lanes.memory.twisting[lane];
+      turning = -spheres.place[static_cast<std::size_t>(touch.sphere)].radius *
+                (normal.cross(lanes.get(forces.rolling, lane)) + forces.twisting[lane] * normal);
     }
-    deliver(n, grounds[static_cast<std::size_t>(lane)], force, rolling, task, block);
+    deliver(n, grounds[static_cast<std::size_t>(lane)], force, turning, task, block);
     sums += {forces.elastic_energy[lane], forces.sliding_energy[lane], task.step * forces.dashpot_power[lane],
              task.step * forces.sliding_power[lane], 1};
   }
   return sums;
 }
 
-/// A force and a moment of rolling at a point, to its sphere and back to its wall.
-void WallContacts::deliver(std::size_t n, const Ground& ground, const Vector3& force, const Vector3& rolling, const Task& task,
+/// A force and the moment that resists turning at a point, to its sphere and back to its wall.
+void WallContacts::deliver(std::size_t n, const Ground& ground, const Vector3& force, const Vector3& turning, const Task& task,
                            Block& block) const {
   const Point& point = block.points[n];
   const auto w = static_cast<std::size_t>(point.wall);
-  const Vector3 moment = -ground.arm * point.normal.cross(force) - rolling;
+  const Vector3 moment = -ground.arm * point.normal.cross(force) - turning;
   state::SphereLoad& load = task.own[static_cast<std::size_t>(block.touches[n].sphere) - task.block * neighbors::block_size];
   load.fx += force.x();
   load.fy += force.y();
@@ -206,9 +213,9 @@ void WallContacts::deliver(std::size_t n, const Ground& ground, const Vector3& f
   load.my += moment.y();
   load.mz += moment.z();
   const Vector3 foot = ground.place - poses_[w].pivot - poses_[w].shift;
-  block.loads[w] += {-force, rolling - foot.cross(force), task.step * (force.dot(ground.velocity) - rolling.dot(ground.spin))};
+  block.loads[w] += {-force, turning - foot.cross(force), task.step * (force.dot(ground.velocity) - turning.dot(ground.spin))};
   if (!ground.face) return;
-  const auto forces = ground.face->on_corners(-force, rolling);
+  const auto forces = ground.face->on_corners(-force, turning);
   for (std::size_t k = 0; k < 3; ++k) block.on_nodes.push_back({ground.face->nodes[k], forces[k]});
 }
 
@@ -235,11 +242,12 @@ void WallContacts::touch_anew(const state::Spheres& spheres, Block& block) const
     from = to;
     while (remembered != block.before.end() && remembered->sphere < sphere) ++remembered;
     for (const Point& point : std::span(block.points).subspan(begin)) {
-      Touch touch{sphere, point.wall, point.normal, Vector3::Zero(), Vector3::Zero()};
+      Touch touch{.sphere = sphere, .wall = point.wall, .normal = point.normal};
       for (auto old = remembered; old != block.before.end() && old->sphere == sphere; ++old)
         if (old->wall == point.wall && old->normal.dot(point.normal) > same_direction) {
           touch.sliding = old->sliding;
           touch.rolling = old->rolling;
+          touch.twisting = old->twisting;
           old->wall = -1;  // each goes on once
           break;
         }

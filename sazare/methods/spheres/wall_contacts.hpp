@@ -80,6 +80,7 @@ public:
     Vector3 normal = Vector3::Zero();   ///< from the wall to the sphere
     Vector3 sliding = Vector3::Zero();  ///< [m]
     Vector3 rolling = Vector3::Zero();  ///< [m]
+    Real twisting = 0;                  ///< [m]
   };
 
 private:
@@ -134,7 +135,7 @@ private:
   struct InLanes;
   template <laws::ContactModel model, bool rolls>
   ContactSums push(const state::Spheres& spheres, std::size_t begin, const Task& task, Block& block) const;
-  void deliver(std::size_t n, const Ground& ground, const Vector3& force, const Vector3& rolling, const Task& task,
+  void deliver(std::size_t n, const Ground& ground, const Vector3& force, const Vector3& turning, const Task& task,
                Block& block) const;
 
   ContactTable table_;

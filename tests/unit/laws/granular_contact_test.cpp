@@ -12,9 +12,9 @@ namespace {
 
 const GrainElasticity glass{70e9, 0.25};
 
-ContactConstants<Real> constants(ContactModel model, Real restitution = 1, Real friction = 0.5, Real rolling = 0) {
-  return model == ContactModel::hertz ? hertz_constants(glass, glass, restitution, friction, rolling)
-                                      : linear_constants(1e6, 8e5, restitution, friction, rolling);
+ContactConstants<Real> constants(ContactModel model, Real restitution = 1, const GrainFriction& friction = {0.5}) {
+  return model == ContactModel::hertz ? hertz_constants(glass, glass, restitution, friction)
+                                      : linear_constants(1e6, 8e5, restitution, friction);
 }
 
 ContactMotion<Real> touching(Real overlap) {
@@ -30,7 +30,7 @@ ContactMotion<Real> touching(Real overlap) {
 template <ContactModel model>
 ContactForce<Real> at_rest(Real overlap, Triple<Real> stretch = {}) {
   ContactMemory<Real> memory{stretch, {}};
-  return contact_force<model, false>(constants(model, 1, 1e9), touching(overlap), memory);
+  return contact_force<model, false>(constants(model, 1, {1e9}), touching(overlap), memory);
 }
 
 template <ContactModel model>
@@ -82,7 +82,7 @@ TEST(granular_contact, friction_stays_on_coulombs_line) {
   ContactMemory<Real> memory{};
   auto at = touching(1e-6);
   at.velocity = {3, 4, 0};
-  const auto law = constants(ContactModel::hertz, 0.8, 0.25);
+  const auto law = constants(ContactModel::hertz, 0.8, {0.25});
   ContactForce<Real> force{};
   for (int step = 0; step < 20; ++step) force = contact_force<ContactModel::hertz, false>(law, at, memory);
   EXPECT_NEAR(std::sqrt(dot(force.friction, force.friction)), 0.25 * force.normal, 1e-12 * force.normal);
@@ -94,7 +94,7 @@ TEST(granular_contact, without_friction_nothing_pulls_across) {
   ContactMemory<Real> memory{};
   auto at = touching(1e-6);
   at.velocity = {3, 4, 0};
-  const auto force = contact_force<ContactModel::hertz, false>(constants(ContactModel::hertz, 1, 0), at, memory);
+  const auto force = contact_force<ContactModel::hertz, false>(constants(ContactModel::hertz, 1, {}), at, memory);
   EXPECT_EQ(dot(force.friction, force.friction), 0);
 }
 
@@ -112,9 +112,27 @@ TEST(granular_contact, rolling_moment_has_its_limit) {
   auto at = touching(1e-6);
   at.rolling = {1, 0, 0};
   ContactForce<Real> force{};
-  const auto law = constants(ContactModel::hertz, 1, 0.5, 0.1);
+  const auto law = constants(ContactModel::hertz, 1, {0.5, 0.1});
   for (int step = 0; step < 20; ++step) force = contact_force<ContactModel::hertz, true>(law, at, memory);
   EXPECT_NEAR(force.rolling.x, -0.1 * force.normal, 1e-12 * force.normal);
+  EXPECT_EQ(force.twisting, 0);
+}
+
+/// Below the limit the moment is the derivative of the energy by the twist, above it the limit.
+TEST(granular_contact, twisting_moment_is_elastic_up_to_its_limit) {
+  const auto law = constants(ContactModel::hertz, 1, {0.5, 0, 0.1});
+  const auto twisted = [&](Real twist) {
+    ContactMemory<Real> memory{};
+    memory.twisting = twist;
+    return contact_force<ContactModel::hertz, true>(law, touching(1e-6), memory);
+  };
+  const Real small = 1e-8, apart = 1e-10;
+  EXPECT_NEAR(twisted(small).twisting,
+              -(twisted(small + apart).sliding_energy - twisted(small - apart).sliding_energy) / (2 * apart),
+              1e-6 * std::abs(twisted(small).twisting));
+  EXPECT_LT(std::abs(twisted(small).twisting), 0.1 * twisted(small).normal);
+  EXPECT_NEAR(twisted(1e-5).twisting, -0.1 * twisted(1e-5).normal, 1e-12 * twisted(1e-5).normal);
+  EXPECT_NEAR(twisted(-1e-5).twisting, 0.1 * twisted(1e-5).normal, 1e-12 * twisted(1e-5).normal);
 }
 
 /// Speed after a central impact of the reduced mass over that before.
@@ -147,13 +165,14 @@ TEST(granular_contact, restitution_is_the_one_asked_for_at_any_speed) {
 TEST(granular_contact, lanes_compute_what_one_number_does) {
   ContactMotion<TwinLanes> lanes{};
   ContactMemory<TwinLanes> lane_memory{};
-  const auto one_law = constants(ContactModel::hertz, 0.6, 0.3, 0.1);
+  const auto one_law = constants(ContactModel::hertz, 0.6, {0.3, 0.1, 0.05});
   const ContactConstants<TwinLanes> law{one_law.normal,   one_law.tangential, one_law.normal_damping, one_law.tangential_damping,
-                                        one_law.friction, one_law.rolling};
+                                        one_law.friction, one_law.rolling,    one_law.twisting};
   const auto scene = [](int lane) {
     auto at = touching(1e-6 * (1 + lane));
     at.velocity = {0.3 * lane, -0.1, 0.05 * lane - 0.1};
     at.rolling = {0.02 * lane, 0.01, 0};
+    at.twisting = 0.03 - 0.005 * lane;
     return at;
   };
   for (int lane = 0; lane < TwinLanes::count; ++lane) {
@@ -169,6 +188,7 @@ TEST(granular_contact, lanes_compute_what_one_number_does) {
     lanes.velocity.z.set(lane, at.velocity.z);
     lanes.rolling.x.set(lane, at.rolling.x);
     lanes.rolling.y.set(lane, at.rolling.y);
+    lanes.twisting.set(lane, at.twisting);
     lanes.step.set(lane, at.step);
   }
   const auto together = contact_force<ContactModel::hertz, true>(law, lanes, lane_memory);
@@ -179,8 +199,10 @@ TEST(granular_contact, lanes_compute_what_one_number_does) {
     expect_equal(alone.normal, together.normal[lane]);
     expect_equal(alone.friction.x, together.friction.x[lane]);
     expect_equal(alone.rolling.y, together.rolling.y[lane]);
+    expect_equal(alone.twisting, together.twisting[lane]);
     expect_equal(memory.sliding.y, lane_memory.sliding.y[lane]);
     expect_equal(memory.rolling.x, lane_memory.rolling.x[lane]);
+    expect_equal(memory.twisting, lane_memory.twisting[lane]);
   }
 }
 

@@ -75,10 +75,28 @@ TEST(sphere_stepper, rolling_friction_holds_a_ball_on_a_slope) {
   }
 }
 
+/// A ball that spins about the upright stops after 2 R w / (5 mu_t g), and without resistance to twisting never.
+TEST(sphere_stepper, twisting_friction_stops_a_ball_that_spins_where_it_stands) {
+  const Real radius = 0.01, spin = 20, gravity = 10, step = 2e-6;
+  const Real mass = 2500 * 4.18879020478639e-6, sunk = std::pow(mass * gravity / (4.0 / 3 * 1e8 / (2 * 0.91) * 0.1), 2.0 / 3);
+  for (const Real twisting : {0.0, 0.1}) {
+    Wall floor;
+    auto stepper = make_stepper(
+        {{.centre = {0, 0, radius - sunk}, .spin = {0, 0, spin}}},
+        {.restitution = 0.5, .friction = 0.5, .twisting = twisting, .step = step, .gravity = {0, 0, -gravity}}, {floor});
+    stepper.start();
+    const Real stops_at = 0.4 * radius * spin / (0.1 * gravity);
+    advance(stepper, static_cast<int>(0.5 * stops_at / step));
+    EXPECT_NEAR(spin_of(stepper, 0).z(), twisting > 0 ? 0.5 * spin : spin, 2e-3 * spin);
+    advance(stepper, static_cast<int>(0.6 * stops_at / step));
+    EXPECT_NEAR(spin_of(stepper, 0).z(), twisting > 0 ? 0 : spin, 2e-3 * spin);
+  }
+}
+
 TEST(sphere_stepper, keeps_momentum_and_angular_momentum) {
   for (const auto model : {laws::ContactModel::hertz, laws::ContactModel::linear}) {
-    auto stepper =
-        make_stepper(heap(6, 0.5), {.restitution = 0.7, .friction = 0.4, .rolling = 0.1, .step = 1e-5, .model = model});
+    auto stepper = make_stepper(
+        heap(6, 0.5), {.restitution = 0.7, .friction = 0.4, .rolling = 0.1, .twisting = 0.05, .step = 1e-5, .model = model});
     stepper.start();
     const Vector3 momentum = stepper.momentum(), turning = stepper.angular_momentum();
     std::int64_t touched = 0;
@@ -95,7 +113,8 @@ TEST(sphere_stepper, keeps_momentum_and_angular_momentum) {
 /// The residual of the ledger falls with the step.
 TEST(sphere_stepper, ledger_closes) {
   const auto residual = [](Real step) {
-    auto stepper = make_stepper(heap(5, 0.5), {.restitution = 0.6, .friction = 0.4, .rolling = 0.1, .step = step});
+    auto stepper =
+        make_stepper(heap(5, 0.5), {.restitution = 0.6, .friction = 0.4, .rolling = 0.1, .twisting = 0.05, .step = step});
     stepper.start();
     const engine::SphereEnergies first = stepper.energies();
     advance(stepper, static_cast<int>(std::round(0.02 / step)));

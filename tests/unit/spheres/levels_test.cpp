@@ -34,7 +34,7 @@ std::vector<Wall> floor_and_slope() {
   return {floor, slope};
 }
 
-Rules rough() { return {.restitution = 0.6, .friction = 0.4, .rolling = 0.05, .step = 4e-5}; }
+Rules rough() { return {.restitution = 0.6, .friction = 0.4, .rolling = 0.05, .twisting = 0.02, .step = 4e-5}; }
 
 Rules falling() {
   Rules rules = rough();

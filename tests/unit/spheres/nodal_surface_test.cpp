@@ -59,8 +59,8 @@ TEST(nodal_surface, pushes_once_wherever_its_edges_are) {
 }
 
 TEST(nodal_surface, its_nodes_get_the_force_and_the_moment_that_spheres_get_turned_round) {
-  auto stepper =
-      on_fan({{.centre = {0.2, 0.1, pressed}, .velocity = {0.5, 0, 0}, .spin = {3, 0, 1}}}, {.friction = 0.3, .rolling = 0.1}, 5);
+  auto stepper = on_fan({{.centre = {0.2, 0.1, pressed}, .velocity = {0.5, 0, 0}, .spin = {3, 0, 1}}},
+                        {.friction = 0.3, .rolling = 0.1, .twisting = 0.05}, 5);
   stepper.lead(nodes_of(5), bending(nodes_of(5)));
   advance(stepper, 5);
   const auto& load = stepper.load(0);
@@ -120,7 +120,8 @@ TEST(nodal_surface, its_work_is_what_an_elastic_ball_gains_and_its_impulse_what_
 }
 
 TEST(nodal_surface, goes_on_from_a_checkpoint_as_if_nothing_had_been) {
-  const Rules rules{.restitution = 0.6, .friction = 0.4, .rolling = 0.05, .step = 1e-5, .gravity = {0, 0, -9.81}};
+  const Rules rules{
+      .restitution = 0.6, .friction = 0.4, .rolling = 0.05, .twisting = 0.02, .step = 1e-5, .gravity = {0, 0, -9.81}};
   const auto make = [&] {
     std::vector<Grain> grains = heap(8, 0.5, 0.0195);
     for (Grain& grain : grains) grain.centre -= Vector3(0.05, 0.05, 0.009);

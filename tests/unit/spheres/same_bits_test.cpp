@@ -17,7 +17,9 @@ std::vector<Wall> box_walls() {
   return {floor, side, slope};
 }
 
-Rules rules() { return {.restitution = 0.6, .friction = 0.4, .rolling = 0.05, .step = 1e-5, .gravity = {0, 0, -9.81}}; }
+Rules rules() {
+  return {.restitution = 0.6, .friction = 0.4, .rolling = 0.05, .twisting = 0.02, .step = 1e-5, .gravity = {0, 0, -9.81}};
+}
 
 test::MemoryArchive state_of(engine::SphereStepper& stepper) {
   test::MemoryArchive archive;

@@ -9,8 +9,8 @@ ContactTable table(const Rules& rules) {
   ContactTable contacts(rules.model, 1);
   contacts.set(0, 0,
                rules.model == laws::ContactModel::hertz
-                   ? laws::hertz_constants(soft, soft, rules.restitution, rules.friction, rules.rolling)
-                   : laws::linear_constants(1e5, 8e4, rules.restitution, rules.friction, rules.rolling));
+                   ? laws::hertz_constants(soft, soft, rules.restitution, {rules.friction, rules.rolling, rules.twisting})
+                   : laws::linear_constants(1e5, 8e4, rules.restitution, {rules.friction, rules.rolling, rules.twisting}));
   return contacts;
 }
 

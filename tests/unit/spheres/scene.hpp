@@ -16,7 +16,7 @@ struct Grain {
 };
 
 struct Rules {
-  Real restitution = 1, friction = 0, rolling = 0;
+  Real restitution = 1, friction = 0, rolling = 0, twisting = 0;
   Real step = 1e-6;
   Vector3 gravity = Vector3::Zero();
   Real margin = 1e-3;

@@ -84,7 +84,7 @@ TEST(wall_contacts, friction_remembers_across_edges) {
 
 TEST(wall_contacts, force_and_moment_on_the_wall_are_those_on_the_sphere_turned_round) {
   auto stepper = make_stepper({{.centre = {0.2, 0.1, pressed}, .velocity = {0.5, 0, 0}, .spin = {3, 0, 1}}},
-                              {.friction = 0.3, .rolling = 0.1}, {Wall{}});
+                              {.friction = 0.3, .rolling = 0.1, .twisting = 0.05}, {Wall{}});
   stepper.start();
   advance(stepper, 3);
   const auto& load = stepper.load(0);

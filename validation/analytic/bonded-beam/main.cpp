@@ -57,7 +57,7 @@ state::SphereLoad reaction(const Vector3& shift, const Vector3& turning) {
   for (Index n = 0; n + 1 < nodes; ++n) bonds.push_back(bond(n, spheres.place[1].mass));
   const Real step = 0.1 * methods::spheres::stable_step(bonds, spheres);
   methods::spheres::ContactTable table(laws::ContactModel::linear, 1);
-  table.set(0, 0, laws::linear_constants(1, 1, 1, 0, 0));
+  table.set(0, 0, laws::linear_constants(1, 1, 1, {}));
   constexpr Real infinite = std::numeric_limits<Real>::infinity();
   engine::SphereStepper stepper(std::move(spheres), table, {}, {step, Vector3::Zero(), radius, radius},
                                 methods::spheres::Bonds(std::move(bonds), {{infinite, infinite, 0, 1}}));

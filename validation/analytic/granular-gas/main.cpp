@@ -50,7 +50,7 @@ int main() {
   parallel::set_threads(1);
   methods::spheres::ContactTable table(laws::ContactModel::hertz, 1);
   const laws::GrainElasticity solid{1e9, 0.3};
-  table.set(0, 0, laws::hertz_constants(solid, solid, restitution, 0, 0));
+  table.set(0, 0, laws::hertz_constants(solid, solid, restitution, {}));
   engine::SphereStepper stepper(gas(), table, {}, {step, Vector3::Zero(), radius, radius});
   stepper.start();
   // From a lattice and velocities in a cube the gas takes some collisions to forget how it began.

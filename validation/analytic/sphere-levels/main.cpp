@@ -21,7 +21,7 @@ Real rayleigh(Real radius) {
 
 methods::spheres::ContactTable table(Real restitution, Real friction) {
   methods::spheres::ContactTable contacts(laws::ContactModel::hertz, 1);
-  contacts.set(0, 0, laws::hertz_constants(soft, soft, restitution, friction, 0));
+  contacts.set(0, 0, laws::hertz_constants(soft, soft, restitution, {friction}));
   return contacts;
 }
 

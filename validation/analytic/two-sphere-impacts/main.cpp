@@ -44,8 +44,8 @@ After impact(const Solid& solid, const std::vector<Ball>& balls, Real expected_d
     spheres.set_motion(spheres.size() - 1, ball.velocity, ball.spin);
   }
   methods::spheres::ContactTable table(laws::ContactModel::hertz, 2);
-  table.set(0, 0, laws::hertz_constants(solid.elasticity, solid.elasticity, solid.restitution, solid.friction, 0));
-  table.set(0, 1, laws::hertz_constants(solid.elasticity, rigid, solid.restitution, solid.friction, 0));
+  table.set(0, 0, laws::hertz_constants(solid.elasticity, solid.elasticity, solid.restitution, {solid.friction}));
+  table.set(0, 1, laws::hertz_constants(solid.elasticity, rigid, solid.restitution, {solid.friction}));
   std::vector<methods::spheres::Wall> walls;
   if (balls.size() == 1) walls.emplace_back().material = 1;
   const Real step = expected_duration / resolution, radius = balls.front().radius;
