@@ -37,18 +37,21 @@ PairContacts::Touches PairContacts::take_touches(const std::vector<Index>& new_p
   }
   Touches touches;
   touches.pairs.reserve(count);
+  if (table_.rolls) touches.turning.reserve(count);
   if (some_rest) touches.rest.reserve(count);
   for (const BlockContacts& block : contacts_)
     for (std::size_t n = 0; n < block.size(); ++n) {
       const Contact& contact = block[n];
+      const laws::ContactMemory<Real> memory = block.memory(n);
       Touch touch{new_place[static_cast<std::size_t>(contact.first)], new_place[static_cast<std::size_t>(contact.second)],
-                  block.memory(n)};
+                  memory.sliding};
       if (touch.one > touch.other) {
         // Seen from the other sphere, sliding changes its sign; rolling and twisting do not.
         std::swap(touch.one, touch.other);
-        touch.memory.sliding = Triple<Real>{} - touch.memory.sliding;
+        touch.sliding = Triple<Real>{} - touch.sliding;
       }
       touches.pairs.push_back(touch);
+      if (table_.rolls) touches.turning.push_back({memory.rolling, memory.twisting});
       if (some_rest) touches.rest.push_back(block.rest(n));
     }
   pairs_ = {};
@@ -86,7 +89,8 @@ void PairContacts::go_on(const Touches& touches) {
       const auto n = static_cast<std::size_t>(touch_of[p]);
       const Touch& touch = touches.pairs[n];
       contacts_[block].add({touch.one, touch.other, 0, static_cast<std::uint32_t>(p)}, table_.rolls);
-      contacts_[block].remember(contacts_[block].size() - 1, touch.memory);
+      const Turning turning = table_.rolls ? touches.turning[n] : Turning{};
+      contacts_[block].remember(contacts_[block].size() - 1, {touch.sliding, turning.rolling, turning.twisting});
       if (!touches.rest.empty() && touches.rest[n] > 0) contacts_[block].set_rest(contacts_[block].size() - 1, touches.rest[n]);
       sleeps_until_[p] = in_contact;
     }

@@ -69,11 +69,17 @@ private:
   /// A contact that goes on when pairs are found anew.
   struct Touch {
     Index one, other;  ///< places
-    laws::ContactMemory<Real> memory;
+    Triple<Real> sliding;
+  };
+  /// What else it remembers: few tables resist rolling, and all contacts are held twice while pairs are found.
+  struct Turning {
+    Triple<Real> rolling;
+    Real twisting = 0;
   };
   struct Touches {
     std::vector<Touch> pairs;
-    std::vector<Real> rest;  ///< by pair [m]; empty where none has an overlap at rest
+    std::vector<Turning> turning;  ///< by pair; empty where nothing resists rolling or twisting
+    std::vector<Real> rest;        ///< by pair [m]; empty where none has an overlap at rest
   };
 
   /// In place of how long a pair sleeps.
