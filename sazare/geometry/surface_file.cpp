@@ -72,10 +72,12 @@ std::vector<Triangle> text_stl(const fs::path& file, const std::string& text) {
   std::istringstream stream(text);
   std::string line, word;
   std::size_t corner = 0;  // of the facet, so far
+  bool is_open = false;    // a solid has begun and not ended
   for (std::size_t number = 1; std::getline(stream, line); ++number) {
     std::istringstream words(line);
     if (!(words >> word)) continue;
     std::ranges::transform(word, word.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (word == "solid" || word == "endsolid") is_open = word == "solid";
     if (word == "endloop" && corner != 3) refuse_loop(file, number, corner);
     if (word == "endloop") corner = 0;
     if (word != "vertex") continue;
@@ -88,6 +90,10 @@ std::vector<Triangle> text_stl(const fs::path& file, const std::string& text) {
   }
   if (corner != 0)
     throw UserError(fmt::format("{}: the file ends within its facet {}: it is cut short", file.string(), triangles.size()));
+  if (is_open)
+    throw UserError(
+        fmt::format("{}: the file ends after {} facets without \"endsolid\": it is cut short; add that line if these are all",
+                    file.string(), triangles.size()));
   return triangles;
 }
 

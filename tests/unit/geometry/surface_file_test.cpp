@@ -98,6 +98,16 @@ TEST(surface_file, facets_of_four_corners_are_no_triangles) {
   EXPECT_NE(ends.find("ends.stl: the file ends within its facet 1: it is cut short"), std::string::npos) << ends;
 }
 
+TEST(surface_file, a_text_that_ends_between_two_facets_is_cut_short) {
+  const TemporaryFolder folder;
+  const std::string whole = two_triangles;
+  const std::string cut = words(folder.write("cut.stl", whole.substr(0, whole.rfind(" facet"))));
+  EXPECT_NE(
+      cut.find("cut.stl: the file ends after 1 facets without \"endsolid\": it is cut short; add that line if these are all"),
+      std::string::npos)
+      << cut;
+}
+
 TEST(surface_file, keywords_may_be_capitals) {
   const TemporaryFolder folder;
   std::string capitals = two_triangles;
