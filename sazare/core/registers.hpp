@@ -27,6 +27,14 @@ struct RegisterOf<4> {
     return Reals{from[0], from[1], from[2], from[3]};
 #endif
   }
+  /// a b + c, rounded once where the processor can.
+  static Reals add_product(const Reals& a, const Reals& b, const Reals& c) {
+#ifdef __FMA__
+    return _mm256_fmadd_pd(a, b, c);
+#else
+    return a * b + c;
+#endif
+  }
 };
 template <>
 struct RegisterOf<8> {

@@ -21,8 +21,8 @@ struct ForceMoment {
 
   /// Adds `factor` times another, whose force acts along `sign`.
   void add(const Register& factor, const Register& sign, const ForceMoment& other) {
-    force += (sign * factor) * other.force;
-    moment += factor * other.moment;
+    force = RegisterOf<4>::add_product(sign * factor, other.force, force);
+    moment = RegisterOf<4>::add_product(factor, other.moment, moment);
   }
 
   /// To eight numbers, in the plane to four: force, moment, zeros.

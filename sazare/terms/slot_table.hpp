@@ -121,9 +121,10 @@ struct SlotSums {
     const ForceMoment<D> acts = read(slot.total, side), mean = read(slot.mean, side);
     const auto acting = broadcast(slot.evaluated) > last_kick ? broadcast(slot.acting) : broadcast(0);
     given.add(acting, sign, acts);
-    const Real open = until_next - slot.ahead + (now - slot.evaluated) * tick_seconds;  // below 0: given beyond it
-    lead.add(broadcast(open > 0 ? open : 0), sign, mean);
-    lead.add(broadcast(open > 0 ? 0 : open), sign, acts);
+    // Below 0: given beyond it. Compared in registers, for single numbers compilers branch.
+    const auto open = broadcast(until_next - slot.ahead + (now - slot.evaluated) * tick_seconds), none = broadcast(0);
+    lead.add(open > none ? open : none, sign, mean);
+    lead.add(open > none ? none : open, sign, acts);
     for (std::size_t p = 0; p < Parts; ++p) part[p].add(acting, sign, read(slot.part[p], side));
   }
 };

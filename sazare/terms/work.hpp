@@ -42,7 +42,7 @@ inline void book(Cause cause, Real work, Books& books) {
 }
 
 /// Bodies that are kicked together; what they gather stays in the first-level cache.
-inline constexpr std::size_t chunk_size = 64;
+inline constexpr std::size_t chunk_size = 32;
 
 /// Impulses by cause that the bodies of a chunk receive, until their mean motion is known.
 template <int D>
