@@ -42,17 +42,18 @@ auto slips(const ShearParameters<P>& law, const Slip<T>& at, T strength) {
   return law.stiffness * law.stiffness * squared > strength * strength;
 }
 
-/// Returns the elastic displacement to the Coulomb line and books the work of the slip at the strength.
+/// Returns the elastic displacement to the Coulomb line and books the work of the slip at the strength. With the stress t before,
+/// that is (t - t_max) t_max / k_s.
 template <class P, class T>
 void slip_back(const ShearParameters<P>& law, Slip<T>& at, T strength) {
-  const T length = square_root(at.elastic[0] * at.elastic[0] + at.elastic[1] * at.elastic[1]);
-  const T stress = law.stiffness * length;
+  const T squared = at.elastic[0] * at.elastic[0] + at.elastic[1] * at.elastic[1];
   const auto over = slips(law, at, strength);  // the very same question: in lanes, who else slips must not matter
-  const T keep = select(over, strength / select(over, stress, T{} + 1.0), T{} + 1.0);
-  const T slipped = length * (1.0 - keep);
-  at.dissipation = slipped * strength;
+  const T stress_squared = select(over, law.stiffness * law.stiffness * squared, T{} + 1.0);
+  const T inverse_stress = inverse_square_root(stress_squared), keep = select(over, strength * inverse_stress, T{} + 1.0);
+  const T lost = 1.0 - keep, compliance = 1.0 / (T{} + law.stiffness);
+  at.dissipation = lost * (stress_squared * inverse_stress) * strength * compliance;
   for (int axis = 0; axis < 2; ++axis) {
-    at.memory[axis] += at.elastic[axis] * (1.0 - keep);
+    at.memory[axis] += at.elastic[axis] * lost;
     at.elastic[axis] *= keep;
   }
 }

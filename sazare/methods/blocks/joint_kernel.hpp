@@ -64,20 +64,23 @@ struct JointForce {
   terms::LanePairForce total, dashpots;
 };
 
-/// Stress [Pa] at every vertex once the memory has been raised to the opening. Few joints have softened.
-inline LaneVector tension_stress(const JointParameters<Lanes>& kind, const FaceGeometry& at) {
-  LaneVector stress;
-  for (int v = 0; v < vertex_count; ++v) {
-    stress[v] = kind.tension.stiffness * at.opening[v];
-    if (any(at.peak[v] > kind.tension.elastic_opening))
+/// Whether some joint has softened. Asked once for all vertices: no processor guesses which few have.
+inline bool some_soften(const JointParameters<Lanes>& kind, const FaceGeometry& at) {
+  const Lanes& elastic = kind.tension.elastic_opening;
+  return any((at.peak[0] > elastic) | (at.peak[1] > elastic) | (at.peak[2] > elastic));
+}
+
+/// Stress [Pa] at every vertex once the memory has been raised to the opening.
+inline LaneVector tension_stress(const JointParameters<Lanes>& kind, const FaceGeometry& at, bool soften) {
+  LaneVector stress = kind.tension.stiffness * at.opening;
+  if (soften)
+    for (int v = 0; v < vertex_count; ++v)
       stress[v] = laws::tension_stress(kind.tension, at.opening[v], laws::unloading_stiffness(kind.tension, at.peak[v]));
-  }
   return stress;
 }
 
-/// Recoverable energy [J].
-inline Lanes elastic_energy(const JointParameters<Lanes>& kind, const FaceGeometry& at) {
-  const LaneVector stress = tension_stress(kind, at);
+/// Recoverable energy [J] under these stresses.
+inline Lanes elastic_energy(const JointParameters<Lanes>& kind, const FaceGeometry& at, const LaneVector& stress) {
   Lanes energy{};
   for (std::size_t v = 0; v < vertex_count; ++v) {
     const auto [x, y] = at.shear[v];
@@ -94,20 +97,24 @@ struct JointChange {
   LaneMask failed{};                                    ///< a vertex has failed: the whole face comes apart and gives nothing
   Lanes slip_work{};                                    ///< energy that slip has taken [J]
   Lanes released{};                                     ///< elastic energy of what came apart [J]
-  LaneVector peak;                                      ///< the memory as it is now, where one has softened
-  std::array<std::array<Lanes, 2>, vertex_count> slip;  ///< what has been added to the slip, where one has slipped
+  LaneVector peak;                                      ///< the memory of opening as it is now
+  std::array<std::array<Lanes, 2>, vertex_count> slip;  ///< what has been added to the slip, where one has softened or slipped
 };
 
-/// Raises the memory to the present opening; what is stored in a face that fails is lost.
-inline void soften(const JointParameters<Lanes>& kind, FaceGeometry& at, JointChange& change) {
+/// Raises the memory to the present opening.
+inline LaneMask raise_peaks(FaceGeometry& at) {
+  LaneMask raised{};
   for (int v = 0; v < vertex_count; ++v) {
-    const LaneMask opens = at.opening[v] > at.peak[v];
-    at.peak[v] = select(opens, at.opening[v], at.peak[v]);
-    change.softened |= opens;
-    change.failed |= at.peak[v] >= kind.tension.failure_opening;
+    raised |= at.opening[v] > at.peak[v];
+    at.peak[v] = maximum(at.opening[v], at.peak[v]);
   }
-  change.peak = at.peak;
-  if (any(change.failed)) change.released = select(change.failed, elastic_energy(kind, at), Lanes{});
+  return raised;
+}
+
+/// What is stored in a face that fails is lost.
+inline void fail(const JointParameters<Lanes>& kind, const FaceGeometry& at, const LaneVector& stress, JointChange& change) {
+  for (int v = 0; v < vertex_count; ++v) change.failed |= at.peak[v] >= kind.tension.failure_opening;
+  if (any(change.failed)) change.released = select(change.failed, elastic_energy(kind, at, stress), Lanes{});
 }
 
 /// Lets the vertices slip that must.
@@ -136,9 +143,13 @@ struct FaceSums {
 
 /// Springs, once the memory is what it must be.
 inline FaceSums springs(const JointParameters<Lanes>& kind, FaceGeometry& at, JointChange& change) {
-  const LaneMask opens = (at.opening[0] > at.peak[0]) | (at.opening[1] > at.peak[1]) | (at.opening[2] > at.peak[2]);
-  if (any(opens)) soften(kind, at, change);
-  const LaneVector stress = tension_stress(kind, at);
+  change.softened = raise_peaks(at);
+  const bool soften = some_soften(kind, at);
+  const LaneVector stress = tension_stress(kind, at, soften);
+  if (soften) {
+    fail(kind, at, stress, change);
+    change.slip = {};
+  }
   LaneVector strength;
   LaneMask slips{};
   for (std::size_t v = 0; v < vertex_count; ++v) {
@@ -147,6 +158,7 @@ inline FaceSums springs(const JointParameters<Lanes>& kind, FaceGeometry& at, Jo
     slips |= laws::slips(kind.shear, laws::Slip<Lanes>{{at.shear[v][0], at.shear[v][1]}, {}, {}}, strength[i]);
   }
   if (any(slips)) slide(kind, strength, at, change);
+  change.peak = at.peak;
   const Lanes area = select(change.failed, Lanes{}, -at.vertex_area), shear_area = area * kind.shear.stiffness;
   FaceSums sums{};
   for (std::size_t v = 0; v < vertex_count; ++v)

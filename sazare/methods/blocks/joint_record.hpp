@@ -50,6 +50,9 @@ struct alignas(64) JointRecord {
       spread{};  ///< S_yy, S_zz, S_yz: A times the sums over the vertices of y y, z z, y z from their middle [m4]
 
   Vector3 arm_of(std::size_t v) const { return {arm[v][0], arm[v][1], arm[v][2]}; }
+
+  /// The double with which a vertex begins.
+  static constexpr std::size_t vertex_begin(std::size_t v) { return 4 + 4 * v; }
 };
 static_assert(sizeof(JointRecord) == 24 * sizeof(Real));
 
@@ -89,7 +92,7 @@ struct LaneJoints {
     Lanes peak;
   };
   Vertex vertex(std::size_t v) const {
-    const auto numbers = load_quad(records, 4 + 4 * v);
+    const auto numbers = load_quad(records, JointRecord::vertex_begin(v));
     return {{{numbers[0], numbers[1], numbers[2]}}, numbers[3]};
   }
 

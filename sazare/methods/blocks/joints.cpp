@@ -132,25 +132,33 @@ void Joints::ask_for_some(std::span<const Due> due, const state::Bodies<3>& bodi
   JointChange change;
   const JointForce force = blocks::evaluate(LaneJoints<JointRecord>{records}, kinds_of(records), masters, slaves, change);
   terms::write(slots, now, in_lanes, force.total, force.dashpots, change.failed);
-  if (any(change.softened | change.slipped)) note_changes(due, change);
+  if (!any(change.softened | change.slipped)) return;
+  remember(records, change);
+  book(due, change);
 }
 
-void Joints::note_changes(std::span<const Due> due, const JointChange& change) {
+/// What joints remember of slip and opening: in lanes, for nobody guesses which of them have slipped.
+void Joints::remember(const LanePointers<JointRecord>& records, const JointChange& change) {
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    const std::size_t begin = JointRecord::vertex_begin(v);
+    const auto before = load_quad(records, begin);
+    const auto& slip = change.slip[v];
+    store_quad({before[0], before[1] + slip[0], before[2] + slip[1], change.peak[static_cast<int>(v)]}, records, begin);
+  }
+}
+
+/// What changes of joints have cost, and which of them soften or fail.
+void Joints::book(std::span<const Due> due, const JointChange& change) {
+  for (std::size_t lane = 0; lane < due.size(); ++lane)
+    losses_[at(due[lane].link)].slip_work += change.slip_work[static_cast<int>(lane)];
+  if (!any(change.softened)) return;
   for (std::size_t lane = 0; lane < due.size(); ++lane) {
     const int i = static_cast<int>(lane);
-    JointRecord& joint = records_[at(due[lane].link)];
-    JointLosses& losses = losses_[at(due[lane].link)];
-    if (change.slipped[i] != 0)
-      for (std::size_t v = 0; v < vertex_count; ++v)
-        for (std::size_t axis = 0; axis < 2; ++axis)
-          joint.vertex[v].corner[static_cast<int>(axis) + 1] += change.slip[v][axis][i];
-    losses.slip_work += change.slip_work[i];
     if (change.softened[i] == 0) continue;
-    for (int v = 0; v < vertex_count; ++v) joint.vertex[at(v)].peak = change.peak[v][i];
     const bool failed = change.failed[i] != 0;
-    joint.state = failed ? JointState::broken : JointState::softening;
+    records_[at(due[lane].link)].state = failed ? JointState::broken : JointState::softening;
     if (!failed) continue;
-    losses.released = change.released[i];
+    losses_[at(due[lane].link)].released = change.released[i];
     failed_.add(due[lane].link);
   }
 }
@@ -214,7 +222,9 @@ void Joints::update_rates(Index body, const state::Bodies<3>& bodies) {
     masters[lane] = &synchronized.pose_of(records[lane]->master);
     slaves[lane] = &synchronized.pose_of(records[lane]->slave);
   }
-  return elastic_energy(kinds_of(records), face_geometry(LaneJoints<const JointRecord>{records}, masters, slaves));
+  const auto& kind = kinds_of(records);
+  const FaceGeometry at = face_geometry(LaneJoints<const JointRecord>{records}, masters, slaves);
+  return elastic_energy(kind, at, tension_stress(kind, at, some_soften(kind, at)));
 }
 
 void Joints::add_energies(const terms::Synchronized<3>& synchronized, terms::Books& books) const {

@@ -53,7 +53,8 @@ public:
 private:
   void ask_for_some(std::span<const Due> due, const state::Bodies<3>& bodies) const;
   void evaluate_lanes(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies);
-  void note_changes(std::span<const Due> due, const JointChange& change);
+  static void remember(const LanePointers<JointRecord>& records, const JointChange& change);
+  void book(std::span<const Due> due, const JointChange& change);
   template <class Record>
   const JointParameters<Lanes>& kinds_of(const LanePointers<Record>& joints) const;
   void update_rates(Index body, const state::Bodies<3>& bodies);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace sazare::laws {
@@ -89,16 +90,31 @@ TEST(joint_shear, without_strength_nothing_is_held) {
   EXPECT_EQ(still.elastic[0], 0);
 }
 
-TEST(joint_shear, four_lanes_give_the_bits_of_four_numbers) {
-  const Lanes x = {3e-4, 1e-5, 0, -2e-4}, y = {-4e-4, 2e-5, 0, 1e-7}, strength = {6.66e6, 6.66e6, 0, 1e6};
-  Slip<Lanes> lanes{{x, y}, {x, y}, {}};
-  slip_back(concrete, lanes, strength);
+/// `other` in every lane but one.
+Lanes among(Real one, int lane, Real other) {
+  Lanes all = broadcast(other);
+  all[lane] = one;
+  return all;
+}
+
+TEST(joint_shear, lanes_give_what_numbers_give_whoever_else_slips) {
+  const std::array<Real, 4> x = {3e-4, 1e-5, 0, -2e-4}, y = {-4e-4, 2e-5, 0, 1e-7}, strength = {6.66e6, 6.66e6, 0, 1e6};
+  const Lanes xs = {3e-4, 1e-5, 0, -2e-4}, ys = {-4e-4, 2e-5, 0, 1e-7}, strengths = {6.66e6, 6.66e6, 0, 1e6};
+  Slip<Lanes> lanes{{xs, ys}, {xs, ys}, {}};
+  slip_back(concrete, lanes, strengths);
   for (int lane = 0; lane < 4; ++lane) {
-    Slip<Real> alone{{x[lane], y[lane]}, {x[lane], y[lane]}, 0};
-    slip_back(concrete, alone, Real{strength[lane]});
-    EXPECT_EQ(lanes.elastic[0][lane], alone.elastic[0]);
-    EXPECT_EQ(lanes.memory[1][lane], alone.memory[1]);
-    EXPECT_EQ(lanes.dissipation[lane], alone.dissipation);
+    const auto n = static_cast<std::size_t>(lane);
+    const Lanes alone_x = among(x[n], lane, 1e-6), alone_y = among(y[n], lane, 0);
+    Slip<Lanes> alone{{alone_x, alone_y}, {alone_x, alone_y}, {}};
+    slip_back(concrete, alone, among(strength[n], lane, 6.66e6));
+    Slip<Real> number{{x[n], y[n]}, {x[n], y[n]}, 0};
+    slip_back(concrete, number, strength[n]);
+    for (const auto& [got, same, near] : {std::array{lanes.elastic[0][lane], alone.elastic[0][lane], number.elastic[0]},
+                                          std::array{lanes.memory[1][lane], alone.memory[1][lane], number.memory[1]},
+                                          std::array{lanes.dissipation[lane], alone.dissipation[lane], number.dissipation}}) {
+      EXPECT_EQ(got, same);
+      EXPECT_NEAR(got, near, 1e-15 * std::abs(near));  // a root in lanes may be off by the last bit
+    }
   }
 }
 
