@@ -7,13 +7,9 @@
 #include <string>
 #include <utility>
 
-#include "sazare/parallel/threads.hpp"
-
 namespace sazare::engine {
 
 namespace {
-
-constexpr std::size_t serial_below = 1024;  // a body takes some 20 ns, waking a thread some microseconds
 
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
@@ -101,21 +97,29 @@ void LevelKeeper<D>::part(std::size_t term, Index link) {
   const Link& bodies = (*terms_)[term]->links()[at(link)];
   clocks_[term].remove(link);
   if (rests({static_cast<Index>(term), link})) resting_[term][at(link)] = 0;
-  for (const Index body : {bodies.first, bodies.second})
-    if (body != Link::outside) links_.remove(body, {static_cast<Index>(term), link});
+  for (const Index body : {bodies.first, bodies.second}) {
+    if (body == Link::outside) continue;
+    links_.remove(body, {static_cast<Index>(term), link});
+    calmed_.push_back(body);
+  }
 }
 
 template <int D>
 void LevelKeeper<D>::set_level(Index body, int level) {
   if (level_[at(body)] == level) return;
+  const bool calms = level < level_[at(body)];
   level_[at(body)] = static_cast<std::int8_t>(level);
   quicken(body, level);
+  if (calms) calmed_.push_back(body);
   for (const LinkOf& of : links_.of(body)) {
     const Link& link = bodies_of(of);
     const int finer = link_level(of);
     clocks_[at(of.term)].set_level(of.link, finer);
-    quicken(link.first, finer);
-    if (link.second != Link::outside) quicken(link.second, finer);
+    for (const Index other : {link.first, link.second}) {
+      if (other == Link::outside) continue;
+      quicken(other, finer);
+      if (calms && other != body) calmed_.push_back(other);
+    }
   }
 }
 
@@ -132,19 +136,12 @@ int LevelKeeper<D>::finest_around(Index body) const {
   return finest;
 }
 
+/// Gives those their pace whose links or neighbours have become coarser or have ended.
 template <int D>
-void LevelKeeper<D>::change_pace(Index body, int pace) {
-  if (pace != paces_.level(body)) paces_.move(body, pace);
-}
-
-template <int D>
-void LevelKeeper<D>::set_all_paces() {
-  std::vector<std::int8_t> paces(level_.size());
-  parallel::parallel_for(paces.size(), serial_below, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t body = begin; body < end; ++body)
-      paces[body] = static_cast<std::int8_t>(finest_around(static_cast<Index>(body)));
-  });
-  for (std::size_t body = 0; body < paces.size(); ++body) change_pace(static_cast<Index>(body), paces[body]);
+void LevelKeeper<D>::slow_down() {
+  for (const Index body : calmed_)
+    if (const int pace = finest_around(body); pace != paces_.level(body)) paces_.move(body, pace);
+  calmed_.clear();
 }
 
 template <int D>
@@ -209,8 +206,7 @@ template <int D>
 void LevelKeeper<D>::relevel(const state::Bodies<D>& bodies) {
   for (const Index body : asking_) asked_[at(body)] = -1;
   asking_.clear();
-  for (const Index body : calmed_) change_pace(body, finest_around(body));
-  calmed_.clear();
+  slow_down();
   paces_.sort();
   for (auto& clock : clocks_) clock.sort();
   const bool travels = rules_.travel_length < std::numeric_limits<Real>::infinity();
@@ -225,7 +221,7 @@ void LevelKeeper<D>::relevel(const state::Bodies<D>& bodies) {
   else
     spread(wanted);
   for (Index body = 0; body < bodies.size(); ++body) set_level(body, wanted[at(body)]);
-  set_all_paces();
+  slow_down();
   stale_ = false;
 }
 

@@ -72,8 +72,7 @@ private:
   void set_level(Index body, int level);
   void quicken(Index body, int level);
   int finest_around(Index body) const;
-  void change_pace(Index body, int pace);
-  void set_all_paces();
+  void slow_down();
   void ask(Index body, int level);
   void ask_neighbors(Index body);
   void spread(std::vector<std::int8_t>& wanted) const;

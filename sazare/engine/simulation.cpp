@@ -60,27 +60,31 @@ std::int64_t Simulation<D>::add_time(std::size_t part, std::int64_t since) {
 
 template <int D>
 void Simulation<D>::start() {
-  tick();
+  tick(clock_now());
   if (replicas_) take_ranges(balance_.first(replicas_->ranges(), due_in_base_step()));
 }
 
 template <int D>
 bool Simulation<D>::advance(const std::function<bool()>& pause) {
   const Tick end = now_.tick - now_.tick % schedule::base_stride + schedule::base_stride;
+  std::int64_t since = clock_now();
   while (now_.tick < end) {
-    if (pause && counters_.ticks % ticks_between_pauses == 0 && pause()) return false;
+    if (pause && counters_.ticks % ticks_between_pauses == 0) {
+      if (pause()) return false;
+      since = clock_now();
+    }
     now_.tick += schedule::stride(levels_.finest());
     now_.tick -= now_.tick % schedule::stride(levels_.finest());
-    tick();
+    since = tick(since);
   }
   if (replicas_ && now_.tick / schedule::base_stride % interval_ == 0) divide_anew();
   return true;
 }
 
-/// The step, as a list: choose levels, find what is due, evaluate, kick and drift, settle what has changed.
+/// The step, as a list: choose levels, find what is due, evaluate, kick and drift, settle what has changed. From a time on that
+/// counts as its own; returns when it ended.
 template <int D>
-void Simulation<D>::tick() {
-  std::int64_t since = clock_now();
+std::int64_t Simulation<D>::tick(std::int64_t since) {
   const bool base = now_.tick % schedule::base_stride == 0;
   if (base && replicas_ && travels()) replicas_->fetch_all();
   if (base)
@@ -98,8 +102,8 @@ void Simulation<D>::tick() {
     since = add_time(term, since);
   }
   kick_all();
-  settle(add_time(terms_.size(), since));
   ++counters_.ticks;
+  return settle(add_time(terms_.size(), since));
 }
 
 template <int D>
@@ -225,20 +229,23 @@ state::Impulse<D> Simulation<D>::gather_one(Index body, Real until_next) const {
   return sum;
 }
 
-/// From a time on that counts as theirs.
+/// From a time on that counts as theirs; returns when it ended. Asking for the time takes as long as most terms, which have nothing
+/// to settle.
 template <int D>
-void Simulation<D>::settle(std::int64_t since) {
+std::int64_t Simulation<D>::settle(std::int64_t since) {
   terms::Changes changes;
   const bool base = now_.tick % schedule::base_stride == 0;
   for (std::size_t term = 0; term < terms_.size(); ++term) {
     changes.clear();
     terms_[term]->settle(now_, bodies_, peers(), changes);
     if (base) terms_[term]->settle_base(now_, bodies_, peers(), changes);
+    if (!base && changes.empty()) continue;
     levels_.apply(term, changes, now_.tick);
     if (replicas_)
       for (const Index link : changes.new_links) replicas_->add_link(terms_[term]->links()[at(link)]);
     since = add_time(term, since);
   }
+  return add_time(terms_.size() + 1, since);
 }
 
 template <int D>

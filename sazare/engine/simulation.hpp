@@ -113,7 +113,7 @@ public:
   void columns(Archive& archive);
 
 private:
-  void tick();
+  std::int64_t tick(std::int64_t since);
   void collect_due();
   std::int64_t collect_links(std::size_t term);
   void call_back(std::span<const Index> due);
@@ -129,7 +129,7 @@ private:
   motion::Stride stride(Index body, int pace) const;
   state::MeanMotion<D> step_faster(Index body, state::Impulse<D> given);
   state::Impulse<D> gather_one(Index body, Real until_next) const;
-  void settle(std::int64_t since);
+  std::int64_t settle(std::int64_t since);
   std::int64_t add_time(std::size_t part, std::int64_t since);
   template <class Take>
   void gather(Index begin, Index end, Real until_next, Take&& take) const;

@@ -35,20 +35,26 @@ std::span<Due> LinkClock::collect(const Moment& now) {
   for (int level = coarsest; level <= deepest_level; ++level) {
     const std::span<const Index> links = buckets_.at(level);
     parallel::parallel_for(links.size(), serial_below, [=, this](std::size_t begin, std::size_t end) {
-      give(links.subspan(begin, end - begin), now.tick + stride(level) / 2, now, next + begin);
+      give(links.subspan(begin, end - begin), level, now, next + begin);
     });
     next += links.size();
   }
   return std::span(due_).first(count);
 }
 
-/// Forces of some links act until a tick.
-void LinkClock::give(std::span<const Index> links, Tick until, Moment now, Due* due) {
+/// Forces of some links of a level act until the middle of its coming step, most of them from that of the last one.
+void LinkClock::give(std::span<const Index> links, int level, Moment now, Due* due) {
+  const Tick until = now.tick + stride(level) / 2;
+  const auto window = [&](Index link, Tick before, Tick after) {
+    return Due{link, static_cast<Real>(after - before) * now.tick_seconds, static_cast<Real>(after - now.tick) * now.tick_seconds};
+  };
+  Due usual = window(0, until - stride(level), until);
   Tick* const given = given_.data();
   for (const Index link : links) {
     const Tick before = given[link], after = std::max(before, until);
     given[link] = after;
-    *due++ = {link, static_cast<Real>(after - before) * now.tick_seconds, static_cast<Real>(after - now.tick) * now.tick_seconds};
+    usual.link = link;
+    *due++ = before == until - stride(level) ? usual : window(link, before, after);
   }
 }
 

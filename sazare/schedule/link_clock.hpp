@@ -34,7 +34,7 @@ public:
   void columns(Archive& archive);
 
 private:
-  void give(std::span<const Index> links, Tick until, Moment now, Due* due);
+  void give(std::span<const Index> links, int level, Moment now, Due* due);
 
   Buckets buckets_;
   std::vector<Tick> given_;  ///< until when the link's force has acted

@@ -40,6 +40,9 @@ struct Changes {
   std::vector<Index> stiffer;      ///< bodies whose rates may have grown: their step is checked at once
   std::vector<Index> softer;       ///< bodies whose rates have fallen: their step may grow at the next base step
 
+  bool empty() const {
+    return new_links.empty() && ended_links.empty() && resting.empty() && watching.empty() && stiffer.empty() && softer.empty();
+  }
   void clear() { *this = {}; }
 };
 
