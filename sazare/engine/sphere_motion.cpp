@@ -2,32 +2,16 @@
 
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "sazare/core/lane_records.hpp"
+#include "sazare/core/octets.hpp"
 #include "sazare/core/triple.hpp"
 #include "sazare/methods/spheres/load_table.hpp"
 
 namespace sazare::engine {
 
 namespace {
-
-/// Half a record: three parts of a vector and one number more.
-using Quad = Real __attribute__((vector_size(32)));
-
-Quad read(const Real& from) {
-  Quad quad;
-  std::memcpy(&quad, &from, sizeof(Quad));
-  return quad;
-}
-
-void write(Real& to, const Quad& quad) { std::memcpy(&to, &quad, sizeof(Quad)); }
-
-Quad quad(const Vector3& vector) { return Quad{vector.x(), vector.y(), vector.z(), 0}; }
-
-/// The vector of one record with the further number of another.
-Quad with_number_of(const Quad& other, const Quad& vector) { return __builtin_shufflevector(vector, other, 0, 1, 2, 7); }
 
 /// The largest speeds of spheres, compared in lanes: one by one each would wait for the one before.
 class LargestSpeeds {
@@ -36,16 +20,9 @@ public:
 
   /// Of `count` spheres that stand one after the other, as many as there are lanes at most.
   void take(const state::SphereKick* kicks, std::size_t count) {
-    std::array<const Real*, lane_count> from;
-    for (std::size_t lane = 0; lane < lane_count; ++lane) from[lane] = &kicks[lane < count ? lane : 0].vx;
-    const auto kick = load_quads(from);
-    const Triple<Lanes> velocity{kick[0], kick[1], kick[2]}, from_drift = velocity - drift_;
-    Lanes seen = dot(from_drift, from_drift), square = dot(velocity, velocity);
-    for (std::size_t lane = count; lane < lane_count; ++lane) seen[lane] = square[lane] = 0;
-    second_ = maximum(second_, Lanes(seen < first_ ? seen : first_));
-    first_ = maximum(first_, seen);
-    largest_ = maximum(largest_, square);
-    sum_ += seen;
+    if (count == lane_count) return take(load_quads([&](std::size_t lane) { return &kicks[lane].vx; }), all_lanes);
+    take(load_quads([&](std::size_t lane) { return &kicks[lane < count ? lane : 0].vx; }),
+         static_cast<LaneBits>((1u << count) - 1));
   }
 
   SphereSpeeds speeds() const {
@@ -58,44 +35,63 @@ public:
   }
 
 private:
+  void take(const std::array<Lanes, 4>& kick, LaneBits those) {
+    const Triple<Lanes> velocity{kick[0], kick[1], kick[2]}, from_drift = velocity - drift_;
+    Lanes seen = dot(from_drift, from_drift), square = dot(velocity, velocity);
+    if (those != all_lanes) {
+      seen = select(mask_of(those), seen, Lanes{});
+      square = select(mask_of(those), square, Lanes{});
+    }
+    second_ = maximum(second_, Lanes(seen < first_ ? seen : first_));
+    first_ = maximum(first_, seen);
+    largest_ = maximum(largest_, square);
+    sum_ += seen;
+  }
+
   Triple<Lanes> drift_;
   Lanes first_{}, second_{}, largest_{};
   Lanes sum_{};  // tells what is no number, which comparisons lose
 };
 
-/// What loads give a sphere in a kick, and what is foreseen besides for its next time.
+/// What loads give a sphere in a kick, force and moment, and what is foreseen besides for its next time.
 struct Impulses {
-  Quad force, force_ahead, moment, moment_ahead;
+  Octet given, ahead;
 };
 
-/// A sphere's next velocities and place.
-void fly(state::SphereKick& kick, state::SpherePlace& place, state::SphereSpin& spin, const Impulses& given, const Quad& falls,
-         Real step) {
-  // The further number of a load and of gravity is 0, so those of the velocities stay what they are.
-  Quad moves = read(kick.vx), turns = read(kick.wx);
-  const Real inverse_mass = kick.inverse_mass, inverse_inertia = kick.inverse_inertia;
-  const Quad gravity = inverse_mass > 0 ? step * falls : Quad{};
-  moves += inverse_mass * given.force + gravity;
-  turns += inverse_inertia * given.moment;
-  write(kick.vx, moves);
-  write(kick.wx, turns);
-  write(place.x, read(place.x) + with_number_of(Quad{}, step * moves));
-  write(place.vx, with_number_of(read(place.vx), moves + (inverse_mass * given.force_ahead + 0.5 * gravity)));
-  write(spin.x, with_number_of(read(spin.x), turns + inverse_inertia * given.moment_ahead));
-}
+/// A step of spheres, and what gravity gives them in it.
+class Flight {
+public:
+  explicit Flight(const SphereFlight& flight)
+      : falls_(flight.step * Octet(Quad{flight.gravity.x(), flight.gravity.y(), flight.gravity.z(), 0}, Quad{})),
+        way_(Quad{flight.step, flight.step, flight.step, 0}, Quad{1, 1, 1, 0}) {}
+
+  /// A sphere's next velocities and place. The further numbers of impulses and of gravity are 0, so those of a record stay what
+  /// they are: a mass and an inertia, a radius and a mass.
+  void fly(state::SphereKick& kick, state::SpherePlace& place, state::SphereSpin& spin, const Impulses& impulses) const {
+    const Octet before = Octet::load(&kick.vx), inverse = before.numbers(), gravity = falls_.where_above_zero(inverse);
+    const Octet moves = add_product(inverse, impulses.given, before + gravity);
+    const Octet foreseen = add_product(inverse, impulses.ahead, add_product(half_, gravity, moves));
+    moves.store(&kick.vx);
+    add_product(way_, firsts(moves, foreseen), Octet::load(&place.x).without_second_vector()).store(&place.x);
+    store_half(&spin.x, with_number_of(load_half(&spin.x), foreseen.second()));
+  }
+
+private:
+  Octet falls_, way_;
+  Octet half_{RegisterOf<4>::broadcast(0.5), RegisterOf<4>::broadcast(0.5)};
+};
 
 /// `impulses(i)` are those of the sphere at place i.
 template <class ImpulsesOn>
-SphereSpeeds fly(state::Spheres& spheres, std::size_t begin, std::size_t end, const SphereFlight& flight, ImpulsesOn impulses) {
-  const Quad falls = quad(flight.gravity);
-  const Real step = flight.step;
+SphereSpeeds fly(state::Spheres& spheres, std::size_t begin, std::size_t end, const SphereFlight& rules, ImpulsesOn impulses) {
+  const Flight flight(rules);
   state::SphereKick* const kicks = spheres.kick.data();
   state::SpherePlace* const places = spheres.place.data();
   state::SphereSpin* const spins = spheres.spin.data();
-  LargestSpeeds speeds(flight.drift);
+  LargestSpeeds speeds(rules.drift);
   for (std::size_t first = begin; first < end; first += lane_count) {
     const std::size_t last = std::min<std::size_t>(first + lane_count, end);
-    for (std::size_t i = first; i < last; ++i) fly(kicks[i], places[i], spins[i], impulses(i), falls, step);
+    for (std::size_t i = first; i < last; ++i) flight.fly(kicks[i], places[i], spins[i], impulses(i));
     speeds.take(&kicks[first], last - first);
   }
   return speeds.speeds();
@@ -106,27 +102,24 @@ SphereSpeeds fly(state::Spheres& spheres, std::size_t begin, std::size_t end, co
 SphereSpeeds kick_and_drift(state::Spheres& spheres, std::size_t begin, std::size_t end, state::SphereLoad* loads,
                             const SphereFlight& flight) {
   return fly(spheres, begin, end, flight, [=, step = flight.step, half = 0.5 * flight.step](std::size_t i) {
-    state::SphereLoad& load = loads[i - begin];
-    const Quad force = read(load.fx), moment = read(load.mx);
-    load = {};
-    return Impulses{step * force, half * force, step * moment, half * moment};
+    Real* const numbers = &loads[i - begin].fx;
+    const Octet load = Octet::load(numbers);
+    Octet{}.store(numbers);
+    return Impulses{step * load, half * load};
   });
 }
 
 SphereSpeeds kick_and_drift(state::Spheres& spheres, std::size_t begin, std::size_t end, std::span<const TimedLoads> loads,
                             const SphereFlight& flight) {
   const auto by_level = [=](const TimedLoads& level, std::size_t i) {
-    const Quad force = read(level.loads[i - begin].fx), moment = read(level.loads[i - begin].mx);
-    return Impulses{level.given * force, level.foreseen * force, level.given * moment, level.foreseen * moment};
+    const Octet load = Octet::load(&level.loads[i - begin].fx);
+    return Impulses{level.given * load, level.foreseen * load};
   };
   return fly(spheres, begin, end, flight, [&](std::size_t i) {
     Impulses all = by_level(loads.front(), i);
     for (const TimedLoads& level : loads.subspan(1)) {
       const Impulses more = by_level(level, i);
-      all.force += more.force;
-      all.force_ahead += more.force_ahead;
-      all.moment += more.moment;
-      all.moment_ahead += more.moment_ahead;
+      all = {all.given + more.given, all.ahead + more.ahead};
     }
     return all;
   });
