@@ -4,6 +4,7 @@
 #include <span>
 #include <utility>
 
+#include "sazare/core/octets.hpp"
 #include "sazare/parallel/threads.hpp"
 
 namespace sazare::methods::spheres {
@@ -110,23 +111,18 @@ void LoadTable::part_late(std::size_t block, std::size_t share) {
 }
 
 void LoadTable::clear_guests(std::size_t block) {
-  std::fill(guests_.begin() + static_cast<std::ptrdiff_t>(guest_begin_[block]),
-            guests_.begin() + static_cast<std::ptrdiff_t>(guest_begin_[block + 1]), state::SphereLoad{});
+  std::fill(guests_.end() - static_cast<std::ptrdiff_t>(guest_begin_[block + 1]),
+            guests_.end() - static_cast<std::ptrdiff_t>(guest_begin_[block]), state::SphereLoad{});
 }
 
 void LoadTable::add(const std::vector<Guest>& guests, state::SphereLoad* own) const {
   constexpr std::size_t ahead = 16;  // guests come from many blocks: what they bring is on its way so many before
+  const state::SphereLoad* const first = guests_.data() + guests_.size() - 1;
   for (std::size_t n = 0; n < guests.size(); ++n) {
-    if (n + ahead < guests.size()) __builtin_prefetch(&guests_[static_cast<std::size_t>(guests[n + ahead].load)]);
+    if (n + ahead < guests.size()) __builtin_prefetch(first - guests[n + ahead].load);
     const Guest& guest = guests[n];
-    state::SphereLoad& load = own[guest.local];
-    const state::SphereLoad& brought = guests_[static_cast<std::size_t>(guest.load)];
-    load.fx += brought.fx;
-    load.fy += brought.fy;
-    load.fz += brought.fz;
-    load.mx += brought.mx;
-    load.my += brought.my;
-    load.mz += brought.mz;
+    Real* const load = &own[guest.local].fx;
+    (Octet::load(load) + Octet::load(&(first - guest.load)->fx)).store(load);
   }
 }
 

@@ -11,7 +11,6 @@
 /// line of the cache that another one reads.
 
 #include <algorithm>
-#include <array>
 #include <span>
 #include <vector>
 
@@ -88,20 +87,17 @@ public:
 
   /// Where what a block's contacts bring to a sphere, its own or one of a later block, adds up.
   Index slot(std::size_t block, Index sphere) const;
-  /// Finds the load of a slot; `own` are the loads of the block's spheres.
+  /// Finds the load of a slot; `own` are the loads of the block's spheres, and those of guests stand before `end`.
   class Slots {
   public:
-    Slots(state::SphereLoad* own, state::SphereLoad* guests) : loads_{guests, own} {}
+    Slots(state::SphereLoad* own, state::SphereLoad* end) : own_(own), end_(end) {}
     /// Without a branch: nobody foretells which contact has a guest.
-    state::SphereLoad* operator[](Index slot) const {
-      const Index guest = slot >> 31;
-      return loads_[static_cast<std::size_t>(1 + guest)] + (slot ^ guest);
-    }
+    state::SphereLoad* operator[](Index slot) const { return (slot < 0 ? end_ : own_) + slot; }
 
   private:
-    std::array<state::SphereLoad*, 2> loads_;
+    state::SphereLoad *own_, *end_;
   };
-  Slots slots(state::SphereLoad* own) { return {own, guests_.data()}; }
+  Slots slots(state::SphereLoad* own) { return {own, guests_.data() + guests_.size()}; }
   /// The load of the second sphere of a bond of a block.
   state::SphereLoad* bonded(std::size_t bond, state::SphereLoad* own) { return slots(own)[bond_slot_[bond]]; }
 
@@ -111,7 +107,7 @@ public:
 private:
   struct Guest {
     Index local = 0;  ///< place in its own block
-    Index load = 0;   ///< in guests_
+    Index load = 0;   ///< which of all guests
   };
 
   /// Spheres of a block that move at one time.
@@ -128,7 +124,7 @@ private:
   std::vector<Index> bond_slot_;                            ///< by bond, see `slot`
   std::vector<std::vector<state::SphereLoad>> kept_;        ///< by block
   std::vector<Index> guest_;                                ///< the guests of each block, in order
-  std::vector<state::SphereLoad> guests_;                   ///< their loads
+  std::vector<state::SphereLoad> guests_;                   ///< their loads, the last one first
   std::vector<std::size_t> guest_begin_;                    ///< by block, in guest_
   std::vector<std::size_t> cuts_;                           ///< first block of each share, and the end
   std::vector<Flock> in_time_, late_;                       ///< by block
