@@ -103,6 +103,15 @@ void store_quads(const std::array<Lanes, 4>& fields, const To& to) {
 using FloatLanes = float __attribute__((vector_size(4 * lane_count)));
 using FloatPairs = float __attribute__((vector_size(8 * lane_count)));
 
+/// Rounded to single precision.
+inline FloatLanes single(const Lanes& numbers) {
+#ifdef __AVX512F__  // the compiler converts eight numbers in two halves
+  return _mm512_cvtpd_ps(numbers);
+#else
+  return __builtin_convertvector(numbers, FloatLanes);
+#endif
+}
+
 inline std::array<Lanes, 2> unpack(const Lanes& pairs) {
   const auto all = reinterpret_cast<FloatPairs>(pairs);
 #ifdef __AVX512F__  // the compiler converts eight numbers in two halves

@@ -107,6 +107,15 @@ inline Lanes inverse_square_root(Lanes a) {
 }
 inline Real inverse_square_root(Real a) { return 1 / std::sqrt(a); }
 
+/// sqrt(a) of what is above zero, within 4e-16 of it.
+inline Lanes positive_root(Lanes a) {
+#ifdef __AVX512F__
+  return a * inverse_square_root(a);
+#else
+  return square_root(a);
+#endif
+}
+
 /// sqrt(a / b), both above zero and a b neither too small nor too large for a double.
 inline Lanes root_of_quotient(Lanes a, Lanes b) {
 #ifdef __AVX512F__

@@ -135,7 +135,7 @@ void PairContacts::rest_within(std::span<const Index> body) {
 }
 
 /// Looks at the pairs of a block that may touch by now: those that do become contacts, the others sleep on.
-void PairContacts::wake_those_due(const state::Spheres& spheres, const Task& task) {
+[[gnu::flatten]] void PairContacts::wake_those_due(const state::Spheres& spheres, const Task& task) {
   constexpr std::size_t at_once = 256;
   std::array<std::uint32_t, at_once + choice_spare> due;
   const auto now = static_cast<float>(task.approach);
@@ -144,12 +144,14 @@ void PairContacts::wake_those_due(const state::Spheres& spheres, const Task& tas
   for (std::size_t begin = pairs_.first[task.loads.begin_of(task.block)]; begin < last; begin += at_once) {
     const std::span some_sleeps = std::span(sleeps_until_).subspan(begin, std::min(at_once, last - begin));
     const std::size_t count = choose_up_to(now, some_sleeps, static_cast<std::uint32_t>(begin), due);
-    std::fill_n(due.begin() + static_cast<std::ptrdiff_t>(count), lane_count, due[0]);  // lanes beyond do not count
+    std::fill_n(due.begin() + static_cast<std::ptrdiff_t>(count), lane_count,
+                due[count > 0 ? count - 1 : 0]);  // what is too much repeats one
     for (std::size_t n = 0; n < count; n += lane_count) {
       const std::span<const std::uint32_t, lane_count> some(&due[n], lane_count);
-      const Lanes gap = gaps(spheres, box, task, some), until = task.approach + gap;
+      const Lanes gap = gaps(spheres, box, task, some);
+      const auto until = rounded_down * single(task.approach + gap);
       const std::size_t lanes = std::min<std::size_t>(lane_count, count - n);
-      for (std::size_t lane = 0; lane < lanes; ++lane) sleep_on(some[lane], until[lane]);
+      for (std::size_t lane = 0; lane < lane_count; ++lane) sleeps_until_[some[lane]] = until[lane];
       if (!any(gap < 0.0)) continue;
       for (std::size_t lane = 0; lane < lanes; ++lane)
         if (gap[lane] < 0) begin_contact(task.block, some[lane], task.loads);
@@ -158,17 +160,17 @@ void PairContacts::wake_those_due(const state::Spheres& spheres, const Task& tas
 }
 
 /// Of as many pairs of a block as there are lanes [m].
-[[gnu::flatten]] Lanes PairContacts::gaps(const state::Spheres& spheres, const BoxLanes<Lanes>& box, const Task& task,
-                                          std::span<const std::uint32_t, lane_count> pairs) const {
+inline Lanes PairContacts::gaps(const state::Spheres& spheres, const BoxLanes<Lanes>& box, const Task& task,
+                                std::span<const std::uint32_t, lane_count> pairs) const {
   const state::SpherePlace* const own = &spheres.place[task.loads.begin_of(task.block)];
   const auto first = load_quads([&](std::size_t lane) { return &own[owner_[pairs[lane]]].x; });
   const auto second =
       load_quads([&](std::size_t lane) { return &spheres.place[static_cast<std::size_t>(pairs_.other[pairs[lane]])].x; });
   Triple<Lanes> apart{second[0] - first[0], second[1] - first[1], second[2] - first[2]};
-  return square_root(box.square_of_nearest(apart)) - (first[3] + second[3]);
+  return positive_root(box.square_of_nearest(apart)) - (first[3] + second[3]);
 }
 
-void PairContacts::begin_contact(std::size_t block, std::size_t pair, const LoadTable& loads) {
+[[gnu::noinline]] void PairContacts::begin_contact(std::size_t block, std::size_t pair, const LoadTable& loads) {
   const Index first = static_cast<Index>(loads.begin_of(block)) + owner_[pair], second = pairs_.other[pair];
   sleeps_until_[pair] = in_contact;
   contacts_[block].add({first, second, loads.slot(block, second), static_cast<std::uint32_t>(pair)}, table_.rolls);

@@ -95,10 +95,8 @@ private:
   Lanes gaps(const state::Spheres& spheres, const BoxLanes<Lanes>& box, const Task& task,
              std::span<const std::uint32_t, lane_count> pairs) const;
   void begin_contact(std::size_t block, std::size_t pair, const LoadTable& loads);
-  void sleep_on(std::size_t pair, Real until) {
-    constexpr float rounded_down = 1 - 1e-6F;
-    sleeps_until_[pair] = rounded_down * static_cast<float>(until);
-  }
+  static constexpr float rounded_down = 1 - 1e-6F;
+  void sleep_on(std::size_t pair, Real until) { sleeps_until_[pair] = rounded_down * static_cast<float>(until); }
 
   template <laws::ContactModel model, bool rolls>
   ContactSums evaluate_with(const state::Spheres& spheres, Task& task);

@@ -82,5 +82,12 @@ TEST(lane_records, numbers_in_single_precision_stand_in_pairs) {
   }
 }
 
+TEST(lane_records, single_numbers_are_rounded_to_the_nearest) {
+  Lanes numbers;
+  for (int lane = 0; lane < lane_count; ++lane) numbers[lane] = 0.1 * (lane - 2);
+  const FloatLanes rounded = single(numbers);
+  for (int lane = 0; lane < lane_count; ++lane) EXPECT_EQ(rounded[lane], static_cast<float>(numbers[lane]));
+}
+
 }  // namespace
 }  // namespace sazare
