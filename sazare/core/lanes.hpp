@@ -44,6 +44,24 @@ inline bool any(LaneMask mask) {
 }
 inline bool any(bool condition) { return condition; }
 
+/// Whether some a is above its b.
+inline bool any_above(Lanes a, Lanes b) {
+#ifdef __AVX512F__
+  return _mm512_cmp_pd_mask(a, b, _CMP_GT_OQ) != 0;
+#else
+  return any(a > b);
+#endif
+}
+inline bool any_above(Real a, Real b) { return a > b; }
+/// Whether every a is above its b.
+inline bool all_above(Lanes a, Lanes b) {
+#ifdef __AVX512F__
+  return _mm512_cmp_pd_mask(a, b, _CMP_GT_OQ) == 0xFF;
+#else
+  return !any(LaneMask(~(a > b)));
+#endif
+}
+
 using LaneBits = std::uint8_t;  ///< a lane each, the first one lowest
 inline constexpr LaneBits all_lanes = (1u << lane_count) - 1;
 

@@ -49,6 +49,13 @@ inline TwinLanes select(const TwinMask& mask, const TwinLanes& yes, const TwinLa
   return {select(mask.first, yes.first, no.first), select(mask.second, yes.second, no.second)};
 }
 inline bool any(const TwinMask& mask) { return any(LaneMask(mask.first | mask.second)); }
+inline bool any_above(const TwinLanes& a, const TwinLanes& b) {
+#ifdef __AVX512F__
+  return (_mm512_cmp_pd_mask(a.first, b.first, _CMP_GT_OQ) | _mm512_cmp_pd_mask(a.second, b.second, _CMP_GT_OQ)) != 0;
+#else
+  return any(a > b);
+#endif
+}
 inline TwinLanes maximum(const TwinLanes& a, const TwinLanes& b) {
   return {maximum(a.first, b.first), maximum(a.second, b.second)};
 }

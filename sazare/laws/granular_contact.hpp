@@ -156,12 +156,33 @@ inline Real overlap_of_energy(ContactModel model, const ContactConstants<Real>& 
 /// Shares of m/h that dashpots may have at most.
 inline constexpr Real most_normal_damping = 0.2, most_tangential_damping = 0.03;
 
-/// The dashpot `constant` sqrt(a m) [N s/m], with `width` a and `root` sqrt(a m), or `share` m/h where that is less.
+/// Dashpots along the normal and of a slider [N s/m].
 template <class Number>
-Number bearable_damping(const Number& constant, Real share, const Number& width, const Number& root, const Number& step) {
-  const Number asked = constant * root, over = constant * step * width, bears = share * root;
-  if (const auto strong = over > bears; any(strong)) return select(strong, asked * bears / over, asked);
-  return asked;
+struct Dashpots {
+  Number normal, tangential;
+};
+
+/// The dashpot `asked`, which is `constant` sqrt(a m), or `share` m/h where that is less; `root` is sqrt(a m).
+template <class Number>
+Number bearable_damping(const Number& asked, const Number& constant, Real share, const Number& root, const Number& travel) {
+  const Number over = constant * travel, bears = share * root;
+  return select(over > bears, asked * bears / over, asked);
+}
+
+/// Few contacts ask for more than what a step bears: where none does nothing is divided.
+template <class Number>
+Dashpots<Number> dashpots(const ContactConstants<Number>& constants, const Number& width, const Number& root,
+                          const Number& step) {
+  const Number normal = constants.normal_damping, tangential = constants.tangential_damping, travel = step * width;
+  const Number most =
+      maximum(Number((1 / most_normal_damping) * normal), Number((1 / most_tangential_damping) * tangential)) * travel;
+  const Dashpots<Number> asked{normal * root, tangential * root};
+  if (!any_above(most, root)) return asked;
+  // Who asks for less has the same, whoever else is looked at.
+  const auto strong = most > root;
+  return {
+      select(strong, bearable_damping(asked.normal, normal, most_normal_damping, root, travel), asked.normal),
+      select(strong, bearable_damping(asked.tangential, tangential, most_tangential_damping, root, travel), asked.tangential)};
 }
 
 template <class Number>
@@ -182,12 +203,9 @@ ContactForce<Number> contact_force(const ContactConstants<Number>& constants, co
     root = root_of_quotient(at.mass.product, at.mass.sum);
   }
   const Number opening = dot(at.velocity, at.normal);
-  const Number spring = constants.normal * width * at.overlap,
-               damped = bearable_damping(constants.normal_damping, most_normal_damping, width, root, at.step);
-  const Number dashpot = damped * opening, normal = subtract_product(damped, opening, spring),
-               pressing = maximum(normal, Number{});
-  const Number stiffness = constants.tangential * width,
-               damping = bearable_damping(constants.tangential_damping, most_tangential_damping, width, root, at.step);
+  const auto [damped, damping] = dashpots(constants, width, root, at.step);
+  const Number spring = constants.normal * width * at.overlap, dashpot = damped * opening, normal = spring - dashpot,
+               pressing = maximum(normal, Number{}), stiffness = constants.tangential * width;
   const Triple<Number> sliding = subtract_product(opening, at.normal, at.velocity);
   memory.sliding = across(memory.sliding, at.normal);
   const auto slid = slide(stiffness, damping, Number(constants.friction * pressing), sliding, at.step, memory.sliding);

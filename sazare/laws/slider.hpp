@@ -31,15 +31,13 @@ Number square_of(const Triple<Number>& vector) {
 template <class Number, class Way>
 SliderForce<Way> slide(const Number& stiffness, const Number& damping, const Number& limit, const Way& velocity,
                        const Number& step, Way& memory) {
-  const Number half = 0.5 * step;
+  const Number half = 0.5 * step, drag = Number{} - damping;
   Way stretch = add_product(half, velocity, memory);
   const Number spring = stiffness * stiffness * square_of(stretch), most = limit * limit;
-  if (const auto slips = spring > most; any(slips))
-    stretch = select(slips, limit * inverse_square_root(spring), Number{} + 1) * stretch;
-  Way force = Way{} - add_product(stiffness, stretch, Way(damping * velocity));
+  if (any_above(spring, most)) stretch = select(spring > most, limit * inverse_square_root(spring), Number{} + 1) * stretch;
+  Way force = subtract_product(stiffness, stretch, Way(drag * velocity));
   const Number square = square_of(force);
-  if (const auto slips = square > most; any(slips))
-    force = select(slips, limit * inverse_square_root(square), Number{} + 1) * force;
+  if (any_above(square, most)) force = select(square > most, limit * inverse_square_root(square), Number{} + 1) * force;
   memory = add_product(half, velocity, stretch);
   return {force, stretch};
 }

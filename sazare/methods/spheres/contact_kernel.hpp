@@ -1,6 +1,6 @@
 #pragma once
 
-/// Forces of touching pairs, twice as many at once as there are lanes.
+/// Forces of touching pairs, in groups of twice as many as there are lanes.
 
 #include <algorithm>
 #include <span>
@@ -10,6 +10,7 @@
 #include "sazare/core/lane_records.hpp"
 #include "sazare/core/twin_lanes.hpp"
 #include "sazare/methods/spheres/load_rows.hpp"
+#include "sazare/methods/spheres/meeting.hpp"
 #include "sazare/methods/spheres/pair_contacts.hpp"
 
 namespace sazare::methods::spheres {
@@ -18,7 +19,11 @@ namespace sazare::methods::spheres {
 /// that spheres which come apart meet as others do.
 template <laws::ContactModel model, bool rolls, bool rests>
 class ContactKernel {
+  static constexpr std::size_t groups_at_once = 2, in_group = BlockContacts::at_once;
+
 public:
+  static constexpr std::size_t at_once = groups_at_once * in_group;
+
   ContactKernel(PairContacts& contacts, const state::Spheres& spheres, const PairContacts::Task& task)
       : pairs_(contacts),
         contacts_(contacts.contacts_[task.block]),
@@ -38,71 +43,16 @@ public:
     }
   }
 
-  /// The contacts from a number on, `at_once` or as many as are left; what is too much repeats one of them and does not count.
-  /// All that it calls becomes part of it, which the compiler by itself finds too much.
-  [[gnu::flatten]] void evaluate(std::size_t begin) {
-    const int lanes = static_cast<int>(std::min(BlockContacts::at_once, contacts_.size() - begin));
-    std::array<Contact, BlockContacts::at_once> padded;
-    const Contact* some = &contacts_[begin];
-    if (lanes < TwinLanes::count) {
-      padded.fill(*some);
-      std::copy_n(some, lanes, padded.begin());
-      some = padded.data();
+  /// The contacts from a number on, `at_once` or as many as are left, in three passes: each holds few numbers at a time, for
+  /// which there are registers, and its groups do not wait for one another. Asks for so many of the coming lines with each group.
+  void evaluate(std::size_t begin, ComingLines& coming, std::size_t lines) {
+    const std::span groups(groups_.data(), groups_from(begin));
+    meet(groups);
+    for (Group& group : groups) {
+      press(group);
+      coming.fetch(lines);
     }
-    if (!is_one_material_) look_up(some);
-    // Each number is read where it is used first: registers are few, and what is set aside in memory costs as much as a product.
-    const auto [x, y, z, radius] = read(some, &Contact::first, [&](std::size_t i) { return &spheres_.place[i].x; });
-    const auto [x2, y2, z2, radius2] = read(some, &Contact::second, [&](std::size_t i) { return &spheres_.place[i].x; });
-    Triple<TwinLanes> apart{x2 - x, y2 - y, z2 - z};
-    laws::ContactMotion<TwinLanes> at;
-    at.radius = laws::Reduced<TwinLanes>::of(radius, radius2);
-    const TwinLanes square = box_.square_of_nearest(apart), inverse_distance = inverse_square_root(square),
-                    gap = add_product(square, inverse_distance, -at.radius.sum);
-    at.normal = inverse_distance * apart;
-    TwinLanes beyond = -gap, rest;
-    if constexpr (rests) {
-      rest = maximum(minimum(contacts_.rest_of(begin), beyond), 0);
-      contacts_.rest_of(begin) = rest;
-      beyond -= rest;
-    }
-    const TwinMask touches = beyond > 0.0;
-    at.overlap = select(touches, beyond, tiny);
-    TwinLanes half = 0.5 * at.overlap;
-    if constexpr (rests) half += 0.5 * rest;
-    const TwinLanes first_arm = radius - half, second_arm = radius2 - half;
-    const auto [wx, wy, wz, material] = read(some, &Contact::first, [&](std::size_t i) { return &spheres_.spin[i].x; });
-    const auto [wx2, wy2, wz2, material2] = read(some, &Contact::second, [&](std::size_t i) { return &spheres_.spin[i].x; });
-    const Triple<TwinLanes> one{wx, wy, wz}, other{wx2, wy2, wz2};
-    const Triple<TwinLanes> turning = cross(add_product(second_arm, other, first_arm * one), at.normal);
-    if constexpr (rolls) {
-      const TwinLanes reduced = at.radius.value();
-      const Triple<TwinLanes> turns = other - one;
-      at.rolling = reduced * cross(turns, at.normal);
-      at.twisting = reduced * dot(turns, at.normal);
-    }
-    const auto [vx, vy, vz, mass] = read(some, &Contact::first, [&](std::size_t i) { return &spheres_.place[i].vx; });
-    const auto [vx2, vy2, vz2, mass2] = read(some, &Contact::second, [&](std::size_t i) { return &spheres_.place[i].vx; });
-    at.velocity = Triple<TwinLanes>{vx2 - vx, vy2 - vy, vz2 - vz} - turning;
-    at.mass = laws::Reduced<TwinLanes>::of(mass, mass2);
-    at.step = step_;
-    laws::ContactMemory<TwinLanes> memory;
-    memory.sliding = contacts_.sliding_of(begin);
-    if constexpr (rolls) {
-      memory.rolling = contacts_.rolling_of(begin);
-      memory.twisting = contacts_.twisting_of(begin);
-    }
-    auto force = laws::contact_force<model, rolls>(constants_, at, memory);
-    force.normal = select(touches, force.normal, 0);
-    force.twisting = select(touches, force.twisting, 0);
-    for (auto* part : {&force.friction, &force.rolling}) *part = select(touches, *part, Triple<TwinLanes>{});
-    contacts_.sliding_of(begin) = memory.sliding;
-    if constexpr (rolls) {
-      contacts_.rolling_of(begin) = memory.rolling;
-      contacts_.twisting_of(begin) = memory.twisting;
-    }
-    deliver(force, at, first_arm, second_arm, begin, lanes);
-    book(force, touches, lanes);
-    if (any(~touches)) leave_alone(begin, lanes, touches, gap);
+    deliver(groups);
   }
 
   /// Takes the contacts that have parted off the list, the last one first: what stands behind one that goes stays.
@@ -117,102 +67,228 @@ public:
       total.sliding += sliding_[lane];
       total.dashpot_work += step_[lane] * dashpot_power_[lane];
       total.sliding_work += step_[lane] * sliding_power_[lane];
-      total.contacts += static_cast<std::int64_t>(touching_[lane]);
     }
+    total.contacts = touching_;
     return total;
   }
 
 private:
   static constexpr Real tiny = 1e-30;  // an overlap at which nothing of the law fails
 
-  /// Four doubles of one of the two spheres of `at_once` contacts.
-  template <class Of>
-  static std::array<TwinLanes, 4> read(const Contact* contacts, Index Contact::*sphere, const Of& of) {
-    return load_twins([&](std::size_t lane) { return of(static_cast<std::size_t>(contacts[lane].*sphere)); });
+  /// Contacts that are worked on together, and what a pass hands on to the next one.
+  struct Group {
+    std::size_t begin;
+    int count;  ///< of lanes that count
+    bool all_touch;
+    TwinMask touches;  ///< where not all do
+    laws::ContactMotion<TwinLanes> at;
+    TwinLanes first_arm, second_arm;
+    Triple<TwinLanes> force, moment_by_arm, turning;  ///< what the second spheres get, and what moments come from
+  };
+
+  /// Sets out the groups of the contacts from a number on, and returns how many there are.
+  std::size_t groups_from(std::size_t begin) {
+    const std::size_t end = std::min(begin + at_once, contacts_.size());
+    std::size_t count = 0;
+    for (std::size_t next = begin; next < end; next += in_group) {
+      Group& group = groups_[count++];
+      group.begin = next;
+      group.count = static_cast<int>(std::min(in_group, end - next));
+      group.all_touch = group.count == TwinLanes::count;
+      if (!group.all_touch) group.touches = {lane_numbers() < group.count, lane_numbers() < group.count - lane_count};
+    }
+    return count;
   }
 
-  /// Four doubles of as many records, see `load_quads`.
-  template <class From>
-  static std::array<TwinLanes, 4> load_twins(const From& from) {
-    const auto one = load_quads(from), other = load_quads([&](std::size_t lane) { return from(lane + lane_count); });
-    return {TwinLanes{one[0], other[0]}, {one[1], other[1]}, {one[2], other[2]}, {one[3], other[3]}};
+  using Padded = std::array<Contact, lane_count>;
+  /// The contacts of half a group; what is too much repeats one of the group and does not count.
+  const Contact* contacts_of(const Group& group, int offset, Padded& padded) const {
+    if (group.count >= offset + lane_count) return &contacts_[group.begin] + offset;
+    padded.fill(contacts_[group.begin]);
+    if (group.count > offset) std::copy_n(&contacts_[group.begin] + offset, group.count - offset, padded.begin());
+    return padded.data();
   }
 
-  /// Pairs that do not push sleep, where there is a gap, for as long as it lasts. Called, like `look_up`, where the kernel has
-  /// nothing in registers: as a part of it the seldom one would cost the others theirs.
-  [[gnu::noinline]] void leave_alone(std::size_t begin, int lanes, const TwinMask& touches, const TwinLanes& gap) {
-    for (int lane = 0; lane < lanes; ++lane) {
+  static void set(Triple<TwinLanes>& to, Lanes TwinLanes::*half, const Triple<Lanes>& from) {
+    to.x.*half = from.x;
+    to.y.*half = from.y;
+    to.z.*half = from.z;
+  }
+  static void set(laws::Reduced<TwinLanes>& to, Lanes TwinLanes::*half, const Lanes& one, const Lanes& other) {
+    to.product.*half = one * other;
+    to.sum.*half = one + other;
+  }
+
+  /// Where and how fast spheres meet.
+  [[gnu::flatten, gnu::noinline]] void meet(std::span<Group> groups) {
+    for (Group& group : groups) {
+      meet(group, &TwinLanes::first, 0);
+      meet(group, &TwinLanes::second, lane_count);
+    }
+  }
+
+  void meet(Group& group, Lanes TwinLanes::*half, int offset) {
+    Padded padded;
+    const Contact* const some = contacts_of(group, offset, padded);
+    laws::ContactMotion<TwinLanes>& at = group.at;
+    auto [apart, velocity, radius, radius2, mass, mass2, one, other] = meeting_of(
+        spheres_.place.data(), spheres_.spin.data(), [&](std::size_t lane) { return static_cast<std::size_t>(some[lane].first); },
+        [&](std::size_t lane) { return static_cast<std::size_t>(some[lane].second); });
+    set(at.mass, half, mass, mass2);
+    set(at.radius, half, radius, radius2);
+    const Lanes square = box_.square_of_nearest(apart), inverse_distance = inverse_square_root(square),
+                gap = add_product(square, inverse_distance, -(at.radius.sum.*half));
+    const Triple<Lanes> normal = inverse_distance * apart;
+    set(at.normal, half, normal);
+    Lanes beyond = -gap, rest{};
+    if constexpr (rests) {
+      Lanes& before = contacts_.rest_of(group.begin).*half;
+      before = rest = maximum(minimum(before, beyond), Lanes{});
+      beyond -= rest;
+    }
+    const bool all_touch = all_above(beyond, broadcast(tiny));
+    at.overlap.*half = maximum(beyond, broadcast(tiny));
+    Lanes deep = 0.5 * (at.overlap.*half);
+    if constexpr (rests) deep += 0.5 * rest;
+    const Lanes first_arm = group.first_arm.*half = radius - deep, second_arm = group.second_arm.*half = radius2 - deep;
+    const Triple<Lanes> turning = cross(add_product(second_arm, other, first_arm * one), normal);
+    if constexpr (rolls) {
+      const Lanes reduced = (at.radius.product.*half) / (at.radius.sum.*half);
+      const Triple<Lanes> turns = other - one;
+      set(at.rolling, half, reduced * cross(turns, normal));
+      at.twisting.*half = reduced * dot(turns, normal);
+    }
+    set(at.velocity, half, velocity - turning);
+    if (!all_touch) leave_alone(group, half, offset, beyond > tiny, gap);
+  }
+
+  /// The law.
+  [[gnu::flatten, gnu::noinline]] void press(Group& group) {
+    const std::size_t begin = group.begin;
+    if (!is_one_material_) look_up(group);
+    laws::ContactMotion<TwinLanes>& at = group.at;
+    at.step = step_;
+    laws::ContactMemory<TwinLanes> memory;
+    memory.sliding = contacts_.sliding_of(begin);
+    if constexpr (rolls) {
+      memory.rolling = contacts_.rolling_of(begin);
+      memory.twisting = contacts_.twisting_of(begin);
+    }
+    auto force = laws::contact_force<model, rolls>(constants_, at, memory);
+    contacts_.sliding_of(begin) = memory.sliding;
+    if constexpr (rolls) {
+      contacts_.rolling_of(begin) = memory.rolling;
+      contacts_.twisting_of(begin) = memory.twisting;
+    }
+    if (!group.all_touch) take_off(force, group.touches);
+    group.force = add_product(force.normal, at.normal, force.friction);
+    group.moment_by_arm = cross(force.friction, at.normal);
+    if constexpr (rolls)
+      group.turning = at.radius.value() * add_product(force.twisting, at.normal, cross(at.normal, force.rolling));
+    book(force, group);
+  }
+
+  /// What a law gives where nothing touches.
+  static void take_off(laws::ContactForce<TwinLanes>& force, const TwinMask& touches) {
+    for (TwinLanes* number : {&force.normal, &force.twisting, &force.elastic_energy, &force.sliding_energy, &force.dashpot_power,
+                              &force.sliding_power})
+      *number = select(touches, *number, 0);
+    for (auto* part : {&force.friction, &force.rolling}) *part = select(touches, *part, Triple<TwinLanes>{});
+  }
+
+  static LongLanes lane_numbers() {
+    LongLanes numbers;
+    for (int lane = 0; lane < lane_count; ++lane) numbers[lane] = lane;
+    return numbers;
+  }
+
+  /// Tells the lanes that push. Pairs that do not sleep, where there is a gap, for as long as it lasts. Called, like `look_up`,
+  /// where the kernel has nothing in registers: as a part of it the seldom one would cost the others theirs.
+  [[gnu::noinline]] void leave_alone(Group& group, Lanes TwinLanes::*half, int offset, const LaneMask& touches,
+                                     const Lanes& gap) {
+    if (group.all_touch) group.touches = {mask_of(all_lanes), mask_of(all_lanes)};
+    group.all_touch = false;
+    (half == &TwinLanes::first ? group.touches.first : group.touches.second) &= touches;
+    for (int lane = 0; lane < std::min(group.count - offset, lane_count); ++lane) {
       if (touches[lane] || gap[lane] < 0) continue;
-      const std::size_t contact = begin + static_cast<std::size_t>(lane);
+      const std::size_t contact = group.begin + static_cast<std::size_t>(offset + lane);
       pairs_.sleep_on(contacts_[contact].pair, approach_ + gap[lane]);
       parted_.push_back(contact);
     }
   }
 
   /// The constants of contacts of several materials.
-  [[gnu::noinline]] void look_up(const Contact* contacts) {
-    std::array<const Real*, BlockContacts::at_once> from;
+  [[gnu::noinline]] void look_up(const Group& group) {
+    look_up(group, &TwinLanes::first, 0);
+    look_up(group, &TwinLanes::second, lane_count);
+  }
+  void look_up(const Group& group, Lanes TwinLanes::*half, int offset) {
+    Padded padded;
+    const Contact* const contacts = contacts_of(group, offset, padded);
+    std::array<const Real*, lane_count> from;
     const auto material = [&](Index sphere) {
       return static_cast<Index>(spheres_.spin[static_cast<std::size_t>(sphere)].material);
     };
-    for (std::size_t n = 0; n < BlockContacts::at_once; ++n)
+    for (std::size_t n = 0; n < lane_count; ++n)
       from[n] = pairs_.table_.numbers(material(contacts[n].first) * pairs_.table_.materials + material(contacts[n].second));
-    const auto numbers = load_twins([&](std::size_t lane) { return from[lane]; }),
-               more = load_twins([&](std::size_t lane) { return from[lane] + 4; });
-    constants_ = {numbers[0], numbers[1], numbers[2], numbers[3], more[0], more[1], more[2]};
+    const auto numbers = load_quads([&](std::size_t lane) { return from[lane]; }),
+               more = load_quads([&](std::size_t lane) { return from[lane] + 4; });
+    constants_.normal.*half = numbers[0];
+    constants_.tangential.*half = numbers[1];
+    constants_.normal_damping.*half = numbers[2];
+    constants_.tangential_damping.*half = numbers[3];
+    constants_.friction.*half = more[0];
+    constants_.rolling.*half = more[1];
+    constants_.twisting.*half = more[2];
   }
 
   /// Equal and opposite forces; moments about both centres, whose arms together are the distance.
-  void deliver(const laws::ContactForce<TwinLanes>& force, const laws::ContactMotion<TwinLanes>& at, const TwinLanes& first_arm,
-               const TwinLanes& second_arm, std::size_t begin, int lanes) {
-    const std::span contacts(&contacts_[begin], static_cast<std::size_t>(lanes));
-    const std::size_t in_first = std::min<std::size_t>(lane_count, contacts.size());
-    Push push{add_product(force.normal, at.normal, force.friction), cross(force.friction, at.normal), {}, first_arm, second_arm};
-    if constexpr (rolls)
-      push.turning = at.radius.value() * add_product(force.twisting, at.normal, cross(at.normal, force.rolling));
-    add(push, &TwinLanes::first, contacts.first(in_first));
-    add(push, &TwinLanes::second, contacts.subspan(in_first));
-  }
-
-  /// What contacts bring to their second spheres, and what its moments come from.
-  struct Push {
-    Triple<TwinLanes> force, moment_by_arm, turning;
-    TwinLanes first_arm, second_arm;
-  };
-
-  /// One half of them.
-  void add(const Push& push, Lanes TwinLanes::*half, std::span<const Contact> contacts) {
-    // Their own copies: for all that the compiler knows, a load that is written to might be one of the members.
-    state::SphereLoad* const own = own_;
-    const LoadTable::Slots slots = slots_;
-    const Index block_begin = block_begin_;
-    const Triple<Lanes> force = lanes_of(push.force, half), by_arm = lanes_of(push.moment_by_arm, half);
-    Triple<Lanes> first_moment = push.first_arm.*half * by_arm, second_moment = push.second_arm.*half * by_arm;
-    if constexpr (rolls) {
-      const Triple<Lanes> turning = lanes_of(push.turning, half);
-      first_moment = first_moment - turning;
-      second_moment = second_moment + turning;
+  [[gnu::flatten, gnu::noinline]] void deliver(std::span<const Group> groups) {
+    for (const Group& group : groups) {
+      deliver(group, &TwinLanes::first, 0);
+      deliver(group, &TwinLanes::second, lane_count);
     }
-    const std::size_t count = std::min<std::size_t>(lane_count, contacts.size());
-    const LoadRows first(Triple<Lanes>{} - force, first_moment);
-    for (std::size_t lane = 0; lane < count; ++lane) first.add(lane, own + (contacts[lane].first - block_begin));
-    const LoadRows second(force, second_moment);
-    for (std::size_t lane = 0; lane < count; ++lane) second.add(lane, slots[contacts[lane].slot]);
+  }
+  void deliver(const Group& group, Lanes TwinLanes::*half, int offset) {
+    // Their own copies: for all that the compiler knows, a load that is written to might be one of the members.
+    state::SphereLoad* const own = own_ - block_begin_;
+    const LoadTable::Slots slots = slots_;
+    const Contact* const contacts = &contacts_[group.begin] + offset;
+    const auto count = static_cast<std::size_t>(std::clamp(group.count - offset, 0, lane_count));
+    const LoadRows pushes(lanes_of(group.force, half), lanes_of(group.moment_by_arm, half));
+    const auto* const first_arm = reinterpret_cast<const Real*>(&(group.first_arm.*half));
+    const auto* const second_arm = reinterpret_cast<const Real*>(&(group.second_arm.*half));
+    const auto add = [&](state::SphereLoad* to, const Octet& share, std::size_t lane) {
+      add_product(share, pushes[lane], Octet::load(&to->fx)).store(&to->fx);
+    };
+    for (std::size_t lane = 0; lane < lane_count && lane < count; ++lane) {
+      add(own + contacts[lane].first, Octet::halves(-1, first_arm[lane]), lane);
+      add(slots[contacts[lane].slot], Octet::halves(1, second_arm[lane]), lane);
+    }
+    if constexpr (rolls) {
+      const LoadRows turnings({}, lanes_of(group.turning, half));
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        state::SphereLoad &one = own[contacts[lane].first], &other = *slots[contacts[lane].slot];
+        add_product(Octet::halves(-1, -1), turnings[lane], Octet::load(&one.fx)).store(&one.fx);
+        turnings.add(lane, &other);
+      }
+    }
   }
 
   static Triple<Lanes> lanes_of(const Triple<TwinLanes>& numbers, Lanes TwinLanes::*half) {
     return {numbers.x.*half, numbers.y.*half, numbers.z.*half};
   }
 
-  void book(const laws::ContactForce<TwinLanes>& force, TwinMask touches, int lanes) {
-    TwinLanes counts = select(touches, 1, 0);
-    for (int lane = lanes; lane < TwinLanes::count; ++lane) counts.set(lane, 0);
-    touching_ += counts;
-    dashpot_power_ = add_product(counts, force.dashpot_power, dashpot_power_);
-    sliding_power_ = add_product(counts, force.sliding_power, sliding_power_);
+  void book(const laws::ContactForce<TwinLanes>& force, const Group& group) {
+    if (group.all_touch)
+      touching_ += TwinLanes::count;
+    else
+      for (int lane = 0; lane < TwinLanes::count; ++lane) touching_ += group.touches[lane] ? 1 : 0;
+    dashpot_power_ += force.dashpot_power;
+    sliding_power_ += force.sliding_power;
     if (!tells_energies_) return;
-    elastic_ = add_product(counts, force.elastic_energy, elastic_);
-    sliding_ = add_product(counts, force.sliding_energy, sliding_);
+    elastic_ += force.elastic_energy;
+    sliding_ += force.sliding_energy;
   }
 
   PairContacts& pairs_;
@@ -223,12 +299,14 @@ private:
   Index block_begin_;
   Real approach_;
   TwinLanes step_;
-  BoxLanes<TwinLanes> box_;
+  BoxLanes<Lanes> box_;
   bool tells_energies_;
   bool is_one_material_;
   laws::ContactConstants<TwinLanes> constants_;
   std::vector<std::size_t> parted_;
-  TwinLanes elastic_, sliding_, dashpot_power_, sliding_power_, touching_;
+  TwinLanes elastic_, sliding_, dashpot_power_, sliding_power_;
+  std::int64_t touching_ = 0;
+  std::array<Group, groups_at_once> groups_;
 };
 
 }  // namespace sazare::methods::spheres

@@ -6,6 +6,7 @@
 
 #include "sazare/core/lane_math.hpp"
 #include "sazare/core/lane_records.hpp"
+#include "sazare/core/octets.hpp"
 #include "sazare/core/triple.hpp"
 #include "sazare/state/spheres.hpp"
 
@@ -27,7 +28,7 @@ public:
   /// square is beyond that of half a box all of them are.
   Number square_of_nearest(Triple<Number>& apart) const {
     const Number square = dot(apart, apart);
-    if (!any(square > surely_nearest_)) return square;
+    if (!any_above(square, surely_nearest_)) return square;
     apart = nearest(apart);
     return dot(apart, apart);
   }
@@ -53,28 +54,29 @@ private:
   Number surely_nearest_;
 };
 
-/// Force and moment in lanes, to be added to loads one after the other.
+/// Force and moment in lanes, turned into what loads are: a record for each lane.
 class LoadRows {
 public:
-  LoadRows(const Triple<Lanes>& force, const Triple<Lanes>& moment)
-      : rows_{force.x, force.y, force.z, Lanes{}, moment.x, moment.y, moment.z, Lanes{}} {
-    for (std::size_t first = 0; first < 8; first += lane_count) {
-      std::array<Lanes, lane_count> square;
-      for (std::size_t i = 0; i < lane_count; ++i) square[i] = rows_[first + i];
-      transpose(square);
-      for (std::size_t i = 0; i < lane_count; ++i) rows_[first + i] = square[i];
-    }
+  LoadRows(const Triple<Lanes>& force, const Triple<Lanes>& moment) {
+#ifdef __AVX512F__
+    std::array<Lanes, 8> rows{force.x, force.y, force.z, Lanes{}, moment.x, moment.y, moment.z, Lanes{}};
+    transpose(rows);
+    for (std::size_t lane = 0; lane < lane_count; ++lane) rows_[lane] = Octet(rows[lane]);
+#else
+    std::array<Lanes, 4> forces{force.x, force.y, force.z, Lanes{}}, moments{moment.x, moment.y, moment.z, Lanes{}};
+    transpose(forces);
+    transpose(moments);
+    for (std::size_t lane = 0; lane < lane_count; ++lane) rows_[lane] = Octet(forces[lane], moments[lane]);
+#endif
   }
+
+  const Octet& operator[](std::size_t lane) const { return rows_[lane]; }
 
   /// Adds a lane's force and moment.
-  void add(std::size_t lane, state::SphereLoad* to) const {
-    auto* const numbers = reinterpret_cast<Real*>(to);
-    for (std::size_t part = 0; part < 8; part += lane_count)
-      store_lanes(numbers + part, load_lanes(numbers + part) + rows_[part + lane]);
-  }
+  void add(std::size_t lane, state::SphereLoad* to) const { (Octet::load(&to->fx) + rows_[lane]).store(&to->fx); }
 
 private:
-  std::array<Lanes, 8> rows_;
+  std::array<Octet, lane_count> rows_;
 };
 
 }  // namespace sazare::methods::spheres

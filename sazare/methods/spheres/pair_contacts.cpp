@@ -187,10 +187,7 @@ ContactSums PairContacts::evaluate_those(const state::Spheres& spheres, Task& ta
   BlockContacts& contacts = contacts_[task.block];
   ContactKernel<model, rolls, rests> kernel(*this, spheres, task);
   const std::size_t lines_at_once = 1 + task.coming.lines() * contacts.at_once / std::max<std::size_t>(contacts.size(), 1);
-  for (std::size_t next = 0; next < contacts.size(); next += contacts.at_once) {
-    kernel.evaluate(next);
-    task.coming.fetch(lines_at_once);
-  }
+  for (std::size_t next = 0; next < contacts.size(); next += kernel.at_once) kernel.evaluate(next, task.coming, lines_at_once);
   kernel.part();
   return kernel.sums();
 }

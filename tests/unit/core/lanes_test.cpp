@@ -100,6 +100,30 @@ TEST(twin_lanes, compute_what_numbers_do) {
   }
 }
 
+TEST(lanes, are_compared_together) {
+  for (int lane = 0; lane < lane_count; ++lane) {
+    Lanes a = broadcast(1);
+    EXPECT_FALSE(any_above(a, broadcast(1)));
+    EXPECT_FALSE(all_above(a, broadcast(1)));
+    EXPECT_TRUE(all_above(a, broadcast(0.5)));
+    a[lane] = 2;
+    EXPECT_TRUE(any_above(a, broadcast(1)));
+    EXPECT_FALSE(all_above(a, broadcast(1)));
+    a[lane] = std::numeric_limits<Real>::quiet_NaN();  // is above nothing
+    EXPECT_FALSE(any_above(a, broadcast(1)));
+    EXPECT_FALSE(all_above(a, broadcast(0.5)));
+  }
+}
+
+TEST(twin_lanes, one_lane_is_enough_for_any_above) {
+  for (int lane = 0; lane < TwinLanes::count; ++lane) {
+    TwinLanes a;
+    EXPECT_FALSE(any_above(a, 0));
+    a.set(lane, 1);
+    EXPECT_TRUE(any_above(a, 0));
+  }
+}
+
 TEST(twin_lanes, one_lane_is_enough_for_any) {
   for (int lane = 0; lane < TwinLanes::count; ++lane) {
     TwinLanes a;

@@ -206,5 +206,35 @@ TEST(granular_contact, lanes_compute_what_one_number_does) {
   }
 }
 
+/// Most dashpots are weaker than what a step bears: where none is stronger nothing is divided, and nobody else may notice.
+TEST(granular_contact, a_lane_does_not_hang_on_how_strongly_others_are_damped) {
+  const auto one_law = constants(ContactModel::hertz, 0.6, {0.3});
+  const ContactConstants<TwinLanes> law{one_law.normal,   one_law.tangential, one_law.normal_damping, one_law.tangential_damping,
+                                        one_law.friction, one_law.rolling,    one_law.twisting};
+  const auto force_with_step = [&](Real step_of_first) {
+    ContactMotion<TwinLanes> lanes{};
+    for (int lane = 0; lane < TwinLanes::count; ++lane) {
+      const auto at = touching(1e-6 * (1 + lane));
+      lanes.overlap.set(lane, at.overlap);
+      lanes.radius.product.set(lane, at.radius.product);
+      lanes.radius.sum.set(lane, at.radius.sum);
+      lanes.mass.product.set(lane, at.mass.product);
+      lanes.mass.sum.set(lane, at.mass.sum);
+      lanes.normal.z.set(lane, 1);
+      lanes.velocity.x.set(lane, 0.1 * lane);
+      lanes.velocity.z.set(lane, -0.1);
+      lanes.step.set(lane, lane == 0 ? step_of_first : 1e-9);
+    }
+    ContactMemory<TwinLanes> memory{};
+    return contact_force<ContactModel::hertz, false>(law, lanes, memory);
+  };
+  const auto calm = force_with_step(1e-9), strong = force_with_step(1);
+  EXPECT_LT(strong.normal[0], calm.normal[0]);  // the dashpot of the first is cut
+  for (int lane = 1; lane < TwinLanes::count; ++lane) {
+    EXPECT_EQ(strong.normal[lane], calm.normal[lane]);
+    EXPECT_EQ(strong.friction.x[lane], calm.friction.x[lane]);
+  }
+}
+
 }  // namespace
 }  // namespace sazare::laws

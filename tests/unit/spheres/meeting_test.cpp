@@ -1,0 +1,38 @@
+#include "sazare/methods/spheres/meeting.hpp"
+
+#include <gtest/gtest.h>
+
+namespace sazare::methods::spheres {
+namespace {
+
+/// Every number of every sphere another one; differences of radii and masses are not exact.
+state::Spheres some_spheres() {
+  state::Spheres spheres;
+  for (int n = 0; n < 40; ++n) {
+    spheres.add(Vector3(1.0 * n, 2.5 * n + 0.25, -1.0 * n * n), 0.1 + 0.003 * n, 2500 + 7 * n, n % 3);
+    spheres.set_motion(spheres.size() - 1, {0.1 * n, 1.0 - n, 0.5 * n * n}, {3.0 * n, -0.5 * n, 11.0 - n});
+  }
+  return spheres;
+}
+
+TEST(meeting, has_both_spheres_of_each_pair_in_its_lane) {
+  const state::Spheres spheres = some_spheres();
+  const auto first = [](std::size_t lane) { return (5 * lane + 3) % 40; };
+  const auto second = [](std::size_t lane) { return (11 * lane + 17) % 40; };
+  const Meeting meeting = meeting_of(spheres.place.data(), spheres.spin.data(), first, second);
+  for (int lane = 0; lane < lane_count; ++lane) {
+    const auto one = first(static_cast<std::size_t>(lane)), other = second(static_cast<std::size_t>(lane));
+    const auto in_lane = [&](const Triple<Lanes>& numbers) { return Vector3(numbers.x[lane], numbers.y[lane], numbers.z[lane]); };
+    EXPECT_EQ(in_lane(meeting.apart), spheres.place[other].centre() - spheres.place[one].centre());
+    EXPECT_EQ(in_lane(meeting.velocity), spheres.place[other].velocity() - spheres.place[one].velocity());
+    EXPECT_EQ(meeting.radius[lane], spheres.place[one].radius);
+    EXPECT_EQ(meeting.second_radius[lane], spheres.place[other].radius);
+    EXPECT_EQ(meeting.mass[lane], spheres.place[one].mass);
+    EXPECT_EQ(meeting.second_mass[lane], spheres.place[other].mass);
+    EXPECT_EQ(in_lane(meeting.spin), spheres.spin[one].spin());
+    EXPECT_EQ(in_lane(meeting.second_spin), spheres.spin[other].spin());
+  }
+}
+
+}  // namespace
+}  // namespace sazare::methods::spheres
