@@ -89,18 +89,16 @@ function(sazare_reuse_headers target from)
 endfunction()
 
 # sazare_by_hand(file ...): sources written in lanes by hand. Vectors of addresses, which the compiler would make besides, cost
-# more than they bring. Without the common headers, whose optimization flags GCC takes for those of the source.
+# more than they bring. Without the common headers, whose optimization flags GCC takes for those of the source. Vectors of eight
+# numbers are copied whole: GCC 12 copies 256 bits at a time unless it is told otherwise, and who reads a vector that was written
+# in halves waits until both are in the cache.
+check_cxx_compiler_flag("-mmove-max=512 -mstore-max=512" SAZARE_COPIES_WHOLE_VECTORS)
 function(sazare_by_hand)
-  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -fno-tree-vectorize SKIP_PRECOMPILE_HEADERS ON)
-endfunction()
-
-# sazare_whole_registers(file ...): sources that copy vectors of eight numbers. GCC 12 copies 256 bits at a time unless it is told
-# otherwise, and who reads a vector that was written in halves waits until both are in the cache.
-check_cxx_compiler_flag("-mmove-max=512 -mstore-max=512" SAZARE_MOVES_WHOLE_REGISTERS)
-function(sazare_whole_registers)
-  if(SAZARE_MOVES_WHOLE_REGISTERS)
-    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -mmove-max=512 -mstore-max=512)
+  set(options -fno-tree-vectorize)
+  if(SAZARE_COPIES_WHOLE_VECTORS)
+    list(APPEND options -mmove-max=512 -mstore-max=512)
   endif()
+  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${options}" SKIP_PRECOMPILE_HEADERS ON)
 endfunction()
 
 # The name of a module without its folder: methods/blocks -> blocks.
