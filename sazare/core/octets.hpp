@@ -2,10 +2,6 @@
 
 /// A record of eight doubles worked on as a whole: two vectors, each with a further number behind it.
 
-#ifdef __AVX__
-#include <immintrin.h>
-#endif
-
 #include "sazare/core/registers.hpp"
 #include "sazare/core/vector.hpp"
 
@@ -81,18 +77,11 @@ public:
   friend Octet operator+(const Octet& a, const Octet& b) { return {a.first_ + b.first_, a.second_ + b.second_}; }
   friend Octet operator*(Real factor, const Octet& a) { return {factor * a.first_, factor * a.second_}; }
   friend Octet add_product(const Octet& a, const Octet& b, const Octet& c) {
+    constexpr auto sum = &RegisterOf<4>::add_product;
     return {sum(a.first_, b.first_, c.first_), sum(a.second_, b.second_, c.second_)};
   }
 
 private:
-  static Quad sum(const Quad& a, const Quad& b, const Quad& c) {
-#ifdef __FMA__
-    return _mm256_fmadd_pd(a, b, c);
-#else
-    return a * b + c;
-#endif
-  }
-
   Quad first_{}, second_{};
 };
 

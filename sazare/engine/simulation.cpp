@@ -229,8 +229,8 @@ state::Impulse<D> Simulation<D>::gather_one(Index body, Real until_next) const {
   return sum;
 }
 
-/// From a time on that counts as theirs; returns when it ended. Asking for the time takes as long as most terms, which have nothing
-/// to settle.
+/// From a time on that counts as theirs; returns when it ended. Asking for the time takes as long as most terms, which have
+/// nothing to settle.
 template <int D>
 std::int64_t Simulation<D>::settle(std::int64_t since) {
   terms::Changes changes;

@@ -46,7 +46,8 @@ std::span<Due> LinkClock::collect(const Moment& now) {
 void LinkClock::give(std::span<const Index> links, int level, Moment now, Due* due) {
   const Tick until = now.tick + stride(level) / 2;
   const auto window = [&](Index link, Tick before, Tick after) {
-    return Due{link, static_cast<Real>(after - before) * now.tick_seconds, static_cast<Real>(after - now.tick) * now.tick_seconds};
+    return Due{link, static_cast<Real>(after - before) * now.tick_seconds,
+               static_cast<Real>(after - now.tick) * now.tick_seconds};
   };
   Due usual = window(0, until - stride(level), until);
   Tick* const given = given_.data();
