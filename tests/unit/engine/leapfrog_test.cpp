@@ -4,6 +4,7 @@
 
 #include <numeric>
 
+#include "sazare/core/lanes.hpp"
 #include "sazare/motion/step.hpp"
 #include "sazare/terms/gravity.hpp"
 #include "tests/support/networks.hpp"
@@ -59,6 +60,12 @@ Force mean(const Force& now, const Force& last) {
   return (0.5 * (now + last)).template cast<float>().template cast<Real>();
 }
 
+/// sum + factor part, each number rounded once where the processor can, as gathers do.
+template <class Vector>
+void add_product_to(Vector& sum, Real factor, const Vector& part) {
+  for (int i = 0; i < sum.size(); ++i) sum[i] = add_product(factor, part[i], sum[i]);
+}
+
 /// What all springs give to all bodies: to their second bodies, in the order of the springs, then to their first ones.
 template <int D>
 std::vector<state::Impulse<D>> impulses(const test::Network<D>& network, Real acting, Forces<D>& last) {
@@ -66,9 +73,10 @@ std::vector<state::Impulse<D>> impulses(const test::Network<D>& network, Real ac
   std::vector<state::Impulse<D>> sums(motion.size());
   const auto add = [acting](state::Impulse<D>& sum, const Vector<D>& force, const Angular<D>& torque, const Vector<D>& mean_force,
                             const Angular<D>& mean_torque) {
-    sum.linear += acting * force, sum.angular += acting * torque;
-    sum.linear_lead += (h / 2) * mean_force;
-    sum.angular_lead += (h / 2) * mean_torque;
+    add_product_to(sum.linear, acting, force);
+    add_product_to(sum.angular, acting, torque);
+    add_product_to(sum.linear_lead, h / 2, mean_force);
+    add_product_to(sum.angular_lead, h / 2, mean_torque);
   };
   std::vector<Pull<D>> pulls;
   const bool begins = last.empty();
