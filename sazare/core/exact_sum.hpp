@@ -44,7 +44,7 @@ public:
     }
     Real sum = 0;
     for (std::size_t i = piece_count; i-- > 0;)
-      sum += std::ldexp(static_cast<Real>(whole.pieces_[i]), 32 * static_cast<int>(i) - unit);
+      if (whole.pieces_[i] != 0) sum += std::ldexp(static_cast<Real>(whole.pieces_[i]), 32 * static_cast<int>(i) - unit);
     return negative ? -sum : sum;
   }
 

@@ -92,8 +92,8 @@ terms::Books Simulation<D>::books(const Snapshot<D>& at_now, const distribute::R
       ahead[body] = {0.5 * (motion.velocity + velocity), motion::spin_of(rotation, inertia, bodies_.locks[body], mean_momentum)};
       if (shared != nullptr && !shared->owns(static_cast<Index>(body))) continue;
       part[terms::Account::kinetic] += motion::kinetic_energy<D>(rotation, inertia, bodies_.locks[body], velocity, momentum);
-      for (std::size_t cause = 0; cause < terms::cause_count; ++cause)
-        terms::book(static_cast<terms::Cause>(cause), work_[body][cause], part);
+      for (std::size_t cause = 0; cause < terms::cause_count; ++cause)  // most bodies know one or two
+        if (work_[body][cause] != 0) terms::book(static_cast<terms::Cause>(cause), work_[body][cause], part);
     }
   });
   for (const auto& term : terms_) term->add_energies({at_now.pose, ahead, shared}, books);

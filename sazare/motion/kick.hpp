@@ -58,8 +58,14 @@ inline Angular<2> spin_of(const Rotation<2>&, const state::Inertia<2>& inertia, 
 template <int D>
 Real kinetic_energy(const Rotation<D>& rotation, const state::Inertia<D>& inertia, state::Locks locks, const Vector<D>& velocity,
                     const Angular<D>& angular_momentum) {
-  const Angular<D> spin = spin_of(rotation, inertia, locks, angular_momentum);
-  return 0.5 * (inertia.mass * velocity.squaredNorm() + angular_momentum.dot(spin));
+  Real turning;
+  if constexpr (D == 3) {
+    turning = locks.rotation == 0 ? (rotation.transpose() * angular_momentum).cwiseAbs2().dot(inertia.inverse_moments)
+                                  : angular_momentum.dot(spin_of(rotation, inertia, locks, angular_momentum));
+  } else {
+    turning = angular_momentum.dot(spin_of(rotation, inertia, locks, angular_momentum));
+  }
+  return 0.5 * (inertia.mass * velocity.squaredNorm() + turning);
 }
 
 }  // namespace sazare::motion

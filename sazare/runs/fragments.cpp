@@ -30,6 +30,7 @@ public:
   }
 
   void join(Index a, Index b) {
+    if (parent_[at(a)] == parent_[at(b)]) return;  // most are known to hang together by then
     a = root(a);
     b = root(b);
     parent_[at(std::max(a, b))] = std::min(a, b);
@@ -56,6 +57,7 @@ FragmentMap find_fragments(Index elements, const methods::blocks::Joints& joints
   for (Index joint = 0; joint < joints.count(); ++joint)
     if (joints.state(joint) != methods::blocks::JointState::broken) sets.join(links[at(joint)].first, links[at(joint)].second);
   FragmentMap map;
+  map.of_element.reserve(at(elements));
   for (Index element = 0; element < elements; ++element) {
     const Index root = sets.root(element);
     map.of_element.push_back(root == element ? map.count++ : map.of_element[at(root)]);

@@ -1,6 +1,7 @@
 #include "sazare/runs/run_record.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "sazare/core/error.hpp"
@@ -61,7 +62,9 @@ void RunRecord::observe(std::int64_t step, Real wall_seconds) {
   const Real time = clocks_.time(step);
   if (!survey_) survey(step);
   auto [now, ledger] = *std::exchange(survey_, std::nullopt);
-  for (const Vector3& velocity : now.velocity) peak_speed_ = std::max(peak_speed_, velocity.norm());
+  Real fastest_squared = 0;
+  for (const Vector3& velocity : now.velocity) fastest_squared = std::max(fastest_squared, velocity.squaredNorm());
+  peak_speed_ = std::max(peak_speed_, std::sqrt(fastest_squared));
   files_.add_row(1, gauges_.sample(time, model_->simulation->bodies(), now));
   add_history_row(time, ledger, wall_seconds);
   if (!clocks_.is_snapshot(step)) return;

@@ -52,4 +52,18 @@ inline void write(const LanePointers<Slot<3, 1>>& slots, const Moment& now, cons
   store_quad({pack(d[1], d[2]), Lanes{}, Lanes{}, Lanes{}}, slots, 20);
 }
 
+/// Work that the part of each link's force will have done after now [J], see SlotTable::work_after; all links join two bodies.
+inline Lanes work_after(const LanePointers<const Slot<3, 1>>& slots, const LanePointers<const MeanMotion<3>>& firsts,
+                        const LanePointers<const MeanMotion<3>>& seconds) {
+  const auto times = load_quad(slots, 8), early = load_quad(slots, 16), late = load_quad(slots, 20);
+  const auto a = unpack(early[0]), b = unpack(early[1]), c = unpack(early[2]), d = unpack(early[3]), e = unpack(late[0]);
+  const auto first = load_quad(firsts, 0), first_spin = load_quad(firsts, 4);
+  const auto second = load_quad(seconds, 0), second_spin = load_quad(seconds, 4);
+  const LaneVector first_moment{{a[1], b[0], b[1]}}, linear{{c[0], c[1], d[0]}}, second_moment{{d[1], e[0], e[1]}};
+  const LaneVector opening{{second[0] - first[0], second[1] - first[1], second[2] - first[2]}};
+  const Lanes power = dot(linear, opening) + dot(first_moment, {{first[3], first_spin[0], first_spin[1]}}) +
+                      dot(second_moment, {{second[3], second_spin[0], second_spin[1]}});
+  return times[2] * power;
+}
+
 }  // namespace sazare::terms

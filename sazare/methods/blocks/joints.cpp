@@ -212,19 +212,26 @@ void Joints::update_rates(Index body, const state::Bodies<3>& bodies) {
   rates = {std::min(rates.stiffness, held.stiffness), std::min(rates.damping, held.damping)};
 }
 
-/// Elastic energy [J] of as many joints as there are lanes, in the places of a base step; lanes beyond the last joint
-/// repeat it.
-[[gnu::flatten]] Lanes Joints::elastic_energies(Index first, const terms::Synchronized<3>& synchronized) const {
+/// Of as many joints as there are lanes: elastic energy in the places of a base step, and work of the dashpots after it [J].
+/// Lanes beyond the last joint repeat it.
+[[gnu::flatten]] Joints::LaneEnergies Joints::energies(Index first, const terms::Synchronized<3>& synchronized) const {
   LanePointers<const JointRecord> records;
+  LanePointers<const terms::Slot<3, 1>> slots;
   LanePointers<const state::Pose<3>> masters, slaves;
+  LanePointers<const state::MeanMotion<3>> master_ahead, slave_ahead;
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
-    records[lane] = &records_[at(std::min(first + static_cast<Index>(lane), count() - 1))];
+    const Index joint = std::min(first + static_cast<Index>(lane), count() - 1);
+    records[lane] = &records_[at(joint)];
+    slots[lane] = &table_[joint];
     masters[lane] = &synchronized.pose_of(records[lane]->master);
     slaves[lane] = &synchronized.pose_of(records[lane]->slave);
+    master_ahead[lane] = &synchronized.ahead[at(records[lane]->master)];
+    slave_ahead[lane] = &synchronized.ahead[at(records[lane]->slave)];
   }
   const auto& kind = kinds_of(records);
   const FaceGeometry at = face_geometry(LaneJoints<const JointRecord>{records}, masters, slaves);
-  return elastic_energy(kind, at, tension_stress(kind, at, some_soften(kind, at)));
+  return {elastic_energy(kind, at, tension_stress(kind, at, some_soften(kind, at))),
+          terms::work_after(slots, master_ahead, slave_ahead)};
 }
 
 void Joints::add_energies(const terms::Synchronized<3>& synchronized, terms::Books& books) const {
@@ -238,17 +245,14 @@ void Joints::add_energies(const terms::Synchronized<3>& synchronized, terms::Boo
 void Joints::add_energies(Index begin, Index end, const terms::Synchronized<3>& synchronized, terms::Books& books) const {
   const auto counted = std::span(links_).subspan(at(begin), at(end - begin));
   if (std::ranges::none_of(counted, [&](const Link& link) { return synchronized.counts(link); })) return;
-  const Lanes elastic = elastic_energies(begin, synchronized);
-  std::array<std::array<Real, 1>, lane_count> after;
-  for (std::size_t i = 0; i < counted.size(); ++i)
-    after[i] = table_.work_after(begin + static_cast<Index>(i), counted[i], synchronized);
+  const LaneEnergies found = energies(begin, synchronized);
   for (std::size_t i = 0; i < counted.size(); ++i) {
     if (!synchronized.counts(counted[i])) continue;
-    table_.take_back(after[i], books);
+    table_.take_back({found.dashpots_after[static_cast<int>(i)]}, books);
     const JointRecord& joint = records_[at(begin) + i];
     const JointLosses& losses = losses_[at(begin) + i];
     books[terms::Account::slip] += losses.slip_work;
-    if (joint.state != JointState::broken) books[terms::Account::elastic] += elastic[static_cast<int>(i)];
+    if (joint.state != JointState::broken) books[terms::Account::elastic] += found.elastic[static_cast<int>(i)];
     if (joint.state == JointState::intact) continue;
     books[terms::Account::fracture] += fracture_work(joint);
     books[terms::Account::release] += losses.released;

@@ -59,7 +59,10 @@ private:
   const JointParameters<Lanes>& kinds_of(const LanePointers<Record>& joints) const;
   void update_rates(Index body, const state::Bodies<3>& bodies);
   void add_energies(Index begin, Index end, const terms::Synchronized<3>& synchronized, terms::Books& books) const;
-  Lanes elastic_energies(Index first, const terms::Synchronized<3>& synchronized) const;
+  struct LaneEnergies {
+    Lanes elastic, dashpots_after;
+  };
+  LaneEnergies energies(Index first, const terms::Synchronized<3>& synchronized) const;
   Real fracture_work(const JointRecord& joint) const;
 
   std::vector<JointKind> kinds_;
