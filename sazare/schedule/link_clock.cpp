@@ -26,19 +26,28 @@ void LinkClock::set_level(Index link, int level) {
   if (buckets_.level(link) != level) buckets_.move(link, level);
 }
 
+/// Many are listed share by share, as many as there are threads, each with its part of every level: neighbours of all levels then
+/// stay with one thread.
 std::span<Due> LinkClock::collect(const Moment& now) {
   const int coarsest = coarsest_due(now.tick);
   std::size_t count = 0;
   for (int level = coarsest; level <= deepest_level; ++level) count += buckets_.at(level).size();
   if (due_.size() < count) due_.resize(count);
-  Due* next = due_.data();
-  for (int level = coarsest; level <= deepest_level; ++level) {
+  const std::size_t shares = count < serial_below ? 1 : static_cast<std::size_t>(parallel::threads());
+  const auto part = [&](int level, std::size_t share) {
     const std::span<const Index> links = buckets_.at(level);
-    parallel::parallel_for(links.size(), serial_below, [=, this](std::size_t begin, std::size_t end) {
-      give(links.subspan(begin, end - begin), level, now, next + begin);
-    });
-    next += links.size();
-  }
+    const std::size_t begin = links.size() * share / shares, end = links.size() * (share + 1) / shares;
+    return links.subspan(begin, end - begin);
+  };
+  parallel::parallel_for(shares, 2, [&](std::size_t first, std::size_t last) {
+    Due* next = due_.data();
+    for (std::size_t share = 0; share < last; ++share)
+      for (int level = coarsest; level <= deepest_level; ++level) {
+        const auto links = part(level, share);
+        if (share >= first) give(links, level, now, next);
+        next += links.size();
+      }
+  });
   return std::span(due_).first(count);
 }
 
