@@ -12,7 +12,8 @@
 namespace sazare {
 
 /// A number of 2100 binary digits in pieces of 32, each with room for carries (Kulisch's accumulator; Neal, arXiv:1505.05571).
-/// Infinities and what is no number turn the sum into one that is no number.
+/// Infinities and what is no number turn the sum into one that is no number. What is near to 1, from 2^-30 to 2^30, is added to
+/// one integer first, in a third of the instructions.
 class ExactSum {
 public:
   ExactSum& operator+=(Real x) {
@@ -53,11 +54,21 @@ private:
   static constexpr int unit = 1074;               // the smallest number is 2^-1074
   static constexpr std::int64_t most_additions = 1 << 29;  // an addition adds less than 2^33 to a piece
   static constexpr std::uint64_t low = 0xffffffff;
+  static constexpr std::uint32_t near_piece = 31, near_place = 32 * near_piece, near_places = 60;
+  static constexpr std::int64_t most_near_additions = 1 << 13;  // of less than 2^113 each
+
+  __extension__ using Wide = __int128;
 
   void add(Real x, std::int64_t sign) {
     const auto bits = std::bit_cast<std::uint64_t>(x);
     const auto exponent = static_cast<std::uint32_t>(bits >> 52 & 0x7ff);
     std::uint64_t digits = bits & ((std::uint64_t{1} << 52) - 1);
+    if (const std::uint32_t nearness = exponent - 1 - near_place; nearness < near_places) {
+      const Wide number = static_cast<Wide>(digits | std::uint64_t{1} << 52) << nearness;
+      near_ += (sign < 0) != (bits >> 63 != 0) ? -number : number;
+      if (++near_additions_ == most_near_additions) gather_near();
+      return;
+    }
     if (exponent == 0x7ff) invalid_ = true;
     if (exponent > 0) digits |= std::uint64_t{1} << 52;
     if (digits == 0 || invalid_) return;
@@ -71,8 +82,18 @@ private:
     if (++additions_ == most_additions) carry();
   }
 
+  void gather_near() {
+    for (std::uint32_t i = 0; i < 3; ++i)
+      pieces_[near_piece + i] += static_cast<std::int64_t>(static_cast<std::uint64_t>(near_ >> 32 * i) & low);
+    pieces_[near_piece + 3] += static_cast<std::int64_t>(near_ >> 96);
+    near_ = 0;
+    near_additions_ = 0;
+    if (++additions_ == most_additions) carry();
+  }
+
   /// Brings all pieces but the last into 0..2^32.
   void carry() {
+    if (near_additions_ > 0) gather_near();
     for (std::size_t i = 0; i + 1 < piece_count; ++i) {
       pieces_[i + 1] += pieces_[i] >> 32;
       pieces_[i] &= static_cast<std::int64_t>(low);
@@ -81,7 +102,9 @@ private:
   }
 
   std::array<std::int64_t, piece_count> pieces_{};
-  std::int64_t additions_ = 0;  ///< since the last carry
+  Wide near_ = 0;                    ///< in units of 2^-1074 2^near_place
+  std::int64_t near_additions_ = 0;  ///< since it was gathered
+  std::int64_t additions_ = 0;       ///< since the last carry
   bool invalid_ = false;
 };
 

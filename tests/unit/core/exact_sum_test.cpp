@@ -45,6 +45,22 @@ TEST(exact_sum, keeps_what_rounding_would_lose) {
   EXPECT_EQ(sum.value(), 0);
 }
 
+TEST(exact_sum, loses_nothing_of_many_numbers_near_to_one) {
+  // Binary fractions with so few digits that the plain sum is exact too, of both signs and about both ends of what is near.
+  for (const int scale : {-31, -30, -10, 0, 25, 29, 30}) {
+    ExactSum sum;
+    Real plain = 0;
+    for (int n = 0; n < 20000; ++n) {
+      const Real number = std::ldexp(static_cast<Real>(n % 1001 - 300) / 512, scale);
+      sum += number;
+      plain += number;
+    }
+    EXPECT_EQ(sum.value(), plain) << scale;
+    sum -= plain;
+    EXPECT_EQ(sum.value(), 0) << scale;
+  }
+}
+
 TEST(exact_sum, has_the_same_bits_in_any_order_and_in_any_parts) {
   std::vector<Real> numbers = numbers_of_all_sizes();
   const Real expected = sum_of(numbers).value();
