@@ -137,13 +137,16 @@ void Joints::ask_for_some(std::span<const Due> due, const state::Bodies<3>& bodi
   book(due, change);
 }
 
-/// What joints remember of slip and opening: in lanes, for nobody guesses which of them have slipped.
+/// What joints remember of slip and opening: in lanes, for nobody guesses which of them have slipped. Those that have not keep
+/// their bits, whoever else has: to add 0 would change the sign of a 0.
 void Joints::remember(const LanePointers<JointRecord>& records, const JointChange& change) {
   for (std::size_t v = 0; v < vertex_count; ++v) {
     const std::size_t begin = JointRecord::vertex_begin(v);
-    const auto before = load_quad(records, begin);
-    const auto& slip = change.slip[v];
-    store_quad({before[0], before[1] + slip[0], before[2] + slip[1], change.peak[static_cast<int>(v)]}, records, begin);
+    auto numbers = load_quad(records, begin);
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      numbers[axis + 1] = select(change.slipped, numbers[axis + 1] + change.slip[v][axis], numbers[axis + 1]);
+    numbers[3] = change.peak[static_cast<int>(v)];
+    store_quad(numbers, records, begin);
   }
 }
 
