@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
+
+#include "sazare/terms/lane_slots.hpp"
 
 namespace sazare::terms {
 namespace {
@@ -77,6 +80,32 @@ TEST(slot, a_constant_force_is_foreseen_as_it_is) {
   for (const Tick tick : {0, 2, 4}) link.evaluate(tick, 8, 0.2, 0.1);
   const auto sum = link.gathered(1, 0.2);
   EXPECT_LT((sum.linear_lead - 0.1 * push(8).linear).norm(), 1e-15);
+}
+
+TEST(slot, lanes_find_the_work_after_now_that_the_table_finds_for_one) {
+  SlotTable<3, 1, FixedIncidence> table;
+  table.slots.resize(lane_count);
+  std::vector<state::MeanMotion<3>> ahead;
+  LanePointers<const Slot<3, 1>> slots;
+  LanePointers<const state::MeanMotion<3>> firsts, seconds;
+  for (Index n = 0; n < lane_count; ++n) {
+    const Real x = 0.25 * (n + 1);
+    write<3, 1>(table[n], Moment{4, 0.1}, Due{n, 0.2, 0.1 * x}, push(x), {push(3 - x)});
+    ahead.push_back({{x, -2 * x, 1}, {0.5, x * x, -x}});
+    ahead.push_back({{-x, 1 - x, x}, {x, -0.5, 2 * x}});
+  }
+  for (std::size_t n = 0; n < lane_count; ++n) {
+    slots[n] = &table.slots[n];
+    firsts[n] = &ahead[2 * n];
+    seconds[n] = &ahead[2 * n + 1];
+  }
+  const Lanes work = work_after(slots, firsts, seconds);
+  const std::vector<state::Pose<3>> nowhere;
+  for (Index n = 0; n < lane_count; ++n) {
+    const Real expected = table.work_after(n, Link{2 * n, 2 * n + 1}, Synchronized<3>{nowhere, ahead})[0];
+    EXPECT_NE(expected, 0);
+    EXPECT_NEAR(work[n], expected, 1e-14 * std::abs(expected));
+  }
 }
 
 std::vector<Index> slots_of(const FixedIncidence& incidence, Index body) {
