@@ -13,7 +13,7 @@ namespace sazare {
 
 /// A number of 2100 binary digits in pieces of 32, each with room for carries (Kulisch's accumulator; Neal, arXiv:1505.05571).
 /// Infinities and what is no number turn the sum into one that is no number. What is near to 1, from 2^-30 to 2^30, is added to
-/// one integer first, in a third of the instructions.
+/// one integer first, which takes fewer instructions.
 class ExactSum {
 public:
   ExactSum& operator+=(Real x) {

@@ -162,6 +162,22 @@ TEST(granular_contact, restitution_is_the_one_asked_for_at_any_speed) {
   }
 }
 
+void set_lane(ContactMotion<TwinLanes>& lanes, int lane, const ContactMotion<Real>& at) {
+  lanes.overlap.set(lane, at.overlap);
+  lanes.radius.product.set(lane, at.radius.product);
+  lanes.radius.sum.set(lane, at.radius.sum);
+  lanes.mass.product.set(lane, at.mass.product);
+  lanes.mass.sum.set(lane, at.mass.sum);
+  lanes.normal.z.set(lane, at.normal.z);
+  lanes.velocity.x.set(lane, at.velocity.x);
+  lanes.velocity.y.set(lane, at.velocity.y);
+  lanes.velocity.z.set(lane, at.velocity.z);
+  lanes.rolling.x.set(lane, at.rolling.x);
+  lanes.rolling.y.set(lane, at.rolling.y);
+  lanes.twisting.set(lane, at.twisting);
+  lanes.step.set(lane, at.step);
+}
+
 TEST(granular_contact, lanes_compute_what_one_number_does) {
   ContactMotion<TwinLanes> lanes{};
   ContactMemory<TwinLanes> lane_memory{};
@@ -177,19 +193,7 @@ TEST(granular_contact, lanes_compute_what_one_number_does) {
   };
   for (int lane = 0; lane < TwinLanes::count; ++lane) {
     const auto at = scene(lane);
-    lanes.overlap.set(lane, at.overlap);
-    lanes.radius.product.set(lane, at.radius.product);
-    lanes.radius.sum.set(lane, at.radius.sum);
-    lanes.mass.product.set(lane, at.mass.product);
-    lanes.mass.sum.set(lane, at.mass.sum);
-    lanes.normal.z.set(lane, 1);
-    lanes.velocity.x.set(lane, at.velocity.x);
-    lanes.velocity.y.set(lane, at.velocity.y);
-    lanes.velocity.z.set(lane, at.velocity.z);
-    lanes.rolling.x.set(lane, at.rolling.x);
-    lanes.rolling.y.set(lane, at.rolling.y);
-    lanes.twisting.set(lane, at.twisting);
-    lanes.step.set(lane, at.step);
+    set_lane(lanes, lane, at);
   }
   const auto together = contact_force<ContactModel::hertz, true>(law, lanes, lane_memory);
   const auto expect_equal = [](Real alone, Real in_lane) { EXPECT_NEAR(in_lane, alone, 1e-15 * std::abs(alone)); };  // roots
@@ -214,16 +218,10 @@ TEST(granular_contact, a_lane_does_not_hang_on_how_strongly_others_are_damped) {
   const auto force_with_step = [&](Real step_of_first) {
     ContactMotion<TwinLanes> lanes{};
     for (int lane = 0; lane < TwinLanes::count; ++lane) {
-      const auto at = touching(1e-6 * (1 + lane));
-      lanes.overlap.set(lane, at.overlap);
-      lanes.radius.product.set(lane, at.radius.product);
-      lanes.radius.sum.set(lane, at.radius.sum);
-      lanes.mass.product.set(lane, at.mass.product);
-      lanes.mass.sum.set(lane, at.mass.sum);
-      lanes.normal.z.set(lane, 1);
-      lanes.velocity.x.set(lane, 0.1 * lane);
-      lanes.velocity.z.set(lane, -0.1);
-      lanes.step.set(lane, lane == 0 ? step_of_first : 1e-9);
+      auto at = touching(1e-6 * (1 + lane));
+      at.velocity = {0.1 * lane, 0, -0.1};
+      at.step = lane == 0 ? step_of_first : 1e-9;
+      set_lane(lanes, lane, at);
     }
     ContactMemory<TwinLanes> memory{};
     return contact_force<ContactModel::hertz, false>(law, lanes, memory);
