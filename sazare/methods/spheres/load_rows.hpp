@@ -18,6 +18,7 @@ class BoxLanes {
 public:
   explicit BoxLanes(const state::PeriodicBox& box) : repeats_(box.repeats()) {
     const Vector3 inverse = box.inverse();
+    lower_ = {Number{} + box.lower.x(), Number{} + box.lower.y(), Number{} + box.lower.z()};
     length_ = {Number{} + box.length.x(), Number{} + box.length.y(), Number{} + box.length.z()};
     inverse_ = {Number{} + inverse.x(), Number{} + inverse.y(), Number{} + inverse.z()};
     const Real shortest = (box.length.array() > 0).select(box.length, std::numeric_limits<Real>::infinity()).minCoeff();
@@ -42,15 +43,28 @@ public:
     return apart;
   }
 
+  /// The same place within the box.
+  Triple<Number> wrapped(Triple<Number> place) const {
+    if (!repeats_) return place;
+    place.x -= length_.x * whole_below((place.x - lower_.x) * inverse_.x);
+    place.y -= length_.y * whole_below((place.y - lower_.y) * inverse_.y);
+    place.z -= length_.z * whole_below((place.z - lower_.z) * inverse_.z);
+    return place;
+  }
+
 private:
   /// Rounds to the nearest whole number, up to 2^51.
   static Number whole(const Number& number) {
     constexpr Real shift = 6755399441055744.0;  // 1.5 * 2^52
     return (number + shift) - shift;
   }
+  static Number whole_below(const Number& number) {
+    const Number nearest = whole(number);
+    return select(nearest > number, nearest - 1, nearest);
+  }
 
   bool repeats_;
-  Triple<Number> length_, inverse_;
+  Triple<Number> lower_, length_, inverse_;
   Number surely_nearest_;
 };
 
