@@ -53,6 +53,8 @@ struct WallPose {
 
   /// A place as the wall at the start would have it.
   Vector3 into(const Vector3& place) const { return turn.transpose() * (place - pivot - shift) + pivot; }
+  /// Where a place of the wall at the start is now.
+  Vector3 out(const Vector3& place) const { return turn * (place - pivot) + pivot + shift; }
   Vector3 direction_out(const Vector3& direction) const { return turn * direction; }
   Vector3 velocity_at(const Vector3& place) const { return velocity + spin.cross(place - pivot - shift); }
 };

@@ -54,7 +54,7 @@ geometry::Triangle WallContacts::triangle(std::size_t wall, std::int32_t number)
   return wall == surface_ ? walls_[wall].nodal.corners(face, time_) : walls_[wall].triangles[face];
 }
 
-/// A rigid wall is touched in the middle of the overlap; a face with nodes on itself, where its shape functions are known.
+/// A rigid surface is touched in the middle of the overlap; a face with nodes on itself, where its shape functions are known.
 WallContacts::Ground WallContacts::ground_at(const Point& point, Real radius) const {
   const auto w = static_cast<std::size_t>(point.wall);
   Ground ground;
@@ -73,7 +73,7 @@ WallContacts::Ground WallContacts::ground_at(const Point& point, Real radius) co
   return ground;
 }
 
-/// Adds the points where the sphere touches to which `near` belongs, and sees whether it went through a surface.
+/// Adds the points where the sphere touches surfaces to which `near` belongs, and sees whether it went through a surface.
 void WallContacts::find_points(const state::Spheres& spheres, const Vector3& place, std::span<Near> near, Block& block) const {
   std::vector<Point>& points = block.points;
   const std::size_t begin = points.size();
@@ -81,14 +81,7 @@ void WallContacts::find_points(const state::Spheres& spheres, const Vector3& pla
   const Real radius = spheres.place[sphere].radius;
   for (Near& one : near) {
     const auto w = static_cast<std::size_t>(one.wall);
-    const Wall& wall = walls_[w];
     const Vector3 centre = seen_by(w, place);
-    if (wall.is_plane()) {
-      const Real distance = (centre - wall.point).dot(wall.normal);
-      if (distance < radius)
-        points.push_back({one.wall, -1, radius - distance, place, centre - distance * wall.normal, wall.normal});
-      continue;
-    }
     const geometry::Triangle corners = triangle(w, one.triangle);
     const Vector3 foot = geometry::nearest_point(corners, centre);
     const Real distance = (centre - foot).norm();
@@ -225,7 +218,7 @@ WallContacts::Push WallContacts::push_of_table() const {
   return table_.rolls ? &WallContacts::push<linear, true> : &WallContacts::push<linear, false>;
 }
 
-/// Where the spheres of a block touch, each with what it remembers.
+/// Where the spheres of a block touch surfaces, each with what it remembers.
 void WallContacts::touch_anew(const state::Spheres& spheres, Block& block) const {
   std::swap(block.before, block.touches);
   block.touches.clear();
@@ -261,9 +254,14 @@ ContactSums WallContacts::evaluate(const state::Spheres& spheres, const Task& ta
   std::fill(block.loads.begin(), block.loads.end(), WallLoad{});
   block.on_nodes.clear();
   block.passage.reset();
+  ContactSums sums;
+  const std::size_t begin_of_block = task.block * neighbors::block_size;
+  for (std::size_t w = 0; w < block.planes.size(); ++w)
+    if (block.planes[w].size() > 0)
+      sums += evaluate_plane(block.planes[w], {spheres, table_, walls_[w], poses_[w], task.step, task.own, begin_of_block},
+                             block.loads[w]);
   touch_anew(spheres, block);
   const Push push_some = push_of_table();
-  ContactSums sums;
   for (std::size_t begin = 0; begin < block.points.size(); begin += lane_count)
     sums += (this->*push_some)(spheres, begin, task, block);
   return sums;
@@ -297,7 +295,7 @@ void WallContacts::columns(Archive& archive) {
   std::vector<Touch> all = touches();
   std::vector<std::uint64_t> counts;
   for (const auto& blocks : parts_)
-    for (const Block& block : blocks) counts.push_back(block.touches.size());
+    for (const Block& block : blocks) counts.push_back(touches_of(block).size());
   archive("touches", all);
   archive("counts", counts);
   if (surface() != nullptr) archive.folder("surface", [&] { walls_[surface_].nodal.columns(archive); });

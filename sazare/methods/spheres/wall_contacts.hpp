@@ -1,6 +1,6 @@
 #pragma once
 
-/// Contacts of spheres with walls.
+/// Contacts of spheres with walls: planes, see PlaneRow, and surfaces.
 ///
 /// A sphere touches a surface of triangles in the points where it is nearest to one of them. Of these the deepest comes first,
 /// and each further one counts only when it lies in front of the tangent planes of those before: so a flat surface, an outer edge
@@ -14,6 +14,7 @@
 
 #include "sazare/methods/spheres/contact_table.hpp"
 #include "sazare/methods/spheres/load_table.hpp"
+#include "sazare/methods/spheres/plane_contacts.hpp"
 #include "sazare/methods/spheres/wall.hpp"
 
 namespace sazare::methods::spheres {
@@ -77,37 +78,39 @@ public:
   struct Touch {
     Index sphere = 0;
     Index wall = 0;
-    Vector3 normal = Vector3::Zero();   ///< from the wall to the sphere
+    Vector3 normal = Vector3::Zero();   ///< from the wall to the sphere; not needed at a plane
     Vector3 sliding = Vector3::Zero();  ///< [m]
     Vector3 rolling = Vector3::Zero();  ///< [m]
     Real twisting = 0;                  ///< [m]
   };
 
 private:
+  /// A triangle near a sphere.
   struct Near {
     Index sphere = 0, wall = 0;
-    std::int32_t triangle = -1;
+    std::int32_t triangle = 0;
     Vector3 before = Vector3::Zero();  ///< where the sphere's centre was last seen, from the triangle's middle [m]
   };
-  /// Where a sphere touches now.
+  /// Where a sphere touches a surface now.
   struct Point {
     Index wall = 0;
-    std::int32_t triangle = -1;
+    std::int32_t triangle = 0;
     Real overlap = 0;  ///< [m]
     Vector3 centre;    ///< of the sphere, within a periodic box [m]
     Vector3 foot;      ///< on the wall, where that was at the start [m]
     Vector3 normal;    ///< from the wall to the sphere
   };
   struct Block {
-    std::vector<Near> near;      ///< by sphere
-    std::vector<Touch> touches;  ///< by sphere
-    std::vector<Point> points;   ///< those of the touches
+    std::vector<PlaneRow> planes;  ///< by wall; those of surfaces are empty
+    std::vector<Near> near;        ///< by sphere
+    std::vector<Touch> touches;    ///< of surfaces, by sphere
+    std::vector<Point> points;     ///< those of the touches
     std::vector<Touch> before;
     std::vector<WallLoad> loads;             ///< by wall
     std::vector<terms::NodeForce> on_nodes;  ///< of the surface [N]
     std::optional<Passage> passage;
   };
-  /// How a wall moves where it is touched.
+  /// How a surface moves where it is touched.
   struct Ground {
     Real arm = 0;  ///< from the sphere's centre [m]
     Vector3 place, velocity, spin;
@@ -118,6 +121,7 @@ private:
   Vector3 seen_by(std::size_t wall, const Vector3& place) const;
   void places_seen_by(std::size_t wall, const state::SpherePlace& place, const state::PeriodicBox& box, Real margin,
                       std::vector<Vector3>& places) const;
+  void find_near(const state::Spheres& spheres, std::size_t sphere, Real margin, Block& block) const;
   void find_surface(std::size_t wall, const state::Spheres& spheres, std::size_t sphere, Real margin,
                     std::vector<Near>& near) const;
   void look_back(const state::Spheres& spheres, std::span<const Index> place);
@@ -127,7 +131,9 @@ private:
   void find_points(const state::Spheres& spheres, const Vector3& place, std::span<Near> near, Block& block) const;
   static std::size_t keep_those_in_front(Real radius, std::span<Point> points);
   void touch_anew(const state::Spheres& spheres, Block& block) const;
+  static std::vector<Touch> touches_of(const Block& block);
   std::vector<Touch> touches() const;
+  void remember(const Touch& touch, Block& block) const;
   using Push = ContactSums (WallContacts::*)(const state::Spheres& spheres, std::size_t begin, const Task& task,
                                              Block& block) const;
   Push push_of_table() const;

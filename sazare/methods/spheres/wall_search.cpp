@@ -62,11 +62,30 @@ void WallContacts::find_surface(std::size_t wall, const state::Spheres& spheres,
   near.erase(twice.begin(), twice.end());
 }
 
-/// Of all parts, by part and sphere.
+/// Of surfaces by sphere, then of each plane by sphere.
+std::vector<WallContacts::Touch> WallContacts::touches_of(const Block& block) {
+  std::vector<Touch> all = block.touches;
+  for (std::size_t w = 0; w < block.planes.size(); ++w)
+    for (std::size_t n = 0; n < block.planes[w].size(); ++n) {
+      if (!block.planes[w].remembers(n)) continue;
+      const laws::ContactMemory<Real> memory = block.planes[w].memory(n);
+      all.push_back({.sphere = block.planes[w][n],
+                     .wall = static_cast<Index>(w),
+                     .sliding = vector(memory.sliding),
+                     .rolling = vector(memory.rolling),
+                     .twisting = memory.twisting});
+    }
+  return all;
+}
+
+/// Of all parts and blocks, one after the other.
 std::vector<WallContacts::Touch> WallContacts::touches() const {
   std::vector<Touch> all;
   for (const auto& blocks : parts_)
-    for (const Block& block : blocks) all.insert(all.end(), block.touches.begin(), block.touches.end());
+    for (const Block& block : blocks) {
+      const std::vector<Touch> more = touches_of(block);
+      all.insert(all.end(), more.begin(), more.end());
+    }
   return all;
 }
 
@@ -88,28 +107,42 @@ void WallContacts::find(const state::Spheres& spheres, Real time, Real margin, s
   }
   const std::size_t block_count = (spheres.size() + neighbors::block_size - 1) / neighbors::block_size;
   Block empty;
+  empty.planes.resize(walls_.size());
   empty.loads.resize(walls_.size());
   parts_.assign(parts.count, std::vector<Block>(block_count, empty));
   const auto block_of = [&](std::size_t sphere) -> Block& {
     const std::size_t part = parts.of.empty() ? 0 : static_cast<std::size_t>(parts.of[sphere]);
     return parts_[part][sphere / neighbors::block_size];
   };
-  for (const Touch& touch : kept) block_of(static_cast<std::size_t>(touch.sphere)).touches.push_back(touch);
   parallel::parallel_for(block_count, 2, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin * neighbors::block_size; i < std::min(end * neighbors::block_size, spheres.size()); ++i) {
-      auto& near = block_of(i).near;
-      for (std::size_t w = 0; w < walls_.size(); ++w) {
-        const Wall& wall = walls_[w];
-        if (wall.is_surface()) {
-          find_surface(w, spheres, i, margin, near);
-          continue;
-        }
-        const Vector3 centre = seen_by(w, spheres.box.wrapped(spheres.place[i].centre()));
-        if ((centre - wall.point).dot(wall.normal) < spheres.place[i].radius + margin)
-          near.push_back({static_cast<Index>(i), static_cast<Index>(w), -1, Vector3::Zero()});
-      }
-    }
+    for (std::size_t i = begin * neighbors::block_size; i < std::min(end * neighbors::block_size, spheres.size()); ++i)
+      find_near(spheres, i, margin, block_of(i));
   });
+  for (const Touch& touch : kept) remember(touch, block_of(static_cast<std::size_t>(touch.sphere)));
+}
+
+/// Adds a sphere to the rows of the planes, and to the triangles, that are near it.
+void WallContacts::find_near(const state::Spheres& spheres, std::size_t sphere, Real margin, Block& block) const {
+  const state::SpherePlace& place = spheres.place[sphere];
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    const Wall& wall = walls_[w];
+    if (wall.is_surface()) {
+      find_surface(w, spheres, sphere, margin, block.near);
+      continue;
+    }
+    const Vector3 centre = seen_by(w, spheres.box.wrapped(place.centre()));
+    if ((centre - wall.point).dot(wall.normal) < place.radius + margin)
+      block.planes[w].add(static_cast<Index>(sphere), table_.rolls);
+  }
+}
+
+/// Hands a touch back to the block of its sphere, where near spheres are known.
+void WallContacts::remember(const Touch& touch, Block& block) const {
+  const auto w = static_cast<std::size_t>(touch.wall);
+  if (walls_[w].is_plane())
+    block.planes[w].remember(touch.sphere, {triple(touch.sliding), triple(touch.rolling), touch.twisting});
+  else
+    block.touches.push_back(touch);
 }
 
 /// Whether spheres went through surfaces since they were last evaluated; `place` says where each stands that stood elsewhere.
@@ -118,7 +151,6 @@ void WallContacts::look_back(const state::Spheres& spheres, std::span<const Inde
     parallel::parallel_for(parts_[part].size(), 2, [&](std::size_t begin, std::size_t end) {
       for (Block& block : std::span(parts_[part]).subspan(begin, end - begin))
         for (Near& one : block.near) {
-          if (one.triangle < 0) continue;
           const auto w = static_cast<std::size_t>(one.wall);
           const auto before = static_cast<std::size_t>(one.sphere);
           const std::size_t sphere = place.empty() ? before : static_cast<std::size_t>(place[before]);

@@ -1,0 +1,245 @@
+#include "sazare/methods/spheres/plane_contacts.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "sazare/core/lane_records.hpp"
+#include "sazare/methods/spheres/load_rows.hpp"
+
+namespace sazare::methods::spheres {
+
+namespace {
+
+constexpr Real tiny = 1e-30;  // an overlap at which nothing of the law fails [m]
+
+Triple<Lanes> in_every_lane(const Vector3& vector) {
+  return {broadcast(vector.x()), broadcast(vector.y()), broadcast(vector.z())};
+}
+
+Real sum_of(const Lanes& lanes) {
+  Real sum = 0;
+  for (int lane = 0; lane < lane_count; ++lane) sum += lanes[lane];
+  return sum;
+}
+Vector3 sum_of(const Triple<Lanes>& lanes) { return {sum_of(lanes.x), sum_of(lanes.y), sum_of(lanes.z)}; }
+
+template <class Numbers>
+Numbers where(const LaneMask& mask, const Numbers& numbers) {
+  return select(mask, numbers, Numbers{});
+}
+
+/// Where a plane is and how it moves, in every lane.
+struct PlaneInLanes {
+  Triple<Lanes> point, normal, pivot, velocity, spin;
+
+  PlaneInLanes(const Wall& wall, const WallPose& pose)
+      : point(in_every_lane(pose.out(wall.point))),
+        normal(in_every_lane(pose.direction_out(wall.normal))),
+        pivot(in_every_lane(pose.pivot + pose.shift)),
+        velocity(in_every_lane(pose.velocity)),
+        spin(in_every_lane(pose.spin)) {}
+};
+
+template <laws::ContactModel model, bool rolls>
+class PlaneKernel {
+public:
+  explicit PlaneKernel(const PlaneTask& task)
+      : task_(task), plane_(task.wall, task.pose), box_(task.spheres.box), step_(broadcast(task.step)) {
+    const auto& one = task.table.of(0, task.wall.material);
+    constants_ = {broadcast(one.normal),         broadcast(one.tangential),
+                  broadcast(one.normal_damping), broadcast(one.tangential_damping),
+                  broadcast(one.friction),       broadcast(one.rolling),
+                  broadcast(one.twisting)};
+  }
+
+  [[gnu::flatten]] void evaluate(PlaneRow& row) {
+    for (std::size_t n = 0; n < row.group_count(); ++n) {
+      Meeting meeting;
+      if (meet(row, n, meeting))
+        press(row, n, meeting);
+      else
+        forget(row, n);
+    }
+  }
+
+  ContactSums sums() const {
+    ContactSums sums{.elastic = sum_of(elastic_),
+                     .sliding = sum_of(sliding_),
+                     .dashpot_work = task_.step * sum_of(dashpot_power_),
+                     .sliding_work = task_.step * sum_of(sliding_power_)};
+    for (int lane = 0; lane < lane_count; ++lane) sums.contacts += touching_[lane];
+    return sums;
+  }
+  WallLoad on_plane() const { return {-sum_of(force_), sum_of(moment_), task_.step * sum_of(power_)}; }
+
+private:
+  /// Some spheres at the plane.
+  struct Meeting {
+    LaneMask touch;  ///< those that count
+    laws::ContactMotion<Lanes> at;
+    Lanes radius, arm;             ///< from the centres to where they touch [m]
+    Triple<Lanes> foot, velocity;  ///< of the plane there: from its pivot [m], and [m/s]
+  };
+
+  /// Where and how fast a group meets the plane. Returns whether any of it touches; if none does nothing more is known.
+  bool meet(PlaneRow& row, std::size_t n, Meeting& meeting) const {
+    const Index* const sphere = row.group(n).sphere.data();
+    const state::SpherePlace* const places = task_.spheres.place.data();
+    const state::SphereSpin* const spins = task_.spheres.spin.data();
+    const auto place = load_quads([&](std::size_t lane) { return &places[sphere[lane]].x; });
+    const Triple<Lanes> centre = box_.wrapped({place[0], place[1], place[2]});
+    const Lanes radius = place[3], overlap = radius - dot(centre - plane_.point, plane_.normal);
+    meeting.touch = (overlap > 0.0) & (lane_numbers() < static_cast<std::int64_t>(row.size() - n * lane_count));
+    if (!any(meeting.touch)) return false;
+    const auto motion = load_quads([&](std::size_t lane) { return &places[sphere[lane]].vx; }),
+               turn = load_quads([&](std::size_t lane) { return &spins[sphere[lane]].x; });
+    const Triple<Lanes> spin{turn[0], turn[1], turn[2]};
+    laws::ContactMotion<Lanes>& at = meeting.at;
+    at.overlap = maximum(overlap, broadcast(tiny));
+    at.radius = laws::Reduced<Lanes>::alone(radius);
+    at.mass = laws::Reduced<Lanes>::alone(motion[3]);
+    at.normal = plane_.normal;
+    at.step = step_;
+    meeting.radius = radius;
+    meeting.arm = radius - 0.5 * at.overlap;
+    meeting.foot = subtract_product(meeting.arm, plane_.normal, centre) - plane_.pivot;
+    meeting.velocity = plane_.velocity + cross(plane_.spin, meeting.foot);
+    at.velocity = subtract_product(meeting.arm, cross(spin, plane_.normal), {motion[0], motion[1], motion[2]}) - meeting.velocity;
+    if constexpr (rolls) {
+      const Triple<Lanes> turns = spin - plane_.spin;
+      at.rolling = radius * cross(turns, plane_.normal);
+      at.twisting = radius * dot(turns, plane_.normal);
+    }
+    return true;
+  }
+
+  /// The law, whose forces go to the loads.
+  void press(PlaneRow& row, std::size_t n, const Meeting& meeting) {
+    if (task_.table.materials > 1) look_up(row.group(n));
+    laws::ContactMemory<Lanes> memory;
+    memory.sliding = row.group(n).sliding;
+    if constexpr (rolls) {
+      memory.rolling = row.turning(n).rolling;
+      memory.twisting = row.turning(n).twisting;
+    }
+    const auto force = laws::contact_force<model, rolls>(constants_, meeting.at, memory);
+    row.group(n).sliding = where(meeting.touch, memory.sliding);
+    Triple<Lanes> turning;
+    if constexpr (rolls) {
+      row.turning(n) = {where(meeting.touch, memory.rolling), where(meeting.touch, memory.twisting)};
+      turning = where(meeting.touch, Lanes(-meeting.radius) *
+                                         add_product(force.twisting, plane_.normal, cross(plane_.normal, force.rolling)));
+    }
+    deliver(row.group(n), meeting, where(meeting.touch, add_product(force.normal, plane_.normal, force.friction)), turning);
+    touching_ -= meeting.touch;
+    elastic_ += where(meeting.touch, force.elastic_energy);
+    sliding_ += where(meeting.touch, force.sliding_energy);
+    dashpot_power_ += where(meeting.touch, force.dashpot_power);
+    sliding_power_ += where(meeting.touch, force.sliding_power);
+  }
+
+  static void forget(PlaneRow& row, std::size_t n) {
+    row.group(n).sliding = {};
+    if constexpr (rolls) row.turning(n) = {};
+  }
+
+  /// The constants of spheres of several materials.
+  [[gnu::noinline]] void look_up(const PlaneRow::Group& group) {
+    std::array<const Real*, lane_count> from;
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      const auto material = static_cast<Index>(task_.spheres.spin[static_cast<std::size_t>(group.sphere[lane])].material);
+      from[lane] = task_.table.numbers(material * task_.table.materials + task_.wall.material);
+    }
+    const auto numbers = load_quads([&](std::size_t lane) { return from[lane]; }),
+               more = load_quads([&](std::size_t lane) { return from[lane] + 4; });
+    constants_ = {numbers[0], numbers[1], numbers[2], numbers[3], more[0], more[1], more[2]};
+  }
+
+  /// Forces and the moments that resist turning, to the spheres and back to the plane.
+  void deliver(const PlaneRow::Group& group, const Meeting& meeting, const Triple<Lanes>& force, const Triple<Lanes>& turning) {
+    const LoadRows rows(force, subtract_product(meeting.arm, cross(plane_.normal, force), Triple<Lanes>{} - turning));
+    state::SphereLoad* const loads = task_.own - task_.own_begin;
+    for (std::size_t lane = 0; lane < lane_count; ++lane) rows.add(lane, &loads[group.sphere[lane]]);
+    force_ = force_ + force;
+    moment_ = moment_ + (turning - cross(meeting.foot, force));
+    power_ += dot(force, meeting.velocity) - dot(turning, plane_.spin);
+  }
+
+  static LongLanes lane_numbers() {
+    LongLanes numbers;
+    for (int lane = 0; lane < lane_count; ++lane) numbers[lane] = lane;
+    return numbers;
+  }
+
+  const PlaneTask task_;
+  PlaneInLanes plane_;
+  BoxLanes<Lanes> box_;
+  Lanes step_;
+  laws::ContactConstants<Lanes> constants_;
+  Triple<Lanes> force_, moment_;  // on the spheres, and on the plane
+  Lanes power_{}, elastic_{}, sliding_{}, dashpot_power_{}, sliding_power_{};
+  LongLanes touching_{};
+};
+
+template <laws::ContactModel model, bool rolls>
+ContactSums evaluate_as(PlaneRow& row, const PlaneTask& task, WallLoad& on_plane) {
+  PlaneKernel<model, rolls> kernel(task);
+  kernel.evaluate(row);
+  on_plane += kernel.on_plane();
+  return kernel.sums();
+}
+
+}  // namespace
+
+ContactSums evaluate_plane(PlaneRow& row, const PlaneTask& task, WallLoad& on_plane) {
+  using enum laws::ContactModel;
+  if (task.table.model == hertz)
+    return task.table.rolls ? evaluate_as<hertz, true>(row, task, on_plane) : evaluate_as<hertz, false>(row, task, on_plane);
+  return task.table.rolls ? evaluate_as<linear, true>(row, task, on_plane) : evaluate_as<linear, false>(row, task, on_plane);
+}
+
+void PlaneRow::add(Index sphere, bool rolls) {
+  const std::size_t lane = size_ % lane_count;
+  if (lane == 0) {
+    groups_.emplace_back();
+    if (rolls) turning_.emplace_back();
+  }
+  auto& spheres = groups_.back().sphere;
+  std::fill(spheres.begin() + static_cast<std::ptrdiff_t>(lane), spheres.end(), sphere);
+  ++size_;
+}
+
+laws::ContactMemory<Real> PlaneRow::memory(std::size_t n) const {
+  const auto lane = static_cast<int>(n % lane_count);
+  const auto get = [lane](const Triple<Lanes>& of) { return Triple<Real>{of.x[lane], of.y[lane], of.z[lane]}; };
+  const Triple<Real> sliding = get(groups_[n / lane_count].sliding);
+  if (turning_.empty()) return {sliding, {}, 0};
+  const Turning& turning = turning_[n / lane_count];
+  return {sliding, get(turning.rolling), turning.twisting[lane]};
+}
+
+bool PlaneRow::remembers(std::size_t n) const {
+  const laws::ContactMemory<Real> memory = this->memory(n), nothing;
+  return std::memcmp(&memory, &nothing, sizeof(memory)) != 0;
+}
+
+void PlaneRow::remember(Index sphere, const laws::ContactMemory<Real>& memory) {
+  const auto next = std::ranges::upper_bound(groups_, sphere, {}, [](const Group& group) { return group.sphere.front(); });
+  if (next == groups_.begin()) return;
+  Group& group = *(next - 1);
+  const auto found = std::ranges::find(group.sphere, sphere);
+  if (found == group.sphere.end()) return;
+  const auto lane = static_cast<int>(found - group.sphere.begin());
+  const auto put = [lane](Triple<Lanes>& numbers, const Triple<Real>& value) {
+    numbers.x[lane] = value.x;
+    numbers.y[lane] = value.y;
+    numbers.z[lane] = value.z;
+  };
+  put(group.sliding, memory.sliding);
+  if (turning_.empty()) return;
+  Turning& turning = turning_[static_cast<std::size_t>(next - 1 - groups_.begin())];
+  put(turning.rolling, memory.rolling);
+  turning.twisting[lane] = memory.twisting;
+}
+
+}  // namespace sazare::methods::spheres
