@@ -12,19 +12,21 @@ namespace sazare {
 /// Square of `lane_count` records by as many doubles, turned over its diagonal.
 inline void transpose(std::array<Lanes, lane_count>& rows) {
 #ifdef __AVX512F__
-  std::array<Lanes, 8> pairs, quads;
-  for (std::size_t i = 0; i < 8; i += 2) {
-    pairs[i] = __builtin_shufflevector(rows[i], rows[i + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-    pairs[i + 1] = __builtin_shufflevector(rows[i], rows[i + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+  // Two numbers of two rows go together, and four by four of such are turned over, by shuffles that read no table of places.
+  const auto evens = [](const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 0, 1, 4, 5, 8, 9, 12, 13); };
+  const auto odds = [](const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 2, 3, 6, 7, 10, 11, 14, 15); };
+  std::array<Lanes, 8> pairs;
+  for (std::size_t i = 0; i < 4; ++i) {
+    pairs[i] = __builtin_shufflevector(rows[2 * i], rows[2 * i + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+    pairs[i + 4] = __builtin_shufflevector(rows[2 * i], rows[2 * i + 1], 1, 9, 3, 11, 5, 13, 7, 15);
   }
-  for (std::size_t i = 0; i < 8; i += 4)
-    for (std::size_t k = 0; k < 2; ++k) {
-      quads[i + k] = __builtin_shufflevector(pairs[i + k], pairs[i + k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-      quads[i + k + 2] = __builtin_shufflevector(pairs[i + k], pairs[i + k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-  for (std::size_t k = 0; k < 4; ++k) {
-    rows[k] = __builtin_shufflevector(quads[k], quads[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-    rows[k + 4] = __builtin_shufflevector(quads[k], quads[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Lanes *of = &pairs[4 * k], first = evens(of[0], of[1]), second = odds(of[0], of[1]), third = evens(of[2], of[3]),
+                fourth = odds(of[2], of[3]);
+    rows[k] = evens(first, third);
+    rows[k + 2] = evens(second, fourth);
+    rows[k + 4] = odds(first, third);
+    rows[k + 6] = odds(second, fourth);
   }
 #else
   const Lanes a = __builtin_shufflevector(rows[0], rows[1], 0, 4, 2, 6),
@@ -44,16 +46,17 @@ template <class From>
 requires std::invocable<const From&, std::size_t> std::array<Lanes, 4> load_quads(const From& from) {
   std::array<Lanes, 4> fields;
 #ifdef __AVX512F__
-  std::array<Lanes, 4> halves, pairs;
-  for (std::size_t i = 0; i < 4; ++i)
-    halves[i] = _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(from(i))), _mm256_loadu_pd(from(i + 4)), 1);
-  for (std::size_t i = 0; i < 4; i += 2) {
-    pairs[i] = __builtin_shufflevector(halves[i], halves[i + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-    pairs[i + 1] = __builtin_shufflevector(halves[i], halves[i + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-  }
-  for (std::size_t i = 0; i < 2; ++i) {
-    fields[i] = __builtin_shufflevector(pairs[i], pairs[i + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-    fields[i + 2] = __builtin_shufflevector(pairs[i], pairs[i + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+  const auto halves = [&](std::size_t lane) {
+    return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(from(lane))), _mm256_loadu_pd(from(lane + 2)), 1);
+  };
+  const auto pairs = [](const Lanes& even, const Lanes& odd) {
+    return std::array<Lanes, 2>{__builtin_shufflevector(even, odd, 0, 8, 2, 10, 4, 12, 6, 14),
+                                __builtin_shufflevector(even, odd, 1, 9, 3, 11, 5, 13, 7, 15)};
+  };
+  const auto early = pairs(halves(0), halves(1)), late = pairs(halves(4), halves(5));
+  for (std::size_t i = 0; i < 2; ++i) {  // by shuffles that read no table of places
+    fields[i] = __builtin_shufflevector(early[i], late[i], 0, 1, 4, 5, 8, 9, 12, 13);
+    fields[i + 2] = __builtin_shufflevector(early[i], late[i], 2, 3, 6, 7, 10, 11, 14, 15);
   }
 #else
   const auto halves = [&](std::size_t lane, int number) {
