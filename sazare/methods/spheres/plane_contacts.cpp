@@ -46,10 +46,9 @@ public:
   explicit PlaneKernel(const PlaneTask& task)
       : task_(task), plane_(task.wall, task.pose), box_(task.spheres.box), step_(broadcast(task.step)) {
     const auto& one = task.table.of(0, task.wall.material);
-    constants_ = {broadcast(one.normal),         broadcast(one.tangential),
-                  broadcast(one.normal_damping), broadcast(one.tangential_damping),
-                  broadcast(one.friction),       broadcast(one.rolling),
-                  broadcast(one.twisting)};
+    constants_ = {
+        broadcast(one.normal),   broadcast(one.tangential), broadcast(one.normal_damping), broadcast(one.tangential_damping),
+        broadcast(one.friction), broadcast(one.rolling),    broadcast(one.twisting)};
   }
 
   [[gnu::flatten]] void evaluate(PlaneRow& row) {
@@ -127,8 +126,8 @@ private:
     Triple<Lanes> turning;
     if constexpr (rolls) {
       row.turning(n) = {where(meeting.touch, memory.rolling), where(meeting.touch, memory.twisting)};
-      turning = where(meeting.touch, Lanes(-meeting.radius) *
-                                         add_product(force.twisting, plane_.normal, cross(plane_.normal, force.rolling)));
+      turning = where(meeting.touch,
+                      Lanes(-meeting.radius) * add_product(force.twisting, plane_.normal, cross(plane_.normal, force.rolling)));
     }
     deliver(row.group(n), meeting, where(meeting.touch, add_product(force.normal, plane_.normal, force.friction)), turning);
     touching_ -= meeting.touch;

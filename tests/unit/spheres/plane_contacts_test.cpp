@@ -16,7 +16,7 @@ using laws::ContactModel;
 
 constexpr Real step = 2e-6, margin = 2e-3;
 constexpr std::size_t count = 3 * lane_count + 3;  // of spheres
-constexpr Real round_off = 1e-10;                  // of forces of some 10 N: places are known to 1e-17 m, stiffnesses some 1e5 N/m
+constexpr Real round_off = 1e-10;  // of forces of some 10 N: places are known to 1e-17 m, stiffnesses some 1e5 N/m
 
 ContactTable three_materials(ContactModel model, bool rolls) {
   ContactTable table(model, 3);
