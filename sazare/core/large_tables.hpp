@@ -2,8 +2,10 @@
 
 /// How memory of large tables is handled.
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>  // says whether the C library is glibc
+#include <utility>
 #include <vector>
 
 #ifdef __GLIBC__
@@ -52,14 +54,42 @@ void reserve_on_large_pages(std::vector<T>& table, std::size_t count) {
 #endif
 }
 
-/// Moves a table that is there already.
-template <class T>
-void put_on_large_pages(std::vector<T>& table) {
-  if (!fills_large_pages<T>(table.size())) return;
-  std::vector<T> moved;
-  reserve_on_large_pages(moved, table.size());
-  moved.assign(table.begin(), table.end());
-  table.swap(moved);
-}
+/// Large pages for tables that are there already: those of which such tables use five eighths or more, since what is on a page
+/// takes memory whether somebody uses it or not.
+class LargePages {
+public:
+  template <class T>
+  void add(const std::vector<T>& table) {
+    const auto begin = reinterpret_cast<std::uintptr_t>(table.data()), end = begin + table.size() * sizeof(T);
+    for (std::uintptr_t from = begin; from < end;) {
+      const std::uintptr_t page = from / large_page, to = std::min(end, (page + 1) * large_page);
+      parts_.emplace_back(page, to - from);
+      from = to;
+    }
+  }
+
+  /// Moves what is on them, where the system grants them.
+  void ask() {
+    std::ranges::sort(parts_);
+    for (auto part = parts_.begin(); part != parts_.end();) {
+      const std::uintptr_t page = part->first;
+      std::size_t used = 0;
+      for (; part != parts_.end() && part->first == page; ++part) used += part->second;
+      if (used >= large_page / 8 * 5) ask(page);
+    }
+    parts_.clear();
+  }
+
+private:
+  static void ask([[maybe_unused]] std::uintptr_t page) {
+#ifdef MADV_HUGEPAGE
+    constexpr int collapse = 25;  // MADV_COLLAPSE since Linux 6.1, which an older C library does not name
+    const auto address = reinterpret_cast<void*>(page * large_page);
+    if (madvise(address, large_page, MADV_HUGEPAGE) == 0) madvise(address, large_page, collapse);
+#endif
+  }
+
+  std::vector<std::pair<std::uintptr_t, std::size_t>> parts_;  ///< the number of a page, and how much of it a table uses [B]
+};
 
 }  // namespace sazare

@@ -56,6 +56,9 @@ inline bool any_above(const TwinLanes& a, const TwinLanes& b) {
   return any(a > b);
 #endif
 }
+inline bool all_above(const TwinLanes& a, const TwinLanes& b) {
+  return all_above(a.first, b.first) && all_above(a.second, b.second);
+}
 inline TwinLanes maximum(const TwinLanes& a, const TwinLanes& b) {
   return {maximum(a.first, b.first), maximum(a.second, b.second)};
 }

@@ -66,6 +66,14 @@ public:
   methods::spheres::LoadTable& loads(std::size_t level) { return levels_[level].loads; }
   const methods::spheres::LoadTable& loads(std::size_t level) const { return levels_[level].loads; }
 
+  /// What a step reads but for the spheres.
+  void add_to(LargePages& pages) const {
+    for (const Level& level : levels_) {
+      level.pairs.add_to(pages);
+      level.loads.add_to(pages);
+    }
+  }
+
   /// What acts on spheres.
   struct Scene {
     const state::Spheres& spheres;

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "sazare/core/large_tables.hpp"
 #include "sazare/engine/sphere_stepper.hpp"
 
 namespace sazare::engine {
@@ -54,6 +55,17 @@ void SphereStepper::find_pairs() {
   find_walls(places_before);
   approach_ = 0;
   ++searches_;
+  ask_for_large_pages();
+}
+
+/// What steps go through stands on as few pages as can be: a processor knows the places of few.
+void SphereStepper::ask_for_large_pages() const {
+  LargePages pages;
+  pages.add(spheres_.place);
+  pages.add(spheres_.spin);
+  pages.add(spheres_.kick);
+  levels_.add_to(pages);
+  pages.ask();
 }
 
 /// All that follows from pairs and from where spheres stand.

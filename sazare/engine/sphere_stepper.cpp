@@ -53,9 +53,6 @@ SphereStepper::SphereStepper(state::Spheres spheres, const methods::spheres::Con
       rules_(rules),
       levels_(one_level_each(clumps_, rules.level), table, rules.step),
       smallest_radius_(smallest_radius(spheres_)) {
-  put_on_large_pages(spheres_.place);
-  put_on_large_pages(spheres_.spin);
-  put_on_large_pages(spheres_.kick);
   if (!clumps_.empty()) body_.assign(spheres_.size(), -1);
   for (std::size_t c = 0; c < clumps_.clumps.size(); ++c)
     for (const auto& member : clumps_.members_of(c)) body_[static_cast<std::size_t>(member.sphere)] = static_cast<Index>(c);

@@ -167,6 +167,7 @@ private:
   void find_drift();
   Real margin_for_step() const;
   void find_places();
+  void ask_for_large_pages() const;
   SphereLevels::Together together();
   void rest_bodies();
   void wake_broken_within_pieces();

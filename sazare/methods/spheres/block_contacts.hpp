@@ -6,17 +6,19 @@
 #include <vector>
 
 #include "sazare/core/coming_lines.hpp"
+#include "sazare/core/large_tables.hpp"
 #include "sazare/core/time.hpp"
 #include "sazare/core/triple.hpp"
 #include "sazare/core/twin_lanes.hpp"
 #include "sazare/laws/granular_contact.hpp"
+#include "sazare/methods/spheres/sphere_at.hpp"
 
 namespace sazare::methods::spheres {
 
 struct Contact {
-  Index first = 0, second = 0;  ///< places of its spheres
-  Index slot = 0;               ///< where the load of the second adds up, see LoadTable
-  std::uint32_t pair = 0;       ///< its number among the candidates
+  SphereAt first, second;
+  Index slot = 0;          ///< where the load of the second adds up, see LoadTable
+  std::uint32_t pair = 0;  ///< its number among the candidates
 };
 
 class BlockContacts {
@@ -56,6 +58,13 @@ public:
     coming.add_row(std::span(sliding_));
     coming.add_row(std::span(rolling_));
     coming.add_row(std::span(twisting_));
+  }
+
+  void add_to(LargePages& pages) const {
+    pages.add(contacts_);
+    pages.add(sliding_);
+    pages.add(rolling_);
+    pages.add(twisting_);
   }
 
   void set_slot(std::size_t contact, Index slot) { contacts_[contact].slot = slot; }

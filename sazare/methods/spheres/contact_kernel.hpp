@@ -43,11 +43,12 @@ public:
     }
   }
 
-  /// The contacts from a number on, `at_once` or as many as are left, in three passes: each holds few numbers at a time, for
+  /// The contacts from a number on, `at_once` or as many as are left, in four passes: each holds few numbers at a time, for
   /// which there are registers, and its groups do not wait for one another. Asks for so many of the coming lines with each group.
   void evaluate(std::size_t begin, ComingLines& coming, std::size_t lines) {
     const std::span groups(groups_.data(), groups_from(begin));
     meet(groups);
+    turn(groups);
     for (Group& group : groups) {
       press(group);
       coming.fetch(lines);
@@ -100,66 +101,82 @@ private:
     return count;
   }
 
-  using Padded = std::array<Contact, lane_count>;
-  /// The contacts of half a group; what is too much repeats one of the group and does not count.
-  const Contact* contacts_of(const Group& group, int offset, Padded& padded) const {
-    if (group.count >= offset + lane_count) return &contacts_[group.begin] + offset;
-    padded.fill(contacts_[group.begin]);
-    if (group.count > offset) std::copy_n(&contacts_[group.begin] + offset, group.count - offset, padded.begin());
-    return padded.data();
+  /// The contacts of a group; what is too much repeats the first and does not count.
+  const Contact* contacts_of(const Group& group) {
+    return group.count == TwinLanes::count ? &contacts_[group.begin] : padded(group);
+  }
+  [[gnu::noinline]] const Contact* padded(const Group& group) {
+    padded_.fill(contacts_[group.begin]);
+    std::copy_n(&contacts_[group.begin], group.count, padded_.begin());
+    return padded_.data();
   }
 
-  static void set(Triple<TwinLanes>& to, Lanes TwinLanes::*half, const Triple<Lanes>& from) {
-    to.x.*half = from.x;
-    to.y.*half = from.y;
-    to.z.*half = from.z;
+  static Triple<TwinLanes> twins(const Triple<Lanes>& first, const Triple<Lanes>& second) {
+    return {{first.x, second.x}, {first.y, second.y}, {first.z, second.z}};
   }
-  static void set(laws::Reduced<TwinLanes>& to, Lanes TwinLanes::*half, const Lanes& one, const Lanes& other) {
-    to.product.*half = one * other;
-    to.sum.*half = one + other;
+  /// The spheres of contacts that stand one after the other, by lane.
+  static auto firsts(const Contact* some) {
+    return [=](std::size_t lane) { return some[lane].first; };
+  }
+  static auto seconds(const Contact* some) {
+    return [=](std::size_t lane) { return some[lane].second; };
   }
 
-  /// Where and how fast spheres meet.
+  static laws::Reduced<TwinLanes> reduced(const TwinLanes& one, const TwinLanes& other) { return {one * other, one + other}; }
+
+  /// Where spheres meet, and how fast their centres do.
   [[gnu::flatten, gnu::noinline]] void meet(std::span<Group> groups) {
-    for (Group& group : groups) {
-      meet(group, &TwinLanes::first, 0);
-      meet(group, &TwinLanes::second, lane_count);
-    }
+    for (Group& group : groups) meet(group);
   }
 
-  void meet(Group& group, Lanes TwinLanes::*half, int offset) {
-    Padded padded;
-    const Contact* const some = contacts_of(group, offset, padded);
+  void meet(Group& group) {
+    const Contact* const some = contacts_of(group);
+    const state::SpherePlace* const places = spheres_.place.data();
     laws::ContactMotion<TwinLanes>& at = group.at;
-    auto [apart, velocity, radius, radius2, mass, mass2, one, other] = meeting_of(
-        spheres_.place.data(), spheres_.spin.data(), [&](std::size_t lane) { return static_cast<std::size_t>(some[lane].first); },
-        [&](std::size_t lane) { return static_cast<std::size_t>(some[lane].second); });
-    set(at.mass, half, mass, mass2);
-    set(at.radius, half, radius, radius2);
-    const Lanes square = box_.square_of_nearest(apart), inverse_distance = inverse_square_root(square),
-                gap = add_product(square, inverse_distance, -(at.radius.sum.*half));
-    const Triple<Lanes> normal = inverse_distance * apart;
-    set(at.normal, half, normal);
-    Lanes beyond = -gap, rest{};
+    const Meeting one = meeting_of(places, firsts(some), seconds(some)),
+                  two = meeting_of(places, firsts(some + lane_count), seconds(some + lane_count));
+    Triple<TwinLanes> apart = twins(one.apart, two.apart);
+    const TwinLanes radius(one.radius, two.radius), second_radius(one.second_radius, two.second_radius);
+    at.radius = reduced(radius, second_radius);
+    at.mass = reduced({one.mass, two.mass}, {one.second_mass, two.second_mass});
+    const TwinLanes square = box_.square_of_nearest(apart), inverse_distance = inverse_square_root(square),
+                    gap = add_product(square, inverse_distance, -at.radius.sum);
+    at.normal = inverse_distance * apart;
+    TwinLanes beyond = -gap, rest{};
     if constexpr (rests) {
-      Lanes& before = contacts_.rest_of(group.begin).*half;
-      before = rest = maximum(minimum(before, beyond), Lanes{});
+      TwinLanes& before = contacts_.rest_of(group.begin);
+      before = rest = maximum(minimum(before, beyond), TwinLanes{});
       beyond -= rest;
     }
-    const bool all_touch = all_above(beyond, broadcast(tiny));
-    at.overlap.*half = maximum(beyond, broadcast(tiny));
-    Lanes deep = 0.5 * (at.overlap.*half);
+    at.overlap = maximum(beyond, TwinLanes(tiny));
+    TwinLanes deep = 0.5 * at.overlap;
     if constexpr (rests) deep += 0.5 * rest;
-    const Lanes first_arm = group.first_arm.*half = radius - deep, second_arm = group.second_arm.*half = radius2 - deep;
-    const Triple<Lanes> turning = cross(add_product(second_arm, other, first_arm * one), normal);
+    group.first_arm = radius - deep;
+    group.second_arm = second_radius - deep;
+    at.velocity = twins(one.velocity, two.velocity);
+    if (!all_above(beyond, TwinLanes(tiny))) leave_alone(group, beyond > tiny, gap);
+  }
+
+  /// What spins add to the velocity where spheres meet.
+  [[gnu::flatten, gnu::noinline]] void turn(std::span<Group> groups) {
+    for (Group& group : groups) turn(group);
+  }
+
+  void turn(Group& group) {
+    const Contact* const some = contacts_of(group);
+    const Contact* const more = some + lane_count;
+    const state::SphereSpin* const spins = spheres_.spin.data();
+    laws::ContactMotion<TwinLanes>& at = group.at;
+    const auto turning = twins(sum_of_spins(spins, firsts(some), group.first_arm.first, seconds(some), group.second_arm.first),
+                               sum_of_spins(spins, firsts(more), group.first_arm.second, seconds(more), group.second_arm.second));
+    at.velocity = at.velocity - cross(turning, at.normal);
     if constexpr (rolls) {
-      const Lanes reduced = (at.radius.product.*half) / (at.radius.sum.*half);
-      const Triple<Lanes> turns = other - one;
-      set(at.rolling, half, reduced * cross(turns, normal));
-      at.twisting.*half = reduced * dot(turns, normal);
+      const TwinLanes reduced_radius = at.radius.product / at.radius.sum;
+      const Triple<TwinLanes> turns = twins(spins_of(spins, seconds(some)), spins_of(spins, seconds(more))) -
+                                      twins(spins_of(spins, firsts(some)), spins_of(spins, firsts(more)));
+      at.rolling = reduced_radius * cross(turns, at.normal);
+      at.twisting = reduced_radius * dot(turns, at.normal);
     }
-    set(at.velocity, half, velocity - turning);
-    if (!all_touch) leave_alone(group, half, offset, beyond > tiny, gap);
   }
 
   /// The law.
@@ -204,14 +221,14 @@ private:
 
   /// Tells the lanes that push. Pairs that do not sleep, where there is a gap, for as long as it lasts. Called, like `look_up`,
   /// where the kernel has nothing in registers: as a part of it the seldom one would cost the others theirs.
-  [[gnu::noinline]] void leave_alone(Group& group, Lanes TwinLanes::*half, int offset, const LaneMask& touches,
-                                     const Lanes& gap) {
+  [[gnu::noinline]] void leave_alone(Group& group, const TwinMask& touches, const TwinLanes& gap) {
     if (group.all_touch) group.touches = {mask_of(all_lanes), mask_of(all_lanes)};
     group.all_touch = false;
-    (half == &TwinLanes::first ? group.touches.first : group.touches.second) &= touches;
-    for (int lane = 0; lane < std::min(group.count - offset, lane_count); ++lane) {
+    group.touches.first &= touches.first;
+    group.touches.second &= touches.second;
+    for (int lane = 0; lane < group.count; ++lane) {
       if (touches[lane] || gap[lane] < 0) continue;
-      const std::size_t contact = group.begin + static_cast<std::size_t>(offset + lane);
+      const std::size_t contact = group.begin + static_cast<std::size_t>(lane);
       pairs_.sleep_on(contacts_[contact].pair, approach_ + gap[lane]);
       parted_.push_back(contact);
     }
@@ -219,16 +236,13 @@ private:
 
   /// The constants of contacts of several materials.
   [[gnu::noinline]] void look_up(const Group& group) {
-    look_up(group, &TwinLanes::first, 0);
-    look_up(group, &TwinLanes::second, lane_count);
+    const Contact* const contacts = contacts_of(group);
+    look_up(contacts, &TwinLanes::first);
+    look_up(contacts + lane_count, &TwinLanes::second);
   }
-  void look_up(const Group& group, Lanes TwinLanes::*half, int offset) {
-    Padded padded;
-    const Contact* const contacts = contacts_of(group, offset, padded);
+  void look_up(const Contact* contacts, Lanes TwinLanes::*half) {
     std::array<const Real*, lane_count> from;
-    const auto material = [&](Index sphere) {
-      return static_cast<Index>(spheres_.spin[static_cast<std::size_t>(sphere)].material);
-    };
+    const auto material = [&](const SphereAt& sphere) { return static_cast<Index>(sphere.of(spheres_.spin.data())->material); };
     for (std::size_t n = 0; n < lane_count; ++n)
       from[n] = pairs_.table_.numbers(material(contacts[n].first) * pairs_.table_.materials + material(contacts[n].second));
     const auto numbers = load_quads([&](std::size_t lane) { return from[lane]; }),
@@ -242,33 +256,32 @@ private:
     constants_.twisting.*half = more[2];
   }
 
-  /// Equal and opposite forces; moments about both centres, whose arms together are the distance.
+  /// Equal and opposite forces; moments about both centres, whose arms together are the distance. What does not count is zero.
   [[gnu::flatten, gnu::noinline]] void deliver(std::span<const Group> groups) {
     for (const Group& group : groups) {
-      deliver(group, &TwinLanes::first, 0);
-      deliver(group, &TwinLanes::second, lane_count);
+      const Contact* const contacts = contacts_of(group);
+      deliver(group, contacts, &TwinLanes::first);
+      deliver(group, contacts + lane_count, &TwinLanes::second);
     }
   }
-  void deliver(const Group& group, Lanes TwinLanes::*half, int offset) {
+  void deliver(const Group& group, const Contact* contacts, Lanes TwinLanes::*half) {
     // Their own copies: for all that the compiler knows, a load that is written to might be one of the members.
     state::SphereLoad* const own = own_ - block_begin_;
     const LoadTable::Slots slots = slots_;
-    const Contact* const contacts = &contacts_[group.begin] + offset;
-    const auto count = static_cast<std::size_t>(std::clamp(group.count - offset, 0, lane_count));
     const LoadRows pushes(lanes_of(group.force, half), lanes_of(group.moment_by_arm, half));
     const auto* const first_arm = reinterpret_cast<const Real*>(&(group.first_arm.*half));
     const auto* const second_arm = reinterpret_cast<const Real*>(&(group.second_arm.*half));
     const auto add = [&](state::SphereLoad* to, const Octet& share, std::size_t lane) {
       add_product(share, pushes[lane], Octet::load(&to->fx)).store(&to->fx);
     };
-    for (std::size_t lane = 0; lane < lane_count && lane < count; ++lane) {
-      add(own + contacts[lane].first, Octet::halves(-1, first_arm[lane]), lane);
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      add(contacts[lane].first.of(own), Octet::halves(-1, first_arm[lane]), lane);
       add(slots[contacts[lane].slot], Octet::halves(1, second_arm[lane]), lane);
     }
     if constexpr (rolls) {
       const LoadRows turnings({}, lanes_of(group.turning, half));
-      for (std::size_t lane = 0; lane < count; ++lane) {
-        state::SphereLoad &one = own[contacts[lane].first], &other = *slots[contacts[lane].slot];
+      for (std::size_t lane = 0; lane < lane_count; ++lane) {
+        state::SphereLoad &one = *contacts[lane].first.of(own), &other = *slots[contacts[lane].slot];
         add_product(Octet::halves(-1, -1), turnings[lane], Octet::load(&one.fx)).store(&one.fx);
         turnings.add(lane, &other);
       }
@@ -299,7 +312,7 @@ private:
   Index block_begin_;
   Real approach_;
   TwinLanes step_;
-  BoxLanes<Lanes> box_;
+  BoxLanes<TwinLanes> box_;
   bool tells_energies_;
   bool is_one_material_;
   laws::ContactConstants<TwinLanes> constants_;
@@ -307,6 +320,7 @@ private:
   TwinLanes elastic_, sliding_, dashpot_power_, sliding_power_;
   std::int64_t touching_ = 0;
   std::array<Group, groups_at_once> groups_;
+  std::array<Contact, TwinLanes::count> padded_;
 };
 
 }  // namespace sazare::methods::spheres

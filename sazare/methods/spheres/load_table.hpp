@@ -14,6 +14,7 @@
 #include <span>
 #include <vector>
 
+#include "sazare/core/large_tables.hpp"
 #include "sazare/neighbors/sphere_pairs.hpp"
 
 namespace sazare::methods::spheres {
@@ -56,6 +57,9 @@ public:
 
   /// Sets the loads of a block's guests to zero, before it is evaluated; those of its own spheres are to be zero then as well.
   void clear_guests(std::size_t block);
+  /// What a step reads.
+  void add_to(LargePages& pages) const { pages.add(guests_); }
+
   /// The guests of a block, in order.
   std::span<const Index> guests(std::size_t block) const {
     return std::span(guest_).subspan(guest_begin_[block], guest_begin_[block + 1] - guest_begin_[block]);

@@ -5,93 +5,110 @@
 #include <array>
 
 #include "sazare/core/lane_records.hpp"
-#include "sazare/core/time.hpp"
 #include "sazare/core/triple.hpp"
+#include "sazare/methods/spheres/sphere_at.hpp"
 #include "sazare/state/spheres.hpp"
 
 namespace sazare::methods::spheres {
 
-/// Both spheres of as many pairs as there are lanes.
+/// Both spheres of as many pairs as there are lanes, but for their spins.
 struct Meeting {
   Triple<Lanes> apart, velocity;  ///< of the second ones, seen from the first
   Lanes radius, second_radius, mass, second_mass;
-  Triple<Lanes> spin, second_spin;
 };
 
 #ifdef __AVX512F__
 
-using FourRegisters = std::array<Lanes, 4>;
-
-// Steps of turning records into lanes: what two registers have at some places, side by side.
-inline Lanes low_pairs(const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13); }
-inline Lanes high_pairs(const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15); }
-inline Lanes lower_halves(const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11); }
-inline Lanes upper_halves(const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15); }
+// Steps of turning records into lanes: what two registers have at some places, and pairs of numbers of two registers, side by
+// side.
 inline Lanes even_numbers(const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14); }
 inline Lanes odd_numbers(const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15); }
+inline Lanes even_pairs(const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 0, 1, 4, 5, 8, 9, 12, 13); }
+inline Lanes odd_pairs(const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 2, 3, 6, 7, 10, 11, 14, 15); }
 
-/// The vectors of eight records of four numbers, two in each register.
-inline Triple<Lanes> vectors_of(const FourRegisters& two_each) {
-  const Lanes even = even_numbers(two_each[0], two_each[1]), even2 = even_numbers(two_each[2], two_each[3]),
-              odd = odd_numbers(two_each[0], two_each[1]), odd2 = odd_numbers(two_each[2], two_each[3]);
-  const auto firsts = [](const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 0, 4, 1, 5, 8, 12, 9, 13); };
-  const auto thirds = [](const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 2, 6, 3, 7, 10, 14, 11, 15); };
-  return {firsts(even, even2), firsts(odd, odd2), thirds(even, even2)};
+/// The vectors of eight records of four numbers, of which a register holds two: `two(lane)` those of a lane and the next but one.
+template <class Two>
+Triple<Lanes> vectors_of(const Two& two) {
+  const Lanes zero = two(0), one = two(1), four = two(4), five = two(5), even = even_numbers(zero, one),
+              even2 = even_numbers(four, five);
+  return {even_pairs(even, even2), even_pairs(odd_numbers(zero, one), odd_numbers(four, five)), odd_pairs(even, even2)};
 }
 
-inline Lanes two_spins(const state::SphereSpin& a, const state::SphereSpin& b) {
-  return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_load_pd(&a.x)), _mm256_load_pd(&b.x), 1);
+/// Of as many spheres as there are lanes; `sphere(lane)` is one of them, a SphereAt.
+template <class Sphere>
+Triple<Lanes> spins_of(const state::SphereSpin* spins, const Sphere& sphere) {
+  return vectors_of([&](std::size_t lane) {
+    return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_load_pd(&sphere(lane).of(spins)->x)),
+                              _mm256_load_pd(&sphere(lane + 2).of(spins)->x), 1);
+  });
 }
 
-/// `first(lane)` and `second(lane)` are the places of a pair. A whole record is subtracted from another one at once, so that
+/// a w + b v of the spins w and v of both spheres of as many pairs as there are lanes. What is added up before it is turned into
+/// lanes is turned once.
+template <class First, class Second>
+Triple<Lanes> sum_of_spins(const state::SphereSpin* spins, const First& first, const Lanes& a, const Second& second,
+                           const Lanes& b) {
+  const auto *const first_factor = reinterpret_cast<const Real*>(&a), *const second_factor = reinterpret_cast<const Real*>(&b);
+  const auto sum = [&](std::size_t lane) {
+    return _mm256_fmadd_pd(_mm256_set1_pd(second_factor[lane]), _mm256_load_pd(&second(lane).of(spins)->x),
+                           _mm256_mul_pd(_mm256_set1_pd(first_factor[lane]), _mm256_load_pd(&first(lane).of(spins)->x)));
+  };
+  return vectors_of([&](std::size_t lane) { return _mm512_insertf64x4(_mm512_castpd256_pd512(sum(lane)), sum(lane + 2), 1); });
+}
+
+/// `first(lane)` and `second(lane)` are the spheres of a pair. A whole record is subtracted from another one at once, so that
 /// their differences are turned into lanes once, and not what either sphere has.
 template <class First, class Second>
-Meeting meeting_of(const state::SpherePlace* places, const state::SphereSpin* spins, const First& first, const Second& second) {
-  FourRegisters even, odd, own, others, spin, second_spin;
+Meeting meeting_of(const state::SpherePlace* places, const First& first, const Second& second) {
+  std::array<Lanes, 4> even, odd, own, others;
   for (std::size_t i = 0; i < 4; ++i) {
-    const std::size_t one = first(2 * i), next = first(2 * i + 1), other = second(2 * i), next_other = second(2 * i + 1);
-    const Lanes a = load_lanes(&places[one].x), b = load_lanes(&places[next].x), a2 = load_lanes(&places[other].x),
-                b2 = load_lanes(&places[next_other].x), from_a = a2 - a, from_b = b2 - b;
-    spin[i] = two_spins(spins[one], spins[next]);
-    second_spin[i] = two_spins(spins[other], spins[next_other]);
+    const auto one = first(2 * i), next = first(2 * i + 1), other = second(2 * i), next_other = second(2 * i + 1);
+    const Lanes a = load_lanes(&one.of(places)->x), b = load_lanes(&next.of(places)->x), a2 = load_lanes(&other.of(places)->x),
+                b2 = load_lanes(&next_other.of(places)->x), from_a = a2 - a, from_b = b2 - b;
     even[i] = even_numbers(from_a, from_b);
     odd[i] = odd_numbers(from_a, from_b);
     own[i] = odd_numbers(a, b);
     others[i] = odd_numbers(a2, b2);
   }
-  const Lanes x = low_pairs(even[0], even[1]), x2 = low_pairs(even[2], even[3]), y = low_pairs(odd[0], odd[1]),
-              y2 = low_pairs(odd[2], odd[3]), z = high_pairs(even[0], even[1]), z2 = high_pairs(even[2], even[3]),
-              sizes = high_pairs(own[0], own[1]), sizes2 = high_pairs(own[2], own[3]),
-              second_sizes = high_pairs(others[0], others[1]), second_sizes2 = high_pairs(others[2], others[3]);
-  return {{lower_halves(x, x2), lower_halves(y, y2), lower_halves(z, z2)},
-          {upper_halves(x, x2), upper_halves(y, y2), upper_halves(z, z2)},
-          lower_halves(sizes, sizes2),
-          lower_halves(second_sizes, second_sizes2),
-          upper_halves(sizes, sizes2),
-          upper_halves(second_sizes, second_sizes2),
-          vectors_of(spin),
-          vectors_of(second_spin)};
+  const Lanes x = even_pairs(even[0], even[1]), x2 = even_pairs(even[2], even[3]), y = even_pairs(odd[0], odd[1]),
+              y2 = even_pairs(odd[2], odd[3]), z = odd_pairs(even[0], even[1]), z2 = odd_pairs(even[2], even[3]),
+              sizes = odd_pairs(own[0], own[1]), sizes2 = odd_pairs(own[2], own[3]),
+              second_sizes = odd_pairs(others[0], others[1]), second_sizes2 = odd_pairs(others[2], others[3]);
+  return {{even_pairs(x, x2), even_pairs(y, y2), even_pairs(z, z2)},
+          {odd_pairs(x, x2), odd_pairs(y, y2), odd_pairs(z, z2)},
+          even_pairs(sizes, sizes2),
+          even_pairs(second_sizes, second_sizes2),
+          odd_pairs(sizes, sizes2),
+          odd_pairs(second_sizes, second_sizes2)};
 }
 
 #else
 
 template <class First, class Second>
-Meeting meeting_of(const state::SpherePlace* places, const state::SphereSpin* spins, const First& first, const Second& second) {
-  const auto place = load_quads([&](std::size_t lane) { return &places[first(lane)].x; }),
-             second_place = load_quads([&](std::size_t lane) { return &places[second(lane)].x; }),
-             motion = load_quads([&](std::size_t lane) { return &places[first(lane)].vx; }),
-             second_motion = load_quads([&](std::size_t lane) { return &places[second(lane)].vx; }),
-             spin = load_quads([&](std::size_t lane) { return &spins[first(lane)].x; }),
-             second_spin = load_quads([&](std::size_t lane) { return &spins[second(lane)].x; });
+Meeting meeting_of(const state::SpherePlace* places, const First& first, const Second& second) {
+  const auto place = load_quads([&](std::size_t lane) { return &first(lane).of(places)->x; }),
+             second_place = load_quads([&](std::size_t lane) { return &second(lane).of(places)->x; }),
+             motion = load_quads([&](std::size_t lane) { return &first(lane).of(places)->vx; }),
+             second_motion = load_quads([&](std::size_t lane) { return &second(lane).of(places)->vx; });
   const auto vector = [](const std::array<Lanes, 4>& quad) { return Triple<Lanes>{quad[0], quad[1], quad[2]}; };
   return {vector(second_place) - vector(place),
           vector(second_motion) - vector(motion),
           place[3],
           second_place[3],
           motion[3],
-          second_motion[3],
-          vector(spin),
-          vector(second_spin)};
+          second_motion[3]};
+}
+
+template <class Sphere>
+Triple<Lanes> spins_of(const state::SphereSpin* spins, const Sphere& sphere) {
+  const auto spin = load_quads([&](std::size_t lane) { return &sphere(lane).of(spins)->x; });
+  return {spin[0], spin[1], spin[2]};
+}
+
+template <class First, class Second>
+Triple<Lanes> sum_of_spins(const state::SphereSpin* spins, const First& first, const Lanes& a, const Second& second,
+                           const Lanes& b) {
+  return add_product(b, spins_of(spins, second), a * spins_of(spins, first));
 }
 
 #endif

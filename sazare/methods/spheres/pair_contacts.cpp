@@ -43,8 +43,8 @@ PairContacts::Touches PairContacts::take_touches(const std::vector<Index>& new_p
     for (std::size_t n = 0; n < block.size(); ++n) {
       const Contact& contact = block[n];
       const laws::ContactMemory<Real> memory = block.memory(n);
-      Touch touch{new_place[static_cast<std::size_t>(contact.first)], new_place[static_cast<std::size_t>(contact.second)],
-                  memory.sliding};
+      Touch touch{new_place[static_cast<std::size_t>(contact.first.place())],
+                  new_place[static_cast<std::size_t>(contact.second.place())], memory.sliding};
       if (touch.one > touch.other) {
         // Seen from the other sphere, sliding changes its sign; rolling and twisting do not.
         std::swap(touch.one, touch.other);
@@ -88,7 +88,7 @@ void PairContacts::go_on(const Touches& touches) {
       if (touch_of[p] < 0) continue;
       const auto n = static_cast<std::size_t>(touch_of[p]);
       const Touch& touch = touches.pairs[n];
-      contacts_[block].add({touch.one, touch.other, 0, static_cast<std::uint32_t>(p)}, table_.rolls);
+      contacts_[block].add({SphereAt::at(touch.one), SphereAt::at(touch.other), 0, static_cast<std::uint32_t>(p)}, table_.rolls);
       const Turning turning = table_.rolls ? touches.turning[n] : Turning{};
       contacts_[block].remember(contacts_[block].size() - 1, {touch.sliding, turning.rolling, turning.twisting});
       if (!touches.rest.empty() && touches.rest[n] > 0) contacts_[block].set_rest(contacts_[block].size() - 1, touches.rest[n]);
@@ -101,7 +101,7 @@ void PairContacts::write_to(const LoadTable& loads) {
   parallel::parallel_for(contacts_.size(), 2, [&](std::size_t begin, std::size_t end) {
     for (std::size_t block = begin; block < end; ++block)
       for (std::size_t n = 0; n < contacts_[block].size(); ++n)
-        contacts_[block].set_slot(n, loads.slot(block, contacts_[block][n].second));
+        contacts_[block].set_slot(n, loads.slot(block, contacts_[block][n].second.place()));
   });
 }
 
@@ -167,13 +167,14 @@ inline Lanes PairContacts::gaps(const state::Spheres& spheres, const BoxLanes<La
   const auto second =
       load_quads([&](std::size_t lane) { return &spheres.place[static_cast<std::size_t>(pairs_.other[pairs[lane]])].x; });
   Triple<Lanes> apart{second[0] - first[0], second[1] - first[1], second[2] - first[2]};
-  return positive_root(box.square_of_nearest(apart)) - (first[3] + second[3]);
+  return square_root(box.square_of_nearest(apart)) - (first[3] + second[3]);
 }
 
 [[gnu::noinline]] void PairContacts::begin_contact(std::size_t block, std::size_t pair, const LoadTable& loads) {
   const Index first = static_cast<Index>(loads.begin_of(block)) + owner_[pair], second = pairs_.other[pair];
   sleeps_until_[pair] = in_contact;
-  contacts_[block].add({first, second, loads.slot(block, second), static_cast<std::uint32_t>(pair)}, table_.rolls);
+  contacts_[block].add({SphereAt::at(first), SphereAt::at(second), loads.slot(block, second), static_cast<std::uint32_t>(pair)},
+                       table_.rolls);
 }
 
 template <laws::ContactModel model, bool rolls>
@@ -217,6 +218,13 @@ ComingLines PairContacts::coming(const state::Spheres& spheres, const LoadTable&
   return coming;
 }
 
+void PairContacts::add_to(LargePages& pages) const {
+  pages.add(sleeps_until_);
+  pages.add(owner_);
+  pages.add(pairs_.other);
+  for (const BlockContacts& block : contacts_) block.add_to(pages);
+}
+
 void PairContacts::columns(Archive& archive) {
   archive("first", pairs_.first);
   archive("other", pairs_.other);
@@ -240,7 +248,7 @@ void PairContacts::columns(Archive& archive) {
   }
   if (std::ranges::all_of(rest, [](Real overlap) { return overlap == 0; })) rest.clear();
   archive("contacts_of_blocks", counts);
-  archive("contacts", contacts);
+  archive("contact_records", contacts);
   archive("sliding", sliding);
   archive("rolling", rolling);
   archive("twisting", twisting);

@@ -60,6 +60,9 @@ public:
   /// What the evaluation of a block will read.
   ComingLines coming(const state::Spheres& spheres, const LoadTable& loads, std::size_t block) const;
 
+  /// What a step reads.
+  void add_to(LargePages& pages) const;
+
   const neighbors::SpherePairs& pairs() const { return pairs_; }
   const ContactTable& table() const { return table_; }
 

@@ -17,11 +17,19 @@ state::Spheres some_spheres() {
 
 TEST(meeting, has_both_spheres_of_each_pair_in_its_lane) {
   const state::Spheres spheres = some_spheres();
-  const auto first = [](std::size_t lane) { return (5 * lane + 3) % 40; };
-  const auto second = [](std::size_t lane) { return (11 * lane + 17) % 40; };
-  const Meeting meeting = meeting_of(spheres.place.data(), spheres.spin.data(), first, second);
+  const auto first = [](std::size_t lane) { return SphereAt::at(static_cast<Index>((5 * lane + 3) % 40)); };
+  const auto second = [](std::size_t lane) { return SphereAt::at(static_cast<Index>((11 * lane + 17) % 40)); };
+  const Meeting meeting = meeting_of(spheres.place.data(), first, second);
+  const Triple<Lanes> spin = spins_of(spheres.spin.data(), first), second_spin = spins_of(spheres.spin.data(), second);
+  Lanes a, b;
   for (int lane = 0; lane < lane_count; ++lane) {
-    const auto one = first(static_cast<std::size_t>(lane)), other = second(static_cast<std::size_t>(lane));
+    a[lane] = 0.25 * lane;
+    b[lane] = 2.0 - lane;
+  }
+  const Triple<Lanes> sum = sum_of_spins(spheres.spin.data(), first, a, second, b);
+  for (int lane = 0; lane < lane_count; ++lane) {
+    const auto one = static_cast<std::size_t>(first(static_cast<std::size_t>(lane)).place()),
+               other = static_cast<std::size_t>(second(static_cast<std::size_t>(lane)).place());
     const auto in_lane = [&](const Triple<Lanes>& numbers) { return Vector3(numbers.x[lane], numbers.y[lane], numbers.z[lane]); };
     EXPECT_EQ(in_lane(meeting.apart), spheres.place[other].centre() - spheres.place[one].centre());
     EXPECT_EQ(in_lane(meeting.velocity), spheres.place[other].velocity() - spheres.place[one].velocity());
@@ -29,8 +37,10 @@ TEST(meeting, has_both_spheres_of_each_pair_in_its_lane) {
     EXPECT_EQ(meeting.second_radius[lane], spheres.place[other].radius);
     EXPECT_EQ(meeting.mass[lane], spheres.place[one].mass);
     EXPECT_EQ(meeting.second_mass[lane], spheres.place[other].mass);
-    EXPECT_EQ(in_lane(meeting.spin), spheres.spin[one].spin());
-    EXPECT_EQ(in_lane(meeting.second_spin), spheres.spin[other].spin());
+    EXPECT_EQ(in_lane(spin), spheres.spin[one].spin());
+    EXPECT_EQ(in_lane(second_spin), spheres.spin[other].spin());
+    const Vector3 together = 0.25 * lane * spheres.spin[one].spin() + (2.0 - lane) * spheres.spin[other].spin();
+    EXPECT_LT((in_lane(sum) - together).norm(), 1e-14 * (1 + together.norm()));
   }
 }
 
