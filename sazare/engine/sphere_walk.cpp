@@ -114,11 +114,12 @@ void SphereStepper::ask_for_late(std::size_t block) const {
 
 /// Each late block as soon as the blocks that look at it are evaluated. Returns how long that took to come [s].
 Real SphereStepper::kick_late(std::size_t share, const parallel::Progress& progress) {
-  Real waited = 0;
-  std::vector<state::SphereLoad> loads(neighbors::block_size);
   const auto& table = levels_.loads(0);
   const auto blocks = table.late_blocks(share);
-  if (!blocks.empty()) ask_for_late(blocks.front().block);
+  if (blocks.empty()) return 0;
+  Real waited = 0;
+  std::vector<state::SphereLoad> loads(neighbors::block_size);
+  ask_for_late(blocks.front().block);
   for (std::size_t n = 0; n < blocks.size(); ++n) {
     const auto [block, after] = blocks[n];
     if (n + 1 < blocks.size()) ask_for_late(blocks[n + 1].block);

@@ -191,8 +191,8 @@ Triple<Number> across(const Triple<Number>& vector, const Triple<Number>& normal
 }
 
 /// `model` is known at compile time: a kernel runs one of them. With `rolls` false the resistance to rolling and twisting is left
-/// out.
-template <ContactModel model, bool rolls, class Number>
+/// out, with `tells_energies` false what springs hold.
+template <ContactModel model, bool rolls, bool tells_energies = true, class Number>
 ContactForce<Number> contact_force(const ContactConstants<Number>& constants, const ContactMotion<Number>& at,
                                    ContactMemory<Number>& memory) {
   Number width = Number{} + 1, root;
@@ -213,10 +213,14 @@ ContactForce<Number> contact_force(const ContactConstants<Number>& constants, co
                               .friction = slid.force,
                               .rolling = {},
                               .twisting = {},
-                              .elastic_energy = (model == ContactModel::hertz ? 0.4 : 0.5) * spring * at.overlap,
-                              .sliding_energy = 0.5 * stiffness * dot(slid.stretch, slid.stretch),
+                              .elastic_energy = {},
+                              .sliding_energy = {},
                               .dashpot_power = dashpot * opening,
                               .sliding_power = Number{} - dot(slid.force, sliding)};
+  if constexpr (tells_energies) {
+    result.elastic_energy = (model == ContactModel::hertz ? 0.4 : 0.5) * spring * at.overlap;
+    result.sliding_energy = 0.5 * stiffness * dot(slid.stretch, slid.stretch);
+  }
   if constexpr (rolls) {
     memory.rolling = across(memory.rolling, at.normal);
     const auto rolled = slide(stiffness, damping, Number(constants.rolling * pressing), at.rolling, at.step, memory.rolling);
@@ -224,8 +228,9 @@ ContactForce<Number> contact_force(const ContactConstants<Number>& constants, co
     result.rolling = rolled.force;
     result.twisting = twisted.force;
     result.sliding_power = result.sliding_power - dot(rolled.force, at.rolling) - twisted.force * at.twisting;
-    result.sliding_energy =
-        result.sliding_energy + 0.5 * stiffness * (dot(rolled.stretch, rolled.stretch) + square_of(twisted.stretch));
+    if constexpr (tells_energies)
+      result.sliding_energy =
+          result.sliding_energy + 0.5 * stiffness * (dot(rolled.stretch, rolled.stretch) + square_of(twisted.stretch));
   }
   return result;
 }

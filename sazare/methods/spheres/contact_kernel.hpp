@@ -50,7 +50,10 @@ public:
     meet(groups);
     turn(groups);
     for (Group& group : groups) {
-      press(group);
+      if (tells_energies_)
+        press<true>(group);
+      else
+        press<false>(group);
       coming.fetch(lines);
     }
     deliver(groups);
@@ -180,6 +183,7 @@ private:
   }
 
   /// The law.
+  template <bool tells_energies>
   [[gnu::flatten, gnu::noinline]] void press(Group& group) {
     const std::size_t begin = group.begin;
     if (!is_one_material_) look_up(group);
@@ -191,7 +195,7 @@ private:
       memory.rolling = contacts_.rolling_of(begin);
       memory.twisting = contacts_.twisting_of(begin);
     }
-    auto force = laws::contact_force<model, rolls>(constants_, at, memory);
+    auto force = laws::contact_force<model, rolls, tells_energies>(constants_, at, memory);
     contacts_.sliding_of(begin) = memory.sliding;
     if constexpr (rolls) {
       contacts_.rolling_of(begin) = memory.rolling;
@@ -299,7 +303,6 @@ private:
       for (int lane = 0; lane < TwinLanes::count; ++lane) touching_ += group.touches[lane] ? 1 : 0;
     dashpot_power_ += force.dashpot_power;
     sliding_power_ += force.sliding_power;
-    if (!tells_energies_) return;
     elastic_ += force.elastic_energy;
     sliding_ += force.sliding_energy;
   }
