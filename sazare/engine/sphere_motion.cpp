@@ -83,7 +83,8 @@ private:
 
 /// `impulses(i)` are those of the sphere at place i.
 template <class ImpulsesOn>
-SphereSpeeds fly(state::Spheres& spheres, std::size_t begin, std::size_t end, const SphereFlight& rules, ImpulsesOn impulses) {
+[[gnu::flatten]] SphereSpeeds fly(state::Spheres& spheres, std::size_t begin, std::size_t end, const SphereFlight& rules,
+                                  ImpulsesOn impulses) {
   const Flight flight(rules);
   state::SphereKick* const kicks = spheres.kick.data();
   state::SpherePlace* const places = spheres.place.data();
