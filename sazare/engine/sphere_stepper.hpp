@@ -8,6 +8,7 @@
 /// Where spheres have time levels, a step is a base step, in which each takes as many steps as its level asks for. Where all
 /// take one step, and no clump waits for the forces on all its spheres, blocks are evaluated and kicked in one walk.
 
+#include <atomic>
 #include <functional>
 #include <optional>
 #include <span>
@@ -156,7 +157,9 @@ private:
   Real driven_work() const;
   ComingLines coming(std::size_t block) const;
   void ask_for_late(std::size_t block) const;
-  Real kick_late(std::size_t share, const parallel::Progress& progress);
+  /// Which late block of each share is the next one to be taken.
+  using NextLate = std::vector<std::atomic<std::size_t>>;
+  void kick_late(std::size_t share, const parallel::Progress& progress, NextLate& next_late);
   void share_out();
   void balance();
 

@@ -21,10 +21,13 @@ SphereSpeeds SphereStepper::walk() {
   speeds_.resize(blocks);
   if (drives_) driven_work_.resize(spheres_.size() / methods::spheres::LoadTable::together + 1);
   walls_.move(time());
-  parallel::Progress progress(share_seconds_.size());
-  parallel::parallel_for(share_seconds_.size(), 2, [&](std::size_t begin, std::size_t end) {
+  const std::size_t shares = share_seconds_.size();
+  parallel::Progress progress(shares);
+  NextLate next_late(shares);
+  parallel::parallel_for(shares, 2, [&](std::size_t begin, std::size_t end) {
     try {
       for (std::size_t share = begin; share < end; ++share) walk(share, progress);
+      for (std::size_t n = 0; n < shares; ++n) kick_late((begin + n) % shares, progress, next_late);
     } catch (...) {
       progress.give_up();
       throw;
@@ -81,7 +84,7 @@ ComingLines SphereStepper::coming(std::size_t block) const {
   return coming;
 }
 
-/// Forces and kicks of a share's blocks, each while it is in the cache; then of its spheres at which earlier shares look.
+/// Forces and kicks of a share's blocks, each while it is in the cache.
 void SphereStepper::walk(std::size_t share, parallel::Progress& progress) {
   const Real began = parallel::processor_seconds();
   std::vector<state::SphereLoad> loads(neighbors::block_size);
@@ -95,8 +98,8 @@ void SphereStepper::walk(std::size_t share, parallel::Progress& progress) {
     table.gather_in_time(block, loads.data());
     speeds_[block] = move(block, table.places_in_time(block), loads.data());
   }
-  const Real waited = kick_late(share, progress);
-  share_seconds_[share] += parallel::processor_seconds() - began - waited;
+  progress.set(share, end + 1);  // and has moved its spheres
+  share_seconds_[share] += parallel::processor_seconds() - began;
 }
 
 /// Late spheres have left the cache since their block was evaluated: they are asked for while those before them are kicked.
@@ -112,28 +115,26 @@ void SphereStepper::ask_for_late(std::size_t block) const {
   }
 }
 
-/// Each late block as soon as the blocks that look at it are evaluated. Returns how long that took to come [s].
-Real SphereStepper::kick_late(std::size_t share, const parallel::Progress& progress) {
+/// Late blocks of a share, each as soon as those that look at it are evaluated. All threads that have done their own shares come
+/// and take what is next.
+void SphereStepper::kick_late(std::size_t share, const parallel::Progress& progress, NextLate& next_late) {
   const auto& table = levels_.loads(0);
   const auto blocks = table.late_blocks(share);
-  if (blocks.empty()) return 0;
-  Real waited = 0;
+  const auto take = [&] {
+    const std::size_t n = next_late[share]++;
+    if (n < blocks.size()) ask_for_late(blocks[n].block);
+    return n;
+  };
+  if (blocks.empty() || !progress.wait(share, cuts_[share + 1] + 1)) return;
   std::vector<state::SphereLoad> loads(neighbors::block_size);
-  ask_for_late(blocks.front().block);
-  for (std::size_t n = 0; n < blocks.size(); ++n) {
+  for (std::size_t n = take(), following; n < blocks.size(); n = following) {
+    following = take();
     const auto [block, after] = blocks[n];
-    if (n + 1 < blocks.size()) ask_for_late(blocks[n + 1].block);
-    for (std::size_t earlier = 0; earlier < share; ++earlier) {
-      const std::size_t until = std::min(after, cuts_[earlier + 1]);
-      if (progress.has_come(earlier, until)) continue;
-      const Real from = parallel::processor_seconds();
-      if (!progress.wait(earlier, until)) return waited;
-      waited += parallel::processor_seconds() - from;
-    }
+    for (std::size_t earlier = 0; earlier < share; ++earlier)
+      if (!progress.wait(earlier, std::min(after, cuts_[earlier + 1]))) return;
     table.gather_late(block, loads.data());
     speeds_[block].take(move(block, table.late_places(block), loads.data()));
   }
-  return waited;
 }
 
 /// Cuts new lists of loads as they were cut before; evenly where there are none, or as many threads no more. With several levels
