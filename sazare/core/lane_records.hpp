@@ -9,25 +9,33 @@
 
 namespace sazare {
 
+#ifdef __AVX512F__
+// Steps of turning records into lanes: what two registers have at some places, and pairs of numbers of two registers, side by
+// side. Shuffles of these kinds read no table of places.
+inline Lanes even_numbers(const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14); }
+inline Lanes odd_numbers(const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15); }
+inline Lanes even_pairs(const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 0, 1, 4, 5, 8, 9, 12, 13); }
+inline Lanes odd_pairs(const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 2, 3, 6, 7, 10, 11, 14, 15); }
+#endif
+
 /// Square of `lane_count` records by as many doubles, turned over its diagonal.
 inline void transpose(std::array<Lanes, lane_count>& rows) {
 #ifdef __AVX512F__
-  // Two numbers of two rows go together, and four by four of such are turned over, by shuffles that read no table of places.
-  const auto evens = [](const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 0, 1, 4, 5, 8, 9, 12, 13); };
-  const auto odds = [](const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 2, 3, 6, 7, 10, 11, 14, 15); };
-  std::array<Lanes, 8> pairs;
+  std::array<Lanes, 4> even, odd;
   for (std::size_t i = 0; i < 4; ++i) {
-    pairs[i] = __builtin_shufflevector(rows[2 * i], rows[2 * i + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-    pairs[i + 4] = __builtin_shufflevector(rows[2 * i], rows[2 * i + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    even[i] = even_numbers(rows[2 * i], rows[2 * i + 1]);
+    odd[i] = odd_numbers(rows[2 * i], rows[2 * i + 1]);
   }
-  for (std::size_t k = 0; k < 2; ++k) {
-    const Lanes *of = &pairs[4 * k], first = evens(of[0], of[1]), second = odds(of[0], of[1]), third = evens(of[2], of[3]),
-                fourth = odds(of[2], of[3]);
-    rows[k] = evens(first, third);
-    rows[k + 2] = evens(second, fourth);
-    rows[k + 4] = odds(first, third);
-    rows[k + 6] = odds(second, fourth);
-  }
+  const auto turn = [&](const std::array<Lanes, 4>& of, std::size_t to) {
+    const Lanes a = even_pairs(of[0], of[1]), b = odd_pairs(of[0], of[1]), c = even_pairs(of[2], of[3]),
+                d = odd_pairs(of[2], of[3]);
+    rows[to] = even_pairs(a, c);
+    rows[to + 2] = even_pairs(b, d);
+    rows[to + 4] = odd_pairs(a, c);
+    rows[to + 6] = odd_pairs(b, d);
+  };
+  turn(even, 0);
+  turn(odd, 1);
 #else
   const Lanes a = __builtin_shufflevector(rows[0], rows[1], 0, 4, 2, 6),
               b = __builtin_shufflevector(rows[0], rows[1], 1, 5, 3, 7);
@@ -49,15 +57,9 @@ requires std::invocable<const From&, std::size_t> std::array<Lanes, 4> load_quad
   const auto halves = [&](std::size_t lane) {
     return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(from(lane))), _mm256_loadu_pd(from(lane + 2)), 1);
   };
-  const auto pairs = [](const Lanes& even, const Lanes& odd) {
-    return std::array<Lanes, 2>{__builtin_shufflevector(even, odd, 0, 8, 2, 10, 4, 12, 6, 14),
-                                __builtin_shufflevector(even, odd, 1, 9, 3, 11, 5, 13, 7, 15)};
-  };
-  const auto early = pairs(halves(0), halves(1)), late = pairs(halves(4), halves(5));
-  for (std::size_t i = 0; i < 2; ++i) {  // by shuffles that read no table of places
-    fields[i] = __builtin_shufflevector(early[i], late[i], 0, 1, 4, 5, 8, 9, 12, 13);
-    fields[i + 2] = __builtin_shufflevector(early[i], late[i], 2, 3, 6, 7, 10, 11, 14, 15);
-  }
+  const Lanes zero = halves(0), one = halves(1), four = halves(4), five = halves(5), even = even_numbers(zero, one),
+              even2 = even_numbers(four, five), odd = odd_numbers(zero, one), odd2 = odd_numbers(four, five);
+  fields = {even_pairs(even, even2), even_pairs(odd, odd2), odd_pairs(even, even2), odd_pairs(odd, odd2)};
 #else
   const auto halves = [&](std::size_t lane, int number) {
 #ifdef __AVX__

@@ -62,6 +62,13 @@ inline bool all_above(Lanes a, Lanes b) {
 #endif
 }
 
+/// 0, 1, 2 ... by lane.
+inline LongLanes lane_numbers() {
+  LongLanes numbers;
+  for (int lane = 0; lane < lane_count; ++lane) numbers[lane] = lane;
+  return numbers;
+}
+
 using LaneBits = std::uint8_t;  ///< a lane each, the first one lowest
 inline constexpr LaneBits all_lanes = (1u << lane_count) - 1;
 
@@ -124,15 +131,6 @@ inline Lanes inverse_square_root(Lanes a) {
 #endif
 }
 inline Real inverse_square_root(Real a) { return 1 / std::sqrt(a); }
-
-/// sqrt(a) of what is above zero, within 4e-16 of it.
-inline Lanes positive_root(Lanes a) {
-#ifdef __AVX512F__
-  return a * inverse_square_root(a);
-#else
-  return square_root(a);
-#endif
-}
 
 /// sqrt(a / b), both above zero and a b neither too small nor too large for a double.
 inline Lanes root_of_quotient(Lanes a, Lanes b) {

@@ -55,7 +55,7 @@ void reserve_on_large_pages(std::vector<T>& table, std::size_t count) {
 }
 
 /// Large pages for tables that are there already: those of which such tables use five eighths or more, since what is on a page
-/// takes memory whether somebody uses it or not.
+/// takes memory whether somebody uses it or not. What comes to stand beside them lies on the same pages.
 class LargePages {
 public:
   template <class T>

@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "sazare/core/large_tables.hpp"
 #include "sazare/engine/clump_motion.hpp"
 #include "sazare/engine/sphere_motion.hpp"
 #include "sazare/methods/spheres/bonds.hpp"

@@ -4,7 +4,6 @@
 #include <limits>
 #include <utility>
 
-#include "sazare/core/large_tables.hpp"
 #include "sazare/parallel/threads.hpp"
 
 namespace sazare::engine {
@@ -203,6 +202,7 @@ void SphereStepper::columns(Archive& archive) {
     find_places();
     bodies_.find_pieces(bonds_);
     arrange();
+    ask_for_large_pages();
   }
   if (settled_) levels_.load_columns(archive);
   archive.folder("walls", [&] { walls_.columns(archive); });

@@ -87,6 +87,7 @@ ComingLines SphereStepper::coming(std::size_t block) const {
 /// Forces and kicks of a share's blocks, each while it is in the cache.
 void SphereStepper::walk(std::size_t share, parallel::Progress& progress) {
   const Real began = parallel::processor_seconds();
+  progress.begin(share);
   std::vector<state::SphereLoad> loads(neighbors::block_size);
   methods::spheres::LoadTable& table = levels_.loads(0);
   SphereLevels::Scene scene = this->scene();
@@ -115,8 +116,9 @@ void SphereStepper::ask_for_late(std::size_t block) const {
   }
 }
 
-/// Late blocks of a share, each as soon as those that look at it are evaluated. All threads that have done their own shares come
-/// and take what is next.
+/// Late blocks of a share that has moved its other spheres, each as soon as those that look at it are evaluated. All threads that
+/// have done their own shares come and take what is next. A share that nobody has begun is left to who will: it may be a thread
+/// that waits for this one to end, where there are fewer than shares.
 void SphereStepper::kick_late(std::size_t share, const parallel::Progress& progress, NextLate& next_late) {
   const auto& table = levels_.loads(0);
   const auto blocks = table.late_blocks(share);
@@ -125,9 +127,11 @@ void SphereStepper::kick_late(std::size_t share, const parallel::Progress& progr
     if (n < blocks.size()) ask_for_late(blocks[n].block);
     return n;
   };
-  if (blocks.empty() || !progress.wait(share, cuts_[share + 1] + 1)) return;
+  if (blocks.empty() || !progress.has_begun(share) || !progress.wait(share, cuts_[share + 1] + 1)) return;
+  std::size_t n = take();
+  if (n >= blocks.size()) return;
   std::vector<state::SphereLoad> loads(neighbors::block_size);
-  for (std::size_t n = take(), following; n < blocks.size(); n = following) {
+  for (std::size_t following; n < blocks.size(); n = following) {
     following = take();
     const auto [block, after] = blocks[n];
     for (std::size_t earlier = 0; earlier < share; ++earlier)

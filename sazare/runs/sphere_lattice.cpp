@@ -10,6 +10,7 @@
 
 #include "sazare/cases/number_text.hpp"
 #include "sazare/core/time.hpp"
+#include "sazare/methods/spheres/sphere_at.hpp"
 
 namespace sazare::runs {
 
@@ -20,7 +21,7 @@ using cases::SphereGroup;
 using cases::SphereSource;
 
 constexpr int bytes_of_sphere = 350;  // see docs/theory/spheres.md
-constexpr Index most_spheres = std::numeric_limits<Index>::max();
+constexpr Index most_spheres = methods::spheres::SphereAt::most;
 
 Real machine_memory() { return static_cast<Real>(sysconf(_SC_PHYS_PAGES)) * static_cast<Real>(sysconf(_SC_PAGESIZE)); }
 

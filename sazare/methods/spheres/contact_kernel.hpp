@@ -217,12 +217,6 @@ private:
     for (auto* part : {&force.friction, &force.rolling}) *part = select(touches, *part, Triple<TwinLanes>{});
   }
 
-  static LongLanes lane_numbers() {
-    LongLanes numbers;
-    for (int lane = 0; lane < lane_count; ++lane) numbers[lane] = lane;
-    return numbers;
-  }
-
   /// Tells the lanes that push. Pairs that do not sleep, where there is a gap, for as long as it lasts. Called, like `look_up`,
   /// where the kernel has nothing in registers: as a part of it the seldom one would cost the others theirs.
   [[gnu::noinline]] void leave_alone(Group& group, const TwinMask& touches, const TwinLanes& gap) {

@@ -57,9 +57,6 @@ public:
 
   /// Sets the loads of a block's guests to zero, before it is evaluated; those of its own spheres are to be zero then as well.
   void clear_guests(std::size_t block);
-  /// What a step reads.
-  void add_to(LargePages& pages) const { pages.add(guests_); }
-
   /// The guests of a block, in order.
   std::span<const Index> guests(std::size_t block) const {
     return std::span(guest_).subspan(guest_begin_[block], guest_begin_[block + 1] - guest_begin_[block]);
@@ -104,6 +101,9 @@ public:
   Slots slots(state::SphereLoad* own) { return {own, guests_.data() + guests_.size()}; }
   /// The load of the second sphere of a bond of a block.
   state::SphereLoad* bonded(std::size_t bond, state::SphereLoad* own) { return slots(own)[bond_slot_[bond]]; }
+
+  /// What a step reads.
+  void add_to(LargePages& pages) const { pages.add(guests_); }
 
   /// The loads of the spheres, which all have to be kept.
   void columns(Archive& archive);

@@ -19,13 +19,6 @@ struct Meeting {
 
 #ifdef __AVX512F__
 
-// Steps of turning records into lanes: what two registers have at some places, and pairs of numbers of two registers, side by
-// side.
-inline Lanes even_numbers(const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14); }
-inline Lanes odd_numbers(const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15); }
-inline Lanes even_pairs(const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 0, 1, 4, 5, 8, 9, 12, 13); }
-inline Lanes odd_pairs(const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 2, 3, 6, 7, 10, 11, 14, 15); }
-
 /// The vectors of eight records of four numbers, of which a register holds two: `two(lane)` those of a lane and the next but one.
 template <class Two>
 Triple<Lanes> vectors_of(const Two& two) {

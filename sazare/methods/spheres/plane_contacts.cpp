@@ -16,13 +16,6 @@ Triple<Lanes> in_every_lane(const Vector3& vector) {
   return {broadcast(vector.x()), broadcast(vector.y()), broadcast(vector.z())};
 }
 
-Real sum_of(const Lanes& lanes) {
-  Real sum = 0;
-  for (int lane = 0; lane < lane_count; ++lane) sum += lanes[lane];
-  return sum;
-}
-Vector3 sum_of(const Triple<Lanes>& lanes) { return {sum_of(lanes.x), sum_of(lanes.y), sum_of(lanes.z)}; }
-
 template <class Numbers>
 Numbers where(const LaneMask& mask, const Numbers& numbers) {
   return select(mask, numbers, Numbers{});
@@ -53,7 +46,7 @@ public:
 
   [[gnu::flatten]] void evaluate(PlaneRow& row) {
     for (std::size_t n = 0; n < row.group_count(); ++n) {
-      Meeting meeting;
+      AtPlane meeting;
       if (meet(row, n, meeting))
         press(row, n, meeting);
       else
@@ -62,18 +55,21 @@ public:
   }
 
   ContactSums sums() const {
-    ContactSums sums{.elastic = sum_of(elastic_),
-                     .sliding = sum_of(sliding_),
-                     .dashpot_work = task_.step * sum_of(dashpot_power_),
-                     .sliding_work = task_.step * sum_of(sliding_power_)};
-    for (int lane = 0; lane < lane_count; ++lane) sums.contacts += touching_[lane];
-    return sums;
+    return {.elastic = sums_[of_elastic],
+            .sliding = sums_[of_sliding],
+            .dashpot_work = task_.step * sums_[of_dashpots],
+            .sliding_work = task_.step * sums_[of_sliders],
+            .contacts = touching_};
   }
-  WallLoad on_plane() const { return {-sum_of(force_), sum_of(moment_), task_.step * sum_of(power_)}; }
+  WallLoad on_plane() const {
+    return {-Vector3(sums_[of_pushes], sums_[of_pushes + 1], sums_[of_pushes + 2]),
+            {sums_[of_moments], sums_[of_moments + 1], sums_[of_moments + 2]},
+            task_.step * sums_[of_power]};
+  }
 
 private:
   /// Some spheres at the plane.
-  struct Meeting {
+  struct AtPlane {
     LaneMask touch;  ///< those that count
     laws::ContactMotion<Lanes> at;
     Lanes radius, arm;             ///< from the centres to where they touch [m]
@@ -81,7 +77,7 @@ private:
   };
 
   /// Where and how fast a group meets the plane. Returns whether any of it touches; if none does nothing more is known.
-  bool meet(PlaneRow& row, std::size_t n, Meeting& meeting) const {
+  bool meet(PlaneRow& row, std::size_t n, AtPlane& meeting) const {
     const Index* const sphere = row.group(n).sphere.data();
     const state::SpherePlace* const places = task_.spheres.place.data();
     const state::SphereSpin* const spins = task_.spheres.spin.data();
@@ -113,7 +109,7 @@ private:
   }
 
   /// The law, whose forces go to the loads.
-  void press(PlaneRow& row, std::size_t n, const Meeting& meeting) {
+  void press(PlaneRow& row, std::size_t n, const AtPlane& meeting) {
     if (task_.table.materials > 1) look_up(row.group(n));
     laws::ContactMemory<Lanes> memory;
     memory.sliding = row.group(n).sliding;
@@ -129,12 +125,24 @@ private:
       turning = where(meeting.touch,
                       Lanes(-meeting.radius) * add_product(force.twisting, plane_.normal, cross(plane_.normal, force.rolling)));
     }
-    deliver(row.group(n), meeting, where(meeting.touch, add_product(force.normal, plane_.normal, force.friction)), turning);
-    touching_ -= meeting.touch;
-    elastic_ += where(meeting.touch, force.elastic_energy);
-    sliding_ += where(meeting.touch, force.sliding_energy);
-    dashpot_power_ += where(meeting.touch, force.dashpot_power);
-    sliding_power_ += where(meeting.touch, force.sliding_power);
+    const Triple<Lanes> push = where(meeting.touch, add_product(force.normal, plane_.normal, force.friction));
+    deliver(row.group(n), meeting, push, turning);
+    const Triple<Lanes> about_pivot = turning - cross(meeting.foot, push);
+    add_up(meeting.touch, {push.x, push.y, push.z, about_pivot.x, about_pivot.y, about_pivot.z,
+                           dot(push, meeting.velocity) - dot(turning, plane_.spin), force.elastic_energy, force.sliding_energy,
+                           force.dashpot_power, force.sliding_power});
+  }
+
+  /// What is summed over the spheres that touch: on them and, about its pivot, on the plane.
+  enum Sum : std::size_t { of_pushes, of_moments = 3, of_power = 6, of_elastic, of_sliding, of_dashpots, of_sliders, sum_count };
+
+  /// One sphere after the other: in which lane one stands depends on who else is near, which a run that is resumed finds anew.
+  void add_up(const LaneMask& touch, const std::array<Lanes, sum_count>& numbers) {
+    for (int lane = 0; lane < lane_count; ++lane) {
+      if (touch[lane] == 0) continue;
+      ++touching_;
+      for (std::size_t n = 0; n < sum_count; ++n) sums_[n] += numbers[n][lane];
+    }
   }
 
   static void forget(PlaneRow& row, std::size_t n) {
@@ -154,20 +162,11 @@ private:
     constants_ = {numbers[0], numbers[1], numbers[2], numbers[3], more[0], more[1], more[2]};
   }
 
-  /// Forces and the moments that resist turning, to the spheres and back to the plane.
-  void deliver(const PlaneRow::Group& group, const Meeting& meeting, const Triple<Lanes>& force, const Triple<Lanes>& turning) {
+  /// Forces and the moments that resist turning, to the spheres.
+  void deliver(const PlaneRow::Group& group, const AtPlane& meeting, const Triple<Lanes>& force, const Triple<Lanes>& turning) {
     const LoadRows rows(force, subtract_product(meeting.arm, cross(plane_.normal, force), Triple<Lanes>{} - turning));
     state::SphereLoad* const loads = task_.own - task_.own_begin;
     for (std::size_t lane = 0; lane < lane_count; ++lane) rows.add(lane, &loads[group.sphere[lane]]);
-    force_ = force_ + force;
-    moment_ = moment_ + (turning - cross(meeting.foot, force));
-    power_ += dot(force, meeting.velocity) - dot(turning, plane_.spin);
-  }
-
-  static LongLanes lane_numbers() {
-    LongLanes numbers;
-    for (int lane = 0; lane < lane_count; ++lane) numbers[lane] = lane;
-    return numbers;
   }
 
   const PlaneTask task_;
@@ -175,9 +174,8 @@ private:
   BoxLanes<Lanes> box_;
   Lanes step_;
   laws::ContactConstants<Lanes> constants_;
-  Triple<Lanes> force_, moment_;  // on the spheres, and on the plane
-  Lanes power_{}, elastic_{}, sliding_{}, dashpot_power_{}, sliding_power_{};
-  LongLanes touching_{};
+  std::array<Real, sum_count> sums_{};
+  std::int64_t touching_ = 0;
 };
 
 template <laws::ContactModel model, bool rolls>

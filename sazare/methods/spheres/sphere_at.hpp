@@ -9,8 +9,10 @@
 namespace sazare::methods::spheres {
 
 /// The place of a sphere as processors address its records: eight times, for then those of 64 and of 32 bytes are found without
-/// a multiplication. There may be 2^29 spheres.
+/// a multiplication.
 struct SphereAt {
+  static constexpr Index most = (Index{1} << 29) - 1;  ///< beyond it eight times a place is no number of 32 bits
+
   std::uint32_t eightfold = 0;
 
   static SphereAt at(Index place) { return {8 * static_cast<std::uint32_t>(place)}; }

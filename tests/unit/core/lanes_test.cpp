@@ -23,11 +23,8 @@ TEST(lanes, roots_and_inverse_ones_are_exact_to_round_off) {
   for (int n = 0; n < 30000; n += lane_count) {
     Lanes a{};
     for (int lane = 0; lane < lane_count; ++lane) a[lane] = number(n + lane);
-    const Lanes roots = inverse_square_root(a), direct = positive_root(a);
-    for (int lane = 0; lane < lane_count; ++lane) {
-      EXPECT_NEAR(roots[lane] * std::sqrt(a[lane]), 1, 2 * round_off) << a[lane];
-      EXPECT_NEAR(direct[lane] / std::sqrt(a[lane]), 1, 2 * round_off) << a[lane];
-    }
+    const Lanes roots = inverse_square_root(a);
+    for (int lane = 0; lane < lane_count; ++lane) EXPECT_NEAR(roots[lane] * std::sqrt(a[lane]), 1, 2 * round_off) << a[lane];
   }
 }
 

@@ -34,6 +34,13 @@ TEST_F(ProgressOfShares, what_was_done_before_is_seen) {
   for (std::size_t share = 1; share < shares; ++share) EXPECT_EQ(seen[share], tasks * (tasks - 1) / 2);
 }
 
+TEST_F(ProgressOfShares, one_that_nobody_has_begun_is_told) {
+  Progress progress(2);
+  progress.begin(1);
+  EXPECT_FALSE(progress.has_begun(0));
+  EXPECT_TRUE(progress.has_begun(1));
+}
+
 TEST_F(ProgressOfShares, nobody_waits_for_what_has_failed) {
   set_threads(3);
   Progress progress(3);

@@ -300,6 +300,31 @@ TEST(plane_contacts, are_forgotten_by_a_search_that_finds_them_far_away) {
   for (std::size_t i = 0; i < count; ++i) expect_equal(again[i], first[i]);
 }
 
+/// A run that is resumed finds who is near anew: sums may not depend on who is near without touching.
+TEST(plane_contacts, give_the_same_bits_whoever_else_is_near) {
+  const Wall wall = leaning();
+  const state::Spheres spheres = at(wall);
+  const ContactTable table = three_materials(ContactModel::hertz, true);
+  WallContacts few(table, {wall}, 0.012 + margin), all(table, {wall}, 0.012 + margin);
+  few.find(spheres, 0, 1e-6, {}, {});
+  all.find(spheres, 0, 1, {}, {});
+  std::vector<state::SphereLoad> loads(count), more_loads(count);
+  for (int n = 0; n < 3; ++n) {
+    const ContactSums sums = few.evaluate(spheres, {0, step, loads.data()}),
+                      more = all.evaluate(spheres, {0, step, more_loads.data()});
+    EXPECT_GT(sums.contacts, 1);
+    EXPECT_LT(sums.contacts, static_cast<std::int64_t>(count) - 2);
+    EXPECT_EQ(sums.contacts, more.contacts);
+    EXPECT_EQ(sums.elastic, more.elastic);
+    EXPECT_EQ(sums.sliding, more.sliding);
+    EXPECT_EQ(sums.dashpot_work, more.dashpot_work);
+    EXPECT_EQ(sums.sliding_work, more.sliding_work);
+    EXPECT_EQ(few.loads().front().force, all.loads().front().force);
+    EXPECT_EQ(few.loads().front().moment, all.loads().front().moment);
+    EXPECT_EQ(few.loads().front().work, all.loads().front().work);
+  }
+}
+
 TEST(plane_contacts, go_on_from_a_checkpoint) {
   const state::Spheres spheres = at(leaning());
   WallContacts through = at_leaning(spheres, 5), resumed = at_leaning(spheres, 0);
