@@ -109,7 +109,7 @@ TEST(sphere_refusals, more_spheres_than_the_machine_can_hold) {
   EXPECT_SAYS(fine, "radius = 1e-8");
   EXPECT_SAYS(fine, "error: the group \"dust\" would have 64e18 spheres");
   EXPECT_SAYS(fine, "help: they need 22.4e12 GB, 350 bytes each, and this machine has");
-  EXPECT_SAYS(fine, "a run has 2147483647 at most: choose larger or fewer ones");
+  EXPECT_SAYS(fine, "a run has 536870911 at most: choose larger or fewer ones");
   const std::string shape = "[[shapes]]\nname = \"t\"\nheight = 1e-6\nleg_spheres = 2\n";
   EXPECT_SAYS(refused(folder, shape + sphere("dust", "shape = \"t\"\nsource = \"lattice\"\n" + box)),
               "the group \"dust\" would have");
