@@ -20,7 +20,6 @@ public:
 
   /// A share has done all tasks before this one.
   void set(std::size_t share, std::size_t task) { shares_[share].done.store(task, std::memory_order_release); }
-  bool has_come(std::size_t share, std::size_t task) const { return shares_[share].done.load(std::memory_order_acquire) >= task; }
 
   /// Waits until a share has come so far. False where it never will: a thread has given up.
   bool wait(std::size_t share, std::size_t task) const {
@@ -39,6 +38,8 @@ public:
   }
 
 private:
+  bool has_come(std::size_t share, std::size_t task) const { return shares_[share].done.load(std::memory_order_acquire) >= task; }
+
   static constexpr int looks_before_yield = 2000;  // some microseconds
 
   struct alignas(64) Share {  // a line of the cache each

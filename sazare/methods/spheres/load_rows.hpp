@@ -1,6 +1,6 @@
 #pragma once
 
-/// What kernels of pairs share: the nearest image in lanes, and forces in lanes that are added to loads.
+/// What kernels of contacts share: a periodic box in lanes, and forces in lanes that are added to loads.
 
 #include <limits>
 

@@ -7,8 +7,8 @@
 /// before it are done; each sphere takes what stands for it as a guest, in the order of the blocks.
 ///
 /// Threads have shares of the blocks, one after the other. A sphere at which blocks of an earlier share look is late: its load is
-/// whole, and it may move, when these are evaluated. With it wait its neighbours in memory, so that no thread writes to a
-/// line of the cache that another one reads.
+/// whole, and it may move, when these and its own block are evaluated. With it wait its neighbours in memory, so that no thread
+/// writes to a line of the cache that another one reads.
 
 #include <algorithm>
 #include <span>
