@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -19,24 +20,58 @@ inline std::vector<std::size_t> even_cuts(std::size_t blocks, std::size_t shares
   return cuts;
 }
 
-/// As much work for each, where shares cut like `cuts` took so many seconds.
-inline std::vector<std::size_t> balanced_cuts(const std::vector<std::size_t>& cuts, std::span<const Real> seconds) {
-  std::vector<std::size_t> balanced = cuts;
-  const std::size_t shares = cuts.size() - 1;
-  Real all = 0, passed = 0;
-  for (const Real one : seconds) all += one;
+/// As much work for each, where every block costs so much.
+inline std::vector<std::size_t> balanced_cuts(std::span<const Real> costs, std::size_t shares) {
+  std::vector<std::size_t> cuts = even_cuts(costs.size(), shares);
+  const Real all = std::accumulate(costs.begin(), costs.end(), Real{0});
+  if (!(all > 0)) return cuts;
+  Real passed = 0;
   std::size_t next = 1;
-  for (std::size_t share = 0; share < shares; ++share) {
-    const Real each = seconds[share] / static_cast<Real>(cuts[share + 1] - cuts[share]);
-    for (std::size_t block = cuts[share]; block < cuts[share + 1]; ++block) {
-      passed += each;
-      for (; next < shares && passed - 0.5 * each > all * static_cast<Real>(next) / static_cast<Real>(shares); ++next)
-        balanced[next] = block;
+  for (std::size_t block = 0; block < costs.size(); ++block) {
+    passed += costs[block];
+    for (; next < shares && passed - 0.5 * costs[block] > all * static_cast<Real>(next) / static_cast<Real>(shares); ++next)
+      cuts[next] = block;
+  }
+  for (; next < shares; ++next) cuts[next] = costs.size();
+  for (std::size_t n = 1; n < shares; ++n)  // no share without a block
+    cuts[n] = std::clamp(cuts[n], cuts[n - 1] + 1, costs.size() - (shares - n));
+  return cuts;
+}
+
+/// What blocks cost, learnt from what shares take. Single measurements differ by more than shares should, so that each counts
+/// for a part alone.
+class BlockCosts {
+public:
+  std::size_t blocks() const { return costs_.size(); }
+
+  /// Shares cut like this took so many seconds.
+  void learn(const std::vector<std::size_t>& cuts, std::span<const Real> seconds) {
+    const bool is_first = costs_.size() != cuts.back();
+    if (is_first) costs_.assign(cuts.back(), 0);
+    const Real weight = is_first ? 1 : 0.5;
+    for (std::size_t share = 0; share < seconds.size(); ++share) {
+      const Real each = seconds[share] / static_cast<Real>(std::max<std::size_t>(cuts[share + 1] - cuts[share], 1));
+      for (std::size_t block = cuts[share]; block < cuts[share + 1]; ++block) costs_[block] += weight * (each - costs_[block]);
     }
   }
-  for (std::size_t n = 1; n < shares; ++n)  // no share without a block
-    balanced[n] = std::clamp(balanced[n], balanced[n - 1] + 1, cuts.back() - (shares - n));
-  return balanced;
-}
+
+  /// Better cuts, or the same where no others are better by more than cutting is worth.
+  std::vector<std::size_t> improved(const std::vector<std::size_t>& cuts) const {
+    constexpr Real worth = 0.02;
+    std::vector<std::size_t> better = balanced_cuts(costs_, cuts.size() - 1);
+    return dearest(better) < (1 - worth) * dearest(cuts) ? better : cuts;
+  }
+
+private:
+  Real dearest(const std::vector<std::size_t>& cuts) const {
+    Real most = 0;
+    for (std::size_t share = 0; share + 1 < cuts.size(); ++share)
+      most = std::max(most, std::accumulate(costs_.begin() + static_cast<std::ptrdiff_t>(cuts[share]),
+                                            costs_.begin() + static_cast<std::ptrdiff_t>(cuts[share + 1]), Real{0}));
+    return most;
+  }
+
+  std::vector<Real> costs_;  ///< by block, of some steps [s]
+};
 
 }  // namespace sazare::engine

@@ -14,6 +14,7 @@
 #include <span>
 #include <utility>
 
+#include "sazare/engine/block_shares.hpp"
 #include "sazare/engine/sphere_levels.hpp"
 #include "sazare/methods/spheres/bonded_bodies.hpp"
 #include "sazare/methods/spheres/pair_contacts.hpp"
@@ -217,7 +218,8 @@ private:
   std::vector<SphereSpeeds> speeds_;  ///< by block
   std::vector<Real> driven_work_;  ///< by spheres that are late together: of driven ones in the last step [J]; empty without them
   std::vector<std::size_t> cuts_;  ///< of the blocks into shares, see LoadTable
-  std::vector<Real> share_seconds_;  ///< by share of the blocks: processor time since they were cut [s]
+  std::vector<Real> share_seconds_;  ///< by share of the blocks: processor time since costs were learnt [s]
+  BlockCosts block_costs_;
 };
 
 }  // namespace sazare::engine

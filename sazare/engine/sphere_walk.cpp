@@ -5,7 +5,6 @@
 #include <numeric>
 #include <utility>
 
-#include "sazare/engine/block_shares.hpp"
 #include "sazare/engine/sphere_stepper.hpp"
 #include "sazare/parallel/threads.hpp"
 
@@ -151,10 +150,11 @@ void SphereStepper::share_out() {
   share_seconds_.assign(cuts_.size() - 1, 0);
 }
 
-/// Cuts anew so that all threads have as much work.
+/// Cuts anew where threads have not as much work.
 void SphereStepper::balance() {
   if (!levels_.is_one()) return;
-  std::vector<std::size_t> cuts = balanced_cuts(cuts_, share_seconds_);
+  block_costs_.learn(cuts_, share_seconds_);
+  std::vector<std::size_t> cuts = block_costs_.improved(cuts_);
   if (cuts != cuts_) levels_.loads(0).share_out(cuts_ = std::move(cuts));
   std::ranges::fill(share_seconds_, 0);
 }
