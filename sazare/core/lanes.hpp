@@ -72,6 +72,19 @@ inline LongLanes lane_numbers() {
 using LaneBits = std::uint8_t;  ///< a lane each, the first one lowest
 inline constexpr LaneBits all_lanes = (1u << lane_count) - 1;
 
+/// Which a are above their b.
+inline LaneBits those_above(Lanes a, Lanes b) {
+#ifdef __AVX512F__
+  return _mm512_cmp_pd_mask(a, b, _CMP_GT_OQ);
+#elif defined(__AVX__)
+  return static_cast<LaneBits>(_mm256_movemask_pd(a > b));
+#else
+  LaneBits bits = 0;
+  for (int lane = 0; lane < lane_count; ++lane) bits |= static_cast<LaneBits>((a[lane] > b[lane] ? 1 : 0) << lane);
+  return bits;
+#endif
+}
+
 inline LaneMask mask_of(LaneBits bits) {
 #ifdef __AVX512F__
   return reinterpret_cast<LaneMask>(_mm512_movm_epi64(bits));

@@ -2,179 +2,83 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
+#include <functional>
+#include <iterator>
+#include <span>
 #include <utility>
 
+#include "sazare/core/lane_records.hpp"
+#include "sazare/neighbors/sphere_cells.hpp"
+#include "sazare/parallel/sort.hpp"
 #include "sazare/parallel/threads.hpp"
+#include "sazare/state/box_lanes.hpp"
 
 namespace sazare::neighbors {
 
 namespace {
 
-constexpr int bits = 20;  // of a cell's place on an axis
-constexpr int most_classes = 16;
-
-/// A number's bits, with two free places after each.
-std::uint64_t spread(std::uint64_t number) {
-  number = (number | number << 32) & 0x1f00000000ffffULL;
-  number = (number | number << 16) & 0x1f0000ff0000ffULL;
-  number = (number | number << 8) & 0x100f00f00f00f00fULL;
-  number = (number | number << 4) & 0x10c30c30c30c30c3ULL;
-  return (number | number << 2) & 0x1249249249249249ULL;
-}
-
-using Place = std::array<std::int64_t, 3>;
-
-/// Cells of one width over all space; along periodic axes a whole number of them.
-struct Grid {
-  Vector3 lower, width;
-  Place count;  ///< along periodic axes, else 0
-  state::PeriodicBox box;
-
-  Grid(const state::PeriodicBox& of, const Vector3& low, Real least_width) : lower(low), box(of) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto a = static_cast<std::size_t>(axis);
-      const Real length = of.length[axis];
-      count[a] = length > 0 ? std::max<std::int64_t>(1, static_cast<std::int64_t>(length / least_width)) : 0;
-      width[axis] = length > 0 ? length / static_cast<Real>(count[a]) : least_width;
-      if (length > 0) lower[axis] = of.lower[axis];
-    }
-  }
-
-  Place place_of(const Vector3& centre) const {
-    const Vector3 at = box.wrapped(centre);
-    Place place;
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto a = static_cast<std::size_t>(axis);
-      const std::int64_t most = count[a] > 0 ? count[a] - 1 : (std::int64_t{1} << bits) - 1;
-      // Far away spheres share the last cell: slow, and right.
-      place[a] = static_cast<std::int64_t>(std::clamp((at[axis] - lower[axis]) / width[axis], Real{0}, static_cast<Real>(most)));
-    }
-    return place;
-  }
-
-  static std::uint64_t key(const Place& place) {
-    return spread(static_cast<std::uint64_t>(place[0])) | spread(static_cast<std::uint64_t>(place[1])) << 1 |
-           spread(static_cast<std::uint64_t>(place[2])) << 2;
-  }
-
-  /// Keys of the cell and its neighbours, each once.
-  std::vector<std::uint64_t> around(const Place& place) const {
-    std::array<std::vector<std::int64_t>, 3> along;
-    for (std::size_t a = 0; a < 3; ++a) {
-      for (std::int64_t at = place[a] - 1; at <= place[a] + 1; ++at) {
-        if (count[a] > 0)
-          along[a].push_back((at + count[a]) % count[a]);
-        else if (at >= 0 && at < std::int64_t{1} << bits)
-          along[a].push_back(at);
-      }
-      std::ranges::sort(along[a]);
-      along[a].erase(std::unique(along[a].begin(), along[a].end()), along[a].end());
-    }
-    std::vector<std::uint64_t> keys;
-    for (const std::int64_t z : along[2])
-      for (const std::int64_t y : along[1])
-        for (const std::int64_t x : along[0]) keys.push_back(key({x, y, z}));
-    return keys;
-  }
-};
-
-/// Spheres of one size class by cell.
-class Cells {
+/// Spheres of one class in a cell and around it, one after the other.
+class Around {
 public:
-  struct Range {
-    std::uint32_t begin = 0, end = 0;
-  };
-
-  explicit Cells(Grid of) : grid(std::move(of)) {}
-
-  void fill(const state::Spheres& spheres, const std::vector<Index>& members) {
-    std::vector<std::pair<std::uint64_t, Index>> keyed(members.size());
-    parallel::parallel_for(members.size(), 20000, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n)
-        keyed[n] = {Grid::key(grid.place_of(spheres.place[static_cast<std::size_t>(members[n])].centre())), members[n]};
+  /// Where all are of one class and stand in order those of earlier cells may be left out: they look at this one.
+  void move_to(const SphereCells& cells, const Vector3& centre, bool leaves_out_earlier) {
+    const CellPlace now = cells.grid.place_of(centre);
+    if (now == place_) return;
+    place_ = now;
+    spheres_.clear();
+    const std::uint64_t earliest = leaves_out_earlier ? cells.grid.key(now) : 0;
+    cells.grid.around(now, [&](std::uint64_t key) {
+      if (key < earliest) return;
+      const auto range = cells.at(key);
+      for (std::uint32_t n = range.begin; n < range.end; ++n) spheres_.push_back(cells.items[n]);
     });
-    if (!std::ranges::is_sorted(keyed)) std::ranges::sort(keyed);  // spheres of one size stand along the curve already
-    items.resize(keyed.size());
-    std::size_t cells = 1, size = 16;
-    for (std::size_t n = 1; n < keyed.size(); ++n) cells += keyed[n].first != keyed[n - 1].first ? 1 : 0;
-    while (2 * size < 3 * cells) size *= 2;
-    table_.assign(size, {});
-    for (std::uint32_t begin = 0; begin < keyed.size();) {
-      std::uint32_t end = begin;
-      for (; end < keyed.size() && keyed[end].first == keyed[begin].first; ++end) items[end] = keyed[end].second;
-      Entry& entry = table_[find(keyed[begin].first)];
-      entry = {keyed[begin].first, {begin, end}};
-      begin = end;
-    }
+    count_ = spheres_.size();
+    if (count_ > 0) spheres_.resize(count_ + lane_count, spheres_.back());
   }
 
-  Range at(std::uint64_t key) const { return table_[find(key)].range; }
-
-  Grid grid;
-  std::vector<Index> items;
+  /// Those nearer to a sphere than the margin, as many of `near` as it returns.
+  std::size_t find_near(const state::Spheres& spheres, const state::BoxLanes<Lanes>& box, const state::SpherePlace& own,
+                        Real margin, std::vector<Index>& near) const {
+    if (near.size() < count_ + lane_count) near.resize(count_ + lane_count);
+    const Triple<Lanes> centre{broadcast(own.x), broadcast(own.y), broadcast(own.z)};
+    const Lanes least_reach = broadcast(own.radius + margin);
+    std::size_t found = 0;
+    for (std::size_t n = 0; n < count_; n += lane_count) {
+      const Index* const some = &spheres_[n];
+      const auto other = load_quads([&](std::size_t lane) { return &spheres.place[static_cast<std::size_t>(some[lane])].x; });
+      Triple<Lanes> apart{other[0] - centre.x, other[1] - centre.y, other[2] - centre.z};
+      const Lanes reach = least_reach + other[3];
+      unsigned bits = those_above(reach * reach, box.square_of_nearest(apart));
+      if (count_ - n < lane_count) bits &= (1u << (count_ - n)) - 1;
+      for (std::size_t lane = 0; lane < lane_count; ++lane) {  // without a branch: nobody foretells which are near
+        near[found] = some[lane];
+        found += bits >> lane & 1;
+      }
+    }
+    return found;
+  }
 
 private:
-  struct Entry {
-    std::uint64_t key = 0;
-    Range range;
-  };
-
-  std::size_t find(std::uint64_t key) const {
-    std::size_t at = (key * 0x9E3779B97F4A7C15ULL >> 20) & (table_.size() - 1);
-    while (table_[at].range.end > 0 && table_[at].key != key) at = (at + 1) & (table_.size() - 1);
-    return at;
-  }
-
-  std::vector<Entry> table_;
-};
-
-/// Which size class: 0 for the largest spheres, each further one for half the radius.
-int class_of(Real radius, Real largest) {
-  return std::clamp(static_cast<int>(std::floor(std::log2(largest / radius) + 1e-9)), 0, most_classes - 1);
-}
-
-struct Sizes {
-  Vector3 lower = Vector3::Constant(std::numeric_limits<Real>::infinity());
-  Real largest = 0;
-  std::array<Real, most_classes> radius{};  ///< largest of each class; 0 where it is empty
-
-  explicit Sizes(const state::Spheres& spheres) {
-    for (const auto& place : spheres.place) {
-      lower = lower.cwiseMin(place.centre());
-      largest = std::max(largest, place.radius);
-    }
-    for (const auto& place : spheres.place) {
-      Real& most = radius[static_cast<std::size_t>(class_of(place.radius, largest))];
-      most = std::max(most, place.radius);
-    }
-  }
-
-  Real smallest() const {
-    for (std::size_t c = most_classes; c-- > 0;)
-      if (radius[c] > 0) return radius[c];
-    return 1;
-  }
+  CellPlace place_{-1, -1, -1};
+  std::vector<Index> spheres_;  ///< the last one again, to whole lanes
+  std::size_t count_ = 0;
 };
 
 /// Looks for pairs in the size classes of a body.
 class Search {
 public:
-  Search(const state::Spheres& spheres, Real margin)
-      : spheres_(spheres), margin_(margin), length_(spheres.box.length), inverse_(spheres.box.inverse()) {
-    const Sizes sizes(spheres);
-    std::array<std::vector<Index>, most_classes> members;
+  Search(const state::Spheres& spheres, Real margin) : spheres_(spheres), margin_(margin), box_(spheres.box) {
+    const SphereSizes sizes(spheres);
+    std::array<std::vector<Index>, SphereSizes::most_classes> members;
     class_.resize(spheres.size());
     for (std::size_t i = 0; i < spheres.size(); ++i) {
-      class_[i] = static_cast<std::uint8_t>(class_of(spheres.place[i].radius, sizes.largest));
+      class_[i] = static_cast<std::uint8_t>(sizes.class_of(spheres.place[i].radius));
       members[class_[i]].push_back(static_cast<Index>(i));
     }
-    for (std::size_t c = 0; c < most_classes; ++c) {
+    for (std::size_t c = 0; c < members.size(); ++c) {
       number_[c] = cells_.size();
       if (members[c].empty()) continue;
-      cells_.emplace_back(Grid(spheres.box, sizes.lower, 2 * sizes.radius[c] + margin));
-      cells_.back().fill(spheres, members[c]);
+      cells_.emplace_back(CellGrid(spheres.box, sizes, 2 * sizes.radius[c] + margin), spheres, members[c]);
       members[c] = {};
     }
   }
@@ -182,15 +86,16 @@ public:
   SpherePairs run() {
     const std::size_t blocks = (spheres_.size() + block_size - 1) / block_size;
     std::vector<Block> found(blocks);
-    parallel::parallel_for(blocks, 2, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t block = begin; block < end; ++block) look(block, found[block]);
+    parallel::parallel_for_uneven(blocks, 2, [&](std::size_t begin, std::size_t end) {
+      std::vector<Around> around(cells_.size());
+      for (std::size_t block = begin; block < end; ++block) look(block, around, found[block]);
     });
     std::vector<std::pair<Index, Index>> mixed;  // pairs of two classes, by first sphere
     for (Block& block : found) {
       mixed.insert(mixed.end(), block.mixed.begin(), block.mixed.end());
       block.mixed = {};
     }
-    std::ranges::sort(mixed);
+    parallel::sort(mixed);
     cells_.clear();
     return join(std::move(found), mixed);
   }
@@ -202,53 +107,20 @@ private:
     std::vector<std::pair<Index, Index>> mixed;
   };
 
-  bool is_near(const state::SpherePlace& a, const state::SpherePlace& b) const {
-    Real dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z;
-    dx -= length_.x() * std::nearbyint(dx * inverse_.x());
-    dy -= length_.y() * std::nearbyint(dy * inverse_.y());
-    dz -= length_.z() * std::nearbyint(dz * inverse_.z());
-    const Real reach = a.radius + b.radius + margin_;
-    return dx * dx + dy * dy + dz * dz < reach * reach;
-  }
-
-  /// Calls f(j) for the spheres of a class in the cells around a place.
-  template <class F>
-  static void visit(const Cells& cells, const std::vector<Cells::Range>& ranges, F&& f) {
-    for (const auto& range : ranges)
-      for (std::uint32_t n = range.begin; n < range.end; ++n) f(cells.items[n]);
-  }
-
-  struct Around {
-    Place place{-1, -1, -1};
-    std::vector<Cells::Range> ranges;
-
-    void move_to(const Cells& cells, const Vector3& centre) {
-      const Place now = cells.grid.place_of(centre);
-      if (now == place) return;
-      place = now;
-      ranges.clear();
-      for (const std::uint64_t key : cells.grid.around(place))
-        if (const auto range = cells.at(key); range.end > 0) ranges.push_back(range);
-    }
-  };
-
-  void look(std::size_t number, Block& block) const {
-    std::vector<Around> around(cells_.size());
+  void look(std::size_t number, std::vector<Around>& around, Block& block) const {
+    std::vector<Index> near;
     const std::size_t end = std::min((number + 1) * block_size, spheres_.size());
     for (std::size_t i = number * block_size; i < end; ++i) {
       const auto& own = spheres_.place[i];
-      const std::size_t before = block.other.size();
-      const std::size_t own_class = number_[class_[i]];
+      const auto sphere = static_cast<Index>(i);
+      const std::size_t before = block.other.size(), own_class = number_[class_[i]];
       for (std::size_t c = 0; c <= own_class; ++c) {
-        around[c].move_to(cells_[c], own.centre());
-        visit(cells_[c], around[c].ranges, [&](Index j) {
-          const auto other = static_cast<std::size_t>(j);
-          if (c == own_class) {
-            if (other > i && is_near(own, spheres_.place[other])) block.other.push_back(j);
-          } else if (is_near(own, spheres_.place[other])) {
-            block.mixed.emplace_back(std::min(static_cast<Index>(i), j), std::max(static_cast<Index>(i), j));
-          }
-        });
+        around[c].move_to(cells_[c], own.centre(), cells_.size() == 1 && cells_[c].stands_in_order);
+        const std::span found(near.data(), around[c].find_near(spheres_, box_, own, margin_, near));
+        if (c == own_class)
+          std::ranges::copy_if(found, std::back_inserter(block.other), [&](Index j) { return j > sphere; });
+        else
+          for (const Index j : found) block.mixed.emplace_back(std::min(sphere, j), std::max(sphere, j));
       }
       block.counts.push_back(static_cast<std::uint32_t>(block.other.size() - before));
     }
@@ -279,10 +151,10 @@ private:
 
   const state::Spheres& spheres_;
   Real margin_;
-  Vector3 length_, inverse_;
+  state::BoxLanes<Lanes> box_;
   std::vector<std::uint8_t> class_;
-  std::array<std::size_t, most_classes> number_{};  ///< of a class in `cells_`
-  std::vector<Cells> cells_;                        ///< of the classes that are not empty, largest spheres first
+  std::array<std::size_t, SphereSizes::most_classes> number_{};  ///< of a class in `cells_`
+  std::vector<SphereCells> cells_;                               ///< of the classes that are not empty, largest spheres first
 };
 
 /// The n-th record becomes what order[n] was. In place, circle by circle: a copy would be the most that a search needs.
@@ -306,14 +178,14 @@ void permute(std::vector<T>& records, const std::vector<Index>& order) {
 }  // namespace
 
 std::vector<Index> order_along_curve(const state::Spheres& spheres, Real margin) {
-  const Sizes sizes(spheres);
-  const Grid grid(spheres.box, sizes.lower, 2 * sizes.smallest() + margin);
+  const SphereSizes sizes(spheres);
+  const CellGrid grid(spheres.box, sizes, 2 * sizes.smallest() + margin);
   std::vector<std::pair<std::uint64_t, Index>> keyed(spheres.size());
   parallel::parallel_for(spheres.size(), 20000, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      keyed[i] = {Grid::key(grid.place_of(spheres.place[i].centre())), static_cast<Index>(i)};
+      keyed[i] = {grid.key(grid.place_of(spheres.place[i].centre())), static_cast<Index>(i)};
   });
-  std::ranges::sort(keyed);
+  parallel::sort(keyed);
   std::vector<Index> order(keyed.size());
   for (std::size_t n = 0; n < keyed.size(); ++n) order[n] = keyed[n].second;
   return order;
@@ -326,11 +198,15 @@ std::vector<Index> places_after(const std::vector<Index>& order) {
 }
 
 void put_in_order(state::Spheres& spheres, const std::vector<Index>& order) {
-  permute(spheres.place, order);
-  permute(spheres.spin, order);
-  permute(spheres.kick, order);
-  if (!spheres.turn.empty()) permute(spheres.turn, order);
-  permute(spheres.number, order);
+  const std::array<std::function<void()>, 5> columns{[&] { permute(spheres.place, order); },
+                                                     [&] { permute(spheres.kick, order); }, [&] { permute(spheres.spin, order); },
+                                                     [&] { permute(spheres.number, order); },
+                                                     [&] {
+                                                       if (!spheres.turn.empty()) permute(spheres.turn, order);
+                                                     }};
+  parallel::parallel_for_uneven(columns.size(), 2, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t column = begin; column < end; ++column) columns[column]();
+  });
 }
 
 SpherePairs find_pairs(const state::Spheres& spheres, Real margin) { return Search(spheres, margin).run(); }

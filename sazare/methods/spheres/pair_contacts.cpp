@@ -29,31 +29,34 @@ void PairContacts::go_over(neighbors::SpherePairs pairs, const std::vector<Index
 
 /// The contacts by the new places of their spheres. All that is kept by pair is given up before new pairs are sought.
 PairContacts::Touches PairContacts::take_touches(const std::vector<Index>& new_place) {
-  std::size_t count = 0;
+  std::vector<std::size_t> first{0};  // touch of each block
   bool some_rest = false;
   for (const BlockContacts& block : contacts_) {
-    count += block.size();
+    first.push_back(first.back() + block.size());
     some_rest = some_rest || block.rests();
   }
   Touches touches;
-  touches.pairs.reserve(count);
-  if (table_.rolls) touches.turning.reserve(count);
-  if (some_rest) touches.rest.reserve(count);
-  for (const BlockContacts& block : contacts_)
-    for (std::size_t n = 0; n < block.size(); ++n) {
-      const Contact& contact = block[n];
-      const laws::ContactMemory<Real> memory = block.memory(n);
-      Touch touch{new_place[static_cast<std::size_t>(contact.first.place())],
-                  new_place[static_cast<std::size_t>(contact.second.place())], memory.sliding};
-      if (touch.one > touch.other) {
-        // Seen from the other sphere, sliding changes its sign; rolling and twisting do not.
-        std::swap(touch.one, touch.other);
-        touch.sliding = Triple<Real>{} - touch.sliding;
+  touches.pairs.resize(first.back());
+  if (table_.rolls) touches.turning.resize(first.back());
+  if (some_rest) touches.rest.resize(first.back());
+  parallel::parallel_for(contacts_.size(), 2, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t block = begin; block < end; ++block)
+      for (std::size_t n = 0; n < contacts_[block].size(); ++n) {
+        const std::size_t to = first[block] + n;
+        const Contact& contact = contacts_[block][n];
+        const laws::ContactMemory<Real> memory = contacts_[block].memory(n);
+        Touch& touch = touches.pairs[to];
+        touch = {new_place[static_cast<std::size_t>(contact.first.place())],
+                 new_place[static_cast<std::size_t>(contact.second.place())], memory.sliding};
+        if (touch.one > touch.other) {
+          // Seen from the other sphere, sliding changes its sign; rolling and twisting do not.
+          std::swap(touch.one, touch.other);
+          touch.sliding = Triple<Real>{} - touch.sliding;
+        }
+        if (table_.rolls) touches.turning[to] = {memory.rolling, memory.twisting};
+        if (some_rest) touches.rest[to] = contacts_[block].rest(n);
       }
-      touches.pairs.push_back(touch);
-      if (table_.rolls) touches.turning.push_back({memory.rolling, memory.twisting});
-      if (some_rest) touches.rest.push_back(block.rest(n));
-    }
+  });
   pairs_ = {};
   owner_ = {};
   sleeps_until_ = {};
@@ -76,24 +79,32 @@ void PairContacts::go_on(const Touches& touches) {
   const std::size_t spheres = pairs_.first.size() - 1;
   contacts_.resize((spheres + neighbors::block_size - 1) / neighbors::block_size);
   std::vector<Index> touch_of(pairs_.other.size(), -1);
-  for (std::size_t n = 0; n < touches.pairs.size(); ++n)
-    if (const std::size_t pair = pair_of(touches.pairs[n].one, touches.pairs[n].other); pair < touch_of.size())
-      touch_of[pair] = static_cast<Index>(n);
-  for (std::size_t block = 0; block < contacts_.size(); ++block) {
-    const std::size_t begin = pairs_.first[block * neighbors::block_size],
-                      end = pairs_.first[std::min((block + 1) * neighbors::block_size, spheres)];
-    const auto apart = std::ranges::count(std::span(touch_of).subspan(begin, end - begin), -1);
-    contacts_[block].reserve((end - begin) - static_cast<std::size_t>(apart), table_.rolls);
-    for (std::size_t p = begin; p < end; ++p) {
-      if (touch_of[p] < 0) continue;
-      const auto n = static_cast<std::size_t>(touch_of[p]);
-      const Touch& touch = touches.pairs[n];
-      contacts_[block].add({SphereAt::at(touch.one), SphereAt::at(touch.other), 0, static_cast<std::uint32_t>(p)}, table_.rolls);
-      const Turning turning = table_.rolls ? touches.turning[n] : Turning{};
-      contacts_[block].remember(contacts_[block].size() - 1, {touch.sliding, turning.rolling, turning.twisting});
-      if (!touches.rest.empty() && touches.rest[n] > 0) contacts_[block].set_rest(contacts_[block].size() - 1, touches.rest[n]);
-      sleeps_until_[p] = in_contact;
-    }
+  parallel::parallel_for(touches.pairs.size(), 10000, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+      if (const std::size_t pair = pair_of(touches.pairs[n].one, touches.pairs[n].other); pair < touch_of.size())
+        touch_of[pair] = static_cast<Index>(n);
+  });
+  parallel::parallel_for(contacts_.size(), 2, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t block = begin; block < end; ++block)
+      go_on(block, touches, std::span(touch_of).first(pairs_.first[std::min((block + 1) * neighbors::block_size, spheres)]));
+  });
+}
+
+/// The contacts of a block. `touch_of`: by pair, to the last one of the block, which touch it had; below 0 where none.
+void PairContacts::go_on(std::size_t block, const Touches& touches, std::span<const Index> touch_of) {
+  BlockContacts& contacts = contacts_[block];
+  const std::size_t begin = pairs_.first[block * neighbors::block_size];
+  const auto apart = std::ranges::count(touch_of.subspan(begin), -1);
+  contacts.reserve(touch_of.size() - begin - static_cast<std::size_t>(apart), table_.rolls);
+  for (std::size_t p = begin; p < touch_of.size(); ++p) {
+    if (touch_of[p] < 0) continue;
+    const auto n = static_cast<std::size_t>(touch_of[p]);
+    const Touch& touch = touches.pairs[n];
+    contacts.add({SphereAt::at(touch.one), SphereAt::at(touch.other), 0, static_cast<std::uint32_t>(p)}, table_.rolls);
+    const Turning turning = table_.rolls ? touches.turning[n] : Turning{};
+    contacts.remember(contacts.size() - 1, {touch.sliding, turning.rolling, turning.twisting});
+    if (!touches.rest.empty() && touches.rest[n] > 0) contacts.set_rest(contacts.size() - 1, touches.rest[n]);
+    sleeps_until_[p] = in_contact;
   }
 }
 

@@ -94,6 +94,7 @@ private:
   void lay_out();
   std::size_t pair_of(Index one, Index other) const;
   void go_on(const Touches& touches);
+  void go_on(std::size_t block, const Touches& touches, std::span<const Index> touch_of);
   void wake_those_due(const state::Spheres& spheres, const Task& task);
   Lanes gaps(const state::Spheres& spheres, const BoxLanes<Lanes>& box, const Task& task,
              std::span<const std::uint32_t, lane_count> pairs) const;
