@@ -57,6 +57,10 @@ public:
 
   /// Sets the loads of a block's guests to zero, before it is evaluated; those of its own spheres are to be zero then as well.
   void clear_guests(std::size_t block);
+  /// Where what a block's contacts bring to its guests adds up.
+  std::span<const state::SphereLoad> loads_of_guests(std::size_t block) const {
+    return std::span(guests_).subspan(guests_.size() - guest_begin_[block + 1], guest_begin_[block + 1] - guest_begin_[block]);
+  }
   /// The guests of a block, in order.
   std::span<const Index> guests(std::size_t block) const {
     return std::span(guest_).subspan(guest_begin_[block], guest_begin_[block + 1] - guest_begin_[block]);

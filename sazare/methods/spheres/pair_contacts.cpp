@@ -220,6 +220,7 @@ ComingLines PairContacts::coming(const state::Spheres& spheres, const LoadTable&
   ComingLines coming;
   coming.add(place, loads.guests(block));
   coming.add(spin, loads.guests(block));
+  coming.add_row(loads.loads_of_guests(block));
   coming.add_row(place.subspan(begin, end - begin));
   coming.add_row(spin.subspan(begin, end - begin));
   coming.add_row(std::span(sleeps_until_).subspan(first, count));
