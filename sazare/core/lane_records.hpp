@@ -108,6 +108,8 @@ void store_quads(const std::array<Lanes, 4>& fields, const To& to) {
 using FloatLanes = float __attribute__((vector_size(4 * lane_count)));
 using FloatPairs = float __attribute__((vector_size(8 * lane_count)));
 
+using LooseFloats = float __attribute__((vector_size(4 * lane_count), aligned(4), may_alias));  ///< at any place in memory
+
 /// Rounded to single precision.
 inline FloatLanes single(const Lanes& numbers) {
 #ifdef __AVX512F__  // the compiler converts eight numbers in two halves

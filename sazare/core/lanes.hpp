@@ -72,16 +72,24 @@ inline LongLanes lane_numbers() {
 using LaneBits = std::uint8_t;  ///< a lane each, the first one lowest
 inline constexpr LaneBits all_lanes = (1u << lane_count) - 1;
 
+inline LaneBits bits_of(LaneMask mask) {
+#ifdef __AVX512F__
+  return _mm512_movepi64_mask(reinterpret_cast<__m512i>(mask));
+#elif defined(__AVX__)
+  return static_cast<LaneBits>(_mm256_movemask_pd(reinterpret_cast<__m256d>(mask)));
+#else
+  LaneBits bits = 0;
+  for (int lane = 0; lane < lane_count; ++lane) bits |= static_cast<LaneBits>((mask[lane] & 1) << lane);
+  return bits;
+#endif
+}
+
 /// Which a are above their b.
 inline LaneBits those_above(Lanes a, Lanes b) {
 #ifdef __AVX512F__
   return _mm512_cmp_pd_mask(a, b, _CMP_GT_OQ);
-#elif defined(__AVX__)
-  return static_cast<LaneBits>(_mm256_movemask_pd(a > b));
 #else
-  LaneBits bits = 0;
-  for (int lane = 0; lane < lane_count; ++lane) bits |= static_cast<LaneBits>((a[lane] > b[lane] ? 1 : 0) << lane);
-  return bits;
+  return bits_of(a > b);
 #endif
 }
 

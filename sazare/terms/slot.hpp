@@ -49,12 +49,6 @@ struct PairForce {
     return *this;
   }
 
-  /// Half of this one and half of another.
-  PairForce mean_with(const PairForce& other) const {
-    return {0.5 * (first_moment + other.first_moment), 0.5 * (linear + other.linear),
-            0.5 * (second_moment + other.second_moment)};
-  }
-
   /// Adds a force on the second body at a point, given by its arms from both centres.
   void add_at(const Vector<D>& first_arm, const Vector<D>& second_arm, const Vector<D>& force) {
     first_moment -= moment(first_arm, force);
@@ -78,11 +72,11 @@ private:
 template <int D, int Parts>
 struct alignas(64) Slot {
   PairForce<D> total;
-  Real acting = 0;           ///< time for which the force was given at the last evaluation [s]
-  Real ahead = 0;            ///< how much of the time given until then lies after that evaluation [s]
-  Real evaluated = -1;       ///< tick of the last evaluation; a double, for gathers, and exact far beyond the longest run
-  PairForce<D, float> mean;  ///< of the total at the last two evaluations
+  Real acting = 0;      ///< time for which the force was given at the last evaluation [s]
+  Real ahead = 0;       ///< how much of the time given until then lies after that evaluation [s]
+  Real evaluated = -1;  ///< tick of the last evaluation; a double, for gathers, and exact far beyond the longest run
   std::array<PairForce<D, float>, Parts> part;
+  PairForce<D, float> previous;  ///< total at the evaluation before; at the first one that of itself
 };
 
 /// Writes what an evaluation has found. Velocities are foreseen by the mean of a link's last two forces: a dashpot whose velocity
@@ -90,7 +84,7 @@ struct alignas(64) Slot {
 template <int D, int Parts>
 void write(Slot<D, Parts>& slot, const Moment& now, const Due& due, const PairForce<D>& total,
            const std::array<PairForce<D>, Parts>& part) {
-  slot.mean = (slot.evaluated >= 0 ? total.mean_with(slot.total) : total).template as<float>();
+  slot.previous = (slot.evaluated >= 0 ? slot.total : total).template as<float>();
   slot.total = total;
   slot.acting = due.acting;
   slot.ahead = due.ahead;

@@ -118,13 +118,14 @@ struct SlotSums {
     constexpr auto broadcast = &RegisterOf<4>::broadcast;
     static constexpr std::array<Real, 2> signs = {-1, 1};
     const auto sign = broadcast(signs[static_cast<std::size_t>(side)]);
-    const ForceMoment<D> acts = read(slot.total, side), mean = read(slot.mean, side);
+    const ForceMoment<D> acts = read(slot.total, side), acted = read(slot.previous, side);
     const auto acting = broadcast(slot.evaluated) > last_kick ? broadcast(slot.acting) : broadcast(0);
     given.add(acting, sign, acts);
-    // Below 0: given beyond it. Compared in registers, for single numbers compilers branch.
+    // Below 0: given beyond it; else foreseen with the mean of both. Compared in registers, for single numbers compilers branch.
     const auto open = broadcast(until_next - slot.ahead + (now - slot.evaluated) * tick_seconds), none = broadcast(0);
-    lead.add(open > none ? open : none, sign, mean);
-    lead.add(open > none ? none : open, sign, acts);
+    const auto half = broadcast(0.5) * (open > none ? open : none);
+    lead.add(half, sign, acted);
+    lead.add(open - half, sign, acts);
     for (std::size_t p = 0; p < Parts; ++p) part[p].add(acting, sign, read(slot.part[p], side));
   }
 };

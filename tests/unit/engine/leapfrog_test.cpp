@@ -54,12 +54,6 @@ test::Network<D> damped_ladder() {
 template <int D>
 using Forces = std::vector<terms::PairForce<D>>;
 
-/// Half of each force, in single precision.
-template <class Force>
-Force mean(const Force& now, const Force& last) {
-  return (0.5 * (now + last)).template cast<float>().template cast<Real>();
-}
-
 /// sum + factor part, each number rounded once where the processor can, as gathers do.
 template <class Vector>
 void add_product_to(Vector& sum, Real factor, const Vector& part) {
@@ -71,35 +65,30 @@ template <int D>
 std::vector<state::Impulse<D>> impulses(const test::Network<D>& network, Real acting, Forces<D>& last) {
   const auto& motion = network.bodies.motion;
   std::vector<state::Impulse<D>> sums(motion.size());
-  const auto add = [acting](state::Impulse<D>& sum, const Vector<D>& force, const Angular<D>& torque, const Vector<D>& mean_force,
-                            const Angular<D>& mean_torque) {
-    add_product_to(sum.linear, acting, force);
+  const auto add = [acting](state::Impulse<D>& sum, Real sign, const Vector<D>& force, const Angular<D>& torque,
+                            const Vector<D>& last_force, const Angular<D>& last_torque) {
+    add_product_to(sum.linear, sign * acting, force);
     add_product_to(sum.angular, acting, torque);
-    add_product_to(sum.linear_lead, h / 2, mean_force);
-    add_product_to(sum.angular_lead, h / 2, mean_torque);
+    add_product_to(sum.linear_lead, sign * (h / 4), last_force);  // the mean of both forces is foreseen for h / 2
+    add_product_to(sum.angular_lead, h / 4, last_torque);
+    add_product_to(sum.linear_lead, sign * (h / 2 - h / 4), force);
+    add_product_to(sum.angular_lead, h / 2 - h / 4, torque);
   };
-  std::vector<Pull<D>> pulls;
   const bool begins = last.empty();
   last.resize(network.springs.size());
-  Forces<D> means(last.size());
+  Forces<D> now(last.size());
   for (std::size_t i = 0; i < network.springs.size(); ++i) {
     const auto& spring = network.springs[i];
     const auto second = static_cast<std::size_t>(spring.second);
-    const auto& at = pulls.emplace_back(pull(spring, motion[static_cast<std::size_t>(spring.first)], motion[second]));
-    const Angular<D> torque = moment(at.second_arm, at.force);
-    const terms::PairForce<D> now{-moment(at.first_arm, at.force), at.force, torque};
-    if (begins) last[i] = now;
-    means[i].first_moment = mean(now.first_moment, last[i].first_moment);
-    means[i].linear = mean(now.linear, last[i].linear);
-    means[i].second_moment = mean(now.second_moment, last[i].second_moment);
-    last[i] = now;
-    add(sums[second], at.force, torque, means[i].linear, means[i].second_moment);
+    const Pull<D> at = pull(spring, motion[static_cast<std::size_t>(spring.first)], motion[second]);
+    now[i] = {-moment(at.first_arm, at.force), at.force, moment(at.second_arm, at.force)};
+    last[i] = (begins ? now[i] : last[i]).template as<float>().template as<Real>();
+    add(sums[second], 1, now[i].linear, now[i].second_moment, last[i].linear, last[i].second_moment);
   }
-  for (std::size_t i = 0; i < network.springs.size(); ++i) {
-    const auto& at = pulls[i];
-    add(sums[static_cast<std::size_t>(network.springs[i].first)], -at.force, -moment(at.first_arm, at.force), -means[i].linear,
-        means[i].first_moment);
-  }
+  for (std::size_t i = 0; i < network.springs.size(); ++i)
+    add(sums[static_cast<std::size_t>(network.springs[i].first)], -1, now[i].linear, now[i].first_moment, last[i].linear,
+        last[i].first_moment);
+  last = std::move(now);
   return sums;
 }
 

@@ -45,15 +45,67 @@ TEST(slot, power_on_both_bodies_is_that_of_the_force_at_its_points) {
   EXPECT_NEAR(pair.power_on_second(motion), force.dot(motion.velocity + turned(motion.spin, other_arm)), 1e-15);
 }
 
-TEST(slot, the_mean_is_that_of_the_last_two_forces_from_the_first_one_on) {
+TEST(slot, keeps_the_force_before_from_the_first_one_on) {
   OneLink link;
   link.evaluate(0, 8, 0.1, 0.1);
-  EXPECT_EQ(link.table[0].mean.as<Real>().linear, push(8).linear);
+  EXPECT_EQ(link.table[0].previous.as<Real>().linear, push(8).linear);
   link.evaluate(2, 4, 0.2, 0.1);
-  EXPECT_EQ(link.table[0].mean.as<Real>().linear, push(6).linear);
-  EXPECT_EQ(link.table[0].mean.as<Real>().second_moment, push(6).second_moment);
-  link.evaluate(4, 4, 0.2, 0.1);
-  EXPECT_EQ(link.table[0].mean.as<Real>().first_moment, push(4).first_moment);
+  EXPECT_EQ(link.table[0].previous.as<Real>().linear, push(8).linear);
+  EXPECT_EQ(link.table[0].previous.as<Real>().second_moment, push(8).second_moment);
+  link.evaluate(4, 6, 0.2, 0.1);
+  EXPECT_EQ(link.table[0].previous.as<Real>().first_moment, push(4).first_moment);
+}
+
+/// The same force in all lanes' numbers that `push` has for one, where the lane's is `force[lane]`.
+LanePairForce push(const Lanes& force) {
+  return {{{Lanes{}, Lanes{}, force}}, {{force, 2 * force, 3 * force}}, {{force, Lanes{}, Lanes{}}}};
+}
+
+bool are_same(const Slot<3, 1>& a, const Slot<3, 1>& b) {
+  const auto same = [](const auto& one, const auto& other) {
+    return one.first_moment == other.first_moment && one.linear == other.linear && one.second_moment == other.second_moment;
+  };
+  return same(a.total, b.total) && same(a.part[0], b.part[0]) && same(a.previous, b.previous) && a.acting == b.acting &&
+         a.ahead == b.ahead && a.evaluated == b.evaluated;
+}
+
+TEST(slot, lanes_write_what_is_written_for_one) {
+  std::vector<Slot<3, 1>> in_lanes(lane_count), one_by_one(lane_count);
+  LanePointers<Slot<3, 1>> slots;
+  LaneDue due;
+  Lanes force;
+  for (Index lane = 0; lane < lane_count; ++lane) {
+    const Index n = lane < 3 ? lane : 0;  // idle lanes repeat the first
+    slots[static_cast<std::size_t>(lane)] = &in_lanes[static_cast<std::size_t>(n)];
+    due[static_cast<std::size_t>(lane)] = {n, 0.1 * (n + 1), 0.05 * n};
+    force[lane] = 1.1 + n;
+  }
+  for (const Tick tick : {3, 5, 9}) {  // the second slot begins at 5
+    for (std::size_t n = 0; n < 3; ++n) {
+      if (tick == 5 && n == 1) in_lanes[n] = one_by_one[n] = {};
+      const Real one = static_cast<Real>(tick) * force[static_cast<int>(n)];
+      write<3, 1>(one_by_one[n], Moment{tick, 0.1}, due[n], push(one), {push(0.5 * one)});
+    }
+    write(slots, Moment{tick, 0.1}, due, push(static_cast<Real>(tick) * force), push(0.5 * static_cast<Real>(tick) * force));
+    for (std::size_t n = 0; n < 3; ++n) EXPECT_TRUE(are_same(in_lanes[n], one_by_one[n])) << tick << ' ' << n;
+  }
+}
+
+TEST(slot, a_link_that_begins_anew_in_a_lane_has_no_force_before) {
+  std::vector<Slot<3, 1>> table(lane_count);
+  LanePointers<Slot<3, 1>> slots;
+  LaneDue due;
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    slots[lane] = &table[lane];
+    due[lane] = {static_cast<Index>(lane), 0.1, 0.05};
+  }
+  LaneMask anew{};
+  anew[2] = -1;
+  write(slots, Moment{0, 0.1}, due, push(broadcast(8)), push(broadcast(1)));
+  write(slots, Moment{2, 0.1}, due, push(broadcast(4)), push(broadcast(1)), anew);
+  EXPECT_EQ(table[1].previous.as<Real>().linear, push(8.0).linear);
+  EXPECT_EQ(table[2].previous.as<Real>().linear, push(4.0).linear);
+  EXPECT_EQ(table[2].previous.as<Real>().second_moment, push(4.0).second_moment);
 }
 
 TEST(slot, what_was_given_beyond_now_is_taken_back_with_the_force_itself) {
