@@ -114,8 +114,8 @@ void SphereLevels::evaluate_block(std::size_t n, const Scene& scene, state::Sphe
   const auto [number, block] = blocks_[n];
   Level& level = levels_[number];
   level.loads.clear_guests(block);
-  sums_[n] =
-      level.pairs.evaluate(scene.spheres, {block, scene.approach, level.step, level.loads, own, next, scene.tells_energies});
+  sums_[n] = level.pairs.evaluate(scene.spheres,
+                                  {block, scene.approach_of(block), level.step, level.loads, own, next, scene.tells_energies});
   if (!scene.walls.walls().empty()) sums_[n] += scene.walls.evaluate(scene.spheres, {block, level.step, own, number});
   if (!scene.bonds.empty())
     sums_[n] += scene.bonds.evaluate(scene.spheres, {block, level.step, level.pairs.table(), level.loads, own, number});

@@ -80,8 +80,10 @@ public:
     const state::Spheres& spheres;
     methods::spheres::WallContacts& walls;
     methods::spheres::Bonds& bonds;
-    Real approach = 0;           ///< how much nearer any two spheres may have come since pairs were found [m]
-    bool tells_energies = true;  ///< whether somebody may ask what contacts hold at this time
+    std::span<const Real> approach;  ///< how much nearer spheres may have come since pairs were found: of all, or by block [m]
+    bool tells_energies = true;      ///< whether somebody may ask what contacts hold at this time
+
+    Real approach_of(std::size_t block) const { return approach[approach.size() > 1 ? block : 0]; }
   };
   /// Evaluates all that is due at a tick of a base step, and keeps the loads.
   void evaluate(std::int64_t tick, const Scene& scene);

@@ -54,6 +54,7 @@ void SphereStepper::find_pairs() {
   wake_broken_within_pieces();
   find_walls(places_before);
   approach_ = 0;
+  block_approach_.assign(levels_.is_one() ? levels_.loads(0).blocks() : 0, 0);
   ++searches_;
   ask_for_large_pages();
 }

@@ -165,6 +165,15 @@ void SphereStepper::measure(const SphereSpeeds& speeds) {
     missed_way_ = std::max(missed_way_, way);
 }
 
+/// How much nearer spheres may have come in the last walk that one block looks at: the fast ones are elsewhere for most.
+void SphereStepper::measure_blocks() {
+  for (std::size_t block = 0; block < block_approach_.size(); ++block) {
+    SphereSpeeds speeds = speeds_[block];
+    for (const Index visited : levels_.loads(0).visited_by(block)) speeds.take(speeds_[static_cast<std::size_t>(visited)]);
+    block_approach_[block] += rules_.step * (speeds.first + speeds.second);
+  }
+}
+
 /// How much nearer a sphere and a wall may come [m].
 Real SphereStepper::wall_approach_in(Real seconds, const SphereSpeeds& speeds) const {
   return seconds * (speeds.largest + walls_.largest_speed(wall_radius_ + rules_.wall_margin));
@@ -176,11 +185,13 @@ void SphereStepper::advance() {
   if (can_walk()) {
     speeds = walk();
     measure(speeds);
+    measure_blocks();
   } else {
     for (std::int64_t tick = 0; tick < levels_.ticks(); ++tick) {
       if (tick > 0 || !settled_) evaluate(tick);
       speeds = kick(tick);
       measure(speeds);
+      for (Real& approach : block_approach_) approach += levels_.tick_seconds() * (speeds.first + speeds.second);
     }
   }
   settled_ = false;
@@ -209,6 +220,7 @@ void SphereStepper::columns(Archive& archive) {
   if (archive.reading()) find_walls({});
   for (int axis = 0; axis < 3; ++axis) archive("drift" + std::to_string(axis), drift_[axis]);
   archive("approach", approach_);
+  archive("block_approach", block_approach_);
   archive("margin", margin_);
   archive("largest_speed", largest_speed_);
   archive("contacts", sums_.contacts);

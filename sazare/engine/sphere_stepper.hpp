@@ -141,13 +141,17 @@ private:
     return !body_.empty() && body_[static_cast<std::size_t>(spheres_.number[sphere])] >= 0;
   }
 
-  SphereLevels::Scene scene() { return {spheres_, walls_, bonds_, approach_}; }
+  SphereLevels::Scene scene() {
+    const std::span<const Real> all(&approach_, 1);
+    return {spheres_, walls_, bonds_, block_approach_.empty() ? all : block_approach_};
+  }
   void evaluate(std::int64_t tick);
   void book(std::int64_t tick);
   SphereSpeeds kick(std::int64_t tick);
   void hold_clumps();
   void kick_clumps(std::size_t pace, std::int64_t tick);
   void measure(const SphereSpeeds& speeds);
+  void measure_blocks();
   Real wall_approach_in(Real seconds, const SphereSpeeds& speeds) const;
 
   bool can_walk() const;
@@ -200,12 +204,13 @@ private:
   SphereRules rules_;
   SphereLevels levels_;
   std::int64_t step_ = 0, searches_ = 0;
-  bool drives_ = false;              ///< some held sphere moves
-  bool settled_ = false;             ///< the forces at `time()` are kept, and the kick is still to come
-  Vector3 drift_ = Vector3::Zero();  ///< mean velocity when pairs were last found [m/s]
-  Real approach_ = 0;                ///< how much nearer any two may have come since then [m]
-  Real wall_approach_ = 0;           ///< the same of spheres and walls [m]
-  Real margin_ = 0;                  ///< at which pairs were last found [m]
+  bool drives_ = false;               ///< some held sphere moves
+  bool settled_ = false;              ///< the forces at `time()` are kept, and the kick is still to come
+  Vector3 drift_ = Vector3::Zero();   ///< mean velocity when pairs were last found [m/s]
+  Real approach_ = 0;                 ///< how much nearer any two may have come since then [m]
+  std::vector<Real> block_approach_;  ///< the same of two that a block looks at; empty with several levels
+  Real wall_approach_ = 0;            ///< the same of spheres and walls [m]
+  Real margin_ = 0;                   ///< at which pairs were last found [m]
   bool missed_pairs_ = false;
   Real missed_way_ = 0;       ///< [m]
   Real smallest_radius_ = 0;  ///< [m]

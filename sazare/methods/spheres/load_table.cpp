@@ -40,6 +40,12 @@ void LoadTable::arrange(const neighbors::SpherePairs& pairs, const BlockLinks& b
   guest_.clear();
   guest_.reserve(guest_begin_.back());
   for (const auto& list : guests) guest_.insert(guest_.end(), list.begin(), list.end());
+  visited_.assign(blocks_, {});
+  for (std::size_t block = 0; block < blocks_; ++block)
+    for (const Index guest : guests[block])
+      if (const Index home = guest / static_cast<Index>(neighbors::block_size);
+          visited_[block].empty() || visited_[block].back() != home)
+        visited_[block].push_back(home);
   bond_slot_.resize(bonds.second.size());
   for (std::size_t block = 0; block + 1 < bonds.begin.size(); ++block)
     for (std::size_t bond = bonds.begin[block]; bond < bonds.begin[block + 1]; ++bond)

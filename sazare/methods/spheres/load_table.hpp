@@ -57,6 +57,8 @@ public:
 
   /// Sets the loads of a block's guests to zero, before it is evaluated; those of its own spheres are to be zero then as well.
   void clear_guests(std::size_t block);
+  /// The blocks from which a block has guests, in order.
+  std::span<const Index> visited_by(std::size_t block) const { return visited_[block]; }
   /// Where what a block's contacts bring to its guests adds up.
   std::span<const state::SphereLoad> loads_of_guests(std::size_t block) const {
     return std::span(guests_).subspan(guests_.size() - guest_begin_[block + 1], guest_begin_[block + 1] - guest_begin_[block]);
@@ -134,6 +136,7 @@ private:
   std::vector<Index> guest_;                                ///< the guests of each block, in order
   std::vector<state::SphereLoad> guests_;                   ///< their loads, the last one first
   std::vector<std::size_t> guest_begin_;                    ///< by block, in guest_
+  std::vector<std::vector<Index>> visited_;                 ///< by block: those from which it has guests
   std::vector<std::size_t> cuts_;                           ///< first block of each share, and the end
   std::vector<Flock> in_time_, late_;                       ///< by block
   std::vector<std::vector<LateBlock>> late_blocks_;         ///< by share

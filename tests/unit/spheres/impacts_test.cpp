@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -154,6 +155,32 @@ TEST(sphere_stepper, meets_through_periodic_sides) {
 }
 
 /// The answer does not follow from how often pairs are sought, but for the order of sums.
+/// Two spheres that touch, by looking at all pairs.
+std::int64_t touching(const state::Spheres& spheres) {
+  std::int64_t count = 0;
+  for (std::size_t i = 0; i < spheres.size(); ++i)
+    for (std::size_t j = i + 1; j < spheres.size(); ++j) {
+      const auto &one = spheres.place[i], &other = spheres.place[j];
+      count += (other.centre() - one.centre()).norm() < one.radius + other.radius ? 1 : 0;
+    }
+  return count;
+}
+
+/// How long a pair sleeps follows from the speeds near it: blocks away from the fast sphere look at theirs more seldom.
+TEST(sphere_stepper, finds_every_contact_of_a_fast_sphere_in_a_slow_bed) {
+  std::vector<Grain> grains = heap(14, 0.3, 0.0203);  // 2744 spheres: three blocks
+  grains.push_back({.centre = {-0.03, 0.15, 0.15}, .radius = 0.015, .velocity = {4, 0.2, 0.1}});
+  auto stepper = make_stepper(grains, {.restitution = 0.7, .friction = 0.3, .step = 1e-5});
+  stepper.start();
+  std::int64_t most = 0;
+  for (int look = 0; look < 40; ++look) {
+    advance(stepper, 50);
+    ASSERT_EQ(stepper.contacts(), touching(stepper.spheres())) << look;
+    most = std::max(most, stepper.contacts());
+  }
+  EXPECT_GT(most, 20);
+}
+
 TEST(sphere_stepper, margin_changes_nothing_but_speed) {
   std::vector<Vector3> ends;
   for (const Real margin : {2e-4, 4e-3}) {
