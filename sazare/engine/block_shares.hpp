@@ -46,7 +46,7 @@ public:
 
   /// Shares cut like this took so many seconds.
   void learn(const std::vector<std::size_t>& cuts, std::span<const Real> seconds) {
-    const bool is_first = costs_.size() != cuts.back();
+    const bool is_first = blocks() != cuts.back();
     if (is_first) costs_.assign(cuts.back(), 0);
     const Real weight = is_first ? 1 : 0.5;
     for (std::size_t share = 0; share < seconds.size(); ++share) {

@@ -4,18 +4,13 @@
 #include <limits>
 #include <numeric>
 
+#include "sazare/core/morton.hpp"
+
 namespace sazare::geometry {
 
 namespace {
 
 constexpr int bits = 21;  // per axis: three fill a 64-bit number
-
-/// A number's bits, with two free places after each.
-std::uint64_t spread(std::uint64_t number) {
-  std::uint64_t spread = 0;
-  for (int bit = 0; bit < bits; ++bit) spread |= (number >> bit & 1) << (3 * bit);
-  return spread;
-}
 
 Vector3 centre_of(const TetraMesh& mesh, std::size_t element) {
   const auto corners = corners_of(mesh, static_cast<std::int32_t>(element));
@@ -33,7 +28,8 @@ std::vector<std::uint64_t> places_on_curve(const TetraMesh& mesh) {
   for (std::size_t element = 0; element < mesh.tetrahedra.size(); ++element) {
     const Vector3 at = ((1 << bits) - 1) / size * (centre_of(mesh, element) - low);
     std::uint64_t place = 0;
-    for (int axis = 0; axis < 3; ++axis) place |= spread(static_cast<std::uint64_t>(std::max(at[axis], Real{0}))) << axis;
+    for (int axis = 0; axis < 3; ++axis)
+      place |= spread_for_three(static_cast<std::uint64_t>(std::max(at[axis], Real{0}))) << axis;
     places.push_back(place);
   }
   return places;

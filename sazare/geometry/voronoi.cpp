@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "sazare/core/morton.hpp"
 #include "sazare/core/random.hpp"
 
 namespace sazare::geometry {
@@ -127,12 +128,6 @@ VoronoiCell cell_of(std::span<const Vector2> nuclei, Index own, const Buckets& b
   return cell;
 }
 
-std::uint64_t spread(std::uint64_t number) {
-  std::uint64_t spread = 0;
-  for (int bit = 0; bit < 32; ++bit) spread |= (number >> bit & 1) << (2 * bit);
-  return spread;
-}
-
 }  // namespace
 
 std::vector<VoronoiCell> voronoi_cells(std::span<const Vector2> nuclei, std::span<const Vector2> outline) {
@@ -180,7 +175,7 @@ void sort_along_curve(std::vector<Vector2>& places, Real spacing) {
   const Vector2 lower = Box(places).lower;
   const auto on_curve = [&](const Vector2& place) {
     const Vector2 square = (place - lower) / spacing;
-    return spread(static_cast<std::uint64_t>(square.x())) | spread(static_cast<std::uint64_t>(square.y())) << 1;
+    return spread_for_two(static_cast<std::uint64_t>(square.x())) | spread_for_two(static_cast<std::uint64_t>(square.y())) << 1;
   };
   std::ranges::stable_sort(places, {}, on_curve);
 }

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "sazare/core/morton.hpp"
 #include "sazare/core/time.hpp"
 
 namespace sazare::neighbors {
@@ -46,7 +47,7 @@ public:
     const Axis& on = axes_[axis];
     const auto number = static_cast<std::uint64_t>(cell);
     const std::uint64_t cube = number * on.inverse >> inverse_shift;  // number / width
-    return (number - cube * on.width) << on.cell_shift | (on.is_first ? cube : spread(cube)) << on.cube_shift;
+    return (number - cube * on.width) << on.cell_shift | (on.is_first ? cube : spread_for_two(cube)) << on.cube_shift;
   }
 
   /// Cells stand by it; no two have the same.
@@ -64,15 +65,6 @@ private:
 
   /// That numbers below `count` need.
   static int bits_of(std::int64_t count) { return std::bit_width(static_cast<std::uint64_t>(count - 1)); }
-
-  /// A number's bits, with a free place after each.
-  static std::uint64_t spread(std::uint64_t number) {
-    number = (number | number << 16) & 0x0000ffff0000ffffULL;
-    number = (number | number << 8) & 0x00ff00ff00ff00ffULL;
-    number = (number | number << 4) & 0x0f0f0f0f0f0f0f0fULL;
-    number = (number | number << 2) & 0x3333333333333333ULL;
-    return (number | number << 1) & 0x5555555555555555ULL;
-  }
 
   std::array<Axis, 3> axes_;
 };

@@ -73,7 +73,7 @@ LeveledPairs find_leveled_pairs(const state::Spheres& spheres, Real margin, cons
   const SpherePairs all = find_pairs(spheres, margin);
   const std::vector<std::int8_t> pace = paces_of(all, levels);
   LeveledPairs found;
-  found.order = order_along_curve(spheres, margin);
+  found.order = order_by_cell(spheres, margin);
   std::ranges::stable_sort(found.order, std::greater{}, [&](Index i) { return pace[static_cast<std::size_t>(i)]; });
   found.spheres.assign(static_cast<std::size_t>(levels.finest) + 1, 0);
   for (const std::int8_t own : pace)

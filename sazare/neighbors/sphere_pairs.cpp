@@ -177,7 +177,7 @@ void permute(std::vector<T>& records, const std::vector<Index>& order) {
 
 }  // namespace
 
-std::vector<Index> order_along_curve(const state::Spheres& spheres, Real margin) {
+std::vector<Index> order_by_cell(const state::Spheres& spheres, Real margin) {
   const SphereSizes sizes(spheres);
   const CellGrid grid(spheres.box, sizes, 2 * sizes.smallest() + margin);
   std::vector<std::pair<std::uint64_t, Index>> keyed(spheres.size());
@@ -198,12 +198,9 @@ std::vector<Index> places_after(const std::vector<Index>& order) {
 }
 
 void put_in_order(state::Spheres& spheres, const std::vector<Index>& order) {
-  const std::array<std::function<void()>, 5> columns{[&] { permute(spheres.place, order); },
-                                                     [&] { permute(spheres.kick, order); }, [&] { permute(spheres.spin, order); },
-                                                     [&] { permute(spheres.number, order); },
-                                                     [&] {
-                                                       if (!spheres.turn.empty()) permute(spheres.turn, order);
-                                                     }};
+  const std::array<std::function<void()>, 5> columns{
+      [&] { permute(spheres.place, order); }, [&] { permute(spheres.kick, order); }, [&] { permute(spheres.spin, order); },
+      [&] { permute(spheres.turn, order); }, [&] { permute(spheres.number, order); }};
   parallel::parallel_for_uneven(columns.size(), 2, [&](std::size_t begin, std::size_t end) {
     for (std::size_t column = begin; column < end; ++column) columns[column]();
   });

@@ -18,8 +18,8 @@ struct SpherePairs {
   std::vector<Index> other;
 };
 
-/// The order along a Morton curve: the n-th is the sphere that should stand n-th.
-std::vector<Index> order_along_curve(const state::Spheres& spheres, Real margin);
+/// The order of their cells, see CellOrder: the n-th is the sphere that should stand n-th.
+std::vector<Index> order_by_cell(const state::Spheres& spheres, Real margin);
 
 /// Where each sphere stands when the n-th has become what `order[n]` was.
 std::vector<Index> places_after(const std::vector<Index>& order);

@@ -11,7 +11,7 @@
 namespace sazare::methods::spheres {
 
 std::vector<Index> PairContacts::find(state::Spheres& spheres, Real margin) {
-  std::vector<Index> order = neighbors::order_along_curve(spheres, margin);
+  std::vector<Index> order = neighbors::order_by_cell(spheres, margin);
   const Touches touches = take_touches(neighbors::places_after(order));
   neighbors::put_in_order(spheres, order);
   pairs_ = neighbors::find_pairs(spheres, margin);

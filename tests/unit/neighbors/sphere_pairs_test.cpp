@@ -82,7 +82,7 @@ TEST(sphere_pairs, are_found_however_far_some_have_gone) {
 
 TEST(sphere_pairs, order_along_the_curve_holds_each_once) {
   const auto spheres = scattered(1000, 0.02, 0.05, {1, 1, 1});
-  const auto order = order_along_curve(spheres, 0.01);
+  const auto order = order_by_cell(spheres, 0.01);
   EXPECT_EQ(std::set<Index>(order.begin(), order.end()).size(), spheres.size());
 }
 
