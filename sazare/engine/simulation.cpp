@@ -16,6 +16,10 @@ namespace {
 
 constexpr std::size_t serial_below = 1024;  // a kick takes some 60 ns, waking a thread some microseconds
 constexpr std::int64_t ticks_between_pauses = 64;
+// Asking for the time takes as long as a few links. Where ticks are short one of seven is measured for all of them: levels come
+// round in powers of two, so each kind of tick is met.
+constexpr std::int64_t one_measured_of = 7;
+constexpr std::int64_t long_tick = 100'000;  // [ns]
 
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
@@ -50,41 +54,58 @@ Simulation<D>::Simulation(state::Bodies<D> bodies, TermList<D> terms, const Step
   kinetic_at_start_ = kinetic.value();
 }
 
-/// Returns the time now.
+/// Returns the time now, where it is measured.
 template <int D>
 std::int64_t Simulation<D>::add_time(std::size_t part, std::int64_t since) {
+  if (counts_for_ == 0) return since;
   const std::int64_t now = clock_now();
-  times_[part].seconds += 1e-9 * static_cast<Real>(now - since);
+  times_[part].seconds += 1e-9 * static_cast<Real>(counts_for_ * (now - since));
   return now;
 }
 
 template <int D>
+std::vector<PartTime> Simulation<D>::part_times() const {
+  Real measured = 0;
+  for (const PartTime& part : times_) measured += part.seconds;
+  std::vector<PartTime> all = times_;
+  if (measured > 0)
+    for (PartTime& part : all) part.seconds *= 1e-9 * static_cast<Real>(stepped_) / measured;
+  return all;
+}
+
+template <int D>
 void Simulation<D>::start() {
-  tick(clock_now());
+  const std::int64_t begin = clock_now();
+  tick();
+  stepped_ += clock_now() - begin;
   if (replicas_) take_ranges(balance_.first(replicas_->ranges(), due_in_base_step()));
 }
 
 template <int D>
 bool Simulation<D>::advance(const std::function<bool()>& pause) {
   const Tick end = now_.tick - now_.tick % schedule::base_stride + schedule::base_stride;
-  std::int64_t since = clock_now();
+  std::int64_t begin = clock_now();
   while (now_.tick < end) {
     if (pause && counters_.ticks % ticks_between_pauses == 0) {
+      stepped_ += clock_now() - begin;
       if (pause()) return false;
-      since = clock_now();
+      begin = clock_now();
     }
     now_.tick += schedule::stride(levels_.finest());
     now_.tick -= now_.tick % schedule::stride(levels_.finest());
-    since = tick(since);
+    tick();
   }
+  stepped_ += clock_now() - begin;
   if (replicas_ && now_.tick / schedule::base_stride % interval_ == 0) divide_anew();
   return true;
 }
 
-/// The step, as a list: choose levels, find what is due, evaluate, kick and drift, settle what has changed. From a time on that
-/// counts as its own; returns when it ended.
+/// The step, as a list: choose levels, find what is due, evaluate, kick and drift, settle what has changed.
 template <int D>
-std::int64_t Simulation<D>::tick(std::int64_t since) {
+void Simulation<D>::tick() {
+  if (!ticks_are_long_) counts_for_ = counters_.ticks % one_measured_of == 0 ? one_measured_of : 0;
+  const std::int64_t begin = counts_for_ == 0 ? 0 : clock_now();
+  std::int64_t since = begin;
   const bool base = now_.tick % schedule::base_stride == 0;
   if (base && replicas_ && travels()) replicas_->fetch_all();
   if (base)
@@ -103,7 +124,10 @@ std::int64_t Simulation<D>::tick(std::int64_t since) {
   }
   kick_all();
   ++counters_.ticks;
-  return settle(add_time(terms_.size(), since));
+  const std::int64_t ended = settle(add_time(terms_.size(), since));
+  if (counts_for_ == 0) return;
+  ticks_are_long_ = ended - begin > long_tick;
+  counts_for_ = 1;
 }
 
 template <int D>
@@ -204,8 +228,9 @@ motion::Stride Simulation<D>::stride(Index body, int pace) const {
 /// Steps a body that this kick makes too fast for its level.
 template <int D>
 state::MeanMotion<D> Simulation<D>::step_faster(Index body, state::Impulse<D> given) {
-  motion::clear_locked(given, bodies_.locks[at(body)]);
-  const Vector<D> velocity = bodies_.motion[at(body)].velocity + (1 / bodies_.inertia[at(body)].mass) * given.linear;
+  state::Impulse<D> taken = given;
+  motion::clear_locked(taken, bodies_.locks[at(body)]);
+  const Vector<D> velocity = bodies_.motion[at(body)].velocity + (1 / bodies_.inertia[at(body)].mass) * taken.linear;
   const int level = levels_.level_for_speed(levels_.level(body), velocity.squaredNorm());
   if (level > levels_.level(body)) refined_.add(body * schedule::level_count + level);
   const int pace = std::max(level, levels_.pace(body));

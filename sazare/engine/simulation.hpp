@@ -83,7 +83,8 @@ public:
   const state::Bodies<D>& bodies() const { return bodies_; }
   const LevelKeeper<D>& levels() const { return levels_; }
   const Counters& counters() const { return counters_; }
-  const std::vector<PartTime>& part_times() const { return times_; }
+  /// Where the time of all ticks went; not each of many short ones is measured.
+  std::vector<PartTime> part_times() const;
 
   /// Motion and energy at `now()`. With several processes each finds what is its own: all call it, all know the motion then, and
   /// the first one the energy.
@@ -113,7 +114,7 @@ public:
   void columns(Archive& archive);
 
 private:
-  std::int64_t tick(std::int64_t since);
+  void tick();
   void collect_due();
   std::int64_t collect_links(std::size_t term);
   void call_back(std::span<const Index> due);
@@ -147,7 +148,10 @@ private:
   terms::Events refined_;                        ///< levels that kicked bodies have given themselves, see take_refined
   std::vector<terms::CauseWork> work_;           ///< by body
   Counters counters_;
-  std::vector<PartTime> times_;
+  std::vector<PartTime> times_;  ///< as measured, see part_times
+  std::int64_t stepped_ = 0;     ///< time of all ticks [ns]
+  std::int64_t counts_for_ = 0;  ///< so many ticks like the present one: 0 where it is not measured
+  bool ticks_are_long_ = false;  ///< the last one that was measured; all are measured then
   int finest_seen_ = 0;
   Real kinetic_at_start_ = 0;
 

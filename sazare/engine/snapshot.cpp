@@ -19,7 +19,7 @@ std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
-/// Calls take(body, what it has received, and what its momentum gains by a time) for bodies of a range.
+/// Calls take(body, what it has received, and what its momentum gains by a time; about the pole) for bodies of a range.
 template <int D>
 template <class Take>
 void Simulation<D>::gather(Index begin, Index end, Real until_next, Take&& take) const {
@@ -35,10 +35,7 @@ void Simulation<D>::gather(Index begin, Index end, Real until_next, Take&& take)
     ignored.clear();
     for (const auto& term : terms_)
       term->gather(now_, std::span(which.data(), to - from), bodies_, std::span(given.data(), to - from), ignored);
-    for (std::size_t body = from; body < to; ++body) {
-      motion::clear_locked(given[body - from], bodies_.locks[body]);
-      take(body, given[body - from]);
-    }
+    for (std::size_t body = from; body < to; ++body) take(body, given[body - from]);
   };
   parallel::parallel_for(at(end - begin), serial_below, [&](std::size_t from, std::size_t to) {
     for (std::size_t chunk = at(begin) + from; chunk < at(begin) + to; chunk += terms::chunk_size)
@@ -57,8 +54,10 @@ Snapshot<D> Simulation<D>::snapshot(Index begin, Index end) const {
     const std::size_t first = at(begin) + from, count = to - from;
     state::poses_at(std::span(bodies_.motion).subspan(first, count), now_, std::span(at_now.pose).subspan(first, count));
   });
-  gather(begin, end, 0, [&](std::size_t body, const state::Impulse<D>& given) {
+  gather(begin, end, 0, [&](std::size_t body, const state::Impulse<D>& about_pole) {
     const auto& motion = bodies_.motion[body];
+    state::Impulse<D> given = about_pole.about(at_now.pose[body].position - bodies_.pole);
+    motion::clear_locked(given, bodies_.locks[body]);
     at_now.velocity[body] = motion.velocity + given.linear_lead / bodies_.inertia[body].mass;
     at_now.angular_momentum[body] = motion.angular_momentum + given.angular_lead;
   });
@@ -69,10 +68,16 @@ Snapshot<D> Simulation<D>::snapshot(Index begin, Index end) const {
 /// every force has been given beyond it.
 template <int D>
 std::vector<Vector<D>> Simulation<D>::forces() const {
-  std::vector<Vector<D>> forces(at(bodies_.size()));
+  std::vector<Vector<D>> forces(at(bodies_.size()), Vector<D>::Zero());
   constexpr Real early = -2, late = -1;
-  gather(0, bodies_.size(), late, [&](std::size_t body, const auto& given) { forces[body] = given.linear_lead; });
-  gather(0, bodies_.size(), early, [&](std::size_t body, const auto& given) { forces[body] -= given.linear_lead; });
+  const auto take = [&](Real sign) {
+    return [&, sign](std::size_t body, state::Impulse<D> given) {
+      motion::clear_locked(given, bodies_.locks[body]);
+      forces[body] += sign * given.linear_lead;
+    };
+  };
+  gather(0, bodies_.size(), late, take(1));
+  gather(0, bodies_.size(), early, take(-1));
   return forces;
 }
 
@@ -89,7 +94,9 @@ terms::Books Simulation<D>::books(const Snapshot<D>& at_now, const distribute::R
       const Vector<D>& velocity = at_now.velocity[body];
       const Angular<D>& momentum = at_now.angular_momentum[body];
       const Angular<D> mean_momentum = 0.5 * (motion.angular_momentum + momentum);
-      ahead[body] = {0.5 * (motion.velocity + velocity), motion::spin_of(rotation, inertia, bodies_.locks[body], mean_momentum)};
+      const state::MeanMotion<D> mean{0.5 * (motion.velocity + velocity),
+                                      motion::spin_of(rotation, inertia, bodies_.locks[body], mean_momentum)};
+      ahead[body] = mean.at(bodies_.pole - at_now.pose[body].position);
       if (shared != nullptr && !shared->owns(static_cast<Index>(body))) continue;
       part[terms::Account::kinetic] += motion::kinetic_energy<D>(rotation, inertia, bodies_.locks[body], velocity, momentum);
       for (std::size_t cause = 0; cause < terms::cause_count; ++cause)  // most bodies know one or two

@@ -22,7 +22,7 @@ namespace sazare::motion {
 template <int D>
 void clear_locked(state::Impulse<D>& given, state::Locks locks);
 
-/// Kicks a body that stands at its own time.
+/// Kicks a body that stands at its own time. What it is given, here and below, is about its centre, and so is what comes back.
 template <int D>
 state::MeanMotion<D> kick(state::Motion<D>& motion, const state::Inertia<D>& inertia, state::Locks locks,
                           state::Impulse<D> given);

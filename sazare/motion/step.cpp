@@ -19,9 +19,11 @@ template <int D>
 bool step_one(state::Bodies<D>& bodies, Index body, state::Impulse<D> given, const Stride& stride, state::MeanMotion<D>& mean) {
   auto& motion = bodies.motion[at(body)];
   auto& inertia = bodies.inertia[at(body)];
+  const Vector<D> centre = motion.position - bodies.pole;
+  given = given.about(centre);
   clear_locked(given, bodies.locks[at(body)]);
   if ((motion.velocity + (1 / inertia.mass) * given.linear).squaredNorm() > stride.fastest_squared) return true;
-  mean = kick(motion, inertia, bodies.locks[at(body)], given);
+  mean = kick(motion, inertia, bodies.locks[at(body)], given).at(-centre);
   drift(motion, inertia, bodies.locks[at(body)], stride.due, stride.seconds);
   foresee(motion, inertia, bodies.locks[at(body)], given);
   return false;
@@ -52,8 +54,9 @@ void rotate(LaneState& body, const LaneVector& half) {
   body.rotation = rotation_of(broadcast(2), body.x, body.y, body.z, body.w);
 }
 
+/// An impulse that bodies receive, or what their momenta gain by their next time.
 struct LaneImpulse {
-  LaneVector linear, angular, linear_lead, angular_lead;
+  LaneVector linear, angular;
 };
 
 struct LaneMeanMotion {
@@ -80,50 +83,61 @@ void drift(LaneState& body, const LaneVector& own, Lanes seconds) {
   rotate(body, (0.5 * seconds) * body.spin);
 }
 
-void foresee(LaneState& body, const LaneImpulse& given) {
-  body.foreseen_velocity = body.velocity + body.inverse_mass * given.linear_lead;
-  const LaneVector own = transposed(body.rotation, body.angular_momentum + given.angular_lead);
+void foresee(LaneState& body, const LaneImpulse& lead) {
+  body.foreseen_velocity = body.velocity + body.inverse_mass * lead.linear;
+  const LaneVector own = transposed(body.rotation, body.angular_momentum + lead.angular);
   body.foreseen_spin = body.rotation * spin_of(body, own);
 }
 
-/// Bodies whose rotation is free, one per lane, with what they are given and give side by side.
-struct Batch {
-  const Index* body;
-  const state::Impulse<3>* given;
-  const Stride* strides;
-  state::MeanMotion<3>* mean;
+/// What bodies are given and give, in spans of one length.
+struct Spans {
+  std::span<const Index> which;
+  std::span<const state::Impulse<3>> given;
+  std::span<const Stride> strides;
+  std::span<state::MeanMotion<3>> mean;
 };
+
+/// Bodies whose rotation is free, one per lane: where in the spans they are. Side by side, or anywhere.
+struct Neighbors {
+  std::size_t first;
+  std::size_t operator[](std::size_t lane) const { return first + lane; }
+};
+using Scattered = std::array<std::size_t, lane_count>;
 
 // Whole quads of each record are read and written.
 static_assert(sizeof(state::Motion<3>) == 32 * sizeof(Real) && sizeof(state::Inertia<3>) == 8 * sizeof(Real));
 static_assert(sizeof(state::Impulse<3>) == 16 * sizeof(Real) && sizeof(state::MeanMotion<3>) == 8 * sizeof(Real));
 static_assert(sizeof(Stride) == 4 * sizeof(Real));
 
-/// Four numbers, from number `begin` on, of records side by side.
-template <class Record>
-std::array<Lanes, 4> load_row(const Record* first, std::size_t begin) {
-  return load_quads([&](std::size_t lane) { return reinterpret_cast<const Real*>(first + lane) + begin; });
+/// Four numbers, from number `begin` on, of records of the bodies in lanes.
+template <class Record, class Places>
+std::array<Lanes, 4> load_row(std::span<const Record> records, const Places& places, std::size_t begin) {
+  return load_quads([&](std::size_t lane) { return reinterpret_cast<const Real*>(&records[places[lane]]) + begin; });
 }
-template <class Record>
-void store_row(const std::array<Lanes, 4>& fields, Record* first, std::size_t begin) {
-  store_quads(fields, [&](std::size_t lane) { return reinterpret_cast<Real*>(first + lane) + begin; });
+template <class Record, class Places>
+void store_row(const std::array<Lanes, 4>& fields, std::span<Record> records, const Places& places, std::size_t begin) {
+  store_quads(fields, [&](std::size_t lane) { return reinterpret_cast<Real*>(&records[places[lane]]) + begin; });
 }
 
-/// What the kick does not read of the bodies is left open.
+/// What the kick does not read of the bodies is left open, and read when the drift needs it: registers are few.
 LaneState load(const LanePointers<state::Motion<3>>& motions, const LanePointers<state::Inertia<3>>& inertias) {
   const auto m = load_records<12>(motions);
   const auto v = load_quad(motions, 18);
   const auto l = load_quad(motions, 20);
-  const auto i = load_records<8>(inertias);
+  const auto i = load_quad(inertias, 4);
   LaneState body;
   body.position = {{m[0], m[1], m[2]}};
   body.rotation = {{LaneVector{{m[3], m[4], m[5]}}, LaneVector{{m[6], m[7], m[8]}}, LaneVector{{m[9], m[10], m[11]}}}};
   body.velocity = {{v[0], v[1], v[2]}};
   body.angular_momentum = {{l[1], l[2], l[3]}};
-  body.x = i[0], body.y = i[1], body.z = i[2], body.w = i[3];
-  body.inverse_moments = {{i[4], i[5], i[6]}};
-  body.inverse_mass = 1.0 / i[7];
+  body.inverse_moments = {{i[0], i[1], i[2]}};
+  body.inverse_mass = 1.0 / i[3];
   return body;
+}
+
+void load_orientation(LaneState& body, const LanePointers<state::Inertia<3>>& inertias) {
+  const auto q = load_quad(inertias, 0);
+  body.x = q[0], body.y = q[1], body.z = q[2], body.w = q[3];
 }
 
 void store(const LaneState& body, const Lanes& now, const Lanes& due, const LanePointers<state::Motion<3>>& motions,
@@ -142,59 +156,54 @@ void store(const LaneState& body, const Lanes& now, const Lanes& due, const Lane
   store_quad({body.x, body.y, body.z, body.w}, inertias, 0);
 }
 
-/// Removes what the locks of bodies take up.
-void clear_locked(LaneImpulse& given, const state::Bodies<3>& bodies, const Index* body) {
+/// Translations of bodies that are locked, one axis in a bit.
+template <class Places>
+LongLanes locked_axes(const state::Bodies<3>& bodies, std::span<const Index> which, const Places& places) {
   std::uint64_t locked = 0;  // a byte each
   for (std::size_t lane = 0; lane < lane_count; ++lane)
-    locked |= std::uint64_t{bodies.locks[at(body[lane])].translation} << 8 * lane;
-  if (locked == 0) return;
-  const LongLanes axes = spread_bytes(locked);
-  for (int axis = 0; axis < 3; ++axis) {
-    const LaneMask free = (axes >> axis & 1) == 0;
-    given.linear[axis] = select(free, given.linear[axis], Lanes{});
-    given.linear_lead[axis] = select(free, given.linear_lead[axis], Lanes{});
-  }
+    locked |= std::uint64_t{bodies.locks[at(which[places[lane]])].translation} << 8 * lane;
+  return spread_bytes(locked);
+}
+
+/// What bodies are given, from number `begin` of its record on, about their centres and without what their locks take up.
+template <class Places>
+LaneImpulse load_impulse(std::span<const state::Impulse<3>> given, const Places& places, std::size_t begin,
+                         const LaneVector& centre, const LongLanes& locked) {
+  const auto first = load_row(given, places, begin), last = load_row(given, places, begin + 4);
+  const LaneVector linear{{first[0], first[1], first[2]}}, about_pole{{first[3], last[0], last[1]}};
+  LaneImpulse impulse{linear, add_cross(linear, centre, about_pole)};
+  for (int axis = 0; axis < 3; ++axis) impulse.linear[axis] = select((locked >> axis & 1) == 0, linear[axis], Lanes{});
+  return impulse;
 }
 
 /// Returns in which lanes a body would be too fast: then none has moved. Numbers of lanes never pass through memory one by one:
 /// what loads them together would wait until everything before is done.
-[[gnu::flatten]] LaneMask step_batch(state::Bodies<3>& bodies, const Batch& batch) {
+template <class Places>
+[[gnu::flatten]] LaneMask step_batch(state::Bodies<3>& bodies, const Spans& spans, const Places& places) {
   LanePointers<state::Motion<3>> motions;
   LanePointers<state::Inertia<3>> inertias;
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
-    motions[lane] = &bodies.motion[at(batch.body[lane])];
-    inertias[lane] = &bodies.inertia[at(batch.body[lane])];
+    motions[lane] = &bodies.motion[at(spans.which[places[lane]])];
+    inertias[lane] = &bodies.inertia[at(spans.which[places[lane]])];
   }
-  const auto linear = load_row(batch.given, 0), angular = load_row(batch.given, 4);
-  const auto linear_lead = load_row(batch.given, 8), angular_lead = load_row(batch.given, 12);
-  LaneImpulse impulse{{{linear[0], linear[1], linear[2]}},
-                      {{linear[3], angular[0], angular[1]}},
-                      {{linear_lead[0], linear_lead[1], linear_lead[2]}},
-                      {{linear_lead[3], angular_lead[0], angular_lead[1]}}};
-  clear_locked(impulse, bodies, batch.body);
+  const LongLanes locked = locked_axes(bodies, spans.which, places);
+  const Vector3& pole = bodies.pole;
   LaneState body = load(motions, inertias);
-  const auto [now, due, seconds, fastest_squared] = load_row(batch.strides, 0);
+  const LaneVector centre = body.position - LaneVector{{broadcast(pole[0]), broadcast(pole[1]), broadcast(pole[2])}};
   LaneVector own;
-  const auto [mean_velocity, mean_spin] = kick(body, impulse, own);
+  const auto [mean_velocity, mean_spin] = kick(body, load_impulse(spans.given, places, 0, centre, locked), own);
+  const auto [now, due, seconds, fastest_squared] = load_row(spans.strides, places, 0);
   const LaneMask too_fast = dot(body.velocity, body.velocity) > fastest_squared;
   if (any(too_fast)) return too_fast;
+  const LaneVector at_pole = add_cross(centre, mean_spin, mean_velocity);
+  store_row({at_pole[0], at_pole[1], at_pole[2], mean_spin[0]}, spans.mean, places, 0);
+  store_row({mean_spin[1], mean_spin[2], Lanes{}, Lanes{}}, spans.mean, places, 4);
+  load_orientation(body, inertias);
   drift(body, own, seconds);
-  foresee(body, impulse);
+  foresee(body, load_impulse(spans.given, places, 8, centre, locked));
   store(body, now, due, motions, inertias);
-  store_row({mean_velocity[0], mean_velocity[1], mean_velocity[2], mean_spin[0]}, batch.mean, 0);
-  store_row({mean_spin[1], mean_spin[2], Lanes{}, Lanes{}}, batch.mean, 4);
   return too_fast;
 }
-
-/// What bodies are given and give, in spans of one length.
-struct Spans {
-  std::span<const Index> which;
-  std::span<const state::Impulse<3>> given;
-  std::span<const Stride> strides;
-  std::span<state::MeanMotion<3>> mean;
-
-  Batch batch(std::size_t first) const { return {&which[first], &given[first], &strides[first], &mean[first]}; }
-};
 
 /// Bodies that do not stand side by side in the spans, or too few for a batch.
 class Stragglers {
@@ -203,43 +212,30 @@ public:
       : bodies_(bodies), spans_(spans), too_fast_(too_fast) {}
 
   void add(std::size_t place) {
-    set(count_, place);
+    places_[count_] = place;
     if (++count_ == lane_count) step();
   }
 
   /// Steps those there are; idle lanes repeat the first.
   void step() {
     while (count_ > 0) {
-      for (auto lane = count_; lane < lane_count; ++lane) set(lane, place_[0]);
-      const LaneMask left = step_batch(bodies_, {body_.data(), given_.data(), strides_.data(), mean_.data()});
+      for (auto lane = count_; lane < lane_count; ++lane) places_[lane] = places_[0];
+      const LaneMask left = step_batch(bodies_, spans_, places_);
       const std::size_t count = std::exchange(count_, 0);
-      for (std::size_t lane = 0; lane < count; ++lane) {
-        if (!any(left))
-          spans_.mean[place_[lane]] = mean_[lane];
-        else if (left[static_cast<int>(lane)] != 0)
-          too_fast_.push_back(place_[lane]);
+      if (!any(left)) return;
+      for (std::size_t lane = 0; lane < count; ++lane)
+        if (left[static_cast<int>(lane)] != 0)
+          too_fast_.push_back(places_[lane]);
         else
-          set(count_++, place_[lane]);
-      }
+          places_[count_++] = places_[lane];
     }
   }
 
 private:
-  void set(std::size_t lane, std::size_t place) {
-    place_[lane] = place;
-    body_[lane] = spans_.which[place];
-    given_[lane] = spans_.given[place];
-    strides_[lane] = spans_.strides[place];
-  }
-
   state::Bodies<3>& bodies_;
   const Spans& spans_;
   std::vector<std::size_t>& too_fast_;
-  std::array<std::size_t, lane_count> place_;
-  std::array<Index, lane_count> body_;
-  std::array<state::Impulse<3>, lane_count> given_;
-  std::array<Stride, lane_count> strides_;
-  std::array<state::MeanMotion<3>, lane_count> mean_;
+  Scattered places_;
   std::size_t count_ = 0;
 };
 
@@ -259,7 +255,7 @@ void step(state::Bodies<3>& bodies, std::span<const Index> which, std::span<cons
   for (std::size_t first = 0; first < which.size(); first += lane_count) {
     const auto some = which.subspan(first, std::min<std::size_t>(lane_count, which.size() - first));
     if (some.size() == lane_count && turn_freely(bodies, some)) {
-      const LaneMask left = step_batch(bodies, spans.batch(first));
+      const LaneMask left = step_batch(bodies, spans, Neighbors{first});
       if (!any(left)) continue;
       for (std::size_t lane = 0; lane < lane_count; ++lane)
         if (left[static_cast<int>(lane)] != 0)

@@ -83,6 +83,7 @@ state::Bodies<3> make_bodies(const cases::BlocksCase& blocks, const geometry::Te
     for (int axis = 0; axis < 3; ++axis)
       if (locks.translation >> axis & 1) bodies.motion.back().velocity[axis] = 0;
   }
+  bodies.pole = state::middle(bodies);
   return bodies;
 }
 

@@ -100,7 +100,7 @@ struct BlocksWork {
   }
 
   std::uint64_t state_hash() const { return runs::state_hash(model); }
-  std::span<const engine::PartTime> part_times() const { return simulation().part_times(); }
+  std::vector<engine::PartTime> part_times() const { return simulation().part_times(); }
   void write_case() const { observe::write_file(folder.case_file(), cases::write_resolved(file.blocks(), folder.path())); }
   void write_end() { record.write_fragments(); }
   void write_rank_times() { runs::write_rank_times(folder.ranks(), simulation()); }

@@ -24,6 +24,7 @@ void Buckets::insert(Index item, int level) {
   level_[at] = static_cast<std::int8_t>(level);
   place_[at] = static_cast<Index>(members.size());
   members.push_back(item);
+  used_ |= 1U << level;
   ++size_;
 }
 
@@ -38,6 +39,7 @@ void Buckets::erase(Index item) {
     unsorted_[level] = true;
   }
   members.pop_back();
+  if (members.empty()) used_ &= ~(1U << level);
   level_[at] = absent;
   --size_;
 }
@@ -50,11 +52,13 @@ void Buckets::move(Index item, int level) {
 void Buckets::list_from(int level, std::vector<Index>& items) const {
   constexpr std::size_t many = 2048;  // most of fewer is in the cache of a core
   std::size_t count = 0;
-  for (int finer = level; finer <= deepest_level; ++finer) count += at(finer).size();
+  visit_from(level, [&](int finer) { count += at(finer).size(); });
   items.resize(count + 1);  // a place for what the loop below writes and does not count
   Index* next = items.data();
   if (count < many || count < level_.size() / 4) {
-    for (int finer = level; finer <= deepest_level; ++finer) next = std::ranges::copy(at(finer), next).out;
+    visit_from(level, [&](int finer) {
+      for (const Index item : at(finer)) *next++ = item;
+    });
   } else {
     for (std::size_t item = 0; item < level_.size(); ++item) {
       *next = static_cast<Index>(item);
@@ -62,12 +66,6 @@ void Buckets::list_from(int level, std::vector<Index>& items) const {
     }
   }
   items.resize(count);
-}
-
-int Buckets::finest() const {
-  for (int level = deepest_level; level >= 0; --level)
-    if (!at(level).empty()) return level;
-  return absent;
 }
 
 void Buckets::sort() {
@@ -86,6 +84,7 @@ void Buckets::sort() {
 void Buckets::assign(std::vector<std::int8_t> levels) {
   for (auto& members : members_) members.clear();
   unsorted_.fill(false);
+  used_ = 0;
   size_ = 0;
   level_.assign(levels.size(), absent);
   place_.assign(levels.size(), 0);

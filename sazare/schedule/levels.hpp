@@ -51,7 +51,13 @@ public:
   void list_from(int level, std::vector<Index>& items) const;
 
   /// Finest level in use, or `absent` when empty.
-  int finest() const;
+  int finest() const { return std::bit_width(used_) - 1; }
+
+  /// Calls visit(level) for the levels in use from one on, the coarsest first.
+  template <class Visit>
+  void visit_from(int level, Visit&& visit) const {
+    for (std::uint32_t left = used_ >> level << level; left != 0; left &= left - 1) visit(std::countr_zero(left));
+  }
 
   /// Puts every level's items in rising order: neighbours in memory are then visited together. Looks at all items once.
   void sort();
@@ -63,6 +69,7 @@ public:
 private:
   std::array<std::vector<Index>, level_count> members_;
   std::array<bool, level_count> unsorted_{};
+  std::uint32_t used_ = 0;  ///< a bit for each level that has members
   std::vector<std::int8_t> level_;
   std::vector<Index> place_;  ///< where in its level an item stands
   std::size_t size_ = 0;

@@ -31,7 +31,7 @@ void LinkClock::set_level(Index link, int level) {
 std::span<Due> LinkClock::collect(const Moment& now) {
   const int coarsest = coarsest_due(now.tick);
   std::size_t count = 0;
-  for (int level = coarsest; level <= deepest_level; ++level) count += buckets_.at(level).size();
+  buckets_.visit_from(coarsest, [&](int level) { count += buckets_.at(level).size(); });
   if (due_.size() < count) due_.resize(count);
   const std::size_t shares = count < serial_below ? 1 : static_cast<std::size_t>(parallel::threads());
   const auto part = [&](int level, std::size_t share) {
@@ -42,11 +42,11 @@ std::span<Due> LinkClock::collect(const Moment& now) {
   parallel::parallel_for(shares, 2, [&](std::size_t first, std::size_t last) {
     Due* next = due_.data();
     for (std::size_t share = 0; share < last; ++share)
-      for (int level = coarsest; level <= deepest_level; ++level) {
+      buckets_.visit_from(coarsest, [&](int level) {
         const auto links = part(level, share);
         if (share >= first) give(links, level, now, next);
         next += links.size();
-      }
+      });
   });
   return std::span(due_).first(count);
 }

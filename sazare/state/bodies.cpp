@@ -46,6 +46,16 @@ Index add_body(Bodies<2>& bodies, Real mass, const Vector<2>& centre, Real momen
   return bodies.size() - 1;
 }
 
+Vector3 middle(const Bodies<3>& bodies) {
+  if (bodies.start.empty()) return Vector3::Zero();
+  Vector3 low = bodies.start[0], high = low;
+  for (const Vector3& centre : bodies.start) {
+    low = low.cwiseMin(centre);
+    high = high.cwiseMax(centre);
+  }
+  return 0.5 * (low + high);
+}
+
 Rotation<3> turn(const Vector3& spin, Real seconds) {
   const Vector3 half = 0.5 * seconds * spin;
   return Quaternion(1, half.x(), half.y(), half.z()).normalized().toRotationMatrix();

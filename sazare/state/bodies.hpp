@@ -72,6 +72,7 @@ struct Bodies {
   std::vector<Real> reach;                        ///< distance of the farthest point of a body from its centre [m]
   std::vector<Vector<D>> start;                   ///< position at the beginning [m]
   std::vector<Orientation<D>> start_orientation;  ///< as a rotation it would be twice as large, and few ask for it
+  Vector<D> pole = Vector<D>::Zero();             ///< moments of forces are about it: a fixed point among the bodies [m]
 
   Index size() const { return static_cast<Index>(motion.size()); }
 };
@@ -87,10 +88,10 @@ void reserve(Bodies<D>& bodies, std::size_t count) {
   bodies.start_orientation.reserve(count);
 }
 
-/// False when a body's motion is infinite or no number.
+/// False when a body's motion is infinite or no number. A rotation is so in all of its numbers or in none.
 template <int D>
 bool is_finite(const Motion<D>& motion) {
-  return std::isfinite(motion.position.sum() + motion.velocity.sum() + motion.angular_momentum.sum() + motion.rotation.sum());
+  return std::isfinite(motion.position.sum() + motion.velocity.sum() + motion.angular_momentum.sum() + motion.rotation(0, 0));
 }
 
 /// Body frame to world, at the beginning.
@@ -102,6 +103,9 @@ inline Rotation<3> start_rotation(const Bodies<3>& bodies, Index body) {
 Index add_body(Bodies<3>& bodies, Real mass, const Vector3& centre, const Vector3& principal_moments,
                const Quaternion& orientation, Real reach);
 Index add_body(Bodies<2>& bodies, Real mass, const Vector<2>& centre, Real moment, Real reach);
+
+/// Middle of the box around all centres at the beginning: a pole for which moments keep their digits wherever the model lies.
+Vector3 middle(const Bodies<3>& bodies);
 
 /// Place of a body at a moment.
 template <int D>

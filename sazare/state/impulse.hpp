@@ -14,17 +14,29 @@ namespace sazare::state {
 template <int D>
 struct alignas(64) Impulse {
   Vector<D> linear = Vector<D>::Zero();                   ///< [N s]
-  Angular<D> angular = Angular<D>::Zero();                ///< about the centre of mass [N m s]
+  Angular<D> angular = Angular<D>::Zero();                ///< about the pole of the bodies [N m s]
   Real until_next = 0;                                    ///< asked for: time from now to the body's next one [s]
   alignas(64) Vector<D> linear_lead = Vector<D>::Zero();  ///< [N s]; each pair begins a cache line, for gathers
-  Angular<D> angular_lead = Angular<D>::Zero();           ///< [N m s]
+  Angular<D> angular_lead = Angular<D>::Zero();           ///< about the pole too [N m s]
+
+  /// The same about a point that lies so far from where it is given about.
+  Impulse about(const Vector<D>& point) const {
+    Impulse moved = *this;
+    moved.angular -= moment(point, linear);
+    moved.angular_lead -= moment(point, linear_lead);
+    return moved;
+  }
 };
 
-/// Mean of a body's motion before and after a kick: impulse times this is exactly the work done.
+/// Mean of a body's motion before and after a kick: impulse times this is exactly the work done, where both are about the same
+/// point.
 template <int D>
 struct alignas(64) MeanMotion {
-  Vector<D> velocity;
-  Angular<D> spin;
+  Vector<D> velocity;  ///< of what would be the body's point at the pole [m/s]
+  Angular<D> spin;     ///< [rad/s]
+
+  /// The same at a point that lies so far from where it is given at.
+  MeanMotion at(const Vector<D>& point) const { return {velocity + turned(spin, point), spin}; }
 };
 
 }  // namespace sazare::state

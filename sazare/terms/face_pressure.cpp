@@ -48,7 +48,7 @@ void FacePressure::evaluate(const Moment& now, std::span<const Due> due, const s
   const LaneDue in_lanes = terms::in_lanes(due);
   LanePointers<PressedFace> faces;
   LanePointers<const state::Motion<3>> motions;
-  LanePointers<Slot<3, 1>> slots;
+  LanePointers<Slot<3, 0>> slots;
   Lanes pressure{}, cut{};
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
     PressedFace& face = faces_[static_cast<std::size_t>(in_lanes[lane].link)];
@@ -68,8 +68,9 @@ void FacePressure::evaluate(const Moment& now, std::span<const Due> due, const s
     for (std::size_t lane = 0; lane < lane_count; ++lane)
       if (acts[static_cast<int>(lane)] == 0) faces[lane]->acts = 0;
   const LaneVector push = select(acts, pressure, Lanes{}) * (rotation * area);  // on the outside, the second body
-  const LanePairForce force{cross(push, arm), push, {}};
-  write(slots, now, in_lanes, force, force);
+  const Vector3& pole = bodies.pole;
+  const LaneVector from_pole = position - LaneVector{{broadcast(pole[0]), broadcast(pole[1]), broadcast(pole[2])}};
+  write(slots, now, in_lanes, LanePairForce::at(from_pole + arm, push));
 }
 
 void FacePressure::add_energies(const Synchronized<3>& at, Books& books) const {

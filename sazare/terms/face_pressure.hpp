@@ -40,9 +40,9 @@ public:
   bool joins_bodies() const override { return false; }
   std::vector<Index> first_links() const override;
   void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
-  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies, std::span<Impulse<3>> sum,
+  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>&, std::span<Impulse<3>> sum,
               CauseImpulses<3>& parts) const override {
-    table_.gather(now, which, bodies, sum, parts);
+    table_.gather(now, which, sum, parts);
   }
   Rates rates(Index) const override { return {}; }
   void add_energies(const Synchronized<3>& at, Books& books) const override;
@@ -56,7 +56,7 @@ private:
   std::vector<Real> pressures_;  ///< of the loads, at the last evaluation [Pa]
   std::vector<PressedFace> faces_;
   std::vector<Link> links_;
-  SlotTable<3, 1, FixedIncidence> table_;
+  SlotTable<3, 0, FixedIncidence> table_;
 };
 
 }  // namespace sazare::terms

@@ -1,52 +1,38 @@
 #pragma once
 
-/// Force and moment on one body, in a register each.
+/// Force and moment in one register.
 
 #include "sazare/core/registers.hpp"
 #include "sazare/core/rotation.hpp"
 
 namespace sazare::terms {
 
-/// Read four numbers at a time: what lies beyond those of a force or a moment is anything, and is never written.
+/// What lies in the register beyond the numbers of both is anything, and is never written.
 template <int D>
 struct ForceMoment {
-  using Register = RegisterOf<4>::Reals;
+  static constexpr int count = D + angular_dimension<D>;
+  static constexpr int width = D == 3 ? 8 : 4;
+  using Register = RegisterOf<width>;
+  using Reals = typename Register::Reals;
 
-  Register force{}, moment{};
+  Reals numbers{};
 
-  static ForceMoment load(const Real* force, const Real* moment) { return {four(force), four(moment)}; }
-  static ForceMoment load(const float* force, const float* moment) {
-    return {RegisterOf<4>::converted(force), RegisterOf<4>::converted(moment)};
-  }
+  /// As many doubles as the register has are read.
+  static ForceMoment load(const Real* from) { return {in(from)}; }
+  static ForceMoment load(const float* from) { return {Register::template converted<count>(from)}; }
 
-  /// Adds `factor` times another, whose force acts along `sign`.
-  void add(const Register& factor, const Register& sign, const ForceMoment& other) {
-    force = RegisterOf<4>::add_product(sign * factor, other.force, force);
-    moment = RegisterOf<4>::add_product(factor, other.moment, moment);
-  }
+  /// Adds `factor` times another.
+  void add(const Reals& factor, const ForceMoment& other) { numbers = Register::add_product(factor, other.numbers, numbers); }
 
-  /// To eight numbers, in the plane to four: force, moment, zeros.
-  void store(Real* numbers) const {
-    four(numbers) = head();
-    if constexpr (D == 3) four(numbers + 4) = tail();
-  }
-  void add_to(Real* numbers) const {
-    four(numbers) += head();
-    if constexpr (D == 3) four(numbers + 4) += tail();
-  }
+  /// To as many numbers as the register has: force, moment, zeros.
+  void store(Real* to) const { in(to) = first_of<count, width>(numbers); }
+  void add_to(Real* to) const { in(to) += first_of<count, width>(numbers); }
 
 private:
-  using InMemory = RegisterOf<4>::InMemory;
+  using InMemory = typename Register::InMemory;
 
-  static InMemory& four(Real* numbers) { return *reinterpret_cast<InMemory*>(numbers); }
-  static const InMemory& four(const Real* numbers) { return *reinterpret_cast<const InMemory*>(numbers); }
-
-  // Side by side in registers: stores that overlap would be waited for by whoever loads them next.
-  Register head() const {
-    if constexpr (D == 3) return __builtin_shufflevector(force, moment, 0, 1, 2, 4);
-    return __builtin_shufflevector(force, __builtin_shufflevector(moment, Register{}, 0, 4, 4, 4), 0, 1, 4, 5);
-  }
-  Register tail() const { return __builtin_shufflevector(moment, Register{}, 1, 2, 4, 4); }
+  static InMemory& in(Real* numbers) { return *reinterpret_cast<InMemory*>(numbers); }
+  static const InMemory& in(const Real* numbers) { return *reinterpret_cast<const InMemory*>(numbers); }
 };
 
 }  // namespace sazare::terms

@@ -39,8 +39,14 @@ public:
     for (std::size_t i = 0; i < which.size(); ++i) {
       const auto at = static_cast<std::size_t>(which[i]);
       const Vector<D> weight = mass_[at] * acceleration_;
-      if (given_[at].tick > bodies.motion[at].last_kick) sum[i].linear += given_[at].acting * weight;
-      sum[i].linear_lead += (sum[i].until_next - given_[at].ahead + now.seconds_since(given_[at].tick)) * weight;
+      const Angular<D> about_pole = moment(state::pose_at(bodies.motion[at], now).position - bodies.pole, weight);
+      const Real open = sum[i].until_next - given_[at].ahead + now.seconds_since(given_[at].tick);
+      if (given_[at].tick > bodies.motion[at].last_kick) {
+        sum[i].linear += given_[at].acting * weight;
+        sum[i].angular += given_[at].acting * about_pole;
+      }
+      sum[i].linear_lead += open * weight;
+      sum[i].angular_lead += open * about_pole;
     }
   }
 

@@ -3,8 +3,8 @@
 /// A link's own place for the force it has on its bodies.
 ///
 /// A link writes its slot when it is evaluated; both its bodies are kicked at that tick. A body's gather reads all of its
-/// slots: those written since its last kick give their impulses, and all of them tell what pulls at the body now, from
-/// which its velocity at its next time is foreseen (see motion/kick.hpp).
+/// slots: those written at that tick give their impulses, and all of them tell what pulls at the body now, from which its
+/// velocity at its next time is foreseen (see motion/kick.hpp).
 
 #include <array>
 
@@ -17,43 +17,36 @@ namespace sazare::terms {
 using state::Impulse;
 using state::MeanMotion;
 
-/// Action and reaction: `linear` is the force on the second body, minus it that on the first; each moment is about the
-/// centre of its own body.
+/// Action and reaction: force and moment on the second body, minus them those on the first. The moment is about the pole of
+/// the bodies (state/bodies.hpp), one point for all of them: so it is the same for both, whatever their places, and the
+/// angular momentum is kept as exactly as the linear one.
 template <int D, class Number = Real>
 struct PairForce {
   // No gaps, neither in the plane nor in single precision.
   using Force = Eigen::Matrix<Number, D, 1, Eigen::DontAlign>;
   using Moment = Eigen::Matrix<Number, angular_dimension<D>, 1, Eigen::DontAlign>;
 
-  Moment first_moment = Moment::Zero();   ///< [N m]
-  Force linear = Force::Zero();           ///< [N]
-  Moment second_moment = Moment::Zero();  ///< [N m]
+  Force linear = Force::Zero();    ///< [N]
+  Moment moment = Moment::Zero();  ///< [N m]
 
-  /// Power on a body that moves so [W].
-  Real power_on_first(const MeanMotion<D>& mean) const {
-    return product(first_moment, mean.spin) - product(linear, mean.velocity);
-  }
-  Real power_on_second(const MeanMotion<D>& mean) const {
-    return product(second_moment, mean.spin) + product(linear, mean.velocity);
-  }
+  /// Power on the second body where it moves so, minus that on the first where that does [W].
+  Real power(const MeanMotion<D>& mean) const { return product(linear, mean.velocity) + product(moment, mean.spin); }
 
   template <class Other>
   PairForce<D, Other> as() const {
-    return {first_moment.template cast<Other>(), linear.template cast<Other>(), second_moment.template cast<Other>()};
+    return {linear.template cast<Other>(), moment.template cast<Other>()};
   }
 
   PairForce& operator+=(const PairForce& other) {
-    first_moment += other.first_moment;
     linear += other.linear;
-    second_moment += other.second_moment;
+    moment += other.moment;
     return *this;
   }
 
-  /// Adds a force on the second body at a point, given by its arms from both centres.
-  void add_at(const Vector<D>& first_arm, const Vector<D>& second_arm, const Vector<D>& force) {
-    first_moment -= moment(first_arm, force);
+  /// Adds a force on the second body at a point, given from the pole.
+  void add_at(const Vector<D>& point, const Vector<D>& force) {
     linear += force;
-    second_moment += moment(second_arm, force);
+    moment += sazare::moment(point, force);
   }
 
 private:
@@ -66,17 +59,18 @@ private:
   }
 };
 
-/// `Parts` counts the parts of the force whose work is booked apart (dashpot, friction, a load). The order of the members
-/// is that in which kernels write them and gathers read them. Impulses come from the total alone. What only books work or
-/// foresees velocities is kept in single precision: kicks read every slot of a body, and wait for memory more than for anything.
+/// `Parts` counts the parts of the force whose work is booked apart (dashpot, friction); without any, that of the whole force is
+/// (a load). The order of the members is that in which kernels write them. Impulses come from the total alone. What only books
+/// work or foresees velocities is kept in single precision: kicks read every slot of a body. Where there is one part or none, a
+/// slot in space takes two cache lines.
 template <int D, int Parts>
 struct alignas(64) Slot {
   PairForce<D> total;
-  Real acting = 0;      ///< time for which the force was given at the last evaluation [s]
-  Real ahead = 0;       ///< how much of the time given until then lies after that evaluation [s]
-  Real evaluated = -1;  ///< tick of the last evaluation; a double, for gathers, and exact far beyond the longest run
-  std::array<PairForce<D, float>, Parts> part;
+  Real acting = 0;               ///< time for which the force was given at the last evaluation [s]
+  Real ahead = 0;                ///< how much of the time given until then lies after that evaluation [s]
+  Real evaluated = -1;           ///< tick of the last evaluation; a double, for gathers, and exact far beyond the longest run
   PairForce<D, float> previous;  ///< total at the evaluation before; at the first one that of itself
+  std::array<PairForce<D, float>, Parts> part;
 };
 
 /// Writes what an evaluation has found. Velocities are foreseen by the mean of a link's last two forces: a dashpot whose velocity

@@ -96,90 +96,88 @@ private:
 /// Sums over the slots of a body.
 template <int D, int Parts>
 struct SlotSums {
-  ForceMoment<D> given, lead;
-  std::array<ForceMoment<D>, Parts> part;
+  using Sum = ForceMoment<D>;
+
+  Sum given, lead;
+  std::array<Sum, Parts> part;
 
   // What is read beyond the last moment lies within the slot too.
-  static_assert(sizeof(PairForce<D>) + 3 * sizeof(Real) + (1 + Parts) * sizeof(PairForce<D, float>) +
-                    (4 - angular_dimension<D>)*sizeof(float) <=
-                sizeof(Slot<D, Parts>));
-
-  /// The moment of a side is found by its distance: compilers branch between addresses.
-  template <class Number>
-  static ForceMoment<D> read(const PairForce<D, Number>& from, int side) {
-    constexpr int between = angular_dimension<D> + D;
-    static_assert(offsetof(PairForce<D>, second_moment) == between * sizeof(Real));
-    return ForceMoment<D>::load(from.linear.data(), from.first_moment.data() + side * between);
-  }
+  static_assert(Sum::width * sizeof(Real) <= sizeof(Slot<D, Parts>));
 
   /// All in registers and without branches: at a mix of levels no processor guesses which slots are new, nor on which side of
-  /// each a body is.
-  void add(const Slot<D, Parts>& slot, int side, Real last_kick, Real now, Real tick_seconds, Real until_next) {
-    constexpr auto broadcast = &RegisterOf<4>::broadcast;
+  /// each a body is. Compared in registers, for single numbers compilers branch.
+  void add(const Slot<D, Parts>& slot, int side, Real now, Real tick_seconds, Real until_next) {
+    constexpr auto two = &RegisterOf<2>::broadcast;
+    const auto all = [](const RegisterOf<2>::Reals& number) { return Sum::Register::broadcast(number); };
     static constexpr std::array<Real, 2> signs = {-1, 1};
-    const auto sign = broadcast(signs[static_cast<std::size_t>(side)]);
-    const ForceMoment<D> acts = read(slot.total, side), acted = read(slot.previous, side);
-    const auto acting = broadcast(slot.evaluated) > last_kick ? broadcast(slot.acting) : broadcast(0);
-    given.add(acting, sign, acts);
-    // Below 0: given beyond it; else foreseen with the mean of both. Compared in registers, for single numbers compilers branch.
-    const auto open = broadcast(until_next - slot.ahead + (now - slot.evaluated) * tick_seconds), none = broadcast(0);
-    const auto half = broadcast(0.5) * (open > none ? open : none);
-    lead.add(half, sign, acted);
-    lead.add(open - half, sign, acts);
-    for (std::size_t p = 0; p < Parts; ++p) part[p].add(acting, sign, read(slot.part[p], side));
+    const auto sign = two(signs[static_cast<std::size_t>(side)]), none = two(0);
+    const Sum acts = Sum::load(slot.total.linear.data()), acted = Sum::load(slot.previous.linear.data());
+    const auto acting = all(sign * (two(slot.evaluated) == two(now) ? two(slot.acting) : none));
+    given.add(acting, acts);
+    // Below 0: given beyond it; else foreseen with the mean of both.
+    const auto open = two(until_next - slot.ahead + (now - slot.evaluated) * tick_seconds);
+    const auto half = two(0.5) * (open > none ? open : none);
+    lead.add(all(sign * half), acted);
+    lead.add(all(sign * (open - half)), acts);
+    for (std::size_t p = 0; p < Parts; ++p) part[p].add(acting, Sum::load(slot.part[p].linear.data()));
   }
 };
 
-/// The slots of a term; the work of each part of the force is booked on its cause.
+/// The slots of a term; the work of each part of the force is booked on its cause, or that of the whole force where it has none.
 template <int D, int Parts, class Incidence>
 struct SlotTable {
-  std::array<Cause, Parts> causes{};
+  static constexpr std::size_t booked = Parts == 0 ? 1 : Parts;
+
+  std::array<Cause, booked> causes{};
   std::vector<Slot<D, Parts>> slots;
   Incidence incidence;
 
   Slot<D, Parts>& operator[](Index slot) { return slots[static_cast<std::size_t>(slot)]; }
   const Slot<D, Parts>& operator[](Index slot) const { return slots[static_cast<std::size_t>(slot)]; }
 
-  /// Adds the slots of one body, which stands at a place of a chunk.
-  void gather_one(const Moment& now, Index body, Tick last_kick, std::size_t place, Impulse<D>& sum,
-                  CauseImpulses<D>& parts) const {
+  /// Adds the slots of one body, which stands at a place of a chunk: those evaluated now give their impulses.
+  void gather_one(const Moment& now, Index body, std::size_t place, Impulse<D>& sum, CauseImpulses<D>& parts) const {
     const auto sides = incidence.of(body);
     if (sides.empty()) return;
     SlotSums<D, Parts> sums;
-    const auto kicked = static_cast<Real>(last_kick), tick = static_cast<Real>(now.tick);
-    for (const SlotSide side : sides) {
-      const auto& slot = (*this)[side.slot];
-      if (slot.evaluated >= 0) sums.add(slot, static_cast<int>(side.side), kicked, tick, now.tick_seconds, sum.until_next);
-    }
+    const auto tick = static_cast<Real>(now.tick);
+    for (const SlotSide side : sides)
+      sums.add((*this)[side.slot], static_cast<int>(side.side), tick, now.tick_seconds, sum.until_next);
     sums.given.add_to(sum.linear.data());
     sums.lead.add_to(sum.linear_lead.data());
-    for (std::size_t p = 0; p < Parts; ++p) parts.add(causes[p], place, sums.part[p]);
+    if constexpr (Parts == 0)
+      parts.add(causes[0], place, sums.given);
+    else
+      for (std::size_t p = 0; p < Parts; ++p) parts.add(causes[p], place, sums.part[p]);
   }
 
-  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<D>& bodies, std::span<Impulse<D>> sum,
-              CauseImpulses<D>& parts) const {
+  void gather(const Moment& now, std::span<const Index> which, std::span<Impulse<D>> sum, CauseImpulses<D>& parts) const {
     for (std::size_t i = 0; i < which.size(); ++i) {
       if (is_large(slots) && i + 2 < which.size())
         for (const SlotSide side : incidence.of(which[i + 2])) ask_for((*this)[side.slot]);
-      gather_one(now, which[i], bodies.motion[static_cast<std::size_t>(which[i])].last_kick, i, sum[i], parts);
+      gather_one(now, which[i], i, sum[i], parts);
     }
   }
 
   /// Work that the parts of a link's force will have done after now: the kicks at now had it in them [J].
-  std::array<Real, Parts> work_after(Index slot, const Link& link, const Synchronized<D>& at) const {
+  std::array<Real, booked> work_after(Index slot, const Link& link, const Synchronized<D>& at) const {
     const auto& of = (*this)[slot];
-    std::array<Real, Parts> work;
-    for (std::size_t p = 0; p < Parts; ++p) {
-      work[p] = of.part[p].power_on_first(at.ahead[static_cast<std::size_t>(link.first)]);
-      if (link.second != Link::outside) work[p] += of.part[p].power_on_second(at.ahead[static_cast<std::size_t>(link.second)]);
-      work[p] *= of.ahead;
-    }
-    return work;
+    const auto work = [&](const auto& force) {
+      Real power = -force.power(at.ahead[static_cast<std::size_t>(link.first)]);
+      if (link.second != Link::outside) power += force.power(at.ahead[static_cast<std::size_t>(link.second)]);
+      return of.ahead * power;
+    };
+    std::array<Real, booked> works;
+    if constexpr (Parts == 0)
+      works[0] = work(of.total);
+    else
+      for (std::size_t p = 0; p < Parts; ++p) works[p] = work(of.part[p]);
+    return works;
   }
 
   /// Books that work, taken back.
-  void take_back(const std::array<Real, Parts>& work, Books& books) const {
-    for (std::size_t p = 0; p < Parts; ++p) book(causes[p], -work[p], books);
+  void take_back(const std::array<Real, booked>& work, Books& books) const {
+    for (std::size_t p = 0; p < booked; ++p) book(causes[p], -work[p], books);
   }
   void take_back(Index slot, const Link& link, const Synchronized<D>& at, Books& books) const {
     take_back(work_after(slot, link, at), books);

@@ -56,9 +56,9 @@ public:
     });
   }
 
-  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<D>& bodies, std::span<Impulse<D>> sum,
+  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<D>&, std::span<Impulse<D>> sum,
               CauseImpulses<D>& parts) const override {
-    table_.gather(now, which, bodies, sum, parts);
+    table_.gather(now, which, sum, parts);
   }
   Rates rates(Index body) const override { return rates_[static_cast<std::size_t>(body)]; }
 
@@ -76,7 +76,7 @@ public:
 
 private:
   struct Place {
-    Vector<D> first_arm, second_arm, direction;
+    Vector<D> first_arm, second_arm, direction;  ///< the arms from the centres, but from the world's zero for `outside`
     Real elongation;
   };
 
@@ -107,8 +107,9 @@ private:
     const Real on = spring.pushes_only && at.elongation > 0 ? 0 : 1;
     const Vector<D> dashpot = (-on * spring.damping * opening.dot(at.direction)) * at.direction;
     PairForce<D> total, dashpots;
-    dashpots.add_at(at.first_arm, at.second_arm, dashpot);
-    total.add_at(at.first_arm, at.second_arm, (-on * spring.stiffness * at.elongation) * at.direction + dashpot);
+    const Vector<D> point = body(spring.first).position - bodies.pole + at.first_arm;
+    dashpots.add_at(point, dashpot);
+    total.add_at(point, (-on * spring.stiffness * at.elongation) * at.direction + dashpot);
     write<D, 1>(table_[due.link], now, due, total, {dashpots});
   }
 

@@ -73,9 +73,16 @@ private:
     std::array<Real, 8> numbers;  ///< force, then moment
 
     Real power(const state::MeanMotion<D>& mean) const {
-      const Eigen::Map<const Vector<D>> linear(numbers.data());
-      const Eigen::Map<const Angular<D>> angular(numbers.data() + D);
-      return linear.dot(mean.velocity) + angular.dot(mean.spin);
+      if constexpr (D == 3) {  // as whole records; what stands behind a motion is anything
+        using Row = RegisterOf<8>;
+        const auto row = [](const Real* from) { return *reinterpret_cast<const Row::InMemory*>(from); };
+        static_assert(sizeof(state::MeanMotion<3>) == sizeof(Record));
+        return Row::sum(row(numbers.data()) * first_of<6, 8>(row(mean.velocity.data())));
+      } else {
+        const Eigen::Map<const Vector<D>> linear(numbers.data());
+        const Eigen::Map<const Angular<D>> angular(numbers.data() + D);
+        return linear.dot(mean.velocity) + angular.dot(mean.spin);
+      }
     }
   };
 

@@ -13,7 +13,7 @@ class ForceProbe {
 public:
   ForceProbe(terms::Term<D>& term, state::Bodies<D>& bodies) : term_(term), bodies_(bodies) {}
 
-  /// Force and moment on every body from the links given; each call stands at a new tick.
+  /// Force on every body from the links given, and its moment about the body's centre; each call stands at a new tick.
   std::vector<state::Impulse<D>> forces(const std::vector<Index>& links) {
     const Moment now{++tick_, 1.0};
     std::vector<Due> due;
@@ -31,14 +31,16 @@ public:
     std::vector<state::Impulse<D>> sum(all.size());
     parts_.clear();
     term_.gather(now, all, bodies_, sum, parts_);
+    for (std::size_t body = 0; body < sum.size(); ++body)
+      sum[body] = sum[body].about(bodies_.motion[body].position - bodies_.pole);
     return sum;
   }
   std::vector<state::Impulse<D>> forces() { return forces(term_.first_links()); }
 
-  /// Work [J] on a body, by cause, of the impulses of the last call when the body moved so over the kick.
+  /// Work [J] on a body, by cause, of the impulses of the last call when its centre moved so over the kick.
   terms::CauseWork work(std::size_t body, const state::MeanMotion<D>& mean) const {
     terms::CauseWork work{};
-    parts_.book(body, mean, work);
+    parts_.book(body, mean.at(bodies_.pole - bodies_.motion[body].position), work);
     return work;
   }
 

@@ -45,18 +45,13 @@ LaneSoftness load_softness(const LaneMatrix& rotation, const LanePointers<const 
   return {rotation, {{n[0], n[1], n[2]}}, 1.0 / n[3]};
 }
 
-/// A force on the second body at a point, given by its arms from both centres.
-terms::LanePairForce force_at_arms(const LaneVector& arm, const LaneVector& other_arm, const LaneVector& force) {
-  return {cross(force, arm), force, cross(other_arm, force)};
-}
-
 struct LaneContactForce {
   terms::LanePairForce total, dashpot, friction;
-  Lanes unused{};
+  std::array<Lanes, 2> unused{};
 
   void store(const LanePointers<ContactForce>& to) const {
     static_assert(sizeof(LaneContactForce) == lane_count * sizeof(ContactForce));
-    store_records(std::bit_cast<std::array<Lanes, 28>>(*this), to);
+    store_records(std::bit_cast<std::array<Lanes, 20>>(*this), to);
   }
 };
 
@@ -81,12 +76,12 @@ void ContactBatch::clear() {
   forces_.clear();
 }
 
-void ContactBatch::evaluate(const laws::SphereContact& law, const ContactSurface& surface) {
+void ContactBatch::evaluate(const laws::SphereContact& law, const ContactSurface& surface, const Vector3& pole) {
   find_touching(surface);
   forces_.resize(touching_.size());
   for (std::size_t i = 0; i < touching_.size(); i += lane_count) {
     const std::size_t count = std::min<std::size_t>(lane_count, touching_.size() - i);
-    push(law, in_lanes(std::span(touching_).subspan(i, count), surface), std::span(forces_).subspan(i, count));
+    push(law, pole, in_lanes(std::span(touching_).subspan(i, count), surface), std::span(forces_).subspan(i, count));
   }
 }
 
@@ -133,7 +128,7 @@ void ContactBatch::keep_if_touching(const Member& member, Real overlap) {
 }
 
 /// Forces of the members in the lanes, and what they remember.
-[[gnu::flatten]] void ContactBatch::push(const laws::SphereContact& law, const InLanes& members,
+[[gnu::flatten]] void ContactBatch::push(const laws::SphereContact& law, const Vector3& pole, const InLanes& members,
                                          std::span<ContactForce> forces) const {
   static_assert(offsetof(SpherePair, rest) == sizeof(Real) && offsetof(SpherePair, memory) == 3 * sizeof(Real));
   LanePointers<const state::Inertia<3>> first_inertia, second_inertia;
@@ -165,7 +160,8 @@ void ContactBatch::keep_if_touching(const Member& member, Real overlap) {
   const LaneVector &friction = memory.friction, dashpot = force.dashpot * at.normal;
   store_quad({memory.dashpot, friction[0], friction[1], friction[2]}, members.spheres, 3);
   const LaneVector total = add_product(force.elastic, at.normal, dashpot + force.friction);
-  const auto acting_at_point = [&](const LaneVector& acting) { return force_at_arms(arm, other_arm, acting); };
+  const LaneVector point = at.point - LaneVector{{broadcast(pole[0]), broadcast(pole[1]), broadcast(pole[2])}};
+  const auto acting_at_point = [&](const LaneVector& acting) { return terms::LanePairForce::at(point, acting); };
   LaneContactForce{acting_at_point(total), acting_at_point(dashpot), acting_at_point(force.friction)}.store(to);
 }
 

@@ -30,8 +30,8 @@ public:
   /// Adds spheres of the last pair that may touch.
   void add(SpherePair& spheres) { may_touch_.push_back({&spheres, pairs_.size() - 1}); }
 
-  /// Finds which spheres touch, and their forces; the others forget.
-  void evaluate(const laws::SphereContact& law, const ContactSurface& surface);
+  /// Finds which spheres touch, and their forces, with moments about a pole; the others forget.
+  void evaluate(const laws::SphereContact& law, const ContactSurface& surface, const Vector3& pole);
 
   std::span<const Pair> pairs() const { return pairs_; }
 
@@ -48,7 +48,7 @@ private:
   InLanes in_lanes(std::span<const Member> members, const ContactSurface& surface) const;
   void find_touching(const ContactSurface& surface);
   void keep_if_touching(const Member& member, Real overlap);
-  void push(const laws::SphereContact& law, const InLanes& members, std::span<ContactForce> forces) const;
+  void push(const laws::SphereContact& law, const Vector3& pole, const InLanes& members, std::span<ContactForce> forces) const;
 
   std::vector<Pair> pairs_;
   std::vector<Member> may_touch_, touching_;

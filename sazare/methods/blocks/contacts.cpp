@@ -88,7 +88,7 @@ void Contacts::evaluate_batch(const Moment& now, std::span<const Due> due, const
         batch.add(spheres);
     }
   }
-  batch.evaluate(law_, surface_);
+  batch.evaluate(law_, surface_, bodies.pole);
   for (const ContactBatch::Pair& pair : batch.pairs()) conclude(now, batch, pair);
 }
 
@@ -161,10 +161,10 @@ void Contacts::count_touching(const Link& link, int change) {
 }
 
 /// Few blocks touch others.
-void Contacts::gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies,
-                      std::span<state::Impulse<3>> sum, terms::CauseImpulses<3>& parts) const {
+void Contacts::gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>&, std::span<state::Impulse<3>> sum,
+                      terms::CauseImpulses<3>& parts) const {
   for (std::size_t i = 0; i < which.size(); ++i)
-    if (touching_[at(which[i])] > 0) table_.gather_one(now, which[i], bodies.motion[at(which[i])].last_kick, i, sum[i], parts);
+    if (touching_[at(which[i])] > 0) table_.gather_one(now, which[i], i, sum[i], parts);
 }
 
 void Contacts::open_face(const FreeFace& face, const state::Bodies<3>& bodies) {

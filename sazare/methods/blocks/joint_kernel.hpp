@@ -23,6 +23,7 @@ namespace sazare::methods::blocks {
 /// Vertices in face axes, and what their joints remember.
 struct FaceGeometry {
   LaneMatrix axes;                                       ///< E
+  LaneVector master;                                     ///< x_i [m]
   LaneVector between;                                    ///< x_j - x_i in world axes [m]
   LaneVector apart;                                      ///< and in face axes
   std::array<LaneVector, vertex_count> point;            ///< from the master's centre [m]
@@ -39,8 +40,9 @@ FaceGeometry face_geometry(const LaneJoints<Record>& joints, const LanePointers<
   FaceGeometry at;
   const LaneMatrix frame = joints.frame();
   const state::LanePlaces master = state::load_places(masters);
-  at.axes = master.rotation * frame;
+  for (int i = 0; i < 3; ++i) at.axes[i] = master.rotation * frame[i];  // a whole matrix would be copied by a call
   const state::LanePlaces slave = state::load_places(slaves);
+  at.master = master.position;
   at.between = slave.position - master.position;
   at.apart = transposed(at.axes, at.between);
   LaneMatrix slave_axes;  // slave's body frame to face axes
@@ -90,15 +92,16 @@ inline Lanes elastic_energy(const JointParameters<Lanes>& kind, const FaceGeomet
   return energy * at.vertex_area;
 }
 
-/// What an evaluation has done to its joints.
+/// What an evaluation has done to its joints. Few evaluations change any: all else is set only where one has.
 struct JointChange {
-  LaneMask softened{};  ///< the memory of opening has grown
-  LaneMask slipped{};
-  LaneMask failed{};                                    ///< a vertex has failed: the whole face comes apart and gives nothing
-  Lanes slip_work{};                                    ///< energy that slip has taken [J]
-  Lanes released{};                                     ///< elastic energy of what came apart [J]
+  bool has_happened;
+  LaneMask softened;  ///< the memory of opening has grown
+  LaneMask slipped;
+  LaneMask failed;                                      ///< a vertex has failed: the whole face comes apart and gives nothing
+  Lanes slip_work;                                      ///< energy that slip has taken [J]
+  Lanes released;                                       ///< elastic energy of what came apart [J]
   LaneVector peak;                                      ///< the memory of opening as it is now
-  std::array<std::array<Lanes, 2>, vertex_count> slip;  ///< what has been added to the slip, where one has softened or slipped
+  std::array<std::array<Lanes, 2>, vertex_count> slip;  ///< what has been added to the slip
 };
 
 /// Raises the memory to the present opening.
@@ -117,7 +120,7 @@ inline void fail(const JointParameters<Lanes>& kind, const FaceGeometry& at, con
   if (any(change.failed)) change.released = select(change.failed, elastic_energy(kind, at, stress), Lanes{});
 }
 
-/// Lets the vertices slip that must.
+/// Lets the vertices slip that must, in the lanes where one does.
 inline void slide(const JointParameters<Lanes>& kind, const LaneVector& strength, FaceGeometry& at, JointChange& change) {
   for (std::size_t v = 0; v < vertex_count; ++v) {
     const Lanes limit = strength[static_cast<int>(v)];
@@ -134,6 +137,7 @@ inline void slide(const JointParameters<Lanes>& kind, const LaneVector& strength
 struct FaceSums {
   LaneVector force, moment;
 
+  static FaceSums of(const LaneVector& point, const LaneVector& at_point) { return {at_point, cross(point, at_point)}; }
   void add(const LaneVector& point, const LaneVector& at_point) {
     force = force + at_point;
     moment = add_cross(point, at_point, moment);
@@ -141,28 +145,38 @@ struct FaceSums {
   friend FaceSums operator+(const FaceSums& a, const FaceSums& b) { return {a.force + b.force, a.moment + b.moment}; }
 };
 
+/// What softens, fails and slips; returns which joints have failed.
+inline LaneMask change_joints(const JointParameters<Lanes>& kind, const LaneVector& stress, const LaneVector& strength,
+                              const LaneMask& softened, FaceGeometry& at, JointChange& change) {
+  change.softened = softened;
+  change.slipped = change.failed = LaneMask{};
+  change.slip_work = change.released = Lanes{};
+  change.peak = at.peak;
+  fail(kind, at, stress, change);
+  slide(kind, strength, at, change);
+  return change.failed;
+}
+
 /// Springs, once the memory is what it must be.
-inline FaceSums springs(const JointParameters<Lanes>& kind, FaceGeometry& at, JointChange& change) {
-  change.softened = raise_peaks(at);
-  const bool soften = some_soften(kind, at);
-  const LaneVector stress = tension_stress(kind, at, soften);
-  if (soften) {
-    fail(kind, at, stress, change);
-    change.slip = {};
-  }
+inline FaceSums springs(const JointParameters<Lanes>& kind, FaceGeometry& at, LaneMask& failed, JointChange& change) {
+  const LaneMask softened = raise_peaks(at);
+  const LaneVector stress = tension_stress(kind, at, some_soften(kind, at));
   LaneVector strength;
-  LaneMask slips{};
+  LaneMask changes = softened;
   for (std::size_t v = 0; v < vertex_count; ++v) {
     const auto i = static_cast<int>(v);
     strength[i] = laws::shear_strength(kind.shear, stress[i]);
-    slips |= laws::slips(kind.shear, laws::Slip<Lanes>{{at.shear[v][0], at.shear[v][1]}, {}, {}}, strength[i]);
+    changes |= laws::slips(kind.shear, laws::Slip<Lanes>{{at.shear[v][0], at.shear[v][1]}, {}, {}}, strength[i]);
   }
-  if (any(slips)) slide(kind, strength, at, change);
-  change.peak = at.peak;
-  const Lanes area = select(change.failed, Lanes{}, -at.vertex_area), shear_area = area * kind.shear.stiffness;
-  FaceSums sums{};
-  for (std::size_t v = 0; v < vertex_count; ++v)
-    sums.add(at.point[v], {{area * stress[static_cast<int>(v)], shear_area * at.shear[v][0], shear_area * at.shear[v][1]}});
+  failed = LaneMask{};
+  change.has_happened = any(changes);
+  if (change.has_happened) failed = change_joints(kind, stress, strength, softened, at, change);
+  const Lanes area = select(failed, Lanes{}, -at.vertex_area), shear_area = area * kind.shear.stiffness;
+  const auto force = [&](std::size_t v) {
+    return LaneVector{{area * stress[static_cast<int>(v)], shear_area * at.shear[v][0], shear_area * at.shear[v][1]}};
+  };
+  FaceSums sums = FaceSums::of(at.point[0], force(0));
+  for (std::size_t v = 1; v < vertex_count; ++v) sums.add(at.point[v], force(v));
   return sums;
 }
 
@@ -182,20 +196,22 @@ inline FaceSums dashpots(const JointParameters<Lanes>& kind, const FaceGeometry&
   return {force, add_product(broadcast(1.0 / vertex_count), cross(sum, force), about_middle)};
 }
 
-/// From face axes to world axes.
-inline terms::LanePairForce face_force(const FaceGeometry& at, const FaceSums& sums) {
-  const LaneVector force = at.axes * sums.force, moment = at.axes * sums.moment;
-  return {-moment, force, add_cross(force, at.between, moment)};
+/// From face axes to world axes, and from the master's centre to the pole, from which that centre is given.
+inline terms::LanePairForce face_force(const FaceGeometry& at, const LaneVector& centre, const FaceSums& sums) {
+  const LaneVector force = at.axes * sums.force;
+  return {force, add_cross(centre, force, at.axes * sums.moment)};
 }
 
-/// Evaluates joints. A face that fails has no force any more.
+/// Evaluates joints; `failed` tells which have. A face that fails has no force any more.
 inline JointForce evaluate(const LaneJoints<JointRecord>& joints, const JointParameters<Lanes>& kind,
                            const LanePointers<const state::Motion<3>>& masters,
-                           const LanePointers<const state::Motion<3>>& slaves, JointChange& change) {
+                           const LanePointers<const state::Motion<3>>& slaves, const Vector3& pole, LaneMask& failed,
+                           JointChange& change) {
   FaceGeometry at = face_geometry(joints, masters, slaves);
-  const FaceSums held = springs(kind, at, change);
-  const FaceSums damped = dashpots(kind, at, change.failed, state::load_velocities(masters), state::load_velocities(slaves));
-  return {face_force(at, held + damped), face_force(at, damped)};
+  const FaceSums held = springs(kind, at, failed, change);
+  const FaceSums damped = dashpots(kind, at, failed, state::load_velocities(masters), state::load_velocities(slaves));
+  const LaneVector centre = at.master - LaneVector{{broadcast(pole[0]), broadcast(pole[1]), broadcast(pole[2])}};
+  return {face_force(at, centre, held + damped), face_force(at, centre, damped)};
 }
 
 }  // namespace sazare::methods::blocks

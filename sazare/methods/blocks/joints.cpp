@@ -130,9 +130,11 @@ void Joints::ask_for_some(std::span<const Due> due, const state::Bodies<3>& bodi
     slots[lane] = &table_[in_lanes[lane].link];
   }
   JointChange change;
-  const JointForce force = blocks::evaluate(LaneJoints<JointRecord>{records}, kinds_of(records), masters, slaves, change);
-  terms::write(slots, now, in_lanes, force.total, force.dashpots, change.failed);
-  if (!any(change.softened | change.slipped)) return;
+  LaneMask failed;
+  const JointForce force =
+      blocks::evaluate(LaneJoints<JointRecord>{records}, kinds_of(records), masters, slaves, bodies.pole, failed, change);
+  terms::write(slots, now, in_lanes, force.total, force.dashpots, failed);
+  if (!change.has_happened) return;
   remember(records, change);
   book(due, change);
 }
@@ -170,6 +172,7 @@ void Joints::book(std::span<const Due> due, const JointChange& change) {
 template <class Record>
 const JointParameters<Lanes>& Joints::kinds_of(const LanePointers<Record>& joints) const {
   thread_local JointParameters<Lanes> mixed;
+  if (lane_kinds_.size() == 1) return lane_kinds_[0];
   const Index kind = joints[0]->kind;
   if (std::ranges::all_of(joints, [&](const JointRecord* joint) { return joint->kind == kind; })) return lane_kinds_[at(kind)];
   for (int lane = 0; lane < lane_count; ++lane) set_lane(mixed, lane, kinds_[at(joints[at(lane)]->kind)]);

@@ -24,9 +24,9 @@ public:
   std::span<const Link> links() const override { return links_; }
   std::vector<Index> first_links() const override;
   void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
-  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies, std::span<state::Impulse<3>> sum,
+  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>&, std::span<state::Impulse<3>> sum,
               terms::CauseImpulses<3>& parts) const override {
-    table_.gather(now, which, bodies, sum, parts);
+    table_.gather(now, which, sum, parts);
   }
   void settle(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
   terms::Rates rates(Index body) const override { return rates_[static_cast<std::size_t>(body)]; }

@@ -52,8 +52,9 @@ void OuterFaces::evaluate(const Moment& now, std::span<const Due> due, const sta
         const Real area = springs.corner_area;
         const Vector3 spring = area * stress(face.normal, springs.normal_stiffness, springs.shear_stiffness, moved);
         const Vector3 dashpot = area * stress(face.normal, springs.normal_damping, springs.shear_damping, body.velocity_at(arm));
-        dashpots.add_at(arm, Vector3::Zero(), dashpot);  // the ground is the second body
-        total.add_at(arm, Vector3::Zero(), spring + dashpot);
+        const Vector3 point = body.position - bodies.pole + arm;
+        dashpots.add_at(point, dashpot);  // the ground is the second body
+        total.add_at(point, spring + dashpot);
       }
       terms::write<3, 1>(table_[at.link], now, at, total, {dashpots});
     }

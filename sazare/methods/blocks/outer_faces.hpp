@@ -30,9 +30,9 @@ public:
   bool joins_bodies() const override { return false; }
   std::vector<Index> first_links() const override;
   void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
-  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies, std::span<state::Impulse<3>> sum,
+  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>&, std::span<state::Impulse<3>> sum,
               terms::CauseImpulses<3>& parts) const override {
-    table_.gather(now, which, bodies, sum, parts);
+    table_.gather(now, which, sum, parts);
   }
   terms::Rates rates(Index body) const override { return rates_[static_cast<std::size_t>(body)]; }
   void add_energies(const terms::Synchronized<3>& at, terms::Books& books) const override;

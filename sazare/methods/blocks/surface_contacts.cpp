@@ -178,10 +178,10 @@ void SurfaceContacts::evaluate_one(const Moment& now, const Due& due, const stat
   ContactForce force;
   for (const Met& one : met) {
     const Push& given = push(body, one, time(now), shared, near);
-    const Vector3 arm = one.point.place - body.motion.position;
-    force.dashpot.add_at(arm, Vector3::Zero(), given.dashpot);
-    force.friction.add_at(arm, Vector3::Zero(), given.friction);
-    force.total.add_at(arm, Vector3::Zero(), given.total);
+    const Vector3 point = one.point.place - bodies.pole;
+    force.dashpot.add_at(point, given.dashpot);
+    force.friction.add_at(point, given.friction);
+    force.total.add_at(point, given.total);
   }
   std::erase_if(near.touches, [](const Touch& touch) { return touch.is_touching == 0; });
   auto& slot = table_[due.link];
@@ -191,11 +191,11 @@ void SurfaceContacts::evaluate_one(const Moment& now, const Due& due, const stat
     terms::write<3, 2>(slot, now, due, force.total, {force.dashpot, force.friction});
 }
 
-void SurfaceContacts::gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies,
+void SurfaceContacts::gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>&,
                              std::span<state::Impulse<3>> sum, terms::CauseImpulses<3>& parts) const {
   for (std::size_t i = 0; i < which.size(); ++i)
     if (const Index link = link_of_[at(which[i])]; link >= 0 && table_[link].evaluated >= 0)
-      table_.gather_one(now, which[i], bodies.motion[at(which[i])].last_kick, i, sum[i], parts);
+      table_.gather_one(now, which[i], i, sum[i], parts);
 }
 
 /// Faces that have opened may touch at once.

@@ -22,22 +22,22 @@ StepRules one_level() {
   return rules;
 }
 
-/// Force of a spring with a dashpot on its second body, and where its ends stand.
+/// Force of a spring with a dashpot on its second body, and where it begins.
 template <int D>
 struct Pull {
-  Vector<D> force, first_arm, second_arm;
+  Vector<D> force, point;
 };
 
 template <int D>
 Pull<D> pull(const terms::Spring<D>& spring, const state::Motion<D>& first, const state::Motion<D>& second) {
   Pull<D> at;
-  at.first_arm = first.rotation * spring.first_arm;
-  at.second_arm = second.rotation * spring.second_arm;
-  const Vector<D> apart = second.position + at.second_arm - first.position - at.first_arm;
+  const Vector<D> first_arm = first.rotation * spring.first_arm, second_arm = second.rotation * spring.second_arm;
+  at.point = first.position + first_arm;
+  const Vector<D> apart = second.position + second_arm - first.position - first_arm;
   const Real length = apart.norm();
   const Vector<D> direction = apart / length;
-  Vector<D> opening = -first.velocity_at(at.first_arm);
-  opening += second.velocity_at(at.second_arm);
+  Vector<D> opening = -first.velocity_at(first_arm);
+  opening += second.velocity_at(second_arm);
   const Vector<D> dashpot = (-spring.damping * opening.dot(direction)) * direction;
   at.force = (-spring.stiffness * (length - spring.length)) * direction + dashpot;
   return at;
@@ -55,24 +55,25 @@ template <int D>
 using Forces = std::vector<terms::PairForce<D>>;
 
 /// sum + factor part, each number rounded once where the processor can, as gathers do.
-template <class Vector>
-void add_product_to(Vector& sum, Real factor, const Vector& part) {
+template <class Vector, class Part>
+void add_product_to(Vector& sum, Real factor, const Part& part) {
   for (int i = 0; i < sum.size(); ++i) sum[i] = add_product(factor, part[i], sum[i]);
 }
 
-/// What all springs give to all bodies: to their second bodies, in the order of the springs, then to their first ones.
+/// What all springs give to all bodies, with moments about the pole: to their second bodies, in the order of the springs, then to
+/// their first ones.
 template <int D>
 std::vector<state::Impulse<D>> impulses(const test::Network<D>& network, Real acting, Forces<D>& last) {
   const auto& motion = network.bodies.motion;
   std::vector<state::Impulse<D>> sums(motion.size());
-  const auto add = [acting](state::Impulse<D>& sum, Real sign, const Vector<D>& force, const Angular<D>& torque,
-                            const Vector<D>& last_force, const Angular<D>& last_torque) {
-    add_product_to(sum.linear, sign * acting, force);
-    add_product_to(sum.angular, acting, torque);
-    add_product_to(sum.linear_lead, sign * (h / 4), last_force);  // the mean of both forces is foreseen for h / 2
-    add_product_to(sum.angular_lead, h / 4, last_torque);
-    add_product_to(sum.linear_lead, sign * (h / 2 - h / 4), force);
-    add_product_to(sum.angular_lead, h / 2 - h / 4, torque);
+  const auto add = [acting](state::Impulse<D>& sum, Real sign, const terms::PairForce<D>& force,
+                            const terms::PairForce<D>& before) {
+    add_product_to(sum.linear, sign * acting, force.linear);
+    add_product_to(sum.angular, sign * acting, force.moment);
+    add_product_to(sum.linear_lead, sign * (h / 4), before.linear);  // the mean of both forces is foreseen for h / 2
+    add_product_to(sum.angular_lead, sign * (h / 4), before.moment);
+    add_product_to(sum.linear_lead, sign * (h / 2 - h / 4), force.linear);
+    add_product_to(sum.angular_lead, sign * (h / 2 - h / 4), force.moment);
   };
   const bool begins = last.empty();
   last.resize(network.springs.size());
@@ -81,13 +82,12 @@ std::vector<state::Impulse<D>> impulses(const test::Network<D>& network, Real ac
     const auto& spring = network.springs[i];
     const auto second = static_cast<std::size_t>(spring.second);
     const Pull<D> at = pull(spring, motion[static_cast<std::size_t>(spring.first)], motion[second]);
-    now[i] = {-moment(at.first_arm, at.force), at.force, moment(at.second_arm, at.force)};
+    now[i] = {at.force, moment(at.point, at.force)};
     last[i] = (begins ? now[i] : last[i]).template as<float>().template as<Real>();
-    add(sums[second], 1, now[i].linear, now[i].second_moment, last[i].linear, last[i].second_moment);
+    add(sums[second], 1, now[i], last[i]);
   }
   for (std::size_t i = 0; i < network.springs.size(); ++i)
-    add(sums[static_cast<std::size_t>(network.springs[i].first)], -1, now[i].linear, now[i].first_moment, last[i].linear,
-        last[i].first_moment);
+    add(sums[static_cast<std::size_t>(network.springs[i].first)], -1, now[i], last[i]);
   last = std::move(now);
   return sums;
 }
@@ -111,14 +111,15 @@ void step_by_hand(test::Network<2>& network, Real acting, Forces<2>& last) {
     auto& motion = network.bodies.motion[body];
     auto& inertia = network.bodies.inertia[body];
     const Real inverse_mass = 1 / inertia.mass;
+    const state::Impulse<2> given = sum[body].about(motion.position);
     for (int i = 0; i < 2; ++i) {
       motion.velocity[i] = motion.velocity[i] + inverse_mass * sum[body].linear[i];
       motion.foreseen_velocity[i] = motion.velocity[i] + inverse_mass * sum[body].linear_lead[i];
       motion.position[i] = motion.position[i] + h * motion.velocity[i];
     }
-    motion.angular_momentum[0] = motion.angular_momentum[0] + sum[body].angular[0];
+    motion.angular_momentum[0] = motion.angular_momentum[0] + given.angular[0];
     motion.spin[0] = inertia.inverse_moments[0] * motion.angular_momentum[0];
-    motion.foreseen_spin[0] = inertia.inverse_moments[0] * (motion.angular_momentum[0] + sum[body].angular_lead[0]);
+    motion.foreseen_spin[0] = inertia.inverse_moments[0] * (motion.angular_momentum[0] + given.angular_lead[0]);
     inertia.angle = inertia.angle + motion.spin[0] * h;
     const Real c = std::cos(inertia.angle), s = std::sin(inertia.angle);
     motion.rotation << c, -s, s, c;

@@ -22,6 +22,14 @@ TEST(bodies, a_new_body_rests_where_it_was_put) {
   EXPECT_FALSE(bodies.locks[0].any());
 }
 
+TEST(bodies, the_middle_is_that_of_the_box_around_all_centres) {
+  Bodies<3> bodies;
+  EXPECT_EQ(middle(bodies), Vector3(0, 0, 0));
+  for (const Vector3& centre : {Vector3(1, 8, -1), Vector3(3, 2, 0), Vector3(2, 4, 5)})
+    add_body(bodies, 1.0, centre, {1, 1, 1}, Quaternion::Identity(), 0.1);
+  EXPECT_EQ(middle(bodies), Vector3(2, 5, 2));
+}
+
 TEST(bodies, in_the_plane_too) {
   Bodies<2> bodies;
   add_body(bodies, 2.0, Vector<2>(1, 2), 0.5, 0.7);
