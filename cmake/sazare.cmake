@@ -101,6 +101,15 @@ function(sazare_by_hand)
   set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${options}" SKIP_PRECOMPILE_HEADERS ON)
 endfunction()
 
+# sazare_few_registers(file ...): after sazare_by_hand, for kernels that hold more numbers than there are registers: GCC then
+# works numbers out nearer to where they are needed.
+check_cxx_compiler_flag("-flive-range-shrinkage" SAZARE_SHRINKS_RANGES)
+function(sazare_few_registers)
+  if(SAZARE_SHRINKS_RANGES)
+    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -flive-range-shrinkage)
+  endif()
+endfunction()
+
 # The name of a module without its folder: methods/blocks -> blocks.
 function(sazare_module_name module result)
   get_filename_component(name "${module}" NAME)

@@ -19,6 +19,14 @@ struct ForceMoment {
 
   /// As many doubles as the register has are read.
   static ForceMoment load(const Real* from) { return {in(from)}; }
+  /// For what is needed more than once: compilers would read it again each time.
+  static ForceMoment load_once(const Real* from) {
+    ForceMoment loaded = load(from);
+#ifdef __AVX512F__
+    asm("" : "+v"(loaded.numbers));
+#endif
+    return loaded;
+  }
   static ForceMoment load(const float* from) { return {Register::template converted<count>(from)}; }
 
   /// Adds `factor` times another.

@@ -111,7 +111,7 @@ struct SlotSums {
     const auto all = [](const RegisterOf<2>::Reals& number) { return Sum::Register::broadcast(number); };
     static constexpr std::array<Real, 2> signs = {-1, 1};
     const auto sign = two(signs[static_cast<std::size_t>(side)]), none = two(0);
-    const Sum acts = Sum::load(slot.total.linear.data()), acted = Sum::load(slot.previous.linear.data());
+    const Sum acts = Sum::load_once(slot.total.linear.data()), acted = Sum::load(slot.previous.linear.data());
     const auto acting = all(sign * (two(slot.evaluated) == two(now) ? two(slot.acting) : none));
     given.add(acting, acts);
     // Below 0: given beyond it; else foreseen with the mean of both.
