@@ -206,6 +206,9 @@ struct LaneVector {
   friend LaneVector operator*(Lanes factor, const LaneVector& a) { return {{factor * a[0], factor * a[1], factor * a[2]}}; }
 };
 
+/// The same vector in every lane.
+inline LaneVector broadcast(const Vector3& a) { return {{broadcast(a[0]), broadcast(a[1]), broadcast(a[2])}}; }
+
 inline LaneVector cross(const LaneVector& a, const LaneVector& b) {
   return {{subtract_product(a[2], b[1], a[1] * b[2]), subtract_product(a[0], b[2], a[2] * b[0]),
            subtract_product(a[1], b[0], a[0] * b[1])}};

@@ -187,9 +187,8 @@ template <class Places>
     inertias[lane] = &bodies.inertia[at(spans.which[places[lane]])];
   }
   const LongLanes locked = locked_axes(bodies, spans.which, places);
-  const Vector3& pole = bodies.pole;
   LaneState body = load(motions, inertias);
-  const LaneVector centre = body.position - LaneVector{{broadcast(pole[0]), broadcast(pole[1]), broadcast(pole[2])}};
+  const LaneVector centre = body.position - broadcast(bodies.pole);
   LaneVector own;
   const auto [mean_velocity, mean_spin] = kick(body, load_impulse(spans.given, places, 0, centre, locked), own);
   const auto [now, due, seconds, fastest_squared] = load_row(spans.strides, places, 0);

@@ -68,9 +68,7 @@ void FacePressure::evaluate(const Moment& now, std::span<const Due> due, const s
     for (std::size_t lane = 0; lane < lane_count; ++lane)
       if (acts[static_cast<int>(lane)] == 0) faces[lane]->acts = 0;
   const LaneVector push = select(acts, pressure, Lanes{}) * (rotation * area);  // on the outside, the second body
-  const Vector3& pole = bodies.pole;
-  const LaneVector from_pole = position - LaneVector{{broadcast(pole[0]), broadcast(pole[1]), broadcast(pole[2])}};
-  write(slots, now, in_lanes, LanePairForce::at(from_pole + arm, push));
+  write(slots, now, in_lanes, LanePairForce::at(position - broadcast(bodies.pole) + arm, push));
 }
 
 void FacePressure::add_energies(const Synchronized<3>& at, Books& books) const {

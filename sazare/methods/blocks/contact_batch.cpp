@@ -160,7 +160,7 @@ void ContactBatch::keep_if_touching(const Member& member, Real overlap) {
   const LaneVector &friction = memory.friction, dashpot = force.dashpot * at.normal;
   store_quad({memory.dashpot, friction[0], friction[1], friction[2]}, members.spheres, 3);
   const LaneVector total = add_product(force.elastic, at.normal, dashpot + force.friction);
-  const LaneVector point = at.point - LaneVector{{broadcast(pole[0]), broadcast(pole[1]), broadcast(pole[2])}};
+  const LaneVector point = at.point - broadcast(pole);
   const auto acting_at_point = [&](const LaneVector& acting) { return terms::LanePairForce::at(point, acting); };
   LaneContactForce{acting_at_point(total), acting_at_point(dashpot), acting_at_point(force.friction)}.store(to);
 }

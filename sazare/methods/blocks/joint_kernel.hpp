@@ -210,7 +210,7 @@ inline JointForce evaluate(const LaneJoints<JointRecord>& joints, const JointPar
   FaceGeometry at = face_geometry(joints, masters, slaves);
   const FaceSums held = springs(kind, at, failed, change);
   const FaceSums damped = dashpots(kind, at, failed, state::load_velocities(masters), state::load_velocities(slaves));
-  const LaneVector centre = at.master - LaneVector{{broadcast(pole[0]), broadcast(pole[1]), broadcast(pole[2])}};
+  const LaneVector centre = at.master - broadcast(pole);
   return {face_force(at, centre, held + damped), face_force(at, centre, damped)};
 }
 
