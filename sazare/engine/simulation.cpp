@@ -103,8 +103,9 @@ bool Simulation<D>::advance(const std::function<bool()>& pause) {
 /// The step, as a list: choose levels, find what is due, evaluate, kick and drift, settle what has changed.
 template <int D>
 void Simulation<D>::tick() {
-  if (!ticks_are_long_) counts_for_ = counters_.ticks % one_measured_of == 0 ? one_measured_of : 0;
-  const std::int64_t begin = counts_for_ == 0 ? 0 : clock_now();
+  const bool is_measured = ticks_are_long_ || counters_.ticks % one_measured_of == 0;
+  counts_for_ = !is_measured ? 0 : ticks_are_long_ ? 1 : one_measured_of;
+  const std::int64_t begin = is_measured ? clock_now() : 0;
   std::int64_t since = begin;
   const bool base = now_.tick % schedule::base_stride == 0;
   if (base && replicas_ && travels()) replicas_->fetch_all();
@@ -125,9 +126,7 @@ void Simulation<D>::tick() {
   kick_all();
   ++counters_.ticks;
   const std::int64_t ended = settle(add_time(terms_.size(), since));
-  if (counts_for_ == 0) return;
-  ticks_are_long_ = ended - begin > long_tick;
-  counts_for_ = 1;
+  if (is_measured) ticks_are_long_ = ended - begin > long_tick;
 }
 
 template <int D>
@@ -228,7 +227,7 @@ motion::Stride Simulation<D>::stride(Index body, int pace) const {
 /// Steps a body that this kick makes too fast for its level.
 template <int D>
 state::MeanMotion<D> Simulation<D>::step_faster(Index body, state::Impulse<D> given) {
-  state::Impulse<D> taken = given;
+  state::Impulse<D> taken = given;  // the step itself needs all of it: a force that a lock takes up has a moment about the centre
   motion::clear_locked(taken, bodies_.locks[at(body)]);
   const Vector<D> velocity = bodies_.motion[at(body)].velocity + (1 / bodies_.inertia[at(body)].mass) * taken.linear;
   const int level = levels_.level_for_speed(levels_.level(body), velocity.squaredNorm());
