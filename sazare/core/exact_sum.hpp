@@ -33,6 +33,17 @@ public:
     return *this;
   }
 
+  /// Adds count times 2^exponent, an exponent from -1074 on.
+  void add_multiple(std::int64_t count, int exponent) {
+    const auto place = static_cast<std::uint32_t>(exponent + unit);
+    const Wide number = static_cast<Wide>(count) << place % 32;
+    std::int64_t* const piece = pieces_.data() + place / 32;
+    piece[0] += static_cast<std::int64_t>(static_cast<std::uint64_t>(number) & low);
+    piece[1] += static_cast<std::int64_t>(static_cast<std::uint64_t>(number >> 32) & low);
+    piece[2] += static_cast<std::int64_t>(number >> 64);
+    if (++additions_ == most_additions) carry();
+  }
+
   /// The sum, rounded to within one unit of the last digit.
   Real value() const {
     if (invalid_) return std::nan("");

@@ -47,11 +47,9 @@ Simulation<D>::Simulation(state::Bodies<D> bodies, TermList<D> terms, const Step
     motion.foreseen_velocity = motion.velocity;
     motion.foreseen_spin = motion.spin;
   }
-  ExactSum kinetic;
-  for (Index body = 0; body < bodies_.size(); ++body)
-    kinetic += motion::kinetic_energy<D>(bodies_.motion[at(body)].rotation, bodies_.inertia[at(body)], bodies_.locks[at(body)],
-                                         bodies_.motion[at(body)].velocity, bodies_.motion[at(body)].angular_momentum);
-  kinetic_at_start_ = kinetic.value();
+  terms::Books start;
+  book_bodies(snapshot(), nullptr, start);
+  kinetic_at_start_ = start[terms::Account::kinetic].value();
 }
 
 /// Returns the time now, where it is measured.

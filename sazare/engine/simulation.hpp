@@ -135,6 +135,8 @@ private:
   template <class Take>
   void gather(Index begin, Index end, Real until_next, Take&& take) const;
   Snapshot<D> snapshot(Index begin, Index end) const;
+  std::vector<state::MeanMotion<D>> book_bodies(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared,
+                                                terms::Books& books) const;
   terms::Books books(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared) const;
   terms::Ledger close(const terms::Books& books) const;
 

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "sazare/core/lane_sum.hpp"
 #include "sazare/engine/simulation.hpp"
 #include "sazare/motion/kick.hpp"
+#include "sazare/motion/synchronize.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "sazare/terms/book_ranges.hpp"
 
@@ -19,7 +21,8 @@ std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
-/// Calls take(body, what it has received, and what its momentum gains by a time; about the pole) for bodies of a range.
+/// Calls take(body, impulses) for bodies of a range, a chunk at a time: what those from `body` on have received, and what their
+/// momenta gain by a time; about the pole.
 template <int D>
 template <class Take>
 void Simulation<D>::gather(Index begin, Index end, Real until_next, Take&& take) const {
@@ -35,7 +38,7 @@ void Simulation<D>::gather(Index begin, Index end, Real until_next, Take&& take)
     ignored.clear();
     for (const auto& term : terms_)
       term->gather(now_, std::span(which.data(), to - from), bodies_, std::span(given.data(), to - from), ignored);
-    for (std::size_t body = from; body < to; ++body) take(body, given[body - from]);
+    take(from, std::span<const state::Impulse<D>>(given.data(), to - from));
   };
   parallel::parallel_for(at(end - begin), serial_below, [&](std::size_t from, std::size_t to) {
     for (std::size_t chunk = at(begin) + from; chunk < at(begin) + to; chunk += terms::chunk_size)
@@ -50,16 +53,10 @@ Snapshot<D> Simulation<D>::snapshot(Index begin, Index end) const {
   at_now.pose.resize(at(bodies_.size()));
   at_now.velocity.resize(at_now.pose.size());
   at_now.angular_momentum.resize(at_now.pose.size());
-  parallel::parallel_for(at(end - begin), serial_below, [&](std::size_t from, std::size_t to) {
-    const std::size_t first = at(begin) + from, count = to - from;
-    state::poses_at(std::span(bodies_.motion).subspan(first, count), now_, std::span(at_now.pose).subspan(first, count));
-  });
-  gather(begin, end, 0, [&](std::size_t body, const state::Impulse<D>& about_pole) {
-    const auto& motion = bodies_.motion[body];
-    state::Impulse<D> given = about_pole.about(at_now.pose[body].position - bodies_.pole);
-    motion::clear_locked(given, bodies_.locks[body]);
-    at_now.velocity[body] = motion.velocity + given.linear_lead / bodies_.inertia[body].mass;
-    at_now.angular_momentum[body] = motion.angular_momentum + given.angular_lead;
+  gather(begin, end, 0, [&](std::size_t first, std::span<const state::Impulse<D>> given) {
+    const auto some = [&](auto& column) { return std::span(column).subspan(first, given.size()); };
+    state::poses_at(some(bodies_.motion), now_, some(at_now.pose));
+    motion::find_momenta(bodies_, first, given, {some(at_now.pose), some(at_now.velocity), some(at_now.angular_momentum)});
   });
   return at_now;
 }
@@ -71,9 +68,12 @@ std::vector<Vector<D>> Simulation<D>::forces() const {
   std::vector<Vector<D>> forces(at(bodies_.size()), Vector<D>::Zero());
   constexpr Real early = -2, late = -1;
   const auto take = [&](Real sign) {
-    return [&, sign](std::size_t body, state::Impulse<D> given) {
-      motion::clear_locked(given, bodies_.locks[body]);
-      forces[body] += sign * given.linear_lead;
+    return [&, sign](std::size_t first, std::span<const state::Impulse<D>> all) {
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        state::Impulse<D> given = all[i];
+        motion::clear_locked(given, bodies_.locks[first + i]);
+        forces[first + i] += sign * given.linear_lead;
+      }
     };
   };
   gather(0, bodies_.size(), late, take(1));
@@ -81,28 +81,31 @@ std::vector<Vector<D>> Simulation<D>::forces() const {
   return forces;
 }
 
+/// Enters what bodies have; of a process that shares them, its own. Returns the means of all bodies' motion now and after their
+/// last kicks.
+template <int D>
+std::vector<state::MeanMotion<D>> Simulation<D>::book_bodies(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared,
+                                                             terms::Books& books) const {
+  std::vector<state::MeanMotion<D>> ahead(at_now.pose.size());
+  const auto first = shared == nullptr ? 0 : at(shared->ranges().begin(shared->ranks().rank()));
+  const auto last = shared == nullptr ? ahead.size() : at(shared->ranges().end(shared->ranks().rank()));
+  terms::book_ranges(ahead.size(), serial_below, books, [&](std::size_t begin, std::size_t end, terms::Books& part) {
+    const auto some = [&](const auto& column) { return std::span(column).subspan(begin, end - begin); };
+    std::vector<Real> kinetic(end - begin);
+    motion::find_energies(bodies_, begin, {some(at_now.pose), some(at_now.velocity), some(at_now.angular_momentum)}, kinetic,
+                          std::span(ahead).subspan(begin, end - begin));
+    const std::size_t from = std::clamp(first, begin, end), to = std::clamp(last, begin, end);
+    add_all(std::span(kinetic).subspan(from - begin, to - from), part[terms::Account::kinetic]);
+    terms::book(std::span(work_).subspan(from, to - from), part);
+  });
+  return ahead;
+}
+
 /// Enters what bodies and links have; of a process that shares them, its own.
 template <int D>
 terms::Books Simulation<D>::books(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared) const {
   terms::Books books;
-  std::vector<state::MeanMotion<D>> ahead(at_now.pose.size());
-  terms::book_ranges(ahead.size(), serial_below, books, [&](std::size_t begin, std::size_t end, terms::Books& part) {
-    for (std::size_t body = begin; body < end; ++body) {
-      const auto& motion = bodies_.motion[body];
-      const auto& inertia = bodies_.inertia[body];
-      const Rotation<D>& rotation = at_now.pose[body].rotation;
-      const Vector<D>& velocity = at_now.velocity[body];
-      const Angular<D>& momentum = at_now.angular_momentum[body];
-      const Angular<D> mean_momentum = 0.5 * (motion.angular_momentum + momentum);
-      const state::MeanMotion<D> mean{0.5 * (motion.velocity + velocity),
-                                      motion::spin_of(rotation, inertia, bodies_.locks[body], mean_momentum)};
-      ahead[body] = mean.at(bodies_.pole - at_now.pose[body].position);
-      if (shared != nullptr && !shared->owns(static_cast<Index>(body))) continue;
-      part[terms::Account::kinetic] += motion::kinetic_energy<D>(rotation, inertia, bodies_.locks[body], velocity, momentum);
-      for (std::size_t cause = 0; cause < terms::cause_count; ++cause)  // most bodies know one or two
-        if (work_[body][cause] != 0) terms::book(static_cast<terms::Cause>(cause), work_[body][cause], part);
-    }
-  });
+  const std::vector<state::MeanMotion<D>> ahead = book_bodies(at_now, shared, books);
   for (const auto& term : terms_) term->add_energies({at_now.pose, ahead, shared}, books);
   return books;
 }
@@ -140,6 +143,10 @@ template Survey<2> Simulation<2>::survey() const;
 template Survey<3> Simulation<3>::survey() const;
 template std::vector<Vector<2>> Simulation<2>::forces() const;
 template std::vector<Vector<3>> Simulation<3>::forces() const;
+template std::vector<state::MeanMotion<2>> Simulation<2>::book_bodies(const Snapshot<2>&, const distribute::Replicas<2>*,
+                                                                      terms::Books&) const;
+template std::vector<state::MeanMotion<3>> Simulation<3>::book_bodies(const Snapshot<3>&, const distribute::Replicas<3>*,
+                                                                      terms::Books&) const;
 template terms::Books Simulation<2>::books(const Snapshot<2>&, const distribute::Replicas<2>*) const;
 template terms::Books Simulation<3>::books(const Snapshot<3>&, const distribute::Replicas<3>*) const;
 

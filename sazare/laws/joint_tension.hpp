@@ -56,13 +56,11 @@ T tension_energy(T opening, T stress) {
 
 /// Energy per area [J/m2] that fracture has taken for good: the area under the envelope up to `peak` less the
 /// triangle that unloading gives back. It is the fracture energy at d_u.
-inline Real fracture_dissipation(const JointTension& law, Real peak) {
-  if (peak <= law.elastic_opening) return 0;
-  const Real end = peak < law.failure_opening ? peak : law.failure_opening;
-  const Real stress = softening_stress(law, end);
-  const Real under_envelope =
-      0.5 * law.strength * law.elastic_opening + 0.5 * (law.strength + stress) * (end - law.elastic_opening);
-  return under_envelope - 0.5 * stress * end;
+template <class P, class T>
+T fracture_dissipation(const TensionParameters<P>& law, T peak) {
+  const T end = minimum(peak, T{} + law.failure_opening), stress = softening_stress(law, end);
+  const T under_envelope = 0.5 * law.strength * law.elastic_opening + 0.5 * (law.strength + stress) * (end - law.elastic_opening);
+  return select(peak > law.elastic_opening, under_envelope - 0.5 * stress * end, T{} + 0.0);
 }
 
 }  // namespace sazare::laws

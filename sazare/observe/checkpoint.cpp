@@ -38,7 +38,7 @@ void CheckpointWriter::add(const std::string& name, std::span<const std::byte> b
   file_.set_attribute(path_of(name), "length_and_checksum", seal_of(bytes));
 }
 
-void CheckpointWriter::commit() { file_.commit(); }
+void CheckpointWriter::commit(Sync sync) { file_.commit(sync); }
 
 CheckpointReader::CheckpointReader(const std::filesystem::path& path) try : path_(path), file_(path) {
   if (!file_.has(group) || !file_.has_attribute(group, "format") || file_.read_text_attribute(group, "format") != format_name) {

@@ -20,7 +20,7 @@ public:
   /// Writes the bytes at once. A name is used once; any characters but '/' will do.
   void add(const std::string& name, std::span<const std::byte> bytes);
 
-  void commit();
+  void commit(Sync sync = Sync::disk);
 
 private:
   Hdf5Writer file_;

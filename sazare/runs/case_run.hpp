@@ -40,6 +40,7 @@
 #include "sazare/cases/number_text.hpp"
 #include "sazare/core/error.hpp"
 #include "sazare/coupling/file_exchange.hpp"
+#include "sazare/observe/atomic_file.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "sazare/runs/checkpoint_archive.hpp"
 #include "sazare/runs/live_run.hpp"
@@ -165,9 +166,15 @@ private:
     say(fmt::format("{}: {}", work_.title(), work_.words()));
     if (writes()) work_.record.begin();
     if (!work_.start()) return false;
-    save_state();  // before the first row: to wait until that is on the disk takes longer than all of this
+    save_state(sync_of_start());
     observe();
     return true;
+  }
+
+  /// Who loses power so early has lost nothing but a beginning; where a partner goes by that checkpoint, it must be on the disk.
+  static constexpr observe::Sync sync_of_start() {
+    return requires(Work & work) { work.checkpoint_made(); }
+    ? observe::Sync::disk : observe::Sync::system;
   }
 
   RunOutcome stopped_before_the_beginning() {
@@ -263,22 +270,22 @@ private:
   }
 
   void save_checkpoint() {
-    save_state();
+    save_state(observe::Sync::disk);
     write_manifest("running");
   }
 
   /// Never of a state that is no number: the last good checkpoint stays.
-  void save_state() {
+  void save_state(observe::Sync sync) {
     work_.record.check_motion(time());
     const Real before = work_.times.now();
     work_.collect();
     if (!writes()) return;
-    work_.record.flush(true);
+    work_.record.flush(sync == observe::Sync::disk);
     observe::CheckpointWriter out(work_.folder.checkpoint());
     write_identity(out, work_.identity);
     CheckpointSaver saver(out);
     columns(saver);
-    out.commit();
+    out.commit(sync);
     if constexpr (requires { work_.checkpoint_made(); }) work_.checkpoint_made();
     checkpoint_step_ = work_.step();
     work_.times.add(RunTimes::Part::checkpoints, work_.times.now() - before);

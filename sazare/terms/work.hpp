@@ -5,7 +5,10 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <span>
 
+#include "sazare/core/lane_records.hpp"
+#include "sazare/core/lane_sum.hpp"
 #include "sazare/state/impulse.hpp"
 #include "sazare/terms/force_moment.hpp"
 #include "sazare/terms/ledger.hpp"
@@ -20,25 +23,48 @@ inline constexpr std::size_t cause_count = 5;
 /// Work on a body by cause [J].
 using CauseWork = std::array<Real, cause_count>;
 
-/// Books work on the bodies: that of loads comes in, all other is taken from them.
-inline void book(Cause cause, Real work, Books& books) {
+inline Account account_of(Cause cause) {
   switch (cause) {
     case Cause::load:
-      books[Account::work] += work;
-      break;
+      return Account::work;
     case Cause::joint_dashpot:
-      books[Account::joint_dashpot] -= work;
-      break;
+      return Account::joint_dashpot;
     case Cause::contact_dashpot:
-      books[Account::contact_dashpot] -= work;
-      break;
+      return Account::contact_dashpot;
     case Cause::friction:
-      books[Account::friction] -= work;
-      break;
+      return Account::friction;
     case Cause::boundary:
-      books[Account::boundary] -= work;
       break;
   }
+  return Account::boundary;
+}
+
+/// Adds work on the bodies to the sum of its account: that of loads comes in, all other is taken from them.
+template <class Number, class Sum>
+void book_work(Cause cause, const Number& work, Sum& sum) {
+  if (cause == Cause::load)
+    sum += work;
+  else
+    sum -= work;
+}
+inline void book(Cause cause, Real work, Books& books) { book_work(cause, work, books[account_of(cause)]); }
+
+/// Books the work on several bodies.
+inline void book(std::span<const CauseWork> works, Books& books) {
+  const auto sum_of = [&](Cause cause) { return LaneSum(books[account_of(cause)]); };
+  std::array<LaneSum, cause_count> sums = {sum_of(Cause::load), sum_of(Cause::joint_dashpot), sum_of(Cause::contact_dashpot),
+                                           sum_of(Cause::friction), sum_of(Cause::boundary)};
+  const auto add = [&](Cause cause, const Lanes& work) {  // most bodies know one or two causes
+    if (any(work != 0.0)) book_work(cause, work, sums[static_cast<std::size_t>(cause)]);
+  };
+  for (; works.size() >= lane_count; works = works.subspan(lane_count)) {
+    const auto first = load_quads([&](std::size_t lane) { return works[lane].data(); });
+    const auto last = load_quads([&](std::size_t lane) { return works[lane].data() + 1; });
+    for (std::size_t cause = 0; cause < cause_count; ++cause)
+      add(static_cast<Cause>(cause), cause == 0 ? first[0] : last[cause - 1]);
+  }
+  for (const CauseWork& work : works)
+    for (std::size_t cause = 0; cause < cause_count; ++cause) add(static_cast<Cause>(cause), Lanes{work[cause]});
 }
 
 /// Bodies that are kicked together; what they gather stays in the first-level cache.

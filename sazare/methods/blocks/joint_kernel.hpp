@@ -92,6 +92,13 @@ inline Lanes elastic_energy(const JointParameters<Lanes>& kind, const FaceGeomet
   return energy * at.vertex_area;
 }
 
+/// What fracture has taken of faces for good [J].
+inline Lanes fracture_work(const JointParameters<Lanes>& kind, const FaceGeometry& at) {
+  Lanes work{};
+  for (int v = 0; v < vertex_count; ++v) work += laws::fracture_dissipation(kind.tension, at.peak[v]);
+  return work * at.vertex_area;
+}
+
 /// What an evaluation has done to its joints. Few evaluations change any: all else is set only where one has.
 struct JointChange {
   bool has_happened;

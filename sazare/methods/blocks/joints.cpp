@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "sazare/core/lane_sum.hpp"
 #include "sazare/core/large_tables.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "sazare/terms/book_ranges.hpp"
@@ -218,7 +219,8 @@ void Joints::update_rates(Index body, const state::Bodies<3>& bodies) {
   rates = {std::min(rates.stiffness, held.stiffness), std::min(rates.damping, held.damping)};
 }
 
-/// Of as many joints as there are lanes: elastic energy in the places of a base step, and work of the dashpots after it [J].
+/// Of as many joints as there are lanes: elastic energy in the places of a base step, what fracture has taken, and work of the
+/// dashpots after it [J].
 /// Lanes beyond the last joint repeat it.
 [[gnu::flatten]] Joints::LaneEnergies Joints::energies(Index first, const terms::Synchronized<3>& synchronized) const {
   LanePointers<const JointRecord> records;
@@ -236,40 +238,51 @@ void Joints::update_rates(Index body, const state::Bodies<3>& bodies) {
   }
   const auto& kind = kinds_of(records);
   const FaceGeometry at = face_geometry(LaneJoints<const JointRecord>{records}, masters, slaves);
-  return {elastic_energy(kind, at, tension_stress(kind, at, some_soften(kind, at))),
+  const bool soften = some_soften(kind, at);
+  return {elastic_energy(kind, at, tension_stress(kind, at, soften)), soften ? fracture_work(kind, at) : Lanes{},
           terms::work_after(slots, master_ahead, slave_ahead)};
 }
 
+/// Sums of the accounts that joints have, in lanes.
+struct Joints::Sums {
+  LaneSum elastic, fracture, release, slip, dashpots;
+
+  explicit Sums(terms::Books& books)
+      : elastic(books[terms::Account::elastic]),
+        fracture(books[terms::Account::fracture]),
+        release(books[terms::Account::release]),
+        slip(books[terms::Account::slip]),
+        dashpots(books[terms::account_of(terms::Cause::joint_dashpot)]) {}
+};
+
 void Joints::add_energies(const terms::Synchronized<3>& synchronized, terms::Books& books) const {
   terms::book_ranges(links_.size(), serial_below, books, [&](std::size_t begin, std::size_t end, terms::Books& own) {
+    Sums sums(own);
     for (auto first = static_cast<Index>(begin); at(first) < end; first += lane_count)
-      add_energies(first, std::min(first + lane_count, static_cast<Index>(end)), synchronized, own);
+      add_energies(first, std::min(first + lane_count, static_cast<Index>(end)), synchronized, sums);
   });
 }
 
-/// Those of as many joints as there are lanes at most. What waits for memory comes first, all of it at a time.
-void Joints::add_energies(Index begin, Index end, const terms::Synchronized<3>& synchronized, terms::Books& books) const {
-  const auto counted = std::span(links_).subspan(at(begin), at(end - begin));
-  if (std::ranges::none_of(counted, [&](const Link& link) { return synchronized.counts(link); })) return;
-  const LaneEnergies found = energies(begin, synchronized);
-  for (std::size_t i = 0; i < counted.size(); ++i) {
-    if (!synchronized.counts(counted[i])) continue;
-    table_.take_back({found.dashpots_after[static_cast<int>(i)]}, books);
-    const JointRecord& joint = records_[at(begin) + i];
-    const JointLosses& losses = losses_[at(begin) + i];
-    books[terms::Account::slip] += losses.slip_work;
-    if (joint.state != JointState::broken) books[terms::Account::elastic] += found.elastic[static_cast<int>(i)];
-    if (joint.state == JointState::intact) continue;
-    books[terms::Account::fracture] += fracture_work(joint);
-    books[terms::Account::release] += losses.released;
+/// Those of as many joints as there are lanes at most.
+void Joints::add_energies(Index begin, Index end, const terms::Synchronized<3>& synchronized, Sums& sums) const {
+  LaneBits counted = 0, broken = 0;
+  Lanes slip_work{}, released{};
+  for (Index joint = begin; joint < end; ++joint) {
+    const int lane = joint - begin;
+    if (!synchronized.counts(links_[at(joint)])) continue;
+    counted |= static_cast<LaneBits>(1U << lane);
+    if (state(joint) == JointState::broken) broken |= static_cast<LaneBits>(1U << lane);
+    slip_work[lane] = losses_[at(joint)].slip_work;
+    released[lane] = losses_[at(joint)].released;
   }
-}
-
-Real Joints::fracture_work(const JointRecord& joint) const {
-  const laws::JointTension& tension = kinds_[at(joint.kind)].tension;
-  Real work = 0;
-  for (const auto& vertex : joint.vertex) work += joint.vertex_area * laws::fracture_dissipation(tension, vertex.peak);
-  return work;
+  if (counted == 0) return;
+  const LaneEnergies found = energies(begin, synchronized);
+  const LaneMask count = mask_of(counted);
+  sums.elastic += select(count & ~mask_of(broken), found.elastic, Lanes{});
+  sums.fracture += select(count, found.fracture, Lanes{});
+  terms::book_work(table_.causes[0], -select(count, found.dashpots_after, Lanes{}), sums.dashpots);
+  sums.slip += slip_work;
+  sums.release += released;
 }
 
 void Joints::carry(Index joint, Parcel& parcel) {

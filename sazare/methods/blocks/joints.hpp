@@ -58,12 +58,12 @@ private:
   template <class Record>
   const JointParameters<Lanes>& kinds_of(const LanePointers<Record>& joints) const;
   void update_rates(Index body, const state::Bodies<3>& bodies);
-  void add_energies(Index begin, Index end, const terms::Synchronized<3>& synchronized, terms::Books& books) const;
+  struct Sums;
+  void add_energies(Index begin, Index end, const terms::Synchronized<3>& synchronized, Sums& sums) const;
   struct LaneEnergies {
-    Lanes elastic, dashpots_after;
+    Lanes elastic, fracture, dashpots_after;
   };
   LaneEnergies energies(Index first, const terms::Synchronized<3>& synchronized) const;
-  Real fracture_work(const JointRecord& joint) const;
 
   std::vector<JointKind> kinds_;
   std::vector<JointParameters<Lanes>> lane_kinds_;  ///< each kind in all lanes
