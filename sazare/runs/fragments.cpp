@@ -29,8 +29,10 @@ public:
     return element;
   }
 
+  /// Whether they are known to hang together: most joints' elements are by the time they are asked about.
+  bool are_joined(Index a, Index b) const { return parent_[at(a)] == parent_[at(b)]; }
+
   void join(Index a, Index b) {
-    if (parent_[at(a)] == parent_[at(b)]) return;  // most are known to hang together by then
     a = root(a);
     b = root(b);
     parent_[at(std::max(a, b))] = std::min(a, b);
@@ -54,8 +56,10 @@ std::vector<observe::CsvField> fragment_row(const Fragment& fragment) {
 FragmentMap find_fragments(Index elements, const methods::blocks::Joints& joints) {
   Sets sets(elements);
   const auto links = joints.links();
-  for (Index joint = 0; joint < joints.count(); ++joint)
-    if (joints.state(joint) != methods::blocks::JointState::broken) sets.join(links[at(joint)].first, links[at(joint)].second);
+  for (Index joint = 0; joint < joints.count(); ++joint) {
+    const auto [first, second] = links[at(joint)];
+    if (!sets.are_joined(first, second) && joints.state(joint) != methods::blocks::JointState::broken) sets.join(first, second);
+  }
   FragmentMap map;
   map.of_element.reserve(at(elements));
   for (Index element = 0; element < elements; ++element) {
