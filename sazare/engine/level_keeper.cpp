@@ -125,7 +125,18 @@ void LevelKeeper<D>::set_level(Index body, int level) {
 
 template <int D>
 void LevelKeeper<D>::quicken(Index body, int level) {
-  if (level > paces_.level(body)) paces_.move(body, level);
+  if (level <= paces_.level(body)) return;
+  paces_.move(body, level);
+  quickened_.push_back(body);
+}
+
+template <int D>
+std::vector<Index> LevelKeeper<D>::take_quickened(int pace) {
+  if (quickened_.empty()) return {};
+  const auto due = std::ranges::partition(quickened_, [&](Index body) { return paces_.level(body) < pace; });
+  std::vector<Index> taken(due.begin(), due.end());
+  quickened_.erase(due.begin(), due.end());
+  return taken;
 }
 
 /// The finest level among its links, and its own: what its pace is to be.
@@ -204,6 +215,12 @@ void LevelKeeper<D>::spread(std::vector<std::int8_t>& wanted) const {
 
 template <int D>
 void LevelKeeper<D>::relevel(const state::Bodies<D>& bodies) {
+  choose_levels(bodies);
+  quickened_ = {};  // all are due, and none had planned beyond a base step
+}
+
+template <int D>
+void LevelKeeper<D>::choose_levels(const state::Bodies<D>& bodies) {
   for (const Index body : asking_) asked_[at(body)] = -1;
   asking_.clear();
   slow_down();
@@ -287,6 +304,7 @@ void LevelKeeper<D>::columns(Archive& archive) {
   archive("asked", asked_);
   archive("asking", asking_);
   archive("calmed", calmed_);
+  archive("quickened", quickened_);
   std::int8_t stale = stale_;
   archive("stale", stale);
   for (std::size_t term = 0; term < clocks_.size(); ++term)

@@ -144,17 +144,20 @@ void Simulation<D>::collect_due() {
     all_links += static_cast<std::int64_t>(levels_.clock(term).size());
   }
   if (now_.tick % schedule::base_stride == 0) counters_.uniform_evaluations += all_links << levels_.finest();
-  for (const auto* due : {&due_bodies_, &due_elsewhere_}) call_back(*due);
+  call_back();
 }
 
-/// Bodies whose pace has quickened had planned to be due later.
+/// Bodies that are due earlier than they had planned, where their motion is known.
 template <int D>
-void Simulation<D>::call_back(std::span<const Index> due) {
-  parallel::parallel_for(due.size(), serial_below, [&](std::size_t begin, std::size_t end) {
-    for (const Index body : due.subspan(begin, end - begin))
-      if (bodies_.motion[at(body)].due != now_.tick)
-        motion::drift_back(bodies_.motion[at(body)], bodies_.inertia[at(body)], now_);
-  });
+void Simulation<D>::call_back() {
+  std::vector<Index> due = levels_.take_quickened(schedule::coarsest_due(now_.tick));
+  if (replicas_ && !due.empty()) {
+    const std::vector<Index> everywhere = std::exchange(due, {});
+    replicas_->share_out(everywhere, due, due);
+  }
+  for (const Index body : due)
+    if (bodies_.motion[at(body)].due != now_.tick)
+      motion::drift_back(bodies_.motion[at(body)], bodies_.inertia[at(body)], now_);
 }
 
 /// Links of a term that are due and evaluated here; returns how many are due everywhere.

@@ -117,7 +117,7 @@ private:
   void tick();
   void collect_due();
   std::int64_t collect_links(std::size_t term);
-  void call_back(std::span<const Index> due);
+  void call_back();
   void take_refined();
   void divide_anew();
   void take_ranges(distribute::Ranges next);
