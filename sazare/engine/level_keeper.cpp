@@ -192,6 +192,8 @@ void LevelKeeper<D>::rest(const LinkOf& of, bool rests) {
 /// per level.
 template <int D>
 void LevelKeeper<D>::spread(std::vector<std::int8_t>& wanted) const {
+  std::array<std::span<const Link>, LinkOf::most_terms> links;  // asked for once: it takes as long as a link
+  for (std::size_t term = 0; term < terms_->size(); ++term) links[term] = (*terms_)[term]->links();
   std::array<std::vector<Index>, schedule::level_count> at_level;
   for (Index body = 0; body < static_cast<Index>(wanted.size()); ++body)
     if (wanted[at(body)] > rules_.neighbor_levels) at_level[static_cast<std::size_t>(wanted[at(body)])].push_back(body);
@@ -202,7 +204,7 @@ void LevelKeeper<D>::spread(std::vector<std::int8_t>& wanted) const {
       if (wanted[at(body)] != level) continue;
       const int least = level - rules_.neighbor_levels;
       for (const LinkOf& of : links_.of(body)) {
-        const Link& link = bodies_of(of);
+        const Link& link = links[at(of.term)][at(of.link)];
         if (link.second == Link::outside) continue;
         const Index other = link.first == body ? link.second : link.first;
         if (wanted[at(other)] >= least) continue;

@@ -11,8 +11,8 @@ namespace sazare::methods::blocks {
 
 namespace {
 
-constexpr std::size_t serial_below = 256;         // most pairs do not touch
-constexpr std::size_t searched_alone_below = 16;  // bodies; a search takes some microseconds
+constexpr std::size_t serial_below = 64;         // a pair takes some 100 ns, waking a thread some microseconds
+constexpr std::size_t searched_alone_below = 4;  // bodies; a search takes some microseconds
 constexpr int base_steps_between_searches = 8;
 constexpr Real known_moves = 1.0 / 32;  // of the skin: so far a clearance is good for
 constexpr Real skin_of_radius = 0.15;   // of the median inscribed radius: few false neighbours, few searches (measured)

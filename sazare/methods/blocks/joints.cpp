@@ -14,7 +14,8 @@ namespace sazare::methods::blocks {
 
 namespace {
 
-constexpr std::size_t serial_below = 1024;  // a joint takes some 35 ns, waking a thread some microseconds
+constexpr std::size_t serial_below = 1024;       // a joint takes some 35 ns, waking a thread some microseconds
+constexpr std::size_t loosened_alone_below = 4;  // bodies; the rates of one take some microseconds
 
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
@@ -184,16 +185,20 @@ void Joints::settle(const Moment&, const state::Bodies<3>& bodies, terms::Peers&
   std::vector<Index> failed = failed_.take();
   peers.unite(failed);
   for (const Index joint : failed) records_[at(joint)].state = JointState::broken;  // it may have failed in another process
+  std::vector<Index> softer;
   for (const Index joint : failed) {
     changes.ended_links.push_back(joint);
     table_.incidence.end(joint, links_[at(joint)]);
-    for (const Index body : {links_[at(joint)].first, links_[at(joint)].second}) {
-      update_rates(body, bodies);
-      changes.softer.push_back(body);
-    }
+    softer.insert(softer.end(), {links_[at(joint)].first, links_[at(joint)].second});
     broken_.push_back(joint);
     ++broken_count_;
   }
+  std::ranges::sort(softer);
+  softer.erase(std::unique(softer.begin(), softer.end()), softer.end());
+  parallel::parallel_for(softer.size(), loosened_alone_below, [&](std::size_t begin, std::size_t end) {
+    for (const Index body : std::span(softer).subspan(begin, end - begin)) update_rates(body, bodies);
+  });
+  changes.softer.insert(changes.softer.end(), softer.begin(), softer.end());
 }
 
 std::vector<Index> Joints::take_broken() { return std::exchange(broken_, {}); }
