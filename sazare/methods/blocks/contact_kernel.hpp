@@ -46,11 +46,13 @@ SphereTouchOf<T> touch(const Sphere& a, const Sphere& b, const Place& first, con
 
 /// How far two bodies were apart, and where: what they have moved since then tells which spheres cannot touch.
 struct Clearance {
-  Real gap = 0;  ///< between their nearest spheres [m], negative when they overlap
+  Real gap = 0;   ///< between their nearest spheres [m], negative when they overlap
+  Real good = 0;  ///< for so much motion [m]; 0 before the first time
   std::int8_t is_known = 0;
   std::int8_t is_distant = 0;  ///< too far apart to meet within two base steps, when last evaluated
   std::int8_t rests = 0;       ///< evaluated at base steps only
   Index near = 0;              ///< so many of the spheres, the first ones, may touch before it is measured anew
+  Index evaluations = 0;       ///< since it was measured
   Vector3 apart = Vector3::Zero();
   Matrix3 first = Matrix3::Zero(), second = Matrix3::Zero();
 

@@ -14,8 +14,12 @@ namespace {
 constexpr std::size_t serial_below = 64;         // a pair takes some 100 ns, waking a thread some microseconds
 constexpr std::size_t searched_alone_below = 4;  // bodies; a search takes some microseconds
 constexpr int base_steps_between_searches = 8;
-constexpr Real known_moves = 1.0 / 32;  // of the skin: so far a clearance is good for
-constexpr Real skin_of_radius = 0.15;   // of the median inscribed radius: few false neighbours, few searches (measured)
+constexpr Real skin_of_radius = 0.15;  // of the median inscribed radius: few false neighbours, few searches (measured)
+
+// A clearance is good for so much of the skin. The less, the fewer spheres are looked at that do not touch, and the more often it
+// is measured anew, which takes longer than many evaluations.
+constexpr Real largest_move = 1.0 / 32, smallest_move = 1.0 / 1024;
+constexpr Real usual_evaluations = 80;  // between two measurements
 
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
@@ -116,23 +120,34 @@ Real Contacts::update_clearance(Index pair, const ContactBody& first, const Cont
   Real moved = 0;
   if (clearance.is_known)
     moved = clearance.moved(first_pose, second_pose, bodies.reach[at(link.first)], bodies.reach[at(link.second)]);
+  ++clearance.evaluations;
+  const bool is_used_up = clearance.is_known && moved > clearance.good;
   const bool gap_is_used_up = table_[pair].evaluated < 0 && clearance.gap > 0 && moved >= clearance.gap;
-  if (!clearance.is_known || gap_is_used_up || moved > surface_.skin() * known_moves) {
+  if (is_used_up) fit_to_motion(clearance);
+  if (!clearance.is_known || gap_is_used_up || is_used_up) {
     measure(spheres_[at(pair)], first_pose, second_pose, clearance);
     moved = 0;
   }
-  clearance.is_distant = are_distant(first, second, link, clearance.gap - moved - surface_.skin() / 100, bodies);
+  clearance.is_distant = are_distant(first, second, link, clearance.gap - moved, bodies);
   return moved;
 }
 
-/// Whether two bodies, which may still come nearer by `room`, cannot meet within two base steps.
+/// The faster two bodies move against each other, the more their clearance is to be good for.
+void Contacts::fit_to_motion(Clearance& clearance) const {
+  const Real fitting = clearance.good * usual_evaluations / static_cast<Real>(clearance.evaluations);
+  clearance.good = std::clamp(fitting, smallest_move * surface_.skin(), largest_move * surface_.skin());
+}
+
+/// Whether two bodies, which may still come nearer by `room`, cannot meet within two base steps; their speeds may change by as
+/// much as they are, or by a little from rest.
 bool Contacts::are_distant(const ContactBody& first, const ContactBody& second, const Link& link, Real room,
                            const state::Bodies<3>& bodies) const {
-  if (!(room > 0)) return false;
+  if (!(room > surface_.skin() / 1000)) return false;
   const Real closing = (second.motion.velocity - first.motion.velocity).norm() +
                        bodies.reach[at(link.first)] * first.motion.spin.norm() +
                        bodies.reach[at(link.second)] * second.motion.spin.norm();
-  return room > 2 * base_step_ * closing;
+  const Real change = surface_.skin() / 1000 + 2 * base_step_ * (first.motion.velocity.norm() + second.motion.velocity.norm());
+  return room > 2 * base_step_ * closing + std::min(surface_.skin() / 100, change);
 }
 
 /// Clearance of a pair where it stands, with the gaps of its spheres. Those come first that may touch until the next time; the
@@ -141,13 +156,16 @@ void Contacts::measure(std::vector<SpherePair>& spheres, const state::Pose<3>& f
                        Clearance& clearance) const {
   clearance.gap = surface_.skin();
   clearance.is_known = 1;
+  clearance.evaluations = 0;
+  if (clearance.good == 0) clearance.good = smallest_move * surface_.skin();
   clearance.apart = second.position - first.position;
   clearance.first = first.rotation;
   clearance.second = second.rotation;
-  const auto is_near = [&](const SpherePair& pair) { return pair.gap <= surface_.skin() * known_moves; };
+  const auto is_near = [&](const SpherePair& pair) { return pair.gap <= clearance.good; };
   for (SpherePair& pair : spheres) {
     pair.gap = -touch(surface_.sphere(pair.first), surface_.sphere(pair.second), first, second).overlap;
     clearance.gap = std::min(clearance.gap, pair.gap);
+    if (pair.gap >= 0) pair.rest = 0;
     if (!is_near(pair)) pair.memory = {};
   }
   const auto far = std::ranges::stable_partition(spheres, is_near);

@@ -46,6 +46,7 @@ private:
   void evaluate_batch(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies);
   void conclude(const Moment& now, const ContactBatch& batch, const ContactBatch::Pair& pair);
   Real update_clearance(Index pair, const ContactBody& first, const ContactBody& second, const state::Bodies<3>& bodies);
+  void fit_to_motion(Clearance& clearance) const;
   bool are_distant(const ContactBody& first, const ContactBody& second, const Link& link, Real room,
                    const state::Bodies<3>& bodies) const;
   void rest_the_distant(const Moment& now, terms::Peers& peers, terms::Changes& changes);

@@ -118,6 +118,56 @@ TEST(contacts, action_equals_reaction_through_a_rough_collision) {
   EXPECT_GT(velocity(model, 1).x(), 0);
 }
 
+/// Two blocks that do not hang together, the second one moved away from the first.
+geometry::TetraMesh blocks_apart(const Vector3& away) {
+  geometry::TetraMesh mesh = test::two_blocks();
+  for (const std::size_t node : {0, 1, 2}) mesh.nodes.push_back(mesh.nodes[node] + away);
+  mesh.nodes[4] += away;
+  mesh.tetrahedra[1] = {4, 5, 7, 6};
+  return mesh;
+}
+
+/// Elastic energy of all spheres of two blocks that overlap, whoever knows of them [J].
+Real energy_of_all_spheres(const runs::BlocksModel& model, Real stiffness) {
+  const auto& surface = model.contacts->surface();
+  const auto pose = model.simulation->snapshot().pose;
+  Real energy = 0;
+  surface.visit_spheres(0, [&](Index a) {
+    surface.visit_spheres(1, [&](Index b) {
+      const Real overlap = touch(surface.sphere(a), surface.sphere(b), pose[0], pose[1]).overlap;
+      if (overlap > 0) energy += 0.5 * stiffness * overlap * overlap;
+    });
+  });
+  return energy;
+}
+
+/// Blocks that are pressed together, and soft, while one slides over the other: new spheres meet all the time.
+TEST(contacts, no_sphere_that_overlaps_is_overlooked) {
+  for (const Real sliding : {1.0, 5.0, 20.0}) {
+    auto blocks = head_on(3);
+    blocks.joints.clear();
+    blocks.initial_velocities.clear();
+    test::move(blocks, "left", {3, sliding, 0.3 * sliding});
+    test::move(blocks, "right", {-3, -sliding, 0});
+    blocks.contact = {};
+    blocks.contact.normal_stiffness = 1e6;
+    blocks.time.base_step = 2e-7;
+    auto model = runs::build_blocks(blocks, blocks_apart({2e-4, 0.003, 0.001}));
+    model.simulation->start();
+    Real most = 0, worst = 0;
+    for (int step = 0; step < 5000; ++step) {
+      run(model, 1);
+      const Real energy = energy_of_all_spheres(model, blocks.contact.normal_stiffness);
+      const terms::Ledger ledger = model.simulation->ledger();
+      ASSERT_NEAR(ledger[Account::elastic], energy, 1e-9 * mass_of_block) << step << ", at " << sliding;
+      worst = std::max(worst, std::abs(ledger.residual()));
+      most = std::max(most, energy);
+    }
+    EXPECT_GT(most, 0.1 * mass_of_block);
+    EXPECT_LT(worst, 1e-4 * mass_of_block);  // what overlaps without a force has energy that nobody gave
+  }
+}
+
 /// Every cap leaves a collision that loses energy and never gives any.
 TEST(contacts, no_cap_of_the_dashpot_gives_energy) {
   for (const auto cap : {cases::DampingCap::literal, cases::DampingCap::critical, cases::DampingCap::step}) {
