@@ -48,7 +48,8 @@ Simulation<D>::Simulation(state::Bodies<D> bodies, TermList<D> terms, const Step
     motion.foreseen_spin = motion.spin;
   }
   terms::Books start;
-  book_bodies(snapshot(), nullptr, start);
+  std::vector<state::MeanMotion<D>> ahead;
+  book_bodies(snapshot(), nullptr, ahead, start);
   kinetic_at_start_ = start[terms::Account::kinetic].value();
 }
 
@@ -156,8 +157,7 @@ void Simulation<D>::call_back() {
     replicas_->share_out(everywhere, due, due);
   }
   for (const Index body : due)
-    if (bodies_.motion[at(body)].due != now_.tick)
-      motion::drift_back(bodies_.motion[at(body)], bodies_.inertia[at(body)], now_);
+    if (bodies_.motion[at(body)].due != now_.tick) motion::drift_back(bodies_.motion[at(body)], bodies_.inertia[at(body)], now_);
 }
 
 /// Links of a term that are due and evaluated here; returns how many are due everywhere.

@@ -45,6 +45,7 @@ struct Snapshot {
 template <int D>
 struct Survey {
   Snapshot<D> bodies;
+  std::vector<state::MeanMotion<D>> ahead;  ///< see terms::Synchronized
   terms::Ledger ledger;
 };
 
@@ -88,7 +89,7 @@ public:
 
   /// Motion and energy at `now()`. With several processes each finds what is its own: all call it, all know the motion then, and
   /// the first one the energy.
-  Survey<D> survey() const;
+  Survey<D> survey(Survey<D> former = {}) const;
 
   /// With several processes: makes all that is read below true in the first one, for the present base step. All call it.
   void collect();
@@ -101,11 +102,18 @@ public:
   std::vector<RankWork> take_rank_work() { return std::exchange(rank_work_, {}); }
 
   /// Positions and velocities at `now()`: the part of the last kicks that acts after it is taken back.
-  Snapshot<D> snapshot() const { return snapshot(0, bodies_.size()); }
+  Snapshot<D> snapshot() const {
+    Snapshot<D> now;
+    take_snapshot(0, bodies_.size(), now);
+    return now;
+  }
   /// Forces on all bodies as last evaluated [N].
   std::vector<Vector<D>> forces() const;
   terms::Ledger ledger() const { return ledger(snapshot()); }
-  terms::Ledger ledger(const Snapshot<D>& at_now) const { return close(books(at_now, nullptr)); }  ///< where it is at hand
+  terms::Ledger ledger(const Snapshot<D>& at_now) const {  ///< where it is at hand
+    std::vector<state::MeanMotion<D>> ahead;
+    return close(books(at_now, nullptr, ahead));
+  }
 
   /// Smallest step since the last call [s].
   Real take_smallest_step();
@@ -134,10 +142,11 @@ private:
   std::int64_t add_time(std::size_t part, std::int64_t since);
   template <class Take>
   void gather(Index begin, Index end, Real until_next, Take&& take) const;
-  Snapshot<D> snapshot(Index begin, Index end) const;
-  std::vector<state::MeanMotion<D>> book_bodies(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared,
-                                                terms::Books& books) const;
-  terms::Books books(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared) const;
+  void take_snapshot(Index begin, Index end, Snapshot<D>& at_now) const;
+  void book_bodies(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared, std::vector<state::MeanMotion<D>>& ahead,
+                   terms::Books& books) const;
+  terms::Books books(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared,
+                     std::vector<state::MeanMotion<D>>& ahead) const;
   terms::Ledger close(const terms::Books& books) const;
 
   state::Bodies<D> bodies_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "sazare/core/lane_sum.hpp"
 #include "sazare/engine/simulation.hpp"
@@ -46,10 +47,9 @@ void Simulation<D>::gather(Index begin, Index end, Real until_next, Take&& take)
   });
 }
 
-/// That of a range of bodies, the others left empty.
+/// That of a range of bodies.
 template <int D>
-Snapshot<D> Simulation<D>::snapshot(Index begin, Index end) const {
-  Snapshot<D> at_now;
+void Simulation<D>::take_snapshot(Index begin, Index end, Snapshot<D>& at_now) const {
   at_now.pose.resize(at(bodies_.size()));
   at_now.velocity.resize(at_now.pose.size());
   at_now.angular_momentum.resize(at_now.pose.size());
@@ -58,7 +58,6 @@ Snapshot<D> Simulation<D>::snapshot(Index begin, Index end) const {
     state::poses_at(some(bodies_.motion), now_, some(at_now.pose));
     motion::find_momenta(bodies_, first, given, {some(at_now.pose), some(at_now.velocity), some(at_now.angular_momentum)});
   });
-  return at_now;
 }
 
 /// A body's kick does not sum its forces. They are the slope of what is taken back with them: over a second so long ago that
@@ -81,12 +80,12 @@ std::vector<Vector<D>> Simulation<D>::forces() const {
   return forces;
 }
 
-/// Enters what bodies have; of a process that shares them, its own. Returns the means of all bodies' motion now and after their
+/// Enters what bodies have; of a process that shares them, its own. Finds the means of all bodies' motion now and after their
 /// last kicks.
 template <int D>
-std::vector<state::MeanMotion<D>> Simulation<D>::book_bodies(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared,
-                                                             terms::Books& books) const {
-  std::vector<state::MeanMotion<D>> ahead(at_now.pose.size());
+void Simulation<D>::book_bodies(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared,
+                                std::vector<state::MeanMotion<D>>& ahead, terms::Books& books) const {
+  ahead.resize(at_now.pose.size());
   const auto first = shared == nullptr ? 0 : at(shared->ranges().begin(shared->ranks().rank()));
   const auto last = shared == nullptr ? ahead.size() : at(shared->ranges().end(shared->ranks().rank()));
   terms::book_ranges(ahead.size(), serial_below, books, [&](std::size_t begin, std::size_t end, terms::Books& part) {
@@ -98,14 +97,14 @@ std::vector<state::MeanMotion<D>> Simulation<D>::book_bodies(const Snapshot<D>& 
     add_all(std::span(kinetic).subspan(from - begin, to - from), part[terms::Account::kinetic]);
     terms::book(std::span(work_).subspan(from, to - from), part);
   });
-  return ahead;
 }
 
 /// Enters what bodies and links have; of a process that shares them, its own.
 template <int D>
-terms::Books Simulation<D>::books(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared) const {
+terms::Books Simulation<D>::books(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared,
+                                  std::vector<state::MeanMotion<D>>& ahead) const {
   terms::Books books;
-  const std::vector<state::MeanMotion<D>> ahead = book_bodies(at_now, shared, books);
+  book_bodies(at_now, shared, ahead, books);
   for (const auto& term : terms_) term->add_energies({at_now.pose, ahead, shared}, books);
   return books;
 }
@@ -118,36 +117,42 @@ terms::Ledger Simulation<D>::close(const terms::Books& books) const {
   return ledger;
 }
 
+/// In the memory of a former survey: large tables that are freed go back to the system, which clears each page it gives.
 template <int D>
-Survey<D> Simulation<D>::survey() const {
+Survey<D> Simulation<D>::survey(Survey<D> former) const {
+  Survey<D> now = std::move(former);
+  Snapshot<D>& all = now.bodies;
   if (!replicas_) {
-    Snapshot<D> all = snapshot();
-    const terms::Ledger ledger = this->ledger(all);
-    return {std::move(all), ledger};
+    take_snapshot(0, bodies_.size(), all);
+    now.ledger = close(books(all, nullptr, now.ahead));
+    return now;
   }
   const int rank = replicas_->ranks().rank();
-  Snapshot<D> all = snapshot(replicas_->ranges().begin(rank), replicas_->ranges().end(rank));
+  take_snapshot(replicas_->ranges().begin(rank), replicas_->ranges().end(rank), all);
   replicas_->complete(all.pose);
   replicas_->complete(all.velocity);
   replicas_->complete(all.angular_momentum);
   terms::Books sum;
-  for (const terms::Books& part : replicas_->give_first(books(all, replicas_.get()))) sum += part;
-  return {std::move(all), close(sum)};
+  for (const terms::Books& part : replicas_->give_first(books(all, replicas_.get(), now.ahead))) sum += part;
+  now.ledger = close(sum);
+  return now;
 }
 
-template Snapshot<2> Simulation<2>::snapshot(Index, Index) const;
-template Snapshot<3> Simulation<3>::snapshot(Index, Index) const;
+template void Simulation<2>::take_snapshot(Index, Index, Snapshot<2>&) const;
+template void Simulation<3>::take_snapshot(Index, Index, Snapshot<3>&) const;
 template terms::Ledger Simulation<2>::close(const terms::Books&) const;
 template terms::Ledger Simulation<3>::close(const terms::Books&) const;
-template Survey<2> Simulation<2>::survey() const;
-template Survey<3> Simulation<3>::survey() const;
+template Survey<2> Simulation<2>::survey(Survey<2>) const;
+template Survey<3> Simulation<3>::survey(Survey<3>) const;
 template std::vector<Vector<2>> Simulation<2>::forces() const;
 template std::vector<Vector<3>> Simulation<3>::forces() const;
-template std::vector<state::MeanMotion<2>> Simulation<2>::book_bodies(const Snapshot<2>&, const distribute::Replicas<2>*,
-                                                                      terms::Books&) const;
-template std::vector<state::MeanMotion<3>> Simulation<3>::book_bodies(const Snapshot<3>&, const distribute::Replicas<3>*,
-                                                                      terms::Books&) const;
-template terms::Books Simulation<2>::books(const Snapshot<2>&, const distribute::Replicas<2>*) const;
-template terms::Books Simulation<3>::books(const Snapshot<3>&, const distribute::Replicas<3>*) const;
+template void Simulation<2>::book_bodies(const Snapshot<2>&, const distribute::Replicas<2>*, std::vector<state::MeanMotion<2>>&,
+                                         terms::Books&) const;
+template void Simulation<3>::book_bodies(const Snapshot<3>&, const distribute::Replicas<3>*, std::vector<state::MeanMotion<3>>&,
+                                         terms::Books&) const;
+template terms::Books Simulation<2>::books(const Snapshot<2>&, const distribute::Replicas<2>*,
+                                           std::vector<state::MeanMotion<2>>&) const;
+template terms::Books Simulation<3>::books(const Snapshot<3>&, const distribute::Replicas<3>*,
+                                           std::vector<state::MeanMotion<3>>&) const;
 
 }  // namespace sazare::engine

@@ -53,7 +53,7 @@ void RunRecord::check_motion(Real time) const {
 }
 
 void RunRecord::survey(std::int64_t step) {
-  survey_ = model_->simulation->survey();
+  survey_ = model_->simulation->survey(std::move(former_survey_));
   if (clocks_.is_snapshot(step)) model_->simulation->collect();
 }
 
@@ -61,12 +61,13 @@ void RunRecord::observe(std::int64_t step, Real wall_seconds) {
   if (!clocks_.is_row(step)) return;
   const Real time = clocks_.time(step);
   if (!survey_) survey(step);
-  auto [now, ledger] = *std::exchange(survey_, std::nullopt);
+  former_survey_ = *std::exchange(survey_, std::nullopt);
+  engine::Snapshot<3>& now = former_survey_.bodies;
   Real fastest_squared = 0;
   for (const Vector3& velocity : now.velocity) fastest_squared = std::max(fastest_squared, velocity.squaredNorm());
   peak_speed_ = std::max(peak_speed_, std::sqrt(fastest_squared));
   files_.add_row(1, gauges_.sample(time, model_->simulation->bodies(), now));
-  add_history_row(time, ledger, wall_seconds);
+  add_history_row(time, former_survey_.ledger, wall_seconds);
   if (!clocks_.is_snapshot(step)) return;
   snapshots_.write(time, std::move(now), fragments());
   ++snapshot_count_;

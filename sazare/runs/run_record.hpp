@@ -67,6 +67,7 @@ private:
   Snapshots snapshots_;
   RecordFiles files_;
   std::optional<engine::Survey<3>> survey_;  ///< of the row that comes
+  engine::Survey<3> former_survey_;          ///< its memory is used again
   FragmentMap fragments_;
   Index fragments_at_broken_ = -1;  ///< number of broken joints for which `fragments_` holds
   Real smallest_step_ = 0;          ///< of the run so far; 0 before the first row [s]
