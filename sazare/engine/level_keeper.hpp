@@ -35,8 +35,8 @@ public:
   int finest() const { return paces_.finest(); }
   Real step(int level) const { return steps_[static_cast<std::size_t>(level)]; }
   void list_bodies_from_pace(int level, std::vector<Index>& bodies) const { paces_.list_from(level, bodies); }
-  /// Of the bodies whose pace has quickened since they were kicked, and which had planned to be due later, takes those that are due
-  /// from a pace on.
+  /// Of the bodies whose pace has quickened since they were kicked, and which had planned to be due later, takes those that are
+  /// due from a pace on.
   std::vector<Index> take_quickened(int pace);
   schedule::LinkClock& clock(std::size_t term) { return clocks_[term]; }
   const schedule::LinkClock& clock(std::size_t term) const { return clocks_[term]; }
@@ -92,8 +92,8 @@ private:
   std::vector<std::int8_t> by_rates_;                          ///< level that a body's own springs and dashpots ask for
   std::vector<std::int8_t> asked_;                             ///< level asked for since the last tick, where in `asking_`
   std::vector<Index> asking_;
-  std::vector<Index> calmed_;  ///< bodies whose pace may fall at the next base step
-  std::vector<Index> quickened_;                               ///< see take_quickened; some more than once
+  std::vector<Index> calmed_;     ///< bodies whose pace may fall at the next base step
+  std::vector<Index> quickened_;  ///< see take_quickened; some more than once
   const TermList<D>* terms_ = nullptr;
   bool stale_ = true;  ///< whether a relevel could change anything
 };

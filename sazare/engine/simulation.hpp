@@ -88,7 +88,7 @@ public:
   std::vector<PartTime> part_times() const;
 
   /// Motion and energy at `now()`. With several processes each finds what is its own: all call it, all know the motion then, and
-  /// the first one the energy.
+  /// the first one the energy. In the memory of a former one, where one is given.
   Survey<D> survey(Survey<D> former = {}) const;
 
   /// With several processes: makes all that is read below true in the first one, for the present base step. All call it.

@@ -117,7 +117,7 @@ terms::Ledger Simulation<D>::close(const terms::Books& books) const {
   return ledger;
 }
 
-/// In the memory of a former survey: large tables that are freed go back to the system, which clears each page it gives.
+/// Large tables that are freed go back to the system, which clears each page that it gives: hence the former one.
 template <int D>
 Survey<D> Simulation<D>::survey(Survey<D> former) const {
   Survey<D> now = std::move(former);

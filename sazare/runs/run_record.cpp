@@ -95,7 +95,9 @@ const FragmentMap& RunRecord::fragments() {
 
 void RunRecord::flush(bool to_disk) {
   files_.flush(to_disk);
-  if (to_disk) snapshots_.sync();
+  if (!to_disk) return;
+  snapshots_.sync();
+  former_survey_ = {};  // a checkpoint, which comes next, takes as much
 }
 
 void RunRecord::write_fragments() {

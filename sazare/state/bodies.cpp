@@ -71,7 +71,8 @@ Rotation<2> turn(const Angular<2>& spin, Real seconds) {
 namespace {
 
 /// Of `lane_count` bodies.
-[[gnu::flatten]] void poses_in_lanes(const LanePointers<const Motion<3>>& bodies, const Moment& now, const LanePointers<Pose<3>>& poses) {
+[[gnu::flatten]] void poses_in_lanes(const LanePointers<const Motion<3>>& bodies, const Moment& now,
+                                     const LanePointers<Pose<3>>& poses) {
   static_assert(offsetof(Motion<3>, velocity) == 18 * sizeof(Real) && offsetof(Motion<3>, spin) == 24 * sizeof(Real));
   Lanes seconds{};
   for (std::size_t lane = 0; lane < lane_count; ++lane) seconds[static_cast<int>(lane)] = now.seconds_since(bodies[lane]->due);

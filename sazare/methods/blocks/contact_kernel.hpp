@@ -49,10 +49,10 @@ struct Clearance {
   Real gap = 0;   ///< between their nearest spheres [m], negative when they overlap
   Real good = 0;  ///< for so much motion [m]; 0 before the first time
   std::int8_t is_known = 0;
-  std::int8_t is_distant = 0;  ///< too far apart to meet within two base steps, when last evaluated
-  std::int8_t rests = 0;       ///< evaluated at base steps only
-  Index near = 0;              ///< so many of the spheres, the first ones, may touch before it is measured anew
-  Index evaluations = 0;       ///< since it was measured
+  std::int8_t is_distant = 0;    ///< too far apart to meet within two base steps, when last evaluated
+  std::int16_t rests = 0;        ///< evaluated at base steps only; no gap follows, for checkpoints have these records as they lie
+  Index near = 0;                ///< so many of the spheres, the first ones, may touch before it is measured anew
+  std::int64_t evaluations = 0;  ///< since it was measured
   Vector3 apart = Vector3::Zero();
   Matrix3 first = Matrix3::Zero(), second = Matrix3::Zero();
 
@@ -62,6 +62,8 @@ struct Clearance {
            second_reach * (b.rotation - second).norm();
   }
 };
+
+static_assert(sizeof(Clearance) == 25 * sizeof(Real));
 
 /// Forces of a pair, or of two of its spheres. Kernels write it in fours of doubles.
 struct alignas(32) ContactForce {
