@@ -7,6 +7,7 @@
 
 #include "sazare/core/lane_records.hpp"
 #include "sazare/motion/kick.hpp"
+#include "sazare/state/body_lanes.hpp"
 
 namespace sazare::motion {
 
@@ -171,9 +172,7 @@ LaneImpulse load_impulse(std::span<const state::Impulse<3>> given, const Places&
                          const LaneVector& centre, const LongLanes& locked) {
   const auto first = load_row(given, places, begin), last = load_row(given, places, begin + 4);
   const LaneVector linear{{first[0], first[1], first[2]}}, about_pole{{first[3], last[0], last[1]}};
-  LaneImpulse impulse{linear, add_cross(linear, centre, about_pole)};
-  for (int axis = 0; axis < 3; ++axis) impulse.linear[axis] = select((locked >> axis & 1) == 0, linear[axis], Lanes{});
-  return impulse;
+  return {state::without(locked, linear), add_cross(linear, centre, about_pole)};
 }
 
 /// Returns in which lanes a body would be too fast: then none has moved. Numbers of lanes never pass through memory one by one:

@@ -56,13 +56,6 @@ void store_some(const LaneVector& lanes, std::span<Vector3> vectors) {
   std::copy_n(all.begin(), vectors.size(), vectors.begin());
 }
 
-/// Zero along axes that are locked, one in a bit.
-LaneVector without(const LongLanes& locked, const LaneVector& v) {
-  LaneVector left;
-  for (int axis = 0; axis < 3; ++axis) left[axis] = select((locked >> axis & 1) == 0, v[axis], Lanes{});
-  return left;
-}
-
 /// Of as many bodies as there are lanes at most.
 [[gnu::flatten]] void find_some_momenta(const state::Bodies<3>& bodies, std::size_t first,
                                         std::span<const state::Impulse<3>> given, const MotionFound<3>& now) {
@@ -78,10 +71,10 @@ LaneVector without(const LongLanes& locked, const LaneVector& v) {
   const auto lead = load_quad(impulses, 8), last = load_quad(impulses, 12);
   const LaneVector linear{{lead[0], lead[1], lead[2]}}, about_pole{{lead[3], last[0], last[1]}};
   const LaneVector centre = LaneVector{{p[0], p[1], p[2]}} - broadcast(bodies.pole);
-  const LaneVector angular = without(spread_bytes(rotations), add_cross(linear, centre, about_pole));
+  const LaneVector angular = state::without(spread_bytes(rotations), add_cross(linear, centre, about_pole));
   const Lanes inverse_mass = 1.0 / load_quad(inertias, 4)[3];
   const LaneVector velocity{{v[0], v[1], v[2]}}, momentum{{l[1], l[2], l[3]}};
-  store_some(velocity + inverse_mass * without(spread_bytes(translations), linear), now.velocity);
+  store_some(velocity + inverse_mass * state::without(spread_bytes(translations), linear), now.velocity);
   store_some(momentum + angular, now.angular_momentum);
 }
 

@@ -173,8 +173,8 @@ private:
 
   /// Who loses power so early has lost nothing but a beginning; where a partner goes by that checkpoint, it must be on the disk.
   static constexpr observe::Sync sync_of_start() {
-    return requires(Work & work) { work.checkpoint_made(); }
-    ? observe::Sync::disk : observe::Sync::system;
+    constexpr bool has_partner = requires(Work & work) { work.checkpoint_made(); };
+    return has_partner ? observe::Sync::disk : observe::Sync::system;
   }
 
   RunOutcome stopped_before_the_beginning() {

@@ -20,6 +20,13 @@ LanePlaces load_places(const LanePointers<Body>& bodies) {
           {{LaneVector{{n[3], n[4], n[5]}}, LaneVector{{n[6], n[7], n[8]}}, LaneVector{{n[9], n[10], n[11]}}}}};
 }
 
+/// Zero along axes that are locked, one in a bit.
+inline LaneVector without(const LongLanes& locked, const LaneVector& v) {
+  LaneVector left;
+  for (int axis = 0; axis < 3; ++axis) left[axis] = select((locked >> axis & 1) == 0, v[axis], Lanes{});
+  return left;
+}
+
 /// Velocities foreseen of bodies that stand at their own time.
 struct LaneVelocities {
   LaneVector velocity, spin;

@@ -64,7 +64,7 @@ inline void book(std::span<const CauseWork> works, Books& books) {
       add(static_cast<Cause>(cause), cause == 0 ? first[0] : last[cause - 1]);
   }
   for (const CauseWork& work : works)
-    for (std::size_t cause = 0; cause < cause_count; ++cause) add(static_cast<Cause>(cause), Lanes{work[cause]});
+    for (std::size_t cause = 0; cause < cause_count; ++cause) book(static_cast<Cause>(cause), work[cause], books);
 }
 
 /// Bodies that are kicked together; what they gather stays in the first-level cache.

@@ -225,8 +225,7 @@ void Joints::update_rates(Index body, const state::Bodies<3>& bodies) {
 }
 
 /// Of as many joints as there are lanes: elastic energy in the places of a base step, what fracture has taken, and work of the
-/// dashpots after it [J].
-/// Lanes beyond the last joint repeat it.
+/// dashpots after it [J]. Lanes beyond the last joint repeat it.
 [[gnu::flatten]] Joints::LaneEnergies Joints::energies(Index first, const terms::Synchronized<3>& synchronized) const {
   LanePointers<const JointRecord> records;
   LanePointers<const terms::Slot<3, 1>> slots;
