@@ -24,11 +24,17 @@ bool is_large(const std::vector<T>& table) {
   return table.size() * sizeof(T) > std::size_t{1} << 20;
 }
 
-/// Asks for one record.
+/// Asks for a line to come into the second cache: the first one is too small for what comes early. The empty statement is there
+/// because GCC leaves out calls of a function that does nothing but ask.
+inline void ask_early(const char* line) {
+  __builtin_prefetch(line, 0, 2);
+  __asm__ volatile("");
+}
+
+/// Asks for one record, or for what its first bytes lie on.
 template <class T>
-void ask_for(const T& record) {
-  for (std::size_t byte = 0; byte < sizeof(T); byte += line_bytes)
-    __builtin_prefetch(reinterpret_cast<const char*>(&record) + byte);
+void ask_for(const T& record, std::size_t bytes = sizeof(T)) {
+  for (std::size_t byte = 0; byte < bytes; byte += line_bytes) ask_early(reinterpret_cast<const char*>(&record) + byte);
 }
 
 /// Whether the processor by itself reads ahead what stands in a row, far enough and to where it stays. Those with a second cache
@@ -99,9 +105,6 @@ private:
     parts_[count_++] = part;
     lines_ += part.lines;
   }
-
-  /// To the second cache: the first one is too small for what comes this early.
-  static void ask_early(const char* line) { __builtin_prefetch(line, 0, 2); }
 
   std::array<Part, most> parts_;
   std::size_t count_ = 0, now_ = 0, lines_ = 0;

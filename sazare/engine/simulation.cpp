@@ -206,6 +206,7 @@ void Simulation<D>::kick_chunk(std::span<const Index> which) {
     for (const Index body : which) {
       ask_for(bodies_.motion[at(body)]);
       ask_for(bodies_.inertia[at(body)]);
+      ask_for(work_[at(body)]);
     }
   const std::span sums(impulses.data(), which.size());
   for (std::size_t i = 0; i < which.size(); ++i) {

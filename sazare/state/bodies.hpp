@@ -34,6 +34,10 @@ struct alignas(64) Motion {
   Vector<D> velocity_at(const Vector<D>& arm) const { return foreseen_velocity + turned(foreseen_spin, arm); }
 };
 
+/// What forces need of a body, from the first byte of its motion on.
+template <int D>
+inline constexpr std::size_t bytes_for_forces = (2 * D + D * D + angular_dimension<D>)*sizeof(Real);
+
 /// Axes along or about which a body may not move.
 struct Locks {
   std::uint8_t translation = 0;  ///< bit per axis

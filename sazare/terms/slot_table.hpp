@@ -152,11 +152,10 @@ struct SlotTable {
   }
 
   void gather(const Moment& now, std::span<const Index> which, std::span<Impulse<D>> sum, CauseImpulses<D>& parts) const {
-    for (std::size_t i = 0; i < which.size(); ++i) {
-      if (is_large(slots) && i + 2 < which.size())
-        for (const SlotSide side : incidence.of(which[i + 2])) ask_for((*this)[side.slot]);
-      gather_one(now, which[i], i, sum[i], parts);
-    }
+    if (is_large(slots))
+      for (const Index body : which)
+        for (const SlotSide side : incidence.of(body)) ask_for((*this)[side.slot]);
+    for (std::size_t i = 0; i < which.size(); ++i) gather_one(now, which[i], i, sum[i], parts);
   }
 
   /// Work that the parts of a link's force will have done after now: the kicks at now had it in them [J].

@@ -15,6 +15,7 @@ namespace sazare::methods::blocks {
 namespace {
 
 constexpr std::size_t serial_below = 1024;       // a joint takes some 35 ns, waking a thread some microseconds
+constexpr std::size_t batches_ahead = 4;         // memory answers after some 150 ns, a batch takes as long
 constexpr std::size_t loosened_alone_below = 4;  // bodies; the rates of one take some microseconds
 
 std::size_t at(Index index) { return static_cast<std::size_t>(index); }
@@ -109,13 +110,15 @@ void Joints::evaluate(const Moment& now, std::span<const Due> due, const state::
   });
 }
 
-/// Asks for what the joints after the next ones need.
+/// Asks for what as many joints as there are lanes will need, some batches later.
 void Joints::ask_for_some(std::span<const Due> due, const state::Bodies<3>& bodies) const {
-  for (std::size_t n = lane_count; n < std::min(std::size_t{2} * lane_count, due.size()); ++n) {
+  constexpr std::size_t begin = batches_ahead * lane_count, end = begin + lane_count;
+  for (std::size_t n = begin; n < std::min(end, due.size()); ++n) {
     const Index joint = due[n].link;
     ask_for(records_[at(joint)]);
     ask_for(table_[joint]);
-    for (const Index body : {links_[at(joint)].first, links_[at(joint)].second}) ask_for(bodies.motion[at(body)]);
+    for (const Index body : {links_[at(joint)].first, links_[at(joint)].second})
+      ask_for(bodies.motion[at(body)], state::bytes_for_forces<3>);
   }
 }
 
