@@ -6,6 +6,7 @@
 /// order. What only the body's own kick needs follows, and stands apart in `Inertia`.
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <type_traits>
@@ -36,7 +37,7 @@ struct alignas(64) Motion {
 
 /// What forces need of a body, from the first byte of its motion on.
 template <int D>
-inline constexpr std::size_t bytes_for_forces = (2 * D + D * D + angular_dimension<D>)*sizeof(Real);
+inline constexpr std::size_t bytes_for_forces = offsetof(Motion<D>, velocity);
 
 /// Axes along or about which a body may not move.
 struct Locks {
