@@ -110,9 +110,10 @@ function(sazare_few_registers)
   endif()
 endfunction()
 
-# The name of a module without its folder: methods/blocks -> blocks.
+# The name of a module's library: levels/terms -> terms, methods/blocks -> blocks, methods/blocks/run -> blocks_run.
 function(sazare_module_name module result)
-  get_filename_component(name "${module}" NAME)
+  string(REGEX REPLACE "^(methods|levels)/" "" name "${module}")
+  string(REPLACE "/" "_" name "${name}")
   set(${result} "${name}" PARENT_SCOPE)
 endfunction()
 

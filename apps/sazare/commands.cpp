@@ -5,17 +5,15 @@
 #include <cstdio>
 
 #include "sazare/cases/case_file.hpp"
-#include "sazare/cases/schema.hpp"
 #include "sazare/parallel/threads.hpp"
-#include "sazare/runs/folder_page.hpp"
-#include "sazare/runs/run_case.hpp"
+#include "sazare/registry/registry.hpp"
 
 namespace sazare::command {
 
 int check(const CaseArguments& arguments) {
   parallel::set_threads(arguments.threads);
-  const cases::CaseFile file = cases::read_case(arguments.file, arguments.settings);
-  const std::string text = runs::check_case(file);
+  const cases::CaseFile file = registry::read_case(arguments.file, arguments.settings);
+  const std::string text = registry::check_case(file);
   fmt::print("{}", text);
   fmt::print(stderr, "{}", file.warnings);
   fmt::print("\nThe case is sound. To run it: sazare run {}\n", arguments.file.string());
@@ -23,9 +21,9 @@ int check(const CaseArguments& arguments) {
 }
 
 int schema(Schema what) {
-  std::string text = what == Schema::folder ? runs::folder_markdown()
-                     : what == Schema::page ? cases::schema_markdown()
-                                            : cases::schema_json();
+  std::string text = what == Schema::folder ? registry::folder_markdown()
+                     : what == Schema::page ? registry::schema_markdown()
+                                            : registry::schema_json();
   if (!text.ends_with('\n')) text += '\n';
   fmt::print("{}", text);
   return done;

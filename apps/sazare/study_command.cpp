@@ -6,7 +6,7 @@
 #include "apps/sazare/commands.hpp"
 #include "apps/sazare/signals.hpp"
 #include "sazare/parallel/threads.hpp"
-#include "sazare/runs/run_study.hpp"
+#include "sazare/registry/registry.hpp"
 
 namespace sazare::command {
 
@@ -18,7 +18,7 @@ int study(const StudyArguments& arguments) {
   const runs::Begin begin = arguments.resume      ? runs::Begin::resume
                             : arguments.overwrite ? runs::Begin::overwrite
                                                   : runs::Begin::fresh;
-  const runs::StudyOutcome outcome = runs::run_study(study, {folder, begin, arguments.quiet, parallel::threads(), &stop_asked});
+  const runs::StudyOutcome outcome = registry::run_study(study, {folder, begin, arguments.quiet, parallel::threads(), &stop_asked});
   if (outcome.done < outcome.cases) {
     fmt::print(stderr, "stopped after {} of {} cases. To go on:\n  sazare study {} --out {} --resume\n", outcome.done,
                outcome.cases, arguments.file.string(), folder.string());

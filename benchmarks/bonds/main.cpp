@@ -13,7 +13,7 @@
 #include <string>
 
 #include "benchmarks/memory.hpp"
-#include "sazare/engine/sphere_stepper.hpp"
+#include "sazare/methods/spheres/stepper/stepper.hpp"
 #include "sazare/parallel/threads.hpp"
 
 namespace {
@@ -68,7 +68,7 @@ int main(int count, char** arguments) {
   methods::spheres::ContactTable table(laws::ContactModel::hertz, 1);
   const laws::GrainElasticity grain{1e8, 0.3};
   table.set(0, 0, laws::hertz_constants(grain, grain, 0.7, {0.5}));
-  engine::SphereStepper stepper(std::move(spheres), table, {}, {step, Vector3::Zero(), 0.1 * spacing, radius},
+  methods::spheres::SphereStepper stepper(std::move(spheres), table, {}, {step, Vector3::Zero(), 0.1 * spacing, radius},
                                 methods::spheres::Bonds(std::move(bonds), {{strength, strength, 0, 1}}));
   stepper.start();
   for (int k = 0; k < warm_up; ++k) stepper.advance();

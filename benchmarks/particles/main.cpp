@@ -10,9 +10,9 @@
 #include <cstdlib>
 #include <memory>
 
-#include "sazare/engine/uniform_stepper.hpp"
 #include "sazare/methods/mps/elastic_forces.hpp"
 #include "sazare/parallel/threads.hpp"
+#include "sazare/particles/uniform_stepper.hpp"
 
 namespace {
 
@@ -20,7 +20,7 @@ using namespace sazare;
 using methods::mps::Site;
 
 template <int D>
-engine::UniformStepper<D> body(int across, int high) {
+particles::UniformStepper<D> body(int across, int high) {
   std::vector<Site<D>> sites;
   const int deep = D == 3 ? across : 1;
   for (int a = 0; a < across; ++a)
@@ -45,8 +45,8 @@ engine::UniformStepper<D> body(int across, int high) {
   }
   auto forces = std::make_unique<methods::mps::ElasticForces<D>>(methods::mps::make_links<D>(sites, 1, 1.5),
                                                                  methods::mps::RotationRemoval::mean_rotation);
-  return {std::move(particles), std::move(forces), terms::ParticleSupports<D>{},
-          engine::UniformRules{1e-3, engine::Integrator::verlet, laws::RayleighDamping::make(1, 15)}};
+  return {std::move(particles), std::move(forces), particles::ParticleSupports<D>{},
+          particles::UniformRules{1e-3, particles::Integrator::verlet, laws::RayleighDamping::make(1, 15)}};
 }
 
 template <int D>

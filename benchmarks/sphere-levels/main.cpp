@@ -11,7 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "sazare/engine/sphere_stepper.hpp"
+#include "sazare/methods/spheres/stepper/stepper.hpp"
 #include "sazare/parallel/threads.hpp"
 
 namespace {
@@ -48,13 +48,13 @@ struct Bed {
 
 struct Result {
   Real seconds = 0, height = 0, residual = 0;
-  engine::SphereLevels::Counts counts;
+  methods::spheres::SphereLevels::Counts counts;
 };
 
 Result walk(const Bed& bed, Real step, bool levels, int steps) {
   methods::spheres::ContactTable table(laws::ContactModel::hertz, 1);
   table.set(0, 0, laws::hertz_constants(grain, grain, 0.7, {0.5}));
-  engine::SphereStepper stepper(
+  methods::spheres::SphereStepper stepper(
       bed.spheres, table, {{}},
       {step, Vector3(0, 0, -9.81), 0.5 * small, small, levels ? bed.level : std::vector<std::int8_t>{}});
   const double began = parallel::processor_seconds();

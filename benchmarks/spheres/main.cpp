@@ -15,7 +15,7 @@
 
 #include "benchmarks/memory.hpp"
 #include "sazare/core/large_tables.hpp"
-#include "sazare/engine/sphere_stepper.hpp"
+#include "sazare/methods/spheres/stepper/stepper.hpp"
 #include "sazare/parallel/threads.hpp"
 
 namespace {
@@ -69,7 +69,7 @@ int main(int count, char** arguments) {
   methods::spheres::ContactTable table(laws::ContactModel::hertz, 1);
   const laws::GrainElasticity grain{1e8, 0.3};
   table.set(0, 0, laws::hertz_constants(grain, grain, 0.7, {0.5}));
-  engine::SphereStepper stepper(std::move(start), table, {{}}, {step, Vector3(0, 0, -9.81), 0.1 * 2 * radius, radius});
+  methods::spheres::SphereStepper stepper(std::move(start), table, {{}}, {step, Vector3(0, 0, -9.81), 0.1 * 2 * radius, radius});
   stepper.start();
   for (int k = 0; k < steps / 2; ++k) stepper.advance();
   const auto began = std::chrono::steady_clock::now();

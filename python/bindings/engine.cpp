@@ -9,12 +9,12 @@
 #include <nanobind/stl/vector.h>
 
 #include "python/bindings/live_simulation.hpp"
-#include "sazare/cases/outside_histories.hpp"
-#include "sazare/cases/resolved.hpp"
-#include "sazare/cases/schema.hpp"
+#include "sazare/cases/case_file.hpp"
+#include "sazare/cases/format/schema.hpp"
 #include "sazare/core/error.hpp"
 #include "sazare/core/version.hpp"
-#include "sazare/runs/run_case.hpp"
+#include "sazare/methods/blocks/case/format.hpp"
+#include "sazare/registry/registry.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -37,7 +37,7 @@ Rows rows(nb::handle_t<LiveSimulation> self) {
 /// Names of the histories that the case leaves to its caller, each with the time at which its own is 0 [s].
 std::vector<std::pair<std::string, double>> functions(const LiveSimulation& self) {
   std::vector<std::pair<std::string, double>> found;
-  for (const cases::OutsideHistory& history : cases::outside_histories(self.file()))
+  for (const cases::OutsideHistory& history : self.file().histories)
     found.emplace_back(history.name, history.begin);
   return found;
 }
@@ -49,13 +49,12 @@ void apply(LiveSimulation& self, const Rows& forces) {
 }
 
 std::string resolved(const CaseSource& source) {
-  const cases::CaseFile file = source.read();
-  return std::visit([](const auto& content) { return cases::write_resolved(content); }, file.content);
+  return registry::write_resolved(source.read());
 }
 
 std::string check(const CaseSource& source) {
   const cases::CaseFile file = source.read();
-  return runs::check_case(file) + file.warnings;
+  return registry::check_case(file) + file.warnings;
 }
 
 void add_errors(nb::module_& module) {
@@ -107,7 +106,7 @@ NB_MODULE(_engine, module) {
   add_simulation(module);
   module.def("resolved", &resolved, "source"_a, ReleaseLock(), "The case as TOML with every key and default written out.");
   module.def("check", &check, "source"_a, ReleaseLock(), "What the case will do, in words.");
-  module.def("schema_json", &cases::schema_json, "The schema of the case file, as JSON.");
+  module.def("schema_json", &registry::schema_json, "The schema of the case file, as JSON.");
 }
 
 }  // namespace sazare::python

@@ -3,10 +3,10 @@
 #include <chrono>
 #include <stdexcept>
 
-#include "sazare/cases/outside_histories.hpp"
+#include "sazare/cases/case_file.hpp"
 #include "sazare/core/error.hpp"
 #include "sazare/parallel/threads.hpp"
-#include "sazare/runs/run_case.hpp"
+#include "sazare/registry/registry.hpp"
 
 namespace sazare::python {
 
@@ -29,7 +29,7 @@ cases::CaseFile read(const CaseSource& source, int threads) {
 }  // namespace
 
 cases::CaseFile CaseSource::read() const {
-  return text ? cases::read_case_text(*text, path, overrides) : cases::read_case(path, overrides);
+  return text ? registry::read_case_text(*text, path, overrides) : registry::read_case(path, overrides);
 }
 
 /// Only one thread of Python at a time may work with a simulation; the engine runs without Python's lock.
@@ -48,7 +48,7 @@ private:
 
 LiveSimulation::LiveSimulation(const CaseSource& source, const std::filesystem::path& folder, const std::string& begin,
                                int threads)
-    : file_(read(source, threads)), run_(runs::open_case(file_, {folder, begin_named(begin), true})), began_(nanoseconds()) {
+    : file_(read(source, threads)), run_(registry::open_case(file_, {folder, begin_named(begin), true})), began_(nanoseconds()) {
   status_.title = run_->title();
   status_.words = run_->words();
   status_.end = run_->clocks().end;
@@ -87,7 +87,7 @@ void LiveSimulation::walk(std::int64_t until, double seconds) {
 
 void LiveSimulation::add_samples(const std::string& name, double step, const std::vector<double>& values) {
   const Turn turn(at_work_);
-  for (const cases::OutsideHistory& history : cases::outside_histories(file_))
+  for (const cases::OutsideHistory& history : file_.histories)
     if (history.name == name) history.add(step, values);
 }
 

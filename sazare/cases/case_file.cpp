@@ -1,21 +1,19 @@
 #include "sazare/cases/case_file.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <sstream>
 #include <system_error>
 #include <utility>
 
-#include <fmt/format.h>
-
-#include "sazare/cases/case_text.hpp"
+#include "sazare/cases/case_format.hpp"
 #include "sazare/cases/checks.hpp"
-#include "sazare/cases/fem_fields.hpp"
-#include "sazare/cases/field_reader.hpp"
-#include "sazare/cases/hybrid_fields.hpp"
-#include "sazare/cases/rectangles_fields.hpp"
-#include "sazare/cases/spheres_fields.hpp"
-#include "sazare/cases/structure_check.hpp"
+#include "sazare/cases/format/case_text.hpp"
+#include "sazare/cases/format/structure_check.hpp"
+#include "sazare/cases/method_choice.hpp"
 #include "sazare/core/error.hpp"
 
 namespace sazare::cases {
@@ -39,88 +37,6 @@ std::string read_text(const fs::path& path) {
   return text.str();
 }
 
-/// Fills a case from the document; the visitor of `visit_tables`.
-class CaseReader {
-public:
-  CaseReader(const Value& root, std::span<const Table> schema, const fs::path& folder)
-      : root_(root), schema_(schema), folder_(folder) {}
-
-  template <class Case>
-  Case read() {
-    Case result;
-    const Entry head = entries_of("case").front();
-    FieldReader(head, folder_)("title", result.title);
-    visit_tables(*this, result);
-    return result;
-  }
-
-  template <class Item>
-  void one(std::string_view table, Item& item) {
-    const Entry entry = entries_of(table).front();
-    FieldReader reader(entry, folder_);
-    visit_fields(reader, item);
-  }
-
-  template <class Item>
-  void list(std::string_view table, std::vector<Item>& items) {
-    for (const Entry& entry : entries_of(table)) {
-      FieldReader reader(entry, folder_);
-      visit_fields(reader, items.emplace_back());
-    }
-  }
-
-private:
-  std::vector<Entry> entries_of(std::string_view table) const { return entries(root_, *find_table(schema_, table)); }
-
-  const Value& root_;
-  std::span<const Table> schema_;
-  const fs::path& folder_;
-};
-
-void check_meaning(const CheckContext& context, BlocksCase& blocks) {
-  check_mesh_file(context, blocks.mesh);
-  check_names(context, blocks);
-  check_joints(context, blocks);
-  check_contact(context);
-  check_blasts(context, blocks);
-  check_constraints(context, blocks);
-  resolve_clocks(context, blocks.time);
-}
-
-void check_meaning(const CheckContext& context, MpsCase& mps) {
-  check_mps(context, mps);
-  resolve_clocks(context, mps.time);
-}
-
-void check_meaning(const CheckContext& context, RectanglesCase& rectangles) {
-  check_rectangles(context, rectangles);
-  resolve_clocks(context, rectangles.time);
-}
-
-void check_meaning(const CheckContext& context, SpheresCase& spheres) {
-  check_spheres(context, spheres);
-  resolve_clocks(context, spheres.time);
-}
-
-void check_meaning(const CheckContext& context, FemCase& fem) {
-  check_fem(context, fem);
-  resolve_clocks(context, fem.time);
-}
-
-template <class Case>
-MethodCase read_method(const CheckContext& context, const fs::path& folder) {
-  Case result = CaseReader(context.root, context.schema, folder).read<Case>();
-  check_meaning(context, result);
-  if (result.time.strict) context.problems.turn_warnings_into_errors();
-  return result;
-}
-
-MethodCase read_hybrid(const CheckContext& context, const fs::path& folder, std::span<const std::string> overrides) {
-  HybridCase result = CaseReader(context.root, context.schema, folder).read<HybridCase>();
-  check_hybrid(context, result, overrides);
-  return result;
-}
-
 /// Whether a setting is one of a side's case.
 bool is_of_side(const std::string& setting) { return setting.starts_with("continuum.") || setting.starts_with("bodies."); }
 
@@ -129,6 +45,19 @@ std::string method_name(const Value& root) {
   const Value* head = root.find("case");
   const Value* method = head == nullptr || !head->is_table() ? nullptr : head->find("method");
   return method == nullptr || method->text() == nullptr ? "" : *method->text();
+}
+
+/// The format of a method; the first one where there is no such method, which the check of the structure reports.
+const CaseFormat& format_of(CaseFormats formats, std::string_view method) {
+  const auto found = std::ranges::find(formats, method, &CaseFormat::method);
+  return found == formats.end() ? formats.front() : *found;
+}
+
+/// Those of all methods, where it is not known yet which one it is.
+std::vector<Table> all_tables(CaseFormats formats) {
+  std::vector<Table> all;
+  for (const CaseFormat& format : formats) all.insert(all.end(), format.tables.begin(), format.tables.end());
+  return all;
 }
 
 /// The place of "joints.0.cohesion", or of as much of it as the file gives.
@@ -154,48 +83,53 @@ Place find_place(const Value& root, std::string_view key) {
 
 std::vector<Entry> CheckContext::entries_of(std::string_view table) const { return entries(root, *find_table(schema, table)); }
 
-CaseFile read_case(const fs::path& path, std::span<const std::string> overrides, const std::string& side) {
-  return read_case_text(read_text(path), path, overrides, side);
+CaseFile read_case(CaseFormats formats, const fs::path& path, std::span<const std::string> overrides, const std::string& side) {
+  return read_case_text(formats, read_text(path), path, overrides, side);
 }
 
-CaseFile read_case_text(const std::string& content, const fs::path& path, std::span<const std::string> overrides,
-                        const std::string& side) {
+CaseFile read_case_text(CaseFormats formats, const std::string& content, const fs::path& path,
+                        std::span<const std::string> overrides, const std::string& side) {
   auto text = std::make_shared<CaseText>();
   Problems& problems = text->problems;
   const int source = problems.add_source(source_from_text(path.string(), content));
-  auto root = parse_document(content, source, problems);
+  auto root = parse_document(content, source, problems, all_tables(formats));
   problems.throw_if_errors();
   text->root = std::move(*root);
-  const bool has_sides = method_name(text->root) == "hybrid";
+  const bool has_sides = format_of(formats, method_name(text->root)).has_sides;
   for (const std::string& setting : overrides)
     if (!has_sides || !is_of_side(setting)) apply_override(text->root, setting, problems, side);
-  const std::string method = method_name(text->root);
-  const std::span<const Table> schema = schema_of(method);
-  check_structure(text->root, schema, problems);
+  const CaseFormat& format = format_of(formats, method_name(text->root));
+  check_structure(text->root, TablesWithChoice(formats, format.tables).tables(), problems);
 
-  const fs::path folder = fs::absolute(path).parent_path();
-  const CheckContext context{text->root, schema, path.parent_path(), problems};
-  MethodCase checked = method == "mps"          ? read_method<MpsCase>(context, folder)
-                       : method == "rectangles" ? read_method<RectanglesCase>(context, folder)
-                       : method == "spheres"    ? read_method<SpheresCase>(context, folder)
-                       : method == "fem"        ? read_method<FemCase>(context, folder)
-                       : method == "hybrid"     ? read_hybrid(context, folder, overrides)
-                                                : read_method<BlocksCase>(context, folder);
+  const ReadSide read_side = [formats](const fs::path& of, std::span<const std::string> own, const std::string& key) {
+    return read_case(formats, of, own, key);
+  };
+  CaseFile file{{path, text}, std::string(format.method), {}, ""};
+  format.read({text->root, format.tables, path.parent_path(), problems, fs::absolute(path).parent_path(), overrides, read_side},
+              file);
   problems.throw_if_errors();
-  return {path, std::move(checked), problems.warning_text(), text};
+  file.warnings = problems.warning_text();
+  return file;
 }
 
-std::string warning(const CaseFile& file, const std::string& key, std::string what, std::string help) {
+std::string warning(const CaseSource& source, const std::string& key, std::string what, std::string help) {
   Problems problems;
-  for (int i = 0; i < file.text->problems.source_count(); ++i) problems.add_source(file.text->problems.source(i));
-  problems.warning(find_place(file.text->root, key), std::move(what), std::move(help));
+  for (int i = 0; i < source.text->problems.source_count(); ++i) problems.add_source(source.text->problems.source(i));
+  problems.warning(find_place(source.text->root, key), std::move(what), std::move(help));
   return problems.warning_text();
 }
 
-void refuse(const CaseFile& file, const std::string& key, std::string what, std::string help) {
-  Problems problems = file.text->problems;
-  problems.error(find_place(file.text->root, key), std::move(what), std::move(help));
+void refuse(const CaseSource& source, const std::string& key, std::string what, std::string help) {
+  Problems problems = source.text->problems;
+  problems.error(find_place(source.text->root, key), std::move(what), std::move(help));
   throw UserError(problems.error_text());
+}
+
+void refuse_outside_histories(const CaseFile& file) {
+  for (const OutsideHistory& history : file.histories)
+    refuse(file, history.key,
+           fmt::format("the {} \"{}\" is a function, which a case file cannot hold", history.what, history.name),
+           fmt::format("run the case from Python with functions={{\"{}\": ...}}, or give a table", history.name));
 }
 
 }  // namespace sazare::cases

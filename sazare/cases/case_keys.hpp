@@ -2,23 +2,15 @@
 
 #include <array>
 
-#include "sazare/cases/schema.hpp"
+#include "sazare/cases/format/schema.hpp"
 
 /// Keys and tables that the methods share.
 namespace sazare::cases {
 
-inline constexpr std::array<std::string_view, 6> method_names{"blocks", "mps", "rectangles", "spheres", "fem", "hybrid"};
-
+/// The choices of `method` are put in where the list of all methods is known (method_choice.hpp).
 inline constexpr std::array case_keys{
     Key{.name = "title", .type = Type::text, .need = Need::required, .sentence = "What the case is called in reports."},
-    Key{.name = "method",
-        .type = Type::choice,
-        .need = Need::required,
-        .sentence =
-            "How the body is modelled: blocks are bonded tetrahedra that can break apart, mps are moving particles of an "
-            "elastic ground in an earthquake, rectangles are blocks and beams of squares in the plane, spheres are "
-            "grains that touch, fem are finite elements, hybrid is a case of finite elements and one of bodies that touch it.",
-        .choices = method_names},
+    Key{.name = "method", .type = Type::text, .need = Need::required, .sentence = "How the body is modelled."},
 };
 
 inline constexpr std::array<std::string_view, 4> motion_shapes{"ricker", "sine", "record", "function"};

@@ -1,21 +1,24 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "sazare/cases/blocks_case.hpp"
-#include "sazare/cases/case_text.hpp"
-#include "sazare/cases/fem_case.hpp"
-#include "sazare/cases/hybrid_case.hpp"
-#include "sazare/cases/rectangles_case.hpp"
-#include "sazare/cases/spheres_case.hpp"
+#include "sazare/cases/case_file.hpp"
+#include "sazare/cases/format/case_text.hpp"
+#include "sazare/cases/tables.hpp"
 
 /// What can be found wrong from the text of a case alone, after types and ranges: each function reports what
 /// it finds.
 namespace sazare::cases {
+
+/// Reads another case that this one names, with its own overrides; `side` as for read_case.
+using ReadSide =
+    std::function<CaseFile(const std::filesystem::path& path, std::span<const std::string> overrides, const std::string& side)>;
 
 /// What the checks look at: the document for places and for what was given, the case for values.
 struct CheckContext {
@@ -23,25 +26,27 @@ struct CheckContext {
   std::span<const Table> schema;
   std::filesystem::path shown_folder;  // the case file's folder as the user typed it, for messages
   Problems& problems;
+  std::filesystem::path folder = {};            // the same as it can be opened from anywhere
+  std::span<const std::string> overrides = {};  // of the command line
+  ReadSide read_side = {};
 
   std::vector<Entry> entries_of(std::string_view table) const;
 };
 
 void check_mesh_file(const CheckContext& context, const Mesh& mesh);
-void check_names(const CheckContext& context, const BlocksCase& blocks);
-void check_joints(const CheckContext& context, const BlocksCase& blocks);
-void check_contact(const CheckContext& context);
-void check_constraints(const CheckContext& context, const BlocksCase& blocks);
 
-/// Checks the blasts and reads their pressure tables.
-void check_blasts(const CheckContext& context, BlocksCase& blocks);
+/// The clocks of a case, by whatever method.
+struct Clocks {
+  Real end;  // s
+  std::string_view step_key;
+  std::optional<Real> step;  // s
+  Real& history_interval;    // s
+  Real& snapshot_interval;   // s
+};
 
 /// Checks that the clocks nest, and fills in the intervals that are not given.
-void resolve_clocks(const CheckContext& context, Time& time);
+void resolve_clocks(const CheckContext& context, const Clocks& clocks);
 void resolve_clocks(const CheckContext& context, UniformTime& time);
-
-/// All checks of a case of method mps after types and ranges; reads its records.
-void check_mps(const CheckContext& context, MpsCase& mps);
 
 /// Checks motions and reads their records.
 void check_motions(const CheckContext& context, std::vector<Motion>& motions);
@@ -64,18 +69,6 @@ struct StrengthNumbers {
 
 /// That they go together; nothing where the friction angle is missing.
 void check_strength(const CheckContext& context, const Entry& entry, const StrengthNumbers& strength);
-
-/// All checks of a case of method rectangles after types and ranges; reads its records and images.
-void check_rectangles(const CheckContext& context, RectanglesCase& rectangles);
-
-/// All checks of a case of method spheres after types and ranges.
-void check_spheres(const CheckContext& context, SpheresCase& spheres);
-
-/// All checks of a case of method fem after types and ranges; reads its records.
-void check_fem(const CheckContext& context, FemCase& fem);
-
-/// All checks of a case of method hybrid after types and ranges; reads the cases of its two sides with their overrides.
-void check_hybrid(const CheckContext& context, HybridCase& hybrid, std::span<const std::string> overrides);
 
 /// Reports keys that are missing, and those that do not belong to what was chosen.
 void check_keys(const CheckContext& context, const Entry& entry, const std::string& chosen,

@@ -1,27 +1,18 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
-#include <fmt/format.h>
-
 #include "sazare/cases/checks.hpp"
 #include "sazare/cases/clocks.hpp"
-#include "sazare/cases/number_text.hpp"
+#include "sazare/cases/format/number_text.hpp"
 
 namespace sazare::cases {
 namespace {
 
 constexpr std::int64_t usual_history_rows = 200;
 constexpr std::int64_t usual_snapshots = 20;
-
-/// The clocks of a case, by whatever method.
-struct Clocks {
-  Real end;  // s
-  std::string_view step_key;
-  std::optional<Real> step;  // s
-  Real& history_interval;    // s
-  Real& snapshot_interval;   // s
-};
 
 /// From the longest clock to the shortest: end, snapshot_interval, history_interval, step.
 class ClockCheck {
@@ -123,27 +114,13 @@ private:
 
 }  // namespace
 
-void resolve_clocks(const CheckContext& context, Time& time) {
+void resolve_clocks(const CheckContext& context, const Clocks& clocks) {
   const Entry entry = context.entries_of("time").front();
-  if (!entry.gives("end")) return;
-  if (time.limiter != Limiter::stability && entry.is_sound("limiter") && !entry.has("base_step"))
-    context.problems.error(entry.place("limiter"),
-                           fmt::format("limiter \"{}\" needs base_step", time.limiter == Limiter::travel ? "travel" : "none"),
-                           "add base_step = ... (a number in s, greater than 0): the largest step");
-  ClockCheck(context, entry, {time.end, "base_step", time.base_step, time.history_interval, time.snapshot_interval}).run();
+  if (entry.gives("end")) ClockCheck(context, entry, clocks).run();
 }
 
-namespace {
-
-template <class StepTime>
-void resolve_step_clocks(const CheckContext& context, StepTime& time) {
-  const Entry entry = context.entries_of("time").front();
-  if (!entry.gives("end")) return;
-  ClockCheck(context, entry, {time.end, "step", time.step, time.history_interval, time.snapshot_interval}).run();
+void resolve_clocks(const CheckContext& context, UniformTime& time) {
+  resolve_clocks(context, {time.end, "step", time.step, time.history_interval, time.snapshot_interval});
 }
-
-}  // namespace
-
-void resolve_clocks(const CheckContext& context, UniformTime& time) { resolve_step_clocks(context, time); }
 
 }  // namespace sazare::cases

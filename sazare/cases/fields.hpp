@@ -3,37 +3,82 @@
 #include <array>
 #include <string_view>
 
-#include "sazare/cases/blocks_case.hpp"
+#include "sazare/cases/format/enum_words.hpp"
+#include "sazare/cases/tables.hpp"
 
-/// Which member of a case belongs to which key: written once, used by the reader and by the writer of
-/// resolved cases.
+/// Which member of a table belongs to which key: written once, used by the reader and by the writer of
+/// resolved cases. The tables of a method have theirs in the method's own fields.hpp, which ends with
+/// visit_tables(visitor, case): visit.one(table, member) for [table], visit.list(table, members) for [[table]].
 ///
 /// A visitor is called as visit(key, member) and answers visit.has(key, member's own answer): the reader says
 /// whether the file gives the key, the writer whether the case holds it.
 namespace sazare::cases {
 
-template <class Enum>
-struct EnumWords;
-
 template <>
-struct EnumWords<DampingCap> {
-  static constexpr std::array<std::string_view, 3> words{"literal", "critical", "step"};
+struct EnumWords<MotionShape> {
+  static constexpr std::array<std::string_view, 4> words{"ricker", "sine", "record", "function"};
 };
 
 template <>
-struct EnumWords<Levels> {
-  static constexpr std::array<std::string_view, 2> words{"per_element", "uniform"};
+struct EnumWords<laws::MotionQuantity> {
+  static constexpr std::array<std::string_view, 3> words{"displacement", "velocity", "acceleration"};
 };
 
 template <>
-struct EnumWords<Limiter> {
-  static constexpr std::array<std::string_view, 3> words{"stability", "travel", "none"};
+struct EnumWords<Baseline> {
+  static constexpr std::array<std::string_view, 3> words{"none", "constant", "linear"};
 };
 
 template <>
-struct EnumWords<BoundaryKind> {
-  static constexpr std::array<std::string_view, 3> words{"fixed", "frictionless", "absorbing"};
+struct EnumWords<Integrator> {
+  static constexpr std::array<std::string_view, 3> words{"verlet", "leapfrog", "euler"};
 };
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Damping& damping) {
+  if (visit.has("f1", damping.f1 > 0)) visit("f1", damping.f1);
+  if (visit.has("f2", damping.f2 > 0)) visit("f2", damping.f2);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Motion& motion) {
+  visit("name", motion.name);
+  visit("type", motion.type);
+  visit("amplitude", motion.amplitude);
+  if (motion.type == MotionShape::record) {
+    visit("file", motion.file);
+    visit("baseline", motion.baseline);
+    return;
+  }
+  visit("quantity", motion.quantity);
+  if (motion.type == MotionShape::function) return;
+  visit("frequency", motion.frequency);
+  if (motion.type == MotionShape::ricker)
+    visit("peak_time", motion.peak_time);
+  else
+    visit("cycles", motion.cycles);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, UniformTime& time) {
+  visit("end", time.end);
+  visit("step", time.step);
+  visit("stability_fraction", time.stability_fraction);
+  visit("integrator", time.integrator);
+  visit("history_interval", time.history_interval);
+  visit("snapshot_interval", time.snapshot_interval);
+  visit("strict", time.strict);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, LeapfrogTime& time) {
+  visit("end", time.end);
+  visit("step", time.step);
+  visit("stability_fraction", time.stability_fraction);
+  visit("history_interval", time.history_interval);
+  visit("snapshot_interval", time.snapshot_interval);
+  visit("strict", time.strict);
+}
 
 template <class Visitor>
 void visit_fields(Visitor& visit, Mesh& mesh) {
@@ -45,86 +90,8 @@ void visit_fields(Visitor& visit, Mesh& mesh) {
 }
 
 template <class Visitor>
-void visit_fields(Visitor& visit, Material& material) {
-  visit("name", material.name);
-  visit("regions", material.regions);
-  visit("density", material.density);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Joint& joint) {
-  visit("name", joint.name);
-  if (visit.has("surface", joint.on_surface()))
-    visit("surface", joint.surface);
-  else
-    visit("between", joint.between);
-  visit("bonded", joint.bonded);
-  if (!joint.bonded) return;
-  visit("normal_stiffness", joint.normal_stiffness);
-  visit("shear_stiffness", joint.shear_stiffness);
-  visit("normal_damping", joint.normal_damping);
-  visit("shear_damping", joint.shear_damping);
-  visit("cohesion", joint.cohesion);
-  visit.friction(joint.friction_coefficient);
-  visit("tensile_strength", joint.tensile_strength);
-  visit("fracture_energy", joint.fracture_energy);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Contact& contact) {
-  visit("normal_stiffness", contact.normal_stiffness);
-  visit("normal_damping", contact.normal_damping);
-  visit.friction(contact.friction_coefficient);
-  visit("damping_cap", contact.damping_cap);
-  visit("edge_division", contact.edge_division);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Blast& blast) {
-  visit("surface", blast.surface);
-  if (visit.has("name", true))
-    visit("name", blast.name);
-  else
-    blast.name = blast.surface;
-  visit("delay", blast.delay);
-  if (visit.has("table", std::holds_alternative<PressureTable>(blast.pressure))) {
-    if (!std::holds_alternative<PressureTable>(blast.pressure)) blast.pressure = PressureTable{};
-    visit("table", std::get<PressureTable>(blast.pressure).file);
-  } else if (bool is_function = std::holds_alternative<PressureFunction>(blast.pressure); visit.has("function", is_function)) {
-    visit("function", is_function);
-    if (is_function && !std::holds_alternative<PressureFunction>(blast.pressure)) blast.pressure = PressureFunction{};
-  }
-  if (std::holds_alternative<PressurePulse>(blast.pressure)) {
-    auto& pulse = std::get<PressurePulse>(blast.pressure);
-    visit("peak_pressure", pulse.peak_pressure);
-    visit("rise_time", pulse.rise_time);
-    visit("decay_ratio", pulse.decay_ratio);
-  }
-  visit("cut_distance", blast.cut_distance);
-}
-
-template <class Visitor>
 void visit_fields(Visitor& visit, Gravity& gravity) {
   visit("acceleration", gravity.acceleration);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Boundary& boundary) {
-  visit("surface", boundary.surface);
-  visit("kind", boundary.kind);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, Constraint& constraint) {
-  visit("regions", constraint.regions);
-  visit("translation", constraint.translation);
-  visit("rotation", constraint.rotation);
-}
-
-template <class Visitor>
-void visit_fields(Visitor& visit, InitialVelocity& velocity) {
-  visit("regions", velocity.regions);
-  visit("velocity", velocity.velocity);
 }
 
 template <class Visitor>
@@ -134,39 +101,8 @@ void visit_fields(Visitor& visit, Gauge& gauge) {
 }
 
 template <class Visitor>
-void visit_fields(Visitor& visit, Time& time) {
-  visit("end", time.end);
-  visit("levels", time.levels);
-  visit("limiter", time.limiter);
-  visit("base_step", time.base_step);
-  visit("stability_fraction", time.stability_fraction);
-  visit("travel_length", time.travel_length);
-  visit("neighbor_levels", time.neighbor_levels);
-  visit("history_interval", time.history_interval);
-  visit("snapshot_interval", time.snapshot_interval);
-  visit("strict", time.strict);
-}
-
-template <class Visitor>
 void visit_fields(Visitor& visit, Output& output) {
   visit("checkpoint_interval", output.checkpoint_interval);
-}
-
-/// All tables of a case: visit.one(table, member) for [table], visit.list(table, members) for [[table]].
-template <class Visitor>
-void visit_tables(Visitor& visit, BlocksCase& blocks) {
-  visit.one("mesh", blocks.mesh);
-  visit.list("materials", blocks.materials);
-  visit.list("joints", blocks.joints);
-  visit.one("contact", blocks.contact);
-  visit.list("blasts", blocks.blasts);
-  visit.one("gravity", blocks.gravity);
-  visit.list("boundaries", blocks.boundaries);
-  visit.list("constraints", blocks.constraints);
-  visit.list("initial_velocities", blocks.initial_velocities);
-  visit.list("gauges", blocks.gauges);
-  visit.one("time", blocks.time);
-  visit.one("output", blocks.output);
 }
 
 }  // namespace sazare::cases

@@ -1,14 +1,14 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
-
 #include "sazare/cases/checks.hpp"
+#include "sazare/cases/format/number_text.hpp"
+#include "sazare/cases/format/structure_check.hpp"
+#include "sazare/cases/format/suggest.hpp"
 #include "sazare/cases/motion_file.hpp"
-#include "sazare/cases/number_text.hpp"
-#include "sazare/cases/structure_check.hpp"
-#include "sazare/cases/suggest.hpp"
 
 namespace sazare::cases {
 

@@ -1,5 +1,7 @@
 #include "sazare/cases/motion_file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -9,9 +11,7 @@
 #include <regex>
 #include <sstream>
 
-#include <fmt/format.h>
-
-#include "sazare/cases/number_text.hpp"
+#include "sazare/cases/format/number_text.hpp"
 
 namespace sazare::cases {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "sazare/cases/mps_case.hpp"
-#include "sazare/cases/problems.hpp"
+#include "sazare/cases/format/problems.hpp"
+#include "sazare/cases/tables.hpp"
 
 namespace sazare::cases {
 

@@ -1,11 +1,13 @@
-#include <cmath>
-#include <vector>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "sazare/cases/case_keys.hpp"
-#include "sazare/cases/structure_check.hpp"
+#include <cmath>
+#include <vector>
+
+#include "sazare/cases/case_format.hpp"
+#include "sazare/cases/format/structure_check.hpp"
+#include "sazare/cases/method_choice.hpp"
+#include "sazare/cases/study_file.hpp"
 
 namespace sazare::cases {
 namespace {
@@ -140,10 +142,10 @@ std::string markdown_range(const Key& key) {
   return key.range.infinite ? range + ", or inf" : range;
 }
 
-Json method_json(std::string_view method) {
+Json method_json(std::string_view method, std::span<const Table> tables) {
   Json properties = Json::object();
   std::vector<std::string_view> required;
-  for (const Table& table : schema_of(method)) {
+  for (const Table& table : tables) {
     properties[std::string(table.name)] = table_json(table);
     if (table.need == Need::required) required.push_back(table.name);
   }
@@ -168,19 +170,21 @@ void append_table(std::string& out, const Table& table) {
 
 }  // namespace
 
-std::string schema_json() {
+std::string schema_json(CaseFormats formats) {
   Json alternatives = Json::array();
-  for (const std::string_view method : method_names) alternatives.push_back(method_json(method));
+  for (const CaseFormat& format : formats)
+    alternatives.push_back(method_json(format.method, TablesWithChoice(formats, format.tables).tables()));
   const Json json{
       {"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "Sazare case"}, {"oneOf", std::move(alternatives)}};
   return json.dump(2) + "\n";
 }
 
-std::string schema_markdown() {
+std::string schema_markdown(CaseFormats formats) {
   std::string out = page_head;
-  for (const std::string_view method : method_names) {
-    out += fmt::format("\n# Method `{}`\n", method);
-    for (const Table& table : schema_of(method)) append_table(out, table);
+  for (const CaseFormat& format : formats) {
+    out += fmt::format("\n# Method `{}`\n", format.method);
+    const TablesWithChoice with_choice(formats, format.tables);
+    for (const Table& table : with_choice.tables()) append_table(out, table);
   }
   out += "\n# Study files\n\nFamilies of cases for `sazare study`: every combination of the parameters, for every family.\n";
   for (const Table& table : study_schema()) append_table(out, table);

@@ -1,14 +1,14 @@
 #include "sazare/cases/study_file.hpp"
 
+#include <fmt/format.h>
+
 #include <fstream>
 #include <sstream>
 
-#include <fmt/format.h>
-
 #include "sazare/cases/checks.hpp"
-#include "sazare/cases/field_reader.hpp"
-#include "sazare/cases/number_text.hpp"
-#include "sazare/cases/structure_check.hpp"
+#include "sazare/cases/format/field_reader.hpp"
+#include "sazare/cases/format/number_text.hpp"
+#include "sazare/cases/format/structure_check.hpp"
 #include "sazare/core/error.hpp"
 
 namespace sazare::cases {
@@ -104,7 +104,7 @@ Study read_study(const std::filesystem::path& path) {
   check_structure(*root, study_schema(), problems);
   problems.throw_if_errors();
   const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
-  const CheckContext context{*root, study_schema(), path.parent_path(), problems};
+  const CheckContext context{*root, study_schema(), path.parent_path(), problems, folder};
   Study study;
   study.path = path;
   study.title = *context.entries_of("study").front().value->find("title")->text();

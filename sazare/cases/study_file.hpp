@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sazare/cases/format/schema.hpp"
 #include "sazare/core/vector.hpp"
 
 /// A study: families of cases, every combination of some parameters, and what is sought in each.
@@ -40,6 +41,9 @@ struct Study {
   std::vector<Real> values(std::size_t number) const;
   std::vector<std::string> overrides(std::size_t number) const;
 };
+
+/// The tables of a study file.
+std::span<const Table> study_schema();
 
 /// Reads and checks a study file. Throws a UserError that lists everything that is wrong with it; its cases are not read.
 Study read_study(const std::filesystem::path& path);

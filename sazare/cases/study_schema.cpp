@@ -1,6 +1,6 @@
 #include <array>
 
-#include "sazare/cases/schema.hpp"
+#include "sazare/cases/study_file.hpp"
 
 namespace sazare::cases {
 namespace {

@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "sazare/core/error.hpp"
-#include "sazare/geometry/gmsh_file.hpp"
+#include "sazare/geometry/gmsh/file.hpp"
 
 namespace sazare::geometry {
 

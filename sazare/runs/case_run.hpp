@@ -1,34 +1,6 @@
 #pragma once
 
 /// The course of a run, whatever its method: begin or resume, step, observe, checkpoint, end.
-///
-/// `Work` is a method's part of it, made from a case and its options, with the members
-///
-///     times, folder, identity, clocks, record     see RunTimes, RunFolder, RunIdentity, RunClocks, RunRecord
-///     title(), method(), words()                  what is to be said of the case at its beginning
-///     warning()                                   what is to be warned of; empty where all is well
-///     checkpoint_interval()                       [s] of wall clock
-///     start()                                     the beginning; false when asked to stop before it was there
-///     advance(), step()                           a step, how many there have been; advance(pause) where a step may take long,
-///                                                 false where `pause` ended it on the way
-///     must_check()                                whether the motion is to be looked at after this step
-///     collect()                                   makes all true in the first process
-///     progress(share, time)                       what there is to tell on the way
-///     columns(archive)                            its state in a checkpoint
-///     read_motion(table)                          where its bodies are
-///     apply(forces)                               forces from outside; a method that takes none has no such member
-///     state_hash(), part_times()                  for the manifest and timing.csv
-///     write_case(), write_end(), write_rank_times()   the files that only it knows
-///
-/// and, where several processes may share it,
-///
-///     survey()                                    what they all do before the first one writes a row
-///
-/// and, where it has a partner in another program, whose `coupling::Stopped` ends a walk:
-///
-///     checkpoint_made()                           a checkpoint is on the disk
-///     part(farewell, words)                       why it goes, or that it is done
-///     more_figures()                              for the manifest, beside those of its record
 
 #include <fmt/format.h>
 
@@ -37,11 +9,12 @@
 #include <cstdio>
 
 #include "sazare/cases/case_file.hpp"
-#include "sazare/cases/number_text.hpp"
+#include "sazare/cases/format/number_text.hpp"
 #include "sazare/core/error.hpp"
 #include "sazare/coupling/file_exchange.hpp"
 #include "sazare/observe/atomic_file.hpp"
 #include "sazare/parallel/threads.hpp"
+#include "sazare/runs/case_work.hpp"
 #include "sazare/runs/checkpoint_archive.hpp"
 #include "sazare/runs/live_run.hpp"
 #include "sazare/runs/run_identity.hpp"
@@ -52,7 +25,8 @@ namespace sazare::runs {
 /// Of several processes, only the first one writes.
 inline bool is_writer(const RunOptions& options) { return options.sharing.ranks == nullptr || options.sharing.ranks->is_first(); }
 
-template <class Work>
+/// `Work` is the part of a method in it, see case_work.hpp.
+template <CaseWork Work>
 class CaseRun final : public LiveRun {
 public:
   /// The case must outlive the run.
@@ -96,10 +70,8 @@ public:
   }
   void read_motion(MotionTable& table) override { work_.read_motion(table); }
   void apply(std::span<const Vector3> forces) override {
-    if constexpr (requires { work_.apply(forces); })
-      work_.apply(forces);
-    else
-      throw UserError(fmt::format("method {} takes no forces from outside: mps, rectangles and fem do", work_.method()));
+    if (!work_.takes_forces()) throw UserError(fmt::format("method {} takes no forces from outside", work_.method()));
+    work_.apply(forces);
     is_pushed_ = true;
   }
 
@@ -133,7 +105,7 @@ private:
   }
 
   void say_farewell(coupling::Farewell farewell, const std::string& words = "") {
-    if constexpr (requires { work_.part(farewell, words); }) work_.part(farewell, words);
+    work_.part(farewell, words);
   }
 
   void say(const std::string& line) const {
@@ -172,10 +144,7 @@ private:
   }
 
   /// Who loses power so early has lost nothing but a beginning; where a partner goes by that checkpoint, it must be on the disk.
-  static constexpr observe::Sync sync_of_start() {
-    constexpr bool has_partner = requires(Work & work) { work.checkpoint_made(); };
-    return has_partner ? observe::Sync::disk : observe::Sync::system;
-  }
+  observe::Sync sync_of_start() const { return work_.has_partner() ? observe::Sync::disk : observe::Sync::system; }
 
   RunOutcome stopped_before_the_beginning() {
     say_farewell(coupling::Farewell::stopped);
@@ -209,12 +178,7 @@ private:
   /// False when a partner has stopped, or this side while it waited for it, or where it paused on the way.
   bool advance(const std::function<bool()>& pause) {
     try {
-      if constexpr (requires { work_.advance(pause); }) {
-        return work_.advance(pause);
-      } else {
-        work_.advance();
-        return true;
-      }
+      return work_.advance(pause);
     } catch (const coupling::Stopped&) {
       return false;
     }
@@ -241,7 +205,7 @@ private:
     if (!work_.clocks.is_row(work_.step()) || observed_step_ == work_.step()) return;
     observed_step_ = work_.step();
     const Real before = work_.times.now();
-    if constexpr (requires { work_.survey(); }) work_.survey();
+    work_.survey();
     if (!writes()) return;
     work_.record.observe(work_.step(), before);
     work_.times.add(RunTimes::Part::output, work_.times.now() - before);
@@ -286,7 +250,7 @@ private:
     CheckpointSaver saver(out);
     columns(saver);
     out.commit(sync);
-    if constexpr (requires { work_.checkpoint_made(); }) work_.checkpoint_made();
+    work_.checkpoint_made();
     checkpoint_step_ = work_.step();
     work_.times.add(RunTimes::Part::checkpoints, work_.times.now() - before);
   }
@@ -313,8 +277,7 @@ private:
     manifest_.status = status;
     manifest_.finished = status == "running" ? "" : observe::time_of_day();
     manifest_.results = work_.record.results(work_.step(), work_.times.now());
-    if constexpr (requires { work_.more_figures(); })
-      for (auto& figure : work_.more_figures()) manifest_.results.push_back(std::move(figure));
+    for (auto& figure : work_.more_figures()) manifest_.results.push_back(std::move(figure));
     manifest_.peak_particle_velocity = work_.record.peak_particle_velocity();
     manifest_.state_hash = work_.state_hash();
     observe::write_manifest(work_.folder.manifest(), manifest_);

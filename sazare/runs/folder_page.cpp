@@ -54,17 +54,11 @@ std::string name_of(const observe::Column& column) {
   return fmt::format("`{}_x`, `_y`{}", column.name, column.axes > 2 ? ", `_z`" : "");
 }
 
-/// Part of a table: what it belongs to, and its rows.
-struct Group {
-  std::string_view of;
-  std::vector<Columns> columns;
-};
-
-void add_table(std::string& page, std::string_view of, std::string_view what, const std::vector<Group>& groups) {
+void add_table(std::string& page, std::string_view of, std::string_view what, const std::vector<ColumnGroup>& groups) {
   page += fmt::format("\n| {} | {} | unit | |\n|---|---|---|---|\n", of, what);
-  for (const Group& group : groups) {
+  for (const ColumnGroup& group : groups) {
     std::string_view owner = group.of;
-    for (const Columns& columns : group.columns)
+    for (const Columns columns : group.columns)
       for (const observe::Column& column : columns) {
         page += fmt::format("| {} | {} | {} | {} |\n", owner, name_of(column), column.unit, column.meaning);
         owner = "";
@@ -72,56 +66,27 @@ void add_table(std::string& page, std::string_view of, std::string_view what, co
   }
 }
 
+/// The rows of all methods after those that they share.
+std::vector<ColumnGroup> joined(std::vector<ColumnGroup> shared, std::span<const FolderTables> methods,
+                                std::vector<ColumnGroup> FolderTables::*part) {
+  for (const FolderTables& method : methods) shared.insert(shared.end(), (method.*part).begin(), (method.*part).end());
+  return shared;
+}
+
 }  // namespace
 
-std::string folder_markdown() {
+std::string folder_markdown(std::span<const FolderTables> methods) {
   std::string page = head;
-  add_table(page, "method", "figure",
-            {{"all", {figures::of_all}},
-             {"all but `blocks`, `hybrid`", {figures::of_steps, figures::of_motion}},
-             {"`blocks`", {figures::blocks}},
-             {"`mps`", {figures::mps}},
-             {"`rectangles`", {figures::rectangles}},
-             {"`spheres`", {figures::spheres}},
-             {"`fem`", {figures::fem}},
-             {"`hybrid`", {figures::hybrid}},
-             {"`--side` of `hybrid`", {figures::exchange}}});
+  add_table(page, "method", "figure", joined({{"all", {figures::of_all}}}, methods, &FolderTables::figures));
   page += "\n## history.csv\n";
-  add_table(page, "method", "column",
-            {{"all", {columns::time, columns::clock}},
-             {"`blocks`", {columns::blocks::pieces, columns::blocks::energies, columns::blocks::progress}},
-             {"`mps`", {columns::mps::motion}},
-             {"`mps`, not with Euler's step", {columns::mps::books}},
-             {"`mps`, ground that fails", {columns::mps::failure}},
-             {"`rectangles`", {columns::rectangles::history, columns::rectangles::support}},
-             {"`spheres`", {columns::spheres::history}},
-             {"`fem`",
-              {columns::fem::motion, columns::fem::energies, columns::fem::work, columns::fem::boundary, columns::fem::joint_set,
-               columns::fem::newton}},
-             {"`hybrid`", {columns::hybrid::history}}});
+  add_table(page, "method", "column", joined({{"all", {columns::time, columns::clock}}}, methods, &FolderTables::history));
   page += "\n## gauges.csv, walls.csv\n";
-  add_table(page, "file", "column",
-            {{"both", {columns::time}},
-             {"`gauges.csv` of `blocks`", {columns::blocks::gauge}},
-             {"of `mps`, `rectangles`, `fem`", {columns::place_motion}},
-             {"of `rectangles` also", {columns::rectangles::gauge_rotation}},
-             {"of `spheres`", {columns::spheres::gauge}},
-             {"`walls.csv`", {columns::spheres::wall}}});
+  add_table(page, "file", "column", joined({{"both", {columns::time}}}, methods, &FolderTables::gauges));
   page += "\n## fragments.csv, timing.csv, ranks.csv\n";
   add_table(page, "file", "column",
-            {{"`fragments.csv`", {columns::fragments}},
-             {"`timing.csv`", {columns::timing}},
-             {"`ranks.csv`, a row per rank and interval", {columns::blocks::ranks}}});
+            joined({{"`fragments.csv`", {columns::fragments}}, {"`timing.csv`", {columns::timing}}}, methods, &FolderTables::files));
   page += snapshots_head;
-  add_table(page, "series", "field",
-            {{"`elements` of `blocks`", {columns::blocks::elements}},
-             {"`joints` of `blocks`", {columns::blocks::joints}},
-             {"`particles` of `mps`", {columns::mps::particles}},
-             {"of ground that fails also", {columns::mps::failed_particles}},
-             {"`rectangles`", {columns::rectangles::elements}},
-             {"`particles` of `spheres`", {columns::spheres::particles}},
-             {"`finite_elements` of `fem`, points", {columns::fem::nodes}},
-             {"cells", {columns::fem::elements}}});
+  add_table(page, "series", "field", joined({}, methods, &FolderTables::snapshots));
   return page;
 }
 

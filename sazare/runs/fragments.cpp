@@ -3,44 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
-#include "sazare/geometry/tetrahedron.hpp"
 #include "sazare/observe/csv_writer.hpp"
 #include "sazare/runs/record_columns.hpp"
 
 namespace sazare::runs {
 
 namespace {
-
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
-/// Joined sets; the smallest element of each is its root.
-class Sets {
-public:
-  explicit Sets(Index count) : parent_(at(count)) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-  Index root(Index element) {
-    while (parent_[at(element)] != element) {
-      parent_[at(element)] = parent_[at(parent_[at(element)])];
-      element = parent_[at(element)];
-    }
-    return element;
-  }
-
-  /// Whether they are known to hang together: most joints' elements are by the time they are asked about.
-  bool are_joined(Index a, Index b) const { return parent_[at(a)] == parent_[at(b)]; }
-
-  void join(Index a, Index b) {
-    a = root(a);
-    b = root(b);
-    parent_[at(std::max(a, b))] = std::min(a, b);
-  }
-
-private:
-  std::vector<Index> parent_;
-};
 
 std::vector<observe::CsvField> fragment_row(const Fragment& fragment) {
   std::vector<observe::CsvField> row = {std::int64_t{fragment.number}, std::int64_t{fragment.elements}, fragment.volume,
@@ -52,41 +22,6 @@ std::vector<observe::CsvField> fragment_row(const Fragment& fragment) {
 }
 
 }  // namespace
-
-FragmentMap find_fragments(Index elements, const methods::blocks::Joints& joints) {
-  Sets sets(elements);
-  const auto links = joints.links();
-  for (Index joint = 0; joint < joints.count(); ++joint) {
-    const auto [first, second] = links[at(joint)];
-    if (!sets.are_joined(first, second) && joints.state(joint) != methods::blocks::JointState::broken) sets.join(first, second);
-  }
-  FragmentMap map;
-  map.of_element.reserve(at(elements));
-  for (Index element = 0; element < elements; ++element) {
-    const Index root = sets.root(element);
-    map.of_element.push_back(root == element ? map.count++ : map.of_element[at(root)]);
-  }
-  return map;
-}
-
-std::vector<Fragment> measure_fragments(const FragmentMap& map, const geometry::TetraMesh& mesh, const state::Bodies<3>& bodies,
-                                        const engine::Snapshot<3>& now) {
-  std::vector<Fragment> fragments(at(map.count));
-  std::vector<Vector3> moved(at(map.count), Vector3::Zero());
-  for (std::size_t element = 0; element < mesh.tetrahedra.size(); ++element) {
-    const auto number = at(map.of_element[element]);
-    Fragment& fragment = fragments[number];
-    const Real mass = bodies.inertia[element].mass;
-    ++fragment.elements;
-    fragment.volume += geometry::volume(geometry::corners_of(mesh, static_cast<Index>(element)));
-    fragment.mass += mass;
-    fragment.center += mass * now.pose[element].position;
-    fragment.velocity += mass * now.velocity[element];
-    moved[number] += mass * (now.pose[element].position - bodies.start[element]);
-  }
-  finish_fragments(fragments, moved);
-  return fragments;
-}
 
 void finish_fragments(std::vector<Fragment>& fragments, std::span<const Vector3> moved) {
   for (std::size_t number = 0; number < fragments.size(); ++number) {

@@ -1,24 +1,15 @@
 #pragma once
 
-/// Fragments: elements that still hang together by joints, or spheres by bonds, that hold.
+/// Fragments: parts of a body that still hang together, as tables and figures tell of them.
 
 #include <filesystem>
 #include <span>
 #include <vector>
 
-#include "sazare/engine/simulation.hpp"
-#include "sazare/geometry/tetra_mesh.hpp"
-#include "sazare/methods/blocks/joints.hpp"
+#include "sazare/core/links.hpp"
+#include "sazare/core/vector.hpp"
 
 namespace sazare::runs {
-
-/// Which fragment every element belongs to; fragments are numbered by their first element.
-struct FragmentMap {
-  Index count = 0;
-  std::vector<Index> of_element;
-};
-
-FragmentMap find_fragments(Index elements, const methods::blocks::Joints& joints);
 
 struct Fragment {
   Index number = 0;  ///< its place in the map
@@ -30,10 +21,6 @@ struct Fragment {
   Vector3 velocity = Vector3::Zero();  ///< of the centre [m/s]
   Real throw_distance = 0;             ///< how far the centre has moved [m]
 };
-
-/// Fragments at a moment, largest volume first; equal ones in the order of their numbers.
-std::vector<Fragment> measure_fragments(const FragmentMap& map, const geometry::TetraMesh& mesh, const state::Bodies<3>& bodies,
-                                        const engine::Snapshot<3>& now);
 
 /// Numbers fragments, of which elements, volume, mass, and mass times centre and velocity have been added up, and sorts them by
 /// volume, the largest first. `moved`: mass times way [kg m].

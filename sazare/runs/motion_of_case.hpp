@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sazare/cases/mps_case.hpp"
+#include "sazare/cases/tables.hpp"
 
 namespace sazare::runs {
 

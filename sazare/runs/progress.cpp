@@ -1,13 +1,13 @@
 #include "sazare/runs/progress.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <unistd.h>
 
-#include "sazare/cases/number_text.hpp"
+#include "sazare/cases/format/number_text.hpp"
 
 namespace sazare::runs {
 

@@ -15,8 +15,9 @@ std::int64_t whole(std::string_view longer_name, Real longer, std::string_view s
                               shorter_name, shorter));
 }
 
-template <class Time>
-RunClocks clocks_of(const Time& time, std::string_view step_name, Real step) {
+}  // namespace
+
+RunClocks make_clocks(const ClockIntervals& time, std::string_view step_name, Real step) {
   RunClocks clocks;
   clocks.end = time.end;
   clocks.rows = whole("end", time.end, "history_interval", time.history_interval);
@@ -24,10 +25,5 @@ RunClocks clocks_of(const Time& time, std::string_view step_name, Real step) {
   clocks.rows_per_snapshot = whole("snapshot_interval", time.snapshot_interval, "history_interval", time.history_interval);
   return clocks;
 }
-
-}  // namespace
-
-RunClocks make_clocks(const cases::Time& time, Real base_step) { return clocks_of(time, "base_step", base_step); }
-RunClocks make_clocks(const cases::UniformTime& time, Real step) { return clocks_of(time, "step", step); }
 
 }  // namespace sazare::runs

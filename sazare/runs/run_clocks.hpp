@@ -1,6 +1,8 @@
 #pragma once
 
-#include "sazare/cases/spheres_case.hpp"
+#include <string_view>
+
+#include "sazare/cases/tables.hpp"
 #include "sazare/core/time.hpp"
 
 namespace sazare::runs {
@@ -24,8 +26,16 @@ struct RunClocks {
   }
 };
 
-/// Throws UserError when the clocks of the case do not nest in whole base steps.
-RunClocks make_clocks(const cases::Time& time, Real base_step);
-RunClocks make_clocks(const cases::UniformTime& time, Real step);
+/// The intervals of a case [s].
+struct ClockIntervals {
+  Real end = 0, history_interval = 0, snapshot_interval = 0;
+};
+
+/// `step_name` is the key of the step [s] in the case. Throws UserError when the clocks do not nest in whole steps.
+RunClocks make_clocks(const ClockIntervals& intervals, std::string_view step_name, Real step);
+
+inline RunClocks make_clocks(const cases::UniformTime& time, Real step) {
+  return make_clocks({time.end, time.history_interval, time.snapshot_interval}, "step", step);
+}
 
 }  // namespace sazare::runs

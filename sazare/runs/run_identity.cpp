@@ -7,7 +7,6 @@
 #include <sstream>
 #include <vector>
 
-#include "sazare/cases/resolved.hpp"
 #include "sazare/core/error.hpp"
 #include "sazare/core/version.hpp"
 #include "sazare/observe/hash.hpp"
@@ -22,53 +21,6 @@ constexpr std::size_t most_lines_shown = 4;
 template <class T>
 std::span<const std::byte> bytes_of(const T& records) {
   return std::as_bytes(std::span(records.data(), records.size()));
-}
-
-/// Folders, and how often to write a checkpoint, may change between the parts of a run.
-std::string text_of(cases::BlocksCase blocks) {
-  blocks.mesh.file = blocks.mesh.file.filename();
-  for (cases::Blast& blast : blocks.blasts)
-    if (auto* table = std::get_if<cases::PressureTable>(&blast.pressure)) table->file = table->file.filename();
-  blocks.output = {};
-  return cases::write_resolved(blocks);
-}
-
-std::string mesh_hash(const geometry::TetraMesh& mesh) {
-  observe::Hash hash;
-  hash.add(bytes_of(mesh.nodes));
-  hash.add(bytes_of(mesh.tetrahedra));
-  hash.add(bytes_of(mesh.region));
-  for (const std::string& name : mesh.region_names) hash.add(bytes_of(name));
-  for (const auto& surface : mesh.surfaces) {
-    hash.add(bytes_of(surface.name));
-    hash.add(bytes_of(surface.triangles));
-  }
-  return observe::to_hex(hash.value());
-}
-
-std::string tables_hash(const cases::BlocksCase& blocks) {
-  observe::Hash hash;
-  for (const cases::Blast& blast : blocks.blasts)
-    if (const auto* table = std::get_if<cases::PressureTable>(&blast.pressure)) {
-      hash.add(bytes_of(table->time));
-      hash.add(bytes_of(table->pressure));
-    }
-  return observe::to_hex(hash.value());
-}
-
-/// Hash of all records; of their files only the names stay.
-std::string records_hash(std::vector<cases::Motion>& motions) {
-  observe::Hash records;
-  for (cases::Motion& motion : motions) {
-    motion.file = motion.file.filename();
-    records.add(bytes_of(motion.record.value));
-  }
-  return observe::to_hex(records.value());
-}
-
-std::string program_text() {
-  return fmt::format("Sazare {}, commit {}, GCC {}, records of {} and {} bytes", version, commit, __VERSION__,
-                     sizeof(state::Motion<3>), sizeof(state::Inertia<3>));
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -103,49 +55,18 @@ std::string read(const observe::CheckpointReader& in, const std::string& name) {
 
 }  // namespace
 
-RunIdentity identify(const cases::BlocksCase& blocks, const geometry::TetraMesh& mesh) {
-  return {text_of(blocks), mesh_hash(mesh), tables_hash(blocks), program_text()};
+std::string records_hash(std::vector<cases::Motion>& motions) {
+  observe::Hash records;
+  for (cases::Motion& motion : motions) {
+    motion.file = motion.file.filename();
+    records.add(bytes_of(motion.record.value));
+  }
+  return observe::to_hex(records.value());
 }
 
-RunIdentity identify(const cases::MpsCase& mps, const std::string& filling) {
-  cases::MpsCase plain = mps;
-  const std::string records = records_hash(plain.motions);
-  for (cases::ParticleRegion& region : plain.regions) region.file = region.file.filename();
-  plain.output = {};
-  return {cases::write_resolved(plain), filling, records, program_text()};
-}
-
-RunIdentity identify(const cases::RectanglesCase& rectangles, const std::string& assembly) {
-  cases::RectanglesCase plain = rectangles;
-  const std::string records = records_hash(plain.motions);
-  for (cases::SquareBlock& block : plain.blocks) block.file = block.file.filename();
-  plain.output = {};
-  return {cases::write_resolved(plain), assembly, records, program_text()};
-}
-
-RunIdentity identify(const cases::SpheresCase& spheres, const std::string& start) {
-  cases::SpheresCase plain = spheres;
-  const std::string records = records_hash(plain.motions);
-  for (cases::SphereGroup& group : plain.spheres) group.file = group.file.filename();
-  for (cases::WallRules& wall : plain.walls) wall.file = wall.file.filename();
-  plain.output = {};
-  return {cases::write_resolved(plain), start, records, program_text()};
-}
-
-RunIdentity identify(const cases::FemCase& fem, const std::string& mesh) {
-  cases::FemCase plain = fem;
-  const std::string records = records_hash(plain.motions);
-  plain.mesh.file = plain.mesh.file.filename();
-  plain.output = {};
-  return {cases::write_resolved(plain), mesh, records, program_text()};
-}
-
-RunIdentity identify(const cases::HybridCase& hybrid, const RunIdentity& continuum, const RunIdentity& bodies) {
-  cases::HybridCase plain = hybrid;
-  plain.sides = {};
-  plain.output = {};
-  return {cases::write_resolved(plain) + continuum.case_text + bodies.case_text, continuum.mesh + bodies.mesh,
-          continuum.tables + bodies.tables, program_text()};
+std::string program_text() {
+  return fmt::format("Sazare {}, commit {}, GCC {}, records of {} and {} bytes", version, commit, __VERSION__,
+                     sizeof(state::Motion<3>), sizeof(state::Inertia<3>));
 }
 
 void write_identity(observe::CheckpointWriter& out, const RunIdentity& identity) {

@@ -2,13 +2,11 @@
 
 /// What a checkpoint belongs to: only the same case, on the same mesh, in the same program gives the same bits.
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
-#include "sazare/cases/fem_case.hpp"
-#include "sazare/cases/hybrid_case.hpp"
-#include "sazare/cases/rectangles_case.hpp"
-#include "sazare/cases/spheres_case.hpp"
-#include "sazare/geometry/tetra_mesh.hpp"
+#include "sazare/cases/tables.hpp"
 #include "sazare/observe/checkpoint.hpp"
 
 namespace sazare::runs {
@@ -20,22 +18,11 @@ struct RunIdentity {
   std::string program;    ///< version, commit, compiler and the sizes of the records
 };
 
-RunIdentity identify(const cases::BlocksCase& blocks, const geometry::TetraMesh& mesh);
+/// Hash of all records, whose folders may change between the parts of a run: of their files only the names stay.
+std::string records_hash(std::vector<cases::Motion>& motions);
 
-/// `filling` is a hash of where the particles stand.
-RunIdentity identify(const cases::MpsCase& mps, const std::string& filling);
-
-/// `assembly` is a hash of where the elements stand.
-RunIdentity identify(const cases::RectanglesCase& rectangles, const std::string& assembly);
-
-/// `start` is a hash of where spheres and walls stand at the start.
-RunIdentity identify(const cases::SpheresCase& spheres, const std::string& start);
-
-/// `mesh` is a hash of nodes, elements and groups.
-RunIdentity identify(const cases::FemCase& fem, const std::string& mesh);
-
-/// Of a hybrid case, from those of its two sides.
-RunIdentity identify(const cases::HybridCase& hybrid, const RunIdentity& continuum, const RunIdentity& bodies);
+/// What the program says of itself.
+std::string program_text();
 
 void write_identity(observe::CheckpointWriter& out, const RunIdentity& identity);
 

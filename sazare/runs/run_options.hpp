@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "sazare/coupling/message.hpp"
-#include "sazare/engine/simulation.hpp"
+#include "sazare/levels/simulation.hpp"
 #include "sazare/observe/manifest.hpp"
 #include "sazare/runs/run_folder.hpp"
 
@@ -25,7 +25,7 @@ struct RunOptions {
   Begin begin = Begin::fresh;
   bool quiet = false;                             ///< no progress, no words about the beginning
   const std::atomic<bool>* stop_asked = nullptr;  ///< looked at after every base step
-  engine::Sharing sharing = {};                   ///< with several processes: all carry out the same, the first one writes
+  levels::Sharing sharing = {};                   ///< with several processes: all carry out the same, the first one writes
   std::optional<OneSide> one_side = {};           ///< of a hybrid case; else both in this program
 };
 

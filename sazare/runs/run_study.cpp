@@ -11,7 +11,7 @@
 #include <mutex>
 #include <sstream>
 
-#include "sazare/cases/number_text.hpp"
+#include "sazare/cases/format/number_text.hpp"
 #include "sazare/core/error.hpp"
 #include "sazare/core/version.hpp"
 #include "sazare/observe/atomic_file.hpp"
@@ -20,7 +20,6 @@
 #include "sazare/observe/manifest.hpp"
 #include "sazare/parallel/tasks.hpp"
 #include "sazare/runs/limit_regression.hpp"
-#include "sazare/runs/limit_search.hpp"
 #include "sazare/runs/progress.hpp"
 
 namespace sazare::runs {
@@ -67,9 +66,10 @@ std::vector<std::string> split(const std::string& line) {
 
 class StudyRun {
 public:
-  StudyRun(const cases::Study& study, const StudyOptions& options)
+  StudyRun(const cases::Study& study, const StudyOptions& options, const LimitSeeker& seeker)
       : study_(study),
         options_(options),
+        seeker_(seeker),
         folder_(options.folder, options.begin),
         table_(folder_.path() / "study.csv"),
         identity_file_(folder_.path() / "study.id") {}
@@ -119,18 +119,14 @@ private:
 
   /// All errors of all cases before anything is run.
   void check_cases(const std::vector<std::size_t>& open) const {
-    for (const std::size_t number : open) {
-      const cases::CaseFile file = cases::read_case(study_.family(number).file, study_.overrides(number));
-      if (!std::holds_alternative<cases::MpsCase>(file.content))
-        throw UserError(fmt::format("{}: a limit is sought for cases of method mps only", file.path.string()));
-    }
+    for (const std::size_t number : open) seeker_.read(study_.family(number).file, study_.overrides(number));
   }
 
   void solve(std::size_t number) {
     if (options_.stop_asked != nullptr && options_.stop_asked->load(std::memory_order_relaxed)) return;
     const auto began = Clock::now();
-    const cases::CaseFile file = cases::read_case(study_.family(number).file, study_.overrides(number));
-    const FoundLimit found = find_limit(file, {study_.limit.ratio, study_.limit.steps, study_.limit.divergence});
+    const cases::CaseFile file = seeker_.read(study_.family(number).file, study_.overrides(number));
+    const FoundLimit found = seeker_.find(file, {study_.limit.ratio, study_.limit.steps, study_.limit.divergence});
     Row row = {static_cast<std::int64_t>(number), study_.family(number).name};
     for (const Real value : study_.values(number)) row.emplace_back(value);
     row.insert(row.end(), {static_cast<Real>(found.particles), found.predicted, found.stable, found.unstable, found.limit(),
@@ -214,6 +210,7 @@ private:
 
   const cases::Study& study_;
   const StudyOptions& options_;
+  const LimitSeeker& seeker_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point next_line_ = start_;
   std::string started_ = observe::time_of_day();
@@ -226,6 +223,8 @@ private:
 
 }  // namespace
 
-StudyOutcome run_study(const cases::Study& study, const StudyOptions& options) { return StudyRun(study, options).run(); }
+StudyOutcome run_study(const cases::Study& study, const StudyOptions& options, const LimitSeeker& seeker) {
+  return StudyRun(study, options, seeker).run();
+}
 
 }  // namespace sazare::runs

@@ -14,7 +14,7 @@ constexpr std::array<std::string_view, 3> part_names = {"setup", "output", "chec
 
 }  // namespace
 
-void RunTimes::write(const std::filesystem::path& file, std::span<const engine::PartTime> engine) const {
+void RunTimes::write(const std::filesystem::path& file, std::span<const levels::PartTime> engine) const {
   const Real total = now();
   Real accounted = 0;
   std::vector<std::vector<observe::CsvField>> rows;
@@ -31,7 +31,7 @@ void RunTimes::write(const std::filesystem::path& file, std::span<const engine::
   observe::write_csv(file, titles, rows);
 }
 
-void RunTimes::columns(Archive& archive, std::span<const engine::PartTime> engine) {
+void RunTimes::columns(Archive& archive, std::span<const levels::PartTime> engine) {
   Real wall = now();
   std::vector<Real> own(own_.begin(), own_.end()), parts;
   for (std::size_t i = 0; i < engine.size(); ++i)

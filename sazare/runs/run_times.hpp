@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sazare/core/archive.hpp"
-#include "sazare/engine/simulation.hpp"
+#include "sazare/levels/simulation.hpp"
 
 namespace sazare::runs {
 
@@ -24,9 +24,9 @@ public:
   void add(Part part, Real seconds) { own_[static_cast<std::size_t>(part)] += seconds; }
 
   /// Writes timing.csv: the engine's parts, those here, and what is in none of them.
-  void write(const std::filesystem::path& file, std::span<const engine::PartTime> engine) const;
+  void write(const std::filesystem::path& file, std::span<const levels::PartTime> engine) const;
 
-  void columns(Archive& archive, std::span<const engine::PartTime> engine);
+  void columns(Archive& archive, std::span<const levels::PartTime> engine);
 
 private:
   using Clock = std::chrono::steady_clock;

@@ -27,9 +27,9 @@ def read_graph(path=GRAPH):
 def module_of(path, graph):
     """The module that a path such as sazare/methods/blocks/x.hpp lies in; None when it lies in none."""
     parts = Path(path).parts
-    for length in (3, 2):
+    for length in range(len(parts) - 1, 1, -1):
         name = "/".join(parts[1:length])
-        if len(parts) > length - 1 and parts[0] == "sazare" and name in graph:
+        if parts[0] == "sazare" and name in graph:
             return name
     return None
 
@@ -62,6 +62,16 @@ def problem_of(module, mark, name, graph, root):
         allowed = ", ".join(sorted(graph[module] - {module}))
         return f"{module} may not include {name}; it may include {allowed}"
     return None
+
+
+def unused_edges(graph, root=ROOT):
+    """(module, other) of the graph's edges that no include needs; core is there for all."""
+    used = {module: {module, "core"} for module in graph}
+    for path in sources(root):
+        module = module_of(path, graph)
+        if module is not None:
+            used[module] |= {module_of(name, graph) for _, _, name in includes((root / path).read_text())}
+    return sorted((module, other) for module, allowed in graph.items() for other in allowed - used[module])
 
 
 def violations(graph, root=ROOT):

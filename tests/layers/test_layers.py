@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from layers import ROOT, includes, module_of, problem_of, read_graph, sources, violations
+from layers import ROOT, includes, module_of, problem_of, read_graph, sources, unused_edges, violations
 
 COMMANDS = ROOT / "build" / "release" / "compile_commands.json"
 COMPILED = ROOT / "build" / "test" / "headers-that-compile.txt"
@@ -21,6 +21,50 @@ HEADERS = [path for path in sources() if path.suffix == ".hpp"]
 def test_every_include_is_allowed():
     found = violations(read_graph())
     assert not found, "\n" + "\n".join(found)
+
+
+def test_every_edge_is_used():
+    assert not unused_edges(read_graph())
+
+
+def test_an_unused_edge_is_found(small_tree):
+    assert unused_edges({"core": {"core"}, "cases": {"cases", "core"}, "geometry": {"geometry", "core", "cases"}}, small_tree) == [
+        ("geometry", "cases")
+    ]
+
+
+# One folder per method: whoever else works with a method goes by the table of methods, which the registry alone lists.
+METHODS = ("blocks", "mps", "rectangles", "spheres", "fem", "hybrid")
+SHARED = ("core", "parallel", "laws", "geometry", "state", "neighbors", "observe", "coupling", "levels", "particles", "cases", "runs")
+
+
+def test_shared_modules_include_no_method():
+    found = [
+        f"{path}:{number}: {name}"
+        for path in sources()
+        if path.parts[1] in SHARED
+        for number, _, name in includes((ROOT / path).read_text())
+        if name.startswith("sazare/methods/")
+    ]
+    assert not found, "\n" + "\n".join(found)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_few_files_name_a_method_by_its_includes(method):
+    others = {
+        path.as_posix()
+        for path in sources()
+        if not path.as_posix().startswith((f"sazare/methods/{method}/", "sazare/methods/hybrid/"))
+        for _, _, name in includes((ROOT / path).read_text())
+        if name.startswith(f"sazare/methods/{method}/")
+    }
+    assert others == {"sazare/registry/methods.cpp"}
+
+
+def test_no_folder_is_crowded():
+    folders = {p.parent for p in (ROOT / "sazare").rglob("*")}
+    crowded = {str(folder): len(list(folder.iterdir())) for folder in folders if len(list(folder.iterdir())) >= 40}
+    assert not crowded
 
 
 def test_every_folder_of_the_engine_is_in_the_graph():

@@ -1,3 +1,5 @@
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -6,10 +8,9 @@
 #include <string>
 #include <vector>
 
-#include <gtest/gtest.h>
-
 #include "sazare/cases/case_file.hpp"
 #include "sazare/core/error.hpp"
+#include "sazare/registry/registry.hpp"
 
 namespace sazare::cases {
 namespace {
@@ -55,7 +56,7 @@ Instructions read_instructions(const fs::path& path) {
 std::string message_of(const fs::path& path) {
   const Instructions instructions = read_instructions(path);
   try {
-    const CaseFile file = read_case(path, instructions.overrides);
+    const CaseFile file = registry::read_case(path, instructions.overrides);
     if (instructions.with_mesh) check_against_mesh(file, instructions.groups);
     return file.warnings + "no errors\n";
   } catch (const UserError& failure) {

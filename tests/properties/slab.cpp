@@ -1,6 +1,6 @@
 #include "tests/properties/slab.hpp"
 
-#include "sazare/geometry/gmsh_reader.hpp"
+#include "sazare/geometry/gmsh/reader.hpp"
 
 namespace sazare::test {
 

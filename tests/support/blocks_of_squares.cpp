@@ -64,7 +64,7 @@ void Scene::complete() {
   }
 }
 
-std::unique_ptr<engine::UniformStepper<2>> Scene::make(Real step) {
+std::unique_ptr<particles::UniformStepper<2>> Scene::make(Real step) {
   complete();
   contact.thickness = thickness;
   parts_.contact = contact;
@@ -75,8 +75,8 @@ std::unique_ptr<engine::UniformStepper<2>> Scene::make(Real step) {
       supports.held.push_back({static_cast<Index>(i), freedom});
   auto made = std::make_unique<methods::rectangles::RectangleForces>(particles_, parts_, step);
   forces = made.get();
-  return std::make_unique<engine::UniformStepper<2>>(particles_, std::move(made), supports,
-                                                     engine::UniformRules{step, engine::Integrator::leapfrog, {}});
+  return std::make_unique<particles::UniformStepper<2>>(particles_, std::move(made), supports,
+                                                     particles::UniformRules{step, particles::Integrator::leapfrog, {}});
 }
 
 methods::rectangles::FaceKind square_faces(Real radius, Real normal, Real shear, int count, laws::FaceFormula formula,

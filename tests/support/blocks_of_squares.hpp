@@ -4,9 +4,9 @@
 
 #include <memory>
 
-#include "sazare/engine/uniform_stepper.hpp"
 #include "sazare/methods/rectangles/packing.hpp"
 #include "sazare/methods/rectangles/rectangle_forces.hpp"
+#include "sazare/particles/uniform_stepper.hpp"
 
 namespace sazare::test {
 
@@ -19,7 +19,7 @@ public:
   Real density = 2000, thickness = 1;
   methods::rectangles::ContactRules contact;
   methods::rectangles::BaseFriction base_friction;
-  terms::ParticleSupports<2> supports;
+  particles::ParticleSupports<2> supports;
   std::vector<methods::rectangles::FaceKind> kinds;
 
   /// An element; the number is its place among all.
@@ -42,7 +42,7 @@ public:
   state::Particles<2>& particles() { return particles_; }
 
   /// Not started. `forces` is where its forces are to be found, as long as it lives.
-  std::unique_ptr<engine::UniformStepper<2>> make(Real step);
+  std::unique_ptr<particles::UniformStepper<2>> make(Real step);
   methods::rectangles::RectangleForces* forces = nullptr;
 
 private:

@@ -2,7 +2,8 @@
 
 /// Small scenes of blocks for tests: meshes written down by hand and the concrete of the blasting paper.
 
-#include "sazare/runs/blocks_model.hpp"
+#include "sazare/methods/blocks/case/case.hpp"
+#include "sazare/methods/blocks/run/model.hpp"
 
 namespace sazare::test {
 

@@ -1,7 +1,7 @@
 #include "tests/support/bonded_pair.hpp"
 
 #include "sazare/geometry/tetrahedron.hpp"
-#include "sazare/runs/blocks_parts.hpp"
+#include "sazare/methods/blocks/run/parts.hpp"
 
 namespace sazare::test {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "sazare/engine/fem_stepper.hpp"
+#include "sazare/methods/fem/stepper.hpp"
 
 namespace sazare::test {
 

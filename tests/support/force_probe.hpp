@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "sazare/terms/term.hpp"
+#include "sazare/levels/terms/term.hpp"
 
 namespace sazare::test {
 

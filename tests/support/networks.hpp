@@ -7,9 +7,9 @@
 #include <memory>
 #include <vector>
 
-#include "sazare/engine/simulation.hpp"
-#include "sazare/motion/kick.hpp"
-#include "sazare/terms/springs.hpp"
+#include "sazare/levels/motion/kick.hpp"
+#include "sazare/levels/simulation.hpp"
+#include "sazare/levels/terms/springs.hpp"
 
 namespace sazare::test {
 
@@ -18,10 +18,10 @@ struct Network {
   state::Bodies<D> bodies;
   std::vector<terms::Spring<D>> springs;
 
-  engine::Simulation<D> simulation(const engine::StepRules& rules) const {
-    engine::TermList<D> list;
+  levels::Simulation<D> simulation(const levels::StepRules& rules) const {
+    levels::TermList<D> list;
     list.push_back(std::make_unique<terms::Springs<D>>(springs, bodies));
-    return engine::Simulation<D>(bodies, std::move(list), rules);
+    return levels::Simulation<D>(bodies, std::move(list), rules);
   }
 };
 
@@ -86,13 +86,13 @@ inline Real mechanical(const terms::Ledger& ledger) { return ledger[terms::Accou
 
 /// Runs to a time that is a whole number of base steps.
 template <int D>
-void run(engine::Simulation<D>& simulation, int base_steps) {
+void run(levels::Simulation<D>& simulation, int base_steps) {
   for (int step = 0; step < base_steps; ++step) simulation.advance();
 }
 
 /// Distance in places, turns, velocities and angular momenta.
 template <int D>
-Real distance(const engine::Snapshot<D>& a, const engine::Snapshot<D>& b) {
+Real distance(const levels::Snapshot<D>& a, const levels::Snapshot<D>& b) {
   Real sum = 0;
   for (std::size_t body = 0; body < a.pose.size(); ++body)
     sum += (a.pose[body].position - b.pose[body].position).squaredNorm() +
@@ -103,7 +103,7 @@ Real distance(const engine::Snapshot<D>& a, const engine::Snapshot<D>& b) {
 
 /// Lowest and highest level in use.
 template <int D>
-std::pair<int, int> level_range(const engine::Simulation<D>& simulation) {
+std::pair<int, int> level_range(const levels::Simulation<D>& simulation) {
   int lowest = schedule::deepest_level, highest = 0;
   for (Index body = 0; body < simulation.bodies().size(); ++body) {
     lowest = std::min(lowest, simulation.levels().level(body));
@@ -121,7 +121,7 @@ struct Momentum {
 };
 
 template <int D>
-Momentum<D> momentum(const engine::Simulation<D>& simulation) {
+Momentum<D> momentum(const levels::Simulation<D>& simulation) {
   Momentum<D> sum;
   for (std::size_t body = 0; body < simulation.bodies().motion.size(); ++body) {
     const auto& motion = simulation.bodies().motion[body];
@@ -162,11 +162,11 @@ std::unique_ptr<terms::Term<D>> watcher(Watch watch) {
 
 /// The same network with someone who watches.
 template <int D, class Watch>
-engine::Simulation<D> watched(const Network<D>& network, const engine::StepRules& rules, Watch watch) {
-  engine::TermList<D> list;
+levels::Simulation<D> watched(const Network<D>& network, const levels::StepRules& rules, Watch watch) {
+  levels::TermList<D> list;
   list.push_back(std::make_unique<terms::Springs<D>>(network.springs, network.bodies));
   list.push_back(watcher<D>(std::move(watch)));
-  return engine::Simulation<D>(network.bodies, std::move(list), rules);
+  return levels::Simulation<D>(network.bodies, std::move(list), rules);
 }
 
 }  // namespace sazare::test

@@ -8,7 +8,7 @@ namespace {
 
 namespace fem = methods::fem;
 
-std::unique_ptr<engine::SphereStepper> make_balls(const CouplingScene& scene, Real step) {
+std::unique_ptr<methods::spheres::SphereStepper> make_balls(const CouplingScene& scene, Real step) {
   constexpr Real volume_of_unit = 4.18879020478639098462;
   state::Spheres spheres;
   for (const Ball& ball : scene.balls) {
@@ -18,15 +18,15 @@ std::unique_ptr<engine::SphereStepper> make_balls(const CouplingScene& scene, Re
   methods::spheres::ContactTable table(laws::ContactModel::linear, 1);
   table.set(0, 0,
             laws::linear_constants(scene.stiffness, 0.8 * scene.stiffness, scene.restitution, {scene.friction, scene.rolling}));
-  return std::make_unique<engine::SphereStepper>(
+  return std::make_unique<methods::spheres::SphereStepper>(
       std::move(spheres), table, std::vector<methods::spheres::Wall>{},
-      engine::SphereRules{step, scene.gravity, 0.1 * scene.radius, 0.5 * scene.radius});
+      methods::spheres::SphereRules{step, scene.gravity, 0.1 * scene.radius, 0.5 * scene.radius});
 }
 
 }  // namespace
 
 template <int D>
-std::unique_ptr<engine::FemStepper<D>> make_fem(const CouplingScene& scene, Real window) {
+std::unique_ptr<methods::fem::FemStepper<D>> make_fem(const CouplingScene& scene, Real window) {
   const ElementMesh mesh = box(scene.shape, scene.box);
   fem::Supports<D> supports;
   for (int axis = 0; axis < D; ++axis) {
@@ -36,11 +36,11 @@ std::unique_ptr<engine::FemStepper<D>> make_fem(const CouplingScene& scene, Real
   }
   auto body = of_one_material(mesh, fem::SolidMaterial::elastic_of(scene.youngs_modulus, 0, scene.density));
   body.mass = scene.lumped ? fem::MassMatrix::lumped : fem::MassMatrix::consistent;
-  engine::FemRules rules;
+  methods::fem::FemRules rules;
   rules.step = window;
   rules.alpha = scene.alpha;
   rules.tolerance = 1e-12;
-  return std::make_unique<engine::FemStepper<D>>(std::make_unique<fem::Body<D>>(std::move(body)), std::move(supports), rules);
+  return std::make_unique<methods::fem::FemStepper<D>>(std::make_unique<fem::Body<D>>(std::move(body)), std::move(supports), rules);
 }
 
 template <int D>
@@ -48,22 +48,22 @@ TwoSides<D>::TwoSides(const CouplingScene& scene, Real window)
     : width_(D == 2 ? scene.rules.width : 1),
       fem_(make_fem<D>(scene, window)),
       balls_(make_balls(scene, window / static_cast<Real>(scene.steps))),
-      bodies_(std::make_unique<engine::SphereSide>(*balls_, 0)) {
+      bodies_(std::make_unique<methods::hybrid::SphereSide>(*balls_, 0)) {
   const auto& mesh = fem_->body().mesh();
   continuum_ =
-      std::make_unique<engine::ContinuumSide<D>>(*fem_, geometry::linear_surface(mesh, *mesh.find_group("top")), scene.rules);
+      std::make_unique<methods::hybrid::ContinuumSide<D>>(*fem_, geometry::linear_surface(mesh, *mesh.find_group("top")), scene.rules);
 }
 
 template <int D>
 void TwoSides<D>::start() {
   fem_->start();
-  engine::DirectChannel channel(*bodies_);
+  methods::hybrid::DirectChannel channel(*bodies_);
   continuum_->start(channel.open(continuum_->shape()));
 }
 
 template <int D>
 void TwoSides<D>::advance(int windows) {
-  engine::DirectChannel channel(*bodies_);
+  methods::hybrid::DirectChannel channel(*bodies_);
   for (int window = 0; window < windows; ++window) continuum_->advance(channel);
 }
 
@@ -92,8 +92,8 @@ Vector3 TwoSides<D>::momentum() const {
   return sum;
 }
 
-template std::unique_ptr<engine::FemStepper<2>> make_fem<2>(const CouplingScene&, Real);
-template std::unique_ptr<engine::FemStepper<3>> make_fem<3>(const CouplingScene&, Real);
+template std::unique_ptr<methods::fem::FemStepper<2>> make_fem<2>(const CouplingScene&, Real);
+template std::unique_ptr<methods::fem::FemStepper<3>> make_fem<3>(const CouplingScene&, Real);
 template class TwoSides<2>;
 template class TwoSides<3>;
 

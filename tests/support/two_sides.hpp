@@ -2,8 +2,8 @@
 
 /// Small coupled bodies for the tests: a box of finite elements and spheres on its top.
 
-#include "sazare/engine/continuum_side.hpp"
-#include "sazare/engine/sphere_side.hpp"
+#include "sazare/methods/hybrid/continuum_side.hpp"
+#include "sazare/methods/hybrid/sphere_side.hpp"
 #include "tests/support/element_boxes.hpp"
 #include "tests/support/memory_archive.hpp"
 
@@ -29,12 +29,12 @@ struct CouplingScene {
   Vector3 gravity = Vector3::Zero();  ///< of the balls
   Real stiffness = 1e5, restitution = 1, friction = 0, rolling = 0;
   std::int64_t steps = 20;  ///< of the balls in a window
-  engine::CouplingRules rules;
+  methods::hybrid::CouplingRules rules;
 };
 
 /// The box alone, not started.
 template <int D>
-std::unique_ptr<engine::FemStepper<D>> make_fem(const CouplingScene& scene, Real window);
+std::unique_ptr<methods::fem::FemStepper<D>> make_fem(const CouplingScene& scene, Real window);
 
 template <int D>
 class TwoSides {
@@ -47,19 +47,19 @@ public:
   /// As a checkpoint has it: the finite elements first, since the surface stands where they have settled.
   void resume(MemoryArchive& archive);
 
-  engine::FemStepper<D>& fem() { return *fem_; }
-  engine::SphereStepper& balls() { return *balls_; }
-  engine::ContinuumSide<D>& continuum() { return *continuum_; }
+  methods::fem::FemStepper<D>& fem() { return *fem_; }
+  methods::spheres::SphereStepper& balls() { return *balls_; }
+  methods::hybrid::ContinuumSide<D>& continuum() { return *continuum_; }
   /// Of the finite elements, over the whole width [kg m/s].
   Vector3 momentum() const;
   Real width() const { return width_; }
 
 private:
   Real width_;
-  std::unique_ptr<engine::FemStepper<D>> fem_;
-  std::unique_ptr<engine::SphereStepper> balls_;
-  std::unique_ptr<engine::SphereSide> bodies_;
-  std::unique_ptr<engine::ContinuumSide<D>> continuum_;
+  std::unique_ptr<methods::fem::FemStepper<D>> fem_;
+  std::unique_ptr<methods::spheres::SphereStepper> balls_;
+  std::unique_ptr<methods::hybrid::SphereSide> bodies_;
+  std::unique_ptr<methods::hybrid::ContinuumSide<D>> continuum_;
 };
 
 }  // namespace sazare::test

@@ -4,13 +4,15 @@
 #include <cmath>
 
 #include "sazare/cases/case_file.hpp"
-#include "sazare/runs/mesh_source.hpp"
+#include "sazare/methods/blocks/case/case.hpp"
+#include "sazare/methods/blocks/run/mesh_source.hpp"
+#include "sazare/registry/registry.hpp"
 
 namespace sazare::validation {
 
 runs::BlocksModel started_blast(const std::vector<std::string>& overrides) {
-  const auto file = cases::read_case("cases/free-face-blast/case.toml", overrides);
-  auto model = runs::build_blocks(file.blocks(), runs::load_mesh(file, {}, false));
+  const auto file = registry::read_case("cases/free-face-blast/case.toml", overrides);
+  auto model = runs::build_blocks(file.as<cases::BlocksCase>(), runs::load_mesh(file, {}, false));
   model.simulation->start();
   return model;
 }
@@ -42,7 +44,7 @@ Real distance_from_hole(const runs::BlocksModel& model, std::size_t element) {
   return std::hypot(start.x() - 1.4, start.y() - 0.6);
 }
 
-std::pair<int, int> level_range(const engine::Simulation<3>& simulation) {
+std::pair<int, int> level_range(const levels::Simulation<3>& simulation) {
   int lowest = schedule::deepest_level, highest = 0;
   for (Index body = 0; body < simulation.bodies().size(); ++body) {
     lowest = std::min(lowest, simulation.levels().level(body));
@@ -51,7 +53,7 @@ std::pair<int, int> level_range(const engine::Simulation<3>& simulation) {
   return {lowest, highest};
 }
 
-Momentum momentum(const engine::Simulation<3>& simulation) {
+Momentum momentum(const levels::Simulation<3>& simulation) {
   Momentum sum;
   for (std::size_t body = 0; body < simulation.bodies().motion.size(); ++body) {
     const auto& motion = simulation.bodies().motion[body];

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "sazare/runs/blocks_model.hpp"
+#include "sazare/methods/blocks/run/model.hpp"
 
 namespace sazare::validation {
 
@@ -26,13 +26,13 @@ Real relative_difference(const std::vector<Vector3>& one, const std::vector<Vect
 Real distance_from_hole(const runs::BlocksModel& model, std::size_t element);
 
 /// Lowest and highest level in use.
-std::pair<int, int> level_range(const engine::Simulation<3>& simulation);
+std::pair<int, int> level_range(const levels::Simulation<3>& simulation);
 
 /// Linear and angular momentum about the origin of all impulses given until a base step.
 struct Momentum {
   Vector3 linear = Vector3::Zero();
   Vector3 angular = Vector3::Zero();
 };
-Momentum momentum(const engine::Simulation<3>& simulation);
+Momentum momentum(const levels::Simulation<3>& simulation);
 
 }  // namespace sazare::validation

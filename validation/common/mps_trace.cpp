@@ -3,13 +3,16 @@
 #include <cmath>
 #include <limits>
 
+#include "sazare/methods/mps/case/case.hpp"
+#include "sazare/registry/registry.hpp"
+
 namespace sazare::validation {
 
 Trace trace_gauges(const std::string& path, const std::vector<std::string>& overrides, std::size_t axis, int every) {
-  const cases::CaseFile file = cases::read_case(path, overrides);
+  const cases::CaseFile file = registry::read_case(path, overrides);
   const runs::MpsModel<2> model = runs::build_mps<2>(file);
   std::vector<std::size_t> particles;
-  for (const cases::Gauge& gauge : file.mps().gauges) {
+  for (const cases::Gauge& gauge : file.as<cases::MpsCase>().gauges) {
     std::size_t nearest = 0;
     Real shortest = std::numeric_limits<Real>::infinity();
     for (std::size_t i = 0; i < model.filling.sites.size(); ++i)
@@ -28,7 +31,7 @@ Trace trace_gauges(const std::string& path, const std::vector<std::string>& over
       trace.acceleration[gauge].push_back(acceleration[axis][particles[gauge]]);
     }
   };
-  const auto steps = static_cast<std::int64_t>(std::llround(file.mps().time.end / model.step));
+  const auto steps = static_cast<std::int64_t>(std::llround(file.as<cases::MpsCase>().time.end / model.step));
   model.stepper->start();
   record();
   while (model.stepper->steps() < steps) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sazare/runs/mps_model.hpp"
+#include "sazare/methods/mps/run/model.hpp"
 
 namespace sazare::validation {
 

@@ -4,8 +4,8 @@
 #include <bit>
 #include <cstddef>
 
+#include "sazare/levels/terms/lane_slots.hpp"
 #include "sazare/state/body_lanes.hpp"
-#include "sazare/terms/lane_slots.hpp"
 
 namespace sazare::methods::blocks {
 

@@ -2,9 +2,9 @@
 
 /// The touching spheres of one pair of blocks.
 
+#include "sazare/levels/terms/slot.hpp"
+#include "sazare/levels/terms/term.hpp"
 #include "sazare/methods/blocks/contact_surface.hpp"
-#include "sazare/terms/slot.hpp"
-#include "sazare/terms/term.hpp"
 
 namespace sazare::methods::blocks {
 

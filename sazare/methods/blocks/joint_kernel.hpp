@@ -14,9 +14,9 @@
 /// too, keeps the momenta as exactly, and differs from three at the points by the share that displacements have of a face's size.
 /// Everything is worked out in face axes and turned to world axes once. [Konno2018], 2.1, figs. 1 and 2.
 
+#include "sazare/levels/terms/lane_slots.hpp"
 #include "sazare/methods/blocks/joint_record.hpp"
 #include "sazare/state/body_lanes.hpp"
-#include "sazare/terms/lane_slots.hpp"
 
 namespace sazare::methods::blocks {
 

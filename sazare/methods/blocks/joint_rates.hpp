@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "sazare/levels/terms/term.hpp"
 #include "sazare/methods/blocks/joint_record.hpp"
 #include "sazare/state/bodies.hpp"
-#include "sazare/terms/term.hpp"
 
 namespace sazare::methods::blocks {
 

@@ -6,9 +6,9 @@
 
 #include "sazare/core/lane_sum.hpp"
 #include "sazare/core/large_tables.hpp"
+#include "sazare/levels/terms/book_ranges.hpp"
+#include "sazare/levels/terms/lane_slots.hpp"
 #include "sazare/parallel/threads.hpp"
-#include "sazare/terms/book_ranges.hpp"
-#include "sazare/terms/lane_slots.hpp"
 
 namespace sazare::methods::blocks {
 

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "sazare/levels/terms/slot_table.hpp"
 #include "sazare/methods/blocks/joint_kernel.hpp"
 #include "sazare/methods/blocks/joint_rates.hpp"
-#include "sazare/terms/slot_table.hpp"
 
 namespace sazare::methods::blocks {
 

@@ -9,8 +9,8 @@
 
 #include <vector>
 
+#include "sazare/levels/terms/slot_table.hpp"
 #include "sazare/methods/blocks/joint_rates.hpp"
-#include "sazare/terms/slot_table.hpp"
 
 namespace sazare::methods::blocks {
 

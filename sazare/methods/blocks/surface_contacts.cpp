@@ -31,7 +31,7 @@ SurfaceContacts::SurfaceContacts(const laws::SphereContact& law, const Contacts&
 
 void SurfaceContacts::attach(std::vector<Vector3> nodes, std::vector<std::array<Index, 3>> faces) {
   impulse_.assign(nodes.size(), Vector3::Zero());
-  surface_ = terms::NodalSurface(std::move(nodes), std::move(faces));
+  surface_ = geometry::NodalSurface(std::move(nodes), std::move(faces));
 }
 
 void SurfaceContacts::Work::add(Real seconds, const Push& push, const Vector3& velocity) {

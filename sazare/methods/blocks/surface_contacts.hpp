@@ -10,10 +10,10 @@
 /// A link is a block near the surface, and has the block's time level. Impulses on the nodes are counted as those of the block
 /// are, from the middle of one interval to the middle of the next; at a base step the part that acts later is set aside.
 
+#include "sazare/geometry/nodal_surface.hpp"
 #include "sazare/methods/blocks/contact_kernel.hpp"
 #include "sazare/methods/blocks/contacts.hpp"
 #include "sazare/neighbors/sphere_grid.hpp"
-#include "sazare/terms/nodal_surface.hpp"
 
 namespace sazare::methods::blocks {
 
@@ -111,7 +111,7 @@ private:
 
   laws::SphereContact law_;
   const Contacts* contacts_;
-  terms::NodalSurface surface_;
+  geometry::NodalSurface surface_;
   Tick led_ = 0;                ///< when the nodes were led last
   std::vector<Real> softness_;  ///< by body, see Contacts [1/kg]
   std::vector<Real> reach_;     ///< by body [m]

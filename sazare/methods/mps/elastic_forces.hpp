@@ -1,13 +1,13 @@
 #pragma once
 
 #include "sazare/methods/mps/link_forces.hpp"
-#include "sazare/terms/particle_forces.hpp"
+#include "sazare/particles/particle_forces.hpp"
 
 namespace sazare::methods::mps {
 
 /// Elastic forces of all links (laws/particle_link.hpp).
 template <int D>
-class ElasticForces final : public terms::ParticleForces<D> {
+class ElasticForces final : public particles::ParticleForces<D> {
 public:
   ElasticForces(LinkTable<D> links, RotationRemoval removal);
 

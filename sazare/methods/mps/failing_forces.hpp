@@ -4,7 +4,7 @@
 /// broke.
 
 #include "sazare/methods/mps/loose_contacts.hpp"
-#include "sazare/terms/particle_forces.hpp"
+#include "sazare/particles/particle_forces.hpp"
 
 namespace sazare::methods::mps {
 
@@ -19,7 +19,7 @@ struct FailureWork {
 /// (With the flow of the step before, the overshoot would act as a dashpot and make the stable step shorter.) A link breaks when
 /// the mean slip of its particles reaches the mean of their rupture strains.
 template <int D>
-class FailingForces final : public terms::ParticleForces<D> {
+class FailingForces final : public particles::ParticleForces<D> {
 public:
   /// `links` as the ground is at the beginning; the strength stands for each particle.
   FailingForces(const state::Particles<D>& particles, LinkTable<D> links, GroundStrength<D> strength, const LooseRules& rules);

@@ -41,7 +41,7 @@ Real along(const std::array<Real, D>& start, const std::array<Real, D>& vector) 
 
 template <int D>
 LinearStiffness<D>::LinearStiffness(const state::Particles<D>& particles, const LinkTable<D>& links,
-                                    const terms::ParticleSupports<D>& supports)
+                                    const particles::ParticleSupports<D>& supports)
     : particles_(particles),
       links_(links),
       scale_(freedoms * particles.size()),

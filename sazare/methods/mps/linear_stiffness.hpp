@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "sazare/methods/mps/link_table.hpp"
+#include "sazare/particles/particle_supports.hpp"
 #include "sazare/state/particles.hpp"
-#include "sazare/terms/particle_supports.hpp"
 
 namespace sazare::methods::mps {
 
@@ -14,7 +14,7 @@ namespace sazare::methods::mps {
 template <int D>
 class LinearStiffness {
 public:
-  LinearStiffness(const state::Particles<D>& particles, const LinkTable<D>& links, const terms::ParticleSupports<D>& supports);
+  LinearStiffness(const state::Particles<D>& particles, const LinkTable<D>& links, const particles::ParticleSupports<D>& supports);
 
   std::size_t rows() const { return scale_.size(); }
   void apply(std::span<const Real> x, std::span<Real> y);

@@ -22,7 +22,7 @@ Real euler_limit(Real square, Real mass_rate, Real lag) {
 
 template <int D>
 StableStep stable_step(const state::Particles<D>& particles, const LinkTable<D>& links,
-                       const terms::ParticleSupports<D>& supports, const laws::RayleighDamping& damping) {
+                       const particles::ParticleSupports<D>& supports, const laws::RayleighDamping& damping) {
   constexpr std::size_t freedoms = state::particle_freedoms<D>;
   constexpr Real tolerance = 1e-6;
   LinearStiffness<D> stiffness(particles, links, supports);
@@ -58,9 +58,9 @@ StableStep stable_step(const state::Particles<D>& particles, const LinkTable<D>&
   return result;
 }
 
-template StableStep stable_step<2>(const state::Particles<2>&, const LinkTable<2>&, const terms::ParticleSupports<2>&,
+template StableStep stable_step<2>(const state::Particles<2>&, const LinkTable<2>&, const particles::ParticleSupports<2>&,
                                    const laws::RayleighDamping&);
-template StableStep stable_step<3>(const state::Particles<3>&, const LinkTable<3>&, const terms::ParticleSupports<3>&,
+template StableStep stable_step<3>(const state::Particles<3>&, const LinkTable<3>&, const particles::ParticleSupports<3>&,
                                    const laws::RayleighDamping&);
 
 }  // namespace sazare::methods::mps

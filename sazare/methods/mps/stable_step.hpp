@@ -15,8 +15,8 @@
 
 #include "sazare/laws/rayleigh_damping.hpp"
 #include "sazare/methods/mps/link_table.hpp"
+#include "sazare/particles/particle_supports.hpp"
 #include "sazare/state/particles.hpp"
-#include "sazare/terms/particle_supports.hpp"
 
 namespace sazare::methods::mps {
 
@@ -28,11 +28,11 @@ struct StableStep {
 
 template <int D>
 StableStep stable_step(const state::Particles<D>& particles, const LinkTable<D>& links,
-                       const terms::ParticleSupports<D>& supports, const laws::RayleighDamping& damping);
+                       const particles::ParticleSupports<D>& supports, const laws::RayleighDamping& damping);
 
-extern template StableStep stable_step<2>(const state::Particles<2>&, const LinkTable<2>&, const terms::ParticleSupports<2>&,
+extern template StableStep stable_step<2>(const state::Particles<2>&, const LinkTable<2>&, const particles::ParticleSupports<2>&,
                                           const laws::RayleighDamping&);
-extern template StableStep stable_step<3>(const state::Particles<3>&, const LinkTable<3>&, const terms::ParticleSupports<3>&,
+extern template StableStep stable_step<3>(const state::Particles<3>&, const LinkTable<3>&, const particles::ParticleSupports<3>&,
                                           const laws::RayleighDamping&);
 
 }  // namespace sazare::methods::mps

@@ -8,7 +8,7 @@
 #include "sazare/methods/rectangles/contacts.hpp"
 #include "sazare/methods/rectangles/face_links.hpp"
 #include "sazare/methods/rectangles/surface_contacts.hpp"
-#include "sazare/terms/particle_forces.hpp"
+#include "sazare/particles/particle_forces.hpp"
 
 namespace sazare::methods::rectangles {
 
@@ -33,7 +33,7 @@ struct EnergyBooks {
   Real lost() const { return links.dashpot + links.friction + links.fracture + contacts.dashpot + contacts.friction; }
 };
 
-class RectangleForces : public terms::ParticleForces<2> {
+class RectangleForces : public particles::ParticleForces<2> {
 public:
   struct Parts {
     state::Outlines outlines;  ///< supports last

@@ -74,7 +74,7 @@ void SurfaceContacts::evaluate(const state::Particles<2>& particles, const state
   parallel::parallel_for(near_.size(), serial_below, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) evaluate(particles, outlines, near_[i], elapsed);
   });
-  std::vector<terms::NodeForce> forces;
+  std::vector<geometry::NodeForce> forces;
   for (const Near& near : near_)
     for (const Point& point : near.points) {
       const Vector3 back(-point.force.x(), -point.force.y(), 0);
@@ -259,6 +259,13 @@ void SurfaceContacts::add_circle(const Outline& outline, Near& near) const {
   }
 }
 
+/// Of an element that lies on the surface with one face: those on a wall, without points.
+laws::ContactSprings SurfaceContacts::springs_of(Real mass) const {
+  const Real normal = 2 * rules_.normal_stiffness * rules_.thickness, shear = 2 * rules_.shear_stiffness * rules_.thickness,
+             damping = 2 * rules_.damping_ratio * std::sqrt(normal * mass);
+  return {normal, shear, damping, damping * std::sqrt(shear / normal)};
+}
+
 Vector2 SurfaceContacts::velocity(const Point& point) const {
   const auto& [first, second] = nodes_of(point);
   const Vector3 velocity = (1 - point.share) * nodes_.velocity(first) + point.share * nodes_.velocity(second);
@@ -268,9 +275,7 @@ Vector2 SurfaceContacts::velocity(const Point& point) const {
 /// Springs, dashpots and friction of a face at all its points.
 void SurfaceContacts::push(const state::Particles<2>& particles, Index touch_number, Real elapsed, Near& near) const {
   const std::size_t i = at(near.element);
-  const Real mass = 1 / particles.inverse_mass[i], spring = 2 * rules_.normal_stiffness * rules_.thickness,
-             shear_spring = 2 * rules_.shear_stiffness * rules_.thickness,
-             damping = 2 * rules_.damping_ratio * std::sqrt(spring * mass);
+  const laws::ContactSprings springs = springs_of(1 / particles.inverse_mass[i]);
   const Vector2 centre(particles.position(0, i), particles.position(1, i));
   const auto tangent = [](const Point& point) { return Vector2(point.normal.y(), -point.normal.x()); };
   const auto rate = [&](const Point& point) -> Vector2 {  // of the surface against the element
@@ -278,37 +283,25 @@ void SurfaceContacts::push(const state::Particles<2>& particles, Index touch_num
     const Real spin = particles.velocity[2][i];
     return velocity(point) - Vector2(particles.velocity[0][i] - spin * arm.y(), particles.velocity[1][i] + spin * arm.x());
   };
-  Real pressure = 0, total = 0, shear_rate = 0;
-  std::size_t count = 0;
+  laws::PressedFace face;
   for (Point& point : near.points) {
     if (point.touch != touch_number) continue;
     const Vector2 closing = rate(point);
-    point.dashpot = maximum(point.weight * damping * point.normal.dot(closing), -point.elastic) * point.normal;  // no pull
+    point.dashpot =
+        laws::pushing_dashpot(point.weight * springs.normal_damping, point.normal.dot(closing), point.elastic) * point.normal;
     point.force = point.elastic * point.normal + point.dashpot;
-    pressure += point.elastic;
-    total += point.normal.dot(point.force);
-    shear_rate += point.elastic * tangent(point).dot(closing);
-    ++count;
+    face.add(point.elastic, point.normal.dot(point.force), tangent(point).dot(closing));
   }
-  shear_rate = pressure > 0 ? shear_rate / pressure : 0;
   Touch& touch = near.touches[at(touch_number)];
-  const Real trial = touch.shear + shear_spring * elapsed * shear_rate, limit = rules_.friction * pressure;
-  Real shear = trial, shear_dashpot = 0;
-  if (std::abs(trial) > limit) {
-    shear = trial < 0 ? -limit : limit;
-    near.loss.friction += laws::slip_loss(touch.shear, trial, shear, shear_spring);
-    touch.shear = shear;
-  } else {
-    touch.shear = trial;
-    shear_dashpot = damping * std::sqrt(shear_spring / spring) * shear_rate;
-    shear += shear_dashpot;
-  }
-  touch.energy = 0.5 * touch.shear * touch.shear / shear_spring;
+  const laws::FaceFriction along =
+      laws::advance_friction(touch.shear, springs, rules_.friction * face.pressure, face.sliding_rate(), elapsed);
+  near.loss.friction += along.loss;
+  touch.energy = laws::shear_energy(springs, touch.shear);
   for (Point& point : near.points) {
     if (point.touch != touch_number) continue;
-    const Real share = total > 0 ? point.normal.dot(point.force) / total : 1 / static_cast<Real>(count);
-    point.force += share * shear * tangent(point);
-    point.dashpot += share * shear_dashpot * tangent(point);
+    const Real share = face.share_of(point.normal.dot(point.force));
+    point.force += share * along.force * tangent(point);
+    point.dashpot += share * along.dashpot * tangent(point);
     const Vector2 arm = point.place - centre;
     const auto add = [&](const Vector2& force, std::array<Real, 3>& sum) {
       sum[0] += force.x();

@@ -10,15 +10,15 @@
 ///
 /// So the force is the derivative of the energy, and it does not matter where the surface is cut into segments. What lies nearer
 /// to another segment is left to that one. A circle has one point: its foot on a segment, or a node between two of which it has
-/// none. Dashpots act beside the springs; along each face one spring serves all its points and slips as in contacts.hpp. Forces
-/// go to the nodes of a segment by its linear shape functions.
+/// none. Dashpots act beside the springs; along each face one spring serves all its points and slips: laws/face_contact.hpp.
+/// Forces go to the nodes of a segment by its linear shape functions.
 
 #include <array>
 #include <span>
 #include <vector>
 
+#include "sazare/geometry/nodal_surface.hpp"
 #include "sazare/methods/rectangles/contacts.hpp"
-#include "sazare/terms/nodal_surface.hpp"
 
 namespace sazare::methods::rectangles {
 
@@ -40,7 +40,7 @@ public:
   void add_to(std::size_t element, std::array<Real, 3>& sum) const;
   bool has(std::size_t element) const { return place_of_[element] >= 0; }
 
-  const terms::SurfaceNodes& nodes() const { return nodes_; }
+  const geometry::SurfaceNodes& nodes() const { return nodes_; }
   Index touching() const;  ///< faces of elements
   Real elastic_energy() const;
   SpringLosses losses() const;
@@ -102,6 +102,7 @@ private:
   bool is_nearer_elsewhere(const Piece& piece, std::span<const Index> segments) const;
   void add_points(const geometry::Outline& outline, Near& near) const;
   void add_circle(const geometry::Outline& outline, Near& near) const;
+  laws::ContactSprings springs_of(Real mass) const;
   void push(const state::Particles<2>& particles, Index touch, Real elapsed, Near& near) const;
   const Segment& nodes_of(const Point& point) const { return segments_[static_cast<std::size_t>(point.segment)]; }
   geometry::Vector2 velocity(const Point& point) const;
@@ -111,7 +112,7 @@ private:
   ContactRules rules_;
   std::vector<Segment> segments_;
   std::vector<std::array<Index, 2>> beside_;  ///< by segment: those that end where it begins and begin where it ends, or -1
-  terms::SurfaceNodes nodes_;
+  geometry::SurfaceNodes nodes_;
   Real time_ = 0;              ///< since the nodes were led last [s]
   Real skin_ = 0, drift_ = 0;  ///< drift: of any node since the last search, at most [m]
   bool searched_ = false;

@@ -11,10 +11,10 @@
 
 #include "sazare/core/archive.hpp"
 #include "sazare/core/time.hpp"
+#include "sazare/geometry/nodal_surface.hpp"
 #include "sazare/geometry/triangle_grid.hpp"
 #include "sazare/laws/ground_motion.hpp"
 #include "sazare/state/spheres.hpp"
-#include "sazare/terms/nodal_surface.hpp"
 
 namespace sazare::methods::spheres {
 
@@ -67,7 +67,7 @@ struct Wall {
   std::vector<geometry::Triangle> triangles;  ///< at the start [m]; none: a plane, or a surface that moves with its nodes
   state::PeriodicBox images;                  ///< of a surface: the axes along which it repeats itself, see `repeat_wall`
   WallMotion motion;
-  terms::NodalSurface nodal;
+  geometry::NodalSurface nodal;
 
   /// Whether a sphere can be on either side of it.
   bool is_surface() const { return !is_plane(); }

@@ -34,7 +34,7 @@ Real WallContacts::lead(Real time, Real step, std::vector<Vector3> from, std::ve
 
 void WallContacts::book_surface(Real step) {
   if (surface() == nullptr) return;
-  std::vector<terms::NodeForce> forces;
+  std::vector<geometry::NodeForce> forces;
   for (const auto& blocks : parts_)
     for (const Block& block : blocks) forces.insert(forces.end(), block.on_nodes.begin(), block.on_nodes.end());
   walls_[surface_].nodal.book(forces, step);

@@ -49,7 +49,7 @@ public:
   /// Adds a wall, whose nodes are led from outside; one at most.
   void add_surface(Wall wall);
   /// The wall that moves with its nodes; nullptr where there is none.
-  const terms::NodalSurface* surface() const { return surface_ < walls_.size() ? &walls_[surface_].nodal : nullptr; }
+  const geometry::NodalSurface* surface() const { return surface_ < walls_.size() ? &walls_[surface_].nodal : nullptr; }
   Real lead(Real time, Real step, std::vector<Vector3> from, std::vector<Vector3> with);
   /// To be called once after the blocks of a step: what its nodes have got.
   void book_surface(Real step);
@@ -107,14 +107,14 @@ private:
     std::vector<Point> points;     ///< those of the touches
     std::vector<Touch> before;
     std::vector<WallLoad> loads;             ///< by wall
-    std::vector<terms::NodeForce> on_nodes;  ///< of the surface [N]
+    std::vector<geometry::NodeForce> on_nodes;  ///< of the surface [N]
     std::optional<Passage> passage;
   };
   /// How a surface moves where it is touched.
   struct Ground {
     Real arm = 0;  ///< from the sphere's centre [m]
     Vector3 place, velocity, spin;
-    std::optional<terms::FacePoint> face;  ///< of a surface with nodes
+    std::optional<geometry::FacePoint> face;  ///< of a surface with nodes
   };
 
   geometry::Triangle triangle(std::size_t wall, std::int32_t number) const;

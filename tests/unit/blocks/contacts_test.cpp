@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sazare/methods/blocks/case/case.hpp"
 #include "tests/support/blocks_scene.hpp"
 
 namespace sazare::methods::blocks {

@@ -1,8 +1,8 @@
-#include "sazare/methods/blocks/coupled_rates.hpp"
-
 #include <gtest/gtest.h>
 
-#include "sazare/runs/blocks_parts.hpp"
+#include "sazare/methods/blocks/case/case.hpp"
+#include "sazare/methods/blocks/coupled_rates.hpp"
+#include "sazare/methods/blocks/run/parts.hpp"
 #include "tests/support/blocks_scene.hpp"
 
 namespace sazare::methods::blocks {

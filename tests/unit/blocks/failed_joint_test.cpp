@@ -33,7 +33,7 @@ private:
   state::Bodies<3> bodies_;
 };
 
-void set_bodies(engine::Simulation<3>& simulation, const state::Bodies<3>& bodies) {
+void set_bodies(levels::Simulation<3>& simulation, const state::Bodies<3>& bodies) {
   test::MemoryArchive own;
   simulation.columns(own);
   ExchangedBodies exchanged(own, bodies);

@@ -1,8 +1,8 @@
-#include "case_folder.hpp"
-
 #include <gtest/gtest.h>
 
+#include "case_folder.hpp"
 #include "sazare/core/error.hpp"
+#include "sazare/registry/registry.hpp"
 
 namespace sazare::cases {
 namespace fs = std::filesystem;
@@ -14,7 +14,7 @@ CaseFolder::CaseFolder() {
 }
 
 CaseFile CaseFolder::read(const std::string& text, const std::vector<std::string>& overrides) const {
-  return read_case(write("case.toml", text), overrides);
+  return registry::read_case(write("case.toml", text), overrides);
 }
 
 std::string CaseFolder::refusal(const std::string& text, const std::vector<std::string>& overrides) const {

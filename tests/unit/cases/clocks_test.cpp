@@ -1,8 +1,8 @@
-#include "sazare/cases/clocks.hpp"
-
 #include <gtest/gtest.h>
 
 #include "case_folder.hpp"
+#include "sazare/cases/clocks.hpp"
+#include "sazare/methods/blocks/case/case.hpp"
 
 namespace sazare::cases {
 namespace {
@@ -42,7 +42,7 @@ void expect_nested(const Time& time) {
 
 TEST(Clocks, DefaultsAreAboutTwoHundredRowsAndTwentySnapshots) {
   const CaseFolder folder;
-  const Time time = folder.read(smallest_case()).blocks().time;
+  const Time time = folder.read(smallest_case()).as<cases::BlocksCase>().time;
   EXPECT_EQ(whole_multiple(time.end, time.history_interval), 200);
   EXPECT_EQ(whole_multiple(time.end, time.snapshot_interval), 20);
 }
@@ -64,7 +64,7 @@ TEST(Clocks, DefaultsNestWithWhatIsGiven) {
   };
   for (const auto& overrides : settings) {
     SCOPED_TRACE(overrides.front() + " " + overrides.back());
-    expect_nested(folder.read(smallest_case(), overrides).blocks().time);
+    expect_nested(folder.read(smallest_case(), overrides).as<cases::BlocksCase>().time);
   }
 }
 
@@ -85,7 +85,7 @@ TEST(Clocks, TheSuggestedIntervalIsAccepted) {
     const std::size_t begin = at + words.size();
     auto corrected = overrides;
     corrected.push_back("time." + key + "=" + message.substr(begin, message.find_first_of(",\n", begin) - begin));
-    EXPECT_NO_THROW(expect_nested(folder.read(smallest_case(), corrected).blocks().time)) << corrected.back();
+    EXPECT_NO_THROW(expect_nested(folder.read(smallest_case(), corrected).as<cases::BlocksCase>().time)) << corrected.back();
   }
 }
 

@@ -1,9 +1,10 @@
-#include <filesystem>
-
 #include <gtest/gtest.h>
+
+#include <filesystem>
 
 #include "sazare/cases/case_file.hpp"
 #include "sazare/cases/study_file.hpp"
+#include "sazare/registry/registry.hpp"
 
 namespace sazare::cases {
 namespace {
@@ -18,7 +19,7 @@ TEST(ExampleCases, AreAllValid) {
       if (file.path().filename() == "study.toml")
         EXPECT_NO_THROW(read_study(file.path())) << file.path();
       else
-        EXPECT_NO_THROW(read_case(file.path())) << file.path();
+        EXPECT_NO_THROW(registry::read_case(file.path())) << file.path();
       ++count;
     }
   }

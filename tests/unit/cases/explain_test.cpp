@@ -1,14 +1,14 @@
 #include <gtest/gtest.h>
 
 #include "case_folder.hpp"
-#include "sazare/cases/resolved.hpp"
+#include "sazare/methods/blocks/case/format.hpp"
 
 namespace sazare::cases {
 namespace {
 
 TEST(Explain, SaysWhatFollowsFromTheNumbers) {
   const CaseFolder folder;
-  const std::string text = explain(folder.read(full_case()).blocks());
+  const std::string text = explain(folder.read(full_case()).as<cases::BlocksCase>());
   for (const char* words : {
            "mesh        block.geo, coordinates times 0.001, meshed by gmsh",
            "rock: 2700 kg/m3, regions rock, roof",

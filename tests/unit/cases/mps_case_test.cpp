@@ -1,11 +1,13 @@
-#include <fstream>
-
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "case_folder.hpp"
-#include "sazare/cases/resolved.hpp"
 #include "sazare/cases/study_file.hpp"
 #include "sazare/core/error.hpp"
+#include "sazare/methods/blocks/case/format.hpp"
+#include "sazare/methods/mps/case/format.hpp"
+#include "sazare/registry/registry.hpp"
 
 namespace sazare::cases {
 namespace {
@@ -13,33 +15,33 @@ namespace {
 TEST(mps_case, resolved_text_reads_as_the_same_case) {
   const CaseFolder folder;
   for (const char* name : {"column-ricker/case.toml", "soil-column-el-centro/case.toml", "stability-study/column-p.toml"}) {
-    const CaseFile first = read_case(std::filesystem::path("cases") / name);
-    const std::string text = write_resolved(first.mps());
+    const CaseFile first = registry::read_case(std::filesystem::path("cases") / name);
+    const std::string text = write_resolved(first.as<cases::MpsCase>());
     const CaseFile second = folder.read(text);
-    EXPECT_EQ(write_resolved(second.mps()), text) << name;
-    ASSERT_EQ(first.mps().motions.size(), second.mps().motions.size());
-    for (std::size_t i = 0; i < first.mps().motions.size(); ++i)
-      EXPECT_EQ(first.mps().motions[i].record.value, second.mps().motions[i].record.value);
+    EXPECT_EQ(write_resolved(second.as<cases::MpsCase>()), text) << name;
+    ASSERT_EQ(first.as<cases::MpsCase>().motions.size(), second.as<cases::MpsCase>().motions.size());
+    for (std::size_t i = 0; i < first.as<cases::MpsCase>().motions.size(); ++i)
+      EXPECT_EQ(first.as<cases::MpsCase>().motions[i].record.value, second.as<cases::MpsCase>().motions[i].record.value);
   }
 }
 
 TEST(mps_case, third_velocity_follows_from_the_other_two) {
   const std::vector<std::string> by_ratio = {"materials.0.shear_velocity=100"};
-  const MpsCase mps = read_case("cases/stability-study/column-s.toml", by_ratio).mps();
+  const MpsCase mps = registry::read_case("cases/stability-study/column-s.toml", by_ratio).as<cases::MpsCase>();
   EXPECT_NEAR(mps.materials[0].pressure_velocity, 200, 1e-9);
   const MpsCase other =
-      read_case("cases/stability-study/column-p.toml", std::vector<std::string>{"materials.0.pressure_velocity=400"}).mps();
+      registry::read_case("cases/stability-study/column-p.toml", std::vector<std::string>{"materials.0.pressure_velocity=400"}).as<cases::MpsCase>();
   EXPECT_NEAR(other.materials[0].shear_velocity, 200, 1e-9);
 }
 
 TEST(mps_case, is_explained_with_the_drift_of_its_record) {
-  const std::string text = explain(read_case("cases/soil-column-el-centro/case.toml").mps());
+  const std::string text = explain(registry::read_case("cases/soil-column-el-centro/case.toml").as<cases::MpsCase>());
   EXPECT_NE(text.find("el-centro: el-centro-1940-ns.AT2, acceleration of 1560 samples every 0.02 s, times 0.5"),
             std::string::npos)
       << text;
   EXPECT_NE(text.find("baseline linear: at its end it moves at -0.004338 m/s, -0.02754 m away"), std::string::npos) << text;
   const std::string raw =
-      explain(read_case("cases/soil-column-el-centro/case.toml", std::vector<std::string>{"motions.0.baseline=\"none\""}).mps());
+      explain(registry::read_case("cases/soil-column-el-centro/case.toml", std::vector<std::string>{"motions.0.baseline=\"none\""}).as<cases::MpsCase>());
   EXPECT_NE(raw.find("baseline none: at its end it moves at"), std::string::npos) << raw;
 }
 

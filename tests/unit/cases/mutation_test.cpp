@@ -1,10 +1,10 @@
-#include <random>
-
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "case_folder.hpp"
-#include "sazare/cases/resolved.hpp"
 #include "sazare/core/error.hpp"
+#include "sazare/methods/blocks/case/format.hpp"
 
 /// A damaged case is read or refused in words; nothing else may happen to it.
 namespace sazare::cases {
@@ -14,7 +14,7 @@ namespace {
 bool read_or_refused(const CaseFolder& folder, const std::string& text, const std::vector<std::string>& overrides = {}) {
   try {
     const CaseFile file = folder.read(text, overrides);
-    EXPECT_NO_THROW(folder.read(write_resolved(file.blocks()))) << text;
+    EXPECT_NO_THROW(folder.read(write_resolved(file.as<cases::BlocksCase>()))) << text;
     return true;
   } catch (const UserError& failure) {
     const std::string message = failure.what();

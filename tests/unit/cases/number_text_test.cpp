@@ -1,10 +1,10 @@
-#include "sazare/cases/number_text.hpp"
+#include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <limits>
 #include <random>
 
-#include <gtest/gtest.h>
+#include "sazare/cases/format/number_text.hpp"
 
 namespace sazare::cases {
 namespace {

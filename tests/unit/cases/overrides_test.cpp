@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "case_folder.hpp"
+#include "sazare/methods/blocks/case/case.hpp"
 
 namespace sazare::cases {
 namespace {
@@ -23,7 +24,7 @@ TEST(Overrides, ReplaceNumbersTextsAndLists) {
 
 TEST(Overrides, ReachInsideListsAndInlineTables) {
   const CaseFolder folder;
-  const BlocksCase blocks = folder.read(full_case(), {"gauges.0.point.2=0.5", "mesh.parameters.depth=0.2"}).blocks();
+  const BlocksCase blocks = folder.read(full_case(), {"gauges.0.point.2=0.5", "mesh.parameters.depth=0.2"}).as<cases::BlocksCase>();
   EXPECT_EQ(blocks.gauges[0].point, Vector3(0.3, 0.6, 0.5));
   EXPECT_EQ(blocks.mesh.parameters[0].second, 0.2);
 }
@@ -31,19 +32,19 @@ TEST(Overrides, ReachInsideListsAndInlineTables) {
 TEST(Overrides, AddKeysAndTables) {
   const CaseFolder folder;
   const BlocksCase blocks =
-      folder.read(smallest_case(), {"gravity.acceleration=[0,0,-9.81]", "contact.edge_division=7"}).blocks();
+      folder.read(smallest_case(), {"gravity.acceleration=[0,0,-9.81]", "contact.edge_division=7"}).as<cases::BlocksCase>();
   EXPECT_EQ(blocks.gravity.acceleration.z(), -9.81);
   EXPECT_EQ(blocks.contact.edge_division, 7);
 }
 
 TEST(Overrides, TheLastOneWins) {
   const CaseFolder folder;
-  EXPECT_EQ(folder.read(smallest_case(), {"time.end=1e-3", "time.end=2e-3"}).blocks().time.end, 2e-3);
+  EXPECT_EQ(folder.read(smallest_case(), {"time.end=1e-3", "time.end=2e-3"}).as<cases::BlocksCase>().time.end, 2e-3);
 }
 
 TEST(Overrides, AWordIsTakenAsText) {
   const CaseFolder folder;
-  EXPECT_EQ(folder.read(smallest_case(), {"case.title=Free face, 3 m"}).blocks().title, "Free face, 3 m");
+  EXPECT_EQ(folder.read(smallest_case(), {"case.title=Free face, 3 m"}).as<cases::BlocksCase>().title, "Free face, 3 m");
 }
 
 TEST(Overrides, CannotSmuggleInOtherKeys) {

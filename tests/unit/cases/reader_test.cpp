@@ -1,17 +1,19 @@
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <numbers>
 
-#include <gtest/gtest.h>
-
 #include "case_folder.hpp"
 #include "sazare/core/error.hpp"
+#include "sazare/methods/blocks/case/case.hpp"
+#include "sazare/registry/registry.hpp"
 
 namespace sazare::cases {
 namespace {
 
 TEST(Reader, TakesDefaultsFromTheSchema) {
   const CaseFolder folder;
-  const BlocksCase blocks = folder.read(smallest_case()).blocks();
+  const BlocksCase blocks = folder.read(smallest_case()).as<cases::BlocksCase>();
   EXPECT_EQ(blocks.title, "Small");
   EXPECT_EQ(blocks.mesh.scale, 1);
   EXPECT_EQ(blocks.materials.at(0).density, 2700);
@@ -32,7 +34,7 @@ TEST(Reader, TakesDefaultsFromTheSchema) {
 
 TEST(Reader, TakesEveryKeyThatIsGiven) {
   const CaseFolder folder;
-  const BlocksCase blocks = folder.read(full_case()).blocks();
+  const BlocksCase blocks = folder.read(full_case()).as<cases::BlocksCase>();
   EXPECT_EQ(blocks.title, "Full \"quoted\" 発破");
   EXPECT_EQ(blocks.mesh.file, folder.path() / "block.geo");
   EXPECT_TRUE(blocks.mesh.is_geometry());
@@ -60,7 +62,7 @@ TEST(Reader, TakesEveryKeyThatIsGiven) {
 
 TEST(Reader, ReadsThePressureTable) {
   const CaseFolder folder;
-  const Blast blast = folder.read(full_case()).blocks().blasts.at(1);
+  const Blast blast = folder.read(full_case()).as<cases::BlocksCase>().blasts.at(1);
   EXPECT_EQ(blast.name, "hole_2");
   EXPECT_TRUE(std::isinf(blast.cut_distance));
   const auto& table = std::get<PressureTable>(blast.pressure);
@@ -72,13 +74,13 @@ TEST(Reader, ReadsFilesWithWindowsLineEnds) {
   const CaseFolder folder;
   std::string text;
   for (char c : smallest_case()) text += c == '\n' ? std::string("\r\n") : std::string(1, c);
-  EXPECT_EQ(folder.read(text).blocks().title, "Small");
+  EXPECT_EQ(folder.read(text).as<cases::BlocksCase>().title, "Small");
 }
 
 TEST(Reader, SaysWhenTheCaseFileIsNotThere) {
   const CaseFolder folder;
-  EXPECT_THROW(read_case(folder.path() / "none.toml"), UserError);
-  EXPECT_THROW(read_case(folder.path()), UserError);
+  EXPECT_THROW(registry::read_case(folder.path() / "none.toml"), UserError);
+  EXPECT_THROW(registry::read_case(folder.path()), UserError);
 }
 
 TEST(Reader, AcceptsTheLargestStrengthItSuggests) {

@@ -1,18 +1,17 @@
-#include "sazare/cases/resolved.hpp"
-
 #include <gtest/gtest.h>
 
 #include "case_folder.hpp"
-#include "sazare/cases/schema.hpp"
+#include "sazare/cases/format/schema.hpp"
+#include "sazare/methods/blocks/case/format.hpp"
 
 namespace sazare::cases {
 namespace {
 
 /// Every number of a case is written in as many digits as it needs, so equal texts mean equal cases.
 void expect_round_trip(const CaseFolder& folder, const std::string& text) {
-  const BlocksCase first = folder.read(text).blocks();
+  const BlocksCase first = folder.read(text).as<cases::BlocksCase>();
   const std::string resolved = write_resolved(first);
-  const BlocksCase second = folder.read(resolved).blocks();
+  const BlocksCase second = folder.read(resolved).as<cases::BlocksCase>();
   EXPECT_EQ(write_resolved(second), resolved);
   EXPECT_EQ(second.title, first.title);
   EXPECT_EQ(second.mesh.file, first.mesh.file);
@@ -34,7 +33,7 @@ TEST(Resolved, ReadsBackToTheSameCase) {
 
 TEST(Resolved, NamesFilesRelativeToItsFolder) {
   const CaseFolder folder;
-  const BlocksCase blocks = folder.read(full_case()).blocks();
+  const BlocksCase blocks = folder.read(full_case()).as<cases::BlocksCase>();
   const std::string text = write_resolved(blocks, folder.path() / "results");
   EXPECT_NE(text.find("file = \"../block.geo\""), std::string::npos) << text;
   EXPECT_NE(text.find("table = \"../pressure.csv\""), std::string::npos);
@@ -42,7 +41,7 @@ TEST(Resolved, NamesFilesRelativeToItsFolder) {
 
 TEST(Resolved, HoldsEveryKey) {
   const CaseFolder folder;
-  const std::string text = "\n" + write_resolved(folder.read(full_case()).blocks());
+  const std::string text = "\n" + write_resolved(folder.read(full_case()).as<cases::BlocksCase>());
   for (const Table& table : blocks_schema()) {
     for (const Key& key : table.keys) {
       if (key.name == "friction_angle") continue;  // written as friction_coefficient
@@ -53,7 +52,7 @@ TEST(Resolved, HoldsEveryKey) {
 
 TEST(Resolved, ShowsUnits) {
   const CaseFolder folder;
-  const std::string text = write_resolved(folder.read(smallest_case()).blocks());
+  const std::string text = write_resolved(folder.read(smallest_case()).as<cases::BlocksCase>());
   EXPECT_NE(text.find("density = 2700.0  # kg/m3\n"), std::string::npos) << text;
 }
 

@@ -1,18 +1,24 @@
-#include "sazare/cases/schema.hpp"
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <cstdlib>
 #include <fstream>
 #include <set>
 #include <sstream>
 
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
 #include "case_folder.hpp"
-#include "sazare/cases/fem_fields.hpp"
-#include "sazare/cases/rectangles_fields.hpp"
-#include "sazare/cases/spheres_fields.hpp"
-#include "sazare/cases/units.hpp"
+#include "sazare/cases/format/schema.hpp"
+#include "sazare/cases/format/units.hpp"
+#include "sazare/cases/study_file.hpp"
+#include "sazare/methods/blocks/case/format.hpp"
+#include "sazare/methods/fem/case/fields.hpp"
+#include "sazare/methods/fem/case/format.hpp"
+#include "sazare/methods/mps/case/format.hpp"
+#include "sazare/methods/rectangles/case/fields.hpp"
+#include "sazare/methods/rectangles/case/format.hpp"
+#include "sazare/methods/spheres/case/fields.hpp"
+#include "sazare/methods/spheres/case/format.hpp"
+#include "sazare/registry/registry.hpp"
 
 namespace sazare::cases {
 namespace {
@@ -82,7 +88,7 @@ TEST(Schema, ChoicesAreInTheOrderOfTheEnums) {
 }
 
 TEST(Schema, JsonIsValidAndClosed) {
-  const auto all = nlohmann::json::parse(schema_json());
+  const auto all = nlohmann::json::parse(registry::schema_json());
   ASSERT_EQ(all["oneOf"].size(), 6);
   EXPECT_EQ(all["oneOf"][1]["properties"]["case"]["properties"]["method"]["const"], "mps");
   EXPECT_EQ(all["oneOf"][1]["properties"].size(), mps_schema().size());
@@ -103,7 +109,7 @@ TEST(Schema, JsonIsValidAndClosed) {
 }
 
 TEST(Schema, MarkdownHasARowForEveryKey) {
-  const std::string text = schema_markdown();
+  const std::string text = registry::schema_markdown();
   for (const Table& table : all_tables())
     for (const Key& key : table.keys)
       EXPECT_NE(text.find("| `" + std::string(key.name) + "` |"), std::string::npos) << table.name << "." << key.name;
@@ -112,10 +118,10 @@ TEST(Schema, MarkdownHasARowForEveryKey) {
 /// SAZARE_WRITE_REFERENCE=1 in the environment writes the page anew.
 TEST(Schema, ReferencePageIsUpToDate) {
   const char* const page = "docs/reference/case.md";
-  if (std::getenv("SAZARE_WRITE_REFERENCE") != nullptr) std::ofstream(page) << schema_markdown();
+  if (std::getenv("SAZARE_WRITE_REFERENCE") != nullptr) std::ofstream(page) << registry::schema_markdown();
   std::ostringstream text;
   text << std::ifstream(page).rdbuf();
-  EXPECT_EQ(text.str(), schema_markdown());
+  EXPECT_EQ(text.str(), registry::schema_markdown());
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
-#include "sazare/cases/suggest.hpp"
+#include <gtest/gtest.h>
 
 #include <vector>
 
-#include <gtest/gtest.h>
+#include "sazare/cases/format/suggest.hpp"
 
 namespace sazare::cases {
 namespace {

@@ -1,6 +1,6 @@
-#include "sazare/cases/units.hpp"
-
 #include <gtest/gtest.h>
+
+#include "sazare/cases/format/units.hpp"
 
 namespace sazare::cases {
 namespace {

@@ -1,9 +1,9 @@
-#include "sazare/distribute/balance.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
+
+#include "sazare/levels/distribute/balance.hpp"
 
 namespace sazare::distribute {
 namespace {

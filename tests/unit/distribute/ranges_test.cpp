@@ -1,6 +1,6 @@
-#include "sazare/distribute/ranges.hpp"
-
 #include <gtest/gtest.h>
+
+#include "sazare/levels/distribute/ranges.hpp"
 
 namespace sazare::distribute {
 namespace {

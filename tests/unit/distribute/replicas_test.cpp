@@ -1,9 +1,8 @@
 /// One process alone; that several give the same bits is tested with processes (tests/regression/test_ranks.py).
 
-#include "sazare/distribute/replicas.hpp"
-
 #include <gtest/gtest.h>
 
+#include "sazare/levels/distribute/replicas.hpp"
 #include "tests/support/networks.hpp"
 
 namespace sazare::distribute {

@@ -11,7 +11,7 @@ namespace {
 
 using geometry::ElementMesh, geometry::ElementShape;
 
-using engine::FemRules, engine::FemStepper;
+using methods::fem::FemRules, methods::fem::FemStepper;
 
 constexpr Real shear_velocity = 100, density = 2000, height = 10;
 

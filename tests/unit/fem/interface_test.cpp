@@ -84,17 +84,17 @@ TEST(split, leaves_the_end_of_a_cut_inside_the_body_one_node) {
 
 /// Gravity inclined by an angle: the ratio of its parts is the tangent.
 template <int D>
-engine::FemStepper<D> inclined(ElementShape shape, Real slope, Real friction) {
+methods::fem::FemStepper<D> inclined(ElementShape shape, Real slope, Real friction) {
   auto description = two_blocks(shape, friction);
   Supports<D> supports;
   for (int axis = 0; axis < D; ++axis) test::hold<D>(description.mesh, "bottom", axis, supports);
   supports.gravity[0] = 9.81 * std::sin(std::atan(slope));
   supports.gravity[D - 1] = -9.81 * std::cos(std::atan(slope));
-  engine::FemRules rules;
+  methods::fem::FemRules rules;
   rules.step = 1e-3;
   rules.damping = {0, 1e-3};  // of the stiffness alone: vibrations of the block would let it slide more easily
   description.materials[0].damping_ratio = 1;
-  return engine::FemStepper<D>(std::make_unique<Body<D>>(std::move(description)), std::move(supports), rules);
+  return methods::fem::FemStepper<D>(std::make_unique<Body<D>>(std::move(description)), std::move(supports), rules);
 }
 
 TEST(block_on_a_joint, stands_below_the_angle_of_friction_and_its_reaction_is_its_weight) {
@@ -125,9 +125,9 @@ TEST(block_on_a_joint, is_lifted_without_resistance) {
   Supports<3> supports;
   for (int axis = 0; axis < 3; ++axis) test::hold<3>(description.mesh, "bottom", axis, supports);
   supports.gravity.z() = 5;
-  engine::FemRules rules;
+  methods::fem::FemRules rules;
   rules.step = 1e-3;
-  engine::FemStepper<3> stepper(std::make_unique<Body<3>>(std::move(description)), std::move(supports), rules);
+  methods::fem::FemStepper<3> stepper(std::make_unique<Body<3>>(std::move(description)), std::move(supports), rules);
   stepper.start();
   for (int step = 0; step < 100; ++step) stepper.advance();
   const Index top = test::node_at(stepper.body().mesh(), {0.5, 0.5, 1});

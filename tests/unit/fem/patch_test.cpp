@@ -1,8 +1,7 @@
 /// Patch tests: a linear field of displacements is found exactly on a distorted mesh.
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
 
 #include "tests/support/element_boxes.hpp"
 
@@ -11,7 +10,7 @@ namespace {
 
 using geometry::ElementMesh, geometry::ElementShape;
 
-using engine::FemRules, engine::FemStepper;
+using methods::fem::FemRules, methods::fem::FemStepper;
 using test::for_every_shape, test::name_of;
 
 constexpr Real modulus = 1e7, ratio = 0.3;

@@ -119,10 +119,10 @@ TEST(yielding_body, fails_at_its_uniaxial_strength) {
     test::hold<2>(mesh, "left", 0, supports);
     test::hold<2>(mesh, "bottom", 1, supports);
     test::hold<2>(mesh, "top", 1, supports, 0);
-    engine::FemRules rules;
+    methods::fem::FemRules rules;
     rules.step = 0.1;
     rules.statics = true;
-    engine::FemStepper<2> stepper(std::make_unique<Body<2>>(test::of_one_material(mesh, material)), supports, rules);
+    methods::fem::FemStepper<2> stepper(std::make_unique<Body<2>>(test::of_one_material(mesh, material)), supports, rules);
     stepper.start();
     for (int step = 0; step < 10; ++step) stepper.advance();
     Real force = 0;

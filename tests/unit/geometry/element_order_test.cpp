@@ -1,11 +1,10 @@
-#include "sazare/geometry/element_order.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-#include "sazare/geometry/gmsh_reader.hpp"
+#include "sazare/geometry/element_order.hpp"
+#include "sazare/geometry/gmsh/reader.hpp"
 
 namespace sazare::geometry {
 namespace {

@@ -1,5 +1,3 @@
-#include "sazare/geometry/face_map.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +7,8 @@
 #include <tuple>
 
 #include "sazare/core/error.hpp"
-#include "sazare/geometry/gmsh_reader.hpp"
+#include "sazare/geometry/face_map.hpp"
+#include "sazare/geometry/gmsh/reader.hpp"
 #include "sazare/geometry/tetrahedron.hpp"
 
 namespace sazare::geometry {

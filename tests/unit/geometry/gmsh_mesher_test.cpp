@@ -1,5 +1,3 @@
-#include "sazare/geometry/gmsh_mesher.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +6,8 @@
 
 #include "msh_writer.hpp"
 #include "sazare/core/error.hpp"
-#include "sazare/geometry/gmsh_reader.hpp"
+#include "sazare/geometry/gmsh/mesher.hpp"
+#include "sazare/geometry/gmsh/reader.hpp"
 #include "sazare/geometry/tetrahedron.hpp"
 
 namespace sazare::geometry {

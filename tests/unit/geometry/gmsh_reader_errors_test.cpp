@@ -8,7 +8,7 @@
 
 #include "msh_writer.hpp"
 #include "sazare/core/error.hpp"
-#include "sazare/geometry/gmsh_reader.hpp"
+#include "sazare/geometry/gmsh/reader.hpp"
 
 namespace sazare::geometry {
 namespace {

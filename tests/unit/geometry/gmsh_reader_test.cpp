@@ -1,10 +1,9 @@
-#include "sazare/geometry/gmsh_reader.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "msh_writer.hpp"
+#include "sazare/geometry/gmsh/reader.hpp"
 #include "sazare/geometry/tetrahedron.hpp"
 
 namespace sazare::geometry {

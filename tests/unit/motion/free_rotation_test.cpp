@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sazare/motion/kick.hpp"
+#include "sazare/levels/motion/kick.hpp"
 
 namespace sazare::motion {
 namespace {

@@ -1,6 +1,6 @@
-#include "sazare/motion/kick.hpp"
-
 #include <gtest/gtest.h>
+
+#include "sazare/levels/motion/kick.hpp"
 
 namespace sazare::motion {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "sazare/motion/kick.hpp"
+#include "sazare/levels/motion/kick.hpp"
 
 namespace sazare::motion {
 namespace {

@@ -1,10 +1,9 @@
-#include "sazare/motion/step.hpp"
-
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-#include "sazare/motion/kick.hpp"
+#include "sazare/levels/motion/kick.hpp"
+#include "sazare/levels/motion/step.hpp"
 
 namespace sazare::motion {
 namespace {

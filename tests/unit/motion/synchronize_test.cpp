@@ -1,11 +1,10 @@
-#include "sazare/motion/synchronize.hpp"
-
 #include <gtest/gtest.h>
 
 #include <random>
 #include <vector>
 
-#include "sazare/motion/kick.hpp"
+#include "sazare/levels/motion/kick.hpp"
+#include "sazare/levels/motion/synchronize.hpp"
 
 namespace sazare::motion {
 namespace {

@@ -2,8 +2,8 @@
 
 /// Rectangles and boxes of particles for the tests.
 
-#include "sazare/engine/uniform_stepper.hpp"
 #include "sazare/methods/mps/elastic_forces.hpp"
+#include "sazare/particles/uniform_stepper.hpp"
 
 namespace sazare::methods::mps {
 
@@ -29,9 +29,9 @@ struct Column2 {
   std::vector<Site<2>> sites;
   state::Particles<2> particles;
   LinkTable<2> links;
-  terms::ParticleSupports<2> supports;
+  particles::ParticleSupports<2> supports;
 
-  engine::UniformStepper<2> stepper(const engine::UniformRules& rules) const {
+  particles::UniformStepper<2> stepper(const particles::UniformRules& rules) const {
     return {particles, std::make_unique<ElasticForces<2>>(links, RotationRemoval::mean_rotation), supports, rules};
   }
 };

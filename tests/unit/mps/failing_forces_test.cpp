@@ -1,11 +1,10 @@
-#include "sazare/methods/mps/failing_forces.hpp"
-
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "sazare/engine/uniform_stepper.hpp"
 #include "sazare/methods/mps/elastic_forces.hpp"
+#include "sazare/methods/mps/failing_forces.hpp"
+#include "sazare/particles/uniform_stepper.hpp"
 #include "tests/support/memory_archive.hpp"
 #include "tests/unit/mps/column.hpp"
 
@@ -200,8 +199,8 @@ struct Collision {
                                                    GroundStrength<2>(particles, links, {ground}, std::vector<Index>(18, 0)),
                                                    LooseRules{.step = step, .damping_ratio = damping_ratio});
     forces = made.get();
-    stepper.emplace(particles, std::move(made), terms::ParticleSupports<2>{},
-                    engine::UniformRules{step, engine::Integrator::leapfrog, {}});
+    stepper.emplace(particles, std::move(made), particles::ParticleSupports<2>{},
+                    particles::UniformRules{step, particles::Integrator::leapfrog, {}});
     stepper->start();
   }
 
@@ -214,7 +213,7 @@ struct Collision {
 
   static constexpr Real spacing = 0.5;
   FailingForces<2>* forces = nullptr;
-  std::optional<engine::UniformStepper<2>> stepper;
+  std::optional<particles::UniformStepper<2>> stepper;
 };
 
 TEST(loose_contacts, keep_the_energy_of_bodies_that_meet_without_damping_and_friction) {

@@ -1,9 +1,8 @@
-#include "sazare/methods/mps/stable_step.hpp"
-
 #include <gtest/gtest.h>
 
 #include "sazare/core/largest_eigenvalue.hpp"
 #include "sazare/methods/mps/linear_stiffness.hpp"
+#include "sazare/methods/mps/stable_step.hpp"
 #include "tests/unit/mps/column.hpp"
 
 namespace sazare::methods::mps {
@@ -47,7 +46,7 @@ TEST(stable_step, of_layers_with_their_own_damping_lies_between_those_of_one) {
 }
 
 /// Whether a run from noise stays bounded.
-bool stays_bounded(const Column2& column, const engine::UniformRules& rules, int steps) {
+bool stays_bounded(const Column2& column, const particles::UniformRules& rules, int steps) {
   Column2 noisy = column;
   Noise noise;
   for (auto& velocity : noisy.particles.velocity)
@@ -58,22 +57,22 @@ bool stays_bounded(const Column2& column, const engine::UniformRules& rules, int
   return stepper.largest_acceleration() < 1e-2;
 }
 
-class Limits : public testing::TestWithParam<engine::Integrator> {};
+class Limits : public testing::TestWithParam<particles::Integrator> {};
 
 TEST_P(Limits, are_where_runs_begin_to_grow) {
   const auto damping = laws::RayleighDamping::make(1, 15);
   Column2 column(5, 20, 1.0, {1500, 100, 200, 0.05});
   for (std::size_t i = 0; i < column.sites.size(); ++i)
-    if (GetParam() != engine::Integrator::euler && column.sites[i][1] >= 10) column.particles.damping_ratio[i] = 0.3;
+    if (GetParam() != particles::Integrator::euler && column.sites[i][1] >= 10) column.particles.damping_ratio[i] = 0.3;
   const StableStep predicted = stable_step<2>(column.particles, column.links, column.supports, damping);
-  const Real dt = GetParam() == engine::Integrator::euler ? predicted.euler : predicted.verlet;
-  const int steps = GetParam() == engine::Integrator::euler ? 40000 : 6000;  // Euler's growth is slower
+  const Real dt = GetParam() == particles::Integrator::euler ? predicted.euler : predicted.verlet;
+  const int steps = GetParam() == particles::Integrator::euler ? 40000 : 6000;  // Euler's growth is slower
   EXPECT_TRUE(stays_bounded(column, {0.99 * dt, GetParam(), damping}, steps));
   EXPECT_FALSE(stays_bounded(column, {1.01 * dt, GetParam(), damping}, steps));
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, Limits,
-                         testing::Values(engine::Integrator::verlet, engine::Integrator::leapfrog, engine::Integrator::euler));
+                         testing::Values(particles::Integrator::verlet, particles::Integrator::leapfrog, particles::Integrator::euler));
 
 TEST(linear_stiffness, is_the_slope_of_the_elastic_forces) {
   const auto sites = box_sites<3>({3, 4, 3});

@@ -1,23 +1,23 @@
-#include <algorithm>
-
 #include <gtest/gtest.h>
 
-#include "sazare/engine/uniform_stepper.hpp"
+#include <algorithm>
+
+#include "sazare/particles/uniform_stepper.hpp"
 #include "tests/support/memory_archive.hpp"
 #include "tests/unit/mps/column.hpp"
 
 namespace sazare::methods::mps {
 namespace {
 
-using engine::Integrator;
-using engine::WorkByCause;
+using particles::Integrator;
+using particles::WorkByCause;
 
 constexpr Real step = 4e-4;  // [s]; five times as much is stable without damping, not with a ratio of 0.05
 constexpr Real spacing = 0.5;
 
 /// What the books of a run say at present.
 struct Books {
-  explicit Books(engine::UniformStepper<2>& stepper)
+  explicit Books(particles::UniformStepper<2>& stepper)
       : carried(stepper.kinetic_energy_of_kick() + stepper.elastic_energy()), work(stepper.work()) {}
 
   Real carried;
@@ -25,7 +25,7 @@ struct Books {
 };
 
 /// Energy that no cause accounts for, over the largest that was there, in a run.
-Real largest_residual(engine::UniformStepper<2>& stepper, int steps) {
+Real largest_residual(particles::UniformStepper<2>& stepper, int steps) {
   stepper.start();
   const Real beginning = Books(stepper).carried;
   EXPECT_NEAR(Books(stepper).work.sum(), 0, 1e-15 * beginning);
@@ -65,7 +65,7 @@ TEST(uniform_books, close_with_the_square_of_the_step_for_large_rotations) {
     const auto sites = box_sites<2>({4, 10});
     state::Particles<2> particles = make_particles<2>(sites, 1.0, {1500, 100, 200, 0.02});
     for (std::size_t i = 0; i < particles.size(); ++i) particles.velocity[0][i] = 2 * particles.start[1][i];
-    engine::UniformStepper<2> stepper(
+    particles::UniformStepper<2> stepper(
         particles, std::make_unique<ElasticForces<2>>(make_links<2>(sites, 1.0, 1.5), RotationRemoval::mean_rotation), {},
         {dt, Integrator::verlet, laws::RayleighDamping::make(1, 15)});
     return largest_residual(stepper, static_cast<int>(0.5 / dt));

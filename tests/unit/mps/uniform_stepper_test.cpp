@@ -1,17 +1,16 @@
-#include "sazare/engine/uniform_stepper.hpp"
-
 #include <gtest/gtest.h>
 
+#include "sazare/particles/uniform_stepper.hpp"
 #include "tests/support/memory_archive.hpp"
 #include "tests/unit/mps/column.hpp"
 
 namespace sazare::methods::mps {
 namespace {
 
-using engine::Integrator;
+using particles::Integrator;
 
 /// A free rectangle that vibrates and turns.
-engine::UniformStepper<2> free_body(Real step, Integrator integrator, Real ratio = 0) {
+particles::UniformStepper<2> free_body(Real step, Integrator integrator, Real ratio = 0) {
   const auto sites = box_sites<2>({4, 10});
   state::Particles<2> particles = make_particles<2>(sites, 1.0, {1500, 100, 200, ratio});
   for (std::size_t i = 0; i < particles.size(); ++i) {
@@ -20,10 +19,10 @@ engine::UniformStepper<2> free_body(Real step, Integrator integrator, Real ratio
     particles.velocity[1][i] = 5 * y;
   }
   return {particles, std::make_unique<ElasticForces<2>>(make_links<2>(sites, 1.0, 1.5), RotationRemoval::mean_rotation),
-          terms::ParticleSupports<2>{}, engine::UniformRules{step, integrator, laws::RayleighDamping::make(1, 15)}};
+          particles::ParticleSupports<2>{}, particles::UniformRules{step, integrator, laws::RayleighDamping::make(1, 15)}};
 }
 
-Real total_energy(engine::UniformStepper<2>& stepper) { return stepper.kinetic_energy() + stepper.elastic_energy(); }
+Real total_energy(particles::UniformStepper<2>& stepper) { return stepper.kinetic_energy() + stepper.elastic_energy(); }
 
 TEST(uniform_stepper, keeps_energy_of_a_free_body_at_large_rotation) {
   for (const Real step : {1e-3, 5e-4}) {
@@ -53,7 +52,7 @@ TEST(uniform_stepper, verlet_and_leapfrog_are_the_same_but_for_round_off) {
 }
 
 /// Error against a fine solution at a fixed time.
-Real error_at(Real step, Integrator integrator, const engine::UniformStepper<2>& fine) {
+Real error_at(Real step, Integrator integrator, const particles::UniformStepper<2>& fine) {
   auto stepper = free_body(step, integrator, 0.05);
   stepper.start();
   while (stepper.time() < 0.1 - 1e-9) stepper.advance();
@@ -105,7 +104,7 @@ TEST(uniform_stepper, settles_on_a_viscous_base_and_stays_at_rest) {
   const auto sites = box_sites<2>({3, high});
   auto particles = make_particles<2>(sites, spacing, soil);
   auto links = make_links<2>(sites, spacing, 1.5, {3, 0});
-  terms::ParticleSupports<2> supports;
+  particles::ParticleSupports<2> supports;
   supports.gravity = {0, -gravity};
   std::vector<Index> base;
   for (std::size_t i = 0; i < sites.size(); ++i) {
@@ -118,13 +117,13 @@ TEST(uniform_stepper, settles_on_a_viscous_base_and_stays_at_rest) {
       supports.dashpots.push_back({base.back(), axis, 2 * (axis == 1 ? soil.pressure_velocity : soil.shear_velocity) / spacing});
   }
   links.halve_among(base);
-  engine::UniformStepper<2> stepper(particles, std::make_unique<ElasticForces<2>>(links, RotationRemoval::mean_rotation),
-                                    supports, {1e-3, engine::Integrator::verlet, laws::RayleighDamping::make(1, 10)});
+  particles::UniformStepper<2> stepper(particles, std::make_unique<ElasticForces<2>>(links, RotationRemoval::mean_rotation),
+                                    supports, {1e-3, particles::Integrator::verlet, laws::RayleighDamping::make(1, 10)});
   EXPECT_LT(stepper.settle({1e-6, 20000}), 1e-6);
   const Real length = (high - 1) * spacing, modulus = soil.density * soil.pressure_velocity * soil.pressure_velocity;
   const Real expected = -soil.density * gravity * (0.5 * length * length + 0.5 * spacing * length) / modulus;
   EXPECT_NEAR(stepper.settled()[1][high - 1], expected, 1e-3 * std::abs(expected));
-  for (const terms::Dashpot& dashpot : stepper.supports().dashpots) {
+  for (const particles::Dashpot& dashpot : stepper.supports().dashpots) {
     const Real weight = dashpot.freedom == 1 ? gravity * (2 * high - 1) : 0;
     EXPECT_NEAR(dashpot.reaction, weight, 1e-6 * gravity * high);
   }

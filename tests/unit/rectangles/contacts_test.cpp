@@ -1,9 +1,8 @@
-#include "sazare/methods/rectangles/contacts.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "sazare/methods/rectangles/contacts.hpp"
 #include "tests/support/blocks_of_squares.hpp"
 #include "tests/support/memory_archive.hpp"
 
@@ -64,7 +63,7 @@ TEST(contacts, a_tumbling_block_closes_its_books) {
   scene.add(OutlineKind::rectangle, {0.3, 3.5}, 0.5, 0.5, 0.9, 1);
   scene.add_wall({-10, 0}, {10, 0});
   scene.supports.gravity = {0, -9.81};
-  const auto energy = [](engine::UniformStepper<2>& stepper, const RectangleForces& forces) {
+  const auto energy = [](particles::UniformStepper<2>& stepper, const RectangleForces& forces) {
     Real total = stepper.kinetic_energy();
     const auto& particles = stepper.particles();
     for (std::size_t i = 0; i < 2; ++i) total += 9.81 / particles.inverse_mass[i] * particles.position(1, i);

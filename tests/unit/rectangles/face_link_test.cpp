@@ -171,6 +171,37 @@ TEST(face_spring, breaks_at_its_tension_limit_and_joins_without_strength) {
   EXPECT_FALSE(spring.joined);
 }
 
+TEST(face_spring, bears_no_shear_where_it_is_pulled_beyond_what_cohesion_holds) {
+  const auto strength = spring_strength(weak());
+  EXPECT_EQ(shear_limit(strength, Real{2}), 4);
+  EXPECT_EQ(shear_limit(strength, Real{-8}), 0);
+  EXPECT_EQ(shear_limit(spring_strength(weak(), false), Real{-1}), 0) << "what has broken holds by friction alone";
+}
+
+TEST(face_spring, a_face_yields_as_soon_as_one_of_its_springs_does) {
+  FaceSprings face = weak();
+  face.places = spring_places(SpringPlaces::centres, 4);
+  int yielding = 0;
+  for (const Real closing : {-0.015, 0.0, 0.03})
+    for (const Real slope : {-0.02, 0.0, 0.01})
+      for (const Real sheared : {-0.09, 0.01, 0.07}) {
+        FaceMotion<Real> motion;
+        motion.closing = closing;
+        motion.slope = slope;
+        motion.shear_rate = sheared;
+        bool one_does = false;
+        for (const Real xi : face.places) {
+          SpringState spring;
+          const SpringForce force = advance_spring(spring, face, FaceFormula::small, motion, xi, 1);
+          one_does = one_does || !spring.whole || force.friction_loss > 0;
+        }
+        EXPECT_EQ(yields(face, motion, sheared, face.last_place()), one_does) << closing << " " << slope << " " << sheared;
+        yielding += one_does ? 1 : 0;
+      }
+  EXPECT_GT(yielding, 5);
+  EXPECT_LT(yielding, 22);
+}
+
 TEST(face_spring, slips_at_cohesion_plus_friction) {
   SpringState spring;
   const SpringForce slid = advance(spring, weak(), 0.02, 0.1);

@@ -1,9 +1,8 @@
-#include "sazare/methods/rectangles/surface_contacts.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "sazare/methods/rectangles/surface_contacts.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "tests/support/blocks_of_squares.hpp"
 #include "tests/support/memory_archive.hpp"
@@ -41,7 +40,7 @@ Scene square(const Vector2& centre, Real angle, Real damping_ratio = 0, Real fri
   return scene;
 }
 
-std::unique_ptr<engine::UniformStepper<2>> put(Scene& scene, const Chain& on, Real step = 1e-5) {
+std::unique_ptr<particles::UniformStepper<2>> put(Scene& scene, const Chain& on, Real step = 1e-5) {
   auto stepper = scene.make(step);
   scene.forces->add_surface(stepper->particles(), on.nodes, on.segments);
   return stepper;
@@ -164,7 +163,7 @@ TEST(surface_contacts, a_block_slides_down_a_slope_as_coulomb_says) {
 /// A block and a cylinder on a surface that is thrown up and down.
 struct Shaken {
   Scene scene;
-  std::unique_ptr<engine::UniformStepper<2>> stepper;
+  std::unique_ptr<particles::UniformStepper<2>> stepper;
   Chain ground = level(9);
   Real height = 0;
 

@@ -1,10 +1,9 @@
-#include "sazare/runs/fragments.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "sazare/methods/blocks/run/block_fragments.hpp"
 #include "tests/unit/runs/support.hpp"
 
 namespace sazare::runs {
@@ -53,7 +52,7 @@ TEST(Fragments, WithoutJointsEveryElementIsOne) {
 TEST(Fragments, OfAnUnbrokenBodyHaveItsMassAndVolume) {
   BlocksModel model = test::block_model(test::block_case());
   const auto& bodies = model.simulation->bodies();
-  engine::Snapshot<3> moved = model.simulation->snapshot();
+  levels::Snapshot<3> moved = model.simulation->snapshot();
   for (auto& pose : moved.pose) pose.position += Vector3(3, 0, 4);
   for (auto& velocity : moved.velocity) velocity = Vector3(1, 2, 3);
   const auto pieces = measure_fragments(find_fragments(bodies.size(), *model.joints), model.mesh, bodies, moved);

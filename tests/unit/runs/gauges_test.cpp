@@ -1,9 +1,8 @@
-#include "sazare/runs/gauges.hpp"
-
 #include <gtest/gtest.h>
 
 #include "sazare/core/error.hpp"
 #include "sazare/geometry/tetrahedron.hpp"
+#include "sazare/methods/blocks/run/gauges.hpp"
 #include "tests/unit/runs/support.hpp"
 
 namespace sazare::runs {
@@ -29,7 +28,7 @@ TEST(Gauges, GiveTheVelocityOfTheirMaterialPoint) {
   const Vector3 spin(0, 0, 7), shift(1, 2, 3);
   const Matrix3 quarter = Eigen::AngleAxis<Real>(EIGEN_PI / 2, Vector3::UnitZ()).toRotationMatrix();
   const auto& bodies = model.simulation->bodies();
-  engine::Snapshot<3> now = model.simulation->snapshot();
+  levels::Snapshot<3> now = model.simulation->snapshot();
   for (std::size_t i = 0; i < now.pose.size(); ++i) {
     now.velocity[i] = spin.cross(quarter * now.pose[i].position);
     now.pose[i] = {quarter * now.pose[i].position + shift, quarter * now.pose[i].rotation};

@@ -1,8 +1,9 @@
-#include "sazare/runs/mesh_fit.hpp"
-
 #include <gtest/gtest.h>
 
-#include "sazare/runs/blocks_model.hpp"
+#include "sazare/methods/blocks/case/case.hpp"
+#include "sazare/methods/blocks/run/mesh_fit.hpp"
+#include "sazare/methods/blocks/run/model.hpp"
+#include "sazare/registry/registry.hpp"
 
 namespace sazare::runs {
 namespace {
@@ -25,7 +26,7 @@ std::string joint(const std::string& name, const std::string& first, const std::
 }
 
 cases::CaseFile case_with(const std::string& joints) {
-  return cases::read_case_text(
+  return registry::read_case_text(
       "[case]\ntitle = \"Two\"\nmethod = \"blocks\"\n[mesh]\nfile = \"tests/regression/block/block.msh\"\n"
       "[[materials]]\nname = \"soft\"\nregions = [\"lower\"]\ndensity = 2390.0\n"
       "[[materials]]\nname = \"hard\"\nregions = [\"upper\"]\ndensity = 2390.0\n" +
@@ -42,8 +43,8 @@ std::string warnings_of(const std::string& joints) {
   const geometry::TetraMesh mesh = two_elements();
   const auto map = geometry::build_face_map(mesh);
   const MeshFaces faces{mesh, map, geometry::find_surface_faces(mesh, map)};
-  const std::vector<Index> material = materials_by_element(file.blocks(), mesh);
-  return warn_of_mesh_fit(file, find_mesh_fit(file.blocks(), faces, material, joint_by_face(file.blocks(), faces, material)));
+  const std::vector<Index> material = materials_by_element(file.as<cases::BlocksCase>(), mesh);
+  return warn_of_mesh_fit(file, find_mesh_fit(file.as<cases::BlocksCase>(), faces, material, joint_by_face(file.as<cases::BlocksCase>(), faces, material)));
 }
 
 bool has(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }

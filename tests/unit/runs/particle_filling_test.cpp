@@ -1,12 +1,12 @@
-#include "sazare/runs/particle_filling.hpp"
-
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "sazare/core/error.hpp"
 #include "sazare/geometry/tetrahedron.hpp"
-#include "sazare/runs/mps_model.hpp"
+#include "sazare/methods/mps/run/filling.hpp"
+#include "sazare/methods/mps/run/model.hpp"
+#include "sazare/registry/registry.hpp"
 #include "tests/unit/runs/support.hpp"
 
 namespace sazare::runs {
@@ -19,7 +19,7 @@ cases::CaseFile case_with(const TemporaryFolder& folder, const std::string& text
   std::ofstream(folder / "case.toml") << "[case]\ntitle = \"t\"\nmethod = \"mps\"\n"
                                       << text << "\n[[materials]]\nname = \"soil\"\nregions = [" << names
                                       << "]\ndensity = 1500.0\nshear_velocity = 100.0\npoisson_ratio = 0.25\n[time]\nend = 1.0\n";
-  return cases::read_case(folder / "case.toml");
+  return registry::read_case(folder / "case.toml");
 }
 
 TEST(particle_filling, rectangle_takes_whole_particles_along_its_longest_side) {

@@ -1,9 +1,8 @@
-#include "sazare/runs/record_files.hpp"
-
 #include <gtest/gtest.h>
 
+#include "sazare/levels/terms/ledger.hpp"
 #include "sazare/runs/record_columns.hpp"
-#include "sazare/terms/ledger.hpp"
+#include "sazare/runs/record_files.hpp"
 #include "tests/unit/runs/support.hpp"
 
 namespace sazare::runs {

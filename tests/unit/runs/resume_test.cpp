@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "sazare/core/error.hpp"
+#include "sazare/registry/registry.hpp"
 #include "tests/unit/runs/support.hpp"
 
 namespace sazare::runs {
@@ -80,12 +81,12 @@ TEST(Resume, OnAnotherMeshIsRefused) {
   fs::copy("tests/regression/block/case.toml", folder / "case.toml");
   fs::copy("tests/regression/block/block.msh", folder / "block.msh");
   const std::vector<std::string> settings = {"time.end=4e-5"};
-  stop_at_once(cases::read_case(folder / "case.toml", settings), folder / "run");
+  stop_at_once(registry::read_case(folder / "case.toml", settings), folder / "run");
   std::string mesh = read_text(folder / "block.msh");
   const std::size_t corner = mesh.find("\n0.4 0.3 0.3\n");
   ASSERT_NE(corner, std::string::npos);
   std::ofstream(folder / "block.msh") << mesh.replace(corner, 13, "\n0.4 0.3 0.31\n");
-  const std::string words = words_of_resuming(cases::read_case(folder / "case.toml", settings), folder / "run");
+  const std::string words = words_of_resuming(registry::read_case(folder / "case.toml", settings), folder / "run");
   EXPECT_NE(words.find("the mesh is not the one that the checkpoint was written for"), std::string::npos) << words;
 }
 

@@ -1,5 +1,3 @@
-#include "sazare/runs/run_case.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 
 #include "sazare/core/error.hpp"
 #include "sazare/parallel/threads.hpp"
+#include "sazare/registry/registry.hpp"
 #include "tests/unit/runs/support.hpp"
 
 namespace sazare::runs {
@@ -132,7 +131,7 @@ TEST_F(FinishedRun, LeavesSnapshotsAndNoCheckpoint) {
 
 TEST_F(FinishedRun, ItsResolvedCaseGivesTheSameRun) {
   const TemporaryFolder other;
-  const cases::CaseFile resolved = cases::read_case(run() / "case.toml");
+  const cases::CaseFile resolved = registry::read_case(run() / "case.toml");
   EXPECT_EQ(run_quietly(resolved, other / "run").manifest.state_hash, outcome->manifest.state_hash);
 }
 

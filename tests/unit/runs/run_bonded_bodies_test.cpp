@@ -6,7 +6,7 @@
 #include <map>
 #include <numbers>
 
-#include "sazare/runs/spheres_model.hpp"
+#include "sazare/methods/spheres/run/model.hpp"
 #include "tests/unit/runs/sphere_cases.hpp"
 
 namespace sazare::runs {
@@ -128,7 +128,7 @@ poisson_ratio = 0.2
 damping_ratio = 1.0
 )";
   const SpheresModel model = build_spheres(case_of(folder, text));
-  engine::SphereStepper& stepper = *model.stepper;
+  methods::spheres::SphereStepper& stepper = *model.stepper;
   ASSERT_EQ(model.bonds, 5);
   std::map<Real, Real> nodes;  // mass by distance from the clamp
   for (std::size_t i = 0; i < 5; ++i) nodes[stepper.spheres().place[i].x - 0.015] = stepper.spheres().place[i].mass;

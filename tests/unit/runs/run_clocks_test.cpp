@@ -1,4 +1,4 @@
-#include "sazare/runs/run_clocks.hpp"
+#include "sazare/methods/blocks/run/model.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ cases::Time blast_clocks() {
 }
 
 TEST(RunClocks, AreWholeNumbersOfOneAnother) {
-  const RunClocks clocks = make_clocks(blast_clocks(), 1e-6 / 3);
+  const RunClocks clocks = clocks_of(blast_clocks(), 1e-6 / 3);
   EXPECT_EQ(clocks.rows, 500);
   EXPECT_EQ(clocks.steps_per_row, 3);
   EXPECT_EQ(clocks.rows_per_snapshot, 25);
@@ -29,14 +29,14 @@ TEST(RunClocks, AreWholeNumbersOfOneAnother) {
 }
 
 TEST(RunClocks, GiveTimesWithoutSums) {
-  const RunClocks clocks = make_clocks(blast_clocks(), 1e-6 / 3);
+  const RunClocks clocks = clocks_of(blast_clocks(), 1e-6 / 3);
   EXPECT_EQ(clocks.time(9), 3e-6);
   EXPECT_EQ(clocks.time(1500), 5e-4);
   EXPECT_NEAR(clocks.time(7), 7e-6 / 3, 1e-20);
 }
 
 TEST(RunClocks, RefuseABaseStepThatDoesNotFit) {
-  const std::string words = test::words_of<UserError>([] { make_clocks(blast_clocks(), 3e-7); });
+  const std::string words = test::words_of<UserError>([] { clocks_of(blast_clocks(), 3e-7); });
   EXPECT_EQ(words, "clocks do not nest: history_interval = 1e-06 s is not a whole multiple of base_step = 3e-07 s");
 }
 

@@ -7,7 +7,7 @@
 
 #include "sazare/core/error.hpp"
 #include "sazare/parallel/threads.hpp"
-#include "sazare/runs/run_case.hpp"
+#include "sazare/registry/registry.hpp"
 #include "tests/unit/runs/support.hpp"
 
 namespace sazare::runs {
@@ -18,7 +18,7 @@ using test::read_manifest, test::read_text, test::TemporaryFolder, test::words_o
 
 cases::CaseFile beam(std::vector<std::string> settings = {}) {
   settings.insert(settings.begin(), {"time.end=0.06", "mesh.parameters={along=6}"});
-  return cases::read_case("cases/cantilever-fem/case.toml", settings);
+  return registry::read_case("cases/cantilever-fem/case.toml", settings);
 }
 
 /// A beam that yields.

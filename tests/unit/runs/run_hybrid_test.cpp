@@ -1,6 +1,5 @@
-#include <gtest/gtest.h>
-
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <atomic>
 #include <chrono>
@@ -9,7 +8,7 @@
 
 #include "sazare/core/error.hpp"
 #include "sazare/parallel/threads.hpp"
-#include "sazare/runs/run_case.hpp"
+#include "sazare/registry/registry.hpp"
 #include "tests/unit/runs/support.hpp"
 
 namespace sazare::runs {
@@ -19,7 +18,7 @@ namespace fs = std::filesystem;
 using test::read_manifest, test::read_text, test::run_quietly, test::TemporaryFolder, test::words_of;
 
 cases::CaseFile oscillator(const std::vector<std::string>& settings = {}) {
-  return cases::read_case("cases/two-mass-oscillator/case.toml", settings);
+  return registry::read_case("cases/two-mass-oscillator/case.toml", settings);
 }
 
 /// A few tetrapods that are thrown against the caisson.
@@ -29,7 +28,7 @@ cases::CaseFile seawall() {
   for (const char* side : {"continuum", "bodies"})
     for (const char* time : {"end=0.1", "history_interval=0.01", "snapshot_interval=0.1"})
       settings.push_back(std::string(side) + ".time." + time);
-  return cases::read_case("cases/seawall-shaking-table/case.toml", settings);
+  return registry::read_case("cases/seawall-shaking-table/case.toml", settings);
 }
 
 TEST(run_hybrid, writes_a_folder_for_each_side_and_what_goes_over_the_surface) {
@@ -55,7 +54,7 @@ TEST(run_hybrid, writes_a_folder_for_each_side_and_what_goes_over_the_surface) {
 TEST(run_hybrid, can_be_run_again_from_the_case_in_its_folder) {
   const TemporaryFolder folder;
   run_quietly(oscillator({"continuum.time.end=0.01", "bodies.time.end=0.01"}), folder / "run");
-  run_quietly(cases::read_case(folder / "run/case.toml"), folder / "again");
+  run_quietly(registry::read_case(folder / "run/case.toml"), folder / "again");
   EXPECT_EQ(read_manifest(folder / "run")["state_hash"], read_manifest(folder / "again")["state_hash"]);
 }
 
@@ -89,7 +88,7 @@ cases::CaseFile shortened(const std::string& name, const std::string& end, const
   for (const char* side : {"continuum", "bodies"})
     for (const auto& [key, value] : {std::pair{"end", end}, {"history_interval", interval}, {"snapshot_interval", end}})
       settings.push_back(fmt::format("{}.time.{}={}", side, key, value));
-  return cases::read_case("cases/" + name + "/case.toml", settings);
+  return registry::read_case("cases/" + name + "/case.toml", settings);
 }
 
 /// Blocks in the plane and tetrahedra in space, that touch by then.
@@ -140,7 +139,7 @@ TEST(run_hybrid, what_rains_lies_before_the_wall_when_the_windows_begin) {
                                              "continuum.time.end=0.01",
                                              "bodies.time.snapshot_interval=0.01",
                                              "continuum.time.snapshot_interval=0.01"};
-  run_quietly(cases::read_case("cases/seawall-shaking-table/case.toml", settings), folder / "run");
+  run_quietly(registry::read_case("cases/seawall-shaking-table/case.toml", settings), folder / "run");
   const nlohmann::json bodies = read_manifest(folder / "run/bodies")["results"];
   EXPECT_GT(bodies["contacts"].get<int>(), 0);
   EXPECT_LT(bodies["peak_speed"].get<double>(), 0.01);  // m/s; without rain they fall with 0.1 m/s by then
@@ -161,7 +160,7 @@ TEST(run_hybrid, says_what_does_not_fit) {
 }
 
 TEST(run_hybrid, chooses_a_step_of_the_bodies_that_divides_the_window) {
-  const std::string words = check_case(cases::read_case("cases/seawall-shaking-table/case.toml"));
+  const std::string words = check_case(registry::read_case("cases/seawall-shaking-table/case.toml"));
   EXPECT_NE(words.find("steps of the spheres"), std::string::npos) << words;
 }
 

@@ -1,5 +1,3 @@
-#include "sazare/runs/run_case.hpp"
-
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -11,6 +9,7 @@
 
 #include "sazare/core/error.hpp"
 #include "sazare/parallel/threads.hpp"
+#include "sazare/registry/registry.hpp"
 #include "sazare/runs/limit_regression.hpp"
 #include "sazare/runs/run_study.hpp"
 #include "tests/unit/runs/support.hpp"
@@ -24,7 +23,7 @@ using test::read_manifest, test::read_text, test::TemporaryFolder, test::words_o
 cases::CaseFile column(std::vector<std::string> settings = {}) {
   settings.insert(settings.begin(), {"particles.spacing=2", "time.end=0.5", "time.snapshot_interval=0.05",
                                      "materials.0.damping_ratio=0.02", "damping.f1=1", "damping.f2=15"});
-  return cases::read_case("cases/column-ricker/case.toml", settings);
+  return registry::read_case("cases/column-ricker/case.toml", settings);
 }
 
 RunOutcome run_quietly(const cases::CaseFile& file, const fs::path& folder, Begin begin = Begin::fresh,
@@ -55,7 +54,7 @@ TEST(run_mps, writes_its_folder_and_its_figures) {
 cases::CaseFile slope() {
   const std::vector<std::string> settings = {"particles.spacing=2", "materials.0.rupture_strain=2e-3", "time.end=3",
                                              "time.snapshot_interval=1"};
-  return cases::read_case("cases/slope-el-centro/case.toml", settings);
+  return registry::read_case("cases/slope-el-centro/case.toml", settings);
 }
 
 void expect_the_same_in_parts(const cases::CaseFile& file) {

@@ -6,9 +6,9 @@
 #include <thread>
 
 #include "sazare/core/error.hpp"
+#include "sazare/methods/rectangles/run/assembly.hpp"
 #include "sazare/parallel/threads.hpp"
-#include "sazare/runs/block_assembly.hpp"
-#include "sazare/runs/run_case.hpp"
+#include "sazare/registry/registry.hpp"
 #include "tests/unit/runs/support.hpp"
 
 namespace sazare::runs {
@@ -22,7 +22,7 @@ cases::CaseFile beam(std::vector<std::string> settings = {}) {
   settings.insert(settings.begin(), {"blocks.0.element_size=0.01", "rollers.2.velocity=[0,-0.1,0]", "time.end=0.003",
                                      "gauges.0.point=[0.081,0.002,0]", "time.snapshot_interval=5e-4",
                                      "rollers.0.center=[0.035,-0.005,0]", "rollers.1.center=[0.125,-0.005,0]"});
-  return cases::read_case("cases/mortar-beam/case.toml", settings);
+  return registry::read_case("cases/mortar-beam/case.toml", settings);
 }
 
 std::string refused(const std::vector<std::string>& settings) {
@@ -120,13 +120,13 @@ friction_angle = 30.0
 [time]
 end = 1.0
 )";
-  const Assembly assembly = assemble(cases::read_case(folder / "case.toml"));
+  const Assembly assembly = assemble(registry::read_case(folder / "case.toml"));
   EXPECT_EQ(assembly.elements, 36 - 8 + 5);  // centres on the polygon's edge lie outside
   EXPECT_EQ(assembly.case_block, (std::vector<Index>{0, 1, 1}));
   EXPECT_NEAR(assembly.particles.angle[0], std::numbers::pi / 6, 1e-15);
   EXPECT_NEAR(assembly.particles.start[0][0], 0.125 * (std::cos(std::numbers::pi / 6) - 0.5), 1e-15);
   std::ofstream(folder / "two.pgm") << "P2\n3 2\n9\n9 5 5\n3 5\n";
-  const std::string words = words_of<UserError>([&] { assemble(cases::read_case(folder / "case.toml")); });
+  const std::string words = words_of<UserError>([&] { assemble(registry::read_case(folder / "case.toml")); });
   EXPECT_NE(words.find("the image ends before its 3 x 2 pixels"), std::string::npos) << words;
 }
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "sazare/core/error.hpp"
-#include "sazare/runs/spheres_model.hpp"
+#include "sazare/methods/spheres/run/model.hpp"
 #include "tests/unit/runs/sphere_cases.hpp"
 
 namespace sazare::runs {

@@ -1,14 +1,15 @@
-#include <gtest/gtest.h>
-
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <atomic>
 #include <chrono>
 #include <thread>
 
 #include "sazare/core/error.hpp"
+#include "sazare/methods/spheres/case/case.hpp"
+#include "sazare/methods/spheres/run/model.hpp"
 #include "sazare/parallel/threads.hpp"
-#include "sazare/runs/spheres_model.hpp"
+#include "sazare/registry/registry.hpp"
 #include "tests/unit/runs/sphere_cases.hpp"
 
 namespace sazare::runs {
@@ -117,7 +118,7 @@ TEST(run_spheres, writes_its_folder_and_its_figures) {
   EXPECT_TRUE(fs::exists(folder / "run/snapshots/particles_00002.vtkhdf"));
   EXPECT_TRUE(read_text(folder / "run/gauges.csv").starts_with("time [s],all of them.position_x [m],"));
   EXPECT_TRUE(read_text(folder / "run/walls.csv").starts_with("time [s],floor.force_x [N],"));
-  const cases::CaseFile again = cases::read_case(folder / "run/case.toml");
+  const cases::CaseFile again = registry::read_case(folder / "run/case.toml");
   carry_out(again, folder / "again");
   EXPECT_EQ(read_manifest(folder / "again")["state_hash"], manifest["state_hash"]);
 }
@@ -347,7 +348,7 @@ poisson_ratio = 0.3
 between = ["steel", "glass"]
 friction_coefficient = 0.1
 )");
-  const auto table = contact_table(file.spheres());
+  const auto table = contact_table(file.as<cases::SpheresCase>());
   EXPECT_EQ(table.of(0, 0).friction, 0.4);
   EXPECT_EQ(table.of(0, 1).friction, 0.1);
   EXPECT_EQ(table.of(1, 0).friction, 0.1);

@@ -6,7 +6,7 @@
 #include <map>
 #include <sstream>
 
-#include "sazare/runs/run_case.hpp"
+#include "sazare/registry/registry.hpp"
 #include "tests/unit/runs/support.hpp"
 
 namespace sazare::runs::sphere_cases {
@@ -121,7 +121,7 @@ group = "armour"
 
 inline cases::CaseFile case_of(const test::TemporaryFolder& folder, const std::string& rest,
                                const std::vector<std::string>& settings = {}) {
-  return cases::read_case(folder.write("case.toml", head + rest), settings);
+  return registry::read_case(folder.write("case.toml", head + rest), settings);
 }
 
 inline RunOutcome carry_out(const cases::CaseFile& file, const std::filesystem::path& folder, Begin begin = Begin::fresh,

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "sazare/runs/sphere_placement.hpp"
+#include "sazare/methods/spheres/run/placement.hpp"
 #include "tests/unit/runs/sphere_cases.hpp"
 
 namespace sazare::runs {

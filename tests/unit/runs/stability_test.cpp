@@ -1,12 +1,11 @@
-#include "sazare/runs/stability.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
 
 #include "sazare/core/error.hpp"
-#include "sazare/runs/check_blocks.hpp"
+#include "sazare/methods/blocks/run/check.hpp"
+#include "sazare/methods/blocks/run/stability.hpp"
 #include "tests/unit/runs/support.hpp"
 
 namespace sazare::runs {

@@ -2,7 +2,9 @@
 
 #include <sstream>
 
-#include "sazare/runs/mesh_source.hpp"
+#include "sazare/methods/blocks/case/case.hpp"
+#include "sazare/methods/blocks/run/mesh_source.hpp"
+#include "sazare/registry/registry.hpp"
 
 namespace sazare::runs::test {
 
@@ -11,17 +13,17 @@ namespace fs = std::filesystem;
 cases::CaseFile block_case(std::vector<std::string> settings) {
   std::vector<std::string> all = {"time.end=2e-4", "time.snapshot_interval=1e-4"};
   all.insert(all.end(), settings.begin(), settings.end());
-  return cases::read_case("tests/regression/block/case.toml", all);
+  return registry::read_case("tests/regression/block/case.toml", all);
 }
 
 cases::CaseFile loose_case() {
   cases::CaseFile file = block_case();
-  cases::Joint& joint = std::get<cases::BlocksCase>(file.content).joints.front();
+  cases::Joint& joint = file.as<cases::BlocksCase>().joints.front();
   joint = {joint.name, joint.between, "", false};
   return file;
 }
 
-BlocksModel block_model(const cases::CaseFile& file) { return build_blocks(file.blocks(), load_mesh(file, {}, true)); }
+BlocksModel block_model(const cases::CaseFile& file) { return build_blocks(file.as<cases::BlocksCase>(), load_mesh(file, {}, true)); }
 
 RunOutcome run_quietly(const cases::CaseFile& file, const fs::path& folder, Begin begin, const std::atomic<bool>* stop) {
   return run_case(file, {folder, begin, true, stop});

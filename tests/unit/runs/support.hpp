@@ -1,13 +1,14 @@
 #pragma once
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
+
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "sazare/cases/case_file.hpp"
-#include "sazare/runs/blocks_model.hpp"
-#include "sazare/runs/run_case.hpp"
+#include "sazare/methods/blocks/run/model.hpp"
+#include "sazare/registry/registry.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace sazare::runs::test {

@@ -4,7 +4,7 @@
 #include <map>
 #include <random>
 
-#include "sazare/schedule/levels.hpp"
+#include "sazare/levels/schedule/levels.hpp"
 
 namespace sazare::schedule {
 namespace {

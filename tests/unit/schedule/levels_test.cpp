@@ -1,8 +1,8 @@
-#include "sazare/schedule/levels.hpp"
-
 #include <gtest/gtest.h>
 
 #include <random>
+
+#include "sazare/levels/schedule/levels.hpp"
 
 namespace sazare::schedule {
 namespace {

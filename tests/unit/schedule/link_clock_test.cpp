@@ -1,9 +1,8 @@
-#include "sazare/schedule/link_clock.hpp"
-
 #include <gtest/gtest.h>
 
 #include <random>
 
+#include "sazare/levels/schedule/link_clock.hpp"
 #include "tests/support/memory_archive.hpp"
 
 namespace sazare::schedule {

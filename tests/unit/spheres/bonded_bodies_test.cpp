@@ -1,15 +1,14 @@
 /// Bodies of bonded spheres: what must be kept, pieces, contacts of broken bonds, and the same bits.
 
-#include "sazare/methods/spheres/bonded_bodies.hpp"
-
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <limits>
 
 #include "sazare/geometry/ball_members.hpp"
+#include "sazare/methods/spheres/bonded_bodies.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "scene.hpp"
 #include "tests/support/memory_archive.hpp"
@@ -55,7 +54,7 @@ public:
 
   void set_velocity(std::size_t sphere, const Vector3& velocity) { spheres_.set_motion(sphere, velocity, Vector3::Zero()); }
 
-  engine::SphereStepper stepper(const Rules& rules, std::vector<Wall> walls = {}) const {
+  methods::spheres::SphereStepper stepper(const Rules& rules, std::vector<Wall> walls = {}) const {
     Bonds bonds(bonds_, {cement_.strength});
     BondedBodies bodies(body_, bonds);
     return {spheres_,         table(rules), std::move(walls), {rules.step, rules.gravity, rules.margin, 5e-3, rules.level},
@@ -109,7 +108,7 @@ const Template& bar() {
   return shape;
 }
 
-engine::SphereStepper single(const Template& shape, const Cement& cement, Real step, const Vector3& velocity,
+methods::spheres::SphereStepper single(const Template& shape, const Cement& cement, Real step, const Vector3& velocity,
                              const Vector3& spin) {
   Bodies bodies(cement);
   bodies.add(shape.balls, shape.whole, {0.01, -0.02, 0.03},
@@ -236,7 +235,7 @@ TEST(bonded_bodies, a_crack_that_parts_nothing_closes_again) {
     bonds.push_back(bond);
   }
   const Bonds ring(bonds, {{1e5, infinite, 0, 1}, {infinite, infinite, 0, 1}});
-  engine::SphereStepper stepper(spheres, table({}), {}, {5e-7, Vector3::Zero(), 2e-4, 5e-3}, ring, {},
+  methods::spheres::SphereStepper stepper(spheres, table({}), {}, {5e-7, Vector3::Zero(), 2e-4, 5e-3}, ring, {},
                                 BondedBodies({0, 0, 0, 0}, ring));
   stepper.start();
   const Real energy = stepper.energies().sum();
@@ -277,25 +276,25 @@ Bodies cloud(int across, bool small = false) {
 }
 
 /// Tetrapods of two sizes, at two levels.
-engine::SphereStepper two_sizes(int across, Rules rules, std::vector<Wall> walls = {}) {
+methods::spheres::SphereStepper two_sizes(int across, Rules rules, std::vector<Wall> walls = {}) {
   const Bodies bodies = cloud(across, true);
   rules.level = bodies.levels(0.7 * std::ranges::max(tetrapod().balls, {}, &geometry::Ball::radius).radius);
   return bodies.stepper(rules, std::move(walls));
 }
 
-test::MemoryArchive state_of(engine::SphereStepper& stepper) {
+test::MemoryArchive state_of(methods::spheres::SphereStepper& stepper) {
   test::MemoryArchive archive;
   stepper.columns(archive);
   return archive;
 }
 
-std::size_t broken_bodies(const engine::SphereStepper& stepper) {
+std::size_t broken_bodies(const methods::spheres::SphereStepper& stepper) {
   std::size_t broken = 0;
   for (std::size_t body = 0; body < stepper.bodies().count(); ++body) broken += stepper.bodies().is_whole(body) ? 0 : 1;
   return broken;
 }
 
-void expect_to_break_and_close_the_ledger(engine::SphereStepper stepper) {
+void expect_to_break_and_close_the_ledger(methods::spheres::SphereStepper stepper) {
   stepper.start();
   const Vector3 momentum = stepper.momentum(), turning = stepper.angular_momentum();
   const Real energy = stepper.energies().sum();

@@ -1,13 +1,12 @@
 /// Bonded spheres: statics against beam theory, vibration, breaking, what must be kept, and the same bits.
 
-#include "sazare/methods/spheres/bonds.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "sazare/methods/spheres/bonds.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "scene.hpp"
 #include "tests/support/memory_archive.hpp"
@@ -44,7 +43,7 @@ Bond bond_of(const state::Spheres& spheres, Index first, Index second, Real damp
 }
 
 /// Spheres that are bonded to their neighbours on a cubic lattice; those before `held` do not move.
-engine::SphereStepper lattice(int nx, int ny, int nz, std::size_t held, const BondRules& rules,
+methods::spheres::SphereStepper lattice(int nx, int ny, int nz, std::size_t held, const BondRules& rules,
                               const Vector3& spin = Vector3::Zero(), const Vector3& pull = Vector3::Zero()) {
   state::Spheres spheres;
   const auto number = [&](int i, int j, int k) { return static_cast<Index>((i * ny + j) * nz + k); };
@@ -166,7 +165,7 @@ TEST(bonds, the_stable_step_is_where_the_motion_begins_to_grow) {
     stepper.start();
     const Real energy = stepper.energies().sum();
     advance(stepper, 100);
-    const engine::SphereEnergies now = stepper.energies();
+    const methods::spheres::SphereEnergies now = stepper.energies();
     return !(now.translation + now.rotation + now.bonds < 10 * energy);
   };
   EXPECT_FALSE(grows(0.99, 0));
@@ -235,14 +234,14 @@ TEST(bonds, dashpots_take_what_the_ledger_says) {
   EXPECT_LT((stepper.angular_momentum() - turning).norm(), 1e-12 * turning.norm());
 }
 
-test::MemoryArchive state_of(engine::SphereStepper& stepper) {
+test::MemoryArchive state_of(methods::spheres::SphereStepper& stepper) {
   test::MemoryArchive archive;
   stepper.columns(archive);
   return archive;
 }
 
 /// A bar of three blocks that whirls, breaks and is sorted anew.
-engine::SphereStepper whirl() {
+methods::spheres::SphereStepper whirl() {
   return lattice(14, 14, 14, 0,
                  {.strength = {2e4, 2e4, 0.3, 1.5},
                   .damping = 0.05,

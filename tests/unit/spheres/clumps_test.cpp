@@ -1,13 +1,12 @@
 /// Rigid clumps: free flight, impacts, what must be kept, and the same bits.
 
-#include "sazare/state/clumps.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "sazare/parallel/threads.hpp"
+#include "sazare/state/clumps.hpp"
 #include "scene.hpp"
 #include "tests/support/memory_archive.hpp"
 
@@ -38,7 +37,7 @@ public:
     }
   }
 
-  engine::SphereStepper stepper(const Rules& rules, std::vector<Wall> walls = {}) const {
+  methods::spheres::SphereStepper stepper(const Rules& rules, std::vector<Wall> walls = {}) const {
     return {spheres, table(rules), std::move(walls), {rules.step, rules.gravity, rules.margin, 5e-3, rules.level}, {}, clumps};
   }
 };
@@ -144,7 +143,7 @@ TEST(clumps, come_to_rest_on_a_floor) {
   EXPECT_NEAR(stepper.walls().loads().front().force.z(), -0.3, 1e-6);
 }
 
-test::MemoryArchive state_of(engine::SphereStepper& stepper) {
+test::MemoryArchive state_of(methods::spheres::SphereStepper& stepper) {
   test::MemoryArchive archive;
   stepper.columns(archive);
   return archive;
@@ -153,7 +152,7 @@ test::MemoryArchive state_of(engine::SphereStepper& stepper) {
 Rules falling() { return {.restitution = 0.5, .friction = 0.5, .step = 2e-5, .gravity = {0, 0, -10}}; }
 
 /// Bodies of two sizes, the smaller ones at finer levels where `levels`.
-engine::SphereStepper two_sizes(int across, Real speed, Rules rules, bool levels, std::vector<Wall> walls = {}) {
+methods::spheres::SphereStepper two_sizes(int across, Real speed, Rules rules, bool levels, std::vector<Wall> walls = {}) {
   const Heap heap = cloud(across, speed, true);
   if (levels) rules.level = levels_of(heap);
   return heap.stepper(rules, std::move(walls));

@@ -117,9 +117,9 @@ TEST(sphere_stepper, ledger_closes) {
     auto stepper =
         make_stepper(heap(5, 0.5), {.restitution = 0.6, .friction = 0.4, .rolling = 0.1, .twisting = 0.05, .step = step});
     stepper.start();
-    const engine::SphereEnergies first = stepper.energies();
+    const methods::spheres::SphereEnergies first = stepper.energies();
     advance(stepper, static_cast<int>(std::round(0.02 / step)));
-    const engine::SphereEnergies last = stepper.energies();
+    const methods::spheres::SphereEnergies last = stepper.energies();
     EXPECT_GT(last.dashpot_work, 0.05 * first.sum());
     EXPECT_GT(last.sliding_work, 0.01 * first.sum());
     return std::abs(last.sum() - first.sum()) / first.sum();

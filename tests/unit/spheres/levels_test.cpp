@@ -42,12 +42,12 @@ Rules falling() {
   return rules;
 }
 
-engine::SphereStepper leveled(const std::vector<Grain>& grains, Rules rules, std::vector<Wall> walls = {}) {
+methods::spheres::SphereStepper leveled(const std::vector<Grain>& grains, Rules rules, std::vector<Wall> walls = {}) {
   rules.level = levels_by_radius(grains);
   return make_stepper(grains, rules, std::move(walls));
 }
 
-Real difference(const engine::SphereStepper& one, const engine::SphereStepper& other, std::size_t count) {
+Real difference(const methods::spheres::SphereStepper& one, const methods::spheres::SphereStepper& other, std::size_t count) {
   Real sum = 0;
   for (std::size_t n = 0; n < count; ++n) {
     const auto number = static_cast<Index>(n);
@@ -196,7 +196,7 @@ Real residual_of_a_press(int steps) {
     spheres.add(grain.centre, grain.radius, 2500, 0, grain.radius > 0.005);
     if (grain.radius > 0.005) spheres.set_motion(spheres.size() - 1, {0, 0, -0.05}, Vector3::Zero());
   }
-  engine::SphereStepper stepper(std::move(spheres), table(rules), {Wall{}},
+  methods::spheres::SphereStepper stepper(std::move(spheres), table(rules), {Wall{}},
                                 {4e-3 / steps, Vector3::Zero(), 1e-3, 5e-3, levels_by_radius(grains)});
   stepper.start();
   stepper.settle();
@@ -230,7 +230,7 @@ TEST(sphere_levels, tell_when_spheres_may_have_met_unseen) {
   EXPECT_TRUE(stepper.missed_pairs());
 }
 
-test::MemoryArchive state_of(engine::SphereStepper& stepper) {
+test::MemoryArchive state_of(methods::spheres::SphereStepper& stepper) {
   test::MemoryArchive archive;
   stepper.columns(archive);
   return archive;

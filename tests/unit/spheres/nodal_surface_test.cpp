@@ -1,16 +1,15 @@
-#include "sazare/terms/nodal_surface.hpp"
-
 #include <gtest/gtest.h>
 
 #include <numbers>
 
+#include "sazare/geometry/nodal_surface.hpp"
 #include "scene.hpp"
 #include "tests/support/memory_archive.hpp"
 
 namespace sazare::methods::spheres {
 namespace {
 
-using terms::FacePoint, terms::NodalSurface;
+using geometry::FacePoint, geometry::NodalSurface;
 
 const Real pressed = 0.00995;  // height of a sphere of 0.01 m
 
@@ -28,7 +27,7 @@ Wall fan(int pieces) {
   return wall;
 }
 
-engine::SphereStepper on_fan(const std::vector<Grain>& grains, const Rules& rules, int pieces) {
+methods::spheres::SphereStepper on_fan(const std::vector<Grain>& grains, const Rules& rules, int pieces) {
   auto stepper = make_stepper(grains, rules);
   stepper.add_surface(fan(pieces));
   stepper.start();

@@ -21,7 +21,7 @@ Rules rules() {
   return {.restitution = 0.6, .friction = 0.4, .rolling = 0.05, .twisting = 0.02, .step = 1e-5, .gravity = {0, 0, -9.81}};
 }
 
-test::MemoryArchive state_of(engine::SphereStepper& stepper) {
+test::MemoryArchive state_of(methods::spheres::SphereStepper& stepper) {
   test::MemoryArchive archive;
   stepper.columns(archive);
   return archive;

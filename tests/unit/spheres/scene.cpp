@@ -1,7 +1,7 @@
-#include "scene.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "scene.hpp"
 
 namespace sazare::methods::spheres {
 
@@ -14,7 +14,7 @@ ContactTable table(const Rules& rules) {
   return contacts;
 }
 
-engine::SphereStepper make_stepper(const std::vector<Grain>& grains, const Rules& rules, std::vector<Wall> walls) {
+methods::spheres::SphereStepper make_stepper(const std::vector<Grain>& grains, const Rules& rules, std::vector<Wall> walls) {
   state::Spheres spheres;
   spheres.box = rules.box;
   for (const Grain& grain : grains) {
@@ -53,7 +53,7 @@ std::vector<std::int8_t> levels_by_radius(const std::vector<Grain>& grains) {
   return level;
 }
 
-std::size_t place_of(const engine::SphereStepper& stepper, Index number) {
+std::size_t place_of(const methods::spheres::SphereStepper& stepper, Index number) {
   const auto& numbers = stepper.spheres().number;
   return static_cast<std::size_t>(std::ranges::find(numbers, number) - numbers.begin());
 }

@@ -2,7 +2,7 @@
 
 /// Small bodies of spheres for the tests.
 
-#include "sazare/engine/sphere_stepper.hpp"
+#include "sazare/methods/spheres/stepper/stepper.hpp"
 
 namespace sazare::methods::spheres {
 
@@ -26,7 +26,7 @@ struct Rules {
 };
 
 ContactTable table(const Rules& rules);
-engine::SphereStepper make_stepper(const std::vector<Grain>& grains, const Rules& rules, std::vector<Wall> walls = {});
+methods::spheres::SphereStepper make_stepper(const std::vector<Grain>& grains, const Rules& rules, std::vector<Wall> walls = {});
 
 /// A heap of some hundred spheres of several sizes that fall into each other.
 std::vector<Grain> heap(int across, Real speed, Real spacing = 0.021);
@@ -35,17 +35,17 @@ std::vector<Grain> heap(int across, Real speed, Real spacing = 0.021);
 std::vector<std::int8_t> levels_by_radius(const std::vector<Grain>& grains);
 
 /// Where the sphere with a number stands in memory.
-std::size_t place_of(const engine::SphereStepper& stepper, Index number);
+std::size_t place_of(const methods::spheres::SphereStepper& stepper, Index number);
 
-inline Vector3 centre_of(const engine::SphereStepper& stepper, Index number) {
+inline Vector3 centre_of(const methods::spheres::SphereStepper& stepper, Index number) {
   return stepper.spheres().place[place_of(stepper, number)].centre();
 }
-inline Vector3 velocity_of(const engine::SphereStepper& stepper, Index number) {
+inline Vector3 velocity_of(const methods::spheres::SphereStepper& stepper, Index number) {
   return stepper.velocity(place_of(stepper, number));
 }
-inline Vector3 spin_of(const engine::SphereStepper& stepper, Index number) { return stepper.spin(place_of(stepper, number)); }
+inline Vector3 spin_of(const methods::spheres::SphereStepper& stepper, Index number) { return stepper.spin(place_of(stepper, number)); }
 
-inline void advance(engine::SphereStepper& stepper, int steps) {
+inline void advance(methods::spheres::SphereStepper& stepper, int steps) {
   for (int step = 0; step < steps; ++step) stepper.advance();
   stepper.settle();
 }

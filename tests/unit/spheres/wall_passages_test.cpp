@@ -14,12 +14,12 @@ Wall plate(Real from, Real to) {
 }
 
 /// A ball that begins 0.1 m above the plate and goes down.
-engine::SphereStepper shot(Real speed, Real step, const Wall& wall, Real x = 0.02) {
+methods::spheres::SphereStepper shot(Real speed, Real step, const Wall& wall, Real x = 0.02) {
   return make_stepper({{.centre = {x, 0.03, 0.1}, .velocity = {0, 0, -speed}}}, {.step = step}, {wall});
 }
 
 /// Steps until something is seen or the ball is far below.
-void fly(engine::SphereStepper& stepper) {
+void fly(methods::spheres::SphereStepper& stepper) {
   while (!stepper.passage() && stepper.missed_way() == 0 && centre_of(stepper, 0).z() > -0.5 && centre_of(stepper, 0).z() < 0.3)
     stepper.advance();
   stepper.settle();

@@ -1,8 +1,8 @@
-#include "sazare/terms/events.hpp"
-
 #include <gtest/gtest.h>
 
 #include <thread>
+
+#include "sazare/levels/terms/events.hpp"
 
 namespace sazare::terms {
 namespace {

@@ -1,9 +1,8 @@
-#include "sazare/terms/face_pressure.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "sazare/levels/terms/face_pressure.hpp"
 #include "tests/support/force_probe.hpp"
 
 namespace sazare::terms {

@@ -1,7 +1,6 @@
-#include "sazare/terms/gravity.hpp"
-
 #include <gtest/gtest.h>
 
+#include "sazare/levels/terms/gravity.hpp"
 #include "tests/support/force_probe.hpp"
 
 namespace sazare::terms {

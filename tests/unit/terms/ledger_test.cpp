@@ -1,6 +1,6 @@
-#include "sazare/terms/ledger.hpp"
-
 #include <gtest/gtest.h>
+
+#include "sazare/levels/terms/ledger.hpp"
 
 namespace sazare::terms {
 namespace {

@@ -1,11 +1,10 @@
-#include "sazare/terms/slot_table.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
-#include "sazare/terms/lane_slots.hpp"
+#include "sazare/levels/terms/lane_slots.hpp"
+#include "sazare/levels/terms/slot_table.hpp"
 
 namespace sazare::terms {
 namespace {

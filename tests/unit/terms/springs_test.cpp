@@ -1,7 +1,6 @@
-#include "sazare/terms/springs.hpp"
-
 #include <gtest/gtest.h>
 
+#include "sazare/levels/terms/springs.hpp"
 #include "tests/support/force_probe.hpp"
 
 namespace sazare::terms {

@@ -1,8 +1,8 @@
-#include "sazare/terms/work.hpp"
-
 #include <gtest/gtest.h>
 
 #include <vector>
+
+#include "sazare/levels/terms/work.hpp"
 
 namespace sazare::terms {
 namespace {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sazare/geometry/tetrahedron.hpp"
+#include "sazare/methods/blocks/case/case.hpp"
 
 namespace sazare::validation {
 

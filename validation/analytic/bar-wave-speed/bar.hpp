@@ -6,8 +6,8 @@
 #include <array>
 #include <vector>
 
-#include "sazare/cases/blocks_case.hpp"
 #include "sazare/geometry/tetra_mesh.hpp"
+#include "sazare/methods/blocks/case/case.hpp"
 
 namespace sazare::validation {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "sazare/geometry/tetrahedron.hpp"
+#include "sazare/methods/blocks/run/model.hpp"
 #include "sazare/parallel/threads.hpp"
-#include "sazare/runs/blocks_model.hpp"
 #include "validation/analytic/bar-wave-speed/bar.hpp"
 #include "validation/analytic/bar-wave-speed/statics.hpp"
 #include "validation/common/rows.hpp"
@@ -19,7 +19,7 @@ using namespace sazare;
 /// A checkpoint in which the motion of the bodies is set.
 class SetMotion final : public Archive {
 public:
-  explicit SetMotion(engine::Simulation<3>& simulation) : simulation_(simulation) { simulation.columns(*this); }
+  explicit SetMotion(levels::Simulation<3>& simulation) : simulation_(simulation) { simulation.columns(*this); }
 
   void set(std::vector<state::Motion<3>> motion) {
     reading_ = true;
@@ -36,7 +36,7 @@ protected:
   std::vector<std::byte> read(const std::string& name) override { return columns_.at(name); }
 
 private:
-  engine::Simulation<3>& simulation_;
+  levels::Simulation<3>& simulation_;
   std::map<std::string, std::vector<std::byte>> columns_;
   bool reading_ = false;
 };
@@ -45,7 +45,7 @@ private:
 using Mode = std::function<std::pair<Vector3, Vector3>(const Vector3& centre)>;
 
 /// Gives all blocks the motion of a mode.
-void set_motion(engine::Simulation<3>& simulation, const Mode& mode) {
+void set_motion(levels::Simulation<3>& simulation, const Mode& mode) {
   SetMotion start(simulation);
   auto motion = simulation.bodies().motion;
   for (std::size_t body = 0; body < motion.size(); ++body) {
@@ -65,7 +65,7 @@ struct Strains {
   Real across = 0;
 };
 
-Strains fitted_strains(const engine::Simulation<3>& simulation, const engine::Snapshot<3>& at) {
+Strains fitted_strains(const levels::Simulation<3>& simulation, const levels::Snapshot<3>& at) {
   constexpr Real wave_number = std::numbers::pi / validation::bar_length;
   Real moved_along = 0, all_along = 0, moved_across = 0, all_across = 0;
   for (std::size_t body = 0; body < at.pose.size(); ++body) {
@@ -92,7 +92,7 @@ StandingWave standing_wave(const geometry::TetraMesh& mesh, validation::Sides si
   auto model = runs::build_blocks(validation::bar_case(sides), mesh);
   auto& simulation = *model.simulation;
   set_motion(simulation, mode);
-  const auto component = [&](const engine::Snapshot<3>& at) {
+  const auto component = [&](const levels::Snapshot<3>& at) {
     Real sum = 0;
     for (std::size_t body = 0; body < at.velocity.size(); ++body)
       sum += simulation.bodies().inertia[body].mass * at.velocity[body].dot(mode(simulation.bodies().start[body]).first);

@@ -4,8 +4,9 @@
 #include <functional>
 #include <numbers>
 
+#include "sazare/methods/rectangles/run/model.hpp"
 #include "sazare/parallel/threads.hpp"
-#include "sazare/runs/rectangles_model.hpp"
+#include "sazare/registry/registry.hpp"
 #include "validation/common/rows.hpp"
 
 namespace {
@@ -16,7 +17,7 @@ constexpr Real g = 9.81;
 using Settings = std::vector<std::string>;
 
 runs::RectanglesModel table(const Settings& settings) {
-  runs::RectanglesModel model = runs::build_rectangles(cases::read_case("cases/shaking-table/case.toml", settings));
+  runs::RectanglesModel model = runs::build_rectangles(registry::read_case("cases/shaking-table/case.toml", settings));
   model.stepper->start();
   return model;
 }

@@ -3,8 +3,10 @@
 #include <numbers>
 
 #include "sazare/cases/case_file.hpp"
+#include "sazare/methods/spheres/case/case.hpp"
+#include "sazare/methods/spheres/run/model.hpp"
 #include "sazare/parallel/threads.hpp"
-#include "sazare/runs/spheres_model.hpp"
+#include "sazare/registry/registry.hpp"
 #include "validation/common/rows.hpp"
 
 namespace {
@@ -59,7 +61,7 @@ state::SphereLoad reaction(const Vector3& shift, const Vector3& turning) {
   methods::spheres::ContactTable table(laws::ContactModel::linear, 1);
   table.set(0, 0, laws::linear_constants(1, 1, 1, {}));
   constexpr Real infinite = std::numeric_limits<Real>::infinity();
-  engine::SphereStepper stepper(std::move(spheres), table, {}, {step, Vector3::Zero(), radius, radius},
+  methods::spheres::SphereStepper stepper(std::move(spheres), table, {}, {step, Vector3::Zero(), radius, radius},
                                 methods::spheres::Bonds(std::move(bonds), {{infinite, infinite, 0, 1}}));
   stepper.start();
   for (int k = 0; k < 1000000; ++k) stepper.advance();
@@ -86,11 +88,11 @@ void statics() {
 
 /// The case bonded-beam, until it breaks.
 void breaking() {
-  const cases::CaseFile file = cases::read_case("cases/bonded-beam/case.toml");
-  const auto& rules = file.spheres().bonds.front();
+  const cases::CaseFile file = registry::read_case("cases/bonded-beam/case.toml");
+  const auto& rules = file.as<cases::SpheresCase>().bonds.front();
   const Beam beam{0.2, 0.01, *rules.youngs_modulus, *rules.poisson_ratio};
   runs::SpheresModel model = runs::build_spheres(file);
-  engine::SphereStepper& stepper = *model.stepper;
+  methods::spheres::SphereStepper& stepper = *model.stepper;
   stepper.start();
   const Real speed = 0.005;
   // Half the way to where it breaks.

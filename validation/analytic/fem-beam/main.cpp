@@ -1,7 +1,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "sazare/runs/fem_model.hpp"
+#include "sazare/methods/fem/run/model.hpp"
+#include "sazare/registry/registry.hpp"
 #include "sazare/runs/temporary_folder.hpp"
 #include "validation/common/rows.hpp"
 
@@ -11,7 +12,7 @@ using namespace sazare;
 constexpr Real length = 10, height = 1, modulus = 3e10, density = 2400, traction = 1e5;
 
 runs::FemModel<2> beam(const std::vector<std::string>& settings) {
-  const auto file = cases::read_case("cases/cantilever-fem/case.toml", settings);
+  const auto file = registry::read_case("cases/cantilever-fem/case.toml", settings);
   const runs::TemporaryFolder folder;
   return runs::build_fem<2>(file, runs::load_fem_mesh(file, folder.path() / "mesh.msh", false));
 }

@@ -12,7 +12,7 @@ using namespace sazare::methods::fem;
 constexpr Real friction = 0.5, gravity = 9.81;
 
 /// A block of 1 m x 0.5 m on a joint over elastic ground, under gravity at an angle with this tangent.
-engine::FemStepper<2> block(Real slope) {
+methods::fem::FemStepper<2> block(Real slope) {
   auto mesh = test::box(geometry::ElementShape::quadrilateral4, {{1, 1, 1}, {4, 4, 1}, 0});
   mesh.region_names = {"ground", "block"};
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
@@ -26,12 +26,12 @@ engine::FemStepper<2> block(Real slope) {
   supports.gravity = gravity * Vector<2>(std::sin(std::atan(slope)), -std::cos(std::atan(slope)));
   auto description = test::of_one_material(mesh, SolidMaterial::elastic_of(1e8, 0.2, 2000));
   description.joints = {{"base", {1e10, 1e10, 0, friction}, faces.front()}};
-  engine::FemRules rules;
+  methods::fem::FemRules rules;
   rules.step = 1e-3;
   rules.most_cuts = 6;
   rules.damping = {0, 1e-3};  // of the stiffness alone: vibrations of the block would let it slide more easily
   description.materials[0].damping_ratio = 1;
-  return engine::FemStepper<2>(std::make_unique<Body<2>>(std::move(description)), std::move(supports), rules);
+  return methods::fem::FemStepper<2>(std::make_unique<Body<2>>(std::move(description)), std::move(supports), rules);
 }
 
 bool stands(Real slope) {

@@ -38,9 +38,9 @@ Surface surface(geometry::ElementShape shape, int cells, Real step) {
     base.faces.push_back({{face.node_list().begin(), face.node_list().end()},
                           face_impedance<2>(mesh, face, density * soil.pressure_velocity(), density * velocity)});
   supports.viscous = {base};
-  engine::FemRules rules;
+  methods::fem::FemRules rules;
   rules.step = step;
-  engine::FemStepper<2> stepper(std::make_unique<Body<2>>(test::of_one_material(mesh, soil)), supports, rules);
+  methods::fem::FemStepper<2> stepper(std::make_unique<Body<2>>(test::of_one_material(mesh, soil)), supports, rules);
   stepper.start();
   const auto top = static_cast<std::size_t>(test::node_at(mesh, {0, height, 0})) * 2;
   Surface result;

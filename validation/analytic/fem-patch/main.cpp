@@ -1,5 +1,4 @@
 #include <algorithm>
-
 #include <string>
 
 #include "tests/support/element_boxes.hpp"
@@ -35,10 +34,10 @@ Real patch_error(geometry::ElementShape shape) {
       supports.motions.push_back(motion);
     }
   }
-  engine::FemRules rules;
+  methods::fem::FemRules rules;
   rules.step = 1;
   rules.statics = true;
-  engine::FemStepper<D> stepper(std::make_unique<Body<D>>(test::of_one_material(mesh, SolidMaterial::elastic_of(1e7, 0.3, 2000))),
+  methods::fem::FemStepper<D> stepper(std::make_unique<Body<D>>(test::of_one_material(mesh, SolidMaterial::elastic_of(1e7, 0.3, 2000))),
                                 supports, rules);
   stepper.start();
   stepper.advance();

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sazare/engine/sphere_stepper.hpp"
+#include "sazare/methods/spheres/stepper/stepper.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "validation/common/rows.hpp"
 
@@ -38,7 +38,7 @@ state::Spheres gas() {
 }
 
 /// Energy per freedom over the mass of a sphere [m2/s2].
-Real temperature(engine::SphereStepper& stepper) {
+Real temperature(methods::spheres::SphereStepper& stepper) {
   stepper.settle();
   const auto& spheres = stepper.spheres();
   return 2 * stepper.energies().translation / (3 * static_cast<Real>(spheres.size()) * spheres.place[0].mass);
@@ -51,7 +51,7 @@ int main() {
   methods::spheres::ContactTable table(laws::ContactModel::hertz, 1);
   const laws::GrainElasticity solid{1e9, 0.3};
   table.set(0, 0, laws::hertz_constants(solid, solid, restitution, {}));
-  engine::SphereStepper stepper(gas(), table, {}, {step, Vector3::Zero(), radius, radius});
+  methods::spheres::SphereStepper stepper(gas(), table, {}, {step, Vector3::Zero(), radius, radius});
   stepper.start();
   // From a lattice and velocities in a cube the gas takes some collisions to forget how it began.
   for (int k = 0; k < steps / 10; ++k) stepper.advance();

@@ -6,7 +6,9 @@
 #include <complex>
 #include <numbers>
 
+#include "sazare/methods/mps/case/case.hpp"
 #include "sazare/parallel/threads.hpp"
+#include "sazare/registry/registry.hpp"
 #include "validation/common/mps_trace.hpp"
 #include "validation/common/rows.hpp"
 
@@ -58,7 +60,7 @@ Complex transform(const std::vector<Real>& values, Real step, Real frequency) {
 std::array<Real, 2> largest_errors(Real spacing) {
   const std::vector<std::string> settings = {fmt::format("particles.spacing={}", spacing)};
   const auto trace = validation::trace_gauges(path, settings, 0, 10);
-  const cases::CaseFile file = cases::read_case(path, settings);
+  const cases::CaseFile file = registry::read_case(path, settings);
   const laws::Ricker wave{5, 0.4};
   std::vector<Real> incoming;
   for (std::size_t k = 0; k < trace.acceleration.back().size(); ++k)
@@ -69,7 +71,7 @@ std::array<Real, 2> largest_errors(Real spacing) {
         transform(trace.acceleration.back(), trace.step, frequency) / transform(incoming, trace.step, frequency);
     for (const bool by_particle : {false, true}) {
       Real& error = largest[by_particle ? 1 : 0];
-      error = std::max(error, std::abs(std::abs(found) / std::abs(exact_ratio(file.mps(), frequency, by_particle)) - 1));
+      error = std::max(error, std::abs(std::abs(found) / std::abs(exact_ratio(file.as<cases::MpsCase>(), frequency, by_particle)) - 1));
     }
   }
   return largest;

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sazare/engine/sphere_stepper.hpp"
+#include "sazare/methods/spheres/stepper/stepper.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "validation/common/rows.hpp"
 
@@ -46,7 +46,7 @@ int main() {
   methods::spheres::ContactTable table(laws::ContactModel::hertz, 1);
   const laws::GrainElasticity solid{1e7, 0.3};
   table.set(0, 0, laws::hertz_constants(solid, solid, 0.3, {0.5, 0.1, 0.05}));
-  engine::SphereStepper stepper(std::move(spheres), table, {tray()}, {step, Vector3(0, 0, -gravity), 1e-3, 5e-3});
+  methods::spheres::SphereStepper stepper(std::move(spheres), table, {tray()}, {step, Vector3(0, 0, -gravity), 1e-3, 5e-3});
   stepper.start();
   for (int k = 0; k < 300000; ++k) stepper.advance();
   stepper.settle();

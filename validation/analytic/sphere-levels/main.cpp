@@ -3,7 +3,7 @@
 #include <limits>
 #include <numeric>
 
-#include "sazare/engine/sphere_stepper.hpp"
+#include "sazare/methods/spheres/stepper/stepper.hpp"
 #include "validation/common/rows.hpp"
 
 namespace {
@@ -71,7 +71,7 @@ struct Ring {
     return least;
   }
 
-  engine::SphereStepper stepper(Real step, bool levels) const {
+  methods::spheres::SphereStepper stepper(Real step, bool levels) const {
     Random random;
     std::vector<std::int8_t> level;
     if (levels)
@@ -89,7 +89,7 @@ struct Bar {
   Real damping = 0;  ///< share of the critical one of a bond
   Real whirl = 1;    ///< of the whole bar, across it [rad/s]
 
-  engine::SphereStepper stepper(Real step, bool levels) const {
+  methods::spheres::SphereStepper stepper(Real step, bool levels) const {
     Random random;
     state::Spheres spheres;
     Real place = 0;
@@ -144,13 +144,13 @@ private:
   }
 };
 
-void advance(engine::SphereStepper& stepper, int steps) {
+void advance(methods::spheres::SphereStepper& stepper, int steps) {
   for (int k = 0; k < steps; ++k) stepper.advance();
   stepper.settle();
 }
 
 /// Velocities and spins, each times the radius of its sphere, by number.
-std::vector<Vector3> motion(const engine::SphereStepper& stepper) {
+std::vector<Vector3> motion(const methods::spheres::SphereStepper& stepper) {
   const state::Spheres& spheres = stepper.spheres();
   std::vector<Vector3> motion(2 * spheres.size());
   for (std::size_t i = 0; i < spheres.size(); ++i) {
@@ -206,7 +206,7 @@ Real restitution_of_one_to_eight(Real restitution) {
   spheres.add({0, 0, 0}, largest_radius, density, 0);
   spheres.add({largest_radius + small + 1e-5, 0, 0}, small, density, 0);
   spheres.set_motion(1, {-speed, 0, 0}, Vector3::Zero());
-  engine::SphereStepper stepper(std::move(spheres), table(restitution, 0), {},
+  methods::spheres::SphereStepper stepper(std::move(spheres), table(restitution, 0), {},
                                 {0.2 * rayleigh(largest_radius), Vector3::Zero(), 1e-3, 1e-3, {0, 3}});
   stepper.start();
   bool met = false;
@@ -243,7 +243,7 @@ struct Cloud {
 
 void print_momentum() {
   Cloud cloud;
-  engine::SphereStepper stepper(cloud.spheres, table(0.7, 0.4), {},
+  methods::spheres::SphereStepper stepper(cloud.spheres, table(0.7, 0.4), {},
                                 {0.2 * rayleigh(largest_radius), Vector3::Zero(), 5e-4, 5e-4, cloud.level});
   stepper.start();
   stepper.settle();
@@ -263,7 +263,7 @@ Real residual(Real fraction) {
   const int steps = static_cast<int>(std::ceil(end / (fraction * rayleigh(largest_radius))));
   methods::spheres::Wall floor;
   floor.point.z() = -0.01;
-  engine::SphereStepper stepper(cloud.spheres, table(0.7, 0.4), {floor},
+  methods::spheres::SphereStepper stepper(cloud.spheres, table(0.7, 0.4), {floor},
                                 {end / steps, Vector3(0, 0, -9.81), 5e-4, 5e-4, cloud.level});
   stepper.start();
   stepper.settle();
@@ -280,7 +280,7 @@ void print_ledger() {
 }
 
 /// How much the largest kinetic energy seen has grown from the first to the last third of a long swing.
-Real growth(engine::SphereStepper stepper) {
+Real growth(methods::spheres::SphereStepper stepper) {
   constexpr int steps = 3000, look = 50;
   stepper.start();
   stepper.settle();

@@ -21,8 +21,8 @@ struct Damping {
 /// A ladder of turning bodies and springs at the end; with mixed levels the base step's fraction of the limit falls with it,
 /// so that every body keeps its level.
 template <int D>
-engine::Snapshot<D> state_at_end(Levels levels, Damping damping, int base_steps) {
-  engine::StepRules rules;
+levels::Snapshot<D> state_at_end(Levels levels, Damping damping, int base_steps) {
+  levels::StepRules rules;
   rules.base_step = end / base_steps;
   rules.stability = levels == Levels::mixed;
   rules.stability_fraction = 0.1 * 32 / base_steps;
@@ -44,7 +44,7 @@ Real observed_order(Levels levels, Damping damping = {}) {
 
 template <int D>
 Real level_difference() {
-  engine::StepRules rules;
+  levels::StepRules rules;
   rules.base_step = end / coarse_steps;
   rules.stability_fraction = 0.1 * 32 / coarse_steps;
   auto simulation = test::ladder<D>().simulation(rules);

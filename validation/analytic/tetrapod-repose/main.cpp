@@ -2,8 +2,10 @@
 #include <numbers>
 
 #include "sazare/cases/case_file.hpp"
+#include "sazare/methods/spheres/case/case.hpp"
+#include "sazare/methods/spheres/run/model.hpp"
 #include "sazare/parallel/threads.hpp"
-#include "sazare/runs/spheres_model.hpp"
+#include "sazare/registry/registry.hpp"
 #include "validation/common/rows.hpp"
 
 namespace {
@@ -18,11 +20,11 @@ struct Heap {
 
 Heap heap(int threads) {
   parallel::set_threads(threads);
-  const cases::CaseFile file = cases::read_case("validation/analytic/tetrapod-repose/case.toml");
+  const cases::CaseFile file = registry::read_case("validation/analytic/tetrapod-repose/case.toml");
   runs::SpheresModel model = runs::build_spheres(file);
-  engine::SphereStepper& stepper = *model.stepper;
+  methods::spheres::SphereStepper& stepper = *model.stepper;
   stepper.start();
-  while (stepper.time() < file.spheres().time.end) stepper.advance();
+  while (stepper.time() < file.as<cases::SpheresCase>().time.end) stepper.advance();
   stepper.settle();
   Heap heap;
   heap.bodies = stepper.clumps().clumps;
@@ -33,7 +35,7 @@ Heap heap(int threads) {
   for (const state::Clump& body : heap.bodies) square += (vector(body.centre) - centre).head<2>().squaredNorm() / count;
   // A cone of height H and radius R has its mean height at H/4 and a mean square radius of 3/10 R^2.
   heap.angle = std::atan(4 * centre.z() / std::sqrt(square / 0.3)) * 180 / std::numbers::pi;
-  const engine::SphereEnergies energies = stepper.energies();
+  const methods::spheres::SphereEnergies energies = stepper.energies();
   heap.restlessness = (energies.translation + energies.rotation) / energies.potential;
   return heap;
 }

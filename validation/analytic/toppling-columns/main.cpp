@@ -4,8 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "sazare/methods/rectangles/case/case.hpp"
+#include "sazare/methods/rectangles/run/model.hpp"
 #include "sazare/parallel/threads.hpp"
-#include "sazare/runs/rectangles_model.hpp"
+#include "sazare/registry/registry.hpp"
 #include "validation/common/rows.hpp"
 
 namespace {
@@ -46,11 +48,11 @@ Verdict verdict_of(const state::Particles<2>& particles, std::size_t column) {
 
 int main() {
   parallel::set_threads(1);
-  const cases::CaseFile file = cases::read_case("cases/toppling-columns/case.toml");
-  const auto& columns = file.rectangles().blocks;
+  const cases::CaseFile file = registry::read_case("cases/toppling-columns/case.toml");
+  const auto& columns = file.as<cases::RectanglesCase>().blocks;
   std::vector<Real> height;
   for (const auto& column : columns) height.push_back(column.upper.y() - column.lower.y());
-  const auto expected = limit_equilibrium(height, std::tan(file.rectangles().contact.friction_angle * std::numbers::pi / 180));
+  const auto expected = limit_equilibrium(height, std::tan(file.as<cases::RectanglesCase>().contact.friction_angle * std::numbers::pi / 180));
   const runs::RectanglesModel model = runs::build_rectangles(file);
   model.stepper->start();
   while (model.stepper->time() < 3) model.stepper->advance();

@@ -40,7 +40,7 @@ test::Network<2> two_bars(int left, int right) {
 
 class Bars {
 public:
-  Bars(int left_masses, int right_masses, const engine::StepRules& rules)
+  Bars(int left_masses, int right_masses, const levels::StepRules& rules)
       : left_(left_masses),
         right_(right_masses),
         contact_(contact(left_masses, right_masses)),
@@ -48,10 +48,10 @@ public:
     simulation_.start();
   }
 
-  engine::Simulation<2>& simulation() { return simulation_; }
+  levels::Simulation<2>& simulation() { return simulation_; }
 
   /// Force between the bars [N].
-  Real contact_force(const engine::Snapshot<2>& at) const {
+  Real contact_force(const levels::Snapshot<2>& at) const {
     const auto place = [&](Index body) { return at.pose[static_cast<std::size_t>(body)].position.x(); };
     return std::max(0.0, contact_.stiffness * (contact_.length - (place(contact_.second) - place(contact_.first))));
   }
@@ -68,12 +68,12 @@ public:
 private:
   Index left_, right_;
   terms::Spring<2> contact_;
-  engine::Simulation<2> simulation_;
+  levels::Simulation<2> simulation_;
 };
 
 /// Collides the bars and prints when they part, the force between them and their motion afterwards.
 void print_impact(const std::string& name, int left, int right, bool mixed) {
-  engine::StepRules rules;
+  levels::StepRules rules;
   const int finest = std::max(left, right);
   rules.base_step = (mixed ? 4.0 : 1.0) * 0.1 * length / finest;  // a tenth of what a wave takes over the finest segment
   rules.stability = mixed;

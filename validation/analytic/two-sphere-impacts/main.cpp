@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sazare/engine/sphere_stepper.hpp"
+#include "sazare/methods/spheres/stepper/stepper.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "validation/common/rows.hpp"
 
@@ -49,7 +49,7 @@ After impact(const Solid& solid, const std::vector<Ball>& balls, Real expected_d
   std::vector<methods::spheres::Wall> walls;
   if (balls.size() == 1) walls.emplace_back().material = 1;
   const Real step = expected_duration / resolution, radius = balls.front().radius;
-  engine::SphereStepper stepper(std::move(spheres), table, walls, {step, Vector3::Zero(), radius, radius});
+  methods::spheres::SphereStepper stepper(std::move(spheres), table, walls, {step, Vector3::Zero(), radius, radius});
   stepper.start();
   After after;
   bool met = false;

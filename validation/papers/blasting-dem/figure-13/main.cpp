@@ -7,12 +7,12 @@ namespace {
 
 using namespace sazare;
 
-Real step_of(const engine::Simulation<3>& simulation, Index body) {
+Real step_of(const levels::Simulation<3>& simulation, Index body) {
   return simulation.levels().step(simulation.levels().level(body));
 }
 
 /// Share of the elements that step more often than the base step: where the wave and the fragments are.
-Real shortened_share(const engine::Simulation<3>& simulation) {
+Real shortened_share(const levels::Simulation<3>& simulation) {
   int count = 0;
   for (Index body = 0; body < simulation.bodies().size(); ++body) count += simulation.levels().level(body) > 0;
   return static_cast<Real>(count) / simulation.bodies().size();
@@ -20,7 +20,7 @@ Real shortened_share(const engine::Simulation<3>& simulation) {
 
 /// Shortest step of the elements that are chosen [s].
 template <class Choose>
-Real shortest_step(const engine::Simulation<3>& simulation, Choose&& choose) {
+Real shortest_step(const levels::Simulation<3>& simulation, Choose&& choose) {
   Real shortest = simulation.levels().step(0);
   for (Index body = 0; body < simulation.bodies().size(); ++body)
     if (choose(static_cast<std::size_t>(body))) shortest = std::min(shortest, step_of(simulation, body));

@@ -2,8 +2,9 @@
 
 #include <cmath>
 
+#include "sazare/methods/mps/run/limit_search.hpp"
 #include "sazare/parallel/threads.hpp"
-#include "sazare/runs/limit_search.hpp"
+#include "sazare/registry/registry.hpp"
 #include "validation/common/rows.hpp"
 
 namespace {
@@ -15,13 +16,13 @@ Real limit(const std::string& integrator, Real spacing, Real damping) {
   const std::vector<std::string> settings = {fmt::format("particles.spacing={}", spacing),
                                              fmt::format("time.integrator=\"{}\"", integrator),
                                              fmt::format("materials.0.damping_ratio={}", damping)};
-  return runs::find_limit(cases::read_case("cases/stability-study/column-s.toml", settings), {1.02, 0, 1e15}).limit();
+  return runs::find_limit(registry::read_case("cases/stability-study/column-s.toml", settings), {1.02, 0, 1e15}).limit();
 }
 
 /// Verlet's predicted limit over Euler's, h = 1.
 Real predicted(Real spacing) {
   const std::vector<std::string> settings = {fmt::format("particles.spacing={}", spacing), "materials.0.damping_ratio=1"};
-  const auto found = runs::make_parts<2>(cases::read_case("cases/stability-study/column-s.toml", settings)).predict();
+  const auto found = runs::make_parts<2>(registry::read_case("cases/stability-study/column-s.toml", settings)).predict();
   return found.verlet / found.euler;
 }
 

@@ -1,7 +1,8 @@
 #include <fmt/format.h>
 
+#include "sazare/methods/mps/run/limit_search.hpp"
 #include "sazare/parallel/threads.hpp"
-#include "sazare/runs/limit_search.hpp"
+#include "sazare/registry/registry.hpp"
 #include "validation/common/rows.hpp"
 
 namespace {
@@ -12,7 +13,7 @@ constexpr auto column = "cases/stability-study/column-s.toml";
 runs::FoundLimit limit(Real spacing, const std::string& rotation = "mean_rotation") {
   const std::vector<std::string> settings = {fmt::format("particles.spacing={}", spacing),
                                              fmt::format("particles.rotation=\"{}\"", rotation)};
-  return runs::find_limit(cases::read_case(column, settings), {1.002, 20000, 1e3});
+  return runs::find_limit(registry::read_case(column, settings), {1.002, 20000, 1e3});
 }
 
 }  // namespace

@@ -1,9 +1,10 @@
 #include <fmt/format.h>
 
 #include "sazare/cases/study_file.hpp"
+#include "sazare/methods/mps/run/model.hpp"
 #include "sazare/parallel/tasks.hpp"
+#include "sazare/registry/registry.hpp"
 #include "sazare/runs/limit_regression.hpp"
-#include "sazare/runs/mps_model.hpp"
 #include "validation/common/rows.hpp"
 
 int main() {
@@ -11,7 +12,7 @@ int main() {
   const cases::Study study = cases::read_study("cases/stability-study/study.toml");
   std::vector<runs::LimitPoint> points(study.size());
   parallel::run_tasks(study.size(), 1, [&](std::size_t i) {
-    const cases::CaseFile file = cases::read_case(study.family(i).file, study.overrides(i));
+    const cases::CaseFile file = registry::read_case(study.family(i).file, study.overrides(i));
     const std::vector<Real> values = study.values(i);
     points[i] = {0.5 * values[0], values[1], values[2], runs::make_parts<2>(file).predict().verlet};
   });

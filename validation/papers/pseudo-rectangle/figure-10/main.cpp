@@ -5,8 +5,10 @@
 #include <string_view>
 #include <utility>
 
+#include "sazare/methods/rectangles/case/case.hpp"
+#include "sazare/methods/rectangles/run/model.hpp"
 #include "sazare/parallel/threads.hpp"
-#include "sazare/runs/rectangles_model.hpp"
+#include "sazare/registry/registry.hpp"
 #include "validation/common/rows.hpp"
 #include "validation/papers/pseudo-rectangle/figure-10/lattice.hpp"
 
@@ -66,8 +68,8 @@ struct Result {
 };
 
 Result bend(const Test& test) {
-  cases::CaseFile file = cases::read_case("cases/mortar-beam/case.toml", settings(test));
-  auto beam = file.rectangles();
+  cases::CaseFile file = registry::read_case("cases/mortar-beam/case.toml", settings(test));
+  auto beam = file.as<cases::RectanglesCase>();
   cases::Roller second = beam.rollers[2];  // the other platen
   second.name = "other platen";
   second.center.x() = test.length() - second.center.x();

@@ -3,8 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "sazare/methods/rectangles/run/model.hpp"
 #include "sazare/parallel/threads.hpp"
-#include "sazare/runs/rectangles_model.hpp"
+#include "sazare/registry/registry.hpp"
 #include "validation/common/rows.hpp"
 
 namespace {
@@ -15,7 +16,7 @@ constexpr Real slope = 40 * std::numbers::pi / 180, friction = 38 * std::numbers
 /// How far the block has slid between `begin` and the end, less what its velocity at `begin` makes of it [m]. Placed on the
 /// slope without pressing on it, the block meets less friction until it has settled, within a millisecond.
 Real slip(Real normal, Real ratio, Real step) {
-  const cases::CaseFile file = cases::read_case(
+  const cases::CaseFile file = registry::read_case(
       "cases/block-on-slope/case.toml",
       std::vector<std::string>{fmt::format("contact.normal_stiffness={:e}", normal),
                                fmt::format("contact.shear_stiffness={:e}", ratio * normal), fmt::format("time.step={:e}", step)});

@@ -3,8 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "sazare/methods/rectangles/run/model.hpp"
 #include "sazare/parallel/threads.hpp"
-#include "sazare/runs/rectangles_model.hpp"
+#include "sazare/registry/registry.hpp"
 #include "validation/common/rows.hpp"
 
 namespace {
@@ -55,7 +56,7 @@ struct Motion {
 /// Motion after a way of the plate; `flat`: the block lies on its long side.
 Motion run(Real degrees, Real size, Real way, bool flat) {
   const Real slope = degrees * std::numbers::pi / 180, c = std::cos(slope), s = std::sin(slope);
-  const cases::CaseFile file = cases::read_case(
+  const cases::CaseFile file = registry::read_case(
       "cases/base-friction/case.toml",
       std::vector<std::string>{fmt::format("blocks.0.angle={:.1f}", degrees), fmt::format("blocks.0.element_size={:e}", size),
                                flat ? "blocks.0.upper=[0.075,0.025,0]" : "blocks.0.upper=[0.025,0.075,0]",

@@ -1,0 +1,86 @@
+#include "sazare/cases/format/syntax_help.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <regex>
+
+#include "sazare/cases/format/number_text.hpp"
+#include "sazare/cases/format/units.hpp"
+
+namespace sazare::cases {
+namespace {
+
+struct Assignment {
+  std::string key;
+  std::string value;
+  int value_column = 1;
+};
+
+/// `key = value   # comment` split by hand, for lines that TOML does not accept.
+bool split_assignment(const std::string& line, Assignment& result) {
+  static const std::regex pattern(R"(^(\s*([A-Za-z0-9_.-]+)\s*[=:]=?\s*)([^#]*?)\s*(#.*)?$)");
+  std::smatch match;
+  if (!std::regex_match(line, match, pattern)) return false;
+  result = {match[2], match[3], static_cast<int>(match.length(1)) + 1};
+  return true;
+}
+
+/// Keys are looked up by name alone: which table the line stands in is not known where the text is not TOML.
+std::string help_for_unit(const std::string& name, const Quantity& quantity, std::span<const Table> known) {
+  for (const Table& table : known) {
+    const Key* key = find_key(table, name);
+    const auto number = key == nullptr ? std::nullopt : converted(quantity, key->unit);
+    if (number) return fmt::format("write {} = {}, without unit; the unit is {}", name, short_number(*number, 12), key->unit);
+  }
+  return "write the number alone; the reference page names the unit of each key";
+}
+
+std::string help_for_value(const Assignment& line, std::span<const Table> known) {
+  static const std::regex word(R"([A-Za-z_][A-Za-z0-9_. -]*)");
+  static const std::regex decimal_comma(R"([+-]?\d+,\d+)");
+  if (line.value.empty()) return fmt::format("write a value after \"{} =\"", line.key);
+  const auto quantity = parse_quantity(line.value);
+  if (quantity && is_unit(quantity->unit)) return help_for_unit(line.key, *quantity, known);
+  if (std::regex_match(line.value, decimal_comma)) return "write a decimal point";
+  if (line.value == "True" || line.value == "False") return "write true or false in small letters";
+  if (line.value.front() == '.') return "write a digit before the decimal point: 0" + line.value;
+  if (std::regex_match(line.value, word) && line.value != "true" && line.value != "false")
+    return fmt::format("put a text between double quotes: {} = \"{}\"", line.key, line.value);
+  return "";
+}
+
+std::string help_for_description(std::string_view description) {
+  const auto says = [&](std::string_view words) { return description.find(words) != std::string_view::npos; };
+  if (says("table header") && says("redefine"))
+    return "write each [table] once; entries of a list have double brackets: [[name]]";
+  if (says("redefine")) return "this key was given above; keep one of them";
+  if (says("table header")) return "a table header is a name in brackets, alone on its line: [time]";
+  if (says("parsing array")) return "close the list with ]";
+  if (says("parsing string")) return "close the text with the same quote that begins it";
+  if (says("utf-8")) return "save the file as UTF-8";
+  if (says("expected '='")) return "write key = value";
+  return "";
+}
+
+}  // namespace
+
+SyntaxMessage syntax_message(std::string_view description, const Source& source, Place place, std::span<const Table> known) {
+  std::string text(description);
+  if (text.starts_with("Error while ")) text.erase(0, std::string_view("Error while ").size());
+  SyntaxMessage message{place, "not valid TOML: " + text, help_for_description(description)};
+  const auto index = static_cast<std::size_t>(place.line - 1);
+  if (place.line < 1 || index >= source.lines.size()) return message;
+  const std::string& line = source.lines[index];
+  message.place.column = std::min(place.column, static_cast<int>(line.size()) + 1);
+  Assignment assignment;
+  if (!message.help.empty() || !split_assignment(line, assignment)) return message;
+  message.help = help_for_value(assignment, known);
+  if (!message.help.empty()) {
+    message.place.column = assignment.value_column;
+    message.place.width = std::max<int>(1, static_cast<int>(assignment.value.size()));
+  }
+  return message;
+}
+
+}  // namespace sazare::cases

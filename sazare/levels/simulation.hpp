@@ -1,0 +1,180 @@
+#pragma once
+
+/// Walks the ticks: the only place where a step is written.
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sazare/levels/distribute/balance.hpp"
+#include "sazare/levels/distribute/replicas.hpp"
+#include "sazare/levels/level_keeper.hpp"
+#include "sazare/levels/motion/step.hpp"
+#include "sazare/levels/terms/events.hpp"
+#include "sazare/levels/terms/term.hpp"
+
+namespace sazare::levels {
+
+/// What the run has cost so far.
+struct Counters {
+  std::int64_t ticks = 0;                ///< ticks at which anything was due
+  std::int64_t kicks = 0;                ///< steps of bodies
+  std::int64_t pair_evaluations = 0;     ///< links of two bodies
+  std::int64_t uniform_evaluations = 0;  ///< what they would have been had all bodies stepped with the finest
+};
+
+/// Wall-clock time by part of the step.
+struct PartTime {
+  std::string part;
+  Real seconds = 0;
+};
+
+/// Positions and velocities of all bodies at a base step.
+template <int D>
+struct Snapshot {
+  std::vector<state::Pose<D>> pose;
+  std::vector<Vector<D>> velocity;
+  std::vector<Angular<D>> angular_momentum;
+};
+
+/// What a row of a history tells of.
+template <int D>
+struct Survey {
+  Snapshot<D> bodies;
+  std::vector<state::MeanMotion<D>> ahead;  ///< see terms::Synchronized
+  terms::Ledger ledger;
+};
+
+/// How the work is shared out among the processes of a run.
+struct Sharing {
+  const parallel::Ranks* ranks = nullptr;  ///< none: this process does it all
+  distribute::Policy policy = distribute::Policy::predicted;
+  std::int64_t interval = 50;  ///< base steps between cuts
+};
+
+/// What one rank had to do until a cut.
+struct RankWork {
+  Tick tick = 0;
+  int rank = 0;
+  Real seconds = 0;        ///< of processor time in evaluations and kicks, since the last cut
+  Real talking = 0;        ///< of wall time in exchanges with others, since the run began [s]
+  std::int64_t bytes = 0;  ///< sent to others, since the run began
+  Index first_body = 0;    ///< of its range until then
+};
+
+template <int D>
+class Simulation {
+public:
+  Simulation(state::Bodies<D> bodies, TermList<D> terms, const StepRules& rules, const Sharing& sharing = {});
+  Simulation(const Simulation&) = delete;  // the levels look at its terms
+  Simulation& operator=(const Simulation&) = delete;
+
+  /// Evaluates the beginning; call once before the first `advance`, not after a resume.
+  void start();
+
+  /// To the next base step, or until `pause`, asked now and then on the way, says so: then false. Deep levels make a long way
+  /// of it; the next call goes on from there. With several processes all ask at the same ticks.
+  bool advance(const std::function<bool()>& pause = {});
+
+  Moment now() const { return now_; }
+  const state::Bodies<D>& bodies() const { return bodies_; }
+  const LevelKeeper<D>& levels() const { return levels_; }
+  const Counters& counters() const { return counters_; }
+  /// Where the time of all ticks went; not each of many short ones is measured.
+  std::vector<PartTime> part_times() const;
+
+  /// Motion and energy at `now()`. With several processes each finds what is its own: all call it, all know the motion then, and
+  /// the first one the energy. In the memory of a former one, where one is given.
+  Survey<D> survey(Survey<D> former = {}) const;
+
+  /// With several processes: makes all that is read below true in the first one, for the present base step. All call it.
+  void collect();
+
+  /// With several processes: the same list in all of them, rising. All call it.
+  void unite(std::vector<Index>& list) { peers().unite(list); }
+  bool owns(Index body) const { return replicas_ == nullptr || replicas_->owns(body); }
+
+  /// With several processes: work of every rank since the last call, interval by interval. Empty when alone.
+  std::vector<RankWork> take_rank_work() { return std::exchange(rank_work_, {}); }
+
+  /// Positions and velocities at `now()`: the part of the last kicks that acts after it is taken back.
+  Snapshot<D> snapshot() const {
+    Snapshot<D> now;
+    take_snapshot(0, bodies_.size(), now);
+    return now;
+  }
+  /// Forces on all bodies as last evaluated [N].
+  std::vector<Vector<D>> forces() const;
+  terms::Ledger ledger() const { return ledger(snapshot()); }
+  terms::Ledger ledger(const Snapshot<D>& at_now) const {  ///< where it is at hand
+    std::vector<state::MeanMotion<D>> ahead;
+    return close(books(at_now, nullptr, ahead));
+  }
+
+  /// Smallest step since the last call [s].
+  Real take_smallest_step();
+
+  /// All columns of a checkpoint. After reading, the run goes on as if it had never stopped.
+  void columns(Archive& archive);
+
+private:
+  void tick();
+  void collect_due();
+  std::int64_t collect_links(std::size_t term);
+  void call_back();
+  void take_refined();
+  void divide_anew();
+  void take_ranges(distribute::Ranges next);
+  std::vector<std::vector<Real>> due_in_base_step() const;
+  void count_work(std::size_t kind, std::size_t count, Real since);
+  terms::Peers& peers() { return replicas_ ? static_cast<terms::Peers&>(*replicas_) : alone_; }
+  bool travels() const;
+  void kick_all();
+  void kick_chunk(std::span<const Index> which);
+  motion::Stride stride(Index body, int pace) const;
+  state::MeanMotion<D> step_faster(Index body, state::Impulse<D> given);
+  state::Impulse<D> gather_one(Index body, Real until_next) const;
+  std::int64_t settle(std::int64_t since);
+  std::int64_t add_time(std::size_t part, std::int64_t since);
+  template <class Take>
+  void gather(Index begin, Index end, Real until_next, Take&& take) const;
+  void take_snapshot(Index begin, Index end, Snapshot<D>& at_now) const;
+  void book_bodies(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared, std::vector<state::MeanMotion<D>>& ahead,
+                   terms::Books& books) const;
+  terms::Books books(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared,
+                     std::vector<state::MeanMotion<D>>& ahead) const;
+  terms::Ledger close(const terms::Books& books) const;
+
+  state::Bodies<D> bodies_;
+  TermList<D> terms_;
+  LevelKeeper<D> levels_;
+  Moment now_;
+  std::vector<Index> due_bodies_;
+  std::vector<Index> due_elsewhere_;             ///< with several processes: those of others that are seen here
+  std::vector<std::span<const Due>> due_links_;  ///< by term
+  terms::Events refined_;                        ///< levels that kicked bodies have given themselves, see take_refined
+  std::vector<terms::CauseWork> work_;           ///< by body
+  Counters counters_;
+  std::vector<PartTime> times_;  ///< as measured, see part_times
+  std::int64_t stepped_ = 0;     ///< time of all ticks [ns]
+  std::int64_t counts_for_ = 0;  ///< so many ticks like the present one: 0 where it is not measured
+  bool ticks_are_long_ = false;  ///< the last one that was measured; all are measured then
+  int finest_seen_ = 0;
+  Real kinetic_at_start_ = 0;
+
+  terms::Peers alone_;
+  std::unique_ptr<distribute::Replicas<D>> replicas_;  ///< none when alone
+  distribute::Balance balance_;
+  distribute::Work own_work_;
+  std::int64_t interval_ = 0;
+  std::vector<RankWork> rank_work_;
+};
+
+extern template class Simulation<2>;
+extern template class Simulation<3>;
+
+}  // namespace sazare::levels

@@ -1,0 +1,158 @@
+/// The parts of a simulation that look at it and change nothing: for every row of a history they walk all bodies and links.
+/// Processes that share a run each walk their own.
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "sazare/core/lane_sum.hpp"
+#include "sazare/levels/motion/kick.hpp"
+#include "sazare/levels/motion/synchronize.hpp"
+#include "sazare/levels/simulation.hpp"
+#include "sazare/levels/terms/book_ranges.hpp"
+#include "sazare/parallel/threads.hpp"
+
+namespace sazare::levels {
+
+namespace {
+
+constexpr std::size_t serial_below = 1024;  // a body takes some 100 ns, waking a thread some microseconds
+
+std::size_t at(Index index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+/// Calls take(body, impulses) for bodies of a range, a chunk at a time: what those from `body` on have received, and what their
+/// momenta gain by a time; about the pole.
+template <int D>
+template <class Take>
+void Simulation<D>::gather(Index begin, Index end, Real until_next, Take&& take) const {
+  const auto gather_chunk = [&](std::size_t from, std::size_t to) {
+    std::array<Index, terms::chunk_size> which;
+    std::iota(which.begin(), which.end(), static_cast<Index>(from));
+    thread_local std::array<state::Impulse<D>, terms::chunk_size> given;
+    for (std::size_t i = 0; i < to - from; ++i) {
+      given[i] = {};
+      given[i].until_next = until_next;
+    }
+    thread_local terms::CauseImpulses<D> ignored;
+    ignored.clear();
+    for (const auto& term : terms_)
+      term->gather(now_, std::span(which.data(), to - from), bodies_, std::span(given.data(), to - from), ignored);
+    take(from, std::span<const state::Impulse<D>>(given.data(), to - from));
+  };
+  parallel::parallel_for(at(end - begin), serial_below, [&](std::size_t from, std::size_t to) {
+    for (std::size_t chunk = at(begin) + from; chunk < at(begin) + to; chunk += terms::chunk_size)
+      gather_chunk(chunk, std::min(chunk + terms::chunk_size, at(begin) + to));
+  });
+}
+
+/// That of a range of bodies.
+template <int D>
+void Simulation<D>::take_snapshot(Index begin, Index end, Snapshot<D>& at_now) const {
+  at_now.pose.resize(at(bodies_.size()));
+  at_now.velocity.resize(at_now.pose.size());
+  at_now.angular_momentum.resize(at_now.pose.size());
+  gather(begin, end, 0, [&](std::size_t first, std::span<const state::Impulse<D>> given) {
+    const auto some = [&](auto& column) { return std::span(column).subspan(first, given.size()); };
+    state::poses_at(some(bodies_.motion), now_, some(at_now.pose));
+    motion::find_momenta(bodies_, first, given, {some(at_now.pose), some(at_now.velocity), some(at_now.angular_momentum)});
+  });
+}
+
+/// A body's kick does not sum its forces. They are the slope of what is taken back with them: over a second so long ago that
+/// every force has been given beyond it.
+template <int D>
+std::vector<Vector<D>> Simulation<D>::forces() const {
+  std::vector<Vector<D>> forces(at(bodies_.size()), Vector<D>::Zero());
+  constexpr Real early = -2, late = -1;
+  const auto take = [&](Real sign) {
+    return [&, sign](std::size_t first, std::span<const state::Impulse<D>> all) {
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        state::Impulse<D> given = all[i];
+        motion::clear_locked(given, bodies_.locks[first + i]);
+        forces[first + i] += sign * given.linear_lead;
+      }
+    };
+  };
+  gather(0, bodies_.size(), late, take(1));
+  gather(0, bodies_.size(), early, take(-1));
+  return forces;
+}
+
+/// Enters what bodies have; of a process that shares them, its own. Finds the means of all bodies' motion now and after their
+/// last kicks.
+template <int D>
+void Simulation<D>::book_bodies(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared,
+                                std::vector<state::MeanMotion<D>>& ahead, terms::Books& books) const {
+  ahead.resize(at_now.pose.size());
+  const auto first = shared == nullptr ? 0 : at(shared->ranges().begin(shared->ranks().rank()));
+  const auto last = shared == nullptr ? ahead.size() : at(shared->ranges().end(shared->ranks().rank()));
+  terms::book_ranges(ahead.size(), serial_below, books, [&](std::size_t begin, std::size_t end, terms::Books& part) {
+    const auto some = [&](const auto& column) { return std::span(column).subspan(begin, end - begin); };
+    std::vector<Real> kinetic(end - begin);
+    motion::find_energies(bodies_, begin, {some(at_now.pose), some(at_now.velocity), some(at_now.angular_momentum)}, kinetic,
+                          std::span(ahead).subspan(begin, end - begin));
+    const std::size_t from = std::clamp(first, begin, end), to = std::clamp(last, begin, end);
+    add_all(std::span(kinetic).subspan(from - begin, to - from), part[terms::Account::kinetic]);
+    terms::book(std::span(work_).subspan(from, to - from), part);
+  });
+}
+
+/// Enters what bodies and links have; of a process that shares them, its own.
+template <int D>
+terms::Books Simulation<D>::books(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared,
+                                  std::vector<state::MeanMotion<D>>& ahead) const {
+  terms::Books books;
+  book_bodies(at_now, shared, ahead, books);
+  for (const auto& term : terms_) term->add_energies({at_now.pose, ahead, shared}, books);
+  return books;
+}
+
+/// The kinetic energy counts from the beginning.
+template <int D>
+terms::Ledger Simulation<D>::close(const terms::Books& books) const {
+  terms::Ledger ledger = books.ledger();
+  ledger[terms::Account::kinetic] -= kinetic_at_start_;
+  return ledger;
+}
+
+/// Large tables that are freed go back to the system, which clears each page that it gives: hence the former one.
+template <int D>
+Survey<D> Simulation<D>::survey(Survey<D> former) const {
+  Survey<D> now = std::move(former);
+  Snapshot<D>& all = now.bodies;
+  if (!replicas_) {
+    take_snapshot(0, bodies_.size(), all);
+    now.ledger = close(books(all, nullptr, now.ahead));
+    return now;
+  }
+  const int rank = replicas_->ranks().rank();
+  take_snapshot(replicas_->ranges().begin(rank), replicas_->ranges().end(rank), all);
+  replicas_->complete(all.pose);
+  replicas_->complete(all.velocity);
+  replicas_->complete(all.angular_momentum);
+  terms::Books sum;
+  for (const terms::Books& part : replicas_->give_first(books(all, replicas_.get(), now.ahead))) sum += part;
+  now.ledger = close(sum);
+  return now;
+}
+
+template void Simulation<2>::take_snapshot(Index, Index, Snapshot<2>&) const;
+template void Simulation<3>::take_snapshot(Index, Index, Snapshot<3>&) const;
+template terms::Ledger Simulation<2>::close(const terms::Books&) const;
+template terms::Ledger Simulation<3>::close(const terms::Books&) const;
+template Survey<2> Simulation<2>::survey(Survey<2>) const;
+template Survey<3> Simulation<3>::survey(Survey<3>) const;
+template std::vector<Vector<2>> Simulation<2>::forces() const;
+template std::vector<Vector<3>> Simulation<3>::forces() const;
+template void Simulation<2>::book_bodies(const Snapshot<2>&, const distribute::Replicas<2>*, std::vector<state::MeanMotion<2>>&,
+                                         terms::Books&) const;
+template void Simulation<3>::book_bodies(const Snapshot<3>&, const distribute::Replicas<3>*, std::vector<state::MeanMotion<3>>&,
+                                         terms::Books&) const;
+template terms::Books Simulation<2>::books(const Snapshot<2>&, const distribute::Replicas<2>*,
+                                           std::vector<state::MeanMotion<2>>&) const;
+template terms::Books Simulation<3>::books(const Snapshot<3>&, const distribute::Replicas<3>*,
+                                           std::vector<state::MeanMotion<3>>&) const;
+
+}  // namespace sazare::levels

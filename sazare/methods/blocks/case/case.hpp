@@ -1,0 +1,137 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "sazare/cases/tables.hpp"
+#include "sazare/laws/pressure_table.hpp"
+
+/// A checked case of method blocks, as plain data. All values in SI units; friction always as a coefficient;
+/// files as paths that can be opened from anywhere. Every member is one key of the case file (`schema.cpp`
+/// lists them with unit, range and default).
+namespace sazare::cases {
+
+/// How a contact dashpot that is stiffer than the step allows is limited.
+enum class DampingCap { literal, critical, step };
+
+/// Who takes its own time level: every element, or all together the finest that any asks for.
+enum class Levels { per_element, uniform };
+
+/// What sets the step of an element.
+enum class Limiter { stability, travel, none };
+
+enum class BoundaryKind { fixed, frictionless, absorbing };
+
+struct Material {
+  std::string name;
+  std::vector<std::string> regions;
+  Real density = 0;  // kg/m3
+};
+
+/// Applies between two materials (`between`) or on a surface group inside the body (`surface`); the other one
+/// is empty. The last entry of the case that matches a face wins.
+struct Joint {
+  std::string name;
+  std::array<std::string, 2> between;
+  std::string surface;
+  bool bonded = true;         // false: the numbers below mean nothing and are 0
+  Real normal_stiffness = 0;  // Pa/m
+  Real shear_stiffness = 0;   // Pa/m
+  Real normal_damping = 0;    // Pa s/m
+  Real shear_damping = 0;     // Pa s/m
+  Real cohesion = 0;          // Pa
+  Real friction_coefficient = 0;
+  Real tensile_strength = 0;  // Pa
+  Real fracture_energy = 0;   // N/m
+  bool on_surface() const { return !surface.empty(); }
+};
+
+struct Contact {
+  Real normal_stiffness = 0;  // N/m, per pair of contact spheres
+  Real normal_damping = 0;    // N s/m
+  Real friction_coefficient = 0;
+  DampingCap damping_cap = DampingCap::step;
+  int edge_division = 5;
+};
+
+/// Equation (4) of the blasting paper: P0 cos2 over the rise, then a quarter of a cosine down to zero.
+struct PressurePulse {
+  Real peak_pressure = 0;  // Pa
+  Real rise_time = 0;      // s
+  Real decay_ratio = 0;    // decay time over rise time
+};
+
+/// Straight lines between the rows; before the first and after the last row the pressure is zero.
+struct PressureTable {
+  std::filesystem::path file;
+  std::vector<Real> time;      // s, strictly increasing
+  std::vector<Real> pressure;  // Pa
+};
+
+/// A function of time that only the caller of the engine knows: it hands over samples while the run goes on.
+struct PressureFunction {
+  std::shared_ptr<laws::PressureTable> samples = std::make_shared<laws::PressureTable>();
+};
+
+struct Blast {
+  std::string name;
+  std::string surface;
+  Real delay = 0;  // s
+  std::variant<PressurePulse, PressureTable, PressureFunction> pressure;
+  Real cut_distance = std::numeric_limits<Real>::infinity();  // m
+};
+
+struct Boundary {
+  std::string surface;
+  BoundaryKind kind = BoundaryKind::fixed;
+};
+
+/// Axes x, y, z that are locked.
+struct Constraint {
+  std::vector<std::string> regions;
+  std::array<bool, 3> translation{false, false, false};
+  std::array<bool, 3> rotation{false, false, false};
+};
+
+struct InitialVelocity {
+  std::vector<std::string> regions;
+  Vector3 velocity = Vector3::Zero();  // m/s
+};
+
+struct Time {
+  Real end = 0;  // s
+  Levels levels = Levels::per_element;
+  Limiter limiter = Limiter::stability;
+  std::optional<Real> base_step;  // s; absent: the engine chooses it so that it divides history_interval
+  Real stability_fraction = 0.5;
+  Real travel_length = 1e-8;  // m
+  int neighbor_levels = 2;
+  Real history_interval = 0;   // s; a whole number of base steps where base_step is given
+  Real snapshot_interval = 0;  // s; a whole number of history intervals, and the end a whole number of these
+  bool strict = false;
+};
+
+struct BlocksCase {
+  std::string title;
+  Mesh mesh;
+  std::vector<Material> materials;
+  std::vector<Joint> joints;
+  Contact contact;
+  std::vector<Blast> blasts;
+  Gravity gravity;
+  std::vector<Boundary> boundaries;
+  std::vector<Constraint> constraints;
+  std::vector<InitialVelocity> initial_velocities;
+  std::vector<Gauge> gauges;
+  Time time;
+  Output output;
+};
+
+}  // namespace sazare::cases

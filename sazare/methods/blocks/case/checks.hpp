@@ -1,0 +1,17 @@
+#pragma once
+
+#include "sazare/cases/checks.hpp"
+#include "sazare/methods/blocks/case/case.hpp"
+
+/// What can be found wrong from the text of a case of method blocks alone: each function reports what it finds.
+namespace sazare::cases {
+
+void check_names(const CheckContext& context, const BlocksCase& blocks);
+void check_joints(const CheckContext& context, const BlocksCase& blocks);
+void check_contact(const CheckContext& context);
+void check_constraints(const CheckContext& context, const BlocksCase& blocks);
+
+/// Checks the blasts and reads their pressure tables.
+void check_blasts(const CheckContext& context, BlocksCase& blocks);
+
+}  // namespace sazare::cases

@@ -1,0 +1,145 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "sazare/cases/clocks.hpp"
+#include "sazare/cases/fields.hpp"
+#include "sazare/cases/format/number_text.hpp"
+#include "sazare/methods/blocks/case/fields.hpp"
+#include "sazare/methods/blocks/case/format.hpp"
+
+namespace sazare::cases {
+namespace {
+
+std::string number(Real value) { return short_number(value, 4); }
+
+std::string axes_text(const std::array<bool, 3>& axes) {
+  std::string out;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (axes[i]) out += fmt::format("{}{}", out.empty() ? "" : " ", static_cast<char>('x' + i));
+  return out.empty() ? "none" : out;
+}
+
+std::string vector_text(const Vector3& value) {
+  return fmt::format("({}, {}, {})", number(value.x()), number(value.y()), number(value.z()));
+}
+
+template <class Enum>
+std::string_view word(Enum value) {
+  return EnumWords<Enum>::words.at(static_cast<std::size_t>(value));
+}
+
+/// One topic of the explanation; further lines of the same topic are indented below the first.
+class Explanation {
+public:
+  void add(std::string_view topic, const std::string& line) {
+    out_ += fmt::format("  {:<12}{}\n", topic == last_ ? "" : topic, line);
+    last_ = topic;
+  }
+  void more(const std::string& line) { out_ += fmt::format("  {:<12}  {}\n", "", line); }
+  std::string take(const std::string& title) { return title + "\n" + out_; }
+
+private:
+  std::string out_;
+  std::string last_;
+};
+
+void explain_body(Explanation& text, const BlocksCase& blocks) {
+  const Mesh& mesh = blocks.mesh;
+  std::string how = mesh.scale == 1 ? "" : fmt::format(", coordinates times {}", number(mesh.scale));
+  if (mesh.is_geometry()) {
+    how += ", meshed by gmsh";
+    if (mesh.size_factor != 1) how += fmt::format(", element sizes times {}", number(mesh.size_factor));
+    for (const auto& [name, value] : mesh.parameters) how += fmt::format(", {} = {}", name, number(value));
+  }
+  text.add("mesh", mesh.file.filename().string() + how);
+  for (const Material& material : blocks.materials)
+    text.add("materials",
+             fmt::format("{}: {} kg/m3, regions {}", material.name, number(material.density), fmt::join(material.regions, ", ")));
+}
+
+void explain_joint(Explanation& text, const Joint& joint) {
+  const std::string where =
+      joint.on_surface() ? "on surface " + joint.surface : fmt::format("between {} and {}", joint.between[0], joint.between[1]);
+  text.add("joints", fmt::format("{}: {}{}", joint.name, where, joint.bonded ? "" : ", never bonded"));
+  if (!joint.bonded) return;
+  const Real elastic = joint.tensile_strength / joint.normal_stiffness;
+  const Real broken = 2 * joint.fracture_energy / joint.tensile_strength;
+  text.more(fmt::format("tension: elastic to {} Pa at an opening of {} m, broken at {} m ({} J/m2)",
+                        number(joint.tensile_strength), number(elastic), number(broken), number(joint.fracture_energy)));
+  text.more(fmt::format("shear: slips at {} Pa + {} times the pressure (friction angle {} deg)", number(joint.cohesion),
+                        number(joint.friction_coefficient),
+                        number(std::atan(joint.friction_coefficient) * 180 / std::numbers::pi)));
+  text.more(fmt::format("springs {} and {} Pa/m, dashpots {} and {} Pa s/m (normal, shear)", number(joint.normal_stiffness),
+                        number(joint.shear_stiffness), number(joint.normal_damping), number(joint.shear_damping)));
+}
+
+void explain_contact(Explanation& text, const Contact& contact) {
+  const int spheres = (contact.edge_division - 1) * (contact.edge_division - 2) / 2;
+  text.add("contact", fmt::format("{} spheres on each free face (edge_division {})", spheres, contact.edge_division));
+  text.more(fmt::format("spring {} N/m, dashpot {} N s/m (cap: {}), friction {}", number(contact.normal_stiffness),
+                        number(contact.normal_damping), word(contact.damping_cap), number(contact.friction_coefficient)));
+}
+
+void explain_blast(Explanation& text, const Blast& blast) {
+  std::string pressure;
+  Real duration = 0, peak = 0;
+  if (const auto* pulse = std::get_if<PressurePulse>(&blast.pressure)) {
+    peak = pulse->peak_pressure;
+    duration = pulse->rise_time * (1 + pulse->decay_ratio);
+    pressure = fmt::format("{} Pa after {} s, zero again after {} s", number(peak), number(pulse->rise_time), number(duration));
+  } else if (const auto* table = std::get_if<PressureTable>(&blast.pressure)) {
+    pressure = fmt::format("{} rows of {}, to {} s", table->time.size(), table->file.filename().string(),
+                           table->time.empty() ? "0" : number(table->time.back()));
+  } else {
+    pressure = "a function of time, from the caller";
+  }
+  text.add("blasts", fmt::format("{}: on surface {} from {} s: {}", blast.name, blast.surface, number(blast.delay), pressure));
+  if (std::isfinite(blast.cut_distance)) text.more(fmt::format("ends on a face that has moved {} m", number(blast.cut_distance)));
+}
+
+void explain_conditions(Explanation& text, const BlocksCase& blocks) {
+  for (const Blast& blast : blocks.blasts) explain_blast(text, blast);
+  if (!blocks.gravity.acceleration.isZero()) text.add("gravity", vector_text(blocks.gravity.acceleration) + " m/s2");
+  for (const Boundary& boundary : blocks.boundaries)
+    text.add("boundaries", fmt::format("{}: {}", boundary.surface, word(boundary.kind)));
+  for (const Constraint& constraint : blocks.constraints)
+    text.add("locked", fmt::format("{}: translation {}, rotation {}", fmt::join(constraint.regions, ", "),
+                                   axes_text(constraint.translation), axes_text(constraint.rotation)));
+  for (const InitialVelocity& velocity : blocks.initial_velocities)
+    text.add("moving", fmt::format("{}: {} m/s", fmt::join(velocity.regions, ", "), vector_text(velocity.velocity)));
+  for (const Gauge& gauge : blocks.gauges) text.add("gauges", fmt::format("{}: {} m", gauge.name, vector_text(gauge.point)));
+}
+
+void explain_time(Explanation& text, const Time& time) {
+  const auto count = [&](Real interval) { return whole_multiple(time.end, interval).value_or(0); };
+  const std::string base = time.base_step ? number(*time.base_step) + " s" : "chosen from the stable steps";
+  text.add("time", fmt::format("to {} s, {} history rows, {} snapshots", number(time.end), count(time.history_interval),
+                               count(time.snapshot_interval)));
+  const std::string limiter =
+      time.limiter == Limiter::stability ? fmt::format("{} of each element's stable step", number(time.stability_fraction))
+      : time.limiter == Limiter::travel  ? fmt::format("at most {} m of travel in a step", number(time.travel_length))
+                                         : std::string("the base step for all");
+  text.more(fmt::format("steps: {}; largest {}", limiter, base));
+  text.more(time.levels == Levels::uniform
+                ? std::string("all elements take the finest level that any asks for")
+                : fmt::format("a level for each element, at most {} apart where linked", time.neighbor_levels));
+  text.more(fmt::format("steps above what is stable are {}", time.strict ? "refused" : "warned of"));
+}
+
+}  // namespace
+
+std::string explain(const BlocksCase& blocks) {
+  Explanation text;
+  explain_body(text, blocks);
+  for (const Joint& joint : blocks.joints) explain_joint(text, joint);
+  explain_contact(text, blocks.contact);
+  explain_conditions(text, blocks);
+  explain_time(text, blocks.time);
+  text.add("checkpoint", fmt::format("every {} s of wall time", number(blocks.output.checkpoint_interval)));
+  return text.take(blocks.title);
+}
+
+}  // namespace sazare::cases

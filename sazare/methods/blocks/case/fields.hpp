@@ -1,0 +1,137 @@
+#pragma once
+
+#include "sazare/cases/fields.hpp"
+#include "sazare/methods/blocks/case/case.hpp"
+
+/// Which member of a case of method blocks belongs to which key (see fields.hpp of the module cases).
+namespace sazare::cases {
+
+template <>
+struct EnumWords<DampingCap> {
+  static constexpr std::array<std::string_view, 3> words{"literal", "critical", "step"};
+};
+
+template <>
+struct EnumWords<Levels> {
+  static constexpr std::array<std::string_view, 2> words{"per_element", "uniform"};
+};
+
+template <>
+struct EnumWords<Limiter> {
+  static constexpr std::array<std::string_view, 3> words{"stability", "travel", "none"};
+};
+
+template <>
+struct EnumWords<BoundaryKind> {
+  static constexpr std::array<std::string_view, 3> words{"fixed", "frictionless", "absorbing"};
+};
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Material& material) {
+  visit("name", material.name);
+  visit("regions", material.regions);
+  visit("density", material.density);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Joint& joint) {
+  visit("name", joint.name);
+  if (visit.has("surface", joint.on_surface()))
+    visit("surface", joint.surface);
+  else
+    visit("between", joint.between);
+  visit("bonded", joint.bonded);
+  if (!joint.bonded) return;
+  visit("normal_stiffness", joint.normal_stiffness);
+  visit("shear_stiffness", joint.shear_stiffness);
+  visit("normal_damping", joint.normal_damping);
+  visit("shear_damping", joint.shear_damping);
+  visit("cohesion", joint.cohesion);
+  visit.friction(joint.friction_coefficient);
+  visit("tensile_strength", joint.tensile_strength);
+  visit("fracture_energy", joint.fracture_energy);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Contact& contact) {
+  visit("normal_stiffness", contact.normal_stiffness);
+  visit("normal_damping", contact.normal_damping);
+  visit.friction(contact.friction_coefficient);
+  visit("damping_cap", contact.damping_cap);
+  visit("edge_division", contact.edge_division);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Blast& blast) {
+  visit("surface", blast.surface);
+  if (visit.has("name", true))
+    visit("name", blast.name);
+  else
+    blast.name = blast.surface;
+  visit("delay", blast.delay);
+  if (visit.has("table", std::holds_alternative<PressureTable>(blast.pressure))) {
+    if (!std::holds_alternative<PressureTable>(blast.pressure)) blast.pressure = PressureTable{};
+    visit("table", std::get<PressureTable>(blast.pressure).file);
+  } else if (bool is_function = std::holds_alternative<PressureFunction>(blast.pressure); visit.has("function", is_function)) {
+    visit("function", is_function);
+    if (is_function && !std::holds_alternative<PressureFunction>(blast.pressure)) blast.pressure = PressureFunction{};
+  }
+  if (std::holds_alternative<PressurePulse>(blast.pressure)) {
+    auto& pulse = std::get<PressurePulse>(blast.pressure);
+    visit("peak_pressure", pulse.peak_pressure);
+    visit("rise_time", pulse.rise_time);
+    visit("decay_ratio", pulse.decay_ratio);
+  }
+  visit("cut_distance", blast.cut_distance);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Boundary& boundary) {
+  visit("surface", boundary.surface);
+  visit("kind", boundary.kind);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Constraint& constraint) {
+  visit("regions", constraint.regions);
+  visit("translation", constraint.translation);
+  visit("rotation", constraint.rotation);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, InitialVelocity& velocity) {
+  visit("regions", velocity.regions);
+  visit("velocity", velocity.velocity);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Time& time) {
+  visit("end", time.end);
+  visit("levels", time.levels);
+  visit("limiter", time.limiter);
+  visit("base_step", time.base_step);
+  visit("stability_fraction", time.stability_fraction);
+  visit("travel_length", time.travel_length);
+  visit("neighbor_levels", time.neighbor_levels);
+  visit("history_interval", time.history_interval);
+  visit("snapshot_interval", time.snapshot_interval);
+  visit("strict", time.strict);
+}
+
+template <class Visitor>
+void visit_tables(Visitor& visit, BlocksCase& blocks) {
+  visit.one("mesh", blocks.mesh);
+  visit.list("materials", blocks.materials);
+  visit.list("joints", blocks.joints);
+  visit.one("contact", blocks.contact);
+  visit.list("blasts", blocks.blasts);
+  visit.one("gravity", blocks.gravity);
+  visit.list("boundaries", blocks.boundaries);
+  visit.list("constraints", blocks.constraints);
+  visit.list("initial_velocities", blocks.initial_velocities);
+  visit.list("gauges", blocks.gauges);
+  visit.one("time", blocks.time);
+  visit.one("output", blocks.output);
+}
+
+}  // namespace sazare::cases

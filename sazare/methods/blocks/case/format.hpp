@@ -1,0 +1,21 @@
+#pragma once
+
+#include "sazare/cases/case_format.hpp"
+#include "sazare/methods/blocks/case/case.hpp"
+
+/// Cases of method blocks as the reader and the writer of cases know them.
+namespace sazare::cases {
+
+/// All tables and keys, in the order of the reference page.
+std::span<const Table> blocks_schema();
+
+CaseFormat blocks_format();
+
+/// The case as TOML with every key and default written out and its unit beside it; reading it gives the same case. Files are
+/// written relative to `folder`, where the text will be saved, or as full paths when it is empty.
+std::string write_resolved(const BlocksCase& blocks, const std::filesystem::path& folder = {});
+
+/// The case in words, with what follows from its numbers: what `sazare check` prints.
+std::string explain(const BlocksCase& blocks);
+
+}  // namespace sazare::cases

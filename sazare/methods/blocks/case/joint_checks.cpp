@@ -1,0 +1,138 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "sazare/cases/format/number_text.hpp"
+#include "sazare/cases/format/structure_check.hpp"
+#include "sazare/methods/blocks/case/checks.hpp"
+
+namespace sazare::cases {
+namespace {
+
+constexpr std::array<std::string_view, 9> bond_keys{"normal_stiffness",     "shear_stiffness", "normal_damping",
+                                                    "shear_damping",        "cohesion",        "friction_angle",
+                                                    "friction_coefficient", "fracture_energy", "tensile_strength"};
+constexpr std::array<std::string_view, 5> keys_of_bonded{"normal_stiffness", "shear_stiffness", "cohesion", "tensile_strength",
+                                                         "fracture_energy"};
+
+std::string header_of(const Entry& entry) { return table_header(*entry.table); }
+
+void check_place(const CheckContext& context, const Entry& entry) {
+  const bool between = entry.has("between");
+  const bool surface = entry.has("surface");
+  if (between && surface)
+    context.problems.error(entry.place("surface"), "a joint has either between or surface, not both",
+                           "keep between for the faces of two materials, or surface for one group of faces");
+  if (!between && !surface)
+    context.problems.error(entry.header(), "[[joints]] has neither between nor surface",
+                           "add between = [\"material\", \"material\"], or surface = \"group\"");
+}
+
+void check_friction(const CheckContext& context, const Entry& entry) {
+  const bool angle = entry.has("friction_angle");
+  const bool coefficient = entry.has("friction_coefficient");
+  if (angle && coefficient)
+    context.problems.error(entry.place("friction_angle"),
+                           "friction is given twice, as friction_coefficient and as friction_angle", "keep one");
+  if (!angle && !coefficient)
+    context.problems.error(entry.header(), header_of(entry) + " has no friction",
+                           "add friction_coefficient = ..., or friction_angle = ... (deg)");
+}
+
+void check_unbonded(const CheckContext& context, const Entry& entry) {
+  std::vector<std::string> given;
+  for (const Member& member : *entry.value->members())
+    if (std::ranges::find(bond_keys, member.key) != bond_keys.end()) given.push_back(member.key);
+  if (given.empty()) return;
+  context.problems.error(
+      *entry.value->key_place(given.front()),
+      fmt::format("{} mean{} nothing when bonded = false", fmt::join(given, ", "), given.size() == 1 ? "s" : ""),
+      "remove what belongs to a bond, or set bonded = true; free faces touch as [contact] says");
+}
+
+/// Softening must end beyond the elastic limit: 2 G / s >= s / k.
+void check_strength(const CheckContext& context, const Entry& entry, const Joint& joint) {
+  const Real strength = joint.tensile_strength;
+  const Real energy = joint.fracture_energy;
+  const Real stiffness = joint.normal_stiffness;
+  const Real largest = std::sqrt(2 * energy * stiffness);
+  if (strength <= largest) return;
+  const auto rounded = [](Real value, Real direction) {
+    const Real unit = std::pow(10, std::floor(std::log10(value)) - 3);
+    return short_number((direction > 0 ? std::ceil(value / unit) : std::floor(value / unit)) * unit, 4);
+  };
+  context.problems.error(
+      entry.place("tensile_strength"),
+      fmt::format("tensile_strength {} Pa is too large for this fracture_energy and normal_stiffness", short_number(strength)),
+      fmt::format("softening would end at an opening of {} m, before the strength is reached at {} m; the largest "
+                  "strength that does is sqrt(2 fracture_energy normal_stiffness) = {} Pa, the smallest "
+                  "fracture_energy for this strength {} N/m",
+                  short_number(2 * energy / strength, 4), short_number(strength / stiffness, 4), rounded(largest, -1),
+                  rounded(strength * strength / (2 * stiffness), +1)));
+}
+
+void check_bonded(const CheckContext& context, const Entry& entry, const Joint& joint) {
+  for (std::string_view key : keys_of_bonded) {
+    if (entry.has(key)) continue;
+    const bool half_strength = key == "fracture_energy" && entry.has("tensile_strength");
+    if (half_strength)
+      context.problems.error(*entry.value->key_place("tensile_strength"), "tensile_strength without fracture_energy",
+                             how_to_add(*find_key(*entry.table, key)));
+    else
+      context.problems.error(entry.header(), fmt::format("[[joints]] has no \"{}\"", key),
+                             how_to_add(*find_key(*entry.table, key)) + " Needed unless bonded = false.");
+  }
+  check_friction(context, entry);
+  if (entry.gives("tensile_strength") && entry.gives("fracture_energy") && entry.gives("normal_stiffness"))
+    check_strength(context, entry, joint);
+}
+
+bool same_faces(const Joint& a, const Joint& b) {
+  if (a.on_surface() || b.on_surface()) return a.surface == b.surface;
+  const auto swapped = std::array{b.between[1], b.between[0]};
+  return !a.between[0].empty() && (a.between == b.between || a.between == swapped);
+}
+
+/// The last entry that matches a face wins, so an entry can be of no effect at all.
+void check_order(const CheckContext& context, const std::vector<Entry>& list, const BlocksCase& blocks) {
+  const auto& joints = blocks.joints;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    for (std::size_t j = i + 1; j < list.size(); ++j) {
+      const bool covers_all = blocks.materials.size() == 1 && joints[i].on_surface() && !joints[j].on_surface() &&
+                              joints[j].between[0] == blocks.materials[0].name;
+      if (!covers_all && !same_faces(joints[i], joints[j])) continue;
+      context.problems.error(list[i].header(),
+                             fmt::format("joint \"{}\" is never used: joint \"{}\" below it holds for the same faces",
+                                         joints[i].name, joints[j].name),
+                             "where several joints match a face the last one wins; put the special one last");
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+void check_joints(const CheckContext& context, const BlocksCase& blocks) {
+  const auto list = context.entries_of("joints");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Entry& entry = list[i];
+    if (!entry.exists()) continue;
+    check_place(context, entry);
+    if (!entry.is_sound("bonded")) continue;
+    if (blocks.joints[i].bonded)
+      check_bonded(context, entry, blocks.joints[i]);
+    else
+      check_unbonded(context, entry);
+  }
+  check_order(context, list, blocks);
+}
+
+void check_contact(const CheckContext& context) {
+  const Entry entry = context.entries_of("contact").front();
+  if (entry.exists()) check_friction(context, entry);
+}
+
+}  // namespace sazare::cases

@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sazare/cases/format/suggest.hpp"
+#include "sazare/cases/seen_names.hpp"
+#include "sazare/methods/blocks/case/checks.hpp"
+
+namespace sazare::cases {
+namespace {
+
+void check_materials(const CheckContext& context, const BlocksCase& blocks) {
+  SeenNames seen;
+  const auto list = context.entries_of("materials");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const auto& regions = blocks.materials[i].regions;
+    for (std::size_t k = 0; k < regions.size(); ++k) {
+      const Place place = list[i].place("regions", k);
+      if (const Place* before = seen.before(regions[k], place))
+        context.problems.error(place, fmt::format("region \"{}\" has two materials", regions[k]),
+                               fmt::format("name each region once; {}", other_line(*before)));
+    }
+  }
+}
+
+void check_joined_materials(const CheckContext& context, const BlocksCase& blocks) {
+  std::vector<std::string> names;
+  for (const Material& material : blocks.materials)
+    if (!material.name.empty()) names.push_back(material.name);
+  const auto list = context.entries_of("joints");
+  for (std::size_t i = 0; i < list.size() && !names.empty(); ++i) {
+    if (!list[i].gives("between") || list[i].has("surface")) continue;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::string& name = blocks.joints[i].between[k];
+      if (std::ranges::find(names, name) != names.end()) continue;
+      context.problems.error(list[i].place("between", k), fmt::format("there is no material \"{}\"", name),
+                             full_suggestion(name, names, "materials"));
+    }
+  }
+}
+
+void check_boundaries(const CheckContext& context, const BlocksCase& blocks) {
+  SeenNames seen;
+  const auto list = context.entries_of("boundaries");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string& surface = blocks.boundaries[i].surface;
+    if (surface.empty()) continue;
+    const Place place = list[i].place("surface");
+    if (const Place* before = seen.before(surface, place))
+      context.problems.error(place, fmt::format("surface \"{}\" has two boundaries", surface),
+                             fmt::format("keep one; {}", other_line(*before)));
+  }
+}
+
+void check_initial_velocities(const CheckContext& context, const BlocksCase& blocks) {
+  SeenNames seen;
+  const auto list = context.entries_of("initial_velocities");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const auto& regions = blocks.initial_velocities[i].regions;
+    for (std::size_t k = 0; k < regions.size(); ++k) {
+      const Place place = list[i].place("regions", k);
+      if (const Place* before = seen.before(regions[k], place))
+        context.problems.error(place, fmt::format("region \"{}\" has two initial velocities", regions[k]),
+                               fmt::format("keep one; {}", other_line(*before)));
+    }
+  }
+}
+
+}  // namespace
+
+void check_names(const CheckContext& context, const BlocksCase& blocks) {
+  check_unique(context, "materials", blocks.materials);
+  check_unique(context, "joints", blocks.joints);
+  check_unique(context, "blasts", blocks.blasts);
+  check_unique(context, "gauges", blocks.gauges);
+  check_materials(context, blocks);
+  check_joined_materials(context, blocks);
+  check_boundaries(context, blocks);
+  check_initial_velocities(context, blocks);
+}
+
+void check_constraints(const CheckContext& context, const BlocksCase& blocks) {
+  const auto list = context.entries_of("constraints");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Entry& entry = list[i];
+    if (!entry.exists() || !entry.is_sound("translation") || !entry.is_sound("rotation")) continue;
+    const Constraint& constraint = blocks.constraints[i];
+    const auto none = [](const std::array<bool, 3>& axes) { return !axes[0] && !axes[1] && !axes[2]; };
+    if (!none(constraint.translation) || !none(constraint.rotation)) continue;
+    context.problems.error(entry.header(), "this constraint locks nothing",
+                           "add translation = [\"z\"] or rotation = [\"z\"] with the axes to lock, or remove it");
+  }
+}
+
+}  // namespace sazare::cases

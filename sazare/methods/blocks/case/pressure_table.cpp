@@ -1,0 +1,111 @@
+#include "sazare/methods/blocks/case/pressure_table.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "sazare/cases/format/csv_fields.hpp"
+#include "sazare/cases/format/number_text.hpp"
+
+namespace sazare::cases {
+namespace {
+
+constexpr std::string_view header = "time [s],pressure [Pa]";
+constexpr int most_errors = 10;
+
+class TableReader {
+public:
+  TableReader(PressureTable& table, int source, const Place& named_at, Problems& problems)
+      : table_(table), source_(source), named_at_(named_at), problems_(problems) {}
+
+  void run() {
+    const std::vector<std::string> lines = problems_.source(source_).lines;
+    if (lines.empty()) {
+      report(0, {}, "the pressure table is empty", help_for_header());
+      return;
+    }
+    if (!is_header(lines[0])) report(1, trimmed(lines[0], 0, lines[0].size()), "wrong header", help_for_header());
+    for (std::size_t i = 1; i < lines.size() && errors_ < most_errors; ++i)
+      if (trimmed(lines[i], 0, lines[i].size()).text.size() > 0) read_row(static_cast<int>(i) + 1, lines[i]);
+    if (errors_ == 0 && table_.time.size() < 2)
+      report(0, {}, fmt::format("the pressure table has {}, at least 2 are needed", table_.time.empty() ? "no rows" : "1 row"),
+             "pressure is linear between rows, and zero before the first and after the last");
+  }
+
+private:
+  static std::string help_for_header() { return fmt::format("the first line is \"{}\"", header); }
+
+  static bool is_header(std::string_view line) {
+    const auto fields = split(without_byte_order_mark(line));
+    return fields.size() == 2 && fields[0].text == "time [s]" && fields[1].text == "pressure [Pa]";
+  }
+
+  void report(int line, const Field& field, const std::string& what, std::string help) {
+    ++errors_;
+    if (errors_ == most_errors) help += "; the rest of the table was not read";
+    const int width = std::max<int>(1, static_cast<int>(field.text.size()));
+    problems_.error_in_other_file({source_, line, field.column, width}, named_at_, what, std::move(help));
+  }
+
+  bool read_number(int line, const Field& field, std::string_view name, Real& value) {
+    const NumberProblem problem = read_number_field(field, name, value);
+    if (!problem.what.empty()) report(line, field, problem.what, problem.help);
+    return problem.what.empty();
+  }
+
+  void read_row(int line, std::string_view text) {
+    const auto fields = split(text);
+    if (fields.size() != 2) {
+      report(line, trimmed(text, 0, text.size()),
+             fmt::format("two numbers were expected, found {} field{}", fields.size(), fields.size() == 1 ? "" : "s"),
+             "a row is time and pressure with a comma between them");
+      return;
+    }
+    Real time = 0, pressure = 0;
+    const bool good_time = read_number(line, fields[0], "time", time);
+    const bool good_pressure = read_number(line, fields[1], "pressure", pressure);
+    if (good_time) check_order(line, fields[0], time);
+    if (!good_time || !good_pressure) return;
+    table_.time.push_back(time);
+    table_.pressure.push_back(pressure);
+  }
+
+  void check_order(int line, const Field& field, Real time) {
+    if (time < 0)
+      report(line, field, fmt::format("time must be at least 0, found {}", field.text),
+             "times count from the delay of the blast");
+    else if (last_line_ > 0 && !(time > last_time_))
+      report(line, field,
+             fmt::format("times must increase: {} s comes after {} s in line {}", short_number(time, 12),
+                         short_number(last_time_, 12), last_line_),
+             "sort the rows by time and keep one row for each time");
+    last_time_ = time;
+    last_line_ = line;
+  }
+
+  PressureTable& table_;
+  int source_;
+  Place named_at_;
+  Problems& problems_;
+  int errors_ = 0;
+  Real last_time_ = 0;
+  int last_line_ = 0;
+};
+
+}  // namespace
+
+void read_pressure_table(PressureTable& table, const std::string& shown_name, const Place& named_at, Problems& problems) {
+  std::ifstream stream(table.file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream) {
+    problems.error(named_at, fmt::format("the pressure table {} cannot be read", shown_name), "is it a text file?");
+    return;
+  }
+  const int source = problems.add_source(source_from_text(shown_name, text.str()));
+  TableReader(table, source, named_at, problems).run();
+}
+
+}  // namespace sazare::cases

@@ -1,0 +1,90 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "sazare/cases/format/number_text.hpp"
+#include "sazare/geometry/tetrahedron.hpp"
+#include "sazare/methods/blocks/case/format.hpp"
+#include "sazare/methods/blocks/run/block_fragments.hpp"
+#include "sazare/methods/blocks/run/gauges.hpp"
+#include "sazare/methods/blocks/run/mesh_source.hpp"
+#include "sazare/methods/blocks/run/run.hpp"
+#include "sazare/methods/blocks/run/stability.hpp"
+#include "sazare/runs/run_clocks.hpp"
+#include "sazare/runs/temporary_folder.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+namespace fs = std::filesystem;
+constexpr std::size_t limiting_shown = 10;
+constexpr int longest_bar = 40;
+
+std::string number(Real value) { return cases::short_number(value, 4); }
+
+std::string body_text(const BlocksModel& model) {
+  const auto elements = model.simulation->bodies().size();
+  Real volume = 0;
+  for (Index element = 0; element < elements; ++element) volume += geometry::volume(geometry::corners_of(model.mesh, element));
+  return fmt::format("  {:<12}{} elements, {} joints, {} m3, {} to begin with\n", "body", elements, model.joints->links().size(),
+                     number(volume),
+                     find_fragments(elements, *model.joints).count == 1
+                         ? "one piece"
+                         : fmt::format("{} pieces", find_fragments(elements, *model.joints).count));
+}
+
+std::string level_text(const BlocksModel& model) {
+  const std::vector<Index> counts = level_histogram(model);
+  const Index most = *std::ranges::max_element(counts);
+  std::string text = "\nlevels at the beginning\n  level        step [s]   elements\n";
+  for (std::size_t level = 0; level < counts.size(); ++level) {
+    const auto length = counts[level] == 0 ? 0 : std::max<std::int64_t>(1, std::int64_t{longest_bar} * counts[level] / most);
+    text += fmt::format("  {:>5}  {:>14}  {:>9}  {}\n", level, number(model.simulation->levels().step(static_cast<int>(level))),
+                        counts[level], std::string(static_cast<std::size_t>(length), '#'));
+  }
+  return text;
+}
+
+std::string limiting_text(const BlocksModel& model, const cases::Mesh& mesh) {
+  std::string text =
+      "\nelements that limit the step (half of the longest stable step with the neighbours held)\n"
+      "    element      step [s]  bound by   level  place [m]\n";
+  for (const LimitingElement& limiting : limiting_elements(model, limiting_shown)) {
+    const Vector3& place = model.simulation->bodies().start[static_cast<std::size_t>(limiting.element)];
+    text += fmt::format(
+        "  {:>9}  {:>12}  {:<9}  {:>5}  ({}, {}, {})\n", element_tag(model.mesh, limiting.element),
+        number(stable_share * limiting.stable_step), bound_by_dashpots(model, limiting.element) ? "dashpots" : "springs",
+        model.simulation->levels().level(limiting.element), number(place.x()), number(place.y()), number(place.z()));
+  }
+  if (mesh.is_geometry()) text += "  elements have the numbers of mesh.msh, which a run makes in its folder\n";
+  return text;
+}
+
+std::string step_text(const BlocksModel& model, const RunClocks& clocks) {
+  const Real base_step = model.simulation->levels().step(0), rate = evaluations_per_second(model);
+  const Real smallest = stable_share * limiting_elements(model, 1).front().stable_step;
+  return fmt::format(
+      "  {:<12}base {} s ({} to a history row), smallest stable {} s\n"
+      "  {:<12}{} pair evaluations per second of simulated time, {} to the end, while nothing breaks\n",
+      "steps", number(base_step), clocks.steps_per_row, number(smallest), "work", number(rate), number(rate * clocks.end));
+}
+
+std::string check(const cases::CaseFile& file, const fs::path& made) {
+  BlocksModel model = build_blocks(file.as<cases::BlocksCase>(), load_mesh(file, made, false));
+  const Gauges gauges(file, model.mesh);
+  const RunClocks clocks = clocks_of(file.as<cases::BlocksCase>().time, model.simulation->levels().step(0));
+  const std::string warning = warn_of(file, model);
+  model.simulation->start();
+  return cases::explain(file.as<cases::BlocksCase>()) + body_text(model) + step_text(model, clocks) + level_text(model) +
+         limiting_text(model, file.as<cases::BlocksCase>().mesh) + (warning.empty() ? "" : "\n" + warning);
+}
+
+}  // namespace
+
+std::string check_blocks(const cases::CaseFile& file) {
+  return check_with_meshes([&](const fs::path& folder) { return check(file, folder / "mesh.msh"); });
+}
+
+}  // namespace sazare::runs

@@ -1,0 +1,101 @@
+#include "sazare/methods/blocks/run/failure.hpp"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <cmath>
+
+#include "sazare/cases/format/number_text.hpp"
+#include "sazare/methods/blocks/case/case.hpp"
+#include "sazare/methods/blocks/run/stability.hpp"
+#include "sazare/parallel/threads.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+constexpr std::size_t serial_below = 1024;
+
+std::size_t at(Index index) { return static_cast<std::size_t>(index); }
+
+/// Quickly, of all elements at every base step: none that has failed passes as sound. What is no number in any momentum is none
+/// in the rotation after the next drift, or in the velocity.
+bool is_sound(const state::Motion<3>& motion, Real reach, Real longest_step) {
+  return motion.velocity.squaredNorm() * longest_step * longest_step <= reach * reach && std::isfinite(motion.rotation(0, 0));
+}
+
+bool has_failed(const BlocksModel& model, Index element) {
+  const auto& simulation = *model.simulation;
+  const state::Motion<3>& motion = simulation.bodies().motion[at(element)];
+  const Real farthest = simulation.bodies().reach[at(element)];
+  const Real step = simulation.levels().step(simulation.levels().level(element));
+  return !(motion.velocity.squaredNorm() * step * step <= farthest * farthest) || !state::is_finite(motion);
+}
+
+/// Of the elements that have failed, the one whose step is the farthest above its limit: failure spreads.
+Index likely_first(const BlocksModel& model) {
+  const auto& simulation = *model.simulation;
+  Index worst = -1;
+  Real highest = -1;
+  for (Index element = 0; element < simulation.bodies().size(); ++element) {
+    if (!has_failed(model, element)) continue;
+    const Real share = simulation.levels().step(simulation.levels().level(element)) / model.stable_step[at(element)];
+    if (share <= highest) continue;
+    highest = share;
+    worst = element;
+  }
+  return worst;
+}
+
+std::string likely_reason(const BlocksModel& model, const cases::CaseFile& file, Index element) {
+  const LimitingElement smallest = limiting_elements(model, 1).front();
+  const Real step = model.simulation->levels().step(model.simulation->levels().level(element));
+  const Real limit = stable_share * model.stable_step[at(element)];
+  const std::string cure = file.as<cases::BlocksCase>().time.limiter == cases::Limiter::stability
+                               ? "set time.stability_fraction = 0.25"
+                               : fmt::format("set time.limiter = \"stability\", or time.base_step to {} s at most",
+                                             cases::short_number(stable_share * smallest.stable_step, 3));
+  if (step > limit)
+    return fmt::format("its step of {} s is {} times the longest that the {} of its joints and boundaries allow ({} s): {}",
+                       cases::short_number(step, 3), cases::short_number(step / limit, 3),
+                       bound_by_dashpots(model, element) ? "dashpots" : "springs", cases::short_number(limit, 3), cure);
+  if (file.as<cases::BlocksCase>().contact.damping_cap == cases::DampingCap::literal)
+    return "its step suits its joints; the dashpot of its contacts is not capped and may be too stiff for the step: set "
+           "contact.damping_cap = \"step\"";
+  return "its step suits its joints and boundaries; look at the loads on it (pressures, gravity) and at the stiffness of "
+         "its contacts";
+}
+
+}  // namespace
+
+Index find_failed_element(BlocksModel& model) {
+  const state::Bodies<3>& bodies = model.simulation->bodies();
+  const Index count = bodies.size();
+  const auto fails_here = [&](Index element) { return model.simulation->owns(element) && has_failed(model, element); };
+  const Real longest_step = model.simulation->levels().step(0);
+  std::atomic<bool> some_failed = false;
+  parallel::parallel_for(at(count), serial_below, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t element = begin; element < end; ++element)
+      if (!is_sound(bodies.motion[element], bodies.reach[element], longest_step) && fails_here(static_cast<Index>(element)))
+        some_failed = true;
+  });
+  std::vector<Index> failed;
+  for (Index element = 0; some_failed && failed.empty() && element < count; ++element)
+    if (fails_here(element)) failed.push_back(element);
+  model.simulation->unite(failed);
+  if (failed.empty()) return -1;
+  model.simulation->collect();
+  return failed.front();
+}
+
+std::string describe_failure(const BlocksModel& model, const cases::CaseFile& file, Real time) {
+  const Index element = likely_first(model);
+  const state::Motion<3>& motion = model.simulation->bodies().motion[at(element)];
+  const std::string what = state::is_finite(motion) ? fmt::format("moves at {} m/s, farther in a step than it is large",
+                                                                  cases::short_number(motion.velocity.norm(), 3))
+                                                    : std::string("has a motion that is no number any more");
+  return fmt::format("{} (its place at the beginning) {}, found at t = {} s\n  {}", element_text(model.mesh, element), what,
+                     cases::short_number(time), likely_reason(model, file, element));
+}
+
+}  // namespace sazare::runs

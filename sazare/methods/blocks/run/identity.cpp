@@ -1,0 +1,56 @@
+#include "sazare/methods/blocks/run/identity.hpp"
+
+#include <span>
+#include <vector>
+
+#include "sazare/methods/blocks/case/format.hpp"
+#include "sazare/observe/hash.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+template <class T>
+std::span<const std::byte> bytes_of(const T& records) {
+  return std::as_bytes(std::span(records.data(), records.size()));
+}
+
+/// Folders, and how often to write a checkpoint, may change between the parts of a run.
+std::string text_of(cases::BlocksCase blocks) {
+  blocks.mesh.file = blocks.mesh.file.filename();
+  for (cases::Blast& blast : blocks.blasts)
+    if (auto* table = std::get_if<cases::PressureTable>(&blast.pressure)) table->file = table->file.filename();
+  blocks.output = {};
+  return cases::write_resolved(blocks);
+}
+
+std::string mesh_hash(const geometry::TetraMesh& mesh) {
+  observe::Hash hash;
+  hash.add(bytes_of(mesh.nodes));
+  hash.add(bytes_of(mesh.tetrahedra));
+  hash.add(bytes_of(mesh.region));
+  for (const std::string& name : mesh.region_names) hash.add(bytes_of(name));
+  for (const auto& surface : mesh.surfaces) {
+    hash.add(bytes_of(surface.name));
+    hash.add(bytes_of(surface.triangles));
+  }
+  return observe::to_hex(hash.value());
+}
+
+std::string tables_hash(const cases::BlocksCase& blocks) {
+  observe::Hash hash;
+  for (const cases::Blast& blast : blocks.blasts)
+    if (const auto* table = std::get_if<cases::PressureTable>(&blast.pressure)) {
+      hash.add(bytes_of(table->time));
+      hash.add(bytes_of(table->pressure));
+    }
+  return observe::to_hex(hash.value());
+}
+
+}  // namespace
+
+RunIdentity identify(const cases::BlocksCase& blocks, const geometry::TetraMesh& mesh) {
+  return {text_of(blocks), mesh_hash(mesh), tables_hash(blocks), program_text()};
+}
+
+}  // namespace sazare::runs

@@ -1,0 +1,32 @@
+#include "sazare/methods/blocks/run/material_points.hpp"
+
+#include "sazare/levels/motion/kick.hpp"
+
+namespace sazare::runs {
+
+namespace {
+std::size_t at(Index index) { return static_cast<std::size_t>(index); }
+}  // namespace
+
+PlacedElement::PlacedElement(const state::Bodies<3>& bodies, const levels::Snapshot<3>& now, Index element)
+    : pose_(&now.pose[at(element)]),
+      start_(&bodies.start[at(element)]),
+      start_rotation_(state::start_rotation(bodies, element)) {}
+
+Vector3 PlacedElement::arm(const Vector3& start) const {
+  const Vector3 in_body = start_rotation_.transpose() * (start - *start_);
+  return pose_->rotation * in_body;
+}
+
+Vector3 PlacedElement::turned(const Vector3& start) const {
+  const Matrix3 turned = pose_->rotation * start_rotation_.transpose();
+  return turned * start;
+}
+
+Vector3 point_velocity(const state::Bodies<3>& bodies, const levels::Snapshot<3>& now, Index element, const Vector3& start) {
+  const Vector3 spin = motion::spin_of(now.pose[at(element)].rotation, bodies.inertia[at(element)], bodies.locks[at(element)],
+                                       now.angular_momentum[at(element)]);
+  return now.velocity[at(element)] + spin.cross(PlacedElement(bodies, now, element).arm(start));
+}
+
+}  // namespace sazare::runs

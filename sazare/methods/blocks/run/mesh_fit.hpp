@@ -1,0 +1,33 @@
+#pragma once
+
+/// What of a case holds for fewer faces of its mesh than its user may think.
+
+#include <string>
+#include <vector>
+
+#include "sazare/cases/case_file.hpp"
+#include "sazare/methods/blocks/case/case.hpp"
+#include "sazare/methods/blocks/run/parts.hpp"
+
+namespace sazare::runs {
+
+/// Faces between elements of two materials that no entry of [[joints]] holds for.
+struct UnjoinedFaces {
+  Index first = 0, second = 0;  ///< materials
+  Index count = 0;
+};
+
+struct MeshFit {
+  std::vector<UnjoinedFaces> unjoined;
+  std::vector<Index> faces_of_joint;     ///< by entry of [[joints]]
+  std::vector<Index> inner_of_blast;     ///< by entry of [[blasts]]: faces of its surface between two elements
+  std::vector<Index> inner_of_boundary;  ///< the same of [[boundaries]]
+};
+
+MeshFit find_mesh_fit(const cases::BlocksCase& blocks, const MeshFaces& faces, const std::vector<Index>& material,
+                      const std::vector<Index>& joint_of_face);
+
+/// Warnings ready to print, each at its line of the case; empty where all is as one would think.
+std::string warn_of_mesh_fit(const cases::CaseFile& file, const MeshFit& fit);
+
+}  // namespace sazare::runs

@@ -1,0 +1,49 @@
+#include "sazare/methods/blocks/run/method.hpp"
+
+#include <fmt/format.h>
+
+#include "sazare/cases/format/number_text.hpp"
+#include "sazare/methods/blocks/case/format.hpp"
+#include "sazare/methods/blocks/run/columns.hpp"
+#include "sazare/methods/blocks/run/run.hpp"
+#include "sazare/runs/record_columns.hpp"
+#include "sazare/runs/summary.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+std::string blocks_summary(const observe::Manifest& manifest) {
+  const auto number = [&](std::string_view name, int digits = 4) { return figure_text(manifest, name, digits); };
+  std::string text;
+  text += fmt::format("joints broken   {} of {}\n", number("broken_joints", 12), number("joints", 12));
+  text += fmt::format("fragments       {} of {} elements, X50 {} m, X80 {} m\n", number("fragments", 12), number("elements", 12),
+             number("x50", 3), number("x80", 3));
+  text += fmt::format("largest throw   {} m, peak speed {} m/s\n", number("throw_max"), number("peak_speed"));
+  text += fmt::format("energy          {}\n", balance_text(manifest));
+  text += fmt::format("wall time       {:.2f} s, {} pair evaluations, {} thread{}\n", figure(manifest, "wall_seconds"),
+             number("pair_evaluations"), manifest.machine.threads, manifest.machine.threads == 1 ? "" : "s");
+  return text;
+}
+
+FolderTables tables_of_blocks() {
+  return {.figures = {{"`blocks`", {columns::blocks::figures}}},
+          .history = {{"`blocks`", {columns::blocks::pieces, columns::blocks::energies, columns::blocks::progress}}},
+          .gauges = {{"`gauges.csv` of `blocks`", {columns::blocks::gauge}}},
+          .files = {{"`ranks.csv`, a row per rank and interval", {columns::blocks::ranks}}},
+          .snapshots = {{"`elements` of `blocks`", {columns::blocks::elements}},
+                        {"`joints` of `blocks`", {columns::blocks::joints}}}};
+}
+
+}  // namespace
+
+Method blocks_method() {
+  return {.format = cases::blocks_format(),
+          .open = open_blocks,
+          .check = check_blocks,
+          .summary = blocks_summary,
+          .tables = tables_of_blocks,
+          .runs_on_ranks = true};
+}
+
+}  // namespace sazare::runs

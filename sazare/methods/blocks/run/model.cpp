@@ -1,0 +1,123 @@
+#include "sazare/methods/blocks/run/model.hpp"
+
+#include <utility>
+
+#include "sazare/levels/terms/gravity.hpp"
+#include "sazare/methods/blocks/coupled_rates.hpp"
+#include "sazare/methods/blocks/run/base_step.hpp"
+#include "sazare/methods/blocks/run/parts.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+using Terms = levels::TermList<3>;
+
+/// Keeps a term in the list and hands back a view of it.
+template <class T>
+T* keep(Terms& terms, std::unique_ptr<T> term) {
+  T* view = term.get();
+  terms.push_back(std::move(term));
+  return view;
+}
+
+laws::SphereContact contact_law(const cases::Contact& contact) {
+  constexpr std::array caps = {laws::DampingCap::literal, laws::DampingCap::critical, laws::DampingCap::step};
+  return {contact.normal_stiffness, contact.normal_damping, contact.friction_coefficient,
+          caps[static_cast<std::size_t>(contact.damping_cap)]};
+}
+
+/// Which part of w^2 h^2 + 2 c h = 4 is the larger one.
+bool is_bound_by_dashpots(const terms::Rates& rates, Real step) { return 2 * rates.damping > rates.stiffness * step; }
+
+/// What every element's step may be, with its neighbours held.
+void find_stable_steps(const Terms& terms, Index bodies, BlocksModel& model) {
+  for (Index body = 0; body < bodies; ++body) {
+    terms::Rates rates;
+    for (const auto& term : terms) rates += term->rates(body);
+    model.stable_step.push_back(levels::stable_step(rates));
+    model.is_bound_by_dashpots.push_back(is_bound_by_dashpots(rates, model.stable_step.back()));
+  }
+}
+
+levels::StepRules step_rules(const cases::Time& time, Real base_step) {
+  levels::StepRules rules;
+  rules.base_step = base_step;
+  rules.uniform = time.levels == cases::Levels::uniform;
+  rules.stability = time.limiter == cases::Limiter::stability;
+  rules.stability_fraction = time.stability_fraction;
+  if (time.limiter == cases::Limiter::travel) rules.travel_length = time.travel_length;
+  rules.neighbor_levels = time.neighbor_levels;
+  return rules;
+}
+
+/// Makes the terms of a model. The tables that only this takes are gone when it has.
+class TermMaker {
+public:
+  TermMaker(const cases::BlocksCase& blocks, BlocksModel& model, const state::Bodies<3>& bodies)
+      : blocks_(blocks), model_(model), bodies_(bodies) {}
+
+  Terms make(std::optional<Real> window) {
+    const auto map = geometry::build_face_map(model_.mesh);
+    const MeshFaces faces{model_.mesh, map, geometry::find_surface_faces(model_.mesh, map)};
+    const std::vector<Index> joint_of_face = joint_by_face(blocks_, faces, model_.material);
+    model_.fit = find_mesh_fit(blocks_, faces, model_.material, joint_of_face);
+    make_joints(make_joint_faces(blocks_, faces, joint_of_face), window.value_or(blocks_.time.history_interval));
+    model_.contacts = keep(terms_, std::make_unique<methods::blocks::Contacts>(
+                                       contact_law(blocks_.contact), blocks_.contact.edge_division, *model_.joints,
+                                       geometry::ElementCorners{model_.mesh.nodes, model_.mesh.tetrahedra},
+                                       make_free_faces(blocks_, faces, joint_of_face), bodies_));
+    if (window)
+      model_.surface = keep(
+          terms_, std::make_unique<methods::blocks::SurfaceContacts>(contact_law(blocks_.contact), *model_.contacts, bodies_));
+    if (auto boundaries = make_boundaries(blocks_, faces, model_.material, bodies_); !boundaries.empty())
+      keep(terms_, std::make_unique<methods::blocks::OuterFaces>(std::move(boundaries), bodies_));
+    if (!blocks_.blasts.empty())
+      keep(terms_,
+           std::make_unique<terms::FacePressure>(make_loads(blocks_), make_pressed_faces(blocks_, faces, bodies_), bodies_));
+    if (!blocks_.gravity.acceleration.isZero())
+      keep(terms_, std::make_unique<terms::Gravity<3>>(blocks_.gravity.acceleration, bodies_));
+    return std::move(terms_);
+  }
+
+  Real base_step() const { return base_step_; }
+
+private:
+  void make_joints(std::vector<methods::blocks::JointFace> joint_faces, Real whole) {
+    std::vector<methods::blocks::JointKind> kinds;
+    for (const cases::Joint& joint : blocks_.joints) kinds.push_back(make_joint_kind(joint));
+    auto joint_rates = methods::blocks::joint_rates(kinds, joint_faces, bodies_);
+    const Real coupling = methods::blocks::coupled_damping(kinds, joint_faces, bodies_, joint_rates);
+    for (terms::Rates& rates : joint_rates) rates.damping *= coupling / 2;
+    std::vector<Real> steps;
+    for (const terms::Rates& rates : joint_rates) steps.push_back(blocks_.time.stability_fraction * levels::stable_step(rates));
+    base_step_ = blocks_.time.base_step.value_or(choose_base_step(steps, joint_faces, whole));
+    if (blocks_.time.limiter == cases::Limiter::stability) sort_by_level(joint_faces, steps, base_step_);
+    model_.joints =
+        keep(terms_, std::make_unique<methods::blocks::Joints>(std::move(kinds), joint_faces, std::move(joint_rates), bodies_));
+  }
+
+  const cases::BlocksCase& blocks_;
+  BlocksModel& model_;
+  const state::Bodies<3>& bodies_;
+  Terms terms_;
+  Real base_step_ = 0;  // [s]
+};
+
+}  // namespace
+
+BlocksModel build_blocks(const cases::BlocksCase& blocks, geometry::TetraMesh mesh, const levels::Sharing& sharing,
+                         std::optional<Real> window) {
+  BlocksModel model;
+  model.mesh = std::move(mesh);
+  model.material = materials_by_element(blocks, model.mesh);
+  state::Bodies<3> bodies = make_bodies(blocks, model.mesh, model.material);
+  TermMaker maker(blocks, model, bodies);
+  Terms terms = maker.make(window);
+  find_stable_steps(terms, bodies.size(), model);
+  model.simulation = std::make_unique<levels::Simulation<3>>(std::move(bodies), std::move(terms),
+                                                             step_rules(blocks.time, maker.base_step()), sharing);
+  return model;
+}
+
+}  // namespace sazare::runs

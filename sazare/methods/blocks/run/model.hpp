@@ -1,0 +1,43 @@
+#pragma once
+
+/// From a checked case and its mesh to a simulation.
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "sazare/geometry/face_map.hpp"
+#include "sazare/levels/simulation.hpp"
+#include "sazare/methods/blocks/case/case.hpp"
+#include "sazare/methods/blocks/contacts.hpp"
+#include "sazare/methods/blocks/joints.hpp"
+#include "sazare/methods/blocks/run/mesh_fit.hpp"
+#include "sazare/methods/blocks/surface_contacts.hpp"
+#include "sazare/runs/run_clocks.hpp"
+
+namespace sazare::runs {
+
+/// A simulation and what is needed to read its results.
+struct BlocksModel {
+  geometry::TetraMesh mesh;
+  std::vector<Index> material;             ///< by element
+  std::vector<Real> stable_step;           ///< by element at the beginning, the fraction of the case not yet applied [s]
+  MeshFit fit;
+  std::vector<bool> is_bound_by_dashpots;  ///< by element: what the larger part of that step's bound comes from
+  std::unique_ptr<levels::Simulation<3>> simulation;
+  methods::blocks::Joints* joints = nullptr;            ///< owned by the simulation
+  methods::blocks::Contacts* contacts = nullptr;        ///< owned by the simulation
+  methods::blocks::SurfaceContacts* surface = nullptr;  ///< of a coupling; owned by the simulation
+};
+
+/// Throws UserError when the case does not fit its mesh in a way only the faces show. With the windows of a coupling [s], a base
+/// step that the case does not give divides them, and there is a surface to be attached.
+BlocksModel build_blocks(const cases::BlocksCase& blocks, geometry::TetraMesh mesh, const levels::Sharing& sharing = {},
+                         std::optional<Real> window = std::nullopt);
+
+/// The clocks of a case in base steps [s].
+inline RunClocks clocks_of(const cases::Time& time, Real base_step) {
+  return make_clocks({time.end, time.history_interval, time.snapshot_interval}, "base_step", base_step);
+}
+
+}  // namespace sazare::runs

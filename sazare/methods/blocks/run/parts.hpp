@@ -1,0 +1,51 @@
+#pragma once
+
+/// The parts of a blocks simulation, each made from the case and the mesh.
+
+#include <vector>
+
+#include "sazare/geometry/face_map.hpp"
+#include "sazare/levels/terms/face_pressure.hpp"
+#include "sazare/methods/blocks/case/case.hpp"
+#include "sazare/methods/blocks/contact_surface.hpp"
+#include "sazare/methods/blocks/joints.hpp"
+#include "sazare/methods/blocks/outer_faces.hpp"
+
+namespace sazare::runs {
+
+/// A mesh with its faces.
+struct MeshFaces {
+  const geometry::TetraMesh& mesh;
+  geometry::FaceMap map;
+  std::vector<geometry::SurfaceFaces> surfaces;  ///< in the order of the mesh's surfaces
+
+  /// Outer faces of a named surface group.
+  std::vector<geometry::OuterFace> outer(const std::string& surface) const;
+};
+
+/// Material of every element by its region.
+std::vector<Index> materials_by_element(const cases::BlocksCase& blocks, const geometry::TetraMesh& mesh);
+
+state::Bodies<3> make_bodies(const cases::BlocksCase& blocks, const geometry::TetraMesh& mesh,
+                             const std::vector<Index>& material);
+
+/// Which joint of the case a face has: the last entry that matches, or -1 for none.
+std::vector<Index> joint_by_face(const cases::BlocksCase& blocks, const MeshFaces& faces, const std::vector<Index>& material);
+
+methods::blocks::JointKind make_joint_kind(const cases::Joint& joint);
+
+std::vector<methods::blocks::JointFace> make_joint_faces(const cases::BlocksCase& blocks, const MeshFaces& faces,
+                                                         const std::vector<Index>& joint_of_face);
+
+std::vector<methods::blocks::OuterFace> make_boundaries(const cases::BlocksCase& blocks, const MeshFaces& faces,
+                                                        const std::vector<Index>& material, const state::Bodies<3>& bodies);
+
+/// Faces that no joint holds from the beginning: the outer ones, and both sides of those that were never bonded.
+std::vector<methods::blocks::FreeFace> make_free_faces(const cases::BlocksCase& blocks, const MeshFaces& faces,
+                                                       const std::vector<Index>& joint_of_face);
+
+std::vector<terms::PressureLoad> make_loads(const cases::BlocksCase& blocks);
+std::vector<terms::PressedFace> make_pressed_faces(const cases::BlocksCase& blocks, const MeshFaces& faces,
+                                                   const state::Bodies<3>& bodies);
+
+}  // namespace sazare::runs

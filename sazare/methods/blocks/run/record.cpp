@@ -1,0 +1,149 @@
+#include "sazare/methods/blocks/run/record.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sazare/core/error.hpp"
+#include "sazare/methods/blocks/run/columns.hpp"
+#include "sazare/methods/blocks/run/failure.hpp"
+#include "sazare/methods/blocks/run/state_hash.hpp"
+#include "sazare/runs/record_columns.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+static_assert(columns::blocks::energies.size() == terms::account_count, "a column for each account, in their order");
+
+std::vector<std::string> history_titles() {
+  std::vector<std::string> titles;
+  observe::add_titles(titles, columns::time);
+  observe::add_titles(titles, columns::blocks::pieces);
+  observe::add_titles(titles, columns::blocks::energies);
+  observe::add_titles(titles, columns::blocks::progress);
+  observe::add_titles(titles, columns::clock);
+  return titles;
+}
+
+}  // namespace
+
+RunRecord::RunRecord(const RunFolder& folder, const cases::CaseFile& file, BlocksModel& model, const RunClocks& clocks)
+    : folder_(&folder),
+      file_(&file),
+      model_(&model),
+      clocks_(clocks),
+      gauges_(file, model.mesh),
+      snapshots_(folder.snapshots(), model) {}
+
+std::uint64_t RunRecord::state_hash() const { return runs::state_hash(*model_); }
+
+std::vector<RecordFiles::Table> RunRecord::tables() const {
+  return {{folder_->history(), history_titles()}, {folder_->gauges(), gauges_.titles()}};
+}
+
+void RunRecord::begin() { files_.begin(tables()); }
+
+void RunRecord::resume() {
+  files_.resume(tables());
+  snapshots_.resume(static_cast<std::size_t>(snapshot_count_));
+}
+
+void RunRecord::check_motion(Real time) const {
+  if (find_failed_element(*model_) >= 0) throw PhysicsError(describe_failure(*model_, *file_, time));
+}
+
+void RunRecord::survey(std::int64_t step) {
+  survey_ = model_->simulation->survey(std::move(former_survey_));
+  if (clocks_.is_snapshot(step)) model_->simulation->collect();
+}
+
+void RunRecord::observe(std::int64_t step, Real wall_seconds) {
+  if (!clocks_.is_row(step)) return;
+  const Real time = clocks_.time(step);
+  if (!survey_) survey(step);
+  former_survey_ = *std::exchange(survey_, std::nullopt);
+  levels::Snapshot<3>& now = former_survey_.bodies;
+  Real fastest_squared = 0;
+  for (const Vector3& velocity : now.velocity) fastest_squared = std::max(fastest_squared, velocity.squaredNorm());
+  peak_speed_ = std::max(peak_speed_, std::sqrt(fastest_squared));
+  files_.add_row(1, gauges_.sample(time, model_->simulation->bodies(), now));
+  add_history_row(time, former_survey_.ledger, wall_seconds);
+  if (!clocks_.is_snapshot(step)) return;
+  snapshots_.write(time, std::move(now), fragments());
+  ++snapshot_count_;
+}
+
+void RunRecord::add_history_row(Real time, const terms::Ledger& ledger, Real wall_seconds) {
+  latest_smallest_step_ = model_->simulation->take_smallest_step();
+  smallest_step_ = smallest_step_ > 0 ? std::min(smallest_step_, latest_smallest_step_) : latest_smallest_step_;
+  std::vector<Real> row = {time, static_cast<Real>(model_->joints->broken_count()), static_cast<Real>(fragments().count)};
+  row.insert(row.end(), ledger.joules.begin(), ledger.joules.end());
+  energy_residual_ = ledger.residual();
+  row.push_back(energy_residual_);
+  row.push_back(latest_smallest_step_);
+  row.push_back(static_cast<Real>(model_->simulation->counters().pair_evaluations));
+  row.push_back(wall_seconds);
+  files_.add_row(0, row);
+}
+
+const FragmentMap& RunRecord::fragments() {
+  const Index broken = model_->joints->broken_count();
+  if (fragments_at_broken_ != broken) fragments_ = find_fragments(model_->simulation->bodies().size(), *model_->joints);
+  fragments_at_broken_ = broken;
+  return fragments_;
+}
+
+void RunRecord::flush(bool to_disk) {
+  files_.flush(to_disk);
+  if (!to_disk) return;
+  snapshots_.sync();
+  former_survey_ = {};  // a checkpoint, which comes next, takes as much
+}
+
+void RunRecord::write_fragments() {
+  runs::write_fragments(folder_->fragments(), measure_fragments(fragments(), model_->mesh, model_->simulation->bodies(),
+                                                                model_->simulation->snapshot()));
+}
+
+std::vector<std::pair<std::string, observe::Figure>> RunRecord::results(std::int64_t step, Real wall_seconds) {
+  const auto& simulation = *model_->simulation;
+  const levels::Counters& counters = simulation.counters();
+  const levels::Snapshot<3> now = simulation.snapshot();
+  const terms::Ledger ledger = simulation.ledger(now);
+  const auto pieces = measure_fragments(fragments(), model_->mesh, simulation.bodies(), now);
+  Real farthest = 0;
+  for (const Fragment& piece : pieces) farthest = std::max(farthest, piece.throw_distance);
+  std::vector<std::pair<std::string, observe::Figure>> results = {
+      {"broken_joints", std::int64_t{model_->joints->broken_count()}},
+      {"joints", static_cast<std::int64_t>(model_->joints->links().size())},
+      {"fragments", std::int64_t{fragments().count}},
+      {"elements", std::int64_t{simulation.bodies().size()}},
+      {"pair_evaluations", counters.pair_evaluations},
+      {"uniform_evaluations", counters.uniform_evaluations},
+      {"wall_seconds", wall_seconds},
+      {"steps", step},
+      {"kicks", counters.kicks},
+      {"ticks", counters.ticks},
+      {"smallest_step", smallest_step_}};
+  for (std::size_t i = 0; i < ledger.joules.size(); ++i)
+    results.emplace_back(columns::blocks::energies[i].name, ledger.joules[i]);
+  results.emplace_back("energy_residual", ledger.residual());
+  results.emplace_back("x50", passing_size(pieces, 0.5));
+  results.emplace_back("x80", passing_size(pieces, 0.8));
+  results.emplace_back("largest_fragment_volume", pieces.empty() ? 0 : pieces.front().volume);
+  results.emplace_back("throw_max", farthest);
+  results.emplace_back("peak_speed", peak_speed_);
+  return results;
+}
+
+void RunRecord::columns(Archive& archive) {
+  files_.columns(archive);
+  archive("snapshots", snapshot_count_);
+  archive("smallest_step", smallest_step_);
+  archive("latest_smallest_step", latest_smallest_step_);
+  archive("peak_speed", peak_speed_);
+  archive.folder("gauges", [&] { gauges_.columns(archive); });
+}
+
+}  // namespace sazare::runs

@@ -1,0 +1,189 @@
+#include "sazare/methods/blocks/run/snapshots.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "sazare/core/large_tables.hpp"
+#include "sazare/geometry/tetrahedron.hpp"
+#include "sazare/methods/blocks/run/columns.hpp"
+#include "sazare/methods/blocks/run/material_points.hpp"
+#include "sazare/runs/record_columns.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+using methods::blocks::JointState;
+
+std::size_t at(Index index) { return static_cast<std::size_t>(index); }
+
+/// Numbers from a function of their place.
+template <class T, class NumberAt>
+observe::MadeNumbers<T> made(std::size_t count, NumberAt number_at) {
+  return {count, [number_at](std::size_t first, std::span<T> piece) {
+            for (std::size_t i = 0; i < piece.size(); ++i) piece[i] = number_at(static_cast<Index>(first + i));
+          }};
+}
+
+/// Vectors, `per_item` of them for each item, which a function gives as a list.
+template <class VectorsOf>
+observe::MadeNumbers<Real> made_vectors(std::size_t items, std::size_t per_item, VectorsOf vectors_of) {
+  return {3 * per_item * items, [per_item, vectors_of](std::size_t first, std::span<Real> piece) {
+            for (std::size_t number = 0; number < piece.size();) {
+              const auto vectors = vectors_of(static_cast<Index>((first + number) / (3 * per_item)));
+              for (std::size_t own = (first + number) / 3 % per_item; own < per_item && number < piece.size(); ++own)
+                for (int axis = 0; axis < 3; ++axis) piece[number++] = vectors[own][axis];
+            }
+          }};
+}
+
+/// The face of a joint as one of its first element, at the beginning.
+struct StartFace {
+  std::array<Vector3, 3> corners;  // [m]
+  Vector3 normal;                  // out of the first element
+};
+
+StartFace face_of(const BlocksModel& model, Index joint) {
+  const Index element = model.joints->links()[at(joint)].first;
+  int face = 0;
+  while (model.joints->joint_at(element, face) != joint) ++face;
+  const auto corners = geometry::corners_of(model.mesh, element);
+  const auto& [a, b, c] = geometry::tetrahedron_faces[at(face)];
+  return {{corners[at(a)], corners[at(b)], corners[at(c)]}, geometry::outward_normal(corners, face)};
+}
+
+/// How far the faces of joints are apart, by joint: the largest of their corners.
+struct Gaps {
+  std::vector<Real> opening, slip;  // [m]
+};
+
+Gaps gaps_of(const BlocksModel& model, const levels::Snapshot<3>& now) {
+  const state::Bodies<3>& bodies = model.simulation->bodies();
+  const auto links = model.joints->links();
+  Gaps gaps;
+  gaps.opening.reserve(links.size());
+  gaps.slip.reserve(links.size());
+  for (Index joint = 0; joint < model.joints->count(); ++joint) {
+    const StartFace face = face_of(model, joint);
+    const PlacedElement first(bodies, now, links[at(joint)].first), second(bodies, now, links[at(joint)].second);
+    const Vector3 normal = first.turned(face.normal);
+    Real widest = -std::numeric_limits<Real>::infinity(), farthest = 0;
+    for (const Vector3& corner : face.corners) {
+      const Vector3 apart = second.moved(corner) - first.moved(corner);
+      widest = std::max(widest, normal.dot(apart));
+      farthest = std::max(farthest, (apart - normal.dot(apart) * normal).norm());
+    }
+    gaps.opening.push_back(widest);
+    gaps.slip.push_back(farthest);
+  }
+  return gaps;
+}
+
+/// Share of an element's joints that broke.
+Real damage_of(const methods::blocks::Joints& joints, std::span<const JointState> state, Index element) {
+  Real all = 0, broken = 0;
+  for (int face = 0; face < 4; ++face) {
+    const Index joint = joints.joint_at(element, face);
+    if (joint < 0) continue;
+    ++all;
+    if (state[at(joint)] == JointState::broken) ++broken;
+  }
+  return all > 0 ? broken / all : 0;
+}
+
+}  // namespace
+
+/// All that changes while a snapshot is written.
+struct Snapshots::Picture {
+  Real time = 0;
+  levels::Snapshot<3> now;
+  std::vector<std::int8_t> level;      ///< by element
+  std::vector<std::int32_t> fragment;  ///< by element
+  std::vector<JointState> state;       ///< by joint
+};
+
+Snapshots::Snapshots(const std::filesystem::path& folder, const BlocksModel& model)
+    : model_(&model), elements_(folder, "elements"), joints_(folder, "joints") {}
+
+void Snapshots::finish_writing() {
+  if (writing_.valid()) writing_.get();
+}
+
+void Snapshots::sync() {
+  finish_writing();
+  elements_.sync();
+  joints_.sync();
+}
+
+void Snapshots::resume(std::size_t count) {
+  elements_.resume(count);
+  joints_.resume(count);
+}
+
+void Snapshots::write(Real time, levels::Snapshot<3> now, const FragmentMap& fragments) {
+  finish_writing();
+  release(now.angular_momentum);
+  Picture taken{time, std::move(now), {}, fragments.of_element, {}};
+  const Index elements = model_->simulation->bodies().size(), joints = model_->joints->count();
+  taken.level.reserve(at(elements));
+  taken.state.reserve(at(joints));
+  for (Index element = 0; element < elements; ++element)
+    taken.level.push_back(static_cast<std::int8_t>(model_->simulation->levels().level(element)));
+  for (Index joint = 0; joint < joints; ++joint) taken.state.push_back(model_->joints->state(joint));
+  writing_ = std::async(std::launch::async, [this, taken = std::move(taken)]() mutable {
+    const Picture picture = std::move(taken);  // goes when it is written, not when the next one comes
+    write_elements(picture);
+    write_joints(picture);
+    elements_.sync_early();
+    joints_.sync_early();
+  });
+}
+
+void Snapshots::write_elements(const Picture& picture) {
+  const state::Bodies<3>& bodies = model_->simulation->bodies();
+  const geometry::TetraMesh& mesh = model_->mesh;
+  const std::size_t count = picture.level.size();
+  const auto points = made_vectors(count, 4, [&](Index element) {
+    const PlacedElement placed(bodies, picture.now, element);
+    auto corners = geometry::corners_of(mesh, element);
+    for (Vector3& corner : corners) corner = placed.moved(corner);
+    return corners;
+  });
+  const auto tag =
+      made<std::int32_t>(count, [&](Index element) { return static_cast<std::int32_t>(geometry::element_tag(mesh, element)); });
+  const observe::MadeVectors displacement{made_vectors(count, 1, [&](Index element) {
+    return std::array{Vector3(picture.now.pose[at(element)].position - bodies.start[at(element)])};
+  })};
+  const auto speed = made<Real>(count, [&](Index element) { return picture.now.velocity[at(element)].norm(); });
+  const auto level = made<std::int32_t>(count, [&](Index element) { return std::int32_t{picture.level[at(element)]}; });
+  const auto step =
+      made<Real>(count, [&](Index element) { return model_->simulation->levels().step(picture.level[at(element)]); });
+  const auto damage = made<Real>(count, [&](Index element) { return damage_of(*model_->joints, picture.state, element); });
+  observe::Grid grid{observe::Grid::Cell::tetrahedron, {}, {}, {}, picture.time};
+  grid.own_points = points;
+  grid.cell_data = observe::cell_data(columns::blocks::elements, tag, mesh.region, model_->material, displacement,
+                                      picture.now.velocity, speed, level, step, picture.fragment, damage);
+  elements_.write(grid);
+}
+
+void Snapshots::write_joints(const Picture& picture) {
+  const state::Bodies<3>& bodies = model_->simulation->bodies();
+  const auto links = model_->joints->links();
+  const std::size_t count = picture.state.size();
+  const Gaps gaps = gaps_of(*model_, picture.now);
+  const auto points = made_vectors(count, 3, [&](Index joint) {
+    const PlacedElement first(bodies, picture.now, links[at(joint)].first);
+    auto corners = face_of(*model_, joint).corners;
+    for (Vector3& corner : corners) corner = first.moved(corner);
+    return corners;
+  });
+  const auto state = made<std::int32_t>(count, [&](Index joint) { return static_cast<std::int32_t>(picture.state[at(joint)]); });
+  const auto kind = made<std::int32_t>(count, [&](Index joint) { return model_->joints->record(joint).kind; });
+  observe::Grid grid{observe::Grid::Cell::triangle, {}, {}, {}, picture.time};
+  grid.own_points = points;
+  grid.cell_data = observe::cell_data(columns::blocks::joints, state, gaps.opening, gaps.slip, kind);
+  joints_.write(grid);
+}
+
+}  // namespace sazare::runs

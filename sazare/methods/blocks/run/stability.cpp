@@ -1,0 +1,97 @@
+#include "sazare/methods/blocks/run/stability.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "sazare/cases/clocks.hpp"
+#include "sazare/cases/format/number_text.hpp"
+#include "sazare/geometry/tetrahedron.hpp"
+#include "sazare/methods/blocks/case/case.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+std::size_t at(Index index) { return static_cast<std::size_t>(index); }
+
+std::string seconds(Real value) { return cases::short_number(value, 3) + " s"; }
+
+/// The largest base step that is stable for all elements and divides the history interval.
+Real stable_base_step(const cases::Time& time, Real smallest) {
+  const Real parts = std::ceil(time.history_interval / (stable_share * smallest));
+  return cases::whole_fraction(time.history_interval, static_cast<std::int64_t>(parts));
+}
+
+}  // namespace
+
+std::string element_text(const geometry::TetraMesh& mesh, Index element) {
+  const Vector3 centre = geometry::centroid(geometry::corners_of(mesh, element));
+  return fmt::format("element {} at ({}, {}, {}) m", element_tag(mesh, element), cases::short_number(centre.x(), 4),
+                     cases::short_number(centre.y(), 4), cases::short_number(centre.z(), 4));
+}
+
+std::vector<LimitingElement> limiting_elements(const BlocksModel& model, std::size_t count) {
+  std::vector<Index> order(model.stable_step.size());
+  std::iota(order.begin(), order.end(), 0);
+  count = std::min(count, order.size());
+  const auto step = [&](Index element) { return model.stable_step[at(element)]; };
+  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
+                    [&](Index a, Index b) { return step(a) != step(b) ? step(a) < step(b) : a < b; });
+  std::vector<LimitingElement> limiting;
+  for (std::size_t i = 0; i < count; ++i) limiting.push_back({order[i], step(order[i])});
+  return limiting;
+}
+
+std::vector<Index> level_histogram(const BlocksModel& model) {
+  const auto& levels = model.simulation->levels();
+  std::vector<Index> counts;
+  for (Index element = 0; element < model.simulation->bodies().size(); ++element) {
+    counts.resize(std::max(counts.size(), at(levels.level(element)) + 1));
+    ++counts[at(levels.level(element))];
+  }
+  return counts;
+}
+
+Real evaluations_per_second(const BlocksModel& model) {
+  const auto& levels = model.simulation->levels();
+  Real evaluations = 0;
+  for (const Link& link : model.joints->links())
+    evaluations += 1 / levels.step(std::max(levels.level(link.first), levels.level(link.second)));
+  return evaluations;
+}
+
+std::string check_stability(const cases::CaseFile& file, const BlocksModel& model) {
+  const cases::Time& time = file.as<cases::BlocksCase>().time;
+  const bool by_fraction = time.limiter == cases::Limiter::stability;
+  const Real base_step = model.simulation->levels().step(0);
+  if (by_fraction && time.stability_fraction <= stable_share) return {};
+  const auto above = std::ranges::count_if(model.stable_step, [&](Real step) {
+    return (by_fraction ? time.stability_fraction * step : base_step) > stable_share * step;
+  });
+  if (above == 0) return {};
+  const LimitingElement smallest = limiting_elements(model, 1).front();
+  const std::string who =
+      fmt::format("{} of {} elements; the smallest stable step, {}, is that of {}", above, model.stable_step.size(),
+                  seconds(stable_share * smallest.stable_step), element_text(model.mesh, smallest.element));
+  const std::string key = by_fraction ? "time.stability_fraction" : "time.base_step";
+  const std::string what =
+      by_fraction ? fmt::format("step above stability: stability_fraction = {} is above {}, which {}",
+                                cases::short_number(time.stability_fraction), stable_share,
+                                "is as far as steps are stable when the neighbours move as well")
+                  : fmt::format("step above stability: base_step = {} s is too long for {}", cases::short_number(base_step), who);
+  const std::string help =
+      by_fraction ? std::string("set stability_fraction = 0.5")
+                  : fmt::format("set limiter = \"stability\", which gives every element its own step, or base_step = {}",
+                                cases::number_text(stable_base_step(time, smallest.stable_step)));
+  if (time.strict) refuse(file, key, what, help);
+  return warning(file, key, what, help);
+}
+
+std::string warn_of(const cases::CaseFile& file, const BlocksModel& model) {
+  return warn_of_mesh_fit(file, model.fit) + check_stability(file, model);
+}
+
+}  // namespace sazare::runs

@@ -1,0 +1,95 @@
+#pragma once
+
+#include "sazare/cases/tables.hpp"
+
+/// A checked case of method fem, as plain data. All values in SI units; every member is one key of the case file.
+namespace sazare::cases {
+
+enum class MassKind { consistent, lumped };
+enum class IntegrationKind { full, reduced };
+enum class GroupKind { fixed, roller, prescribed, viscous };
+enum class Analysis { dynamic, statics };
+
+struct FemMesh : Mesh {
+  int dimension = 2;
+};
+
+struct FemElements {
+  MassKind mass = MassKind::consistent;
+  IntegrationKind integration = IntegrationKind::full;
+};
+
+struct FemMaterial {
+  std::string name;
+  std::vector<std::string> regions;
+  Real density = 0;         // kg/m3
+  Real youngs_modulus = 0;  // Pa
+  Real poisson_ratio = 0;
+  Real damping_ratio = 0;
+  bool yields = false;                   // whether it has a strength
+  Real cohesion = 0;                     // Pa
+  Real friction_angle = 0;               // degrees
+  Real dilation_angle = 0;               // degrees
+  std::optional<Real> tensile_strength;  // Pa; without it the tip of the strength
+};
+
+/// A joint without thickness, between two regions or on a group of faces inside the body.
+struct FemJoint {
+  std::string name;
+  std::array<std::string, 2> between;
+  std::string group;
+  Real normal_stiffness = 0;  // Pa/m
+  Real shear_stiffness = 0;   // Pa/m
+  Real cohesion = 0;          // Pa
+  Real friction_angle = 0;    // degrees
+
+  bool on_group() const { return !group.empty(); }
+};
+
+struct GroupBoundary {
+  std::string group;
+  GroupKind kind = GroupKind::fixed;
+  std::array<bool, 3> axes{false, false, false};  // of a roller, and of what is prescribed besides the motions: held
+  std::array<std::string, 3> motion;              // names of motions by axis, or empty
+};
+
+struct FemLoad {
+  std::string name;
+  std::string group;
+  Vector3 traction = Vector3::Zero();  // Pa
+  Real ramp = 0;                       // s
+};
+
+struct FemGravity : Gravity {
+  bool settle = false;
+};
+
+struct FemSolver {
+  Real tolerance = 0;
+  int iterations = 0;
+  int cuts = 0;
+};
+
+struct FemTime : UniformTime {
+  Analysis analysis = Analysis::dynamic;
+  Real alpha = 0;
+};
+
+struct FemCase {
+  std::string title;
+  FemMesh mesh;
+  FemElements elements;
+  std::vector<FemMaterial> materials;
+  std::vector<FemJoint> joints;
+  Damping damping;
+  std::vector<Motion> motions;
+  std::vector<GroupBoundary> boundaries;
+  std::vector<FemLoad> loads;
+  FemGravity gravity;
+  FemSolver solver;
+  std::vector<Gauge> gauges;
+  FemTime time;
+  Output output;
+};
+
+}  // namespace sazare::cases

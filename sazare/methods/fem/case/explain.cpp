@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "sazare/cases/clocks.hpp"
+#include "sazare/cases/format/number_text.hpp"
+#include "sazare/methods/fem/case/fields.hpp"
+#include "sazare/methods/fem/case/format.hpp"
+
+namespace sazare::cases {
+namespace {
+
+std::string number(Real value) { return short_number(value, 4); }
+
+template <class Enum>
+std::string_view word(Enum value) {
+  return EnumWords<Enum>::words.at(static_cast<std::size_t>(value));
+}
+
+std::string line(std::string_view topic, const std::string& text) { return fmt::format("  {:<12}{}\n", topic, text); }
+
+std::string material_text(const FemMaterial& material) {
+  std::string text = fmt::format("{}: {} kg/m3, E {} Pa, Poisson's ratio {}, damping {}, regions {}", material.name,
+                                 number(material.density), number(material.youngs_modulus), number(material.poisson_ratio),
+                                 number(material.damping_ratio), fmt::join(material.regions, ", "));
+  if (material.yields)
+    text += fmt::format("\n  {:<12}  yields: cohesion {} Pa, friction {} degrees, dilation {} degrees{}", "",
+                        number(material.cohesion), number(material.friction_angle), number(material.dilation_angle),
+                        material.tensile_strength ? fmt::format(", tension {} Pa", number(*material.tensile_strength)) : "");
+  return text;
+}
+
+std::string boundary_text(const GroupBoundary& boundary) {
+  std::string text = fmt::format("{}: {}", boundary.group, word(boundary.kind));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (boundary.axes[axis]) text += fmt::format(" {}", "xyz"[axis]);
+    if (!boundary.motion[axis].empty()) text += fmt::format(", {} moves as {}", "xyz"[axis], boundary.motion[axis]);
+  }
+  return text;
+}
+
+std::string vector_text(const Vector3& value) {
+  return fmt::format("({}, {}, {})", number(value.x()), number(value.y()), number(value.z()));
+}
+
+}  // namespace
+
+std::string explain(const FemCase& fem) {
+  std::string text = fem.title + "\n";
+  text += line("mesh", fmt::format("{}, {}-D, {} mass, {} integration", fem.mesh.file.filename().string(), fem.mesh.dimension,
+                                   word(fem.elements.mass), word(fem.elements.integration)));
+  for (const FemMaterial& material : fem.materials) text += line("materials", material_text(material));
+  for (const FemJoint& joint : fem.joints)
+    text += line("joints", fmt::format("{}: {}, springs {} and {} Pa/m, cohesion {} Pa, friction {} degrees", joint.name,
+                                       joint.on_group() ? "on " + joint.group : joint.between[0] + " on " + joint.between[1],
+                                       number(joint.normal_stiffness), number(joint.shear_stiffness), number(joint.cohesion),
+                                       number(joint.friction_angle)));
+  if (fem.damping.f2 > 0) text += line("damping", fmt::format("at {} and {} Hz", number(fem.damping.f1), number(fem.damping.f2)));
+  for (const GroupBoundary& boundary : fem.boundaries) text += line("boundaries", boundary_text(boundary));
+  for (const FemLoad& load : fem.loads)
+    text += line("loads", fmt::format("{}: {} Pa on {}, full after {} s", load.name, vector_text(load.traction), load.group,
+                                      number(load.ramp)));
+  if (!fem.gravity.acceleration.isZero())
+    text += line("gravity", vector_text(fem.gravity.acceleration) + (fem.gravity.settle ? " m/s2, from rest under it" : " m/s2"));
+  for (const Gauge& gauge : fem.gauges) text += line("gauges", fmt::format("{}: {} m", gauge.name, vector_text(gauge.point)));
+  const auto count = [&](Real interval) { return whole_multiple(fem.time.end, interval).value_or(0); };
+  text += line("time", fmt::format("to {} s in steps of {} s, {}, alpha {}, {} history rows, {} snapshots", number(fem.time.end),
+                                   number(fem.time.step.value_or(0)), word(fem.time.analysis), number(fem.time.alpha),
+                                   count(fem.time.history_interval), count(fem.time.snapshot_interval)));
+  return text;
+}
+
+}  // namespace sazare::cases

@@ -1,0 +1,127 @@
+#pragma once
+
+#include "sazare/cases/fields.hpp"
+#include "sazare/methods/fem/case/case.hpp"
+
+/// Which member of a case of method fem belongs to which key (see fields.hpp).
+namespace sazare::cases {
+
+template <>
+struct EnumWords<MassKind> {
+  static constexpr std::array<std::string_view, 2> words{"consistent", "lumped"};
+};
+template <>
+struct EnumWords<IntegrationKind> {
+  static constexpr std::array<std::string_view, 2> words{"full", "reduced"};
+};
+template <>
+struct EnumWords<GroupKind> {
+  static constexpr std::array<std::string_view, 4> words{"fixed", "roller", "prescribed", "viscous"};
+};
+template <>
+struct EnumWords<Analysis> {
+  static constexpr std::array<std::string_view, 2> words{"dynamic", "static"};
+};
+
+template <class Visitor>
+void visit_fields(Visitor& visit, FemMesh& mesh) {
+  visit_fields(visit, static_cast<Mesh&>(mesh));
+  visit("dimension", mesh.dimension);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, FemElements& elements) {
+  visit("mass", elements.mass);
+  visit("integration", elements.integration);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, FemMaterial& material) {
+  visit("name", material.name);
+  visit("regions", material.regions);
+  visit("density", material.density);
+  visit("youngs_modulus", material.youngs_modulus);
+  visit("poisson_ratio", material.poisson_ratio);
+  visit("damping_ratio", material.damping_ratio);
+  material.yields = visit.has("cohesion", material.yields);
+  if (!material.yields) return;
+  visit("cohesion", material.cohesion);
+  visit("friction_angle", material.friction_angle);
+  visit("dilation_angle", material.dilation_angle);
+  visit("tensile_strength", material.tensile_strength);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, FemJoint& joint) {
+  visit("name", joint.name);
+  if (visit.has("group", joint.on_group()))
+    visit("group", joint.group);
+  else
+    visit("between", joint.between);
+  visit("normal_stiffness", joint.normal_stiffness);
+  visit("shear_stiffness", joint.shear_stiffness);
+  visit("cohesion", joint.cohesion);
+  visit("friction_angle", joint.friction_angle);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, GroupBoundary& boundary) {
+  constexpr std::array<std::string_view, 3> keys{"motion_x", "motion_y", "motion_z"};
+  visit("group", boundary.group);
+  visit("kind", boundary.kind);
+  if (boundary.kind == GroupKind::roller || boundary.kind == GroupKind::prescribed) visit("axes", boundary.axes);
+  if (boundary.kind != GroupKind::prescribed && boundary.kind != GroupKind::viscous) return;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (visit.has(keys[axis], !boundary.motion[axis].empty())) visit(keys[axis], boundary.motion[axis]);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, FemLoad& load) {
+  visit("name", load.name);
+  visit("group", load.group);
+  visit("traction", load.traction);
+  visit("ramp", load.ramp);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, FemGravity& gravity) {
+  visit("acceleration", gravity.acceleration);
+  visit("settle", gravity.settle);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, FemSolver& solver) {
+  visit("tolerance", solver.tolerance);
+  visit("iterations", solver.iterations);
+  visit("cuts", solver.cuts);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& visit, FemTime& time) {
+  visit("end", time.end);
+  visit("step", time.step);
+  visit("analysis", time.analysis);
+  visit("alpha", time.alpha);
+  visit("history_interval", time.history_interval);
+  visit("snapshot_interval", time.snapshot_interval);
+  visit("strict", time.strict);
+}
+
+template <class Visitor>
+void visit_tables(Visitor& visit, FemCase& fem) {
+  visit.one("mesh", fem.mesh);
+  visit.one("elements", fem.elements);
+  visit.list("materials", fem.materials);
+  visit.list("joints", fem.joints);
+  visit.one("damping", fem.damping);
+  visit.list("motions", fem.motions);
+  visit.list("boundaries", fem.boundaries);
+  visit.list("loads", fem.loads);
+  visit.one("gravity", fem.gravity);
+  visit.one("solver", fem.solver);
+  visit.list("gauges", fem.gauges);
+  visit.one("time", fem.time);
+  visit.one("output", fem.output);
+}
+
+}  // namespace sazare::cases

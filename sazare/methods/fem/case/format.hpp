@@ -1,0 +1,25 @@
+#pragma once
+
+#include "sazare/cases/case_format.hpp"
+#include "sazare/cases/checks.hpp"
+#include "sazare/methods/fem/case/case.hpp"
+
+/// Cases of method fem as the reader and the writer of cases know them.
+namespace sazare::cases {
+
+/// All tables and keys, in the order of the reference page.
+std::span<const Table> fem_schema();
+
+CaseFormat fem_format();
+
+/// All checks of a case after types and ranges; reads the files that it names.
+void check_fem(const CheckContext& context, FemCase& fem);
+
+/// The case as TOML with every key and default written out and its unit beside it; reading it gives the same case. Files are
+/// written relative to `folder`, where the text will be saved, or as full paths when it is empty.
+std::string write_resolved(const FemCase& fem, const std::filesystem::path& folder = {});
+
+/// The case in words, with what follows from its numbers: what `sazare check` prints.
+std::string explain(const FemCase& fem);
+
+}  // namespace sazare::cases

@@ -1,0 +1,259 @@
+#include <array>
+
+#include "sazare/cases/case_keys.hpp"
+#include "sazare/methods/fem/case/format.hpp"
+
+namespace sazare::cases {
+namespace {
+
+constexpr std::array<std::string_view, 2> mass_kinds{"consistent", "lumped"};
+constexpr std::array<std::string_view, 2> integrations{"full", "reduced"};
+constexpr std::array<std::string_view, 4> group_kinds{"fixed", "roller", "prescribed", "viscous"};
+constexpr std::array<std::string_view, 2> analyses{"dynamic", "static"};
+
+constexpr std::string_view with_strength = "only with a cohesion";
+constexpr std::string_view with_motion = "kinds prescribed and viscous only";
+
+constexpr std::array fem_mesh_keys{
+    mesh_keys[0],
+    mesh_keys[1],
+    mesh_keys[2],
+    mesh_keys[3],
+    Key{.name = "dimension",
+        .type = Type::integer,
+        .range = {.low = 2, .high = 3},
+        .default_text = "2",
+        .sentence = "2 for plane strain in x and y (up), forces per metre across the plane; 3 for a body in x, y and z (up)."},
+};
+
+constexpr std::array element_keys{
+    Key{.name = "mass",
+        .type = Type::choice,
+        .default_text = "\"consistent\"",
+        .sentence = "Mass matrix: consistent, or lumped at the nodes.",
+        .choices = mass_kinds},
+    Key{.name = "integration",
+        .type = Type::choice,
+        .default_text = "\"full\"",
+        .sentence = "Of the stiffness; reduced takes fewer points in 8-node quadrilaterals and 20-node hexahedra, which bend and "
+                    "flow more easily.",
+        .choices = integrations},
+};
+
+constexpr std::array material_keys{
+    Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name of the material in messages."},
+    Key{.name = "regions",
+        .type = Type::names,
+        .need = Need::required,
+        .sentence = "Physical groups of the mesh that are made of it: surfaces in 2-D, volumes in 3-D."},
+    Key{.name = "density",
+        .type = Type::number,
+        .unit = "kg/m3",
+        .range = positive,
+        .need = Need::required,
+        .sentence = "Mass per volume."},
+    Key{.name = "youngs_modulus",
+        .type = Type::number,
+        .unit = "Pa",
+        .range = positive,
+        .need = Need::required,
+        .sentence = "Young's modulus."},
+    Key{.name = "poisson_ratio",
+        .type = Type::number,
+        .range = {.low = 0, .high = 0.5, .high_open = true},
+        .need = Need::required,
+        .sentence = "Poisson's ratio."},
+    Key{.name = "damping_ratio",
+        .type = Type::number,
+        .range = {.low = 0, .high = 2},
+        .default_text = "0.0",
+        .sentence = "Share of critical damping at the frequencies f1 and f2 of [damping]."},
+    Key{.name = "cohesion",
+        .type = Type::number,
+        .unit = "Pa",
+        .range = not_negative,
+        .note = "default: the material is elastic and never yields",
+        .sentence = "Cohesion of Mohr and Coulomb's strength."},
+    Key{.name = "friction_angle",
+        .type = Type::number,
+        .unit = "deg",
+        .range = {.low = 0, .high = 60},
+        .note = "required with a cohesion",
+        .sentence = "Angle of friction."},
+    Key{.name = "dilation_angle",
+        .type = Type::number,
+        .unit = "deg",
+        .range = {.low = 0, .high = 60},
+        .default_text = "0.0",
+        .note = with_strength,
+        .sentence = "Angle of dilation; at most the friction angle."},
+    Key{.name = "tensile_strength",
+        .type = Type::number,
+        .unit = "Pa",
+        .range = not_negative,
+        .note = "only with a cohesion; default: cohesion/tan(friction_angle), without friction none",
+        .sentence = "Largest tensile stress; at most cohesion/tan(friction_angle)."},
+};
+
+constexpr std::array joint_keys{
+    Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name of the joint in results and messages."},
+    Key{.name = "between",
+        .type = Type::two_names,
+        .note = "exactly one of between and group",
+        .sentence = "The two regions whose shared faces it parts."},
+    Key{.name = "group",
+        .type = Type::text,
+        .note = "exactly one of between and group",
+        .sentence = "Physical group of faces inside the body (in 2-D of lines) along which it is parted."},
+    Key{.name = "normal_stiffness",
+        .type = Type::number,
+        .unit = "Pa/m",
+        .range = positive,
+        .need = Need::required,
+        .sentence = "Pressure per overlap of the faces."},
+    Key{.name = "shear_stiffness",
+        .type = Type::number,
+        .unit = "Pa/m",
+        .range = positive,
+        .need = Need::required,
+        .sentence = "Shear stress per displacement before slip."},
+    Key{.name = "cohesion",
+        .type = Type::number,
+        .unit = "Pa",
+        .range = not_negative,
+        .default_text = "0.0",
+        .sentence = "Shear strength without pressure, where the faces touch."},
+    Key{.name = "friction_angle",
+        .type = Type::number,
+        .unit = "deg",
+        .range = {.low = 0, .high = 89},
+        .need = Need::required,
+        .sentence = "Angle of friction between the faces."},
+};
+
+constexpr std::array boundary_keys{
+    Key{.name = "group",
+        .type = Type::text,
+        .need = Need::required,
+        .sentence = "Physical group of the mesh whose nodes it holds: faces, lines or points."},
+    Key{.name = "kind",
+        .type = Type::choice,
+        .need = Need::required,
+        .sentence =
+            "fixed does not move, roller is held along axes, prescribed moves along the axes that have a motion, viscous lets "
+            "waves leave and a wave enter (groups of faces only).",
+        .choices = group_kinds},
+    Key{.name = "axes",
+        .type = Type::axes,
+        .default_text = "[]",
+        .note = "required for a roller",
+        .sentence = "Axes along which a roller is held; of kind prescribed, those that are held without a motion."},
+    Key{.name = "motion_x", .type = Type::text, .note = with_motion, .sentence = "Motion along x."},
+    Key{.name = "motion_y", .type = Type::text, .note = with_motion, .sentence = "Motion along y."},
+    Key{.name = "motion_z", .type = Type::text, .note = with_motion, .sentence = "Motion along z."},
+};
+
+constexpr std::array load_keys{
+    Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name of the load in messages."},
+    Key{.name = "group",
+        .type = Type::text,
+        .need = Need::required,
+        .sentence = "Physical group of outer faces (in 2-D of lines) on which it acts."},
+    Key{.name = "traction",
+        .type = Type::vector,
+        .unit = "Pa",
+        .need = Need::required,
+        .sentence = "Force per area; z is 0 in 2-D."},
+    Key{.name = "ramp",
+        .type = Type::number,
+        .unit = "s",
+        .range = not_negative,
+        .default_text = "0.0",
+        .sentence = "Time in which it grows from 0 to its full value; 0: all at once at t = 0."},
+};
+
+constexpr std::array fem_gravity_keys{
+    gravity_keys.front(),
+    Key{.name = "settle",
+        .type = Type::boolean,
+        .default_text = "false",
+        .sentence =
+            "Begin at rest under gravity: the equilibrium is found first, viscous boundaries carry what they carry in it, and "
+            "displacements count from there."},
+};
+
+constexpr std::array solver_keys{
+    Key{.name = "tolerance",
+        .type = Type::number,
+        .range = {.low = 1e-13, .high = 1e-2},
+        .default_text = "1e-8",
+        .sentence = "Unbalanced force left in a step, over the largest of internal, external and inertial forces."},
+    Key{.name = "iterations",
+        .type = Type::integer,
+        .range = {.low = 1, .high = 1000},
+        .default_text = "20",
+        .sentence = "Of Newton in a step, at most."},
+    Key{.name = "cuts",
+        .type = Type::integer,
+        .range = {.low = 0, .high = 20},
+        .default_text = "8",
+        .sentence = "How often a step that does not converge is halved, at most."},
+};
+
+constexpr std::array gauge_keys{
+    gauge_name_key,
+    Key{.name = "point",
+        .type = Type::vector,
+        .unit = "m",
+        .need = Need::required,
+        .sentence = "Where it is at the start: it takes the motion of the nearest node."},
+};
+
+constexpr std::array time_keys{
+    end_key,
+    Key{.name = "step",
+        .type = Type::number,
+        .unit = "s",
+        .range = positive,
+        .need = Need::required,
+        .sentence = "Step of time; every step is stable, so it follows from the frequencies that count."},
+    Key{.name = "analysis",
+        .type = Type::choice,
+        .default_text = "\"dynamic\"",
+        .sentence = "dynamic, or static: each step is an equilibrium, and time only counts loads and motions.",
+        .choices = analyses},
+    Key{.name = "alpha",
+        .type = Type::number,
+        .range = {.low = -1.0 / 3, .high = 0},
+        .default_text = "0.0",
+        .note = "dynamic only",
+        .sentence =
+            "Of Hilber, Hughes and Taylor: below 0 the step damps frequencies that it cannot resolve; 0 is Newmark's step of "
+            "constant mean acceleration."},
+    history_interval_key,
+    snapshot_interval_key,
+    strict_key,
+};
+
+constexpr std::array tables{
+    case_table,
+    Table{"mesh", false, Need::required, "The body.", fem_mesh_keys},
+    Table{"elements", false, Need::optional, "How elements are integrated.", element_keys},
+    Table{"materials", true, Need::required, "What the regions are made of.", material_keys},
+    Table{"joints", true, Need::optional, "Faces without thickness that slip and open.", joint_keys},
+    Table{"damping", false, Need::optional, "Rayleigh damping: its two frequencies.", damping_keys},
+    motions_table,
+    Table{"boundaries", true, Need::optional, "How groups are held; all others are free.", boundary_keys},
+    Table{"loads", true, Need::optional, "Tractions on outer faces.", load_keys},
+    Table{"gravity", false, Need::optional, "Body force.", fem_gravity_keys},
+    Table{"solver", false, Need::optional, "When a step is found, and what is tried.", solver_keys},
+    Table{"gauges", true, Need::optional, "Points whose motion is recorded.", gauge_keys},
+    Table{"time", false, Need::required, "How long, in which steps, and when results are written.", time_keys},
+    output_table,
+};
+
+}  // namespace
+
+std::span<const Table> fem_schema() { return tables; }
+
+}  // namespace sazare::cases

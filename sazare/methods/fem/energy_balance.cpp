@@ -1,0 +1,83 @@
+/// The books of FemStepper: work by cause, and energies.
+
+#include "sazare/methods/fem/nodal_algebra.hpp"
+#include "sazare/methods/fem/stepper.hpp"
+
+namespace sazare::methods::fem {
+
+using methods::fem::add, methods::fem::dot, methods::fem::number, methods::fem::product;
+using methods::fem::NodalColumn, methods::fem::Support;
+
+namespace {
+
+/// Work of a force, with its mean over the step.
+Real mean_work(const NodalColumn& before, const NodalColumn& after, const NodalColumn& moved) {
+  Real sum = 0;
+  for (std::size_t i = 0; i < moved.size(); ++i) sum += 0.5 * (before[i] + after[i]) * moved[i];
+  return sum;
+}
+
+}  // namespace
+
+/// Work of a step, each force with its mean over it.
+template <int D>
+void FemStepper<D>::book(const Trial& trial, const NodalColumn& balance, const Span& span) {
+  NodalColumn moved = trial.displacement;
+  add(moved, -1, state_.displacement);
+  FemWork& work = state_.work;
+  if (!body_->is_linear()) {
+    const auto taken = body_->energies(state_.displacement, trial.displacement, state_.memory, trial.memory);
+    work.plastic += taken.plastic;
+    work.friction += taken.friction;
+  }
+  if (stage_ == Stage::settling) return;
+  const Real to = span.from + span.length;
+  work.gravity += dot(weight_, moved);
+  for (const auto& load : supports_.loads) work.loads += 0.5 * (load.share(span.from) + load.share(to)) * dot(load.force, moved);
+  work.loads += dot(state_.applied, moved);
+  work.boundary += dot(rest_, moved);
+  NodalColumn before = state_.balance, after = balance;
+  if (inertia()) {
+    work.damping += mean_work(product(rayleigh_, state_.velocity), product(rayleigh_, trial.velocity), moved);
+    work.radiation += mean_work(product(viscous_, state_.velocity), product(viscous_, trial.velocity), moved);
+    work.waves += mean_work(incoming(span.from), incoming(to), moved);
+    body_->mass().multiply(state_.acceleration, 1, before);
+    body_->mass().multiply(trial.acceleration, 1, after);
+  }
+  for (const Support& support : supports_.held) {
+    if (support.motion == Support::no_motion) continue;
+    const std::size_t i = number<D>(support.node, support.axis);
+    work.boundary += 0.5 * (before[i] + after[i]) * moved[i];
+  }
+}
+
+template <int D>
+Real FemStepper<D>::kinetic_energy() const {
+  return 0.5 * dot(state_.velocity, product(body_->mass(), state_.velocity));
+}
+
+template <int D>
+Real FemStepper<D>::elastic_energy() const {
+  return body_->energies(state_.displacement, state_.displacement, state_.memory, state_.memory).elastic - elastic_at_start_;
+}
+
+template <int D>
+Real FemStepper<D>::energy_residual() const {
+  const FemWork& work = state_.work;
+  const Real done = work.gravity + work.loads + work.boundary + work.waves;
+  const Real kinetic = rules_.statics ? 0 : kinetic_energy();
+  return done - kinetic - elastic_energy() - work.damping - work.radiation - work.plastic - work.friction;
+}
+
+// The class is instantiated in fem_stepper.cpp, without these.
+#define SAZARE_INSTANTIATE_BOOKS(D)                                                 \
+  template void FemStepper<D>::book(const Trial&, const NodalColumn&, const Span&); \
+  template Real FemStepper<D>::kinetic_energy() const;                              \
+  template Real FemStepper<D>::elastic_energy() const;                              \
+  template Real FemStepper<D>::energy_residual() const;
+
+SAZARE_INSTANTIATE_BOOKS(2)
+SAZARE_INSTANTIATE_BOOKS(3)
+#undef SAZARE_INSTANTIATE_BOOKS
+
+}  // namespace sazare::methods::fem

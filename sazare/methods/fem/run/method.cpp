@@ -1,0 +1,48 @@
+#include "sazare/methods/fem/run/method.hpp"
+
+#include <fmt/format.h>
+
+#include "sazare/methods/fem/case/format.hpp"
+#include "sazare/methods/fem/run/columns.hpp"
+#include "sazare/methods/fem/run/run.hpp"
+#include "sazare/runs/record_columns.hpp"
+#include "sazare/runs/record_figures.hpp"
+#include "sazare/runs/summary.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+std::string fem_summary(const observe::Manifest& manifest) {
+  const auto number = [&](std::string_view name, int digits = 4) { return figure_text(manifest, name, digits); };
+  std::string text;
+  text += fmt::format("elements        {}, {} freedoms, {} steps of {} s\n", number("elements", 12), number("freedoms", 12),
+             number("steps", 12), number("step"));
+  text += fmt::format("solver          {} iterations, {} steps cut\n", number("iterations", 12), number("cuts", 12));
+  text += fmt::format("peaks           {} m, {} m/s, {} m/s2\n", number("peak_displacement"), number("peak_speed"),
+             number("peak_acceleration"));
+  text += fmt::format("energy          {}\n", balance_text(manifest));
+  return text + wall_time_line(manifest);
+}
+
+FolderTables tables_of_fem() {
+  return {.figures = {{"`fem`", {figures::of_steps, figures::of_motion, columns::fem::figures}}},
+          .history = {{"`fem`",
+                       {columns::fem::motion, columns::fem::energies, columns::fem::work, columns::fem::boundary,
+                        columns::fem::joint_set, columns::fem::newton}}},
+          .gauges = {{"`gauges.csv` of `fem`", {columns::place_motion}}},
+          .files = {},
+          .snapshots = {{"`finite_elements` of `fem`, points", {columns::fem::nodes}}, {"cells", {columns::fem::elements}}}};
+}
+
+}  // namespace
+
+Method fem_method() {
+  return {.format = cases::fem_format(),
+          .open = open_fem,
+          .check = check_fem,
+          .summary = fem_summary,
+          .tables = tables_of_fem};
+}
+
+}  // namespace sazare::runs

@@ -1,0 +1,254 @@
+#include "sazare/methods/fem/run/record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sazare/cases/format/number_text.hpp"
+#include "sazare/core/error.hpp"
+#include "sazare/methods/fem/case/case.hpp"
+#include "sazare/methods/fem/run/columns.hpp"
+#include "sazare/observe/hash.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+std::size_t at(Index index) { return static_cast<std::size_t>(index); }
+
+/// The numbers of a node as a vector of three.
+template <int D>
+Vector3 vector_of(const methods::fem::NodalColumn& column, std::size_t node) {
+  Vector3 vector = Vector3::Zero();
+  for (int axis = 0; axis < D; ++axis) vector[axis] = column[node * D + static_cast<std::size_t>(axis)];
+  return vector;
+}
+
+template <int D>
+std::vector<Vector3> vectors_of(const methods::fem::NodalColumn& column) {
+  std::vector<Vector3> vectors(column.size() / D);
+  for (std::size_t node = 0; node < vectors.size(); ++node) vectors[node] = vector_of<D>(column, node);
+  return vectors;
+}
+
+Real largest(const std::vector<Vector3>& vectors) {
+  Real most = 0;
+  for (const Vector3& one : vectors) most = std::max(most, one.norm());
+  return most;
+}
+
+constexpr std::array axis_names = {'x', 'y', 'z'};
+
+}  // namespace
+
+template <int D>
+FemRecord<D>::FemRecord(const RunFolder& folder, const cases::CaseFile& file, FemModel<D>& model, const RunClocks& clocks)
+    : folder_(&folder),
+      file_(&file),
+      model_(&model),
+      clocks_(clocks),
+      files_(folder.snapshots(), "finite_elements"),
+      peaks_(model.gauges.size(), 0),
+      largest_forces_(model.group_names.size() * D, 0) {}
+
+template <int D>
+std::array<Real, columns::fem::energies.size()> FemRecord<D>::energies() const {
+  const methods::fem::FemWork& work = stepper().work();
+  const Real kinetic = stepper().rules().statics ? 0 : stepper().kinetic_energy();
+  return {work.gravity + work.loads + work.boundary + work.waves,
+          kinetic,
+          stepper().elastic_energy(),
+          work.damping,
+          work.radiation,
+          work.plastic,
+          work.friction,
+          stepper().energy_residual()};
+}
+
+template <int D>
+std::vector<RecordFiles::Table> FemRecord<D>::tables() const {
+  std::vector<std::string> history, gauges;
+  observe::add_titles(history, columns::time);
+  observe::add_titles(history, columns::fem::motion);
+  observe::add_titles(history, columns::fem::energies);
+  observe::add_titles(history, columns::fem::work);
+  for (const std::string& name : model_->group_names) observe::add_titles(history, columns::fem::boundary, name, D);
+  for (const auto& set : stepper().body().joints().sets()) observe::add_titles(history, columns::fem::joint_set, set.name);
+  observe::add_titles(history, columns::fem::newton);
+  observe::add_titles(history, columns::clock);
+  observe::add_titles(gauges, columns::time);
+  for (const cases::Gauge& gauge : file_->as<cases::FemCase>().gauges) observe::add_titles(gauges, columns::place_motion, gauge.name);
+  return {{folder_->history(), history}, {folder_->gauges(), gauges}};
+}
+
+/// Forces of the boundaries of the case on the body; what two of them hold belongs to the first.
+template <int D>
+std::vector<Vector<D>> FemRecord<D>::boundary_forces() const {
+  std::vector<Vector<D>> forces(model_->group_names.size(), Vector<D>::Zero());
+  const auto reactions = stepper().reactions();
+  const auto& supports = stepper().supports();
+  for (const auto& support : supports.held)
+    forces[at(support.boundary)][support.axis] += reactions[at(support.node) * D + static_cast<std::size_t>(support.axis)];
+  for (std::size_t i = 0; i < supports.viscous.size(); ++i)
+    forces[at(supports.viscous[i].boundary)] += stepper().viscous_force(i);
+  return forces;
+}
+
+template <int D>
+std::vector<Real> FemRecord<D>::history_row(Real time, Real wall_seconds) {
+  const auto& state = stepper().state();
+  methods::fem::NodalColumn moved = state.displacement;
+  for (std::size_t i = 0; i < moved.size(); ++i) moved[i] -= stepper().settled()[i];
+  displacement_ = largest(vectors_of<D>(moved));
+  const Real speed = largest(vectors_of<D>(state.velocity)), acceleration = largest(vectors_of<D>(state.acceleration));
+  largest_displacement_ = std::max(largest_displacement_, displacement_);
+  largest_speed_ = std::max(largest_speed_, speed);
+  largest_acceleration_ = std::max(largest_acceleration_, acceleration);
+  std::vector<Real> row = {time, displacement_, speed, acceleration};
+  for (const Real value : energies()) row.push_back(value);
+  const methods::fem::FemWork& work = state.work;
+  row.insert(row.end(), {work.gravity, work.loads, work.boundary, work.waves});
+  std::size_t place = 0;
+  for (const Vector<D>& force : boundary_forces())
+    for (int axis = 0; axis < D; ++axis, ++place) {
+      row.push_back(force[axis]);
+      largest_forces_[place] = std::max(largest_forces_[place], std::abs(force[axis]));
+    }
+  const auto& joints = stepper().body().joints();
+  for (std::size_t set = 0; set < joints.sets().size(); ++set) {
+    const auto summary = joints.summary(set, state.displacement, state.memory.joints);
+    row.insert(row.end(), {summary.open_share, summary.slip_share, summary.largest_slip});
+  }
+  row.insert(row.end(), {static_cast<Real>(state.iterations), static_cast<Real>(state.cuts), wall_seconds});
+  return row;
+}
+
+template <int D>
+std::vector<Real> FemRecord<D>::gauge_row(Real time) {
+  const auto& state = stepper().state();
+  std::vector<Real> row = {time};
+  for (std::size_t gauge = 0; gauge < model_->gauges.size(); ++gauge) {
+    const std::size_t node = at(model_->gauges[gauge]);
+    const Vector3 moved = vector_of<D>(state.displacement, node) - vector_of<D>(stepper().settled(), node);
+    const Vector3 velocity = vector_of<D>(state.velocity, node);
+    for (const Vector3& value : {moved, velocity, vector_of<D>(state.acceleration, node)})
+      row.insert(row.end(), value.begin(), value.end());
+    peaks_[gauge] = std::max(peaks_[gauge], velocity.norm());
+  }
+  return row;
+}
+
+template <int D>
+void FemRecord<D>::observe(std::int64_t step, Real wall_seconds) {
+  if (!clocks_.is_row(step)) return;
+  const Real time = clocks_.time(step);
+  files_.add_row(0, history_row(time, wall_seconds));
+  files_.add_row(1, gauge_row(time));
+  if (clocks_.is_snapshot(step)) write_snapshot(time);
+}
+
+template <int D>
+void FemRecord<D>::write_snapshot(Real time) {
+  const geometry::ElementMesh& mesh = model_->mesh();
+  const auto& state = stepper().state();
+  std::vector<Vector3> places = mesh.nodes, moved(mesh.nodes.size());
+  for (std::size_t node = 0; node < places.size(); ++node) {
+    moved[node] = vector_of<D>(state.displacement, node) - vector_of<D>(stepper().settled(), node);
+    places[node] += vector_of<D>(state.displacement, node);
+  }
+  const std::vector<Vector3> velocity = vectors_of<D>(state.velocity), acceleration = vectors_of<D>(state.acceleration);
+  std::vector<methods::fem::Voigt<D>> stress;
+  std::vector<Real> slip, pressure;
+  stepper().body().stresses(state.displacement, state.memory, stress, slip);
+  std::vector<Vector3> normal, shear;
+  for (const auto& one : stress) {
+    normal.push_back(one.template head<3>());
+    shear.push_back(Vector3::Zero());
+    shear.back().template head<methods::fem::stress_size<D> - 3>() = one.template tail<methods::fem::stress_size<D> - 3>();
+    pressure.push_back(-one.template head<3>().sum() / 3);
+  }
+  std::vector<std::int32_t> connectivity, region(mesh.region.begin(), mesh.region.end());
+  std::vector<std::uint8_t> types;
+  for (const geometry::MeshElement& element : mesh.elements) {
+    for (const int place : geometry::vtk_order(element.shape))
+      connectivity.push_back(element.nodes[static_cast<std::size_t>(place)]);
+    types.push_back(geometry::facts(element.shape).vtk_type);
+  }
+  const auto of_points = observe::cell_data(columns::fem::nodes, moved, velocity, acceleration);
+  const auto of_cells = observe::cell_data(columns::fem::elements, normal, shear, pressure, slip, region);
+  observe::Grid grid{observe::Grid::Cell::vertex, places, connectivity, of_cells, time};
+  grid.point_data = of_points;
+  grid.types = types;
+  files_.add_snapshot(grid);
+}
+
+template <int D>
+void FemRecord<D>::check_motion(Real time) const {
+  const auto& moved = stepper().state().displacement;
+  const auto bad = std::ranges::find_if(moved, [](Real value) { return !std::isfinite(value); });
+  if (bad == moved.end()) return;
+  const auto node = static_cast<std::size_t>(bad - moved.begin()) / D;
+  throw PhysicsError(
+      fmt::format("the displacement of node {} is no number any more, found at t = {} s\n  look at the loads and motions",
+                  model_->mesh().node_tags[node], cases::short_number(time)));
+}
+
+template <int D>
+std::vector<std::pair<std::string, observe::Figure>> FemRecord<D>::results(std::int64_t step, Real wall_seconds) const {
+  const auto& state = stepper().state();
+  std::vector<std::pair<std::string, observe::Figure>> results = {
+      {"nodes", static_cast<std::int64_t>(model_->mesh().nodes.size())},
+      {"elements", static_cast<std::int64_t>(model_->mesh().elements.size())},
+      {"freedoms", static_cast<std::int64_t>(stepper().free_freedoms())},
+      {"steps", step},
+      {"step", model_->step},
+      {"iterations", state.iterations},
+      {"cuts", state.cuts},
+      {"wall_seconds", wall_seconds},
+      {"final_displacement", displacement_},
+      {"peak_displacement", largest_displacement_},
+      {"peak_speed", largest_speed_},
+      {"peak_acceleration", largest_acceleration_}};
+  const auto joules = energies();
+  for (std::size_t i = 0; i < joules.size(); ++i) results.emplace_back(columns::fem::energies[i].name, joules[i]);
+  for (std::size_t i = 0; i < largest_forces_.size(); ++i)
+    results.emplace_back(fmt::format("peak_force_{}_{}", model_->group_names[i / D], axis_names[i % D]), largest_forces_[i]);
+  const auto& joints = stepper().body().joints();
+  for (std::size_t set = 0; set < joints.sets().size(); ++set)
+    results.emplace_back(fmt::format("slip_max_{}", joints.sets()[set].name),
+                         joints.summary(set, state.displacement, state.memory.joints).largest_slip);
+  return results;
+}
+
+template <int D>
+std::vector<std::pair<std::string, Real>> FemRecord<D>::peak_particle_velocity() const {
+  std::vector<std::pair<std::string, Real>> peaks;
+  for (std::size_t i = 0; i < peaks_.size(); ++i) peaks.emplace_back(file_->as<cases::FemCase>().gauges[i].name, peaks_[i]);
+  return peaks;
+}
+
+template <int D>
+std::uint64_t FemRecord<D>::state_hash() const {
+  observe::Hash hash;
+  const auto& state = stepper().state();
+  for (const auto* column : {&state.displacement, &state.velocity, &state.memory.solids, &state.memory.joints})
+    hash.add(std::as_bytes(std::span(*column)));
+  return hash.value();
+}
+
+template <int D>
+void FemRecord<D>::columns(Archive& archive) {
+  files_.columns(archive);
+  archive("displacement", displacement_);
+  archive("largest_displacement", largest_displacement_);
+  archive("largest_speed", largest_speed_);
+  archive("largest_acceleration", largest_acceleration_);
+  archive("largest_forces", largest_forces_);
+  archive("peaks", peaks_);
+}
+
+template class FemRecord<2>;
+template class FemRecord<3>;
+
+}  // namespace sazare::runs

@@ -1,0 +1,101 @@
+#include "sazare/methods/fem/run/run.hpp"
+
+#include "sazare/methods/fem/case/format.hpp"
+#include "sazare/methods/fem/run/identity.hpp"
+#include "sazare/methods/fem/run/motion_rows.hpp"
+#include "sazare/methods/fem/run/record.hpp"
+#include "sazare/observe/atomic_file.hpp"
+#include "sazare/runs/case_run.hpp"
+#include "sazare/runs/temporary_folder.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+std::string number(Real value, int digits = 4) { return cases::short_number(value, digits); }
+
+/// The part of method fem in a run, see CaseRun.
+template <int D>
+struct FemWork final : WorkDefaults {
+  const cases::CaseFile& file;
+  RunTimes times;
+  RunFolder folder;
+  FemModel<D> model;
+  RunIdentity identity;
+  RunClocks clocks;
+  FemRecord<D> record;
+
+  FemWork(const cases::CaseFile& of, const RunOptions& options)
+      : file(of),
+        folder(options.folder, options.begin),
+        model(build_fem<D>(of, load_fem_mesh(of, folder.mesh(), folder.resumes()))),
+        identity(identify(of.as<cases::FemCase>(), mesh_hash(model.mesh()))),
+        clocks(make_clocks(of.as<cases::FemCase>().time, model.step)),
+        record(folder, of, model, clocks) {
+    parallel::limit_threads(static_cast<int>(model.mesh().elements.size()) / fem_elements_per_thread);
+  }
+
+  const std::string& title() const { return file.as<cases::FemCase>().title; }
+  static std::string method() { return "fem"; }
+  std::string words() const {
+    return fmt::format("{} elements, {} freedoms, step {} s", model.mesh().elements.size(), model.stepper->free_freedoms(),
+                       number(model.step));
+  }
+  Real checkpoint_interval() const { return file.as<cases::FemCase>().output.checkpoint_interval; }
+
+  bool start() {
+    if (file.as<cases::FemCase>().gravity.settle) model.stepper->settle();
+    model.stepper->start();
+    return true;
+  }
+  bool advance(const Pause&) {
+    model.stepper->advance();
+    return true;
+  }
+  std::int64_t step() const { return model.stepper->steps(); }
+  bool takes_forces() const override { return true; }
+  void apply(std::span<const Vector3> forces) override {
+    methods::fem::NodalColumn column;
+    for (const Vector3& force : forces) column.insert(column.end(), force.data(), force.data() + D);
+    model.stepper->apply(std::move(column));
+  }
+  void read_motion(MotionTable& table) const { read_nodes(*model.stepper, table); }
+
+  ProgressState progress(Real share, Real time) const {
+    return {share, time, model.stepper->state().iterations, model.step, -1, "iterations"};
+  }
+  void columns(Archive& archive) {
+    archive.folder("stepper", [&] { model.stepper->columns(archive); });
+  }
+
+  std::uint64_t state_hash() const { return record.state_hash(); }
+  void write_case() const { observe::write_file(folder.case_file(), cases::write_resolved(file.as<cases::FemCase>(), folder.path())); }
+};
+
+template <int D>
+std::string check(const cases::CaseFile& file, const std::filesystem::path& folder) {
+  const FemModel<D> model = build_fem<D>(file, load_fem_mesh(file, folder / "mesh.msh", false));
+  const RunClocks clocks = make_clocks(file.as<cases::FemCase>().time, model.step);
+  const auto& body = model.stepper->body();
+  return cases::explain(file.as<cases::FemCase>()) +
+         fmt::format("  {:<12}{} nodes, {} elements, {} joints, mass {} {}\n", "body", model.mesh().nodes.size(),
+                     model.mesh().elements.size(), body.joints().size(), number(body.total_mass(), 6), D == 2 ? "kg/m" : "kg") +
+         fmt::format("  {:<12}{} freedoms, {} equations\n", "work", model.stepper->free_freedoms(),
+                     body.is_symmetric() ? "symmetric" : "unsymmetric") +
+         fmt::format("  {:<12}{} steps, {} to a history row\n", "", clocks.steps(), clocks.steps_per_row);
+}
+
+}  // namespace
+
+std::unique_ptr<LiveRun> open_fem(const cases::CaseFile& file, const RunOptions& options) {
+  if (file.as<cases::FemCase>().mesh.dimension == 2) return std::make_unique<CaseRun<FemWork<2>>>(file, options);
+  return std::make_unique<CaseRun<FemWork<3>>>(file, options);
+}
+
+std::string check_fem(const cases::CaseFile& file) {
+  return check_with_meshes([&](const std::filesystem::path& folder) {
+    return file.as<cases::FemCase>().mesh.dimension == 2 ? check<2>(file, folder) : check<3>(file, folder);
+  });
+}
+
+}  // namespace sazare::runs

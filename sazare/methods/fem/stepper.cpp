@@ -1,0 +1,403 @@
+#include "sazare/methods/fem/stepper.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sazare/core/error.hpp"
+#include "sazare/methods/fem/nodal_algebra.hpp"
+
+namespace sazare::methods::fem {
+
+using methods::fem::add, methods::fem::at, methods::fem::dot, methods::fem::norm, methods::fem::number, methods::fem::product;
+using methods::fem::BlockMatrix, methods::fem::NodalColumn, methods::fem::Support;
+
+template <int D>
+FemStepper<D>::FemStepper(std::unique_ptr<methods::fem::Body<D>> body, methods::fem::Supports<D> supports, const FemRules& rules)
+    : body_(std::move(body)),
+      supports_(std::move(supports)),
+      rules_(rules),
+      rayleigh_(body_->damping_matrix(rules.damping)),
+      viscous_(body_->pattern()),
+      damping_(rayleigh_),
+      state_(body_->pattern()) {
+  const NodalColumn none(body_->freedoms(), 0);
+  state_.displacement = state_.velocity = state_.acceleration = state_.internal = state_.balance = none;
+  rest_ = settled_ = state_.applied = weight_ = none;
+  NodalColumn fall = none;
+  for (std::size_t i = 0; i < fall.size(); ++i) fall[i] = supports_.gravity[static_cast<int>(i % D)];
+  weight_ = product(body_->mass(), fall);
+  for (const auto& boundary : supports_.viscous)
+    for (const auto& face : boundary.faces) viscous_.add(face.nodes, face.impedance);
+  for (std::size_t i = 0; i < damping_.values().size(); ++i) damping_.values()[i] += viscous_.values()[i];
+  state_.memory = body_->memory_at_rest();
+  methods::fem::Memory after = state_.memory;
+  body_->evaluate(state_.displacement, state_.memory, after, state_.internal, &state_.tangent);
+  prepare_solver(false);
+}
+
+/// A solver for the freedoms that nothing holds.
+template <int D>
+void FemStepper<D>::prepare_solver(bool viscous_held) {
+  is_free_.assign(body_->freedoms(), 1);
+  for (const Support& support : supports_.held) is_free_[number<D>(support.node, support.axis)] = 0;
+  if (viscous_held)
+    for (const auto& boundary : supports_.viscous)
+      for (const auto& face : boundary.faces)
+        for (const Index node : face.nodes)
+          for (int axis = 0; axis < D; ++axis) is_free_[number<D>(node, axis)] = 0;
+  solver_ = std::make_unique<methods::fem::LinearSolver<D>>(body_->pattern(), is_free_, body_->is_symmetric());
+  mass_solver_.reset();
+  factorized_.reset();
+}
+
+template <int D>
+void FemStepper<D>::apply(NodalColumn force) {
+  NodalColumn change = force;
+  add(change, -1, state_.applied);
+  state_.applied = std::move(force);
+  if (!inertia() || std::ranges::all_of(change, [](Real value) { return value == 0; })) return;
+  add(state_.balance, -1, change);
+  if (!mass_solver_) {
+    mass_solver_ = std::make_unique<methods::fem::LinearSolver<D>>(body_->pattern(), is_free_, true);
+    if (!mass_solver_->factorize(body_->mass().values())) throw PhysicsError("the mass matrix is singular");
+  }
+  add(state_.acceleration, 1, mass_solver_->solve(change));
+}
+
+template <int D>
+std::optional<methods::fem::Freedom> FemStepper<D>::find_loose_freedom() {
+  prepare_solver(true);
+  methods::fem::LinearSolver<D> symmetric(body_->pattern(), is_free_, true);
+  symmetric.factorize(state_.tangent.values());
+  prepare_solver(false);
+  return symmetric.singular();
+}
+
+template <int D>
+void FemStepper<D>::settle() {
+  stage_ = Stage::settling;
+  prepare_solver(true);
+  walk({0, 1}, rules_.most_cuts);
+  stage_ = Stage::running;
+  settled_ = state_.displacement;
+  for (const auto& boundary : supports_.viscous)
+    for (const Index node : boundary.nodes)
+      for (int axis = 0; axis < D; ++axis) {
+        const std::size_t i = number<D>(node, axis);
+        rest_[i] = state_.internal[i] - weight_[i];
+      }
+  prepare_solver(false);
+}
+
+template <int D>
+void FemStepper<D>::start() {
+  elastic_at_start_ = body_->energies(state_.displacement, state_.displacement, state_.memory, state_.memory).elastic;
+  state_.work = {};
+  Trial now{state_.displacement, state_.velocity, state_.acceleration, state_.internal, external(0), state_.memory};
+  for (const Support& support : supports_.held) {
+    if (support.motion == Support::no_motion) continue;
+    const auto motion = supports_.motions[at(support.motion)].at(0);
+    const std::size_t i = number<D>(support.node, support.axis);
+    now.velocity[i] = motion.velocity;
+    now.acceleration[i] = motion.acceleration;
+  }
+  state_.velocity = now.velocity;
+  state_.balance = balance_of(now);
+  if (!inertia()) return;
+  NodalColumn right = product(body_->mass(), now.acceleration);
+  add(right, 1, state_.balance);
+  for (Real& value : right) value = -value;
+  if (!solver_->factorize(body_->mass().values())) throw PhysicsError("the mass matrix is singular");
+  factorized_.reset();
+  state_.acceleration = now.acceleration;
+  add(state_.acceleration, 1, solver_->solve(right));
+}
+
+template <int D>
+void FemStepper<D>::advance() {
+  const Real from = time();
+  walk({from, static_cast<Real>(state_.steps + 1) * rules_.step - from}, rules_.most_cuts);
+  ++state_.steps;
+}
+
+template <int D>
+void FemStepper<D>::restore(const FemState<D>& saved) {
+  state_ = saved;
+  if (body_->is_linear()) return;  // then neither the tangent nor its factors have changed
+  body_->forget_tangent();
+  factorized_.reset();
+}
+
+/// Over the span, in halves where that does not converge.
+template <int D>
+void FemStepper<D>::walk(const Span& span, int cuts_left) {
+  // Where all is linear, nothing is tried that a return would have to take back.
+  const std::optional<FemState<D>> saved = body_->is_linear() ? std::nullopt : std::optional(state_);
+  if (attempt(span)) return;
+  if (!saved || cuts_left == 0) give_up(span);
+  restore(*saved);
+  ++state_.cuts;
+  const Span first{span.from, 0.5 * span.length};
+  walk(first, cuts_left - 1);
+  walk({span.from + first.length, span.length - first.length}, cuts_left - 1);
+}
+
+template <int D>
+void FemStepper<D>::give_up(const Span& span) const {
+  const std::string where = stage_ == Stage::settling
+                                ? fmt::format("there is no equilibrium under {:.4g} of gravity", span.from + span.length)
+                                : fmt::format("there is no equilibrium at t = {:.6g} s", span.from + span.length);
+  throw PhysicsError(fmt::format(
+      "{}: Newton's iteration does not converge\n"
+      "  tried: {} iterations with line search in a step, and steps cut to 1/{} of the case's; at last {}\n"
+      "  a body that fails cannot carry its loads at rest: look at its strength and loads, or give it inertia (time.analysis = "
+      "\"dynamic\")",
+      where, rules_.most_iterations, 1 << rules_.most_cuts, last_failure_));
+}
+
+template <int D>
+typename FemStepper<D>::Factors FemStepper<D>::factors(Real length) const {
+  if (!inertia()) return {};
+  const Real beta = 0.25 * (1 - rules_.alpha) * (1 - rules_.alpha), gamma = 0.5 - rules_.alpha;
+  return {1 / (beta * length * length), gamma / (beta * length), 1 + rules_.alpha};
+}
+
+/// Forces on the nodes at a time; while settling, at a share of gravity.
+template <int D>
+NodalColumn FemStepper<D>::external(Real now) const {
+  NodalColumn force = weight_;
+  if (stage_ == Stage::settling) {
+    for (Real& value : force) value *= now;
+    return force;
+  }
+  for (const auto& load : supports_.loads) add(force, load.share(now), load.force);
+  add(force, 1, state_.applied);
+  add(force, 1, rest_);
+  if (inertia()) add(force, 1, incoming(now));
+  return force;
+}
+
+/// What brings in the waves of viscous boundaries.
+template <int D>
+NodalColumn FemStepper<D>::incoming(Real now) const {
+  NodalColumn force(body_->freedoms(), 0);
+  for (const auto& boundary : supports_.viscous) {
+    Vector<D> velocity = Vector<D>::Zero();
+    for (int axis = 0; axis < D; ++axis)
+      if (const Index motion = boundary.motion[static_cast<std::size_t>(axis)]; motion != Support::no_motion)
+        velocity[axis] = supports_.motions[at(motion)].at(now).velocity;
+    if (velocity.isZero()) continue;
+    for (const auto& face : boundary.faces) {
+      const Eigen::VectorXd all = velocity.replicate(static_cast<Eigen::Index>(face.nodes.size()), 1);
+      const Eigen::VectorXd part = 2 * (face.impedance * all);
+      for (std::size_t i = 0; i < face.nodes.size(); ++i)
+        for (int axis = 0; axis < D; ++axis)
+          force[number<D>(face.nodes[i], axis)] += part[static_cast<Eigen::Index>(i) * D + axis];
+    }
+  }
+  return force;
+}
+
+/// The beginning of an iteration: free nodes stay where they are, supports move as they must; `prescribed` is how far.
+template <int D>
+typename FemStepper<D>::Trial FemStepper<D>::predict(const Span& span, NodalColumn& prescribed) {
+  const Real to = span.from + span.length, dt = span.length;
+  Trial trial{state_.displacement, state_.velocity, state_.acceleration, state_.internal, external(to), state_.memory};
+  if (inertia()) {
+    const Real beta = 0.25 * (1 - rules_.alpha) * (1 - rules_.alpha), gamma = 0.5 - rules_.alpha;
+    for (std::size_t i = 0; i < trial.velocity.size(); ++i) {
+      const Real v = state_.velocity[i], a = state_.acceleration[i];
+      trial.acceleration[i] = -v / (beta * dt) - (0.5 / beta - 1) * a;
+      trial.velocity[i] = v + dt * ((1 - gamma) * a + gamma * trial.acceleration[i]);
+    }
+  }
+  prescribed.assign(body_->freedoms(), 0);
+  for (const Support& support : supports_.held) {
+    const std::size_t i = number<D>(support.node, support.axis);
+    trial.velocity[i] = trial.acceleration[i] = 0;
+    if (support.motion == Support::no_motion || stage_ == Stage::settling) continue;
+    const auto motion = supports_.motions[at(support.motion)].at(to);
+    prescribed[i] = settled_[i] + motion.displacement - state_.displacement[i];
+    if (!inertia()) continue;
+    trial.velocity[i] = motion.velocity;
+    trial.acceleration[i] = motion.acceleration;
+  }
+  return trial;
+}
+
+/// True when the step, or equilibrium, is found; then it counts.
+template <int D>
+bool FemStepper<D>::attempt(const Span& span) {
+  NodalColumn prescribed;
+  Trial trial = predict(span, prescribed);
+  if (!iterate(trial, factors(span.length), prescribed)) return false;
+  commit(trial, span);
+  return true;
+}
+
+/// Newton's iteration. The first change is found with the supports' motion as the tangent tells it, so that it does not appear as
+/// strain of the elements beside them alone.
+template <int D>
+bool FemStepper<D>::iterate(Trial& trial, const Factors& by, const NodalColumn& prescribed) {
+  state_.tangent.multiply(prescribed, 1, trial.internal);
+  Real scale = 0, left = 0;
+  for (int iteration = 0; iteration < rules_.most_iterations; ++iteration) {
+    NodalColumn right = unbalance(trial, scale);
+    for (Real& value : right) value = -value;
+    if (!factorize(by)) {
+      last_failure_ = "the tangent was singular";
+      return false;
+    }
+    NodalColumn change = solver_->solve(right);
+    if (iteration == 0) {
+      add(trial.displacement, 1, prescribed);
+      left = norm(right);
+    }
+    ++state_.iterations;
+    left = search(trial, change, by, left, iteration > 0);
+    unbalance(trial, scale);
+    if (!std::isfinite(left)) break;
+    if (left <= rules_.tolerance * scale) return true;
+  }
+  last_failure_ =
+      fmt::format("{:.3g} of the forces were left, {:.3g} are asked for", scale > 0 ? left / scale : left, rules_.tolerance);
+  return false;
+}
+
+/// Moves by a change, or by the half of it as often as that leaves less unbalanced force than before. Returns what is left.
+template <int D>
+Real FemStepper<D>::search(Trial& trial, const NodalColumn& change, const Factors& by, Real before, bool may_shorten) {
+  constexpr int most_halves = 5;
+  Real share = 1, scale = 0, left = 0;
+  move(trial, change, 1, by);
+  evaluate(trial);
+  left = norm(unbalance(trial, scale));
+  for (int halves = 0; may_shorten && halves < most_halves && !(left < before) && left > rules_.tolerance * scale; ++halves) {
+    move(trial, change, -0.5 * share, by);
+    share *= 0.5;
+    evaluate(trial);
+    left = norm(unbalance(trial, scale));
+  }
+  return left;
+}
+
+template <int D>
+void FemStepper<D>::move(Trial& trial, const NodalColumn& change, Real share, const Factors& by) const {
+  add(trial.displacement, share, change);
+  if (!inertia()) return;
+  add(trial.velocity, share * by.damping, change);
+  add(trial.acceleration, share * by.mass, change);
+}
+
+template <int D>
+void FemStepper<D>::evaluate(Trial& trial) {
+  if (body_->evaluate(trial.displacement, state_.memory, trial.memory, trial.internal, &state_.tangent)) factorized_.reset();
+}
+
+template <int D>
+NodalColumn FemStepper<D>::balance_of(const Trial& trial) const {
+  NodalColumn balance = trial.internal;
+  add(balance, -1, trial.external);
+  if (inertia()) damping_.multiply(trial.velocity, 1, balance);
+  return balance;
+}
+
+/// The unbalanced forces of a trial, 0 where a support takes them; `scale` is the size of the forces in play.
+template <int D>
+NodalColumn FemStepper<D>::unbalance(const Trial& trial, Real& scale) const {
+  NodalColumn rest = balance_of(trial);
+  scale = std::max(norm(trial.internal), norm(trial.external));
+  if (inertia()) {
+    for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = (1 + rules_.alpha) * rest[i] - rules_.alpha * state_.balance[i];
+    const NodalColumn inertial = product(body_->mass(), trial.acceleration);
+    scale = std::max(scale, norm(inertial));
+    add(rest, 1, inertial);
+  }
+  for (std::size_t i = 0; i < rest.size(); ++i)
+    if (!is_free_[i]) rest[i] = 0;
+  return rest;
+}
+
+template <int D>
+bool FemStepper<D>::factorize(const Factors& by) {
+  if (factorized_ == by) return true;
+  std::vector<Real> blocks(state_.tangent.values());
+  if (inertia()) {
+    const auto &m = body_->mass().values(), &c = damping_.values();
+    for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i] = by.stiffness * (blocks[i] + by.damping * c[i]) + by.mass * m[i];
+  }
+  factorized_.reset();
+  if (!solver_->factorize(blocks)) return false;
+  factorized_ = by;
+  return true;
+}
+
+template <int D>
+void FemStepper<D>::commit(Trial& trial, const Span& span) {
+  const NodalColumn balance = balance_of(trial);
+  book(trial, balance, span);
+  state_.displacement.swap(trial.displacement);
+  state_.velocity.swap(trial.velocity);
+  state_.acceleration.swap(trial.acceleration);
+  state_.internal.swap(trial.internal);
+  state_.memory = std::move(trial.memory);
+  state_.balance = balance;
+}
+
+template <int D>
+NodalColumn FemStepper<D>::reactions() const {
+  NodalColumn force = state_.balance;
+  if (inertia()) body_->mass().multiply(state_.acceleration, 1, force);
+  for (std::size_t i = 0; i < force.size(); ++i)
+    if (is_free_[i]) force[i] = 0;
+  return force;
+}
+
+template <int D>
+Vector<D> FemStepper<D>::viscous_force(std::size_t boundary) const {
+  Vector<D> sum = Vector<D>::Zero();
+  const auto& one = supports_.viscous[boundary];
+  for (int axis = 0; axis < D; ++axis) {
+    const Index motion = one.motion[static_cast<std::size_t>(axis)];
+    const Real entering = motion == Support::no_motion ? 0 : supports_.motions[at(motion)].at(time()).velocity;
+    for (const auto& face : one.faces)
+      for (std::size_t i = 0; i < face.nodes.size(); ++i) {
+        const Real relative = 2 * entering - state_.velocity[number<D>(face.nodes[i], axis)];
+        const auto column = static_cast<Eigen::Index>(i) * D + axis;
+        for (Eigen::Index row = 0; row < face.impedance.rows(); ++row)
+          sum[static_cast<int>(row % D)] += face.impedance(row, column) * relative;
+      }
+    for (const Index node : one.nodes) sum[axis] += rest_[number<D>(node, axis)];
+  }
+  return sum;
+}
+
+template <int D>
+void FemStepper<D>::columns(Archive& archive) {
+  archive("steps", state_.steps);
+  archive("iterations", state_.iterations);
+  archive("cuts", state_.cuts);
+  archive("displacement", state_.displacement);
+  archive("velocity", state_.velocity);
+  archive("acceleration", state_.acceleration);
+  archive("internal", state_.internal);
+  archive("balance", state_.balance);
+  archive("applied", state_.applied);
+  archive("plastic", state_.memory.solids);
+  archive("slip", state_.memory.joints);
+  archive("tangent", state_.tangent.values());
+  archive("settled", settled_);
+  archive("rest", rest_);
+  archive("elastic_at_start", elastic_at_start_);
+  std::vector<FemWork> work = {state_.work};
+  archive("work", work);
+  state_.work = work.at(0);
+  if (archive.reading()) restore(FemState<D>(state_));
+}
+
+template class FemStepper<2>;
+template class FemStepper<3>;
+
+}  // namespace sazare::methods::fem

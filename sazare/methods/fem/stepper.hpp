@@ -1,0 +1,163 @@
+#pragma once
+
+/// Walks a body of finite elements through time, or through a sequence of equilibria.
+
+#include <memory>
+#include <optional>
+
+#include "sazare/core/archive.hpp"
+#include "sazare/methods/fem/body.hpp"
+#include "sazare/methods/fem/linear_solver.hpp"
+#include "sazare/methods/fem/supports.hpp"
+
+namespace sazare::methods::fem {
+
+struct FemRules {
+  Real step = 0;             ///< [s]
+  bool statics = false;      ///< no inertia and no damping: each step is an equilibrium, time only counts loads and motions
+  Real alpha = 0;            ///< of Hilber, Hughes and Taylor, -1/3 to 0; 0 is Newmark's step of constant mean acceleration
+  Real tolerance = 1e-8;     ///< unbalanced force left, over the largest of the forces in play
+  int most_iterations = 20;  ///< of Newton in a step
+  int most_cuts = 8;         ///< a step that does not converge is halved so often
+  laws::RayleighDamping damping;
+};
+
+/// Work done since the beginning, by cause [J]; in 2-D per metre across the plane [J/m].
+struct FemWork {
+  Real gravity = 0;
+  Real loads = 0;      ///< tractions, and forces applied from outside
+  Real boundary = 0;   ///< of supports that move, and of what viscous boundaries carry at rest
+  Real waves = 0;      ///< that come in through viscous boundaries
+  Real damping = 0;    ///< taken by Rayleigh's damping
+  Real radiation = 0;  ///< taken by viscous boundaries
+  Real plastic = 0;    ///< taken by flow
+  Real friction = 0;   ///< taken by joints
+};
+
+/// All that a step changes: a copy of it is a place to which the stepper can return.
+template <int D>
+struct FemState {
+  explicit FemState(const methods::fem::NodePattern& pattern) : tangent(pattern) {}
+
+  std::int64_t steps = 0;
+  std::int64_t iterations = 0;  ///< of Newton so far
+  std::int64_t cuts = 0;        ///< halved steps so far
+  methods::fem::NodalColumn displacement, velocity, acceleration;
+  methods::fem::NodalColumn internal;  ///< forces of elements and joints [N]
+  methods::fem::NodalColumn balance;   ///< damping and internal forces less external ones [N]
+  methods::fem::NodalColumn applied;   ///< forces from outside [N]
+  methods::fem::Memory memory;
+  methods::fem::BlockMatrix<D> tangent;  ///< of the internal forces, with which the next step begins
+  FemWork work;
+};
+
+/// Step: M a(n+1) + (1 + alpha) b(n+1) - alpha b(n) = 0, with b = C v + f(u) - p of the damping, internal and external forces,
+/// and Newmark's u(n+1) = u + dt v + dt^2 ((1/2 - beta) a(n) + beta a(n+1)), v(n+1) = v + dt ((1 - gamma) a(n) + gamma a(n+1));
+/// beta = (1 - alpha)^2/4, gamma = 1/2 - alpha. Hilber, Hughes and Taylor, Earthquake Eng. Struct. Dyn. 5 (1977) 283-292.
+template <int D>
+class FemStepper {
+public:
+  FemStepper(std::unique_ptr<methods::fem::Body<D>> body, methods::fem::Supports<D> supports, const FemRules& rules);
+
+  /// A freedom that nothing holds when the body is at rest, joints closed; none where the stiffness is regular.
+  std::optional<methods::fem::Freedom> find_loose_freedom();
+
+  /// Finds the equilibrium under gravity before the beginning: viscous boundaries carry what they carry in it, and motions begin
+  /// from there. Throws PhysicsError where there is none.
+  void settle();
+
+  /// Finds the accelerations at the beginning; call once before the first `advance`, not after a resume.
+  void start();
+
+  /// Throws PhysicsError, saying what was tried, where Newton's iteration does not converge.
+  void advance();
+
+  /// Forces on nodes from outside, such as from bodies that touch a face [N]; they act in full until others are given.
+  /// Accelerations jump with them, so that the impulse of a step is that of the force, and so is its work.
+  void apply(methods::fem::NodalColumn force);
+
+  /// For windows that are gone through again: `restore(saved)` and `advance` give the same bits as the first time.
+  const FemState<D>& state() const { return state_; }
+  void restore(const FemState<D>& saved);
+
+  std::int64_t steps() const { return state_.steps; }
+  Real time() const { return static_cast<Real>(state_.steps) * rules_.step; }
+  const FemRules& rules() const { return rules_; }
+  const methods::fem::Body<D>& body() const { return *body_; }
+  const methods::fem::Supports<D>& supports() const { return supports_; }
+  const methods::fem::NodalColumn& settled() const { return settled_; }
+  std::size_t free_freedoms() const { return solver_->freedoms(); }
+  std::size_t factor_entries() const { return solver_->factor_entries(); }
+
+  /// Forces of supports on the nodes that they hold, 0 on all others [N].
+  methods::fem::NodalColumn reactions() const;
+
+  /// Of a viscous boundary on the body [N].
+  Vector<D> viscous_force(std::size_t number) const;
+
+  Real kinetic_energy() const;
+  /// Stored, since the beginning [J].
+  Real elastic_energy() const;
+  const FemWork& work() const { return state_.work; }
+  /// Work that is found nowhere [J]; with alpha < 0 what the step itself takes.
+  Real energy_residual() const;
+
+  void columns(Archive& archive);
+
+private:
+  enum class Stage { settling, running };
+  struct Span {
+    Real from = 0, length = 0;  ///< [s]; while settling, shares of gravity
+  };
+  /// Factors of the mass, damping and tangent in the matrix of a step.
+  struct Factors {
+    Real mass = 0, damping = 0, stiffness = 1;
+    bool operator==(const Factors&) const = default;
+  };
+  struct Trial {
+    methods::fem::NodalColumn displacement, velocity, acceleration, internal, external;
+    methods::fem::Memory memory;
+  };
+
+  bool inertia() const { return stage_ == Stage::running && !rules_.statics; }
+  Factors factors(Real length) const;
+  methods::fem::NodalColumn external(Real at) const;
+  methods::fem::NodalColumn incoming(Real at) const;
+  void walk(const Span& span, int cuts_left);
+  bool attempt(const Span& span);
+  Trial predict(const Span& span, methods::fem::NodalColumn& prescribed);
+  bool iterate(Trial& trial, const Factors& by, const methods::fem::NodalColumn& prescribed);
+  Real search(Trial& trial, const methods::fem::NodalColumn& change, const Factors& by, Real before, bool may_shorten);
+  void move(Trial& trial, const methods::fem::NodalColumn& change, Real share, const Factors& by) const;
+  void evaluate(Trial& trial);
+  methods::fem::NodalColumn balance_of(const Trial& trial) const;
+  methods::fem::NodalColumn unbalance(const Trial& trial, Real& scale) const;
+  bool factorize(const Factors& by);
+  void commit(Trial& trial, const Span& span);
+  void book(const Trial& trial, const methods::fem::NodalColumn& balance, const Span& span);
+  void prepare_solver(bool viscous_held);
+  [[noreturn]] void give_up(const Span& span) const;
+
+  std::unique_ptr<methods::fem::Body<D>> body_;
+  methods::fem::Supports<D> supports_;
+  FemRules rules_;
+  methods::fem::BlockMatrix<D> rayleigh_;  ///< C of the body
+  methods::fem::BlockMatrix<D> viscous_;   ///< C of the viscous boundaries
+  methods::fem::BlockMatrix<D> damping_;   ///< both
+  methods::fem::NodalColumn weight_;       ///< M g [N]
+  methods::fem::NodalColumn rest_;         ///< what viscous boundaries carry at rest [N]
+  methods::fem::NodalColumn settled_;      ///< displacements at the beginning [m]
+  std::vector<char> is_free_;
+  Stage stage_ = Stage::running;
+  FemState<D> state_;
+  Real elastic_at_start_ = 0;  ///< [J]
+  std::unique_ptr<methods::fem::LinearSolver<D>> solver_;
+  std::unique_ptr<methods::fem::LinearSolver<D>> mass_solver_;  ///< made when forces from outside first change
+  std::optional<Factors> factorized_;                           ///< of what the solver holds, while the tangent has not changed
+  std::string last_failure_;                                    ///< of an attempt
+};
+
+extern template class FemStepper<2>;
+extern template class FemStepper<3>;
+
+}  // namespace sazare::methods::fem

@@ -1,0 +1,24 @@
+#include <fmt/format.h>
+
+#include "sazare/cases/format/number_text.hpp"
+#include "sazare/methods/hybrid/case/continuum.hpp"
+#include "sazare/methods/hybrid/case/fields.hpp"
+#include "sazare/methods/hybrid/case/format.hpp"
+
+namespace sazare::cases {
+
+std::string explain(const HybridCase& hybrid) {
+  const auto line = [](std::string_view topic, const std::string& text) { return fmt::format("  {:<12}{}\n", topic, text); };
+  const HybridSurface& of = hybrid.surface;
+  const std::string surface = of.group + (of.material.empty() ? "" : fmt::format(", in contact as {}", of.material)) +
+                              (of.width > 0 ? fmt::format(", a slab of {} m", short_number(of.width)) : "");
+  const HybridCoupling& coupling = hybrid.coupling;
+  std::string scheme(EnumWords<HybridScheme>::words.at(static_cast<std::size_t>(coupling.scheme)));
+  if (coupling.scheme == HybridScheme::repeat)
+    scheme +=
+        fmt::format(", until {} of the force is left, {} passes at most", short_number(coupling.tolerance), coupling.passes);
+  return hybrid.title + "\n" + line("surface", surface) +
+         line("coupling", fmt::format("{}, windows of {} s", scheme, short_number(*continuum_of(hybrid).time.step)));
+}
+
+}  // namespace sazare::cases

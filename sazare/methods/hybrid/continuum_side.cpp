@@ -1,0 +1,158 @@
+#include "sazare/methods/hybrid/continuum_side.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sazare/core/error.hpp"
+#include "sazare/methods/hybrid/agreement.hpp"
+
+namespace sazare::methods::hybrid {
+
+namespace {
+
+/// Values of the surface's nodes, out of those of all.
+template <int D>
+std::vector<Real> of_surface(const geometry::LinearSurface& surface, const NodalColumn& all) {
+  std::vector<Real> values;
+  for (const Index node : surface.nodes)
+    for (int axis = 0; axis < D; ++axis) values.push_back(all[number<D>(node, axis)]);
+  return values;
+}
+
+std::vector<Real> difference(std::vector<Real> values, const std::vector<Real>& others) {
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] -= others[i];
+  return values;
+}
+
+std::vector<Real> sum_of(std::vector<Real> values, const std::vector<Real>& others) {
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] += others[i];
+  return values;
+}
+
+}  // namespace
+
+template <int D>
+coupling::SurfaceShape ContinuumSide<D>::shape() const {
+  coupling::SurfaceShape shape;
+  shape.dimension = D;
+  shape.width = D == 2 ? rules_.width : 1;
+  shape.window = stepper_->rules().step;
+  shape.faces.assign(surface_.faces.begin(), surface_.faces.end());
+  const std::vector<Real> settled = of_surface<D>(surface_, stepper_->settled());
+  for (std::size_t n = 0; n < nodes(); ++n)
+    for (int axis = 0; axis < D; ++axis) {
+      const Vector3& place = stepper_->body().mesh().nodes[static_cast<std::size_t>(surface_.nodes[n])];
+      shape.nodes.push_back(place[axis] + settled[n * D + static_cast<std::size_t>(axis)]);
+    }
+  return shape;
+}
+
+template <int D>
+void ContinuumSide<D>::start(const coupling::SurfaceForce& force) {
+  force_ = force;
+  carry_.assign(nodes() * D, 0);
+}
+
+/// Where the surface is, at the end of the window that the stepper has gone through last.
+template <int D>
+coupling::SurfaceMotion ContinuumSide<D>::motion(std::int32_t pass) const {
+  const auto& state = stepper_->state();
+  return {state.steps - 1, pass, stepper_->time(),
+          difference(of_surface<D>(surface_, state.displacement), of_surface<D>(surface_, stepper_->settled())),
+          of_surface<D>(surface_, state.velocity)};
+}
+
+template <int D>
+coupling::SurfaceForce ContinuumSide<D>::try_window(coupling::ContinuumChannel& channel, const std::vector<Real>& force,
+                                                    std::int32_t pass) {
+  NodalColumn all(stepper_->body().freedoms(), 0);
+  for (std::size_t n = 0; n < nodes(); ++n)
+    for (int axis = 0; axis < D; ++axis)
+      all[number<D>(surface_.nodes[n], axis)] = force[n * D + static_cast<std::size_t>(axis)];
+  stepper_->apply(std::move(all));
+  stepper_->advance();
+  ++ledger_.passes;
+  return channel.exchange(motion(pass));
+}
+
+template <int D>
+void ContinuumSide<D>::advance(coupling::ContinuumChannel& channel) {
+  if (rules_.scheme == CouplingScheme::repeat) return repeat(channel);
+  const std::vector<Real> applied = rules_.scheme == CouplingScheme::paper ? force_.last : force_.mean;
+  const std::vector<Real> before = of_surface<D>(surface_, stepper_->state().displacement);
+  force_ = try_window(channel, applied, 0);
+  book(applied, before);
+}
+
+/// The continuum moves with the force that it is to bring about and with the carry.
+template <int D>
+void ContinuumSide<D>::repeat(coupling::ContinuumChannel& channel) {
+  const ContinuumState<D> saved = stepper_->state();
+  const std::vector<Real> before = of_surface<D>(surface_, saved.displacement);
+  Agreement agreement;
+  std::vector<Real> tried = force_.mean;
+  for (std::int32_t pass = 0; pass < rules_.most_passes; ++pass) {
+    if (pass > 0) stepper_->restore(saved);
+    const std::vector<Real> applied = sum_of(tried, carry_);
+    force_ = try_window(channel, applied, pass);
+    const std::vector<Real> gap = difference(force_.mean, tried);
+    const Real scale = std::max(norm(force_.mean), norm(tried));
+    disagreement_ = scale > 0 ? norm(gap) / scale : 0;
+    if (disagreement_ <= rules_.tolerance) {
+      book(applied, before);
+      carry_ = gap;
+      return;
+    }
+    tried = agreement.next(tried, force_.mean);
+  }
+  throw PhysicsError(
+      fmt::format("force and motion of the surface do not agree at t = {:.6g} s\n"
+                  "  tried: {} passes through the window; {:.3g} of the force is left, {:.3g} is asked for\n"
+                  "  a shorter window (the step of the finite elements) agrees sooner; so does a heavier or stiffer surface",
+                  stepper_->time(), rules_.most_passes, disagreement_, rules_.tolerance));
+}
+
+template <int D>
+void ContinuumSide<D>::book(const std::vector<Real>& applied, const std::vector<Real>& before) {
+  const std::vector<Real> moved = difference(of_surface<D>(surface_, stepper_->state().displacement), before);
+  const Real window = stepper_->rules().step, width = D == 2 ? rules_.width : 1;
+  ledger_.given += window * sum(force_.mean);
+  ledger_.taken += window * sum(applied);
+  ledger_.work_on_nodes += width * dot(applied, moved);
+  ledger_.work_on_bodies -= width * dot(force_.mean, moved);
+  ++ledger_.windows;
+}
+
+/// Of all nodes, over the whole width.
+template <int D>
+Vector3 ContinuumSide<D>::sum(const std::vector<Real>& values) const {
+  Vector3 total = Vector3::Zero();
+  for (std::size_t i = 0; i < values.size(); ++i) total[static_cast<int>(i % D)] += values[i];
+  return D == 2 ? Vector3(rules_.width * total) : total;
+}
+
+template <int D>
+Vector3 ContinuumSide<D>::mean_displacement() const {
+  const std::vector<Real> moved = motion(0).displacement;
+  Vector3 total = Vector3::Zero();
+  for (std::size_t i = 0; i < moved.size(); ++i) total[static_cast<int>(i % D)] += moved[i];
+  return total / static_cast<Real>(nodes());
+}
+
+template <int D>
+void ContinuumSide<D>::columns(Archive& archive) {
+  archive("mean", force_.mean);
+  archive("last", force_.last);
+  archive("carry", carry_);
+  archive("disagreement", disagreement_);
+  std::vector<CouplingLedger> ledger = {ledger_};
+  archive("ledger", ledger);
+  ledger_ = ledger.at(0);
+}
+
+template class ContinuumSide<2>;
+template class ContinuumSide<3>;
+
+}  // namespace sazare::methods::hybrid

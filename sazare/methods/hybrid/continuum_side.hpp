@@ -1,0 +1,92 @@
+#pragma once
+
+/// The side of finite elements in a coupling: it leads, window by window, each one of its steps.
+///
+/// What bodies put on the nodes of the surface is known only after the window for which the continuum needs it. Three schemes:
+///
+///     paper     the force at the end of the window before, held through the window (Nakase et al., the method's fig. 1)
+///     impulse   the mean force of the window before: nothing of the bodies' impulse is lost, it comes a window later
+///     repeat    windows are gone through again until the force with which the continuum moved is the mean of what it brings
+///     about;
+///               what is left between the two goes into the next window
+
+#include <string>
+
+#include "sazare/coupling/channel.hpp"
+#include "sazare/geometry/linear_surface.hpp"
+#include "sazare/methods/hybrid/continuum.hpp"
+
+namespace sazare::methods::hybrid {
+
+enum class CouplingScheme { paper, impulse, repeat };
+
+struct CouplingRules {
+  CouplingScheme scheme = CouplingScheme::impulse;
+  Real width = 1;         ///< of the slab of bodies, in the plane [m]
+  Real tolerance = 1e-4;  ///< of repeat: largest difference of forces, over the larger of the two
+  int most_passes = 20;   ///< of repeat
+};
+
+/// What went over the surface since the beginning, of the whole width.
+struct CouplingLedger {
+  Vector3 given = Vector3::Zero();  ///< impulse of the bodies on the nodes [N s]
+  Vector3 taken = Vector3::Zero();  ///< impulse with which the continuum has moved [N s]
+  Real work_on_nodes = 0;           ///< of the forces with which the continuum has moved [J]
+  Real work_on_bodies = 0;          ///< of the moving surface [J]
+  std::int64_t windows = 0, passes = 0;
+
+  Vector3 under_way() const { return given - taken; }
+  /// Energy that both sides have got of each other's motion, and that is nobody's loss [J].
+  Real made() const { return work_on_nodes + work_on_bodies; }
+};
+
+template <int D>
+class ContinuumSide {
+public:
+  /// The stepper must outlive the side.
+  ContinuumSide(ContinuumStepper<D>& stepper, geometry::LinearSurface surface, const CouplingRules& rules)
+      : stepper_(&stepper), surface_(std::move(surface)), rules_(rules) {}
+
+  /// With the nodes where the body has settled.
+  coupling::SurfaceShape shape() const;
+
+  /// Takes the forces at the beginning, after the stepper has started.
+  void start(const coupling::SurfaceForce& force);
+
+  /// Goes through a window. Throws PhysicsError where force and motion do not come to agree.
+  void advance(coupling::ContinuumChannel& channel);
+
+  const CouplingLedger& ledger() const { return ledger_; }
+  const CouplingRules& rules() const { return rules_; }
+  /// Of the bodies on the whole surface in the last window, and at its end [N].
+  Vector3 mean_force() const { return sum(force_.mean); }
+  Vector3 last_force() const { return sum(force_.last); }
+  /// Mean of the nodes, since the beginning [m].
+  Vector3 mean_displacement() const;
+
+  /// Difference between the force tried and found in the last window, over the larger one; of repeat.
+  Real disagreement() const { return disagreement_; }
+
+  void columns(Archive& archive);
+
+private:
+  std::size_t nodes() const { return surface_.nodes.size(); }
+  coupling::SurfaceMotion motion(std::int32_t pass) const;
+  coupling::SurfaceForce try_window(coupling::ContinuumChannel& channel, const std::vector<Real>& force, std::int32_t pass);
+  void repeat(coupling::ContinuumChannel& channel);
+  void book(const std::vector<Real>& applied, const std::vector<Real>& displacement_before);
+  Vector3 sum(const std::vector<Real>& values) const;
+
+  ContinuumStepper<D>* stepper_;
+  geometry::LinearSurface surface_;
+  CouplingRules rules_;
+  coupling::SurfaceForce force_;  ///< of the last window
+  std::vector<Real> carry_;       ///< what repeat left between the force tried and found [N]
+  Real disagreement_ = 0;
+  CouplingLedger ledger_;
+};
+
+extern template class ContinuumSide<2>;
+extern template class ContinuumSide<3>;
+
+}  // namespace sazare::methods::hybrid

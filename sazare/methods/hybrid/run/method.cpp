@@ -1,0 +1,54 @@
+#include "sazare/methods/hybrid/run/method.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sazare/cases/format/number_text.hpp"
+#include "sazare/methods/hybrid/case/format.hpp"
+#include "sazare/methods/hybrid/run/columns.hpp"
+#include "sazare/methods/hybrid/run/run.hpp"
+#include "sazare/runs/record_columns.hpp"
+#include "sazare/runs/summary.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+std::string bodies_text(const observe::Manifest& manifest) {
+  for (const auto& [name, words] : {std::pair{"particles", "spheres"}, {"body_elements", "rectangles"}, {"blocks", "blocks"}})
+    if (std::ranges::any_of(manifest.results, [&](const auto& result) { return result.first == name; }))
+      return fmt::format("{} {}", figure_text(manifest, name, 12), words);
+  return "no bodies";
+}
+
+std::string hybrid_summary(const observe::Manifest& manifest) {
+  const auto number = [&](std::string_view name, int digits = 4) { return figure_text(manifest, name, digits); };
+  std::string text;
+  text += fmt::format("sides           {} elements, {}; {} windows of {} s, {} passes\n", number("elements", 12), bodies_text(manifest),
+             number("windows", 12), number("window"), number("passes", 12));
+  text += fmt::format("surface         force up to {} N, moved up to {} m\n", number("peak_force"), number("peak_displacement"));
+  text += fmt::format("energy          {} J over the surface, {} J made there, {} J unaccounted\n", number("work_on_nodes"),
+             number("energy_made", 2), number("energy_residual", 2));
+  return text + wall_time_line(manifest);
+}
+
+FolderTables tables_of_hybrid() {
+  return {.figures = {{"`hybrid`", {columns::hybrid::figures}}, {"`--side` of `hybrid`", {columns::hybrid::exchange}}},
+          .history = {{"`hybrid`", {columns::hybrid::history}}},
+          .gauges = {},
+          .files = {},
+          .snapshots = {}};
+}
+
+}  // namespace
+
+Method hybrid_method() {
+  return {.format = cases::hybrid_format(),
+          .open = open_hybrid,
+          .check = check_hybrid,
+          .summary = hybrid_summary,
+          .tables = tables_of_hybrid};
+}
+
+}  // namespace sazare::runs

@@ -1,0 +1,229 @@
+#include "sazare/methods/hybrid/run/run.hpp"
+
+#include "sazare/methods/hybrid/case/format.hpp"
+#include "sazare/methods/hybrid/run/continuum.hpp"
+#include "sazare/methods/hybrid/run/coupled_bodies.hpp"
+#include "sazare/methods/hybrid/run/identity.hpp"
+#include "sazare/methods/hybrid/run/model.hpp"
+#include "sazare/methods/hybrid/run/record.hpp"
+#include "sazare/observe/atomic_file.hpp"
+#include "sazare/runs/case_run.hpp"
+#include "sazare/runs/temporary_folder.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+std::string number(Real value, int digits = 4) { return cases::short_number(value, digits); }
+
+/// Measures how long the bodies take.
+class TimedChannel final : public coupling::ContinuumChannel {
+public:
+  TimedChannel(methods::hybrid::BodySide& bodies, RunTimes& times, levels::PartTime& part)
+      : channel_(bodies), times_(&times), part_(&part) {}
+
+  coupling::SurfaceForce open(const coupling::SurfaceShape& shape) override { return channel_.open(shape); }
+  coupling::SurfaceForce exchange(const coupling::SurfaceMotion& motion) override {
+    const Real before = times_->now();
+    coupling::SurfaceForce force = channel_.exchange(motion);
+    part_->seconds += times_->now() - before;
+    return force;
+  }
+  void close() override { channel_.close(); }
+
+private:
+  methods::hybrid::DirectChannel channel_;
+  RunTimes* times_;
+  levels::PartTime* part_;
+};
+
+/// The folder of a side: as of a run alone, but for the checkpoint, which both have together.
+RunFolder side_folder(const RunFolder& whole, const char* name, Begin begin) {
+  const auto path = whole.path() / name;
+  return begin == Begin::resume ? RunFolder::of_another(path, begin) : RunFolder(path, begin);
+}
+
+/// The two sides of a case, ready to begin or to be resumed.
+template <int D, class Bodies>
+struct HybridModel {
+  ContinuumModel<D> continuum;
+  Bodies bodies;
+  methods::hybrid::ContinuumSide<D> continuum_side;
+
+  HybridModel(const cases::CaseFile& file, geometry::ElementMesh mesh, const std::filesystem::path& mesh_of_bodies,
+              bool keeps_mesh)
+      : continuum(build_continuum<D>(*file.as<cases::HybridCase>().continuum, std::move(mesh))),
+        bodies(BodiesSetting{file.as<cases::HybridCase>(), continuum.step, repeats(file.as<cases::HybridCase>()), mesh_of_bodies, keeps_mesh}),
+        continuum_side(*continuum.stepper, coupled_surface(file, continuum.mesh()), coupling_rules(file.as<cases::HybridCase>())) {}
+
+  /// Points at the case where the surface does not suit the bodies.
+  void attach(const cases::CaseFile& file) {
+    try {
+      bodies.side.attach(continuum_side.shape());
+    } catch (const UserError& error) {
+      refuse(file, "surface.group", error.what(), "look at where the bodies begin, at the group and at the units of the mesh");
+    }
+  }
+};
+
+/// The part of method hybrid in a run, see CaseRun. A step of the run is a window.
+template <int D, class Bodies>
+struct HybridWork final : WorkDefaults {
+  const cases::CaseFile& file;
+  const RunOptions& options;
+  RunTimes times;
+  RunFolder folder, continuum_folder, bodies_folder;
+  HybridModel<D, Bodies> model;
+  RunIdentity identity;
+  RunClocks clocks;
+  HybridRecord<D, Bodies> record;
+  std::array<levels::PartTime, 2> parts{{{"finite elements", 0}, {"bodies", 0}}};
+  std::string started = observe::time_of_day();
+
+  HybridWork(const cases::CaseFile& of, const RunOptions& of_run)
+      : file(of),
+        options(of_run),
+        folder(of_run.folder, of_run.begin),
+        continuum_folder(side_folder(folder, "continuum", of_run.begin)),
+        bodies_folder(side_folder(folder, "bodies", of_run.begin)),
+        model(of, load_continuum_mesh(continuum_case(), continuum_folder.mesh(), folder.resumes()), bodies_folder.mesh(),
+              folder.resumes()),
+        identity(
+            identify(of.as<cases::HybridCase>(), identify(continuum_content(), mesh_hash(model.continuum.mesh())), model.bodies.identity())),
+        clocks(make_clocks(continuum_content().time, model.continuum.step)),
+        record({of, folder, continuum_folder, bodies_folder, model.continuum, model.bodies, model.continuum_side,
+                steps_per_window()},
+               clocks) {
+    parallel::limit_threads(static_cast<int>(
+        std::max<std::int64_t>(static_cast<std::int64_t>(model.continuum.mesh().elements.size()) / continuum_elements_per_thread,
+                               model.bodies.count() / Bodies::per_thread)));
+  }
+
+  const cases::CaseFile& continuum_case() const { return *file.as<cases::HybridCase>().continuum; }
+  const cases::ContinuumCase& continuum_content() const { return cases::continuum_of(file.as<cases::HybridCase>()); }
+  std::int64_t steps_per_window() const {
+    return static_cast<std::int64_t>(std::round(model.continuum.step / model.bodies.step()));
+  }
+
+  const std::string& title() const { return file.as<cases::HybridCase>().title; }
+  static std::string method() { return "hybrid"; }
+  std::string warning() const override { return model.bodies.warning(); }
+  std::string words() const {
+    return fmt::format("{} elements and {} {}, windows of {} s, {} steps of the {} in each",
+                       model.continuum.mesh().elements.size(), model.bodies.count(), Bodies::name, number(model.continuum.step),
+                       steps_per_window(), Bodies::name);
+  }
+  Real checkpoint_interval() const { return file.as<cases::HybridCase>().output.checkpoint_interval; }
+
+  bool start() {
+    if (continuum_content().gravity.settle) model.continuum.stepper->settle();
+    model.continuum.stepper->start();
+    model.attach(file);
+    if (!model.bodies.prepare(options)) return false;
+    model.continuum_side.start(model.bodies.side.start());
+    return true;
+  }
+  bool advance(const Pause&) {
+    TimedChannel channel(model.bodies.side, times, parts[1]);
+    const Real before = times.now(), of_bodies = parts[1].seconds;
+    model.continuum_side.advance(channel);
+    parts[0].seconds += times.now() - before - (parts[1].seconds - of_bodies);
+    return true;
+  }
+  std::int64_t step() const { return model.continuum_side.ledger().windows; }
+
+  /// Nodes, then bodies.
+  void read_motion(MotionTable& table) {
+    MotionTable bodies;
+    read_nodes(*model.continuum.stepper, table);
+    model.bodies.read_motion(bodies);
+    for (const auto& [all, more] :
+         {std::pair{&table.position, &bodies.position}, {&table.velocity, &bodies.velocity}, {&table.force, &bodies.force}})
+      all->insert(all->end(), more->begin(), more->end());
+  }
+
+  ProgressState progress(Real share, Real time) const {
+    const std::int64_t steps = model.continuum_side.ledger().passes * steps_per_window() * model.bodies.count();
+    return {share, time, steps, model.bodies.step(), -1, Bodies::evaluated};
+  }
+
+  /// The finite elements first: the surface stands where they have settled.
+  void columns(Archive& archive) {
+    archive.folder("continuum", [&] { model.continuum.stepper->columns(archive); });
+    archive.folder("continuum_side", [&] { model.continuum_side.columns(archive); });
+    if (archive.reading()) model.attach(file);
+    archive.folder("body_side", [&] { model.bodies.side.columns(archive); });
+    archive.folder("bodies", [&] { model.bodies.columns(archive); });
+  }
+
+  std::uint64_t state_hash() const { return record.state_hash(); }
+  std::vector<levels::PartTime> part_times() const override { return {parts.begin(), parts.end()}; }
+
+  void write_case() {
+    for (RunFolder* side : {&continuum_folder, &bodies_folder}) {
+      side->clear();
+      side->remove_checkpoint();
+    }
+    cases::HybridCase both = file.as<cases::HybridCase>();
+    both.sides = {continuum_folder.case_file(), bodies_folder.case_file()};
+    observe::write_file(folder.case_file(), cases::write_resolved(both, folder.path()));
+    observe::write_file(continuum_folder.case_file(), cases::write_resolved(continuum_content(), continuum_folder.path()));
+    model.bodies.write_case(bodies_folder);
+    write_manifests("running");
+  }
+  void write_end() override {
+    record.write_end();
+    write_manifests("done");
+  }
+
+  void write_manifests(const std::string& status) {
+    observe::Manifest manifest = observe::new_manifest();
+    manifest.status = status;
+    manifest.started = started;
+    manifest.finished = status == "done" ? observe::time_of_day() : "";
+    record.write_manifests(manifest, step(), times.now());
+  }
+};
+
+template <int D, class Bodies>
+std::string check(const cases::CaseFile& file, const std::filesystem::path& folder) {
+  HybridModel<D, Bodies> model(file, load_continuum_mesh(*file.as<cases::HybridCase>().continuum, folder / "mesh.msh", false), folder / "bodies.msh",
+                               false);
+  model.attach(file);
+  const RunClocks clocks = make_clocks(cases::continuum_of(file.as<cases::HybridCase>()).time, model.continuum.step);
+  return cases::explain(file.as<cases::HybridCase>()) + fmt::format("  {:<12}{} windows, {} steps of the {} of {} s in each\n", "work",
+                                                     clocks.steps(), model.bodies.side.steps_per_window(), Bodies::name,
+                                                     number(model.bodies.step(), 5));
+}
+
+/// Calls `visit` with the dimension and the bodies of a case, and hands back what it gives. Elements of rectangles touch none but
+/// a continuum in the plane; the case has been checked.
+template <class Visit>
+auto visit_sides(const cases::HybridCase& hybrid, const Visit& visit) {
+  return visit_bodies(hybrid, [&]<class Bodies>(std::type_identity<Bodies> bodies) {
+    if constexpr (!std::is_same_v<Bodies, CoupledRectangles>)
+      if (cases::continuum_of(hybrid).mesh.dimension == 3) return visit(std::integral_constant<int, 3>{}, bodies);
+    return visit(std::integral_constant<int, 2>{}, bodies);
+  });
+}
+
+}  // namespace
+
+std::unique_ptr<LiveRun> open_hybrid(const cases::CaseFile& file, const RunOptions& options) {
+  if (options.one_side)
+    return options.one_side->side == coupling::Side::continuum ? open_continuum(file, options) : open_bodies(file, options);
+  return visit_sides(file.as<cases::HybridCase>(), [&]<int D, class Bodies>(std::integral_constant<int, D>, std::type_identity<Bodies>) {
+    return std::unique_ptr<LiveRun>(std::make_unique<CaseRun<HybridWork<D, Bodies>>>(file, options));
+  });
+}
+
+std::string check_hybrid(const cases::CaseFile& file) {
+  const cases::CaseFile &continuum = *file.as<cases::HybridCase>().continuum, &bodies = *file.as<cases::HybridCase>().bodies;
+  const std::string both =
+      visit_sides(file.as<cases::HybridCase>(), [&]<int D, class Bodies>(std::integral_constant<int, D>, std::type_identity<Bodies>) {
+        return check_with_meshes([&](const std::filesystem::path& folder) { return check<D, Bodies>(file, folder); });
+      });
+  return both + "\n" + check_continuum(continuum) + "\n" + check_bodies(bodies, *continuum.as<cases::ContinuumCase>().time.step);
+}
+
+}  // namespace sazare::runs

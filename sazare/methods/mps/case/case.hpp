@@ -1,0 +1,94 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sazare/cases/tables.hpp"
+
+/// A checked case of method mps, as plain data. All values in SI units; every member is one key of the case file.
+namespace sazare::cases {
+
+enum class ParticleFit { exact, inside };
+enum class RotationRemoval { mean_rotation, mean_angle };
+enum class RegionShape { rectangle, polygon, mesh };
+enum class Side { left, right, bottom, top, front, back, all };
+enum class SideKind { fixed, roller, prescribed, viscous };
+
+struct ParticleRules {
+  Real spacing = 0;  // m
+  int dimension = 2;
+  Real influence = 1.5;  // over the spacing
+  ParticleFit fit = ParticleFit::exact;
+  std::array<bool, 3> periodic{false, false, false};
+  RotationRemoval rotation = RotationRemoval::mean_rotation;
+};
+
+struct ParticleRegion {
+  std::string name;
+  RegionShape shape = RegionShape::rectangle;
+  Vector3 lower = Vector3::Zero();          // m, rectangle
+  Vector3 upper = Vector3::Zero();          // m, rectangle
+  std::vector<std::array<Real, 2>> points;  // m, polygon
+  std::filesystem::path file;               // mesh: .msh or .geo
+  std::string group;                        // mesh: its volume
+};
+
+struct Ground {
+  std::string name;
+  std::vector<std::string> regions;
+  Real density = 0;            // kg/m3
+  Real shear_velocity = 0;     // m/s; of the three, two are given and the third follows
+  Real pressure_velocity = 0;  // m/s
+  Real damping_ratio = 0;
+  bool yields = false;        // whether it has a strength
+  Real cohesion = 0;          // Pa
+  Real friction_angle = 0;    // degrees
+  Real dilation_angle = 0;    // degrees
+  Real tensile_strength = 0;  // Pa
+  Real rupture_strain = 0;
+};
+
+struct SideBoundary {
+  Side side = Side::bottom;
+  SideKind kind = SideKind::fixed;
+  std::array<bool, 3> axes{false, false, false};  // of a roller; none: across the side
+  std::array<std::string, 3> motion;              // names of motions by axis, or empty
+};
+
+struct GroundGravity : Gravity {
+  bool settle = false;
+  int settling_steps = 0;  // at most
+};
+
+/// Contacts of particles whose links broke.
+struct LooseContact {
+  Real damping_ratio = 0;
+};
+
+/// Random velocities at the start, so that every motion that can grow is there.
+struct Noise {
+  Real velocity = 0;  // m/s
+  int seed = 1;
+};
+
+struct MpsCase {
+  std::string title;
+  ParticleRules particles;
+  std::vector<ParticleRegion> regions;
+  std::vector<Ground> materials;
+  Damping damping;
+  std::vector<Motion> motions;
+  std::vector<SideBoundary> boundaries;
+  LooseContact contact;
+  GroundGravity gravity;
+  Noise noise;
+  std::vector<Gauge> gauges;
+  UniformTime time;
+  Output output;
+};
+
+}  // namespace sazare::cases

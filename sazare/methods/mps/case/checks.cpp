@@ -1,0 +1,213 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "sazare/cases/format/number_text.hpp"
+#include "sazare/cases/format/structure_check.hpp"
+#include "sazare/cases/format/suggest.hpp"
+#include "sazare/methods/mps/case/fields.hpp"
+#include "sazare/methods/mps/case/format.hpp"
+
+namespace sazare::cases {
+namespace {
+
+constexpr Real fit_tolerance = 1e-6;  // of a spacing
+
+template <class Enum>
+std::string word(Enum value) {
+  return std::string(EnumWords<Enum>::words.at(static_cast<std::size_t>(value)));
+}
+
+/// The dimension is a key of [particles].
+void check_flat(const CheckContext& context, const Entry& entry, std::string_view key, const Vector3& value, int dimension) {
+  check_flat(context, entry, key, value, dimension, "particles");
+}
+
+void check_rectangle(const CheckContext& context, const Entry& entry, const ParticleRegion& region, const ParticleRules& rules) {
+  if (!entry.gives("lower") || !entry.gives("upper")) return;
+  check_flat(context, entry, "lower", region.lower, rules.dimension);
+  check_flat(context, entry, "upper", region.upper, rules.dimension);
+  for (int axis = 0; axis < rules.dimension; ++axis) {
+    const Real length = region.upper[axis] - region.lower[axis];
+    if (!(length > 0)) {
+      context.problems.error(entry.place("upper"), fmt::format("upper must be above lower on the axis {}", "xyz"[axis]),
+                             "lower is the corner with the smallest coordinates");
+      continue;
+    }
+    const Real count = length / rules.spacing;
+    if (rules.fit == ParticleFit::inside || !(rules.spacing > 0)) continue;
+    if (std::abs(count - std::round(count)) <= fit_tolerance && count > 0.5) continue;
+    const Real whole = std::max(std::round(count), Real{1});
+    context.problems.error(
+        entry.place("upper"),
+        fmt::format("the spacing does not fit the region: {} m on the axis {} is {} times {} m", short_number(length, 12),
+                    "xyz"[axis], short_number(count), short_number(rules.spacing, 12)),
+        fmt::format("the nearest spacing that fits is {} m; fit = \"inside\" in [particles] takes as many particles as fit",
+                    short_number(length / whole, 12)));
+  }
+}
+
+void check_polygon(const CheckContext& context, const Entry& entry, const ParticleRegion& region, const ParticleRules& rules) {
+  if (rules.dimension == 3)
+    context.problems.error(entry.place("shape"), "a polygon is for 2-D", "in 3-D use a rectangle or a mesh");
+  if (!entry.gives("points")) return;
+  const auto& points = region.points;
+  if (points.front() != points.back())
+    context.problems.error(entry.place("points"),
+                           fmt::format("the region \"{}\" is not closed: it begins at ({}, {}) and ends at ({}, {})", region.name,
+                                       short_number(points.front()[0]), short_number(points.front()[1]),
+                                       short_number(points.back()[0]), short_number(points.back()[1])),
+                           "write the first point again at the end");
+}
+
+void check_regions(const CheckContext& context, const MpsCase& mps) {
+  const auto list = context.entries_of("regions");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Entry& entry = list[i];
+    const ParticleRegion& region = mps.regions[i];
+    if (!entry.exists() || !entry.is_sound("shape")) continue;
+    const std::string chosen = "a " + word(region.shape);
+    if (region.shape == RegionShape::rectangle) {
+      check_keys(context, entry, chosen, {"lower", "upper"}, {"points", "file", "group"});
+      check_rectangle(context, entry, region, mps.particles);
+    } else if (region.shape == RegionShape::polygon) {
+      check_keys(context, entry, chosen, {"points"}, {"lower", "upper", "file", "group"});
+      check_polygon(context, entry, region, mps.particles);
+    } else {
+      check_keys(context, entry, chosen, {"file", "group"}, {"lower", "upper", "points"});
+      if (entry.gives("file"))
+        check_file(context, entry.place("file"), "mesh file", region.file, *entry.value->find("file")->text());
+    }
+  }
+}
+
+void check_velocities(const CheckContext& context, const Entry& entry, const Ground& ground) {
+  if (!entry.exists()) return;
+  int given = 0;
+  bool sound = true;
+  for (std::string_view key : {"shear_velocity", "pressure_velocity", "poisson_ratio"}) {
+    given += entry.has(key) ? 1 : 0;
+    sound = sound && entry.is_sound(key);
+  }
+  if (given != 2) {
+    context.problems.error(entry.header(),
+                           fmt::format("[[materials]] gives {} of shear_velocity, pressure_velocity and poisson_ratio", given),
+                           "give exactly two of them");
+    return;
+  }
+  if (!sound ||
+      ground.pressure_velocity * ground.pressure_velocity >= 2 * ground.shear_velocity * ground.shear_velocity * (1 - 1e-12))
+    return;
+  context.problems.error(entry.place("pressure_velocity"),
+                         fmt::format("pressure_velocity must be at least sqrt(2) times shear_velocity, found {} and {} m/s",
+                                     short_number(ground.pressure_velocity), short_number(ground.shear_velocity)),
+                         "below that Poisson's ratio would be negative");
+}
+
+void check_materials(const CheckContext& context, const MpsCase& mps) {
+  std::vector<std::string> names;
+  for (const ParticleRegion& region : mps.regions) names.push_back(region.name);
+  std::map<std::string, Place> seen;
+  const auto list = context.entries_of("materials");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    check_velocities(context, list[i], mps.materials[i]);
+    if (!list[i].gives("regions")) continue;
+    const auto& regions = mps.materials[i].regions;
+    for (std::size_t k = 0; k < regions.size(); ++k) {
+      const Place place = list[i].place("regions", k);
+      if (std::ranges::find(names, regions[k]) == names.end())
+        context.problems.error(place, fmt::format("there is no region \"{}\"", regions[k]),
+                               full_suggestion(regions[k], names, "regions"));
+      if (!seen.try_emplace(regions[k], place).second)
+        context.problems.error(place, fmt::format("region \"{}\" has two materials", regions[k]), "name each region once");
+    }
+  }
+  const auto regions = context.entries_of("regions");
+  for (std::size_t i = 0; i < regions.size(); ++i)
+    if (!names[i].empty() && !seen.contains(names[i]))
+      context.problems.error(regions[i].place("name"), fmt::format("region \"{}\" has no material", names[i]),
+                             "name it in the regions of one of the [[materials]]");
+}
+
+void check_strengths(const CheckContext& context, const MpsCase& mps) {
+  const auto list = context.entries_of("materials");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Entry& entry = list[i];
+    const Ground& ground = mps.materials[i];
+    if (!ground.yields) {
+      check_keys(context, entry, "a material without cohesion", {},
+                 {"friction_angle", "dilation_angle", "tensile_strength", "rupture_strain"});
+      continue;
+    }
+    check_keys(context, entry, "a material with a cohesion", {"friction_angle"}, {});
+    check_strength(context, entry, {ground.cohesion, ground.friction_angle, ground.dilation_angle, ground.tensile_strength});
+  }
+}
+
+void check_gravity(const CheckContext& context, const MpsCase& mps) {
+  const Entry entry = context.entries_of("gravity").front();
+  check_flat(context, entry, "acceleration", mps.gravity.acceleration, mps.particles.dimension);
+  if (mps.gravity.settle && mps.gravity.acceleration.norm() == 0)
+    context.problems.error(entry.place("settle"), "there is no gravity to settle under", "give gravity an acceleration");
+  if (mps.gravity.settle && mps.noise.velocity > 0)
+    context.problems.error(entry.place("settle"), "noise and settle exclude each other", "remove [noise], or settle");
+  if (mps.gravity.settle || mps.gravity.acceleration.norm() == 0) return;
+  for (const SideBoundary& boundary : mps.boundaries)
+    if (boundary.kind == SideKind::viscous)
+      context.problems.error(entry.header(), "under gravity a viscous boundary gives way without end",
+                             "add settle = true to [gravity]: the boundary then carries what it carries at rest");
+}
+
+void check_boundaries(const CheckContext& context, const MpsCase& mps) {
+  std::vector<std::string> names;
+  for (const Motion& motion : mps.motions) names.push_back(motion.name);
+  const auto list = context.entries_of("boundaries");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Entry& entry = list[i];
+    const SideBoundary& boundary = mps.boundaries[i];
+    if (!entry.gives("side") || !entry.gives("kind")) continue;
+    const bool moves = boundary.kind == SideKind::prescribed || boundary.kind == SideKind::viscous;
+    check_keys(context, entry, "kind " + word(boundary.kind), {},
+               moves ? std::vector<std::string_view>{"axes"} : std::vector<std::string_view>{"motion_x", "motion_y", "motion_z"});
+    if (mps.particles.dimension == 2 &&
+        (boundary.side == Side::front || boundary.side == Side::back || !boundary.motion[2].empty()))
+      context.problems.error(entry.place("side"), "there is no front, back or motion_z in 2-D",
+                             "set dimension = 3 in [particles]");
+    const auto& held = boundary.axes;
+    if (boundary.side == Side::all && (boundary.kind != SideKind::roller || !(held[0] || held[1] || held[2])))
+      context.problems.error(entry.place("side"), "side \"all\" takes kind roller with axes", "add axes = [\"y\"], for example");
+    check_motion_names(context, entry, boundary.motion, names);
+  }
+}
+
+}  // namespace
+
+void check_mps(const CheckContext& context, MpsCase& mps) {
+  check_unique(context, "regions", mps.regions);
+  check_unique(context, "materials", mps.materials);
+  check_unique(context, "motions", mps.motions);
+  check_unique(context, "gauges", mps.gauges);
+  const Entry particles = context.entries_of("particles").front();
+  if (mps.particles.dimension == 3 && mps.particles.rotation == RotationRemoval::mean_angle)
+    context.problems.error(particles.place("rotation"), "rotation \"mean_angle\" is for 2-D", "in 3-D use \"mean_rotation\"");
+  if (mps.particles.rotation == RotationRemoval::mean_angle &&
+      std::ranges::any_of(mps.materials, [](const Ground& ground) { return ground.yields; }))
+    context.problems.error(particles.place("rotation"), "rotation \"mean_angle\" is for elastic ground",
+                           "with a cohesion use \"mean_rotation\"");
+  check_regions(context, mps);
+  check_materials(context, mps);
+  check_strengths(context, mps);
+  std::vector<Real> ratios;
+  for (const Ground& ground : mps.materials) ratios.push_back(ground.damping_ratio);
+  check_damping(context, mps.damping, ratios);
+  check_motions(context, mps.motions);
+  check_boundaries(context, mps);
+  check_gravity(context, mps);
+  const auto gauges = context.entries_of("gauges");
+  for (std::size_t i = 0; i < gauges.size(); ++i)
+    if (gauges[i].exists()) check_flat(context, gauges[i], "point", mps.gauges[i].point, mps.particles.dimension);
+}
+
+}  // namespace sazare::cases

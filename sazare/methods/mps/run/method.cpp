@@ -1,0 +1,49 @@
+#include "sazare/methods/mps/run/method.hpp"
+
+#include <fmt/format.h>
+
+#include "sazare/methods/mps/case/format.hpp"
+#include "sazare/methods/mps/run/columns.hpp"
+#include "sazare/methods/mps/run/limit_search.hpp"
+#include "sazare/methods/mps/run/run.hpp"
+#include "sazare/runs/record_columns.hpp"
+#include "sazare/runs/record_figures.hpp"
+#include "sazare/runs/summary.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+std::string mps_summary(const observe::Manifest& manifest) {
+  const auto number = [&](std::string_view name, int digits = 4) { return figure_text(manifest, name, digits); };
+  std::string text;
+  text += fmt::format("particles       {}, step {} s, predicted limit {} s\n", number("particles", 12), number("step"),
+             number("predicted_limit"));
+  text += fmt::format("peaks           {} m, {} m/s, {} m/s2\n", number("peak_displacement"), number("peak_speed"),
+             number("peak_acceleration"));
+  return text + wall_time_line(manifest, "particle_steps", "particle-steps");
+}
+
+FolderTables tables_of_mps() {
+  return {.figures = {{"`mps`", {figures::of_steps, figures::of_motion, columns::mps::figures}}},
+          .history = {{"`mps`", {columns::mps::motion}},
+                      {"`mps`, not with Euler's step", {columns::mps::books}},
+                      {"`mps`, ground that fails", {columns::mps::failure}}},
+          .gauges = {{"`gauges.csv` of `mps`", {columns::place_motion}}},
+          .files = {},
+          .snapshots = {{"`particles` of `mps`", {columns::mps::particles}},
+                        {"of ground that fails also", {columns::mps::failed_particles}}}};
+}
+
+}  // namespace
+
+Method mps_method() {
+  return {.format = cases::mps_format(),
+          .open = open_mps,
+          .check = check_mps,
+          .summary = mps_summary,
+          .tables = tables_of_mps,
+          .find_limit = find_limit};
+}
+
+}  // namespace sazare::runs

@@ -1,0 +1,288 @@
+#include "sazare/methods/mps/run/model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include "sazare/cases/format/number_text.hpp"
+#include "sazare/methods/mps/case/case.hpp"
+#include "sazare/methods/mps/elastic_forces.hpp"
+#include "sazare/runs/motion_of_case.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+using cases::Side;
+using cases::SideKind;
+using methods::mps::Site;
+
+constexpr Real near_limit = 0.98;  // of the limit; above it a run is stable, but barely
+
+template <int D>
+state::Particles<D> make_particles(const cases::MpsCase& mps, const Filling<D>& filling, const std::vector<Index>& material) {
+  state::Particles<D> particles;
+  particles.spacing = filling.spacing;
+  particles.resize(static_cast<Index>(filling.sites.size()));
+  for (std::size_t i = 0; i < filling.sites.size(); ++i) {
+    const cases::Ground& ground = mps.materials[static_cast<std::size_t>(material[i])];
+    const Vector<D> place = filling.place(i);
+    for (std::size_t axis = 0; axis < D; ++axis) particles.start[axis][i] = place[static_cast<int>(axis)];
+    particles.set_density(static_cast<Index>(i), ground.density);
+    particles.shear_modulus[i] = ground.density * ground.shear_velocity * ground.shear_velocity;
+    particles.lame[i] = ground.density * ground.pressure_velocity * ground.pressure_velocity - 2 * particles.shear_modulus[i];
+    particles.damping_ratio[i] = ground.damping_ratio;
+  }
+  return particles;
+}
+
+methods::mps::StrengthOfGround strength_of(const cases::Ground& ground) {
+  constexpr Real degree = std::numbers::pi / 180;
+  const Real mu = ground.density * ground.shear_velocity * ground.shear_velocity;
+  return {ground.yields,
+          laws::MohrCoulomb::make(ground.cohesion, ground.friction_angle * degree, ground.dilation_angle * degree,
+                                  ground.tensile_strength),
+          {mu, ground.density * ground.pressure_velocity * ground.pressure_velocity - 2 * mu},
+          ground.density,
+          ground.rupture_strain};
+}
+
+/// The same numbers whatever the number of threads.
+template <int D>
+void add_noise(const cases::Noise& noise, state::Particles<D>& particles) {
+  auto state = static_cast<std::uint64_t>(noise.seed) * 0x9E3779B97F4A7C15ULL;
+  for (std::size_t freedom = 0; freedom < particles.velocity.size(); ++freedom)
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+      state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+      const Real share = static_cast<Real>(state >> 11) / 4503599627370496.0 - 1;
+      particles.velocity[freedom][i] = share * noise.velocity * (freedom < D ? 1 : 2 / particles.spacing);
+    }
+}
+
+/// Axis and direction of a side.
+template <int D>
+std::pair<std::size_t, int> outward(Side side) {
+  switch (side) {
+    case Side::left:
+      return {0, -1};
+    case Side::right:
+      return {0, 1};
+    case Side::front:
+      return {1, -1};
+    case Side::back:
+      return {1, 1};
+    case Side::bottom:
+      return {D - 1, -1};
+    default:
+      return {D - 1, 1};
+  }
+}
+
+/// Length of the body along the periodic axes, in spacings.
+template <int D>
+Site<D> period_of(const cases::MpsCase& mps, const Filling<D>& filling) {
+  Site<D> period{};
+  for (const Site<D>& site : filling.sites)
+    for (std::size_t axis = 0; axis < D; ++axis)
+      if (mps.particles.periodic[axis]) period[axis] = std::max(period[axis], site[axis] + 1);
+  return period;
+}
+
+/// Particles of a side.
+template <int D>
+std::vector<Index> particles_at(Side side, const std::vector<Site<D>>& sites) {
+  const std::set<Site<D>> taken(sites.begin(), sites.end());
+  const auto [axis, direction] = outward<D>(side);
+  std::vector<Index> found;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    Site<D> beyond = sites[i];
+    beyond[axis] += direction;
+    if (side == Side::all || !taken.contains(beyond)) found.push_back(static_cast<Index>(i));
+  }
+  return found;
+}
+
+/// Supports of a case, boundary by boundary; what an earlier one holds stays held.
+template <int D>
+class SupportMaker {
+public:
+  SupportMaker(const cases::MpsCase& mps, MpsParts<D>& parts)
+      : mps_(mps), filling_(parts.filling), material_(parts.material), particles_(parts.particles), links_(parts.links) {
+    for (const cases::Motion& motion : mps_.motions) supports_.motions.push_back(motion_of_case(motion));
+    for (int axis = 0; axis < D; ++axis) supports_.gravity[axis] = mps_.gravity.acceleration[axis];
+  }
+
+  particles::ParticleSupports<D> make() {
+    for (std::size_t i = 0; i < mps_.boundaries.size(); ++i)
+      if (mps_.boundaries[i].kind != SideKind::viscous) add(i);
+    for (std::size_t i = 0; i < mps_.boundaries.size(); ++i)
+      if (mps_.boundaries[i].kind == SideKind::viscous) add(i);
+    return std::move(supports_);
+  }
+
+private:
+  void add(std::size_t number) {
+    const cases::SideBoundary& boundary = mps_.boundaries[number];
+    const std::vector<Index> particles = particles_at<D>(boundary.side, filling_.sites);
+    for (const Index particle : particles)
+      for (std::size_t axis = 0; axis < D; ++axis) add(boundary, particle, axis);
+    if (boundary.kind != SideKind::roller) cut_in_half(particles);
+  }
+
+  /// The boundary goes through the centres of its particles: half of their volume lies beyond it.
+  void cut_in_half(const std::vector<Index>& particles) {
+    links_.halve_among(particles);
+    for (const Index particle : particles) {
+      const auto i = static_cast<std::size_t>(particle);
+      particles_.inverse_mass[i] *= 2;
+      particles_.inverse_inertia[i] *= 2;
+      particles_.lame[i] *= 2;  // half of the volume, and twice the strain that half of its links tell
+    }
+  }
+
+  void add(const cases::SideBoundary& boundary, Index particle, std::size_t axis) {
+    const std::size_t normal = outward<D>(boundary.side).first;
+    const auto freedom = static_cast<int>(axis);
+    const Index motion = motion_of(boundary.motion[axis]);
+    const bool named = boundary.axes[0] || boundary.axes[1] || boundary.axes[2];
+    const bool held = boundary.kind == SideKind::fixed ||
+                      (boundary.kind == SideKind::roller && (named ? boundary.axes[axis] : axis == normal)) ||
+                      (boundary.kind == SideKind::prescribed && motion < 0);
+    if (taken_.contains({particle, freedom})) return;
+    if (held) {
+      supports_.held.push_back({particle, freedom});
+    } else if (boundary.kind == SideKind::prescribed) {
+      supports_.driven.push_back({particle, freedom, motion, 1});
+    } else if (boundary.kind == SideKind::viscous) {
+      const auto i = static_cast<std::size_t>(particle);
+      const cases::Ground& ground = mps_.materials[static_cast<std::size_t>(material_[i])];
+      // Impedance times the area of a particle, over half of its mass.
+      const Real rate = 2 * (axis == normal ? ground.pressure_velocity : ground.shear_velocity) / particles_.spacing;
+      supports_.dashpots.push_back({particle, freedom, rate, motion, 1});
+    } else {
+      return;
+    }
+    taken_.insert({particle, freedom});
+  }
+
+  Index motion_of(const std::string& name) const {
+    for (std::size_t i = 0; i < mps_.motions.size(); ++i)
+      if (!name.empty() && mps_.motions[i].name == name) return static_cast<Index>(i);
+    return -1;
+  }
+
+  const cases::MpsCase& mps_;
+  const Filling<D>& filling_;
+  const std::vector<Index>& material_;
+  state::Particles<D>& particles_;
+  methods::mps::LinkTable<D>& links_;
+  particles::ParticleSupports<D> supports_;
+  std::set<std::pair<Index, int>> taken_;
+};
+
+/// The step of a run, which divides the history interval.
+template <int D>
+Real choose_step(const cases::CaseFile& file, const MpsModel<D>& model) {
+  const cases::UniformTime& time = file.as<cases::MpsCase>().time;
+  if (time.step) return *time.step;
+  const Real limit = model.stable_step(time.integrator);
+  if (!(limit > 0))
+    refuse(file, "time.integrator", "Euler's step without damping is never stable, so none can be chosen",
+           "give a step, use integrator \"verlet\", or give every material a damping_ratio");
+  return time.history_interval / std::ceil(time.history_interval / (time.stability_fraction * limit));
+}
+
+/// Refuses a step above the limit, and warns of one that is close to it.
+template <int D>
+std::string check_step(const cases::CaseFile& file, const MpsModel<D>& model) {
+  const cases::UniformTime& time = file.as<cases::MpsCase>().time;
+  const Real limit = model.stable_step(time.integrator);
+  const std::string what =
+      fmt::format("the step of {} s is {} times the predicted limit of {} s", cases::short_number(model.step, 4),
+                  cases::short_number(model.step / limit, 4), cases::short_number(limit, 4));
+  const bool euler = time.integrator == cases::Integrator::euler;
+  if (!(limit > 0)) {
+    const std::string never = "Euler's step without damping is never stable";
+    const std::string help = "short runs may bear it; use integrator \"verlet\", or give every material a damping_ratio";
+    if (time.strict) refuse(file, "time.integrator", never, help);
+    return warning(file, "time.integrator", never, help);
+  }
+  if (model.step > limit && !(euler && !time.strict))
+    refuse(file, "time.step", what, fmt::format("choose {} s or less, or give no step", cases::short_number(0.9 * limit, 3)));
+  if (model.step > limit)
+    return warning(file, "time.step", what, "Euler's step then grows slowly: short runs may bear it; Verlet's limit is larger");
+  if (model.step > near_limit * limit)
+    return warning(file, "time.step", what, "0.9 of it leaves room for motion that is not small");
+  return {};
+}
+
+}  // namespace
+
+template <int D>
+MpsParts<D> make_parts(const cases::CaseFile& file) {
+  const cases::MpsCase& mps = file.as<cases::MpsCase>();
+  MpsParts<D> parts;
+  parts.filling = fill_regions<D>(file);
+  for (const Index region : parts.filling.region) {
+    const std::string& name = mps.regions[static_cast<std::size_t>(region)].name;
+    const auto made_of = std::ranges::find_if(mps.materials, [&](const cases::Ground& ground) {
+      return std::ranges::find(ground.regions, name) != ground.regions.end();
+    });
+    parts.material.push_back(static_cast<Index>(made_of - mps.materials.begin()));
+  }
+  parts.particles = make_particles<D>(mps, parts.filling, parts.material);
+  if (mps.noise.velocity > 0) add_noise<D>(mps.noise, parts.particles);
+  parts.links = methods::mps::make_links<D>(parts.filling.sites, mps.particles.spacing, mps.particles.influence,
+                                            period_of<D>(mps, parts.filling));
+  if (mps.damping.f2 > 0) parts.damping = laws::RayleighDamping::make(mps.damping.f1, mps.damping.f2);
+  parts.supports = SupportMaker<D>(mps, parts).make();
+  return parts;
+}
+
+template <int D>
+std::unique_ptr<particles::ParticleForces<D>> MpsParts<D>::forces(const cases::MpsCase& mps, Real step) const {
+  if (std::ranges::none_of(mps.materials, [](const cases::Ground& ground) { return ground.yields; }))
+    return std::make_unique<methods::mps::ElasticForces<D>>(links,
+                                                            static_cast<methods::mps::RotationRemoval>(mps.particles.rotation));
+  std::vector<methods::mps::StrengthOfGround> grounds;
+  for (const cases::Ground& ground : mps.materials) grounds.push_back(strength_of(ground));
+  methods::mps::LooseRules rules{.step = step, .damping_ratio = mps.contact.damping_ratio, .period = {}};
+  const Site<D> period = period_of<D>(mps, filling);
+  for (std::size_t axis = 0; axis < D; ++axis) rules.period[axis] = period[axis] * particles.spacing;
+  return std::make_unique<methods::mps::FailingForces<D>>(
+      particles, links, methods::mps::GroundStrength<D>(particles, links, std::move(grounds), material), rules);
+}
+
+template <int D>
+std::unique_ptr<particles::UniformStepper<D>> MpsParts<D>::stepper(const cases::MpsCase& mps, Real step) const {
+  const particles::UniformRules rules{step, static_cast<particles::Integrator>(mps.time.integrator), damping};
+  return std::make_unique<particles::UniformStepper<D>>(particles, forces(mps, step), supports, rules);
+}
+
+template <int D>
+MpsModel<D> build_mps(const cases::CaseFile& file) {
+  const MpsParts<D> parts = make_parts<D>(file);
+  MpsModel<D> model;
+  model.limit = parts.predict();
+  model.number_density = parts.links.number_density;
+  model.filling = parts.filling;
+  model.material = parts.material;
+  model.step = choose_step<D>(file, model);
+  model.warning = check_step<D>(file, model);
+  model.stepper = parts.stepper(file.as<cases::MpsCase>(), model.step);
+  model.failing = dynamic_cast<const methods::mps::FailingForces<D>*>(&model.stepper->forces());
+  return model;
+}
+
+template struct MpsParts<2>;
+template struct MpsParts<3>;
+template MpsParts<2> make_parts<2>(const cases::CaseFile&);
+template MpsParts<3> make_parts<3>(const cases::CaseFile&);
+template MpsModel<2> build_mps<2>(const cases::CaseFile&);
+template MpsModel<3> build_mps<3>(const cases::CaseFile&);
+
+}  // namespace sazare::runs

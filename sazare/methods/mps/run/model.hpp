@@ -1,0 +1,64 @@
+#pragma once
+
+/// From a checked case of method mps to particles that can be stepped.
+
+#include <memory>
+#include <string>
+
+#include "sazare/cases/case_file.hpp"
+#include "sazare/methods/mps/case/case.hpp"
+#include "sazare/methods/mps/failing_forces.hpp"
+#include "sazare/methods/mps/run/filling.hpp"
+#include "sazare/methods/mps/stable_step.hpp"
+#include "sazare/particles/uniform_stepper.hpp"
+
+namespace sazare::runs {
+
+template <int D>
+struct MpsModel {
+  Filling<D> filling;
+  std::vector<Index> material;     ///< by particle
+  Real number_density = 0;         ///< n0 [-]
+  methods::mps::StableStep limit;  ///< predicted
+  Real step = 0;                   ///< [s]
+  std::string warning;             ///< about the step, ready to print; empty when there is none
+  std::unique_ptr<particles::UniformStepper<D>> stepper;
+  const methods::mps::FailingForces<D>* failing = nullptr;  ///< the stepper's forces, where the ground has a strength
+
+  /// The predicted limit of the case's integrator [s].
+  Real stable_step(cases::Integrator integrator) const {
+    return integrator == cases::Integrator::euler ? limit.euler : limit.verlet;
+  }
+};
+
+/// What a model is made of, before a step is chosen.
+template <int D>
+struct MpsParts {
+  Filling<D> filling;
+  std::vector<Index> material;
+  state::Particles<D> particles;
+  methods::mps::LinkTable<D> links;
+  particles::ParticleSupports<D> supports;
+  laws::RayleighDamping damping;
+
+  methods::mps::StableStep predict() const { return methods::mps::stable_step<D>(particles, links, supports, damping); }
+  std::unique_ptr<particles::ParticleForces<D>> forces(const cases::MpsCase& mps, Real step) const;
+  std::unique_ptr<particles::UniformStepper<D>> stepper(const cases::MpsCase& mps, Real step) const;
+};
+
+/// Throws UserError when the case does not fit its particles.
+template <int D>
+MpsParts<D> make_parts(const cases::CaseFile& file);
+
+/// Also chooses the step, or throws UserError when the one given is above the predicted limit.
+template <int D>
+MpsModel<D> build_mps(const cases::CaseFile& file);
+
+extern template struct MpsParts<2>;
+extern template struct MpsParts<3>;
+extern template MpsParts<2> make_parts<2>(const cases::CaseFile&);
+extern template MpsParts<3> make_parts<3>(const cases::CaseFile&);
+extern template MpsModel<2> build_mps<2>(const cases::CaseFile&);
+extern template MpsModel<3> build_mps<3>(const cases::CaseFile&);
+
+}  // namespace sazare::runs

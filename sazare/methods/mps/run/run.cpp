@@ -1,0 +1,150 @@
+#include "sazare/methods/mps/run/run.hpp"
+
+#include <cmath>
+
+#include "sazare/methods/mps/case/format.hpp"
+#include "sazare/methods/mps/run/identity.hpp"
+#include "sazare/methods/mps/run/record.hpp"
+#include "sazare/observe/atomic_file.hpp"
+#include "sazare/observe/hash.hpp"
+#include "sazare/runs/case_run.hpp"
+#include "sazare/runs/particle_rows.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+constexpr int particles_per_thread = 4000;  // with fewer a second thread takes more time than it saves
+constexpr std::int64_t motion_check_steps = 32;
+constexpr Real settled_share = 1e-5;  // of gravity
+
+std::string number(Real value, int digits = 4) { return cases::short_number(value, digits); }
+
+template <int D>
+std::string filling_hash(const Filling<D>& filling) {
+  observe::Hash hash;
+  hash.add(std::as_bytes(std::span(filling.sites)));
+  hash.add(std::as_bytes(std::span(filling.region)));
+  return observe::to_hex(hash.value());
+}
+
+/// The part of method mps in a run, see CaseRun.
+template <int D>
+struct MpsWork final : WorkDefaults {
+  const cases::CaseFile& file;
+  RunTimes times;
+  MpsModel<D> model;
+  RunFolder folder;
+  RunIdentity identity;
+  RunClocks clocks;
+  MpsRecord<D> record;
+  const RunOptions& options;
+
+  MpsWork(const cases::CaseFile& of, const RunOptions& of_run)
+      : file(of),
+        model(build_mps<D>(of)),
+        folder(of_run.folder, of_run.begin),
+        identity(identify(of.as<cases::MpsCase>(), filling_hash(model.filling))),
+        clocks(make_clocks(of.as<cases::MpsCase>().time, model.step)),
+        record(folder, of, model, clocks),
+        options(of_run) {
+    parallel::limit_threads(static_cast<int>(particles()) / particles_per_thread);
+  }
+
+  std::int64_t particles() const { return static_cast<std::int64_t>(model.filling.sites.size()); }
+
+  const std::string& title() const { return file.as<cases::MpsCase>().title; }
+  static std::string method() { return "mps"; }
+  std::string warning() const override { return model.warning; }
+  std::string words() const {
+    return fmt::format("{} particles, step {} s, {} of the predicted limit", particles(), number(model.step),
+                       number(model.step / model.stable_step(file.as<cases::MpsCase>().time.integrator), 3));
+  }
+  Real checkpoint_interval() const { return file.as<cases::MpsCase>().output.checkpoint_interval; }
+
+  bool start() {
+    if (file.as<cases::MpsCase>().gravity.settle && !settle()) return false;
+    model.stepper->start();
+    return true;
+  }
+
+  /// False when asked to stop before the ground has come to rest.
+  bool settle() {
+    const Real tolerance = settled_share * file.as<cases::MpsCase>().gravity.acceleration.norm();
+    if (!options.quiet) fmt::print("coming to rest under gravity\n");
+    std::fflush(stdout);
+    Progress progress(options.quiet, {.smallest_step = model.step, .broken_joints = -1, .evaluated = "particle-steps"});
+    Real first = 0;
+    bool asked = false;
+    const auto goes_on = [&](std::int64_t done, Real left) {
+      first = std::max(first, left);
+      // What is left falls by about the same factor in equal times.
+      if (progress.is_due())
+        progress.show(
+            {std::log(first / left) / std::log(first / tolerance), 0, done * particles(), model.step, -1, "particle-steps"});
+      asked = options.stop_asked != nullptr && options.stop_asked->load(std::memory_order_relaxed);
+      return !asked;
+    };
+    const Real left = model.stepper->settle({tolerance, file.as<cases::MpsCase>().gravity.settling_steps, goes_on});
+    if (asked) return false;
+    if (left <= tolerance) return true;
+    throw PhysicsError(fmt::format(
+        "the ground does not come to rest under gravity: after {} steps an acceleration of {} m/s2 is left, {} are asked for\n"
+        "  it does not stand, or is hardly held: look at its strength, and at the boundaries that carry it",
+        file.as<cases::MpsCase>().gravity.settling_steps, number(left, 3), number(tolerance, 3)));
+  }
+
+  bool advance(const Pause&) {
+    model.stepper->advance();
+    return true;
+  }
+  std::int64_t step() const { return model.stepper->steps(); }
+  bool must_check() const override { return step() % motion_check_steps == 0; }
+  bool takes_forces() const override { return true; }
+  void apply(std::span<const Vector3> forces) override { model.stepper->apply(forces); }
+  void read_motion(MotionTable& table) const { read_particles(*model.stepper, static_cast<Index>(particles()), table); }
+
+  ProgressState progress(Real share, Real time) const {
+    return {share, time, step() * particles(), model.step, -1, "particle-steps"};
+  }
+  void columns(Archive& archive) {
+    archive.folder("stepper", [&] { model.stepper->columns(archive); });
+  }
+
+  std::uint64_t state_hash() const { return record.state_hash(); }
+  void write_case() const { observe::write_file(folder.case_file(), cases::write_resolved(file.as<cases::MpsCase>(), folder.path())); }
+};
+
+template <int D>
+std::string check(const cases::CaseFile& file) {
+  const MpsModel<D> model = build_mps<D>(file);
+  gauge_particles<D>(file, model.filling);
+  const RunClocks clocks = make_clocks(file.as<cases::MpsCase>().time, model.step);
+  const Real limit = model.stable_step(file.as<cases::MpsCase>().time.integrator);
+  const auto& supports = model.stepper->supports();
+  const auto particles = static_cast<Real>(model.filling.sites.size());
+  return cases::explain(file.as<cases::MpsCase>()) +
+         fmt::format("  {:<12}{} particles, number density {}, {} freedoms held, {} prescribed, {} on viscous boundaries\n",
+                     "body", model.filling.sites.size(), number(model.number_density, 6), supports.held.size(),
+                     supports.driven.size(), supports.dashpots.size()) +
+         fmt::format("  {:<12}limit {} s, predicted from the largest frequency, {} rad/s, and the damping\n", "stability",
+                     number(limit, 5), number(model.limit.frequency, 6)) +
+         fmt::format("  {:<12}{} s, {} of the limit, {} to a history row\n", "step", number(model.step, 5),
+                     number(model.step / limit, 3), clocks.steps_per_row) +
+         fmt::format("  {:<12}{} steps, {} particle-steps\n", "work", clocks.steps(),
+                     number(particles * static_cast<Real>(clocks.steps()))) +
+         (model.warning.empty() ? "" : "\n" + model.warning);
+}
+
+}  // namespace
+
+std::unique_ptr<LiveRun> open_mps(const cases::CaseFile& file, const RunOptions& options) {
+  if (file.as<cases::MpsCase>().particles.dimension == 2) return std::make_unique<CaseRun<MpsWork<2>>>(file, options);
+  return std::make_unique<CaseRun<MpsWork<3>>>(file, options);
+}
+
+std::string check_mps(const cases::CaseFile& file) {
+  return file.as<cases::MpsCase>().particles.dimension == 2 ? check<2>(file) : check<3>(file);
+}
+
+}  // namespace sazare::runs

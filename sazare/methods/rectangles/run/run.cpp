@@ -1,0 +1,95 @@
+#include "sazare/methods/rectangles/run/run.hpp"
+
+#include "sazare/methods/rectangles/case/format.hpp"
+#include "sazare/methods/rectangles/run/identity.hpp"
+#include "sazare/methods/rectangles/run/record.hpp"
+#include "sazare/observe/atomic_file.hpp"
+#include "sazare/runs/case_run.hpp"
+#include "sazare/runs/particle_rows.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+constexpr int elements_per_thread = 4000;  // with fewer a second thread takes more time than it saves
+constexpr std::int64_t motion_check_steps = 64;
+
+std::string number(Real value, int digits = 4) { return cases::short_number(value, digits); }
+
+/// The part of method rectangles in a run, see CaseRun.
+struct RectanglesWork final : WorkDefaults {
+  const cases::CaseFile& file;
+  RunTimes times;
+  RectanglesModel model;
+  RunFolder folder;
+  RunIdentity identity;
+  RunClocks clocks;
+  RectanglesRecord record;
+
+  RectanglesWork(const cases::CaseFile& of, const RunOptions& options)
+      : file(of),
+        model(build_rectangles(of)),
+        folder(options.folder, options.begin),
+        identity(identify(of.as<cases::RectanglesCase>(), assembly_hash(model.stepper->particles()))),
+        clocks(make_clocks(of.as<cases::RectanglesCase>().time, model.step)),
+        record(folder, of, model, clocks) {
+    parallel::limit_threads(model.elements / elements_per_thread);
+  }
+
+  const std::string& title() const { return file.as<cases::RectanglesCase>().title; }
+  static std::string method() { return "rectangles"; }
+  std::string warning() const override { return model.warning; }
+  std::string words() const {
+    return fmt::format("{} elements, step {} s, {} of the predicted limit", model.elements, number(model.step),
+                       number(model.step / model.limit.limit, 3));
+  }
+  Real checkpoint_interval() const { return file.as<cases::RectanglesCase>().output.checkpoint_interval; }
+
+  bool start() {
+    model.stepper->start();
+    return true;
+  }
+  bool advance(const Pause&) {
+    model.stepper->advance();
+    return true;
+  }
+  std::int64_t step() const { return model.stepper->steps(); }
+  bool must_check() const override { return step() % motion_check_steps == 0; }
+  bool takes_forces() const override { return true; }
+  void apply(std::span<const Vector3> forces) override { model.stepper->apply(forces); }
+  void read_motion(MotionTable& table) const { read_particles(*model.stepper, model.elements, table); }
+
+  ProgressState progress(Real share, Real time) const {
+    return {share, time, step() * model.elements, model.step, -1, "element-steps"};
+  }
+  void columns(Archive& archive) {
+    archive.folder("stepper", [&] { model.stepper->columns(archive); });
+  }
+
+  std::uint64_t state_hash() const { return record.state_hash(); }
+  void write_case() const { observe::write_file(folder.case_file(), cases::write_resolved(file.as<cases::RectanglesCase>(), folder.path())); }
+};
+
+}  // namespace
+
+std::unique_ptr<LiveRun> open_rectangles(const cases::CaseFile& file, const RunOptions& options) {
+  return std::make_unique<CaseRun<RectanglesWork>>(file, options);
+}
+
+std::string check_rectangles(const cases::CaseFile& file, std::optional<Real> window) {
+  const RectanglesModel model = build_rectangles(file, window);
+  gauge_elements(file, model);
+  const RunClocks clocks = make_clocks(file.as<cases::RectanglesCase>().time, model.step);
+  const auto line = [](std::string_view topic, const std::string& text) { return fmt::format("  {:<12}{}\n", topic, text); };
+  const std::string paper = model.limit.paper > 0 ? fmt::format("; (26) of the paper: {} s", number(model.limit.paper)) : "";
+  return cases::explain(file.as<cases::RectanglesCase>()) + line("body", fmt::format("{} elements", model.elements)) +
+         line("stability", fmt::format("limit {} s, predicted from the largest frequency, {} rad/s, and the dashpots{}",
+                                       number(model.limit.limit), number(model.limit.largest_frequency), paper)) +
+         line("step", fmt::format("{} s, {} of the limit, {} to a history row", number(model.step, 5),
+                                  number(model.step / model.limit.limit, 3), clocks.steps_per_row)) +
+         line("work", fmt::format("{} steps, {} element-steps", clocks.steps(),
+                                  number(static_cast<Real>(model.elements) * static_cast<Real>(clocks.steps())))) +
+         (model.warning.empty() ? "" : "\n" + model.warning);
+}
+
+}  // namespace sazare::runs

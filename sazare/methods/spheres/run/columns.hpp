@@ -1,0 +1,63 @@
+#pragma once
+
+/// What runs of method spheres write: columns of their tables, fields of their snapshots, headline figures of their manifests, all in
+/// their order. Energies and forces in the plane are per metre across it.
+
+#include "sazare/observe/column.hpp"
+
+namespace sazare::runs::columns::spheres {
+
+using observe::Column;
+
+inline constexpr std::array history = {Column{"energy_translation", "J", ""},
+                                       Column{"energy_rotation", "J", ""},
+                                       Column{"energy_elastic", "J", "in contacts"},
+                                       Column{"energy_sliding", "J", "in springs of contacts along their faces"},
+                                       Column{"energy_potential", "J", "of gravity"},
+                                       Column{"work_dashpots", "J", "taken by dashpots of contacts"},
+                                       Column{"work_friction", "J", "taken by friction and rolling"},
+                                       Column{"work_walls", "J", "brought in by walls and driven spheres"},
+                                       Column{"energy_bonds", "J", "in bonds"},
+                                       Column{"work_bond_dashpots", "J", "taken by dashpots of bonds"},
+                                       Column{"work_fracture", "J", "taken by bonds that broke"},
+                                       Column{"energy_residual", "J", "change of the sum of all"},
+                                       Column{"contacts", "-", "that touch"},
+                                       Column{"bonds_broken", "-", "so far"},
+                                       Column{"bodies_broken", "-", "bonded bodies in more than one piece"},
+                                       Column{"speed_max", "m/s", "of any sphere"}};
+inline constexpr std::array gauge = {Column{"NAME.position", "m", "of the group's centre of mass", 3},
+                                     Column{"NAME.velocity", "m/s", "of the group's centre of mass", 3},
+                                     Column{"NAME.force", "N", "on the group without gravity", 3}};
+inline constexpr std::array wall = {Column{"NAME.force", "N", "on the wall", 3},
+                                    Column{"NAME.moment", "N m", "on the wall, about its pivot", 3}};
+inline constexpr std::array particles = {Column{"velocity", "m/s", ""},
+                                         Column{"spin", "rad/s", ""},
+                                         Column{"radius", "m", ""},
+                                         Column{"group", "-", "number in the case"},
+                                         Column{"material", "-", "number in the case"},
+                                         Column{"body", "-", "its clump, or behind all clumps its bonded body, or -1"},
+                                         Column{"broken", "-", "share of its bonds that broke"}};
+
+/// In the manifest, `results` by name: an interface, which scripts of users read.
+inline constexpr std::array figures = {
+    Column{"particles", "-", ""},
+    Column{"particle_steps", "-", ""},
+    Column{"levels", "-", "of the steps, where there are any; the same for the next three"},
+    Column{"smallest_step", "s", "of any sphere"},
+    Column{"pair_evaluations", "-", "of contacts"},
+    Column{"uniform_evaluations", "-", "what the smallest step for all would have taken"},
+    Column{"contacts", "-", "at the end"},
+    Column{"clumps", "-", ""},
+    Column{"shape_fill_NAME", "-",
+           "volume that the spheres of a shape from a mesh fill, over that of its surface, whose mass it has"},
+    Column{"bonds", "-", ""},
+    Column{"bonds_broken", "-", ""},
+    Column{"bodies", "-", "that are bonded, where there are any"},
+    Column{"bodies_broken", "-", "of them, in more than one piece"},
+    Column{"fragments", "-", "pieces of them"},
+    Column{"searches", "-", "for neighbours"},
+    Column{"energy_kinetic", "J", "translation and rotation"},
+    Column{"energy_lost", "J", "taken by dashpots, friction and fracture"},
+    Column{"energy_work", "J", "largest of what was lost, held in motion, or brought in by walls"}};
+
+}  // namespace sazare::runs::columns::spheres

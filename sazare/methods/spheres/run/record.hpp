@@ -1,0 +1,55 @@
+#pragma once
+
+/// What a run of method spheres writes down: histories, groups, walls, snapshots, headline figures. It never changes the run.
+
+#include "sazare/methods/spheres/run/model.hpp"
+#include "sazare/observe/manifest.hpp"
+#include "sazare/runs/record_files.hpp"
+#include "sazare/runs/run_clocks.hpp"
+#include "sazare/runs/run_folder.hpp"
+
+namespace sazare::runs {
+
+class SpheresRecord {
+public:
+  /// Writes nothing yet.
+  SpheresRecord(const RunFolder& folder, const cases::CaseFile& file, SpheresModel& model, const RunClocks& clocks);
+
+  void begin() { files_.begin(tables()); }
+  void resume() { files_.resume(tables()); }
+  void observe(std::int64_t step, Real wall_seconds);
+  void flush(bool to_disk) { files_.flush(to_disk); }
+  /// Writes the pieces of bonded bodies; nothing where there are none.
+  void write_fragments() const;
+
+  /// Throws PhysicsError when a velocity is no number or makes no sense any more, or a sphere went through a wall.
+  void check_motion(Real time) const;
+
+  std::vector<std::pair<std::string, observe::Figure>> results(std::int64_t step, Real wall_seconds) const;
+  std::vector<std::pair<std::string, Real>> peak_particle_velocity() const;
+  std::uint64_t state_hash() const;
+  /// At the last row [J].
+  Real energy_residual() const { return files_.rows() > 0 ? energies_.sum() - first_sum_ : 0; }
+
+  void columns(Archive& archive);
+
+private:
+  std::vector<RecordFiles::Table> tables() const;  ///< history, gauges, walls
+  void check_surfaces() const;
+  void add_gauge_row(Real time);
+  void add_wall_row(Real time);
+  std::vector<Real> broken_share() const;
+  void write_snapshot(Real time);
+
+  const RunFolder* folder_;
+  const cases::CaseFile* file_;
+  SpheresModel* model_;
+  RunClocks clocks_;
+  std::vector<Index> gauge_group_;
+  RecordFiles files_;
+  std::vector<Real> peaks_;          ///< largest speed by gauge [m/s]
+  methods::spheres::SphereEnergies energies_;  ///< at the last row
+  Real first_sum_ = 0, largest_speed_ = 0, peak_kinetic_ = 0;
+};
+
+}  // namespace sazare::runs

@@ -1,0 +1,150 @@
+#include "sazare/methods/spheres/run/run.hpp"
+
+#include <cmath>
+
+#include "sazare/core/large_tables.hpp"
+#include "sazare/methods/spheres/case/format.hpp"
+#include "sazare/methods/spheres/run/identity.hpp"
+#include "sazare/methods/spheres/run/motion_rows.hpp"
+#include "sazare/methods/spheres/run/rain.hpp"
+#include "sazare/methods/spheres/run/record.hpp"
+#include "sazare/observe/atomic_file.hpp"
+#include "sazare/observe/hash.hpp"
+#include "sazare/runs/case_run.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+constexpr int spheres_per_thread = 4000;  // with fewer a second thread takes more time than it saves
+constexpr std::int64_t motion_check_steps = 32;
+
+std::string number(Real value, int digits = 4) { return cases::short_number(value, digits); }
+
+/// The part of method spheres in a run, see CaseRun.
+struct SpheresWork final : WorkDefaults {
+  const cases::CaseFile& file;
+  RunTimes times;
+  SpheresModel model;
+  RunFolder folder;
+  RunIdentity identity;
+  RunClocks clocks;
+  SpheresRecord record;
+  const RunOptions& options;
+
+  SpheresWork(const cases::CaseFile& of, const RunOptions& of_run)
+      : file(of),
+        model(build_spheres(of)),
+        folder(of_run.folder, of_run.begin),
+        identity(identify(of.as<cases::SpheresCase>(), observe::to_hex(model.start))),
+        clocks(make_clocks(of.as<cases::SpheresCase>().time, model.steps.step)),
+        record(folder, of, model, clocks),
+        options(of_run) {
+    give_back_large_tables();
+    parallel::limit_threads(static_cast<int>(spheres()) / spheres_per_thread);
+  }
+
+  std::int64_t spheres() const { return static_cast<std::int64_t>(model.group.size()); }
+
+  const std::string& title() const { return file.as<cases::SpheresCase>().title; }
+  static std::string method() { return "spheres"; }
+  std::string words() const {
+    const SphereSteps& steps = model.steps;
+    const std::string share = number(steps.smallest() / steps.limit, 3);
+    std::string words = steps.level.empty()
+                            ? fmt::format("{} spheres, step {} s, {} of the limit", spheres(), number(steps.step), share)
+                            : fmt::format("{} spheres at {} levels, steps {} to {} s, {} of the limit", spheres(),
+                                          steps.count.size(), number(steps.smallest()), number(steps.step), share);
+    for (const std::string& note : model.wall_notes) words += "\n  " + note;
+    return words;
+  }
+  Real checkpoint_interval() const { return file.as<cases::SpheresCase>().output.checkpoint_interval; }
+
+  bool start() {
+    if (!let_rain(file.as<cases::SpheresCase>(), model, options)) return false;
+    model.stepper->start();
+    return true;
+  }
+
+  bool advance(const Pause&) {
+    model.stepper->advance();
+    return true;
+  }
+  std::int64_t step() const { return model.stepper->steps(); }
+  bool must_check() const override { return step() % motion_check_steps == 0; }
+  void read_motion(MotionTable& table) { read_spheres(*model.stepper, table); }
+
+  ProgressState progress(Real share, Real time) const {
+    return {share, time, model.stepper->particle_steps(), model.steps.smallest(), -1, "particle-steps"};
+  }
+  void columns(Archive& archive) {
+    archive.folder("stepper", [&] { model.stepper->columns(archive); });
+  }
+
+  std::uint64_t state_hash() const { return record.state_hash(); }
+  void write_case() const { observe::write_file(folder.case_file(), cases::write_resolved(file.as<cases::SpheresCase>(), folder.path())); }
+  void write_end() override { record.write_fragments(); }
+};
+
+}  // namespace
+
+std::unique_ptr<LiveRun> open_spheres(const cases::CaseFile& file, const RunOptions& options) {
+  return std::make_unique<CaseRun<SpheresWork>>(file, options);
+}
+
+namespace {
+
+/// What `check` says of shapes and walls of triangles.
+std::string notes_text(const SpheresModel& model) {
+  std::string text;
+  for (const ShapeFill& fill : model.fills)
+    text += fmt::format("  {:<12}\"{}\": its spheres fill {} % of its surface, whose mass and inertia it has\n", "shapes",
+                        fill.shape, number(100 * fill.share, 3));
+  for (const std::string& note : model.wall_notes) text += fmt::format("  {:<12}{}\n", "walls", note);
+  return text;
+}
+
+/// What `check` says of the steps of a body.
+std::string steps_text(const SphereSteps& steps, const RunClocks& clocks) {
+  std::string text =
+      fmt::format("  {:<12}limit {} s\n", "stability", number(steps.limit, 5)) +
+      fmt::format("  {:<12}{} s, {} of the limit, {} to a history row\n", steps.level.empty() ? "step" : "base step",
+                  number(steps.step, 5), number(steps.step / steps.limit, 3), clocks.steps_per_row);
+  for (std::size_t level = 0; level < steps.count.size(); ++level)
+    text += fmt::format("  {:<12}{}: {} spheres, {} s\n", level == 0 ? "levels" : "", level, steps.count[level],
+                        number(std::ldexp(steps.step, -static_cast<int>(level)), 5));
+  text += fmt::format("  {:<12}{} steps, {} particle-steps", "work", clocks.steps(),
+                      number(steps.particle_steps * static_cast<Real>(clocks.steps())));
+  if (steps.level.empty()) return text + "\n";
+  return text + fmt::format(" or so, {} of those that one step for all takes\n", number(steps.share_of_uniform, 2));
+}
+
+}  // namespace
+
+std::string check_spheres(const cases::CaseFile& file) {
+  const SpheresModel model = build_spheres(file);
+  const RunClocks clocks = make_clocks(file.as<cases::SpheresCase>().time, model.steps.step);
+  Real volume = 0, mass = 0, smallest = 0, largest = 0;
+  for (const state::Clump& clump : model.stepper->clumps().clumps) {
+    volume += clump.volume;
+    mass += clump.mass;
+  }
+  for (std::size_t i = 0; i < model.group.size(); ++i) {
+    const state::SpherePlace& place = model.stepper->spheres().place[i];  // before the first step, by number
+    if (model.body[i] < 0) mass += place.mass;
+    smallest = smallest > 0 ? std::min(smallest, place.radius) : place.radius;
+    largest = std::max(largest, place.radius);
+  }
+  return cases::explain(file.as<cases::SpheresCase>()) +
+         fmt::format("  {:<12}{} spheres of radius {} to {} m, {} kg, {} walls\n", "body", model.group.size(), number(smallest),
+                     number(largest), number(mass), model.stepper->walls().walls().size()) +
+         (model.clumps > 0 ? fmt::format("  {:<12}{} rigid, of {} m3 together\n", "clumps", model.clumps, number(volume)) : "") +
+         (model.stepper->bodies().empty()
+              ? ""
+              : fmt::format("  {:<12}{} bonded, their inertia within {} of that of their shapes\n", "bodies",
+                            model.stepper->bodies().count(), number(model.share_error, 2))) +
+         (model.bonds > 0 ? fmt::format("  {:<12}{} at the start\n", "bonds", model.bonds) : "") + notes_text(model) +
+         steps_text(model.steps, clocks);
+}
+
+}  // namespace sazare::runs

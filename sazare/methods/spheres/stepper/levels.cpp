@@ -1,0 +1,243 @@
+#include "sazare/methods/spheres/stepper/levels.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "sazare/parallel/threads.hpp"
+
+namespace sazare::methods::spheres {
+
+namespace {
+
+/// From how many blocks on threads share the work on so many spheres: the finest levels are small, and often due.
+std::size_t serial_below(std::size_t spheres) { return spheres > neighbors::block_size ? 2 : static_cast<std::size_t>(-1); }
+
+void add(state::SphereLoad& to, Real share, const state::SphereLoad& load) {
+  to.fx += share * load.fx;
+  to.fy += share * load.fy;
+  to.fz += share * load.fz;
+  to.mx += share * load.mx;
+  to.my += share * load.my;
+  to.mz += share * load.mz;
+}
+
+}  // namespace
+
+SphereLevels::SphereLevels(std::vector<std::int8_t> level, const methods::spheres::ContactTable& table, Real base_step) {
+  const int finest = level.empty() ? 0 : *std::ranges::max_element(level);
+  if (finest > 0) level_ = std::move(level);
+  for (int k = 0; k <= finest; ++k)
+    levels_.push_back({std::ldexp(base_step, -k), methods::spheres::PairContacts(table), {}, 0, {}, {}});
+}
+
+std::size_t SphereLevels::coarsest_due(std::int64_t tick) const {
+  return tick == 0 ? 0 : count() - 1 - static_cast<std::size_t>(std::countr_zero(static_cast<std::uint64_t>(tick)));
+}
+
+std::size_t SphereLevels::pace(std::size_t sphere) const {
+  std::size_t pace = count() - 1;
+  while (sphere >= levels_[pace].spheres) --pace;
+  return pace;
+}
+
+std::vector<std::int8_t> SphereLevels::by_place(const state::Spheres& spheres) const {
+  std::vector<std::int8_t> level(level_.size());
+  for (std::size_t i = 0; i < level.size(); ++i) level[i] = level_[static_cast<std::size_t>(spheres.number[i])];
+  return level;
+}
+
+std::vector<Index> SphereLevels::find(state::Spheres& spheres, Real margin, Together together) {
+  for (Level& level : levels_) level.loads = {};
+  if (is_one()) return levels_.front().pairs.find(spheres, margin);
+  const std::vector<std::int8_t> level = by_place(spheres);
+  auto found =
+      neighbors::find_leveled_pairs(spheres, margin, {level, finest(), std::move(together.bonded), std::move(together.body)});
+  const std::vector<Index> new_place = neighbors::places_after(found.order);
+  neighbors::put_in_order(spheres, found.order);
+  for (std::size_t l = 0; l < levels_.size(); ++l) levels_[l].pairs.go_over(std::move(found.pairs[l]), new_place);
+  return std::move(found.order);
+}
+
+SphereLevels::Level& SphereLevels::level_of(const state::Spheres& spheres, Index one, Index other) {
+  if (is_one()) return levels_.front();
+  const auto own = [&](Index i) { return level_[static_cast<std::size_t>(spheres.number[static_cast<std::size_t>(i)])]; };
+  return levels_[static_cast<std::size_t>(std::max(own(one), own(other)))];
+}
+
+void SphereLevels::rest_within(std::span<const Index> body) {
+  for (Level& level : levels_) level.pairs.rest_within(body);
+}
+
+void SphereLevels::rest(const state::Spheres& spheres, Index one, Index other) {
+  level_of(spheres, one, other).pairs.rest(one, other);
+}
+
+void SphereLevels::wake(const state::Spheres& spheres, Index one, Index other, Real allowed) {
+  Level& level = level_of(spheres, one, other);
+  level.pairs.wake(one, other, allowed, level.loads);
+}
+
+void SphereLevels::arrange(const methods::spheres::Bonds& bonds) {
+  blocks_.clear();
+  flocks_.clear();
+  blocks_until_.resize(levels_.size());
+  flocks_until_.resize(levels_.size());
+  std::size_t begin = 0;
+  for (std::size_t l = levels_.size(); l-- > 0;) {
+    Level& level = levels_[l];
+    level.spheres = level.pairs.pairs().first.size() - 1;
+    level.loads.arrange(level.pairs.pairs(), bonds.empty() ? methods::spheres::BlockLinks{} : bonds.links(l).ends);
+    level.pairs.write_to(level.loads);
+    for (std::size_t block = 0; block < level.loads.blocks(); ++block) blocks_.push_back({l, block});
+    while (begin < level.spheres) {
+      const std::size_t end = std::min((begin / neighbors::block_size + 1) * neighbors::block_size, level.spheres);
+      flocks_.push_back({l, begin, end});
+      begin = end;
+    }
+    blocks_until_[l] = blocks_.size();
+    flocks_until_[l] = flocks_.size();
+  }
+  sums_.resize(blocks_.size());
+  speeds_.resize(flocks_.size());
+  driven_work_.resize(flocks_.size());
+}
+
+ComingLines SphereLevels::coming(const state::Spheres& spheres, std::size_t n) const {
+  const Level& level = levels_[blocks_[n].level];
+  return level.pairs.coming(spheres, level.loads, blocks_[n].block);
+}
+
+void SphereLevels::evaluate_block(std::size_t n, const Scene& scene, state::SphereLoad* own, const ComingLines& next) {
+  const auto [number, block] = blocks_[n];
+  Level& level = levels_[number];
+  level.loads.clear_guests(block);
+  sums_[n] = level.pairs.evaluate(scene.spheres,
+                                  {block, scene.approach_of(block), level.step, level.loads, own, next, scene.tells_energies});
+  if (!scene.walls.walls().empty()) sums_[n] += scene.walls.evaluate(scene.spheres, {block, level.step, own, number});
+  if (!scene.bonds.empty())
+    sums_[n] += scene.bonds.evaluate(scene.spheres, {block, level.step, level.pairs.table(), level.loads, own, number});
+}
+
+void SphereLevels::evaluate(std::int64_t tick, const Scene& scene) {
+  const std::size_t coarsest = coarsest_due(tick), count = blocks_until_[coarsest],
+                    alone_below = serial_below(levels_[coarsest].spheres);
+  const auto kept = [&](std::size_t n) { return levels_[blocks_[n].level].loads.kept(blocks_[n].block); };
+  parallel::parallel_for(count, alone_below, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      std::ranges::fill(kept(n), state::SphereLoad{});
+      evaluate_block(n, scene, kept(n).data(), n + 1 < end ? coming(scene.spheres, n + 1) : ComingLines{});
+    }
+  });
+  parallel::parallel_for(count, alone_below, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) levels_[blocks_[n].level].loads.gather(blocks_[n].block, kept(n).data());
+  });
+  add_up(tick);
+}
+
+void SphereLevels::add_up(std::int64_t tick) {
+  const std::size_t coarsest = coarsest_due(tick);
+  for (std::size_t l = coarsest; l < levels_.size(); ++l) levels_[l].sums = {};
+  for (std::size_t n = 0; n < blocks_until_[coarsest]; ++n) levels_[blocks_[n].level].sums += sums_[n];
+  for (std::size_t l = coarsest; l < levels_.size(); ++l) counts_.evaluations += levels_[l].sums.contacts;
+  if (tick == 0)
+    for (const Level& level : levels_) counts_.uniform_evaluations += ticks() * level.sums.contacts;
+}
+
+std::int64_t SphereLevels::book(std::int64_t tick, methods::spheres::ContactSums& sums) const {
+  methods::spheres::ContactSums due;
+  for (std::size_t l = coarsest_due(tick); l < levels_.size(); ++l) due += levels_[l].sums;
+  sums.dashpot_work += due.dashpot_work;
+  sums.sliding_work += due.sliding_work;
+  sums.bond_drag += due.bond_drag;
+  sums.fracture += due.fracture;
+  sums.broken += due.broken;
+  if (tick > 0) return due.broken;
+  sums.elastic = due.elastic;
+  sums.sliding = due.sliding;
+  sums.bonds = due.bonds;
+  sums.contacts = due.contacts;
+  return due.broken;
+}
+
+std::vector<TimedTable> SphereLevels::acting(std::size_t pace, std::int64_t tick) const {
+  const auto stride = [&](std::size_t level) { return std::int64_t{1} << (levels_.size() - 1 - level); };
+  const std::int64_t next = tick + stride(pace);
+  std::vector<TimedTable> tables;
+  for (std::size_t l = 0; l <= pace; ++l) {
+    const std::int64_t evaluated = tick - tick % stride(l);
+    const Real halves = static_cast<Real>(2 * (next - evaluated) - stride(l));
+    tables.push_back({&levels_[l].loads, evaluated == tick ? levels_[l].step : 0, 0.5 * tick_seconds() * halves});
+  }
+  return tables;
+}
+
+std::vector<TimedTable> SphereLevels::acting_until_now(std::size_t pace) const {
+  std::vector<TimedTable> tables;
+  for (std::size_t l = 0; l <= pace; ++l) tables.push_back({&levels_[l].loads, 0, 0.5 * levels_[l].step});
+  return tables;
+}
+
+Real SphereLevels::kick(std::int64_t tick, state::Spheres& spheres, const Kick& rules) {
+  const std::size_t coarsest = coarsest_due(tick), count = flocks_until_[coarsest];
+  parallel::parallel_for(count, serial_below(levels_[coarsest].spheres), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) fly(n, tick, spheres, rules);
+  });
+  for (std::size_t l = coarsest; l < levels_.size(); ++l) levels_[l].speeds = {};
+  Real driven_work = 0;
+  for (std::size_t n = 0; n < count; ++n) {
+    levels_[flocks_[n].pace].speeds.take(speeds_[n]);
+    driven_work += driven_work_[n];
+  }
+  count_kicks(levels_[coarsest].spheres);
+  return driven_work;
+}
+
+/// Kicks and moves a flock.
+void SphereLevels::fly(std::size_t n, std::int64_t tick, state::Spheres& spheres, const Kick& rules) {
+  const auto [pace, begin, end] = flocks_[n];
+  const Real step = levels_[pace].step;
+  std::vector<TimedLoads> loads;
+  for (const TimedTable& level : acting(pace, tick)) loads.push_back({&level.loads->of(begin), level.given, level.foreseen});
+  speeds_[n] = kick_and_drift(spheres, begin, end, loads, {step, rules.gravity, rules.drift});
+  if (!spheres.turn.empty()) turn(spheres, begin, end, step);
+  driven_work_[n] = 0;
+  if (!rules.drives) return;
+  for (const TimedLoads& level : loads)
+    if (level.given > 0) driven_work_[n] += work_of_driven(spheres, begin, end, level.loads, level.given);
+}
+
+SphereSpeeds SphereLevels::speeds() const {
+  SphereSpeeds all;
+  for (const Level& level : levels_) all.take(level.speeds);
+  return all;
+}
+
+state::SphereLoad SphereLevels::load(std::size_t sphere) const {
+  state::SphereLoad load;
+  for (std::size_t l = 0; l <= pace(sphere); ++l) add(load, 1, levels_[l].loads.of(sphere));
+  return load;
+}
+
+state::SphereLoad SphereLevels::half_impulse(std::size_t sphere) const {
+  state::SphereLoad impulse;
+  for (std::size_t l = 0; l <= pace(sphere); ++l) add(impulse, 0.5 * levels_[l].step, levels_[l].loads.of(sphere));
+  return impulse;
+}
+
+void SphereLevels::columns(Archive& archive) {
+  for (std::size_t l = 0; l < levels_.size(); ++l)
+    archive.folder("level" + std::to_string(l), [&] { levels_[l].pairs.columns(archive); });
+  archive("kicks", counts_.kicks);
+  archive("evaluations", counts_.evaluations);
+  archive("uniform_evaluations", counts_.uniform_evaluations);
+}
+
+void SphereLevels::load_columns(Archive& archive) {
+  for (std::size_t l = 0; l < levels_.size(); ++l)
+    archive.folder("loads" + std::to_string(l), [&] { levels_[l].loads.columns(archive); });
+}
+
+}  // namespace sazare::methods::spheres

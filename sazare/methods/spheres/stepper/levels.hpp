@@ -1,0 +1,175 @@
+#pragma once
+
+/// Spheres at time levels: the contacts and bonds of each level, and who is kicked when. All in one step are at one level.
+///
+/// A sphere at level k could step base / 2^k. A contact or a bond has the finer level of its two spheres, or that of the one that
+/// touches a wall, and is evaluated at its own steps. A sphere is kicked whenever one of them may be evaluated: its pace is the
+/// finest level among its own and those of the spheres it is bonded to or may touch until pairs are found anew; spheres of a
+/// clump have one level and one pace. So both spheres of a contact stand at the tick at which it is evaluated, with the
+/// velocities foreseen for it, and force and reaction act at one point: an asynchronous variational integrator, as of blocks
+/// (docs/theory/time-levels.md).
+///
+/// Levels stay with their spheres; in phase are all at base steps alone, where pairs are found.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sazare/core/large_tables.hpp"
+#include "sazare/methods/spheres/bonds.hpp"
+#include "sazare/methods/spheres/pair_contacts.hpp"
+#include "sazare/methods/spheres/stepper/clump_motion.hpp"
+#include "sazare/methods/spheres/stepper/motion.hpp"
+#include "sazare/methods/spheres/wall_contacts.hpp"
+#include "sazare/neighbors/pair_levels.hpp"
+
+namespace sazare::methods::spheres {
+
+class SphereLevels {
+public:
+  /// `level` by number of the sphere; empty: all at level 0. The base step [s].
+  SphereLevels(std::vector<std::int8_t> level, const methods::spheres::ContactTable& table, Real base_step);
+
+  /// Whether all spheres take one step.
+  bool is_one() const { return levels_.size() == 1; }
+  std::size_t count() const { return levels_.size(); }
+  int finest() const { return static_cast<int>(count()) - 1; }
+  /// Of a base step.
+  std::int64_t ticks() const { return std::int64_t{1} << finest(); }
+  Real tick_seconds() const { return levels_.back().step; }
+  /// Of the levels due at a tick of a base step; all finer ones are due as well.
+  std::size_t coarsest_due(std::int64_t tick) const;
+  /// By number of the sphere; empty where all are at one.
+  const std::vector<std::int8_t>& by_number() const { return level_; }
+  /// By place; empty where all are at one.
+  std::vector<std::int8_t> by_place(const state::Spheres& spheres) const;
+  std::size_t pace(std::size_t sphere) const;
+  /// Of a pace or a level [s].
+  Real step(std::size_t level) const { return levels_[level].step; }
+
+  /// Which spheres belong together, by their present places: see neighbors::LevelsByPlace.
+  struct Together {
+    std::vector<neighbors::LevelsByPlace::Bonded> bonded;
+    std::vector<Index> body;
+  };
+  /// Sorts the spheres by pace and along a curve and finds all pairs nearer than the margin [m]; what touches goes on
+  /// remembering. Returns the place before of each sphere. `arrange` is to follow.
+  std::vector<Index> find(state::Spheres& spheres, Real margin, Together together);
+  /// The same as of PairContacts, in the level in which the pair is.
+  void rest_within(std::span<const Index> body);
+  void rest(const state::Spheres& spheres, Index one, Index other);
+  void wake(const state::Spheres& spheres, Index one, Index other, Real allowed);
+  /// Loads and lists of what is worked on together, from the pairs and from the bonds, which are laid out.
+  void arrange(const methods::spheres::Bonds& bonds);
+
+  methods::spheres::PairContacts& pairs(std::size_t level) { return levels_[level].pairs; }
+  const methods::spheres::PairContacts& pairs(std::size_t level) const { return levels_[level].pairs; }
+  methods::spheres::LoadTable& loads(std::size_t level) { return levels_[level].loads; }
+  const methods::spheres::LoadTable& loads(std::size_t level) const { return levels_[level].loads; }
+
+  /// What a step reads but for the spheres.
+  void add_to(LargePages& pages) const {
+    for (const Level& level : levels_) {
+      level.pairs.add_to(pages);
+      level.loads.add_to(pages);
+    }
+  }
+
+  /// What acts on spheres.
+  struct Scene {
+    const state::Spheres& spheres;
+    methods::spheres::WallContacts& walls;
+    methods::spheres::Bonds& bonds;
+    std::span<const Real> approach;  ///< how much nearer spheres may have come since pairs were found: of all, or by block [m]
+    bool tells_energies = true;      ///< whether somebody may ask what contacts hold at this time
+
+    Real approach_of(std::size_t block) const { return approach[approach.size() > 1 ? block : 0]; }
+  };
+  /// Evaluates all that is due at a tick of a base step, and keeps the loads.
+  void evaluate(std::int64_t tick, const Scene& scene);
+  /// Evaluates block number `n` of the finest level; its loads add up in `own`, which is zero, and `next` comes to the cache
+  /// meanwhile.
+  void evaluate_block(std::size_t n, const Scene& scene, state::SphereLoad* own, const ComingLines& next);
+  /// Adds up what the blocks due at a tick have given, after all of them; `evaluate` has done so.
+  void add_up(std::int64_t tick);
+  /// What the evaluation of a block will read.
+  ComingLines coming(const state::Spheres& spheres, std::size_t n) const;
+
+  /// Adds what the levels due have taken at a tick to the works of `sums`; at a base step also sets what contacts and bonds hold.
+  /// Returns how many bonds broke.
+  std::int64_t book(std::int64_t tick, methods::spheres::ContactSums& sums) const;
+
+  /// What of the spheres all kicks have in common.
+  struct Kick {
+    Vector3 gravity = Vector3::Zero();  ///< [m/s2]
+    Vector3 drift = Vector3::Zero();    ///< from which speeds are seen [m/s]
+    bool drives = false;                ///< some held sphere moves
+  };
+
+  /// Kicks the spheres due at a tick that are of no clump, and moves each to its next time. Returns what driven ones brought in
+  /// [J].
+  Real kick(std::int64_t tick, state::Spheres& spheres, const Kick& rules);
+  /// Counts the kicks of one step of all spheres, which did not go by `kick`.
+  void count_kicks(std::size_t spheres) { counts_.kicks += static_cast<std::int64_t>(spheres); }
+  /// Further speeds of bodies of a pace, after their kick.
+  void take(std::size_t pace, const SphereSpeeds& speeds) { levels_[pace].speeds.take(speeds); }
+  /// Of all, each since its last kick.
+  SphereSpeeds speeds() const;
+
+  /// The loads of all levels on a body of a pace which is kicked at a tick. A load evaluated at t acts from half a step of its
+  /// level before t to half a step after it.
+  std::vector<TimedTable> acting(std::size_t pace, std::int64_t tick) const;
+  /// The same where forces are kept and the kick of this base step is still to come: nothing given yet, half a step of each
+  /// level ahead.
+  std::vector<TimedTable> acting_until_now(std::size_t pace) const;
+
+  /// At a base step whose forces are kept: the load on a sphere, and what its momenta lack.
+  state::SphereLoad load(std::size_t sphere) const;
+  state::SphereLoad half_impulse(std::size_t sphere) const;
+
+  /// How often since the start.
+  struct Counts {
+    std::int64_t kicks = 0;                ///< of spheres
+    std::int64_t evaluations = 0;          ///< of contacts
+    std::int64_t uniform_evaluations = 0;  ///< with the finest step for all, as many as touch at base steps
+  };
+  const Counts& counts() const { return counts_; }
+  void count_anew() { counts_ = {}; }
+
+  /// Pairs and counts; `arrange` is to follow a reading, and then `load_columns` where loads are kept.
+  void columns(Archive& archive);
+  void load_columns(Archive& archive);
+
+private:
+  struct Level {
+    Real step = 0;  ///< [s]
+    methods::spheres::PairContacts pairs;
+    methods::spheres::LoadTable loads;  ///< of the spheres that have this pace or a finer one
+    std::size_t spheres = 0;            ///< so many: they stand before all others
+    methods::spheres::ContactSums sums;
+    SphereSpeeds speeds;  ///< of the bodies of this very pace since their last kick
+  };
+  /// A block of a level, to be evaluated together.
+  struct Block {
+    std::size_t level = 0, block = 0;
+  };
+  /// Spheres of one pace in a block, to be kicked together.
+  struct Flock {
+    std::size_t pace = 0, begin = 0, end = 0;
+  };
+
+  Level& level_of(const state::Spheres& spheres, Index one, Index other);
+  void fly(std::size_t n, std::int64_t tick, state::Spheres& spheres, const Kick& rules);
+
+  std::vector<std::int8_t> level_;  ///< by number of the sphere; empty where all are at one
+  std::vector<Level> levels_;
+  std::vector<Block> blocks_;                             ///< finest level first
+  std::vector<Flock> flocks_;                             ///< finest pace first
+  std::vector<std::size_t> blocks_until_, flocks_until_;  ///< by level: so many are of it or of finer ones
+  std::vector<methods::spheres::ContactSums> sums_;       ///< by block
+  std::vector<SphereSpeeds> speeds_;                      ///< by flock
+  std::vector<Real> driven_work_;                         ///< by flock, of the last kick [J]
+  Counts counts_;
+};
+
+}  // namespace sazare::methods::spheres

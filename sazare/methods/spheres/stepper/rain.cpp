@@ -1,0 +1,121 @@
+/// Spheres and clumps that fall until they rest, while all others, and the walls, stand still.
+
+#include <cmath>
+#include <utility>
+
+#include "sazare/methods/spheres/stepper/stepper.hpp"
+
+namespace sazare::methods::spheres {
+
+namespace {
+
+constexpr std::int64_t steps_between_looks = 64;
+
+void stop(state::SphereKick& kick) { kick.vx = kick.vy = kick.vz = kick.wx = kick.wy = kick.wz = 0; }
+
+/// Those clumps of which all spheres are marked, by number.
+state::Clumps clumps_of(const state::Clumps& all, const std::vector<std::uint8_t>& marked) {
+  state::Clumps some;
+  for (std::size_t c = 0; c < all.clumps.size(); ++c) {
+    if (marked[static_cast<std::size_t>(all.members[all.begin_of(c)].sphere)] == 0) continue;
+    some.clumps.push_back(all.clumps[c]);
+    some.clumps.back().first_member = static_cast<std::int64_t>(some.members.size());
+    some.members.insert(some.members.end(), all.members.begin() + static_cast<std::ptrdiff_t>(all.begin_of(c)),
+                        all.members.begin() + static_cast<std::ptrdiff_t>(all.end_of(c)));
+  }
+  return some;
+}
+
+}  // namespace
+
+RainEnd SphereStepper::rain(const RainRules& rules) {
+  std::vector<state::SphereKick> kicks(spheres_.size());
+  for (std::size_t i = 0; i < spheres_.size(); ++i) {
+    const auto number = static_cast<std::size_t>(spheres_.number[i]);
+    kicks[number] = spheres_.kick[i];
+    if (rules.rains[number] != 0) continue;
+    spheres_.kick[i] = {};
+    spheres_.set_motion(i, Vector3::Zero(), Vector3::Zero());
+  }
+  state::Clumps all = std::exchange(clumps_, clumps_of(clumps_, rules.rains));
+  const bool drove = std::exchange(drives_, false);
+  walls_.stand_still(true);
+  start();
+  const Real kept = std::exp(-rules.damping * rules_.step);
+  RainEnd end{0, unrest(), true};
+  while (end.unrest > 1 && end.steps < rules.most_steps && end.goes_on) {
+    advance();
+    step_ = 0;  // it rains before the beginning
+    slow(kept);
+    if (++end.steps % steps_between_looks != 0) continue;
+    end.unrest = unrest();
+    end.goes_on = rules.goes_on(end.steps, end.unrest);
+  }
+  walls_.stand_still(false);
+  drives_ = drove;
+  for (std::size_t c = 0, rained = 0; c < all.clumps.size(); ++c) {
+    if (rules.rains[static_cast<std::size_t>(all.members[all.begin_of(c)].sphere)] == 0) continue;
+    const std::int64_t first = all.clumps[c].first_member;
+    all.clumps[c] = clumps_.clumps[rained++];
+    all.clumps[c].first_member = first;
+    all.clumps[c].velocity = all.clumps[c].angular_momentum = {};
+    all.clumps[c].impulse_ahead = all.clumps[c].turning_ahead = {};
+  }
+  clumps_ = std::move(all);
+  for (std::size_t i = 0; i < spheres_.size(); ++i) {
+    state::SphereKick& kick = spheres_.kick[i];
+    const auto number = static_cast<std::size_t>(spheres_.number[i]);
+    kick = kicks[number];
+    if (rules.rains[number] != 0) stop(kick);
+    spheres_.set_motion(i, {kick.vx, kick.vy, kick.vz}, {kick.wx, kick.wy, kick.wz});
+  }
+  settled_ = false;
+  return end;
+}
+
+/// All that moves keeps this share of its velocity.
+void SphereStepper::slow(Real kept) {
+  for (std::size_t i = 0; i < spheres_.size(); ++i) {
+    state::SphereKick& kick = spheres_.kick[i];
+    state::SpherePlace& place = spheres_.place[i];
+    state::SphereSpin& spin = spheres_.spin[i];
+    for (Real* part :
+         {&kick.vx, &kick.vy, &kick.vz, &kick.wx, &kick.wy, &kick.wz, &place.vx, &place.vy, &place.vz, &spin.x, &spin.y, &spin.z})
+      *part *= kept;
+  }
+  for (state::Clump& clump : clumps_.clumps) {
+    clump.velocity = kept * clump.velocity;
+    clump.angular_momentum = kept * clump.angular_momentum;
+  }
+}
+
+/// How far the body is from rest; 1 or less where it rests. Kinetic energy is compared with what lifts all by a millionth of the
+/// mean radius, the mean acceleration, which does not forget what has just begun to fall, with a hundredth of gravity.
+Real SphereStepper::unrest() {
+  constexpr Real lifted_by = 1e-6, of_gravity = 1e-2;
+  settle();
+  Real mass = 0, squares = 0, radius = 0;
+  for (std::size_t i = 0; i < spheres_.size(); ++i) {
+    radius += spheres_.place[i].radius;
+    if (!(spheres_.kick[i].inverse_mass > 0)) continue;
+    mass += spheres_.place[i].mass;
+    squares += spheres_.place[i].mass * acceleration(i).squaredNorm();
+  }
+  for (std::size_t c = 0; c < clumps_.clumps.size(); ++c) {
+    const Real own = clumps_.clumps[c].mass;
+    Vector3 force = own * rules_.gravity;
+    for (const auto& member : clumps_.members_of(c)) {
+      const state::SphereLoad load = this->load(static_cast<std::size_t>(place_[static_cast<std::size_t>(member.sphere)]));
+      force += Vector3(load.fx, load.fy, load.fz);
+    }
+    mass += own;
+    squares += force.squaredNorm() / own;
+  }
+  radius /= static_cast<Real>(spheres_.size());
+  const SphereEnergies now = energies();
+  const Real gravity = rules_.gravity.norm();
+  return std::max((now.translation + now.rotation) / (lifted_by * mass * gravity * radius),
+                  std::sqrt(squares / mass) / (of_gravity * gravity));
+}
+
+}  // namespace sazare::methods::spheres

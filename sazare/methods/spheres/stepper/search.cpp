@@ -1,0 +1,149 @@
+/// Which spheres may touch: pairs and walls are found anew in time.
+
+#include <limits>
+
+#include "sazare/core/large_tables.hpp"
+#include "sazare/methods/spheres/stepper/stepper.hpp"
+
+namespace sazare::methods::spheres {
+
+namespace {
+
+/// What pairs are kept for, over what two spheres may come nearer in a base step of several levels at their present speeds.
+constexpr Real margin_over_way = 16;
+/// Pairs are found anew before a base step of several levels in which so many times this way might lead beyond this share of the
+/// margin. What is left of it is for spheres that are hit within the base step.
+constexpr Real way_ahead = 2, usable_share = 0.75;
+
+}  // namespace
+
+/// Paces follow from pairs, so with several levels these are found where all spheres are in phase, and early enough to last for
+/// the next base step. Returns whether pairs were found.
+bool SphereStepper::seek_in_time(const SphereSpeeds& speeds) {
+  const bool is_one = levels_.is_one(), has_walls = !walls_.walls().empty();
+  missed_pairs_ = missed_pairs_ || (!is_one && (approach_ > margin_ || (has_walls && wall_approach_ > rules_.wall_margin)));
+  const Real ahead = is_one ? 0 : way_ahead * rules_.step, share = is_one ? 1 : usable_share;
+  if (approach_ + ahead * (speeds.first + speeds.second) >= share * margin_) {
+    find_pairs();
+    return true;
+  }
+  const bool is_near = wall_approach_ + wall_approach_in(ahead, speeds) >= share * rules_.wall_margin;
+  if (has_walls && (is_near || may_pass_unseen(speeds))) find_walls({});
+  return false;
+}
+
+/// With one step for all: whether a sphere might go through a surface in the next one that no list has by then.
+bool SphereStepper::may_pass_unseen(const SphereSpeeds& speeds) const {
+  return levels_.is_one() && walls_.have_surfaces() &&
+         wall_approach_ + wall_approach_in(rules_.step, speeds) > rules_.wall_margin + smallest_radius_;
+}
+
+void SphereStepper::find_pairs() {
+  find_drift();
+  margin_ = margin_for_step();
+  const std::vector<Index> places_before = levels_.find(spheres_, margin_, together());
+  find_places();
+  rest_bodies();
+  bonds_.drop_broken();
+  arrange();
+  for (std::size_t level = 0; level < levels_.count() && !bonds_.empty(); ++level) {
+    const auto& links = bonds_.links(level);
+    for (std::size_t link = 0; link < links.first.size(); ++link)
+      levels_.rest(spheres_, links.first[link], links.ends.second[link]);
+  }
+  wake_broken_within_pieces();
+  find_walls(places_before);
+  approach_ = 0;
+  block_approach_.assign(levels_.is_one() ? levels_.loads(0).blocks() : 0, 0);
+  ++searches_;
+  ask_for_large_pages();
+}
+
+/// What steps go through stands on as few pages as can be: a processor knows the places of few.
+void SphereStepper::ask_for_large_pages() const {
+  LargePages pages;
+  pages.add(spheres_.place);
+  pages.add(spheres_.spin);
+  pages.add(spheres_.kick);
+  levels_.add_to(pages);
+  pages.ask();
+}
+
+/// All that follows from pairs and from where spheres stand.
+void SphereStepper::arrange() {
+  if (!bonds_.empty()) bonds_.arrange(place_, {levels_.count(), levels_.by_number()});
+  levels_.arrange(bonds_);
+  share_out();
+  clumps_at_pace_.assign(levels_.count(), {});
+  for (std::size_t c = 0; c < clumps_.clumps.size(); ++c) {
+    const Index member = clumps_.members_of(c).front().sphere;
+    const auto place = static_cast<std::size_t>(place_[static_cast<std::size_t>(member)]);
+    clumps_at_pace_[levels_.pace(place)].push_back(static_cast<Index>(c));
+  }
+}
+
+/// The mean velocity, from which speeds are seen.
+void SphereStepper::find_drift() {
+  Real mass = 0;
+  drift_ = Vector3::Zero();
+  for (const state::SpherePlace& place : spheres_.place) {
+    drift_ += place.mass * place.velocity();
+    mass += place.mass;
+  }
+  if (mass > 0) drift_ /= mass;
+}
+
+/// For how far pairs are to be found [m].
+Real SphereStepper::margin_for_step() const {
+  if (levels_.is_one()) return rules_.margin;
+  SphereSpeeds speeds;
+  for (const state::SpherePlace& place : spheres_.place) speeds.take({(place.velocity() - drift_).norm(), 0, 0});
+  return std::max(rules_.margin, margin_over_way * rules_.step * (speeds.first + speeds.second));
+}
+
+/// Where the spheres stand, by number.
+void SphereStepper::find_places() {
+  if (clumps_.empty() && bodies_.empty() && bonds_.empty()) return;
+  place_.resize(spheres_.size());
+  for (std::size_t i = 0; i < place_.size(); ++i) place_[static_cast<std::size_t>(spheres_.number[i])] = static_cast<Index>(i);
+}
+
+/// Which spheres have paces that go together.
+SphereLevels::Together SphereStepper::together() {
+  SphereLevels::Together together;
+  if (levels_.is_one()) return together;
+  find_places();
+  for (const auto& bond : bonds_.bonds())
+    if (bond.gone == 0)
+      together.bonded.push_back({place_[static_cast<std::size_t>(bond.first)], place_[static_cast<std::size_t>(bond.second)]});
+  if (!clumps_.empty()) together.body = by_place([&](Index number) { return body_[static_cast<std::size_t>(number)]; });
+  return together;
+}
+
+/// Spheres of one clump never touch, nor do those of one piece of a bonded body.
+void SphereStepper::rest_bodies() {
+  if (!bodies_.empty()) levels_.rest_within(by_place([&](Index number) { return bodies_.piece(number); }));
+  if (!clumps_.empty()) levels_.rest_within(by_place([&](Index number) { return body_[static_cast<std::size_t>(number)]; }));
+}
+
+/// A bond that has broken where others still join its spheres leaves a contact.
+void SphereStepper::wake_broken_within_pieces() {
+  if (bodies_.empty()) return;
+  for (const auto& bond : bonds_.bonds()) {
+    if (bond.gone == 0 || bodies_.piece(bond.first) < 0 || bodies_.piece(bond.first) != bodies_.piece(bond.second)) continue;
+    levels_.wake(spheres_, place_[static_cast<std::size_t>(bond.first)], place_[static_cast<std::size_t>(bond.second)], 0);
+  }
+}
+
+void SphereStepper::find_walls(std::span<const Index> places_before) {
+  if (walls_.walls().empty()) return;
+  const auto level = levels_.by_place(spheres_);
+  walls_.find(spheres_, time(), rules_.wall_margin, places_before, {levels_.count(), level});
+  wall_radius_ = 0;
+  for (const auto& wall : walls_.walls())
+    if (wall.motion.moves())
+      for (const auto& place : spheres_.place) wall_radius_ = std::max(wall_radius_, (place.centre() - wall.motion.pivot).norm());
+  wall_approach_ = 0;
+}
+
+}  // namespace sazare::methods::spheres

@@ -1,0 +1,238 @@
+#include "sazare/methods/spheres/stepper/stepper.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "sazare/parallel/threads.hpp"
+
+namespace sazare::methods::spheres {
+
+namespace {
+
+constexpr std::size_t serial_below_clumps = 500;
+constexpr std::int64_t steps_between_cuts = 64;  // cuts follow the spheres, which move little meanwhile
+
+Real smallest_radius(const state::Spheres& spheres) {
+  Real smallest = std::numeric_limits<Real>::infinity();
+  for (const auto& place : spheres.place) smallest = std::min(smallest, place.radius);
+  return smallest;
+}
+
+Real largest_radius(const state::Spheres& spheres) {
+  Real largest = 0;
+  for (const auto& place : spheres.place) largest = std::max(largest, place.radius);
+  return largest;
+}
+
+/// All spheres of a clump have the finest level among them.
+std::vector<std::int8_t> one_level_each(const state::Clumps& clumps, std::vector<std::int8_t> level) {
+  if (level.empty()) return level;
+  const auto level_of = [&](const state::ClumpMember& member) -> std::int8_t& {
+    return level[static_cast<std::size_t>(member.sphere)];
+  };
+  for (std::size_t c = 0; c < clumps.clumps.size(); ++c) {
+    std::int8_t finest = 0;
+    for (const auto& member : clumps.members_of(c)) finest = std::max(finest, level_of(member));
+    for (const auto& member : clumps.members_of(c)) level_of(member) = finest;
+  }
+  return level;
+}
+
+}  // namespace
+
+SphereStepper::SphereStepper(state::Spheres spheres, const methods::spheres::ContactTable& table,
+                             std::vector<methods::spheres::Wall> walls, const SphereRules& rules, methods::spheres::Bonds bonds,
+                             state::Clumps clumps, methods::spheres::BondedBodies bodies)
+    : spheres_(std::move(spheres)),
+      walls_(table, std::move(walls), largest_radius(spheres_) + rules.wall_margin),
+      bonds_(std::move(bonds)),
+      clumps_(std::move(clumps)),
+      bodies_(std::move(bodies)),
+      rules_(rules),
+      levels_(one_level_each(clumps_, rules.level), table, rules.step),
+      smallest_radius_(smallest_radius(spheres_)) {
+  if (!clumps_.empty()) body_.assign(spheres_.size(), -1);
+  for (std::size_t c = 0; c < clumps_.clumps.size(); ++c)
+    for (const auto& member : clumps_.members_of(c)) body_[static_cast<std::size_t>(member.sphere)] = static_cast<Index>(c);
+  if (!bonds_.empty()) spheres_.turn.resize(spheres_.size());  // those that are given stay
+  for (const state::SphereKick& kick : spheres_.kick)
+    drives_ = drives_ || (!(kick.inverse_mass > 0) &&
+                          (kick.vx != 0 || kick.vy != 0 || kick.vz != 0 || kick.wx != 0 || kick.wy != 0 || kick.wz != 0));
+}
+
+void SphereStepper::start() {
+  find_pairs();
+  for (std::size_t c = 0; c < clumps_.clumps.size(); ++c)
+    place_members(clumps_.clumps[c], clumps_.members_of(c), place_, spheres_);
+  settle();
+  for (state::Clump& clump : clumps_.clumps) methods::spheres::kick(clump, {-1 * clump.impulse_ahead, -1 * clump.turning_ahead});
+  sums_.dashpot_work = sums_.bond_drag = wall_work_ = 0;
+  sums_.sliding_work = sums_.sliding;  // what sliders hold at the beginning is not lost
+  levels_.count_anew();
+  for (std::size_t i = 0; i < spheres_.size(); ++i) {
+    const Vector3 back = half_kick(i), turn_back = half_turning_kick(i);
+    state::SphereKick& kick = spheres_.kick[i];
+    kick.vx -= back.x();
+    kick.vy -= back.y();
+    kick.vz -= back.z();
+    kick.wx -= turn_back.x();
+    kick.wy -= turn_back.y();
+    kick.wz -= turn_back.z();
+    largest_speed_ = std::max(largest_speed_, spheres_.place[i].velocity().norm());
+  }
+}
+
+/// Evaluates what is due at a tick of a base step.
+void SphereStepper::evaluate(std::int64_t tick) {
+  walls_.move(time() + static_cast<Real>(tick) * levels_.tick_seconds());
+  levels_.evaluate(tick, scene());
+  book(tick);
+}
+
+/// Adds up what the evaluation of a tick has given.
+void SphereStepper::book(std::int64_t tick) {
+  const std::size_t coarsest = levels_.coarsest_due(tick);
+  if (levels_.book(tick, sums_) > 0) part_broken(coarsest);
+  for (std::size_t level = coarsest; level < levels_.count(); ++level)
+    for (const auto& load : walls_.loads(level)) wall_work_ += load.work;
+  if (walls_.have_surfaces())
+    for (std::size_t level = coarsest; level < levels_.count(); ++level) walls_.note_passages(level);
+  walls_.book_surface(rules_.step);
+}
+
+void SphereStepper::settle() {
+  if (settled_) return;
+  evaluate(0);
+  hold_clumps();
+  settled_ = true;
+}
+
+/// What the momenta of clumps lack at a base step whose forces are kept.
+void SphereStepper::hold_clumps() {
+  for (std::size_t pace = 0; pace < clumps_at_pace_.size(); ++pace) {
+    const auto loads = levels_.acting_until_now(pace);
+    const SphereFlight flight{levels_.step(pace), rules_.gravity, drift_};
+    for (const Index clump : clumps_at_pace_[pace]) {
+      const auto c = static_cast<std::size_t>(clump);
+      gather(clumps_.clumps[c], clumps_.members_of(c), loads, flight, place_);
+    }
+  }
+}
+
+/// Kicks all that are due at a tick, and moves them. Returns the speeds of all.
+SphereSpeeds SphereStepper::kick(std::int64_t tick) {
+  wall_work_ += levels_.kick(tick, spheres_, {rules_.gravity, drift_, drives_});
+  for (std::size_t pace = levels_.coarsest_due(tick); pace < clumps_at_pace_.size(); ++pace) kick_clumps(pace, tick);
+  return levels_.speeds();
+}
+
+/// The clumps of a pace with their spheres.
+void SphereStepper::kick_clumps(std::size_t pace, std::int64_t tick) {
+  const std::vector<Index>& which = clumps_at_pace_[pace];
+  const auto loads = levels_.acting(pace, tick);
+  const SphereFlight flight{levels_.step(pace), rules_.gravity, drift_};
+  parallel::parallel_for(which.size(), serial_below_clumps, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      const auto c = static_cast<std::size_t>(which[n]);
+      state::Clump& clump = clumps_.clumps[c];
+      const auto members = clumps_.members_of(c);
+      methods::spheres::kick(clump, gather(clump, members, loads, flight, place_));
+      drift(clump, flight.step);
+      place_members(clump, members, place_, spheres_);
+    }
+  });
+  SphereSpeeds speeds;
+  for (const Index c : which) {
+    const state::Clump& clump = clumps_.clumps[static_cast<std::size_t>(c)];
+    const Real turning = turning_speed(clump, clumps_.members_of(static_cast<std::size_t>(c)));
+    const Vector3 moves = vector(clump.velocity);
+    speeds.take({(moves - drift_).norm() + turning, 0, moves.norm() + turning});
+  }
+  levels_.take(pace, speeds);
+}
+
+/// How fast all went in the last tick, and how much nearer they may have come.
+void SphereStepper::measure(const SphereSpeeds& speeds) {
+  const Real seconds = levels_.tick_seconds();
+  largest_speed_ = speeds.first <= std::numeric_limits<Real>::max() ? std::max(largest_speed_, speeds.largest)
+                                                                    : std::numeric_limits<Real>::infinity();
+  approach_ += seconds * (speeds.first + speeds.second);
+  const Real way = wall_approach_in(seconds, speeds);
+  wall_approach_ += way;
+  // A surface beyond the margin is in no list; a centre that is nearer to it than its radius has touched it first.
+  if (levels_.is_one() && wall_approach_ > rules_.wall_margin + smallest_radius_ && walls_.have_surfaces())
+    missed_way_ = std::max(missed_way_, way);
+}
+
+/// How much nearer spheres may have come in the last walk that one block looks at: the fast ones are elsewhere for most.
+void SphereStepper::measure_blocks() {
+  for (std::size_t block = 0; block < block_approach_.size(); ++block) {
+    SphereSpeeds speeds = speeds_[block];
+    for (const Index visited : levels_.loads(0).visited_by(block)) speeds.take(speeds_[static_cast<std::size_t>(visited)]);
+    block_approach_[block] += rules_.step * (speeds.first + speeds.second);
+  }
+}
+
+/// How much nearer a sphere and a wall may come [m].
+Real SphereStepper::wall_approach_in(Real seconds, const SphereSpeeds& speeds) const {
+  return seconds * (speeds.largest + walls_.largest_speed(wall_radius_ + rules_.wall_margin));
+}
+
+void SphereStepper::advance() {
+  largest_speed_ = 0;
+  SphereSpeeds speeds;
+  if (can_walk()) {
+    speeds = walk();
+    measure(speeds);
+    measure_blocks();
+  } else {
+    for (std::int64_t tick = 0; tick < levels_.ticks(); ++tick) {
+      if (tick > 0 || !settled_) evaluate(tick);
+      speeds = kick(tick);
+      measure(speeds);
+      for (Real& approach : block_approach_) approach += levels_.tick_seconds() * (speeds.first + speeds.second);
+    }
+  }
+  settled_ = false;
+  ++step_;
+  if (!seek_in_time(speeds) && step_ % steps_between_cuts == 0) balance();
+}
+
+void SphereStepper::columns(Archive& archive) {
+  archive("steps", step_);
+  int settled = settled_ ? 1 : 0;
+  archive("settled", settled);
+  settled_ = settled != 0;
+  archive("searches", searches_);
+  archive.folder("spheres", [&] { spheres_.columns(archive); });
+  levels_.columns(archive);
+  archive.folder("clumps", [&] { clumps_.columns(archive); });
+  archive.folder("bonds", [&] { bonds_.columns(archive); });
+  if (archive.reading()) {
+    find_places();
+    bodies_.find_pieces(bonds_);
+    arrange();
+    ask_for_large_pages();
+  }
+  if (settled_) levels_.load_columns(archive);
+  archive.folder("walls", [&] { walls_.columns(archive); });
+  if (archive.reading()) find_walls({});
+  for (int axis = 0; axis < 3; ++axis) archive("drift" + std::to_string(axis), drift_[axis]);
+  archive("approach", approach_);
+  archive("block_approach", block_approach_);
+  archive("margin", margin_);
+  archive("largest_speed", largest_speed_);
+  archive("contacts", sums_.contacts);
+  archive("elastic", sums_.elastic);
+  archive("sliding", sums_.sliding);
+  archive("dashpot_work", sums_.dashpot_work);
+  archive("sliding_work", sums_.sliding_work);
+  archive("bond_energy", sums_.bonds);
+  archive("bond_drag", sums_.bond_drag);
+  archive("fracture", sums_.fracture);
+  archive("broken_bonds", sums_.broken);
+  archive("wall_work", wall_work_);
+}
+
+}  // namespace sazare::methods::spheres

@@ -1,0 +1,230 @@
+#pragma once
+
+/// Walks spheres in equal steps: leapfrog, with contacts evaluated at the velocity foreseen for their time.
+///
+///     v(k+1/2) = v(k-1/2) + h a(k)     x(k+1) = x(k) + h v(k+1/2)     foreseen v(k+1) = v(k+1/2) + h a(k)/2
+///
+/// so the step is of second order with dashpots too. The spheres stand in memory along a curve, sorted anew whenever pairs are.
+/// Where spheres have time levels, a step is a base step, in which each takes as many steps as its level asks for. Where all
+/// take one step, and no clump waits for the forces on all its spheres, blocks are evaluated and kicked in one walk.
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "sazare/methods/spheres/bonded_bodies.hpp"
+#include "sazare/methods/spheres/pair_contacts.hpp"
+#include "sazare/methods/spheres/stepper/block_shares.hpp"
+#include "sazare/methods/spheres/stepper/levels.hpp"
+#include "sazare/methods/spheres/wall_contacts.hpp"
+#include "sazare/parallel/progress.hpp"
+#include "sazare/state/clumps.hpp"
+
+namespace sazare::methods::spheres {
+
+struct SphereRules {
+  Real step = 0;                        ///< h; with levels the base step [s]
+  Vector3 gravity = Vector3::Zero();    ///< [m/s2]
+  Real margin = 0;                      ///< spheres nearer than this are kept as pairs until they may have come closer [m]
+  Real wall_margin = 0;                 ///< the same for walls [m]
+  std::vector<std::int8_t> level = {};  ///< by number of the sphere; empty: all in one step. Those of a clump go by its finest
+};
+
+/// Where the energy is, and where it went; their sum without the works of walls stays.
+struct SphereEnergies {
+  Real translation = 0;   ///< [J]
+  Real rotation = 0;      ///< [J]
+  Real elastic = 0;       ///< in normal springs of contacts [J]
+  Real sliding = 0;       ///< in springs of sliders [J]
+  Real potential = 0;     ///< of gravity [J]
+  Real dashpot_work = 0;  ///< lost in normal dashpots since the start [J]
+  Real sliding_work = 0;  ///< lost in sliders since the start [J]
+  Real wall_work = 0;     ///< brought in by moving walls, and by spheres that are driven, since the start [J]
+  Real bonds = 0;         ///< in bonds [J]
+  Real bond_drag = 0;     ///< lost in dashpots of bonds since the start [J]
+  Real fracture = 0;      ///< lost by damage of bonds since the start [J]
+
+  Real sum() const {
+    return translation + rotation + elastic + sliding + potential + dashpot_work + sliding_work - wall_work + bonds + bond_drag +
+           fracture;
+  }
+};
+
+/// Spheres that fall until they rest, before the beginning.
+struct RainRules {
+  std::vector<std::uint8_t> rains;  ///< by number of the sphere; all or none of a clump
+  Real damping = 0;                 ///< every velocity falls at this rate besides [1/s]
+  std::int64_t most_steps = 0;
+  std::function<bool(std::int64_t steps, Real unrest)> goes_on;  ///< asked now and then
+};
+
+struct RainEnd {
+  std::int64_t steps = 0;
+  Real unrest = 0;  ///< 1 or less: all that fell rests
+  bool goes_on = true;
+};
+
+class SphereStepper {
+public:
+  SphereStepper(state::Spheres spheres, const methods::spheres::ContactTable& table, std::vector<methods::spheres::Wall> walls,
+                const SphereRules& rules, methods::spheres::Bonds bonds = {}, state::Clumps clumps = {},
+                methods::spheres::BondedBodies bodies = {});
+
+  /// Adds a surface that moves with its nodes, before `start` or a resume; one at most.
+  void add_surface(methods::spheres::Wall wall) { walls_.add_surface(std::move(wall)); }
+
+  /// From `time()` on, at which forces are kept, the surface's nodes go from these places with these velocities [m; m/s].
+  void lead(std::vector<Vector3> from, std::vector<Vector3> with) {
+    wall_work_ += walls_.lead(time(), rules_.step, std::move(from), std::move(with));
+  }
+
+  /// Evaluates the beginning; call once before the first `advance`, not after a resume.
+  void start();
+
+  /// Lets spheres fall until they rest, and takes their last velocity from them; all others, and the walls, stand still
+  /// meanwhile, and no time passes. To be called before `start`; contacts go on with what they remember.
+  RainEnd rain(const RainRules& rules);
+
+  /// A step: forces at `time()`, kick and drift.
+  void advance();
+
+  /// Evaluates the forces at `time()` and keeps them: to be called before anything below is asked for. The next `advance` goes on
+  /// from them, with the same bits.
+  void settle();
+
+  std::int64_t steps() const { return step_; }
+  Real time() const { return static_cast<Real>(step_) * rules_.step; }
+  const SphereRules& rules() const { return rules_; }
+  const state::Spheres& spheres() const { return spheres_; }
+  const methods::spheres::WallContacts& walls() const { return walls_; }
+  const SphereLevels& levels() const { return levels_; }
+  const methods::spheres::Bonds& bonds() const { return bonds_; }
+  const state::Clumps& clumps() const { return clumps_; }
+  const methods::spheres::BondedBodies& bodies() const { return bodies_; }
+
+  /// At `time()`.
+  state::SphereLoad load(std::size_t sphere) const { return levels_.load(sphere); }
+  Vector3 velocity(std::size_t sphere) const;
+  Vector3 spin(std::size_t sphere) const;
+  SphereEnergies energies() const;
+  Vector3 momentum() const;
+  /// About the origin [kg m2/s].
+  Vector3 angular_momentum() const;
+
+  /// Touching pairs of spheres, and of spheres and walls.
+  std::int64_t contacts() const { return sums_.contacts; }
+  std::int64_t searches() const { return searches_; }
+  /// Bonds that have broken so far.
+  std::int64_t broken_bonds() const { return sums_.broken; }
+  /// The largest speed in the last step [m/s]; infinite when one is no number.
+  Real largest_speed() const { return largest_speed_; }
+  /// Steps of single spheres so far.
+  std::int64_t particle_steps() const { return levels_.counts().kicks; }
+  /// With several levels: whether two spheres came so fast within a base step that they may have met before they were sought as a
+  /// pair.
+  bool missed_pairs() const { return missed_pairs_; }
+  /// Where a sphere's centre went through a surface of triangles, which pushes it on since; nothing where none did.
+  const std::optional<methods::spheres::Passage>& passage() const { return walls_.passage(); }
+  /// With one step for all: how far a sphere came in a step in which it may have gone through a surface unseen; 0 where there was
+  /// none [m].
+  Real missed_way() const { return missed_way_; }
+
+  void columns(Archive& archive);
+
+private:
+  Vector3 acceleration(std::size_t sphere) const;
+  Vector3 half_kick(std::size_t sphere) const;
+  Vector3 half_turning_kick(std::size_t sphere) const;
+  bool is_member(std::size_t sphere) const {
+    return !body_.empty() && body_[static_cast<std::size_t>(spheres_.number[sphere])] >= 0;
+  }
+
+  SphereLevels::Scene scene() {
+    const std::span<const Real> all(&approach_, 1);
+    return {spheres_, walls_, bonds_, block_approach_.empty() ? all : block_approach_};
+  }
+  void evaluate(std::int64_t tick);
+  void book(std::int64_t tick);
+  SphereSpeeds kick(std::int64_t tick);
+  void hold_clumps();
+  void kick_clumps(std::size_t pace, std::int64_t tick);
+  void measure(const SphereSpeeds& speeds);
+  void measure_blocks();
+  Real wall_approach_in(Real seconds, const SphereSpeeds& speeds) const;
+
+  bool can_walk() const;
+  SphereSpeeds walk();
+  void walk(std::size_t share, parallel::Progress& progress);
+  SphereSpeeds move(std::size_t block, std::span<const methods::spheres::PlaceRange> places, state::SphereLoad* loads);
+  void book_driven(std::size_t begin, std::size_t end, const state::SphereLoad* loads);
+  Real driven_work() const;
+  ComingLines coming(std::size_t block) const;
+  void ask_for_late(std::size_t block) const;
+  /// Which late block of each share is the next one to be taken.
+  using NextLate = std::vector<std::atomic<std::size_t>>;
+  void kick_late(std::size_t share, const parallel::Progress& progress, NextLate& next_late);
+  void share_out();
+  void balance();
+
+  bool seek_in_time(const SphereSpeeds& speeds);
+  bool may_pass_unseen(const SphereSpeeds& speeds) const;
+  void find_pairs();
+  void arrange();
+  void find_drift();
+  Real margin_for_step() const;
+  void find_places();
+  void ask_for_large_pages() const;
+  SphereLevels::Together together();
+  void rest_bodies();
+  void wake_broken_within_pieces();
+  void find_walls(std::span<const Index> places_before);
+  /// What `of_number` says of a sphere, by place.
+  template <class OfNumber>
+  std::vector<Index> by_place(OfNumber&& of_number) const {
+    std::vector<Index> values(spheres_.size());
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = of_number(spheres_.number[i]);
+    return values;
+  }
+  void part_broken(std::size_t coarsest);
+  void part_pieces(Index body);
+
+  void slow(Real kept);
+  Real unrest();
+
+  state::Spheres spheres_;
+  methods::spheres::WallContacts walls_;
+  methods::spheres::Bonds bonds_;
+  state::Clumps clumps_;
+  methods::spheres::BondedBodies bodies_;
+  std::vector<Index> body_;   ///< by number of the sphere: its clump, below 0 where none; empty without clumps
+  std::vector<Index> place_;  ///< by number, where the spheres stand; empty without bodies and bonds
+  std::vector<std::vector<Index>> clumps_at_pace_;
+  SphereRules rules_;
+  SphereLevels levels_;
+  std::int64_t step_ = 0, searches_ = 0;
+  bool drives_ = false;               ///< some held sphere moves
+  bool settled_ = false;              ///< the forces at `time()` are kept, and the kick is still to come
+  Vector3 drift_ = Vector3::Zero();   ///< mean velocity when pairs were last found [m/s]
+  Real approach_ = 0;                 ///< how much nearer any two may have come since then [m]
+  std::vector<Real> block_approach_;  ///< the same of two that a block looks at; empty with several levels
+  Real wall_approach_ = 0;            ///< the same of spheres and walls [m]
+  Real margin_ = 0;                   ///< at which pairs were last found [m]
+  bool missed_pairs_ = false;
+  Real missed_way_ = 0;       ///< [m]
+  Real smallest_radius_ = 0;  ///< [m]
+  Real wall_radius_ = 0;      ///< of the spheres about the pivots of the walls [m]
+  Real largest_speed_ = 0;
+  methods::spheres::ContactSums sums_;  ///< of the last evaluation; works since the start
+  Real wall_work_ = 0;
+
+  // Of a walk.
+  std::vector<SphereSpeeds> speeds_;  ///< by block
+  std::vector<Real> driven_work_;  ///< by spheres that are late together: of driven ones in the last step [J]; empty without them
+  std::vector<std::size_t> cuts_;  ///< of the blocks into shares, see LoadTable
+  std::vector<Real> share_seconds_;  ///< by share of the blocks: processor time since costs were learnt [s]
+  BlockCosts block_costs_;
+};
+
+}  // namespace sazare::methods::spheres

@@ -1,0 +1,162 @@
+/// A step of spheres that all take one, block by block on several threads, each of which has a share of the blocks that stand one
+/// after the other.
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "sazare/methods/spheres/stepper/stepper.hpp"
+#include "sazare/parallel/threads.hpp"
+
+namespace sazare::methods::spheres {
+
+/// A clump waits for the forces on all its spheres; and where a body parts, its pieces push beyond the overlap that they had when
+/// forces were evaluated, before any sphere moved.
+bool SphereStepper::can_walk() const { return levels_.is_one() && clumps_.empty() && bodies_.empty() && !settled_; }
+
+/// Forces and kicks of all spheres. Returns their speeds.
+SphereSpeeds SphereStepper::walk() {
+  const std::size_t blocks = levels_.loads(0).blocks();
+  speeds_.resize(blocks);
+  if (drives_) driven_work_.resize(spheres_.size() / methods::spheres::LoadTable::together + 1);
+  walls_.move(time());
+  const std::size_t shares = share_seconds_.size();
+  parallel::Progress progress(shares);
+  NextLate next_late(shares);
+  parallel::parallel_for(shares, 2, [&](std::size_t begin, std::size_t end) {
+    try {
+      for (std::size_t share = begin; share < end; ++share) walk(share, progress);
+      for (std::size_t n = 0; n < shares; ++n) kick_late((begin + n) % shares, progress, next_late);
+    } catch (...) {
+      progress.give_up();
+      throw;
+    }
+  });
+  levels_.add_up(0);
+  levels_.count_kicks(spheres_.size());
+  book(0);
+  if (drives_) wall_work_ += driven_work();
+  SphereSpeeds all;
+  for (const SphereSpeeds& one : speeds_) all.take(one);
+  return all;
+}
+
+/// Moves the spheres at some places of a block.
+SphereSpeeds SphereStepper::move(std::size_t block, std::span<const methods::spheres::PlaceRange> places,
+                                 state::SphereLoad* loads) {
+  SphereSpeeds speeds;
+  const std::size_t first = levels_.loads(0).begin_of(block);
+  for (const auto& range : places) {
+    const std::size_t begin = first + range.begin, end = first + range.end;
+    if (drives_) book_driven(begin, end, loads + range.begin);
+    speeds.take(kick_and_drift(spheres_, begin, end, loads + range.begin, {rules_.step, rules_.gravity, drift_}));
+    if (!spheres_.turn.empty()) turn(spheres_, begin, end, rules_.step);
+  }
+  return speeds;
+}
+
+/// The same sums, however blocks are cut.
+void SphereStepper::book_driven(std::size_t begin, std::size_t end, const state::SphereLoad* loads) {
+  constexpr std::size_t together = methods::spheres::LoadTable::together;
+  for (std::size_t first = begin; first < end; first += together)
+    driven_work_[first / together] =
+        work_of_driven(spheres_, first, std::min(first + together, end), loads + (first - begin), rules_.step);
+}
+
+/// Of the last walk, added up block by block [J].
+Real SphereStepper::driven_work() const {
+  constexpr std::size_t of_block = neighbors::block_size / methods::spheres::LoadTable::together;
+  Real all = 0;
+  for (std::size_t begin = 0; begin < driven_work_.size(); begin += of_block) {
+    const auto first = driven_work_.begin() + static_cast<std::ptrdiff_t>(begin);
+    all += std::accumulate(first, first + static_cast<std::ptrdiff_t>(std::min(of_block, driven_work_.size() - begin)), Real{0});
+  }
+  return all;
+}
+
+/// What a block's contacts and its kick will need.
+ComingLines SphereStepper::coming(std::size_t block) const {
+  const auto& loads = levels_.loads(0);
+  const std::size_t begin = loads.begin_of(block), count = loads.end_of(block) - begin;
+  ComingLines coming = levels_.coming(spheres_, block);
+  coming.add_row(std::span(spheres_.kick).subspan(begin, count));
+  return coming;
+}
+
+/// Forces and kicks of a share's blocks, each while it is in the cache.
+void SphereStepper::walk(std::size_t share, parallel::Progress& progress) {
+  const Real began = parallel::processor_seconds();
+  progress.begin(share);
+  std::vector<state::SphereLoad> loads(neighbors::block_size);
+  methods::spheres::LoadTable& table = levels_.loads(0);
+  SphereLevels::Scene scene = this->scene();
+  scene.tells_energies = false;  // who asks settles first
+  const std::size_t end = cuts_[share + 1];
+  for (std::size_t block = cuts_[share]; block < end; ++block) {
+    levels_.evaluate_block(block, scene, loads.data(), block + 1 < end ? coming(block + 1) : ComingLines{});
+    progress.set(share, block + 1);
+    table.gather_in_time(block, loads.data());
+    speeds_[block] = move(block, table.places_in_time(block), loads.data());
+  }
+  progress.set(share, end + 1);  // and has moved its spheres
+  share_seconds_[share] += parallel::processor_seconds() - began;
+}
+
+/// Late spheres have left the cache since their block was evaluated: they are asked for while those before them are kicked.
+void SphereStepper::ask_for_late(std::size_t block) const {
+  const auto& table = levels_.loads(0);
+  for (const auto& range : table.late_places(block)) {
+    const std::size_t begin = table.begin_of(block) + range.begin, count = range.end - range.begin;
+    ComingLines lines;
+    lines.add(std::span(spheres_.place).subspan(begin, count));
+    lines.add(std::span(spheres_.spin).subspan(begin, count));
+    lines.add(std::span(spheres_.kick).subspan(begin, count));
+    lines.fetch(lines.lines());
+  }
+}
+
+/// Late blocks of a share that has moved its other spheres, each as soon as those that look at it are evaluated. All threads that
+/// have done their own shares come and take what is next. A share that nobody has begun is left to who will: it may be a thread
+/// that waits for this one to end, where there are fewer than shares.
+void SphereStepper::kick_late(std::size_t share, const parallel::Progress& progress, NextLate& next_late) {
+  const auto& table = levels_.loads(0);
+  const auto blocks = table.late_blocks(share);
+  const auto take = [&] {
+    const std::size_t n = next_late[share]++;
+    if (n < blocks.size()) ask_for_late(blocks[n].block);
+    return n;
+  };
+  if (blocks.empty() || !progress.has_begun(share) || !progress.wait(share, cuts_[share + 1] + 1)) return;
+  std::size_t n = take();
+  if (n >= blocks.size()) return;
+  std::vector<state::SphereLoad> loads(neighbors::block_size);
+  for (std::size_t following; n < blocks.size(); n = following) {
+    following = take();
+    const auto [block, after] = blocks[n];
+    for (std::size_t earlier = 0; earlier < share; ++earlier)
+      if (!progress.wait(earlier, std::min(after, cuts_[earlier + 1]))) return;
+    table.gather_late(block, loads.data());
+    speeds_[block].take(move(block, table.late_places(block), loads.data()));
+  }
+}
+
+/// Cuts new lists of loads as they were cut before; evenly where there are none, or as many threads no more. With several levels
+/// no one walks, and nothing is cut.
+void SphereStepper::share_out() {
+  if (!levels_.is_one()) return;
+  std::vector<std::size_t> even = even_cuts(levels_.loads(0).blocks(), static_cast<std::size_t>(parallel::threads()));
+  if (cuts_.size() != even.size()) cuts_ = std::move(even);
+  levels_.loads(0).share_out(cuts_);
+  share_seconds_.assign(cuts_.size() - 1, 0);
+}
+
+/// Cuts anew where threads have not as much work.
+void SphereStepper::balance() {
+  if (!levels_.is_one()) return;
+  block_costs_.learn(cuts_, share_seconds_);
+  std::vector<std::size_t> cuts = block_costs_.improved(cuts_);
+  if (cuts != cuts_) levels_.loads(0).share_out(cuts_ = std::move(cuts));
+  std::ranges::fill(share_seconds_, 0);
+}
+
+}  // namespace sazare::methods::spheres

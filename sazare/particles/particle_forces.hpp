@@ -1,0 +1,23 @@
+#pragma once
+
+#include "sazare/state/particles.hpp"
+
+namespace sazare::particles {
+
+/// Forces between particles that follow from where they are and how they are turned.
+template <int D>
+class ParticleForces {
+public:
+  virtual ~ParticleForces() = default;
+
+  /// Accelerations of all particles by these forces [m/s2], [rad/s2].
+  virtual void evaluate(const state::Particles<D>& particles, state::FreedomColumns<D>& acceleration) = 0;
+
+  /// Energy stored in them [J; J/m in 2-D].
+  virtual Real energy(const state::Particles<D>& particles) = 0;
+
+  /// Columns of what they remember.
+  virtual void columns(Archive& archive) = 0;
+};
+
+}  // namespace sazare::particles

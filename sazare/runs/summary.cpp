@@ -1,0 +1,35 @@
+#include "sazare/runs/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "sazare/cases/format/number_text.hpp"
+
+namespace sazare::runs {
+
+Real figure(const observe::Manifest& manifest, std::string_view name) {
+  for (const auto& [key, value] : manifest.results)
+    if (key == name) return std::visit([](auto number) { return static_cast<Real>(number); }, value);
+  return 0;
+}
+
+std::string figure_text(const observe::Manifest& manifest, std::string_view name, int digits) {
+  return cases::short_number(figure(manifest, name), digits);
+}
+
+std::string balance_text(const observe::Manifest& manifest) {
+  const Real work = figure(manifest, "energy_work"), residual = figure(manifest, "energy_residual");
+  const std::string share = work != 0 ? fmt::format(" ({:.1e} of it)", std::abs(residual / work)) : "";
+  return fmt::format("work {} J, unaccounted {} J{}", cases::short_number(work, 4), cases::short_number(residual, 2), share);
+}
+
+std::string wall_time_line(const observe::Manifest& manifest, std::string_view steps, std::string_view step_name) {
+  const Real seconds = figure(manifest, "wall_seconds");
+  std::string text = fmt::format("wall time       {:.2f} s", seconds);
+  if (!steps.empty())
+    text += fmt::format(", {} {} per second", cases::short_number(seconds > 0 ? figure(manifest, steps) / seconds : 0, 3), step_name);
+  return text + fmt::format(", {} thread{}\n", manifest.machine.threads, manifest.machine.threads == 1 ? "" : "s");
+}
+
+}  // namespace sazare::runs

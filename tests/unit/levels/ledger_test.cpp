@@ -1,0 +1,80 @@
+/// Energy that comes in is found again: stored, moving, or taken by a named cause.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sazare/levels/terms/gravity.hpp"
+#include "tests/support/networks.hpp"
+
+namespace sazare::levels {
+namespace {
+
+using terms::Account;
+
+test::Network<3> damped(Real damping) {
+  auto network = test::ladder<3>();
+  for (auto& spring : network.springs) spring.damping = damping;
+  return network;
+}
+
+/// Ledger after 2.56 s. The residual holds the elastic energy at the beginning, which no one brought in.
+terms::Ledger ledger_at_end(const test::Network<3>& network, int base_steps, Real& residual) {
+  StepRules rules;
+  rules.base_step = 2.56 / base_steps;
+  rules.stability_fraction = 0.25 * 32 / base_steps;
+  auto simulation = network.simulation(rules);
+  const Real stored = simulation.ledger()[Account::elastic];
+  simulation.start();
+  test::run(simulation, base_steps);
+  EXPECT_GE(test::level_range(simulation).second - test::level_range(simulation).first, 2);
+  residual = simulation.ledger().residual() + stored;
+  return simulation.ledger();
+}
+
+TEST(engine_ledger, closes_with_dashpots_at_mixed_levels) {
+  // What the dashpots take is booked exactly; the leapfrog's own error of energy is left, (w h)^2 / 8 of what swings.
+  for (const int base_steps : {128, 256}) {
+    Real residual;
+    const auto ledger = ledger_at_end(damped(0.1), base_steps, residual);
+    EXPECT_GT(ledger[Account::joint_dashpot], 0.05);
+    EXPECT_LT(std::abs(residual), 1e-3 * ledger[Account::joint_dashpot]) << base_steps;
+  }
+}
+
+TEST(engine_ledger, dashpots_only_take) {
+  auto simulation = damped(0.2).simulation({.base_step = 0.02});
+  simulation.start();
+  Real last = 0;
+  for (int step = 0; step < 100; ++step) {
+    simulation.advance();
+    const Real taken = simulation.ledger()[Account::joint_dashpot];
+    EXPECT_GE(taken, last);
+    last = taken;
+  }
+}
+
+TEST(engine_ledger, gravity_gives_what_the_bodies_gain) {
+  auto network = test::ladder<3>();
+  TermList<3> terms;
+  terms.push_back(std::make_unique<terms::Springs<3>>(network.springs, network.bodies));
+  terms.push_back(std::make_unique<terms::Gravity<3>>(Vector3(0, 0, -10), network.bodies));
+  Simulation<3> simulation(network.bodies, std::move(terms), {.base_step = 0.01});
+  const Real stored = simulation.ledger()[Account::elastic];
+  simulation.start();
+  test::run(simulation, 100);
+  const auto ledger = simulation.ledger();
+  EXPECT_GT(ledger[Account::work], 100);  // 4.5 kg fall 5 m
+  EXPECT_LT(std::abs(ledger.residual() + stored), 2e-5 * ledger[Account::work]);
+}
+
+TEST(engine_ledger, at_the_beginning_all_is_nothing_but_what_springs_hold) {
+  auto simulation = damped(0.1).simulation({.base_step = 0.01});
+  const auto ledger = simulation.ledger();
+  EXPECT_EQ(ledger[Account::kinetic], 0);
+  EXPECT_EQ(ledger[Account::joint_dashpot], 0);
+  EXPECT_GT(ledger[Account::elastic], 0);
+}
+
+}  // namespace
+}  // namespace sazare::levels
