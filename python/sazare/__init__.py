@@ -17,7 +17,8 @@ import importlib
 import os
 
 _HOMES = {
-    "sazare.results": ("Gauge", "Results", "Snapshot", "Snapshots", "open_run"),
+    "sazare.results": ("Gauge", "Results", "open_run"),
+    "sazare.snapshots": ("Snapshot", "Snapshots"),
     "sazare.tables": ("NotARun", "Table", "write_table"),
     "sazare.comparison": ("Comparison", "compare"),
     "sazare.simulation": ("Simulation", "build", "check", "run"),

@@ -1,17 +1,14 @@
 """Reading the folder of a run: manifest, tables, gauges and snapshots."""
 
 import json
-import re
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
 import numpy as np
 
+from sazare.snapshots import Snapshots, kinds_in, read_snapshots
 from sazare.tables import NotARun, Table, read_table
-
-SNAPSHOT_FILE = re.compile(r"(?:elements|particles)_(\d+)\.vtkhdf$")
 
 
 @dataclass(frozen=True)
@@ -31,63 +28,6 @@ class Gauge:
     def ppv(self):
         """Peak particle velocity [m/s]: the largest magnitude of the history; 0 without samples."""
         return float(self.speed.max(initial=0.0))
-
-
-@dataclass(frozen=True)
-class Snapshot:
-    """One moment of a run: time [s], and the files of its elements and joints, read when asked for."""
-
-    time: float
-    elements_file: Path
-    joints_file: Path | None
-
-    @cached_property
-    def elements(self):
-        """Tetrahedra (pyvista.UnstructuredGrid), each with its own four points, where they are at this time."""
-        return _read_mesh(self.elements_file)
-
-    @property
-    def mesh(self):
-        """The bodies whatever the method (pyvista.UnstructuredGrid): the same as `elements`."""
-        return self.elements
-
-    @cached_property
-    def joints(self):
-        """Triangles (pyvista.UnstructuredGrid) of the faces between elements; None where the run wrote none."""
-        return _read_mesh(self.joints_file) if self.joints_file else None
-
-
-def _read_mesh(path):
-    import pyvista
-
-    try:
-        return pyvista.read(path)
-    except (OSError, ValueError, RuntimeError) as error:
-        raise NotARun(f"{path}: not a readable VTKHDF file: {error}") from error
-
-
-class Snapshots(Sequence):
-    """The snapshots of a run in the order of time."""
-
-    def __init__(self, snapshots):
-        self._snapshots = list(snapshots)
-
-    def __getitem__(self, index):
-        return self._snapshots[index]
-
-    def __len__(self):
-        return len(self._snapshots)
-
-    @property
-    def times(self):
-        """Times of the snapshots [s] (n,)."""
-        return np.array([snapshot.time for snapshot in self._snapshots])
-
-    def at(self, time):
-        """The snapshot nearest to a time [s]. Raises NotARun where the run has none."""
-        if not self._snapshots:
-            raise NotARun("the run has no snapshots")
-        return self._snapshots[int(np.argmin(np.abs(self.times - time)))]
 
 
 class Results:
@@ -206,7 +146,7 @@ class Results:
     @cached_property
     def all_snapshots(self):
         """The snapshots of the bodies of the run, whatever its method."""
-        names = [path.name.removesuffix(".vtkhdf.series") for path in sorted((self.path / "snapshots").glob("*.vtkhdf.series"))]
+        names = kinds_in(self.path / "snapshots")
         kinds = ["elements", "rectangles", "particles", "finite_elements", *(name for name in names if name != "joints")]
         return next((found for found in map(self._snapshots, kinds) if len(found)), Snapshots([]))
 
@@ -222,28 +162,7 @@ class Results:
         return {name: Results(path) for name, path in folders.items() if (path / "manifest.json").exists()}
 
     def _snapshots(self, kind):
-        folder = self.path / "snapshots"
-        if not folder.is_dir():
-            return Snapshots([])
-        series = folder / f"{kind}.vtkhdf.series"
-        if series.exists():
-            try:
-                files = [(entry["name"], float(entry["time"])) for entry in json.loads(series.read_text())["files"]]
-            except (ValueError, KeyError, TypeError) as error:
-                raise NotARun(f"{series}: not a list of snapshots: {error}") from error
-        else:
-            names = sorted(path.name for path in folder.iterdir() if path.name.startswith(kind) and SNAPSHOT_FILE.search(path.name))
-            files = [(name, _time_in(folder / name)) for name in names]
-        return Snapshots(_snapshot(folder, name, time) for name, time in files if (folder / name).exists())
-
-
-def _snapshot(folder, name, time):
-    joints = folder / name.replace("elements_", "joints_", 1)
-    return Snapshot(time, folder / name, joints if joints.exists() else None)
-
-
-def _time_in(path):
-    return float(np.ravel(_read_mesh(path).field_data["time"])[0])
+        return read_snapshots(self.path / "snapshots", kind)
 
 
 def _check_is_run(path):
