@@ -1,6 +1,5 @@
-"""Curves of a run: energy, broken joints, gauges, fragments, steps, time. Each returns a matplotlib Figure, or None without data."""
+"""Curves of a run that several methods have: energy, gauges, fragments, time. Each returns a matplotlib Figure, or None without data."""
 
-import matplotlib
 import numpy as np
 from matplotlib.ticker import NullFormatter
 
@@ -9,28 +8,31 @@ from sazare import style
 MOST_GAUGES = 6
 
 
-def _time(table):
+def time_axis(table):
     """Times in a readable unit, and the axis label."""
     factor, prefix = style.prefix_for(table["time"].max(initial=0.0))
     return table["time"] / factor, f"time [{prefix}s]"
 
 
 @style.styled
-def energy(results):
-    """Where the work of the loads went, stacked, against the work; below, what the ledger does not account for."""
+def energy(results, terms):
+    """Where the work went, stacked, against the work; below, what the ledger does not account for.
+
+    terms: column of the history -> (name, colour), from the bottom of the stack up.
+    """
     history = results.history
     if "energy_work" not in history or history.rows < 2:
         return None
-    time, label = _time(history)
-    terms = [name for name in style.ENERGY_TERMS if name in history and np.any(history[name] != 0.0)]
+    time, label = time_axis(history)
+    shown = [name for name in terms if name in history and np.any(history[name] != 0.0)]
     work = history["energy_work"]
     factor, prefix = style.prefix_for(np.abs(work).max())
     figure = style.figure(9.0, 5.2)
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=(3.4, 1.0))
-    if terms:
+    if shown:
         upper.stackplot(
-            time, [np.maximum(history[name], 0.0) / factor for name in terms],
-            labels=[style.ENERGY_TERMS[name][0] for name in terms], colors=[style.ENERGY_TERMS[name][1] for name in terms],
+            time, [np.maximum(history[name], 0.0) / factor for name in shown],
+            labels=[terms[name][0] for name in shown], colors=[terms[name][1] for name in shown],
             linewidth=0.4, edgecolor="white",
         )
     upper.plot(time, work / factor, color=style.INK, linewidth=1.6, linestyle="--", label="work of the loads")
@@ -47,48 +49,6 @@ def energy(results):
     lower.set_xlabel(label)
     lower.ticklabel_format(axis="y", style="sci", scilimits=(-2, 2))
     lower.margins(x=0)
-    return figure
-
-
-@style.styled
-def broken_joints(results):
-    """Broken joints and fragments against time."""
-    history = results.history
-    if "broken_joints" not in history or history.rows < 2:
-        return None
-    time, label = _time(history)
-    figure = style.figure(6.2, 3.6)
-    axes = figure.subplots()
-    axes.plot(time, history["broken_joints"], color=style.ACCENT, linewidth=2.0)
-    axes.fill_between(time, history["broken_joints"], color=style.ACCENT, alpha=0.12, linewidth=0.0)
-    axes.set_ylabel("broken joints", color=style.ACCENT)
-    axes.set_xlabel(label)
-    axes.margins(x=0)
-    axes.set_ylim(bottom=0)
-    if "fragments" in history:
-        other = axes.twinx()
-        other.grid(False)
-        other.spines["right"].set_visible(True)
-        other.plot(time, history["fragments"], color=style.SECOND, linewidth=1.6)
-        other.set_ylabel("fragments", color=style.SECOND)
-        other.set_ylim(bottom=0)
-    return figure
-
-
-@style.styled
-def smallest_step(results):
-    """The smallest step of any element against time."""
-    history = results.history
-    if "smallest_step" not in history or history.rows < 2 or not np.any(history["smallest_step"] > 0.0):
-        return None
-    time, label = _time(history)
-    figure = style.figure(6.2, 3.6)
-    axes = figure.subplots()
-    axes.step(time, np.where(history["smallest_step"] > 0.0, history["smallest_step"], np.nan), color=style.SECOND, where="post")
-    axes.set_yscale("log")
-    axes.set_ylabel("smallest step [s]")
-    axes.set_xlabel(label)
-    axes.margins(x=0)
     return figure
 
 
@@ -166,31 +126,4 @@ def timing(results):
     axes.set_xlabel("time [s]")
     axes.grid(axis="y", visible=False)
     axes.margins(x=0.12)
-    return figure
-
-
-@style.styled
-def ranks(results):
-    """What every rank of a run did: processor time cumulated, imbalance of the intervals, and where the ranges are cut."""
-    table = results.ranks
-    if table.rows < 1:
-        return None
-    count = int(table["rank"].max()) + 1
-    time = table["time"].reshape(-1, count)[:, 0] * 1e6
-    worked, first = (table[name].reshape(-1, count) for name in ("processor_time", "first_element"))
-    spent = np.diff(worked, axis=0, prepend=0)
-    figure = style.figure(7.4, 7.2)
-    total, share, cuts = figure.subplots(3, 1, sharex=True, gridspec_kw={"height_ratios": [3, 2, 3]})
-    colors = matplotlib.colormaps["viridis"](np.linspace(0, 0.9, count))
-    for rank in range(count):
-        total.plot(time, worked[:, rank], color=colors[rank], linewidth=1.2)
-        cuts.step(time, first[:, rank], color=colors[rank], linewidth=1.2, where="pre")
-    total.set_ylabel("processor time [s]")
-    total.set_title(f"{count} ranks; at the end largest over smallest {worked[-1].max() / worked[-1].min():.3g}")
-    share.plot(time, spent.max(axis=1) / spent.mean(axis=1), color=style.ACCENT, linewidth=1.2)
-    share.set_ylabel("largest over mean\nof an interval")
-    share.set_ylim(bottom=1)
-    cuts.set_ylabel("first element")
-    cuts.set_xlabel("time [us]")
-    figure.align_ylabels()
     return figure

@@ -146,8 +146,10 @@ class Results:
     @cached_property
     def all_snapshots(self):
         """The snapshots of the bodies of the run, whatever its method."""
-        names = kinds_in(self.path / "snapshots")
-        kinds = ["elements", "rectangles", "particles", "finite_elements", *(name for name in names if name != "joints")]
+        from sazare.methods import method_of
+
+        own = method_of(self).snapshots
+        kinds = ([own] if own else []) + [kind for kind in kinds_in(self.path / "snapshots") if kind not in (own, "joints")]
         return next((found for found in map(self._snapshots, kinds) if len(found)), Snapshots([]))
 
     @cached_property

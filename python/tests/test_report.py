@@ -12,10 +12,11 @@ from matplotlib.image import imread
 import sazare
 from sazare import plot
 from sazare.__main__ import main
+from sazare.methods.common import energy_balance
 from sazare.report import write_report
-from sazare.scenes import MARGIN, Body, PlaneView
+from sazare.scenes import MARGIN, PlaneView
 from sazare.style import count, quantity
-from sazare.summary import energy_balance, terminal_text, verdict
+from sazare.summary import terminal_text, verdict
 
 PICTURES = {
     "cracks", "shape", "levels", "fragments", "energy", "broken_joints", "fragment_curve", "gauges", "smallest_step", "timing",
@@ -95,32 +96,6 @@ def test_old_pictures_do_not_stay(reported):
     (folder / "report" / "old.png").write_bytes(b"")
     write_report(folder)
     assert not (folder / "report" / "old.png").exists()
-
-
-def test_a_slab_is_known_by_its_thin_axis(slab, solid):
-    body = Body(sazare.open(slab).snapshots)
-    assert body.is_slab and body.thin_axis == 2
-    assert body.plane_view().in_plane == (0, 1)
-    assert not Body(sazare.open(solid).snapshots).is_slab
-
-
-def test_joints_carry_the_time_of_the_first_snapshot_that_shows_them_broken(slab):
-    run = sazare.open(slab)
-    body = Body(run.snapshots)
-    last = run.snapshots[-1]
-    broken = body.broken(last)
-    assert broken.n_cells == np.sum(last.joints.cell_data["state"] == 2)
-    assert set(np.round(broken.cell_data["break_time"] / 1e-4).astype(int)) <= {1, 2, 3, 4, 5}
-    early = run.snapshots[1].joints.cell_data["state"] == 2
-    assert np.all(body.break_time[early] == run.snapshots[1].time)
-
-
-def test_displacements_are_enlarged_by_a_round_factor(slab):
-    run = sazare.open(slab)
-    body = Body(run.snapshots)
-    factor = body.exaggeration(run.snapshots[-1])
-    assert factor / 10.0 ** np.floor(np.log10(factor)) in (1.0, 2.0, 5.0) and factor > 1.0
-    assert body.exaggeration(run.snapshots[0]) == 1.0
 
 
 def test_passing_shares_are_of_the_volume():

@@ -1,8 +1,11 @@
 """Pictures of a study of limit steps: those of Yoshida, Ohba and Nakase (2010), figures 4 to 10. Each returns a Figure, or None."""
 
+from functools import partial
+
 import numpy as np
 
 from sazare import style
+from sazare.methods import Figure, Method, Section, common
 
 COLORS = ["#2f6f8f", "#b5472f", "#7a9a3f", "#8e7cc3", "#c9a66b", "#2b2b2b"]
 NEEDED = ("spacing", "velocity", "damping")
@@ -171,3 +174,30 @@ def fit_quality(results):
         axes.legend(fontsize=8)
     panels[0].set_ylabel("estimated limit [s]")
     return figure
+
+
+def sections(results):
+    """The figures of the paper."""
+    missing = "The study varies other parameters, or is not done."
+    pictures = [
+        ("damping", "Limit and damping", "Dots: bisection; lines: predicted from the linearised operator. Figure 4 of the paper.", damping_curves),
+        ("radius", "Limit and radius", "Dots: bisection; lines: predicted. Figure 5 of the paper.", radius_curves),
+        ("scaled", "Limit and radius over velocity", "Dots: bisection; lines: (14). Figures 6 and 8 of the paper.", scaled),
+        ("families", "Families compared", "Figure 7 of the paper.", families_compared),
+        ("coefficients", "Coefficients", "Dots: (14) for each damping ratio; lines: (15), (16), ours and the paper's. Figure 9.", coefficients),
+        ("quality", "Estimated and found", "Regressions, and the prediction from the linearised operator. Figure 10.", fit_quality),
+    ]
+    return [Section(name, heading, caption, partial(draw, results), missing) for name, heading, caption, draw in pictures]
+
+
+def verdict(results):
+    """A study is good; the largest error of the prediction is told."""
+    largest = results.figures.get("largest_log_difference", 0.0)
+    return "good", f"The study is done. Prediction and bisection differ by at most {100 * largest:.2f} %."
+
+
+METHOD = Method(
+    sections=sections,
+    verdict=verdict,
+    headlines=(Figure("cases", "cases", note=common.count_note("cases_done", "done")),),
+)

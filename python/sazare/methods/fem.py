@@ -1,25 +1,30 @@
-"""Pictures of method fem: displaced mesh, yielding, forces of boundaries. Each returns a Figure, or None without data."""
+"""Method fem: finite elements, implicit in time."""
+
+from functools import partial
 
 import numpy as np
 from matplotlib.collections import PolyCollection
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from sazare import style
+from sazare.methods import Figure, Method, Section, common
 
+ENERGIES = {
+    "energy_kinetic": ("kinetic", style.KINETIC),
+    "energy_elastic": ("elastic", style.ELASTIC),
+    "energy_friction": ("friction in contacts", style.FRICTION),
+    "energy_plastic": ("flow", style.RUPTURE),
+    "energy_damping": ("damping", style.DASHPOT),
+    "energy_radiation": ("radiated through the boundary", style.OUTSIDE),
+}
 MOST_FORCES = 6
 MOST_PANELS = 2
 # Points of a cell around its outline, by VTK's number of its type.
 OUTLINES = {5: (0, 1, 2), 22: (0, 3, 1, 4, 2, 5), 9: (0, 1, 2, 3), 23: (0, 4, 1, 5, 2, 6, 3, 7), 28: (0, 4, 1, 5, 2, 6, 3, 7)}
 
 
-def _enlargement(displacement, extent):
-    """A round factor with which the largest displacement is some percent of the body; 1 where it is that large itself."""
-    largest = np.linalg.norm(displacement, axis=1).max(initial=0.0)
-    if largest <= 0.0 or largest > 0.03 * extent:
-        return 1.0
-    factor = 0.06 * extent / largest
-    power = 10.0 ** np.floor(np.log10(factor))
-    return float(power * max(step for step in (1, 2, 5) if step * power <= factor))
+def _enlargement(grid, extent):
+    return common.enlargement(np.asarray(grid.point_data["displacement"]), extent, largest=0.03, shown=0.06)
 
 
 def outlines(grid):
@@ -103,7 +108,7 @@ def displaced(results):
     sizes = [np.linalg.norm(np.asarray(grid.point_data["displacement"]), axis=1) for grid in grids]
     chosen = sorted({int(np.argmax([size.max() for size in sizes])), len(grids) - 1})[:MOST_PANELS]
     extent = np.ptp(np.asarray(grids[0].points), axis=0).max()
-    factor = min(_enlargement(np.asarray(grids[i].point_data["displacement"]), extent) for i in chosen)
+    factor = min(_enlargement(grids[i], extent) for i in chosen)
     values = [_mean_by_cell(grids[i], sizes[i]) for i in chosen]
     return _panels([grids[i] for i in chosen], values, "displacement [m]", factor, [f"{snapshots[i].time:.3g} s" for i in chosen])
 
@@ -119,7 +124,7 @@ def yielding(results):
     if slip.max(initial=0.0) <= 0.0:
         return None
     extent = np.ptp(np.asarray(grid.points), axis=0).max()
-    factor = _enlargement(np.asarray(grid.point_data["displacement"]), extent)
+    factor = _enlargement(grid, extent)
     return _panels([grid], [slip], "plastic slip [-]", factor, [f"{snapshots[-1].time:.3g} s"])
 
 
@@ -187,3 +192,48 @@ def displacements(results):
     axes.legend()
     axes.margins(x=0)
     return figure
+
+
+def sections(results):
+    """The pictures of a run."""
+    static = 'analysis = "static"' in results.case_text
+    has_joints = any(name.startswith("joint.") for name in results.history)
+    return [
+        Section(
+            "displaced", "Displaced mesh", "The mesh when it is displaced most, and at the end, coloured by displacement.",
+            partial(displaced, results), common.NO_SNAPSHOTS,
+        ),
+        Section("yielding", "Yielding", "Plastic slip of the elements at the end.", partial(yielding, results), "Nothing has yielded."),
+        Section(
+            "forces", "Forces of the boundaries", "Force of each boundary on the body, those that change most.",
+            partial(forces, results), "The case has no boundaries.", wide=False,
+        ),
+        Section(
+            "displacements", "Displacements", "Displacement at the gauges.", partial(displacements, results), common.NO_GAUGES, wide=False,
+        ),
+        *([_joint_section(results)] if has_joints else []),
+        *([] if static else common.shaking_sections(results)),
+        common.energy_section(results, ENERGIES, "the work done"),
+        common.timing_section(results),
+    ]
+
+
+def _joint_section(results):
+    return Section("joints", "Joints", "Share of the joints that slips or is open, and the largest slip.", partial(joints, results), "")
+
+
+METHOD = Method(
+    sections=sections,
+    verdict=common.balance_verdict,
+    headlines=(
+        Figure("peak_speed", "peak speed", "m/s"),
+        Figure("energy_work", "work of the loads", "J"),
+        Figure("final_displacement", "displacement at the end", "m"),
+        Figure("peak_acceleration", "peak acceleration", "m/s²"),
+        Figure("peak_displacement", "peak displacement", "m"),
+        Figure("step", "step", "s"),
+        Figure("freedoms", "degrees of freedom", note=common.count_note("nodes", "nodes")),
+        Figure("iterations", "iterations", note=common.count_note("steps", "steps")),
+    ),
+    snapshots="finite_elements",
+)

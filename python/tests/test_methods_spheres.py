@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 
-from sazare import granular
+from sazare.methods import spheres
 from sazare.report import write_report
 from sazare.results import open_run
 
@@ -14,7 +14,7 @@ from sazare.results import open_run
 def granular_run(tmp_path):
     """A ball that falls along z onto a floor; no snapshots."""
     time = np.linspace(0.0, 1.0, 21)
-    columns = [name for _, name in granular.KINDS]
+    columns = [name for _, name in spheres.KINDS]
     rows = [[t, 1.0 - t, 0.1 * t, 0.0, 0.0, 0.0, 0.5 * t, 0.4 * t, 0.0, 1e-4 * t, 3.0, 2.0, 0.1] for t in time]
     head = ["time [s]", *(f"{name} [J]" for name in columns[:4]), "energy_potential [J]", *(f"{name} [J]" for name in columns[4:]),
             "work_walls [J]", "energy_residual [J]", "contacts [-]", "speed_max [m/s]", "wall_seconds [s]"]
@@ -35,8 +35,8 @@ def _write(path, head, rows):
 
 def test_groups_and_walls_are_drawn_along_their_main_axis(granular_run):
     results = open_run(granular_run)
-    assert granular.groups(results).axes[0].get_ylabel() == "z [m]"
-    line = granular.walls(results).axes[0].lines[0]
+    assert spheres.groups(results).axes[0].get_ylabel() == "z [m]"
+    line = spheres.walls(results).axes[0].lines[0]
     assert line.get_label() == "floor, z"
     assert line.get_ydata()[-1] == pytest.approx(-5.0)
 
@@ -58,12 +58,12 @@ def test_bonded_bodies_tell_how_many_broke(granular_run):
     results = open_run(granular_run)
     page = write_report(granular_run).read_text()
     assert "bodies broken" in page and "of 2, 50%" in page
-    assert granular.broken_bodies(results).axes[0].lines[0].get_ydata().tolist() == [0, 1]
+    assert spheres.broken_bodies(results).axes[0].lines[0].get_ydata().tolist() == [0, 1]
     assert {"bodies_broken", "fragment_curve"} <= {path.stem for path in (granular_run / "report").glob("*.png")}
 
 
 def test_a_run_without_bonded_bodies_has_no_such_picture(granular_run):
-    assert granular.broken_bodies(open_run(granular_run)) is None
+    assert spheres.broken_bodies(open_run(granular_run)) is None
 
 
 def test_a_run_with_levels_tells_its_smallest_step(granular_run):

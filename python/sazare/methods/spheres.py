@@ -1,8 +1,12 @@
-"""Pictures of a run of method spheres: the spheres, their energies, groups and walls. Each returns a Figure, or None without data."""
+"""Method spheres: grains that touch, are bonded, or stand together as rigid bodies."""
+
+from functools import partial
 
 import numpy as np
 
-from sazare import style
+from sazare import plot, style
+from sazare.methods import Figure, Method, Section, common
+from sazare.style import quantity
 
 AXES = "xyz"
 MOST_CURVES = 6
@@ -136,9 +140,9 @@ def groups(results):
         left.plot(table["time"], places[:, axis], color=style.SECOND, linewidth=1.2)
         left.set_ylabel(f"{AXES[axis]} [m]")
         left.set_title(name)
-        quantity, unit, along = _beside(table, name, axis)
-        right.plot(table["time"], table[f"{name}.{quantity}_{AXES[along]}"], color=style.ACCENT, linewidth=1.2)
-        right.set_ylabel(f"{quantity} along {AXES[along]} [{unit}]")
+        beside, unit, along = _beside(table, name, axis)
+        right.plot(table["time"], table[f"{name}.{beside}_{AXES[along]}"], color=style.ACCENT, linewidth=1.2)
+        right.set_ylabel(f"{beside} along {AXES[along]} [{unit}]")
         left.margins(x=0)
     for axes in rows[-1]:
         axes.set_xlabel("time [s]")
@@ -205,3 +209,84 @@ def contacts(results):
     other.grid(False)
     axes.margins(x=0)
     return figure
+
+
+def sections(results):
+    """The pictures of a run."""
+    bonded = [
+        Section(
+            "damage", "Broken bonds", "Spheres coloured by the share of their bonds that is broken.", partial(damage, results), "No bond broke.",
+        )
+    ] if results.figures.get("bonds", 0) > 0 else []
+    return [
+        Section(
+            "spheres", "Spheres", "Spheres coloured by speed, the front half cut away where there are many; the fastest hundredth shares one colour.",
+            partial(pictures, results), common.NO_SNAPSHOTS, places=True,
+        ),
+        *bonded,
+        *(_piece_sections(results) if results.figures.get("bodies", 0) > 0 else []),
+        Section(
+            "groups", "Groups",
+            "Centre of mass of the recorded groups along the axis of their longest way; beside it the velocity, or the "
+            "force on groups whose velocity is held.",
+            partial(groups, results), common.NO_GAUGES,
+        ),
+        Section(
+            "energies", "Where the energy went",
+            "Energy of motion and in contacts, and what was lost by cause, stacked; below, what the "
+            "ledger does not account for. Gravity and moving walls bring energy in.",
+            partial(energies, results), common.NO_HISTORY,
+        ),
+        Section(
+            "walls", "Walls", "Force of the spheres on the walls, along the axis on which it is largest.", partial(walls, results),
+            "The case has no walls.",
+        ),
+        Section(
+            "contacts", "Contacts", "Number of contacts, and the largest speed of any sphere.", partial(contacts, results), common.NO_HISTORY,
+            wide=False,
+        ),
+        common.timing_section(results),
+    ]
+
+
+def _piece_sections(results):
+    """The pictures of a run with bonded bodies."""
+    return [
+        Section(
+            "fragment_curve", "Fragment sizes", "Share of the volume of all bonded bodies in pieces up to a size; half of it lies below X50.",
+            partial(plot.fragment_curve, results), "The run is not done.", wide=False,
+        ),
+        Section(
+            "bodies_broken", "Broken bodies", "Bodies that are in more than one piece, and bonds that have broken.",
+            partial(broken_bodies, results), common.NO_HISTORY, wide=False,
+        ),
+    ]
+
+
+def _step_note(figures):
+    """The limit of the step, and the levels where there are any."""
+    limit = common.quantity_note("predicted_limit", "limit ", "s")(figures)
+    if "levels" not in figures:
+        return limit
+    return f"{figures['levels']} levels, smallest {quantity(figures['smallest_step'], 's')}, {limit}"
+
+
+METHOD = Method(
+    sections=sections,
+    verdict=common.balance_verdict,
+    headlines=(
+        Figure("bodies_broken", "bodies broken", note=common.share_note("bodies_broken", "bodies")),
+        Figure("fragments", "fragments"),
+        Figure("peak_speed", "peak speed", "m/s"),
+        Figure("energy_work", "work of the loads", "J"),
+        Figure("particles", "particles"),
+        Figure("contacts", "contacts at the end"),
+        Figure("step", "step", "s", _step_note),
+    ),
+    snapshots="particles",
+    fields={
+        "velocity": ("speed", "m/s"),
+        "broken": ("springs broken", ""),
+        "spin": ("spin", "rad/s"),
+    },
+)

@@ -1,11 +1,23 @@
-"""Pictures of a run of method rectangles: where its elements are, its supports, its gauges. Each returns a Figure, or None without data."""
+"""Method rectangles: blocks and beams in the plane, of squares or polygons that are joined along their faces."""
+
+from functools import partial
 
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.patches import Circle
 
 from sazare import style
+from sazare.methods import Figure, Method, Section, common
 
+ENERGIES = {
+    "energy_kinetic": ("kinetic", style.KINETIC),
+    "energy_elastic": ("elastic", style.ELASTIC),
+    "energy_joint_dashpot": ("joint dashpots", style.DASHPOT),
+    "energy_slip": ("slip in joints", style.SLIP),
+    "energy_fracture": ("fracture", style.RUPTURE),
+    "energy_contact_dashpot": ("contact dashpots", style.CONTACT_DASHPOT),
+    "energy_friction": ("friction in contacts", style.FRICTION),
+}
 MOST_GAUGES = 6
 MOST_PANELS = 4
 RECTANGLE, CIRCLE, WALL, POLYGON = 0, 1, 2, 3
@@ -131,3 +143,41 @@ def gauges(results):
         axes.set_xlabel("time [s]")
         axes.margins(x=0)
     return figure
+
+
+def sections(results):
+    """The pictures of a run."""
+    return [
+        Section(
+            "moving", "Elements", "Elements where they are, coloured by displacement. Faces that have broken are red.",
+            partial(moving, results), common.NO_SNAPSHOTS, places=True,
+        ),
+        Section(
+            "supports", "Supports", "Force between the supports and what they hold.", partial(supports, results), "The case has no supports.",
+        ),
+        Section(
+            "square_gauges", "Gauges", "Displacement and rotation of the elements at the gauges.", partial(gauges, results), common.NO_GAUGES,
+        ),
+        common.energy_section(results, ENERGIES, "the work of gravity and supports"),
+        common.timing_section(results),
+    ]
+
+
+METHOD = Method(
+    sections=sections,
+    verdict=common.strict_balance_verdict,
+    headlines=(
+        Figure("peak_speed", "peak speed", "m/s"),
+        Figure("energy_work", "work of the loads", "J"),
+        Figure("broken_springs", "springs broken", note=common.count_note("elements", "elements")),
+        Figure("open_links", "faces open"),
+        Figure("peak_displacement", "peak displacement", "m"),
+        Figure("step", "step", "s", common.quantity_note("predicted_limit", "limit ", "s")),
+    ),
+    snapshots="rectangles",
+    fields={
+        "velocity": ("speed", "m/s"),
+        "displacement": ("displacement", "m"),
+        "broken": ("springs broken", ""),
+    },
+)

@@ -1,4 +1,4 @@
-"""Pictures of the body: crack pattern, time levels, displaced shape, fragments. Each returns a matplotlib Figure."""
+"""Pictures of a body of method blocks: crack pattern, time levels, displaced shape, fragments. Each returns a matplotlib Figure."""
 
 import numpy as np
 from matplotlib import colormaps
