@@ -9,6 +9,7 @@ from sazare import style, view3d
 from sazare.methods import method_of
 from sazare.results import open_run
 from sazare.summary import headlines, verdict
+from sazare.tables import NotARun
 
 MOST_FRAGMENTS = 10
 
@@ -104,14 +105,23 @@ def write_pictures(path, names, folder):
         yield target
 
 
+def _own(path):
+    """A path to write to. Raises NotARun where it is a link: a folder may come from anyone, and what it leads to is not the run's."""
+    if path.is_symlink():
+        raise NotARun(f"{path}: a link; the report is written into the run's own folder: remove the link")
+    return path
+
+
 def write_report(path):
-    """Writes DIR/report.html and the pictures in DIR/report/; returns the page's path. Raises NotARun where DIR is no run."""
+    """Writes DIR/report.html and the pictures in DIR/report/; returns the page's path.
+
+    Raises NotARun where DIR is no run, or where it has links in the places of the report.
+    """
     results = open_run(path)
-    folder = results.path / "report"
+    folder, page = _own(results.path / "report"), _own(results.path / "report.html")
     folder.mkdir(exist_ok=True)
     for old in folder.glob("*.png"):
         old.unlink()
     sections = [_drawn(section, folder) for section in sections_of(results)]
-    page = results.path / "report.html"
     page.write_text(_page(results, sections), encoding="utf-8")
     return page

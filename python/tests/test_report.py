@@ -91,6 +91,19 @@ def test_a_run_cut_off_at_its_first_snapshot_is_reported(slab, tmp_path):
     assert "The run has not written its manifest" in write_report(copy).read_text()
 
 
+@pytest.mark.parametrize("name", ["report", "report.html"])
+def test_nothing_is_written_through_a_link(tmp_path, name):
+    run, outside = tmp_path / "run", tmp_path / "outside"
+    run.mkdir()
+    outside.mkdir()
+    (run / "manifest.json").write_text("{}")
+    (outside / "kept.png").write_text("a picture of someone's own")
+    (run / name).symlink_to(outside if name == "report" else outside / "kept.png")
+    with pytest.raises(sazare.NotARun, match="a link; the report is written into the run's own folder"):
+        write_report(run)
+    assert (outside / "kept.png").read_text() == "a picture of someone's own"
+
+
 def test_old_pictures_do_not_stay(reported):
     folder, _ = reported
     (folder / "report" / "old.png").write_bytes(b"")
