@@ -10,7 +10,7 @@
 
     sazare.open("runs/column").all_snapshots.at(1.0).mesh.plot()
 
-Everything is loaded when it is first used, so that the import takes no time.
+Modules are loaded on first use, so that the import is fast.
 """
 
 import importlib

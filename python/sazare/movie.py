@@ -1,4 +1,4 @@
-"""A run's snapshots as a moving picture."""
+"""The snapshots of a run as an animation."""
 
 from dataclasses import dataclass
 
@@ -83,8 +83,8 @@ def write_movie(results, path, field=None, factor=None, interval=0.15):
     """Writes the snapshots of a run as an animated GIF or WebP, by the ending of `path`; returns the path.
 
     field: the name of a value of the report's 3-D view, such as "speed"; its first one where it is None.
-    factor: how much displacements are enlarged; as in the 3-D view where it is None.
-    interval: seconds for which a picture stands.
+    factor: magnification of displacements; as in the 3-D view where it is None.
+    interval: time for which each frame is shown [s].
 
     Raises NotARun where there are no snapshots, ValueError where there is no such field.
     """

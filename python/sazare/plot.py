@@ -1,4 +1,4 @@
-"""Curves of a run that several methods have: energy, gauges, fragments, time. Each returns a matplotlib Figure, or None without data."""
+"""Curves that several methods share: energy balance, gauges, fragments, timing. Each returns a matplotlib Figure, or None without data."""
 
 import numpy as np
 from matplotlib.ticker import NullFormatter
@@ -16,7 +16,7 @@ def time_axis(table):
 
 @style.styled
 def energy(results, terms):
-    """Where the work went, stacked, against the work; below, what the ledger does not account for.
+    """Stored and dissipated energy [J] by cause, stacked, and the external work; below, the residual as a share of the work [-].
 
     terms: column of the history -> (name, colour), from the bottom of the stack up.
     """
@@ -35,7 +35,7 @@ def energy(results, terms):
             labels=[terms[name][0] for name in shown], colors=[terms[name][1] for name in shown],
             linewidth=0.4, edgecolor="white",
         )
-    upper.plot(time, work / factor, color=style.INK, linewidth=1.6, linestyle="--", label="work of the loads")
+    upper.plot(time, work / factor, color=style.INK, linewidth=1.6, linestyle="--", label="external work")
     upper.set_ylabel(f"energy [{prefix}J]")
     handles, labels = upper.get_legend_handles_labels()
     upper.legend(handles[::-1], labels[::-1], loc="center left", bbox_to_anchor=(1.0, 0.5))
@@ -54,7 +54,7 @@ def energy(results, terms):
 
 @style.styled
 def gauges(results):
-    """The velocity at every gauge, in components and in magnitude, with its peak."""
+    """Velocity [m/s] at every gauge against time, components and magnitude, with its peak."""
     chosen = list(results.gauges.values())[:MOST_GAUGES]
     if not chosen or len(chosen[0].time) < 2:
         return None
@@ -77,7 +77,7 @@ def gauges(results):
 
 
 def passing(sizes, volumes):
-    """The size curve: sizes ascending [m], and the share of the volume in fragments of at most that size."""
+    """The size distribution: sizes ascending [m] (n,), and the share of the volume in fragments up to each size [-] (n,)."""
     order = np.argsort(sizes)
     total = volumes.sum()
     return sizes[order], np.cumsum(volumes[order]) / total if total > 0.0 else np.zeros(len(order))
@@ -85,7 +85,7 @@ def passing(sizes, volumes):
 
 @style.styled
 def fragment_curve(results):
-    """The share of the volume that passes a size, with X50 and X80."""
+    """Cumulative volume passing [%] against fragment size [m], with X50 and X80."""
     fragments = results.fragments
     if fragments.rows < 1:
         return None
@@ -99,8 +99,8 @@ def fragment_curve(results):
     axes.xaxis.set_major_formatter("{x:g}")
     axes.xaxis.set_minor_formatter("{x:g}" if spread < 1.0 else NullFormatter())
     axes.set_ylim(0, 104)
-    axes.set_xlabel("size: diameter of the sphere of the same volume [m]")
-    axes.set_ylabel("passing by volume [%]")
+    axes.set_xlabel("fragment size: equivalent sphere diameter [m]")
+    axes.set_ylabel("cumulative volume passing [%]")
     for name, level in (("x50", 50.0), ("x80", 80.0)):
         size = results.figures.get(name)
         if size:
@@ -114,7 +114,7 @@ def fragment_curve(results):
 
 @style.styled
 def timing(results):
-    """Where the computing time went."""
+    """Computing time [s] by part."""
     table = results.timing
     if table.rows < 1:
         return None

@@ -88,8 +88,8 @@ class Results:
 
     @cached_property
     def ranks(self):
-        """ranks.csv of a run of several processes, interval by interval between cuts: time, rank, processor_time [s] and
-        bytes_sent [B], both cumulated, exchange_time [s], first_element. Empty for a run of one process."""
+        """ranks.csv of a run of several processes, one row per rank and interval: time, rank, processor_time [s] and
+        bytes_sent [B], both cumulative, exchange_time [s], first_element. Empty for a run of one process."""
         return self._table("ranks.csv")
 
     @cached_property
@@ -109,12 +109,12 @@ class Results:
 
     @cached_property
     def regression(self):
-        """regression.csv: coefficients of (15) and (16) by family."""
+        """regression.csv: coefficients of equations (15) and (16) by family."""
         return self._table("regression.csv")
 
     @cached_property
     def regression_lines(self):
-        """regression_lines.csv: a1 and a2 of (14) by family and damping."""
+        """regression_lines.csv: a1 and a2 of equation (14) by family and damping."""
         return self._table("regression_lines.csv")
 
     @cached_property
@@ -145,7 +145,7 @@ class Results:
 
     @cached_property
     def all_snapshots(self):
-        """The snapshots of the bodies of the run, whatever its method."""
+        """The snapshots of the bodies of the run, for any method."""
         from sazare.methods import method_of
 
         own = method_of(self).snapshots
@@ -154,12 +154,12 @@ class Results:
 
     @cached_property
     def element_snapshots(self):
-        """The same of a run of method fem: the mesh with displacements of its points, stress and plastic slip of its elements."""
+        """The same of a run of method fem: the mesh with displacements of its points, stress and equivalent plastic shear strain of its elements."""
         return self._snapshots("finite_elements")
 
     @cached_property
     def sides(self):
-        """The two sides of a run of method hybrid, each as a run of its own: "continuum" and "bodies". Empty for other runs."""
+        """The two solver sides of a run of method hybrid, each as a run of its own: "continuum" and "bodies". Empty for other runs."""
         folders = {name: self.path / name for name in ("continuum", "bodies")}
         return {name: Results(path) for name, path in folders.items() if (path / "manifest.json").exists()}
 

@@ -103,7 +103,7 @@ class SolidView:
     bounds: tuple
     side: np.ndarray
 
-    words = "from a corner"
+    words = "oblique view"
     size = (PIXELS, int(0.8 * PIXELS))
 
     def aim(self, plotter):

@@ -22,7 +22,7 @@ def main_axis(results):
 
 @style.styled
 def accelerations(results):
-    """Acceleration at every gauge against time, one above the other in the order of the case."""
+    """Acceleration [m/s2] at every gauge against time, one above the other in the order of the case."""
     names = list(results.gauges)[:MOST_GAUGES]
     if not names or results.gauge_table.rows < 2:
         return None
@@ -43,7 +43,7 @@ def accelerations(results):
 
 @style.styled
 def spectra(results):
-    """Fourier amplitude of the acceleration at the first and the last gauge, and their ratio."""
+    """Fourier amplitude spectra [m/s] of the acceleration at the first and last gauge, and their ratio [-]."""
     names = list(results.gauges)
     if len(names) < 2 or results.gauge_table.rows < 16:
         return None
@@ -61,7 +61,7 @@ def spectra(results):
     # Where the first gauge hardly moves the ratio says nothing.
     strong = shown & (first > 1e-3 * first.max())
     right.semilogx(frequency[strong], last[strong] / first[strong], color=style.INK, linewidth=0.9)
-    right.set_ylabel(f"{names[-1]} / {names[0]}")
+    right.set_ylabel(f"spectral ratio {names[-1]} / {names[0]} [-]")
     right.set_ylim(bottom=0)
     for axes in (left, right):
         axes.set_xlabel("frequency [Hz]")

@@ -33,7 +33,7 @@ class Snapshot:
 
     @property
     def mesh(self):
-        """The bodies whatever the method (pyvista.UnstructuredGrid): the same as `elements`."""
+        """The bodies, for any method (pyvista.UnstructuredGrid): the same as `elements`."""
         return self.elements
 
     @cached_property

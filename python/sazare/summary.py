@@ -1,4 +1,4 @@
-"""A run's headline figures in words: for the top of the report and for the terminal."""
+"""The headline figures of a run in words, for the top of the report and for the terminal."""
 
 from sazare.methods import Headline, method_of
 from sazare.methods.common import energy_balance
@@ -9,11 +9,11 @@ def verdict(results):
     """("good", "fair" or "bad", sentence) about the run as a whole."""
     status = results.manifest.get("status")
     if status is None:
-        return "fair", "The run has not written its manifest: it is still going, or was cut off."
+        return "fair", "The run has not written its manifest: it is still running or was interrupted."
     if status == "running":
-        return "fair", "The run is still going, or was cut off. What follows is as far as it came."
+        return "fair", "The run is still running or was interrupted. The results below are partial."
     if status != "done":
-        return "bad", f"The run ended early; its status is “{status}”. What follows is as far as it came."
+        return "bad", f"The run ended early with status “{status}”. The results below are partial."
     return method_of(results).verdict(results)
 
 
@@ -23,9 +23,9 @@ def headlines(results):
     found = [figure.headline(figures) for figure in method_of(results).headlines]
     balance = energy_balance(figures)
     if balance is not None:
-        found.append(Headline("energy balance", f"{balance:.1e}", "residual / work"))
+        found.append(Headline("energy balance", f"{balance:.1e}", "relative residual"))
     if figures.get("wall_seconds") is not None:
-        found.append(Headline("wall time", quantity(figures["wall_seconds"], "s"), _machine(results.manifest)))
+        found.append(Headline("wall-clock time", quantity(figures["wall_seconds"], "s"), _machine(results.manifest)))
     return [headline for headline in found if headline is not None]
 
 

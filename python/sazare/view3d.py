@@ -1,7 +1,7 @@
 """Bodies in 3-D through time: what of them is drawn, and the interactive view of the report, packed so that one page holds it.
 
-Positions are kept as the first ones and what each vertex has moved since, in steps of 1/65535 of the largest way; fields in steps of
-1/255 of their range. The page unpacks them itself (viewer/view.source.js says how).
+Positions are kept as the first ones and the displacement of each vertex since, in steps of 1/65535 of the range of displacements; fields in
+steps of 1/255 of their range. The page unpacks them itself (viewer/view.source.js says how).
 """
 
 import base64
@@ -136,7 +136,7 @@ def _magnitude(values):
 
 
 def _range(values):
-    """From 0 or the least value to that which the greatest hundredth of the values of any moment exceeds."""
+    """The colour range: from 0 or the minimum to the largest 99th percentile of any frame."""
     finite = np.where(np.isfinite(values), values, 0.0)
     return float(min(finite.min(), 0.0)), float(np.percentile(finite, 99, axis=1).max() or finite.max())
 
@@ -209,7 +209,7 @@ def _keys(corners, step):
 
 
 def _enlargements(moved, start):
-    """Round factors up to that which makes the typical large displacement a visible share of the body."""
+    """Round magnification factors up to that which makes the typical large displacement a visible share of the body."""
     large = np.percentile(np.linalg.norm(moved[-1], axis=1), 90)
     most = 0.04 * np.ptp(start, axis=0).max() / large if large > 0 else 1.0
     found = [factor * 10**power for power in range(7) for factor in (1, 2, 5)]

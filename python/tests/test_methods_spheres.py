@@ -43,7 +43,7 @@ def test_groups_and_walls_are_drawn_along_their_main_axis(granular_run):
 
 def test_report_has_its_pictures_and_says_what_is_missing(granular_run):
     page = write_report(granular_run).read_text()
-    assert "The energy ledger closes within 1.0e-04 of the work done." in page
+    assert "The energy residual is 1.0e-04 of the reference energy." in page
     assert sorted(path.stem for path in (granular_run / "report").glob("*.png")) == ["contacts", "energies", "groups", "walls"]
     assert "The run wrote no snapshots." in page
 
@@ -57,7 +57,7 @@ def test_bonded_bodies_tell_how_many_broke(granular_run):
            [[0, 13, 2.0, 4.0, 1.6, 0.0], [1, 9, 1.5, 3.0, 1.4, 0.1], [2, 4, 0.5, 1.0, 1.0, 0.2]])
     results = open_run(granular_run)
     page = write_report(granular_run).read_text()
-    assert "bodies broken" in page and "of 2, 50%" in page
+    assert "broken bodies" in page and "of 2, 50%" in page
     assert spheres.broken_bodies(results).axes[0].lines[0].get_ydata().tolist() == [0, 1]
     assert {"bodies_broken", "fragment_curve"} <= {path.stem for path in (granular_run / "report").glob("*.png")}
 
@@ -71,4 +71,4 @@ def test_a_run_with_levels_tells_its_smallest_step(granular_run):
     manifest["results"] |= {"step": 8e-6, "levels": 4, "smallest_step": 1e-6, "predicted_limit": 5e-6}
     (granular_run / "manifest.json").write_text(json.dumps(manifest))
     page = write_report(granular_run).read_text()
-    assert "4 levels, smallest 1 µs, limit 5 µs" in page
+    assert "4 time levels, smallest step 1 µs, stability limit 5 µs" in page

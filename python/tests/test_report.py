@@ -54,7 +54,7 @@ def test_the_pictures_show_something(reported):
 def test_the_page_has_title_verdict_figures_and_case(reported):
     _, page = reported
     for words in (
-        "<h1>A synthetic blast</h1>", 'class="verdict good"', "The energy ledger closes within 3.0e-05 of the work done.",
+        "<h1>A synthetic blast</h1>", 'class="verdict good"', "The energy residual is 3.0e-05 of the work.",
         "2.16 mm", "X80 210 mm", "state hash", "0123456789abcdef", "method = &#34;blocks&#34;", "Largest fragments", "<td>G2</td>",
     ):
         assert words in page
@@ -70,8 +70,8 @@ def test_a_run_with_nothing_but_its_manifest_is_reported(tmp_path):
     (tmp_path / "manifest.json").write_text(json.dumps({"case": "Bare", "status": "failed", "results": {}}))
     page = write_report(tmp_path).read_text()
     for words in (
-        "its status is “failed”", "The run wrote no snapshots.", "The case has no gauges.", "The run wrote no fragments.",
-        "The run wrote no energies.", "The run wrote no timing.", "The run kept no case.", 'class="verdict bad"',
+        "ended early with status “failed”", "The run wrote no snapshots.", "The case has no gauges.", "The run wrote no fragments.",
+        "The run wrote no energies.", "The run wrote no timing.", "The run has no case file.", 'class="verdict bad"',
     ):
         assert words in page
 
@@ -80,7 +80,7 @@ def test_a_run_without_joints_or_breaks_is_reported(slab, tmp_path):
     copy = shutil.copytree(slab, tmp_path / "run")
     for path in (copy / "snapshots").glob("joints*"):
         path.unlink()
-    assert "The run wrote no joints beside its elements." in write_report(copy).read_text()
+    assert "The run wrote no joints." in write_report(copy).read_text()
 
 
 def test_a_run_cut_off_at_its_first_snapshot_is_reported(slab, tmp_path):
@@ -142,13 +142,13 @@ def test_figures_that_are_not_numbers_are_left_out(tmp_path):
     manifest = {"case": "Odd", "status": "running", "results": {"energy_work": None, "energy_residual": None, "broken_joints": 3}}
     (tmp_path / "manifest.json").write_text(json.dumps(manifest))
     text = terminal_text(sazare.open(tmp_path))
-    assert text.splitlines()[0] == "Odd: The run is still going, or was cut off. What follows is as far as it came."
-    assert text.splitlines()[1:] == ["  joints broken  3"]
+    assert text.splitlines()[0] == "Odd: The run is still running or was interrupted. The results below are partial."
+    assert text.splitlines()[1:] == ["  broken joints  3"]
 
 
 def test_the_summary_names_the_headline_figures(slab):
     text = terminal_text(sazare.open(slab))
-    for words in ("joints broken", "fragments", "energy balance", "3.0e-05", "wall time"):
+    for words in ("broken joints", "fragments", "energy balance", "3.0e-05", "wall-clock time"):
         assert words in text
 
 

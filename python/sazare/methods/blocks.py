@@ -9,12 +9,12 @@ ENERGIES = {
     "energy_kinetic": ("kinetic", style.KINETIC),
     "energy_elastic": ("elastic", style.ELASTIC),
     "energy_joint_dashpot": ("joint dashpots", style.DASHPOT),
-    "energy_slip": ("slip in joints", style.SLIP),
+    "energy_slip": ("joint slip", style.SLIP),
     "energy_fracture": ("fracture", style.RUPTURE),
-    "energy_release": ("lost at release", style.RELEASE),
+    "energy_release": ("released at failure", style.RELEASE),
     "energy_contact_dashpot": ("contact dashpots", style.CONTACT_DASHPOT),
-    "energy_friction": ("friction in contacts", style.FRICTION),
-    "energy_boundary": ("left through the boundary", style.OUTSIDE),
+    "energy_friction": ("contact friction", style.FRICTION),
+    "energy_boundary": ("absorbed at boundaries", style.OUTSIDE),
 }
 
 
@@ -22,7 +22,7 @@ def sections(results):
     """The pictures of the body, where there are snapshots, then the curves."""
     if len(results.snapshots):
         return [*_body_sections(results.snapshots), *_curve_sections(results)]
-    nothing = Section("cracks", "Crack pattern, shape, levels, fragments", "", lambda: None, common.NO_SNAPSHOTS)
+    nothing = Section("cracks", "Crack pattern, deformed shape, time levels, fragments", "", lambda: None, common.NO_SNAPSHOTS)
     return [nothing, *_curve_sections(results)]
 
 
@@ -35,20 +35,20 @@ def _body_sections(snapshots):
     return [
         Section(
             "cracks", "Crack pattern",
-            "Faces between elements that have broken, coloured by the time of the snapshot in which each was first seen broken.",
-            partial(blocks_maps.crack_pattern, body), "The run wrote no joints beside its elements.",
+            "Broken joints, coloured by the time of the first snapshot that shows them broken.",
+            partial(blocks_maps.crack_pattern, body), "The run wrote no joints.",
         ),
         Section(
-            "shape", "Displaced shape",
-            "Speed of the elements. Displacements are enlarged where the title says so; the fastest hundredth shares one colour.",
+            "shape", "Deformed shape",
+            "Speed of the elements. Displacements are magnified where the title says so; colour scale clipped at the 99th percentile.",
             partial(blocks_maps.displaced_shape, body), "",
         ),
         Section(
-            "levels", "Time levels", "An element of level k takes steps of the base step over 2 to the power of k.",
+            "levels", "Time levels", "An element at level k is advanced in steps of the base step / 2^k.",
             partial(blocks_maps.time_levels, body), "",
         ),
         Section(
-            "fragments", "Fragments", "Elements that still hang together share a colour; the largest fragment is pale.",
+            "fragments", "Fragments", "Elements that are still connected share a colour; the largest fragment is pale.",
             partial(blocks_maps.fragment_map, body), "", wide=not body.is_slab,
         ),
     ]
@@ -59,20 +59,20 @@ def _curve_sections(results):
     return [
         common.energy_section(results, ENERGIES),
         Section(
-            "fragment_curve", "Fragment sizes", "Share of the volume in fragments up to a size; half of it lies below X50.",
+            "fragment_curve", "Fragment size distribution", "Cumulative volume passing; 50 % of the volume is in fragments smaller than X50.",
             partial(plot.fragment_curve, results), "The run wrote no fragments.", wide=False,
         ),
         Section(
-            "broken_joints", "Broken joints", "Broken joints and fragments against time.",
+            "broken_joints", "Broken joints", "Number of broken joints and of fragments over time.",
             partial(blocks_curves.broken_joints, results), common.NO_HISTORY, wide=False,
         ),
         Section(
-            "gauges", "Gauges", "Velocity at the gauges; the dot is the peak particle velocity.",
+            "gauges", "Gauges", "Velocity at the gauges; dots mark the peak particle velocity.",
             partial(plot.gauges, results), common.NO_GAUGES,
         ),
         Section(
-            "smallest_step", "Smallest step", "The smallest time step of any element.",
-            partial(blocks_curves.smallest_step, results), "The run wrote no steps.", wide=False,
+            "smallest_step", "Smallest step", "Smallest time step of any element.",
+            partial(blocks_curves.smallest_step, results), "The run wrote no time steps.", wide=False,
         ),
         common.timing_section(results, "the step"),
         *ranks,
@@ -83,8 +83,7 @@ def _rank_section(results):
     """The picture of a run of several processes."""
     return Section(
         "ranks", "Ranks",
-        "Processor time of each rank in evaluations and kicks, cumulated; how far the busiest rank of an interval is above the "
-        "mean; and with which element each rank's range begins.",
+        "Cumulative processor time of each rank; load imbalance of each interval; and the first element of each rank's range.",
         partial(blocks_curves.ranks, results), "",
     )
 
@@ -93,18 +92,18 @@ METHOD = Method(
     sections=sections,
     verdict=common.strict_balance_verdict,
     headlines=(
-        Figure("broken_joints", "joints broken", note=common.share_note("broken_joints", "joints")),
+        Figure("broken_joints", "broken joints", note=common.share_note("broken_joints", "joints")),
         Figure("fragments", "fragments", note=common.count_note("elements", "elements")),
         Figure("x50", "X50", "m", common.quantity_note("x80", "X80 ", "m")),
-        Figure("throw_max", "largest throw", "m"),
+        Figure("throw_max", "maximum throw", "m"),
         Figure("peak_speed", "peak speed", "m/s"),
-        Figure("energy_work", "work of the loads", "J"),
+        Figure("energy_work", "external work", "J"),
     ),
     snapshots="elements",
     fields={
         "velocity": ("speed", "m/s"),
         "displacement": ("displacement", "m"),
-        "damage": ("share of joints broken", ""),
+        "damage": ("share of broken joints", ""),
         "level": ("time level", ""),
     },
 )

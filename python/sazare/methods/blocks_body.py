@@ -1,4 +1,4 @@
-"""The body of a run of method blocks from snapshot to snapshot: its extent, its broken joints, and the views that suit it."""
+"""The body of a run of method blocks: its extent, its broken joints in every snapshot, and the views that suit it."""
 
 import numpy as np
 

@@ -9,7 +9,7 @@ from sazare.plot import time_axis
 
 @style.styled
 def broken_joints(results):
-    """Broken joints and fragments against time."""
+    """Number of broken joints and of fragments against time."""
     history = results.history
     if "broken_joints" not in history or history.rows < 2:
         return None
@@ -34,7 +34,7 @@ def broken_joints(results):
 
 @style.styled
 def smallest_step(results):
-    """The smallest step of any element against time."""
+    """Smallest time step [s] of any element against time."""
     history = results.history
     if "smallest_step" not in history or history.rows < 2 or not np.any(history["smallest_step"] > 0.0):
         return None
@@ -43,7 +43,7 @@ def smallest_step(results):
     axes = figure.subplots()
     axes.step(time, np.where(history["smallest_step"] > 0.0, history["smallest_step"], np.nan), color=style.SECOND, where="post")
     axes.set_yscale("log")
-    axes.set_ylabel("smallest step [s]")
+    axes.set_ylabel("smallest time step [s]")
     axes.set_xlabel(label)
     axes.margins(x=0)
     return figure
@@ -51,7 +51,7 @@ def smallest_step(results):
 
 @style.styled
 def ranks(results):
-    """What every rank of a run did: processor time cumulated, imbalance of the intervals, and where the ranges are cut."""
+    """Cumulative processor time [s] of every rank, load imbalance of the intervals [-], and the first element of every rank's range."""
     table = results.ranks
     if table.rows < 1:
         return None
@@ -66,11 +66,11 @@ def ranks(results):
         total.plot(time, worked[:, rank], color=colors[rank], linewidth=1.2)
         cuts.step(time, first[:, rank], color=colors[rank], linewidth=1.2, where="pre")
     total.set_ylabel("processor time [s]")
-    total.set_title(f"{count} ranks; at the end largest over smallest {worked[-1].max() / worked[-1].min():.3g}")
+    total.set_title(f"{count} ranks; final max / min {worked[-1].max() / worked[-1].min():.3g}")
     share.plot(time, spent.max(axis=1) / spent.mean(axis=1), color=style.ACCENT, linewidth=1.2)
-    share.set_ylabel("largest over mean\nof an interval")
+    share.set_ylabel("load imbalance,\nmax / mean [-]")
     share.set_ylim(bottom=1)
     cuts.set_ylabel("first element")
-    cuts.set_xlabel("time [us]")
+    cuts.set_xlabel("time [µs]")
     figure.align_ylabels()
     return figure

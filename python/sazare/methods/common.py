@@ -8,7 +8,7 @@ from sazare import plot, shaking
 from sazare.methods import Section
 from sazare.style import count, quantity, round_factor
 
-# A balance within the first counts as good, beyond the second as bad; residual as a share of the work.
+# Residuals up to the first count as good, above the second as bad; as shares of the work.
 GOOD_BALANCE, BAD_BALANCE = 1e-4, 1e-2
 
 NO_SNAPSHOTS = "The run wrote no snapshots."
@@ -16,11 +16,11 @@ NO_GAUGES = "The case has no gauges."
 NO_HISTORY = "The run wrote no history."
 
 
-def energy_section(results, terms, work="the work of the loads"):
-    """Stored and dissipated energy against the work. terms: column of the history -> (name, colour), from the bottom of the stack up."""
+def energy_section(results, terms, work="the external work"):
+    """The energy balance. terms: column of the history -> (name, colour), from the bottom of the stack up."""
     return Section(
-        "energy", "Where the work went",
-        f"Energy stored and dissipated by cause, stacked, against {work}; below, the share of the work that the ledger does not account for.",
+        "energy", "Energy balance",
+        f"Stored and dissipated energy by cause, stacked, and {work}; below, the residual as a share of the work.",
         partial(plot.energy, results, terms), "The run wrote no energies.",
     )
 
@@ -28,20 +28,20 @@ def energy_section(results, terms, work="the work of the loads"):
 def timing_section(results, whole="the run"):
     """Computing time by part."""
     return Section(
-        "timing", "Where the time went", f"Computing time by part of {whole}.", partial(plot.timing, results), "The run wrote no timing.",
+        "timing", "Timing by part", f"Computing time by part of {whole}.", partial(plot.timing, results), "The run wrote no timing.",
         wide=False,
     )
 
 
 def shaking_sections(results):
-    """Motion at the gauges in time and in frequency."""
+    """Acceleration at the gauges over time, and its spectra."""
     return [
         Section(
-            "accelerations", "Accelerations", "Acceleration at the gauges along the axis of strongest motion; the dot is the peak.",
+            "accelerations", "Accelerations", "Acceleration at the gauges along the axis of strongest motion; dots mark the peaks.",
             partial(shaking.accelerations, results), NO_GAUGES,
         ),
         Section(
-            "spectra", "Spectra", "Fourier amplitudes at the first and the last gauge, and their ratio.",
+            "spectra", "Spectra", "Fourier amplitude spectra at the first and last gauge, and their ratio.",
             partial(shaking.spectra, results), "There are fewer than two gauges.",
         ),
     ]
@@ -57,33 +57,33 @@ def enlargement(displacement, extent, largest, shown):
 
 
 def energy_balance(figures):
-    """The residual as a share of the work done; None where it cannot be said."""
+    """The energy residual as a share of the work; None where it cannot be computed."""
     work, residual = figures.get("energy_work"), figures.get("energy_residual")
     return abs(residual / work) if work and residual is not None else None
 
 
-def balance_verdict(results):
-    """The verdict of a run by its energy balance: fair where that is not good."""
+def balance_verdict(results, reference="work"):
+    """The verdict of a run by its energy balance: fair where that is not good. reference: what the residual is a share of, in words."""
     balance = energy_balance(results.figures)
     if balance is None:
-        return "fair", "The run is done. Its energy balance is not known."
-    return "good" if balance <= BAD_BALANCE else "fair", balance_words(balance)
+        return "fair", "The run is complete. Its energy balance is not available."
+    return "good" if balance <= BAD_BALANCE else "fair", balance_words(balance, reference)
 
 
 def strict_balance_verdict(results):
-    """The same of a method whose time step decides the balance: three grades, and what to do about it."""
+    """The same of a method whose time step governs the balance: three grades, and what to do about it."""
     balance = energy_balance(results.figures)
     if balance is None or balance <= GOOD_BALANCE:
         return balance_verdict(results)
     words = balance_words(balance)
     if balance <= BAD_BALANCE:
-        return "fair", f"{words} Below {GOOD_BALANCE:.0e} would be good: consider a smaller stability_fraction."
-    return "bad", f"{words} That is too much for the results to be trusted: use a smaller stability_fraction."
+        return "fair", f"{words} It should be below {GOOD_BALANCE:.0e}: consider a smaller stability_fraction."
+    return "bad", f"{words} This is too large for reliable results: use a smaller stability_fraction."
 
 
-def balance_words(balance):
-    """A balance as a sentence."""
-    return f"The run is done. The energy ledger closes within {balance:.1e} of the work done."
+def balance_words(balance, reference="work"):
+    """An energy balance as a sentence."""
+    return f"The run is complete. The energy residual is {balance:.1e} of the {reference}."
 
 
 def share_note(part, whole):

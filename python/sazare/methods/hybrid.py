@@ -151,7 +151,7 @@ def _frame_in_space(axes, frames):
 
 @style.styled
 def surface(results):
-    """Force of the bodies on the surface and its mean displacement, each along the axis on which it is largest."""
+    """Force [N] of the bodies on the coupling surface and its mean displacement [m], each along the axis on which it is largest."""
     history = results.history
     if history.rows < 2:
         return None
@@ -168,7 +168,7 @@ def surface(results):
 
 @style.styled
 def exchange(results):
-    """Work of the bodies on the surface's nodes, and the energy that the surface made or lost."""
+    """Work [J] of the bodies on the nodes of the coupling surface, and energy [J] created by the coupling, against time."""
     history = results.history
     if history.rows < 2:
         return None
@@ -176,7 +176,7 @@ def exchange(results):
     figure = style.figure(6.2, 3.6)
     axes = figure.subplots()
     for name, words, color in (("work_on_nodes", "work on the nodes", style.SECOND), ("work_on_bodies", "work on the bodies", "#9bbf8a"),
-                               ("energy_made", "made at the surface", style.ACCENT)):
+                               ("energy_made", "created by the coupling", style.ACCENT)):
         axes.plot(history["time"], history[name] / factor, color=color, linewidth=1.1, label=words)
     axes.set_xlabel("time [s]")
     axes.set_ylabel(f"energy [{prefix}J]")
@@ -186,19 +186,19 @@ def exchange(results):
 
 
 def sections(results):
-    """The pictures of a run: both sides together, the surface, then those of each side."""
+    """The pictures of a run: both solver sides together, the coupling surface, then those of each side."""
     return [
         Section(
-            "together", "Both sides", "Finite elements, and bodies, coloured by speed.", partial(together, results),
-            "There are no snapshots that can be drawn together.",
+            "together", "Finite elements and bodies", "Finite elements, and bodies coloured by speed.", partial(together, results),
+            "No snapshots of both sides can be drawn together.",
         ),
         Section(
-            "surface", "The surface", "Mean force of the bodies on the surface in a window, and the mean displacement of its nodes.",
+            "surface", "Coupling surface", "Mean force of the bodies on the surface in each window, and mean displacement of its nodes.",
             partial(surface, results), common.NO_HISTORY,
         ),
         Section(
-            "exchange", "Work over the surface",
-            "Work of the bodies on the nodes and of the nodes on the bodies; their sum is energy that the scheme of the coupling has made.",
+            "exchange", "Work across the coupling surface",
+            "Work of the bodies on the nodes and of the nodes on the bodies; their sum is energy created by the coupling scheme.",
             partial(exchange, results), common.NO_HISTORY, wide=False,
         ),
         *(section for name, side in results.sides.items() for section in _sections_of_side(name, side, is_plane(results))),
@@ -218,9 +218,9 @@ def _sections_of_side(name, side, in_one_picture):
 
 
 def verdict(results):
-    """A run is good; the energy that the surface made is told."""
+    """A completed run is good; the energy created by the coupling is given."""
     made, work = results.figures.get("energy_made", 0.0), results.figures.get("work_on_nodes", 0.0)
-    return "good", "The run is done." + (f" The surface made {made / abs(work):.1e} of the work that went over it." if work else "")
+    return "good", "The run is complete." + (f" The energy created by the coupling is {made / abs(work):.1e} of the work across the surface." if work else "")
 
 
 METHOD = Method(
@@ -229,9 +229,9 @@ METHOD = Method(
     headlines=(
         Figure("particles", "particles"),
         Figure("peak_displacement", "peak displacement", "m"),
-        Figure("step", "step", "s"),
+        Figure("step", "time step of the bodies", "s"),
         Figure("freedoms", "degrees of freedom"),
-        Figure("windows", "windows", note=common.count_note("passes", "passes")),
-        Figure("peak_force", "peak force on the surface", "N"),
+        Figure("windows", "coupling windows", note=common.count_note("passes", "passes")),
+        Figure("peak_force", "peak surface force", "N"),
     ),
 )

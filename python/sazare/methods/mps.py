@@ -9,13 +9,13 @@ from sazare.methods import Figure, Method, Section, common
 
 ENERGIES = [
     ("energy_kinetic", "kinetic", style.KINETIC), ("energy_elastic", "elastic", style.ELASTIC), ("energy_damping", "damping", "#b9b3a8"),
-    ("energy_flow", "flow", "#c98a3d"), ("energy_rupture", "rupture", "#a64b3c"), ("energy_contact", "contacts", "#8a8f3d"),
+    ("energy_flow", "plastic flow", "#c98a3d"), ("energy_rupture", "rupture", "#a64b3c"), ("energy_contact", "contacts", "#8a8f3d"),
 ]
 
 
 @style.styled
 def displaced(results):
-    """Particles where they are at four times, coloured by displacement; enlarged where the title says so."""
+    """Particles at four times, coloured by displacement [m]; magnified where the title says so."""
     snapshots = results.particle_snapshots
     if len(snapshots) < 2:
         return None
@@ -51,14 +51,14 @@ def displaced(results):
 
 @style.styled
 def failure(results):
-    """Slip of the ground and the share of its links that broke, at the end, where the particles are."""
+    """Equivalent plastic shear strain [-] and share of broken links [-] of the particles at the end."""
     snapshots = results.particle_snapshots
     if not len(snapshots) or "slip" not in snapshots[-1].elements.cell_data:
         return None
     grid = snapshots[-1].elements
     points = np.asarray(grid.points)
     up = 2 if np.ptp(points[:, 2]) > 0.0 else 1
-    fields = [("slip", "plastic slip [-]"), ("broken_share", "links broken [-]")]
+    fields = [("slip", "equivalent plastic\nshear strain [-]"), ("broken_share", "share of broken links [-]")]
     figure = style.figure(9.0, 6.0)
     for axes, (name, label) in zip(figure.subplots(2, 1, sharex=True), fields):
         values = np.asarray(grid.cell_data[name])
@@ -72,7 +72,7 @@ def failure(results):
 
 @style.styled
 def energies(results):
-    """Kinetic and elastic energy against time, and what damping and failing have dissipated."""
+    """Kinetic and elastic energy [J] against time, and energy dissipated by damping and failure."""
     history = results.history
     if "energy_kinetic" not in history or history.rows < 2:
         return None
@@ -84,7 +84,7 @@ def energies(results):
                    colors=[color for _, _, color in shown], linewidth=0)
     axes.set_xlabel("time [s]")
     axes.set_ylabel(f"energy [{prefix}J]")
-    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=len(shown))
+    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3)
     axes.margins(x=0)
     return figure
 
@@ -93,19 +93,19 @@ def sections(results):
     """The pictures of a run."""
     failing = [
         Section(
-            "failure", "Failure", "Plastic slip, and the share of its links that a particle has lost, at the end.",
+            "failure", "Failure", "Equivalent plastic shear strain, and share of broken links of each particle, at the end.",
             partial(failure, results), common.NO_SNAPSHOTS,
         )
     ] if "energy_flow" in results.history else []
     return [
         *common.shaking_sections(results),
         Section(
-            "displaced", "Displaced particles", "Particles where they are, coloured by displacement; enlarged where the title says so.",
+            "displaced", "Displaced particles", "Particle positions, coloured by displacement; displacements are magnified where the title says so.",
             partial(displaced, results), common.NO_SNAPSHOTS,
         ),
         *failing,
         Section(
-            "energies", "Energies", "Kinetic and elastic energy of the particles, and what damping and failing have dissipated.",
+            "energies", "Energy", "Kinetic and elastic energy of the particles, and energy dissipated by damping and failure.",
             partial(energies, results), common.NO_HISTORY, wide=False,
         ),
         common.timing_section(results),
@@ -113,9 +113,9 @@ def sections(results):
 
 
 def verdict(results):
-    """A run is good; its step is compared with the limit."""
+    """A completed run is good; its time step is compared with the stability limit."""
     limit, step = results.figures.get("predicted_limit"), results.figures.get("step")
-    return "good", "The run is done." + (f" Its step is {step / limit:.2f} of the predicted limit." if limit and step else "")
+    return "good", "The run is complete." + (f" The time step is {step / limit:.2f} of the predicted stability limit." if limit and step else "")
 
 
 METHOD = Method(
@@ -124,18 +124,18 @@ METHOD = Method(
     headlines=(
         Figure("peak_speed", "peak speed", "m/s"),
         Figure("particles", "particles"),
-        Figure("links_broken", "links broken"),
-        Figure("final_displacement", "displacement at the end", "m"),
+        Figure("links_broken", "broken links"),
+        Figure("final_displacement", "final displacement", "m"),
         Figure("peak_acceleration", "peak acceleration", "m/s²"),
         Figure("peak_displacement", "peak displacement", "m"),
-        Figure("step", "step", "s", common.quantity_note("predicted_limit", "limit ", "s")),
+        Figure("step", "time step", "s", common.quantity_note("predicted_limit", "stability limit ", "s")),
     ),
     snapshots="particles",
     fields={
         "velocity": ("speed", "m/s"),
         "displacement": ("displacement", "m"),
-        "slip": ("plastic slip", ""),
-        "broken_share": ("share of links lost", ""),
+        "slip": ("equivalent plastic shear strain", ""),
+        "broken_share": ("share of broken links", ""),
         "acceleration": ("acceleration", "m/s²"),
     },
 )
