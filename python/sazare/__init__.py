@@ -10,14 +10,15 @@
 
     sazare.open("runs/column").all_snapshots.at(1.0).mesh.plot()
 
-Everything is loaded when it is first used, so that the import takes no time.
+Modules are loaded on first use, so that the import is fast.
 """
 
 import importlib
 import os
 
 _HOMES = {
-    "sazare.results": ("Gauge", "Results", "Snapshot", "Snapshots", "open_run"),
+    "sazare.results": ("Gauge", "Results", "open_run"),
+    "sazare.snapshots": ("Snapshot", "Snapshots"),
     "sazare.tables": ("NotARun", "Table", "write_table"),
     "sazare.comparison": ("Comparison", "compare"),
     "sazare.simulation": ("Simulation", "build", "check", "run"),

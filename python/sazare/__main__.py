@@ -40,7 +40,7 @@ def plot(chosen):
 
 
 def movie(chosen):
-    """Writes the moving picture, and says where it is."""
+    """Writes the animation, and says where it is."""
     from sazare.movie import write_movie
 
     results = open_run(chosen.folder)
@@ -48,7 +48,7 @@ def movie(chosen):
 
 
 def comparison(chosen):
-    """Prints two runs beside each other."""
+    """Prints the comparison of two runs."""
     print(compare(chosen.folder, chosen.other))
 
 
@@ -68,12 +68,12 @@ def parser():
     drawn = add("plot", "write chosen pictures of the report as PNG; without names, list what there is", plot)
     drawn.add_argument("names", metavar="NAME", nargs="*", help="a picture, such as energy or gauges")
     drawn.add_argument("--out", metavar="DIR", help="folder of the pictures (default: the current one)", default=".")
-    moving = add("movie", "write the snapshots as an animated picture", movie)
+    moving = add("movie", "write the snapshots as an animation", movie)
     moving.add_argument("--out", metavar="FILE", help="a .gif or .webp (default: DIR/movie.gif)")
-    moving.add_argument("--field", metavar="NAME", help="what is coloured, such as speed or displacement")
-    moving.add_argument("--enlarge", metavar="FACTOR", type=float, help="how much displacements are enlarged")
-    moving.add_argument("--interval", metavar="SECONDS", type=float, default=0.15, help="time for which a picture stands")
-    add("compare", "print figures and histories of two runs beside each other", comparison).add_argument("other", metavar="OTHER")
+    moving.add_argument("--field", metavar="NAME", help="the field shown in colour, such as speed or displacement")
+    moving.add_argument("--enlarge", metavar="FACTOR", type=float, help="magnification of displacements")
+    moving.add_argument("--interval", metavar="SECONDS", type=float, default=0.15, help="time for which each frame is shown [s]")
+    add("compare", "compare figures and histories of two runs", comparison).add_argument("other", metavar="OTHER")
     return top
 
 

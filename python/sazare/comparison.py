@@ -1,4 +1,4 @@
-"""Two runs beside each other."""
+"""Comparison of two runs."""
 
 from dataclasses import dataclass
 
@@ -9,12 +9,12 @@ from sazare.results import Results, open_run
 
 @dataclass(frozen=True)
 class Comparison:
-    """Two runs beside each other.
+    """Comparison of two runs.
 
     figures: name -> (first, second) of the headline figures that both have;
     ppv: gauge -> (first, second) peak particle velocity [m/s] of the gauges that both have;
-    history: column -> largest difference over the largest magnitude of the first, at times that both have;
-    same_bits: whether both end in the same state, None where that cannot be said.
+    history: column -> largest difference relative to the largest magnitude of the first, at times that both have [-];
+    same_bits: whether both final states are bit-identical; None where a state hash is missing.
     """
 
     figures: dict
@@ -33,8 +33,8 @@ class Comparison:
         width = max((len(row[0]) for row in [*rows, *peaks]), default=0)
         lines = [f"{name:<{width}}  {first:>14}  {second:>14}" for name, first, second in rows]
         lines += [f"{name:<{width}}  {first:>14}  {second:>14}  ratio {ratio}" for name, first, second, ratio in peaks]
-        bits = {True: "the same bits", False: "different bits", None: "bits not known"}[self.same_bits]
-        return "\n".join([*lines, f"histories differ by at most {self.largest_difference:.2e} of their size; {bits}"])
+        bits = {True: "bit-identical final states", False: "final states differ", None: "no state hash to compare"}[self.same_bits]
+        return "\n".join([*lines, f"histories differ by at most {self.largest_difference:.2e} of their largest magnitude; {bits}"])
 
 
 # Columns that tell of the machine, not of the simulated body.

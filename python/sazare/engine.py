@@ -1,4 +1,4 @@
-"""The compiled engine, `sazare._engine`, loaded when it is first wanted."""
+"""The compiled engine, `sazare._engine`, loaded on first use."""
 
 import os
 import sys

@@ -1,4 +1,4 @@
-"""Functions of time that a case leaves to its caller, as the engine takes them: samples at every step, ahead of the time of the run."""
+"""Functions of time that a case leaves to its caller, as the engine takes them: samples at every step, ahead of the simulated time."""
 
 import math
 
@@ -14,7 +14,7 @@ class History:
         self._count = 0
 
     def sample(self, live, step):
-        """Hands the engine what it needs to get to a step. Raises what the function raises, ValueError for what is no finite number."""
+        """Hands the engine the samples it needs to reach a step. Raises what the function raises; ValueError where a value is not finite."""
         # A sample beyond the present one, so that what lies between two of them never depends on how far they are known.
         wanted = math.floor(step - self._begin / self._step) + 3
         values = []
@@ -30,7 +30,7 @@ class History:
 
 
 def histories_of(live, functions):
-    """The histories of a run, from the caller's functions by name. Raises UserError where one is missing or not asked for."""
+    """The histories of a run, from the caller's functions by name. Raises UserError where one is missing or unknown to the case."""
     asked = dict(live.functions)
     for name in asked:
         if name not in functions:

@@ -1,4 +1,4 @@
-"""A run's snapshots as a moving picture."""
+"""The snapshots of a run as an animation."""
 
 from dataclasses import dataclass
 
@@ -59,7 +59,7 @@ def _mesh(frames, number, field, factor):
     return cloud.glyph(geom=pyvista.Sphere(radius=1.0, theta_resolution=corners, phi_resolution=corners), scale="radius", orient=False)
 
 
-def _labelled(image, text, field):
+def _labelled(image, text, field, colors):
     """The picture with its time, and the colours of the field, in a line below."""
     from matplotlib.font_manager import findfont
     from PIL import Image, ImageDraw, ImageFont
@@ -73,7 +73,7 @@ def _labelled(image, text, field):
     words = (style.quantity(field.low), f"{style.quantity(field.high)} {field.unit}  {field.name}")
     right = width - 8 - int(pen.textlength(words[1], font=font))
     for place in range(100):
-        pen.line([(right - 108 + place, height + 8), (right - 108 + place, height + 24)], fill=to_hex(style.SPEED(place / 99)))
+        pen.line([(right - 108 + place, height + 8), (right - 108 + place, height + 24)], fill=to_hex(colors(place / 99)))
     pen.text((right, height + 8), words[1], fill=style.INK, font=font)
     pen.text((right - 116 - int(pen.textlength(words[0], font=font)), height + 8), words[0], fill=style.INK, font=font)
     return sheet
@@ -83,8 +83,8 @@ def write_movie(results, path, field=None, factor=None, interval=0.15):
     """Writes the snapshots of a run as an animated GIF or WebP, by the ending of `path`; returns the path.
 
     field: the name of a value of the report's 3-D view, such as "speed"; its first one where it is None.
-    factor: how much displacements are enlarged; as in the 3-D view where it is None.
-    interval: seconds for which a picture stands.
+    factor: magnification of displacements; as in the 3-D view where it is None.
+    interval: time for which each frame is shown [s].
 
     Raises NotARun where there are no snapshots, ValueError where there is no such field.
     """
@@ -99,11 +99,11 @@ def write_movie(results, path, field=None, factor=None, interval=0.15):
     chosen = frames.fields[names.index(field) if field else 0]
     factor = frames.enlargements[-1] if factor is None else factor
     view = FixedView(frames.camera)
-    options = {"scalars": "share", "cmap": style.SPEED, "clim": (0.0, 1.0), "smooth_shading": False}
+    options = {"scalars": "share", "cmap": frames.colors, "clim": (0.0, 1.0), "smooth_shading": False}
     sheets = []
     for number, time in enumerate(frames.times):
         image = render(view, [Layer(_mesh(frames, number, chosen, factor), options)])
         enlarged = f", displacements × {factor:g}" if factor != 1 else ""
-        sheets.append(_labelled(image, f"{style.quantity(time, 's') if time else '0 s'}{enlarged}", chosen))
+        sheets.append(_labelled(image, f"{style.quantity(time, 's') if time else '0 s'}{enlarged}", chosen, frames.colors))
     sheets[0].save(path, save_all=True, append_images=sheets[1:], duration=int(1000 * interval), loop=0)
     return path

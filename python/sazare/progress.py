@@ -1,4 +1,4 @@
-"""How far a simulation is: a line that is written over on a terminal and in a notebook, a new one now and then elsewhere."""
+"""Progress of a simulation: one line that is updated on a terminal and in a notebook, a new line now and then elsewhere."""
 
 import sys
 import time
@@ -13,7 +13,7 @@ def in_notebook():
 
 
 class ProgressLine:
-    """Shows texts, one at a time; used as a context, it takes the last one away where it can."""
+    """Shows one text at a time; as a context manager, it clears the last one where it can."""
 
     def __init__(self, shown=True, stream=None):
         self._stream = sys.stdout if stream is None else stream
@@ -31,7 +31,7 @@ class ProgressLine:
             self._width = 0
 
     def show(self, text):
-        """Shows a text if it is time for it; `text` is called only then."""
+        """Shows a text if one is due; `text` is called only then."""
         if not self._shown or time.monotonic() < self._next:
             return
         line = text()

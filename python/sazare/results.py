@@ -1,17 +1,14 @@
 """Reading the folder of a run: manifest, tables, gauges and snapshots."""
 
 import json
-import re
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
 import numpy as np
 
+from sazare.snapshots import Snapshots, kinds_in, read_snapshots
 from sazare.tables import NotARun, Table, read_table
-
-SNAPSHOT_FILE = re.compile(r"(?:elements|particles)_(\d+)\.vtkhdf$")
 
 
 @dataclass(frozen=True)
@@ -31,63 +28,6 @@ class Gauge:
     def ppv(self):
         """Peak particle velocity [m/s]: the largest magnitude of the history; 0 without samples."""
         return float(self.speed.max(initial=0.0))
-
-
-@dataclass(frozen=True)
-class Snapshot:
-    """One moment of a run: time [s], and the files of its elements and joints, read when asked for."""
-
-    time: float
-    elements_file: Path
-    joints_file: Path | None
-
-    @cached_property
-    def elements(self):
-        """Tetrahedra (pyvista.UnstructuredGrid), each with its own four points, where they are at this time."""
-        return _read_mesh(self.elements_file)
-
-    @property
-    def mesh(self):
-        """The bodies whatever the method (pyvista.UnstructuredGrid): the same as `elements`."""
-        return self.elements
-
-    @cached_property
-    def joints(self):
-        """Triangles (pyvista.UnstructuredGrid) of the faces between elements; None where the run wrote none."""
-        return _read_mesh(self.joints_file) if self.joints_file else None
-
-
-def _read_mesh(path):
-    import pyvista
-
-    try:
-        return pyvista.read(path)
-    except (OSError, ValueError, RuntimeError) as error:
-        raise NotARun(f"{path}: not a readable VTKHDF file: {error}") from error
-
-
-class Snapshots(Sequence):
-    """The snapshots of a run in the order of time."""
-
-    def __init__(self, snapshots):
-        self._snapshots = list(snapshots)
-
-    def __getitem__(self, index):
-        return self._snapshots[index]
-
-    def __len__(self):
-        return len(self._snapshots)
-
-    @property
-    def times(self):
-        """Times of the snapshots [s] (n,)."""
-        return np.array([snapshot.time for snapshot in self._snapshots])
-
-    def at(self, time):
-        """The snapshot nearest to a time [s]. Raises NotARun where the run has none."""
-        if not self._snapshots:
-            raise NotARun("the run has no snapshots")
-        return self._snapshots[int(np.argmin(np.abs(self.times - time)))]
 
 
 class Results:
@@ -148,8 +88,8 @@ class Results:
 
     @cached_property
     def ranks(self):
-        """ranks.csv of a run of several processes, interval by interval between cuts: time, rank, processor_time [s] and
-        bytes_sent [B], both cumulated, exchange_time [s], first_element. Empty for a run of one process."""
+        """ranks.csv of a run of several processes, one row per rank and interval: time, rank, processor_time [s] and
+        bytes_sent [B], both cumulative, exchange_time [s], first_element. Empty for a run of one process."""
         return self._table("ranks.csv")
 
     @cached_property
@@ -169,12 +109,12 @@ class Results:
 
     @cached_property
     def regression(self):
-        """regression.csv: coefficients of (15) and (16) by family."""
+        """regression.csv: coefficients of equations (15) and (16) by family."""
         return self._table("regression.csv")
 
     @cached_property
     def regression_lines(self):
-        """regression_lines.csv: a1 and a2 of (14) by family and damping."""
+        """regression_lines.csv: a1 and a2 of equation (14) by family and damping."""
         return self._table("regression_lines.csv")
 
     @cached_property
@@ -205,45 +145,26 @@ class Results:
 
     @cached_property
     def all_snapshots(self):
-        """The snapshots of the bodies of the run, whatever its method."""
-        names = [path.name.removesuffix(".vtkhdf.series") for path in sorted((self.path / "snapshots").glob("*.vtkhdf.series"))]
-        kinds = ["elements", "rectangles", "particles", "finite_elements", *(name for name in names if name != "joints")]
+        """The snapshots of the bodies of the run, for any method."""
+        from sazare.methods import method_of
+
+        own = method_of(self).snapshots
+        kinds = ([own] if own else []) + [kind for kind in kinds_in(self.path / "snapshots") if kind not in (own, "joints")]
         return next((found for found in map(self._snapshots, kinds) if len(found)), Snapshots([]))
 
     @cached_property
     def element_snapshots(self):
-        """The same of a run of method fem: the mesh with displacements of its points, stress and plastic slip of its elements."""
+        """The same of a run of method fem: the mesh with displacements of its points, stress and equivalent plastic shear strain of its elements."""
         return self._snapshots("finite_elements")
 
     @cached_property
     def sides(self):
-        """The two sides of a run of method hybrid, each as a run of its own: "continuum" and "bodies". Empty for other runs."""
+        """The two solver sides of a run of method hybrid, each as a run of its own: "continuum" and "bodies". Empty for other runs."""
         folders = {name: self.path / name for name in ("continuum", "bodies")}
         return {name: Results(path) for name, path in folders.items() if (path / "manifest.json").exists()}
 
     def _snapshots(self, kind):
-        folder = self.path / "snapshots"
-        if not folder.is_dir():
-            return Snapshots([])
-        series = folder / f"{kind}.vtkhdf.series"
-        if series.exists():
-            try:
-                files = [(entry["name"], float(entry["time"])) for entry in json.loads(series.read_text())["files"]]
-            except (ValueError, KeyError, TypeError) as error:
-                raise NotARun(f"{series}: not a list of snapshots: {error}") from error
-        else:
-            names = sorted(path.name for path in folder.iterdir() if path.name.startswith(kind) and SNAPSHOT_FILE.search(path.name))
-            files = [(name, _time_in(folder / name)) for name in names]
-        return Snapshots(_snapshot(folder, name, time) for name, time in files if (folder / name).exists())
-
-
-def _snapshot(folder, name, time):
-    joints = folder / name.replace("elements_", "joints_", 1)
-    return Snapshot(time, folder / name, joints if joints.exists() else None)
-
-
-def _time_in(path):
-    return float(np.ravel(_read_mesh(path).field_data["time"])[0])
+        return read_snapshots(self.path / "snapshots", kind)
 
 
 def _check_is_run(path):

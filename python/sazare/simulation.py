@@ -1,4 +1,4 @@
-"""Running cases: from beginning to end, or step by step with the motion as numpy arrays in between."""
+"""Running cases: from start to end, or step by step with positions, velocities and forces as numpy arrays in between."""
 
 import math
 import re
@@ -54,9 +54,9 @@ def _name_from_title(text):
 
 
 def check(case, *, overrides=None, folder=None):
-    """What a case will do, in words: the resolved case, its steps and who limits them, as `sazare check`. Runs nothing.
+    """Describes what a case will do: the resolved case, its time steps and what limits them, as `sazare check`. Runs nothing.
 
-    Raises UserError with everything that is wrong.
+    Raises UserError with all errors of the case.
     """
     return engine().check(source_of(case, overrides, folder).for_engine())
 
@@ -75,23 +75,23 @@ def run(
     forces=None,
     stop=None,
 ):
-    """Carries out a case and opens its results.
+    """Runs a case and opens its results.
 
     case: the path of a case file, its TOML text, or a case object of `sazare.cases`.
     out: the run's folder; runs/<name of the case> where it is None.
     overrides: keys to change, such as {"time.end": 1e-4, "joints.0.cohesion": 5e6}.
-    folder: where the files that a text names are; the current folder where it is None.
-    threads: 0 for as many as the machine offers.
-    overwrite, resume: what to do with a run that is in the folder; without either it is an error.
+    folder: where the files named in a text are; the current folder where it is None.
+    threads: number of threads; 0 uses all processors.
+    overwrite, resume: what to do with an existing run in the folder; without either it is an error.
     functions: a function of time [s] for each motion of type "function" and each blast with `function`, by name. A motion's gives its quantity, a
-        blast's the pressure [Pa] at a time since its delay. Asked once for every step, straight lines between.
+        blast's the pressure [Pa] at a time since its delay. Evaluated once per step; linear in between.
     forces: a function of the simulation that gives forces [N] on the bodies, (n, 3) in the order of `positions`; of mps and fem in the plane [N/m].
-        Asked before every step; they act from its beginning (of method fem, whose steps are implicit, at its end). Methods mps, rectangles, fem.
-    stop: a function of the simulation, asked after every step; True ends the run there, with a checkpoint.
+        Evaluated before every step; they act from its beginning (in method fem, whose steps are implicit, at its end). Methods mps, rectangles, fem.
+    stop: a function of the simulation, evaluated after every step; True ends the run there, with a checkpoint.
 
-    A run that is resumed needs the same functions and forces again. What they raise comes out as it is, and leaves a checkpoint.
+    A resumed run needs the same functions and forces again. Exceptions that they raise propagate unchanged, and a checkpoint is kept.
 
-    Raises UserError, PhysicsError or MachineError in the words of the command. Ctrl-C leaves a checkpoint, and `resume` goes on.
+    Raises UserError, PhysicsError or MachineError with the messages of the command. Ctrl-C keeps a checkpoint, from which `resume` continues.
     """
     source = source_of(case, overrides, folder)
     where = Path(out or Path("runs") / source.name)
@@ -106,9 +106,9 @@ def run(
 def build(
     case, out=None, *, overrides=None, folder=None, threads=0, overwrite=False, resume=False, progress=False, functions=None, forces=None
 ):
-    """A case that is to be walked step by step; arguments and errors as for `run`.
+    """Prepares a case to be advanced step by step, and returns its Simulation; arguments and errors as for `run`.
 
-    Without `out` the run lies in a temporary folder that goes with the simulation.
+    Without `out` the run is kept in a temporary folder, which is removed with the simulation.
 
         with sazare.build("cases/column-ricker/case.toml") as simulation:
             simulation.every(0.1, lambda now: print(now.time, now.velocities[:, 0].max()))
@@ -121,9 +121,9 @@ def build(
 
 
 class Simulation:
-    """A case under way; `run` and `build` make it. As a context, it is stopped at the end of the block if it is not over.
+    """A case being run, made by `run` and `build`. As a context manager, it is stopped at the end of the block if it is not complete.
 
-    What the run writes (histories, gauges, snapshots, checkpoints) is written on the way as by the command, with the same bits.
+    Histories, gauges, snapshots and checkpoints are written along the way exactly as by the command, bit for bit.
     """
 
     def __init__(
@@ -161,12 +161,12 @@ class Simulation:
 
     @property
     def words(self):
-        """Number of bodies and step, in words."""
+        """Number of bodies and time step, as text."""
         return self._live.words
 
     @property
     def warnings(self):
-        """What the case was warned about; empty where all is well."""
+        """Warnings about the case; empty where there are none."""
         return self._live.warnings
 
     @property
@@ -181,7 +181,7 @@ class Simulation:
 
     @property
     def step(self):
-        """Number of steps done; of method blocks, base steps."""
+        """Number of completed steps; in method blocks, base steps."""
         return self._live.step
 
     @property
@@ -191,14 +191,14 @@ class Simulation:
 
     @property
     def is_over(self):
-        """Whether the end is reached."""
+        """Whether the end has been reached."""
         return self.step >= self.steps
 
     @property
     def positions(self):
         """Centres [m] (n, 3) at `time`, in the order of the snapshots; z is 0 in the plane.
 
-        The array looks at the engine's own rows and may not be written. It stays, and shows the motion at `time` after every
+        The array is a read-only view of the engine's memory. It stays valid and holds the state at `time` after every
         `advance`, `run` and call: copy what is to be kept.
         """
         return self._live.positions
@@ -210,18 +210,18 @@ class Simulation:
 
     @property
     def forces(self):
-        """Sums of all forces, gravity among them [N] (n, 3), as `positions`; in the plane per length [N/m]."""
+        """Resultant forces, including gravity [N] (n, 3), as `positions`; in the plane per unit length [N/m]."""
         return self._live.forces
 
     @property
     def results(self):
-        """The run's folder as `sazare.open` reads it, as far as it is written."""
+        """The run's folder as `sazare.open` reads it, as far as it has been written."""
         return open_run(self.path)
 
     def at(self, times, function):
-        """Calls function(simulation) at a time [s], or at each of several; at the first step that is not before it.
+        """Calls function(simulation) at a time [s], or at each of several; at the first step not before it.
 
-        A function that returns True ends the walk there. Raises ValueError for a time that is past.
+        A function that returns True ends the advance there. Raises ValueError for a time in the past.
         """
         for time in times if hasattr(times, "__iter__") else [times]:
             if time < self.time:
@@ -229,26 +229,26 @@ class Simulation:
             self._calls.append((self._step_at(time), 0, function))
 
     def every(self, interval, function):
-        """Calls function(simulation) every so many seconds of simulated time, in whole steps; True ends the walk there."""
+        """Calls function(simulation) at an interval of simulated time [s], in whole steps; True ends the advance there."""
         steps = max(1, round(interval / self.end * self.steps))
         self._calls.append((self.step + steps, steps, function))
 
     def advance(self, duration):
-        """Goes on for a time [s], to the first step that is not before its end. Returns the time reached [s]."""
+        """Advances by a duration [s], to the first step not before its end. Returns the time reached [s]."""
         return self._walk(self._step_at(self.time + duration))
 
     def advance_to(self, time):
-        """Goes on to a time [s], to the first step that is not before it. Returns the time reached [s]."""
+        """Advances to a time [s], to the first step not before it. Returns the time reached [s]."""
         return self._walk(self._step_at(time))
 
     def run(self, stop=None):
-        """Goes on to the end, unless a call ends the walk, or stop(simulation), asked after every step, is true. Returns the time reached [s]."""
+        """Advances to the end, unless a call ends it or stop(simulation), evaluated after every step, is true. Returns the time reached [s]."""
         return self._walk(self.steps, stop)
 
     def stop(self):
-        """Ends the run where it is, with a checkpoint from which `resume` goes on, and lets go of its folder.
+        """Stops the run, with a checkpoint from which `resume` continues, and releases its folder.
 
-        Does nothing where it has ended. The arrays stay as they are.
+        Does nothing where the run has ended. The arrays remain valid.
         """
         self._live.finish()
 
@@ -280,7 +280,7 @@ class Simulation:
         return min([until, *window, *(step for step, _, _ in self._calls)])
 
     def _prepare(self, step):
-        """Asks the caller's functions for what the engine needs to get to a step."""
+        """Evaluates the caller's functions as far as the engine needs them to reach a step."""
         for history in self._histories:
             history.sample(self._live, step)
         if self._forces is not None:
@@ -292,7 +292,7 @@ class Simulation:
             self._live.apply(forces)
 
     def _call_what_is_due(self):
-        """Whether a call wants the walk to end."""
+        """Whether a call asks the advance to end."""
         due = [call for call in self._calls if call[0] <= self.step]
         self._calls = [call for call in self._calls if call[0] > self.step]
         self._calls += [(step + between, between, function) for step, between, function in due if between]

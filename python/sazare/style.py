@@ -3,6 +3,7 @@
 import functools
 
 import matplotlib
+import numpy as np
 from matplotlib.colors import LinearSegmentedColormap, ListedColormap
 from matplotlib.figure import Figure
 
@@ -23,21 +24,9 @@ BREAK_TIME = LinearSegmentedColormap.from_list("break_time", ["#3b0f2b", "#8c1d4
 SPEED = LinearSegmentedColormap.from_list("speed", [STONE, "#efb273", "#d1452b", "#7d1d4a", "#2a0f36"])
 LEVEL = "YlGnBu"
 
-# Where the work went: the terms of the energy ledger in the order in which they are stacked.
-ENERGY_TERMS = {
-    "energy_kinetic": ("kinetic", "#35618f"),
-    "energy_elastic": ("elastic", "#6fa3c7"),
-    "energy_joint_dashpot": ("joint dashpots", "#c9a66b"),
-    "energy_slip": ("slip in joints", "#a8763e"),
-    "energy_fracture": ("fracture", "#b5472f"),
-    "energy_release": ("lost at release", "#e08a76"),
-    "energy_contact_dashpot": ("contact dashpots", "#9aa87c"),
-    "energy_friction": ("friction in contacts", "#5f7a4a"),
-    "energy_plastic": ("flow", "#b5472f"),
-    "energy_damping": ("damping", "#c9a66b"),
-    "energy_radiation": ("radiated through the boundary", "#8d8d9e"),
-    "energy_boundary": ("left through the boundary", "#8d8d9e"),
-}
+# Energies: what is stored in cold colours, what is dissipated in warm ones.
+KINETIC, ELASTIC, DASHPOT, SLIP, RUPTURE, RELEASE = "#35618f", "#6fa3c7", "#c9a66b", "#a8763e", "#b5472f", "#e08a76"
+CONTACT_DASHPOT, FRICTION, OUTSIDE = "#9aa87c", "#5f7a4a", "#8d8d9e"
 
 SETTINGS = {
     "font.size": 9.5,
@@ -90,6 +79,12 @@ def prefix_for(value):
         if abs(value) >= 0.9995 * factor:
             return factor, name
     return PREFIXES[-1] if value else (1.0, "")
+
+
+def round_factor(most):
+    """The largest of 1, 2, 5, 10, 20 ... and of their parts 0.5, 0.2, 0.1 ... that is at most a positive number."""
+    power = 10.0 ** np.floor(np.log10(most))
+    return float(power * max((step for step in (1, 2, 5) if step * power <= most), default=0.5))  # log10 may have rounded up
 
 
 def quantity(value, unit="", digits=3):

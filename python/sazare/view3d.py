@@ -1,7 +1,7 @@
 """Bodies in 3-D through time: what of them is drawn, and the interactive view of the report, packed so that one page holds it.
 
-Positions are kept as the first ones and what each vertex has moved since, in steps of 1/65535 of the largest way; fields in steps of
-1/255 of their range. The page unpacks them itself (viewer/view.source.js says how).
+Positions are kept as the first ones and the displacement of each vertex since, in steps of 1/65535 of the range of displacements; fields in
+steps of 1/255 of their range. The page unpacks them itself (viewer/view.source.js says how).
 """
 
 import base64
@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 from matplotlib.colors import to_hex
 
-from sazare import style
+from sazare.methods import method_of
 
 BUDGET = 8e6  # bytes of vertices and fields before compression
 FEWEST_TIMES = 6
@@ -22,19 +22,6 @@ MOST_VERTICES = 400_000
 SLAB_RATIO = 0.35
 VERTEX, QUADRILATERAL, TETRAHEDRON = 1, 9, 10  # kinds of cells, as VTK numbers them
 CORNERS = np.array([[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]])
-
-# Cell data worth a colour: name in the file -> (name in the view, unit). Of vectors the magnitude is shown.
-FIELDS = {
-    "velocity": ("speed", "m/s"),
-    "displacement": ("displacement", "m"),
-    "slip": ("plastic slip", ""),
-    "damage": ("share of joints broken", ""),
-    "broken_share": ("share of links lost", ""),
-    "broken": ("springs broken", ""),
-    "acceleration": ("acceleration", "m/s²"),
-    "spin": ("spin", "rad/s"),
-    "level": ("time level", ""),
-}
 
 
 @dataclass(frozen=True)
@@ -67,13 +54,14 @@ class Field:
 
 @dataclass(frozen=True)
 class Frames:
-    """The snapshots that are shown: times [s] (f,), first places [m] (v, 3), what moved since [m] (f, v, 3), fields, and the camera."""
+    """The snapshots that are shown: times [s] (f,), first places [m] (v, 3), what moved since [m] (f, v, 3), fields, their colours, the camera."""
 
     shapes: Shapes
     times: list
     start: np.ndarray
     moved: np.ndarray
     fields: list
+    colors: object  # colour map of matplotlib
     enlargements: list
     camera: dict
 
@@ -86,7 +74,8 @@ def read_frames(results):
     shapes = _shapes(snapshots)
     if len(shapes.points) == 0 or len(shapes.points) > MOST_VERTICES:
         return None
-    names = [name for name in FIELDS if name in snapshots[-1].elements.cell_data]
+    method = method_of(results)
+    names = [name for name in method.fields if name in snapshots[-1].elements.cell_data]
     chosen = _chosen_times(len(snapshots), 6 * len(shapes.points) + len(names) * len(shapes.cells))
     grids = [snapshots[number].elements for number in chosen]
     start = np.asarray(grids[0].points)[shapes.points]
@@ -94,10 +83,10 @@ def read_frames(results):
     fields = []
     for name in names:
         values = np.stack([_magnitude(grid.cell_data[name])[shapes.cells] for grid in grids])
-        fields.append(Field(*FIELDS[name], values, *_range(values)))
+        fields.append(Field(*method.fields[name], values, *_range(values)))
     enlargements = _enlargements(moved, start)
     camera = _camera(start, start + enlargements[-1] * moved[-1])
-    return Frames(shapes, [snapshots[number].time for number in chosen], start, moved, fields, enlargements, camera)
+    return Frames(shapes, [snapshots[number].time for number in chosen], start, moved, fields, method.colors, enlargements, camera)
 
 
 def packed_view(results):
@@ -120,7 +109,7 @@ def packed_view(results):
         "kind": "points" if shapes.triangles is None else "triangles",
         "times": frames.times,
         "fields": [{"name": field.name, "unit": field.unit, "low": field.low, "high": field.high} for field in frames.fields],
-        "colors": [to_hex(style.SPEED(place / 255)) for place in range(256)],
+        "colors": [to_hex(frames.colors(place / 255)) for place in range(256)],
         "cells": len(shapes.cells),
         "displacement": {"low": low, "high": low + span},
         "enlargements": frames.enlargements,
@@ -147,7 +136,7 @@ def _magnitude(values):
 
 
 def _range(values):
-    """From 0 or the least value to that which the greatest hundredth of the values of any moment exceeds."""
+    """The colour range: from 0 or the minimum to the largest 99th percentile of any frame."""
     finite = np.where(np.isfinite(values), values, 0.0)
     return float(min(finite.min(), 0.0)), float(np.percentile(finite, 99, axis=1).max() or finite.max())
 
@@ -220,7 +209,7 @@ def _keys(corners, step):
 
 
 def _enlargements(moved, start):
-    """Round factors up to that which makes the typical large displacement a visible share of the body."""
+    """Round magnification factors up to that which makes the typical large displacement a visible share of the body."""
     large = np.percentile(np.linalg.norm(moved[-1], axis=1), 90)
     most = 0.04 * np.ptp(start, axis=0).max() / large if large > 0 else 1.0
     found = [factor * 10**power for power in range(7) for factor in (1, 2, 5)]

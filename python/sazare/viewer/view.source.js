@@ -116,7 +116,7 @@ class View {
     this.choice.setAttribute("aria-label", "colour by");
     for (const [number, field] of this.data.fields.entries()) element(this.choice, "option", { value: number, textContent: field.name });
     this.legend = element(bar, "span", { className: "view3d-legend" });
-    const enlarge = element(bar, "label", { textContent: "enlarged " });
+    const enlarge = element(bar, "label", { textContent: "magnified " });
     this.factor = element(enlarge, "select");
     for (const factor of this.data.enlargements) element(this.factor, "option", { value: factor, textContent: `× ${factor}` });
     this.factor.value = this.enlarged;

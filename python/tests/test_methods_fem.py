@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import pyvista
 
-from sazare import finite
+from sazare.methods import fem
 from sazare.tables import Table
 
 
@@ -29,26 +29,26 @@ TETRAHEDRON = ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], 10, [0, 1, 2, 3])
 @pytest.mark.parametrize("shape", [SQUARE, SIX_NODES, TETRAHEDRON])
 def test_meshes_are_drawn(shape):
     results = SimpleNamespace(element_snapshots=[snapshot(time, *shape) for time in (0.0, 1.0)])
-    figure = finite.displaced(results)
+    figure = fem.displaced(results)
     assert "1 s, displacements × " in figure.axes[0].get_title(loc="left")
-    assert finite.yielding(results) is not None
+    assert fem.yielding(results) is not None
 
 
 def test_the_outline_of_a_quadratic_cell_goes_round():
     grid = snapshot(1.0, *SIX_NODES).elements
-    (cell,) = finite.outlines(grid)
+    (cell,) = fem.outlines(grid)
     assert list(cell) == [0, 3, 1, 4, 2, 5]
 
 
 def test_forces_that_are_never_there_are_left_out():
     time = np.linspace(0.0, 1.0, 5)
     history = Table({"time": time, "force.foot of it_x": 2.0 * time, "force.side_y": 0.0 * time})
-    figure = finite.forces(SimpleNamespace(history=history))
+    figure = fem.forces(SimpleNamespace(history=history))
     (line,) = figure.axes[0].get_lines()
     assert line.get_label() == "foot of it along x"
 
 
 def test_nothing_is_drawn_without_data():
     empty = SimpleNamespace(history=Table({}), element_snapshots=[], gauge_table=Table({}), gauges={})
-    for draw in (finite.displaced, finite.yielding, finite.forces, finite.joints, finite.displacements):
+    for draw in (fem.displaced, fem.yielding, fem.forces, fem.joints, fem.displacements):
         assert draw(empty) is None

@@ -5,7 +5,8 @@ from types import SimpleNamespace
 import numpy as np
 import pyvista
 
-from sazare import hybrid, report
+from sazare import report
+from sazare.methods import hybrid
 from sazare.results import Table, open_run
 
 
@@ -27,7 +28,7 @@ def cloud():
 
 
 def run(kind=9, cell=(0, 1, 2, 3)):
-    sides = {"continuum": SimpleNamespace(element_snapshots=[SimpleNamespace(time=t, elements=mesh(kind, cell)) for t in (0.0, 1.0)]),
+    sides = {"continuum": SimpleNamespace(all_snapshots=[SimpleNamespace(time=t, elements=mesh(kind, cell)) for t in (0.0, 1.0)]),
              "bodies": SimpleNamespace(all_snapshots=[SimpleNamespace(time=t, elements=cloud()) for t in (0.0, 1.0)])}
     return SimpleNamespace(sides=sides)
 
@@ -71,3 +72,10 @@ def test_the_sides_of_a_run_are_runs(tmp_path):
     names = [section.name for section in report.sections_of(results)]
     assert names[0] == "together" and "continuum_displaced" in names and "bodies_spheres" in names
     assert len(set(names)) == len(names)
+
+
+def test_a_side_that_says_it_is_coupled_itself_is_left_out(tmp_path):
+    (tmp_path / "manifest.json").write_text('{"method": "hybrid", "status": "done", "results": {}}')
+    (tmp_path / "continuum").symlink_to(tmp_path, target_is_directory=True)
+    names = [section.name for section in report.sections_of(open_run(tmp_path))]
+    assert names == ["together", "surface", "exchange", "timing"]

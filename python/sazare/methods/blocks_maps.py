@@ -1,4 +1,4 @@
-"""Pictures of the body: crack pattern, time levels, displaced shape, fragments. Each returns a matplotlib Figure."""
+"""Pictures of a body of method blocks: crack pattern, time levels, displaced shape, fragments. Each returns a matplotlib Figure."""
 
 import numpy as np
 from matplotlib import colormaps
@@ -118,7 +118,7 @@ def crack_pattern(body, shares=(0.2, 0.4, 0.7, 1.0)):
         for view, snapshot in _views(body, snapshots)
     ]
     figure, axes = _sheet(panels)
-    _bar(figure, axes, style.BREAK_TIME, Normalize(0.0, norm.vmax / factor), f"broken at [{prefix}s]")
+    _bar(figure, axes, style.BREAK_TIME, Normalize(0.0, norm.vmax / factor), f"time of failure [{prefix}s]")
     if isinstance(panels[0][0], PlaneView):
         keys = [
             Line2D([], [], color=style.ACCENT, linewidth=2.5, label="broken joint"),
@@ -137,7 +137,7 @@ def _field_layers(body, view, mesh, options):
 
 @style.styled
 def time_levels(body, shares=(0.4, 1.0)):
-    """The time level of every element: its step is the base step over two to the power of the level."""
+    """The time level k of every element, whose step is the base step / 2^k."""
     snapshots = spread(body.snapshots, shares)
     if not body.is_slab:
         snapshots = snapshots[-1:]
@@ -152,14 +152,14 @@ def time_levels(body, shares=(0.4, 1.0)):
     bounds = np.arange(low - 0.5, high + 1.0)
     _bar(
         figure, axes, colormaps[style.LEVEL].resampled(high - low + 1), BoundaryNorm(bounds, len(bounds) - 1),
-        "time level (finer steps are darker)", ticks=np.arange(low, high + 1),
+        "time level (darker: smaller time step)", ticks=np.arange(low, high + 1),
     )
     return figure
 
 
 @style.styled
 def displaced_shape(body, shares=(0.4, 1.0)):
-    """The body with its displacements enlarged, coloured by speed."""
+    """The body with magnified displacements, coloured by speed."""
     snapshots = spread(body.snapshots, shares)
     if not body.is_slab:
         snapshots = snapshots[-1:]

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from sazare import squares
+from sazare.methods import rectangles
 from sazare.report import write_report
 from sazare.results import open_run
 from sazare.summary import headlines
@@ -29,12 +29,12 @@ def beam_run(tmp_path_factory):
 def test_snapshots_hold_elements_and_supports(beam_run):
     grid = open_run(beam_run).square_snapshots[0].elements
     assert grid.n_cells == 144 + 3
-    assert list(grid.cell_data["kind"][-3:]) == [squares.CIRCLE] * 3
+    assert list(grid.cell_data["kind"][-3:]) == [rectangles.CIRCLE] * 3
     assert list(grid.cell_data["block"][-3:]) == [-1] * 3
 
 
 def test_supports_are_named_in_the_order_of_the_case(beam_run):
-    assert squares.support_names(open_run(beam_run)) == ["left", "right", "platen"]
+    assert rectangles.support_names(open_run(beam_run)) == ["left", "right", "platen"]
 
 
 def test_broken_faces_are_in_the_last_snapshot(beam_run):
@@ -47,8 +47,8 @@ def test_report_has_all_pictures(beam_run):
     page = write_report(beam_run)
     drawn = {path.name for path in (beam_run / "report").glob("*.png")}
     assert {"moving.png", "supports.png", "square_gauges.png", "energy.png"} <= drawn
-    assert "springs broken" in page.read_text()
-    assert any(row.name == "springs broken" for row in headlines(open_run(beam_run)))
+    assert "broken springs" in page.read_text()
+    assert any(row.name == "broken springs" for row in headlines(open_run(beam_run)))
 
 
 def test_manifest_names_the_figures(beam_run):
@@ -70,15 +70,15 @@ def packing_run(tmp_path_factory):
 def test_snapshots_hold_polygons_that_fill_the_beam(packing_run):
     grid = open_run(packing_run).square_snapshots[0].elements
     kind = np.asarray(grid.cell_data["kind"])
-    assert (kind[:-3] == squares.POLYGON).all()
-    areas = [0.5 * abs(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))) for x, y in (c.T for c in squares._corners(grid))]
-    assert np.sum(np.array(areas)[kind == squares.POLYGON]) == pytest.approx(0.16 * 0.04, rel=1e-6)
+    assert (kind[:-3] == rectangles.POLYGON).all()
+    areas = [0.5 * abs(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))) for x, y in (c.T for c in rectangles._corners(grid))]
+    assert np.sum(np.array(areas)[kind == rectangles.POLYGON]) == pytest.approx(0.16 * 0.04, rel=1e-6)
 
 
 def test_cracks_of_polygons_are_shared_by_both_sides(packing_run):
     """At the moment of breaking both faces of a facet still lie beside one another."""
     grid = open_run(packing_run).square_snapshots[-1].elements
-    cracks = squares._cracks(squares._corners(grid), np.asarray(grid.cell_data["kind"]), np.asarray(grid.cell_data["broken"]))
+    cracks = rectangles._cracks(rectangles._corners(grid), np.asarray(grid.cell_data["kind"]), np.asarray(grid.cell_data["broken"]))
     assert cracks and len(cracks) % 2 == 0
     lengths = np.sort([np.linalg.norm(ends[1] - ends[0]) for ends in cracks])
     assert lengths[::2] == pytest.approx(lengths[1::2], abs=1e-6)

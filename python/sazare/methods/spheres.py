@@ -1,8 +1,12 @@
-"""Pictures of a run of method spheres: the spheres, their energies, groups and walls. Each returns a Figure, or None without data."""
+"""Method spheres: grains that touch, are bonded, or stand together as rigid bodies."""
+
+from functools import partial
 
 import numpy as np
 
-from sazare import style
+from sazare import plot, style
+from sazare.methods import Figure, Method, Section, common
+from sazare.style import quantity
 
 AXES = "xyz"
 MOST_CURVES = 6
@@ -11,11 +15,12 @@ CUT_ABOVE = 1000  # spheres; fewer do not hide each other
 FINE_BELOW = 3000  # spheres; above it those of the usual size are drawn with fewer faces
 LARGE = 2.0  # usual radii; above it a sphere is drawn with more faces in any case
 KINDS = [
-    ("translation", "energy_translation"), ("rotation", "energy_rotation"), ("contacts", "energy_elastic"), ("sliders", "energy_sliding"),
-    ("lost in dashpots", "work_dashpots"), ("lost in friction", "work_friction"),
+    ("translation", "energy_translation"), ("rotation", "energy_rotation"),
+    ("normal contact springs", "energy_elastic"), ("tangential contact springs", "energy_sliding"),
+    ("contact dashpots", "work_dashpots"), ("friction", "work_friction"),
 ]
 KIND_COLORS = ["#35618f", "#6fa3c7", "#4f7f52", "#9bbf8a", "#b5472f", "#d9a441"]
-BOND_KINDS = [("bonds", "energy_bonds"), ("lost in bonds' dashpots", "work_bond_dashpots"), ("fracture", "work_fracture")]
+BOND_KINDS = [("bonds", "energy_bonds"), ("bond dashpots", "work_bond_dashpots"), ("fracture", "work_fracture")]
 BOND_COLORS = ["#7d5ba6", "#c9a0dc", "#2b2b2b"]
 
 
@@ -50,18 +55,18 @@ def _cut(mesh, bounds):
 
 @style.styled
 def pictures(results):
-    """The spheres at some times, coloured by speed, the front half cut away where there are many."""
+    """The spheres at some times, coloured by speed [m/s]; the front half is cut away where there are many."""
     return _scenes(results, "speed", "speed [m/s]", style.SPEED)
 
 
 @style.styled
 def damage(results):
-    """The spheres at some times, coloured by the share of their bonds that is broken; None where nothing broke."""
-    return _scenes(results, "broken", "share of broken bonds", "YlOrRd") if results.figures.get("bonds_broken", 0) > 0 else None
+    """The spheres at some times, coloured by their share of broken bonds [-]; None where no bond is broken."""
+    return _scenes(results, "broken", "share of broken bonds [-]", "YlOrRd") if results.figures.get("bonds_broken", 0) > 0 else None
 
 
 def _scenes(results, scalar, label, colors):
-    """The spheres at some times, coloured by one of their numbers, the front half cut away where there are many."""
+    """The spheres at some times, coloured by one field; the front half is cut away where there are many."""
     from sazare.scenes import Layer, SolidView, render
 
     snapshots = results.particle_snapshots
@@ -93,7 +98,7 @@ def _scenes(results, scalar, label, colors):
 
 @style.styled
 def energies(results):
-    """Energy stored and lost by cause, stacked, and what the ledger does not account for."""
+    """Stored and dissipated energy [J] by cause, stacked, and the residual [J]."""
     history = results.history
     if "energy_translation" not in history or history.rows < 2:
         return None
@@ -114,7 +119,7 @@ def energies(results):
 
 
 def _beside(table, name, axis):
-    """What is drawn beside the place of a group: its velocity, or where that never changes the force on it."""
+    """What is drawn beside the position of a group: its velocity, or the force on it where its velocity never changes."""
     speeds = np.stack([table[f"{name}.velocity_{a}"] for a in AXES], axis=1)
     if f"{name}.force_x" not in table or np.ptp(speeds, axis=0).max() > 0:
         return "velocity", "m/s", axis
@@ -124,7 +129,7 @@ def _beside(table, name, axis):
 
 @style.styled
 def groups(results):
-    """Place of the recorded groups along their axis of strongest motion, and beside it their velocity, or the force on those that are held."""
+    """Position [m] of the recorded groups along their axis of strongest motion; beside it their velocity [m/s], or the force [N] on those that are held."""
     table, names = results.gauge_table, list(results.gauges)[:MOST_CURVES]
     if not names or table.rows < 2:
         return None
@@ -136,9 +141,9 @@ def groups(results):
         left.plot(table["time"], places[:, axis], color=style.SECOND, linewidth=1.2)
         left.set_ylabel(f"{AXES[axis]} [m]")
         left.set_title(name)
-        quantity, unit, along = _beside(table, name, axis)
-        right.plot(table["time"], table[f"{name}.{quantity}_{AXES[along]}"], color=style.ACCENT, linewidth=1.2)
-        right.set_ylabel(f"{quantity} along {AXES[along]} [{unit}]")
+        beside, unit, along = _beside(table, name, axis)
+        right.plot(table["time"], table[f"{name}.{beside}_{AXES[along]}"], color=style.ACCENT, linewidth=1.2)
+        right.set_ylabel(f"{beside} along {AXES[along]} [{unit}]")
         left.margins(x=0)
     for axes in rows[-1]:
         axes.set_xlabel("time [s]")
@@ -147,7 +152,7 @@ def groups(results):
 
 @style.styled
 def walls(results):
-    """Force of the spheres on each wall along the axis on which it is largest."""
+    """Force [N] of the spheres on each wall along the axis on which it is largest, against time."""
     table = results.wall_table
     names = [column.removesuffix(".force_x") for column in table if column.endswith(".force_x")][:MOST_CURVES]
     if not names or table.rows < 2:
@@ -167,7 +172,7 @@ def walls(results):
 
 @style.styled
 def broken_bodies(results):
-    """Number of bonded bodies in more than one piece, and of broken bonds, against time."""
+    """Number of broken bonded bodies and of broken bonds against time."""
     history = results.history
     if "bodies_broken" not in history or history.rows < 2:
         return None
@@ -188,7 +193,7 @@ def broken_bodies(results):
 
 @style.styled
 def contacts(results):
-    """Number of contacts and largest speed against time."""
+    """Number of contacts and maximum speed [m/s] against time."""
     history = results.history
     if "contacts" not in history or history.rows < 2:
         return None
@@ -200,8 +205,90 @@ def contacts(results):
     axes.set_ylim(bottom=0)
     other = axes.twinx()
     other.plot(history["time"], history["speed_max"], color=style.ACCENT, linewidth=0.9)
-    other.set_ylabel("largest speed [m/s]")
+    other.set_ylabel("maximum speed [m/s]")
     other.set_ylim(bottom=0)
     other.grid(False)
     axes.margins(x=0)
     return figure
+
+
+def sections(results):
+    """The pictures of a run."""
+    bonded = [
+        Section(
+            "damage", "Broken bonds", "Spheres coloured by their share of broken bonds.", partial(damage, results), "No bond is broken.",
+        )
+    ] if results.figures.get("bonds", 0) > 0 else []
+    return [
+        Section(
+            "spheres", "Spheres",
+            "Spheres coloured by speed, colour scale clipped at the 99th percentile; the front half is cut away where there are many.",
+            partial(pictures, results), common.NO_SNAPSHOTS, places=True,
+        ),
+        *bonded,
+        *(_piece_sections(results) if results.figures.get("bodies", 0) > 0 else []),
+        Section(
+            "groups", "Groups",
+            "Centre of mass of the recorded groups along the axis of their largest displacement; beside it the velocity, or the "
+            "force on groups of constant velocity.",
+            partial(groups, results), common.NO_GAUGES,
+        ),
+        Section(
+            "energies", "Energy balance",
+            "Stored and dissipated energy by cause, stacked; below, the residual. Gravity and moving walls supply energy.",
+            partial(energies, results), common.NO_HISTORY,
+        ),
+        Section(
+            "walls", "Wall forces", "Force of the spheres on each wall along the axis on which it is largest.", partial(walls, results),
+            "The case has no walls.",
+        ),
+        Section(
+            "contacts", "Contacts", "Number of contacts, and maximum speed of any sphere.", partial(contacts, results), common.NO_HISTORY,
+            wide=False,
+        ),
+        common.timing_section(results),
+    ]
+
+
+def _piece_sections(results):
+    """The pictures of a run with bonded bodies."""
+    return [
+        Section(
+            "fragment_curve", "Fragment size distribution",
+            "Cumulative volume passing of all bonded bodies; 50 % of the volume is in pieces smaller than X50.",
+            partial(plot.fragment_curve, results), "The run is not complete.", wide=False,
+        ),
+        Section(
+            "bodies_broken", "Broken bodies", "Number of bodies in more than one piece, and of broken bonds, over time.",
+            partial(broken_bodies, results), common.NO_HISTORY, wide=False,
+        ),
+    ]
+
+
+def _step_note(figures):
+    """The stability limit of the time step, and the time levels where there are any."""
+    limit = common.quantity_note("predicted_limit", "stability limit ", "s")(figures)
+    if "levels" not in figures:
+        return limit
+    return f"{figures['levels']} time levels, smallest step {quantity(figures['smallest_step'], 's')}, {limit}"
+
+
+METHOD = Method(
+    sections=sections,
+    verdict=partial(common.balance_verdict, reference="reference energy"),
+    headlines=(
+        Figure("bodies_broken", "broken bodies", note=common.share_note("bodies_broken", "bodies")),
+        Figure("fragments", "fragments"),
+        Figure("peak_speed", "peak speed", "m/s"),
+        Figure("energy_work", "reference energy", "J"),
+        Figure("particles", "particles"),
+        Figure("contacts", "final contacts"),
+        Figure("step", "time step", "s", _step_note),
+    ),
+    snapshots="particles",
+    fields={
+        "velocity": ("speed", "m/s"),
+        "broken": ("share of broken bonds", ""),
+        "spin": ("angular velocity", "rad/s"),
+    },
+)

@@ -1,10 +1,14 @@
-"""Pictures of a run of method hybrid: both sides together, and what goes over the surface. Each returns a Figure, or None without data."""
+"""Method hybrid: finite elements and bodies of another method, coupled over a surface."""
+
+from dataclasses import replace
+from functools import partial
 
 import numpy as np
 from matplotlib.collections import EllipseCollection, PolyCollection
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
-from sazare import finite, style
+from sazare import style
+from sazare.methods import Figure, Method, Section, common, fem, method_of
 
 MOST_PICTURES = 4
 AXES = "xyz"
@@ -77,7 +81,7 @@ def _polygons(cloud):
 
 def _draw_sides(axes, mesh, cloud, top):
     """The mesh of a continuum in the plane and the bodies, seen along z."""
-    cells = [np.asarray(mesh.points)[cell, :2] for cell in finite.outlines(mesh)]
+    cells = [np.asarray(mesh.points)[cell, :2] for cell in fem.outlines(mesh)]
     colors = [style.RUBBLE(int(region) % style.RUBBLE.N) for region in np.asarray(mesh.cell_data["region"])]
     axes.add_collection(PolyCollection(cells, facecolors=colors, edgecolors="#00000033", linewidths=0.3, alpha=0.55))
     drawn = axes.add_collection(_spheres(axes, cloud) if "radius" in cloud.cell_data else _polygons(cloud))
@@ -103,7 +107,7 @@ def _chosen(results):
     """Meshes and bodies at some times, as (time, mesh, bodies)."""
     if len(results.sides) < 2:
         return []
-    meshes, clouds = results.sides["continuum"].element_snapshots, results.sides["bodies"].all_snapshots
+    meshes, clouds = results.sides["continuum"].all_snapshots, results.sides["bodies"].all_snapshots
     if not len(meshes) or not len(clouds):
         return []
     chosen = sorted(set(np.linspace(0, min(len(meshes), len(clouds)) - 1, MOST_PICTURES).round().astype(int)))
@@ -114,7 +118,7 @@ def _chosen(results):
 def together(results):
     """Both sides at some times, the bodies coloured by speed: seen along z, or in space where the bodies are blocks; else None."""
     frames = _chosen(results)
-    flat = bool(frames) and finite.is_flat(frames[0][1])
+    flat = bool(frames) and fem.is_flat(frames[0][1])
     if not frames or not (flat or "radius" not in frames[0][2].cell_data):
         return None
     top = max(float(np.percentile(_speed(cloud), 99)) for _, _, cloud in frames) or 1.0
@@ -147,7 +151,7 @@ def _frame_in_space(axes, frames):
 
 @style.styled
 def surface(results):
-    """Force of the bodies on the surface and its mean displacement, each along the axis on which it is largest."""
+    """Force [N] of the bodies on the coupling surface and its mean displacement [m], each along the axis on which it is largest."""
     history = results.history
     if history.rows < 2:
         return None
@@ -164,7 +168,7 @@ def surface(results):
 
 @style.styled
 def exchange(results):
-    """Work of the bodies on the surface's nodes, and the energy that the surface made or lost."""
+    """Work [J] of the bodies on the nodes of the coupling surface, and energy [J] created by the coupling, against time."""
     history = results.history
     if history.rows < 2:
         return None
@@ -172,10 +176,62 @@ def exchange(results):
     figure = style.figure(6.2, 3.6)
     axes = figure.subplots()
     for name, words, color in (("work_on_nodes", "work on the nodes", style.SECOND), ("work_on_bodies", "work on the bodies", "#9bbf8a"),
-                               ("energy_made", "made at the surface", style.ACCENT)):
+                               ("energy_made", "created by the coupling", style.ACCENT)):
         axes.plot(history["time"], history[name] / factor, color=color, linewidth=1.1, label=words)
     axes.set_xlabel("time [s]")
     axes.set_ylabel(f"energy [{prefix}J]")
     axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=2)
     axes.margins(x=0)
     return figure
+
+
+def sections(results):
+    """The pictures of a run: both solver sides together, the coupling surface, then those of each side."""
+    return [
+        Section(
+            "together", "Finite elements and bodies", "Finite elements, and bodies coloured by speed.", partial(together, results),
+            "No snapshots of both sides can be drawn together.",
+        ),
+        Section(
+            "surface", "Coupling surface", "Mean force of the bodies on the surface in each window, and mean displacement of its nodes.",
+            partial(surface, results), common.NO_HISTORY,
+        ),
+        Section(
+            "exchange", "Work across the coupling surface",
+            "Work of the bodies on the nodes and of the nodes on the bodies; their sum is energy created by the coupling scheme.",
+            partial(exchange, results), common.NO_HISTORY, wide=False,
+        ),
+        *(section for name, side in results.sides.items() for section in _sections_of_side(name, side, is_plane(results))),
+        common.timing_section(results),
+    ]
+
+
+def _sections_of_side(name, side, in_one_picture):
+    """The pictures of one side under its name, without those that the whole run has itself."""
+    method = method_of(side)
+    if method is METHOD:  # a side is no coupled run
+        return
+    for section in method.sections(side):
+        if section.name != "timing" and not (section.places and in_one_picture):
+            heading = f"{name.capitalize()}: {section.heading[0].lower()}{section.heading[1:]}"
+            yield replace(section, name=f"{name}_{section.name}", heading=heading)
+
+
+def verdict(results):
+    """A completed run is good; the energy created by the coupling is given."""
+    made, work = results.figures.get("energy_made", 0.0), results.figures.get("work_on_nodes", 0.0)
+    return "good", "The run is complete." + (f" The energy created by the coupling is {made / abs(work):.1e} of the work across the surface." if work else "")
+
+
+METHOD = Method(
+    sections=sections,
+    verdict=verdict,
+    headlines=(
+        Figure("particles", "particles"),
+        Figure("peak_displacement", "peak displacement", "m"),
+        Figure("step", "time step of the bodies", "s"),
+        Figure("freedoms", "degrees of freedom"),
+        Figure("windows", "coupling windows", note=common.count_note("passes", "passes")),
+        Figure("peak_force", "peak surface force", "N"),
+    ),
+)

@@ -1,25 +1,30 @@
-"""Pictures of method fem: displaced mesh, yielding, forces of boundaries. Each returns a Figure, or None without data."""
+"""Method fem: finite elements, implicit in time."""
+
+from functools import partial
 
 import numpy as np
 from matplotlib.collections import PolyCollection
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from sazare import style
+from sazare.methods import Figure, Method, Section, common
 
+ENERGIES = {
+    "energy_kinetic": ("kinetic", style.KINETIC),
+    "energy_elastic": ("elastic", style.ELASTIC),
+    "energy_friction": ("joint friction", style.FRICTION),
+    "energy_plastic": ("plastic flow", style.RUPTURE),
+    "energy_damping": ("Rayleigh damping", style.DASHPOT),
+    "energy_radiation": ("radiation at boundaries", style.OUTSIDE),
+}
 MOST_FORCES = 6
 MOST_PANELS = 2
 # Points of a cell around its outline, by VTK's number of its type.
 OUTLINES = {5: (0, 1, 2), 22: (0, 3, 1, 4, 2, 5), 9: (0, 1, 2, 3), 23: (0, 4, 1, 5, 2, 6, 3, 7), 28: (0, 4, 1, 5, 2, 6, 3, 7)}
 
 
-def _enlargement(displacement, extent):
-    """A round factor with which the largest displacement is some percent of the body; 1 where it is that large itself."""
-    largest = np.linalg.norm(displacement, axis=1).max(initial=0.0)
-    if largest <= 0.0 or largest > 0.03 * extent:
-        return 1.0
-    factor = 0.06 * extent / largest
-    power = 10.0 ** np.floor(np.log10(factor))
-    return float(power * max(step for step in (1, 2, 5) if step * power <= factor))
+def _enlargement(grid, extent):
+    return common.enlargement(np.asarray(grid.point_data["displacement"]), extent, largest=0.03, shown=0.06)
 
 
 def outlines(grid):
@@ -29,7 +34,7 @@ def outlines(grid):
 
 
 def is_flat(grid):
-    """Whether a mesh lies in the plane."""
+    """Whether a mesh is two-dimensional."""
     return int(np.asarray(grid.celltypes)[0]) in OUTLINES
 
 
@@ -95,7 +100,7 @@ def _panels(grids, values, label, factor, titles):
 
 @style.styled
 def displaced(results):
-    """The mesh when it is displaced most, and at the end, coloured by displacement."""
+    """The deformed mesh at the largest displacement and at the end, coloured by displacement [m]."""
     snapshots = results.element_snapshots
     if not len(snapshots):
         return None
@@ -103,14 +108,14 @@ def displaced(results):
     sizes = [np.linalg.norm(np.asarray(grid.point_data["displacement"]), axis=1) for grid in grids]
     chosen = sorted({int(np.argmax([size.max() for size in sizes])), len(grids) - 1})[:MOST_PANELS]
     extent = np.ptp(np.asarray(grids[0].points), axis=0).max()
-    factor = min(_enlargement(np.asarray(grids[i].point_data["displacement"]), extent) for i in chosen)
+    factor = min(_enlargement(grids[i], extent) for i in chosen)
     values = [_mean_by_cell(grids[i], sizes[i]) for i in chosen]
     return _panels([grids[i] for i in chosen], values, "displacement [m]", factor, [f"{snapshots[i].time:.3g} s" for i in chosen])
 
 
 @style.styled
 def yielding(results):
-    """Plastic slip of every element at the end."""
+    """Equivalent plastic shear strain [-] of every element at the end; None where no element has yielded."""
     snapshots = results.element_snapshots
     if not len(snapshots):
         return None
@@ -119,13 +124,13 @@ def yielding(results):
     if slip.max(initial=0.0) <= 0.0:
         return None
     extent = np.ptp(np.asarray(grid.points), axis=0).max()
-    factor = _enlargement(np.asarray(grid.point_data["displacement"]), extent)
-    return _panels([grid], [slip], "plastic slip [-]", factor, [f"{snapshots[-1].time:.3g} s"])
+    factor = _enlargement(grid, extent)
+    return _panels([grid], [slip], "equivalent plastic shear strain [-]", factor, [f"{snapshots[-1].time:.3g} s"])
 
 
 @style.styled
 def forces(results):
-    """Forces of the boundaries on the body against time, those that change most."""
+    """Forces [N] of the boundaries on the body against time, those that vary most."""
     history = results.history
     names = [name for name in history if name.startswith("force.") and np.any(history[name] != 0.0)]
     if not names or history.rows < 2:
@@ -146,7 +151,7 @@ def forces(results):
 
 @style.styled
 def joints(results):
-    """Share of each joint that is open and that slips, and its largest slip, against time."""
+    """Share of the area of each joint that is open and that slips [-], and its maximum slip [m], against time."""
     history = results.history
     names = [name.removesuffix(".slip_max") for name in history if name.startswith("joint.") and name.endswith(".slip_max")]
     if not names or history.rows < 2:
@@ -155,13 +160,13 @@ def joints(results):
     left, right = figure.subplots(1, 2)
     for name in names:
         label = name.removeprefix("joint.")
-        line, = left.plot(history["time"], history[f"{name}.slip_share"], linewidth=1.0, label=f"{label} slips")
+        line, = left.plot(history["time"], history[f"{name}.slip_share"], linewidth=1.0, label=f"{label}, slipping")
         left.plot(history["time"], history[f"{name}.open_share"], linewidth=1.0, linestyle=":", color=line.get_color(),
-                  label=f"{label} open")
+                  label=f"{label}, open")
         right.plot(history["time"], history[f"{name}.slip_max"], linewidth=1.0, color=line.get_color(), label=label)
-    left.set_ylabel("share of the area [-]")
+    left.set_ylabel("share of area [-]")
     left.legend()
-    right.set_ylabel("largest slip [m]")
+    right.set_ylabel("maximum slip [m]")
     for axes in (left, right):
         axes.set_xlabel("time [s]")
         axes.margins(x=0)
@@ -170,7 +175,7 @@ def joints(results):
 
 @style.styled
 def displacements(results):
-    """Displacement at the gauges along the axis of the largest one, against time."""
+    """Displacement [m] at the gauges along the axis of the largest one, against time."""
     table = results.gauge_table
     names = list(results.gauges)
     if not names or table.rows < 2:
@@ -187,3 +192,49 @@ def displacements(results):
     axes.legend()
     axes.margins(x=0)
     return figure
+
+
+def sections(results):
+    """The pictures of a run."""
+    static = 'analysis = "static"' in results.case_text
+    has_joints = any(name.startswith("joint.") for name in results.history)
+    return [
+        Section(
+            "displaced", "Deformed mesh", "Deformed mesh at the largest displacement and at the end, coloured by displacement.",
+            partial(displaced, results), common.NO_SNAPSHOTS,
+        ),
+        Section("yielding", "Yielding", "Equivalent plastic shear strain of the elements at the end.", partial(yielding, results), "No element has yielded."),
+        Section(
+            "forces", "Boundary forces", "Force of each boundary on the body; the components that vary most.",
+            partial(forces, results), "The case has no boundaries.", wide=False,
+        ),
+        Section(
+            "displacements", "Displacements", "Displacement at the gauges along the axis of the largest one.",
+            partial(displacements, results), common.NO_GAUGES, wide=False,
+        ),
+        *([_joint_section(results)] if has_joints else []),
+        *([] if static else common.shaking_sections(results)),
+        common.energy_section(results, ENERGIES, "the external work"),
+        common.timing_section(results),
+    ]
+
+
+def _joint_section(results):
+    return Section("joints", "Joints", "Share of the joint area that slips or is open, and maximum slip.", partial(joints, results), "")
+
+
+METHOD = Method(
+    sections=sections,
+    verdict=common.balance_verdict,
+    headlines=(
+        Figure("peak_speed", "peak speed", "m/s"),
+        Figure("energy_work", "external work", "J"),
+        Figure("final_displacement", "final displacement", "m"),
+        Figure("peak_acceleration", "peak acceleration", "m/s²"),
+        Figure("peak_displacement", "peak displacement", "m"),
+        Figure("step", "time step", "s"),
+        Figure("freedoms", "degrees of freedom", note=common.count_note("nodes", "nodes")),
+        Figure("iterations", "Newton iterations", note=common.count_note("steps", "steps")),
+    ),
+    snapshots="finite_elements",
+)

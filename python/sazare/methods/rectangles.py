@@ -1,11 +1,23 @@
-"""Pictures of a run of method rectangles: where its elements are, its supports, its gauges. Each returns a Figure, or None without data."""
+"""Method rectangles: blocks and beams in the plane, of squares or polygons that are joined along their faces."""
+
+from functools import partial
 
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.patches import Circle
 
 from sazare import style
+from sazare.methods import Figure, Method, Section, common
 
+ENERGIES = {
+    "energy_kinetic": ("kinetic", style.KINETIC),
+    "energy_elastic": ("elastic", style.ELASTIC),
+    "energy_joint_dashpot": ("link dashpots", style.DASHPOT),
+    "energy_slip": ("link slip", style.SLIP),
+    "energy_fracture": ("fracture", style.RUPTURE),
+    "energy_contact_dashpot": ("contact dashpots", style.CONTACT_DASHPOT),
+    "energy_friction": ("contact friction", style.FRICTION),
+}
 MOST_GAUGES = 6
 MOST_PANELS = 4
 RECTANGLE, CIRCLE, WALL, POLYGON = 0, 1, 2, 3
@@ -58,7 +70,7 @@ def _draw(axes, grid, top):
 
 @style.styled
 def moving(results):
-    """Elements where they are at up to four times, coloured by displacement; faces that have broken are red."""
+    """Elements at up to four times, coloured by displacement [m]; broken faces are red."""
     snapshots = results.square_snapshots
     if not len(snapshots):
         return None
@@ -93,7 +105,7 @@ def support_names(results):
 
 @style.styled
 def supports(results):
-    """Force on every support against time."""
+    """Magnitude of the force [N] at every support against time."""
     names, history = support_names(results), results.history
     if not names or history.rows < 2:
         return None
@@ -103,7 +115,7 @@ def supports(results):
     axes = figure.subplots()
     for name, force in forces.items():
         peak = int(np.argmax(force))
-        axes.plot(history["time"], force / factor, linewidth=1.1, label=f"{name}: at most {style.quantity(force[peak], 'N')}")
+        axes.plot(history["time"], force / factor, linewidth=1.1, label=f"{name}: peak {style.quantity(force[peak], 'N')}")
     axes.set_xlabel("time [s]")
     axes.set_ylabel(f"force [{prefix}N]")
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
@@ -113,7 +125,7 @@ def supports(results):
 
 @style.styled
 def gauges(results):
-    """Displacement and rotation of the elements at the gauges."""
+    """Displacement [m] and rotation [degrees] of the elements at the gauges against time."""
     names, table = list(results.gauges)[:MOST_GAUGES], results.gauge_table
     if not names or table.rows < 2:
         return None
@@ -131,3 +143,42 @@ def gauges(results):
         axes.set_xlabel("time [s]")
         axes.margins(x=0)
     return figure
+
+
+def sections(results):
+    """The pictures of a run."""
+    return [
+        Section(
+            "moving", "Elements", "Elements coloured by displacement; broken faces are red.",
+            partial(moving, results), common.NO_SNAPSHOTS, places=True,
+        ),
+        Section(
+            "supports", "Support forces", "Magnitude of the force between each support and the elements.",
+            partial(supports, results), "The case has no supports.",
+        ),
+        Section(
+            "square_gauges", "Gauges", "Displacement and rotation of the elements at the gauges.", partial(gauges, results), common.NO_GAUGES,
+        ),
+        common.energy_section(results, ENERGIES, "the work of gravity and supports"),
+        common.timing_section(results),
+    ]
+
+
+METHOD = Method(
+    sections=sections,
+    verdict=common.strict_balance_verdict,
+    headlines=(
+        Figure("peak_speed", "peak speed", "m/s"),
+        Figure("energy_work", "external work", "J"),
+        Figure("broken_springs", "broken springs", note=common.count_note("elements", "elements")),
+        Figure("open_links", "open links"),
+        Figure("peak_displacement", "peak displacement", "m"),
+        Figure("step", "time step", "s", common.quantity_note("predicted_limit", "stability limit ", "s")),
+    ),
+    snapshots="rectangles",
+    fields={
+        "velocity": ("speed", "m/s"),
+        "displacement": ("displacement", "m"),
+        "broken": ("broken faces (bit mask)", ""),
+    },
+)

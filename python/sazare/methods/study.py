@@ -1,8 +1,11 @@
 """Pictures of a study of limit steps: those of Yoshida, Ohba and Nakase (2010), figures 4 to 10. Each returns a Figure, or None."""
 
+from functools import partial
+
 import numpy as np
 
 from sazare import style
+from sazare.methods import Figure, Method, Section, common
 
 COLORS = ["#2f6f8f", "#b5472f", "#7a9a3f", "#8e7cc3", "#c9a66b", "#2b2b2b"]
 NEEDED = ("spacing", "velocity", "damping")
@@ -49,7 +52,7 @@ def _lines(results, x, groups, panels, panel_name, select=None):
         axes.set_title(f"{family} waves, {panel_name} {value:g}")
         axes.set_xlabel(x if x != "radius" else "particle radius [m]")
         axes.legend(title=groups, fontsize=8)
-    figure.axes[0].set_ylabel("limit step [s]")
+    figure.axes[0].set_ylabel("stability limit [s]")
     return figure
 
 
@@ -87,7 +90,7 @@ def scaled(results):
         axes.set_title(f"{family} waves")
         axes.set_xlabel("radius / velocity [s]")
         axes.legend(title="h", fontsize=7, ncols=2)
-    figure.axes[0].set_ylabel("limit step [s]")
+    figure.axes[0].set_ylabel("stability limit [s]")
     return figure
 
 
@@ -105,7 +108,7 @@ def families_compared(results):
             axes.loglog(columns["radius"][rows] / columns["velocity"][rows], columns["limit"][rows], marker, color=color, markersize=4,
                         fillstyle="none" if marker == "s" else "full", label=f"{family}, h = {damping:g}")
     axes.set_xlabel("radius / velocity [s]")
-    axes.set_ylabel("limit step [s]")
+    axes.set_ylabel("stability limit [s]")
     axes.legend()
     return figure
 
@@ -152,7 +155,7 @@ def fit_quality(results):
         rows = (columns["family"] == family) & (columns["damping"] <= 0.2201)
         found = columns["limit"][rows]
         ours = _fitted(columns, rows, [table[f"b1{i}"][index] for i in (1, 2, 3)], [table[f"b2{i}"][index] for i in (1, 2, 3)])
-        sets = [("regression, ours", ours), ("regression, paper", _fitted(columns, rows, *PAPER[family]) if family in PAPER else None)]
+        sets = [("regression, this study", ours), ("regression, paper", _fitted(columns, rows, *PAPER[family]) if family in PAPER else None)]
         for axes, (title, values) in zip(panels, sets):
             if values is None:
                 continue
@@ -167,7 +170,35 @@ def fit_quality(results):
     ends = np.array([columns["limit"].min(), columns["limit"].max()])
     for axes in panels:
         axes.loglog(ends, ends, color="#8a8a8a", linewidth=0.8, zorder=0)
-        axes.set_xlabel("limit by bisection [s]")
+        axes.set_xlabel("stability limit by bisection [s]")
         axes.legend(fontsize=8)
-    panels[0].set_ylabel("estimated limit [s]")
+    panels[0].set_ylabel("estimated stability limit [s]")
     return figure
+
+
+def sections(results):
+    """The figures of the paper."""
+    missing = "The study varies other parameters or is not complete."
+    pictures = [
+        ("damping", "Stability limit against damping", "Dots: bisection; lines: predicted from the linearised operator. Figure 4 of the paper.",
+         damping_curves),
+        ("radius", "Stability limit against radius", "Dots: bisection; lines: predicted. Figure 5 of the paper.", radius_curves),
+        ("scaled", "Stability limit against radius / velocity", "Dots: bisection; lines: (14). Figures 6 and 8 of the paper.", scaled),
+        ("families", "Comparison of families", "Figure 7 of the paper.", families_compared),
+        ("coefficients", "Regression coefficients", "Dots: (14) for each damping ratio; lines: (15), (16), this study and the paper. Figure 9.", coefficients),
+        ("quality", "Estimated against computed limits", "Regressions, and the prediction from the linearised operator. Figure 10.", fit_quality),
+    ]
+    return [Section(name, heading, caption, partial(draw, results), missing) for name, heading, caption, draw in pictures]
+
+
+def verdict(results):
+    """A completed study is good; the largest error of the prediction is given."""
+    largest = results.figures.get("largest_log_difference", 0.0)
+    return "good", f"The study is complete. Prediction and bisection differ by at most {100 * largest:.2f} %."
+
+
+METHOD = Method(
+    sections=sections,
+    verdict=verdict,
+    headlines=(Figure("cases", "cases", note=common.count_note("cases_done", "complete")),),
+)

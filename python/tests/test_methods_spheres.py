@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 
-from sazare import granular
+from sazare.methods import spheres
 from sazare.report import write_report
 from sazare.results import open_run
 
@@ -14,7 +14,7 @@ from sazare.results import open_run
 def granular_run(tmp_path):
     """A ball that falls along z onto a floor; no snapshots."""
     time = np.linspace(0.0, 1.0, 21)
-    columns = [name for _, name in granular.KINDS]
+    columns = [name for _, name in spheres.KINDS]
     rows = [[t, 1.0 - t, 0.1 * t, 0.0, 0.0, 0.0, 0.5 * t, 0.4 * t, 0.0, 1e-4 * t, 3.0, 2.0, 0.1] for t in time]
     head = ["time [s]", *(f"{name} [J]" for name in columns[:4]), "energy_potential [J]", *(f"{name} [J]" for name in columns[4:]),
             "work_walls [J]", "energy_residual [J]", "contacts [-]", "speed_max [m/s]", "wall_seconds [s]"]
@@ -35,15 +35,15 @@ def _write(path, head, rows):
 
 def test_groups_and_walls_are_drawn_along_their_main_axis(granular_run):
     results = open_run(granular_run)
-    assert granular.groups(results).axes[0].get_ylabel() == "z [m]"
-    line = granular.walls(results).axes[0].lines[0]
+    assert spheres.groups(results).axes[0].get_ylabel() == "z [m]"
+    line = spheres.walls(results).axes[0].lines[0]
     assert line.get_label() == "floor, z"
     assert line.get_ydata()[-1] == pytest.approx(-5.0)
 
 
 def test_report_has_its_pictures_and_says_what_is_missing(granular_run):
     page = write_report(granular_run).read_text()
-    assert "The energy ledger closes within 1.0e-04 of the work done." in page
+    assert "The energy residual is 1.0e-04 of the reference energy." in page
     assert sorted(path.stem for path in (granular_run / "report").glob("*.png")) == ["contacts", "energies", "groups", "walls"]
     assert "The run wrote no snapshots." in page
 
@@ -57,13 +57,13 @@ def test_bonded_bodies_tell_how_many_broke(granular_run):
            [[0, 13, 2.0, 4.0, 1.6, 0.0], [1, 9, 1.5, 3.0, 1.4, 0.1], [2, 4, 0.5, 1.0, 1.0, 0.2]])
     results = open_run(granular_run)
     page = write_report(granular_run).read_text()
-    assert "bodies broken" in page and "of 2, 50%" in page
-    assert granular.broken_bodies(results).axes[0].lines[0].get_ydata().tolist() == [0, 1]
+    assert "broken bodies" in page and "of 2, 50%" in page
+    assert spheres.broken_bodies(results).axes[0].lines[0].get_ydata().tolist() == [0, 1]
     assert {"bodies_broken", "fragment_curve"} <= {path.stem for path in (granular_run / "report").glob("*.png")}
 
 
 def test_a_run_without_bonded_bodies_has_no_such_picture(granular_run):
-    assert granular.broken_bodies(open_run(granular_run)) is None
+    assert spheres.broken_bodies(open_run(granular_run)) is None
 
 
 def test_a_run_with_levels_tells_its_smallest_step(granular_run):
@@ -71,4 +71,4 @@ def test_a_run_with_levels_tells_its_smallest_step(granular_run):
     manifest["results"] |= {"step": 8e-6, "levels": 4, "smallest_step": 1e-6, "predicted_limit": 5e-6}
     (granular_run / "manifest.json").write_text(json.dumps(manifest))
     page = write_report(granular_run).read_text()
-    assert "4 levels, smallest 1 µs, limit 5 µs" in page
+    assert "4 time levels, smallest step 1 µs, stability limit 5 µs" in page

@@ -1,0 +1,109 @@
+"""Method blocks: bonded tetrahedra that break apart under blasting."""
+
+from functools import partial
+
+from sazare import plot, style
+from sazare.methods import Figure, Method, Section, blocks_curves, common
+
+ENERGIES = {
+    "energy_kinetic": ("kinetic", style.KINETIC),
+    "energy_elastic": ("elastic", style.ELASTIC),
+    "energy_joint_dashpot": ("joint dashpots", style.DASHPOT),
+    "energy_slip": ("joint slip", style.SLIP),
+    "energy_fracture": ("fracture", style.RUPTURE),
+    "energy_release": ("released at failure", style.RELEASE),
+    "energy_contact_dashpot": ("contact dashpots", style.CONTACT_DASHPOT),
+    "energy_friction": ("contact friction", style.FRICTION),
+    "energy_boundary": ("absorbed at boundaries", style.OUTSIDE),
+}
+
+
+def sections(results):
+    """The pictures of the body, where there are snapshots, then the curves."""
+    if len(results.snapshots):
+        return [*_body_sections(results.snapshots), *_curve_sections(results)]
+    nothing = Section("cracks", "Crack pattern, deformed shape, time levels, fragments", "", lambda: None, common.NO_SNAPSHOTS)
+    return [nothing, *_curve_sections(results)]
+
+
+def _body_sections(snapshots):
+    # VTK takes a second to load, and a summary does without.
+    from sazare.methods import blocks_maps
+    from sazare.methods.blocks_body import Body
+
+    body = Body(snapshots)
+    return [
+        Section(
+            "cracks", "Crack pattern",
+            "Broken joints, coloured by the time of the first snapshot that shows them broken.",
+            partial(blocks_maps.crack_pattern, body), "The run wrote no joints.",
+        ),
+        Section(
+            "shape", "Deformed shape",
+            "Speed of the elements. Displacements are magnified where the title says so; colour scale clipped at the 99th percentile.",
+            partial(blocks_maps.displaced_shape, body), "",
+        ),
+        Section(
+            "levels", "Time levels", "An element at level k is advanced in steps of the base step / 2^k.",
+            partial(blocks_maps.time_levels, body), "",
+        ),
+        Section(
+            "fragments", "Fragments", "Elements that are still connected share a colour; the largest fragment is pale.",
+            partial(blocks_maps.fragment_map, body), "", wide=not body.is_slab,
+        ),
+    ]
+
+
+def _curve_sections(results):
+    ranks = [_rank_section(results)] if results.ranks.rows > 0 else []
+    return [
+        common.energy_section(results, ENERGIES),
+        Section(
+            "fragment_curve", "Fragment size distribution", "Cumulative volume passing; 50 % of the volume is in fragments smaller than X50.",
+            partial(plot.fragment_curve, results), "The run wrote no fragments.", wide=False,
+        ),
+        Section(
+            "broken_joints", "Broken joints", "Number of broken joints and of fragments over time.",
+            partial(blocks_curves.broken_joints, results), common.NO_HISTORY, wide=False,
+        ),
+        Section(
+            "gauges", "Gauges", "Velocity at the gauges; dots mark the peak particle velocity.",
+            partial(plot.gauges, results), common.NO_GAUGES,
+        ),
+        Section(
+            "smallest_step", "Smallest step", "Smallest time step of any element.",
+            partial(blocks_curves.smallest_step, results), "The run wrote no time steps.", wide=False,
+        ),
+        common.timing_section(results, "the step"),
+        *ranks,
+    ]
+
+
+def _rank_section(results):
+    """The picture of a run of several processes."""
+    return Section(
+        "ranks", "Ranks",
+        "Cumulative processor time of each rank; load imbalance of each interval; and the first element of each rank's range.",
+        partial(blocks_curves.ranks, results), "",
+    )
+
+
+METHOD = Method(
+    sections=sections,
+    verdict=common.strict_balance_verdict,
+    headlines=(
+        Figure("broken_joints", "broken joints", note=common.share_note("broken_joints", "joints")),
+        Figure("fragments", "fragments", note=common.count_note("elements", "elements")),
+        Figure("x50", "X50", "m", common.quantity_note("x80", "X80 ", "m")),
+        Figure("throw_max", "maximum throw", "m"),
+        Figure("peak_speed", "peak speed", "m/s"),
+        Figure("energy_work", "external work", "J"),
+    ),
+    snapshots="elements",
+    fields={
+        "velocity": ("speed", "m/s"),
+        "displacement": ("displacement", "m"),
+        "damage": ("share of broken joints", ""),
+        "level": ("time level", ""),
+    },
+)

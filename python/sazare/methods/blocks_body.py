@@ -1,0 +1,103 @@
+"""The body of a run of method blocks: its extent, its broken joints in every snapshot, and the views that suit it."""
+
+import numpy as np
+
+from sazare import style
+from sazare.scenes import MARGIN, PlaneView, SolidView
+
+# A body is a slab where its smallest extent is under this part of the next one.
+SLAB_RATIO = 0.35
+
+
+class Body:
+    """The elements of a run from snapshot to snapshot: their first places, their extent, and the views that suit them."""
+
+    def __init__(self, snapshots):
+        self.snapshots = snapshots
+        self.first = snapshots[0].elements
+        self.bounds = tuple(self.first.bounds)
+        self.extents = np.ptp(np.array(self.bounds).reshape(3, 2), axis=1)
+        thin, middle, _ = np.sort(self.extents)
+        self.is_slab = bool(thin < SLAB_RATIO * middle)
+        self.thin_axis = int(np.argmin(self.extents))
+        self.break_time = self._break_time()
+
+    def _break_time(self):
+        """Per joint, the time of the first snapshot in which it is broken, inf for never; None where joints are not alike."""
+        times = None
+        for snapshot in self.snapshots:
+            joints = snapshot.joints
+            if joints is None or (times is not None and joints.n_cells != len(times)):
+                return None
+            if times is None:
+                times = np.full(joints.n_cells, np.inf)
+            newly = (joints.cell_data["state"] == 2) & np.isinf(times)
+            times[newly] = snapshot.time
+        return times
+
+    def broken(self, snapshot):
+        """The broken joints of a snapshot with the time each broke [s]; None where the run wrote no joints."""
+        joints = snapshot.joints
+        if joints is None:
+            return None
+        chosen = np.flatnonzero(joints.cell_data["state"] == 2)
+        mesh = joints.extract_cells(chosen)
+        times = np.full(len(chosen), snapshot.time) if self.break_time is None else self.break_time[chosen]
+        if mesh.n_cells:
+            mesh.cell_data["break_time"] = times
+        return mesh
+
+    def softening(self, snapshot):
+        """The softening joints of a snapshot."""
+        joints = snapshot.joints
+        return None if joints is None else joints.extract_cells(np.flatnonzero(joints.cell_data["state"] == 1))
+
+    def hull(self):
+        """The outer surface at the start."""
+        return self.first.clean(tolerance=1e-9).extract_surface()
+
+    def exaggeration(self, snapshot, share=0.04):
+        """A round factor that makes the typical large displacement of a snapshot a visible share of the body; at least 1."""
+        displacement = np.linalg.norm(snapshot.elements.cell_data["displacement"], axis=1)
+        large = np.percentile(displacement, 90) if len(displacement) else 0.0
+        if large <= 0.0:
+            return 1.0
+        return max(style.round_factor(share * self.extents.max() / large), 1.0)
+
+    def displaced(self, snapshot, factor):
+        """The elements of a snapshot with their displacement multiplied by a factor."""
+        mesh = snapshot.elements
+        if factor == 1.0 or mesh.n_points != self.first.n_points:
+            return mesh
+        mesh = mesh.copy()
+        mesh.points = self.first.points + factor * (mesh.points - self.first.points)
+        return mesh
+
+    def plane_view(self, axis=None, position=None):
+        """The view along an axis, the thin one by default, onto the plane at a position, the middle by default."""
+        axis = self.thin_axis if axis is None else axis
+        box = np.array(self.bounds).reshape(3, 2)
+        position = float(box[axis].mean()) if position is None else position
+        in_plane = [other for other in (0, 1, 2) if other != axis]
+        margin = MARGIN * self.extents[in_plane].max()
+        return PlaneView(axis, position, box[in_plane].T + np.array([[-margin], [margin]]))
+
+    def cut_view(self):
+        """The plane along an axis that meets most broken joints, through the middle of them."""
+        broken = self.broken(self.snapshots[-1])
+        if broken is None or broken.n_cells == 0:
+            return self.plane_view()
+        middle = np.median(broken.cell_centers().points, axis=0)
+        views = [self.plane_view(axis, float(middle[axis]) + 1e-6 * self.extents[axis]) for axis in range(3)]
+        return max(views, key=lambda view: view.cut(broken).length)
+
+    def solid_view(self):
+        """The view from the corner toward which the body moves; from above."""
+        last = self.snapshots[-1].elements.cell_data["displacement"]
+        weight = np.linalg.norm(last, axis=1)[:, None]
+        drift = (weight * last).sum(axis=0)
+        side = np.where(drift < 0.0, -1.0, 1.0)
+        if abs(drift[1]) < 1e-9 * (abs(drift).max() or 1.0):
+            side[1] = -1.0
+        side[2] = 1.0
+        return SolidView(self.bounds, side)

@@ -1,0 +1,76 @@
+"""Curves of a run of method blocks: broken joints, steps, ranks. Each returns a matplotlib Figure, or None without data."""
+
+import matplotlib
+import numpy as np
+
+from sazare import style
+from sazare.plot import time_axis
+
+
+@style.styled
+def broken_joints(results):
+    """Number of broken joints and of fragments against time."""
+    history = results.history
+    if "broken_joints" not in history or history.rows < 2:
+        return None
+    time, label = time_axis(history)
+    figure = style.figure(6.2, 3.6)
+    axes = figure.subplots()
+    axes.plot(time, history["broken_joints"], color=style.ACCENT, linewidth=2.0)
+    axes.fill_between(time, history["broken_joints"], color=style.ACCENT, alpha=0.12, linewidth=0.0)
+    axes.set_ylabel("broken joints", color=style.ACCENT)
+    axes.set_xlabel(label)
+    axes.margins(x=0)
+    axes.set_ylim(bottom=0)
+    if "fragments" in history:
+        other = axes.twinx()
+        other.grid(False)
+        other.spines["right"].set_visible(True)
+        other.plot(time, history["fragments"], color=style.SECOND, linewidth=1.6)
+        other.set_ylabel("fragments", color=style.SECOND)
+        other.set_ylim(bottom=0)
+    return figure
+
+
+@style.styled
+def smallest_step(results):
+    """Smallest time step [s] of any element against time."""
+    history = results.history
+    if "smallest_step" not in history or history.rows < 2 or not np.any(history["smallest_step"] > 0.0):
+        return None
+    time, label = time_axis(history)
+    figure = style.figure(6.2, 3.6)
+    axes = figure.subplots()
+    axes.step(time, np.where(history["smallest_step"] > 0.0, history["smallest_step"], np.nan), color=style.SECOND, where="post")
+    axes.set_yscale("log")
+    axes.set_ylabel("smallest time step [s]")
+    axes.set_xlabel(label)
+    axes.margins(x=0)
+    return figure
+
+
+@style.styled
+def ranks(results):
+    """Cumulative processor time [s] of every rank, load imbalance of the intervals [-], and the first element of every rank's range."""
+    table = results.ranks
+    if table.rows < 1:
+        return None
+    count = int(table["rank"].max()) + 1
+    time = table["time"].reshape(-1, count)[:, 0] * 1e6
+    worked, first = (table[name].reshape(-1, count) for name in ("processor_time", "first_element"))
+    spent = np.diff(worked, axis=0, prepend=0)
+    figure = style.figure(7.4, 7.2)
+    total, share, cuts = figure.subplots(3, 1, sharex=True, gridspec_kw={"height_ratios": [3, 2, 3]})
+    colors = matplotlib.colormaps["viridis"](np.linspace(0, 0.9, count))
+    for rank in range(count):
+        total.plot(time, worked[:, rank], color=colors[rank], linewidth=1.2)
+        cuts.step(time, first[:, rank], color=colors[rank], linewidth=1.2, where="pre")
+    total.set_ylabel("processor time [s]")
+    total.set_title(f"{count} ranks; final max / min {worked[-1].max() / worked[-1].min():.3g}")
+    share.plot(time, spent.max(axis=1) / spent.mean(axis=1), color=style.ACCENT, linewidth=1.2)
+    share.set_ylabel("load imbalance,\nmax / mean [-]")
+    share.set_ylim(bottom=1)
+    cuts.set_ylabel("first element")
+    cuts.set_xlabel("time [µs]")
+    figure.align_ylabels()
+    return figure

@@ -1,0 +1,107 @@
+"""Sections, figures and verdicts that several methods have alike."""
+
+from functools import partial
+
+import numpy as np
+
+from sazare import plot, shaking
+from sazare.methods import Section
+from sazare.style import count, quantity, round_factor
+
+# Residuals up to the first count as good, above the second as bad; as shares of the work.
+GOOD_BALANCE, BAD_BALANCE = 1e-4, 1e-2
+
+NO_SNAPSHOTS = "The run wrote no snapshots."
+NO_GAUGES = "The case has no gauges."
+NO_HISTORY = "The run wrote no history."
+
+
+def energy_section(results, terms, work="the external work"):
+    """The energy balance. terms: column of the history -> (name, colour), from the bottom of the stack up."""
+    return Section(
+        "energy", "Energy balance",
+        f"Stored and dissipated energy by cause, stacked, and {work}; below, the residual as a share of the work.",
+        partial(plot.energy, results, terms), "The run wrote no energies.",
+    )
+
+
+def timing_section(results, whole="the run"):
+    """Computing time by part."""
+    return Section(
+        "timing", "Timing by part", f"Computing time by part of {whole}.", partial(plot.timing, results), "The run wrote no timing.",
+        wide=False,
+    )
+
+
+def shaking_sections(results):
+    """Acceleration at the gauges over time, and its spectra."""
+    return [
+        Section(
+            "accelerations", "Accelerations", "Acceleration at the gauges along the axis of strongest motion; dots mark the peaks.",
+            partial(shaking.accelerations, results), NO_GAUGES,
+        ),
+        Section(
+            "spectra", "Spectra", "Fourier amplitude spectra at the first and last gauge, and their ratio.",
+            partial(shaking.spectra, results), "There are fewer than two gauges.",
+        ),
+    ]
+
+
+def enlargement(displacement, extent, largest, shown):
+    """A round factor with which the largest displacement (n, 3) [m] is a share `shown` of the extent [m] of the body at most.
+
+    1 where it is a share `largest` itself.
+    """
+    size = np.linalg.norm(displacement, axis=1).max(initial=0.0)
+    return 1.0 if size <= 0.0 or size > largest * extent else round_factor(shown * extent / size)
+
+
+def energy_balance(figures):
+    """The energy residual as a share of the work; None where it cannot be computed."""
+    work, residual = figures.get("energy_work"), figures.get("energy_residual")
+    return abs(residual / work) if work and residual is not None else None
+
+
+def balance_verdict(results, reference="work"):
+    """The verdict of a run by its energy balance: fair where that is not good. reference: what the residual is a share of, in words."""
+    balance = energy_balance(results.figures)
+    if balance is None:
+        return "fair", "The run is complete. Its energy balance is not available."
+    return "good" if balance <= BAD_BALANCE else "fair", balance_words(balance, reference)
+
+
+def strict_balance_verdict(results):
+    """The same of a method whose time step governs the balance: three grades, and what to do about it."""
+    balance = energy_balance(results.figures)
+    if balance is None or balance <= GOOD_BALANCE:
+        return balance_verdict(results)
+    words = balance_words(balance)
+    if balance <= BAD_BALANCE:
+        return "fair", f"{words} It should be below {GOOD_BALANCE:.0e}: consider a smaller stability_fraction."
+    return "bad", f"{words} This is too large for reliable results: use a smaller stability_fraction."
+
+
+def balance_words(balance, reference="work"):
+    """An energy balance as a sentence."""
+    return f"The run is complete. The energy residual is {balance:.1e} of the {reference}."
+
+
+def share_note(part, whole):
+    """Of a figure that is part of another: a note such as `of 120, 25%`."""
+
+    def note(figures):
+        if not figures.get(whole) or figures.get(part) is None:
+            return ""
+        return f"of {count(figures[whole])}, {figures[part] / figures[whole]:.0%}"
+
+    return note
+
+
+def count_note(key, words):
+    """Of a figure beside a count: a note such as `120 elements`."""
+    return lambda figures: f"{count(figures[key])} {words}" if figures.get(key) is not None else ""
+
+
+def quantity_note(key, before, unit):
+    """Of a figure beside another one: a note such as `X80 210 mm`."""
+    return lambda figures: f"{before}{quantity(figures[key], unit)}" if figures.get(key) is not None else ""

@@ -1,0 +1,64 @@
+"""The table of methods: what each gives, and that nothing else knows their names."""
+
+import ast
+import json
+from pathlib import Path
+
+import pytest
+
+import sazare
+from sazare.methods import MODULES, Figure, Headline, Method, Section, method_named, method_of
+
+PACKAGE = Path(sazare.__file__).parent
+# Files and keys that are called as a method is: snapshots of squares, packed data of the 3-D view, the file of a study.
+ALIKE = {"results.py": {"rectangles"}, "view3d.py": {"blocks"}, "simulation.py": {"study"}}
+
+
+@pytest.fixture
+def empty(tmp_path):
+    """A function that opens a folder with nothing but a manifest, and a case where one is given."""
+
+    def opened(manifest, case=""):
+        (tmp_path / "manifest.json").write_text(json.dumps(manifest))
+        (tmp_path / "case.toml").write_text(case)
+        return sazare.open(tmp_path)
+
+    return opened
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_a_method_gives_all_that_is_asked_of_it(name, empty):
+    method = method_named(name)
+    assert isinstance(method, Method)
+    results = empty({"method": name, "status": "done", "results": {}})
+    sections = method.sections(results)
+    assert sections and all(isinstance(section, Section) for section in sections)
+    assert len({section.name for section in sections}) == len(sections)
+    assert all(section.draw() is None for section in sections), "nothing is drawn of a run that wrote nothing"
+    tone, sentence = method.verdict(results)
+    assert tone in ("good", "fair", "bad") and sentence.endswith(".")
+    assert all(isinstance(figure, Figure) for figure in method.headlines)
+
+
+def test_a_method_is_found_by_the_manifest_then_by_the_case(empty):
+    case = '[case]\nmethod = "mps"\n'
+    assert method_of(empty({"method": "fem"}, case)) is method_named("fem")
+    assert method_of(empty({}, case)) is method_named("mps")
+    for manifest, text in (({}, ""), ({"method": "magic"}, "[case"), ({"method": ["fem"]}, "case = 1")):
+        assert method_of(empty(manifest, text)) is method_named("blocks")
+
+
+def test_a_figure_becomes_words():
+    figure = Figure("x50", "X50", "m", lambda figures: f"of {len(figures)}")
+    assert figure.headline({"x50": 0.12}) == Headline("X50", "120 mm", "of 1")
+    assert figure.headline({"x50": None}) is None
+
+
+def test_shared_files_name_no_method():
+    names = set(MODULES)
+    for path in sorted(PACKAGE.rglob("*.py")):
+        place = path.relative_to(PACKAGE)
+        if place.parts[0] in ("methods", "cases"):
+            continue
+        words = {node.value for node in ast.walk(ast.parse(path.read_text())) if isinstance(node, ast.Constant) and isinstance(node.value, str)}
+        assert words & names <= ALIKE.get(place.name, set()), place
