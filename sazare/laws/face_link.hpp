@@ -34,6 +34,7 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 #include "sazare/core/lanes.hpp"
@@ -206,9 +207,54 @@ struct SpringForce {
   Real fracture_loss = 0;      ///< [J]
 };
 
-/// The shear displacement that a spring has elastically before it slips. `exact`: v is known, otherwise it grows by v' over dt.
-inline Real elastic_shear(const SpringState& spring, FaceFormula formula, Real shear, Real shear_rate, Real elapsed) {
-  return formula == FaceFormula::exact ? shear - spring.slip : spring.slip + elapsed * shear_rate;
+/// The shear displacement that a spring with the memory `slip` has elastically before it slips. `exact`: v is known, otherwise it
+/// grows by v' over dt.
+template <class T>
+T elastic_shear(FaceFormula formula, T slip, T shear, T shear_rate, Real elapsed) {
+  return formula == FaceFormula::exact ? shear - slip : slip + elapsed * shear_rate;
+}
+
+/// What a spring bears, (8) to (11); `Limit` is Real, or Lanes where every lane has limits of its own.
+template <class Limit>
+struct SpringStrength {
+  Limit tension{};    ///< sigma_t A/N [N]
+  Limit cohesion{};   ///< c A/N [N]
+  Real friction = 0;  ///< tan phi
+};
+
+/// Of the springs of a face. One that has ever broken has neither strength nor cohesion left.
+template <class Face>
+auto spring_strength(const Face& face, bool whole = true) {
+  using Limit = std::remove_cvref_t<decltype(face.tension_limit)>;
+  return whole ? SpringStrength<Limit>{face.tension_limit, face.cohesion_limit, face.friction}
+               : SpringStrength<Limit>{{}, {}, face.friction};
+}
+
+/// Whether a spring breaks under its normal force K_n u, compression positive [N]: its pull is more than its strength.
+template <class Limit, class T>
+auto breaks(const SpringStrength<Limit>& strength, T pressure) {
+  return pressure < -strength.tension;
+}
+
+/// The shear force at which a spring slips under its normal force [N]: c A/N + K_n u tan phi, and never less than 0.
+template <class Limit, class T>
+T shear_limit(const SpringStrength<Limit>& strength, T pressure) {
+  return maximum(strength.cohesion + strength.friction * pressure, T{});
+}
+
+/// Whether a spring slips that would have this shear force [N].
+template <class T>
+auto slips(T trial, T limit) {
+  return maximum(trial, -trial) > limit;
+}
+
+/// Whether a spring breaks or slips of a face whose springs have all the same elastic shear displacement. The weakest one does so
+/// first: the last one on the side that opens most.
+template <class Face, class T>
+auto yields(const Face& face, const FaceMotion<T>& motion, T elastic, Real last_place) {
+  const auto strength = spring_strength(face);
+  const T least = face.normal * (motion.closing - last_place * maximum(motion.slope, -motion.slope));
+  return breaks(strength, least) | slips(face.shear * elastic, shear_limit(strength, least));
 }
 
 /// Energy lost where a spring slips in a step: the mean of its forces before and after times the slip. That is the work of the
@@ -233,20 +279,20 @@ SpringForce advance_spring(SpringState& spring, const Face& face, FaceFormula fo
     spring.joined = true;
     rest(0);
   }
-  Real elastic = elastic_shear(spring, formula, motion.shear, motion.shear_rate, elapsed);
+  Real elastic = elastic_shear(formula, spring.slip, motion.shear, motion.shear_rate, elapsed);
   const Real pressure = face.normal * closing;
-  if (pressure < (spring.whole ? -face.tension_limit : 0)) {
+  const SpringStrength<Real> strength = spring_strength(face, spring.whole);
+  if (breaks(strength, pressure)) {
     // Its force ends half a step ago: what the leapfrog had stored is the product with the displacement of a step before.
     result.fracture_loss =
         0.5 * (pressure * (closing - elapsed * rate) + face.shear * elastic * (elastic - elapsed * motion.shear_rate));
     spring.joined = spring.whole = false;
     return result;
   }
-  const Real limit = maximum((spring.whole ? face.cohesion_limit : 0) + pressure * face.friction, Real{0});
-  const Real trial = face.shear * elastic;
+  const Real limit = shear_limit(strength, pressure), trial = face.shear * elastic;
   result.normal = pressure + face.normal_damping * rate;
   spring.last_rate = rate;
-  if (std::abs(trial) > limit) {
+  if (slips(trial, limit)) {
     result.shear = trial < 0 ? -limit : limit;
     elastic = result.shear / face.shear;
     const Real before = trial - face.shear * elapsed * motion.shear_rate;

@@ -38,7 +38,7 @@ Real FaceLinks::elastic_energy(const state::Particles<2>& particles) const {
       if (!spring.joined) continue;
       const laws::Facet<Real> springs = springs_of(static_cast<Index>(number));
       const Real closing = motion.closing + motion.slope * kind.springs.places[i];
-      const Real elastic = laws::elastic_shear(spring, kind.formula, motion.shear, motion.shear_rate, 0);
+      const Real elastic = laws::elastic_shear(kind.formula, spring.slip, motion.shear, motion.shear_rate, 0);
       total += 0.5 * (springs.normal * closing * closing + springs.shear * elastic * elastic);
     }
   }

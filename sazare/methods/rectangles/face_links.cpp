@@ -238,11 +238,8 @@ bool FaceLinks::evaluate_whole(const state::Particles<2>& particles, const laws:
                                        faces.template turned_by<Lanes>(i), springs.is_wall());
     const auto motion = laws::face_motion<formula>(pair, springs);
     const Lanes slip = load_lanes(&slip_[i]);
-    const Lanes elastic = formula == FaceFormula::exact ? motion.shear - slip : slip + elapsed * motion.shear_rate;
-    const Lanes least = springs.normal * (motion.closing - last * maximum(motion.slope, -motion.slope));
-    const Lanes bears = maximum(springs.cohesion_limit + springs.friction * least, Lanes{});
-    const Lanes pull = springs.shear * maximum(elastic, -elastic);
-    const LaneMask yields = active & ((least < -springs.tension_limit) | (pull > bears));
+    const Lanes elastic = laws::elastic_shear(formula, slip, motion.shear, motion.shear_rate, elapsed);
+    const LaneMask yields = active & laws::yields(springs, motion, elastic, last);
     const LaneMask stays = active & ~yields;
     if (any(yields)) {
       any_yields = true;
