@@ -38,23 +38,50 @@ bool are_joined(const FaceLinks& links, Index one, Index other) {
   return joined || (round_corner && !was_joined);
 }
 
+/// Velocity of one element against another where both are [m/s].
+Vector2 relative_velocity(const state::Particles<2>& particles, std::size_t i, std::size_t j, const Vector2& place) {
+  const Vector2 arm1 = place - Vector2(particles.position(0, i), particles.position(1, i));
+  const Vector2 arm2 = place - Vector2(particles.position(0, j), particles.position(1, j));
+  const Real spin1 = particles.velocity[2][i], spin2 = particles.velocity[2][j];
+  return {particles.velocity[0][i] - spin1 * arm1.y() - particles.velocity[0][j] + spin2 * arm2.y(),
+          particles.velocity[1][i] + spin1 * arm1.x() - particles.velocity[1][j] - spin2 * arm2.x()};
+}
+
+/// Of a force at a place about an element's centre [N m].
+Real moment_about(const state::Particles<2>& particles, std::size_t element, const Vector2& place, const Vector2& force) {
+  return (place.x() - particles.position(0, element)) * force.y() - (place.y() - particles.position(1, element)) * force.x();
+}
+
+/// What the dashpots of a contact take by the present velocities [W].
+Real dashpot_power(const state::Particles<2>& particles, const Contact& contact) {
+  const std::size_t i = at(contact.first), j = at(contact.second);
+  const auto& [x, y, first, second] = contact.dashpot;
+  const auto& v = particles.velocity;
+  return x * (v[0][i] - v[0][j]) + y * (v[1][i] - v[1][j]) - first * v[2][i] - second * v[2][j];
+}
+
+/// Adds to a contact what acts at one of its points.
+void add_force(const state::Particles<2>& particles, const Vector2& place, const laws::PointForce& of, Contact& contact) {
+  const std::size_t i = at(contact.first), j = at(contact.second);
+  const Vector2 tangent(contact.normal.y(), -contact.normal.x());
+  const Vector2 force = of.normal * contact.normal + of.shear * tangent;
+  const Vector2 dashpot = of.normal_dashpot * contact.normal + of.shear_dashpot * tangent;
+  contact.force += force;
+  contact.first_moment -= moment_about(particles, i, place, force);
+  contact.second_moment += moment_about(particles, j, place, force);
+  contact.dashpot[0] += dashpot.x();
+  contact.dashpot[1] += dashpot.y();
+  contact.dashpot[2] -= moment_about(particles, i, place, dashpot);
+  contact.dashpot[3] += moment_about(particles, j, place, dashpot);
+}
+
 }  // namespace
 
-ContactSprings contact_springs(const ContactRules& rules, const state::Outlines& outlines, const state::Particles<2>& particles,
-                               Index first, Index second) {
-  const Real r1 = outlines.spring_radius(at(first)), r2 = outlines.spring_radius(at(second));
-  const Real half_face = r1 > 0 && r2 > 0 ? std::min(r1, r2) : r1 + r2;
+laws::ContactSprings contact_springs(const ContactRules& rules, const state::Outlines& outlines,
+                                     const state::Particles<2>& particles, Index first, Index second) {
   const bool one_point = outlines.kind[at(first)] == OutlineKind::circle || outlines.kind[at(second)] == OutlineKind::circle;
-  const Real points = one_point ? 1 : 2, area = 2 * half_face * rules.thickness;
-  const Real inverse_mass = particles.inverse_mass[at(first)] + particles.inverse_mass[at(second)];
-  ContactSprings springs;
-  const Real normal = rules.normal_stiffness * area / (r1 + r2), shear = rules.shear_stiffness * area / (r1 + r2);
-  springs.normal = normal / points;
-  springs.shear = shear;
-  const Real damping = inverse_mass > 0 ? 2 * rules.damping_ratio * std::sqrt(normal / inverse_mass) : 0;
-  springs.normal_damping = damping / points;
-  springs.shear_damping = damping * std::sqrt(shear / normal);
-  return springs;
+  return laws::contact_springs(rules, outlines.spring_radius(at(first)), outlines.spring_radius(at(second)), one_point ? 1 : 2,
+                               particles.inverse_mass[at(first)] + particles.inverse_mass[at(second)]);
 }
 
 Contacts::Contacts(const ContactRules& rules, const state::Particles<2>& particles, const state::Outlines& outlines)
@@ -156,12 +183,7 @@ void Contacts::evaluate(const state::Particles<2>& particles, const state::Outli
                         Real elapsed) const {
   const std::size_t i = at(contact.first), j = at(contact.second);
   const geometry::Overlap overlap = geometry::overlap(outlines.at(particles, i), outlines.at(particles, j));
-  const auto dashpot_power = [&] {  // by the present velocities
-    const auto& [x, y, first, second] = contact.dashpot;
-    const auto& v = particles.velocity;
-    return x * (v[0][i] - v[0][j]) + y * (v[1][i] - v[1][j]) - first * v[2][i] - second * v[2][j];
-  };
-  contact.loss.dashpot += 0.5 * elapsed * (contact.dashpot_power + dashpot_power());
+  contact.loss.dashpot += 0.5 * elapsed * (contact.dashpot_power + dashpot_power(particles, contact));
   contact.dashpot = {};
   contact.dashpot_power = 0;
   contact.force.setZero();
@@ -173,60 +195,21 @@ void Contacts::evaluate(const state::Particles<2>& particles, const state::Outli
     if (overlap.count == 0) return;
   }
   contact.normal = overlap.normal;
-  const ContactSprings springs = contact_springs(rules_, outlines, particles, contact.first, contact.second);
   const Vector2 tangent(overlap.normal.y(), -overlap.normal.x());
-  const auto rate_at = [&](const Vector2& place) -> Vector2 {
-    const Vector2 arm1 = place - Vector2(particles.position(0, i), particles.position(1, i));
-    const Vector2 arm2 = place - Vector2(particles.position(0, j), particles.position(1, j));
-    const Real spin1 = particles.velocity[2][i], spin2 = particles.velocity[2][j];
-    return {particles.velocity[0][i] - spin1 * arm1.y() - particles.velocity[0][j] + spin2 * arm2.y(),
-            particles.velocity[1][i] + spin1 * arm1.x() - particles.velocity[1][j] - spin2 * arm2.x()};
-  };
-  Real pressure = 0, total = 0, shear_rate = 0;
-  std::array<Real, 2> normal{}, dashpots{};
-  contact.energy = 0;
-  for (std::size_t point = 0; point < static_cast<std::size_t>(overlap.count); ++point) {
-    const geometry::OverlapPoint& at_point = overlap.points[point];
-    const Vector2 rate = rate_at(at_point.place);
-    const Real closing = overlap.normal.dot(rate), elastic = overlap.share * springs.normal * at_point.depth;
-    const Real dashpot = maximum(overlap.share * springs.normal_damping * closing, -elastic);  // no pull
-    normal[point] = elastic + dashpot;
-    dashpots[point] = dashpot;
-    pressure += elastic;
-    total += normal[point];
-    shear_rate += elastic * tangent.dot(rate);
-    contact.energy += 0.5 * elastic * at_point.depth;
+  const auto count = static_cast<std::size_t>(overlap.count);
+  std::array<laws::ContactPoint, 2> points;
+  for (std::size_t point = 0; point < count; ++point) {
+    const Vector2 velocity = relative_velocity(particles, i, j, overlap.points[point].place);
+    points[point] = {overlap.points[point].depth, overlap.normal.dot(velocity), tangent.dot(velocity)};
   }
-  shear_rate = pressure > 0 ? shear_rate / pressure : 0;
-  const Real trial = contact.shear + springs.shear * elapsed * shear_rate, limit = rules_.friction * pressure;
-  Real shear = trial, shear_dashpot = 0;
-  if (std::abs(trial) > limit) {
-    shear = trial < 0 ? -limit : limit;
-    contact.loss.friction += laws::slip_loss(contact.shear, trial, shear, springs.shear);
-    contact.shear = shear;
-  } else {
-    contact.shear = trial;
-    shear_dashpot = springs.shear_damping * shear_rate;
-    shear += shear_dashpot;
-  }
-  contact.energy += 0.5 * contact.shear * contact.shear / springs.shear;
-  for (std::size_t point = 0; point < static_cast<std::size_t>(overlap.count); ++point) {
-    const Real share = total > 0 ? normal[point] / total : 1.0 / overlap.count;
-    const Vector2 place = overlap.points[point].place;
-    const Vector2 force = normal[point] * overlap.normal + share * shear * tangent;
-    const Vector2 dashpot = dashpots[point] * overlap.normal + share * shear_dashpot * tangent;
-    const auto moment = [&](std::size_t element, const Vector2& of) {
-      return (place.x() - particles.position(0, element)) * of.y() - (place.y() - particles.position(1, element)) * of.x();
-    };
-    contact.force += force;
-    contact.first_moment -= moment(i, force);
-    contact.second_moment += moment(j, force);
-    contact.dashpot[0] += dashpot.x();
-    contact.dashpot[1] += dashpot.y();
-    contact.dashpot[2] -= moment(i, dashpot);
-    contact.dashpot[3] += moment(j, dashpot);
-  }
-  contact.dashpot_power = dashpot_power();
+  const laws::FaceContactForce given =
+      laws::advance_contact(contact.shear, contact_springs(rules_, outlines, particles, contact.first, contact.second),
+                            rules_.friction, std::span(points).first(count), overlap.share, elapsed);
+  contact.energy = given.energy;
+  contact.loss.friction += given.friction_loss;
+  for (std::size_t point = 0; point < count; ++point)
+    add_force(particles, overlap.points[point].place, given.point[point], contact);
+  contact.dashpot_power = dashpot_power(particles, contact);
 }
 
 void Contacts::add_to(std::size_t element, std::array<Real, 3>& sum) const {

@@ -3,36 +3,24 @@
 /// Elements and supports that meet: squares against squares, walls and circles, wherever they touch.
 ///
 /// Each point at which two outlines overlap has a spring and a dashpot normal to the face; along the face one spring serves
-/// both points of a pair, which slips when it exceeds tan(phi) times their pressure. A spring at each end of a face is the
-/// paper's layout (13.2): an element that lies on a wall has the forces of (3) and (12), however far it turns. Circles have one
-/// point: the ordinary circular element.
+/// both points of a pair: laws/face_contact.hpp. A spring at each end of a face is the paper's layout (13.2): an element that
+/// lies on a wall has the forces of (3) and (12), however far it turns. Circles have one point: the ordinary circular element.
 
 #include <span>
 #include <vector>
 
+#include "sazare/laws/face_contact.hpp"
 #include "sazare/methods/rectangles/face_links.hpp"
 #include "sazare/neighbors/sphere_grid.hpp"
 #include "sazare/state/outlines.hpp"
 
 namespace sazare::methods::rectangles {
 
-struct ContactRules {
-  Real normal_stiffness = 0;  ///< k_n [Pa]
-  Real shear_stiffness = 0;   ///< k_s [Pa]
-  Real damping_ratio = 0;     ///< h_n
-  Real friction = 0;          ///< tan phi
-  Real thickness = 1;         ///< l [m]
-};
+using ContactRules = laws::FaceContact;
 
-/// Springs of a pair.
-struct ContactSprings {
-  Real normal = 0, shear = 0;                  ///< of a point, of the pair [N/m]
-  Real normal_damping = 0, shear_damping = 0;  ///< [N s/m]
-};
-
-/// (6.3), (6.4), (7.3), (7.4) and, with a support, (19): r1 or r2 is 0 for a wall, and a support has no mass.
-ContactSprings contact_springs(const ContactRules& rules, const state::Outlines& outlines, const state::Particles<2>& particles,
-                               Index first, Index second);
+/// Of a pair of elements, or of an element and a support, which has no mass.
+laws::ContactSprings contact_springs(const ContactRules& rules, const state::Outlines& outlines,
+                                     const state::Particles<2>& particles, Index first, Index second);
 
 struct Contact {
   Index first = 0;
