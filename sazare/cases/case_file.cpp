@@ -128,7 +128,7 @@ void refuse(const CaseSource& source, const std::string& key, std::string what, 
 void refuse_outside_histories(const CaseFile& file) {
   for (const OutsideHistory& history : file.histories)
     refuse(file, history.key,
-           fmt::format("the {} \"{}\" is a function, which a case file cannot hold", history.what, history.name),
+           fmt::format("the {} \"{}\" is a function, which a case file cannot contain", history.what, history.name),
            fmt::format("run the case from Python with functions={{\"{}\": ...}}, or give a table", history.name));
 }
 

@@ -16,7 +16,7 @@ struct CheckContext;
 /// The tables of a method's cases, and how a case is filled and checked once types and ranges are.
 struct CaseFormat {
   std::string_view method;    ///< its name in a case file
-  std::string_view sentence;  ///< "blocks are bonded tetrahedra that can break apart": for the reference
+  std::string_view sentence;  ///< "blocks (bonded tetrahedra that can break apart)": for the reference
   std::span<const Table> tables;
   /// Fills content and histories of the case from the document, and reports all that is wrong with it.
   void (*read)(const CheckContext& context, CaseFile& file);

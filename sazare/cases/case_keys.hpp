@@ -27,13 +27,14 @@ inline constexpr std::array motion_keys{
     Key{.name = "quantity",
         .type = Type::choice,
         .default_text = "\"acceleration\"",
-        .note = "not for a record, whose file says it",
+        .note = "not for a record, whose file states it",
         .sentence = "What the formula describes; the other two follow by integration from rest or differentiation.",
         .choices = quantities},
     Key{.name = "amplitude",
         .type = Type::number,
         .default_text = "1.0",
-        .sentence = "Factor of the formula, in m, m/s or m/s2 as the quantity is; of a record or a function, a plain factor."},
+        .sentence = "Amplitude of the formula, in m, m/s or m/s2 according to the quantity; for a record or a function, a "
+                    "dimensionless factor."},
     Key{.name = "frequency",
         .type = Type::number,
         .unit = "Hz",
@@ -45,12 +46,12 @@ inline constexpr std::array motion_keys{
         .unit = "s",
         .range = positive,
         .note = "required for a wavelet",
-        .sentence = "Time of the wavelet's peak; at least 1/frequency, so that it begins from rest."},
+        .sentence = "Time of the wavelet's peak; at least 1/frequency, so that the wavelet begins at rest."},
     Key{.name = "cycles",
         .type = Type::number,
         .range = not_negative,
         .default_text = "0.0",
-        .sentence = "Number of periods of the sine; 0: without end."},
+        .sentence = "Number of periods of the sine; 0: unlimited."},
     Key{.name = "file",
         .type = Type::file,
         .note = "required for a record",
@@ -58,7 +59,8 @@ inline constexpr std::array motion_keys{
     Key{.name = "baseline",
         .type = Type::choice,
         .default_text = "\"none\"",
-        .sentence = "What is taken off a record so that its integral has no trend: nothing, a constant or a straight line.",
+        .sentence = "Baseline correction: what is subtracted from a record so that its integral has no trend: nothing, a "
+                    "constant or a straight line.",
         .choices = baselines},
 };
 
@@ -94,13 +96,13 @@ inline constexpr std::array damping_keys{
         .unit = "Hz",
         .range = positive,
         .note = "required where a material has a damping_ratio",
-        .sentence = "Lower frequency at which the damping is that of the material."},
+        .sentence = "Lower frequency at which the damping ratio equals that of the material."},
     Key{.name = "f2",
         .type = Type::number,
         .unit = "Hz",
         .range = positive,
         .note = "required where a material has a damping_ratio",
-        .sentence = "Higher frequency at which the damping is that of the material."},
+        .sentence = "Higher frequency at which the damping ratio equals that of the material."},
 };
 
 inline constexpr std::array gravity_keys{
@@ -108,7 +110,7 @@ inline constexpr std::array gravity_keys{
         .type = Type::vector,
         .unit = "m/s2",
         .default_text = "[0.0, 0.0, 0.0]",
-        .sentence = "Acceleration of free fall."},
+        .sentence = "Gravitational acceleration."},
 };
 
 inline constexpr std::array output_keys{
@@ -135,7 +137,7 @@ inline constexpr Key strict_key{
     .name = "strict",
     .type = Type::boolean,
     .default_text = "false",
-    .sentence = "Refuse what would only be warned about.",
+    .sentence = "Treat warnings as errors.",
 };
 
 inline constexpr Key gauge_name_key{
@@ -160,11 +162,12 @@ inline constexpr Key snapshot_interval_key{
     .unit = "s",
     .range = positive,
     .note = "default: about end/20",
-    .sentence = "Time between snapshots; a whole multiple of history_interval, and the end one of it.",
+    .sentence = "Time between snapshots; a whole multiple of history_interval, of which the end is a whole multiple.",
 };
 
-inline constexpr Table case_table{"case", false, Need::required, "What the case is.", case_keys};
-inline constexpr Table motions_table{"motions", true, Need::optional, "Waves and histories of the ground's motion.", motion_keys};
+inline constexpr Table case_table{"case", false, Need::required, "Title and method of the case.", case_keys};
+inline constexpr Table motions_table{"motions", true, Need::optional,
+                                     "Ground motions: wavelets, sines, records and functions of time.", motion_keys};
 inline constexpr Table gravity_table{"gravity", false, Need::optional, "Body force.", gravity_keys};
 inline constexpr Table output_table{"output", false, Need::optional, "What is written besides histories and snapshots.",
                                     output_keys};

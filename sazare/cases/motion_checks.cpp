@@ -58,7 +58,7 @@ void check_motions(const CheckContext& context, std::vector<Motion>& motions) {
       check_keys(context, entry, "a Ricker wavelet", {"frequency", "peak_time"}, {"file", "baseline", "cycles"});
       if (entry.gives("frequency") && entry.gives("peak_time") && motion.peak_time * motion.frequency < 1 - 1e-9)
         context.problems.error(entry.place("peak_time"),
-                               fmt::format("the wavelet has begun before t = 0: peak_time is {} s and 1/frequency {} s",
+                               fmt::format("the wavelet begins before t = 0: peak_time is {} s and 1/frequency {} s",
                                            short_number(motion.peak_time), short_number(1 / motion.frequency)),
                                "choose a peak_time of 1/frequency or more");
     }
@@ -77,8 +77,9 @@ void check_damping(const CheckContext& context, const Damping& damping, const st
   const auto list = context.entries_of("materials");
   for (std::size_t i = 0; i < list.size(); ++i) {
     if (!(ratios[i] > 0) || (entry.has("f1") && entry.has("f2"))) continue;
-    context.problems.error(list[i].place("damping_ratio"), "a damping_ratio needs the frequencies f1 and f2",
-                           "add [damping] with f1 = ... and f2 = ... in Hz: between them the damping is at most damping_ratio");
+    context.problems.error(
+        list[i].place("damping_ratio"), "a damping_ratio needs the frequencies f1 and f2",
+        "add [damping] with f1 = ... and f2 = ... in Hz: between them the damping ratio is at most damping_ratio");
     break;
   }
   if (entry.gives("f1") && entry.gives("f2") && !(damping.f1 < damping.f2))
@@ -102,13 +103,13 @@ void check_strength(const CheckContext& context, const Entry& entry, const Stren
   if (!entry.gives("friction_angle")) return;
   if (strength.dilation_angle > strength.friction_angle)
     context.problems.error(entry.place("dilation_angle"), "dilation_angle must be at most friction_angle",
-                           "above it the ground would win energy by flowing");
+                           "with a larger one, plastic flow would generate energy");
   const Real most = strength.cohesion / std::tan(strength.friction_angle * std::numbers::pi / 180);
   if (strength.friction_angle > 0 && strength.tensile_strength > most * (1 + 1e-9))
     context.problems.error(entry.place("tensile_strength"),
                            fmt::format("tensile_strength must be at most cohesion/tan(friction_angle) = {} Pa, found {}",
                                        short_number(most), short_number(strength.tensile_strength)),
-                           "the strength in shear is gone there");
+                           "the shear strength is zero at that stress");
 }
 
 }  // namespace sazare::cases

@@ -72,8 +72,8 @@ public:
     else if (std::regex_match(kind, knet))
       read_knet();
     else
-      problems_.error(named_at_, fmt::format("{} is of no known format of records", motion_.file.filename().string()),
-                      "known are CSV (.csv), PEER (.AT2) and K-NET ASCII (.EW, .NS, .UD)");
+      problems_.error(named_at_, fmt::format("{} is not in a known format of records", motion_.file.filename().string()),
+                      "known formats are CSV (.csv), PEER (.AT2) and K-NET ASCII (.EW, .NS, .UD)");
     if (failed_ || values_.empty()) return;
     motion_.record = laws::Record::make(step_, std::move(values_));
   }
@@ -94,7 +94,7 @@ private:
     }
     if (!std::isfinite(*number)) {
       report(line, word, fmt::format("{} must be a finite number, found {}", name, word.text),
-             "put in the number that was meant; a gap in a record cannot be guessed");
+             "enter the intended number; gaps in a record are not filled");
       return false;
     }
     value = *number;
@@ -103,7 +103,7 @@ private:
 
   void read_csv() {
     static constexpr std::string_view help =
-        "the first line is such as \"time [s],acceleration [m/s2]\"; units are m/s2, g, gal, "
+        "the first line has the form \"time [s],acceleration [m/s2]\"; units are m/s2, g, gal, "
         "cm/s2, m/s, cm/s, m and cm";
     static const std::regex header(R"(\s*time \[s\]\s*,\s*(acceleration|velocity|displacement)( \[([^\]]*)\])?\s*)");
     if (lines_.empty()) return report(0, {}, "the record is empty", std::string(help));
@@ -117,7 +117,7 @@ private:
                           : name == "velocity"   ? laws::MotionQuantity::velocity
                                                  : laws::MotionQuantity::displacement;
     if (unit == units.end() || unit->quantity != quantity)
-      return report(1, first_line, fmt::format("{} is no unit of {}", unit_name, name), std::string(help));
+      return report(1, first_line, fmt::format("{} is not a unit of {}", unit_name, name), std::string(help));
     motion_.quantity = quantity;
     read_rows(name, unit->factor);
   }
@@ -149,19 +149,19 @@ private:
     if (values_.size() == 1) step_ = time - last;
     if (values_.empty() ? time == 0 : (step_ > 0 && std::abs(time - last - step_) <= time_tolerance * step_)) return true;
     if (values_.empty())
-      report(line, word, fmt::format("the first time must be 0, found {}", word.text), "let the times begin at 0");
+      report(line, word, fmt::format("the first time must be 0, found {}", word.text), "shift the times so that they begin at 0");
     else if (!(step_ > 0))
       report(line, word, "times must increase", "sort the rows by time");
     else
       report(line, word,
-             fmt::format("times are not uniform: {} s after the row before, and the first step is {} s",
+             fmt::format("times are not uniform: a step of {} s here, and a first step of {} s",
                          short_number(time - last, 6), short_number(step_, 6)),
              "resample the record to equal steps");
     return false;
   }
 
   void read_peer() {
-    static constexpr std::string_view help = "a PEER file has four lines of head: title, event, units, and NPTS= n, DT= t";
+    static constexpr std::string_view help = "a PEER file has four header lines: title, event, units, and NPTS= n, DT= t";
     if (lines_.size() < 5) return report(0, {}, "this is not a PEER record: it is too short", std::string(help));
     motion_.quantity = laws::MotionQuantity::acceleration;
     if (lines_[2].find("UNITS OF G") == std::string::npos)
@@ -177,7 +177,7 @@ private:
     read_block(4, standard_gravity);
     const auto wanted = std::stoull(count[1]);
     if (!failed_ && values_.size() != wanted)
-      report(4, {lines_[3], 1}, fmt::format("NPTS is {}, and {} values follow", wanted, values_.size()), "is the file complete?");
+      report(4, {lines_[3], 1}, fmt::format("NPTS is {}, but {} values follow", wanted, values_.size()), "is the file complete?");
   }
 
   /// Numbers in free format from a line on.
@@ -191,7 +191,7 @@ private:
   }
 
   void read_knet() {
-    static constexpr std::string_view help = "a K-NET file has 17 lines of head, with \"Sampling Freq(Hz)\" and \"Scale Factor\"";
+    static constexpr std::string_view help = "a K-NET file has 17 header lines, with \"Sampling Freq(Hz)\" and \"Scale Factor\"";
     static const std::regex frequency(R"(^Sampling Freq\(Hz\)\s+([0-9.]+)\s*Hz)"),
         scale(R"(^Scale Factor\s+([0-9.]+)\(gal\)/([0-9.]+))");
     Real hertz = 0, factor = 0;
@@ -205,7 +205,7 @@ private:
     }
     if (!(hertz > 0)) return report(0, {}, "the sampling frequency is missing", std::string(help));
     if (!(factor > 0)) return report(0, {}, "the units are missing: there is no scale factor in gal", std::string(help));
-    if (body == 0) return report(0, {}, "the head has no line Memo., after which the samples begin", std::string(help));
+    if (body == 0) return report(0, {}, "the header has no line Memo., after which the samples begin", std::string(help));
     motion_.quantity = laws::MotionQuantity::acceleration;
     step_ = 1 / hertz;
     read_block(body, factor);

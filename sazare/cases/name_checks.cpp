@@ -14,10 +14,10 @@ void check_unique_names(const CheckContext& context, std::string_view table, std
     const Place place = list[i].has("name") ? list[i].place("name") : list[i].place("surface");
     if (name.find_first_of(",\"\n\r") != std::string::npos)
       context.problems.error(place, fmt::format("the name \"{}\" contains a comma, a quote or a line break", name),
-                             "names become columns of CSV files; use letters, digits, blanks, '-' and '_'");
+                             "names become columns of CSV files; use letters, digits, spaces, '-' and '_'");
     if (const Place* before = seen.before(name, place))
       context.problems.error(place, fmt::format("two of the {} are called \"{}\"", table, name),
-                             fmt::format("give each a name of its own; {}", other_line(*before)));
+                             fmt::format("give each its own name; {}", other_line(*before)));
   }
 }
 

@@ -60,7 +60,7 @@ void check_study(const CheckContext& context, const Study& study) {
     if (!parameters[i].gives("keys") || keys == 1 || keys == study.families.size()) continue;
     context.problems.error(parameters[i].place("keys"),
                            fmt::format("there are {} keys and {} families", keys, study.families.size()),
-                           "give one key for all families, or one for each in their order");
+                           "give one key for all families, or one for each, in their order");
   }
 }
 

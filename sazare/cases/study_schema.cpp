@@ -6,7 +6,7 @@ namespace sazare::cases {
 namespace {
 
 constexpr std::array study_keys{
-    Key{.name = "title", .type = Type::text, .need = Need::required, .sentence = "What the study is called in reports."},
+    Key{.name = "title", .type = Type::text, .need = Need::required, .sentence = "Title of the study in reports."},
 };
 
 constexpr std::array family_keys{
@@ -32,7 +32,7 @@ constexpr std::array limit_keys{
         .type = Type::number,
         .range = {.low = 1, .high = 10, .low_open = true},
         .default_text = "1.01",
-        .sentence = "Ratio of the smallest step that diverged to the largest that held, at which the search ends."},
+        .sentence = "Ratio of the smallest unstable step to the largest stable one at which the bisection ends."},
     Key{.name = "steps",
         .type = Type::integer,
         .range = {.low = 0, .high = 1e9},
@@ -43,14 +43,14 @@ constexpr std::array limit_keys{
         .unit = "m/s2",
         .range = positive,
         .default_text = "1e15",
-        .sentence = "Acceleration above which a trial has diverged."},
+        .sentence = "Acceleration above which a trial is taken to have diverged."},
 };
 
 constexpr std::array tables{
-    Table{"study", false, Need::required, "What the study is.", study_keys},
+    Table{"study", false, Need::required, "Title of the study.", study_keys},
     Table{"families", true, Need::required, "Cases that are varied.", family_keys},
-    Table{"parameters", true, Need::required, "What is varied: all combinations are taken.", parameter_keys},
-    Table{"limit", false, Need::optional, "How the limit step is sought by bisection.", limit_keys},
+    Table{"parameters", true, Need::required, "Parameters that are varied: all combinations are run.", parameter_keys},
+    Table{"limit", false, Need::optional, "How the stability limit is found by bisection.", limit_keys},
 };
 
 }  // namespace

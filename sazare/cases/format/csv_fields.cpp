@@ -40,7 +40,7 @@ NumberProblem read_number_field(const Field& field, std::string_view name, Real&
             "write numbers such as 1.5e-4, without units"};
   if (std::isfinite(value)) return {};
   return {fmt::format("{} must be a finite number, found {}", name, field.text),
-          "remove the row, or put in the number that was meant"};
+          "remove the row, or enter the intended number"};
 }
 
 }  // namespace sazare::cases

@@ -68,7 +68,7 @@ private:
     const bool is_key = !member.value.is_table() && !member.value.is_list();
     const std::string owners = is_key ? tables_with_key(schema_, member.key) : "";
     if (!owners.empty()) {
-      problems_.error(member.key_place, fmt::format("\"{}\" stands outside of a table", member.key),
+      problems_.error(member.key_place, fmt::format("\"{}\" stands outside any table", member.key),
                       fmt::format("it is a key of {}", owners));
       return;
     }

@@ -33,7 +33,7 @@ std::string help_for_unit(const std::string& name, const Quantity& quantity, std
     const auto number = key == nullptr ? std::nullopt : converted(quantity, key->unit);
     if (number) return fmt::format("write {} = {}, without unit; the unit is {}", name, short_number(*number, 12), key->unit);
   }
-  return "write the number alone; the reference page names the unit of each key";
+  return "write the number alone; the reference page gives the unit of each key";
 }
 
 std::string help_for_value(const Assignment& line, std::span<const Table> known) {
@@ -43,10 +43,10 @@ std::string help_for_value(const Assignment& line, std::span<const Table> known)
   const auto quantity = parse_quantity(line.value);
   if (quantity && is_unit(quantity->unit)) return help_for_unit(line.key, *quantity, known);
   if (std::regex_match(line.value, decimal_comma)) return "write a decimal point";
-  if (line.value == "True" || line.value == "False") return "write true or false in small letters";
+  if (line.value == "True" || line.value == "False") return "write true or false in lower case";
   if (line.value.front() == '.') return "write a digit before the decimal point: 0" + line.value;
   if (std::regex_match(line.value, word) && line.value != "true" && line.value != "false")
-    return fmt::format("put a text between double quotes: {} = \"{}\"", line.key, line.value);
+    return fmt::format("enclose text in double quotes: {} = \"{}\"", line.key, line.value);
   return "";
 }
 
@@ -54,7 +54,7 @@ std::string help_for_description(std::string_view description) {
   const auto says = [&](std::string_view words) { return description.find(words) != std::string_view::npos; };
   if (says("table header") && says("redefine"))
     return "write each [table] once; entries of a list have double brackets: [[name]]";
-  if (says("redefine")) return "this key was given above; keep one of them";
+  if (says("redefine")) return "this key is given above already; keep one of them";
   if (says("table header")) return "a table header is a name in brackets, alone on its line: [time]";
   if (says("parsing array")) return "close the list with ]";
   if (says("parsing string")) return "close the text with the same quote that begins it";

@@ -62,7 +62,7 @@ private:
   }
 
   bool is_text(const Value& value) {
-    if (value.text() == nullptr) return refuse(value, "put the text between double quotes");
+    if (value.text() == nullptr) return refuse(value, "enclose the text in double quotes");
     return is_good_text(value);
   }
 
@@ -79,7 +79,7 @@ private:
 
   bool is_choice(const Value& value) {
     const std::vector<std::string> words(key_.choices.begin(), key_.choices.end());
-    if (value.text() == nullptr) return refuse(value, "put the word between double quotes");
+    if (value.text() == nullptr) return refuse(value, "enclose the word in double quotes");
     if (std::ranges::find(words, *value.text()) != words.end()) return true;
     const std::string near = nearest_word(*value.text(), words);
     return refuse(value, near.empty() ? std::string(key_.sentence) : fmt::format("did you mean \"{}\"?", near));
@@ -149,14 +149,14 @@ private:
     for (auto item = items->begin(); item != items->end(); ++item) {
       if (item->text() == nullptr) {
         problems_.error(item->place, fmt::format("{}: a name was expected, found {}", key_.name, describe(*item)),
-                        "put names between double quotes");
+                        "enclose names in double quotes");
         good = false;
         continue;
       }
       good = is_good_text(*item) && good;
       const auto same = [&](const Value& other) { return other.text() != nullptr && *other.text() == *item->text(); };
       if (most == 2 || std::none_of(items->begin(), item, same)) continue;
-      problems_.error(item->place, fmt::format("{}: \"{}\" stands twice in the list", key_.name, *item->text()),
+      problems_.error(item->place, fmt::format("{}: \"{}\" occurs twice in the list", key_.name, *item->text()),
                       "write each name once");
       good = false;
     }

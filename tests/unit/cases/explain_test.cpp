@@ -17,7 +17,7 @@ TEST(Explain, SaysWhatFollowsFromTheNumbers) {
            "slit: on surface slit, never bonded",
            "10 spheres on each free face",
            "hole 1: on surface hole_1 from 100e-6 s: 575e6 Pa after 133e-6 s, zero again after 498.8e-6 s",
-           "ends on a face that has moved 0.005 m",
+           "ends on a face once its displacement is 0.005 m",
            "hole_2: on surface hole_2 from 0 s: 3 rows of pressure.csv, to 500e-6 s",
            "rock: translation x z, rotation y",
            "to 500e-6 s, 500 history rows, 20 snapshots",

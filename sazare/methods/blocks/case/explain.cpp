@@ -94,10 +94,11 @@ void explain_blast(Explanation& text, const Blast& blast) {
     pressure = fmt::format("{} rows of {}, to {} s", table->time.size(), table->file.filename().string(),
                            table->time.empty() ? "0" : number(table->time.back()));
   } else {
-    pressure = "a function of time, from the caller";
+    pressure = "a function of time, given in Python";
   }
   text.add("blasts", fmt::format("{}: on surface {} from {} s: {}", blast.name, blast.surface, number(blast.delay), pressure));
-  if (std::isfinite(blast.cut_distance)) text.more(fmt::format("ends on a face that has moved {} m", number(blast.cut_distance)));
+  if (std::isfinite(blast.cut_distance))
+    text.more(fmt::format("ends on a face once its displacement is {} m", number(blast.cut_distance)));
 }
 
 void explain_conditions(Explanation& text, const BlocksCase& blocks) {
@@ -115,18 +116,19 @@ void explain_conditions(Explanation& text, const BlocksCase& blocks) {
 
 void explain_time(Explanation& text, const Time& time) {
   const auto count = [&](Real interval) { return whole_multiple(time.end, interval).value_or(0); };
-  const std::string base = time.base_step ? number(*time.base_step) + " s" : "chosen from the stable steps";
+  const std::string base = time.base_step ? number(*time.base_step) + " s" : "chosen from the stability limits";
   text.add("time", fmt::format("to {} s, {} history rows, {} snapshots", number(time.end), count(time.history_interval),
                                count(time.snapshot_interval)));
-  const std::string limiter =
-      time.limiter == Limiter::stability ? fmt::format("{} of each element's stable step", number(time.stability_fraction))
-      : time.limiter == Limiter::travel  ? fmt::format("at most {} m of travel in a step", number(time.travel_length))
-                                         : std::string("the base step for all");
+  const std::string limiter = time.limiter == Limiter::stability
+                                  ? fmt::format("{} of the stability limit of each element", number(time.stability_fraction))
+                              : time.limiter == Limiter::travel
+                                  ? fmt::format("travel of at most {} m in a step", number(time.travel_length))
+                                  : std::string("the base step for all");
   text.more(fmt::format("steps: {}; largest {}", limiter, base));
   text.more(time.levels == Levels::uniform
-                ? std::string("all elements take the finest level that any asks for")
-                : fmt::format("a level for each element, at most {} apart where linked", time.neighbor_levels));
-  text.more(fmt::format("steps above what is stable are {}", time.strict ? "refused" : "warned of"));
+                ? std::string("all elements have the finest level that any element needs")
+                : fmt::format("a level for each element, differing by at most {} where linked", time.neighbor_levels));
+  text.more(fmt::format("steps above the stability limit are {}", time.strict ? "refused" : "allowed with a warning"));
 }
 
 }  // namespace
@@ -138,7 +140,7 @@ std::string explain(const BlocksCase& blocks) {
   explain_contact(text, blocks.contact);
   explain_conditions(text, blocks);
   explain_time(text, blocks.time);
-  text.add("checkpoint", fmt::format("every {} s of wall time", number(blocks.output.checkpoint_interval)));
+  text.add("checkpoint", fmt::format("every {} s of wall-clock time", number(blocks.output.checkpoint_interval)));
   return text.take(blocks.title);
 }
 

@@ -58,7 +58,7 @@ std::string write_resolved(const BlocksCase& blocks, const std::filesystem::path
 
 CaseFormat blocks_format() {
   return {.method = "blocks",
-          .sentence = "blocks are bonded tetrahedra that can break apart",
+          .sentence = "blocks (bonded tetrahedra that can break apart)",
           .tables = blocks_schema(),
           .read = read,
           .write = write};

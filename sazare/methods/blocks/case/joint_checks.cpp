@@ -49,8 +49,8 @@ void check_unbonded(const CheckContext& context, const Entry& entry) {
   if (given.empty()) return;
   context.problems.error(
       *entry.value->key_place(given.front()),
-      fmt::format("{} mean{} nothing when bonded = false", fmt::join(given, ", "), given.size() == 1 ? "s" : ""),
-      "remove what belongs to a bond, or set bonded = true; free faces touch as [contact] says");
+      fmt::format("{} ha{} no effect when bonded = false", fmt::join(given, ", "), given.size() == 1 ? "s" : "ve"),
+      "remove the keys of a bonded joint, or set bonded = true; free faces have the properties of [contact]");
 }
 
 /// Softening must end beyond the elastic limit: 2 G / s >= s / k.
@@ -105,9 +105,9 @@ void check_order(const CheckContext& context, const std::vector<Entry>& list, co
                               joints[j].between[0] == blocks.materials[0].name;
       if (!covers_all && !same_faces(joints[i], joints[j])) continue;
       context.problems.error(list[i].header(),
-                             fmt::format("joint \"{}\" is never used: joint \"{}\" below it holds for the same faces",
+                             fmt::format("joint \"{}\" is never used: joint \"{}\" below it applies to the same faces",
                                          joints[i].name, joints[j].name),
-                             "where several joints match a face the last one wins; put the special one last");
+                             "where several joints match a face the last one applies; put the more specific one last");
       break;
     }
   }

@@ -77,7 +77,7 @@ private:
       if (surface == nullptr || surface->inner_faces > 0) continue;
       context_.problems.error(list[i].place("surface"),
                               fmt::format("surface \"{}\" lies on the outside of the body", joint.surface),
-                              "a joint needs an element on either side; embed the surface in the volume");
+                              "a joint needs an element on both sides; embed the surface in the volume");
     }
   }
 
@@ -111,7 +111,7 @@ private:
       if (std::ranges::none_of(material.regions, is_behind) || std::ranges::any_of(blocks_.joints, joins_itself)) continue;
       context_.problems.error(
           entry.place("surface"),
-          fmt::format("the ground behind \"{0}\" is like its material \"{1}\", and \"{1}\" has no joint with itself",
+          fmt::format("the ground behind \"{0}\" has the material \"{1}\", and \"{1}\" has no joint with itself",
                       surface.name, material.name),
           fmt::format("add [[joints]] with between = [\"{0}\", \"{0}\"]", material.name));
     }

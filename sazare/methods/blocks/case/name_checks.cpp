@@ -87,8 +87,8 @@ void check_constraints(const CheckContext& context, const BlocksCase& blocks) {
     const Constraint& constraint = blocks.constraints[i];
     const auto none = [](const std::array<bool, 3>& axes) { return !axes[0] && !axes[1] && !axes[2]; };
     if (!none(constraint.translation) || !none(constraint.rotation)) continue;
-    context.problems.error(entry.header(), "this constraint locks nothing",
-                           "add translation = [\"z\"] or rotation = [\"z\"] with the axes to lock, or remove it");
+    context.problems.error(entry.header(), "this constraint has no axes",
+                           "add translation = [\"z\"] or rotation = [\"z\"] with the axes to hold, or remove it");
   }
 }
 

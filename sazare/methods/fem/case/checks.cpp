@@ -39,7 +39,7 @@ void check_joints(const CheckContext& context) {
     if (!entry.exists() || entry.has("between") != entry.has("group")) continue;
     context.problems.error(entry.header(),
                            fmt::format("the joint has {} between and group", entry.has("group") ? "both" : "neither of"),
-                           "give exactly one of them: the two regions that it parts, or a group of faces inside the body");
+                           "give exactly one of them: the two regions on its sides, or a group of faces inside the body");
   }
 }
 
@@ -58,11 +58,11 @@ void check_boundaries(const CheckContext& context, const FemCase& fem) {
                boundary.kind == GroupKind::roller ? std::vector<std::string_view>{"axes"} : std::vector<std::string_view>{},
                takes_axes ? std::vector<std::string_view>{} : std::vector<std::string_view>{"axes"});
     if (fem.mesh.dimension == 2 && (boundary.axes[2] || !boundary.motion[2].empty()))
-      context.problems.error(entry.header(), "there is no axis z in 2-D", "set dimension = 3 in [mesh], or take z out");
+      context.problems.error(entry.header(), "there is no axis z in 2-D", "set dimension = 3 in [mesh], or remove z");
     check_motion_names(context, entry, boundary.motion, names);
     if (fem.time.analysis == Analysis::statics && boundary.kind == GroupKind::viscous)
-      context.problems.error(entry.place("kind"), "a viscous boundary is for a dynamic analysis",
-                             "hold the group, or set analysis = \"dynamic\" in [time]");
+      context.problems.error(entry.place("kind"), "a viscous boundary requires a dynamic analysis",
+                             "hold the group in another way, or set analysis = \"dynamic\" in [time]");
   }
 }
 
@@ -71,12 +71,12 @@ void check_gravity(const CheckContext& context, const FemCase& fem) {
   check_flat(context, entry, "acceleration", fem.gravity.acceleration, fem.mesh.dimension, "mesh");
   const bool none = fem.gravity.acceleration.norm() == 0;
   if (fem.gravity.settle && none)
-    context.problems.error(entry.place("settle"), "there is no gravity to settle under", "give gravity an acceleration");
+    context.problems.error(entry.place("settle"), "settle requires gravity", "give gravity an acceleration");
   if (fem.gravity.settle || none) return;
   for (const GroupBoundary& boundary : fem.boundaries)
     if (boundary.kind == GroupKind::viscous)
-      context.problems.error(entry.header(), "under gravity a viscous boundary gives way without end",
-                             "add settle = true to [gravity]: the boundary then carries what it carries at rest");
+      context.problems.error(entry.header(), "under gravity a viscous boundary yields without limit",
+                             "add settle = true to [gravity]: the boundary then carries its reactions in equilibrium");
 }
 
 }  // namespace
@@ -104,7 +104,7 @@ void check_fem(const CheckContext& context, FemCase& fem) {
     if (gauges[i].exists()) check_flat(context, gauges[i], "point", fem.gauges[i].point, fem.mesh.dimension, "mesh");
   const Entry time = context.entries_of("time").front();
   if (fem.time.analysis == Analysis::statics && time.has("alpha"))
-    context.problems.error(time.place("alpha"), "alpha is for a dynamic analysis", "remove it");
+    context.problems.error(time.place("alpha"), "alpha requires a dynamic analysis", "remove it");
 }
 
 }  // namespace sazare::cases

@@ -19,13 +19,14 @@ std::string_view word(Enum value) {
 std::string line(std::string_view topic, const std::string& text) { return fmt::format("  {:<12}{}\n", topic, text); }
 
 std::string material_text(const FemMaterial& material) {
-  std::string text = fmt::format("{}: {} kg/m3, E {} Pa, Poisson's ratio {}, damping {}, regions {}", material.name,
+  std::string text = fmt::format("{}: {} kg/m3, E {} Pa, Poisson's ratio {}, damping ratio {}, regions {}", material.name,
                                  number(material.density), number(material.youngs_modulus), number(material.poisson_ratio),
                                  number(material.damping_ratio), fmt::join(material.regions, ", "));
   if (material.yields)
-    text += fmt::format("\n  {:<12}  yields: cohesion {} Pa, friction {} degrees, dilation {} degrees{}", "",
-                        number(material.cohesion), number(material.friction_angle), number(material.dilation_angle),
-                        material.tensile_strength ? fmt::format(", tension {} Pa", number(*material.tensile_strength)) : "");
+    text +=
+        fmt::format("\n  {:<12}  yields: cohesion {} Pa, friction angle {} deg, dilation angle {} deg{}", "",
+                    number(material.cohesion), number(material.friction_angle), number(material.dilation_angle),
+                    material.tensile_strength ? fmt::format(", tension cut-off {} Pa", number(*material.tensile_strength)) : "");
   return text;
 }
 
@@ -50,17 +51,19 @@ std::string explain(const FemCase& fem) {
                                    word(fem.elements.mass), word(fem.elements.integration)));
   for (const FemMaterial& material : fem.materials) text += line("materials", material_text(material));
   for (const FemJoint& joint : fem.joints)
-    text += line("joints", fmt::format("{}: {}, springs {} and {} Pa/m, cohesion {} Pa, friction {} degrees", joint.name,
-                                       joint.on_group() ? "on " + joint.group : joint.between[0] + " on " + joint.between[1],
-                                       number(joint.normal_stiffness), number(joint.shear_stiffness), number(joint.cohesion),
-                                       number(joint.friction_angle)));
+    text += line("joints",
+                 fmt::format("{}: {}, springs {} and {} Pa/m, cohesion {} Pa, friction angle {} deg", joint.name,
+                             joint.on_group() ? "on " + joint.group : "between " + joint.between[0] + " and " + joint.between[1],
+                             number(joint.normal_stiffness), number(joint.shear_stiffness), number(joint.cohesion),
+                             number(joint.friction_angle)));
   if (fem.damping.f2 > 0) text += line("damping", fmt::format("at {} and {} Hz", number(fem.damping.f1), number(fem.damping.f2)));
   for (const GroupBoundary& boundary : fem.boundaries) text += line("boundaries", boundary_text(boundary));
   for (const FemLoad& load : fem.loads)
-    text += line("loads", fmt::format("{}: {} Pa on {}, full after {} s", load.name, vector_text(load.traction), load.group,
+    text += line("loads", fmt::format("{}: {} Pa on {}, full value after {} s", load.name, vector_text(load.traction), load.group,
                                       number(load.ramp)));
   if (!fem.gravity.acceleration.isZero())
-    text += line("gravity", vector_text(fem.gravity.acceleration) + (fem.gravity.settle ? " m/s2, from rest under it" : " m/s2"));
+    text += line("gravity", vector_text(fem.gravity.acceleration) +
+                                (fem.gravity.settle ? " m/s2, from equilibrium under gravity" : " m/s2"));
   for (const Gauge& gauge : fem.gauges) text += line("gauges", fmt::format("{}: {} m", gauge.name, vector_text(gauge.point)));
   const auto count = [&](Real interval) { return whole_multiple(fem.time.end, interval).value_or(0); };
   text += line("time", fmt::format("to {} s in steps of {} s, {}, alpha {}, {} history rows, {} snapshots", number(fem.time.end),

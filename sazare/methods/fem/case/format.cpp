@@ -30,7 +30,7 @@ std::string write_resolved(const FemCase& fem, const std::filesystem::path& fold
 
 CaseFormat fem_format() {
   return {.method = "fem",
-          .sentence = "fem are finite elements",
+          .sentence = "fem (finite elements)",
           .tables = fem_schema(),
           .read = read,
           .write = write};

@@ -36,7 +36,7 @@ std::shared_ptr<const CaseFile> read_side(const CheckContext& context, std::stri
       std::make_shared<CaseFile>(context.read_side(shown, overrides_of(key, context.overrides), std::string(key) + "."));
   if ((side->template holds<Case>() || ...)) return side;
   context.problems.error(
-      sides.place(key), fmt::format("{} is no case of method {}", shown.string(), methods),
+      sides.place(key), fmt::format("{} is not a case of method {}", shown.string(), methods),
       fmt::format("the {} of a hybrid case are of method {}", key == "bodies" ? "bodies" : "finite elements", methods));
   return nullptr;
 }
@@ -63,7 +63,7 @@ void check_width(const CheckContext& context, const HybridCase& hybrid) {
   const Real length = domain.upper.z() - domain.lower.z();
   if (domain.periodic[2] && std::abs(length - hybrid.surface.width) > 1e-9 * length)
     context.problems.error(entry.place("width"),
-                           fmt::format("the bodies repeat themselves along z every {} m, not {} m", short_number(length),
+                           fmt::format("the bodies are periodic along z with the length {} m, not {} m", short_number(length),
                                        short_number(hybrid.surface.width)),
                            "the width is that of the slab of bodies");
 }
@@ -73,7 +73,7 @@ void check_rectangles_surface(const CheckContext& context, const HybridCase& hyb
   check_keys(context, context.entries_of("surface").front(), "method rectangles", {}, {"material", "width"});
   if (continuum_of(hybrid).mesh.dimension == 2) return;
   context.problems.error(context.entries_of("sides").front().place("bodies"),
-                         "bodies of method rectangles lie in the plane, and the continuum is in 3-D",
+                         "bodies of method rectangles are two-dimensional, and the continuum is in 3-D",
                          "take a continuum with dimension = 2, or bodies of another method");
 }
 
@@ -98,7 +98,8 @@ BodiesClocks clocks_of(const CaseFile& bodies) {
   const auto of = [](const std::string& key, const std::optional<Real>& step, const auto& time) {
     return BodiesClocks{key, step, time.end, time.history_interval, time.snapshot_interval};
   };
-  if (const auto* blocks = std::any_cast<BlocksCase>(&bodies.content)) return of("base_step", blocks->time.base_step, blocks->time);
+  if (const auto* blocks = std::any_cast<BlocksCase>(&bodies.content))
+    return of("base_step", blocks->time.base_step, blocks->time);
   if (const auto* rectangles = std::any_cast<RectanglesCase>(&bodies.content))
     return of("step", rectangles->time.step, rectangles->time);
   return of("step", bodies.as<cases::SpheresCase>().time.step, bodies.as<cases::SpheresCase>().time);

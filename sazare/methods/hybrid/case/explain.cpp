@@ -16,7 +16,7 @@ std::string explain(const HybridCase& hybrid) {
   std::string scheme(EnumWords<HybridScheme>::words.at(static_cast<std::size_t>(coupling.scheme)));
   if (coupling.scheme == HybridScheme::repeat)
     scheme +=
-        fmt::format(", until {} of the force is left, {} passes at most", short_number(coupling.tolerance), coupling.passes);
+        fmt::format(", tolerance {} of the force, at most {} passes", short_number(coupling.tolerance), coupling.passes);
   return hybrid.title + "\n" + line("surface", surface) +
          line("coupling", fmt::format("{}, windows of {} s", scheme, short_number(*continuum_of(hybrid).time.step)));
 }

@@ -51,7 +51,7 @@ void check_rectangle(const CheckContext& context, const Entry& entry, const Part
 
 void check_polygon(const CheckContext& context, const Entry& entry, const ParticleRegion& region, const ParticleRules& rules) {
   if (rules.dimension == 3)
-    context.problems.error(entry.place("shape"), "a polygon is for 2-D", "in 3-D use a rectangle or a mesh");
+    context.problems.error(entry.place("shape"), "a polygon requires 2-D", "in 3-D use a rectangle or a mesh");
   if (!entry.gives("points")) return;
   const auto& points = region.points;
   if (points.front() != points.back())
@@ -103,7 +103,7 @@ void check_velocities(const CheckContext& context, const Entry& entry, const Gro
   context.problems.error(entry.place("pressure_velocity"),
                          fmt::format("pressure_velocity must be at least sqrt(2) times shear_velocity, found {} and {} m/s",
                                      short_number(ground.pressure_velocity), short_number(ground.shear_velocity)),
-                         "below that Poisson's ratio would be negative");
+                         "otherwise Poisson's ratio would be negative");
 }
 
 void check_materials(const CheckContext& context, const MpsCase& mps) {
@@ -150,14 +150,14 @@ void check_gravity(const CheckContext& context, const MpsCase& mps) {
   const Entry entry = context.entries_of("gravity").front();
   check_flat(context, entry, "acceleration", mps.gravity.acceleration, mps.particles.dimension);
   if (mps.gravity.settle && mps.gravity.acceleration.norm() == 0)
-    context.problems.error(entry.place("settle"), "there is no gravity to settle under", "give gravity an acceleration");
+    context.problems.error(entry.place("settle"), "settle requires gravity", "give gravity an acceleration");
   if (mps.gravity.settle && mps.noise.velocity > 0)
-    context.problems.error(entry.place("settle"), "noise and settle exclude each other", "remove [noise], or settle");
+    context.problems.error(entry.place("settle"), "noise and settle cannot be combined", "remove [noise], or settle");
   if (mps.gravity.settle || mps.gravity.acceleration.norm() == 0) return;
   for (const SideBoundary& boundary : mps.boundaries)
     if (boundary.kind == SideKind::viscous)
-      context.problems.error(entry.header(), "under gravity a viscous boundary gives way without end",
-                             "add settle = true to [gravity]: the boundary then carries what it carries at rest");
+      context.problems.error(entry.header(), "under gravity a viscous boundary yields without limit",
+                             "add settle = true to [gravity]: the boundary then carries its reactions in equilibrium");
 }
 
 void check_boundaries(const CheckContext& context, const MpsCase& mps) {
@@ -177,7 +177,8 @@ void check_boundaries(const CheckContext& context, const MpsCase& mps) {
                              "set dimension = 3 in [particles]");
     const auto& held = boundary.axes;
     if (boundary.side == Side::all && (boundary.kind != SideKind::roller || !(held[0] || held[1] || held[2])))
-      context.problems.error(entry.place("side"), "side \"all\" takes kind roller with axes", "add axes = [\"y\"], for example");
+      context.problems.error(entry.place("side"), "side \"all\" requires kind roller with axes",
+                             "add axes = [\"y\"], for example");
     check_motion_names(context, entry, boundary.motion, names);
   }
 }

@@ -20,7 +20,7 @@ std::string line(std::string_view topic, const std::string& text) { return fmt::
 
 std::string motion_text(const Motion& motion) {
   if (motion.type == MotionShape::function)
-    return fmt::format("{}: {} as a function of time, from the caller, times {}", motion.name, word(motion.quantity),
+    return fmt::format("{}: {} as a function of time, given in Python, times {}", motion.name, word(motion.quantity),
                        number(motion.amplitude));
   if (motion.type != MotionShape::record)
     return fmt::format("{}: {} of {}, {} Hz, amplitude {}", motion.name, word(motion.type), word(motion.quantity),
@@ -29,7 +29,7 @@ std::string motion_text(const Motion& motion) {
   std::string text = fmt::format("{}: {}, {} of {} samples every {} s, times {}", motion.name, motion.file.filename().string(),
                                  word(motion.quantity), record.value.size(), number(record.step), number(motion.amplitude));
   if (motion.quantity == laws::MotionQuantity::acceleration && !record.value.empty())
-    text += fmt::format("\n  {:<12}  baseline {}: at its end it moves at {} m/s, {} m away", "", word(motion.baseline),
+    text += fmt::format("\n  {:<12}  baseline {}: velocity at its end {} m/s, displacement {} m", "", word(motion.baseline),
                         number(motion.amplitude * record.first.back()), number(motion.amplitude * record.second.back()));
   return text;
 }
@@ -50,16 +50,17 @@ std::string explain(const MpsCase& mps) {
   text += line("particles", fmt::format("spacing {} m in {}-D, influence radius {} spacings", number(mps.particles.spacing),
                                         mps.particles.dimension, number(mps.particles.influence)));
   for (const Ground& ground : mps.materials)
-    text += line("materials", fmt::format("{}: {} kg/m3, S {} m/s, P {} m/s, damping {}, regions {}", ground.name,
-                                          number(ground.density), number(ground.shear_velocity), number(ground.pressure_velocity),
-                                          number(ground.damping_ratio), fmt::join(ground.regions, ", ")));
+    text += line("materials",
+                 fmt::format("{}: {} kg/m3, S-wave velocity {} m/s, P-wave velocity {} m/s, damping ratio {}, regions {}",
+                             ground.name, number(ground.density), number(ground.shear_velocity), number(ground.pressure_velocity),
+                             number(ground.damping_ratio), fmt::join(ground.regions, ", ")));
   for (const Ground& ground : mps.materials)
     if (ground.yields)
-      text += line(
-          "strength",
-          fmt::format("{}: cohesion {} Pa, friction {} degrees, dilation {} degrees, tension {} Pa, links break at a slip of {}",
-                      ground.name, number(ground.cohesion), number(ground.friction_angle), number(ground.dilation_angle),
-                      number(ground.tensile_strength), number(ground.rupture_strain)));
+      text += line("strength",
+                   fmt::format("{}: cohesion {} Pa, friction angle {} deg, dilation angle {} deg, tension cut-off {} Pa, links "
+                               "break at a plastic shear strain of {}",
+                               ground.name, number(ground.cohesion), number(ground.friction_angle), number(ground.dilation_angle),
+                               number(ground.tensile_strength), number(ground.rupture_strain)));
   if (mps.damping.f2 > 0) text += line("damping", fmt::format("at {} and {} Hz", number(mps.damping.f1), number(mps.damping.f2)));
   for (const Motion& motion : mps.motions) text += line("motions", motion_text(motion));
   for (const SideBoundary& boundary : mps.boundaries) text += line("boundaries", boundary_text(boundary));

@@ -30,7 +30,7 @@ std::string write_resolved(const MpsCase& mps, const std::filesystem::path& fold
 
 CaseFormat mps_format() {
   return {.method = "mps",
-          .sentence = "mps are moving particles of an elastic ground in an earthquake",
+          .sentence = "mps (moving particles, for ground in earthquakes)",
           .tables = mps_schema(),
           .read = read,
           .write = write};

@@ -23,7 +23,7 @@ constexpr std::array particle_keys{
         .unit = "m",
         .range = positive,
         .need = Need::required,
-        .sentence = "Distance of neighbouring particles on the lattice, twice the particle's radius."},
+        .sentence = "Distance between neighbouring particles on the lattice: twice the radius of a particle."},
     Key{.name = "dimension",
         .type = Type::integer,
         .range = {.low = 2, .high = 3},
@@ -33,7 +33,7 @@ constexpr std::array particle_keys{
         .type = Type::number,
         .range = {.low = 1, .high = 3, .low_open = true},
         .default_text = "1.5",
-        .sentence = "Influence radius over the spacing: particles nearer than this are linked."},
+        .sentence = "Influence radius divided by the spacing: particles nearer than this are linked."},
     Key{.name = "fit",
         .type = Type::choice,
         .default_text = "\"exact\"",
@@ -42,11 +42,12 @@ constexpr std::array particle_keys{
     Key{.name = "periodic",
         .type = Type::axes,
         .default_text = "[]",
-        .sentence = "Axes along which the body repeats itself: its two ends are linked, as in a layer without end."},
+        .sentence = "Axes along which the body is periodic: its two ends are linked, as in an infinite layer."},
     Key{.name = "rotation",
         .type = Type::choice,
         .default_text = "\"mean_rotation\"",
-        .sentence = "How rotation is taken out of deformations: by the mean of two rotations, or by the mean angle (2-D only).",
+        .sentence = "How rigid rotation is removed from the deformation of a link: by the mean of the two rotations, or by the "
+                    "mean angle (2-D only).",
         .choices = removals},
 };
 
@@ -54,7 +55,7 @@ constexpr std::array region_keys{
     Key{.name = "name",
         .type = Type::text,
         .need = Need::required,
-        .sentence = "Name by which materials refer to the region; where regions overlap, the last one counts."},
+        .sentence = "Name by which materials refer to the region; where regions overlap, the last one applies."},
     Key{.name = "shape",
         .type = Type::choice,
         .default_text = "\"rectangle\"",
@@ -87,7 +88,7 @@ constexpr std::array region_keys{
 
 constexpr std::array material_keys{
     Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name of the material in messages."},
-    Key{.name = "regions", .type = Type::names, .need = Need::required, .sentence = "Regions that are made of it."},
+    Key{.name = "regions", .type = Type::names, .need = Need::required, .sentence = "Regions that consist of the material."},
     Key{.name = "density",
         .type = Type::number,
         .unit = "kg/m3",
@@ -115,60 +116,58 @@ constexpr std::array material_keys{
         .type = Type::number,
         .range = {.low = 0, .high = 2},
         .default_text = "0.0",
-        .sentence = "Share of critical damping at the frequencies f1 and f2 of [damping]."},
+        .sentence = "Damping ratio at the frequencies f1 and f2 of [damping]."},
     Key{.name = "cohesion",
         .type = Type::number,
         .unit = "Pa",
         .range = not_negative,
         .note = "default: the material is elastic and never fails",
-        .sentence = "Cohesion of Mohr and Coulomb's strength."},
+        .sentence = "Cohesion of the Mohr-Coulomb strength."},
     Key{.name = "friction_angle",
         .type = Type::number,
         .unit = "deg",
         .range = {.low = 0, .high = 60},
         .note = with_strength,
-        .sentence = "Angle of friction, in the ground and, once links are broken, between particles."},
+        .sentence = "Friction angle, in the ground and, once links are broken, between particles."},
     Key{.name = "dilation_angle",
         .type = Type::number,
         .unit = "deg",
         .range = {.low = 0, .high = 60},
         .default_text = "0.0",
         .note = "only with a cohesion",
-        .sentence = "Angle of dilation; at most the friction angle."},
+        .sentence = "Dilation angle; at most the friction angle."},
     Key{.name = "tensile_strength",
         .type = Type::number,
         .unit = "Pa",
         .range = not_negative,
         .default_text = "0.0",
         .note = "only with a cohesion",
-        .sentence = "Largest tensile stress; at most cohesion/tan(friction_angle)."},
+        .sentence = "Tension cut-off: largest tensile stress; at most cohesion/tan(friction_angle)."},
     Key{.name = "rupture_strain",
         .type = Type::number,
         .range = positive,
         .default_text = "0.1",
         .note = "only with a cohesion",
-        .sentence = "Plastic slip (of engineering shear strain) or opening at which links break."},
+        .sentence = "Equivalent plastic shear strain (engineering) or tensile opening at which links break."},
 };
 
 constexpr std::array boundary_keys{
     Key{.name = "side",
         .type = Type::choice,
         .need = Need::required,
-        .sentence =
-            "Particles without a neighbour in this direction: left and right are x, front and back y in 3-D, bottom and top "
-            "the vertical; all takes every particle.",
+        .sentence = "Side: the particles without a neighbour in this direction: left and right are along x, front and back along "
+                    "y in 3-D, bottom and top vertical; all: every particle.",
         .choices = sides},
     Key{.name = "kind",
         .type = Type::choice,
         .need = Need::required,
-        .sentence =
-            "fixed does not move, roller is held across the side, prescribed moves as given (E + F), viscous lets waves leave "
-            "and a wave E enter.",
+        .sentence = "fixed: held along all axes; roller: held normal to the side; prescribed: moves with the within motion (E + "
+                    "F); viscous: lets waves leave and an incident wave (E) enter.",
         .choices = side_kinds},
     Key{.name = "axes",
         .type = Type::axes,
         .default_text = "[]",
-        .note = "kind roller only; none: across the side",
+        .note = "kind roller only; none: normal to the side",
         .sentence = "Axes along which a roller is held."},
     Key{.name = "motion_x", .type = Type::text, .note = with_motion, .sentence = "Motion along x."},
     Key{.name = "motion_y", .type = Type::text, .note = with_motion, .sentence = "Motion along y."},
@@ -180,7 +179,7 @@ constexpr std::array contact_keys{
         .type = Type::number,
         .range = {.low = 0, .high = 2},
         .default_text = "0.2",
-        .sentence = "Dashpots of contacts between particles whose links broke, over critical ones."},
+        .sentence = "Damping ratio of contacts between particles whose link is broken."},
 };
 
 constexpr std::array ground_gravity_keys{
@@ -188,14 +187,13 @@ constexpr std::array ground_gravity_keys{
     Key{.name = "settle",
         .type = Type::boolean,
         .default_text = "false",
-        .sentence =
-            "Begin at rest under gravity: the equilibrium is found first, viscous boundaries carry what they carry in it, and "
-            "displacements count from there."},
+        .sentence = "Begin in equilibrium under gravity: it is found first, viscous boundaries keep carrying their reactions in "
+                    "it, and displacements count from it."},
     Key{.name = "settling_steps",
         .type = Type::integer,
         .range = {.low = 1, .high = 1000000000},
         .default_text = "200000",
-        .sentence = "After so many steps without rest the ground is said not to stand."},
+        .sentence = "Maximum steps to reach equilibrium under gravity; after these the ground is reported as unstable."},
 };
 
 constexpr std::array noise_keys{
@@ -204,12 +202,12 @@ constexpr std::array noise_keys{
         .unit = "m/s",
         .range = not_negative,
         .default_text = "0.0",
-        .sentence = "Largest random velocity of every degree of freedom at the start (of rotations: over half a spacing)."},
+        .sentence = "Largest random initial velocity of every degree of freedom (rotations: divided by half a spacing)."},
     Key{.name = "seed",
         .type = Type::integer,
         .range = {.low = 1, .high = 1000000},
         .default_text = "1",
-        .sentence = "Which random numbers are taken."},
+        .sentence = "Seed of the random numbers."},
 };
 
 constexpr std::array gauge_keys{
@@ -218,7 +216,7 @@ constexpr std::array gauge_keys{
         .type = Type::vector,
         .unit = "m",
         .need = Need::required,
-        .sentence = "Where it is at the start: it takes the motion of the nearest particle, at most a spacing away."},
+        .sentence = "Initial position: the gauge records the motion of the nearest particle, at most one spacing away."},
 };
 
 constexpr std::array time_keys{
@@ -227,17 +225,17 @@ constexpr std::array time_keys{
         .type = Type::number,
         .unit = "s",
         .range = positive,
-        .note = "default: stability_fraction of the predicted limit, or a little less",
-        .sentence = "Step of all particles; above the predicted limit the case is refused."},
+        .note = "default: stability_fraction of the predicted stability limit, or a little less",
+        .sentence = "Time step of all particles; above the predicted stability limit the case is refused."},
     Key{.name = "stability_fraction",
         .type = Type::number,
         .range = stability_fraction_range,
         .default_text = "0.9",
-        .sentence = "Step over the predicted limit where no step is given."},
+        .sentence = "Ratio of the step to the predicted stability limit where no step is given."},
     Key{.name = "integrator",
         .type = Type::choice,
         .default_text = "\"verlet\"",
-        .sentence = "How a step goes.",
+        .sentence = "Time integration scheme.",
         .choices = integrators},
     history_interval_key,
     snapshot_interval_key,
@@ -246,17 +244,17 @@ constexpr std::array time_keys{
 
 constexpr std::array tables{
     case_table,
-    Table{"particles", false, Need::required, "The lattice on which particles stand.", particle_keys},
-    Table{"regions", true, Need::required, "What is filled with particles.", region_keys},
-    Table{"materials", true, Need::required, "What the regions are made of.", material_keys},
+    Table{"particles", false, Need::required, "Lattice of the particles.", particle_keys},
+    Table{"regions", true, Need::required, "Regions that are filled with particles.", region_keys},
+    Table{"materials", true, Need::required, "Materials of the regions.", material_keys},
     Table{"damping", false, Need::optional, "Rayleigh damping: its two frequencies.", damping_keys},
     motions_table,
-    Table{"boundaries", true, Need::optional, "How the sides are held; all others are free.", boundary_keys},
-    Table{"contact", false, Need::optional, "Contacts of particles whose links broke.", contact_keys},
+    Table{"boundaries", true, Need::optional, "Boundary conditions of the sides; all others are free.", boundary_keys},
+    Table{"contact", false, Need::optional, "Contact between particles whose link is broken.", contact_keys},
     Table{"gravity", false, Need::optional, "Body force.", ground_gravity_keys},
-    Table{"noise", false, Need::optional, "Small random motion at the start, so that whatever can grow does.", noise_keys},
+    Table{"noise", false, Need::optional, "Small random initial motion, so that every instability can grow.", noise_keys},
     Table{"gauges", true, Need::optional, "Points whose motion is recorded.", gauge_keys},
-    Table{"time", false, Need::required, "How long, in which steps, and when results are written.", time_keys},
+    Table{"time", false, Need::required, "Duration, time step and intervals of output.", time_keys},
     output_table,
 };
 

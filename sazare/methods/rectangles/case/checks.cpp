@@ -26,7 +26,7 @@ std::vector<std::string> names_of(const std::vector<Item>& items) {
 void check_in_plane(const CheckContext& context, const Entry& entry, std::string_view key, const Vector3& value) {
   if (value.z() == 0 || !entry.gives(key)) return;
   context.problems.error(entry.place(key), fmt::format("{}: z must be 0, found {}", key, short_number(value.z())),
-                         "method rectangles works in the plane of x and y: write 0 as the third number");
+                         "method rectangles is two-dimensional, in x and y: write 0 as the third number");
 }
 
 void check_fit(const CheckContext& context, const Entry& entry, const SquareBlock& block) {
@@ -60,7 +60,7 @@ void check_polygons(const CheckContext& context, const Entry& entry, SquareBlock
     return context.problems.error(has_file ? *entry.value->key_place("nuclei") : entry.header(),
                                   fmt::format("the block \"{}\" has {}", block.name,
                                               has_file ? "both element_size and nuclei" : "neither element_size nor nuclei"),
-                                  "give element_size for irregular nuclei made here, or a file of nuclei");
+                                  "give element_size for generated nuclei, or a file of nuclei");
   if (has_file && entry.has("seed"))
     context.problems.error(*entry.value->key_place("seed"), "seed is not for nuclei from a file", "remove it");
   const bool has_outline =
@@ -128,11 +128,11 @@ void check_material(const CheckContext& context, const Entry& entry, const Squar
                                              [&](const char* key) { return entry.has(key); }));
   if (given != 2 || !(springs || moduli))
     context.problems.error(entry.header(),
-                           fmt::format("the stiffness of the material \"{}\" is not given by two numbers", material.name),
+                           fmt::format("the stiffness of the material \"{}\" is not given by two keys", material.name),
                            "give normal_stiffness and shear_stiffness, or youngs_modulus and poisson_ratio, and no others");
   if (material.layout == SpringLayout::ends && entry.has("springs") && material.springs != 2)
     context.problems.error(entry.place("springs"), fmt::format("layout \"ends\" has 2 springs, found {}", material.springs),
-                           "leave springs out, or choose layout \"centres\"");
+                           "remove springs, or choose layout \"centres\"");
 }
 
 /// The stiffnesses of a packing, for a material that gives moduli and that blocks of polygons take.
@@ -148,14 +148,16 @@ void check_material_of_polygons(const CheckContext& context, const Entry& entry,
   if (takes(false))
     return context.problems.error(
         entry.place("youngs_modulus"),
-        fmt::format("blocks of polygons and others take the material \"{}\", but youngs_modulus means other stiffnesses in each",
-                    material.name),
+        fmt::format(
+            "blocks of polygons and others have the material \"{}\", but youngs_modulus gives different stiffnesses in each",
+            material.name),
         "give two materials, or normal_stiffness and shear_stiffness");
   if (!(material.poisson_ratio < most_poisson_ratio))
-    return context.problems.error(entry.place("poisson_ratio"),
-                                  fmt::format("poisson_ratio must be below {} for polygons, found {}", most_poisson_ratio,
-                                              short_number(material.poisson_ratio)),
-                                  "springs between centres reach no more; with 0 a packing bears a uniform strain exactly");
+    return context.problems.error(
+        entry.place("poisson_ratio"),
+        fmt::format("poisson_ratio must be below {} for polygons, found {}", most_poisson_ratio,
+                    short_number(material.poisson_ratio)),
+        "springs between centres cannot represent more; with 0 a packing reproduces a uniform strain exactly");
   const auto stiffness = methods::rectangles::facet_stiffness(material.youngs_modulus, material.poisson_ratio);
   material.normal_stiffness = stiffness.normal;
   material.shear_stiffness = stiffness.shear;
@@ -172,8 +174,8 @@ void check_support(const CheckContext& context, const Entry& entry, const Suppor
       context.problems.error(entry.place(key), fmt::format("there is no motion \"{}\"", moves.motion[axis]),
                              full_suggestion(moves.motion[axis], motions, "motions"));
     if (!moves.velocity.isZero())
-      context.problems.error(entry.place(key), "a support moves with a velocity or as a motion says, not both",
-                             "leave one of them out");
+      context.problems.error(entry.place(key), "a support has either a velocity or a motion, not both",
+                             "remove one of them");
   }
 }
 
@@ -187,7 +189,7 @@ void check_supports(const CheckContext& context, const RectanglesCase& rectangle
     check_in_plane(context, walls[i], "to", wall.to);
     if (walls[i].gives("from") && walls[i].gives("to") && wall.from == wall.to)
       context.problems.error(walls[i].place("to"), fmt::format("the wall \"{}\" has no length", wall.name),
-                             "it begins and ends at the same point: give it two different ones");
+                             "its start and end points coincide: give two different points");
   }
   for (std::size_t i = 0; i < rollers.size(); ++i) {
     check_support(context, rollers[i], rectangles.rollers[i].moves, motions);

@@ -32,8 +32,8 @@ std::string block_text(const SquareBlock& block) {
 }
 
 std::string material_text(const SquareMaterial& material) {
-  return fmt::format("{}: {} kg/m3, k_n {} Pa, k_s {} Pa, {} {}, breaks at {} Pa, slips at {} Pa + tan({} deg)", material.name,
-                     number(material.density), number(material.normal_stiffness), number(material.shear_stiffness),
+  return fmt::format("{}: {} kg/m3, k_n {} Pa, k_s {} Pa, {} {}, tensile strength {} Pa, cohesion {} Pa, friction angle {} deg",
+                     material.name, number(material.density), number(material.normal_stiffness), number(material.shear_stiffness),
                      material.layout == SpringLayout::ends ? 2 : material.springs,
                      material.layout == SpringLayout::ends ? "springs at the ends of a face" : "springs on a face",
                      number(material.tensile_strength), number(material.cohesion), number(material.friction_angle));

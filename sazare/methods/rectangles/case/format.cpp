@@ -30,7 +30,7 @@ std::string write_resolved(const RectanglesCase& rectangles, const std::filesyst
 
 CaseFormat rectangles_format() {
   return {.method = "rectangles",
-          .sentence = "rectangles are blocks and beams of squares in the plane",
+          .sentence = "rectangles (blocks and beams of squares or polygons in the plane)",
           .tables = rectangles_schema(),
           .read = read,
           .write = write};

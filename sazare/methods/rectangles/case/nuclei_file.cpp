@@ -38,7 +38,7 @@ public:
     if (block_.places.size() < 2)
       return report(0, {},
                     fmt::format("{} inside the block, at least 2 are needed", block_.places.empty() ? "no nucleus" : "1 nucleus"),
-                    "each row is the place of a nucleus, around which a polygon grows until it meets the others");
+                    "each row is the position of a nucleus, the centre of one Voronoi polygon");
     check_distances();
   }
 
@@ -74,7 +74,7 @@ private:
     if (!is_good) return;
     if (!geometry::holds(outline_, {place[0], place[1]}, least_distance * std::sqrt(geometry::measure(outline_).area)))
       return report(line, whole, fmt::format("the nucleus lies outside the block \"{}\"", block_.name),
-                    "nuclei are given where the block lies before it is turned, and stand inside it");
+                    "nuclei are given inside the block as it lies before its rotation");
     block_.places.push_back(place);
     line_of_.push_back(line);
   }

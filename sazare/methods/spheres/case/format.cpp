@@ -30,7 +30,7 @@ std::string write_resolved(const SpheresCase& spheres, const std::filesystem::pa
 
 CaseFormat spheres_format() {
   return {.method = "spheres",
-          .sentence = "spheres are grains that touch",
+          .sentence = "spheres (grains that touch or are bonded)",
           .tables = spheres_schema(),
           .read = read,
           .write = write};
