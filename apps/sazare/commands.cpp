@@ -16,7 +16,7 @@ int check(const CaseArguments& arguments) {
   const std::string text = registry::check_case(file);
   fmt::print("{}", text);
   fmt::print(stderr, "{}", file.warnings);
-  fmt::print("\nThe case is sound. To run it: sazare run {}\n", arguments.file.string());
+  fmt::print("\nThe case is valid. To run it: sazare run {}\n", arguments.file.string());
   return done;
 }
 

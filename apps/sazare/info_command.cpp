@@ -15,7 +15,7 @@ std::string mpi_text([[maybe_unused]] const parallel::Ranks& ranks) {
 #if defined(SAZARE_MPI)
   return fmt::format("yes, {} process{} now", ranks.size(), ranks.size() == 1 ? "" : "es");
 #else
-  return "no (preset mpi builds with it)";
+  return "no (build the preset mpi for it)";
 #endif
 }
 

@@ -39,25 +39,25 @@ void add_case_options(CLI::App& command, command::CaseArguments& arguments) {
 void describe_study(CLI::App& study, command::StudyArguments& arguments) {
   study.add_option("STUDY", arguments.file, "the study file (TOML)")->required();
   study.add_option("--out", arguments.folder, "the study's folder (default: runs/<name of the study>)")->type_name("DIR");
-  study.add_option("--threads", arguments.threads, "cases at a time (default: all processors)")
+  study.add_option("--threads", arguments.threads, "number of cases run at the same time (default: all processors)")
       ->check(CLI::Range(1, 4096))
       ->type_name("N");
-  auto* resume = study.add_flag("--resume", arguments.resume, "go on with a stopped study");
+  auto* resume = study.add_flag("--resume", arguments.resume, "resume a stopped study");
   study.add_flag("--overwrite", arguments.overwrite, "replace the study that is in the folder")->excludes(resume);
   study.add_flag("--quiet", arguments.quiet, "print warnings and errors only");
 }
 
 /// What Python carries out, and reads the arguments of.
 const std::vector<std::pair<std::string, std::string>> python_commands = {
-    {"report", "pictures, plots and one HTML page of a run"},
-    {"plot", "chosen pictures of a run's report as files"},
-    {"movie", "a run's snapshots as a moving picture"},
-    {"compare", "figures and histories of two runs beside each other"},
+    {"report", "figures, plots and one HTML page of a run"},
+    {"plot", "selected figures of a run's report as files"},
+    {"movie", "an animation of a run's snapshots"},
+    {"compare", "results and histories of two runs side by side"},
 };
 
 void describe_partner(CLI::App& run, command::RunArguments& arguments) {
   auto* side = run.add_option("--side", arguments.side,
-                              "of a hybrid case only this side, continuum or bodies; another program has the other one")
+                              "run only this side of a hybrid case, continuum or bodies; another program runs the other one")
                    ->check(CLI::IsMember(std::vector<std::string>{"continuum", "bodies"}))
                    ->type_name("SIDE");
   run.add_option("--exchange", arguments.exchange,
@@ -81,29 +81,34 @@ void describe(CLI::App& app, Arguments& arguments) {
   app.set_version_flag("--version", fmt::format("sazare {} ({})", version, commit));
   app.require_subcommand(1);
   app.set_help_all_flag("--help-all", "help of all commands");
-  auto& run = *app.add_subcommand("run", "carry out a case");
+  auto& run = *app.add_subcommand("run", "run a case");
   add_case_options(run, arguments.run.of_case);
   run.add_option("--out", arguments.run.folder, "the run's folder (default: runs/<name of the case>)")->type_name("DIR");
-  auto* resume = run.add_flag("--resume", arguments.run.resume, "go on from the checkpoint of a stopped or killed run");
+  auto* resume = run.add_flag("--resume", arguments.run.resume, "resume a stopped or killed run from its checkpoint");
   run.add_flag("--overwrite", arguments.run.overwrite, "replace the run that is in the folder")->excludes(resume);
   run.add_option("--balance", arguments.run.balance,
-                 "with mpirun: how ranks share the work: fixed, measured (by the last interval's time) or predicted (default)")
+                 "with mpirun: how the work is distributed over ranks: fixed, measured (from the times of the last interval) or "
+                 "predicted (default)")
       ->check(CLI::IsMember(std::vector<std::string>(command::balance_policies.begin(), command::balance_policies.end())))
       ->type_name("POLICY");
-  run.add_option("--balance-interval", arguments.run.balance_interval, "base steps between new shares (default 50)")
+  run.add_option("--balance-interval", arguments.run.balance_interval,
+                 "base steps between two distributions of the work (default 50)")
       ->check(CLI::Range(1, 1000000))
       ->type_name("N");
   run.add_flag("--quiet", arguments.run.quiet, "print warnings and errors only");
   describe_partner(run, arguments.run);
-  auto& check = *app.add_subcommand("check", "every error of a case, or what it will do: steps, levels, who limits them");
+  auto& check =
+      *app.add_subcommand("check", "report every error of a case, or what it will do: steps, levels, limiting elements");
   add_case_options(check, arguments.check);
-  describe_study(*app.add_subcommand("study", "families of cases: the limit step of each, by bisection"), arguments.study);
+  describe_study(*app.add_subcommand("study", "families of cases: the stability limit of each, by bisection"), arguments.study);
   for (const auto& [name, words] : python_commands) app.add_subcommand(name, words)->prefix_command()->set_help_flag();
   auto& schema = *app.add_subcommand("schema", "the schema of the case file, as JSON for editors");
-  auto* page = schema.add_flag("--markdown", arguments.markdown, "as the page of the reference");
-  schema.add_flag("--folder", arguments.folder, "what a run writes, as the page of the reference")->excludes(page);
+  auto* page = schema.add_flag("--markdown", arguments.markdown, "print it as a page of the reference");
+  schema.add_flag("--folder", arguments.folder, "print the output of a run as a page of the reference")->excludes(page);
   app.add_subcommand("info", "version, compiler, machine, threads, MPI");
-  app.footer("Exit codes: 0 done, 2 an error of the user, 3 the physics failed, 4 the machine failed or the run was stopped.");
+  app.footer(
+      "Exit codes: 0 success, 2 user error, 3 failure of the simulated physics, 4 failure of the machine, or the run was "
+      "stopped.");
 }
 
 int carry_out(const CLI::App& app, const Arguments& arguments, const parallel::Ranks& ranks) {

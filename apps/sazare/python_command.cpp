@@ -50,7 +50,7 @@ int in_python(std::vector<std::string> arguments) {
   add_package_path();
   pid_t child = 0;
   if (const int error = posix_spawnp(&child, program.c_str(), nullptr, nullptr, list.data(), environ); error != 0)
-    throw MachineError(fmt::format("{}: cannot be started: {}. Pictures are made by Python: run make setup, or install python3",
+    throw MachineError(fmt::format("{}: cannot be started: {}. Reports are made by Python: run make setup, or install python3",
                                    program, std::generic_category().message(error)));
   int status = 0;
   while (waitpid(child, &status, 0) < 0)
@@ -58,8 +58,8 @@ int in_python(std::vector<std::string> arguments) {
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   if (code == done || code == UserError::exit_code || code == MachineError::exit_code) return code;
   if (WIFEXITED(status))
-    throw MachineError(fmt::format("{} could not do it. If it says that a module is missing: run make setup", program));
-  throw MachineError(fmt::format("{}: was ended by signal {}", program, WTERMSIG(status)));
+    throw MachineError(fmt::format("{} failed. If a module is missing: run make setup", program));
+  throw MachineError(fmt::format("{}: was terminated by signal {}", program, WTERMSIG(status)));
 }
 
 }  // namespace sazare::command

@@ -37,7 +37,8 @@ fs::path folder_of(const RunArguments& arguments) {
 std::optional<runs::OneSide> side_of(const RunArguments& arguments, const cases::CaseFile& file) {
   if (arguments.side.empty()) return std::nullopt;
   if (!registry::method(file.method).format.has_sides)
-    throw UserError(fmt::format("{}: --side is for cases of method hybrid, which have two: leave it out", file.path.string()));
+    throw UserError(
+        fmt::format("{}: --side is only for cases of method hybrid, which have two sides: remove it", file.path.string()));
   const fs::path exchange = arguments.exchange.empty() ? default_folder(arguments.of_case.file) / "exchange" : arguments.exchange;
   const auto side =
       arguments.side == coupling::name_of(coupling::Side::bodies) ? coupling::Side::bodies : coupling::Side::continuum;
@@ -60,7 +61,7 @@ int run(const RunArguments& arguments, const parallel::Ranks& ranks) {
   const cases::CaseFile file = registry::read_case(arguments.of_case.file, arguments.of_case.settings);
   if (ranks.size() > 1 && !registry::method(file.method).runs_on_ranks)
     throw UserError(
-        fmt::format("this method runs in one process, and {} were started: leave mpirun out, and use --threads", ranks.size()));
+        fmt::format("this method runs in one process, and {} were started: do not use mpirun, use --threads", ranks.size()));
   if (ranks.is_first()) fmt::print(stderr, "{}", file.warnings);
   const fs::path folder = folder_of(arguments);
   const bool quiet = arguments.quiet || !ranks.is_first();
@@ -68,12 +69,12 @@ int run(const RunArguments& arguments, const parallel::Ranks& ranks) {
       file, {folder, begin_of(arguments), quiet, &stop_asked, sharing_of(arguments, ranks), side_of(arguments, file)});
   if (!ranks.is_first()) return outcome.stopped ? stopped : done;
   if (outcome.stopped && !outcome.begun) {
-    fmt::print(stderr, "stopped before the beginning, so there is nothing to go on from. To run it:\n  {}\n",
+    fmt::print(stderr, "stopped before the first step, so there is nothing to resume. To run it:\n  {}\n",
                resume_text(arguments, folder));
     return stopped;
   }
   if (outcome.stopped) {
-    fmt::print(stderr, "stopped at t = {} s, with a checkpoint. To go on:\n  {}\n", cases::short_number(outcome.time),
+    fmt::print(stderr, "stopped at t = {} s, with a checkpoint. To resume:\n  {}\n", cases::short_number(outcome.time),
                resume_text(arguments, folder));
     return stopped;
   }

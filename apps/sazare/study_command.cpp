@@ -18,9 +18,10 @@ int study(const StudyArguments& arguments) {
   const runs::Begin begin = arguments.resume      ? runs::Begin::resume
                             : arguments.overwrite ? runs::Begin::overwrite
                                                   : runs::Begin::fresh;
-  const runs::StudyOutcome outcome = registry::run_study(study, {folder, begin, arguments.quiet, parallel::threads(), &stop_asked});
+  const runs::StudyOutcome outcome =
+      registry::run_study(study, {folder, begin, arguments.quiet, parallel::threads(), &stop_asked});
   if (outcome.done < outcome.cases) {
-    fmt::print(stderr, "stopped after {} of {} cases. To go on:\n  sazare study {} --out {} --resume\n", outcome.done,
+    fmt::print(stderr, "stopped after {} of {} cases. To resume:\n  sazare study {} --out {} --resume\n", outcome.done,
                outcome.cases, arguments.file.string(), folder.string());
     return stopped;
   }
@@ -28,7 +29,7 @@ int study(const StudyArguments& arguments) {
     fmt::print("cases           {}\n", outcome.cases);
     fmt::print("prediction      within {:.2f} % of the bisection in all cases\n",
                100 * (std::exp(outcome.largest_difference) - 1));
-    fmt::print("wall time       {:.1f} s\n", outcome.wall_seconds);
+    fmt::print("wall-clock time {:.1f} s\n", outcome.wall_seconds);
     fmt::print("results in      {}\n", folder.string());
   }
   return done;

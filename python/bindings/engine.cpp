@@ -59,15 +59,15 @@ std::string check(const CaseSource& source) {
 
 void add_errors(nb::module_& module) {
   nb::exception<UserError>(module, "UserError").attr("__doc__") =
-      "What the user can put right: the case, its mesh or tables, an argument. The words are those of the command.";
+      "An error that the user can correct: in the case, its mesh or tables, or an argument. The message is that of the command.";
   nb::exception<PhysicsError>(module, "PhysicsError").attr("__doc__") =
-      "The simulated physics failed: a number that is not finite, a step past its limit. The last good moment is kept.";
+      "The simulated physics failed: a number that is not finite, a step above its limit. The last checkpoint is kept.";
   nb::exception<MachineError>(module, "MachineError").attr("__doc__") =
       "The machine failed: disk full, folder not writable. The run can be resumed.";
 }
 
 void add_simulation(nb::module_& module) {
-  nb::class_<LiveSimulation>(module, "LiveSimulation", "A case under way; sazare.Simulation is what users see of it.")
+  nb::class_<LiveSimulation>(module, "LiveSimulation", "A running case; users see it as sazare.Simulation.")
       .def(nb::init<const CaseSource&, const std::filesystem::path&, const std::string&, int>(), "source"_a, "folder"_a,
            "begin"_a, "threads"_a, ReleaseLock())
       .def("begin", &LiveSimulation::begin, ReleaseLock())
@@ -92,7 +92,7 @@ void add_simulation(nb::module_& module) {
 }  // namespace
 
 NB_MODULE(_engine, module) {
-  module.doc() = "The engine of Sazare. Use the package sazare, which stands over it.";
+  module.doc() = "The engine of Sazare. Use the package sazare, which wraps it.";
   module.attr("version") = version;
   module.attr("commit") = commit;
   add_errors(module);

@@ -36,7 +36,8 @@ cases::CaseFile CaseSource::read() const {
 class LiveSimulation::Turn {
 public:
   explicit Turn(std::atomic<bool>& at_work) : at_work_(at_work) {
-    if (at_work_.exchange(true)) throw std::runtime_error("the simulation is at work in another thread: wait until that is done");
+    if (at_work_.exchange(true))
+      throw std::runtime_error("the simulation is running in another thread: wait until it has finished");
   }
   ~Turn() { at_work_ = false; }
   Turn(const Turn&) = delete;
@@ -74,7 +75,7 @@ void LiveSimulation::begin() {
 
 void LiveSimulation::walk(std::int64_t until, double seconds) {
   const Turn turn(at_work_);
-  if (run_ == nullptr) throw std::runtime_error("the run has ended: build it anew with resume=True to go on");
+  if (run_ == nullptr) throw std::runtime_error("the run has ended: create it again with resume=True to continue");
   const auto pause_at = Clock::now() + std::chrono::duration<double>(seconds);
   try {
     run_->walk(until, [&] { return Clock::now() >= pause_at; });

@@ -106,7 +106,7 @@ def test_a_run_that_is_resumed_with_its_functions_has_the_bits_of_a_whole_one(tm
     whole = sazare.run(case, tmp_path / "whole", progress=False, functions=functions, forces=push)
     halved = sazare.run(case, tmp_path / "halved", progress=False, functions=functions, forces=push, stop=lambda now: now.time > 0.14)
     assert halved.manifest["status"] == "stopped"
-    with pytest.raises(sazare.UserError, match="forces from outside acted on this run"):
+    with pytest.raises(sazare.UserError, match="external forces acted on this run"):
         sazare.run(case, tmp_path / "halved", progress=False, resume=True, functions=functions)
     resumed = sazare.run(case, tmp_path / "halved", progress=False, resume=True, functions=functions, forces=push)
     assert sazare.compare(whole, resumed).same_bits
@@ -215,5 +215,5 @@ def test_forces_of_a_wrong_shape_are_refused():
         sazare.build(single_block(1.0, 100), forces=lambda now: np.zeros(3))
     with pytest.raises(ValueError, match="not all finite"):
         sazare.build(single_block(1.0, 100), forces=lambda now: [[math.inf, 0.0, 0.0]])
-    with pytest.raises(sazare.UserError, match="method blocks takes no forces from outside"):
+    with pytest.raises(sazare.UserError, match="method blocks accepts no external forces"):
         sazare.build(BLOCK, forces=lambda now: np.zeros(now.positions.shape))

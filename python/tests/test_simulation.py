@@ -66,7 +66,7 @@ def test_errors_have_the_words_of_the_command(tmp_path):
 
 
 def test_a_folder_that_holds_a_run_is_not_overwritten(block):
-    with pytest.raises(sazare.UserError, match="there is a run in this folder already"):
+    with pytest.raises(sazare.UserError, match="this folder already contains a run"):
         sazare.run(BLOCK, block.path, progress=False)
 
 
@@ -216,7 +216,7 @@ def test_a_simulation_at_work_is_not_disturbed():
     worker = threading.Thread(target=simulation._live.walk, args=(simulation.steps, 0.5))
     worker.start()
     time.sleep(0.1)
-    with pytest.raises(RuntimeError, match="at work in another thread"):
+    with pytest.raises(RuntimeError, match="running in another thread"):
         simulation.positions  # noqa: B018
     worker.join()
     simulation.stop()

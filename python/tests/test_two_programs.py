@@ -137,7 +137,7 @@ def test_side_that_is_alone_is_stopped(tmp_path):
         time.sleep(0.01)
     program.send_signal(signal.SIGINT)
     words, code = finish({"continuum": program})["continuum"]
-    assert code == 4 and "stopped before the beginning" in words
+    assert code == 4 and "stopped before the first step" in words
 
 
 def test_partner_that_does_not_come(tmp_path):
@@ -148,7 +148,7 @@ def test_partner_that_does_not_come(tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        ([ROOT / "cases/column-ricker/case.toml", "--side", "bodies"], "--side is for cases of method hybrid, which have two: leave it out"),
+        ([ROOT / "cases/column-ricker/case.toml", "--side", "bodies"], "--side is only for cases of method hybrid, which have two sides: remove it"),
         ([OSCILLATOR, "--side", "ground"], "--side: ground not in {continuum,bodies}"),
         ([OSCILLATOR, "--exchange", "there"], "--exchange requires --side"),
     ],

@@ -23,7 +23,7 @@ std::string_view advice_for(int error) {
     case EDQUOT:
       return "Free space there, or choose another output folder (--out)";
     case EFBIG:
-      return "Files there may not grow so large (ulimit -f): raise the limit, or choose another output "
+      return "Files there may not become so large (ulimit -f): raise the limit, or choose another output "
              "folder (--out)";
     case EACCES:
     case EPERM:
@@ -31,7 +31,7 @@ std::string_view advice_for(int error) {
       return "Choose an output folder that you may write to (--out)";
     case ENOENT:
     case ENOTDIR:
-      return "The folder is not there: make it, or choose another (--out)";
+      return "The folder does not exist: create it, or choose another (--out)";
     default:
       return "Check the disk, or choose another output folder (--out)";
   }

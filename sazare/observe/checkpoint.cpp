@@ -50,23 +50,21 @@ CheckpointReader::CheckpointReader(const std::filesystem::path& path) try : path
                                 path.string(), version.empty() ? 0 : version[0], format_version));
   }
 } catch (const UserError& error) {
-  throw UserError(fmt::format("{}. Start the run anew with --overwrite", error.what()));
+  throw UserError(fmt::format("{}. Start the run again with --overwrite", error.what()));
 }
 
 bool CheckpointReader::has(const std::string& name) const { return file_.has(path_of(name)); }
 
 std::vector<std::byte> CheckpointReader::read(const std::string& name) const {
   if (!has(name)) {
-    throw UserError(
-        fmt::format("{}: holds no '{}': it was written by another Sazare or is damaged. Start the run "
-                    "anew with --overwrite",
-                    path_.string(), name));
+    throw UserError(fmt::format(
+        "{}: has no '{}': it was written by another version of Sazare or is damaged. Start the run again with --overwrite",
+        path_.string(), name));
   }
   std::vector<std::byte> bytes = file_.read_bytes(path_of(name));
   if (file_.read_attribute(path_of(name), "length_and_checksum") != seal_of(bytes)) {
     throw UserError(
-        fmt::format("{}: '{}' is damaged: its checksum is not that of its bytes. Start the run anew "
-                    "with --overwrite",
+        fmt::format("{}: '{}' is damaged: its checksum does not match its data. Start the run again with --overwrite",
                     path_.string(), name));
   }
   return bytes;

@@ -182,10 +182,9 @@ void SnapshotSeries::resume(std::size_t count) {
     times.clear();
   }
   if (times.size() < count) {
-    throw UserError(
-        fmt::format("{}: should list {} snapshots at least, of the run to be resumed, and lists {}. Start "
-                    "the run anew with --overwrite",
-                    series_file("vtkhdf").string(), count, times.size()));
+    throw UserError(fmt::format(
+        "{}: should list at least the {} snapshots of the run to be resumed, but lists {}. Start the run again with --overwrite",
+        series_file("vtkhdf").string(), count, times.size()));
   }
   const std::size_t found = times.size();
   times.resize(count);

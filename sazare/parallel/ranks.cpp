@@ -197,8 +197,8 @@ Ranks::Ranks(int&, char**&) {
   const char* size = std::getenv("OMPI_COMM_WORLD_SIZE");
   if (is_launched() && (size == nullptr || std::string(size) != "1"))
     throw UserError(
-        "this sazare is built without MPI, and cannot be one of several processes: leave mpirun out, or build it "
-        "with `make build` where Open MPI is installed");
+        "this sazare is built without MPI and cannot be one of several processes: do not use mpirun, or build it with `make "
+        "build` where Open MPI is installed");
 }
 
 Ranks::~Ranks() = default;

@@ -28,7 +28,7 @@ const runs::Method& with_limit(const cases::CaseFile& file) {
   std::string able;
   for (const runs::Method& other : methods())
     if (other.find_limit != nullptr) able += fmt::format("{}{}", able.empty() ? "" : ", ", other.format.method);
-  throw UserError(fmt::format("{}: a limit is sought for cases of method {} only", file.path.string(), able));
+  throw UserError(fmt::format("{}: a stability limit can be searched for cases of method {} only", file.path.string(), able));
 }
 
 }  // namespace

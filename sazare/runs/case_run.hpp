@@ -70,7 +70,7 @@ public:
   }
   void read_motion(MotionTable& table) override { work_.read_motion(table); }
   void apply(std::span<const Vector3> forces) override {
-    if (!work_.takes_forces()) throw UserError(fmt::format("method {} takes no forces from outside", work_.method()));
+    if (!work_.takes_forces()) throw UserError(fmt::format("method {} accepts no external forces", work_.method()));
     work_.apply(forces);
     is_pushed_ = true;
   }
@@ -131,7 +131,7 @@ private:
 
   bool begin_anew() {
     if (options_.begin == Begin::resume)
-      say(fmt::format("{}: no checkpoint to resume from, so the run begins anew", work_.folder.path().string()));
+      say(fmt::format("{}: no checkpoint to resume from, so the run starts from the beginning", work_.folder.path().string()));
     if (writes()) work_.folder.clear();
     write_manifest("running");
     if (writes()) work_.write_case();
@@ -264,8 +264,8 @@ private:
     archive("was_pushed", was_pushed);
     if (was_pushed != 0 && !is_pushed_)
       throw UserError(
-          fmt::format("{}: forces from outside acted on this run, and nobody gives them now\n"
-                      "  resume it from Python with the same forces=..., or begin it anew",
+          fmt::format("{}: external forces acted on this run, and none are given now\n  resume it from Python with the same "
+                      "forces=..., or start it again",
                       work_.folder.path().string()));
     std::vector<char> started(manifest_.started.begin(), manifest_.started.end());
     archive("started", started);
@@ -296,7 +296,7 @@ private:
   }
 
   std::string where_it_can_go_on() const {
-    if (checkpoint_step_ < 0) return "nothing of the run can be resumed: it had no checkpoint yet";
+    if (checkpoint_step_ < 0) return "the run cannot be resumed: it has no checkpoint yet";
     return fmt::format("the checkpoint of t = {} s is kept in {}", cases::short_number(work_.clocks.time(checkpoint_step_)),
                        work_.folder.checkpoint().string());
   }

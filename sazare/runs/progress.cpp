@@ -35,7 +35,7 @@ std::string progress_text(const ProgressState& first, const ProgressState& now, 
   const Real done = now.share - first.share;
   const Real rate = seconds > 0 ? static_cast<Real>(now.pair_evaluations - first.pair_evaluations) / seconds : 0;
   const std::string left = done > 0 ? duration_text(seconds * (1 - now.share) / done) + " left" : "time left unknown";
-  const std::string broken = now.broken_joints < 0 ? "" : fmt::format("  {} joints broken", now.broken_joints);
+  const std::string broken = now.broken_joints < 0 ? "" : fmt::format("  {} broken joints", now.broken_joints);
   return fmt::format("{:3.0f} %  t = {} s  {}  {:.1e} {}/s  {} {} s{}", std::floor(100 * now.share),
                      cases::short_number(now.time, 4), left, rate, now.evaluated,
                      now.broken_joints < 0 ? "step" : "smallest step", cases::short_number(now.smallest_step, 3), broken);

@@ -1,7 +1,7 @@
 #pragma once
 
 /// The headline figures in the manifests of runs that several methods have, `results` by name: an interface, which scripts of
-/// users read. Those of a method stand in its own columns.hpp; the reference (folder_page.cpp) prints all; figures of energies are those of the history's column of the same name, at the end.
+/// users read. Those of a method stand in its own columns.hpp; the reference (folder_page.cpp) prints all. A figure of energy is the last value of the history's column of the same name.
 
 #include "sazare/observe/column.hpp"
 
@@ -9,16 +9,18 @@ namespace sazare::runs::figures {
 
 using observe::Column;
 
-inline constexpr std::array of_all = {Column{"wall_seconds", "s", "of the clock on the wall"},
-                                      Column{"energy_residual", "J", "what no cause accounts for"},
-                                      Column{"ppv", "m/s", "largest speed by gauge, at the rows of the history"}};
+inline constexpr std::array of_all = {Column{"wall_seconds", "s", "wall-clock time"},
+                                      Column{"energy_residual", "J", "residual of the energy balance"},
+                                      Column{"ppv", "m/s", "peak particle velocity by gauge, at the rows of the history"}};
 
-inline constexpr std::array of_steps = {Column{"steps", "-", ""}, Column{"step", "s", ""},
-                                        Column{"predicted_limit", "s", "largest stable step, predicted, of methods that have one"}};
+inline constexpr std::array of_steps = {
+    Column{"steps", "-", ""}, Column{"step", "s", ""},
+    Column{"predicted_limit", "s", "predicted stability limit of the step, of methods that have one"}};
 
-inline constexpr std::array of_motion = {Column{"peak_displacement", "m", "of any element, node or particle; not of spheres"},
-                                         Column{"peak_speed", "m/s", "of any"},
-                                         Column{"peak_acceleration", "m/s2", "of any element, node or particle, where it is recorded"},
-                                         Column{"final_displacement", "m", "largest at the end, where it is recorded"}};
+inline constexpr std::array of_motion = {
+    Column{"peak_displacement", "m", "of any element, node or particle; not of spheres"},
+    Column{"peak_speed", "m/s", "of any element, node or particle"},
+    Column{"peak_acceleration", "m/s2", "of any element, node or particle, where it is recorded"},
+    Column{"final_displacement", "m", "largest displacement at the end, where it is recorded"}};
 
 }  // namespace sazare::runs::figures

@@ -99,8 +99,7 @@ void RunFolder::hold() {
   if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
   close(descriptor_);
   throw UserError(
-      fmt::format("{}: another sazare is at work on the run in this folder. Wait for it, or choose another "
-                  "folder (--out)",
+      fmt::format("{}: another sazare process is using this folder. Wait for it, or choose another folder (--out)",
                   path_.string()));
 }
 
@@ -109,20 +108,20 @@ void RunFolder::refuse_unless_free() const {
   const std::string status = run_status(path_);
   const bool done = status == "done";
   throw UserError(
-      fmt::format("{}: there is a run in this folder already{}. {}--overwrite to replace it, or another folder "
+      fmt::format("{}: this folder already contains a run{}. {}--overwrite to replace it, or another folder "
                   "(--out)",
                   path_.string(),
-                  done             ? ", and it is done"
+                  done             ? ", which is complete"
                   : status.empty() ? ""
-                                   : ", and it is not done",
-                  done ? "Use " : "Use --resume to go on with it, "));
+                                   : ", which is not complete",
+                  done ? "Use " : "Use --resume to continue it, "));
 }
 
 void RunFolder::refuse_when_done() const {
   if (run_status(path_) != "done") return;
   throw UserError(
-      fmt::format("{}: the run in this folder is done, there is nothing to resume. Its figures are in "
-                  "manifest.json; use --overwrite to run the case again",
+      fmt::format("{}: the run in this folder is complete, there is nothing to resume. Its figures are in manifest.json; use "
+                  "--overwrite to run the case again",
                   path_.string()));
 }
 

@@ -78,10 +78,10 @@ void write_identity(observe::CheckpointWriter& out, const RunIdentity& identity)
 
 void check_identity(const observe::CheckpointReader& in, const std::filesystem::path& folder, const RunIdentity& now) {
   const auto refuse = [&](const std::string& what, const std::string& help) {
-    throw UserError(fmt::format("{}: cannot be resumed: {}. {}, or start anew with --overwrite", folder.string(), what, help));
+    throw UserError(fmt::format("{}: cannot be resumed: {}. {}, or start again with --overwrite", folder.string(), what, help));
   };
   if (const std::string program = read(in, "identity.program"); program != now.program)
-    refuse(fmt::format("its checkpoint was written by another program, and only the same one gives the same numbers"
+    refuse(fmt::format("its checkpoint was written by another program, and only the same program gives the same results"
                        "\n  checkpoint: {}\n  now: {}\n",
                        program, now.program),
            "Resume with the program that wrote it");
@@ -91,10 +91,10 @@ void check_identity(const observe::CheckpointReader& in, const std::filesystem::
                     list("checkpoint", lines_only_in(before, now.case_text)), list("now", lines_only_in(now.case_text, before))),
         "Give the case and the --set of the first part of the run");
   if (read(in, "identity.mesh") != now.mesh)
-    refuse("the mesh is not the one that the checkpoint was written for", "Bring back the mesh of the first part of the run");
+    refuse("the mesh is not the one that the checkpoint was written for", "Restore the mesh of the first part of the run");
   if (read(in, "identity.tables") != now.tables)
     refuse("a pressure table or record is not the one that the checkpoint was written for",
-           "Bring back the file of the first part of the run");
+           "Restore the file of the first part of the run");
 }
 
 }  // namespace sazare::runs

@@ -102,7 +102,7 @@ private:
     if (!stream) return;
     if (text_of(identity_file_) != identity_of(study_))
       throw UserError(
-          fmt::format("{}: cannot be resumed: the study, its cases or the program have changed. Start anew with --overwrite",
+          fmt::format("{}: cannot be resumed: the study, its cases or the program have changed. Start again with --overwrite",
                       folder_.path().string()));
     std::string line;
     std::getline(stream, line);
@@ -110,7 +110,7 @@ private:
     while (std::getline(stream, line)) {
       const std::vector<std::string> fields = split(line);
       if (fields.size() != count)
-        throw UserError(fmt::format("{}: a row is damaged. Start anew with --overwrite", table_.string()));
+        throw UserError(fmt::format("{}: a row is damaged. Start again with --overwrite", table_.string()));
       Row row = {std::stoll(fields[0]), fields[1]};
       for (std::size_t i = 2; i < count; ++i) row.emplace_back(std::stod(fields[i]));
       rows_[static_cast<std::size_t>(std::stoll(fields[0]))] = std::move(row);

@@ -20,15 +20,16 @@ std::string figure_text(const observe::Manifest& manifest, std::string_view name
 
 std::string balance_text(const observe::Manifest& manifest) {
   const Real work = figure(manifest, "energy_work"), residual = figure(manifest, "energy_residual");
-  const std::string share = work != 0 ? fmt::format(" ({:.1e} of it)", std::abs(residual / work)) : "";
-  return fmt::format("work {} J, unaccounted {} J{}", cases::short_number(work, 4), cases::short_number(residual, 2), share);
+  const std::string share = work != 0 ? fmt::format(" ({:.1e} of the work)", std::abs(residual / work)) : "";
+  return fmt::format("work {} J, residual {} J{}", cases::short_number(work, 4), cases::short_number(residual, 2), share);
 }
 
 std::string wall_time_line(const observe::Manifest& manifest, std::string_view steps, std::string_view step_name) {
   const Real seconds = figure(manifest, "wall_seconds");
-  std::string text = fmt::format("wall time       {:.2f} s", seconds);
+  std::string text = fmt::format("wall-clock time {:.2f} s", seconds);
   if (!steps.empty())
-    text += fmt::format(", {} {} per second", cases::short_number(seconds > 0 ? figure(manifest, steps) / seconds : 0, 3), step_name);
+    text +=
+        fmt::format(", {} {} per second", cases::short_number(seconds > 0 ? figure(manifest, steps) / seconds : 0, 3), step_name);
   return text + fmt::format(", {} thread{}\n", manifest.machine.threads, manifest.machine.threads == 1 ? "" : "s");
 }
 

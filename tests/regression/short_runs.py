@@ -128,7 +128,7 @@ def carry_out(commands, folder):
                 program.terminate()
             program.wait()
     for code, log in failed[:1]:
-        end = f"ended with {code}" if code > 0 else f"was ended by signal {-code}"
+        end = f"ended with {code}" if code > 0 else f"was terminated by signal {-code}"
         return f"the program {end}: {last_words(log.read_text(errors='replace'))}"
     return ""
 

@@ -16,7 +16,7 @@ def test_run_ends_with_the_figures_and_where_the_files_are(sazare, tmp_path):
     done = sazare.run_block(tmp_path / "run", SHORT)
     assert done.returncode == DONE
     assert done.stderr == ""
-    for words in ("Small block: ", "joints broken", "fragments", "energy", "unaccounted", "wall time", f"results in      {tmp_path / 'run'}"):
+    for words in ("Small block: ", "broken joints", "fragments", "energy", "residual", "wall-clock time", f"results in      {tmp_path / 'run'}"):
         assert words in done.stdout
 
 
@@ -54,7 +54,7 @@ def test_a_run_is_not_overwritten_in_silence(sazare, tmp_path):
     assert sazare.run_block(tmp_path, SHORT).returncode == DONE
     again = sazare.run_block(tmp_path, SHORT)
     assert again.returncode == USER_ERROR
-    assert "there is a run in this folder already, and it is done. Use --overwrite to replace it" in again.stderr
+    assert "this folder already contains a run, and it is done. Use --overwrite to replace it" in again.stderr
     resumed = sazare.run_block(tmp_path, SHORT, options=["--resume"])
     assert resumed.returncode == USER_ERROR
     assert "is done, there is nothing to resume" in resumed.stderr
@@ -80,7 +80,7 @@ def test_a_case_with_errors_is_not_run(sazare, tmp_path):
 def test_a_gauge_outside_is_an_error_at_its_line(sazare, tmp_path):
     bad = sazare.run_block(tmp_path / "run", "gauges.0.point=[9, 9, 9]")
     assert bad.returncode == USER_ERROR
-    assert 'gauge "G1" at (9, 9, 9) m lies in no element' in bad.stderr
+    assert 'gauge "G1" at (9, 9, 9) m is in no element' in bad.stderr
     assert not (tmp_path / "run" / "manifest.json").exists()
 
 
@@ -88,7 +88,7 @@ def test_a_motion_that_makes_no_sense_ends_the_run(sazare, tmp_path):
     absurd = ("time.limiter=none", "time.base_step=2e-5", "time.history_interval=2e-5", "time.end=4e-3", "time.snapshot_interval=4e-3")
     failed = sazare.run_block(tmp_path, *absurd)
     assert failed.returncode == PHYSICS_FAILED
-    assert "warning: step above stability" in failed.stderr
+    assert "warning: step above the stability limit" in failed.stderr
     assert "the physics failed: element " in failed.stderr
     assert "is kept in" in failed.stderr
     assert manifest(tmp_path)["status"] == "failed"
@@ -107,13 +107,13 @@ def test_long_base_steps_of_a_blast_run_to_their_end(sazare, tmp_path):
 def test_a_strict_case_refuses_a_step_above_stability(sazare, tmp_path):
     strict = sazare.run_block(tmp_path, "time.limiter=none", "time.base_step=2e-6", "time.strict=true")
     assert strict.returncode == USER_ERROR
-    assert "error: step above stability" in strict.stderr
+    assert "error: step above the stability limit" in strict.stderr
 
 
 def test_check_tells_what_the_case_will_do(sazare):
     checked = sazare("check", sazare.block)
     assert checked.returncode == DONE, checked.stderr
-    for words in ("Small block", "levels at the beginning", "elements that limit the step", "The case is sound"):
+    for words in ("Small block", "initial levels", "elements that limit the step", "The case is valid"):
         assert words in checked.stdout
 
 
@@ -127,13 +127,13 @@ def test_blocks_on_finite_elements_are_warned_of_like_blocks_alone(sazare, tmp_p
     case, long = ROOT / "cases/rock-fall-on-slab/case.toml", ("--set", "bodies.time.limiter=none", "--set", "bodies.time.base_step=2e-5")
     strict = sazare("run", case, "--out", tmp_path / "run", *long, "--set", "bodies.time.strict=true")
     assert strict.returncode == USER_ERROR
-    assert "error: step above stability" in strict.stderr
+    assert "error: step above the stability limit" in strict.stderr
 
 
 def test_check_keeps_the_mesh_that_its_error_tells_of(sazare, tmp_path):
     words = sazare("check", sazare.block, "--set", "mesh.file=block.geo", "--set", "gauges.0.point=[9, 9, 9]",
                    env=os.environ | {"TMPDIR": str(tmp_path)}).stderr
-    assert "lies in no element" in words
+    assert "is in no element" in words
     kept = words.split("gmsh has made the mesh of the case; it is kept in ")[1].strip()
     assert [path.name for path in Path(kept).iterdir()] == ["mesh.msh"]
     assert "elements have the numbers of mesh.msh" in sazare("check", sazare.block, "--set", "mesh.file=block.geo",
@@ -165,7 +165,7 @@ def test_column_of_particles_is_checked_run_and_its_resolved_case_gives_the_same
     settings = ("--set", "particles.spacing=2", "--set", "time.end=0.4")
     checked = sazare("check", COLUMN, *settings)
     assert checked.returncode == DONE, checked.stderr
-    for words in ("limit 0.00816", "predicted from the largest frequency", "250 particles", "The case is sound"):
+    for words in ("limit 0.00816", "predicted from the largest frequency", "250 particles", "The case is valid"):
         assert words in checked.stdout
     done = sazare("run", COLUMN, "--out", tmp_path / "run", "--threads", 1, *settings)
     assert done.returncode == DONE, done.stderr

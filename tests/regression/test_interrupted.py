@@ -85,7 +85,7 @@ def test_stopped_by_a_signal(sazare, tmp_path, whole, number):
     process.send_signal(number)
     _, words = process.communicate(timeout=60)
     assert process.returncode == MACHINE_FAILED
-    assert "stopped at t = " in words and "with a checkpoint. To go on:" in words
+    assert "stopped at t = " in words and "with a checkpoint. To resume:" in words
     assert f"--out {parts} --resume" in words
     assert manifest(parts)["status"] == "stopped"
     resumed = start(sazare, parts, "--resume")
@@ -98,11 +98,11 @@ def test_stopped_by_a_signal(sazare, tmp_path, whole, number):
 def test_stopped_before_the_ground_has_come_to_rest(sazare, tmp_path):
     process = sazare.start("run", ROOT / "cases/slope-el-centro/case.toml", "--out", tmp_path / "run", "--threads", 1)
     assert "Slopes" in process.stdout.readline()
-    assert process.stdout.readline() == "coming to rest under gravity\n"
+    assert process.stdout.readline() == "finding the equilibrium under gravity\n"
     process.send_signal(signal.SIGINT)
     _, words = process.communicate(timeout=60)
     assert process.returncode == MACHINE_FAILED
-    assert "stopped before the beginning" in words and f"--out {tmp_path / 'run'} --resume" in words
+    assert "stopped before the first step" in words and f"--out {tmp_path / 'run'} --resume" in words
     assert manifest(tmp_path / "run")["status"] == "stopped"
 
 
@@ -118,13 +118,13 @@ def test_stopped_on_the_way_to_the_next_base_step(sazare, tmp_path):
     process.send_signal(signal.SIGTERM)
     _, words = process.communicate(timeout=60)
     assert process.returncode == MACHINE_FAILED
-    assert "with a checkpoint. To go on:" in words
+    assert "with a checkpoint. To resume:" in words
 
 
 def test_motion_that_is_no_number_ends_a_run_on_the_way_to_the_next_base_step(sazare, tmp_path):
     failed = sazare.run_block(tmp_path, *DEEP, "blasts.0.peak_pressure=5e16")
     assert failed.returncode == PHYSICS_FAILED
-    assert "has a motion that is no number any more, found at t = 2.01" in failed.stderr
+    assert "has a motion that is no longer a number, found at t = 2.01" in failed.stderr
     assert "the checkpoint of t = 0 s is kept" in failed.stderr
 
 

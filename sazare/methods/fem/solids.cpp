@@ -28,8 +28,8 @@ SolidPoint<D> solid_point(const geometry::ElementMesh& mesh, const geometry::Mes
   if (!(volume > 0)) {
     const Vector3& place = mesh.nodes[at(element.nodes[0])];
     throw UserError(
-        fmt::format("element {} ({}) at ({:.6g}, {:.6g}, {:.6g}) m has no volume, or is turned inside out. Look at the "
-                    "mesh there; curved sides may need smaller elements",
+        fmt::format("element {} ({}) at ({:.6g}, {:.6g}, {:.6g}) m has no volume, or is inverted. Check the mesh there; curved "
+                    "sides may need smaller elements",
                     element.tag, facts(element.shape).name, place.x(), place.y(), place.z()));
   }
   return {volume * point.weight, by_reference.template leftCols<D>() * jacobian.inverse()};

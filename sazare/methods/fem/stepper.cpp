@@ -151,8 +151,8 @@ void FemStepper<D>::give_up(const Span& span) const {
                                 : fmt::format("there is no equilibrium at t = {:.6g} s", span.from + span.length);
   throw PhysicsError(fmt::format(
       "{}: Newton's iteration does not converge\n"
-      "  tried: {} iterations with line search in a step, and steps cut to 1/{} of the case's; at last {}\n"
-      "  a body that fails cannot carry its loads at rest: look at its strength and loads, or give it inertia (time.analysis = "
+      "  tried: {} iterations with line search in a step, and steps cut to 1/{} of that of the case; last: {}\n"
+      "  a body that fails has no equilibrium under its loads: check its strength and loads, or include inertia (time.analysis = "
       "\"dynamic\")",
       where, rules_.most_iterations, 1 << rules_.most_cuts, last_failure_));
 }
@@ -262,7 +262,7 @@ bool FemStepper<D>::iterate(Trial& trial, const Factors& by, const NodalColumn& 
     if (left <= rules_.tolerance * scale) return true;
   }
   last_failure_ =
-      fmt::format("{:.3g} of the forces were left, {:.3g} are asked for", scale > 0 ? left / scale : left, rules_.tolerance);
+      fmt::format("{:.3g} of the forces was unbalanced, {:.3g} is required", scale > 0 ? left / scale : left, rules_.tolerance);
   return false;
 }
 

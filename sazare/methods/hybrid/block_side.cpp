@@ -52,7 +52,7 @@ coupling::SurfaceForce BlockSide::answer(const coupling::SurfaceMotion& motion) 
 }
 
 void BlockSide::take_back() {
-  if (!saved_) throw UserError("there is no window that could be taken back");
+  if (!saved_) throw UserError("there is no saved window to return to");
   go_back();
   saved_.reset();
   course_.take_back();

@@ -30,9 +30,9 @@ void WindowCourse::open(const coupling::SurfaceShape& shape, Real step, const ch
 bool WindowCourse::begin(const coupling::SurfaceMotion& motion, bool can_repeat) {
   const bool is_new = motion.window == windows_ && motion.pass == 0;
   if (!is_new && !(motion.window + 1 == windows_ && motion.pass > 0 && can_repeat))
-    throw UserError(fmt::format("pass {} of window {} was asked of {} that have gone through {} windows{}", motion.pass,
-                                motion.window, bodies_, windows_,
-                                motion.pass > 0 && !can_repeat ? ", and repeat none: the scheme of their case says so" : ""));
+    throw UserError(fmt::format(
+        "pass {} of window {} was requested of {} that have completed {} windows{}", motion.pass, motion.window, bodies_,
+        windows_, motion.pass > 0 && !can_repeat ? ", and repeat none: so says the coupling scheme of their case" : ""));
   if (motion.displacement.size() != shape_.nodes.size())
     throw UserError(fmt::format("the motion has {} numbers, the surface {}", motion.displacement.size(), shape_.nodes.size()));
   if (is_new) {

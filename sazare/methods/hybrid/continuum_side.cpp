@@ -109,8 +109,8 @@ void ContinuumSide<D>::repeat(coupling::ContinuumChannel& channel) {
   }
   throw PhysicsError(
       fmt::format("force and motion of the surface do not agree at t = {:.6g} s\n"
-                  "  tried: {} passes through the window; {:.3g} of the force is left, {:.3g} is asked for\n"
-                  "  a shorter window (the step of the finite elements) agrees sooner; so does a heavier or stiffer surface",
+                  "  tried: {} passes through the window; {:.3g} of the force remains, {:.3g} is required\n"
+                  "  a shorter window (the step of the finite elements) converges sooner; so does a heavier or stiffer surface",
                   stepper_->time(), rules_.most_passes, disagreement_, rules_.tolerance));
 }
 

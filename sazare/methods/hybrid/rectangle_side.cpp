@@ -7,7 +7,7 @@
 namespace sazare::methods::hybrid {
 
 void RectangleSide::attach(const coupling::SurfaceShape& shape) {
-  if (shape.dimension != 2) throw UserError("the elements of method rectangles lie in the plane, and the surface does not");
+  if (shape.dimension != 2) throw UserError("the elements of method rectangles are two-dimensional, and the surface is not");
   course_.open(shape, stepper_->rules().step, "rectangles");
   const std::vector<Vector3> nodes = places(course_.to());
   Eigen::AlignedBox3d surface, bodies;
@@ -70,7 +70,7 @@ coupling::SurfaceForce RectangleSide::answer(const coupling::SurfaceMotion& moti
 }
 
 void RectangleSide::take_back() {
-  if (!saved_) throw UserError("there is no window that could be taken back");
+  if (!saved_) throw UserError("there is no saved window to return to");
   go_back();
   saved_.reset();
   course_.take_back();

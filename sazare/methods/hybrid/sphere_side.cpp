@@ -60,7 +60,7 @@ coupling::SurfaceForce SphereSide::answer(const coupling::SurfaceMotion& motion)
 }
 
 void SphereSide::take_back() {
-  if (!saved_) throw UserError("there is no window that could be taken back");
+  if (!saved_) throw UserError("there is no saved window to return to");
   *stepper_ = *saved_;
   saved_.reset();
   course_.take_back();

@@ -59,7 +59,7 @@ TEST(atomic_file, file_grown_too_large_leaves_the_former_one) {
   write_file(folder.path() / "a.txt", "former");
   const SmallDisk small(10000);
   const std::string words = words_of<MachineError>([&] { write_file(folder.path() / "a.txt", std::string(100000, 'x')); });
-  EXPECT_WORDS(words, "a.txt: cannot be written: File too large. Files there may not grow so large (ulimit -f)");
+  EXPECT_WORDS(words, "a.txt: cannot be written: File too large. Files there may not become so large (ulimit -f)");
   EXPECT_EQ(read_text(folder.path() / "a.txt"), "former");
   EXPECT_EQ(folder.files(), Names{"a.txt"});
 }

@@ -79,7 +79,7 @@ TEST(checkpoint, full_disk_leaves_the_former_one) {
 
 TEST(checkpoint, missing_file) {
   const std::string words = words_of<UserError>([] { CheckpointReader("no/state.h5"); });
-  EXPECT_EQ(words, "no/state.h5: there is no such file. Start the run anew with --overwrite");
+  EXPECT_EQ(words, "no/state.h5: there is no such file. Start the run again with --overwrite");
 }
 
 TEST(checkpoint, foreign_file) {

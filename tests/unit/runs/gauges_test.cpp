@@ -48,7 +48,7 @@ TEST(Gauges, OutsideTheBodyAreRefusedWithTheNearestElement) {
   const cases::CaseFile file = test::block_case({"gauges.1.point=[5, 0, 0]"});
   const BlocksModel model = test::block_model(file);
   const std::string words = test::words_of<UserError>([&] { Gauges(file, model.mesh); });
-  EXPECT_NE(words.find("gauge \"G2\" at (5, 0, 0) m lies in no element"), std::string::npos) << words;
+  EXPECT_NE(words.find("gauge \"G2\" at (5, 0, 0) m is in no element"), std::string::npos) << words;
   EXPECT_NE(words.find("the nearest element is"), std::string::npos) << words;
 }
 

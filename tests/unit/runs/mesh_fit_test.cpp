@@ -51,7 +51,7 @@ bool has(const std::string& text, const std::string& words) { return text.find(w
 
 TEST(MeshFit, FacesThatNoJointHoldsForAreWarnedOf) {
   const std::string words = warnings_of(joint("soft", "soft", "soft"));
-  EXPECT_TRUE(has(words, "1 faces between \"soft\" and \"hard\" have no joint: these elements only touch")) << words;
+  EXPECT_TRUE(has(words, "1 faces between \"soft\" and \"hard\" have no joint: these elements are only in contact")) << words;
   EXPECT_TRUE(has(words, "add [[joints]] with between = [\"soft\", \"hard\"]")) << words;
   EXPECT_FALSE(has(warnings_of(joint("both", "hard", "soft")), "have no joint"));
 }
@@ -65,7 +65,7 @@ TEST(MeshFit, AJointThatHoldsForNoFaceIsWarnedOf) {
 TEST(MeshFit, FacesBetweenElementsInTheSurfaceOfABlastOrABoundaryAreWarnedOf) {
   const std::string words = warnings_of(joint("both", "hard", "soft"));
   EXPECT_TRUE(has(words, "1 faces of this surface lie between two elements: no pressure acts on them")) << words;
-  EXPECT_TRUE(has(words, "1 faces of this surface lie between two elements: the boundary does not hold them")) << words;
+  EXPECT_TRUE(has(words, "1 faces of this surface lie between two elements: the boundary does not apply to them")) << words;
 }
 
 }  // namespace

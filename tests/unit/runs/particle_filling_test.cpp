@@ -109,7 +109,7 @@ name = "b"
 lower = [2.3, 0.0, 0.0]
 upper = [4.3, 2.0, 0.0])",
                                     "\"a\", \"b\"");
-  EXPECT_NE(shifted.find("the spacing does not fit the region: it begins 2.3 spacings from where the body begins on the axis x"),
+  EXPECT_NE(shifted.find("the spacing does not fit the region: it begins 2.3 spacings from the beginning of the body on the axis x"),
             std::string::npos)
       << shifted;
 }

@@ -14,13 +14,13 @@ TEST(Progress, WritesDurationsAsPeopleSayThem) {
 
 TEST(Progress, TellsShareTimeLeftRateAndSmallestStep) {
   EXPECT_EQ(progress_text({}, {0.25, 1e-4, 3000000, 6.25e-9, 12}, 3),
-            " 25 %  t = 100e-6 s  9 s left  1.0e+06 evaluations/s  smallest step 6.25e-9 s  12 joints broken");
+            " 25 %  t = 100e-6 s  9 s left  1.0e+06 evaluations/s  smallest step 6.25e-9 s  12 broken joints");
 }
 
 TEST(Progress, CountsTheTimeLeftFromWhereTheRunWasResumed) {
   const ProgressState resumed{0.5, 2e-4, 1000, 1e-8, 0}, now{0.75, 3e-4, 3000, 1e-8, 0};
   EXPECT_EQ(progress_text(resumed, now, 10),
-            " 75 %  t = 300e-6 s  10 s left  2.0e+02 evaluations/s  smallest step 10e-9 s  0 joints broken");
+            " 75 %  t = 300e-6 s  10 s left  2.0e+02 evaluations/s  smallest step 10e-9 s  0 broken joints");
 }
 
 }  // namespace

@@ -40,11 +40,11 @@ TEST(RunFolder, WithARunIsNotOverwrittenInSilence) {
   const fs::path run = folder / "run";
   EXPECT_EQ(refusal(run, "running", Begin::fresh),
             run.string() +
-                ": there is a run in this folder already, and it is not done. Use --resume to go on with it, "
+                ": this folder already contains a run, which is not complete. Use --resume to continue it, "
                 "--overwrite to replace it, or another folder (--out)");
   EXPECT_EQ(refusal(run, "done", Begin::fresh),
             run.string() +
-                ": there is a run in this folder already, and it is done. Use --overwrite to replace it, or "
+                ": this folder already contains a run, which is complete. Use --overwrite to replace it, or "
                 "another folder (--out)");
 }
 
@@ -53,7 +53,7 @@ TEST(RunFolder, WithADoneRunIsNotResumed) {
   const fs::path run = folder / "run";
   EXPECT_EQ(refusal(run, "done", Begin::resume),
             run.string() +
-                ": the run in this folder is done, there is nothing to resume. Its figures are in manifest.json; "
+                ": the run in this folder is complete, there is nothing to resume. Its figures are in manifest.json; "
                 "use --overwrite to run the case again");
 }
 

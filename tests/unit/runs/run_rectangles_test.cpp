@@ -85,7 +85,7 @@ TEST(run_rectangles, refuses_a_support_below_nothing) {
 }
 
 TEST(run_rectangles, refuses_a_gauge_outside) {
-  EXPECT_NE(refused({"gauges.0.point=[0.5,0,0]"}).find("gauge \"middle\" lies in no element"), std::string::npos);
+  EXPECT_NE(refused({"gauges.0.point=[0.5,0,0]"}).find("gauge \"middle\" is in no element"), std::string::npos);
 }
 
 TEST(block_assembly, takes_polygons_and_images_and_turned_lattices) {

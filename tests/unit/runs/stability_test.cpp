@@ -54,7 +54,7 @@ TEST(Stability, AStableStepIsNotWarnedAbout) {
 
 TEST(Stability, AStepAboveIsWarnedAboutWithWhatToSet) {
   const std::string words = warning_of({"time.limiter=none", "time.base_step=2e-6"});
-  EXPECT_NE(words.find("step above stability: base_step = 2e-6 s is too long for "), std::string::npos) << words;
+  EXPECT_NE(words.find("step above the stability limit: base_step = 2e-6 s is too long for "), std::string::npos) << words;
   EXPECT_NE(words.find("the smallest stable step, "), std::string::npos) << words;
   EXPECT_NE(words.find("set limiter = \"stability\", which gives every element its own step, or base_step = "), std::string::npos)
       << words;
@@ -75,14 +75,14 @@ TEST(Stability, AFractionAboveIsWarnedAbout) {
 TEST(Stability, AStrictCaseIsRefused) {
   const std::vector<std::string> settings = {"time.limiter=travel", "time.base_step=2e-6", "time.strict=true"};
   const std::string words = test::words_of<UserError>([&] { warning_of(settings); });
-  EXPECT_NE(words.find("error: step above stability"), std::string::npos) << words;
+  EXPECT_NE(words.find("error: step above the stability limit"), std::string::npos) << words;
 }
 
 TEST(Check, SaysWhatTheCaseWillDo) {
   const std::string text = check_blocks(block_case());
-  for (const char* words :
-       {"Small block", "base ", "levels at the beginning", "elements that limit the step", "one piece",
-        "pair evaluations per second of simulated time", "steps above what is stable are warned of", "every 60 s of wall time"})
+  for (const char* words : {"Small block", "base ", "initial levels", "elements that limit the step", "one piece",
+                            "pair evaluations per second of simulated time",
+                            "steps above the stability limit are allowed with a warning", "every 60 s of wall-clock time"})
     EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
 }
 

@@ -28,7 +28,7 @@ std::string body_text(const BlocksModel& model) {
   const auto elements = model.simulation->bodies().size();
   Real volume = 0;
   for (Index element = 0; element < elements; ++element) volume += geometry::volume(geometry::corners_of(model.mesh, element));
-  return fmt::format("  {:<12}{} elements, {} joints, {} m3, {} to begin with\n", "body", elements, model.joints->links().size(),
+  return fmt::format("  {:<12}{} elements, {} joints, {} m3, initially {}\n", "body", elements, model.joints->links().size(),
                      number(volume),
                      find_fragments(elements, *model.joints).count == 1
                          ? "one piece"
@@ -38,7 +38,7 @@ std::string body_text(const BlocksModel& model) {
 std::string level_text(const BlocksModel& model) {
   const std::vector<Index> counts = level_histogram(model);
   const Index most = *std::ranges::max_element(counts);
-  std::string text = "\nlevels at the beginning\n  level        step [s]   elements\n";
+  std::string text = "\ninitial levels\n  level        step [s]   elements\n";
   for (std::size_t level = 0; level < counts.size(); ++level) {
     const auto length = counts[level] == 0 ? 0 : std::max<std::int64_t>(1, std::int64_t{longest_bar} * counts[level] / most);
     text += fmt::format("  {:>5}  {:>14}  {:>9}  {}\n", level, number(model.simulation->levels().step(static_cast<int>(level))),
@@ -49,16 +49,16 @@ std::string level_text(const BlocksModel& model) {
 
 std::string limiting_text(const BlocksModel& model, const cases::Mesh& mesh) {
   std::string text =
-      "\nelements that limit the step (half of the longest stable step with the neighbours held)\n"
-      "    element      step [s]  bound by   level  place [m]\n";
+      "\nelements that limit the step (half of the stability limit with the neighbours held)\n"
+      "    element      step [s]  limited by level  position [m]\n";
   for (const LimitingElement& limiting : limiting_elements(model, limiting_shown)) {
     const Vector3& place = model.simulation->bodies().start[static_cast<std::size_t>(limiting.element)];
     text += fmt::format(
-        "  {:>9}  {:>12}  {:<9}  {:>5}  ({}, {}, {})\n", element_tag(model.mesh, limiting.element),
+        "  {:>9}  {:>12}  {:<10} {:>5}  ({}, {}, {})\n", element_tag(model.mesh, limiting.element),
         number(stable_share * limiting.stable_step), bound_by_dashpots(model, limiting.element) ? "dashpots" : "springs",
         model.simulation->levels().level(limiting.element), number(place.x()), number(place.y()), number(place.z()));
   }
-  if (mesh.is_geometry()) text += "  elements have the numbers of mesh.msh, which a run makes in its folder\n";
+  if (mesh.is_geometry()) text += "  numbers of elements are those of mesh.msh, which a run writes in its folder\n";
   return text;
 }
 
@@ -66,8 +66,8 @@ std::string step_text(const BlocksModel& model, const RunClocks& clocks) {
   const Real base_step = model.simulation->levels().step(0), rate = evaluations_per_second(model);
   const Real smallest = stable_share * limiting_elements(model, 1).front().stable_step;
   return fmt::format(
-      "  {:<12}base {} s ({} to a history row), smallest stable {} s\n"
-      "  {:<12}{} pair evaluations per second of simulated time, {} to the end, while nothing breaks\n",
+      "  {:<12}base {} s ({} per history row), smallest stable step {} s\n"
+      "  {:<12}{} pair evaluations per second of simulated time, {} in total, as long as nothing breaks\n",
       "steps", number(base_step), clocks.steps_per_row, number(smallest), "work", number(rate), number(rate * clocks.end));
 }
 

@@ -56,14 +56,14 @@ std::string likely_reason(const BlocksModel& model, const cases::CaseFile& file,
                                : fmt::format("set time.limiter = \"stability\", or time.base_step to {} s at most",
                                              cases::short_number(stable_share * smallest.stable_step, 3));
   if (step > limit)
-    return fmt::format("its step of {} s is {} times the longest that the {} of its joints and boundaries allow ({} s): {}",
+    return fmt::format("its step of {} s is {} times the stability limit ({} s) from the {} of its joints and boundaries: {}",
                        cases::short_number(step, 3), cases::short_number(step / limit, 3),
                        bound_by_dashpots(model, element) ? "dashpots" : "springs", cases::short_number(limit, 3), cure);
   if (file.as<cases::BlocksCase>().contact.damping_cap == cases::DampingCap::literal)
-    return "its step suits its joints; the dashpot of its contacts is not capped and may be too stiff for the step: set "
+    return "its step is stable for its joints; the dashpot of its contacts is not capped and may be too stiff for the step: set "
            "contact.damping_cap = \"step\"";
-  return "its step suits its joints and boundaries; look at the loads on it (pressures, gravity) and at the stiffness of "
-         "its contacts";
+  return "its step is stable for its joints and boundaries; check the loads on it (pressures, gravity) and the stiffness of its "
+         "contacts";
 }
 
 }  // namespace
@@ -91,10 +91,10 @@ Index find_failed_element(BlocksModel& model) {
 std::string describe_failure(const BlocksModel& model, const cases::CaseFile& file, Real time) {
   const Index element = likely_first(model);
   const state::Motion<3>& motion = model.simulation->bodies().motion[at(element)];
-  const std::string what = state::is_finite(motion) ? fmt::format("moves at {} m/s, farther in a step than it is large",
+  const std::string what = state::is_finite(motion) ? fmt::format("moves at {} m/s, farther in one step than its own size",
                                                                   cases::short_number(motion.velocity.norm(), 3))
-                                                    : std::string("has a motion that is no number any more");
-  return fmt::format("{} (its place at the beginning) {}, found at t = {} s\n  {}", element_text(model.mesh, element), what,
+                                                    : std::string("has a motion that is no longer a number");
+  return fmt::format("{} (initial position) {}, found at t = {} s\n  {}", element_text(model.mesh, element), what,
                      cases::short_number(time), likely_reason(model, file, element));
 }
 

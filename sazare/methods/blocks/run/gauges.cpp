@@ -62,7 +62,7 @@ Gauges::Gauges(const cases::CaseFile& file, const geometry::TetraMesh& mesh) {
     if (element < 0) {
       const Index nearest = nearest_element(mesh, gauge.point);
       refuse(file, fmt::format("gauges.{}.point", i),
-             fmt::format("gauge \"{}\" at {} m lies in no element", gauge.name, point_text(gauge.point)),
+             fmt::format("gauge \"{}\" at {} m is in no element", gauge.name, point_text(gauge.point)),
              fmt::format("the nearest element is {}, with its centre at {} m", element_tag(mesh, nearest),
                          point_text(geometry::centroid(geometry::corners_of(mesh, nearest)))));
     }

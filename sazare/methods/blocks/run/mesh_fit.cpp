@@ -43,7 +43,7 @@ std::string warn_of_inner_faces(const cases::CaseFile& file, const std::string& 
     if (inner[item] > 0)
       all += warning(file, fmt::format("{}.{}.surface", table, item),
                      fmt::format("{} faces of this surface lie between two elements: {}", inner[item], what),
-                     "give the outer faces a physical group of their own");
+                     "give the outer faces their own physical group");
   return all;
 }
 
@@ -68,16 +68,17 @@ std::string warn_of_mesh_fit(const cases::CaseFile& file, const MeshFit& fit) {
     const std::string &first = blocks.materials[at(of.first)].name, &second = blocks.materials[at(of.second)].name;
     all += warning(
         file, fmt::format("materials.{}", of.first),
-        fmt::format("{} faces between \"{}\" and \"{}\" have no joint: these elements only touch", of.count, first, second),
-        fmt::format("add [[joints]] with between = [\"{}\", \"{}\"], and bonded = false if that is meant", first, second));
+        fmt::format("{} faces between \"{}\" and \"{}\" have no joint: these elements are only in contact", of.count, first,
+                    second),
+        fmt::format("add [[joints]] with between = [\"{}\", \"{}\"], and bonded = false if this is intended", first, second));
   }
   for (std::size_t joint = 0; joint < fit.faces_of_joint.size(); ++joint)
     if (fit.faces_of_joint[joint] == 0)
       all += warning(file, fmt::format("joints.{}", joint),
-                     fmt::format("the joint \"{}\" holds for no face of the mesh", blocks.joints[joint].name),
-                     "take it out, or look whether its materials meet and whether a later entry holds for the same faces");
+                     fmt::format("the joint \"{}\" applies to no face of the mesh", blocks.joints[joint].name),
+                     "remove it, or check whether its materials share faces and whether a later entry applies to the same faces");
   return all + warn_of_inner_faces(file, "blasts", fit.inner_of_blast, "no pressure acts on them") +
-         warn_of_inner_faces(file, "boundaries", fit.inner_of_boundary, "the boundary does not hold them");
+         warn_of_inner_faces(file, "boundaries", fit.inner_of_boundary, "the boundary does not apply to them");
 }
 
 }  // namespace sazare::runs

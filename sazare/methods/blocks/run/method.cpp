@@ -16,12 +16,12 @@ namespace {
 std::string blocks_summary(const observe::Manifest& manifest) {
   const auto number = [&](std::string_view name, int digits = 4) { return figure_text(manifest, name, digits); };
   std::string text;
-  text += fmt::format("joints broken   {} of {}\n", number("broken_joints", 12), number("joints", 12));
+  text += fmt::format("broken joints   {} of {}\n", number("broken_joints", 12), number("joints", 12));
   text += fmt::format("fragments       {} of {} elements, X50 {} m, X80 {} m\n", number("fragments", 12), number("elements", 12),
              number("x50", 3), number("x80", 3));
   text += fmt::format("largest throw   {} m, peak speed {} m/s\n", number("throw_max"), number("peak_speed"));
   text += fmt::format("energy          {}\n", balance_text(manifest));
-  text += fmt::format("wall time       {:.2f} s, {} pair evaluations, {} thread{}\n", figure(manifest, "wall_seconds"),
+  text += fmt::format("wall-clock time {:.2f} s, {} pair evaluations, {} thread{}\n", figure(manifest, "wall_seconds"),
              number("pair_evaluations"), manifest.machine.threads, manifest.machine.threads == 1 ? "" : "s");
   return text;
 }

@@ -74,14 +74,14 @@ std::string check_stability(const cases::CaseFile& file, const BlocksModel& mode
   if (above == 0) return {};
   const LimitingElement smallest = limiting_elements(model, 1).front();
   const std::string who =
-      fmt::format("{} of {} elements; the smallest stable step, {}, is that of {}", above, model.stable_step.size(),
+      fmt::format("{} of {} elements; the smallest stability limit, {}, is that of {}", above, model.stable_step.size(),
                   seconds(stable_share * smallest.stable_step), element_text(model.mesh, smallest.element));
   const std::string key = by_fraction ? "time.stability_fraction" : "time.base_step";
-  const std::string what =
-      by_fraction ? fmt::format("step above stability: stability_fraction = {} is above {}, which {}",
-                                cases::short_number(time.stability_fraction), stable_share,
-                                "is as far as steps are stable when the neighbours move as well")
-                  : fmt::format("step above stability: base_step = {} s is too long for {}", cases::short_number(base_step), who);
+  const std::string what = by_fraction ? fmt::format("step above the stability limit: stability_fraction = {} is above {}, {}",
+                                                     cases::short_number(time.stability_fraction), stable_share,
+                                                     "up to which steps are stable when the neighbours move as well")
+                                       : fmt::format("step above the stability limit: base_step = {} s is too long for {}",
+                                                     cases::short_number(base_step), who);
   const std::string help =
       by_fraction ? std::string("set stability_fraction = 0.5")
                   : fmt::format("set limiter = \"stability\", which gives every element its own step, or base_step = {}",

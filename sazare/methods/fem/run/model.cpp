@@ -56,7 +56,7 @@ public:
                          mesh_.dimension - 1),
              mesh_.dimension == 2 ? "name a physical curve" : "name a physical surface");
     if (of_faces && std::ranges::count(geometry::elements_beside(mesh_, *found), -1) > 0)
-      refuse(source_, key, fmt::format("the group \"{}\" has elements that are no faces of the body", name),
+      refuse(source_, key, fmt::format("the group \"{}\" has elements that are not faces of the body", name),
              "make it part of the body's outline, with elements of the same order");
     return *found;
   }
@@ -108,7 +108,7 @@ std::vector<fem::JointSet> make_joints(const cases::CaseFile& file, geometry::El
       cuts.push_back(faces_between(mesh, names.region(key + ".between.0", joint.between[0]),
                                    names.region(key + ".between.1", joint.between[1])));
     if (cuts.back().empty())
-      refuse(file, key, fmt::format("the joint \"{}\" parts no two elements", joint.name),
+      refuse(file, key, fmt::format("the joint \"{}\" lies between no two elements", joint.name),
              "a joint needs an element on either side: regions that touch, or a group inside the body");
     sets.push_back(
         {joint.name,
@@ -247,8 +247,8 @@ void check_held(const cases::CaseFile& file, methods::fem::FemStepper<D>& steppe
          fmt::format("the stiffness is singular: nothing holds node {} of the mesh at ({}, {}, {}) m along {}",
                      mesh.node_tags[at(loose->node)], cases::short_number(place.x(), 6), cases::short_number(place.y(), 6),
                      cases::short_number(place.z(), 6), "xyz"[loose->axis]),
-         "a body at rest needs supports against moving along every axis and turning; parts that touch at a node, or not at all, "
-         "need their own");
+         "a body in equilibrium needs supports against translation along every axis and against rotation; parts that touch at a "
+         "node, or not at all, need their own");
 }
 
 }  // namespace
@@ -301,7 +301,7 @@ geometry::LinearSurface outer_surface(const cases::CaseSource& source, const std
                                       const geometry::ElementMesh& mesh) {
   const geometry::ElementGroup& group = MeshNames(source, mesh).group(key, name, true);
   if (!geometry::faces_of_group(mesh, group).empty())
-    refuse(source, key, fmt::format("the group \"{}\" lies inside the body, where nothing can touch it", name),
+    refuse(source, key, fmt::format("the group \"{}\" lies inside the body, where no body can touch it", name),
            "name a group of outer faces");
   return geometry::linear_surface(mesh, group);
 }

@@ -78,7 +78,8 @@ std::vector<RecordFiles::Table> FemRecord<D>::tables() const {
   observe::add_titles(history, columns::fem::newton);
   observe::add_titles(history, columns::clock);
   observe::add_titles(gauges, columns::time);
-  for (const cases::Gauge& gauge : file_->as<cases::FemCase>().gauges) observe::add_titles(gauges, columns::place_motion, gauge.name);
+  for (const cases::Gauge& gauge : file_->as<cases::FemCase>().gauges)
+    observe::add_titles(gauges, columns::place_motion, gauge.name);
   return {{folder_->history(), history}, {folder_->gauges(), gauges}};
 }
 
@@ -190,7 +191,7 @@ void FemRecord<D>::check_motion(Real time) const {
   if (bad == moved.end()) return;
   const auto node = static_cast<std::size_t>(bad - moved.begin()) / D;
   throw PhysicsError(
-      fmt::format("the displacement of node {} is no number any more, found at t = {} s\n  look at the loads and motions",
+      fmt::format("the displacement of node {} is no longer a number, found at t = {} s\n  check the loads and motions",
                   model_->mesh().node_tags[node], cases::short_number(time)));
 }
 

@@ -38,8 +38,8 @@ struct FemWork final : WorkDefaults {
   const std::string& title() const { return file.as<cases::FemCase>().title; }
   static std::string method() { return "fem"; }
   std::string words() const {
-    return fmt::format("{} elements, {} freedoms, step {} s", model.mesh().elements.size(), model.stepper->free_freedoms(),
-                       number(model.step));
+    return fmt::format("{} elements, {} degrees of freedom, step {} s", model.mesh().elements.size(),
+                       model.stepper->free_freedoms(), number(model.step));
   }
   Real checkpoint_interval() const { return file.as<cases::FemCase>().output.checkpoint_interval; }
 
@@ -69,7 +69,9 @@ struct FemWork final : WorkDefaults {
   }
 
   std::uint64_t state_hash() const { return record.state_hash(); }
-  void write_case() const { observe::write_file(folder.case_file(), cases::write_resolved(file.as<cases::FemCase>(), folder.path())); }
+  void write_case() const {
+    observe::write_file(folder.case_file(), cases::write_resolved(file.as<cases::FemCase>(), folder.path()));
+  }
 };
 
 template <int D>
@@ -80,9 +82,9 @@ std::string check(const cases::CaseFile& file, const std::filesystem::path& fold
   return cases::explain(file.as<cases::FemCase>()) +
          fmt::format("  {:<12}{} nodes, {} elements, {} joints, mass {} {}\n", "body", model.mesh().nodes.size(),
                      model.mesh().elements.size(), body.joints().size(), number(body.total_mass(), 6), D == 2 ? "kg/m" : "kg") +
-         fmt::format("  {:<12}{} freedoms, {} equations\n", "work", model.stepper->free_freedoms(),
+         fmt::format("  {:<12}{} degrees of freedom, {} equations\n", "work", model.stepper->free_freedoms(),
                      body.is_symmetric() ? "symmetric" : "unsymmetric") +
-         fmt::format("  {:<12}{} steps, {} to a history row\n", "", clocks.steps(), clocks.steps_per_row);
+         fmt::format("  {:<12}{} steps, {} per history row\n", "", clocks.steps(), clocks.steps_per_row);
 }
 
 }  // namespace

@@ -14,19 +14,19 @@ inline constexpr std::array history = {
     Column{"surface.force", "N", "of the bodies on the surface: mean of the last window", 3},
     Column{"surface.last_force", "N", "of the bodies on the surface: at the window's end", 3},
     Column{"impulse_given", "N s", "by the bodies so far", 3},
-    Column{"impulse_under_way", "N s", "of that, what the continuum has not got yet", 3},
+    Column{"impulse_under_way", "N s", "part of it that the continuum has not yet received", 3},
     Column{"work_on_nodes", "J", "over the surface"},
     Column{"work_on_bodies", "J", "over the surface"},
-    Column{"energy_made", "J", "their sum, which nobody has lost"},
-    Column{"energy_residual_continuum", "J", "of its ledger"},
-    Column{"energy_residual_bodies", "J", "of their ledger"},
-    Column{"passes", "-", "through windows so far"},
-    Column{"disagreement", "-", "what was left between the force tried and found, over the larger one"}};
+    Column{"energy_made", "J", "sum of both: energy added by the coupling"},
+    Column{"energy_residual_continuum", "J", "of the energy balance of the continuum"},
+    Column{"energy_residual_bodies", "J", "of the energy balance of the bodies"},
+    Column{"passes", "-", "through coupling windows so far"},
+    Column{"disagreement", "-", "difference of assumed and resulting force over the larger one"}};
 
 /// In the manifest, `results` by name: an interface, which scripts of users read.
 inline constexpr std::array figures = {Column{"windows", "-", ""},
                                       Column{"window", "s", "its length"},
-                                      Column{"passes", "-", "through windows"},
+                                      Column{"passes", "-", "through coupling windows"},
                                       Column{"steps_per_window", "-", "of the bodies"},
                                       Column{"step", "s", "of the bodies"},
                                       Column{"elements", "-", ""},
@@ -38,15 +38,15 @@ inline constexpr std::array figures = {Column{"windows", "-", ""},
                                       Column{"blocks", "-", "where they are blocks"},
                                       Column{"block_steps", "-", ""},
                                       Column{"impulse_given", "N s", "by the bodies"},
-                                      Column{"impulse_under_way", "N s", "what the continuum has not got yet"},
+                                      Column{"impulse_under_way", "N s", "that the continuum has not received"},
                                       Column{"work_on_nodes", "J", ""},
                                       Column{"energy_made", "J", "over the surface"},
                                       Column{"peak_force", "N", "of the bodies on the surface"},
                                       Column{"peak_displacement", "m", "mean of the surface's nodes"}};
 
-/// Of a side of a hybrid case that is a program of its own.
+/// Figures of a side of a hybrid case that runs in a program of its own.
 inline constexpr std::array exchange = {
-    Column{"exchange_seconds", "s", "spent in writing and reading messages, without the waits for the partner"},
-    Column{"exchange_processor_seconds", "s", "of the processor, for the same"}};
+    Column{"exchange_seconds", "s", "wall-clock time of writing and reading messages, without waiting for the partner"},
+    Column{"exchange_processor_seconds", "s", "processor time of writing and reading messages"}};
 
 }  // namespace sazare::runs::columns::hybrid

@@ -25,11 +25,12 @@ std::string bodies_text(const observe::Manifest& manifest) {
 std::string hybrid_summary(const observe::Manifest& manifest) {
   const auto number = [&](std::string_view name, int digits = 4) { return figure_text(manifest, name, digits); };
   std::string text;
-  text += fmt::format("sides           {} elements, {}; {} windows of {} s, {} passes\n", number("elements", 12), bodies_text(manifest),
-             number("windows", 12), number("window"), number("passes", 12));
-  text += fmt::format("surface         force up to {} N, moved up to {} m\n", number("peak_force"), number("peak_displacement"));
-  text += fmt::format("energy          {} J over the surface, {} J made there, {} J unaccounted\n", number("work_on_nodes"),
-             number("energy_made", 2), number("energy_residual", 2));
+  text += fmt::format("solver sides    {} elements, {}; {} windows of {} s, {} passes\n", number("elements", 12),
+                      bodies_text(manifest), number("windows", 12), number("window"), number("passes", 12));
+  text += fmt::format("surface         force up to {} N, displacement up to {} m\n", number("peak_force"),
+                      number("peak_displacement"));
+  text += fmt::format("energy          {} J over the surface, {} J added by the coupling, residual {} J\n",
+                      number("work_on_nodes"), number("energy_made", 2), number("energy_residual", 2));
   return text + wall_time_line(manifest);
 }
 

@@ -53,15 +53,18 @@ struct HybridModel {
   HybridModel(const cases::CaseFile& file, geometry::ElementMesh mesh, const std::filesystem::path& mesh_of_bodies,
               bool keeps_mesh)
       : continuum(build_continuum<D>(*file.as<cases::HybridCase>().continuum, std::move(mesh))),
-        bodies(BodiesSetting{file.as<cases::HybridCase>(), continuum.step, repeats(file.as<cases::HybridCase>()), mesh_of_bodies, keeps_mesh}),
-        continuum_side(*continuum.stepper, coupled_surface(file, continuum.mesh()), coupling_rules(file.as<cases::HybridCase>())) {}
+        bodies(BodiesSetting{file.as<cases::HybridCase>(), continuum.step, repeats(file.as<cases::HybridCase>()), mesh_of_bodies,
+                             keeps_mesh}),
+        continuum_side(*continuum.stepper, coupled_surface(file, continuum.mesh()),
+                       coupling_rules(file.as<cases::HybridCase>())) {}
 
   /// Points at the case where the surface does not suit the bodies.
   void attach(const cases::CaseFile& file) {
     try {
       bodies.side.attach(continuum_side.shape());
     } catch (const UserError& error) {
-      refuse(file, "surface.group", error.what(), "look at where the bodies begin, at the group and at the units of the mesh");
+      refuse(file, "surface.group", error.what(),
+             "check the initial positions of the bodies, the group and the units of the mesh");
     }
   }
 };
@@ -88,8 +91,8 @@ struct HybridWork final : WorkDefaults {
         bodies_folder(side_folder(folder, "bodies", of_run.begin)),
         model(of, load_continuum_mesh(continuum_case(), continuum_folder.mesh(), folder.resumes()), bodies_folder.mesh(),
               folder.resumes()),
-        identity(
-            identify(of.as<cases::HybridCase>(), identify(continuum_content(), mesh_hash(model.continuum.mesh())), model.bodies.identity())),
+        identity(identify(of.as<cases::HybridCase>(), identify(continuum_content(), mesh_hash(model.continuum.mesh())),
+                          model.bodies.identity())),
         clocks(make_clocks(continuum_content().time, model.continuum.step)),
         record({of, folder, continuum_folder, bodies_folder, model.continuum, model.bodies, model.continuum_side,
                 steps_per_window()},
@@ -187,13 +190,13 @@ struct HybridWork final : WorkDefaults {
 
 template <int D, class Bodies>
 std::string check(const cases::CaseFile& file, const std::filesystem::path& folder) {
-  HybridModel<D, Bodies> model(file, load_continuum_mesh(*file.as<cases::HybridCase>().continuum, folder / "mesh.msh", false), folder / "bodies.msh",
-                               false);
+  HybridModel<D, Bodies> model(file, load_continuum_mesh(*file.as<cases::HybridCase>().continuum, folder / "mesh.msh", false),
+                               folder / "bodies.msh", false);
   model.attach(file);
   const RunClocks clocks = make_clocks(cases::continuum_of(file.as<cases::HybridCase>()).time, model.continuum.step);
-  return cases::explain(file.as<cases::HybridCase>()) + fmt::format("  {:<12}{} windows, {} steps of the {} of {} s in each\n", "work",
-                                                     clocks.steps(), model.bodies.side.steps_per_window(), Bodies::name,
-                                                     number(model.bodies.step(), 5));
+  return cases::explain(file.as<cases::HybridCase>()) + fmt::format("  {:<12}{} windows, {} steps of the {} of {} s in each\n",
+                                                                    "work", clocks.steps(), model.bodies.side.steps_per_window(),
+                                                                    Bodies::name, number(model.bodies.step(), 5));
 }
 
 /// Calls `visit` with the dimension and the bodies of a case, and hands back what it gives. Elements of rectangles touch none but
@@ -212,15 +215,16 @@ auto visit_sides(const cases::HybridCase& hybrid, const Visit& visit) {
 std::unique_ptr<LiveRun> open_hybrid(const cases::CaseFile& file, const RunOptions& options) {
   if (options.one_side)
     return options.one_side->side == coupling::Side::continuum ? open_continuum(file, options) : open_bodies(file, options);
-  return visit_sides(file.as<cases::HybridCase>(), [&]<int D, class Bodies>(std::integral_constant<int, D>, std::type_identity<Bodies>) {
-    return std::unique_ptr<LiveRun>(std::make_unique<CaseRun<HybridWork<D, Bodies>>>(file, options));
-  });
+  return visit_sides(file.as<cases::HybridCase>(),
+                     [&]<int D, class Bodies>(std::integral_constant<int, D>, std::type_identity<Bodies>) {
+                       return std::unique_ptr<LiveRun>(std::make_unique<CaseRun<HybridWork<D, Bodies>>>(file, options));
+                     });
 }
 
 std::string check_hybrid(const cases::CaseFile& file) {
   const cases::CaseFile &continuum = *file.as<cases::HybridCase>().continuum, &bodies = *file.as<cases::HybridCase>().bodies;
-  const std::string both =
-      visit_sides(file.as<cases::HybridCase>(), [&]<int D, class Bodies>(std::integral_constant<int, D>, std::type_identity<Bodies>) {
+  const std::string both = visit_sides(
+      file.as<cases::HybridCase>(), [&]<int D, class Bodies>(std::integral_constant<int, D>, std::type_identity<Bodies>) {
         return check_with_meshes([&](const std::filesystem::path& folder) { return check<D, Bodies>(file, folder); });
       });
   return both + "\n" + check_continuum(continuum) + "\n" + check_bodies(bodies, *continuum.as<cases::ContinuumCase>().time.step);

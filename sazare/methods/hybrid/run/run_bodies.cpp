@@ -94,7 +94,7 @@ struct BodiesWork final : WorkDefaults {
   bool advance(const Pause&) {
     if (stopped) throw coupling::Stopped(*stopped);
     if (!motion)
-      throw UserError(fmt::format("{}: the continuum has ended its run at t = {} s, before the end of this case",
+      throw UserError(fmt::format("{}: the continuum ended its run at t = {} s, before the end of this case",
                                   file.path.string(), cases::short_number(clocks.time(step()))));
     const Real before = times.now(), exchanged = line.cost().seconds;
     const std::int64_t window = bodies.side.windows();

@@ -65,8 +65,8 @@ struct ContinuumWork final : WorkDefaults {
   const std::string& title() const { return continuum_content().title; }
   static std::string method() { return std::string(cases::continuum_method); }
   std::string words() const {
-    return fmt::format("{} elements, {} freedoms, step {} s, the bodies in another program", model.mesh().elements.size(),
-                       model.stepper->free_freedoms(), cases::short_number(model.step, 4));
+    return fmt::format("{} elements, {} degrees of freedom, step {} s, the bodies in another program",
+                       model.mesh().elements.size(), model.stepper->free_freedoms(), cases::short_number(model.step, 4));
   }
   Real checkpoint_interval() const { return file.as<cases::HybridCase>().output.checkpoint_interval; }
 
@@ -127,7 +127,8 @@ struct ContinuumWork final : WorkDefaults {
 }  // namespace
 
 std::unique_ptr<LiveRun> open_continuum(const cases::CaseFile& file, const RunOptions& options) {
-  if (cases::continuum_of(file.as<cases::HybridCase>()).mesh.dimension == 2) return std::make_unique<CaseRun<ContinuumWork<2>>>(file, options);
+  if (cases::continuum_of(file.as<cases::HybridCase>()).mesh.dimension == 2)
+    return std::make_unique<CaseRun<ContinuumWork<2>>>(file, options);
   return std::make_unique<CaseRun<ContinuumWork<3>>>(file, options);
 }
 

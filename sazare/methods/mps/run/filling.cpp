@@ -120,10 +120,11 @@ void check_on_lattice(const cases::CaseFile& file, const Vector3& origin) {
       if (mps.regions[i].shape != RegionShape::rectangle) continue;
       const Real place = (mps.regions[i].lower[axis] - origin[axis]) / mps.particles.spacing;
       if (std::abs(place - std::round(place)) <= tolerance) continue;
-      refuse(file, fmt::format("regions.{}.lower", i),
-             fmt::format("the spacing does not fit the region: it begins {} spacings from where the body begins on the axis {}",
-                         cases::short_number(place), "xyz"[axis]),
-             "all regions stand on one lattice: choose a spacing that divides their distances, or fit = \"inside\"");
+      refuse(
+          file, fmt::format("regions.{}.lower", i),
+          fmt::format("the spacing does not fit the region: it begins {} spacings from the beginning of the body on the axis {}",
+                      cases::short_number(place), "xyz"[axis]),
+          "all regions share one lattice: choose a spacing that divides their distances, or fit = \"inside\"");
     }
 }
 
@@ -150,7 +151,7 @@ Filling<D> fill_regions(const cases::CaseFile& file) {
     counts[static_cast<std::size_t>(axis)] = static_cast<std::int64_t>(std::min(count, most_sites));
   }
   if (total > most_sites)
-    refuse(file, "particles.spacing", fmt::format("the regions would hold some {} particles", cases::short_number(total, 2)),
+    refuse(file, "particles.spacing", fmt::format("the regions would contain about {} particles", cases::short_number(total, 2)),
            "choose a larger spacing");
   const auto longest = static_cast<std::size_t>(std::ranges::max_element(counts) - counts.begin());
   std::vector<std::size_t> held(shapes.size(), 0);
@@ -176,8 +177,9 @@ Filling<D> fill_regions(const cases::CaseFile& file) {
   }
   for (std::size_t i = 0; i < held.size(); ++i)
     if (held[i] == 0)
-      refuse(file, fmt::format("regions.{}", i), fmt::format("the region \"{}\" holds no particle", file.as<cases::MpsCase>().regions[i].name),
-             "choose a smaller spacing; where regions overlap, the last one of the case counts");
+      refuse(file, fmt::format("regions.{}", i),
+             fmt::format("the region \"{}\" contains no particle", file.as<cases::MpsCase>().regions[i].name),
+             "choose a smaller spacing; where regions overlap, the last one of the case applies");
   return filling;
 }
 

@@ -29,7 +29,8 @@ public:
     found_.predicted = euler ? predicted.euler : predicted.verlet;
     found_.particles = parts_.particles.count;
     Real fastest = 0;
-    for (const cases::Ground& ground : file_.as<cases::MpsCase>().materials) fastest = std::max(fastest, ground.pressure_velocity);
+    for (const cases::Ground& ground : file_.as<cases::MpsCase>().materials)
+      fastest = std::max(fastest, ground.pressure_velocity);
     bracket(file_.as<cases::MpsCase>().particles.spacing / fastest);
     while (found_.unstable > rules_.ratio * found_.stable) {
       const Real step = std::sqrt(found_.stable * found_.unstable);
@@ -47,11 +48,12 @@ private:
 
   bool holds(Real step) {
     if (++found_.trials > most_trials)
-      throw UserError(fmt::format("{}: no limit was found in {} trials; the last step was {} s", file_.path.string(), most_trials,
-                                  cases::short_number(step)));
+      throw UserError(fmt::format("{}: no stability limit was found in {} trials; the last step was {} s", file_.path.string(),
+                                  most_trials, cases::short_number(step)));
     const auto stepper = parts_.stepper(file_.as<cases::MpsCase>(), step);
     stepper->start();
-    const auto steps = rules_.steps > 0 ? rules_.steps : static_cast<std::int64_t>(std::ceil(file_.as<cases::MpsCase>().time.end / step));
+    const auto steps =
+        rules_.steps > 0 ? rules_.steps : static_cast<std::int64_t>(std::ceil(file_.as<cases::MpsCase>().time.end / step));
     while (stepper->steps() < steps) {
       stepper->advance();
       if (stepper->steps() % check_every == 0 && !(stepper->largest_acceleration() < rules_.divergence)) return false;
@@ -68,7 +70,8 @@ private:
 }  // namespace
 
 FoundLimit find_limit(const cases::CaseFile& file, const LimitRules& rules) {
-  return file.as<cases::MpsCase>().particles.dimension == 2 ? LimitSearch<2>(file, rules).run() : LimitSearch<3>(file, rules).run();
+  return file.as<cases::MpsCase>().particles.dimension == 2 ? LimitSearch<2>(file, rules).run()
+                                                            : LimitSearch<3>(file, rules).run();
 }
 
 }  // namespace sazare::runs

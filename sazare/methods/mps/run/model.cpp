@@ -191,7 +191,7 @@ Real choose_step(const cases::CaseFile& file, const MpsModel<D>& model) {
   if (time.step) return *time.step;
   const Real limit = model.stable_step(time.integrator);
   if (!(limit > 0))
-    refuse(file, "time.integrator", "Euler's step without damping is never stable, so none can be chosen",
+    refuse(file, "time.integrator", "Euler's step without damping is never stable, so no step can be chosen",
            "give a step, use integrator \"verlet\", or give every material a damping_ratio");
   return time.history_interval / std::ceil(time.history_interval / (time.stability_fraction * limit));
 }
@@ -207,16 +207,18 @@ std::string check_step(const cases::CaseFile& file, const MpsModel<D>& model) {
   const bool euler = time.integrator == cases::Integrator::euler;
   if (!(limit > 0)) {
     const std::string never = "Euler's step without damping is never stable";
-    const std::string help = "short runs may bear it; use integrator \"verlet\", or give every material a damping_ratio";
+    const std::string help = "short runs may tolerate it; use integrator \"verlet\", or give every material a damping_ratio";
     if (time.strict) refuse(file, "time.integrator", never, help);
     return warning(file, "time.integrator", never, help);
   }
   if (model.step > limit && !(euler && !time.strict))
     refuse(file, "time.step", what, fmt::format("choose {} s or less, or give no step", cases::short_number(0.9 * limit, 3)));
   if (model.step > limit)
-    return warning(file, "time.step", what, "Euler's step then grows slowly: short runs may bear it; Verlet's limit is larger");
+    return warning(
+        file, "time.step", what,
+        "the error of Euler's step then grows slowly: short runs may tolerate it; the limit of Verlet's step is larger");
   if (model.step > near_limit * limit)
-    return warning(file, "time.step", what, "0.9 of it leaves room for motion that is not small");
+    return warning(file, "time.step", what, "0.9 of it leaves a margin for large motion");
   return {};
 }
 

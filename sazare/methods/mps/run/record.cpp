@@ -70,7 +70,8 @@ std::vector<RecordFiles::Table> MpsRecord<D>::tables() const {
   if (model_->failing != nullptr) observe::add_titles(history, columns::mps::failure);
   observe::add_titles(history, columns::clock);
   observe::add_titles(gauges, columns::time);
-  for (const cases::Gauge& gauge : file_->as<cases::MpsCase>().gauges) observe::add_titles(gauges, columns::place_motion, gauge.name);
+  for (const cases::Gauge& gauge : file_->as<cases::MpsCase>().gauges)
+    observe::add_titles(gauges, columns::place_motion, gauge.name);
   return {{folder_->history(), history}, {folder_->gauges(), gauges}};
 }
 
@@ -173,10 +174,8 @@ void MpsRecord<D>::check_motion(Real time) const {
   if (largest < senseless_acceleration) return;
   const Real limit = model_->stable_step(file_->as<cases::MpsCase>().time.integrator);
   throw PhysicsError(fmt::format(
-      "the motion of the particles makes no sense any more at t = {} s: the largest acceleration is {} m/s2, above {} m/s2\n"
-      "  the step of {} s is {} times the limit of {} s predicted for small motion: set time.stability_fraction = 0.5, or look "
-      "at the "
-      "loads",
+      "the motion of the particles diverged at t = {} s: the largest acceleration is {} m/s2, above {} m/s2\n  the step of {} s "
+      "is {} times the limit of {} s predicted for small motion: set time.stability_fraction = 0.5, or check the loads",
       cases::short_number(time), cases::short_number(largest, 3), cases::short_number(senseless_acceleration, 3),
       cases::short_number(model_->step, 4), cases::short_number(model_->step / limit, 3), cases::short_number(limit, 4)));
 }

@@ -68,10 +68,10 @@ struct MpsWork final : WorkDefaults {
     return true;
   }
 
-  /// False when asked to stop before the ground has come to rest.
+  /// False when asked to stop before the equilibrium under gravity is reached.
   bool settle() {
     const Real tolerance = settled_share * file.as<cases::MpsCase>().gravity.acceleration.norm();
-    if (!options.quiet) fmt::print("coming to rest under gravity\n");
+    if (!options.quiet) fmt::print("finding the equilibrium under gravity\n");
     std::fflush(stdout);
     Progress progress(options.quiet, {.smallest_step = model.step, .broken_joints = -1, .evaluated = "particle-steps"});
     Real first = 0;
@@ -89,8 +89,8 @@ struct MpsWork final : WorkDefaults {
     if (asked) return false;
     if (left <= tolerance) return true;
     throw PhysicsError(fmt::format(
-        "the ground does not come to rest under gravity: after {} steps an acceleration of {} m/s2 is left, {} are asked for\n"
-        "  it does not stand, or is hardly held: look at its strength, and at the boundaries that carry it",
+        "no equilibrium under gravity: after {} steps an acceleration of {} m/s2 remains, {} is required\n"
+        "  the ground is not stable, or hardly supported: check its strength and the boundaries that support it",
         file.as<cases::MpsCase>().gravity.settling_steps, number(left, 3), number(tolerance, 3)));
   }
 
@@ -112,7 +112,9 @@ struct MpsWork final : WorkDefaults {
   }
 
   std::uint64_t state_hash() const { return record.state_hash(); }
-  void write_case() const { observe::write_file(folder.case_file(), cases::write_resolved(file.as<cases::MpsCase>(), folder.path())); }
+  void write_case() const {
+    observe::write_file(folder.case_file(), cases::write_resolved(file.as<cases::MpsCase>(), folder.path()));
+  }
 };
 
 template <int D>
@@ -124,12 +126,13 @@ std::string check(const cases::CaseFile& file) {
   const auto& supports = model.stepper->supports();
   const auto particles = static_cast<Real>(model.filling.sites.size());
   return cases::explain(file.as<cases::MpsCase>()) +
-         fmt::format("  {:<12}{} particles, number density {}, {} freedoms held, {} prescribed, {} on viscous boundaries\n",
-                     "body", model.filling.sites.size(), number(model.number_density, 6), supports.held.size(),
-                     supports.driven.size(), supports.dashpots.size()) +
+         fmt::format(
+             "  {:<12}{} particles, number density {}, {} degrees of freedom held, {} prescribed, {} on viscous boundaries\n",
+             "body", model.filling.sites.size(), number(model.number_density, 6), supports.held.size(), supports.driven.size(),
+             supports.dashpots.size()) +
          fmt::format("  {:<12}limit {} s, predicted from the largest frequency, {} rad/s, and the damping\n", "stability",
                      number(limit, 5), number(model.limit.frequency, 6)) +
-         fmt::format("  {:<12}{} s, {} of the limit, {} to a history row\n", "step", number(model.step, 5),
+         fmt::format("  {:<12}{} s, {} of the limit, {} per history row\n", "step", number(model.step, 5),
                      number(model.step / limit, 3), clocks.steps_per_row) +
          fmt::format("  {:<12}{} steps, {} particle-steps\n", "work", clocks.steps(),
                      number(particles * static_cast<Real>(clocks.steps()))) +

@@ -79,7 +79,7 @@ private:
     if (block.shape == BlockShape::rectangle && !(block.element_size > 0)) return add_single(block);
     const auto [corner, lattice] = lattice_of(number, block);
     if (lattice.empty())
-      refuse(file_, fmt::format("blocks.{}", number), fmt::format("the block \"{}\" holds no element", block.name),
+      refuse(file_, fmt::format("blocks.{}", number), fmt::format("the block \"{}\" contains no element", block.name),
              "choose a smaller element_size");
     const Real angle = radians(block.angle), half = 0.5 * block.element_size;
     const Vector2 axis(std::cos(angle), std::sin(angle)), other(-axis.y(), axis.x());
@@ -118,7 +118,7 @@ private:
         refuse(file_, fmt::format("blocks.{}.nuclei", number),
                fmt::format("a nucleus of the block \"{}\" has {} neighbours, more than {}", block.name, packing.corners[i].size(),
                            geometry::most_faces),
-               "spread the nuclei more evenly");
+               "distribute the nuclei more evenly");
       const Vector2 way = packing.centres[i] - corner;
       result_.parts.outlines.add_polygon(packing.corners[i], packing.outside[i], blocks_);
       places_.push_back({corner + way.x() * axis + way.y() * other, angle, density});
@@ -182,7 +182,7 @@ private:
     try {
       return read_grey_image(block.file);
     } catch (const UserError& error) {
-      refuse(file_, fmt::format("blocks.{}.file", number), error.what(), "give a grey image in the format PGM");
+      refuse(file_, fmt::format("blocks.{}.file", number), error.what(), "give a grey-scale image in PGM format");
     }
   }
 
@@ -304,7 +304,7 @@ public:
       const bool still = roller.moves.velocity.isZero() && roller.moves.motion[0].empty() && roller.moves.motion[1].empty();
       if (still && !holds_something[first_roller() + i])
         refuse(file_, fmt::format("rollers.{}.center", i),
-               fmt::format("the support \"{}\" stands below nothing: no element touches it", roller.name),
+               fmt::format("the support \"{}\" touches no element", roller.name),
                "move it to the block, or give it a velocity");
     }
   }
@@ -329,7 +329,7 @@ private:
     for (int i = 0; i < found.count; ++i) depth = std::max(depth, found.points[static_cast<std::size_t>(i)].depth);
     if (depth <= overlap_tolerance * outlines.spring_radius(first)) return;
     refuse(file_, key_of(second),
-           fmt::format("an element of the block at ({}, {}) m overlaps what stands there already, by {} m",
+           fmt::format("an element of the block at ({}, {}) m overlaps another element by {} m",
                        cases::short_number(assembly_.particles.start[0][first], 4),
                        cases::short_number(assembly_.particles.start[1][first], 4), cases::short_number(depth, 3)),
            "bodies may touch at the start, but not overlap: move one of them");

@@ -10,17 +10,17 @@ namespace sazare::runs::columns::rectangles {
 using observe::Column;
 
 inline constexpr std::array history = {Column{"energy_kinetic", "J", ""},
-                                       Column{"energy_elastic", "J", "in links and contacts"},
-                                       Column{"energy_joint_dashpot", "J", "taken by dashpots of links"},
-                                       Column{"energy_slip", "J", "taken by links that slide"},
-                                       Column{"energy_fracture", "J", "taken by links that broke"},
-                                       Column{"energy_contact_dashpot", "J", "taken by dashpots of contacts"},
-                                       Column{"energy_friction", "J", "taken by friction of contacts"},
-                                       Column{"energy_work", "J", "of gravity, supports, plate and the caller's forces"},
-                                       Column{"energy_residual", "J", "work that is found nowhere"},
+                                       Column{"energy_elastic", "J", "stored in links and contacts"},
+                                       Column{"energy_joint_dashpot", "J", "dissipated by dashpots of links"},
+                                       Column{"energy_slip", "J", "dissipated by slip of links"},
+                                       Column{"energy_fracture", "J", "dissipated by the breaking of links"},
+                                       Column{"energy_contact_dashpot", "J", "dissipated by dashpots of contacts"},
+                                       Column{"energy_friction", "J", "dissipated by friction of contacts"},
+                                       Column{"energy_work", "J", "of gravity, supports, plate and forces given in Python"},
+                                       Column{"energy_residual", "J", "residual of the energy balance"},
                                        Column{"broken_springs", "-", "so far"},
                                        Column{"open_links", "-", "links whose springs are all broken"},
-                                       Column{"contacts", "-", "that touch"},
+                                       Column{"contacts", "-", "touching pairs"},
                                        Column{"displacement_max", "m", "of any element so far"},
                                        Column{"speed_max", "m/s", "of any element so far"}};
 inline constexpr std::array support = {Column{"NAME.force", "N", "of a wall or roller on the elements", 2},
@@ -30,8 +30,8 @@ inline constexpr std::array elements = {Column{"displacement", "m", ""},
                                         Column{"velocity", "m/s", ""},
                                         Column{"rotation", "rad", ""},
                                         Column{"block", "-", "number in the case, or -1"},
-                                        Column{"kind", "-", "of its outline: 0 rectangle, 1 circle, 2 wall, 3 polygon"},
-                                        Column{"broken", "-", "a bit for each face whose link has lost a spring"}};
+                                        Column{"kind", "-", "outline: 0 rectangle, 1 circle, 2 wall, 3 polygon"},
+                                        Column{"broken", "-", "one bit for each face whose link has a broken spring"}};
 
 /// In the manifest, `results` by name: an interface, which scripts of users read.
 inline constexpr std::array figures = {Column{"elements", "-", ""}, Column{"element_steps", "-", ""},

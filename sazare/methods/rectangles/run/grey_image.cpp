@@ -29,7 +29,7 @@ GreyImage read_grey_image(const std::filesystem::path& file) {
   std::string kind;
   stream >> kind;
   if (kind != "P2" && kind != "P5")
-    throw UserError(fmt::format("{}: not a grey image: it should begin with P2 or P5 (.pgm)", file.string()));
+    throw UserError(fmt::format("{}: not a grey-scale image: it should begin with P2 or P5 (.pgm)", file.string()));
   GreyImage image;
   image.width = next_number(stream, file, "width");
   image.height = next_number(stream, file, "height");

@@ -34,7 +34,7 @@ std::string check_step(const cases::CaseFile& file, const RectanglesModel& model
     refuse(file, "time.step", what,
            fmt::format("choose {} s or less, or give no step{}", cases::short_number(near_limit * limit, 3), paper));
   if (model.step > near_limit * limit)
-    return warning(file, "time.step", what, "0.8 of it leaves room for motion that is not small");
+    return warning(file, "time.step", what, "0.8 of it leaves a margin for large motion");
   return {};
 }
 
@@ -57,9 +57,9 @@ RectanglesModel build_rectangles(const cases::CaseFile& file, std::optional<Real
   model.warning = check_step(file, model);
   auto forces = std::make_unique<RectangleForces>(assembly.particles, std::move(assembly.parts), model.step);
   model.forces = forces.get();
-  model.stepper =
-      std::make_unique<particles::UniformStepper<2>>(std::move(assembly.particles), std::move(forces), std::move(assembly.supports),
-                                                  particles::UniformRules{model.step, particles::Integrator::leapfrog, {}});
+  model.stepper = std::make_unique<particles::UniformStepper<2>>(
+      std::move(assembly.particles), std::move(forces), std::move(assembly.supports),
+      particles::UniformRules{model.step, particles::Integrator::leapfrog, {}});
   return model;
 }
 

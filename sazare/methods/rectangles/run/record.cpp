@@ -61,7 +61,7 @@ std::vector<std::size_t> gauge_elements(const cases::CaseFile& file, const Recta
            !is_inside(model.forces->outlines().at(model.stepper->particles(), element), gauges[number].point.head<2>()))
       ++element;
     if (element == elements)
-      refuse(file, fmt::format("gauges.{}.point", number), fmt::format("gauge \"{}\" lies in no element", gauges[number].name),
+      refuse(file, fmt::format("gauges.{}.point", number), fmt::format("gauge \"{}\" is in no element", gauges[number].name),
              "put it inside a block");
     found.push_back(element);
   }
@@ -214,9 +214,8 @@ void RectanglesRecord::check_motion(Real time) const {
   const Real largest = model_->stepper->largest_acceleration();
   if (largest < senseless_acceleration) return;
   throw PhysicsError(
-      fmt::format("the motion of the elements makes no sense any more at t = {} s: the largest acceleration is {} m/s2\n"
-                  "  the step of {} s is {} times the limit predicted for small motion: set time.stability_fraction = 0.4, or "
-                  "look at the loads",
+      fmt::format("the motion of the elements diverged at t = {} s: the largest acceleration is {} m/s2\n  the step of {} s is "
+                  "{} times the limit predicted for small motion: set time.stability_fraction = 0.4, or check the loads",
                   cases::short_number(time), cases::short_number(largest, 3), cases::short_number(model_->step, 4),
                   cases::short_number(model_->step / model_->limit.limit, 3)));
 }
@@ -244,7 +243,8 @@ std::vector<std::pair<std::string, observe::Figure>> RectanglesRecord::results(s
 
 std::vector<std::pair<std::string, Real>> RectanglesRecord::peak_particle_velocity() const {
   std::vector<std::pair<std::string, Real>> peaks;
-  for (std::size_t i = 0; i < peaks_.size(); ++i) peaks.emplace_back(file_->as<cases::RectanglesCase>().gauges[i].name, peaks_[i]);
+  for (std::size_t i = 0; i < peaks_.size(); ++i)
+    peaks.emplace_back(file_->as<cases::RectanglesCase>().gauges[i].name, peaks_[i]);
   return peaks;
 }
 

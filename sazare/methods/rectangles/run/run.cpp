@@ -67,7 +67,9 @@ struct RectanglesWork final : WorkDefaults {
   }
 
   std::uint64_t state_hash() const { return record.state_hash(); }
-  void write_case() const { observe::write_file(folder.case_file(), cases::write_resolved(file.as<cases::RectanglesCase>(), folder.path())); }
+  void write_case() const {
+    observe::write_file(folder.case_file(), cases::write_resolved(file.as<cases::RectanglesCase>(), folder.path()));
+  }
 };
 
 }  // namespace
@@ -85,7 +87,7 @@ std::string check_rectangles(const cases::CaseFile& file, std::optional<Real> wi
   return cases::explain(file.as<cases::RectanglesCase>()) + line("body", fmt::format("{} elements", model.elements)) +
          line("stability", fmt::format("limit {} s, predicted from the largest frequency, {} rad/s, and the dashpots{}",
                                        number(model.limit.limit), number(model.limit.largest_frequency), paper)) +
-         line("step", fmt::format("{} s, {} of the limit, {} to a history row", number(model.step, 5),
+         line("step", fmt::format("{} s, {} of the limit, {} per history row", number(model.step, 5),
                                   number(model.step / model.limit.limit, 3), clocks.steps_per_row)) +
          line("work", fmt::format("{} steps, {} element-steps", clocks.steps(),
                                   number(static_cast<Real>(model.elements) * static_cast<Real>(clocks.steps())))) +
