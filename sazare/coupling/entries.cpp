@@ -14,10 +14,9 @@ constexpr std::size_t longest_line = 4096;
 void check_greeting(std::string_view line, const std::string& name) {
   const std::size_t space = line.find(' ');
   if (line.substr(0, space) != protocol_name || space == std::string_view::npos)
-    throw UserError(
-        fmt::format("{}: is no file of a coupling: it should begin with '{} {}'. Choose a folder for the exchange that "
-                    "nobody else writes to",
-                    name, protocol_name, protocol_version));
+    throw UserError(fmt::format(
+        "{}: is not a coupling file: it should begin with '{} {}'. Choose a folder for the exchange to which nothing else writes",
+        name, protocol_name, protocol_version));
   if (line.substr(space + 1) != std::to_string(protocol_version))
     throw UserError(
         fmt::format("{}: the partner speaks version {} of the protocol, and this program version {}. Use programs of "
@@ -67,13 +66,13 @@ const std::string& Entries::text(std::string_view key) const {
 
 Real Entries::number(std::string_view key) const {
   Real value = 0;
-  if (!parse(text(key), value)) fail(fmt::format("'{} {}' in its head is no number", key, text(key)));
+  if (!parse(text(key), value)) fail(fmt::format("'{} {}' in its head is not a number", key, text(key)));
   return value;
 }
 
 std::int64_t Entries::count(std::string_view key) const {
   std::int64_t value = 0;
-  if (!parse(text(key), value)) fail(fmt::format("'{} {}' in its head is no whole number", key, text(key)));
+  if (!parse(text(key), value)) fail(fmt::format("'{} {}' in its head is not a whole number", key, text(key)));
   return value;
 }
 

@@ -101,7 +101,7 @@ FileExchange::FileExchange(ExchangeOptions options)
 FileExchange::~FileExchange() {
   if (has_parted_ || partner_session_.empty()) return;
   try {
-    part(Farewell::failed, -1, "it ended before its time");
+    part(Farewell::failed, -1, "it ended before the run was complete");
   } catch (const std::exception&) {  // nobody is left to be told
   }
 }
@@ -160,13 +160,13 @@ void FileExchange::agree(const Presence& partner) {
   const bool partner_knows = partner.run != "-", this_knows = presence_.run != "-";
   if (partner_knows && this_knows && partner.run != presence_.run)
     throw UserError(
-        fmt::format("{}: {} is at another run: one side goes on with a run, and the other one begins anew or goes on "
-                    "with another. Resume both, or begin both anew",
+        fmt::format("{}: {} belongs to another run: one side resumes a run, and the other one starts a new one or resumes "
+                    "another. Resume both, or start both again",
                     folder, partner_name()));
   if (partner.next > next_ && !fs::exists(options_.folder / file_name(other(options_.side), next_)))
     throw UserError(
-        fmt::format("{}: {} is ahead, and its message {} is no longer there, so this side cannot catch up. Resume both "
-                    "from their checkpoints, or begin both anew",
+        fmt::format("{}: {} is ahead, and its message {} is no longer there, so this side cannot catch up. Resume both from "
+                    "their checkpoints, or start both again",
                     folder, partner_name(), next_));
   if (!this_knows) {
     presence_.run = partner.run;
@@ -212,19 +212,20 @@ std::optional<Message> FileExchange::look_for(std::int64_t sequence, const Patie
   } catch (const DamagedFile& error) {
     if (damaged_since_ < 0) damaged_since_ = patience.waited();
     if (patience.waited() - damaged_since_ < grace) return std::nullopt;
-    throw DamagedFile(fmt::format("{}. It should be written under another name and then renamed", error.what()));
+    throw DamagedFile(fmt::format("{}. It should be written under a temporary name and then renamed", error.what()));
   }
 }
 
 void FileExchange::check_sender(const Message& message, std::int64_t sequence, const std::string& file) const {
   if (message.from != other(options_.side))
-    throw MachineError(fmt::format("{}: holds data of the {}, and those of the {} are awaited", file, name_of(message.from),
+    throw MachineError(fmt::format("{}: has data of the {}, but those of the {} are expected", file, name_of(message.from),
                                    name_of(other(options_.side))));
   if (message.run != presence_.run)
-    throw MachineError(fmt::format("{}: is stale: it is of run {}, and this is run {}. Begin both sides anew in an empty folder",
-                                   file, message.run, presence_.run));
+    throw MachineError(
+        fmt::format("{}: is stale: it belongs to run {}, and this is run {}. Start both sides again in an empty folder", file,
+                    message.run, presence_.run));
   if (message.sequence != sequence)
-    throw MachineError(fmt::format("{}: is stale: it holds message {}, and {} is awaited", file, message.sequence, sequence));
+    throw MachineError(fmt::format("{}: is stale: it has message {}, but {} is expected", file, message.sequence, sequence));
 }
 
 void FileExchange::watch_partner(std::int64_t sequence, const Patience& patience) {
@@ -236,10 +237,10 @@ void FileExchange::watch_partner(std::int64_t sequence, const Patience& patience
   const bool has_come =
       fs::exists(options_.folder / file_name(other(options_.side), sequence));  // its last message before it went
   if (is_gone && !has_come)
-    throw MachineError(fmt::format("{}: {} (process {} on {}) died without a word. Resume both sides", folder, partner_name(),
+    throw MachineError(fmt::format("{}: {} (process {} on {}) died without notice. Resume both sides", folder, partner_name(),
                                    partner->process, partner->host));
   if (patience.waited() > options_.time_out)
-    throw MachineError(fmt::format("{}: {} has sent nothing for {} s. If it needs so long, wait longer", folder, partner_name(),
+    throw MachineError(fmt::format("{}: {} has sent nothing for {} s. If it needs that long, wait longer", folder, partner_name(),
                                    options_.time_out));
 }
 
@@ -258,7 +259,7 @@ Message FileExchange::opened(Message message) const {
 Message FileExchange::own(std::int64_t sequence) const {
   const fs::path file = options_.folder / file_name(options_.side, sequence);
   const std::optional<std::string> bytes = read_if_there(file);
-  if (!bytes) throw UserError(fmt::format("{}: is not there: this folder is not that of the run", file.string()));
+  if (!bytes) throw UserError(fmt::format("{}: does not exist: this is not the folder of the run", file.string()));
   return decode(*bytes, file.string());
 }
 

@@ -39,7 +39,7 @@ std::size_t read_layout(const std::string& line, const std::string& name, Number
   words >> table.name >> rows >> table.columns >> table.unit;
   constexpr std::int64_t most = std::int64_t{1} << 40;
   if (!words || rows < 0 || rows > most || table.columns < 1 || table.columns > 1000)
-    throw DamagedFile(fmt::format("{}: 'table {}' in its head is no table", name, line));
+    throw DamagedFile(fmt::format("{}: 'table {}' in its head is not a table", name, line));
   return static_cast<std::size_t>(rows) * static_cast<std::size_t>(table.columns);
 }
 
@@ -57,7 +57,7 @@ NumberTable& Message::table(std::string_view name, int columns, std::string_view
   for (NumberTable& each : tables) {
     if (each.name != name) continue;
     if (each.columns == columns && each.unit == unit) return each;
-    throw UserError(fmt::format("{}: the table '{}' has {} numbers in [{}] a row, and {} in [{}] are awaited", file, name,
+    throw UserError(fmt::format("{}: the table '{}' has {} numbers in [{}] per row, but {} in [{}] are expected", file, name,
                                 each.columns, each.unit, columns, unit));
   }
   throw UserError(fmt::format("{}: has no table '{}'", file, name));
@@ -102,7 +102,7 @@ Message decode(std::string_view bytes, const std::string& name) {
   if (bytes.size() < size) throw DamagedFile(fmt::format("{}: is half written: {} of {} bytes", name, bytes.size(), size));
   if (bytes.size() > size) throw DamagedFile(fmt::format("{}: is damaged: {} bytes instead of {}", name, bytes.size(), size));
   if (bytes.substr(size - seal_size) != seal_of(bytes.substr(0, size - seal_size)))
-    throw DamagedFile(fmt::format("{}: is damaged: its checksum is not that of its bytes", name));
+    throw DamagedFile(fmt::format("{}: is damaged: its checksum does not match its data", name));
   const char* from = bytes.data() + head.end();
   for (NumberTable& table : message.tables) {
     if (!table.values.empty()) std::memcpy(table.values.data(), from, table.values.size() * sizeof(Real));

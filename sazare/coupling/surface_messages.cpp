@@ -14,7 +14,7 @@ std::string file_of(const Message& message) { return file_name(message.from, mes
 
 void check_kind(const Message& message, Kind awaited) {
   if (message.kind == awaited) return;
-  throw UserError(fmt::format("{}: is a message of kind '{}', and one of kind '{}' is awaited: the partner is out of step",
+  throw UserError(fmt::format("{}: is a message of kind '{}', but one of kind '{}' is expected: the partner is out of step",
                               file_of(message), name_of(message.kind), name_of(awaited)));
 }
 
@@ -47,7 +47,7 @@ Contents begin(const Message& message) {
   return contents;
 }
 
-[[noreturn]] void refuse(const std::string& words) { throw UserError("the surface cannot be taken: " + words); }
+[[noreturn]] void refuse(const std::string& words) { throw UserError("the surface cannot be used: " + words); }
 
 /// Face numbers are few and small, and exact as numbers of any kind: one kind is enough for all readers.
 std::vector<std::int32_t> whole_numbers(const std::vector<Real>& values) {
@@ -55,7 +55,7 @@ std::vector<std::int32_t> whole_numbers(const std::vector<Real>& values) {
   whole.reserve(values.size());
   for (const Real value : values) {
     if (!(std::abs(value) < 2147483648.0) || value != std::floor(value))
-      refuse(fmt::format("'{}' is no number of a node", value));
+      refuse(fmt::format("'{}' is not a node number", value));
     whole.push_back(static_cast<std::int32_t>(value));
   }
   return whole;

@@ -61,7 +61,7 @@ Buckets fill_buckets(const TetraMesh& mesh) {
 [[noreturn]] void refuse_third_element(const TetraMesh& mesh, std::int64_t a, std::int64_t b, std::int64_t c) {
   const auto tag = [&](std::int64_t side) { return element_tag(mesh, static_cast<std::int32_t>(side / 4)); };
   throw UserError(
-      fmt::format("elements {}, {} and {} share one face: elements overlap or stand in the mesh twice. Let "
+      fmt::format("elements {}, {} and {} share one face: elements overlap or occur twice in the mesh. Let "
                   "volumes that touch "
                   "share their faces (BooleanFragments, Coherence) and mesh again",
                   tag(a), tag(b), tag(c)));
@@ -134,9 +134,9 @@ FacePlaces locate_triangles(const TetraMesh& mesh, const FaceMap& faces) {
                           mesh.nodes[static_cast<std::size_t>(triangle[2])]) /
                          3;
   throw UserError(
-      fmt::format("a triangle of the surface group '{}', with its centre at ({:g}, {:g}, {:g}), is no face of any "
-                  "tetrahedron: the surface does not bound a meshed volume and is not embedded in one. Make it part "
-                  "of a volume (Surface{{..}} In Volume{{..}}, BooleanFragments), or take it out of the group",
+      fmt::format("a triangle of the surface group '{}', with its centre at ({:g}, {:g}, {:g}), is not a face of any "
+                  "tetrahedron: the surface does not bound a meshed volume and is not embedded in one. Make it part of a volume "
+                  "(Surface{{..}} In Volume{{..}}, BooleanFragments), or take it out of the group",
                   name, center.x(), center.y(), center.z()));
 }
 

@@ -57,7 +57,7 @@ LinearSurface linear_surface(const ElementMesh& mesh, const ElementGroup& group)
   const auto beside = elements_beside(mesh, group);
   std::vector<Index> corners;  // nodes of the mesh
   for (std::size_t i = 0; i < group.elements.size(); ++i) {
-    if (beside[i] < 0) throw UserError(fmt::format("the group \"{}\" has elements that are no faces of the body", group.name));
+    if (beside[i] < 0) throw UserError(fmt::format("the group \"{}\" has elements that are not faces of the body", group.name));
     const auto nodes = seen_from_outside(mesh.elements[static_cast<std::size_t>(beside[i])], group.elements[i]);
     for (const Simplex& cut : cuts_of(group.elements[i].shape)) {
       const auto node = [&](int k) { return nodes[static_cast<std::size_t>(cut[static_cast<std::size_t>(k)])]; };

@@ -51,13 +51,13 @@ void check_volumes(const TetraMesh& mesh) {
   }
   if (!inverted.empty()) {
     throw UserError(
-        fmt::format("{} inverted, with a volume below zero: {}. Reverse the node order, or mesh again (gmsh Plugin "
+        fmt::format("{} inverted, with a negative volume: {}. Reverse the node order, or mesh again (gmsh Plugin "
                     "AnalyseMeshQuality shows them)",
                     elements(inverted.size()), list(inverted)));
   }
   if (!degenerate.empty()) {
     throw UserError(
-        fmt::format("{} degenerate, without a volume worth the name: {}. Mesh again with another size or "
+        fmt::format("{} degenerate, with almost no volume: {}. Mesh again with another size or "
                     "Mesh.Optimize = 1",
                     elements(degenerate.size()), list(degenerate)));
   }
@@ -104,7 +104,7 @@ void check_interfaces(const TetraMesh& mesh, const FaceMap& faces) {
                   "conform), so no joint can "
                   "hold them: {}. Let the volumes share the surface (BooleanFragments, or Coherence and "
                   "Coherence Mesh) and mesh "
-                  "again; where a gap is meant, put the surfaces of both sides into physical surface groups "
+                  "again; where a gap is intended, put the surfaces of both sides into physical surface groups "
                   "(a crack inside one "
                   "volume needs no double nodes: its joint is bonded = false)",
                   names.size() == 1 ? "1 pair" : fmt::format("{} pairs", names.size()), list(names)));

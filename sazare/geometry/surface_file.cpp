@@ -45,11 +45,12 @@ std::vector<Triangle> binary_stl(const fs::path& file, const std::string& bytes)
   const std::size_t expected = header_bytes + triangle_bytes * count;
   if (bytes.size() < expected)
     throw UserError(
-        fmt::format("{}: the file is cut short: it announces {} triangles, {} bytes, and ends after {} of them, {} bytes",
+        fmt::format("{}: the file is cut short: its header states {} triangles, {} bytes, but it ends after {} of them, {} bytes",
                     file.string(), count, expected, (bytes.size() - header_bytes) / triangle_bytes, bytes.size()));
   if (bytes.size() > expected)
-    throw UserError(fmt::format("{}: a binary STL of {} triangles, as it announces, has {} bytes, found {}: is it an STL?",
-                                file.string(), count, expected, bytes.size()));
+    throw UserError(
+        fmt::format("{}: a binary STL of {} triangles, as its header states, has {} bytes, found {}: is it an STL file?",
+                    file.string(), count, expected, bytes.size()));
   std::vector<Triangle> triangles;
   for (std::size_t at = header_bytes; at < expected; at += triangle_bytes) {
     float numbers[12];  // the normal, which follows from the corners, and these
@@ -63,8 +64,8 @@ std::vector<Triangle> binary_stl(const fs::path& file, const std::string& bytes)
 }
 
 [[noreturn]] void refuse_loop(const fs::path& file, std::size_t line, std::size_t corners) {
-  throw UserError(fmt::format("{}:{}: a facet has {} corners, and those of an STL have three: export triangles", file.string(),
-                              line, corners < 3 ? fmt::format("{}", corners) : "four or more"));
+  throw UserError(fmt::format("{}:{}: a facet has {} corners, but those of an STL file have three: export triangles",
+                              file.string(), line, corners < 3 ? fmt::format("{}", corners) : "four or more"));
 }
 
 std::vector<Triangle> text_stl(const fs::path& file, const std::string& text) {
@@ -149,7 +150,7 @@ void check_areas(const fs::path& file, const std::vector<Triangle>& triangles) {
     if (is_flat(triangles[i])) flat.push_back(i + 1);
   if (flat.empty()) return;
   const std::size_t shown = std::min(flat.size(), most_listed);
-  throw UserError(fmt::format("{}: {} of {} triangles have no area, counted from 1: {}{}; remove them or mesh the surface anew",
+  throw UserError(fmt::format("{}: {} of {} triangles have no area, counted from 1: {}{}; remove them or mesh the surface again",
                               file.string(), flat.size(), triangles.size(),
                               fmt::join(flat.begin(), flat.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
                               flat.size() > shown ? " ..." : ""));
@@ -169,7 +170,7 @@ std::vector<Triangle> read_surface(const fs::path& file, const std::string& grou
   for (Triangle& triangle : triangles)
     for (Vector3& corner : triangle) {
       corner *= scale;
-      if (!corner.allFinite()) throw UserError(fmt::format("{}: a corner of the surface is no finite number", file.string()));
+      if (!corner.allFinite()) throw UserError(fmt::format("{}: a corner of the surface is not a finite number", file.string()));
     }
   check_areas(file, triangles);
   return triangles;

@@ -45,7 +45,7 @@ inline std::string check_with_meshes(const std::function<std::string(const std::
     if (std::filesystem::is_empty(folder.path())) throw;
     folder.keep();
     throw UserError(
-        fmt::format("{}\n  gmsh has made the mesh of the case; it is kept in {}", error.what(), folder.path().string()));
+        fmt::format("{}\n  the mesh that gmsh generated for the case is kept in {}", error.what(), folder.path().string()));
   }
 }
 

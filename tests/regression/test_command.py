@@ -134,7 +134,7 @@ def test_check_keeps_the_mesh_that_its_error_tells_of(sazare, tmp_path):
     words = sazare("check", sazare.block, "--set", "mesh.file=block.geo", "--set", "gauges.0.point=[9, 9, 9]",
                    env=os.environ | {"TMPDIR": str(tmp_path)}).stderr
     assert "is in no element" in words
-    kept = words.split("gmsh has made the mesh of the case; it is kept in ")[1].strip()
+    kept = words.split("the mesh that gmsh generated for the case is kept in ")[1].strip()
     assert [path.name for path in Path(kept).iterdir()] == ["mesh.msh"]
     assert "elements have the numbers of mesh.msh" in sazare("check", sazare.block, "--set", "mesh.file=block.geo",
                                                             env=os.environ | {"TMPDIR": str(tmp_path)}).stdout

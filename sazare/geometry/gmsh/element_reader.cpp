@@ -48,14 +48,14 @@ private:
   void find_nodes() {
     for (std::size_t i = 0; i < file_.node_tags.size(); ++i)
       if (!in_file_.emplace(file_.node_tags[i], i).second)
-        throw UserError(fmt::format("$Nodes: node {} stands there twice. Make the file again", file_.node_tags[i]));
+        throw UserError(fmt::format("$Nodes: node {} occurs twice. Write the file again", file_.node_tags[i]));
   }
 
   void check_dimension(const GmshBlock& block) const {
     if (block.dimension <= mesh_.dimension) return;
     throw UserError(
         fmt::format("$Elements: the group '{}' holds elements of {} dimensions, such as element {}, and the case is "
-                    "in {}-D: set mesh.dimension = {}, or take the group out of the mesh",
+                    "in {}-D: set mesh.dimension = {}, or remove the group from the mesh",
                     groups_of(file_, block).front(), block.dimension, block.tags.empty() ? 0 : block.tags.front(),
                     mesh_.dimension, block.dimension));
   }
@@ -106,8 +106,8 @@ private:
       for (const Index node : group->elements.back().node_list())
         if (node < 0)
           throw UserError(
-              fmt::format("$Elements: element {} of the group '{}' touches no element of the body. Make the group part "
-                          "of it, or take it out",
+              fmt::format("$Elements: element {} of the group '{}' touches no element of the body. Make the group part of it, or "
+                          "remove the group",
                           block.tags[i], name));
     }
   }
@@ -134,7 +134,7 @@ private:
     const auto in_file = in_file_.find(tag);
     if (in_file == in_file_.end())
       throw UserError(
-          fmt::format("$Elements: element {} names node {}, which is not in $Nodes. Make the file again", element, tag));
+          fmt::format("$Elements: element {} names node {}, which is not in $Nodes. Write the file again", element, tag));
     mesh_.nodes.push_back(scale_ * file_.nodes[in_file->second]);
     mesh_.node_tags.push_back(tag);
     return places_[tag] = static_cast<Index>(mesh_.nodes.size()) - 1;

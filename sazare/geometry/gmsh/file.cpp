@@ -82,7 +82,7 @@ void read_node_block(GmshScanner& in, GmshFile& file) {
     for (int axis = 0; axis < 3; ++axis) node[axis] = in.read_real("a node's coordinate");
     const std::size_t index = file.nodes.size();
     if (!node.allFinite()) {
-      in.fail(fmt::format("node {} has a coordinate that is not a finite number: ({}, {}, {}). Make the file again",
+      in.fail(fmt::format("node {} has a coordinate that is not a finite number: ({}, {}, {}). Write the file again",
                           file.node_tags[index], node.x(), node.y(), node.z()));
     }
     file.nodes.push_back(node);
@@ -98,7 +98,7 @@ void read_nodes(GmshScanner& in, GmshFile& file) {
   in.read_long("the largest node number");
   for (std::int64_t i = 0; i < blocks; ++i) read_node_block(in, file);
   if (file.nodes.size() != static_cast<std::size_t>(nodes)) {
-    in.fail(fmt::format("the section announces {} nodes and holds {}. Make the file again", nodes, file.nodes.size()));
+    in.fail(fmt::format("the section announces {} nodes but has {}. Write the file again", nodes, file.nodes.size()));
   }
 }
 
@@ -137,7 +137,7 @@ constexpr std::array<ElementType, 20> element_types = {{
     if (known.number != type) continue;
     const std::string_view advice = known.higher_order
                                         ? "Mesh with first-order elements: gmsh -order 1, or Mesh.ElementOrder = 1"
-                                        : "Mesh with tetrahedra only: leave out Recombine and Layers{..}; Recombine, and set "
+                                        : "Mesh with tetrahedra only: remove Recombine and Layers{..}; Recombine, and set "
                                           "Mesh.RecombineAll = 0 and Mesh.SubdivisionAlgorithm = 0";
     in.fail(fmt::format("element {} is of type {} ({}); Sazare reads first-order tetrahedra and triangles. {}", first_tag, type,
                         known.name, advice));
@@ -214,7 +214,7 @@ void read_elements(GmshScanner& in, GmshFile& file, ReadBlock read_element_block
   std::int64_t found = 0;
   for (std::int64_t i = 0; i < blocks; ++i) found += read_element_block(in, file);
   if (found != elements) {
-    in.fail(fmt::format("the section announces {} elements and holds {}. Make the file again", elements, found));
+    in.fail(fmt::format("the section announces {} elements but has {}. Write the file again", elements, found));
   }
 }
 
@@ -248,13 +248,13 @@ GmshFile read_gmsh_file(const std::filesystem::path& path, GmshContent content) 
       in.skip_section();
       continue;
     }
-    if (!found.insert(in.section()).second) in.fail("the section stands in the file twice. Make the file again");
+    if (!found.insert(in.section()).second) in.fail("the section occurs twice in the file. Write the file again");
     known->second(in, file);
     in.end_section();
   }
   for (const std::string name : {"Nodes", "Elements"}) {
     if (found.contains(name)) continue;
-    in.fail(fmt::format("the section ${} is missing: the file was cut short. Make or copy it again", name));
+    in.fail(fmt::format("the section ${} is missing: the file is truncated. Write or copy it again", name));
   }
   return file;
 }

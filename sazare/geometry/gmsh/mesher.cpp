@@ -62,7 +62,7 @@ void check_parameters(const MeshRequest& request, const std::string& text) {
   for (const auto& [name, value] : request.parameters) {
     if (name.empty() || !std::all_of(name.begin(), name.end(), is_name_character)) {
       throw UserError(
-          fmt::format("{}: the parameter '{}' is no name: letters, digits and _ only", request.geometry.string(), name));
+          fmt::format("{}: the parameter '{}' is not a valid name: letters, digits and _ only", request.geometry.string(), name));
     }
     if (!std::isfinite(value)) {
       throw UserError(
@@ -82,8 +82,8 @@ void check_parameters(const MeshRequest& request, const std::string& text) {
     }
   }
   if (!(request.size_factor > 0) || !std::isfinite(request.size_factor)) {
-    throw UserError(fmt::format("{}: the size factor is {}; it should be a finite number above zero", request.geometry.string(),
-                                request.size_factor));
+    throw UserError(fmt::format("{}: the size factor is {}; it should be a finite number greater than zero",
+                                request.geometry.string(), request.size_factor));
   }
 }
 
@@ -200,8 +200,8 @@ void check_outcome(const MeshRequest& request, const Outcome& outcome, const fs:
   const std::string geometry = request.geometry.string();
   if (outcome.start_error == ENOENT) {
     throw UserError(
-        fmt::format("{}: to mesh it the program '{}' is needed, and it is not installed. Install it "
-                    "(Debian: apt install gmsh), or name a .msh file that is meshed already",
+        fmt::format("{}: meshing it requires the program '{}', which is not installed. Install it (Debian: apt install gmsh), or "
+                    "name a .msh file",
                     geometry, request.program));
   }
   if (outcome.start_error != 0) {
@@ -213,11 +213,11 @@ void check_outcome(const MeshRequest& request, const Outcome& outcome, const fs:
   const std::string words = last_lines(messages.errors.empty() ? messages.lines : messages.errors, shown);
   if (WIFSIGNALED(outcome.status) && (WTERMSIG(outcome.status) == SIGINT || WTERMSIG(outcome.status) == SIGTERM)) {
     throw MachineError(
-        fmt::format("{}: stopped while gmsh was meshing it. Nothing of the run is there yet: start it once more", geometry));
+        fmt::format("{}: stopped while gmsh was meshing it. The run has not started: run it again", geometry));
   }
   if (WIFSIGNALED(outcome.status)) {
     throw MachineError(
-        fmt::format("{}: gmsh was ended by signal {} (too little memory?).{}", geometry, WTERMSIG(outcome.status), words));
+        fmt::format("{}: gmsh was terminated by signal {} (out of memory?).{}", geometry, WTERMSIG(outcome.status), words));
   }
   std::error_code ignored;
   if (WEXITSTATUS(outcome.status) == 0 && messages.errors.empty() && fs::exists(output, ignored)) return;
@@ -233,7 +233,7 @@ void check_end(const MeshRequest& request, const fs::path& output) {
   stream.seekg(length - static_cast<std::streamoff>(end.size()));
   stream.read(end.data(), static_cast<std::streamsize>(end.size()));
   if (end.find("$End") != std::string::npos) return;
-  throw MachineError(fmt::format("{}: the mesh that gmsh has written is cut short: is the disk full? Nothing of it is kept",
+  throw MachineError(fmt::format("{}: the mesh written by gmsh is truncated: is the disk full? It has been removed",
                                  request.mesh.string()));
 }
 

@@ -68,7 +68,7 @@ public:
     in_file.reserve(file.node_tags.size());
     for (std::size_t i = 0; i < file.node_tags.size(); ++i) {
       if (!in_file.emplace(file.node_tags[i], i).second) {
-        throw UserError(fmt::format("$Nodes: node {} stands there twice. Make the file again", file.node_tags[i]));
+        throw UserError(fmt::format("$Nodes: node {} occurs twice. Write the file again", file.node_tags[i]));
       }
     }
     std::vector<char> used(file.nodes.size(), 0);
@@ -96,7 +96,7 @@ public:
 private:
   [[noreturn]] static void refuse_node(std::int64_t element, std::int64_t node) {
     throw UserError(
-        fmt::format("$Elements: element {} names node {}, which is not in $Nodes. Make the file again", element, node));
+        fmt::format("$Elements: element {} names node {}, which is not in $Nodes. Write the file again", element, node));
   }
 
   std::unordered_map<std::int64_t, std::int32_t> places_;
@@ -146,8 +146,8 @@ void add_tetrahedra(const GmshFile& file, const NodeMap& nodes, TetraMesh& mesh)
   std::ranges::sort(numbers);
   if (const auto twice = std::ranges::adjacent_find(numbers); twice != numbers.end())
     throw UserError(
-        fmt::format("$Elements: two tetrahedra have the number {}, by which messages and results name them. Save the mesh "
-                    "from gmsh once more, which numbers them anew",
+        fmt::format("$Elements: two tetrahedra have the number {}, by which messages and results name them. Save the mesh from "
+                    "gmsh again, which renumbers them",
                     *twice));
 }
 
@@ -164,7 +164,7 @@ void add_surfaces(const GmshFile& file, const NodeMap& nodes, TetraMesh& mesh) {
         throw UserError(
             fmt::format("$Elements: triangle {} of the surface group '{}' is on no tetrahedron (node {}). "
                         "Make the surface part "
-                        "of a volume, or take it out of the group",
+                        "of a volume, or remove it from the group",
                         file.triangles.tags[i], surface.name, file.triangles.nodes[i][corner]));
       }
     }

@@ -31,18 +31,18 @@ std::string printable(std::string_view word) {
 std::string read_file(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) {
-    throw UserError(fmt::format("{}: there is no such mesh file. Check the name, or make it with gmsh", file.string()));
+    throw UserError(fmt::format("{}: there is no such mesh file. Check the name, or generate it with gmsh", file.string()));
   }
   if (!std::filesystem::is_regular_file(file, error)) {
     throw UserError(fmt::format("{}: is not a file. Name a Gmsh mesh (.msh)", file.string()));
   }
   std::ifstream stream(file, std::ios::binary);
   const std::string reason = std::generic_category().message(errno);
-  if (!stream) throw UserError(fmt::format("{}: cannot be opened: {}. Check who may read it", file.string(), reason));
+  if (!stream) throw UserError(fmt::format("{}: cannot be opened: {}. Check its permissions", file.string(), reason));
   std::string text(static_cast<std::size_t>(std::filesystem::file_size(file, error)), '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.empty()) throw UserError(fmt::format("{}: the mesh file is empty. Make it again with gmsh", file.string()));
+  if (text.empty()) throw UserError(fmt::format("{}: the mesh file is empty. Generate it again with gmsh", file.string()));
   return text;
 }
 
@@ -59,7 +59,7 @@ void GmshScanner::fail(std::string_view message) const {
 }
 
 void GmshScanner::fail_truncated(std::string_view what) const {
-  fail(fmt::format("the file ends where {} should be: it was cut short. Make or copy it again", what));
+  fail(fmt::format("the file ends where {} should be: it is truncated. Write or copy it again", what));
 }
 
 void GmshScanner::skip_space() {
@@ -88,7 +88,7 @@ void GmshScanner::end_section() {
   const std::string_view word = read_word(mark);
   if (word != mark) {
     if (mark.starts_with(word)) fail_truncated(mark);
-    fail(fmt::format("{} should be here, not '{}': the section holds more than it announces. Make the file again", mark,
+    fail(fmt::format("{} should be here, not '{}': the section has more than it announces. Write the file again", mark,
                      printable(word)));
   }
   section_.clear();
@@ -130,9 +130,9 @@ std::int64_t GmshScanner::read_text_integer(std::string_view what) {
   if (error == std::errc{} && end == word.data() + word.size()) return value;
   position_ -= word.size();
   if (word[0] == '$') {
-    fail(fmt::format("the section ends where {} should be: it holds less than it announces. Make the file again", what));
+    fail(fmt::format("the section ends where {} should be: it has less than it announces. Write the file again", what));
   }
-  fail(fmt::format("{} should be a whole number, not '{}'. Make the file again", what, printable(word)));
+  fail(fmt::format("{} should be a whole number, not '{}'. Write the file again", what, printable(word)));
 }
 
 template <class T>
@@ -151,7 +151,7 @@ std::int32_t GmshScanner::read_integer(std::string_view what) {
   if (binary_) return read_bytes<std::int32_t>(what);
   const std::int64_t value = read_text_integer(what);
   if (value < INT32_MIN || value > INT32_MAX) {
-    fail(fmt::format("{} is {}, which no mesh can hold. Make the file again", what, value));
+    fail(fmt::format("{} is {}, which is too large for any mesh. Write the file again", what, value));
   }
   return static_cast<std::int32_t>(value);
 }
@@ -162,14 +162,13 @@ std::int64_t GmshScanner::read_long(std::string_view what) {
 
 std::int64_t GmshScanner::read_count(std::string_view what, std::size_t item_bytes) {
   const std::int64_t count = read_long(what);
-  if (count < 0) fail(fmt::format("{} is {}, below zero. Make the file again", what, count));
+  if (count < 0) fail(fmt::format("{} is {}, but must not be negative. Write the file again", what, count));
   constexpr std::size_t shortest_word = 2;  // a digit and a space
   const std::size_t room = remaining() / (binary_ ? item_bytes : shortest_word);
   if (static_cast<std::size_t>(count) > room) {
-    fail(
-        fmt::format("{} is {}, but the rest of the file has room for {} at most: it was cut short or damaged. "
-                    "Make or copy it again",
-                    what, count, room));
+    fail(fmt::format(
+        "{} is {}, but the rest of the file has space for {} at most: it is truncated or damaged. Write or copy it again", what,
+        count, room));
   }
   return count;
 }
@@ -185,9 +184,9 @@ Real GmshScanner::read_real(std::string_view what) {
   }
   position_ -= word.size();
   if (word[0] == '$') {
-    fail(fmt::format("the section ends where {} should be: it holds less than it announces. Make the file again", what));
+    fail(fmt::format("the section ends where {} should be: it has less than it announces. Write the file again", what));
   }
-  fail(fmt::format("{} should be a number, not '{}'. Make the file again", what, printable(word)));
+  fail(fmt::format("{} should be a number, not '{}'. Write the file again", what, printable(word)));
 }
 
 void GmshScanner::skip_bytes(std::size_t bytes) {

@@ -127,7 +127,7 @@ TEST(file_channel, message_of_another_kind) {
   Pair pair;
   pair.continuum.files().send(to_message(two_segments()));
   EXPECT_WORDS(words_of<UserError>([&] { pair.bodies.receive(); }),
-               "is a message of kind 'shape', and one of kind 'motion' is awaited");
+               "is a message of kind 'shape', but one of kind 'motion' is expected");
 }
 
 }  // namespace

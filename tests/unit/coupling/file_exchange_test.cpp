@@ -165,7 +165,7 @@ TEST(file_exchange, partner_who_is_killed) {
   auto reaped = std::async(std::launch::async, [&] { waitpid(child, nullptr, 0); });
   const std::string words = words_of<MachineError>([&] { continuum.open(two_segments()); });
   EXPECT_WORDS(words, "(process " + std::to_string(child) + " on ");
-  EXPECT_WORDS(words, "died without a word. Resume both sides");
+  EXPECT_WORDS(words, "died without notice. Resume both sides");
 }
 
 TEST(file_exchange, partner_without_a_lock_is_known_by_its_process) {
@@ -221,7 +221,7 @@ TEST(file_exchange, side_that_goes_without_a_word_is_heard) {
     FileBodyChannel bodies(options_of(folder, Side::bodies));
     bodies.open();
   }
-  EXPECT_WORDS(asked.get(), "the bodies' program failed: it ended before its time");
+  EXPECT_WORDS(asked.get(), "the bodies' program failed: it ended before the run was complete");
 }
 
 TEST(file_exchange, second_program_on_the_same_side) {
@@ -269,7 +269,7 @@ TEST(file_exchange, half_written_file_is_waited_for_and_then_told) {
   test::write_text(pair.file(Side::bodies, 3), with_sequence_2.substr(0, 200));
   const std::string words = refused.get();
   EXPECT_WORDS(words, "bodies-000000000003.message: is half written: 200 of");
-  EXPECT_WORDS(words, "written under another name and then renamed");
+  EXPECT_WORDS(words, "written under a temporary name and then renamed");
 }
 
 TEST(file_exchange, stale_files) {
@@ -280,19 +280,19 @@ TEST(file_exchange, stale_files) {
   message.sequence = 1;
   test::write_text(pair.file(Side::bodies, 1), encode(message));
   EXPECT_WORDS(words_of<MachineError>([&] { pair.continuum.exchange(motion_of(0)); }),
-               "is stale: it is of run 0000, and this is run");
+               "is stale: it belongs to run 0000, and this is run");
 
   Pair other;
   message.run = other.continuum.files().run();
   message.sequence = 7;
   test::write_text(other.file(Side::bodies, 1), encode(message));
   EXPECT_WORDS(words_of<MachineError>([&] { other.continuum.exchange(motion_of(0)); }),
-               "is stale: it holds message 7, and 1 is awaited");
+               "is stale: it has message 7, but 1 is expected");
   message.sequence = 2;
   message.from = Side::continuum;
   test::write_text(other.file(Side::bodies, 2), encode(message));
   EXPECT_WORDS(words_of<MachineError>([&] { other.continuum.exchange(motion_of(1)); }),
-               "holds data of the continuum, and those of the bodies are awaited");
+               "has data of the continuum, but those of the bodies are expected");
 }
 
 TEST(file_exchange, partner_of_another_version) {
@@ -310,8 +310,8 @@ TEST(file_exchange, resumed_side_and_new_one_do_not_go_together) {
   FileExchange bodies(options_of(folder, Side::bodies, walk.marks[1]));
   FileExchange continuum(options_of(folder, Side::continuum));
   auto met = std::async(std::launch::async, [&] { return words_of<UserError>([&] { continuum.meet(); }); });
-  EXPECT_WORDS(words_of<UserError>([&] { bodies.meet(); }), "the continuum's program is at another run");
-  EXPECT_WORDS(met.get(), "the bodies' program is at another run");
+  EXPECT_WORDS(words_of<UserError>([&] { bodies.meet(); }), "the continuum's program belongs to another run");
+  EXPECT_WORDS(met.get(), "the bodies' program belongs to another run");
 }
 
 TEST(file_exchange, messages_that_are_gone_cannot_be_gone_through_again) {

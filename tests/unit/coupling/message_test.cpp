@@ -89,7 +89,7 @@ TEST(message, too_long_is_damaged) {
 
 TEST(message, other_version_and_other_protocol) {
   std::string bytes = encode(example());
-  EXPECT_WORDS(words_of<UserError>([&] { decode("some text of somebody else\n", "file"); }), "file: is no file of a coupling");
+  EXPECT_WORDS(words_of<UserError>([&] { decode("some text of somebody else\n", "file"); }), "file: is not a coupling file");
   bytes.replace(0, 17, "sazare-coupling 2");
   const std::string words = words_of<UserError>([&] { decode(bytes, "file"); });
   EXPECT_WORDS(words, "the partner speaks version 2 of the protocol, and this program version 1");
@@ -98,7 +98,7 @@ TEST(message, other_version_and_other_protocol) {
 TEST(message, head_that_makes_no_sense) {
   std::string bytes = encode(example());
   bytes.replace(bytes.find("mean 2 2"), 8, "mean -1 2");
-  EXPECT_WORDS(words_of<DamagedFile>([&] { decode(bytes, "file"); }), "'table mean -1 2 N/m' in its head is no table");
+  EXPECT_WORDS(words_of<DamagedFile>([&] { decode(bytes, "file"); }), "'table mean -1 2 N/m' in its head is not a table");
   bytes = encode(example());
   bytes.replace(bytes.find("mean 2 2"), 8, "mean 99999999999 2");
   EXPECT_WORDS(words_of<DamagedFile>([&] { decode(bytes, "file"); }), "half written");
@@ -108,7 +108,7 @@ TEST(message, table_of_another_unit) {
   Message message = example();
   EXPECT_EQ(message.table("mean", 2, "N/m").values.size(), 4u);
   EXPECT_WORDS(words_of<UserError>([&] { message.table("mean", 2, "N"); }),
-               "has 2 numbers in [N/m] a row, and 2 in [N] are awaited");
+               "has 2 numbers in [N/m] per row, but 2 in [N] are expected");
   EXPECT_WORDS(words_of<UserError>([&] { message.table("rest", 2, "N"); }), "has no table 'rest'");
 }
 

@@ -111,7 +111,7 @@ TEST(gmsh_mesher, a_mesh_that_is_cut_short_is_not_kept) {
   MeshRequest request{folder.write("box.geo", box), folder.path() / "meshes/box.msh"};
   request.program =
       in_place_of_gmsh(folder, "printf '$MeshFormat\\n4.1 1 8\\n$EndMeshFormat\\n$Nodes\\n1 2 3 and much more of them' > \"$4\"");
-  EXPECT_WORDS(words_of<MachineError>(request), "box.msh: the mesh that gmsh has written is cut short: is the disk full?");
+  EXPECT_WORDS(words_of<MachineError>(request), "box.msh: the mesh written by gmsh is truncated: is the disk full?");
   EXPECT_EQ(files_in(folder.path() / "meshes"), 0U);
 }
 
@@ -119,14 +119,14 @@ TEST(gmsh_mesher, a_stop_while_it_works_is_said_to_be_one) {
   const TemporaryFolder folder;
   MeshRequest request{folder.write("box.geo", box), folder.path() / "box.msh"};
   request.program = in_place_of_gmsh(folder, "kill -INT $$");
-  EXPECT_WORDS(words_of<MachineError>(request), "stopped while gmsh was meshing it. Nothing of the run is there yet");
+  EXPECT_WORDS(words_of<MachineError>(request), "stopped while gmsh was meshing it. The run has not started");
 }
 
 TEST(gmsh_mesher, missing_program) {
   const TemporaryFolder folder;
   const MeshRequest request{folder.write("box.geo", box), folder.path() / "box.msh", {}, 1, 3, "no-such-gmsh"};
   const std::string words = words_of<UserError>(request);
-  EXPECT_WORDS(words, "box.geo: to mesh it the program 'no-such-gmsh' is needed, and it is not installed");
+  EXPECT_WORDS(words, "box.geo: meshing it requires the program 'no-such-gmsh', which is not installed");
   EXPECT_WORDS(words, "apt install gmsh");
 }
 
@@ -158,7 +158,7 @@ TEST(gmsh_mesher, parameter_unknown_to_the_geometry) {
   MeshRequest request{folder.write("box.geo", box), folder.path() / "box.msh", {{"dept", 2}}};
   EXPECT_WORDS(words_of<UserError>(request), "the parameter 'dept' does not occur in this file");
   request.parameters = {{"-o", 1}};
-  EXPECT_WORDS(words_of<UserError>(request), "the parameter '-o' is no name");
+  EXPECT_WORDS(words_of<UserError>(request), "the parameter '-o' is not a valid name");
   request.parameters = {{"depth", std::nan("")}};
   EXPECT_WORDS(words_of<UserError>(request), "should be a finite number");
   request = {folder.write("fixed.geo", "depth = 1;\n"), folder.path() / "box.msh", {{"depth", 2}}};

@@ -122,12 +122,12 @@ TEST(gmsh_reader_errors, volume_in_two_groups) {
 
 TEST(gmsh_reader_errors, inverted_element) {
   const std::string words = words_of([](MshWriter& mesh) { std::swap(mesh.elements[3].nodes[0], mesh.elements[3].nodes[1]); });
-  EXPECT_WORDS(words, "1 element inverted, with a volume below zero: 104 (volume -0.166667 m3)");
+  EXPECT_WORDS(words, "1 element inverted, with a negative volume: 104 (volume -0.166667 m3)");
 }
 
 TEST(gmsh_reader_errors, degenerate_element) {
   const std::string words = words_of([](MshWriter& mesh) { mesh.elements[3].nodes = {1, 2, 3, 5}; });
-  EXPECT_WORDS(words, "1 element degenerate, without a volume worth the name: 104 (volume 0 m3)");
+  EXPECT_WORDS(words, "1 element degenerate, with almost no volume: 104 (volume 0 m3)");
   EXPECT_WORDS(words_of([](MshWriter& mesh) { mesh.elements[3].nodes = {2, 2, 3, 5}; }), "104 (volume 0 m3)");
 }
 
@@ -177,7 +177,7 @@ TEST(gmsh_reader_errors, unknown_node) {
 }
 
 TEST(gmsh_reader_errors, node_number_twice) {
-  EXPECT_WORDS(words_of(replaced(two_tetrahedra().text(), "4 \n5 \n", "4 \n4 \n")), "node 4 stands there twice");
+  EXPECT_WORDS(words_of(replaced(two_tetrahedra().text(), "4 \n5 \n", "4 \n4 \n")), "node 4 occurs twice");
 }
 
 TEST(gmsh_reader_errors, surface_away_from_the_body) {
@@ -196,10 +196,10 @@ TEST(gmsh_reader_errors, words_instead_of_numbers) {
 }
 
 TEST(gmsh_reader_errors, announced_numbers_do_not_hold) {
-  EXPECT_WORDS(words_of(replaced(two_tetrahedra().text(), "$Nodes\n1 5", "$Nodes\n1 6")), "announces 6 nodes and holds 5");
+  EXPECT_WORDS(words_of(replaced(two_tetrahedra().text(), "$Nodes\n1 5", "$Nodes\n1 6")), "announces 6 nodes but has 5");
   EXPECT_WORDS(words_of(replaced(two_tetrahedra().text(), "$Elements\n4 4", "$Elements\n4 5")),
-               "announces 5 elements and holds 4");
-  EXPECT_WORDS(words_of(replaced(two_tetrahedra().text(), "$Nodes\n1 5", "$Nodes\n1 900000000")), "room for");
+               "announces 5 elements but has 4");
+  EXPECT_WORDS(words_of(replaced(two_tetrahedra().text(), "$Nodes\n1 5", "$Nodes\n1 900000000")), "space for");
   EXPECT_WORDS(words_of(replaced(two_tetrahedra().text(), "$Elements\n4 4", "$Elements\n3 3")), "$EndElements should be here");
   EXPECT_WORDS(words_of(replaced(two_tetrahedra().text(), "$Elements\n4 4", "$Elements\n5 5")),
                "the section ends where an element block's dimension should be");
@@ -207,7 +207,7 @@ TEST(gmsh_reader_errors, announced_numbers_do_not_hold) {
 
 TEST(gmsh_reader_errors, missing_section) {
   std::string text = two_tetrahedra().text();
-  EXPECT_WORDS(words_of(text.substr(0, text.find("$Elements"))), "the section $Elements is missing: the file was cut short");
+  EXPECT_WORDS(words_of(text.substr(0, text.find("$Elements"))), "the section $Elements is missing: the file is truncated");
   EXPECT_WORDS(words_of(text.substr(0, text.find("$Nodes"))), "the section $Nodes is missing");
 }
 
@@ -215,7 +215,7 @@ TEST(gmsh_reader_errors, section_twice) {
   const std::string text = two_tetrahedra().text();
   const auto begin = text.find("$Nodes");
   const auto end = text.find("$Elements");
-  EXPECT_WORDS(words_of(text.substr(0, end) + text.substr(begin)), "the section stands in the file twice");
+  EXPECT_WORDS(words_of(text.substr(0, end) + text.substr(begin)), "the section occurs twice in the file");
 }
 
 TEST(gmsh_reader_errors, partitioned) {

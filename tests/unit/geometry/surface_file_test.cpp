@@ -120,7 +120,7 @@ TEST(surface_file, says_how_much_of_a_binary_file_is_there) {
   const Triangle one = {Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0)};
   const std::string whole = as_binary({one, one, one});
   const std::string cut = words(folder.write("cut.stl", whole.substr(0, whole.size() - 70)));
-  EXPECT_NE(cut.find("it announces 3 triangles, 234 bytes, and ends after 1 of them, 164 bytes"), std::string::npos) << cut;
+  EXPECT_NE(cut.find("its header states 3 triangles, 234 bytes, but it ends after 1 of them, 164 bytes"), std::string::npos) << cut;
   const std::string head = words(folder.write("head.stl", std::string(20, '\0')));
   EXPECT_NE(head.find("begins with 84 bytes before its triangles, found 20"), std::string::npos) << head;
   const std::string more = words(folder.write("more.stl", whole + "more"));
