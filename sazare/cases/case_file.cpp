@@ -53,7 +53,7 @@ const CaseFormat& format_of(CaseFormats formats, std::string_view method) {
   return found == formats.end() ? formats.front() : *found;
 }
 
-/// Those of all methods, where it is not known yet which one it is.
+/// The tables of all methods, for a case whose method is not known yet.
 std::vector<Table> all_tables(CaseFormats formats) {
   std::vector<Table> all;
   for (const CaseFormat& format : formats) all.insert(all.end(), format.tables.begin(), format.tables.end());

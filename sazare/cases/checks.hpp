@@ -67,7 +67,7 @@ struct StrengthNumbers {
   Real cohesion = 0, friction_angle = 0, dilation_angle = 0, tensile_strength = 0;
 };
 
-/// That they go together; nothing where the friction angle is missing.
+/// Checks that the numbers of a strength go together; does nothing where the friction angle is missing.
 void check_strength(const CheckContext& context, const Entry& entry, const StrengthNumbers& strength);
 
 /// Reports keys that are missing, and those that do not belong to what was chosen.

@@ -25,7 +25,7 @@ struct OutsideHistory {
   void add(Real step, std::span<const Real> values) const;
 };
 
-/// Those among the motions of a case, in their order.
+/// The histories of functions among the motions of a case, in their order.
 std::vector<OutsideHistory> outside_motions(std::span<const Motion> motions);
 
 }  // namespace sazare::cases

@@ -52,7 +52,7 @@ public:
     add({reinterpret_cast<const char*>(part.data()), line_bytes, nullptr, (part.size_bytes() + line_bytes - 1) / line_bytes});
   }
 
-  /// The same where the processor does not read ahead by itself.
+  /// Adds a row, unless the processor prefetches rows by itself.
   template <class T>
   void add_row(std::span<const T> part) {
     if (!reads_rows_ahead()) add(part);
@@ -68,7 +68,7 @@ public:
   /// Lines of the cache in all parts.
   std::size_t lines() const { return lines_; }
 
-  /// Those that are not yet asked for.
+  /// Number of lines that have not been asked for yet.
   std::size_t left() const {
     std::size_t left = 0;
     for (std::size_t n = now_; n < count_; ++n) left += parts_[n].lines;

@@ -70,7 +70,7 @@ private:
   int additions_ = 0;
 };
 
-/// As many numbers as there are lanes, or fewer and zeros.
+/// Loads as many numbers as there are lanes, or fewer and zeros.
 inline Lanes load_some(std::span<const Real> numbers) {
   if (numbers.size() >= lane_count) return load_lanes(numbers.data());
   Lanes lanes{};

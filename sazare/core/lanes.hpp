@@ -206,7 +206,7 @@ struct LaneVector {
   friend LaneVector operator*(Lanes factor, const LaneVector& a) { return {{factor * a[0], factor * a[1], factor * a[2]}}; }
 };
 
-/// The same vector in every lane.
+/// Puts one vector into every lane.
 inline LaneVector broadcast(const Vector3& a) { return {{broadcast(a[0]), broadcast(a[1]), broadcast(a[2])}}; }
 
 /// Vectors that stand side by side in memory, one in each lane.

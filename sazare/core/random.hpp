@@ -6,7 +6,7 @@
 
 namespace sazare {
 
-/// The same numbers on every machine: Knuth's linear congruence of 64 bits, its upper 53.
+/// Random numbers that are the same on every machine: Knuth's linear congruential generator of 64 bits, its upper 53.
 class Random {
 public:
   explicit Random(int seed) : state_(static_cast<std::uint64_t>(seed) * 0x9E3779B97F4A7C15ULL) {}

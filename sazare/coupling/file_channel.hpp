@@ -32,7 +32,7 @@ class FileBodyChannel final : public BodyChannel {
 public:
   explicit FileBodyChannel(ExchangeOptions options) : exchange_(std::move(options)) {}
 
-  /// The same when the run is resumed.
+  /// Waits for the shape, also that of a run that is resumed.
   SurfaceShape open() override;
   std::optional<SurfaceMotion> receive() override;
   void answer(const SurfaceForce& force) override;

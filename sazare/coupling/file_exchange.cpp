@@ -123,7 +123,7 @@ void FileExchange::remove_from(std::int64_t sequence) {
   }
 }
 
-/// That of the shape stays: a side that is resumed reads it again.
+/// Removes own messages before a number, but not that of the shape: a side that is resumed reads it again.
 void FileExchange::remove_before(std::int64_t sequence) {
   std::error_code ignored;
   for (; oldest_ < sequence; ++oldest_) fs::remove(options_.folder / file_name(options_.side, oldest_), ignored);

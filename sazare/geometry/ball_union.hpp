@@ -14,7 +14,7 @@ struct Ball {
   Real radius = 0;                   ///< [m]
 };
 
-/// Of a body of density 1.
+/// Mass properties of a body of density 1.
 struct UnionProperties {
   Real volume = 0;                    ///< [m3]
   Vector3 centre = Vector3::Zero();   ///< [m]

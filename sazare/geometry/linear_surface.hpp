@@ -13,8 +13,8 @@ struct LinearSurface {
                              ///< triangles that turn counterclockwise seen from outside
 };
 
-/// Of a group of outer faces. A face of a quadratic element becomes several, with the nodes on its sides; a quadrilateral becomes
-/// triangles. Nodes come in the order of the mesh, faces in that of the group. Throws UserError where an element of the group is
+/// The surface of a group of outer faces. A face of a quadratic element becomes several, with the nodes on its sides; a
+/// quadrilateral becomes triangles. Nodes come in the order of the mesh, faces in that of the group. Throws UserError where an element of the group is
 /// no face of the body.
 LinearSurface linear_surface(const ElementMesh& mesh, const ElementGroup& group);
 

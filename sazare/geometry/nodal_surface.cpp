@@ -10,7 +10,7 @@ namespace {
 
 Vector3 centroid(const geometry::Triangle& corners) { return (corners[0] + corners[1] + corners[2]) / 3; }
 
-/// Of three equal masses of 1 at the corners, about their centroid.
+/// Inertia of three equal masses of 1 at the corners, about their centroid.
 Matrix3 inertia(const geometry::Triangle& corners) {
   Matrix3 sum = Matrix3::Zero();
   for (const Vector3& corner : corners) {

@@ -59,7 +59,7 @@ public:
   const std::vector<Vector3>& force() const { return force_; }  ///< as last booked [N]
   /// Since the last `lead`, of the mean of two forces over the step between them [N s].
   const std::vector<Vector3>& impulse() const { return impulse_; }
-  /// Of the surface on the bodies since the last `lead` [J].
+  /// Work of the surface on the bodies since the last `lead` [J].
   Real work() const;
 
   void columns(Archive& archive);

@@ -26,7 +26,7 @@ Real reach(const Outline& outline, const Vector2& direction) {
          outline.half_height * std::abs(outline.other_axis().dot(direction));
 }
 
-/// Of a polygon: of the sides that end in the corner which lies lowest along a direction, the one that looks most against it.
+/// The side of a polygon that faces most against a direction, of the two that end in its lowest corner along the direction.
 int opposite_side(const Outline& outline, const Vector2& direction) {
   const Vector2 own = in_own_axes(outline, direction);
   const std::size_t n = outline.corners.size();

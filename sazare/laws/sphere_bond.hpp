@@ -85,7 +85,7 @@ struct BondForce {
   Number energy{};               ///< all other energy, of the sound bond [J]
 };
 
-/// Of a bond that keeps the share `kept` of its stiffness, d.
+/// Force of a bond that keeps the share `kept` of its stiffness, d.
 template <class Number>
 BondForce<Number> bond_force(const BondStiffness<Number>& bond, const BondPose<Number>& at, const Number& kept) {
   BondForce<Number> result;

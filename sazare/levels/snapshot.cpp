@@ -47,7 +47,7 @@ void Simulation<D>::gather(Index begin, Index end, Real until_next, Take&& take)
   });
 }
 
-/// That of a range of bodies.
+/// Fills the snapshot of a range of bodies.
 template <int D>
 void Simulation<D>::take_snapshot(Index begin, Index end, Snapshot<D>& at_now) const {
   at_now.pose.resize(at(bodies_.size()));

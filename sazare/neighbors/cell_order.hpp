@@ -15,7 +15,7 @@
 
 namespace sazare::neighbors {
 
-/// Of a cell: its number on each axis.
+/// Place of a cell: its number on each axis.
 using CellPlace = std::array<std::int64_t, 3>;
 
 class CellOrder {
@@ -63,7 +63,7 @@ private:
     bool is_first = false;
   };
 
-  /// That numbers below `count` need.
+  /// Number of bits that numbers below `count` need.
   static int bits_of(std::int64_t count) { return std::bit_width(static_cast<std::uint64_t>(count - 1)); }
 
   std::array<Axis, 3> axes_;

@@ -157,7 +157,7 @@ private:
 /// Some spheres by cell.
 class SphereCells {
 public:
-  /// Those of a cell are items[begin] .. items[end - 1].
+  /// The items of a cell: items[begin] .. items[end - 1].
   struct Range {
     std::uint32_t begin = 0, end = 0;
   };

@@ -36,7 +36,7 @@ public:
     if (count_ > 0) spheres_.resize(count_ + lane_count, spheres_.back());
   }
 
-  /// Those nearer to a sphere than the margin, as many of `near` as it returns.
+  /// Finds the spheres nearer to a sphere than the margin: the first entries of `near`, as many as it returns.
   std::size_t find_near(const state::Spheres& spheres, const state::BoxLanes<Lanes>& box, const state::SpherePlace& own,
                         Real margin, std::vector<Index>& near) const {
     if (near.size() < count_ + lane_count) near.resize(count_ + lane_count);

@@ -45,7 +45,7 @@ void write_file(const std::filesystem::path& file, std::string_view content, Syn
 /// Brings what a file holds that was written with Sync::system to the disk. Throws MachineError.
 void sync_file(const std::filesystem::path& file);
 
-/// The same for the names in a folder. Not every file system can do that; then they are as safe as they get there.
+/// Writes the names in a folder through to the disk. A file system that cannot do so is left as it is.
 void sync_folder(const std::filesystem::path& folder);
 
 /// Throws MachineError with the file, the words of `error` (an errno) and what to do.

@@ -47,7 +47,7 @@ public:
   void write(const std::string& path, std::span<const T> values) {
     write(path, values, {values.size()});
   }
-  /// The same of numbers that are made in pieces of whole rows.
+  /// Writes numbers that are made in pieces of whole rows.
   template <class T>
   void write(const std::string& path, const MadeNumbers<T>& numbers, const std::vector<std::size_t>& shape);
 

@@ -43,7 +43,7 @@ struct Manifest {
   std::vector<std::pair<std::string, Real>> peak_particle_velocity;  ///< `ppv` in the results, by gauge [m/s]
 };
 
-/// Of a run of this program on this machine that starts now.
+/// The manifest of a run of this program on this machine that starts now.
 Manifest new_manifest();
 
 /// Writes the manifest as JSON, atomically. Numbers that are not finite become null. Throws MachineError.

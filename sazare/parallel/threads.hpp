@@ -43,8 +43,8 @@ void parallel_for(std::size_t n, std::size_t serial_below, F&& f) {
   detail::run_ranges(n, serial_below, 1, f);
 }
 
-/// The same where some of the n take much longer than others: each thread's range is cut into pieces, and whoever is done with
-/// its own helps others with theirs.
+/// Like `parallel_for`, for items of very different cost: the range of each thread is cut into pieces, and a thread that has
+/// finished its own takes pieces of others.
 template <class F>
 void parallel_for_uneven(std::size_t n, std::size_t serial_below, F&& f) {
   constexpr std::size_t pieces = 4;

@@ -131,7 +131,7 @@ void UniformStepper<D>::start() {
   add_loads();
   if (!has_books()) return;
   begin_halfway();
-  // Of the first kick only the second half counts.
+  // Only the second half of the first kick counts.
   for (state::Column& column : damping_work_) std::ranges::fill(column, 0);
   support_work_ = {};
   const WorkByCause half = first_half_of_kick();

@@ -92,7 +92,7 @@ public:
   Real kinetic_energy_of_kick() const;
   /// Not of Euler's steps, which have no books: all zero.
   WorkByCause work() const;
-  /// Of the forces from outside alone.
+  /// Work of the external forces alone [J].
   Real applied_work() const { return support_work_.applied + 0.5 * rules_.step * applied_power(); }
 
   /// The largest acceleration of any translation [m/s2]; infinite when one is no number.

@@ -22,7 +22,7 @@
 
 namespace sazare::runs {
 
-/// Of several processes, only the first one writes.
+/// Whether this process writes the output: with several, only the first one does.
 inline bool is_writer(const RunOptions& options) { return options.sharing.ranks == nullptr || options.sharing.ranks->is_first(); }
 
 /// `Work` is the part of a method in it, see case_work.hpp.

@@ -39,8 +39,8 @@ struct WorkDefaults {
   virtual void write_end() {}
   virtual void write_rank_times() {}
 
-  /// Of a run that has a partner in another program, whose coupling::Stopped ends a walk: a checkpoint is on the disk; why the
-  /// run goes, or that it is done; figures for the manifest beside those of its record.
+  /// The following four concern a run that has a partner in another program, whose coupling::Stopped ends a walk: a checkpoint
+  /// is on the disk; why the run ends, or that it is done; figures for the manifest beside those of its record.
   virtual bool has_partner() const { return false; }
   virtual void checkpoint_made() {}
   virtual void part(coupling::Farewell, const std::string&) {}
@@ -64,7 +64,7 @@ concept CaseWork = std::derived_from<Work, WorkDefaults> &&
                      { same.method() } -> std::convertible_to<std::string>;
                      { same.words() } -> std::convertible_to<std::string>;          // at the beginning
                      { same.checkpoint_interval() } -> std::convertible_to<Real>;   // [s] of wall clock
-                     { work.start() } -> std::same_as<bool>;                        // false when asked to stop before it was there
+                     { work.start() } -> std::same_as<bool>;  // false when asked to stop before it was there
                      { work.advance(pause) } -> std::same_as<bool>;                 // a step; false where `pause` ended it early
                      { same.step() } -> std::convertible_to<std::int64_t>;          // how many there have been
                      { same.progress(Real{}, Real{}) } -> std::same_as<ProgressState>;  // share done, time

@@ -22,7 +22,7 @@ public:
   /// To the end, or until asked to stop, with progress on the terminal.
   virtual RunOutcome run() = 0;
 
-  /// The same in parts: first `begin`, which also resumes; then `walk` as often as wanted; last `finish`.
+  /// A run in parts: first `begin`, which also resumes; then `walk` as often as wanted; last `finish`.
   virtual void begin() = 0;
 
   /// Until so many steps are done, or the end, or until `pause`, asked before every step, says so: then true.

@@ -70,7 +70,7 @@ Rotation<2> turn(const Angular<2>& spin, Real seconds) {
 
 namespace {
 
-/// Of `lane_count` bodies.
+/// Poses of `lane_count` bodies.
 [[gnu::flatten]] void poses_in_lanes(const LanePointers<const Motion<3>>& bodies, const Moment& now,
                                      const LanePointers<Pose<3>>& poses) {
   static_assert(offsetof(Motion<3>, velocity) == 18 * sizeof(Real) && offsetof(Motion<3>, spin) == 24 * sizeof(Real));

@@ -39,7 +39,7 @@ public:
     return apart;
   }
 
-  /// The same place within the box.
+  /// The periodic image of a place within the box.
   Triple<Number> wrapped(Triple<Number> place) const {
     if (!repeats_) return place;
     place.x -= length_.x * whole_below((place.x - lower_.x) * inverse_.x);

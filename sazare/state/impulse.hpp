@@ -19,7 +19,7 @@ struct alignas(64) Impulse {
   alignas(64) Vector<D> linear_lead = Vector<D>::Zero();  ///< [N s]; each pair begins a cache line, for gathers
   Angular<D> angular_lead = Angular<D>::Zero();           ///< about the pole too [N m s]
 
-  /// The same about a point that lies so far from where it is given about.
+  /// The impulse about another point, at this distance from the point of reference.
   Impulse about(const Vector<D>& point) const {
     Impulse moved = *this;
     moved.angular -= moment(point, linear);
@@ -35,7 +35,7 @@ struct alignas(64) MeanMotion {
   Vector<D> velocity;  ///< of what would be the body's point at the pole [m/s]
   Angular<D> spin;     ///< [rad/s]
 
-  /// The same at a point that lies so far from where it is given at.
+  /// The mean motion of another point, at this distance from the point of reference.
   MeanMotion at(const Vector<D>& point) const { return {velocity + turned(spin, point), spin}; }
 };
 

@@ -58,7 +58,7 @@ struct PeriodicBox {
   Vector3 nearest(const Vector3& apart) const {
     return apart - (length.array() * (apart.array() * inverse().array()).round()).matrix();
   }
-  /// The same place within the box.
+  /// The periodic image of a place within the box.
   Vector3 wrapped(const Vector3& place) const { return wrapped(place, inverse()); }
   /// For many places: with `inverse()`, worked out once.
   Vector3 wrapped(const Vector3& place, const Vector3& inverse) const {

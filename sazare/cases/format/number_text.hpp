@@ -10,7 +10,7 @@ namespace sazare::cases {
 /// where an exponent is needed: 2390.0, 450e9, 133e-6, inf.
 std::string number_text(Real value);
 
-/// The same for messages and tables: at most `digits` significant digits, and no ".0" after whole numbers.
+/// A number for messages and tables: at most `digits` significant digits, and no ".0" after whole numbers.
 std::string short_number(Real value, int digits = 6);
 
 /// A TOML string, quoted and escaped.

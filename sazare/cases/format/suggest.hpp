@@ -17,7 +17,7 @@ std::string nearest_word(std::string_view word, std::span<const std::string> can
 /// `did you mean "x"?` where one is near, otherwise the list of what exists.
 std::string suggestion(std::string_view word, std::span<const std::string> candidates, std::string_view plural);
 
-/// The same with the list of what exists in any case.
+/// Like `suggestion`, but always followed by the list of candidates.
 std::string full_suggestion(std::string_view word, std::span<const std::string> candidates, std::string_view plural);
 
 /// "a", "b" and "c"

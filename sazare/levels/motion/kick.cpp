@@ -110,7 +110,7 @@ void drift_back(state::Motion<D>& motion, state::Inertia<D>& inertia, const Mome
   const Real seconds = now.seconds_since(motion.due);
   motion.position += seconds * motion.velocity;
   rotate(motion, inertia, seconds);
-  // As if the velocity changed evenly: in the middle of the step it is the mean.
+  // The velocity is taken to change evenly: in the middle of the step it is the mean.
   const Real kept = 1 - 2 * static_cast<Real>(motion.due - now.tick) / static_cast<Real>(motion.due - motion.last_kick);
   motion.foreseen_velocity = motion.velocity + kept * (motion.foreseen_velocity - motion.velocity);
   motion.foreseen_spin = motion.spin + kept * (motion.foreseen_spin - motion.spin);

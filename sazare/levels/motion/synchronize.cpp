@@ -56,7 +56,7 @@ void store_some(const LaneVector& lanes, std::span<Vector3> vectors) {
   std::copy_n(all.begin(), vectors.size(), vectors.begin());
 }
 
-/// Of as many bodies as there are lanes at most.
+/// Finds the momenta of at most as many bodies as there are lanes.
 [[gnu::flatten]] void find_some_momenta(const state::Bodies<3>& bodies, std::size_t first,
                                         std::span<const state::Impulse<3>> given, const MotionFound<3>& now) {
   const auto motions = in_lanes(std::span(bodies.motion).subspan(first, given.size()));
@@ -78,7 +78,7 @@ void store_some(const LaneVector& lanes, std::span<Vector3> vectors) {
   store_some(momentum + angular, now.angular_momentum);
 }
 
-/// As above; where rotations are locked, what is found is not true.
+/// Finds the energies of at most as many bodies as there are lanes; they do not hold where rotations are locked.
 [[gnu::flatten]] void find_some_energies(const state::Bodies<3>& bodies, std::size_t first, const MotionSeen<3>& now,
                                          std::span<Real> energy, std::span<state::MeanMotion<3>> ahead) {
   const auto motions = in_lanes(std::span(bodies.motion).subspan(first, energy.size()));

@@ -43,7 +43,7 @@ void FacePressure::evaluate(const Moment& now, std::span<const Due> due, const s
   });
 }
 
-/// As many faces as there are lanes, or fewer.
+/// Evaluates as many faces as there are lanes, or fewer.
 [[gnu::flatten]] void FacePressure::evaluate_lanes(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
   const LaneDue in_lanes = terms::in_lanes(due);
   LanePointers<PressedFace> faces;

@@ -17,7 +17,7 @@ struct ForceMoment {
 
   Reals numbers{};
 
-  /// As many doubles as the register has are read.
+  /// Reads as many doubles as the register has.
   static ForceMoment load(const Real* from) { return {in(from)}; }
   /// For what is needed more than once: compilers would read it again each time.
   static ForceMoment load_once(const Real* from) {

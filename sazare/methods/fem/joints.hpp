@@ -30,7 +30,7 @@ public:
   /// Numbers of memory: the slip of every point.
   std::size_t memory_size() const { return point_.size() * D; }
 
-  /// As of `YieldingSolids`. Returns whether a point is open or slips.
+  /// Force and tangent of a joint, as `YieldingSolids` gives them for an element. Returns whether a point is open or slips.
   bool evaluate(std::size_t number, const NodalColumn& displacement, std::span<const Real> before, std::span<Real> after,
                 std::span<Real> force, std::span<Real> tangent) const;
 

@@ -22,7 +22,7 @@ public:
   /// `is_free` by number of a nodal column. A matrix that is not symmetric needs the slower factorization.
   LinearSolver(const NodePattern& pattern, const std::vector<char>& is_free, bool symmetric);
 
-  /// Of blocks on the pattern; false where the matrix is singular.
+  /// Factorizes the matrix of blocks on the pattern; returns false where it is singular.
   bool factorize(const std::vector<Real>& blocks);
 
   /// `right` and the result are nodal columns; what is not free is not looked at, and 0 in the result.

@@ -32,7 +32,7 @@ struct SolidMaterial {
   Real shear_velocity() const { return std::sqrt(elastic.shear_modulus / density); }
 };
 
-/// Of the stress by the strain [Pa].
+/// Derivative of the stress by the strain [Pa].
 template <int D>
 VoigtMatrix<D> elastic_stiffness(const laws::Elasticity& elastic) {
   VoigtMatrix<D> c = VoigtMatrix<D>::Zero();

@@ -74,7 +74,7 @@ public:
     Real plastic = 0;  ///< taken by flow since the memory before [J]
   };
 
-  /// Of an element, between two states: the flow's work is that of the mean stress.
+  /// Energies of an element, between two states: the work of plastic flow is that of the mean stress.
   Energies energies(std::size_t number, const NodalColumn& displacement_before, const NodalColumn& displacement,
                     std::span<const Real> before, std::span<const Real> after) const;
 

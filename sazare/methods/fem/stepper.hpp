@@ -92,7 +92,7 @@ public:
   /// Forces of supports on the nodes that they hold, 0 on all others [N].
   methods::fem::NodalColumn reactions() const;
 
-  /// Of a viscous boundary on the body [N].
+  /// Force of a viscous boundary on the body [N].
   Vector<D> viscous_force(std::size_t number) const;
 
   Real kinetic_energy() const;

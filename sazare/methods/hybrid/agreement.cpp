@@ -14,7 +14,7 @@ Eigen::VectorXd column(const std::vector<Real>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-/// As many columns as there are rows say all that can be said of a linear coupling; the oldest goes.
+/// Adds the newest column and drops the oldest where there are as many columns as rows: these describe a linear coupling fully.
 void keep(Eigen::MatrixXd& columns, const Eigen::VectorXd& newest) {
   const Eigen::Index kept = std::min(columns.cols(), newest.size() - 1);
   const Eigen::MatrixXd old = columns.rightCols(kept);

@@ -125,7 +125,7 @@ void ContinuumSide<D>::book(const std::vector<Real>& applied, const std::vector<
   ++ledger_.windows;
 }
 
-/// Of all nodes, over the whole width.
+/// Sum over all nodes, for the whole width.
 template <int D>
 Vector3 ContinuumSide<D>::sum(const std::vector<Real>& values) const {
   Vector3 total = Vector3::Zero();

@@ -58,7 +58,7 @@ public:
 
   const CouplingLedger& ledger() const { return ledger_; }
   const CouplingRules& rules() const { return rules_; }
-  /// Of the bodies on the whole surface in the last window, and at its end [N].
+  /// Force of the bodies on the whole surface: mean of the last window, and at its end [N].
   Vector3 mean_force() const { return sum(force_.mean); }
   Vector3 last_force() const { return sum(force_.last); }
   /// Mean of the nodes, since the beginning [m].

@@ -16,7 +16,7 @@ public:
   /// `low` and `high`: of the rectangles along z, in the plane [m].
   SlabSurface(const coupling::SurfaceShape& shape, Real low, Real high) : shape_(shape), low_(low), high_(high) {}
 
-  /// Of the nodes in space; in the plane first those at the lower end of the slab, then those at the other [m].
+  /// Positions of the nodes in 3-D; of a 2-D continuum first those at the lower end of the slab, then those at the other [m].
   std::vector<Vector3> places(const std::vector<Real>& displacement) const;
   std::vector<std::array<Index, 3>> triangles() const;
   /// Forces times a factor, for the nodes of the continuum: in the plane the sum across the slab, by its width.

@@ -79,7 +79,7 @@ void FailingForces<D>::cut(const Link& link) {
   contacts_.add(link.first, link.second, link.length, share_of_column(law));
 }
 
-/// Of the link as it began in the mean frame of its particles.
+/// Length of the link without stress, as it began in the mean frame of its particles.
 template <int D>
 Real FailingForces<D>::unstressed_length(const Link& link) const {
   const auto& start = links_.directions[static_cast<std::size_t>(link.direction)].law.start;

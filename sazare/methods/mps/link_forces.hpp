@@ -16,7 +16,7 @@ template <int D, std::size_t N>
 void evaluate_links(const LinkTable<D>& links, RotationRemoval removal, const state::Particles<D>& particles,
                     const Frames<N>& frames, state::Column& pressure, state::FreedomColumns<D>& acceleration);
 
-/// Of every particle the sum over its links of d w/(n0 |r0|^2) r r0^T, from which its strain follows.
+/// For every particle the sum over its links of d w/(n0 |r0|^2) r r0^T, from which its strain follows.
 template <int D>
 void measure_stretch(const LinkTable<D>& links, const state::Particles<D>& particles, Tensors<D>& stretch);
 

@@ -32,7 +32,7 @@ bool has_failed(const BlocksModel& model, Index element) {
   return !(motion.velocity.squaredNorm() * step * step <= farthest * farthest) || !state::is_finite(motion);
 }
 
-/// Of the elements that have failed, the one whose step is the farthest above its limit: failure spreads.
+/// The element that is likely to have failed first: the one whose step is farthest above its limit, as failure spreads.
 Index likely_first(const BlocksModel& model) {
   const auto& simulation = *model.simulation;
   Index worst = -1;

@@ -28,7 +28,7 @@ geometry::ElementMesh load_fem_mesh(const cases::CaseFile& file, const std::file
 template <int D>
 FemModel<D> build_fem(const cases::CaseFile& file, geometry::ElementMesh mesh);
 
-/// Of nodes, elements and groups.
+/// Hash of the nodes, elements and groups of a mesh.
 std::string mesh_hash(const geometry::ElementMesh& mesh);
 
 /// The surface of the body that a group of faces makes. Throws UserError at `key` of `source` where it is none.

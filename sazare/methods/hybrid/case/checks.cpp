@@ -52,7 +52,7 @@ void check_material(const CheckContext& context, const SpheresCase& spheres, con
                          full_suggestion(material, names, "materials"));
 }
 
-/// Of the slab of bodies that a continuum in the plane meets.
+/// Checks the width of the slab of bodies that a continuum in 2-D needs.
 void check_width(const CheckContext& context, const HybridCase& hybrid) {
   const Entry entry = context.entries_of("surface").front();
   if (continuum_of(hybrid).mesh.dimension == 3) return check_keys(context, entry, "a continuum in 3-D", {}, {"width"});

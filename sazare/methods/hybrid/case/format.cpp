@@ -9,7 +9,7 @@
 namespace sazare::cases {
 namespace {
 
-/// Those of both sides; what both name alike is one function.
+/// The functions of both sides; a name that both use is one function.
 std::vector<OutsideHistory> histories_of_sides(const HybridCase& hybrid) {
   std::vector<OutsideHistory> found;
   for (const auto& [side, key] : {std::pair{hybrid.continuum, "sides.continuum"}, std::pair{hybrid.bodies, "sides.bodies"}}) {

@@ -5,7 +5,7 @@
 
 namespace sazare::runs {
 
-/// Of a hybrid case, from those of its two sides.
+/// Identity of a hybrid run, from those of its two sides.
 RunIdentity identify(const cases::HybridCase& hybrid, const RunIdentity& continuum, const RunIdentity& bodies);
 
 }  // namespace sazare::runs

@@ -40,7 +40,7 @@ public:
       if (reason != coupling::Farewell::failed) throw;
     }
   }
-  /// Of writing and reading since the run began.
+  /// Cost of writing and reading messages since the run began.
   coupling::ExchangeCost cost() const {
     const coupling::ExchangeCost now = channel_ ? channel_->files().cost() : coupling::ExchangeCost{};
     return {earlier_.seconds + now.seconds, earlier_.processor_seconds + now.processor_seconds};

@@ -51,7 +51,7 @@ methods::mps::StrengthOfGround strength_of(const cases::Ground& ground) {
           ground.rupture_strain};
 }
 
-/// The same numbers whatever the number of threads.
+/// Adds random velocities, which do not depend on the number of threads.
 template <int D>
 void add_noise(const cases::Noise& noise, state::Particles<D>& particles) {
   auto state = static_cast<std::uint64_t>(noise.seed) * 0x9E3779B97F4A7C15ULL;

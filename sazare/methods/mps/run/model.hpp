@@ -50,7 +50,7 @@ struct MpsParts {
 template <int D>
 MpsParts<D> make_parts(const cases::CaseFile& file);
 
-/// Also chooses the step, or throws UserError when the one given is above the predicted limit.
+/// Builds the model and chooses the step, or throws UserError when the one given is above the predicted limit.
 template <int D>
 MpsModel<D> build_mps(const cases::CaseFile& file);
 

@@ -22,11 +22,11 @@ struct RectanglesModel {
   methods::rectangles::RectangleForces* forces = nullptr;  ///< of the stepper
 };
 
-/// Also chooses the step. Throws UserError when the case does not fit together, or the step given is above the predicted limit.
+/// Builds the model and chooses the step. Throws UserError when the case is inconsistent, or its step is above the predicted limit.
 /// With the windows of a coupling, whose surface elements may meet, a step that the case does not give divides them too [s].
 RectanglesModel build_rectangles(const cases::CaseFile& file, std::optional<Real> window = std::nullopt);
 
-/// Of where the elements stand.
+/// Hash of the positions of the elements.
 std::string assembly_hash(const state::Particles<2>& particles);
 
 }  // namespace sazare::runs
