@@ -17,7 +17,7 @@ namespace sazare::methods::spheres {
 
 /// `rests`: contacts may have an overlap at rest, beyond which alone they push. It shrinks with the overlap and never grows, so
 /// that spheres which come apart meet as others do.
-template <laws::ContactModel model, bool rolls, bool rests>
+template <class Law, bool rolls, bool rests>
 class ContactKernel {
   static constexpr std::size_t groups_at_once = 2, in_group = BlockContacts::at_once;
 
@@ -195,7 +195,7 @@ private:
       memory.rolling = contacts_.rolling_of(begin);
       memory.twisting = contacts_.twisting_of(begin);
     }
-    auto force = laws::contact_force<model, rolls, tells_energies>(constants_, at, memory);
+    auto force = laws::contact_force<Law, rolls, tells_energies>(constants_, at, memory);
     contacts_.sliding_of(begin) = memory.sliding;
     if constexpr (rolls) {
       contacts_.rolling_of(begin) = memory.rolling;

@@ -2,10 +2,12 @@
 
 /// What every pair of materials is in contact.
 
+#include <span>
+#include <type_traits>
 #include <vector>
 
 #include "sazare/core/time.hpp"
-#include "sazare/laws/granular_contact.hpp"
+#include "sazare/laws/granular/contact_laws.hpp"
 
 namespace sazare::methods::spheres {
 
@@ -18,28 +20,35 @@ public:
 
   void set(Index one, Index other, const laws::ContactConstants<Real>& constants) {
     for (const Index place : {one * materials + other, other * materials + one}) {
-      records_[static_cast<std::size_t>(place)] = {constants, 0};
+      records_[static_cast<std::size_t>(place)] = constants;
       rolls = rolls || constants.rolling > 0 || constants.twisting > 0;
     }
   }
 
   const laws::ContactConstants<Real>& of(Index one, Index other) const {
-    return records_[static_cast<std::size_t>(one * materials + other)].constants;
+    return records_[static_cast<std::size_t>(one * materials + other)];
   }
-  const Real* numbers(Index place) const { return &records_[static_cast<std::size_t>(place)].constants.normal; }
+  const Real* numbers(Index place) const { return &records_[static_cast<std::size_t>(place)].normal; }
+  /// Those of a material with each.
+  std::span<const laws::ContactConstants<Real>> row(Index material) const {
+    return std::span(records_).subspan(static_cast<std::size_t>(material * materials), static_cast<std::size_t>(materials));
+  }
 
   laws::ContactModel model;
   Index materials;
   bool rolls = false;  ///< some pair resists rolling or twisting
 
 private:
-  /// As eight doubles, which lanes read at once.
-  struct alignas(64) Record {
-    laws::ContactConstants<Real> constants;
-    Real unused;
-  };
-  std::vector<Record> records_;
+  std::vector<laws::ContactConstants<Real>> records_;
 };
+
+/// What `visit(Law{}, rolls)` returns for a table, `rolls` being a type with a `value`.
+template <class Visitor>
+auto visit_law(const ContactTable& table, Visitor&& visit) {
+  return laws::visit_law(table.model, [&](auto law) {
+    return table.rolls ? visit(law, std::true_type{}) : visit(law, std::false_type{});
+  });
+}
 
 /// What contacts and bonds hold and what they have taken, summed over some of them.
 struct ContactSums {

@@ -188,16 +188,16 @@ inline Lanes PairContacts::gaps(const state::Spheres& spheres, const BoxLanes<La
                        table_.rolls);
 }
 
-template <laws::ContactModel model, bool rolls>
+template <class Law, bool rolls>
 ContactSums PairContacts::evaluate_with(const state::Spheres& spheres, Task& task) {
-  return contacts_[task.block].rests() ? evaluate_those<model, rolls, true>(spheres, task)
-                                       : evaluate_those<model, rolls, false>(spheres, task);
+  return contacts_[task.block].rests() ? evaluate_those<Law, rolls, true>(spheres, task)
+                                       : evaluate_those<Law, rolls, false>(spheres, task);
 }
 
-template <laws::ContactModel model, bool rolls, bool rests>
+template <class Law, bool rolls, bool rests>
 ContactSums PairContacts::evaluate_those(const state::Spheres& spheres, Task& task) {
   BlockContacts& contacts = contacts_[task.block];
-  ContactKernel<model, rolls, rests> kernel(*this, spheres, task);
+  ContactKernel<Law, rolls, rests> kernel(*this, spheres, task);
   const std::size_t lines_at_once = 1 + task.coming.lines() * contacts.at_once / std::max<std::size_t>(contacts.size(), 1);
   for (std::size_t next = 0; next < contacts.size(); next += kernel.at_once) kernel.evaluate(next, task.coming, lines_at_once);
   kernel.part();
@@ -205,11 +205,8 @@ ContactSums PairContacts::evaluate_those(const state::Spheres& spheres, Task& ta
 }
 
 ContactSums PairContacts::evaluate(const state::Spheres& spheres, Task task) {
-  using enum laws::ContactModel;
   wake_those_due(spheres, task);
-  if (table_.model == hertz)
-    return table_.rolls ? evaluate_with<hertz, true>(spheres, task) : evaluate_with<hertz, false>(spheres, task);
-  return table_.rolls ? evaluate_with<linear, true>(spheres, task) : evaluate_with<linear, false>(spheres, task);
+  return visit_law(table_, [&]<class Law, class Rolls>(Law, Rolls) { return evaluate_with<Law, Rolls::value>(spheres, task); });
 }
 
 ComingLines PairContacts::coming(const state::Spheres& spheres, const LoadTable& loads, std::size_t block) const {

@@ -102,12 +102,12 @@ private:
   static constexpr float rounded_down = 1 - 1e-6F;
   void sleep_on(std::size_t pair, Real until) { sleeps_until_[pair] = rounded_down * static_cast<float>(until); }
 
-  template <laws::ContactModel model, bool rolls>
+  template <class Law, bool rolls>
   ContactSums evaluate_with(const state::Spheres& spheres, Task& task);
-  template <laws::ContactModel model, bool rolls, bool rests>
+  template <class Law, bool rolls, bool rests>
   ContactSums evaluate_those(const state::Spheres& spheres, Task& task);
 
-  template <laws::ContactModel model, bool rolls, bool rests>
+  template <class Law, bool rolls, bool rests>
   friend class ContactKernel;
 
   ContactTable table_;

@@ -33,7 +33,7 @@ struct PlaneInLanes {
         spin(in_every_lane(pose.spin)) {}
 };
 
-template <laws::ContactModel model, bool rolls>
+template <class Law, bool rolls>
 class PlaneKernel {
 public:
   explicit PlaneKernel(const PlaneTask& task)
@@ -117,7 +117,7 @@ private:
       memory.rolling = row.turning(n).rolling;
       memory.twisting = row.turning(n).twisting;
     }
-    const auto force = laws::contact_force<model, rolls>(constants_, meeting.at, memory);
+    const auto force = laws::contact_force<Law, rolls>(constants_, meeting.at, memory);
     row.group(n).sliding = where(meeting.touch, memory.sliding);
     Triple<Lanes> turning;
     if constexpr (rolls) {
@@ -178,9 +178,9 @@ private:
   std::int64_t touching_ = 0;
 };
 
-template <laws::ContactModel model, bool rolls>
+template <class Law, bool rolls>
 ContactSums evaluate_as(PlaneRow& row, const PlaneTask& task, WallLoad& on_plane) {
-  PlaneKernel<model, rolls> kernel(task);
+  PlaneKernel<Law, rolls> kernel(task);
   kernel.evaluate(row);
   on_plane += kernel.on_plane();
   return kernel.sums();
@@ -189,10 +189,9 @@ ContactSums evaluate_as(PlaneRow& row, const PlaneTask& task, WallLoad& on_plane
 }  // namespace
 
 ContactSums evaluate_plane(PlaneRow& row, const PlaneTask& task, WallLoad& on_plane) {
-  using enum laws::ContactModel;
-  if (task.table.model == hertz)
-    return task.table.rolls ? evaluate_as<hertz, true>(row, task, on_plane) : evaluate_as<hertz, false>(row, task, on_plane);
-  return task.table.rolls ? evaluate_as<linear, true>(row, task, on_plane) : evaluate_as<linear, false>(row, task, on_plane);
+  return visit_law(task.table, [&]<class Law, class Rolls>(Law, Rolls) {
+    return evaluate_as<Law, Rolls::value>(row, task, on_plane);
+  });
 }
 
 void PlaneRow::add(Index sphere, bool rolls) {

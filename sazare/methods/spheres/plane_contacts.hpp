@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sazare/core/triple.hpp"
+#include "sazare/laws/granular_contact.hpp"
 #include "sazare/methods/spheres/contact_table.hpp"
 #include "sazare/methods/spheres/wall.hpp"
 

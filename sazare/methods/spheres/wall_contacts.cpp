@@ -153,7 +153,7 @@ struct WallContacts::InLanes {
 };
 
 /// Forces at as many points as there are lanes, or fewer, from one on; what is too much repeats the first and does not count.
-template <laws::ContactModel model, bool rolls>
+template <class Law, bool rolls>
 ContactSums WallContacts::push(const state::Spheres& spheres, std::size_t begin, const Task& task, Block& block) const {
   const int count = static_cast<int>(std::min<std::size_t>(lane_count, block.points.size() - begin));
   InLanes<rolls> lanes;
@@ -170,7 +170,7 @@ ContactSums WallContacts::push(const state::Spheres& spheres, std::size_t begin,
   }
   lanes.at.radius.sum = lanes.at.mass.sum = broadcast(1);
   lanes.at.step = broadcast(task.step);
-  const auto forces = laws::contact_force<model, rolls>(lanes.constants, lanes.at, lanes.memory);
+  const auto forces = laws::contact_force<Law, rolls>(lanes.constants, lanes.at, lanes.memory);
   ContactSums sums;
   for (int lane = 0; lane < count; ++lane) {
     const std::size_t n = begin + static_cast<std::size_t>(lane);
@@ -213,9 +213,7 @@ void WallContacts::deliver(std::size_t n, const Ground& ground, const Vector3& f
 }
 
 WallContacts::Push WallContacts::push_of_table() const {
-  using enum laws::ContactModel;
-  if (table_.model == hertz) return table_.rolls ? &WallContacts::push<hertz, true> : &WallContacts::push<hertz, false>;
-  return table_.rolls ? &WallContacts::push<linear, true> : &WallContacts::push<linear, false>;
+  return visit_law(table_, []<class Law, class Rolls>(Law, Rolls) -> Push { return &WallContacts::push<Law, Rolls::value>; });
 }
 
 /// Where the spheres of a block touch surfaces, each with what it remembers.

@@ -139,7 +139,7 @@ private:
   Push push_of_table() const;
   template <bool rolls>
   struct InLanes;
-  template <laws::ContactModel model, bool rolls>
+  template <class Law, bool rolls>
   ContactSums push(const state::Spheres& spheres, std::size_t begin, const Task& task, Block& block) const;
   void deliver(std::size_t n, const Ground& ground, const Vector3& force, const Vector3& turning, const Task& task,
                Block& block) const;

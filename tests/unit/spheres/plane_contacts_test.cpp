@@ -12,21 +12,24 @@
 namespace sazare::methods::spheres {
 namespace {
 
-using laws::ContactModel;
+using laws::Hertz, laws::Linear;
 
 constexpr Real step = 2e-6, margin = 2e-3;
 constexpr std::size_t count = 3 * lane_count + 3;  // of spheres
 constexpr Real round_off = 1e-10;  // of forces of some 10 N: places are known to 1e-17 m, stiffnesses some 1e5 N/m
 
-ContactTable three_materials(ContactModel model, bool rolls) {
-  ContactTable table(model, 3);
+template <class Law>
+ContactTable three_materials(bool rolls) {
+  ContactTable table(laws::model_of<Law>, 3);
   for (Index one = 0; one < 3; ++one)
     for (Index other = 0; other <= one; ++other) {
       const Real n = 1 + one + 0.5 * other;
-      const laws::GrainFriction friction{0.2 * n, rolls ? 0.05 * n : 0, rolls ? 0.02 * n : 0};
-      table.set(one, other,
-                model == ContactModel::hertz ? laws::hertz_constants({1e8 * n, 0.3}, soft, 1 - 0.1 * n, friction)
-                                             : laws::linear_constants(1e5 * n, 8e4 * n, 1 - 0.1 * n, friction));
+      const laws::MaterialsInContact materials{
+          {1e8 * n, 0.3}, soft, 1 - 0.1 * n, {0.2 * n, rolls ? 0.05 * n : 0, rolls ? 0.02 * n : 0}};
+      if constexpr (std::is_same_v<Law, Linear>)
+        table.set(one, other, Law::constants(materials, {1e5 * n, 8e4 * n}));
+      else
+        table.set(one, other, Law::constants(materials, {}));
     }
   return table;
 }
@@ -90,7 +93,7 @@ struct OneContact {
 };
 
 /// By the law for single numbers.
-template <ContactModel model, bool rolls>
+template <class Law, bool rolls>
 OneContact alone(const state::Spheres& spheres, std::size_t i, const ContactTable& table, const Wall& wall, const WallPose& pose,
                  laws::ContactMemory<Real>& memory) {
   const auto& place = spheres.place[i];
@@ -112,7 +115,7 @@ OneContact alone(const state::Spheres& spheres, std::size_t i, const ContactTabl
                                    .twisting = place.radius * turns.dot(normal),
                                    .step = step};
   const auto& constants = table.of(static_cast<Index>(spheres.spin[i].material), wall.material);
-  const auto law = laws::contact_force<model, rolls>(constants, motion, memory);
+  const auto law = laws::contact_force<Law, rolls>(constants, motion, memory);
   const Vector3 force = law.normal * normal + vector(law.friction),
                 turning = -place.radius * (normal.cross(vector(law.rolling)) + law.twisting * normal),
                 foot = touched - pose.pivot - pose.shift;
@@ -128,7 +131,7 @@ Vector3 moment_of(const state::SphereLoad& load) { return {load.mx, load.my, loa
 void expect_near(const Vector3& one, const Vector3& other, Real tolerance) { EXPECT_LT((one - other).norm(), tolerance); }
 
 /// A few evaluations of a plane, held against those of single spheres.
-template <ContactModel model, bool rolls>
+template <class Law, bool rolls>
 void compare(const ContactTable& table, const Wall& wall, const state::PeriodicBox& box = {}) {
   ASSERT_EQ(table.rolls, rolls);
   state::Spheres spheres = at(wall, box);
@@ -145,7 +148,7 @@ void compare(const ContactTable& table, const Wall& wall, const state::PeriodicB
     const ContactSums sums = contacts.evaluate(spheres, {0, step, loads.data()});
     OneContact all;
     for (std::size_t i = 0; i < count; ++i) {
-      const OneContact one = alone<model, rolls>(spheres, i, table, wall, pose, memory[i]);
+      const OneContact one = alone<Law, rolls>(spheres, i, table, wall, pose, memory[i]);
       expect_near(force_of(loads[i]), one.force, round_off);
       expect_near(moment_of(loads[i]), one.moment, 0.01 * round_off);
       all.on_plane += one.on_plane;
@@ -168,10 +171,10 @@ void compare(const ContactTable& table, const Wall& wall, const state::PeriodicB
   EXPECT_LT(fewest, most);
 }
 
-template <ContactModel model>
+template <class Law>
 void compare_on(const Wall& wall) {
-  compare<model, false>(three_materials(model, false), wall);
-  compare<model, true>(three_materials(model, true), wall);
+  compare<Law, false>(three_materials<Law>(false), wall);
+  compare<Law, true>(three_materials<Law>(true), wall);
 }
 
 Wall still() {
@@ -181,26 +184,26 @@ Wall still() {
 }
 
 TEST(plane_contacts, in_lanes_are_those_of_single_spheres) {
-  compare_on<ContactModel::hertz>(still());
-  compare_on<ContactModel::linear>(still());
+  compare_on<Hertz>(still());
+  compare_on<Linear>(still());
 }
 
 TEST(plane_contacts, with_a_plane_that_moves_and_turns_are_those_of_single_spheres) {
-  compare_on<ContactModel::hertz>(leaning());
-  compare_on<ContactModel::linear>(leaning());
+  compare_on<Hertz>(leaning());
+  compare_on<Linear>(leaning());
 }
 
 TEST(plane_contacts, of_one_material_are_those_of_single_spheres) {
   Wall wall = leaning();
   wall.material = 0;
-  compare<ContactModel::hertz, true>(table({.restitution = 0.7, .friction = 0.3, .rolling = 0.1, .twisting = 0.05}), wall);
+  compare<Hertz, true>(table({.restitution = 0.7, .friction = 0.3, .rolling = 0.1, .twisting = 0.05}), wall);
 }
 
 TEST(plane_contacts, in_a_periodic_room_are_those_of_single_spheres) {
   Wall wall = leaning();
   wall.normal = Vector3::UnitZ();
   wall.motion.spin = Vector3::Zero();
-  compare<ContactModel::hertz, true>(three_materials(ContactModel::hertz, true), wall, {{-0.1, -0.15, 0}, {0.25, 0.3, 0}});
+  compare<Hertz, true>(three_materials<Hertz>(true), wall, {{-0.1, -0.15, 0}, {0.25, 0.3, 0}});
 }
 
 laws::ContactMemory<Real> some_memory(Real number) {
@@ -240,7 +243,7 @@ std::vector<state::SphereLoad> evaluated(WallContacts& contacts, const state::Sp
 WallContacts at_leaning(const state::Spheres& spheres, int evaluations) {
   Wall far_below;
   far_below.point.z() = -9;
-  WallContacts contacts(three_materials(ContactModel::hertz, true), {far_below, leaning()}, 0.012 + margin);
+  WallContacts contacts(three_materials<Hertz>(true), {far_below, leaning()}, 0.012 + margin);
   contacts.find(spheres, 0, margin, {}, {});
   for (int n = 0; n < evaluations; ++n) evaluated(contacts, spheres);
   return contacts;
@@ -304,7 +307,7 @@ TEST(plane_contacts, are_forgotten_by_a_search_that_finds_them_far_away) {
 TEST(plane_contacts, give_the_same_bits_whoever_else_is_near) {
   const Wall wall = leaning();
   const state::Spheres spheres = at(wall);
-  const ContactTable table = three_materials(ContactModel::hertz, true);
+  const ContactTable table = three_materials<Hertz>(true);
   WallContacts few(table, {wall}, 0.012 + margin), all(table, {wall}, 0.012 + margin);
   few.find(spheres, 0, 1e-6, {}, {});
   all.find(spheres, 0, 1, {}, {});

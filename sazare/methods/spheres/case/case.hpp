@@ -1,11 +1,16 @@
 #pragma once
 
 #include "sazare/cases/tables.hpp"
+#include "sazare/laws/granular/contact_laws.hpp"
 
 /// A checked case of method spheres, as plain data. All values in SI units; every member is one key of the case file.
 namespace sazare::cases {
 
-enum class ContactModel { hertz, linear };
+using laws::ContactModel;
+
+/// By parameter of the contact laws; those of other laws than the chosen one are not given.
+using LawParameters = std::array<std::optional<Real>, laws::law_parameters.size()>;
+
 enum class SphereSource { one, file, lattice, random };
 enum class WallShape { plane, box, mesh };
 enum class ClumpSource { tetrapod, file, mesh };
@@ -20,8 +25,8 @@ struct Domain {
 struct SphereMaterial {
   std::string name;
   Real density = 0;         // kg/m3
-  Real youngs_modulus = 0;  // Pa, model hertz
-  Real poisson_ratio = 0;   // model hertz
+  Real youngs_modulus = 0;  // Pa, where the contact law needs it
+  Real poisson_ratio = 0;   // the same
 };
 
 /// What pairs of materials have in common; what a [[pairs]] does not give is that of [contact].
@@ -31,8 +36,7 @@ struct GranularContact {
   Real friction_coefficient = 0;
   Real rolling_friction = 0;
   Real twisting_friction = 0;
-  Real normal_stiffness = 0;  // N/m, model linear
-  Real shear_stiffness = 0;   // N/m, model linear
+  LawParameters law_parameters;
   Real overlap_limit = 0.05;  // of the smaller radius, at the start
   Real margin = 0.1;          // of the smallest diameter
 };
@@ -43,8 +47,7 @@ struct MaterialPair {
   std::optional<Real> friction_coefficient;
   std::optional<Real> rolling_friction;
   std::optional<Real> twisting_friction;
-  std::optional<Real> normal_stiffness;  // N/m
-  std::optional<Real> shear_stiffness;   // N/m
+  LawParameters law_parameters;
 };
 
 /// A body made of spheres that may overlap, rigid or bonded.

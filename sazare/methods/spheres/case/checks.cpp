@@ -44,12 +44,27 @@ void check_domain(const CheckContext& context, const Domain& domain) {
   check_box(context, entry, domain.lower, domain.upper, axes);
 }
 
+std::string law_text(ContactModel model) {
+  return fmt::format("model {}", laws::contact_law_words.at(static_cast<std::size_t>(model)));
+}
+
+/// The parameters that a contact law takes, or those that others take.
+std::vector<std::string_view> law_keys(ContactModel model, bool own) {
+  return laws::visit_law(model, [&]<class Law>(Law) {
+    std::vector<std::string_view> keys;
+    for (const laws::LawParameter& parameter : laws::law_parameters)
+      if (laws::takes<Law>(parameter.name) == own) keys.push_back(parameter.name);
+    return keys;
+  });
+}
+
 void check_materials(const CheckContext& context, const SpheresCase& spheres) {
-  const bool hertz = spheres.contact.model == ContactModel::hertz;
+  const ContactModel model = spheres.contact.model;
+  const bool needs_elasticity = laws::visit_law(model, []<class Law>(Law) { return Law::needs_elasticity; });
   for (const Entry& entry : context.entries_of("materials"))
-    if (hertz) check_keys(context, entry, "model hertz", {"youngs_modulus", "poisson_ratio"}, {});
+    if (needs_elasticity) check_keys(context, entry, law_text(model), {"youngs_modulus", "poisson_ratio"}, {});
   const Entry contact = context.entries_of("contact").front();
-  if (hertz) check_keys(context, contact, "model hertz", {}, {"normal_stiffness", "shear_stiffness"});
+  check_keys(context, contact, law_text(model), {}, law_keys(model, false));
   if (contact.has("friction_coefficient") && contact.has("friction_angle"))
     context.problems.error(contact.place("friction_angle"), "friction_coefficient and friction_angle are both given",
                            "keep one of them");
@@ -60,8 +75,7 @@ void check_pairs(const CheckContext& context, const SpheresCase& spheres) {
   const auto list = context.entries_of("pairs");
   std::set<std::array<std::string, 2>> seen;
   for (std::size_t i = 0; i < list.size() && i < spheres.pairs.size(); ++i) {
-    if (spheres.contact.model == ContactModel::hertz)
-      check_keys(context, list[i], "model hertz", {}, {"normal_stiffness", "shear_stiffness"});
+    check_keys(context, list[i], law_text(spheres.contact.model), {}, law_keys(spheres.contact.model, false));
     auto between = spheres.pairs[i].between;
     for (std::size_t k = 0; k < 2; ++k)
       check_known(context, list[i], "between", list[i].place("between", k), between[k], names, "material");
@@ -73,17 +87,16 @@ void check_pairs(const CheckContext& context, const SpheresCase& spheres) {
   }
 }
 
-/// Linear springs of every pair of materials that there is.
-void check_stiffness(const CheckContext& context, const SpheresCase& spheres) {
-  if (spheres.contact.model == ContactModel::hertz) return;
+/// What the contact law takes of every pair of materials that there is.
+void check_law_parameters(const CheckContext& context, const SpheresCase& spheres) {
   const Entry contact = context.entries_of("contact").front();
-  for (const std::string_view key : {"normal_stiffness", "shear_stiffness"}) {
+  for (const std::string_view key : law_keys(spheres.contact.model, true)) {
     if (!contact.exists() || contact.has(key)) continue;
     const auto list = context.entries_of("pairs");
     const std::size_t kinds = spheres.materials.size();
     const auto given = std::ranges::count_if(list, [&](const Entry& entry) { return entry.has(key); });
     if (static_cast<std::size_t>(given) < kinds * (kinds + 1) / 2)
-      context.problems.error(contact.header(), fmt::format("[contact] has no \"{}\", which model linear needs", key),
+      context.problems.error(contact.header(), fmt::format("[contact] has no \"{}\", which {} needs", key, law_text(spheres.contact.model)),
                              how_to_add(*find_key(*contact.table, key)));
   }
 }
@@ -327,7 +340,7 @@ void check_spheres(const CheckContext& context, SpheresCase& spheres) {
   check_domain(context, spheres.domain);
   check_materials(context, spheres);
   check_pairs(context, spheres);
-  check_stiffness(context, spheres);
+  check_law_parameters(context, spheres);
   check_shapes(context, spheres);
   check_groups(context, spheres);
   check_bonds(context, spheres);

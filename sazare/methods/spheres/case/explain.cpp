@@ -52,7 +52,7 @@ std::string explain(const SpheresCase& spheres) {
   const GranularContact& contact = spheres.contact;
   for (const SphereMaterial& material : spheres.materials)
     text +=
-        line("materials", contact.model == ContactModel::hertz
+        line("materials", laws::visit_law(contact.model, []<class Law>(Law) { return Law::needs_elasticity; })
                               ? fmt::format("{}: {} kg/m3, E {} Pa, Poisson's ratio {}", material.name, number(material.density),
                                             number(material.youngs_modulus), number(material.poisson_ratio))
                               : fmt::format("{}: {} kg/m3", material.name, number(material.density)));

@@ -8,7 +8,7 @@ namespace sazare::cases {
 
 template <>
 struct EnumWords<ContactModel> {
-  static constexpr std::array<std::string_view, 2> words{"hertz", "linear"};
+  static constexpr auto words = laws::contact_law_words;
 };
 template <>
 struct EnumWords<SphereSource> {
@@ -40,16 +40,18 @@ void visit_fields(Visitor& visit, SphereMaterial& material) {
 }
 
 template <class Visitor>
+void visit_law_parameters(Visitor& visit, LawParameters& values) {
+  for (std::size_t n = 0; n < values.size(); ++n) visit(laws::law_parameters[n].name, values[n]);
+}
+
+template <class Visitor>
 void visit_fields(Visitor& visit, GranularContact& contact) {
   visit("model", contact.model);
   visit("restitution", contact.restitution);
   visit.friction(contact.friction_coefficient);
   visit("rolling_friction", contact.rolling_friction);
   visit("twisting_friction", contact.twisting_friction);
-  if (contact.model == ContactModel::linear) {
-    if (visit.has("normal_stiffness", contact.normal_stiffness > 0)) visit("normal_stiffness", contact.normal_stiffness);
-    if (visit.has("shear_stiffness", contact.shear_stiffness > 0)) visit("shear_stiffness", contact.shear_stiffness);
-  }
+  visit_law_parameters(visit, contact.law_parameters);
   visit("overlap_limit", contact.overlap_limit);
   visit("margin", contact.margin);
 }
@@ -61,8 +63,7 @@ void visit_fields(Visitor& visit, MaterialPair& pair) {
   visit("friction_coefficient", pair.friction_coefficient);
   visit("rolling_friction", pair.rolling_friction);
   visit("twisting_friction", pair.twisting_friction);
-  visit("normal_stiffness", pair.normal_stiffness);
-  visit("shear_stiffness", pair.shear_stiffness);
+  visit_law_parameters(visit, pair.law_parameters);
 }
 
 template <>

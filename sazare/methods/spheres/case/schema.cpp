@@ -1,20 +1,20 @@
+#include <algorithm>
 #include <array>
 
 #include "sazare/cases/case_keys.hpp"
+#include "sazare/laws/granular/contact_laws.hpp"
 #include "sazare/methods/spheres/case/body_keys.hpp"
 #include "sazare/methods/spheres/case/format.hpp"
 
 namespace sazare::cases {
 namespace {
 
-constexpr std::array<std::string_view, 2> models{"hertz", "linear"};
 constexpr std::array<std::string_view, 4> sources{"one", "file", "lattice", "random"};
 constexpr std::array<std::string_view, 3> level_choices{"automatic", "per_sphere", "uniform"};
 constexpr std::array<std::string_view, 3> wall_shapes{"plane", "box", "mesh"};
 
 constexpr Range restitution_range{.low = 0, .high = 1, .low_open = true};
 constexpr std::string_view for_hertz = "required for model hertz";
-constexpr std::string_view for_linear = "required for model linear, here or in every pair";
 constexpr std::string_view of_contact = "default: that of [contact]";
 constexpr std::string_view in_region = "required for lattice and random";
 
@@ -59,12 +59,35 @@ constexpr std::array material_keys{
         .sentence = "Poisson's ratio."},
 };
 
-constexpr std::array contact_keys{
+/// Keys for the parameters of the contact laws; in [[pairs]] that of [contact] is the default.
+consteval auto law_keys(bool in_pairs) {
+  std::array<Key, laws::law_parameters.size()> keys{};
+  for (std::size_t n = 0; n < keys.size(); ++n) {
+    const laws::LawParameter& of = laws::law_parameters[n];
+    keys[n] = {.name = of.name,
+               .type = Type::number,
+               .unit = of.unit,
+               .range = of.may_be_zero ? not_negative : positive,
+               .note = in_pairs ? of_contact : of.note,
+               .sentence = in_pairs ? "As in [contact]." : of.sentence};
+  }
+  return keys;
+}
+
+template <std::size_t... counts>
+consteval auto joined(const std::array<Key, counts>&... parts) {
+  std::array<Key, (counts + ...)> all{};
+  auto next = all.begin();
+  ((next = std::copy(parts.begin(), parts.end(), next)), ...);
+  return all;
+}
+
+constexpr std::array leading_contact_keys{
     Key{.name = "model",
         .type = Type::choice,
         .default_text = "\"hertz\"",
         .sentence = "Hertz-Mindlin from the elasticity of the materials, or linear springs.",
-        .choices = models},
+        .choices = laws::contact_law_words},
     Key{.name = "restitution",
         .type = Type::number,
         .range = restitution_range,
@@ -91,18 +114,9 @@ constexpr std::array contact_keys{
         .range = not_negative,
         .default_text = "0.0",
         .sentence = "Largest moment against turning about the normal over normal force and reduced radius."},
-    Key{.name = "normal_stiffness",
-        .type = Type::number,
-        .unit = "N/m",
-        .range = positive,
-        .note = for_linear,
-        .sentence = "Spring along the normal."},
-    Key{.name = "shear_stiffness",
-        .type = Type::number,
-        .unit = "N/m",
-        .range = positive,
-        .note = for_linear,
-        .sentence = "Spring across the normal."},
+};
+
+constexpr std::array closing_contact_keys{
     Key{.name = "overlap_limit",
         .type = Type::number,
         .range = {.low = 0, .high = 1},
@@ -116,7 +130,9 @@ constexpr std::array contact_keys{
                     "with levels also what the step leaves."},
 };
 
-constexpr std::array pair_keys{
+constexpr auto contact_keys = joined(leading_contact_keys, law_keys(false), closing_contact_keys);
+
+constexpr std::array own_pair_keys{
     Key{.name = "between",
         .type = Type::two_names,
         .need = Need::required,
@@ -141,19 +157,9 @@ constexpr std::array pair_keys{
         .range = not_negative,
         .note = of_contact,
         .sentence = "As in [contact]."},
-    Key{.name = "normal_stiffness",
-        .type = Type::number,
-        .unit = "N/m",
-        .range = positive,
-        .note = of_contact,
-        .sentence = "As in [contact]."},
-    Key{.name = "shear_stiffness",
-        .type = Type::number,
-        .unit = "N/m",
-        .range = positive,
-        .note = of_contact,
-        .sentence = "As in [contact]."},
 };
+
+constexpr auto pair_keys = joined(own_pair_keys, law_keys(true));
 
 constexpr std::array sphere_keys{
     Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name of the group, for gauges and messages."},

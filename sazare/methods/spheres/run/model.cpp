@@ -14,7 +14,6 @@ namespace sazare::runs {
 
 namespace {
 
-using cases::ContactModel;
 using cases::SpheresCase;
 using methods::spheres::Wall;
 
@@ -32,14 +31,20 @@ laws::ContactConstants<Real> constants_of(const SpheresCase& spheres, std::size_
   const cases::SphereMaterial &a = spheres.materials[one], &b = spheres.materials[other];
   const cases::MaterialPair none, *found = find_pair(spheres, a.name, b.name);
   const cases::MaterialPair& pair = found == nullptr ? none : *found;
-  const Real restitution = pair.restitution.value_or(contact.restitution);
-  const laws::GrainFriction friction{pair.friction_coefficient.value_or(contact.friction_coefficient),
-                                     pair.rolling_friction.value_or(contact.rolling_friction),
-                                     pair.twisting_friction.value_or(contact.twisting_friction)};
-  if (contact.model == ContactModel::linear)
-    return laws::linear_constants(pair.normal_stiffness.value_or(contact.normal_stiffness),
-                                  pair.shear_stiffness.value_or(contact.shear_stiffness), restitution, friction);
-  return laws::hertz_constants({a.youngs_modulus, a.poisson_ratio}, {b.youngs_modulus, b.poisson_ratio}, restitution, friction);
+  const laws::MaterialsInContact materials{{a.youngs_modulus, a.poisson_ratio},
+                                           {b.youngs_modulus, b.poisson_ratio},
+                                           pair.restitution.value_or(contact.restitution),
+                                           {pair.friction_coefficient.value_or(contact.friction_coefficient),
+                                            pair.rolling_friction.value_or(contact.rolling_friction),
+                                            pair.twisting_friction.value_or(contact.twisting_friction)}};
+  return laws::visit_law(contact.model, [&]<class Law>(Law) {
+    std::array<Real, Law::parameters.size()> values{};
+    for (std::size_t n = 0; n < laws::law_parameters.size(); ++n)
+      for (std::size_t own = 0; own < values.size(); ++own)
+        if (Law::parameters[own].name == laws::law_parameters[n].name)
+          values[own] = pair.law_parameters[n].value_or(contact.law_parameters[n].value_or(0));
+    return Law::constants(materials, values);
+  });
 }
 
 std::uint64_t hash_of(const Placement& placement, const std::vector<Wall>& walls) {
@@ -61,8 +66,7 @@ Real margin_growth(const SphereSteps& steps) {
 }  // namespace
 
 methods::spheres::ContactTable contact_table(const SpheresCase& spheres) {
-  const auto model = spheres.contact.model == ContactModel::hertz ? laws::ContactModel::hertz : laws::ContactModel::linear;
-  methods::spheres::ContactTable table(model, static_cast<Index>(spheres.materials.size()));
+  methods::spheres::ContactTable table(spheres.contact.model, static_cast<Index>(spheres.materials.size()));
   for (std::size_t a = 0; a < spheres.materials.size(); ++a)
     for (std::size_t b = a; b < spheres.materials.size(); ++b)
       table.set(static_cast<Index>(a), static_cast<Index>(b), constants_of(spheres, a, b));

@@ -15,48 +15,31 @@ namespace sazare::runs {
 
 namespace {
 
-using cases::ContactModel;
 using cases::SpheresCase;
 
 /// Levels are taken unasked where they take less than this share of the steps that one step for all would.
 constexpr Real worth_it = 0.5;
 
-/// Rayleigh's time of each sphere: in it a surface wave goes half around it [s].
-std::vector<Real> rayleigh_limits(const SpheresCase& spheres, const Placement& placement) {
+/// What each sphere bears between others [s].
+std::vector<Real> contact_limits(const SpheresCase& spheres, const Placement& placement,
+                                 const methods::spheres::ContactTable& contacts) {
   const state::Spheres& placed = placement.spheres;
-  std::vector<Real> limits;
-  for (std::size_t i = 0; i < placed.size(); ++i) {
-    const cases::SphereMaterial& material = spheres.materials[static_cast<std::size_t>(placed.spin[i].material)];
-    const Real shear_modulus = 0.5 * material.youngs_modulus / (1 + material.poisson_ratio);
-    const state::SpherePlace& place = placed.place[i];
-    Real own = std::numbers::pi * place.radius * std::sqrt(material.density / shear_modulus) /
-               (0.1631 * material.poisson_ratio + 0.8766);
-    if (placement.bonded_body[i] >= 0) {
-      // It has less mass than one that stands alone, so its contacts last less long.
+  return laws::visit_law(contacts.model, [&]<class Law>(Law) {
+    std::vector<Real> limits;
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+      const auto number = static_cast<Index>(placed.spin[i].material);
+      const cases::SphereMaterial& material = spheres.materials[static_cast<std::size_t>(number)];
+      const state::SpherePlace& place = placed.place[i];
       const Real full = 4 * std::numbers::pi / 3 * material.density * std::pow(place.radius, 3);
-      own *= std::sqrt(std::min(place.mass / full, Real{1}));
+      limits.push_back(Law::stable_step({{material.youngs_modulus, material.poisson_ratio},
+                                         material.density,
+                                         place.radius,
+                                         place.mass,
+                                         placement.bonded_body[i] >= 0 ? place.mass / full : 1,
+                                         contacts.row(number)}));
     }
-    limits.push_back(own);
-  }
-  return limits;
-}
-
-/// Twice over the largest frequency of each sphere among twelve like it, as many as can touch it, which all move or turn against
-/// it, on the stiffest springs that its material has [s]:
-///
-///     w^2 = 12 2 (k_n/3 + 2/3 k_t)/m  moving        w^2 = 12 2 (2/3 k_t) r^2/(2/5 m r^2)  turning
-std::vector<Real> spring_limits(const methods::spheres::ContactTable& table, const state::Spheres& placed) {
-  std::vector<Real> stiffest(static_cast<std::size_t>(table.materials), 0);
-  for (Index a = 0; a < table.materials; ++a)
-    for (Index b = 0; b < table.materials; ++b) {
-      const auto& springs = table.of(a, b);
-      Real& most = stiffest[static_cast<std::size_t>(a)];
-      most = std::max({most, 8 * springs.normal + 16 * springs.tangential, 40 * springs.tangential});
-    }
-  std::vector<Real> limits;
-  for (std::size_t i = 0; i < placed.size(); ++i)
-    limits.push_back(2 * std::sqrt(placed.place[i].mass / stiffest[static_cast<std::size_t>(placed.spin[i].material)]));
-  return limits;
+    return limits;
+  });
 }
 
 /// Mass that a clump shows to an impulse where it turns most easily [kg].
@@ -111,8 +94,7 @@ Real choose_base_step(const std::vector<Real>& steps, Real clock) {
 
 /// What each sphere bears between others, on its bonds, and with the others of its clump [s].
 std::vector<Real> step_limits(const SpheresCase& spheres, const Placement& placement, const SphereStepLimits& all) {
-  std::vector<Real> limits = spheres.contact.model == ContactModel::hertz ? rayleigh_limits(spheres, placement)
-                                                                          : spring_limits(all.contacts, placement.spheres);
+  std::vector<Real> limits = contact_limits(spheres, placement, all.contacts);
   const std::vector<Real> by_bonds = methods::spheres::stable_steps(all.bonds.bonds(), placement.spheres);
   for (std::size_t i = 0; i < limits.size(); ++i) limits[i] = std::min(limits[i], by_bonds[i]);
   for (std::size_t c = 0; c < placement.clumps.clumps.size(); ++c) {
