@@ -38,7 +38,7 @@ public:
   LiveSimulation(const CaseSource& source, const std::filesystem::path& folder, const std::string& begin, int threads);
 
   void begin();
-  /// Steps until so many are done, or for some seconds of wall time; the rows that Python looks at are brought up to date.
+  /// Steps until so many are done, or for some seconds of wall-clock time; the rows that Python looks at are brought up to date.
   void walk(std::int64_t until, double seconds);
   /// Ends the run where it is and lets go of its folder; the rows and the status stay.
   void finish();

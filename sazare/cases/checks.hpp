@@ -62,7 +62,7 @@ void check_damping(const CheckContext& context, const Damping& damping, const st
 void check_motion_names(const CheckContext& context, const Entry& entry, const std::array<std::string, 3>& motion,
                         const std::vector<std::string>& names);
 
-/// Mohr and Coulomb's numbers, angles in degrees.
+/// Numbers of a Mohr-Coulomb strength, angles in degrees.
 struct StrengthNumbers {
   Real cohesion = 0, friction_angle = 0, dilation_angle = 0, tensile_strength = 0;
 };

@@ -22,7 +22,7 @@ struct ExchangeOptions {
   Side side = Side::continuum;
   ExchangeMark mark = {};         ///< of a run that is resumed; else a new one begins
   bool keeps_checkpoints = true;  ///< whether this side can be resumed: its partner's messages are then kept for it
-  Real time_out = 600;            ///< [s] of the clock on the wall without a message
+  Real time_out = 600;            ///< wall-clock time without a message [s]
   const std::atomic<bool>* stop_asked = nullptr;
 };
 
@@ -35,8 +35,8 @@ struct Stopped : std::exception {
 };
 
 struct ExchangeCost {
-  Real seconds = 0;            ///< of the clock on the wall
-  Real processor_seconds = 0;  ///< of processor time
+  Real seconds = 0;            ///< wall-clock time [s]
+  Real processor_seconds = 0;  ///< processor time [s]
 };
 
 enum class Farewell { done, stopped, failed };

@@ -10,7 +10,7 @@
 
 namespace sazare::coupling {
 
-/// Sleeps longer and longer: a share of what has been waited so far, so that an answer is seen late by that share at most, and
+/// Sleeps longer and longer: a share of the time waited so far, so that an answer is seen late by at most that share, and
 /// a long wait costs no more than a thousand looks a second. Where it is known how long the last wait was, half of that is slept
 /// through at first: looks cost more processor time than all else that waiting does.
 class Patience {

@@ -49,14 +49,14 @@ public:
   const Vector3& velocity(Index node) const { return velocities_[at(node)]; }                                         ///< [m/s]
   Real largest_speed() const { return largest_speed_; }
 
-  /// Nodes go on from here with other velocities. The last force was booked as if the old ones stayed; it acts half of its step
-  /// with the new ones, and what that changes of the surface's work on the bodies is returned [J].
+  /// Nodes go on from here with other velocities. The work of the last force was added as if the old ones stayed; it acts half of
+  /// its step with the new ones, and what that changes of the surface's work on the bodies is returned [J].
   Real lead(Real time, Real step, std::vector<Vector3> from, std::vector<Vector3> with);
 
   /// Takes the forces at a time, a step after those before.
   void book(std::span<const NodeForce> forces, Real step);
 
-  const std::vector<Vector3>& force() const { return force_; }  ///< as last booked [N]
+  const std::vector<Vector3>& force() const { return force_; }  ///< as last given to `book` [N]
   /// Since the last `lead`, of the mean of two forces over the step between them [N s].
   const std::vector<Vector3>& impulse() const { return impulse_; }
   /// Work of the surface on the bodies since the last `lead` [J].

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Strength of ground: Mohr and Coulomb's, with a tension cut-off; perfectly plastic.
+/// Mohr-Coulomb strength of ground with a tension cut-off; perfectly plastic.
 ///
 ///     f_s = (s1 - s3) + (s1 + s3) sin(phi) - 2 c cos(phi) <= 0       shear
 ///     f_t = s1 - s_t <= 0                                            tension

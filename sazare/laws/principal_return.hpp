@@ -1,6 +1,6 @@
 #pragma once
 
-/// Return of principal stresses to the strength of Mohr and Coulomb with a tension cut-off (laws/mohr_coulomb.hpp), in closed
+/// Return of principal stresses to the Mohr-Coulomb strength with a tension cut-off (laws/mohr_coulomb.hpp), in closed
 /// form, with the tangent that belongs to it.
 ///
 ///     s = C (e - sum dg_a m_a)      f_a = n_a s - k_a = 0 on the active planes      dg = (N' C M)^-1 f(C e)
@@ -9,8 +9,8 @@
 ///     e  elastic trial strain [-]     C  elastic stiffness [Pa]     n_a, m_a  gradients of strength and flow     dg  amounts
 ///
 /// A plane, an edge and a tip of the strength are one, two and three active planes: the set whose amounts are not negative and
-/// whose stress all planes bear. de Souza Neto, Peric and Owen, Computational Methods for Plasticity (2008), section 8.2, where
-/// the planes are treated one by one.
+/// whose stress is admissible on all planes. de Souza Neto, Peric and Owen, Computational Methods for Plasticity (2008),
+/// section 8.2, where the planes are treated one by one.
 
 #include <limits>
 

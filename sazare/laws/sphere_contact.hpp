@@ -6,15 +6,15 @@
 ///     |T| <= mu N             T against v_t     v_n  opening speed [m/s];  v_t sliding velocity [m/s]
 ///
 /// The dashpot of [Konno2018], Table 1, is 20 to 800 times critical for the masses of its fragments, and friction knows no
-/// speed below which it is small: taken literally both ask for steps of 1e-10 s, and cut to what a step bears they let
-/// pressed fragments creep in proportion to the step. So in a step h both are built up by a spring as stiff as the step
-/// bears, beside a dashpot that calms it:
+/// speed below which it is small: taken literally both ask for steps of 1e-10 s, and cut to the stability limit of a step they
+/// let pressed fragments creep in proportion to the step. So in a step h both are built up by a spring as stiff as the step
+/// allows, in series with a dashpot:
 ///
 ///     D = E - c' v_n     dE/dt = -s v_n - s E/(c - c')      c' = min(c, m/(4 n h))     s = m/(16 n h^2)
 ///     T = S - c' v_t     dS/dt = -s v_t                     |S|, |T| <= mu N
 ///
 /// m is the mass that the two bodies show at the point, n the number of contacts that share it; three heavy bodies at a time
-/// may touch a light one before the step bears no more. For slow motion D = -c v_n and T is Coulomb's friction, with an
+/// may touch a light one before the step is unstable. For slow motion D = -c v_n and T is Coulomb's friction, with an
 /// error of order h^2. So it is for the cap `step`; `critical` keeps c under critical damping instead, and `literal` takes c
 /// as it is.
 

@@ -139,7 +139,7 @@ std::vector<Index> LevelKeeper<D>::take_quickened(int pace) {
   return taken;
 }
 
-/// The finest level among its links, and its own: what its pace is to be.
+/// The active level that a body is to have: the finest one among its links and its own.
 template <int D>
 int LevelKeeper<D>::finest_around(Index body) const {
   int finest = level(body);
@@ -147,7 +147,7 @@ int LevelKeeper<D>::finest_around(Index body) const {
   return finest;
 }
 
-/// Gives those their pace whose links or neighbours have become coarser or have ended.
+/// Lowers the active level of bodies whose links or neighbours have become coarser or have ended.
 template <int D>
 void LevelKeeper<D>::slow_down() {
   for (const Index body : calmed_)
@@ -284,7 +284,7 @@ void LevelKeeper<D>::apply(std::size_t term, const terms::Changes& changes, Tick
     ask(bodies.first, level(bodies.second) - rules_.neighbor_levels);
     ask(bodies.second, level(bodies.first) - rules_.neighbor_levels);
   }
-  // One that has ended in the same step neither rests nor watches.
+  // A link that has ended in the same step is neither inactive nor watched.
   for (const Index link : changes.resting)
     if (clocks_[term].holds(link)) rest({static_cast<Index>(term), link}, true);
   for (const Index link : changes.watching)

@@ -1,12 +1,12 @@
 #pragma once
 
-/// Keeps every body's time level and, through them, the clock of every link and the pace of every body.
+/// Keeps the time level of every body and, through them, the clock of every link and the active level of every body.
 ///
-/// A link has the finer level of its two bodies, or rests at level 0. A body is kicked whenever one of its links is due: its
-/// pace is the finest level among its links. So no impulse ever waits, whatever is evaluated sees every body as it is, and
-/// the scheme is an asynchronous variational integrator (Lew, Marsden, Ortiz, West 2003): undamped energy keeps its bounds
-/// at any mix of levels, which it does not where coarse bodies collect impulses until their own time.
-/// A level is refined at any tick, and coarsened only at base steps, where every coarser step is in phase.
+/// A link has the finer level of its two bodies, or is inactive, at level 0. A body is kicked whenever one of its links is due:
+/// its active level is the finest one among its links. So no impulse ever waits, whatever is evaluated sees every body as it is,
+/// and the scheme is an asynchronous variational integrator (Lew, Marsden, Ortiz, West 2003): undamped energy keeps its bounds at
+/// any mix of levels, which it does not where coarse bodies collect impulses until their own time. A level is refined at any
+/// tick, and coarsened only at base steps, where every coarser step is in phase.
 
 #include <array>
 #include <memory>
@@ -35,8 +35,8 @@ public:
   int finest() const { return paces_.finest(); }
   Real step(int level) const { return steps_[static_cast<std::size_t>(level)]; }
   void list_bodies_from_pace(int level, std::vector<Index>& bodies) const { paces_.list_from(level, bodies); }
-  /// Of the bodies whose pace has quickened since they were kicked, and which had planned to be due later, takes those that are
-  /// due from a pace on.
+  /// Takes the bodies whose active level has risen to `level` or finer since they were kicked, and which are therefore due
+  /// earlier than planned.
   std::vector<Index> take_quickened(int pace);
   schedule::LinkClock& clock(std::size_t term) { return clocks_[term]; }
   const schedule::LinkClock& clock(std::size_t term) const { return clocks_[term]; }
@@ -92,7 +92,7 @@ private:
   std::vector<std::int8_t> by_rates_;                          ///< level that a body's own springs and dashpots ask for
   std::vector<std::int8_t> asked_;                             ///< level asked for since the last tick, where in `asking_`
   std::vector<Index> asking_;
-  std::vector<Index> calmed_;     ///< bodies whose pace may fall at the next base step
+  std::vector<Index> calmed_;     ///< bodies whose active level may fall at the next base step
   std::vector<Index> quickened_;  ///< see take_quickened; some more than once
   const TermList<D>* terms_ = nullptr;
   bool stale_ = true;  ///< whether a relevel could change anything

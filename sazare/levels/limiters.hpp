@@ -20,7 +20,7 @@ struct StepRules {
   int neighbor_levels = 2;                                     ///< largest difference of level between linked bodies
 };
 
-/// Largest stable step [s] of a body with its neighbours held, by leapfrog with the dashpot's velocity foreseen by the mean of
+/// Largest stable step [s] of a body with its neighbours held, by leapfrog with the dashpot's velocity predicted by the mean of
 /// its last two forces (terms/slot.hpp): the positive root of
 ///
 ///     w^2 h^2 + 2 c h = 4        w^2, c  largest eigenvalues of M^-1 K [1/s2] and M^-1 C [1/s]

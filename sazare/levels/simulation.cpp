@@ -99,7 +99,7 @@ bool Simulation<D>::advance(const std::function<bool()>& pause) {
   return true;
 }
 
-/// The step, as a list: choose levels, find what is due, evaluate, kick and drift, settle what has changed.
+/// The step, as a list: choose levels, find what is due, evaluate, kick and drift, and carry out what terms change.
 template <int D>
 void Simulation<D>::tick() {
   const bool is_measured = ticks_are_long_ || counters_.ticks % one_measured_of == 0;
@@ -235,7 +235,7 @@ state::MeanMotion<D> Simulation<D>::step_faster(Index body, state::Impulse<D> gi
   const int level = levels_.level_for_speed(levels_.level(body), velocity.squaredNorm());
   if (level > levels_.level(body)) refined_.add(body * schedule::level_count + level);
   const int pace = std::max(level, levels_.pace(body));
-  if (pace > levels_.pace(body)) given = gather_one(body, levels_.step(pace));  // its momentum was foreseen for a longer step
+  if (pace > levels_.pace(body)) given = gather_one(body, levels_.step(pace));  // its momentum was predicted for a longer step
   motion::Stride stride = this->stride(body, pace);
   stride.fastest_squared = std::numeric_limits<Real>::infinity();
   state::MeanMotion<D> mean;
@@ -255,8 +255,8 @@ state::Impulse<D> Simulation<D>::gather_one(Index body, Real until_next) const {
   return sum;
 }
 
-/// From a time on that counts as theirs; returns when it ended. Asking for the time takes as long as most terms, which have
-/// nothing to settle.
+/// Lets all terms change what is linked. The time since `since` counts as theirs; returns when it ended. Asking for the time
+/// takes as long as most terms, which change nothing.
 template <int D>
 std::int64_t Simulation<D>::settle(std::int64_t since) {
   terms::Changes changes;

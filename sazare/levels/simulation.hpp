@@ -60,8 +60,8 @@ struct Sharing {
 struct RankWork {
   Tick tick = 0;
   int rank = 0;
-  Real seconds = 0;        ///< of processor time in evaluations and kicks, since the last cut
-  Real talking = 0;        ///< of wall time in exchanges with others, since the run began [s]
+  Real seconds = 0;        ///< processor time of evaluations and kicks since the last cut
+  Real talking = 0;        ///< wall-clock time of exchanges with others since the run began [s]
   std::int64_t bytes = 0;  ///< sent to others, since the run began
   Index first_body = 0;    ///< of its range until then
 };
@@ -110,7 +110,7 @@ public:
   /// Forces on all bodies as last evaluated [N].
   std::vector<Vector<D>> forces() const;
   terms::Ledger ledger() const { return ledger(snapshot()); }
-  terms::Ledger ledger(const Snapshot<D>& at_now) const {  ///< where it is at hand
+  terms::Ledger ledger(const Snapshot<D>& at_now) const {  ///< with a snapshot that is known already
     std::vector<state::MeanMotion<D>> ahead;
     return close(books(at_now, nullptr, ahead));
   }

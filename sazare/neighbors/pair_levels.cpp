@@ -15,7 +15,7 @@ void visit(const SpherePairs& pairs, F&& f) {
     for (std::size_t p = pairs.first[i]; p < pairs.first[i + 1]; ++p) f(i, static_cast<std::size_t>(pairs.other[p]));
 }
 
-/// All spheres of a body have the finest pace among them.
+/// Gives all spheres of a body the finest active level among them.
 void keep_together(std::span<const Index> body, std::vector<std::int8_t>& pace) {
   if (body.empty()) return;
   std::vector<std::int8_t> finest(static_cast<std::size_t>(std::ranges::max(body)) + 1, 0);

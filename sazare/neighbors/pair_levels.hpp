@@ -10,12 +10,12 @@
 
 namespace sazare::neighbors {
 
-/// A pair has the finer level of its two spheres. The pace of a sphere is the finest level among its own, its pairs' and its
-/// bonds'. Spheres are to be sorted by their pace, the finest first, and then along a curve: those of a pace or a finer one so
-/// come first.
+/// A pair has the finer level of its two spheres. The active level of a sphere is the finest one among its own, its pairs' and
+/// its bonds'. Spheres are to be sorted by their active level, the finest first, and then along a curve: so those of an active
+/// level or a finer one come first.
 struct LeveledPairs {
   std::vector<Index> order;          ///< the n-th is the sphere that should stand n-th
-  std::vector<std::size_t> spheres;  ///< by level: so many have this pace or a finer one
+  std::vector<std::size_t> spheres;  ///< by level: so many have this active level or a finer one
   std::vector<SpherePairs> pairs;    ///< by level, of that many spheres, by the places they are to have
 };
 
@@ -28,7 +28,7 @@ struct LevelsByPlace {
     Index one = 0, other = 0;
   };
   std::vector<Bonded> bonded = {};
-  std::vector<Index> body = {};  ///< spheres of one body have one pace; below 0 those of none; empty where all are
+  std::vector<Index> body = {};  ///< spheres of one body have one active level; below 0 those of none; empty where all are
 };
 
 /// All pairs whose surfaces are nearer than the margin [m].

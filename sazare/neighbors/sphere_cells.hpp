@@ -135,8 +135,8 @@ private:
     return {count_, cube, longest()};
   }
 
-  /// The axis of the longest way, the last one of those that are alike. A box that repeats is cut at two ends, so that its ways
-  /// count for half.
+  /// The axis of the greatest length, the last one of equal ones. A periodic box is cut at two ends, so its lengths count for
+  /// half.
   std::size_t longest() const {
     std::size_t longest = 2;
     const auto length = [&](std::size_t a) {

@@ -33,7 +33,7 @@ struct Message {
 /// What talking has cost a rank so far.
 struct Traffic {
   std::int64_t bytes = 0;  ///< sent to others
-  double seconds = 0;      ///< of wall time, waiting for others included
+  double seconds = 0;      ///< wall-clock time, waiting for others included
 };
 
 /// One process, or those of an MPI launch when Sazare was built with MPI. One object per process, made at the start of main

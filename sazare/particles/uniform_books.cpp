@@ -1,4 +1,4 @@
-/// The books of UniformStepper: work by cause.
+/// The energy balance of UniformStepper: work by cause.
 
 #include <algorithm>
 
@@ -19,7 +19,7 @@ bool UniformStepper<D>::is_damped() const {
          std::ranges::any_of(particles_.damping_ratio, is_above_zero);
 }
 
-/// That the coming kick gives to what is free to move.
+/// Velocity after the coming kick of a degree of freedom that is free to move.
 template <int D>
 Real UniformStepper<D>::velocity_after(std::size_t freedom, std::size_t i) const {
   return keep_[freedom][i] * particles_.velocity[freedom][i] +
@@ -32,7 +32,7 @@ Real UniformStepper<D>::velocity_after(const particles::DrivenFreedom& driven) c
   return (next - particles_.displacement[static_cast<std::size_t>(driven.freedom)][at(driven.particle)]) / rules_.step;
 }
 
-/// Of the forces from outside at the present velocities; what is held takes none of it.
+/// Power of the external forces at the present velocities; degrees of freedom that are held receive none.
 template <int D>
 Real UniformStepper<D>::applied_power() const {
   Real power = 0;
@@ -74,7 +74,8 @@ void UniformStepper<D>::book_supports() {
 
 /// `way` is over the step. The columns count its drag as damping.
 template <int D>
-void UniformStepper<D>::book_boundary(const particles::Dashpot& dashpot, Real before, Real after, Real way, WorkByCause& work) const {
+void UniformStepper<D>::book_boundary(const particles::Dashpot& dashpot, Real before, Real after, Real way,
+                                      WorkByCause& work) const {
   const auto freedom = static_cast<std::size_t>(dashpot.freedom);
   const Real impulse = rules_.step / particles_.inverse_inertia_of(freedom)[at(dashpot.particle)];
   const Real drag = dashpot.rate * 0.5 * (before + after);

@@ -27,7 +27,7 @@ struct UniformRules {
 };
 
 struct Settling {
-  Real tolerance = 0;  ///< largest acceleration left at rest [m/s2]
+  Real tolerance = 0;  ///< largest acceleration left in equilibrium [m/s2]
   std::int64_t most_steps = 0;
   /// Asked after every step with the largest acceleration left: whether to go on.
   std::function<bool(std::int64_t step, Real left)> goes_on = [](std::int64_t, Real) { return true; };
@@ -49,8 +49,8 @@ struct WorkByCause {
 /// g(k), which is that of the velocity v(k). The part a1 h v and dashpots of supports take the mean of the velocities before and
 /// after the kick.
 ///
-/// Work of a force of the kick from v(k-1/2) to v(k+1/2) is its mean over two kicks times the way between them. With m v(k-1/2)
-/// v(k+1/2)/2 as kinetic energy the books of linear forces then close to round-off at any step.
+/// Work of a force of the kick from v(k-1/2) to v(k+1/2) is its mean over two kicks times the displacement between them. With m
+/// v(k-1/2) v(k+1/2)/2 as kinetic energy the energy balance of linear forces then closes to round-off at any step.
 template <int D>
 class UniformStepper {
 public:
@@ -66,9 +66,10 @@ public:
   /// before `start` from the beginning.
   void apply(std::span<const Vector3> forces);
 
-  /// Finds the rest under gravity before the beginning: `start` begins from there, with viscous boundaries that carry what they
-  /// carry at rest and motions from t = 0. They are held meanwhile. Kinetic damping: all stand still whenever the kinetic energy
-  /// has passed a maximum. Cundall, The Explicit Finite-Difference Method (1982). Returns the largest acceleration left [m/s2].
+  /// Finds the equilibrium under gravity before the beginning: `start` begins from it, with viscous boundaries that keep carrying
+  /// their reactions and motions from t = 0. Boundaries are held meanwhile. Kinetic damping: all velocities are set to zero
+  /// whenever the kinetic energy has passed a maximum. Cundall, The Explicit Finite-Difference Method (1982). Returns the largest
+  /// acceleration left [m/s2].
   Real settle(const Settling& rules);
 
   std::int64_t steps() const { return step_; }
@@ -78,7 +79,7 @@ public:
   const particles::ParticleSupports<D>& supports() const { return supports_; }
   particles::ParticleForces<D>& forces() { return *forces_; }
 
-  /// Displacements at the beginning, after settling [m].
+  /// Displacements at the beginning: those of the equilibrium under gravity [m].
   const std::array<state::Column, D>& settled() const { return settled_; }
 
   /// At `time()`: translations [m/s], [m/s2] and rotations [rad/s], [rad/s2].
@@ -88,9 +89,9 @@ public:
   Real kinetic_energy() const;
   Real elastic_energy() { return forces_->energy(particles_); }
 
-  /// m v(k-1/2) v(k+1/2)/2, for the books. It may be a little below zero.
+  /// m v(k-1/2) v(k+1/2)/2, for the energy balance. It may be slightly negative.
   Real kinetic_energy_of_kick() const;
-  /// Not of Euler's steps, which have no books: all zero.
+  /// Work by cause; all zero for Euler's steps, which have no energy balance.
   WorkByCause work() const;
   /// Work of the external forces alone [J].
   Real applied_work() const { return support_work_.applied + 0.5 * rules_.step * applied_power(); }

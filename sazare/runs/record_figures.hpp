@@ -1,7 +1,8 @@
 #pragma once
 
 /// The headline figures in the manifests of runs that several methods have, `results` by name: an interface, which scripts of
-/// users read. Those of a method stand in its own columns.hpp; the reference (folder_page.cpp) prints all. A figure of energy is the last value of the history's column of the same name.
+/// users read. Those of a method stand in its own columns.hpp; the reference (folder_page.cpp) prints all. A figure of energy is
+/// the last value of the history's column of the same name.
 
 #include "sazare/observe/column.hpp"
 

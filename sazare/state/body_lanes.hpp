@@ -27,7 +27,7 @@ inline LaneVector without(const LongLanes& locked, const LaneVector& v) {
   return left;
 }
 
-/// Velocities foreseen of bodies that stand at their own time.
+/// Predicted velocities of bodies that stand at their own time.
 struct LaneVelocities {
   LaneVector velocity, spin;
 };

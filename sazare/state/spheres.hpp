@@ -10,7 +10,7 @@
 
 namespace sazare::state {
 
-/// What a pair looks at: one line of the cache. The velocity is that foreseen for the time of the place.
+/// What a pair looks at: one line of the cache. The velocity is that predicted for the time of the place.
 struct alignas(64) SpherePlace {
   Real x = 0, y = 0, z = 0;     ///< centre [m]
   Real radius = 0;              ///< [m]
@@ -22,7 +22,7 @@ struct alignas(64) SpherePlace {
 };
 
 struct alignas(32) SphereSpin {
-  Real x = 0, y = 0, z = 0;  ///< foreseen like the velocity [rad/s]
+  Real x = 0, y = 0, z = 0;  ///< predicted like the velocity [rad/s]
   Real material = 0;         ///< its number, as lanes read it
 
   Vector3 spin() const { return {x, y, z}; }
@@ -47,7 +47,7 @@ struct alignas(64) SphereLoad {
   Real mx = 0, my = 0, mz = 0, unused_too = 0;  ///< [N m]
 };
 
-/// A box that repeats itself along some axes; length 0 along the others.
+/// A box that is periodic along some axes; length 0 along the others.
 struct PeriodicBox {
   Vector3 lower = Vector3::Zero();   ///< [m]
   Vector3 length = Vector3::Zero();  ///< [m]

@@ -1,7 +1,7 @@
 #pragma once
 
 /// A body's own step: the impulses it has gathered change its momenta, then it drifts to its next time, and its velocity
-/// there is foreseen.
+/// there is predicted.
 ///
 /// The impulse of a link acts from the middle of the link's last interval to the middle of its next one, whatever the
 /// levels of its bodies. So after a kick at T the momentum p holds what link l gives until e_l, and

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Bodies at a base step, for snapshots and the ledger: nothing here changes them. All spans of a call have one length; they are
-/// those of the bodies from `first` on, which stand side by side.
+/// Bodies at a base step, for snapshots and the energy balance: nothing here changes them. All spans of a call have one length;
+/// they are those of the bodies from `first` on, which stand side by side.
 
 #include <span>
 

@@ -7,7 +7,7 @@
 
 namespace sazare::terms {
 
-/// Calls f(begin, end, books) for ranges that cover 0..n, on several threads from `serial_below` on, and adds up their books.
+/// Calls f(begin, end, sums) for ranges that cover 0..n, on several threads from `serial_below` on, and adds up their sums.
 template <class F>
 void book_ranges(std::size_t n, std::size_t serial_below, Books& books, F&& f) {
   std::mutex adding;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where energy went. Work comes in; everything else is a place where it is now, or a cause that took it for good.
+/// The energy balance. Work is done on the bodies; all other parts are energy that is stored, or dissipated by a cause.
 
 #include <array>
 #include <cstddef>
@@ -12,12 +12,12 @@ namespace sazare::terms {
 
 enum class Account {
   work,     ///< done on the bodies by loads and by gravity
-  kinetic,  ///< gained since the beginning
+  kinetic,  ///< increase since the beginning
   elastic,  ///< stored in joints, contacts and boundaries
   joint_dashpot,
   slip,  ///< of bonded joints on the Coulomb line
   fracture,
-  release,  ///< elastic energy left in joints when their faces came apart
+  release,  ///< elastic energy of joints that is lost when their faces open
   contact_dashpot,
   friction,  ///< of contacts
   boundary,  ///< dashpots of absorbing and fixed outer faces
@@ -31,12 +31,12 @@ struct Ledger {
   Real& operator[](Account account) { return joules[static_cast<std::size_t>(account)]; }
   Real operator[](Account account) const { return joules[static_cast<std::size_t>(account)]; }
 
-  /// Work that is found nowhere [J].
+  /// Work that is neither stored nor dissipated [J].
   Real residual() const { return joules[0] - std::accumulate(joules.begin() + 1, joules.end(), Real{0}); }
 };
 
-/// A ledger that is being added up. Its sums are exact, so they are the same in whatever order, by however many threads and
-/// processes the parts are found.
+/// An energy balance that is being added up. Its sums are exact, so they do not depend on the order, nor on the number of
+/// threads and processes that find the parts.
 struct Books {
   std::array<ExactSum, account_count> joules{};
 

@@ -4,7 +4,7 @@
 ///
 /// A link writes its slot when it is evaluated; both its bodies are kicked at that tick. A body's gather reads all of its
 /// slots: those written at that tick give their impulses, and all of them tell what pulls at the body now, from which its
-/// velocity at its next time is foreseen (see motion/kick.hpp).
+/// velocity at its next time is predicted (see motion/kick.hpp).
 
 #include <array>
 
@@ -59,10 +59,10 @@ private:
   }
 };
 
-/// `Parts` counts the parts of the force whose work is booked apart (dashpot, friction); without any, that of the whole force is
-/// (a load). The order of the members is that in which kernels write them. Impulses come from the total alone. What only books
-/// work or foresees velocities is kept in single precision: kicks read every slot of a body. Where there is one part or none, a
-/// slot in space takes two cache lines.
+/// `Parts` counts the parts of the force whose work is summed apart (dashpot, friction); without any, that of the whole force is
+/// (a load). The order of the members is that in which kernels write them. Impulses come from the total alone. What only serves
+/// to sum work or to predict velocities is kept in single precision: kicks read every slot of a body. Where there is one part or
+/// none, a slot in space takes two cache lines.
 template <int D, int Parts>
 struct alignas(64) Slot {
   PairForce<D> total;
@@ -73,8 +73,8 @@ struct alignas(64) Slot {
   std::array<PairForce<D, float>, Parts> part;
 };
 
-/// Writes what an evaluation has found. Velocities are foreseen by the mean of a link's last two forces: a dashpot whose velocity
-/// is foreseen by the last force alone is stable up to 1 / c, by this mean up to 2 / c, and both are of second order.
+/// Writes what an evaluation has found. Velocities are predicted by the mean of a link's last two forces: a dashpot whose
+/// velocity is predicted by the last force alone is stable up to 1 / c, by this mean up to 2 / c, and both are of second order.
 template <int D, int Parts>
 void write(Slot<D, Parts>& slot, const Moment& now, const Due& due, const PairForce<D>& total,
            const std::array<PairForce<D>, Parts>& part) {

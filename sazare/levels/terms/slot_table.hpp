@@ -114,7 +114,7 @@ struct SlotSums {
     const Sum acts = Sum::load_once(slot.total.linear.data()), acted = Sum::load(slot.previous.linear.data());
     const auto acting = all(sign * (two(slot.evaluated) == two(now) ? two(slot.acting) : none));
     given.add(acting, acts);
-    // Below 0: given beyond it; else foreseen with the mean of both.
+    // Below 0: given beyond it; else predicted with the mean of both.
     const auto open = two(until_next - slot.ahead + (now - slot.evaluated) * tick_seconds);
     const auto half = two(0.5) * (open > none ? open : none);
     lead.add(all(sign * half), acted);
@@ -123,7 +123,7 @@ struct SlotSums {
   }
 };
 
-/// The slots of a term; the work of each part of the force is booked on its cause, or that of the whole force where it has none.
+/// The slots of a term; the work of each part of the force is added to its cause, or that of the whole force where it has none.
 template <int D, int Parts, class Incidence>
 struct SlotTable {
   static constexpr std::size_t booked = Parts == 0 ? 1 : Parts;
@@ -174,7 +174,7 @@ struct SlotTable {
     return works;
   }
 
-  /// Books that work, taken back.
+  /// Subtracts that work from the sums.
   void take_back(const std::array<Real, booked>& work, Books& books) const {
     for (std::size_t p = 0; p < booked; ++p) book(causes[p], -work[p], books);
   }

@@ -3,7 +3,7 @@
 /// A term brings state to a law and delivers impulses: one virtual call per term and phase, loops inside.
 ///
 /// In a step the engine calls, for all terms in their fixed order: `evaluate` on the links that are due (in parallel,
-/// each link writes only its own slot), then for chunks of due bodies `gather`; then, on one thread, `settle`, where a
+/// each link writes only its own slot), then for chunks of due bodies `gather`; then, on one thread, `post_step`, where a
 /// term may change what is linked. Whenever a link is due both its bodies stand at that tick.
 
 #include <span>
@@ -36,7 +36,7 @@ struct Changes {
   std::vector<Index> new_links;    ///< links that begin; the term's `links()` knows their bodies
   std::vector<Index> ended_links;  ///< links whose force has ended for good (until it is new again)
   std::vector<Index> resting;      ///< links that cannot act before the next base step: base steps are enough for them
-  std::vector<Index> watching;     ///< links that were resting and may act from now on
+  std::vector<Index> watching;     ///< links that were inactive and may act from now on
   std::vector<Index> stiffer;      ///< bodies whose rates may have grown: their step is checked at once
   std::vector<Index> softer;       ///< bodies whose rates have fallen: their step may grow at the next base step
 
@@ -46,7 +46,7 @@ struct Changes {
   void clear() { *this = {}; }
 };
 
-/// All bodies at a base step, for the ledger: the part of the last kicks that acts after now has been taken back.
+/// All bodies at a base step, for the energy balance: the part of the last kicks that acts after now has been taken back.
 template <int D>
 struct Synchronized {
   std::span<const state::Pose<D>> pose;  ///< per body
@@ -54,7 +54,7 @@ struct Synchronized {
   const Peers* peers = nullptr;          ///< who shares the bodies with this process; none: all are its own
 
   const state::Pose<D>& pose_of(Index body) const { return pose[static_cast<std::size_t>(body)]; }
-  /// Whether the link is entered in the books of this process.
+  /// Whether the energy of the link is counted by this process.
   bool counts(const Link& link) const { return peers == nullptr || peers->owns(link.first); }
 };
 
@@ -76,7 +76,7 @@ public:
 
   virtual void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<D>& bodies) = 0;
 
-  /// Adds to `sum`, body by body, what it receives; the impulses whose work is booked go into `parts` as well. A chunk of
+  /// Adds to `sum`, body by body, what it receives; the impulses whose work is summed go into `parts` as well. A chunk of
   /// bodies at most.
   virtual void gather(const Moment& now, std::span<const Index> which, const state::Bodies<D>& bodies, std::span<Impulse<D>> sum,
                       CauseImpulses<D>& parts) const = 0;

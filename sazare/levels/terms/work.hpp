@@ -39,7 +39,7 @@ inline Account account_of(Cause cause) {
   return Account::boundary;
 }
 
-/// Adds work on the bodies to the sum of its account: that of loads comes in, all other is taken from them.
+/// Adds work on the bodies to the sum of its kind: that of loads is done on them, all other is taken from them.
 template <class Number, class Sum>
 void book_work(Cause cause, const Number& work, Sum& sum) {
   if (cause == Cause::load)
@@ -49,7 +49,7 @@ void book_work(Cause cause, const Number& work, Sum& sum) {
 }
 inline void book(Cause cause, Real work, Books& books) { book_work(cause, work, books[account_of(cause)]); }
 
-/// Books the work on several bodies.
+/// Adds the work on several bodies.
 inline void book(std::span<const CauseWork> works, Books& books) {
   const auto sum_of = [&](Cause cause) { return LaneSum(books[account_of(cause)]); };
   std::array<LaneSum, cause_count> sums = {sum_of(Cause::load), sum_of(Cause::joint_dashpot), sum_of(Cause::contact_dashpot),

@@ -61,8 +61,8 @@ public:
 
   struct Energies {
     Real elastic = 0;   ///< stored [J]
-    Real plastic = 0;   ///< taken by flow between the two states [J]
-    Real friction = 0;  ///< taken by joints [J]
+    Real plastic = 0;   ///< dissipated by plastic flow between the two states [J]
+    Real friction = 0;  ///< dissipated by joints [J]
   };
   Energies energies(const NodalColumn& displacement_before, const NodalColumn& displacement, const Memory& before,
                     const Memory& after) const;

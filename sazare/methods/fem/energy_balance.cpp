@@ -1,4 +1,4 @@
-/// The books of FemStepper: work by cause, and energies.
+/// The energy balance of FemStepper: work by cause, and energies.
 
 #include "sazare/methods/fem/nodal_algebra.hpp"
 #include "sazare/methods/fem/stepper.hpp"

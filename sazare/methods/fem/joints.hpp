@@ -36,7 +36,7 @@ public:
 
   struct Energies {
     Real elastic = 0;   ///< stored [J]
-    Real friction = 0;  ///< taken by slip since the memory before [J]
+    Real friction = 0;  ///< dissipated by slip since the memory before [J]
   };
   Energies energies(std::size_t number, const NodalColumn& displacement_before, const NodalColumn& displacement,
                     std::span<const Real> before, std::span<const Real> after) const;

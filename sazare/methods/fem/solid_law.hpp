@@ -1,6 +1,6 @@
 #pragma once
 
-/// A material at a point: elastic, or with the strength of Mohr and Coulomb.
+/// A material at a point: elastic, or with a Mohr-Coulomb strength.
 
 #include <optional>
 #include <string>
@@ -16,7 +16,7 @@ struct SolidMaterial {
   std::string name;
   laws::Elasticity elastic;
   Real density = 0;        ///< [kg/m3]
-  Real damping_ratio = 0;  ///< of Rayleigh's damping [-]
+  Real damping_ratio = 0;  ///< of Rayleigh damping [-]
   std::optional<laws::MohrCoulomb> strength;
 
   static SolidMaterial elastic_of(Real youngs_modulus, Real poisson_ratio, Real density_) {

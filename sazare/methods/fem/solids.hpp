@@ -71,7 +71,7 @@ public:
 
   struct Energies {
     Real elastic = 0;  ///< stored [J]
-    Real plastic = 0;  ///< taken by flow since the memory before [J]
+    Real plastic = 0;  ///< dissipated by plastic flow since the memory before [J]
   };
 
   /// Energies of an element, between two states: the work of plastic flow is that of the mean stress.

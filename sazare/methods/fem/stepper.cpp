@@ -37,7 +37,7 @@ FemStepper<D>::FemStepper(std::unique_ptr<methods::fem::Body<D>> body, methods::
   prepare_solver(false);
 }
 
-/// A solver for the freedoms that nothing holds.
+/// A solver for the free degrees of freedom.
 template <int D>
 void FemStepper<D>::prepare_solver(bool viscous_held) {
   is_free_.assign(body_->freedoms(), 1);

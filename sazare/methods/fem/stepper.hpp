@@ -15,23 +15,23 @@ namespace sazare::methods::fem {
 struct FemRules {
   Real step = 0;             ///< [s]
   bool statics = false;      ///< no inertia and no damping: each step is an equilibrium, time only counts loads and motions
-  Real alpha = 0;            ///< of Hilber, Hughes and Taylor, -1/3 to 0; 0 is Newmark's step of constant mean acceleration
+  Real alpha = 0;            ///< of the HHT-alpha step, -1/3 to 0; 0 is Newmark's step of constant average acceleration
   Real tolerance = 1e-8;     ///< unbalanced force left, over the largest of the forces in play
-  int most_iterations = 20;  ///< of Newton in a step
+  int most_iterations = 20;  ///< of the Newton iteration in a step
   int most_cuts = 8;         ///< a step that does not converge is halved so often
   laws::RayleighDamping damping;
 };
 
-/// Work done since the beginning, by cause [J]; in 2-D per metre across the plane [J/m].
+/// Work done since the beginning, by cause [J]; in 2-D per metre of thickness [J/m].
 struct FemWork {
   Real gravity = 0;
   Real loads = 0;      ///< tractions, and forces applied from outside
-  Real boundary = 0;   ///< of supports that move, and of what viscous boundaries carry at rest
+  Real boundary = 0;   ///< of supports that move, and of the reactions that viscous boundaries carry in equilibrium
   Real waves = 0;      ///< that come in through viscous boundaries
-  Real damping = 0;    ///< taken by Rayleigh's damping
-  Real radiation = 0;  ///< taken by viscous boundaries
-  Real plastic = 0;    ///< taken by flow
-  Real friction = 0;   ///< taken by joints
+  Real damping = 0;    ///< dissipated by Rayleigh damping
+  Real radiation = 0;  ///< dissipated by viscous boundaries
+  Real plastic = 0;    ///< dissipated by plastic flow
+  Real friction = 0;   ///< dissipated by joints
 };
 
 /// All that a step changes: a copy of it is a place to which the stepper can return.
@@ -40,7 +40,7 @@ struct FemState {
   explicit FemState(const methods::fem::NodePattern& pattern) : tangent(pattern) {}
 
   std::int64_t steps = 0;
-  std::int64_t iterations = 0;  ///< of Newton so far
+  std::int64_t iterations = 0;  ///< Newton iterations so far
   std::int64_t cuts = 0;        ///< halved steps so far
   methods::fem::NodalColumn displacement, velocity, acceleration;
   methods::fem::NodalColumn internal;  ///< forces of elements and joints [N]
@@ -99,7 +99,7 @@ public:
   /// Stored, since the beginning [J].
   Real elastic_energy() const;
   const FemWork& work() const { return state_.work; }
-  /// Work that is found nowhere [J]; with alpha < 0 what the step itself takes.
+  /// Residual of the energy balance [J]; with alpha < 0 it contains what the step itself dissipates.
   Real energy_residual() const;
 
   void columns(Archive& archive);

@@ -23,8 +23,8 @@ enum class CouplingScheme { paper, impulse, repeat };
 struct CouplingRules {
   CouplingScheme scheme = CouplingScheme::impulse;
   Real width = 1;         ///< of the slab of bodies, in the plane [m]
-  Real tolerance = 1e-4;  ///< of repeat: largest difference of forces, over the larger of the two
-  int most_passes = 20;   ///< of repeat
+  Real tolerance = 1e-4;  ///< of the iterative scheme: largest difference of forces, over the larger of the two
+  int most_passes = 20;   ///< of the iterative scheme
 };
 
 /// What went over the surface since the beginning, of the whole width.
@@ -36,7 +36,7 @@ struct CouplingLedger {
   std::int64_t windows = 0, passes = 0;
 
   Vector3 under_way() const { return given - taken; }
-  /// Energy that both sides have got of each other's motion, and that is nobody's loss [J].
+  /// Energy added by the coupling: the sum of the works on both sides [J].
   Real made() const { return work_on_nodes + work_on_bodies; }
 };
 
@@ -47,7 +47,7 @@ public:
   ContinuumSide(ContinuumStepper<D>& stepper, geometry::LinearSurface surface, const CouplingRules& rules)
       : stepper_(&stepper), surface_(std::move(surface)), rules_(rules) {}
 
-  /// With the nodes where the body has settled.
+  /// The shape with the nodes in the equilibrium of the body.
   coupling::SurfaceShape shape() const;
 
   /// Takes the forces at the beginning, after the stepper has started.

@@ -9,12 +9,13 @@
 
 namespace sazare::methods::mps {
 
-/// M^-1/2 K M^-1/2 of a model at rest in its start positions; symmetric. Rows of freedoms that are held or driven are zero.
-/// Vectors hold the freedoms of a particle one after the other.
+/// M^-1/2 K M^-1/2 of a model at rest in its start positions; symmetric. Rows of degrees of freedom that are held or driven are
+/// zero. Vectors hold the degrees of freedom of a particle one after the other.
 template <int D>
 class LinearStiffness {
 public:
-  LinearStiffness(const state::Particles<D>& particles, const LinkTable<D>& links, const particles::ParticleSupports<D>& supports);
+  LinearStiffness(const state::Particles<D>& particles, const LinkTable<D>& links,
+                  const particles::ParticleSupports<D>& supports);
 
   std::size_t rows() const { return scale_.size(); }
   void apply(std::span<const Real> x, std::span<Real> y);

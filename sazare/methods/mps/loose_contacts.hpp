@@ -18,8 +18,8 @@ struct LooseRules {
 /// Two loose particles that meet press on each other as discs or spheres as wide as the spacing, with the stiffness of a column
 /// of ground as wide as they are, lambda + 2 mu, and slide with the friction of the weaker of their grounds
 /// (laws/sphere_contact.hpp). Two particles whose link has just broken touch at the length it had without stress, as its two
-/// sides did, with its share of lambda + 2 mu; so the pressure stays, of the shear what friction bears, and the lattice does not
-/// collapse. They are such neighbours until a gap as wide as the skin has opened between them.
+/// sides did, with its share of lambda + 2 mu; so the pressure stays, of the shear what friction carries, and the lattice does
+/// not collapse. They are such neighbours until a gap as wide as the skin has opened between them.
 ///
 /// Loose are particles without some of their links, so those of free surfaces too. Pairs are kept while they may touch, in
 /// the order of their numbers; they are searched again when a particle has moved by more than half the skin against another.

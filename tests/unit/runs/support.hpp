@@ -32,7 +32,7 @@ RunOutcome run_quietly(const cases::CaseFile& file, const std::filesystem::path&
 
 nlohmann::json read_manifest(const std::filesystem::path& folder);
 
-/// A table's text without its last column, the wall time.
+/// A table's text without its last column, the wall-clock time.
 std::string without_last_column(const std::string& text);
 
 }  // namespace sazare::runs::test

@@ -8,7 +8,7 @@
 
 namespace sazare::runs {
 
-/// An element whose motion makes no sense any more: it is no number, or goes farther in a step than the element is large.
+/// An element whose motion has diverged: it is not a number, or goes farther in a step than the element is large.
 /// -1 when there is none.
 Index find_failed_element(BlocksModel& model);
 

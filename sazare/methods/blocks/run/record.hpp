@@ -35,7 +35,7 @@ public:
   /// Hands the tables to the system; all that was written to the disk where `to_disk`.
   void flush(bool to_disk);
 
-  /// Throws PhysicsError when the motion of an element makes no sense any more.
+  /// Throws PhysicsError when the motion of an element has diverged.
   void check_motion(Real time) const;
 
   /// Writes fragments.csv.

@@ -75,7 +75,7 @@ struct SideTimes {
 
   explicit SideTimes(const char* own) : parts{{{own, 0}, {"waiting for the partner", 0}, {"exchange of files", 0}}} {}
 
-  /// Books a time in which `waited` were spent with the partner, `files` of it in writing and reading [s].
+  /// Counts a time in which `waited` were spent waiting for the partner, `files` of it in writing and reading [s].
   void add(Real all, Real waited, Real files) {
     parts[0].seconds += all - waited;
     parts[1].seconds += waited - files;

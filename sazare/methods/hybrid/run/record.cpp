@@ -40,7 +40,7 @@ void HybridRecord<D, Bodies>::resume() {
   bodies_.resume();
 }
 
-/// Work that neither side's ledger accounts for, nor the surface's [J].
+/// Residual of the energy balance of both sides and the surface [J].
 template <int D, class Bodies>
 Real HybridRecord<D, Bodies>::residual() const {
   const Real width = D == 2 ? parts_.side.rules().width : 1;

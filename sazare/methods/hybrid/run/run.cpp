@@ -150,7 +150,7 @@ struct HybridWork final : WorkDefaults {
     return {share, time, steps, model.bodies.step(), -1, Bodies::evaluated};
   }
 
-  /// The finite elements first: the surface stands where they have settled.
+  /// The finite elements first: the surface has their equilibrium position.
   void columns(Archive& archive) {
     archive.folder("continuum", [&] { model.continuum.stepper->columns(archive); });
     archive.folder("continuum_side", [&] { model.continuum_side.columns(archive); });

@@ -126,7 +126,7 @@ void MpsRecord<D>::observe(std::int64_t step, Real wall_seconds) {
   if (clocks_.is_snapshot(step)) write_snapshot(time, velocity, acceleration);
 }
 
-/// What no cause accounts for: the energy of linear forces is kept to round-off with the kinetic energy of the kick.
+/// The residual of the energy balance: the energy of linear forces is kept to round-off with the kinetic energy of the kick.
 template <int D>
 void MpsRecord<D>::close_books(bool at_beginning) {
   kinetic_ = model_->stepper->kinetic_energy();

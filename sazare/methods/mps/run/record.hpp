@@ -25,7 +25,7 @@ public:
   void observe(std::int64_t step, Real wall_seconds);
   void flush(bool to_disk) { files_.flush(to_disk); }
 
-  /// Throws PhysicsError when an acceleration is no number or makes no sense any more.
+  /// Throws PhysicsError when an acceleration is not a number or has diverged.
   void check_motion(Real time) const;
 
   std::vector<std::pair<std::string, observe::Figure>> results(std::int64_t step, Real wall_seconds) const;
@@ -37,7 +37,7 @@ public:
 private:
   std::vector<RecordFiles::Table> tables() const;  ///< history, gauges
   Vector3 displacement_of(std::size_t i) const;    ///< since the beginning [m]
-  Real settlement() const;                         ///< largest displacement until the rest under gravity [m]
+  Real settlement() const;                         ///< largest displacement to equilibrium under gravity [m]
   bool has_books() const { return file_->as<cases::MpsCase>().time.integrator != cases::Integrator::euler; }
   void close_books(bool at_beginning);
   void write_snapshot(Real time, const state::FreedomColumns<D>& velocity, const state::FreedomColumns<D>& acceleration);

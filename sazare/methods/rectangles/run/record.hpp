@@ -17,7 +17,7 @@ std::vector<std::size_t> gauge_elements(const cases::CaseFile& file, const Recta
 struct EnergyBalance {
   Real kinetic = 0;
   Real work = 0;      ///< of gravity, supports and the plate, and what was there at the beginning
-  Real residual = 0;  ///< of the work, that no cause accounts for
+  Real residual = 0;  ///< of the energy balance
   methods::rectangles::EnergyBooks books;
 };
 
