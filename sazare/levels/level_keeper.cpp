@@ -46,7 +46,7 @@ LevelKeeper<D>::LevelKeeper(const StepRules& rules, const TermList<D>& terms, co
   }
   for (Index body = 0; body < bodies.size(); ++body) {
     by_rates_[at(body)] = static_cast<std::int8_t>(wanted_by_rates(body));
-    paces_.insert(body, 0);
+    active_levels_.insert(body, 0);
   }
   for (std::size_t term = 0; term < terms.size(); ++term)
     for (const Index link : terms[term]->first_links()) join(term, link, 0);
@@ -125,15 +125,15 @@ void LevelKeeper<D>::set_level(Index body, int level) {
 
 template <int D>
 void LevelKeeper<D>::quicken(Index body, int level) {
-  if (level <= paces_.level(body)) return;
-  paces_.move(body, level);
+  if (level <= active_levels_.level(body)) return;
+  active_levels_.move(body, level);
   quickened_.push_back(body);
 }
 
 template <int D>
-std::vector<Index> LevelKeeper<D>::take_quickened(int pace) {
+std::vector<Index> LevelKeeper<D>::take_quickened(int level) {
   if (quickened_.empty()) return {};
-  const auto due = std::ranges::partition(quickened_, [&](Index body) { return paces_.level(body) < pace; });
+  const auto due = std::ranges::partition(quickened_, [&](Index body) { return active_levels_.level(body) < level; });
   std::vector<Index> taken(due.begin(), due.end());
   quickened_.erase(due.begin(), due.end());
   return taken;
@@ -151,7 +151,7 @@ int LevelKeeper<D>::finest_around(Index body) const {
 template <int D>
 void LevelKeeper<D>::slow_down() {
   for (const Index body : calmed_)
-    if (const int pace = finest_around(body); pace != paces_.level(body)) paces_.move(body, pace);
+    if (const int active = finest_around(body); active != active_levels_.level(body)) active_levels_.move(body, active);
   calmed_.clear();
 }
 
@@ -226,7 +226,7 @@ void LevelKeeper<D>::choose_levels(const state::Bodies<D>& bodies) {
   for (const Index body : asking_) asked_[at(body)] = -1;
   asking_.clear();
   slow_down();
-  paces_.sort();
+  active_levels_.sort();
   for (auto& clock : clocks_) clock.sort();
   const bool travels = rules_.travel_length < std::numeric_limits<Real>::infinity();
   if (!stale_ && !travels) return;
@@ -299,9 +299,9 @@ void LevelKeeper<D>::apply(std::size_t term, const terms::Changes& changes, Tick
 
 template <int D>
 void LevelKeeper<D>::columns(Archive& archive) {
-  std::vector<std::int8_t> paces = paces_.levels();
+  std::vector<std::int8_t> active = active_levels_.levels();
   archive("level", level_);
-  archive("pace", paces);
+  archive("pace", active);
   archive("by_rates", by_rates_);
   archive("asked", asked_);
   archive("asking", asking_);
@@ -316,7 +316,7 @@ void LevelKeeper<D>::columns(Archive& archive) {
     });
   if (!archive.reading()) return;
   stale_ = stale != 0;
-  paces_.assign(std::move(paces));
+  active_levels_.assign(std::move(active));
   links_.clear();
   for (std::size_t term = 0; term < clocks_.size(); ++term) {
     const auto links = (*terms_)[term]->links();

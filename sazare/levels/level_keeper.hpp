@@ -31,13 +31,13 @@ public:
 
   const StepRules& rules() const { return rules_; }
   int level(Index body) const { return level_[static_cast<std::size_t>(body)]; }
-  int pace(Index body) const { return paces_.level(body); }
-  int finest() const { return paces_.finest(); }
+  int active_level(Index body) const { return active_levels_.level(body); }
+  int finest() const { return active_levels_.finest(); }
   Real step(int level) const { return steps_[static_cast<std::size_t>(level)]; }
-  void list_bodies_from_pace(int level, std::vector<Index>& bodies) const { paces_.list_from(level, bodies); }
+  void list_bodies_from_level(int level, std::vector<Index>& bodies) const { active_levels_.list_from(level, bodies); }
   /// Takes the bodies whose active level has risen to `level` or finer since they were kicked, and which are therefore due
   /// earlier than planned.
-  std::vector<Index> take_quickened(int pace);
+  std::vector<Index> take_quickened(int level);
   schedule::LinkClock& clock(std::size_t term) { return clocks_[term]; }
   const schedule::LinkClock& clock(std::size_t term) const { return clocks_[term]; }
 
@@ -84,7 +84,7 @@ private:
   StepRules rules_;
   std::array<Real, schedule::level_count> steps_{};            ///< by level [s]
   std::array<Real, schedule::level_count> fastest_squared_{};  ///< by level: square of the largest speed [m2/s2]
-  schedule::Buckets paces_;                                    ///< bodies by the level at which they are kicked
+  schedule::Buckets active_levels_;                                    ///< bodies by the level at which they are kicked
   std::vector<schedule::LinkClock> clocks_;                    ///< by term
   std::vector<std::vector<std::int8_t>> resting_;              ///< by term and link; shorter than there are links
   LinkLists links_;                                            ///< by body

@@ -37,7 +37,8 @@ std::vector<std::vector<Real>> Simulation<D>::due_in_base_step() const {
       if (shared) due[term][at(link.second)] += part * times;
     }
   }
-  for (Index body = 0; body < bodies_.size(); ++body) due.back()[at(body)] = static_cast<Real>(Tick{1} << levels_.pace(body));
+  for (Index body = 0; body < bodies_.size(); ++body)
+    due.back()[at(body)] = static_cast<Real>(Tick{1} << levels_.active_level(body));
   return due;
 }
 

@@ -44,13 +44,13 @@ Simulation<D>::Simulation(state::Bodies<D> bodies, TermList<D> terms, const Step
   times_.push_back({"bodies", 0});
   times_.push_back({"schedule", 0});
   for (auto& motion : bodies_.motion) {
-    motion.foreseen_velocity = motion.velocity;
-    motion.foreseen_spin = motion.spin;
+    motion.predicted_velocity = motion.velocity;
+    motion.predicted_spin = motion.spin;
   }
-  terms::Books start;
+  terms::EnergySums start;
   std::vector<state::MeanMotion<D>> ahead;
-  book_bodies(snapshot(), nullptr, ahead, start);
-  kinetic_at_start_ = start[terms::Account::kinetic].value();
+  sum_body_energies(snapshot(), nullptr, ahead, start);
+  kinetic_at_start_ = start[terms::EnergyKind::kinetic].value();
 }
 
 /// Returns the time now, where it is measured.
@@ -124,14 +124,14 @@ void Simulation<D>::tick() {
   }
   kick_all();
   ++counters_.ticks;
-  const std::int64_t ended = settle(add_time(terms_.size(), since));
+  const std::int64_t ended = post_step(add_time(terms_.size(), since));
   if (is_measured) ticks_are_long_ = ended - begin > long_tick;
 }
 
 template <int D>
 void Simulation<D>::collect_due() {
   due_elsewhere_.clear();
-  levels_.list_bodies_from_pace(schedule::coarsest_due(now_.tick), due_bodies_);
+  levels_.list_bodies_from_level(schedule::coarsest_due(now_.tick), due_bodies_);
   counters_.kicks += static_cast<std::int64_t>(due_bodies_.size());
   if (replicas_) {
     const std::vector<Index> everywhere = std::exchange(due_bodies_, {});
@@ -210,7 +210,7 @@ void Simulation<D>::kick_chunk(std::span<const Index> which) {
     }
   const std::span sums(impulses.data(), which.size());
   for (std::size_t i = 0; i < which.size(); ++i) {
-    strides[i] = stride(which[i], levels_.pace(which[i]));
+    strides[i] = stride(which[i], levels_.active_level(which[i]));
     sums[i] = {};
     sums[i].until_next = strides[i].seconds;
   }
@@ -218,12 +218,12 @@ void Simulation<D>::kick_chunk(std::span<const Index> which) {
   too_fast.clear();
   motion::step(bodies_, which, sums, std::span(strides.data(), which.size()), std::span(means.data(), which.size()), too_fast);
   for (const std::size_t i : too_fast) means[i] = step_faster(which[i], sums[i]);
-  for (std::size_t i = 0; i < which.size(); ++i) parts.book(i, means[i], work_[at(which[i])]);
+  for (std::size_t i = 0; i < which.size(); ++i) parts.add_work(i, means[i], work_[at(which[i])]);
 }
 
 template <int D>
-motion::Stride Simulation<D>::stride(Index body, int pace) const {
-  return {now_.tick, now_.tick + schedule::stride(pace), levels_.step(pace), levels_.fastest_squared(body)};
+motion::Stride Simulation<D>::stride(Index body, int active) const {
+  return {now_.tick, now_.tick + schedule::stride(active), levels_.step(active), levels_.fastest_squared(body)};
 }
 
 /// Steps a body that this kick makes too fast for its level.
@@ -234,9 +234,10 @@ state::MeanMotion<D> Simulation<D>::step_faster(Index body, state::Impulse<D> gi
   const Vector<D> velocity = bodies_.motion[at(body)].velocity + (1 / bodies_.inertia[at(body)].mass) * taken.linear;
   const int level = levels_.level_for_speed(levels_.level(body), velocity.squaredNorm());
   if (level > levels_.level(body)) refined_.add(body * schedule::level_count + level);
-  const int pace = std::max(level, levels_.pace(body));
-  if (pace > levels_.pace(body)) given = gather_one(body, levels_.step(pace));  // its momentum was predicted for a longer step
-  motion::Stride stride = this->stride(body, pace);
+  const int active = std::max(level, levels_.active_level(body));
+  if (active > levels_.active_level(body))
+    given = gather_one(body, levels_.step(active));  // its momentum was predicted for a longer step
+  motion::Stride stride = this->stride(body, active);
   stride.fastest_squared = std::numeric_limits<Real>::infinity();
   state::MeanMotion<D> mean;
   std::vector<std::size_t> none;
@@ -258,13 +259,13 @@ state::Impulse<D> Simulation<D>::gather_one(Index body, Real until_next) const {
 /// Lets all terms change what is linked. The time since `since` counts as theirs; returns when it ended. Asking for the time
 /// takes as long as most terms, which change nothing.
 template <int D>
-std::int64_t Simulation<D>::settle(std::int64_t since) {
+std::int64_t Simulation<D>::post_step(std::int64_t since) {
   terms::Changes changes;
   const bool base = now_.tick % schedule::base_stride == 0;
   for (std::size_t term = 0; term < terms_.size(); ++term) {
     changes.clear();
-    terms_[term]->settle(now_, bodies_, peers(), changes);
-    if (base) terms_[term]->settle_base(now_, bodies_, peers(), changes);
+    terms_[term]->post_step(now_, bodies_, peers(), changes);
+    if (base) terms_[term]->post_base_step(now_, bodies_, peers(), changes);
     if (!base && changes.empty()) continue;
     levels_.apply(term, changes, now_.tick);
     if (replicas_)

@@ -46,7 +46,7 @@ template <int D>
 struct Survey {
   Snapshot<D> bodies;
   std::vector<state::MeanMotion<D>> ahead;  ///< see terms::Synchronized
-  terms::Ledger ledger;
+  terms::EnergyBalance energy;
 };
 
 /// How the work is shared out among the processes of a run.
@@ -109,10 +109,10 @@ public:
   }
   /// Forces on all bodies as last evaluated [N].
   std::vector<Vector<D>> forces() const;
-  terms::Ledger ledger() const { return ledger(snapshot()); }
-  terms::Ledger ledger(const Snapshot<D>& at_now) const {  ///< with a snapshot that is known already
+  terms::EnergyBalance energy_balance() const { return energy_balance(snapshot()); }
+  terms::EnergyBalance energy_balance(const Snapshot<D>& at_now) const {  ///< with a snapshot that is known already
     std::vector<state::MeanMotion<D>> ahead;
-    return close(books(at_now, nullptr, ahead));
+    return close(energy_sums(at_now, nullptr, ahead));
   }
 
   /// Smallest step since the last call [s].
@@ -135,19 +135,19 @@ private:
   bool travels() const;
   void kick_all();
   void kick_chunk(std::span<const Index> which);
-  motion::Stride stride(Index body, int pace) const;
+  motion::Stride stride(Index body, int active) const;
   state::MeanMotion<D> step_faster(Index body, state::Impulse<D> given);
   state::Impulse<D> gather_one(Index body, Real until_next) const;
-  std::int64_t settle(std::int64_t since);
+  std::int64_t post_step(std::int64_t since);
   std::int64_t add_time(std::size_t part, std::int64_t since);
   template <class Take>
   void gather(Index begin, Index end, Real until_next, Take&& take) const;
   void take_snapshot(Index begin, Index end, Snapshot<D>& at_now) const;
-  void book_bodies(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared, std::vector<state::MeanMotion<D>>& ahead,
-                   terms::Books& books) const;
-  terms::Books books(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared,
+  void sum_body_energies(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared,
+                         std::vector<state::MeanMotion<D>>& ahead, terms::EnergySums& sums) const;
+  terms::EnergySums energy_sums(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared,
                      std::vector<state::MeanMotion<D>>& ahead) const;
-  terms::Ledger close(const terms::Books& books) const;
+  terms::EnergyBalance close(const terms::EnergySums& sums) const;
 
   state::Bodies<D> bodies_;
   TermList<D> terms_;

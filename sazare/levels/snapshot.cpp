@@ -9,7 +9,7 @@
 #include "sazare/levels/motion/kick.hpp"
 #include "sazare/levels/motion/synchronize.hpp"
 #include "sazare/levels/simulation.hpp"
-#include "sazare/levels/terms/book_ranges.hpp"
+#include "sazare/levels/terms/sum_over_ranges.hpp"
 #include "sazare/parallel/threads.hpp"
 
 namespace sazare::levels {
@@ -83,38 +83,38 @@ std::vector<Vector<D>> Simulation<D>::forces() const {
 /// Enters what bodies have; of a process that shares them, its own. Finds the means of all bodies' motion now and after their
 /// last kicks.
 template <int D>
-void Simulation<D>::book_bodies(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared,
-                                std::vector<state::MeanMotion<D>>& ahead, terms::Books& books) const {
+void Simulation<D>::sum_body_energies(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared,
+                                std::vector<state::MeanMotion<D>>& ahead, terms::EnergySums& sums) const {
   ahead.resize(at_now.pose.size());
   const auto first = shared == nullptr ? 0 : at(shared->ranges().begin(shared->ranks().rank()));
   const auto last = shared == nullptr ? ahead.size() : at(shared->ranges().end(shared->ranks().rank()));
-  terms::book_ranges(ahead.size(), serial_below, books, [&](std::size_t begin, std::size_t end, terms::Books& part) {
+  terms::sum_over_ranges(ahead.size(), serial_below, sums, [&](std::size_t begin, std::size_t end, terms::EnergySums& part) {
     const auto some = [&](const auto& column) { return std::span(column).subspan(begin, end - begin); };
     std::vector<Real> kinetic(end - begin);
     motion::find_energies(bodies_, begin, {some(at_now.pose), some(at_now.velocity), some(at_now.angular_momentum)}, kinetic,
                           std::span(ahead).subspan(begin, end - begin));
     const std::size_t from = std::clamp(first, begin, end), to = std::clamp(last, begin, end);
-    add_all(std::span(kinetic).subspan(from - begin, to - from), part[terms::Account::kinetic]);
-    terms::book(std::span(work_).subspan(from, to - from), part);
+    add_all(std::span(kinetic).subspan(from - begin, to - from), part[terms::EnergyKind::kinetic]);
+    terms::add_work(std::span(work_).subspan(from, to - from), part);
   });
 }
 
 /// Enters what bodies and links have; of a process that shares them, its own.
 template <int D>
-terms::Books Simulation<D>::books(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared,
+terms::EnergySums Simulation<D>::energy_sums(const Snapshot<D>& at_now, const distribute::Replicas<D>* shared,
                                   std::vector<state::MeanMotion<D>>& ahead) const {
-  terms::Books books;
-  book_bodies(at_now, shared, ahead, books);
-  for (const auto& term : terms_) term->add_energies({at_now.pose, ahead, shared}, books);
-  return books;
+  terms::EnergySums sums;
+  sum_body_energies(at_now, shared, ahead, sums);
+  for (const auto& term : terms_) term->add_energies({at_now.pose, ahead, shared}, sums);
+  return sums;
 }
 
 /// The kinetic energy counts from the beginning.
 template <int D>
-terms::Ledger Simulation<D>::close(const terms::Books& books) const {
-  terms::Ledger ledger = books.ledger();
-  ledger[terms::Account::kinetic] -= kinetic_at_start_;
-  return ledger;
+terms::EnergyBalance Simulation<D>::close(const terms::EnergySums& sums) const {
+  terms::EnergyBalance balance = sums.balance();
+  balance[terms::EnergyKind::kinetic] -= kinetic_at_start_;
+  return balance;
 }
 
 /// Large tables that are freed go back to the system, which clears each page that it gives: hence the former one.
@@ -124,7 +124,7 @@ Survey<D> Simulation<D>::survey(Survey<D> former) const {
   Snapshot<D>& all = now.bodies;
   if (!replicas_) {
     take_snapshot(0, bodies_.size(), all);
-    now.ledger = close(books(all, nullptr, now.ahead));
+    now.energy = close(energy_sums(all, nullptr, now.ahead));
     return now;
   }
   const int rank = replicas_->ranks().rank();
@@ -132,27 +132,27 @@ Survey<D> Simulation<D>::survey(Survey<D> former) const {
   replicas_->complete(all.pose);
   replicas_->complete(all.velocity);
   replicas_->complete(all.angular_momentum);
-  terms::Books sum;
-  for (const terms::Books& part : replicas_->give_first(books(all, replicas_.get(), now.ahead))) sum += part;
-  now.ledger = close(sum);
+  terms::EnergySums sum;
+  for (const terms::EnergySums& part : replicas_->give_first(energy_sums(all, replicas_.get(), now.ahead))) sum += part;
+  now.energy = close(sum);
   return now;
 }
 
 template void Simulation<2>::take_snapshot(Index, Index, Snapshot<2>&) const;
 template void Simulation<3>::take_snapshot(Index, Index, Snapshot<3>&) const;
-template terms::Ledger Simulation<2>::close(const terms::Books&) const;
-template terms::Ledger Simulation<3>::close(const terms::Books&) const;
+template terms::EnergyBalance Simulation<2>::close(const terms::EnergySums&) const;
+template terms::EnergyBalance Simulation<3>::close(const terms::EnergySums&) const;
 template Survey<2> Simulation<2>::survey(Survey<2>) const;
 template Survey<3> Simulation<3>::survey(Survey<3>) const;
 template std::vector<Vector<2>> Simulation<2>::forces() const;
 template std::vector<Vector<3>> Simulation<3>::forces() const;
-template void Simulation<2>::book_bodies(const Snapshot<2>&, const distribute::Replicas<2>*, std::vector<state::MeanMotion<2>>&,
-                                         terms::Books&) const;
-template void Simulation<3>::book_bodies(const Snapshot<3>&, const distribute::Replicas<3>*, std::vector<state::MeanMotion<3>>&,
-                                         terms::Books&) const;
-template terms::Books Simulation<2>::books(const Snapshot<2>&, const distribute::Replicas<2>*,
+template void Simulation<2>::sum_body_energies(const Snapshot<2>&, const distribute::Replicas<2>*,
+                                               std::vector<state::MeanMotion<2>>&, terms::EnergySums&) const;
+template void Simulation<3>::sum_body_energies(const Snapshot<3>&, const distribute::Replicas<3>*,
+                                               std::vector<state::MeanMotion<3>>&, terms::EnergySums&) const;
+template terms::EnergySums Simulation<2>::energy_sums(const Snapshot<2>&, const distribute::Replicas<2>*,
                                            std::vector<state::MeanMotion<2>>&) const;
-template terms::Books Simulation<3>::books(const Snapshot<3>&, const distribute::Replicas<3>*,
+template terms::EnergySums Simulation<3>::energy_sums(const Snapshot<3>&, const distribute::Replicas<3>*,
                                            std::vector<state::MeanMotion<3>>&) const;
 
 }  // namespace sazare::levels

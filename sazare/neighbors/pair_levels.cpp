@@ -16,26 +16,26 @@ void visit(const SpherePairs& pairs, F&& f) {
 }
 
 /// Gives all spheres of a body the finest active level among them.
-void keep_together(std::span<const Index> body, std::vector<std::int8_t>& pace) {
+void keep_together(std::span<const Index> body, std::vector<std::int8_t>& active) {
   if (body.empty()) return;
   std::vector<std::int8_t> finest(static_cast<std::size_t>(std::ranges::max(body)) + 1, 0);
   const auto of_body = [&](std::size_t i) -> std::int8_t& { return finest[static_cast<std::size_t>(body[i])]; };
   for (std::size_t i = 0; i < body.size(); ++i)
-    if (body[i] >= 0) of_body(i) = std::max(of_body(i), pace[i]);
+    if (body[i] >= 0) of_body(i) = std::max(of_body(i), active[i]);
   for (std::size_t i = 0; i < body.size(); ++i)
-    if (body[i] >= 0) pace[i] = of_body(i);
+    if (body[i] >= 0) active[i] = of_body(i);
 }
 
-std::vector<std::int8_t> paces_of(const SpherePairs& pairs, const LevelsByPlace& levels) {
-  std::vector<std::int8_t> pace(levels.level.begin(), levels.level.end());
+std::vector<std::int8_t> active_levels_of(const SpherePairs& pairs, const LevelsByPlace& levels) {
+  std::vector<std::int8_t> active(levels.level.begin(), levels.level.end());
   const auto quicken = [&](std::size_t i, std::size_t j) {
-    pace[i] = std::max(pace[i], levels.level[j]);
-    pace[j] = std::max(pace[j], levels.level[i]);
+    active[i] = std::max(active[i], levels.level[j]);
+    active[j] = std::max(active[j], levels.level[i]);
   };
   visit(pairs, quicken);
   for (const auto& [one, other] : levels.bonded) quicken(static_cast<std::size_t>(one), static_cast<std::size_t>(other));
-  keep_together(levels.body, pace);
-  return pace;
+  keep_together(levels.body, active);
+  return active;
 }
 
 /// The pairs of each level, by the new places of their spheres.
@@ -71,12 +71,12 @@ std::vector<SpherePairs> split(const SpherePairs& all, std::span<const std::int8
 
 LeveledPairs find_leveled_pairs(const state::Spheres& spheres, Real margin, const LevelsByPlace& levels) {
   const SpherePairs all = find_pairs(spheres, margin);
-  const std::vector<std::int8_t> pace = paces_of(all, levels);
+  const std::vector<std::int8_t> active = active_levels_of(all, levels);
   LeveledPairs found;
   found.order = order_by_cell(spheres, margin);
-  std::ranges::stable_sort(found.order, std::greater{}, [&](Index i) { return pace[static_cast<std::size_t>(i)]; });
+  std::ranges::stable_sort(found.order, std::greater{}, [&](Index i) { return active[static_cast<std::size_t>(i)]; });
   found.spheres.assign(static_cast<std::size_t>(levels.finest) + 1, 0);
-  for (const std::int8_t own : pace)
+  for (const std::int8_t own : active)
     for (std::size_t l = 0; l <= static_cast<std::size_t>(own); ++l) ++found.spheres[l];
   found.pairs = split(all, levels.level, places_after(found.order), found.spheres);
   return found;

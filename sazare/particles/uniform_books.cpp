@@ -136,8 +136,8 @@ WorkByCause UniformStepper<D>::work() const {
     if (!damping_work_[0].empty())
       sum.damping += damping_work_[0][i] / particles_.inverse_mass[i] + damping_work_[1][i] / particles_.inverse_inertia[i];
     for (std::size_t axis = 0; axis < D; ++axis)
-      sum.gravity += supports_.gravity[static_cast<int>(axis)] * (particles_.displacement[axis][i] - settled_[axis][i]) /
-                     particles_.inverse_mass[i];
+      sum.gravity += supports_.gravity[static_cast<int>(axis)] *
+                     (particles_.displacement[axis][i] - initial_displacement_[axis][i]) / particles_.inverse_mass[i];
   }
   return sum;
 }

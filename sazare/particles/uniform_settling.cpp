@@ -21,7 +21,7 @@ void UniformStepper<D>::stand_still() {
 }
 
 template <int D>
-Real UniformStepper<D>::settle(const Settling& rules) {
+Real UniformStepper<D>::relax(const RelaxationRules& rules) {
   const auto velocity = particles_.velocity;
   for (const particles::Dashpot& dashpot : supports_.dashpots) hold(dashpot.particle, dashpot.freedom);
   find_even_tiles();
@@ -43,7 +43,7 @@ Real UniformStepper<D>::settle(const Settling& rules) {
     const auto freedom = static_cast<std::size_t>(dashpot.freedom);
     dashpot.reaction = -elastic_[freedom][at(dashpot.particle)] - (dashpot.freedom < D ? supports_.gravity[dashpot.freedom] : 0);
   }
-  settled_ = particles_.displacement;
+  initial_displacement_ = particles_.displacement;
   particles_.velocity = velocity;
   prepare_factors();
   return left;
@@ -73,7 +73,7 @@ Real UniformStepper<D>::largest_unbalance() const {
 // The class is instantiated in uniform_stepper.cpp, without these.
 #define SAZARE_INSTANTIATE_SETTLING(D)                      \
   template void UniformStepper<D>::stand_still();           \
-  template Real UniformStepper<D>::settle(const Settling&); \
+  template Real UniformStepper<D>::relax(const RelaxationRules&); \
   template Real UniformStepper<D>::kinetic_sum() const;     \
   template Real UniformStepper<D>::largest_unbalance() const;
 

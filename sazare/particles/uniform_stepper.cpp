@@ -52,7 +52,7 @@ UniformStepper<D>::UniformStepper(state::Particles<D> particles, std::unique_ptr
     : particles_(std::move(particles)), forces_(std::move(forces)), supports_(std::move(supports)), rules_(rules) {
   for (auto* group : {&elastic_, &previous_, &load_, &keep_, &gain_})
     for (state::Column& column : *group) column.assign(particles_.padded(), 0);
-  settled_ = particles_.displacement;
+  initial_displacement_ = particles_.displacement;
   for (state::Column& column : damping_work_) column.assign(is_damped() && has_books() ? particles_.padded() : 0, 0);
   prepare_factors();
 }
@@ -351,7 +351,7 @@ void UniformStepper<D>::columns(Archive& archive) {
     archive("previous" + std::to_string(freedom), previous_[freedom]);
     archive("load" + std::to_string(freedom), load_[freedom]);
   }
-  for (std::size_t axis = 0; axis < D; ++axis) archive("settled" + std::to_string(axis), settled_[axis]);
+  for (std::size_t axis = 0; axis < D; ++axis) archive("settled" + std::to_string(axis), initial_displacement_[axis]);
   std::vector<Real> reactions;
   for (const particles::Dashpot& dashpot : supports_.dashpots) reactions.push_back(dashpot.reaction);
   archive("reactions", reactions);

@@ -26,7 +26,7 @@ struct UniformRules {
   laws::RayleighDamping damping;
 };
 
-struct Settling {
+struct RelaxationRules {
   Real tolerance = 0;  ///< largest acceleration left in equilibrium [m/s2]
   std::int64_t most_steps = 0;
   /// Asked after every step with the largest acceleration left: whether to go on.
@@ -70,7 +70,7 @@ public:
   /// their reactions and motions from t = 0. Boundaries are held meanwhile. Kinetic damping: all velocities are set to zero
   /// whenever the kinetic energy has passed a maximum. Cundall, The Explicit Finite-Difference Method (1982). Returns the largest
   /// acceleration left [m/s2].
-  Real settle(const Settling& rules);
+  Real relax(const RelaxationRules& rules);
 
   std::int64_t steps() const { return step_; }
   Real time() const { return static_cast<Real>(step_) * rules_.step; }
@@ -80,7 +80,7 @@ public:
   particles::ParticleForces<D>& forces() { return *forces_; }
 
   /// Displacements at the beginning: those of the equilibrium under gravity [m].
-  const std::array<state::Column, D>& settled() const { return settled_; }
+  const std::array<state::Column, D>& initial_displacement() const { return initial_displacement_; }
 
   /// At `time()`: translations [m/s], [m/s2] and rotations [rad/s], [rad/s2].
   state::FreedomColumns<D> velocity() const;
@@ -152,7 +152,7 @@ private:
   state::Column memory_;                  ///< a2 h/dt
   /// By tile: whether its particles share load, keep, gain and memory.
   std::vector<std::array<std::uint8_t, state::particle_freedoms<D>>> is_even_;
-  std::array<state::Column, D> settled_;  ///< displacements at the beginning [m]
+  std::array<state::Column, D> initial_displacement_;  ///< displacements at the beginning [m]
 
   std::array<state::Column, 2> damping_work_;  ///< over the mass, and over the inertia of rotation [m2/s2], [rad2/s2]
   WorkByCause support_work_;                   ///< of whole kicks; its damping is what the columns lack

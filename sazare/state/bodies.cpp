@@ -14,10 +14,10 @@ Index add_body(Bodies<3>& bodies, Real mass, const Vector3& centre, const Vector
   Motion<3> motion;
   motion.position = centre;
   motion.velocity.setZero();
-  motion.foreseen_velocity.setZero();
+  motion.predicted_velocity.setZero();
   motion.rotation = orientation.toRotationMatrix();
   motion.spin.setZero();
-  motion.foreseen_spin.setZero();
+  motion.predicted_spin.setZero();
   motion.angular_momentum.setZero();
   bodies.motion.push_back(motion);
   bodies.inertia.push_back({orientation, principal_moments.cwiseInverse(), mass});
@@ -32,10 +32,10 @@ Index add_body(Bodies<2>& bodies, Real mass, const Vector<2>& centre, Real momen
   Motion<2> motion;
   motion.position = centre;
   motion.velocity.setZero();
-  motion.foreseen_velocity.setZero();
+  motion.predicted_velocity.setZero();
   motion.rotation.setIdentity();
   motion.spin.setZero();
-  motion.foreseen_spin.setZero();
+  motion.predicted_spin.setZero();
   motion.angular_momentum.setZero();
   bodies.motion.push_back(motion);
   bodies.inertia.push_back({0, Angular<2>(1 / moment), mass});

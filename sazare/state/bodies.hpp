@@ -23,8 +23,8 @@ template <int D>
 struct alignas(64) Motion {
   Vector<D> position;           ///< centre of mass at `due` [m]
   Rotation<D> rotation;         ///< body frame to world, at `due`
-  Vector<D> foreseen_velocity;  ///< at `due` [m/s]
-  Angular<D> foreseen_spin;     ///< at `due` [rad/s]
+  Vector<D> predicted_velocity;  ///< at `due` [m/s]
+  Angular<D> predicted_spin;     ///< at `due` [rad/s]
   Vector<D> velocity;           ///< constant from `last_kick` to `due` [m/s]
   Angular<D> angular_momentum;  ///< [kg m2/s]
   Angular<D> spin;              ///< angular velocity from `last_kick` to `due` [rad/s]
@@ -32,7 +32,7 @@ struct alignas(64) Motion {
   Tick due = 0;
 
   /// Velocity at `due` of a point of the body, an arm from its centre [m/s].
-  Vector<D> velocity_at(const Vector<D>& arm) const { return foreseen_velocity + turned(foreseen_spin, arm); }
+  Vector<D> velocity_at(const Vector<D>& arm) const { return predicted_velocity + turned(predicted_spin, arm); }
 };
 
 /// What forces need of a body, from the first byte of its motion on.

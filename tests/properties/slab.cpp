@@ -39,7 +39,7 @@ std::string fingerprint(const runs::BlocksModel& model) {
     append(bytes, simulation.levels().level(body));
   }
   for (Index joint = 0; joint < model.joints->count(); ++joint) append(bytes, model.joints->state(joint));
-  for (const Real joules : simulation.ledger().joules) append(bytes, joules);
+  for (const Real joules : simulation.energy_balance().joules) append(bytes, joules);
   append(bytes, simulation.now().tick);
   append(bytes, simulation.counters().kicks);
   append(bytes, simulation.counters().pair_evaluations);

@@ -18,7 +18,7 @@ struct SlabRules {
 /// Not started. The mesh is that of the case.
 runs::BlocksModel slab(const SlabRules& rules = {});
 
-/// The levels of all bodies, positions, velocities and rotations, states of joints, ledger and counters, as bytes.
+/// The levels of all bodies, positions, velocities and rotations, states of joints, balance and counters, as bytes.
 std::string fingerprint(const runs::BlocksModel& model);
 
 void advance(runs::BlocksModel& model, int base_steps);

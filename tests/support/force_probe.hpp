@@ -22,8 +22,8 @@ public:
     for (Index body = 0; body < bodies_.size(); ++body) {
       auto& motion = bodies_.motion[static_cast<std::size_t>(body)];
       motion.due = now.tick;
-      motion.foreseen_velocity = motion.velocity;
-      motion.foreseen_spin = motion.spin;
+      motion.predicted_velocity = motion.velocity;
+      motion.predicted_spin = motion.spin;
       motion.last_kick = now.tick - 1;
       all.push_back(body);
     }
@@ -40,24 +40,24 @@ public:
   /// Work [J] on a body, by cause, of the impulses of the last call when its centre moved so over the kick.
   terms::CauseWork work(std::size_t body, const state::MeanMotion<D>& mean) const {
     terms::CauseWork work{};
-    parts_.book(body, mean.at(bodies_.pole - bodies_.motion[body].position), work);
+    parts_.add_work(body, mean.at(bodies_.pole - bodies_.motion[body].position), work);
     return work;
   }
 
-  /// The term's ledger with all bodies where they are now.
-  terms::Ledger ledger() const {
+  /// The term's balance with all bodies where they are now.
+  terms::EnergyBalance energy_balance() const {
     std::vector<state::Pose<D>> poses;
     for (const auto& motion : bodies_.motion) poses.push_back({motion.position, motion.rotation});
     const std::vector<state::MeanMotion<D>> still(poses.size(), state::MeanMotion<D>{Vector<D>::Zero(), Angular<D>::Zero()});
-    terms::Books books;
-    term_.add_energies({poses, still}, books);
-    return books.ledger();
+    terms::EnergySums energies;
+    term_.add_energies({poses, still}, energies);
+    return energies.balance();
   }
 
-  terms::Changes settle() {
+  terms::Changes post_step() {
     terms::Changes changes;
     terms::Peers alone;
-    term_.settle(Moment{tick_, 1.0}, bodies_, alone, changes);
+    term_.post_step(Moment{tick_, 1.0}, bodies_, alone, changes);
     return changes;
   }
 
@@ -85,7 +85,7 @@ Real energy_slope(const ForceProbe<D>& probe, state::Bodies<D>& bodies, Index bo
       axis[freedom - D] = 1;
       motion.rotation = state::turn(axis, by) * original.rotation;
     }
-    const Real joules = probe.ledger()[terms::Account::elastic];
+    const Real joules = probe.energy_balance()[terms::EnergyKind::elastic];
     motion = original;
     return joules;
   };

@@ -56,9 +56,10 @@ Network<D> ladder() {
     auto& motion = made.bodies.motion[static_cast<std::size_t>(body)];
     motion.velocity = vector_of<D>(0.1 * body - 0.2, 0.1 - 0.05 * body, 0.05 * body);
     motion.angular_momentum.setConstant(0.005 * (body - 2));
-    motion.spin = motion::spin_of(motion.rotation, made.bodies.inertia[static_cast<std::size_t>(body)], {}, motion.angular_momentum);
-    motion.foreseen_velocity = motion.velocity;
-    motion.foreseen_spin = motion.spin;
+    motion.spin =
+        motion::spin_of(motion.rotation, made.bodies.inertia[static_cast<std::size_t>(body)], {}, motion.angular_momentum);
+    motion.predicted_velocity = motion.velocity;
+    motion.predicted_spin = motion.spin;
   }
   const auto join = [&](Index first, Index second, Real stiffness) {
     terms::Spring<D> spring;
@@ -82,7 +83,9 @@ Network<D> ladder() {
 }
 
 /// Mechanical energy gained and stored [J], against the same at the beginning.
-inline Real mechanical(const terms::Ledger& ledger) { return ledger[terms::Account::kinetic] + ledger[terms::Account::elastic]; }
+inline Real mechanical(const terms::EnergyBalance& balance) {
+  return balance[terms::EnergyKind::kinetic] + balance[terms::EnergyKind::elastic];
+}
 
 /// Runs to a time that is a whole number of base steps.
 template <int D>
@@ -145,9 +148,11 @@ public:
   void evaluate(const Moment&, std::span<const Due>, const state::Bodies<D>&) override {}
   void gather(const Moment&, std::span<const Index>, const state::Bodies<D>&, std::span<state::Impulse<D>>,
               terms::CauseImpulses<D>&) const override {}
-  void settle(const Moment& now, const state::Bodies<D>& bodies, terms::Peers&, terms::Changes&) override { watch_(now, bodies); }
+  void post_step(const Moment& now, const state::Bodies<D>& bodies, terms::Peers&, terms::Changes&) override {
+    watch_(now, bodies);
+  }
   terms::Rates rates(Index) const override { return {}; }
-  void add_energies(const terms::Synchronized<D>&, terms::Books&) const override {}
+  void add_energies(const terms::Synchronized<D>&, terms::EnergySums&) const override {}
   void carry(Index, Parcel&) override {}
   void columns(Archive&) override {}
 

@@ -81,8 +81,8 @@ state::MeanMotion<D> kick(state::Motion<D>& motion, const state::Inertia<D>& ine
 template <int D>
 void foresee(state::Motion<D>& motion, const state::Inertia<D>& inertia, state::Locks locks, state::Impulse<D> given) {
   clear_locked(given, locks);
-  motion.foreseen_velocity = motion.velocity + (1 / inertia.mass) * given.linear_lead;
-  motion.foreseen_spin = spin_of(motion.rotation, inertia, locks, motion.angular_momentum + given.angular_lead);
+  motion.predicted_velocity = motion.velocity + (1 / inertia.mass) * given.linear_lead;
+  motion.predicted_spin = spin_of(motion.rotation, inertia, locks, motion.angular_momentum + given.angular_lead);
 }
 
 template <>
@@ -112,8 +112,8 @@ void drift_back(state::Motion<D>& motion, state::Inertia<D>& inertia, const Mome
   rotate(motion, inertia, seconds);
   // The velocity is taken to change evenly: in the middle of the step it is the mean.
   const Real kept = 1 - 2 * static_cast<Real>(motion.due - now.tick) / static_cast<Real>(motion.due - motion.last_kick);
-  motion.foreseen_velocity = motion.velocity + kept * (motion.foreseen_velocity - motion.velocity);
-  motion.foreseen_spin = motion.spin + kept * (motion.foreseen_spin - motion.spin);
+  motion.predicted_velocity = motion.velocity + kept * (motion.predicted_velocity - motion.velocity);
+  motion.predicted_spin = motion.spin + kept * (motion.predicted_spin - motion.spin);
   motion.due = now.tick;
 }
 

@@ -32,7 +32,7 @@ bool step_one(state::Bodies<D>& bodies, Index body, state::Impulse<D> given, con
 
 /// Bodies in lanes, with all that their step changes.
 struct LaneState {
-  LaneVector position, velocity, spin, foreseen_velocity, foreseen_spin, angular_momentum;
+  LaneVector position, velocity, spin, predicted_velocity, predicted_spin, angular_momentum;
   LaneMatrix rotation;
   Lanes w, x, y, z;  ///< orientation
   LaneVector inverse_moments;
@@ -85,9 +85,9 @@ void drift(LaneState& body, const LaneVector& own, Lanes seconds) {
 }
 
 void foresee(LaneState& body, const LaneImpulse& lead) {
-  body.foreseen_velocity = body.velocity + body.inverse_mass * lead.linear;
+  body.predicted_velocity = body.velocity + body.inverse_mass * lead.linear;
   const LaneVector own = transposed(body.rotation, body.angular_momentum + lead.angular);
-  body.foreseen_spin = body.rotation * spin_of(body, own);
+  body.predicted_spin = body.rotation * spin_of(body, own);
 }
 
 /// What bodies are given and give, in spans of one length.
@@ -144,7 +144,7 @@ void load_orientation(LaneState& body, const LanePointers<state::Inertia<3>>& in
 void store(const LaneState& body, const Lanes& now, const Lanes& due, const LanePointers<state::Motion<3>>& motions,
            const LanePointers<state::Inertia<3>>& inertias) {
   const LaneVector &p = body.position, &v = body.velocity, &s = body.spin, &l = body.angular_momentum;
-  const LaneVector &u = body.foreseen_velocity, &t = body.foreseen_spin;
+  const LaneVector &u = body.predicted_velocity, &t = body.predicted_spin;
   const LaneMatrix& r = body.rotation;
   store_quad({p[0], p[1], p[2], r[0][0]}, motions, 0);
   store_quad({r[0][1], r[0][2], r[1][0], r[1][1]}, motions, 4);

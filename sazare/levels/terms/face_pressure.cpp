@@ -71,9 +71,9 @@ void FacePressure::evaluate(const Moment& now, std::span<const Due> due, const s
   write(slots, now, in_lanes, LanePairForce::at(position - broadcast(bodies.pole) + arm, push));
 }
 
-void FacePressure::add_energies(const Synchronized<3>& at, Books& books) const {
+void FacePressure::add_energies(const Synchronized<3>& at, EnergySums& energies) const {
   for (std::size_t face = 0; face < faces_.size(); ++face)
-    if (at.counts(links_[face])) table_.take_back(static_cast<Index>(face), links_[face], at, books);
+    if (at.counts(links_[face])) table_.take_back(static_cast<Index>(face), links_[face], at, energies);
 }
 
 void FacePressure::carry(Index link, Parcel& parcel) {

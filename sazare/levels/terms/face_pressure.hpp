@@ -45,7 +45,7 @@ public:
     table_.gather(now, which, sum, parts);
   }
   Rates rates(Index) const override { return {}; }
-  void add_energies(const Synchronized<3>& at, Books& books) const override;
+  void add_energies(const Synchronized<3>& at, EnergySums& energies) const override;
   void carry(Index link, Parcel& parcel) override;
   void columns(Archive& archive) override;
 

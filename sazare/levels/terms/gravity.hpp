@@ -53,9 +53,10 @@ public:
   Rates rates(Index) const override { return {}; }
 
   /// The work of gravity is known from the places alone.
-  void add_energies(const Synchronized<D>& at, Books& books) const override {
+  void add_energies(const Synchronized<D>& at, EnergySums& energies) const override {
     for (std::size_t body = 0; body < mass_.size(); ++body)
-      if (at.counts(links_[body])) books[Account::work] += mass_[body] * acceleration_.dot(at.pose[body].position - start_[body]);
+      if (at.counts(links_[body]))
+        energies[EnergyKind::work] += mass_[body] * acceleration_.dot(at.pose[body].position - start_[body]);
   }
 
   void carry(Index link, Parcel& parcel) override { parcel(given_[static_cast<std::size_t>(link)]); }

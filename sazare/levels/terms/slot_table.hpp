@@ -126,9 +126,9 @@ struct SlotSums {
 /// The slots of a term; the work of each part of the force is added to its cause, or that of the whole force where it has none.
 template <int D, int Parts, class Incidence>
 struct SlotTable {
-  static constexpr std::size_t booked = Parts == 0 ? 1 : Parts;
+  static constexpr std::size_t part_count = Parts == 0 ? 1 : Parts;
 
-  std::array<Cause, booked> causes{};
+  std::array<Cause, part_count> causes{};
   std::vector<Slot<D, Parts>> slots;
   Incidence incidence;
 
@@ -159,14 +159,14 @@ struct SlotTable {
   }
 
   /// Work that the parts of a link's force will have done after now: the kicks at now had it in them [J].
-  std::array<Real, booked> work_after(Index slot, const Link& link, const Synchronized<D>& at) const {
+  std::array<Real, part_count> work_after(Index slot, const Link& link, const Synchronized<D>& at) const {
     const auto& of = (*this)[slot];
     const auto work = [&](const auto& force) {
       Real power = -force.power(at.ahead[static_cast<std::size_t>(link.first)]);
       if (link.second != Link::outside) power += force.power(at.ahead[static_cast<std::size_t>(link.second)]);
       return of.ahead * power;
     };
-    std::array<Real, booked> works;
+    std::array<Real, part_count> works;
     if constexpr (Parts == 0)
       works[0] = work(of.total);
     else
@@ -175,11 +175,11 @@ struct SlotTable {
   }
 
   /// Subtracts that work from the sums.
-  void take_back(const std::array<Real, booked>& work, Books& books) const {
-    for (std::size_t p = 0; p < booked; ++p) book(causes[p], -work[p], books);
+  void take_back(const std::array<Real, part_count>& work, EnergySums& energies) const {
+    for (std::size_t p = 0; p < part_count; ++p) add_work(causes[p], -work[p], energies);
   }
-  void take_back(Index slot, const Link& link, const Synchronized<D>& at, Books& books) const {
-    take_back(work_after(slot, link, at), books);
+  void take_back(Index slot, const Link& link, const Synchronized<D>& at, EnergySums& energies) const {
+    take_back(work_after(slot, link, at), energies);
   }
 };
 

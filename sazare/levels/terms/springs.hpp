@@ -62,12 +62,13 @@ public:
   }
   Rates rates(Index body) const override { return rates_[static_cast<std::size_t>(body)]; }
 
-  void add_energies(const Synchronized<D>& at, Books& books) const override {
+  void add_energies(const Synchronized<D>& at, EnergySums& energies) const override {
     for (std::size_t i = 0; i < springs_.size(); ++i) {
       if (!at.counts(links_[i])) continue;
       const Real stretch = place(springs_[i], [&](Index body) { return at.pose_of(body); }).elongation;
-      if (!springs_[i].pushes_only || stretch < 0) books[Account::elastic] += 0.5 * springs_[i].stiffness * stretch * stretch;
-      table_.take_back(static_cast<Index>(i), links_[i], at, books);
+      if (!springs_[i].pushes_only || stretch < 0)
+        energies[EnergyKind::elastic] += 0.5 * springs_[i].stiffness * stretch * stretch;
+      table_.take_back(static_cast<Index>(i), links_[i], at, energies);
     }
   }
 

@@ -12,7 +12,7 @@
 
 #include "sazare/core/archive.hpp"
 #include "sazare/core/parcel.hpp"
-#include "sazare/levels/terms/ledger.hpp"
+#include "sazare/levels/terms/energy_balance.hpp"
 #include "sazare/levels/terms/peers.hpp"
 #include "sazare/levels/terms/slot.hpp"
 #include "sazare/levels/terms/work.hpp"
@@ -82,15 +82,15 @@ public:
                       CauseImpulses<D>& parts) const = 0;
 
   /// Work on one thread after a step. All processes of a run do it, and must come to the same changes.
-  virtual void settle(const Moment&, const state::Bodies<D>&, Peers&, Changes&) {}
+  virtual void post_step(const Moment&, const state::Bodies<D>&, Peers&, Changes&) {}
 
   /// Work on one thread after a base step, when every body stands at the same time; by all processes, as above.
-  virtual void settle_base(const Moment&, const state::Bodies<D>&, Peers&, Changes&) {}
+  virtual void post_base_step(const Moment&, const state::Bodies<D>&, Peers&, Changes&) {}
 
   virtual Rates rates(Index body) const = 0;
 
   /// Adds this term's energies at a base step, and takes back the work of parts that act after now: of links that count.
-  virtual void add_energies(const Synchronized<D>& at, Books& books) const = 0;
+  virtual void add_energies(const Synchronized<D>& at, EnergySums& energies) const = 0;
 
   /// What a link remembers, on its way to other processes; and what is to be done when all that come have arrived.
   virtual void carry(Index link, Parcel& parcel) = 0;

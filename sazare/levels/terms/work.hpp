@@ -10,7 +10,7 @@
 #include "sazare/core/lane_records.hpp"
 #include "sazare/core/lane_sum.hpp"
 #include "sazare/levels/terms/force_moment.hpp"
-#include "sazare/levels/terms/ledger.hpp"
+#include "sazare/levels/terms/energy_balance.hpp"
 #include "sazare/state/impulse.hpp"
 
 namespace sazare::terms {
@@ -23,39 +23,39 @@ inline constexpr std::size_t cause_count = 5;
 /// Work on a body by cause [J].
 using CauseWork = std::array<Real, cause_count>;
 
-inline Account account_of(Cause cause) {
+inline EnergyKind energy_kind_of(Cause cause) {
   switch (cause) {
     case Cause::load:
-      return Account::work;
+      return EnergyKind::work;
     case Cause::joint_dashpot:
-      return Account::joint_dashpot;
+      return EnergyKind::joint_dashpot;
     case Cause::contact_dashpot:
-      return Account::contact_dashpot;
+      return EnergyKind::contact_dashpot;
     case Cause::friction:
-      return Account::friction;
+      return EnergyKind::friction;
     case Cause::boundary:
       break;
   }
-  return Account::boundary;
+  return EnergyKind::boundary;
 }
 
 /// Adds work on the bodies to the sum of its kind: that of loads is done on them, all other is taken from them.
 template <class Number, class Sum>
-void book_work(Cause cause, const Number& work, Sum& sum) {
+void add_work_to(Cause cause, const Number& work, Sum& sum) {
   if (cause == Cause::load)
     sum += work;
   else
     sum -= work;
 }
-inline void book(Cause cause, Real work, Books& books) { book_work(cause, work, books[account_of(cause)]); }
+inline void add_work(Cause cause, Real work, EnergySums& energies) { add_work_to(cause, work, energies[energy_kind_of(cause)]); }
 
 /// Adds the work on several bodies.
-inline void book(std::span<const CauseWork> works, Books& books) {
-  const auto sum_of = [&](Cause cause) { return LaneSum(books[account_of(cause)]); };
+inline void add_work(std::span<const CauseWork> works, EnergySums& energies) {
+  const auto sum_of = [&](Cause cause) { return LaneSum(energies[energy_kind_of(cause)]); };
   std::array<LaneSum, cause_count> sums = {sum_of(Cause::load), sum_of(Cause::joint_dashpot), sum_of(Cause::contact_dashpot),
                                            sum_of(Cause::friction), sum_of(Cause::boundary)};
   const auto add = [&](Cause cause, const Lanes& work) {  // most bodies know one or two causes
-    if (any(work != 0.0)) book_work(cause, work, sums[static_cast<std::size_t>(cause)]);
+    if (any(work != 0.0)) add_work_to(cause, work, sums[static_cast<std::size_t>(cause)]);
   };
   for (; works.size() >= lane_count; works = works.subspan(lane_count)) {
     const auto first = load_quads([&](std::size_t lane) { return works[lane].data(); });
@@ -64,7 +64,7 @@ inline void book(std::span<const CauseWork> works, Books& books) {
       add(static_cast<Cause>(cause), cause == 0 ? first[0] : last[cause - 1]);
   }
   for (const CauseWork& work : works)
-    for (std::size_t cause = 0; cause < cause_count; ++cause) book(static_cast<Cause>(cause), work[cause], books);
+    for (std::size_t cause = 0; cause < cause_count; ++cause) add_work(static_cast<Cause>(cause), work[cause], energies);
 }
 
 /// Bodies that are kicked together; what they gather stays in the first-level cache.
@@ -87,7 +87,7 @@ public:
   }
 
   /// Adds the work of all that one body has received.
-  void book(std::size_t place, const state::MeanMotion<D>& mean, CauseWork& work) const {
+  void add_work(std::size_t place, const state::MeanMotion<D>& mean, CauseWork& work) const {
     for (unsigned left = received_[place]; left != 0; left &= left - 1) {
       const auto c = static_cast<std::size_t>(std::countr_zero(left));
       work[c] += impulse_[c][place].power(mean);

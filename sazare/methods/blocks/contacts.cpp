@@ -189,7 +189,7 @@ void Contacts::open_face(const FreeFace& face, const state::Bodies<3>& bodies) {
   surface_.open(face, corners_.of(face.body), {bodies.start[at(face.body)], state::start_rotation(bodies, face.body)});
 }
 
-void Contacts::settle(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) {
+void Contacts::post_step(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) {
   for (const Index pair : ending_) links_[at(pair)] = {};
   idle_.insert(idle_.end(), ending_.begin(), ending_.end());
   ending_.clear();
@@ -213,7 +213,7 @@ void Contacts::settle(const Moment& now, const state::Bodies<3>& bodies, terms::
   search(opened, false, now, bodies, changes);
 }
 
-void Contacts::settle_base(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) {
+void Contacts::post_base_step(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) {
   rest_the_distant(now, peers, changes);
   if (++base_steps_ % base_steps_between_searches != 0) return;
   peers.fetch(surface_.bodies());
@@ -346,17 +346,17 @@ terms::Rates Contacts::rates(Index body) const {
   return sum;
 }
 
-void Contacts::add_energies(const terms::Synchronized<3>& at_time, terms::Books& books) const {
+void Contacts::add_energies(const terms::Synchronized<3>& at_time, terms::EnergySums& energies) const {
   for (std::size_t pair = 0; pair < links_.size(); ++pair) {
     const Link& link = links_[pair];
     if (is_idle(link) || !at_time.counts(link)) continue;
     if (table_.slots[pair].evaluated < 0) continue;  // apart when last evaluated, and far from meeting where that was earlier
-    table_.take_back(static_cast<Index>(pair), link, at_time, books);
+    table_.take_back(static_cast<Index>(pair), link, at_time, energies);
     for (const SpherePair& sphere : spheres_[pair]) {
       const SphereTouch touched = touch(surface_.sphere(sphere.first), surface_.sphere(sphere.second),
                                         at_time.pose_of(link.first), at_time.pose_of(link.second));
       if (touched.overlap > sphere.rest)
-        books[terms::Account::elastic] += laws::sphere_energy(law_, touched.overlap - sphere.rest);
+        energies[terms::EnergyKind::elastic] += laws::sphere_energy(law_, touched.overlap - sphere.rest);
     }
   }
 }

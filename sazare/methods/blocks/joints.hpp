@@ -30,7 +30,7 @@ public:
   }
   void settle(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
   terms::Rates rates(Index body) const override { return rates_[static_cast<std::size_t>(body)]; }
-  void add_energies(const terms::Synchronized<3>& at, terms::Books& books) const override;
+  void add_energies(const terms::Synchronized<3>& at, terms::EnergySums& energies) const override;
   void carry(Index joint, Parcel& parcel) override;
   void columns(Archive& archive) override;
 

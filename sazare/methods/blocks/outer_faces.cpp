@@ -61,15 +61,15 @@ void OuterFaces::evaluate(const Moment& now, std::span<const Due> due, const sta
   });
 }
 
-void OuterFaces::add_energies(const terms::Synchronized<3>& at, terms::Books& books) const {
+void OuterFaces::add_energies(const terms::Synchronized<3>& at, terms::EnergySums& energies) const {
   for (std::size_t i = 0; i < faces_.size(); ++i) {
     if (!at.counts(links_[i])) continue;
     const OuterFace& face = faces_[i];
     const auto& body = at.pose_of(face.body);
-    table_.take_back(static_cast<Index>(i), links_[i], at, books);
+    table_.take_back(static_cast<Index>(i), links_[i], at, energies);
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const Vector3 moved = body.position + body.rotation * face.springs.corners[corner] - face.place[corner];
-      books[terms::Account::elastic] +=
+      energies[terms::EnergyKind::elastic] +=
           0.5 * face.springs.corner_area *
           moved.dot(stress(face.normal, face.springs.normal_stiffness, face.springs.shear_stiffness, moved));
     }

@@ -35,7 +35,7 @@ public:
     table_.gather(now, which, sum, parts);
   }
   terms::Rates rates(Index body) const override { return rates_[static_cast<std::size_t>(body)]; }
-  void add_energies(const terms::Synchronized<3>& at, terms::Books& books) const override;
+  void add_energies(const terms::Synchronized<3>& at, terms::EnergySums& energies) const override;
   void carry(Index link, Parcel& parcel) override { parcel(table_[link]); }
   void columns(Archive& archive) override { archive("slots", table_.slots); }
 

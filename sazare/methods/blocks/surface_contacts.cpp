@@ -199,11 +199,11 @@ void SurfaceContacts::gather(const Moment& now, std::span<const Index> which, co
 }
 
 /// Faces that have opened may touch at once.
-void SurfaceContacts::settle(const Moment& now, const state::Bodies<3>& bodies, terms::Peers&, terms::Changes& changes) {
+void SurfaceContacts::post_step(const Moment& now, const state::Bodies<3>& bodies, terms::Peers&, terms::Changes& changes) {
   if (surface_.exists() && contacts_->surface().sphere_count() != known_spheres_) search(now, bodies, changes);
 }
 
-void SurfaceContacts::settle_base(const Moment& now, const state::Bodies<3>& bodies, terms::Peers&, terms::Changes& changes) {
+void SurfaceContacts::post_base_step(const Moment& now, const state::Bodies<3>& bodies, terms::Peers&, terms::Changes& changes) {
   const Real step = now.seconds_since(std::exchange(last_base_, now.tick));
   if (!surface_.exists()) return;
   Real fastest = 0;
@@ -293,15 +293,15 @@ terms::Rates SurfaceContacts::rates(Index body) const {
 }
 
 /// Elastic energy is that of the last evaluation, at this base step. All links count: a run that is coupled is one process.
-void SurfaceContacts::add_energies(const terms::Synchronized<3>& at_time, terms::Books& books) const {
+void SurfaceContacts::add_energies(const terms::Synchronized<3>& at_time, terms::EnergySums& energies) const {
   for (std::size_t link = 0; link < links_.size(); ++link) {
-    table_.take_back(static_cast<Index>(link), links_[link], at_time, books);
-    books[terms::Account::elastic] += near_[link].elastic;
+    table_.take_back(static_cast<Index>(link), links_[link], at_time, energies);
+    energies[terms::EnergyKind::elastic] += near_[link].elastic;
   }
   const Work ahead = work_ahead();
-  books[terms::Account::work] += work_.total - ahead.total;
-  books[terms::Account::contact_dashpot] += work_.dashpot - ahead.dashpot;
-  books[terms::Account::friction] += work_.friction - ahead.friction;
+  energies[terms::EnergyKind::work] += work_.total - ahead.total;
+  energies[terms::EnergyKind::contact_dashpot] += work_.dashpot - ahead.dashpot;
+  energies[terms::EnergyKind::friction] += work_.friction - ahead.friction;
 }
 
 void SurfaceContacts::columns(Archive& archive) {

@@ -40,10 +40,10 @@ public:
   void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
   void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies, std::span<state::Impulse<3>> sum,
               terms::CauseImpulses<3>& parts) const override;
-  void settle(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
-  void settle_base(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
+  void post_step(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
+  void post_base_step(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
   terms::Rates rates(Index body) const override;
-  void add_energies(const terms::Synchronized<3>& at, terms::Books& books) const override;
+  void add_energies(const terms::Synchronized<3>& at, terms::EnergySums& energies) const override;
   void carry(Index link, Parcel& parcel) override { parcel(table_[link]); }
   void columns(Archive& archive) override;
 

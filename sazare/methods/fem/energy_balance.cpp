@@ -30,7 +30,7 @@ void FemStepper<D>::book(const Trial& trial, const NodalColumn& balance, const S
     work.plastic += taken.plastic;
     work.friction += taken.friction;
   }
-  if (stage_ == Stage::settling) return;
+  if (stage_ == Stage::relaxing) return;
   const Real to = span.from + span.length;
   work.gravity += dot(weight_, moved);
   for (const auto& load : supports_.loads) work.loads += 0.5 * (load.share(span.from) + load.share(to)) * dot(load.force, moved);

@@ -24,7 +24,7 @@ FemStepper<D>::FemStepper(std::unique_ptr<methods::fem::Body<D>> body, methods::
       state_(body_->pattern()) {
   const NodalColumn none(body_->freedoms(), 0);
   state_.displacement = state_.velocity = state_.acceleration = state_.internal = state_.balance = none;
-  rest_ = settled_ = state_.applied = weight_ = none;
+  rest_ = initial_displacement_ = state_.applied = weight_ = none;
   NodalColumn fall = none;
   for (std::size_t i = 0; i < fall.size(); ++i) fall[i] = supports_.gravity[static_cast<int>(i % D)];
   weight_ = product(body_->mass(), fall);
@@ -76,12 +76,12 @@ std::optional<methods::fem::Freedom> FemStepper<D>::find_loose_freedom() {
 }
 
 template <int D>
-void FemStepper<D>::settle() {
-  stage_ = Stage::settling;
+void FemStepper<D>::relax() {
+  stage_ = Stage::relaxing;
   prepare_solver(true);
   walk({0, 1}, rules_.most_cuts);
   stage_ = Stage::running;
-  settled_ = state_.displacement;
+  initial_displacement_ = state_.displacement;
   for (const auto& boundary : supports_.viscous)
     for (const Index node : boundary.nodes)
       for (int axis = 0; axis < D; ++axis) {
@@ -146,7 +146,7 @@ void FemStepper<D>::walk(const Span& span, int cuts_left) {
 
 template <int D>
 void FemStepper<D>::give_up(const Span& span) const {
-  const std::string where = stage_ == Stage::settling
+  const std::string where = stage_ == Stage::relaxing
                                 ? fmt::format("there is no equilibrium under {:.4g} of gravity", span.from + span.length)
                                 : fmt::format("there is no equilibrium at t = {:.6g} s", span.from + span.length);
   throw PhysicsError(fmt::format(
@@ -164,11 +164,11 @@ typename FemStepper<D>::Factors FemStepper<D>::factors(Real length) const {
   return {1 / (beta * length * length), gamma / (beta * length), 1 + rules_.alpha};
 }
 
-/// Forces on the nodes at a time; while settling, at a share of gravity.
+/// Forces on the nodes at a time; while relaxing, at a share of gravity.
 template <int D>
 NodalColumn FemStepper<D>::external(Real now) const {
   NodalColumn force = weight_;
-  if (stage_ == Stage::settling) {
+  if (stage_ == Stage::relaxing) {
     for (Real& value : force) value *= now;
     return force;
   }
@@ -217,9 +217,9 @@ typename FemStepper<D>::Trial FemStepper<D>::predict(const Span& span, NodalColu
   for (const Support& support : supports_.held) {
     const std::size_t i = number<D>(support.node, support.axis);
     trial.velocity[i] = trial.acceleration[i] = 0;
-    if (support.motion == Support::no_motion || stage_ == Stage::settling) continue;
+    if (support.motion == Support::no_motion || stage_ == Stage::relaxing) continue;
     const auto motion = supports_.motions[at(support.motion)].at(to);
-    prescribed[i] = settled_[i] + motion.displacement - state_.displacement[i];
+    prescribed[i] = initial_displacement_[i] + motion.displacement - state_.displacement[i];
     if (!inertia()) continue;
     trial.velocity[i] = motion.velocity;
     trial.acceleration[i] = motion.acceleration;
@@ -388,7 +388,7 @@ void FemStepper<D>::columns(Archive& archive) {
   archive("plastic", state_.memory.solids);
   archive("slip", state_.memory.joints);
   archive("tangent", state_.tangent.values());
-  archive("settled", settled_);
+  archive("settled", initial_displacement_);
   archive("rest", rest_);
   archive("elastic_at_start", elastic_at_start_);
   std::vector<FemWork> work = {state_.work};

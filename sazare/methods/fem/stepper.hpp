@@ -64,7 +64,7 @@ public:
 
   /// Finds the equilibrium under gravity before the beginning: viscous boundaries carry what they carry in it, and motions begin
   /// from there. Throws PhysicsError where there is none.
-  void settle();
+  void relax();
 
   /// Finds the accelerations at the beginning; call once before the first `advance`, not after a resume.
   void start();
@@ -85,7 +85,7 @@ public:
   const FemRules& rules() const { return rules_; }
   const methods::fem::Body<D>& body() const { return *body_; }
   const methods::fem::Supports<D>& supports() const { return supports_; }
-  const methods::fem::NodalColumn& settled() const { return settled_; }
+  const methods::fem::NodalColumn& initial_displacement() const { return initial_displacement_; }
   std::size_t free_freedoms() const { return solver_->freedoms(); }
   std::size_t factor_entries() const { return solver_->factor_entries(); }
 
@@ -105,9 +105,9 @@ public:
   void columns(Archive& archive);
 
 private:
-  enum class Stage { settling, running };
+  enum class Stage { relaxing, running };
   struct Span {
-    Real from = 0, length = 0;  ///< [s]; while settling, shares of gravity
+    Real from = 0, length = 0;  ///< [s]; while relaxing, shares of gravity
   };
   /// Factors of the mass, damping and tangent in the matrix of a step.
   struct Factors {
@@ -146,7 +146,7 @@ private:
   methods::fem::BlockMatrix<D> damping_;   ///< both
   methods::fem::NodalColumn weight_;       ///< M g [N]
   methods::fem::NodalColumn rest_;         ///< what viscous boundaries carry at rest [N]
-  methods::fem::NodalColumn settled_;      ///< displacements at the beginning [m]
+  methods::fem::NodalColumn initial_displacement_;      ///< displacements at the beginning [m]
   std::vector<char> is_free_;
   Stage stage_ = Stage::running;
   FemState<D> state_;

@@ -40,11 +40,11 @@ coupling::SurfaceShape ContinuumSide<D>::shape() const {
   shape.width = D == 2 ? rules_.width : 1;
   shape.window = stepper_->rules().step;
   shape.faces.assign(surface_.faces.begin(), surface_.faces.end());
-  const std::vector<Real> settled = of_surface<D>(surface_, stepper_->settled());
+  const std::vector<Real> initial = of_surface<D>(surface_, stepper_->initial_displacement());
   for (std::size_t n = 0; n < nodes(); ++n)
     for (int axis = 0; axis < D; ++axis) {
       const Vector3& place = stepper_->body().mesh().nodes[static_cast<std::size_t>(surface_.nodes[n])];
-      shape.nodes.push_back(place[axis] + settled[n * D + static_cast<std::size_t>(axis)]);
+      shape.nodes.push_back(place[axis] + initial[n * D + static_cast<std::size_t>(axis)]);
     }
   return shape;
 }
@@ -60,7 +60,7 @@ template <int D>
 coupling::SurfaceMotion ContinuumSide<D>::motion(std::int32_t pass) const {
   const auto& state = stepper_->state();
   return {state.steps - 1, pass, stepper_->time(),
-          difference(of_surface<D>(surface_, state.displacement), of_surface<D>(surface_, stepper_->settled())),
+          difference(of_surface<D>(surface_, state.displacement), of_surface<D>(surface_, stepper_->initial_displacement())),
           of_surface<D>(surface_, state.velocity)};
 }
 
@@ -73,7 +73,7 @@ coupling::SurfaceForce ContinuumSide<D>::try_window(coupling::ContinuumChannel& 
       all[number<D>(surface_.nodes[n], axis)] = force[n * D + static_cast<std::size_t>(axis)];
   stepper_->apply(std::move(all));
   stepper_->advance();
-  ++ledger_.passes;
+  ++totals_.passes;
   return channel.exchange(motion(pass));
 }
 
@@ -83,7 +83,7 @@ void ContinuumSide<D>::advance(coupling::ContinuumChannel& channel) {
   const std::vector<Real> applied = rules_.scheme == CouplingScheme::paper ? force_.last : force_.mean;
   const std::vector<Real> before = of_surface<D>(surface_, stepper_->state().displacement);
   force_ = try_window(channel, applied, 0);
-  book(applied, before);
+  add_work(applied, before);
 }
 
 /// The continuum moves with the force that it is to bring about and with the carry.
@@ -101,7 +101,7 @@ void ContinuumSide<D>::repeat(coupling::ContinuumChannel& channel) {
     const Real scale = std::max(norm(force_.mean), norm(tried));
     disagreement_ = scale > 0 ? norm(gap) / scale : 0;
     if (disagreement_ <= rules_.tolerance) {
-      book(applied, before);
+      add_work(applied, before);
       carry_ = gap;
       return;
     }
@@ -115,14 +115,14 @@ void ContinuumSide<D>::repeat(coupling::ContinuumChannel& channel) {
 }
 
 template <int D>
-void ContinuumSide<D>::book(const std::vector<Real>& applied, const std::vector<Real>& before) {
+void ContinuumSide<D>::add_work(const std::vector<Real>& applied, const std::vector<Real>& before) {
   const std::vector<Real> moved = difference(of_surface<D>(surface_, stepper_->state().displacement), before);
   const Real window = stepper_->rules().step, width = D == 2 ? rules_.width : 1;
-  ledger_.given += window * sum(force_.mean);
-  ledger_.taken += window * sum(applied);
-  ledger_.work_on_nodes += width * dot(applied, moved);
-  ledger_.work_on_bodies -= width * dot(force_.mean, moved);
-  ++ledger_.windows;
+  totals_.given += window * sum(force_.mean);
+  totals_.taken += window * sum(applied);
+  totals_.work_on_nodes += width * dot(applied, moved);
+  totals_.work_on_bodies -= width * dot(force_.mean, moved);
+  ++totals_.windows;
 }
 
 /// Sum over all nodes, for the whole width.
@@ -147,9 +147,9 @@ void ContinuumSide<D>::columns(Archive& archive) {
   archive("last", force_.last);
   archive("carry", carry_);
   archive("disagreement", disagreement_);
-  std::vector<CouplingLedger> ledger = {ledger_};
-  archive("ledger", ledger);
-  ledger_ = ledger.at(0);
+  std::vector<CouplingTotals> totals = {totals_};
+  archive("ledger", totals);
+  totals_ = totals.at(0);
 }
 
 template class ContinuumSide<2>;

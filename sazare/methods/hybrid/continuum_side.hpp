@@ -28,7 +28,7 @@ struct CouplingRules {
 };
 
 /// What went over the surface since the beginning, of the whole width.
-struct CouplingLedger {
+struct CouplingTotals {
   Vector3 given = Vector3::Zero();  ///< impulse of the bodies on the nodes [N s]
   Vector3 taken = Vector3::Zero();  ///< impulse with which the continuum has moved [N s]
   Real work_on_nodes = 0;           ///< of the forces with which the continuum has moved [J]
@@ -56,7 +56,7 @@ public:
   /// Goes through a window. Throws PhysicsError where force and motion do not come to agree.
   void advance(coupling::ContinuumChannel& channel);
 
-  const CouplingLedger& ledger() const { return ledger_; }
+  const CouplingTotals& totals() const { return totals_; }
   const CouplingRules& rules() const { return rules_; }
   /// Force of the bodies on the whole surface: mean of the last window, and at its end [N].
   Vector3 mean_force() const { return sum(force_.mean); }
@@ -74,7 +74,7 @@ private:
   coupling::SurfaceMotion motion(std::int32_t pass) const;
   coupling::SurfaceForce try_window(coupling::ContinuumChannel& channel, const std::vector<Real>& force, std::int32_t pass);
   void repeat(coupling::ContinuumChannel& channel);
-  void book(const std::vector<Real>& applied, const std::vector<Real>& displacement_before);
+  void add_work(const std::vector<Real>& applied, const std::vector<Real>& displacement_before);
   Vector3 sum(const std::vector<Real>& values) const;
 
   ContinuumStepper<D>* stepper_;
@@ -83,7 +83,7 @@ private:
   coupling::SurfaceForce force_;  ///< of the last window
   std::vector<Real> carry_;       ///< what repeat left between the force tried and found [N]
   Real disagreement_ = 0;
-  CouplingLedger ledger_;
+  CouplingTotals totals_;
 };
 
 extern template class ContinuumSide<2>;

@@ -31,8 +31,8 @@ struct Rubble {
   void add_block(const Vector3& centre) {
     const Quaternion turned(1, any(1), any(1), any(1));
     const Index body = state::add_body(bodies, 2 + any(1), centre, {0.02, 0.03, 0.04}, turned.normalized(), 0.1);
-    bodies.motion.back().foreseen_velocity = any_vector(0.05);
-    bodies.motion.back().foreseen_spin = any_vector(0.5);
+    bodies.motion.back().predicted_velocity = any_vector(0.05);
+    bodies.motion.back().predicted_spin = any_vector(0.5);
     surface.open({body, 3}, corners, {Vector3::Zero(), Matrix3::Identity()});
   }
 

@@ -8,7 +8,7 @@
 namespace sazare::methods::blocks {
 namespace {
 
-using terms::Account;
+using terms::EnergyKind;
 
 constexpr Real mass_of_block = 2390 * 0.1 * 0.1 * 0.1 / (6 * std::numbers::sqrt2);  // edge of 0.1 m
 
@@ -47,13 +47,13 @@ TEST(contacts, without_dashpot_they_part_as_fast_as_they_met) {
   Real largest = 0;
   for (int step = 0; step < 200; ++step) {
     run(model, 1);
-    largest = std::max(largest, model.simulation->ledger()[Account::elastic]);
+    largest = std::max(largest, model.simulation->energy_balance()[EnergyKind::elastic]);
   }
   EXPECT_NEAR(largest, mass_of_block, 0.02 * mass_of_block);  // two blocks at 1 m/s, all of it stored at the turn
   EXPECT_NEAR(velocity(model, 0).x(), -1, 1e-3);
   EXPECT_NEAR(velocity(model, 1).x(), 1, 1e-3);
-  EXPECT_EQ(model.simulation->ledger()[Account::elastic], 0);
-  EXPECT_LT(std::abs(model.simulation->ledger().residual()), 1e-3 * mass_of_block);
+  EXPECT_EQ(model.simulation->energy_balance()[EnergyKind::elastic], 0);
+  EXPECT_LT(std::abs(model.simulation->energy_balance().residual()), 1e-3 * mass_of_block);
 }
 
 TEST(contacts, a_dashpot_takes_energy_and_the_ledger_finds_it) {
@@ -61,11 +61,11 @@ TEST(contacts, a_dashpot_takes_energy_and_the_ledger_finds_it) {
   blocks.contact.normal_damping = 2e3;
   auto model = started(blocks);
   run(model, 1200);
-  const auto ledger = model.simulation->ledger();
+  const auto balance = model.simulation->energy_balance();
   EXPECT_LT(velocity(model, 1).x(), 0.98);
   EXPECT_GT(velocity(model, 1).x(), 0);
-  EXPECT_GT(ledger[Account::contact_dashpot], 0.01 * mass_of_block);
-  EXPECT_NEAR(ledger[Account::kinetic], -ledger[Account::contact_dashpot], 1e-3 * mass_of_block);
+  EXPECT_GT(balance[EnergyKind::contact_dashpot], 0.01 * mass_of_block);
+  EXPECT_NEAR(balance[EnergyKind::kinetic], -balance[EnergyKind::contact_dashpot], 1e-3 * mass_of_block);
 }
 
 TEST(contacts, blocks_that_part_are_not_held_and_forgotten_once_they_are_far) {
@@ -88,10 +88,10 @@ TEST(contacts, friction_slows_the_slide_and_is_booked) {
   run(rough, 1200);
   run(smooth, 1200);
   EXPECT_LT(std::abs(velocity(rough, 0).y()), std::abs(velocity(smooth, 0).y()) - 0.05);
-  const auto ledger = rough.simulation->ledger();
-  EXPECT_GT(ledger[Account::friction], 0.01 * mass_of_block);
-  EXPECT_LT(std::abs(ledger.residual()), 5e-3 * mass_of_block);
-  EXPECT_LT(smooth.simulation->ledger()[Account::friction], 1e-12);
+  const auto balance = rough.simulation->energy_balance();
+  EXPECT_GT(balance[EnergyKind::friction], 0.01 * mass_of_block);
+  EXPECT_LT(std::abs(balance.residual()), 5e-3 * mass_of_block);
+  EXPECT_LT(smooth.simulation->energy_balance()[EnergyKind::friction], 1e-12);
 }
 
 TEST(contacts, action_equals_reaction_through_a_rough_collision) {
@@ -159,9 +159,9 @@ TEST(contacts, no_sphere_that_overlaps_is_overlooked) {
     for (int step = 0; step < 5000; ++step) {
       run(model, 1);
       const Real energy = energy_of_all_spheres(model, blocks.contact.normal_stiffness);
-      const terms::Ledger ledger = model.simulation->ledger();
-      ASSERT_NEAR(ledger[Account::elastic], energy, 1e-9 * mass_of_block) << step << ", at " << sliding;
-      worst = std::max(worst, std::abs(ledger.residual()));
+      const terms::EnergyBalance balance = model.simulation->energy_balance();
+      ASSERT_NEAR(balance[EnergyKind::elastic], energy, 1e-9 * mass_of_block) << step << ", at " << sliding;
+      worst = std::max(worst, std::abs(balance.residual()));
       most = std::max(most, energy);
     }
     EXPECT_GT(most, 0.1 * mass_of_block);
@@ -179,12 +179,12 @@ TEST(contacts, no_cap_of_the_dashpot_gives_energy) {
     Real last = 0;
     for (int round = 0; round < 40; ++round) {
       run(model, 50);
-      const Real lost = model.simulation->ledger()[Account::contact_dashpot];
+      const Real lost = model.simulation->energy_balance()[EnergyKind::contact_dashpot];
       EXPECT_GE(lost, last);
       last = lost;
     }
     EXPECT_GT(last, 0.1 * mass_of_block);
-    EXPECT_LT(model.simulation->ledger()[Account::kinetic], 0);
+    EXPECT_LT(model.simulation->energy_balance()[EnergyKind::kinetic], 0);
   }
 }
 

@@ -68,7 +68,7 @@ Real left_after_steps(Real fraction_of_stable) {
   const auto model = runs::build_blocks(blocks, mesh);
   model.simulation->start();
   for (int step = 0; step < 3000; ++step) model.simulation->advance();
-  return model.simulation->ledger()[terms::Account::kinetic];
+  return model.simulation->energy_balance()[terms::EnergyKind::kinetic];
 }
 
 TEST(coupled_rates, half_the_stable_step_is_stable_and_half_as_much_again_is_not) {

@@ -92,7 +92,7 @@ TEST(failed_joint, behaves_exactly_as_a_contact_that_never_was_bonded) {
       ASSERT_EQ(one.motion[body].angular_momentum, other.motion[body].angular_momentum) << round;
     }
   }
-  EXPECT_GT(failed.simulation->ledger()[terms::Account::contact_dashpot], 1) << "they never touched";
+  EXPECT_GT(failed.simulation->energy_balance()[terms::EnergyKind::contact_dashpot], 1) << "they never touched";
   EXPECT_GT((failed.simulation->bodies().motion[0].velocity - bodies.motion[0].velocity).norm(), 1);
 }
 
@@ -112,9 +112,9 @@ TEST(failed_joint, released_faces_that_overlap_do_not_fly_apart) {
   model.simulation->start();
   while (model.joints->broken_count() == 0 && model.simulation->now().seconds() < 1e-4) model.simulation->advance();
   ASSERT_EQ(model.joints->broken_count(), 1);
-  const auto before = model.simulation->ledger();
-  EXPECT_GT(before[terms::Account::release], 0);
-  EXPECT_LT(before[terms::Account::elastic], 1e-6 * before[terms::Account::release]) << "contacts begin without energy";
+  const auto before = model.simulation->energy_balance();
+  EXPECT_GT(before[terms::EnergyKind::release], 0);
+  EXPECT_LT(before[terms::EnergyKind::elastic], 1e-6 * before[terms::EnergyKind::release]) << "contacts begin without energy";
 }
 
 }  // namespace

@@ -6,7 +6,7 @@ namespace sazare::methods::blocks {
 namespace {
 
 using sazare::test::BondedPair;
-using terms::Account;
+using terms::EnergyKind;
 
 constexpr Real elastic_opening = 6.66e6 / 450e9, failure_opening = 2 * 99.67 / 6.66e6;
 
@@ -27,10 +27,10 @@ TEST(joint_failure, pulled_apart_it_takes_the_fracture_energy_times_the_area) {
   const Real work = pull(pair, 0, 1.001 * failure_opening, 20000);
   EXPECT_EQ(pair.joints().state(0), JointState::broken);
   EXPECT_NEAR(work, 99.67 * pair.area(), 1e-3 * 99.67 * pair.area());
-  const auto ledger = pair.probe().ledger();
-  EXPECT_NEAR(ledger[Account::fracture], 99.67 * pair.area(), 1e-9);
-  EXPECT_NEAR(ledger[Account::release], 0, 1e-9);
-  EXPECT_EQ(ledger[Account::elastic], 0);
+  const auto balance = pair.probe().energy_balance();
+  EXPECT_NEAR(balance[EnergyKind::fracture], 99.67 * pair.area(), 1e-9);
+  EXPECT_NEAR(balance[EnergyKind::release], 0, 1e-9);
+  EXPECT_EQ(balance[EnergyKind::elastic], 0);
 }
 
 TEST(joint_failure, is_told_once_and_gives_no_force_from_then_on) {
@@ -40,7 +40,7 @@ TEST(joint_failure, is_told_once_and_gives_no_force_from_then_on) {
   pair.place(1.01 * failure_opening);
   const auto forces = pair.forces();
   EXPECT_EQ(forces[1].linear.norm(), 0);
-  const auto changes = pair.probe().settle();
+  const auto changes = pair.probe().post_step();
   EXPECT_EQ(changes.ended_links, std::vector<Index>{0});
   EXPECT_EQ(changes.softer, (std::vector<Index>{0, 1}));
   EXPECT_EQ(pair.joints().broken_count(), 1);
@@ -49,7 +49,7 @@ TEST(joint_failure, is_told_once_and_gives_no_force_from_then_on) {
   EXPECT_FALSE(pair.joints().bonded(0, 1));
   EXPECT_EQ(pair.joints().rates(0).stiffness, 0);
   EXPECT_TRUE(pair.joints().first_links().empty());
-  EXPECT_TRUE(pair.probe().settle().ended_links.empty());
+  EXPECT_TRUE(pair.probe().post_step().ended_links.empty());
 }
 
 TEST(joint_failure, one_failed_vertex_releases_the_whole_face) {
@@ -70,7 +70,7 @@ TEST(joint_failure, one_failed_vertex_releases_the_whole_face) {
   EXPECT_EQ(pair.forces()[1].linear.norm(), 0);
   EXPECT_EQ(pair.joints().state(0), JointState::broken);
   // Fracture took a third of the face's share; nothing was stored in the other two.
-  EXPECT_NEAR(pair.probe().ledger()[Account::fracture], 99.67 * pair.area() / 3, 1e-3 * 99.67 * pair.area());
+  EXPECT_NEAR(pair.probe().energy_balance()[EnergyKind::fracture], 99.67 * pair.area() / 3, 1e-3 * 99.67 * pair.area());
 }
 
 TEST(joint_failure, what_a_broken_face_still_stored_is_booked_as_released) {
@@ -78,12 +78,12 @@ TEST(joint_failure, what_a_broken_face_still_stored_is_booked_as_released) {
   const Real slip = 5e-5;  // within the Coulomb line at this opening? 90e9 x 5e-5 = 4.5e6 Pa, less than 6.66e6
   pair.place(0, slip);
   pair.forces();
-  const Real stored = pair.probe().ledger()[Account::elastic];
+  const Real stored = pair.probe().energy_balance()[EnergyKind::elastic];
   pair.place(1.01 * failure_opening, slip);
   pair.forces();
-  const auto ledger = pair.probe().ledger();
+  const auto balance = pair.probe().energy_balance();
   EXPECT_NEAR(stored, 0.5 * 90e9 * slip * slip * pair.area(), 1e-6 * stored);
-  EXPECT_NEAR(ledger[Account::release], stored, 1e-6 * stored);
+  EXPECT_NEAR(balance[EnergyKind::release], stored, 1e-6 * stored);
 }
 
 TEST(joint_failure, unloading_goes_to_the_origin_and_reloading_back) {
@@ -92,12 +92,12 @@ TEST(joint_failure, unloading_goes_to_the_origin_and_reloading_back) {
   pull(pair, 0, peak, 50);
   const Real at_peak = pair.stress().x();
   EXPECT_NEAR(at_peak, 6.66e6 * (failure_opening - peak) / (failure_opening - elastic_opening), 1e-6 * 6.66e6);
-  const Real fracture = pair.probe().ledger()[Account::fracture];
+  const Real fracture = pair.probe().energy_balance()[EnergyKind::fracture];
   for (const Real share : {0.75, 0.5, 0.25, 0.0, 0.5, 1.0}) {
     pair.place(share * peak);
     EXPECT_NEAR(pair.stress().x(), share * at_peak, 1e-6 * 6.66e6) << share;
   }
-  EXPECT_EQ(pair.probe().ledger()[Account::fracture], fracture) << "a closed cycle takes nothing more";
+  EXPECT_EQ(pair.probe().energy_balance()[EnergyKind::fracture], fracture) << "a closed cycle takes nothing more";
   pair.place(-1e-6);
   EXPECT_NEAR(pair.stress().x(), -450e9 * 1e-6, 1);  // full stiffness in compression
 }
@@ -109,7 +109,7 @@ TEST(joint_failure, shear_alone_never_breaks_a_face) {
     pair.forces();
   }
   EXPECT_EQ(pair.joints().state(0), JointState::intact);
-  EXPECT_TRUE(pair.probe().settle().ended_links.empty());
+  EXPECT_TRUE(pair.probe().post_step().ended_links.empty());
 }
 
 }  // namespace

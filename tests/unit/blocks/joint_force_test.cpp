@@ -153,11 +153,11 @@ TEST(joint_force, slip_is_dissipated_at_the_strength) {
     work += 0.5 * (before + force) * 5 * limit / steps;
     before = force;
   }
-  const auto ledger = pair.probe().ledger();
-  const Real slip = ledger[terms::Account::slip], elastic = ledger[terms::Account::elastic];
+  const auto balance = pair.probe().energy_balance();
+  const Real slip = balance[terms::EnergyKind::slip], elastic = balance[terms::EnergyKind::elastic];
   EXPECT_NEAR(slip, 6.66e6 * 4 * limit * pair.area(), 1e-11 * slip);
   EXPECT_NEAR(work, slip + elastic, 1e-3 * work);  // trapezoidal rule over the corner at the limit
-  EXPECT_NEAR(ledger[terms::Account::fracture], 0, 0);
+  EXPECT_NEAR(balance[terms::EnergyKind::fracture], 0, 0);
 }
 
 TEST(joint_force, a_joint_of_other_strength_obeys_its_own) {

@@ -11,7 +11,7 @@
 namespace sazare::methods::blocks {
 namespace {
 
-using terms::Account;
+using terms::EnergyKind;
 
 /// One block whose face in the plane x = 0 leans on the ground.
 struct Leaning {
@@ -97,7 +97,7 @@ TEST(outer_faces, absorbing_ones_are_dashpots_alone) {
   const auto force = block.force().linear;
   EXPECT_NEAR(force.x(), -5e3 * 0.06 * 2, 1e-6);
   EXPECT_NEAR(force.z(), -2e3 * 0.06 * 3, 1e-6);
-  EXPECT_EQ(block.probe.ledger()[Account::elastic], 0);
+  EXPECT_EQ(block.probe.energy_balance()[EnergyKind::elastic], 0);
 }
 
 /// Energy left in a bar after a wave has run to its end and half way back, as a share of what it had.
@@ -113,9 +113,9 @@ Real energy_left(bool absorbing_end) {
     before += 0.5 * bodies.inertia[body].mass * bodies.motion[body].velocity.squaredNorm();
   model.simulation->start();
   while (model.simulation->now().seconds() < 1.5 * cubes * 0.05 / test::bar_speed) model.simulation->advance();
-  const auto ledger = model.simulation->ledger();
+  const auto balance = model.simulation->energy_balance();
   EXPECT_EQ(model.joints->broken_count(), 0);
-  return 1 + (ledger[Account::kinetic] + ledger[Account::elastic]) / before;
+  return 1 + (balance[EnergyKind::kinetic] + balance[EnergyKind::elastic]) / before;
 }
 
 TEST(outer_faces, absorbing_ones_let_a_wave_leave) {

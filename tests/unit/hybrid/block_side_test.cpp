@@ -118,8 +118,8 @@ TEST(block_side, nodes_get_the_momentum_that_blocks_lose) {
     const Vector3 before = sides.momentum();
     sides.advance(12);
     const Vector3 lost = before - sides.momentum();
-    ASSERT_GT(sides.continuum().ledger().given.norm(), 0.03);
-    EXPECT_LT((lost - sides.continuum().ledger().given).norm(), 1e-12 * lost.norm());
+    ASSERT_GT(sides.continuum().totals().given.norm(), 0.03);
+    EXPECT_LT((lost - sides.continuum().totals().given).norm(), 1e-12 * lost.norm());
   }
 }
 
@@ -129,12 +129,12 @@ TEST(block_side, the_ledger_of_the_blocks_has_the_work_of_the_surface) {
   TetrahedronOnTop sides(scene, 1e-3);
   sides.start();
   sides.advance(12);
-  const terms::Ledger ledger = sides.simulation().ledger();
-  EXPECT_NEAR(ledger[terms::Account::work], sides.continuum().ledger().work_on_bodies, 1e-12);
-  EXPECT_GT(std::abs(ledger[terms::Account::work]), 1e-5);
-  EXPECT_GT(ledger[terms::Account::contact_dashpot], 0);
-  EXPECT_GT(ledger[terms::Account::friction], 0);
-  EXPECT_NEAR(ledger.residual(), 0, 1e-3 * std::abs(ledger[terms::Account::kinetic]));
+  const terms::EnergyBalance balance = sides.simulation().energy_balance();
+  EXPECT_NEAR(balance[terms::EnergyKind::work], sides.continuum().totals().work_on_bodies, 1e-12);
+  EXPECT_GT(std::abs(balance[terms::EnergyKind::work]), 1e-5);
+  EXPECT_GT(balance[terms::EnergyKind::contact_dashpot], 0);
+  EXPECT_GT(balance[terms::EnergyKind::friction], 0);
+  EXPECT_NEAR(balance.residual(), 0, 1e-3 * std::abs(balance[terms::EnergyKind::kinetic]));
 }
 
 TEST(block_side, repeated_windows_make_no_energy) {
@@ -145,10 +145,10 @@ TEST(block_side, repeated_windows_make_no_energy) {
   TetrahedronOnTop sides(scene, 2e-4);
   sides.start();
   sides.advance(60);
-  const auto& ledger = sides.continuum().ledger();
-  EXPECT_GT(ledger.work_on_nodes, 1e-5);
-  EXPECT_LT(std::abs(ledger.made()), 1e-6 * ledger.work_on_nodes);
-  EXPECT_GT(ledger.passes, ledger.windows);
+  const auto& totals = sides.continuum().totals();
+  EXPECT_GT(totals.work_on_nodes, 1e-5);
+  EXPECT_LT(std::abs(totals.made()), 1e-6 * totals.work_on_nodes);
+  EXPECT_GT(totals.passes, totals.windows);
 }
 
 TEST(block_side, the_reaction_of_what_lies_still_is_its_weight) {

@@ -59,7 +59,7 @@ Outcome run(CouplingScheme scheme, Real window, Real until = 0.06) {
   }
   EXPECT_EQ(sides.balls().contacts(), 1);
   outcome.gained = (energy(sides) - before) / scale;
-  outcome.made = sides.continuum().ledger().made() / scale;
+  outcome.made = sides.continuum().totals().made() / scale;
   return outcome;
 }
 

@@ -41,13 +41,13 @@ void expect_momentum_kept(ElementShape shape, CouplingScheme scheme) {
   sides.start();
   const Vector3 balls_before = sides.balls().momentum(), body_before = sides.momentum();
   sides.advance(12);
-  const auto& ledger = sides.continuum().ledger();
+  const auto& totals = sides.continuum().totals();
   Vector3 lost = balls_before - sides.balls().momentum();
   if (D == 2) lost.z() = 0;  // held by the plane strain
   const Vector3 gained = sides.momentum() - body_before;
-  ASSERT_GT(ledger.given.norm(), 0.5);
-  EXPECT_LT((lost - ledger.given).norm(), 1e-12 * lost.norm()) << test::name_of(shape);
-  EXPECT_LT((gained - ledger.taken).norm(), 1e-9 * gained.norm()) << test::name_of(shape);
+  ASSERT_GT(totals.given.norm(), 0.5);
+  EXPECT_LT((lost - totals.given).norm(), 1e-12 * lost.norm()) << test::name_of(shape);
+  EXPECT_LT((gained - totals.taken).norm(), 1e-9 * gained.norm()) << test::name_of(shape);
 }
 
 TEST(surface, nodes_get_the_momentum_that_bodies_lose) {
@@ -64,10 +64,10 @@ TEST(surface, what_is_under_way_is_the_impulse_of_the_last_window) {
   for (int window = 0; window < 15; ++window) {
     sides.advance(1);
     const auto& side = sides.continuum();
-    EXPECT_LT((side.ledger().under_way() - 1e-3 * side.mean_force()).norm(), 1e-13 * (1 + side.ledger().given.norm()));
+    EXPECT_LT((side.totals().under_way() - 1e-3 * side.mean_force()).norm(), 1e-13 * (1 + side.totals().given.norm()));
   }
   EXPECT_EQ(sides.balls().contacts(), 0);
-  EXPECT_LT(sides.continuum().ledger().under_way().norm(), 1e-12);
+  EXPECT_LT(sides.continuum().totals().under_way().norm(), 1e-12);
 }
 
 TEST(surface, repeated_windows_keep_energy_and_leave_nothing_under_way) {
@@ -77,13 +77,13 @@ TEST(surface, repeated_windows_keep_energy_and_leave_nothing_under_way) {
   test::TwoSides<2> sides(scene, 2e-4);
   sides.start();
   sides.advance(80);
-  const auto& ledger = sides.continuum().ledger();
+  const auto& totals = sides.continuum().totals();
   EXPECT_EQ(sides.balls().contacts(), 0);
-  EXPECT_GT(ledger.work_on_nodes, 0.01);
-  EXPECT_LT(std::abs(ledger.made()), 1e-9 * ledger.work_on_nodes);
-  EXPECT_LT(ledger.under_way().norm(), 1e-9 * ledger.given.norm());
+  EXPECT_GT(totals.work_on_nodes, 0.01);
+  EXPECT_LT(std::abs(totals.made()), 1e-9 * totals.work_on_nodes);
+  EXPECT_LT(totals.under_way().norm(), 1e-9 * totals.given.norm());
   EXPECT_NEAR(sides.fem().energy_residual() * sides.width(), 0, 1e-9);
-  EXPECT_LT(static_cast<Real>(ledger.passes), 8.0 * static_cast<Real>(ledger.windows));
+  EXPECT_LT(static_cast<Real>(totals.passes), 8.0 * static_cast<Real>(totals.windows));
 }
 
 TEST(surface, the_ledger_of_the_finite_elements_closes_with_lagged_forces) {
@@ -94,7 +94,7 @@ TEST(surface, the_ledger_of_the_finite_elements_closes_with_lagged_forces) {
     sides.start();
     sides.advance(15);
     const Real work = sides.fem().work().loads;
-    EXPECT_NEAR(work * sides.width(), sides.continuum().ledger().work_on_nodes, 1e-12);
+    EXPECT_NEAR(work * sides.width(), sides.continuum().totals().work_on_nodes, 1e-12);
     if (alpha == 0) {
       EXPECT_NEAR(sides.fem().energy_residual(), 0, 1e-10 * work);
     }

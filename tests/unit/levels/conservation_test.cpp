@@ -74,7 +74,7 @@ TEST(conservation, of_momenta_while_levels_change_and_bodies_wake) {
 /// beginning.
 Real energy_error(const StepRules& rules) {
   auto simulation = test::ladder<3>().simulation(rules);
-  const Real before = test::mechanical(simulation.ledger());
+  const Real before = test::mechanical(simulation.energy_balance());
   Real kinetic = 0;
   for (std::size_t body = 0; body < 6; ++body)
     kinetic += 0.5 * simulation.bodies().inertia[body].mass * simulation.bodies().motion[body].velocity.squaredNorm();
@@ -82,7 +82,7 @@ Real energy_error(const StepRules& rules) {
   Real largest = 0;
   while (simulation.now().seconds() < 16) {
     simulation.advance();
-    largest = std::max(largest, std::abs(test::mechanical(simulation.ledger()) - before) / kinetic);
+    largest = std::max(largest, std::abs(test::mechanical(simulation.energy_balance()) - before) / kinetic);
   }
   return largest;
 }
@@ -116,7 +116,7 @@ Real energy_error_of_pair(int periods) {
   Real largest = 0;
   while (simulation.now().seconds() < periods * 2 * M_PI) {
     simulation.advance();
-    largest = std::max(largest, std::abs(test::mechanical(simulation.ledger())) / 0.005);
+    largest = std::max(largest, std::abs(test::mechanical(simulation.energy_balance())) / 0.005);
   }
   return largest;
 }

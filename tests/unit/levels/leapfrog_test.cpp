@@ -114,12 +114,12 @@ void step_by_hand(test::Network<2>& network, Real acting, Forces<2>& last) {
     const state::Impulse<2> given = sum[body].about(motion.position);
     for (int i = 0; i < 2; ++i) {
       motion.velocity[i] = motion.velocity[i] + inverse_mass * sum[body].linear[i];
-      motion.foreseen_velocity[i] = motion.velocity[i] + inverse_mass * sum[body].linear_lead[i];
+      motion.predicted_velocity[i] = motion.velocity[i] + inverse_mass * sum[body].linear_lead[i];
       motion.position[i] = motion.position[i] + h * motion.velocity[i];
     }
     motion.angular_momentum[0] = motion.angular_momentum[0] + given.angular[0];
     motion.spin[0] = inertia.inverse_moments[0] * motion.angular_momentum[0];
-    motion.foreseen_spin[0] = inertia.inverse_moments[0] * (motion.angular_momentum[0] + given.angular_lead[0]);
+    motion.predicted_spin[0] = inertia.inverse_moments[0] * (motion.angular_momentum[0] + given.angular_lead[0]);
     inertia.angle = inertia.angle + motion.spin[0] * h;
     const Real c = std::cos(inertia.angle), s = std::sin(inertia.angle);
     motion.rotation << c, -s, s, c;
@@ -151,7 +151,7 @@ TEST(leapfrog, one_level_in_space_is_the_step_by_hand_bit_for_bit) {
   for (auto& motion : by_hand.bodies.motion) {
     motion.angular_momentum.setZero();
     motion.spin.setZero();
-    motion.foreseen_spin.setZero();
+    motion.predicted_spin.setZero();
   }
   auto simulation = by_hand.simulation(one_level());
   simulation.start();
@@ -164,7 +164,7 @@ TEST(leapfrog, one_level_in_space_is_the_step_by_hand_bit_for_bit) {
       const Real inverse_mass = 1 / by_hand.bodies.inertia[body].mass;
       for (int i = 0; i < 3; ++i) {
         motion.velocity[i] = motion.velocity[i] + inverse_mass * sum[body].linear[i];
-        motion.foreseen_velocity[i] = motion.velocity[i] + inverse_mass * sum[body].linear_lead[i];
+        motion.predicted_velocity[i] = motion.velocity[i] + inverse_mass * sum[body].linear_lead[i];
         motion.position[i] = motion.position[i] + h * motion.velocity[i];
       }
     }

@@ -108,7 +108,7 @@ TEST(levels, what_is_due_is_all_that_is_computed) {
   const auto before = simulation.counters();
   simulation.advance();
   const auto after = simulation.counters();
-  EXPECT_EQ(after.kicks - before.kicks, 4 + 8 + 16 + 16 + 16) << "every body at the pace of its finest link";
+  EXPECT_EQ(after.kicks - before.kicks, 4 + 8 + 16 + 16 + 16) << "every body at the level of its finest link";
   EXPECT_EQ(after.pair_evaluations - before.pair_evaluations, 4 + 8 + 16 + 16);
   EXPECT_EQ(after.ticks - before.ticks, 16);
   EXPECT_EQ(after.uniform_evaluations - before.uniform_evaluations, 4 * 16);

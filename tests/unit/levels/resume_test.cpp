@@ -31,7 +31,7 @@ void expect_same_run(const StepRules& rules, int before, int after) {
     EXPECT_EQ(second.bodies().motion[body].rotation, whole.bodies().motion[body].rotation);
     EXPECT_EQ(second.levels().level(static_cast<Index>(body)), whole.levels().level(static_cast<Index>(body)));
   }
-  EXPECT_EQ(second.ledger().joules, whole.ledger().joules);
+  EXPECT_EQ(second.energy_balance().joules, whole.energy_balance().joules);
   EXPECT_EQ(second.counters().pair_evaluations, whole.counters().pair_evaluations);
   EXPECT_EQ(second.now().tick, whole.now().tick);
 }
@@ -54,7 +54,7 @@ TEST(engine_resume, a_checkpoint_does_not_disturb_the_run) {
   for (int step = 0; step < 10; ++step) {
     test::MemoryArchive checkpoint;
     simulation.columns(checkpoint);
-    simulation.ledger();
+    simulation.energy_balance();
     simulation.advance();
     other.advance();
   }

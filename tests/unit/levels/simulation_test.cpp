@@ -35,8 +35,8 @@ void expect_same_motion_about(const Vector<D>& pole, Real damping, Real within) 
     EXPECT_LT((mine.position - theirs.position).norm(), within);
     EXPECT_LT((mine.angular_momentum - theirs.angular_momentum).norm(), within);
   }
-  const auto first = one.ledger(), second = other.ledger();
-  for (const auto account : {terms::Account::kinetic, terms::Account::joint_dashpot})
+  const auto first = one.energy_balance(), second = other.energy_balance();
+  for (const auto account : {terms::EnergyKind::kinetic, terms::EnergyKind::joint_dashpot})
     EXPECT_NEAR(first[account], second[account], 1e-7 * std::abs(first[account]));
 }
 

@@ -106,7 +106,7 @@ TEST(wake, energy_is_kept_through_it) {
   for (int step = 0; step < 10; ++step) {
     simulation.advance();
     // The leapfrog's own error: (w h)^2 / 8 of the energy with w = 200 1/s and the step of the fastest, 1e-4 s.
-    EXPECT_NEAR(test::mechanical(simulation.ledger()), 0, 1e-4 * 0.5) << step;
+    EXPECT_NEAR(test::mechanical(simulation.energy_balance()), 0, 1e-4 * 0.5) << step;
   }
 }
 

@@ -67,7 +67,7 @@ TEST(foresee, the_velocity_follows_what_the_momentum_gains) {
   state::Impulse<3> given;
   given.linear_lead = {1, 2, 4};
   foresee<3>(motion, bodies.inertia[0], {}, given);
-  EXPECT_LT((motion.foreseen_velocity - (motion.velocity + Vector3(0.5, 1, 2))).norm(), 1e-15);  // mass 2 kg
+  EXPECT_LT((motion.predicted_velocity - (motion.velocity + Vector3(0.5, 1, 2))).norm(), 1e-15);  // mass 2 kg
 }
 
 TEST(foresee, the_spin_follows_likewise) {
@@ -78,7 +78,7 @@ TEST(foresee, the_spin_follows_likewise) {
   state::Impulse<3> given;
   given.angular_lead = 0.3 * torque;
   foresee<3>(motion, bodies.inertia[0], {}, given);
-  EXPECT_LT((motion.foreseen_spin - (spin + 0.3 * 0.5 * torque)).norm(), 1e-15);
+  EXPECT_LT((motion.predicted_spin - (spin + 0.3 * 0.5 * torque)).norm(), 1e-15);
 }
 
 TEST(foresee, nothing_changes_along_locked_axes) {
@@ -86,8 +86,8 @@ TEST(foresee, nothing_changes_along_locked_axes) {
   state::Impulse<3> given;
   given.linear_lead = {1, 2, 4};
   foresee<3>(bodies.motion[0], bodies.inertia[0], {0b100, 0}, given);
-  EXPECT_EQ(bodies.motion[0].foreseen_velocity.z(), bodies.motion[0].velocity.z());
-  EXPECT_GT(bodies.motion[0].foreseen_velocity.x(), bodies.motion[0].velocity.x());
+  EXPECT_EQ(bodies.motion[0].predicted_velocity.z(), bodies.motion[0].velocity.z());
+  EXPECT_GT(bodies.motion[0].predicted_velocity.x(), bodies.motion[0].velocity.x());
 }
 
 TEST(drift, back_to_an_earlier_moment_is_where_the_body_was_then) {
@@ -108,11 +108,11 @@ TEST(drift, back_takes_what_is_foreseen_along) {
   auto bodies = moving_body();
   auto& motion = bodies.motion[0];
   drift<3>(motion, bodies.inertia[0], {}, 16, 4.0);
-  motion.foreseen_velocity = motion.velocity + Vector3(1, 0, 0);  // at tick 16; at tick 8 the mean is reached
-  motion.foreseen_spin = motion.spin + Vector3(0, 2, 0);
+  motion.predicted_velocity = motion.velocity + Vector3(1, 0, 0);  // at tick 16; at tick 8 the mean is reached
+  motion.predicted_spin = motion.spin + Vector3(0, 2, 0);
   drift_back<3>(motion, bodies.inertia[0], Moment{12, 0.25});
-  EXPECT_LT((motion.foreseen_velocity - motion.velocity - Vector3(0.5, 0, 0)).norm(), 1e-15);
-  EXPECT_LT((motion.foreseen_spin - motion.spin - Vector3(0, 1, 0)).norm(), 1e-15);
+  EXPECT_LT((motion.predicted_velocity - motion.velocity - Vector3(0.5, 0, 0)).norm(), 1e-15);
+  EXPECT_LT((motion.predicted_spin - motion.spin - Vector3(0, 1, 0)).norm(), 1e-15);
 }
 
 TEST(drift, there_and_back_is_the_beginning) {

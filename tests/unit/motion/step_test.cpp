@@ -56,7 +56,7 @@ TEST(step, a_body_alone_and_among_others_gets_the_same_bits) {
   for (std::size_t i = 0; i < 11; ++i) {
     EXPECT_EQ(alone.bodies.motion[i].position, together.bodies.motion[i].position);
     EXPECT_EQ(alone.bodies.motion[i].rotation, together.bodies.motion[i].rotation);
-    EXPECT_EQ(alone.bodies.motion[i].foreseen_spin, together.bodies.motion[i].foreseen_spin);
+    EXPECT_EQ(alone.bodies.motion[i].predicted_spin, together.bodies.motion[i].predicted_spin);
     EXPECT_EQ(alone.mean[i].velocity, together.mean[i].velocity);
   }
 }

@@ -64,22 +64,22 @@ TEST(pair_levels, are_all_pairs_once_each_at_the_finer_level_of_its_spheres) {
 TEST(pair_levels, put_the_spheres_of_a_pace_or_a_finer_one_first) {
   const Scene scene(400);
   const SpherePairs all = find_pairs(scene.spheres, margin);
-  std::vector<std::int8_t> pace = scene.level;
-  for (std::size_t i = 0; i < pace.size(); ++i)
+  std::vector<std::int8_t> active = scene.level;
+  for (std::size_t i = 0; i < active.size(); ++i)
     for (std::size_t p = all.first[i]; p < all.first[i + 1]; ++p) {
       const auto j = static_cast<std::size_t>(all.other[p]);
-      pace[i] = std::max(pace[i], scene.level[j]);
-      pace[j] = std::max(pace[j], scene.level[i]);
+      active[i] = std::max(active[i], scene.level[j]);
+      active[j] = std::max(active[j], scene.level[i]);
     }
   const LeveledPairs leveled = find_leveled_pairs(scene.spheres, margin, {scene.level, finest});
   ASSERT_EQ(leveled.spheres.size(), finest + 1U);
-  EXPECT_EQ(leveled.spheres[0], pace.size());
+  EXPECT_EQ(leveled.spheres[0], active.size());
   EXPECT_EQ(leveled.spheres[2], leveled.spheres[3]);  // nobody has level 2
-  for (std::size_t n = 0; n < pace.size(); ++n)
+  for (std::size_t n = 0; n < active.size(); ++n)
     for (std::size_t l = 0; l < leveled.spheres.size(); ++l)
-      EXPECT_EQ(n < leveled.spheres[l], pace[static_cast<std::size_t>(leveled.order[n])] >= static_cast<std::int8_t>(l));
+      EXPECT_EQ(n < leveled.spheres[l], active[static_cast<std::size_t>(leveled.order[n])] >= static_cast<std::int8_t>(l));
   const std::set<Index> each(leveled.order.begin(), leveled.order.end());
-  EXPECT_EQ(each.size(), pace.size());
+  EXPECT_EQ(each.size(), active.size());
 }
 
 TEST(pair_levels, bonds_and_bodies_quicken_spheres_that_are_far_apart) {

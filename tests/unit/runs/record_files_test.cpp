@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "sazare/levels/terms/ledger.hpp"
+#include "sazare/levels/terms/energy_balance.hpp"
 #include "sazare/runs/record_columns.hpp"
 #include "sazare/runs/record_files.hpp"
 #include "tests/unit/runs/support.hpp"
@@ -48,14 +48,14 @@ TEST(RecordFiles, GoesOnWithWhatItsCheckpointCountsOn) {
 }
 
 TEST(RecordColumns, EveryAccountOfTheLedgerHasItsColumn) {
-  const auto name = [](terms::Account account) { return columns::blocks::energies[static_cast<std::size_t>(account)].name; };
-  EXPECT_EQ(name(terms::Account::work), "energy_work");
-  EXPECT_EQ(name(terms::Account::kinetic), "energy_kinetic");
-  EXPECT_EQ(name(terms::Account::joint_dashpot), "energy_joint_dashpot");
-  EXPECT_EQ(name(terms::Account::fracture), "energy_fracture");
-  EXPECT_EQ(name(terms::Account::release), "energy_release");
-  EXPECT_EQ(name(terms::Account::friction), "energy_friction");
-  EXPECT_EQ(name(terms::Account::boundary), "energy_boundary");
+  const auto name = [](terms::EnergyKind account) { return columns::blocks::energies[static_cast<std::size_t>(account)].name; };
+  EXPECT_EQ(name(terms::EnergyKind::work), "energy_work");
+  EXPECT_EQ(name(terms::EnergyKind::kinetic), "energy_kinetic");
+  EXPECT_EQ(name(terms::EnergyKind::joint_dashpot), "energy_joint_dashpot");
+  EXPECT_EQ(name(terms::EnergyKind::fracture), "energy_fracture");
+  EXPECT_EQ(name(terms::EnergyKind::release), "energy_release");
+  EXPECT_EQ(name(terms::EnergyKind::friction), "energy_friction");
+  EXPECT_EQ(name(terms::EnergyKind::boundary), "energy_boundary");
 }
 
 }  // namespace

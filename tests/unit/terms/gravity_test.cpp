@@ -29,7 +29,7 @@ TEST(gravity, its_work_is_weight_times_height) {
   test::ForceProbe<3> probe(gravity, bodies);
   bodies.motion[0].position.z() -= 3;
   bodies.motion[1].position.z() += 1;
-  EXPECT_NEAR(probe.ledger()[Account::work], 9.81 * (2 * 3 - 5 * 1), 1e-12);
+  EXPECT_NEAR(probe.energy_balance()[EnergyKind::work], 9.81 * (2 * 3 - 5 * 1), 1e-12);
 }
 
 TEST(gravity, joins_no_bodies_and_asks_for_no_step) {

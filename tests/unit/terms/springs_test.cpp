@@ -116,7 +116,7 @@ TYPED_TEST(SpringsIn, a_spring_that_only_pushes_never_pulls) {
     test::ForceProbe<D> probe(springs, bodies);
     const auto force = probe.forces();
     EXPECT_EQ(force[1].linear.norm() > 0, length > 1);
-    EXPECT_EQ(probe.ledger()[Account::elastic] > 0, length > 1);
+    EXPECT_EQ(probe.energy_balance()[EnergyKind::elastic] > 0, length > 1);
   }
 }
 

@@ -9,7 +9,7 @@
 namespace {
 
 using namespace sazare;
-using terms::Account;
+using terms::EnergyKind;
 
 /// With the case as it is.
 void print_residuals() {
@@ -17,8 +17,8 @@ void print_residuals() {
   Real worst = 0, share = 0;
   for (int i = 1; i <= 10; ++i) {
     validation::advance_to(model, 5e-5 * i);
-    const auto ledger = model.simulation->ledger();
-    share = std::abs(ledger.residual()) / ledger[Account::work];
+    const auto balance = model.simulation->energy_balance();
+    share = std::abs(balance.residual()) / balance[EnergyKind::work];
     if (i >= 2) worst = std::max(worst, share);
   }
   validation::print_row("residual", share);
@@ -29,13 +29,13 @@ void print_residuals() {
 void print_accounts() {
   auto model = validation::started_blast({"contact.damping_cap=\"critical\""});
   validation::advance_to(model, 5e-4);
-  const auto ledger = model.simulation->ledger();
-  for (const Account account : {Account::work, Account::kinetic, Account::elastic, Account::joint_dashpot, Account::slip,
-                                Account::fracture, Account::release}) {
+  const auto balance = model.simulation->energy_balance();
+  for (const EnergyKind account : {EnergyKind::work, EnergyKind::kinetic, EnergyKind::elastic, EnergyKind::joint_dashpot,
+                                   EnergyKind::slip, EnergyKind::fracture, EnergyKind::release}) {
     const std::string column(runs::columns::blocks::energies[static_cast<std::size_t>(account)].name);
-    validation::print_row(column.substr(std::string("energy_").size()).c_str(), ledger[account]);
+    validation::print_row(column.substr(std::string("energy_").size()).c_str(), balance[account]);
   }
-  validation::print_row("contacts", ledger[Account::contact_dashpot] + ledger[Account::friction]);
+  validation::print_row("contacts", balance[EnergyKind::contact_dashpot] + balance[EnergyKind::friction]);
 }
 
 }  // namespace

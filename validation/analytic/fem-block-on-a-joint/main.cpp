@@ -37,7 +37,7 @@ methods::fem::FemStepper<2> block(Real slope) {
 bool stands(Real slope) {
   auto stepper = block(slope);
   try {
-    stepper.settle();
+    stepper.relax();
     return true;
   } catch (const PhysicsError&) {
     return false;
@@ -51,7 +51,7 @@ int main() {
   while (high - low > 2e-3) (stands(0.5 * (low + high)) ? low : high) = 0.5 * (low + high);
   validation::print_row("angle", 0.5 * (low + high));
   auto rests = block(0);
-  rests.settle();
+  rests.relax();
   rests.start();
   const auto& state = rests.state();
   validation::print_row("reaction",

@@ -75,7 +75,7 @@ Voigt stress_of(Sample sample, const Voigt& strain, Real limit) {
       sample.scene.supports.held.push_back({static_cast<Index>(i), freedom});
   }
   auto stepper = sample.scene.make(0.7 * limit);
-  stepper->settle({1e-6 * strain.norm() * modulus / (2000 * spacing), 20000});
+  stepper->relax({1e-6 * strain.norm() * modulus / (2000 * spacing), 20000});
   state::FreedomColumns<2> acceleration;
   for (auto& column : acceleration) column.resize(stepper->particles().padded());
   sample.scene.forces->evaluate(stepper->particles(), acceleration);

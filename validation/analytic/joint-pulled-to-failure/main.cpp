@@ -17,10 +17,10 @@ void print_dynamic(Real area) {
   auto model = runs::build_blocks(blocks, test::two_blocks());
   model.simulation->start();
   while (model.simulation->now().seconds() < 5e-6) model.simulation->advance();
-  const auto ledger = model.simulation->ledger();
+  const auto balance = model.simulation->energy_balance();
   validation::print_row("broken", model.joints->broken_count());
-  validation::print_row("kinetic", -ledger[terms::Account::kinetic], fracture_energy * area);
-  validation::print_row("ledger", ledger[terms::Account::fracture], fracture_energy * area);
+  validation::print_row("kinetic", -balance[terms::EnergyKind::kinetic], fracture_energy * area);
+  validation::print_row("ledger", balance[terms::EnergyKind::fracture], fracture_energy * area);
 }
 
 /// The same slowly: force times displacement, by the trapezoidal rule.

@@ -19,8 +19,8 @@ void print_late(const std::string& name, const std::vector<std::string>& overrid
     const auto [lowest, highest] = validation::level_range(simulation);
     levels = std::max(levels, highest - lowest);
   }
-  const auto ledger = simulation.ledger();
-  validation::print_row((name + "-residual").c_str(), std::abs(ledger.residual()) / ledger[terms::Account::work]);
+  const auto balance = simulation.energy_balance();
+  validation::print_row((name + "-residual").c_str(), std::abs(balance.residual()) / balance[terms::EnergyKind::work]);
   validation::print_row((name + "-broken").c_str(), model.joints->broken_count());
   validation::print_row((name + "-levels").c_str(), levels);
 }

@@ -12,7 +12,7 @@ using namespace sazare;
 constexpr Real cohesion = 6.66e6, friction = 0.58, normal_stiffness = 450e9, shear_stiffness = 90e9;
 
 /// Largest distance from the Coulomb line while a face is dragged about under a changing normal stress, over the cohesion;
-/// and the work of the path against what the ledger has of it.
+/// and the work of the path against what the balance has of it.
 void print_walk() {
   test::BondedPair pair;
   Real worst = 0, work = 0, largest_stress = 0;
@@ -30,10 +30,10 @@ void print_walk() {
     before = stress;
     place = next;
   }
-  const auto ledger = pair.probe().ledger();
+  const auto balance = pair.probe().energy_balance();
   validation::print_row("line", worst);
   validation::print_row("reached", largest_stress);
-  const Real held = ledger[terms::Account::slip] + ledger[terms::Account::elastic] + ledger[terms::Account::fracture];
+  const Real held = balance[terms::EnergyKind::slip] + balance[terms::EnergyKind::elastic] + balance[terms::EnergyKind::fracture];
   validation::print_row("work", held, work);
 }
 
@@ -51,5 +51,5 @@ int main() {
   const Real limit = cohesion / shear_stiffness;
   pair.place(0, 3 * limit);
   pair.forces();
-  validation::print_row("slip", pair.probe().ledger()[terms::Account::slip], cohesion * 2 * limit * pair.area());
+  validation::print_row("slip", pair.probe().energy_balance()[terms::EnergyKind::slip], cohesion * 2 * limit * pair.area());
 }

@@ -92,7 +92,7 @@ void print_impact(const std::string& name, int left, int right, bool mixed) {
       force += now;
       ++samples;
     }
-    energy = std::max(energy, std::abs(test::mechanical(bars.simulation().ledger(at))) / initial_energy);
+    energy = std::max(energy, std::abs(test::mechanical(bars.simulation().energy_balance(at))) / initial_energy);
   }
   const auto print = [&](const char* row, Real value) { validation::print_row((name + "-" + row).c_str(), value); };
   print("contact-ends", parts);

@@ -25,7 +25,7 @@ int main() {
     const Real peak = share * failure_opening;
     pair.place(peak);
     loading = std::max(loading, std::abs(pair.stress().x() - envelope(peak)) / strength);
-    const Real fracture = pair.probe().ledger()[terms::Account::fracture];
+    const Real fracture = pair.probe().energy_balance()[terms::EnergyKind::fracture];
     for (int i = 20; i >= 0; --i) {
       pair.place(peak * i / 20);
       unloading = std::max(unloading, std::abs(pair.stress().x() - envelope(peak) * i / 20) / strength);
@@ -34,7 +34,7 @@ int main() {
       pair.place(peak * i / 20);
       reloading = std::max(reloading, std::abs(pair.stress().x() - envelope(peak) * i / 20) / strength);
     }
-    cycle = std::max(cycle, std::abs(pair.probe().ledger()[terms::Account::fracture] - fracture));
+    cycle = std::max(cycle, std::abs(pair.probe().energy_balance()[terms::EnergyKind::fracture] - fracture));
   }
   pair.place(-1e-5);
   validation::print_row("loading", loading);

@@ -14,7 +14,7 @@ namespace sazare::runs {
 
 namespace {
 
-static_assert(columns::blocks::energies.size() == terms::account_count, "a column for each account, in their order");
+static_assert(columns::blocks::energies.size() == terms::energy_kind_count, "a column for each account, in their order");
 
 std::vector<std::string> history_titles() {
   std::vector<std::string> titles;
@@ -68,18 +68,18 @@ void RunRecord::observe(std::int64_t step, Real wall_seconds) {
   for (const Vector3& velocity : now.velocity) fastest_squared = std::max(fastest_squared, velocity.squaredNorm());
   peak_speed_ = std::max(peak_speed_, std::sqrt(fastest_squared));
   files_.add_row(1, gauges_.sample(time, model_->simulation->bodies(), now));
-  add_history_row(time, former_survey_.ledger, wall_seconds);
+  add_history_row(time, former_survey_.energy, wall_seconds);
   if (!clocks_.is_snapshot(step)) return;
   snapshots_.write(time, std::move(now), fragments());
   ++snapshot_count_;
 }
 
-void RunRecord::add_history_row(Real time, const terms::Ledger& ledger, Real wall_seconds) {
+void RunRecord::add_history_row(Real time, const terms::EnergyBalance& balance, Real wall_seconds) {
   latest_smallest_step_ = model_->simulation->take_smallest_step();
   smallest_step_ = smallest_step_ > 0 ? std::min(smallest_step_, latest_smallest_step_) : latest_smallest_step_;
   std::vector<Real> row = {time, static_cast<Real>(model_->joints->broken_count()), static_cast<Real>(fragments().count)};
-  row.insert(row.end(), ledger.joules.begin(), ledger.joules.end());
-  energy_residual_ = ledger.residual();
+  row.insert(row.end(), balance.joules.begin(), balance.joules.end());
+  energy_residual_ = balance.residual();
   row.push_back(energy_residual_);
   row.push_back(latest_smallest_step_);
   row.push_back(static_cast<Real>(model_->simulation->counters().pair_evaluations));
@@ -110,7 +110,7 @@ std::vector<std::pair<std::string, observe::Figure>> RunRecord::results(std::int
   const auto& simulation = *model_->simulation;
   const levels::Counters& counters = simulation.counters();
   const levels::Snapshot<3> now = simulation.snapshot();
-  const terms::Ledger ledger = simulation.ledger(now);
+  const terms::EnergyBalance balance = simulation.energy_balance(now);
   const auto pieces = measure_fragments(fragments(), model_->mesh, simulation.bodies(), now);
   Real farthest = 0;
   for (const Fragment& piece : pieces) farthest = std::max(farthest, piece.throw_distance);
@@ -126,9 +126,9 @@ std::vector<std::pair<std::string, observe::Figure>> RunRecord::results(std::int
       {"kicks", counters.kicks},
       {"ticks", counters.ticks},
       {"smallest_step", smallest_step_}};
-  for (std::size_t i = 0; i < ledger.joules.size(); ++i)
-    results.emplace_back(columns::blocks::energies[i].name, ledger.joules[i]);
-  results.emplace_back("energy_residual", ledger.residual());
+  for (std::size_t i = 0; i < balance.joules.size(); ++i)
+    results.emplace_back(columns::blocks::energies[i].name, balance.joules[i]);
+  results.emplace_back("energy_residual", balance.residual());
   results.emplace_back("x50", passing_size(pieces, 0.5));
   results.emplace_back("x80", passing_size(pieces, 0.8));
   results.emplace_back("largest_fragment_volume", pieces.empty() ? 0 : pieces.front().volume);

@@ -57,7 +57,7 @@ public:
 private:
   std::vector<RecordFiles::Table> tables() const;
   const FragmentMap& fragments();
-  void add_history_row(Real time, const terms::Ledger& ledger, Real wall_seconds);
+  void add_history_row(Real time, const terms::EnergyBalance& balance, Real wall_seconds);
 
   const RunFolder* folder_;
   const cases::CaseFile* file_;

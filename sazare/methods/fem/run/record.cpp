@@ -100,7 +100,7 @@ template <int D>
 std::vector<Real> FemRecord<D>::history_row(Real time, Real wall_seconds) {
   const auto& state = stepper().state();
   methods::fem::NodalColumn moved = state.displacement;
-  for (std::size_t i = 0; i < moved.size(); ++i) moved[i] -= stepper().settled()[i];
+  for (std::size_t i = 0; i < moved.size(); ++i) moved[i] -= stepper().initial_displacement()[i];
   displacement_ = largest(vectors_of<D>(moved));
   const Real speed = largest(vectors_of<D>(state.velocity)), acceleration = largest(vectors_of<D>(state.acceleration));
   largest_displacement_ = std::max(largest_displacement_, displacement_);
@@ -131,7 +131,7 @@ std::vector<Real> FemRecord<D>::gauge_row(Real time) {
   std::vector<Real> row = {time};
   for (std::size_t gauge = 0; gauge < model_->gauges.size(); ++gauge) {
     const std::size_t node = at(model_->gauges[gauge]);
-    const Vector3 moved = vector_of<D>(state.displacement, node) - vector_of<D>(stepper().settled(), node);
+    const Vector3 moved = vector_of<D>(state.displacement, node) - vector_of<D>(stepper().initial_displacement(), node);
     const Vector3 velocity = vector_of<D>(state.velocity, node);
     for (const Vector3& value : {moved, velocity, vector_of<D>(state.acceleration, node)})
       row.insert(row.end(), value.begin(), value.end());
@@ -155,7 +155,7 @@ void FemRecord<D>::write_snapshot(Real time) {
   const auto& state = stepper().state();
   std::vector<Vector3> places = mesh.nodes, moved(mesh.nodes.size());
   for (std::size_t node = 0; node < places.size(); ++node) {
-    moved[node] = vector_of<D>(state.displacement, node) - vector_of<D>(stepper().settled(), node);
+    moved[node] = vector_of<D>(state.displacement, node) - vector_of<D>(stepper().initial_displacement(), node);
     places[node] += vector_of<D>(state.displacement, node);
   }
   const std::vector<Vector3> velocity = vectors_of<D>(state.velocity), acceleration = vectors_of<D>(state.acceleration);

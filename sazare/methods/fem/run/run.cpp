@@ -44,7 +44,7 @@ struct FemWork final : WorkDefaults {
   Real checkpoint_interval() const { return file.as<cases::FemCase>().output.checkpoint_interval; }
 
   bool start() {
-    if (file.as<cases::FemCase>().gravity.settle) model.stepper->settle();
+    if (file.as<cases::FemCase>().gravity.settle) model.stepper->relax();
     model.stepper->start();
     return true;
   }

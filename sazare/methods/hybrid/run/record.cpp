@@ -49,15 +49,15 @@ Real HybridRecord<D, Bodies>::residual() const {
 
 template <int D, class Bodies>
 std::vector<Real> HybridRecord<D, Bodies>::row(Real time, Real wall_seconds) const {
-  const auto& ledger = parts_.side.ledger();
+  const auto& totals = parts_.side.totals();
   std::vector<Real> row = {time};
   for (const Vector3& value :
-       {parts_.side.mean_displacement(), parts_.side.mean_force(), parts_.side.last_force(), ledger.given, ledger.under_way()})
+       {parts_.side.mean_displacement(), parts_.side.mean_force(), parts_.side.last_force(), totals.given, totals.under_way()})
     row.insert(row.end(), value.begin(), value.end());
   const Real width = D == 2 ? parts_.side.rules().width : 1;
   row.insert(row.end(),
-             {ledger.work_on_nodes, ledger.work_on_bodies, ledger.made(), width * parts_.continuum.stepper->energy_residual(),
-              bodies_.energy_residual(), static_cast<Real>(ledger.passes), parts_.side.disagreement(), wall_seconds});
+             {totals.work_on_nodes, totals.work_on_bodies, totals.made(), width * parts_.continuum.stepper->energy_residual(),
+              bodies_.energy_residual(), static_cast<Real>(totals.passes), parts_.side.disagreement(), wall_seconds});
   return row;
 }
 
@@ -87,21 +87,21 @@ void HybridRecord<D, Bodies>::check_motion(Real time) const {
 template <int D, class Bodies>
 std::vector<std::pair<std::string, observe::Figure>> HybridRecord<D, Bodies>::results(std::int64_t step,
                                                                                       Real wall_seconds) const {
-  const auto& ledger = parts_.side.ledger();
+  const auto& totals = parts_.side.totals();
   return {{"windows", step},
           {"window", parts_.continuum.step},
-          {"passes", ledger.passes},
+          {"passes", totals.passes},
           {"steps_per_window", parts_.steps_per_window},
           {"step", parts_.bodies.step()},
           {"elements", static_cast<std::int64_t>(parts_.continuum.mesh().elements.size())},
           {"freedoms", static_cast<std::int64_t>(parts_.continuum.stepper->free_freedoms())},
           {Bodies::count_key, parts_.bodies.count()},
-          {Bodies::steps_key, parts_.bodies.count() * parts_.steps_per_window * ledger.passes},
+          {Bodies::steps_key, parts_.bodies.count() * parts_.steps_per_window * totals.passes},
           {"wall_seconds", wall_seconds},
-          {"impulse_given", ledger.given.norm()},
-          {"impulse_under_way", ledger.under_way().norm()},
-          {"work_on_nodes", ledger.work_on_nodes},
-          {"energy_made", ledger.made()},
+          {"impulse_given", totals.given.norm()},
+          {"impulse_under_way", totals.under_way().norm()},
+          {"work_on_nodes", totals.work_on_nodes},
+          {"energy_made", totals.made()},
           {"energy_residual", files_.rows() > 0 ? residual() : 0},
           {"peak_force", largest_force_},
           {"peak_displacement", largest_displacement_}};

@@ -119,7 +119,7 @@ struct HybridWork final : WorkDefaults {
   Real checkpoint_interval() const { return file.as<cases::HybridCase>().output.checkpoint_interval; }
 
   bool start() {
-    if (continuum_content().gravity.settle) model.continuum.stepper->settle();
+    if (continuum_content().gravity.settle) model.continuum.stepper->relax();
     model.continuum.stepper->start();
     model.attach(file);
     if (!model.bodies.prepare(options)) return false;
@@ -133,7 +133,7 @@ struct HybridWork final : WorkDefaults {
     parts[0].seconds += times.now() - before - (parts[1].seconds - of_bodies);
     return true;
   }
-  std::int64_t step() const { return model.continuum_side.ledger().windows; }
+  std::int64_t step() const { return model.continuum_side.totals().windows; }
 
   /// Nodes, then bodies.
   void read_motion(MotionTable& table) {
@@ -146,7 +146,7 @@ struct HybridWork final : WorkDefaults {
   }
 
   ProgressState progress(Real share, Real time) const {
-    const std::int64_t steps = model.continuum_side.ledger().passes * steps_per_window() * model.bodies.count();
+    const std::int64_t steps = model.continuum_side.totals().passes * steps_per_window() * model.bodies.count();
     return {share, time, steps, model.bodies.step(), -1, Bodies::evaluated};
   }
 

@@ -71,7 +71,7 @@ struct ContinuumWork final : WorkDefaults {
   Real checkpoint_interval() const { return file.as<cases::HybridCase>().output.checkpoint_interval; }
 
   bool start() {
-    if (continuum_content().gravity.settle) model.stepper->settle();
+    if (continuum_content().gravity.settle) model.stepper->relax();
     model.stepper->start();
     line.open();
     side.start(line.channel().open(side.shape()));
@@ -96,7 +96,7 @@ struct ContinuumWork final : WorkDefaults {
     side_times.add(times.now() - before, timed.waited, line.cost().seconds - exchanged);
     return true;
   }
-  std::int64_t step() const { return side.ledger().windows; }
+  std::int64_t step() const { return side.totals().windows; }
   void read_motion(MotionTable& table) const { read_nodes(*model.stepper, table); }
 
   ProgressState progress(Real share, Real time) const {

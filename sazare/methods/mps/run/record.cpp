@@ -77,14 +77,14 @@ std::vector<RecordFiles::Table> MpsRecord<D>::tables() const {
 
 template <int D>
 Vector3 MpsRecord<D>::displacement_of(std::size_t i) const {
-  return vector_of(model_->stepper->particles().displacement, D, i) - vector_of(model_->stepper->settled(), D, i);
+  return vector_of(model_->stepper->particles().displacement, D, i) - vector_of(model_->stepper->initial_displacement(), D, i);
 }
 
 template <int D>
 Real MpsRecord<D>::settlement() const {
   Real largest = 0;
   for (std::size_t i = 0; i < model_->filling.sites.size(); ++i)
-    largest = std::max(largest, vector_of(model_->stepper->settled(), D, i).norm());
+    largest = std::max(largest, vector_of(model_->stepper->initial_displacement(), D, i).norm());
   return largest;
 }
 

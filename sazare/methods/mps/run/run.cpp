@@ -63,13 +63,13 @@ struct MpsWork final : WorkDefaults {
   Real checkpoint_interval() const { return file.as<cases::MpsCase>().output.checkpoint_interval; }
 
   bool start() {
-    if (file.as<cases::MpsCase>().gravity.settle && !settle()) return false;
+    if (file.as<cases::MpsCase>().gravity.settle && !relax()) return false;
     model.stepper->start();
     return true;
   }
 
   /// False when asked to stop before the equilibrium under gravity is reached.
-  bool settle() {
+  bool relax() {
     const Real tolerance = settled_share * file.as<cases::MpsCase>().gravity.acceleration.norm();
     if (!options.quiet) fmt::print("finding the equilibrium under gravity\n");
     std::fflush(stdout);
@@ -85,7 +85,7 @@ struct MpsWork final : WorkDefaults {
       asked = options.stop_asked != nullptr && options.stop_asked->load(std::memory_order_relaxed);
       return !asked;
     };
-    const Real left = model.stepper->settle({tolerance, file.as<cases::MpsCase>().gravity.settling_steps, goes_on});
+    const Real left = model.stepper->relax({tolerance, file.as<cases::MpsCase>().gravity.settling_steps, goes_on});
     if (asked) return false;
     if (left <= tolerance) return true;
     throw PhysicsError(fmt::format(

@@ -10,7 +10,7 @@
 
 namespace sazare::terms {
 
-enum class Account {
+enum class EnergyKind {
   work,     ///< done on the bodies by loads and by gravity
   kinetic,  ///< increase since the beginning
   elastic,  ///< stored in joints, contacts and boundaries
@@ -23,13 +23,13 @@ enum class Account {
   boundary,  ///< dashpots of absorbing and fixed outer faces
 };
 
-inline constexpr std::size_t account_count = 10;
+inline constexpr std::size_t energy_kind_count = 10;
 
-struct Ledger {
-  std::array<Real, account_count> joules{};
+struct EnergyBalance {
+  std::array<Real, energy_kind_count> joules{};
 
-  Real& operator[](Account account) { return joules[static_cast<std::size_t>(account)]; }
-  Real operator[](Account account) const { return joules[static_cast<std::size_t>(account)]; }
+  Real& operator[](EnergyKind kind) { return joules[static_cast<std::size_t>(kind)]; }
+  Real operator[](EnergyKind kind) const { return joules[static_cast<std::size_t>(kind)]; }
 
   /// Work that is neither stored nor dissipated [J].
   Real residual() const { return joules[0] - std::accumulate(joules.begin() + 1, joules.end(), Real{0}); }
@@ -37,19 +37,19 @@ struct Ledger {
 
 /// An energy balance that is being added up. Its sums are exact, so they do not depend on the order, nor on the number of
 /// threads and processes that find the parts.
-struct Books {
-  std::array<ExactSum, account_count> joules{};
+struct EnergySums {
+  std::array<ExactSum, energy_kind_count> joules{};
 
-  ExactSum& operator[](Account account) { return joules[static_cast<std::size_t>(account)]; }
+  ExactSum& operator[](EnergyKind kind) { return joules[static_cast<std::size_t>(kind)]; }
 
-  Books& operator+=(const Books& other) {
-    for (std::size_t account = 0; account < account_count; ++account) joules[account] += other.joules[account];
+  EnergySums& operator+=(const EnergySums& other) {
+    for (std::size_t kind = 0; kind < energy_kind_count; ++kind) joules[kind] += other.joules[kind];
     return *this;
   }
 
-  Ledger ledger() const {
-    Ledger sums;
-    for (std::size_t account = 0; account < account_count; ++account) sums.joules[account] = joules[account].value();
+  EnergyBalance balance() const {
+    EnergyBalance sums;
+    for (std::size_t kind = 0; kind < energy_kind_count; ++kind) sums.joules[kind] = joules[kind].value();
     return sums;
   }
 };
