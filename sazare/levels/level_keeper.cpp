@@ -32,7 +32,7 @@ template <int D>
 LevelKeeper<D>::LevelKeeper(const StepRules& rules, const TermList<D>& terms, const state::Bodies<D>& bodies)
     : rules_(rules),
       clocks_(terms.size()),
-      resting_(terms.size()),
+      inactive_(terms.size()),
       links_(count_links(terms, bodies.size())),
       level_(at(bodies.size()), 0),
       by_rates_(at(bodies.size())),
@@ -66,14 +66,14 @@ const Link& LevelKeeper<D>::bodies_of(const LinkOf& link) const {
 }
 
 template <int D>
-bool LevelKeeper<D>::rests(const LinkOf& of) const {
-  const auto& resting = resting_[at(of.term)];
-  return at(of.link) < resting.size() && resting[at(of.link)] != 0;
+bool LevelKeeper<D>::is_inactive(const LinkOf& of) const {
+  const auto& inactive = inactive_[at(of.term)];
+  return at(of.link) < inactive.size() && inactive[at(of.link)] != 0;
 }
 
 template <int D>
 int LevelKeeper<D>::link_level(const LinkOf& of) const {
-  if (rests(of)) return 0;
+  if (is_inactive(of)) return 0;
   const Link& link = bodies_of(of);
   const int first = level(link.first);
   return link.second == Link::outside ? first : std::max(first, level(link.second));
@@ -96,7 +96,7 @@ template <int D>
 void LevelKeeper<D>::part(std::size_t term, Index link) {
   const Link& bodies = (*terms_)[term]->links()[at(link)];
   clocks_[term].remove(link);
-  if (rests({static_cast<Index>(term), link})) resting_[term][at(link)] = 0;
+  if (is_inactive({static_cast<Index>(term), link})) inactive_[term][at(link)] = 0;
   for (const Index body : {bodies.first, bodies.second}) {
     if (body == Link::outside) continue;
     links_.remove(body, {static_cast<Index>(term), link});
@@ -175,16 +175,16 @@ void LevelKeeper<D>::ask_neighbors(Index body) {
 }
 
 template <int D>
-void LevelKeeper<D>::rest(const LinkOf& of, bool rests) {
-  auto& resting = resting_[at(of.term)];
-  if (resting.size() <= at(of.link)) resting.resize(at(of.link) + 1, 0);
-  resting[at(of.link)] = rests;
+void LevelKeeper<D>::set_inactive(const LinkOf& of, bool is_inactive) {
+  auto& inactive = inactive_[at(of.term)];
+  if (inactive.size() <= at(of.link)) inactive.resize(at(of.link) + 1, 0);
+  inactive[at(of.link)] = is_inactive;
   const int level = link_level(of);
   clocks_[at(of.term)].set_level(of.link, level);
   for (const Index body : {bodies_of(of).first, bodies_of(of).second}) {
     if (body == Link::outside) continue;
     quicken(body, level);
-    if (rests) calmed_.push_back(body);
+    if (is_inactive) calmed_.push_back(body);
   }
 }
 
@@ -285,10 +285,10 @@ void LevelKeeper<D>::apply(std::size_t term, const terms::Changes& changes, Tick
     ask(bodies.second, level(bodies.first) - rules_.neighbor_levels);
   }
   // A link that has ended in the same step is neither inactive nor watched.
-  for (const Index link : changes.resting)
-    if (clocks_[term].holds(link)) rest({static_cast<Index>(term), link}, true);
+  for (const Index link : changes.inactive)
+    if (clocks_[term].holds(link)) set_inactive({static_cast<Index>(term), link}, true);
   for (const Index link : changes.watching)
-    if (clocks_[term].holds(link)) rest({static_cast<Index>(term), link}, false);
+    if (clocks_[term].holds(link)) set_inactive({static_cast<Index>(term), link}, false);
   for (const Index body : changes.softer) by_rates_[at(body)] = static_cast<std::int8_t>(wanted_by_rates(body));
   for (const Index body : changes.stiffer) {
     by_rates_[at(body)] = static_cast<std::int8_t>(wanted_by_rates(body));
@@ -312,7 +312,7 @@ void LevelKeeper<D>::columns(Archive& archive) {
   for (std::size_t term = 0; term < clocks_.size(); ++term)
     archive.folder(std::string((*terms_)[term]->name()), [&] {
       clocks_[term].columns(archive);
-      archive("resting", resting_[term]);
+      archive("resting", inactive_[term]);
     });
   if (!archive.reading()) return;
   stale_ = stale != 0;

@@ -68,8 +68,8 @@ private:
   int wanted_by_rates(Index body) const;
   const Link& bodies_of(const LinkOf& link) const;
   int link_level(const LinkOf& of) const;
-  bool rests(const LinkOf& of) const;
-  void rest(const LinkOf& of, bool rests);
+  bool is_inactive(const LinkOf& of) const;
+  void set_inactive(const LinkOf& of, bool is_inactive);
   void join(std::size_t term, Index link, Tick now);
   void part(std::size_t term, Index link);
   void set_level(Index body, int level);
@@ -86,7 +86,7 @@ private:
   std::array<Real, schedule::level_count> fastest_squared_{};  ///< by level: square of the largest speed [m2/s2]
   schedule::Buckets active_levels_;                                    ///< bodies by the level at which they are kicked
   std::vector<schedule::LinkClock> clocks_;                    ///< by term
-  std::vector<std::vector<std::int8_t>> resting_;              ///< by term and link; shorter than there are links
+  std::vector<std::vector<std::int8_t>> inactive_;              ///< by term and link; shorter than there are links
   LinkLists links_;                                            ///< by body
   std::vector<std::int8_t> level_;                             ///< by body
   std::vector<std::int8_t> by_rates_;                          ///< level that a body's own springs and dashpots ask for

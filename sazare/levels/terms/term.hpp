@@ -35,13 +35,13 @@ struct Rates {
 struct Changes {
   std::vector<Index> new_links;    ///< links that begin; the term's `links()` knows their bodies
   std::vector<Index> ended_links;  ///< links whose force has ended for good (until it is new again)
-  std::vector<Index> resting;      ///< links that cannot act before the next base step: base steps are enough for them
+  std::vector<Index> inactive;     ///< links that cannot act before the next base step: base steps are enough for them
   std::vector<Index> watching;     ///< links that were inactive and may act from now on
   std::vector<Index> stiffer;      ///< bodies whose rates may have grown: their step is checked at once
   std::vector<Index> softer;       ///< bodies whose rates have fallen: their step may grow at the next base step
 
   bool empty() const {
-    return new_links.empty() && ended_links.empty() && resting.empty() && watching.empty() && stiffer.empty() && softer.empty();
+    return new_links.empty() && ended_links.empty() && inactive.empty() && watching.empty() && stiffer.empty() && softer.empty();
   }
   void clear() { *this = {}; }
 };

@@ -240,7 +240,7 @@ void Contacts::rest_the_distant(const Moment& now, terms::Peers& peers, terms::C
     Clearance& clearance = clearance_[at(pair)];
     clearance.rests = !clearance.rests;
     clearance.is_distant = clearance.rests;
-    (clearance.rests ? changes.resting : changes.watching).push_back(pair);
+    (clearance.rests ? changes.inactive : changes.watching).push_back(pair);
   }
 }
 

@@ -10,7 +10,7 @@
 
 namespace sazare::methods::fem {
 
-using methods::fem::add, methods::fem::at, methods::fem::dot, methods::fem::norm, methods::fem::number, methods::fem::product;
+using methods::fem::add, methods::fem::dot, methods::fem::norm, methods::fem::number, methods::fem::product;
 using methods::fem::BlockMatrix, methods::fem::NodalColumn, methods::fem::Support;
 
 template <int D>
