@@ -139,8 +139,8 @@ def test_functions_must_be_those_that_the_case_asks_for(tmp_path):
     text.write_text(case.to_toml())
     refused = subprocess.run([COMMAND, "run", text, "--out", tmp_path / "run"], capture_output=True, text=True, check=False)
     assert refused.returncode == 2
-    assert 'the motion "shake" is a function, which a case file cannot hold' in refused.stderr
-    assert "shake: velocity as a function of time, from the caller" in sazare.check(case)
+    assert 'the motion "shake" is a function, which a case file cannot contain' in refused.stderr
+    assert "shake: velocity as a function of time, given in Python" in sazare.check(case)
 
 
 def test_a_function_may_end_the_run():

@@ -21,7 +21,7 @@ TEST(Explain, SaysWhatFollowsFromTheNumbers) {
            "hole_2: on surface hole_2 from 0 s: 3 rows of pressure.csv, to 500e-6 s",
            "rock: translation x z, rotation y",
            "to 500e-6 s, 500 history rows, 20 snapshots",
-           "at most 20e-9 m of travel in a step; largest 10e-9 s",
+           "travel of at most 20e-9 m in a step; largest 10e-9 s",
        })
     EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
 }

@@ -30,7 +30,8 @@ TEST(mps_case, third_velocity_follows_from_the_other_two) {
   const MpsCase mps = registry::read_case("cases/stability-study/column-s.toml", by_ratio).as<cases::MpsCase>();
   EXPECT_NEAR(mps.materials[0].pressure_velocity, 200, 1e-9);
   const MpsCase other =
-      registry::read_case("cases/stability-study/column-p.toml", std::vector<std::string>{"materials.0.pressure_velocity=400"}).as<cases::MpsCase>();
+      registry::read_case("cases/stability-study/column-p.toml", std::vector<std::string>{"materials.0.pressure_velocity=400"})
+          .as<cases::MpsCase>();
   EXPECT_NEAR(other.materials[0].shear_velocity, 200, 1e-9);
 }
 
@@ -40,9 +41,10 @@ TEST(mps_case, is_explained_with_the_drift_of_its_record) {
             std::string::npos)
       << text;
   EXPECT_NE(text.find("baseline linear: velocity at its end -0.004338 m/s, displacement -0.02754 m"), std::string::npos) << text;
-  const std::string raw =
-      explain(registry::read_case("cases/soil-column-el-centro/case.toml", std::vector<std::string>{"motions.0.baseline=\"none\""}).as<cases::MpsCase>());
-  EXPECT_NE(raw.find("baseline none: at its end it moves at"), std::string::npos) << raw;
+  const std::string raw = explain(
+      registry::read_case("cases/soil-column-el-centro/case.toml", std::vector<std::string>{"motions.0.baseline=\"none\""})
+          .as<cases::MpsCase>());
+  EXPECT_NE(raw.find("baseline none: velocity at its end"), std::string::npos) << raw;
 }
 
 TEST(study_file, has_every_combination_of_every_family) {

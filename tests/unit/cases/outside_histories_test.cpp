@@ -59,7 +59,7 @@ TEST(outside_histories, cannot_be_given_by_who_has_no_program) {
     FAIL() << "not refused";
   } catch (const UserError& error) {
     const std::string text = error.what();
-    EXPECT_NE(text.find("is a function, which a case file cannot hold"), std::string::npos) << text;
+    EXPECT_NE(text.find("is a function, which a case file cannot contain"), std::string::npos) << text;
     EXPECT_NE(text.find("functions={"), std::string::npos) << text;
   }
 }

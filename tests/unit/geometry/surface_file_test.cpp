@@ -91,7 +91,8 @@ TEST(surface_file, facets_of_four_corners_are_no_triangles) {
   const std::string head = "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n",
                     tail = "endloop\nendfacet\nendsolid s\n";
   const std::string four = words(folder.write("four.stl", head + "vertex 1 1 0\nvertex 0 1 0\n" + tail));
-  EXPECT_NE(four.find("four.stl:7: a facet has four or more corners, and those of an STL have three"), std::string::npos) << four;
+  EXPECT_NE(four.find("four.stl:7: a facet has four or more corners, but those of an STL file have three"), std::string::npos)
+      << four;
   const std::string two = words(folder.write("two.stl", head + tail));
   EXPECT_NE(two.find("two.stl:6: a facet has 2 corners"), std::string::npos) << two;
   const std::string ends = words(folder.write("ends.stl", head + "vertex 1 1 0\n"));
@@ -120,11 +121,12 @@ TEST(surface_file, says_how_much_of_a_binary_file_is_there) {
   const Triangle one = {Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0)};
   const std::string whole = as_binary({one, one, one});
   const std::string cut = words(folder.write("cut.stl", whole.substr(0, whole.size() - 70)));
-  EXPECT_NE(cut.find("its header states 3 triangles, 234 bytes, but it ends after 1 of them, 164 bytes"), std::string::npos) << cut;
+  EXPECT_NE(cut.find("its header states 3 triangles, 234 bytes, but it ends after 1 of them, 164 bytes"), std::string::npos)
+      << cut;
   const std::string head = words(folder.write("head.stl", std::string(20, '\0')));
   EXPECT_NE(head.find("begins with 84 bytes before its triangles, found 20"), std::string::npos) << head;
   const std::string more = words(folder.write("more.stl", whole + "more"));
-  EXPECT_NE(more.find("a binary STL of 3 triangles, as it announces, has 234 bytes, found 238"), std::string::npos) << more;
+  EXPECT_NE(more.find("a binary STL of 3 triangles, as its header states, has 234 bytes, found 238"), std::string::npos) << more;
 }
 
 }  // namespace

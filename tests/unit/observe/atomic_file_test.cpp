@@ -76,14 +76,14 @@ TEST(atomic_file, full_disk) {
 TEST(atomic_file, missing_folder) {
   const TemporaryFolder folder;
   const std::string words = words_of<MachineError>([&] { write_file(folder.path() / "no" / "a.txt", "x"); });
-  EXPECT_WORDS(words, "No such file or directory. The folder is not there: make it");
+  EXPECT_WORDS(words, "No such file or directory. The folder does not exist: create it");
 }
 
 TEST(atomic_file, file_in_place_of_the_folder) {
   const TemporaryFolder folder;
   write_file(folder.path() / "file", "x");
   const std::string words = words_of<MachineError>([&] { write_file(folder.path() / "file" / "a.txt", "x"); });
-  EXPECT_WORDS(words, "Not a directory. The folder is not there: make it");
+  EXPECT_WORDS(words, "Not a directory. The folder does not exist: create it");
 }
 
 TEST(atomic_file, folder_in_place_of_the_file) {

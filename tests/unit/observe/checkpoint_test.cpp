@@ -123,7 +123,7 @@ TEST(checkpoint, missing_blob) {
   const TemporaryFolder folder;
   write_example(folder.path() / "state.h5");
   const CheckpointReader reader(folder.path() / "state.h5");
-  EXPECT_WORDS(words_of<UserError>([&] { (void)reader.read("contacts"); }), "state.h5: holds no 'contacts'");
+  EXPECT_WORDS(words_of<UserError>([&] { (void)reader.read("contacts"); }), "state.h5: has no 'contacts'");
 }
 
 TEST(checkpoint, one_changed_bit_is_found) {
@@ -138,7 +138,7 @@ TEST(checkpoint, one_changed_bit_is_found) {
   test::write_text(file, content);
   const CheckpointReader reader(file);
   EXPECT_WORDS(words_of<UserError>([&] { (void)reader.read("bodies.position"); }),
-               "state.h5: 'bodies.position' is damaged: its checksum is not that of its bytes");
+               "state.h5: 'bodies.position' is damaged: its checksum does not match its data");
   EXPECT_EQ(reader.read("joints"), bytes_of(17, 2));
 }
 

@@ -168,7 +168,7 @@ TEST(vtkhdf, resume_refuses_a_list_that_is_missing_short_or_damaged) {
   const TemporaryFolder folder;
   SnapshotSeries series(folder.path(), "elements");
   const auto words = [&](std::size_t count) { return words_of<UserError>([&] { series.resume(count); }); };
-  EXPECT_WORDS(words(1), "elements.vtkhdf.series: should list 1 snapshots at least, of the run to be resumed, and lists 0");
+  EXPECT_WORDS(words(1), "elements.vtkhdf.series: should list at least the 1 snapshots of the run to be resumed, but lists 0");
   series.write(grid_at(0));
   EXPECT_WORDS(words(2), "lists 1");
   test::write_text(folder.path() / "elements.vtkhdf.series", "{\"files\": [{\"na");

@@ -44,7 +44,8 @@ std::string warnings_of(const std::string& joints) {
   const auto map = geometry::build_face_map(mesh);
   const MeshFaces faces{mesh, map, geometry::find_surface_faces(mesh, map)};
   const std::vector<Index> material = materials_by_element(file.as<cases::BlocksCase>(), mesh);
-  return warn_of_mesh_fit(file, find_mesh_fit(file.as<cases::BlocksCase>(), faces, material, joint_by_face(file.as<cases::BlocksCase>(), faces, material)));
+  return warn_of_mesh_fit(file, find_mesh_fit(file.as<cases::BlocksCase>(), faces, material,
+                                              joint_by_face(file.as<cases::BlocksCase>(), faces, material)));
 }
 
 bool has(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
@@ -58,7 +59,7 @@ TEST(MeshFit, FacesThatNoJointHoldsForAreWarnedOf) {
 
 TEST(MeshFit, AJointThatHoldsForNoFaceIsWarnedOf) {
   const std::string words = warnings_of(joint("soft", "soft", "soft") + joint("both", "hard", "soft"));
-  EXPECT_TRUE(has(words, "the joint \"soft\" holds for no face of the mesh")) << words;
+  EXPECT_TRUE(has(words, "the joint \"soft\" applies to no face of the mesh")) << words;
   EXPECT_FALSE(has(words, "the joint \"both\"")) << words;
 }
 

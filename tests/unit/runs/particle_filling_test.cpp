@@ -99,7 +99,7 @@ name = "b"
 lower = [0.0, 0.0, 0.0]
 upper = [2.0, 2.0, 0.0])",
                                     "\"a\", \"b\"");
-  EXPECT_NE(covered.find("error: the region \"a\" holds no particle"), std::string::npos) << covered;
+  EXPECT_NE(covered.find("error: the region \"a\" contains no particle"), std::string::npos) << covered;
   const std::string shifted = words(R"([[regions]]
 name = "a"
 lower = [0.0, 0.0, 0.0]
@@ -109,8 +109,9 @@ name = "b"
 lower = [2.3, 0.0, 0.0]
 upper = [4.3, 2.0, 0.0])",
                                     "\"a\", \"b\"");
-  EXPECT_NE(shifted.find("the spacing does not fit the region: it begins 2.3 spacings from the beginning of the body on the axis x"),
-            std::string::npos)
+  EXPECT_NE(
+      shifted.find("the spacing does not fit the region: it begins 2.3 spacings from the beginning of the body on the axis x"),
+      std::string::npos)
       << shifted;
 }
 

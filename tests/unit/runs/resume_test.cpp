@@ -106,7 +106,7 @@ TEST(Resume, OfADamagedCheckpointIsRefused) {
 TEST(Resume, OfADoneRunIsRefused) {
   const TemporaryFolder folder;
   run_quietly(block_case(), folder / "run");
-  EXPECT_NE(words_of_resuming(block_case(), folder / "run").find("is done, there is nothing to resume"), std::string::npos);
+  EXPECT_NE(words_of_resuming(block_case(), folder / "run").find("is complete, there is nothing to resume"), std::string::npos);
 }
 
 }  // namespace

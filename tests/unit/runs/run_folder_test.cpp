@@ -95,7 +95,8 @@ TEST(RunFolder, OverwritingRemovesTheRunAndNothingElse) {
 TEST(RunFolder, IsHeldByOneAtATime) {
   const test::TemporaryFolder folder;
   const RunFolder first(folder / "run", Begin::fresh);
-  EXPECT_NE(words_of_opening(folder / "run", Begin::resume).find("another sazare is at work"), std::string::npos);
+  EXPECT_NE(words_of_opening(folder / "run", Begin::resume).find("another sazare process is using this folder"),
+            std::string::npos);
 }
 
 TEST(RunFolder, ThatIsAFileIsRefused) {

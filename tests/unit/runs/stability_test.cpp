@@ -55,7 +55,7 @@ TEST(Stability, AStableStepIsNotWarnedAbout) {
 TEST(Stability, AStepAboveIsWarnedAboutWithWhatToSet) {
   const std::string words = warning_of({"time.limiter=none", "time.base_step=2e-6"});
   EXPECT_NE(words.find("step above the stability limit: base_step = 2e-6 s is too long for "), std::string::npos) << words;
-  EXPECT_NE(words.find("the smallest stable step, "), std::string::npos) << words;
+  EXPECT_NE(words.find("the smallest stability limit, "), std::string::npos) << words;
   EXPECT_NE(words.find("set limiter = \"stability\", which gives every element its own step, or base_step = "), std::string::npos)
       << words;
 }
