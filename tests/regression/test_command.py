@@ -54,10 +54,10 @@ def test_a_run_is_not_overwritten_in_silence(sazare, tmp_path):
     assert sazare.run_block(tmp_path, SHORT).returncode == DONE
     again = sazare.run_block(tmp_path, SHORT)
     assert again.returncode == USER_ERROR
-    assert "this folder already contains a run, and it is done. Use --overwrite to replace it" in again.stderr
+    assert "this folder already contains a run, which is complete. Use --overwrite to replace it" in again.stderr
     resumed = sazare.run_block(tmp_path, SHORT, options=["--resume"])
     assert resumed.returncode == USER_ERROR
-    assert "is done, there is nothing to resume" in resumed.stderr
+    assert "is complete, there is nothing to resume" in resumed.stderr
     assert sazare.run_block(tmp_path, SHORT, options=["--overwrite"]).returncode == DONE
 
 

@@ -135,7 +135,7 @@ def test_two_at_once_are_kept_apart(sazare, tmp_path):
     first.send_signal(signal.SIGTERM)
     first.communicate(timeout=60)
     assert second.returncode == USER_ERROR
-    assert "another sazare is at work" in second.stderr
+    assert "another sazare process is using this folder" in second.stderr
 
 
 @pytest.mark.parametrize("threads", [2, 4])
