@@ -8,6 +8,8 @@
 ///
 /// Slip never breaks a face by itself. [Konno2018], eqs. (1), (2) and fig. 3; the floor of t_max at zero is ours.
 
+#include <tuple>
+
 #include "sazare/core/lanes.hpp"
 
 namespace sazare::laws {
@@ -18,6 +20,8 @@ struct ShearParameters {
   P stiffness{};  ///< k_s [Pa/m]
   P cohesion{};   ///< c [Pa]
   P friction{};   ///< mu [-]
+
+  auto numbers() { return std::tie(stiffness, cohesion, friction); }
 };
 
 using JointShear = ShearParameters<Real>;

@@ -9,6 +9,8 @@
 /// d_u follows from the fracture energy G = s_t d_u / 2 [N/m]. The largest opening so far, `peak` (at least d_e), is
 /// the joint's memory: unloading goes straight to the origin. [Konno2018], 2.1 and fig. 4.
 
+#include <tuple>
+
 #include "sazare/core/lanes.hpp"
 
 namespace sazare::laws {
@@ -25,9 +27,29 @@ struct TensionParameters {
   static TensionParameters make(Real stiffness, Real strength, Real fracture_energy) {
     return {stiffness, strength, strength / stiffness, 2 * fracture_energy / strength};
   }
+
+  auto numbers() { return std::tie(stiffness, strength, elastic_opening, failure_opening); }
 };
 
 using JointTension = TensionParameters<Real>;
+
+/// The largest opening [m] that leaves a joint intact: the memory begins with it.
+template <class P>
+P elastic_peak(const TensionParameters<P>& law) {
+  return law.elastic_opening;
+}
+
+/// Whether a joint with this memory has softened.
+template <class P, class T>
+auto is_softened(const TensionParameters<P>& law, T peak) {
+  return peak > law.elastic_opening;
+}
+
+/// Whether a joint with this memory bears nothing any more.
+template <class P, class T>
+auto has_failed(const TensionParameters<P>& law, T peak) {
+  return peak >= law.failure_opening;
+}
 
 /// Stress [Pa] on the envelope at an opening between d_e and d_u.
 template <class P, class T>
@@ -39,7 +61,7 @@ T softening_stress(const TensionParameters<P>& law, T opening) {
 /// Slope [Pa/m] of the line to the origin on which a joint with this memory unloads.
 template <class P, class T>
 T unloading_stiffness(const TensionParameters<P>& law, T peak) {
-  return select(peak > law.elastic_opening, softening_stress(law, peak) / peak, T{} + law.stiffness);
+  return select(is_softened(law, peak), softening_stress(law, peak) / peak, T{} + law.stiffness);
 }
 
 /// Stress [Pa], tension positive, once `peak` has been raised to the opening if that is larger.
@@ -48,10 +70,20 @@ T tension_stress(const TensionParameters<P>& law, T opening, T unloading) {
   return opening * select(opening > 0.0, unloading, T{} + law.stiffness);
 }
 
+/// The same by the memory, intact or not.
+template <class P, class T>
+T softened_stress(const TensionParameters<P>& law, T opening, T peak) {
+  return tension_stress(law, opening, unloading_stiffness(law, peak));
+}
+
 /// Recoverable energy per area [J/m2]: under the line to the origin.
 template <class T>
 T tension_energy(T opening, T stress) {
   return 0.5 * opening * stress;
+}
+template <class P, class T>
+T stored_energy(const TensionParameters<P>&, T opening, T stress) {
+  return tension_energy(opening, stress);
 }
 
 /// Energy per area [J/m2] that fracture has taken for good: the area under the envelope up to `peak` less the
@@ -60,7 +92,7 @@ template <class P, class T>
 T fracture_dissipation(const TensionParameters<P>& law, T peak) {
   const T end = minimum(peak, T{} + law.failure_opening), stress = softening_stress(law, end);
   const T under_envelope = 0.5 * law.strength * law.elastic_opening + 0.5 * (law.strength + stress) * (end - law.elastic_opening);
-  return select(peak > law.elastic_opening, under_envelope - 0.5 * stress * end, T{} + 0.0);
+  return select(is_softened(law, peak), under_envelope - 0.5 * stress * end, T{} + 0.0);
 }
 
 }  // namespace sazare::laws

@@ -10,8 +10,6 @@ namespace {
 constexpr int iterations = 24;
 constexpr Real margin = 1.05;  // power iteration comes from below: within 3 % after so many (measured on the cases)
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 /// A velocity and a spin for every body, in world axes.
 struct Motions {
   std::vector<Vector3> velocity, spin;
@@ -26,7 +24,7 @@ struct Coupling {
   Real along = 0;
 };
 
-Coupling coupling_of(const JointFace& face, const JointKind& kind, std::span<const terms::Rates> held) {
+Coupling coupling_of(const JointFace& face, const ElasticJoint& kind, std::span<const terms::Rates> held) {
   const auto& c = face.corners;
   const Vector3 twice_area = (c[1] - c[0]).cross(c[2] - c[0]);
   const Real rate = std::max(held[at(face.master)].damping, held[at(face.slave)].damping);
@@ -81,7 +79,7 @@ Vector3 turned_by(const state::Bodies<3>& bodies, std::size_t body, const Vector
 
 }  // namespace
 
-Real coupled_damping(std::span<const JointKind> kinds, std::span<const JointFace> faces, const state::Bodies<3>& bodies,
+Real coupled_damping(std::span<const ElasticJoint> kinds, std::span<const JointFace> faces, const state::Bodies<3>& bodies,
                      std::span<const terms::Rates> held) {
   std::vector<Coupling> couplings;
   for (const JointFace& face : faces) couplings.push_back(coupling_of(face, kinds[at(face.kind)], held));

@@ -14,7 +14,7 @@
 namespace sazare::methods::blocks {
 
 /// Dashpots of all faces, in the rates of their bodies with the neighbours held: r above, a little on the safe side.
-Real coupled_damping(std::span<const JointKind> kinds, std::span<const JointFace> faces, const state::Bodies<3>& bodies,
+Real coupled_damping(std::span<const ElasticJoint> kinds, std::span<const JointFace> faces, const state::Bodies<3>& bodies,
                      std::span<const terms::Rates> held);
 
 }  // namespace sazare::methods::blocks

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The force of a bonded face, in every lane.
+/// The force of a bonded face, in every lane. `Law` is a type of the list laws::JointLaws.
 ///
 ///     d = E^T (x_j + R_j b - x_i) - a       relative displacement of the slave's vertex in face axes
 ///     E = R_i Q                             face axes: normal out of the master, two tangents
@@ -15,7 +15,7 @@
 /// Everything is worked out in face axes and turned to world axes once. [Konno2018], 2.1, figs. 1 and 2.
 
 #include "sazare/levels/terms/lane_slots.hpp"
-#include "sazare/methods/blocks/joint_record.hpp"
+#include "sazare/methods/blocks/joint_kinds.hpp"
 #include "sazare/state/body_lanes.hpp"
 
 namespace sazare::methods::blocks {
@@ -67,35 +67,38 @@ struct JointForce {
 };
 
 /// Whether some joint has softened. Asked once for all vertices: no processor guesses which few have.
-inline bool some_soften(const JointParameters<Lanes>& kind, const FaceGeometry& at) {
-  const Lanes& elastic = kind.tension.elastic_opening;
-  return any((at.peak[0] > elastic) | (at.peak[1] > elastic) | (at.peak[2] > elastic));
+template <class Law>
+bool some_soften(const JointParameters<Law, Lanes>& kind, const FaceGeometry& at) {
+  const auto softens = [&](int v) { return is_softened(kind.tension, at.peak[v]); };
+  return any(softens(0) | softens(1) | softens(2));
 }
 
 /// Stress [Pa] at every vertex once the memory has been raised to the opening.
-inline LaneVector tension_stress(const JointParameters<Lanes>& kind, const FaceGeometry& at, bool soften) {
+template <class Law>
+LaneVector tension_stress(const JointParameters<Law, Lanes>& kind, const FaceGeometry& at, bool soften) {
   LaneVector stress = kind.tension.stiffness * at.opening;
   if (soften)
-    for (int v = 0; v < vertex_count; ++v)
-      stress[v] = laws::tension_stress(kind.tension, at.opening[v], laws::unloading_stiffness(kind.tension, at.peak[v]));
+    for (int v = 0; v < vertex_count; ++v) stress[v] = softened_stress(kind.tension, at.opening[v], at.peak[v]);
   return stress;
 }
 
 /// Recoverable energy [J] under these stresses.
-inline Lanes elastic_energy(const JointParameters<Lanes>& kind, const FaceGeometry& at, const LaneVector& stress) {
+template <class Law>
+Lanes elastic_energy(const JointParameters<Law, Lanes>& kind, const FaceGeometry& at, const LaneVector& stress) {
   Lanes energy{};
   for (std::size_t v = 0; v < vertex_count; ++v) {
     const auto [x, y] = at.shear[v];
     const auto i = static_cast<int>(v);
-    energy += laws::tension_energy(at.opening[i], stress[i]) + 0.5 * kind.shear.stiffness * (x * x + y * y);
+    energy += stored_energy(kind.tension, at.opening[i], stress[i]) + 0.5 * kind.shear.stiffness * (x * x + y * y);
   }
   return energy * at.vertex_area;
 }
 
 /// What fracture has taken of faces for good [J].
-inline Lanes fracture_work(const JointParameters<Lanes>& kind, const FaceGeometry& at) {
+template <class Law>
+Lanes fracture_work(const JointParameters<Law, Lanes>& kind, const FaceGeometry& at) {
   Lanes work{};
-  for (int v = 0; v < vertex_count; ++v) work += laws::fracture_dissipation(kind.tension, at.peak[v]);
+  for (int v = 0; v < vertex_count; ++v) work += fracture_dissipation(kind.tension, at.peak[v]);
   return work * at.vertex_area;
 }
 
@@ -122,18 +125,20 @@ inline LaneMask raise_peaks(FaceGeometry& at) {
 }
 
 /// What is stored in a face that fails is lost.
-inline void fail(const JointParameters<Lanes>& kind, const FaceGeometry& at, const LaneVector& stress, JointChange& change) {
-  for (int v = 0; v < vertex_count; ++v) change.failed |= at.peak[v] >= kind.tension.failure_opening;
+template <class Law>
+void fail(const JointParameters<Law, Lanes>& kind, const FaceGeometry& at, const LaneVector& stress, JointChange& change) {
+  for (int v = 0; v < vertex_count; ++v) change.failed |= has_failed(kind.tension, at.peak[v]);
   if (any(change.failed)) change.released = select(change.failed, elastic_energy(kind, at, stress), Lanes{});
 }
 
 /// Lets the vertices slip that must, in the lanes where one does.
-inline void slide(const JointParameters<Lanes>& kind, const LaneVector& strength, FaceGeometry& at, JointChange& change) {
+template <class Law>
+void slide(const JointParameters<Law, Lanes>& kind, const LaneVector& strength, FaceGeometry& at, JointChange& change) {
   for (std::size_t v = 0; v < vertex_count; ++v) {
     const Lanes limit = strength[static_cast<int>(v)];
     laws::Slip<Lanes> slip{{at.shear[v][0], at.shear[v][1]}, {}, {}};
-    change.slipped |= laws::slips(kind.shear, slip, limit);
-    laws::slip_back(kind.shear, slip, limit);
+    change.slipped |= slips(kind.shear, slip, limit);
+    slip_back(kind.shear, slip, limit);
     at.shear[v] = {slip.elastic[0], slip.elastic[1]};
     change.slip[v] = {slip.memory[0], slip.memory[1]};
     change.slip_work += select(change.failed, Lanes{}, at.vertex_area * slip.dissipation);
@@ -153,7 +158,8 @@ struct FaceSums {
 };
 
 /// What softens, fails and slips; returns which joints have failed.
-inline LaneMask change_joints(const JointParameters<Lanes>& kind, const LaneVector& stress, const LaneVector& strength,
+template <class Law>
+LaneMask change_joints(const JointParameters<Law, Lanes>& kind, const LaneVector& stress, const LaneVector& strength,
                               const LaneMask& softened, FaceGeometry& at, JointChange& change) {
   change.softened = softened;
   change.slipped = change.failed = LaneMask{};
@@ -165,15 +171,16 @@ inline LaneMask change_joints(const JointParameters<Lanes>& kind, const LaneVect
 }
 
 /// Springs, once the memory is what it must be.
-inline FaceSums springs(const JointParameters<Lanes>& kind, FaceGeometry& at, LaneMask& failed, JointChange& change) {
+template <class Law>
+FaceSums springs(const JointParameters<Law, Lanes>& kind, FaceGeometry& at, LaneMask& failed, JointChange& change) {
   const LaneMask softened = raise_peaks(at);
   const LaneVector stress = tension_stress(kind, at, some_soften(kind, at));
   LaneVector strength;
   LaneMask changes = softened;
   for (std::size_t v = 0; v < vertex_count; ++v) {
     const auto i = static_cast<int>(v);
-    strength[i] = laws::shear_strength(kind.shear, stress[i]);
-    changes |= laws::slips(kind.shear, laws::Slip<Lanes>{{at.shear[v][0], at.shear[v][1]}, {}, {}}, strength[i]);
+    strength[i] = shear_strength(kind.shear, stress[i]);
+    changes |= slips(kind.shear, laws::Slip<Lanes>{{at.shear[v][0], at.shear[v][1]}, {}, {}}, strength[i]);
   }
   failed = LaneMask{};
   change.has_happened = any(changes);
@@ -187,7 +194,8 @@ inline FaceSums springs(const JointParameters<Lanes>& kind, FaceGeometry& at, La
   return sums;
 }
 
-inline FaceSums dashpots(const JointParameters<Lanes>& kind, const FaceGeometry& at, const LaneMask& failed,
+template <class Law>
+FaceSums dashpots(const JointParameters<Law, Lanes>& kind, const FaceGeometry& at, const LaneMask& failed,
                          const state::LaneVelocities& master, const state::LaneVelocities& slave) {
   const LaneVector spin = transposed(at.axes, slave.spin - master.spin);
   const LaneVector velocity = transposed(at.axes, add_cross(at.between, slave.spin, slave.velocity - master.velocity));
@@ -210,7 +218,8 @@ inline terms::LanePairForce face_force(const FaceGeometry& at, const LaneVector&
 }
 
 /// Evaluates joints; `failed` tells which have. A face that fails has no force any more.
-inline JointForce evaluate(const LaneJoints<JointRecord>& joints, const JointParameters<Lanes>& kind,
+template <class Law>
+JointForce evaluate(const LaneJoints<JointRecord>& joints, const JointParameters<Law, Lanes>& kind,
                            const LanePointers<const state::Motion<3>>& masters,
                            const LanePointers<const state::Motion<3>>& slaves, const Vector3& pole, LaneMask& failed,
                            JointChange& change) {

@@ -31,8 +31,8 @@ Real largest_eigenvalue(const FreeMatrix& matrix, const FreeMatrix& mass) {
 }
 
 /// Springs of a kind over an area, their corners still to be set.
-FaceSprings springs_of(const JointKind& kind, Real corner_area) {
-  return {{}, corner_area, kind.tension.stiffness, kind.shear.stiffness, kind.normal_damping, kind.shear_damping};
+FaceSprings springs_of(const ElasticJoint& kind, Real corner_area) {
+  return {{}, corner_area, kind.normal_stiffness, kind.shear_stiffness, kind.normal_damping, kind.shear_damping};
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ void add_face(BodyMatrices& matrices, const FaceSprings& face) {
   }
 }
 
-FaceSprings face_springs(const JointRecord& joint, const JointKind& kind, Index body, const state::Bodies<3>& bodies) {
+FaceSprings face_springs(const JointRecord& joint, const ElasticJoint& kind, Index body, const state::Bodies<3>& bodies) {
   FaceSprings face = springs_of(kind, joint.vertex_area);
   const auto start = [&](Index of) -> const Vector3& { return bodies.start[static_cast<std::size_t>(of)]; };
   for (std::size_t v = 0; v < vertex_count; ++v) {
@@ -65,7 +65,7 @@ FaceSprings face_springs(const JointRecord& joint, const JointKind& kind, Index 
   return face;
 }
 
-std::vector<terms::Rates> joint_rates(std::span<const JointKind> kinds, std::span<const JointFace> faces,
+std::vector<terms::Rates> joint_rates(std::span<const ElasticJoint> kinds, std::span<const JointFace> faces,
                                       const state::Bodies<3>& bodies) {
   const auto at = [](Index index) { return static_cast<std::size_t>(index); };
   std::vector<BodyMatrices> matrices(at(bodies.size()));

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sazare/levels/terms/term.hpp"
-#include "sazare/methods/blocks/joint_record.hpp"
+#include "sazare/methods/blocks/joint_kinds.hpp"
 #include "sazare/state/bodies.hpp"
 
 namespace sazare::methods::blocks {
@@ -45,10 +45,10 @@ void add_face(BodyMatrices& matrices, const FaceSprings& face);
 
 /// The springs of a joint as one of its two bodies has them at the beginning. The corners are those that the joint keeps on its
 /// slave: slip moves those on the master, and only the processes that evaluate the joint know it.
-FaceSprings face_springs(const JointRecord& joint, const JointKind& kind, Index body, const state::Bodies<3>& bodies);
+FaceSprings face_springs(const JointRecord& joint, const ElasticJoint& kind, Index body, const state::Bodies<3>& bodies);
 
 /// Rates of every body from the faces that are to be bonded.
-std::vector<terms::Rates> joint_rates(std::span<const JointKind> kinds, std::span<const JointFace> faces,
+std::vector<terms::Rates> joint_rates(std::span<const ElasticJoint> kinds, std::span<const JointFace> faces,
                                       const state::Bodies<3>& bodies);
 
 /// Freedoms locked in world axes are left out; `rotation` is body frame to world.

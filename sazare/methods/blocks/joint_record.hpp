@@ -8,23 +8,10 @@
 #include "sazare/core/lane_records.hpp"
 #include "sazare/core/rotation.hpp"
 #include "sazare/core/time.hpp"
-#include "sazare/laws/joint_shear.hpp"
-#include "sazare/laws/joint_tension.hpp"
 
 namespace sazare::methods::blocks {
 
 enum class JointState : std::int16_t { intact, softening, broken };
-
-/// Strength and stiffness of a kind of joint; `P` as in the laws.
-template <class P>
-struct JointParameters {
-  laws::TensionParameters<P> tension;
-  laws::ShearParameters<P> shear;
-  P normal_damping{};  ///< c_n [Pa s/m]
-  P shear_damping{};   ///< c_s [Pa s/m]
-};
-
-using JointKind = JointParameters<Real>;
 
 inline constexpr int vertex_count = 3;
 
@@ -34,14 +21,14 @@ inline constexpr int vertex_count = 3;
 struct alignas(64) JointRecord {
   struct Vertex {
     Vector3 corner = Vector3::Zero();  ///< a + u_0: from the master's centre, in face axes, with the slip so far [m]
-    Real peak = 0;                     ///< largest opening, at least the elastic one [m]
+    Real peak = 0;                     ///< largest opening, at least the one that leaves it intact [m]
   };
 
   Vector3 normal = Vector3::UnitX();  ///< of the face, out of the master, in its body frame
   Real tilt = 0;                      ///< gives the face's other axes, see face_axes
   std::array<Vertex, vertex_count> vertex;
   std::array<std::array<float, 3>, vertex_count> arm{};  ///< b: vertex from the slave's centre, in its body frame [m]
-  std::int16_t kind = 0;
+  std::int16_t kind = 0;  ///< its law's parameters, see JointKinds
   JointState state = JointState::intact;
   Index master = 0;
   Index slave = 0;

@@ -12,7 +12,7 @@ namespace {
 struct Scene {
   Scene(const cases::BlocksCase& blocks, const geometry::TetraMesh& mesh)
       : bodies(runs::make_bodies(blocks, mesh, runs::materials_by_element(blocks, mesh))),
-        kinds{runs::make_joint_kind(blocks.joints[0])} {
+        kinds{elastic_joint(runs::make_joint_kind(blocks.joints[0]))} {
     for (const auto& shared : geometry::build_face_map(mesh).interior) {
       JointFace face{shared.element_i, shared.element_j, 0, shared.face_i, shared.face_j, {}};
       for (std::size_t corner = 0; corner < 3; ++corner)
@@ -25,7 +25,7 @@ struct Scene {
   Real coupling() const { return coupled_damping(kinds, faces, bodies, held); }
 
   state::Bodies<3> bodies;
-  std::vector<JointKind> kinds;
+  std::vector<ElasticJoint> kinds;
   std::vector<JointFace> faces;
   std::vector<terms::Rates> held;
 };

@@ -70,7 +70,7 @@ TEST(joint_rates, are_the_largest_eigenvalues_of_what_the_block_feels) {
 TEST(joint_rates, are_those_of_the_beginning_however_far_a_joint_has_slipped) {
   BondedPair pair;
   JointRecord joint = pair.joints().record(0);
-  const JointKind& kind = pair.joints().kind(0);
+  const ElasticJoint& kind = pair.joints().elastic(0);
   const FaceSprings before = face_springs(joint, kind, joint.master, pair.bodies());
   const auto axes = face_axes(joint.normal, joint.tilt);
   for (std::size_t v = 0; v < vertex_count; ++v) {

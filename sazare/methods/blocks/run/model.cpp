@@ -86,15 +86,16 @@ private:
   void make_joints(std::vector<methods::blocks::JointFace> joint_faces, Real whole) {
     std::vector<methods::blocks::JointKind> kinds;
     for (const cases::Joint& joint : blocks_.joints) kinds.push_back(make_joint_kind(joint));
-    auto joint_rates = methods::blocks::joint_rates(kinds, joint_faces, bodies_);
-    const Real coupling = methods::blocks::coupled_damping(kinds, joint_faces, bodies_, joint_rates);
+    const auto elastic = methods::blocks::elastic_joints(kinds);
+    auto joint_rates = methods::blocks::joint_rates(elastic, joint_faces, bodies_);
+    const Real coupling = methods::blocks::coupled_damping(elastic, joint_faces, bodies_, joint_rates);
     for (terms::Rates& rates : joint_rates) rates.damping *= coupling / 2;
     std::vector<Real> steps;
     for (const terms::Rates& rates : joint_rates) steps.push_back(blocks_.time.stability_fraction * levels::stable_step(rates));
     base_step_ = blocks_.time.base_step.value_or(choose_base_step(steps, joint_faces, whole));
     if (blocks_.time.limiter == cases::Limiter::stability) sort_by_level(joint_faces, steps, base_step_);
     model_.joints =
-        keep(terms_, std::make_unique<methods::blocks::Joints>(std::move(kinds), joint_faces, std::move(joint_rates), bodies_));
+        keep(terms_, std::make_unique<methods::blocks::Joints>(kinds, joint_faces, std::move(joint_rates), bodies_));
   }
 
   const cases::BlocksCase& blocks_;

@@ -13,8 +13,6 @@ namespace sazare::runs {
 
 namespace {
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
@@ -110,13 +108,8 @@ std::vector<Index> joint_by_face(const cases::BlocksCase& blocks, const MeshFace
 }
 
 methods::blocks::JointKind make_joint_kind(const cases::Joint& joint) {
-  methods::blocks::JointKind kind;
-  if (!joint.bonded) return kind;
-  kind.tension = laws::JointTension::make(joint.normal_stiffness, joint.tensile_strength, joint.fracture_energy);
-  kind.shear = {joint.shear_stiffness, joint.cohesion, joint.friction_coefficient};
-  kind.normal_damping = joint.normal_damping;
-  kind.shear_damping = joint.shear_damping;
-  return kind;
+  if (!joint.bonded) return {};
+  return methods::blocks::joint_parameters<laws::LinearSoftening>(joint);
 }
 
 std::vector<methods::blocks::JointFace> make_joint_faces(const cases::BlocksCase& blocks, const MeshFaces& faces,

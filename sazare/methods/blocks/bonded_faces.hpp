@@ -1,0 +1,67 @@
+#pragma once
+
+/// Bonded faces of blocks, whatever their law: which they are, what they remember, and which have come apart.
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "sazare/levels/terms/events.hpp"
+#include "sazare/levels/terms/slot_table.hpp"
+#include "sazare/methods/blocks/joint_rates.hpp"
+
+namespace sazare::methods::blocks {
+
+class BondedFaces : public terms::Term<3> {
+public:
+  std::string_view name() const override { return "joints"; }
+  std::span<const Link> links() const override { return links_; }
+  std::vector<Index> first_links() const override;
+  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>&, std::span<state::Impulse<3>> sum,
+              terms::CauseImpulses<3>& parts) const override {
+    table_.gather(now, which, sum, parts);
+  }
+  void post_step(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
+  terms::Rates rates(Index body) const override { return rates_[static_cast<std::size_t>(body)]; }
+  void carry(Index joint, Parcel& parcel) override;
+  void columns(Archive& archive) override;
+
+  Index count() const { return static_cast<Index>(links_.size()); }
+  const JointRecord& record(Index joint) const { return records_[static_cast<std::size_t>(joint)]; }
+  /// As the joint was at the beginning.
+  const ElasticJoint& elastic(Index joint) const { return elastic_[static_cast<std::size_t>(record(joint).kind)]; }
+  JointState state(Index joint) const { return record(joint).state; }
+
+  /// Joint on a body's local face, or -1.
+  Index joint_at(Index body, int face) const { return at_face_[static_cast<std::size_t>(body)][static_cast<std::size_t>(face)]; }
+
+  /// Whether two bodies share a joint that holds.
+  bool bonded(Index first, Index second) const;
+
+  Index broken_count() const { return broken_count_; }
+
+  /// Joints that came apart since the last call, in rising order.
+  std::vector<Index> take_broken();
+
+protected:
+  /// `kinds` as they are at the beginning; `bodies` stand where the faces are given.
+  BondedFaces(std::vector<ElasticJoint> kinds, std::span<const JointFace> faces, std::vector<terms::Rates> rates,
+              const state::Bodies<3>& bodies);
+
+  std::vector<JointRecord> records_;
+  std::vector<JointLosses> losses_;
+  std::vector<Link> links_;
+  terms::SlotTable<3, 1, terms::FixedIncidence> table_;
+  terms::Events failed_;  ///< joints, in the present step
+
+private:
+  void update_rates(Index body, const state::Bodies<3>& bodies);
+
+  std::vector<ElasticJoint> elastic_;          ///< by kind
+  std::vector<std::array<Index, 4>> at_face_;  ///< joint by body and local face
+  std::vector<terms::Rates> rates_;
+  std::vector<Index> broken_;  ///< not yet taken
+  Index broken_count_ = 0;
+};
+
+}  // namespace sazare::methods::blocks

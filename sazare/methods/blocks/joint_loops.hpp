@@ -1,0 +1,208 @@
+#pragma once
+
+/// What joints do with their laws, lane by lane: included where `JointsOf` is made for a list of laws, and nowhere else.
+
+#include <algorithm>
+#include <utility>
+
+#include "sazare/core/lane_sum.hpp"
+#include "sazare/core/large_tables.hpp"
+#include "sazare/levels/terms/sum_over_ranges.hpp"
+#include "sazare/levels/terms/lane_slots.hpp"
+#include "sazare/methods/blocks/joint_kernel.hpp"
+#include "sazare/methods/blocks/joints.hpp"
+#include "sazare/parallel/threads.hpp"
+
+namespace sazare::methods::blocks {
+
+namespace joint_loops {
+
+inline constexpr std::size_t serial_below = 1024;  // a joint takes some 35 ns, waking a thread some microseconds
+inline constexpr std::size_t batches_ahead = 4;    // memory answers after some 150 ns, a batch takes as long
+
+}  // namespace joint_loops
+
+template <class Laws>
+JointsOf<Laws>::JointsOf(const std::vector<Kind>& kinds, std::span<const JointFace> faces, std::vector<terms::Rates> rates,
+                         const state::Bodies<3>& bodies)
+    : BondedFaces(elastic_joints(kinds), faces, std::move(rates), bodies), kinds_(kinds) {
+  for (const JointFace& face : faces) kinds_.use(face.kind);
+}
+
+template <class Laws>
+void JointsOf<Laws>::evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
+  kinds_.visit_laws([&](const auto& kinds, std::size_t law) {
+    std::vector<Due> some;
+    if (!kinds_.has_one_law()) some = those_of(law, due);
+    const std::span<const Due> own = kinds_.has_one_law() ? due : some;
+    parallel::parallel_for_uneven(own.size(), joint_loops::serial_below, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; i += lane_count) {
+        if (is_large(records_)) ask_for_some(own.subspan(i, end - i), bodies);
+        evaluate_lanes(kinds, now, own.subspan(i, std::min<std::size_t>(lane_count, end - i)), bodies);
+      }
+    });
+  });
+}
+
+template <class Laws>
+std::vector<Due> JointsOf<Laws>::those_of(std::size_t law, std::span<const Due> due) const {
+  std::vector<Due> own;
+  std::ranges::copy_if(due, std::back_inserter(own), [&](const Due& of) { return kinds_.law_of(record(of.link).kind) == law; });
+  return own;
+}
+
+/// Asks for what as many joints as there are lanes will need, some batches later.
+template <class Laws>
+void JointsOf<Laws>::ask_for_some(std::span<const Due> due, const state::Bodies<3>& bodies) const {
+  constexpr std::size_t begin = joint_loops::batches_ahead * lane_count, end = begin + lane_count;
+  for (std::size_t n = begin; n < std::min(end, due.size()); ++n) {
+    const Index joint = due[n].link;
+    ask_for(records_[at(joint)]);
+    ask_for(table_[joint]);
+    for (const Index body : {links_[at(joint)].first, links_[at(joint)].second})
+      ask_for(bodies.motion[at(body)], state::bytes_for_forces<3>);
+  }
+}
+
+/// Evaluates as many joints as there are lanes, or fewer: idle lanes repeat the first.
+template <class Laws>
+template <class Law>
+[[gnu::flatten]] void JointsOf<Laws>::evaluate_lanes(const KindsOfLaw<Law>& kinds, const Moment& now, std::span<const Due> due,
+                                                     const state::Bodies<3>& bodies) {
+  const terms::LaneDue in_lanes = terms::in_lanes(due);
+  LanePointers<JointRecord> records;
+  LanePointers<const state::Motion<3>> masters, slaves;
+  LanePointers<terms::Slot<3, 1>> slots;
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    records[lane] = &records_[at(in_lanes[lane].link)];
+    masters[lane] = &bodies.motion[at(records[lane]->master)];
+    slaves[lane] = &bodies.motion[at(records[lane]->slave)];
+    slots[lane] = &table_[in_lanes[lane].link];
+  }
+  JointChange change;
+  LaneMask failed;
+  const JointForce force =
+      blocks::evaluate(LaneJoints<JointRecord>{records}, kinds.of(records), masters, slaves, bodies.pole, failed, change);
+  terms::write(slots, now, in_lanes, force.total, force.dashpots, failed);
+  if (!change.has_happened) return;
+  remember(records, change);
+  book(due, change);
+}
+
+/// What joints remember of slip and opening: in lanes, for nobody guesses which of them have slipped. Those that have not keep
+/// their bits, whoever else has: to add 0 would change the sign of a 0.
+template <class Laws>
+void JointsOf<Laws>::remember(const LanePointers<JointRecord>& records, const JointChange& change) {
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    const std::size_t begin = JointRecord::vertex_begin(v);
+    auto numbers = load_quad(records, begin);
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      numbers[axis + 1] = select(change.slipped, numbers[axis + 1] + change.slip[v][axis], numbers[axis + 1]);
+    numbers[3] = change.peak[static_cast<int>(v)];
+    store_quad(numbers, records, begin);
+  }
+}
+
+/// What changes of joints have cost, and which of them soften or fail.
+template <class Laws>
+void JointsOf<Laws>::book(std::span<const Due> due, const JointChange& change) {
+  for (std::size_t lane = 0; lane < due.size(); ++lane)
+    losses_[at(due[lane].link)].slip_work += change.slip_work[static_cast<int>(lane)];
+  if (!any(change.softened)) return;
+  for (std::size_t lane = 0; lane < due.size(); ++lane) {
+    const int i = static_cast<int>(lane);
+    if (change.softened[i] == 0) continue;
+    const bool failed = change.failed[i] != 0;
+    records_[at(due[lane].link)].state = failed ? JointState::broken : JointState::softening;
+    if (!failed) continue;
+    losses_[at(due[lane].link)].released = change.released[i];
+    failed_.add(due[lane].link);
+  }
+}
+
+/// Of as many joints as there are lanes: elastic energy in the places of a base step, what fracture has taken, and work of the
+/// dashpots after it [J]. Lanes beyond the last joint repeat it; what lanes of another law have means nothing.
+template <class Laws>
+template <class Law>
+[[gnu::flatten]] typename JointsOf<Laws>::LaneEnergies JointsOf<Laws>::energies(
+    const KindsOfLaw<Law>& kinds, Index first, const terms::Synchronized<3>& synchronized) const {
+  LanePointers<const JointRecord> records;
+  LanePointers<const terms::Slot<3, 1>> slots;
+  LanePointers<const state::Pose<3>> masters, slaves;
+  LanePointers<const state::MeanMotion<3>> master_ahead, slave_ahead;
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    const Index joint = std::min(first + static_cast<Index>(lane), count() - 1);
+    records[lane] = &records_[at(joint)];
+    slots[lane] = &table_[joint];
+    masters[lane] = &synchronized.pose_of(records[lane]->master);
+    slaves[lane] = &synchronized.pose_of(records[lane]->slave);
+    master_ahead[lane] = &synchronized.ahead[at(records[lane]->master)];
+    slave_ahead[lane] = &synchronized.ahead[at(records[lane]->slave)];
+  }
+  const auto& kind = kinds.of(records);
+  const FaceGeometry at_face = face_geometry(LaneJoints<const JointRecord>{records}, masters, slaves);
+  const bool soften = some_soften(kind, at_face);
+  return {elastic_energy(kind, at_face, tension_stress(kind, at_face, soften)), soften ? fracture_work(kind, at_face) : Lanes{},
+          terms::work_after(slots, master_ahead, slave_ahead)};
+}
+
+/// Sums of the accounts that joints have, in lanes.
+template <class Laws>
+struct JointsOf<Laws>::Sums {
+  LaneSum elastic, fracture, release, slip, dashpots;
+
+  explicit Sums(terms::EnergySums& energies)
+      : elastic(energies[terms::EnergyKind::elastic]),
+        fracture(energies[terms::EnergyKind::fracture]),
+        release(energies[terms::EnergyKind::release]),
+        slip(energies[terms::EnergyKind::slip]),
+        dashpots(energies[terms::energy_kind_of(terms::Cause::joint_dashpot)]) {}
+};
+
+template <class Laws>
+void JointsOf<Laws>::add_energies(const terms::Synchronized<3>& synchronized, terms::EnergySums& energies) const {
+  const auto add_range = [&](std::size_t begin, std::size_t end, terms::EnergySums& own) {
+    Sums sums(own);
+    for (auto first = static_cast<Index>(begin); at(first) < end; first += lane_count)
+      add_energies(first, std::min(first + lane_count, static_cast<Index>(end)), synchronized, sums);
+  };
+  terms::sum_over_ranges(links_.size(), joint_loops::serial_below, energies, add_range);
+}
+
+/// Which of as many joints as there are lanes have a law.
+template <class Laws>
+LaneBits JointsOf<Laws>::lanes_of(std::size_t law, Index begin, Index end) const {
+  LaneBits own = 0;
+  for (Index joint = begin; joint < end; ++joint)
+    if (kinds_.law_of(record(joint).kind) == law) own |= static_cast<LaneBits>(1U << (joint - begin));
+  return own;
+}
+
+/// Those of as many joints as there are lanes at most.
+template <class Laws>
+void JointsOf<Laws>::add_energies(Index begin, Index end, const terms::Synchronized<3>& synchronized, Sums& sums) const {
+  LaneBits counted = 0, broken = 0;
+  Lanes slip_work{}, released{};
+  for (Index joint = begin; joint < end; ++joint) {
+    const int lane = joint - begin;
+    if (!synchronized.counts(links_[at(joint)])) continue;
+    counted |= static_cast<LaneBits>(1U << lane);
+    if (state(joint) == JointState::broken) broken |= static_cast<LaneBits>(1U << lane);
+    slip_work[lane] = losses_[at(joint)].slip_work;
+    released[lane] = losses_[at(joint)].released;
+  }
+  if (counted == 0) return;
+  kinds_.visit_laws([&](const auto& kinds, std::size_t law) {
+    const LaneBits own = kinds_.has_one_law() ? counted : counted & lanes_of(law, begin, end);
+    if (own == 0) return;
+    const LaneEnergies found = energies(kinds, begin, synchronized);
+    const LaneMask count = mask_of(own);
+    sums.elastic += select(count & ~mask_of(broken), found.elastic, Lanes{});
+    sums.fracture += select(count, found.fracture, Lanes{});
+    terms::add_work_to(table_.causes[0], -select(count, found.dashpots_after, Lanes{}), sums.dashpots);
+  });
+  sums.slip += slip_work;
+  sums.release += released;
+}
+
+}  // namespace sazare::methods::blocks
