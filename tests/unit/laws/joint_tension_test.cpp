@@ -80,6 +80,21 @@ TEST(joint_tension, unloading_goes_straight_to_the_origin_and_back_to_where_it_l
     EXPECT_NEAR(tension_stress(concrete, share * peak, unloading), share * softening_stress(concrete, peak), 1e-15 * strength);
 }
 
+TEST(joint_tension, the_memory_tells_whether_it_has_softened_and_failed) {
+  const Real first = elastic_peak(concrete), last = concrete.failure_opening, between = 0.5 * (first + last);
+  EXPECT_EQ(first, concrete.elastic_opening);
+  EXPECT_FALSE(is_softened(concrete, first));
+  EXPECT_TRUE(is_softened(concrete, between));
+  EXPECT_FALSE(has_failed(concrete, between));
+  EXPECT_TRUE(has_failed(concrete, last));
+  for (const Real peak : {first, between, last})
+    for (const Real opening : {-first, 0.5 * first, peak}) {
+      const Real stress = softened_stress(concrete, opening, peak);
+      EXPECT_EQ(stress, tension_stress(concrete, opening, unloading_stiffness(concrete, peak)));
+      EXPECT_EQ(stored_energy(concrete, opening, stress), 0.5 * opening * stress);
+    }
+}
+
 TEST(joint_tension, compression_forgets_the_damage) {
   const Real unloading = unloading_stiffness(concrete, 0.99 * concrete.failure_opening);
   EXPECT_EQ(tension_stress(concrete, -1e-6, unloading), -1e-6 * stiffness);
