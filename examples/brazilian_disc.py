@@ -44,7 +44,7 @@ def disc(tensile_strength, speed=0.05):
         blocks=[rectangles.Block(name="disc", material="rock", shape="polygon", elements="polygons", element_size=SIZE, points=outline())],
         materials=[rectangles.Material(name="rock", density=2600.0, youngs_modulus=2e10, poisson_ratio=0.2, damping_ratio=0.3,
                                        tensile_strength=tensile_strength, cohesion=3.0 * tensile_strength, friction_angle=35.0)],
-        contact=rectangles.Contact(normal_stiffness=2e10, shear_stiffness=8e9, damping_ratio=0.3, friction_angle=20.0),
+        contact=rectangles.Contact(face_normal_stiffness=2e10, face_shear_stiffness=8e9, damping_ratio=0.3, friction_angle=20.0),
         walls=[
             rectangles.Wall(name="bed", from_=(-flat, -top, 0.0), to=(flat, -top, 0.0)),
             rectangles.Wall(name="platen", from_=(flat, top, 0.0), to=(-flat, top, 0.0), velocity=(0.0, -speed, 0.0)),

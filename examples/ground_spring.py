@@ -24,7 +24,7 @@ def caisson(end):
         title="Caisson on its owner's ground",
         blocks=[rectangles.Block(name="caisson", material="concrete", element_size=SIZE, lower=(0.0, 0.0, 0.0), upper=(WIDTH, HEIGHT, 0.0))],
         materials=[rectangles.Material(name="concrete", density=DENSITY, youngs_modulus=2e9, poisson_ratio=0.2, damping_ratio=0.1)],
-        contact=rectangles.Contact(normal_stiffness=1e9, shear_stiffness=1e9, friction_angle=30.0),
+        contact=rectangles.Contact(face_normal_stiffness=1e9, face_shear_stiffness=1e9, friction_angle=30.0),
         gravity=rectangles.Gravity(acceleration=(0.0, -9.81, 0.0)),
         time=rectangles.Time(end=end, history_interval=end / 100, snapshot_interval=end / 10),
     )

@@ -155,8 +155,8 @@ def single_block(end, steps):
     return rectangles.Case(
         title="A block alone",
         blocks=[rectangles.Block(name="block", material="steel", lower=(0.0, 0.0, 0.0), upper=(0.1, 0.1, 0.0))],
-        materials=[rectangles.Material(name="steel", density=1e4, normal_stiffness=1e6, shear_stiffness=1e6)],
-        contact=rectangles.Contact(normal_stiffness=1e6, shear_stiffness=1e6, friction_angle=30.0),
+        materials=[rectangles.Material(name="steel", density=1e4, face_normal_stiffness=1e6, face_shear_stiffness=1e6)],
+        contact=rectangles.Contact(face_normal_stiffness=1e6, face_shear_stiffness=1e6, friction_angle=30.0),
         time=rectangles.Time(end=end, step=end / steps, history_interval=end / 20, snapshot_interval=end),
     )
 

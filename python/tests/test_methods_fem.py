@@ -17,7 +17,7 @@ def snapshot(time, points, kind, cell):
     moved = np.zeros_like(points)
     moved[:, 0] = 0.01 * time * points.max(axis=1)
     grid.point_data["displacement"] = moved
-    grid.cell_data["plastic_slip"] = [0.1 * time]
+    grid.cell_data["plastic_shear_strain"] = [0.1 * time]
     return SimpleNamespace(time=time, elements=grid)
 
 
@@ -42,7 +42,7 @@ def test_the_outline_of_a_quadratic_cell_goes_round():
 
 def test_forces_that_are_never_there_are_left_out():
     time = np.linspace(0.0, 1.0, 5)
-    history = Table({"time": time, "force.foot of it_x": 2.0 * time, "force.side_y": 0.0 * time})
+    history = Table({"time": time, "foot of it.force_x": 2.0 * time, "side.force_y": 0.0 * time})
     figure = fem.forces(SimpleNamespace(history=history))
     (line,) = figure.axes[0].get_lines()
     assert line.get_label() == "foot of it along x"

@@ -37,7 +37,7 @@ def history():
     time = np.linspace(0.0, 1.0, 5)
     names = [f"surface.{what}_{axis}" for what in ("force", "displacement") for axis in "xyz"]
     columns = {name: time * (1.0 if name.endswith("y") else 0.1) for name in names}
-    return Table({"time": time, **columns, "work_on_nodes": time, "work_on_bodies": -0.9 * time, "energy_made": 0.1 * time})
+    return Table({"time": time, **columns, "energy_work_on_nodes": time, "energy_work_on_bodies": -0.9 * time, "energy_coupling_error": 0.1 * time})
 
 
 def test_both_sides_are_drawn_within_one_frame():

@@ -53,7 +53,7 @@ def test_report_has_all_pictures(beam_run):
 
 def test_manifest_names_the_figures(beam_run):
     results = json.loads((beam_run / "manifest.json").read_text())["results"]
-    assert {"elements", "steps", "step", "predicted_limit", "broken_springs", "open_links", "peak_force_platen"} <= results.keys()
+    assert {"elements", "steps", "step", "predicted_limit", "broken_springs", "broken_links", "peak_force_platen"} <= results.keys()
     assert abs(results["energy_residual"]) < 1e-3 * results["energy_work"]
 
 

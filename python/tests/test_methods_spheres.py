@@ -17,7 +17,7 @@ def granular_run(tmp_path):
     columns = [name for _, name in spheres.KINDS]
     rows = [[t, 1.0 - t, 0.1 * t, 0.0, 0.0, 0.0, 0.5 * t, 0.4 * t, 0.0, 1e-4 * t, 3.0, 2.0, 0.1] for t in time]
     head = ["time [s]", *(f"{name} [J]" for name in columns[:4]), "energy_potential [J]", *(f"{name} [J]" for name in columns[4:]),
-            "work_walls [J]", "energy_residual [J]", "contacts [-]", "speed_max [m/s]", "wall_seconds [s]"]
+            "energy_work_walls [J]", "energy_residual [J]", "contacts [-]", "speed_max [m/s]", "wall_seconds [s]"]
     _write(tmp_path / "history.csv", head, rows)
     gauge = [f"ball.{quantity}_{axis} [{unit}]" for quantity, unit in (("position", "m"), ("velocity", "m/s")) for axis in "xyz"]
     _write(tmp_path / "gauges.csv", ["time [s]", *gauge], [[t, 0.0, 0.0, 1.0 - t, 0.0, 0.0, -1.0] for t in time])
@@ -50,16 +50,16 @@ def test_report_has_its_pictures_and_says_what_is_missing(granular_run):
 
 def test_bonded_bodies_tell_how_many_broke(granular_run):
     manifest = json.loads((granular_run / "manifest.json").read_text())
-    manifest["results"] |= {"bonds": 24, "bonds_broken": 3, "bodies": 2, "bodies_broken": 1, "fragments": 3}
+    manifest["results"] |= {"bonds": 24, "broken_bonds": 3, "bodies": 2, "broken_bodies": 1, "fragments": 3}
     (granular_run / "manifest.json").write_text(json.dumps(manifest))
-    _write(granular_run / "history.csv", ["time [s]", "bonds_broken [-]", "bodies_broken [-]"], [[0.0, 0, 0], [1.0, 3, 1]])
+    _write(granular_run / "history.csv", ["time [s]", "broken_bonds [-]", "broken_bodies [-]"], [[0.0, 0, 0], [1.0, 3, 1]])
     _write(granular_run / "fragments.csv", ["fragment [-]", "elements [-]", "volume [m3]", "mass [kg]", "size [m]", "throw [m]"],
            [[0, 13, 2.0, 4.0, 1.6, 0.0], [1, 9, 1.5, 3.0, 1.4, 0.1], [2, 4, 0.5, 1.0, 1.0, 0.2]])
     results = open_run(granular_run)
     page = write_report(granular_run).read_text()
     assert "broken bodies" in page and "of 2, 50%" in page
     assert spheres.broken_bodies(results).axes[0].lines[0].get_ydata().tolist() == [0, 1]
-    assert {"bodies_broken", "fragment_curve"} <= {path.stem for path in (granular_run / "report").glob("*.png")}
+    assert {"broken_bodies", "fragment_curve"} <= {path.stem for path in (granular_run / "report").glob("*.png")}
 
 
 def test_a_run_without_bonded_bodies_has_no_such_picture(granular_run):

@@ -93,8 +93,8 @@ def one(tmp_path_factory):
     return run
 
 
-@pytest.mark.parametrize(("case", "scheme"), [(OSCILLATOR, "paper"), (OSCILLATOR, "impulse"), (OSCILLATOR, "repeat"), (BEAM, "impulse"), (SEAWALL, "impulse"),
-                                                (BLOCK, "impulse"), (BLOCK, "repeat"), (ROCK, "impulse")])
+@pytest.mark.parametrize(("case", "scheme"), [(OSCILLATOR, "lagged"), (OSCILLATOR, "impulse"), (OSCILLATOR, "iterative"), (BEAM, "impulse"), (SEAWALL, "impulse"),
+                                                (BLOCK, "impulse"), (BLOCK, "iterative"), (ROCK, "impulse")])
 def test_two_programs_have_the_bits_of_one(one, tmp_path, case, scheme):
     for side, (words, code) in finish(start_both(case, tmp_path, *settings(case, scheme))).items():
         assert code == 0, f"{side}: {words}"
@@ -112,7 +112,7 @@ def test_script_runs_the_sea_wall_in_two_programs(one, tmp_path):
     check_same(one(SEAWALL, "impulse"), tmp_path / "runs/seawall-two-programs")
 
 
-@pytest.mark.parametrize("scheme", ["impulse", "repeat"])
+@pytest.mark.parametrize("scheme", ["impulse", "iterative"])
 @pytest.mark.parametrize("victim", ["continuum", "bodies"])
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGKILL])
 def test_either_side_is_stopped_and_both_go_on(one, tmp_path, scheme, victim, how):

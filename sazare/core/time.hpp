@@ -2,6 +2,7 @@
 
 /// Time is an integer count of ticks; seconds are derived from it and never summed up.
 
+#include <cstddef>
 #include <cstdint>
 
 #include "sazare/core/vector.hpp"
@@ -10,6 +11,9 @@ namespace sazare {
 
 using Tick = std::int64_t;
 using Index = std::int32_t;
+
+/// An index as containers take it.
+constexpr std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
 /// A point in time, as every part of a step needs it.
 struct Moment {

@@ -65,7 +65,6 @@ public:
   void columns(Archive& archive);
 
 private:
-  static std::size_t at(Index node) { return static_cast<std::size_t>(node); }
   void measure();
 
   std::vector<Vector3> places_;      ///< at `since_` [m]

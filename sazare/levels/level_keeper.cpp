@@ -11,8 +11,6 @@ namespace sazare::levels {
 
 namespace {
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 /// By body, at the beginning.
 template <int D>
 std::vector<Index> count_links(const TermList<D>& terms, Index bodies) {

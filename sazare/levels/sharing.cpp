@@ -6,7 +6,6 @@
 namespace sazare::levels {
 
 namespace {
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 }  // namespace
 
 template <int D>

@@ -21,8 +21,6 @@ constexpr std::int64_t ticks_between_pauses = 64;
 constexpr std::int64_t one_measured_of = 7;
 constexpr std::int64_t long_tick = 100'000;  // [ns]
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 std::int64_t clock_now() { return std::chrono::steady_clock::now().time_since_epoch().count(); }
 
 }  // namespace

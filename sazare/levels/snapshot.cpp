@@ -18,8 +18,6 @@ namespace {
 
 constexpr std::size_t serial_below = 1024;  // a body takes some 100 ns, waking a thread some microseconds
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 }  // namespace
 
 /// Calls take(body, impulses) for bodies of a range, a chunk at a time: what those from `body` on have received, and what their

@@ -6,12 +6,6 @@
 
 namespace sazare::particles {
 
-namespace {
-
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
-
 template <int D>
 bool UniformStepper<D>::is_damped() const {
   const auto is_above_zero = [](Real ratio) { return ratio > 0; };

@@ -7,12 +7,6 @@
 
 namespace sazare::particles {
 
-namespace {
-
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
-
 /// From now on, from rest.
 template <int D>
 void UniformStepper<D>::stand_still() {

@@ -16,8 +16,6 @@ constexpr std::size_t serial_below = 128;  // blocks of lanes
 constexpr std::size_t tile_size = 256;     // particles whose columns stay in the first cache from kick to drift
 constexpr std::size_t serial_tiles = 4;
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 /// Calls f(begin, end) in parallel for ranges of whole blocks.
 template <class F>
 void for_blocks(std::size_t padded, F&& f) {

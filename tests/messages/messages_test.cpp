@@ -10,6 +10,7 @@
 
 #include "sazare/cases/case_file.hpp"
 #include "sazare/core/error.hpp"
+#include "sazare/methods/blocks/case/mesh_check.hpp"
 #include "sazare/registry/registry.hpp"
 
 namespace sazare::cases {

@@ -57,12 +57,12 @@ class Material(Part):
     """Regions that are made of it."""
     density: float
     """Mass per volume. [kg/m3] Greater than 0."""
-    shear_velocity: float | None = None
-    """Velocity of S waves. [m/s] (exactly two of shear_velocity, pressure_velocity and poisson_ratio) Greater than 0."""
-    pressure_velocity: float | None = None
-    """Velocity of P waves. [m/s] (exactly two of shear_velocity, pressure_velocity and poisson_ratio) Greater than 0."""
+    s_wave_velocity: float | None = None
+    """Velocity of S waves. [m/s] (exactly two of s_wave_velocity, p_wave_velocity and poisson_ratio) Greater than 0."""
+    p_wave_velocity: float | None = None
+    """Velocity of P waves. [m/s] (exactly two of s_wave_velocity, p_wave_velocity and poisson_ratio) Greater than 0."""
     poisson_ratio: float | None = None
-    """Poisson's ratio. (exactly two of shear_velocity, pressure_velocity and poisson_ratio) At least 0 and less than 0.5."""
+    """Poisson's ratio. (exactly two of s_wave_velocity, p_wave_velocity and poisson_ratio) At least 0 and less than 0.5."""
     damping_ratio: float | None = None
     """Share of critical damping at the frequencies f1 and f2 of [damping]. Default: 0.0. At least 0 and at most 2."""
     cohesion: float | None = None
@@ -162,7 +162,7 @@ class Gravity(Part):
     """Begin at rest under gravity: the equilibrium is found first, viscous boundaries carry what they carry in it, and
     displacements count from there. Default: false.
     """
-    settling_steps: int | None = None
+    max_settling_steps: int | None = None
     """After so many steps without rest the ground is said not to stand. Default: 200000. At least 1 and at most 1e+09."""
 
 

@@ -120,7 +120,7 @@ def yielding(results):
     if not len(snapshots):
         return None
     grid = snapshots[-1].elements
-    slip = np.asarray(grid.cell_data["plastic_slip"])
+    slip = np.asarray(grid.cell_data["plastic_shear_strain"])
     if slip.max(initial=0.0) <= 0.0:
         return None
     extent = np.ptp(np.asarray(grid.points), axis=0).max()
@@ -132,7 +132,7 @@ def yielding(results):
 def forces(results):
     """Forces [N] of the boundaries on the body against time, those that vary most."""
     history = results.history
-    names = [name for name in history if name.startswith("force.") and np.any(history[name] != 0.0)]
+    names = [name for name in history if name[:-2].endswith(".force") and np.any(history[name] != 0.0)]
     if not names or history.rows < 2:
         return None
     names = sorted(names, key=lambda name: -np.ptp(history[name]))[:MOST_FORCES]
@@ -140,7 +140,7 @@ def forces(results):
     figure = style.figure(6.2, 3.6)
     axes = figure.subplots()
     for name in names:
-        group, axis = name.removeprefix("force.").rsplit("_", 1)
+        group, axis = name[:-2].removesuffix(".force"), name[-1]
         axes.plot(history["time"], history[name] / factor, linewidth=1.1, label=f"{group} along {axis}")
     axes.set_xlabel("time [s]")
     axes.set_ylabel(f"force on the body [{prefix}N]")
@@ -153,17 +153,16 @@ def forces(results):
 def joints(results):
     """Share of the area of each joint that is open and that slips [-], and its maximum slip [m], against time."""
     history = results.history
-    names = [name.removesuffix(".slip_max") for name in history if name.startswith("joint.") and name.endswith(".slip_max")]
+    names = [name.removesuffix(".slip_max") for name in history if name.endswith(".slip_max")]
     if not names or history.rows < 2:
         return None
     figure = style.figure(9.0, 3.4)
     left, right = figure.subplots(1, 2)
     for name in names:
-        label = name.removeprefix("joint.")
-        line, = left.plot(history["time"], history[f"{name}.slip_share"], linewidth=1.0, label=f"{label}, slipping")
-        left.plot(history["time"], history[f"{name}.open_share"], linewidth=1.0, linestyle=":", color=line.get_color(),
-                  label=f"{label}, open")
-        right.plot(history["time"], history[f"{name}.slip_max"], linewidth=1.0, color=line.get_color(), label=label)
+        line, = left.plot(history["time"], history[f"{name}.sliding_fraction"], linewidth=1.0, label=f"{name}, slipping")
+        left.plot(history["time"], history[f"{name}.open_fraction"], linewidth=1.0, linestyle=":", color=line.get_color(),
+                  label=f"{name}, open")
+        right.plot(history["time"], history[f"{name}.slip_max"], linewidth=1.0, color=line.get_color(), label=name)
     left.set_ylabel("share of area [-]")
     left.legend()
     right.set_ylabel("maximum slip [m]")
@@ -197,7 +196,7 @@ def displacements(results):
 def sections(results):
     """The pictures of a run."""
     static = 'analysis = "static"' in results.case_text
-    has_joints = any(name.startswith("joint.") for name in results.history)
+    has_joints = any(name.endswith(".slip_max") for name in results.history)
     return [
         Section(
             "displaced", "Deformed mesh", "Deformed mesh at the largest displacement and at the end, coloured by displacement.",
@@ -233,8 +232,8 @@ METHOD = Method(
         Figure("peak_acceleration", "peak acceleration", "m/s²"),
         Figure("peak_displacement", "peak displacement", "m"),
         Figure("step", "time step", "s"),
-        Figure("freedoms", "degrees of freedom", note=common.count_note("nodes", "nodes")),
-        Figure("iterations", "Newton iterations", note=common.count_note("steps", "steps")),
+        Figure("degrees_of_freedom", "degrees of freedom", note=common.count_note("nodes", "nodes")),
+        Figure("newton_iterations", "Newton iterations", note=common.count_note("steps", "steps")),
     ),
     snapshots="finite_elements",
 )

@@ -172,11 +172,11 @@ def exchange(results):
     history = results.history
     if history.rows < 2:
         return None
-    factor, prefix = style.prefix_for(max(np.abs(history["work_on_nodes"]).max(), np.abs(history["energy_made"]).max()))
+    factor, prefix = style.prefix_for(max(np.abs(history["energy_work_on_nodes"]).max(), np.abs(history["energy_coupling_error"]).max()))
     figure = style.figure(6.2, 3.6)
     axes = figure.subplots()
-    for name, words, color in (("work_on_nodes", "work on the nodes", style.SECOND), ("work_on_bodies", "work on the bodies", "#9bbf8a"),
-                               ("energy_made", "created by the coupling", style.ACCENT)):
+    for name, words, color in (("energy_work_on_nodes", "work on the nodes", style.SECOND), ("energy_work_on_bodies", "work on the bodies", "#9bbf8a"),
+                               ("energy_coupling_error", "created by the coupling", style.ACCENT)):
         axes.plot(history["time"], history[name] / factor, color=color, linewidth=1.1, label=words)
     axes.set_xlabel("time [s]")
     axes.set_ylabel(f"energy [{prefix}J]")
@@ -219,7 +219,7 @@ def _sections_of_side(name, side, in_one_picture):
 
 def verdict(results):
     """A completed run is good; the energy created by the coupling is given."""
-    made, work = results.figures.get("energy_made", 0.0), results.figures.get("work_on_nodes", 0.0)
+    made, work = results.figures.get("energy_coupling_error", 0.0), results.figures.get("energy_work_on_nodes", 0.0)
     return "good", "The run is complete." + (f" The energy created by the coupling is {made / abs(work):.1e} of the work across the surface." if work else "")
 
 
@@ -230,7 +230,7 @@ METHOD = Method(
         Figure("particles", "particles"),
         Figure("peak_displacement", "peak displacement", "m"),
         Figure("step", "time step of the bodies", "s"),
-        Figure("freedoms", "degrees of freedom"),
+        Figure("degrees_of_freedom", "degrees of freedom"),
         Figure("windows", "coupling windows", note=common.count_note("passes", "passes")),
         Figure("peak_force", "peak surface force", "N"),
     ),

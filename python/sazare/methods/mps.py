@@ -9,7 +9,7 @@ from sazare.methods import Figure, Method, Section, common
 
 ENERGIES = [
     ("energy_kinetic", "kinetic", style.KINETIC), ("energy_elastic", "elastic", style.ELASTIC), ("energy_damping", "damping", "#b9b3a8"),
-    ("energy_flow", "plastic flow", "#c98a3d"), ("energy_rupture", "rupture", "#a64b3c"), ("energy_contact", "contacts", "#8a8f3d"),
+    ("energy_plastic", "plastic flow", "#c98a3d"), ("energy_fracture", "rupture", "#a64b3c"), ("energy_contact", "contacts", "#8a8f3d"),
 ]
 
 
@@ -53,12 +53,12 @@ def displaced(results):
 def failure(results):
     """Equivalent plastic shear strain [-] and share of broken links [-] of the particles at the end."""
     snapshots = results.particle_snapshots
-    if not len(snapshots) or "slip" not in snapshots[-1].elements.cell_data:
+    if not len(snapshots) or "plastic_shear_strain" not in snapshots[-1].elements.cell_data:
         return None
     grid = snapshots[-1].elements
     points = np.asarray(grid.points)
     up = 2 if np.ptp(points[:, 2]) > 0.0 else 1
-    fields = [("slip", "equivalent plastic\nshear strain [-]"), ("broken_share", "share of broken links [-]")]
+    fields = [("plastic_shear_strain", "equivalent plastic\nshear strain [-]"), ("broken_fraction", "share of broken links [-]")]
     figure = style.figure(9.0, 6.0)
     for axes, (name, label) in zip(figure.subplots(2, 1, sharex=True), fields):
         values = np.asarray(grid.cell_data[name])
@@ -96,7 +96,7 @@ def sections(results):
             "failure", "Failure", "Equivalent plastic shear strain, and share of broken links of each particle, at the end.",
             partial(failure, results), common.NO_SNAPSHOTS,
         )
-    ] if "energy_flow" in results.history else []
+    ] if "energy_plastic" in results.history else []
     return [
         *common.shaking_sections(results),
         Section(
@@ -124,7 +124,7 @@ METHOD = Method(
     headlines=(
         Figure("peak_speed", "peak speed", "m/s"),
         Figure("particles", "particles"),
-        Figure("links_broken", "broken links"),
+        Figure("broken_links", "broken links"),
         Figure("final_displacement", "final displacement", "m"),
         Figure("peak_acceleration", "peak acceleration", "m/s²"),
         Figure("peak_displacement", "peak displacement", "m"),
@@ -134,8 +134,8 @@ METHOD = Method(
     fields={
         "velocity": ("speed", "m/s"),
         "displacement": ("displacement", "m"),
-        "slip": ("equivalent plastic shear strain", ""),
-        "broken_share": ("share of broken links", ""),
+        "plastic_shear_strain": ("equivalent plastic shear strain", ""),
+        "broken_fraction": ("share of broken links", ""),
         "acceleration": ("acceleration", "m/s²"),
     },
 )

@@ -171,7 +171,7 @@ METHOD = Method(
         Figure("peak_speed", "peak speed", "m/s"),
         Figure("energy_work", "external work", "J"),
         Figure("broken_springs", "broken springs", note=common.count_note("elements", "elements")),
-        Figure("open_links", "open links"),
+        Figure("broken_links", "open links"),
         Figure("peak_displacement", "peak displacement", "m"),
         Figure("step", "time step", "s", common.quantity_note("predicted_limit", "stability limit ", "s")),
     ),

@@ -16,11 +16,11 @@ FINE_BELOW = 3000  # spheres; above it those of the usual size are drawn with fe
 LARGE = 2.0  # usual radii; above it a sphere is drawn with more faces in any case
 KINDS = [
     ("translation", "energy_translation"), ("rotation", "energy_rotation"),
-    ("normal contact springs", "energy_elastic"), ("tangential contact springs", "energy_sliding"),
-    ("contact dashpots", "work_dashpots"), ("friction", "work_friction"),
+    ("normal contact springs", "energy_elastic"), ("tangential contact springs", "energy_tangential"),
+    ("contact dashpots", "energy_contact_dashpot"), ("friction", "energy_friction"),
 ]
 KIND_COLORS = ["#35618f", "#6fa3c7", "#4f7f52", "#9bbf8a", "#b5472f", "#d9a441"]
-BOND_KINDS = [("bonds", "energy_bonds"), ("bond dashpots", "work_bond_dashpots"), ("fracture", "work_fracture")]
+BOND_KINDS = [("bonds", "energy_bonds"), ("bond dashpots", "energy_bond_dashpot"), ("fracture", "energy_fracture")]
 BOND_COLORS = ["#7d5ba6", "#c9a0dc", "#2b2b2b"]
 
 
@@ -62,7 +62,7 @@ def pictures(results):
 @style.styled
 def damage(results):
     """The spheres at some times, coloured by their share of broken bonds [-]; None where no bond is broken."""
-    return _scenes(results, "broken", "share of broken bonds [-]", "YlOrRd") if results.figures.get("bonds_broken", 0) > 0 else None
+    return _scenes(results, "broken", "share of broken bonds [-]", "YlOrRd") if results.figures.get("broken_bonds", 0) > 0 else None
 
 
 def _scenes(results, scalar, label, colors):
@@ -174,16 +174,16 @@ def walls(results):
 def broken_bodies(results):
     """Number of broken bonded bodies and of broken bonds against time."""
     history = results.history
-    if "bodies_broken" not in history or history.rows < 2:
+    if "broken_bodies" not in history or history.rows < 2:
         return None
     figure = style.figure(6.2, 3.6)
     axes = figure.subplots()
-    axes.plot(history["time"], history["bodies_broken"], color=style.ACCENT, linewidth=1.6)
+    axes.plot(history["time"], history["broken_bodies"], color=style.ACCENT, linewidth=1.6)
     axes.set_xlabel("time [s]")
     axes.set_ylabel("broken bodies", color=style.ACCENT)
     axes.set_ylim(bottom=0)
     other = axes.twinx()
-    other.plot(history["time"], history["bonds_broken"], color=style.SECOND, linewidth=1.2)
+    other.plot(history["time"], history["broken_bonds"], color=style.SECOND, linewidth=1.2)
     other.set_ylabel("broken bonds", color=style.SECOND)
     other.set_ylim(bottom=0)
     other.grid(False)
@@ -259,7 +259,7 @@ def _piece_sections(results):
             partial(plot.fragment_curve, results), "The run is not complete.", wide=False,
         ),
         Section(
-            "bodies_broken", "Broken bodies", "Number of bodies in more than one piece, and of broken bonds, over time.",
+            "broken_bodies", "Broken bodies", "Number of bodies in more than one piece, and of broken bonds, over time.",
             partial(broken_bodies, results), common.NO_HISTORY, wide=False,
         ),
     ]
@@ -277,7 +277,7 @@ METHOD = Method(
     sections=sections,
     verdict=partial(common.balance_verdict, reference="reference energy"),
     headlines=(
-        Figure("bodies_broken", "broken bodies", note=common.share_note("bodies_broken", "bodies")),
+        Figure("broken_bodies", "broken bodies", note=common.share_note("broken_bodies", "bodies")),
         Figure("fragments", "fragments"),
         Figure("peak_speed", "peak speed", "m/s"),
         Figure("energy_work", "reference energy", "J"),

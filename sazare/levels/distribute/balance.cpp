@@ -12,8 +12,6 @@ constexpr Real least_cost = 0.02;   // of the mean cost of a body
 constexpr Real largest_correction = 4;
 constexpr Real tolerated_excess = 0.02;  // of the dearest range over the mean
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 void smooth(std::vector<Real>& kept, const std::vector<Real>& newest) {
   if (kept.size() != newest.size()) {
     kept = newest;

@@ -9,8 +9,6 @@ namespace sazare::distribute {
 
 namespace {
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 template <class T>
 void append(std::vector<std::byte>& bytes, const T& record) {
   const auto* begin = reinterpret_cast<const std::byte*>(&record);

@@ -13,8 +13,6 @@ namespace sazare::motion {
 
 namespace {
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 /// Returns whether the body would be too fast.
 template <int D>
 bool step_one(state::Bodies<D>& bodies, Index body, state::Impulse<D> given, const Stride& stride, state::MeanMotion<D>& mean) {

@@ -6,7 +6,6 @@
 namespace sazare::methods::blocks {
 
 namespace {
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 }  // namespace
 
 ContactSurface::ContactSurface(Index bodies, int edge_division, Real skin)

@@ -21,8 +21,6 @@ constexpr Real skin_of_radius = 0.15;  // of the median inscribed radius: few fa
 constexpr Real largest_move = 1.0 / 32, smallest_move = 1.0 / 1024;
 constexpr Real usual_evaluations = 80;  // between two measurements
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 Real inscribed_radius(const geometry::Tetrahedron& corners) {
   Real area = 0;
   for (int face = 0; face < 4; ++face) area += geometry::face_area(corners, face);

@@ -15,8 +15,6 @@ constexpr std::size_t serial_below = 64;
 constexpr Real same_plane = 1e-6;     // of a radius
 constexpr Real same_direction = 0.7;  // cosine: beyond it a point is another one
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 }  // namespace
 
 SurfaceContacts::SurfaceContacts(const laws::SphereContact& law, const Contacts& contacts, const state::Bodies<3>& bodies)

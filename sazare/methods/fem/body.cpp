@@ -11,8 +11,6 @@ namespace {
 
 constexpr std::size_t serial_below = 64;  // yielding elements
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 }  // namespace
 
 template <int D>

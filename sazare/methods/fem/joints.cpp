@@ -111,14 +111,14 @@ typename Joints<D>::Summary Joints<D>::summary(std::size_t set, const NodalColum
       const Real limit = sets_[set].law.cohesion - sets_[set].law.friction_coefficient * found.force.dot(point_[p].normal);
       const bool open = found.state == laws::InterfaceState::open;
       area += weight;
-      result.open_share += open ? weight : 0;
-      result.slip_share += !open && found.shear.norm() >= (1 - 1e-9) * limit ? weight : 0;
+      result.open_fraction += open ? weight : 0;
+      result.sliding_fraction += !open && found.shear.norm() >= (1 - 1e-9) * limit ? weight : 0;
       result.largest_slip = std::max(result.largest_slip, Eigen::Map<const Vector<D>>(memory.data() + p * D).norm());
       result.force -= weight * found.force;
     }
   }
-  if (area > 0) result.open_share /= area;
-  if (area > 0) result.slip_share /= area;
+  if (area > 0) result.open_fraction /= area;
+  if (area > 0) result.sliding_fraction /= area;
   return result;
 }
 

@@ -43,8 +43,8 @@ public:
 
   /// What the joints of a set do, over their area.
   struct Summary {
-    Real open_share = 0;                  ///< [-]
-    Real slip_share = 0;                  ///< [-]
+    Real open_fraction = 0;                  ///< [-]
+    Real sliding_fraction = 0;                  ///< [-]
     Real largest_slip = 0;                ///< [m]
     Vector<D> force = Vector<D>::Zero();  ///< of the first faces on the second ones [N]
   };

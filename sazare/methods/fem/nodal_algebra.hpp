@@ -8,8 +8,6 @@
 
 namespace sazare::methods::fem {
 
-inline std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 /// Number of a degree of freedom: node by node, its axes in order.
 template <int D>
 std::size_t number(Index node, int axis) {

@@ -9,8 +9,6 @@ namespace {
 
 constexpr std::size_t serial_below = 2000;
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 }  // namespace
 
 void NodeGroups::add(std::span<const Index> nodes) {

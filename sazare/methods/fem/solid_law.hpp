@@ -28,8 +28,8 @@ struct SolidMaterial {
   }
   /// Whether the tangent is symmetric.
   bool is_associated() const { return !strength || strength->sin_friction == strength->sin_dilation; }
-  Real pressure_velocity() const { return std::sqrt((elastic.lame + 2 * elastic.shear_modulus) / density); }
-  Real shear_velocity() const { return std::sqrt(elastic.shear_modulus / density); }
+  Real p_wave_velocity() const { return std::sqrt((elastic.lame + 2 * elastic.shear_modulus) / density); }
+  Real s_wave_velocity() const { return std::sqrt(elastic.shear_modulus / density); }
 };
 
 /// Derivative of the stress by the strain [Pa].

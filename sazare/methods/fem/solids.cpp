@@ -7,8 +7,6 @@
 namespace sazare::methods::fem {
 namespace {
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 template <int D>
 Eigen::Matrix<Real, Eigen::Dynamic, D, 0, most_nodes, D> places_of(const geometry::ElementMesh& mesh,
                                                                    const geometry::MeshElement& element) {

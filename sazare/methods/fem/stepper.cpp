@@ -10,9 +10,6 @@
 
 namespace sazare::methods::fem {
 
-using methods::fem::add, methods::fem::dot, methods::fem::norm, methods::fem::number, methods::fem::product;
-using methods::fem::BlockMatrix, methods::fem::NodalColumn, methods::fem::Support;
-
 template <int D>
 FemStepper<D>::FemStepper(std::unique_ptr<methods::fem::Body<D>> body, methods::fem::Supports<D> supports, const FemRules& rules)
     : body_(std::move(body)),

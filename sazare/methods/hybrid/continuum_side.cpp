@@ -79,8 +79,8 @@ coupling::SurfaceForce ContinuumSide<D>::try_window(coupling::ContinuumChannel& 
 
 template <int D>
 void ContinuumSide<D>::advance(coupling::ContinuumChannel& channel) {
-  if (rules_.scheme == CouplingScheme::repeat) return repeat(channel);
-  const std::vector<Real> applied = rules_.scheme == CouplingScheme::paper ? force_.last : force_.mean;
+  if (rules_.scheme == CouplingScheme::iterative) return repeat(channel);
+  const std::vector<Real> applied = rules_.scheme == CouplingScheme::lagged ? force_.last : force_.mean;
   const std::vector<Real> before = of_surface<D>(surface_, stepper_->state().displacement);
   force_ = try_window(channel, applied, 0);
   add_work(applied, before);
@@ -120,8 +120,8 @@ void ContinuumSide<D>::add_work(const std::vector<Real>& applied, const std::vec
   const Real window = stepper_->rules().step, width = D == 2 ? rules_.width : 1;
   totals_.given += window * sum(force_.mean);
   totals_.taken += window * sum(applied);
-  totals_.work_on_nodes += width * dot(applied, moved);
-  totals_.work_on_bodies -= width * dot(force_.mean, moved);
+  totals_.energy_work_on_nodes += width * dot(applied, moved);
+  totals_.energy_work_on_bodies -= width * dot(force_.mean, moved);
   ++totals_.windows;
 }
 

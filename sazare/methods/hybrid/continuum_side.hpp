@@ -18,7 +18,7 @@
 
 namespace sazare::methods::hybrid {
 
-enum class CouplingScheme { paper, impulse, repeat };
+enum class CouplingScheme { lagged, impulse, iterative };
 
 struct CouplingRules {
   CouplingScheme scheme = CouplingScheme::impulse;
@@ -31,13 +31,13 @@ struct CouplingRules {
 struct CouplingTotals {
   Vector3 given = Vector3::Zero();  ///< impulse of the bodies on the nodes [N s]
   Vector3 taken = Vector3::Zero();  ///< impulse with which the continuum has moved [N s]
-  Real work_on_nodes = 0;           ///< of the forces with which the continuum has moved [J]
-  Real work_on_bodies = 0;          ///< of the moving surface [J]
+  Real energy_work_on_nodes = 0;           ///< of the forces with which the continuum has moved [J]
+  Real energy_work_on_bodies = 0;          ///< of the moving surface [J]
   std::int64_t windows = 0, passes = 0;
 
   Vector3 under_way() const { return given - taken; }
   /// Energy added by the coupling: the sum of the works on both sides [J].
-  Real made() const { return work_on_nodes + work_on_bodies; }
+  Real made() const { return energy_work_on_nodes + energy_work_on_bodies; }
 };
 
 template <int D>

@@ -7,12 +7,6 @@
 
 namespace sazare::methods::mps {
 
-namespace {
-
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
-
 template <int D>
 FailingForces<D>::FailingForces(const state::Particles<D>& particles, LinkTable<D> links, GroundStrength<D> strength,
                                 const LooseRules& rules)
@@ -123,7 +117,7 @@ Real FailingForces<D>::energy(const state::Particles<D>& particles) {
 }
 
 template <int D>
-Real FailingForces<D>::broken_share(Index particle) const {
+Real FailingForces<D>::broken_fraction(Index particle) const {
   const Index whole = whole_links_[at(particle)];
   return whole > 0 ? static_cast<Real>(lost_links_[at(particle)]) / static_cast<Real>(whole) : 0;
 }

@@ -34,7 +34,7 @@ public:
   Index contacts() const { return contacts_.touching(); }
 
   /// Share of the links at the beginning that a particle has lost [-].
-  Real broken_share(Index particle) const;
+  Real broken_fraction(Index particle) const;
 
 private:
   struct Link {

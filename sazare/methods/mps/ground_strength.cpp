@@ -16,8 +16,6 @@ constexpr Real least_span = 0.05;           // of the spread of links over that 
 
 Real square(Real number) { return number * number; }
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 template <int D>
 Rotation<D> rotation_of(const state::Particles<D>& particles, std::size_t i) {
   Rotation<D> rotation;

@@ -16,8 +16,6 @@ constexpr Real skin = 0.25;               // of the spacing
 template <int D>
 constexpr Real contacts_around = D == 2 ? 6 : 12;  // of equal discs or spheres
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 template <int D>
 Vector<D> vector_of(const std::array<state::Column, D>& columns, Index particle) {
   Vector<D> vector;

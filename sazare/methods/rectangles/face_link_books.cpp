@@ -7,12 +7,6 @@
 
 namespace sazare::methods::rectangles {
 
-namespace {
-
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
-
 bool FaceLinks::has_broken(Index number) const {
   const Index place = damaged_of_[at(number)];
   if (place == none) return false;
@@ -68,7 +62,7 @@ void FaceLinks::columns(Archive& archive) {
   archive("springs", springs_);
   archive("damaged_loss", damaged_loss_);
   archive("just_opened", just_opened_);
-  archive("open_links", open_links_);
+  archive("broken_links", open_links_);
   for (auto* column : {&slots_.force_x, &slots_.force_y, &slots_.first_moment, &slots_.second_moment})
     for (std::size_t i = 0; i < column->size() && archive.reading(); ++i) (*column)[i] = 0;
 }

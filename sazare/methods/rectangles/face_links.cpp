@@ -20,8 +20,6 @@ constexpr std::size_t band_blocks = 64;            // blocks of lanes of a group
 constexpr std::size_t serial_below = 4;            // bands
 constexpr std::size_t serial_damaged_below = 512;  // links
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 /// Reads both elements of links, one by one (`T` Real) or in lanes.
 template <class T>
 class Reader {

@@ -103,7 +103,7 @@ public:
   Real elastic_energy(const state::Particles<2>& particles) const;
   SpringLosses losses() const;
   Index broken_springs() const;
-  Index open_links() const { return open_links_; }
+  Index broken_links() const { return open_links_; }
 
   void columns(Archive& archive);
 

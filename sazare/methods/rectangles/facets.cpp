@@ -8,12 +8,6 @@
 
 namespace sazare::methods::rectangles {
 
-namespace {
-
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
-
 void FaceLinks::add_facets(const std::vector<FacetLink>& facets) {
   std::map<Index, std::vector<FacetLink>> sorted;
   for (const FacetLink& facet : facets) sorted[facet.kind].push_back(facet);

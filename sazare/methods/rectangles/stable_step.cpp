@@ -13,8 +13,6 @@ namespace {
 
 using geometry::Vector2;
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 /// A spring and its dashpot along one direction: its length changes by the sum of `by` times the motion of its two elements.
 struct Spring {
   Index first = 0, second = 0;

@@ -19,8 +19,6 @@ constexpr Real skin_share = 0.3;    // of the smallest half width, as of other c
 constexpr Real least_slope = 1e-9;  // cosine: a face that is this upright on a segment has no length along it
 constexpr std::size_t serial_below = 64;
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 Real longest_side(const Outline& outline) {
   Real longest = 0;
   for (int number = 0; number < geometry::face_count(outline); ++number)

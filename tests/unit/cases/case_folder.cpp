@@ -43,15 +43,15 @@ density = 2700
 [[joints]]
 name = "rock"
 between = ["rock", "rock"]
-normal_stiffness = 450e9
-shear_stiffness = 90e9
+joint_normal_stiffness = 450e9
+joint_shear_stiffness = 90e9
 cohesion = 6.66e6
 friction_coefficient = 0.58
 tensile_strength = 6.66e6
 fracture_energy = 99.67
 
 [contact]
-normal_stiffness = 1.5e9
+contact_stiffness = 1.5e9
 friction_coefficient = 0.58
 
 [time]
@@ -84,10 +84,10 @@ density = 1800.5
 name = "rock"
 between = ["rock", "rock"]
 bonded = true
-normal_stiffness = 450e9
-shear_stiffness = 90e9
-normal_damping = 22.6e6
-shear_damping = 10.1e6
+joint_normal_stiffness = 450e9
+joint_shear_stiffness = 90e9
+joint_normal_damping = 22.6e6
+joint_shear_damping = 10.1e6
 cohesion = 6.66e6
 friction_angle = 30
 tensile_strength = 6.66e6
@@ -96,8 +96,8 @@ fracture_energy = 99.67
 [[joints]]
 name = "seam"
 between = ["rock", "clay"]
-normal_stiffness = 1e9
-shear_stiffness = 0
+joint_normal_stiffness = 1e9
+joint_shear_stiffness = 0
 cohesion = 0
 friction_coefficient = 0.3
 tensile_strength = 1e3
@@ -109,8 +109,8 @@ surface = "slit"
 bonded = false
 
 [contact]
-normal_stiffness = 1.5e9
-normal_damping = 3.08e6
+contact_stiffness = 1.5e9
+contact_damping = 3.08e6
 friction_angle = 31.5
 damping_cap = "critical"
 edge_division = 6

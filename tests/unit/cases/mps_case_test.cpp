@@ -26,13 +26,13 @@ TEST(mps_case, resolved_text_reads_as_the_same_case) {
 }
 
 TEST(mps_case, third_velocity_follows_from_the_other_two) {
-  const std::vector<std::string> by_ratio = {"materials.0.shear_velocity=100"};
+  const std::vector<std::string> by_ratio = {"materials.0.s_wave_velocity=100"};
   const MpsCase mps = registry::read_case("cases/stability-study/column-s.toml", by_ratio).as<cases::MpsCase>();
-  EXPECT_NEAR(mps.materials[0].pressure_velocity, 200, 1e-9);
+  EXPECT_NEAR(mps.materials[0].p_wave_velocity, 200, 1e-9);
   const MpsCase other =
-      registry::read_case("cases/stability-study/column-p.toml", std::vector<std::string>{"materials.0.pressure_velocity=400"})
+      registry::read_case("cases/stability-study/column-p.toml", std::vector<std::string>{"materials.0.p_wave_velocity=400"})
           .as<cases::MpsCase>();
-  EXPECT_NEAR(other.materials[0].shear_velocity, 200, 1e-9);
+  EXPECT_NEAR(other.materials[0].s_wave_velocity, 200, 1e-9);
 }
 
 TEST(mps_case, is_explained_with_the_drift_of_its_record) {
@@ -54,7 +54,7 @@ TEST(study_file, has_every_combination_of_every_family) {
   EXPECT_EQ(study.family(160).name, "P");
   EXPECT_EQ(study.values(0), (std::vector<Real>{0.5, 100, 0.001}));
   EXPECT_EQ(study.values(319), (std::vector<Real>{3.2, 800, 1}));
-  EXPECT_EQ(study.overrides(160).at(1), "materials.0.pressure_velocity=100.0");
+  EXPECT_EQ(study.overrides(160).at(1), "materials.0.p_wave_velocity=100.0");
 }
 
 TEST(study_file, says_what_is_wrong) {

@@ -26,7 +26,7 @@ TEST(outside_histories, are_those_that_the_case_leaves_open) {
   EXPECT_TRUE(registry::read_case("cases/column-ricker/case.toml").histories.empty());
   const auto found = column().histories;
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].name, column().mps().motions[0].name);
+  EXPECT_EQ(found[0].name, column().as<MpsCase>().motions[0].name);
   EXPECT_EQ(found[0].begin, 0);
 }
 
@@ -37,7 +37,7 @@ TEST(outside_histories, share_their_samples_with_the_case) {
   const laws::Record& samples = *file.as<cases::MpsCase>().motions[0].samples;
   EXPECT_EQ(samples.value, (std::vector<Real>{0, 2, 4, 4}));
   EXPECT_EQ(samples.first, (std::vector<Real>{0, 0.5, 2, 4}));
-  EXPECT_TRUE(column().mps().motions[0].samples->value.empty());  // another case has its own
+  EXPECT_TRUE(column().as<MpsCase>().motions[0].samples->value.empty());  // another case has its own
 }
 
 TEST(outside_histories, of_pressures_begin_with_the_delay) {

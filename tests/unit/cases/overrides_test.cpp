@@ -12,7 +12,7 @@ TEST(Overrides, ReplaceNumbersTextsAndLists) {
       folder
           .read(full_case(), {"time.end=1e-3", "joints.0.cohesion=5e6", "time.limiter=stability", "case.title=\"Other\"",
                               "gauges.0.point=[1, 2, 3]", "materials.0.regions=[\"a\", \"b\"]", "time.strict=false"})
-          .blocks();
+          .as<BlocksCase>();
   EXPECT_EQ(blocks.time.end, 1e-3);
   EXPECT_EQ(blocks.joints[0].cohesion, 5e6);
   EXPECT_EQ(blocks.time.limiter, Limiter::stability);

@@ -10,9 +10,11 @@
 #include "sazare/cases/format/schema.hpp"
 #include "sazare/cases/format/units.hpp"
 #include "sazare/cases/study_file.hpp"
+#include "sazare/methods/blocks/case/fields.hpp"
 #include "sazare/methods/blocks/case/format.hpp"
 #include "sazare/methods/fem/case/fields.hpp"
 #include "sazare/methods/fem/case/format.hpp"
+#include "sazare/methods/mps/case/fields.hpp"
 #include "sazare/methods/mps/case/format.hpp"
 #include "sazare/methods/rectangles/case/fields.hpp"
 #include "sazare/methods/rectangles/case/format.hpp"
@@ -102,7 +104,7 @@ TEST(Schema, JsonIsValidAndClosed) {
   const auto& joints = json["properties"]["joints"];
   EXPECT_EQ(joints["type"], "array");
   EXPECT_EQ(joints["minItems"], 1);
-  EXPECT_EQ(joints["items"]["properties"]["normal_stiffness"]["exclusiveMinimum"], 0);
+  EXPECT_EQ(joints["items"]["properties"]["joint_normal_stiffness"]["exclusiveMinimum"], 0);
   EXPECT_EQ(json["properties"]["contact"]["properties"]["edge_division"]["maximum"], 20);
   EXPECT_EQ(json["properties"]["time"]["required"], nlohmann::json::array({"end"}));
   EXPECT_EQ(json["properties"]["time"]["properties"]["limiter"]["enum"], nlohmann::json::array({"stability", "travel", "none"}));

@@ -13,12 +13,12 @@ using geometry::ElementMesh, geometry::ElementShape;
 
 using methods::fem::FemRules, methods::fem::FemStepper;
 
-constexpr Real shear_velocity = 100, density = 2000, height = 10;
+constexpr Real s_wave_velocity = 100, density = 2000, height = 10;
 
 SolidMaterial soil() {
   SolidMaterial material;
   material.density = density;
-  material.elastic = {density * shear_velocity * shear_velocity, 2 * density * shear_velocity * shear_velocity};
+  material.elastic = {density * s_wave_velocity * s_wave_velocity, 2 * density * s_wave_velocity * s_wave_velocity};
   return material;
 }
 
@@ -36,7 +36,7 @@ ViscousBoundary<2> viscous_base(const ElementMesh& mesh, Index motion) {
   for (const auto& face : mesh.find_group("bottom")->elements)
     base.faces.push_back(
         {{face.node_list().begin(), face.node_list().end()},
-         face_impedance<2>(mesh, face, density * material.pressure_velocity(), density * material.shear_velocity())});
+         face_impedance<2>(mesh, face, density * material.p_wave_velocity(), density * material.s_wave_velocity())});
   return base;
 }
 
@@ -64,7 +64,7 @@ Real surface_error(ElementShape shape, int cells, Real step) {
   Real worst = 0;
   while (stepper.time() < 0.35) {
     stepper.advance();
-    const Real exact = 2 * wavelet().at(stepper.time() - height / shear_velocity).velocity;
+    const Real exact = 2 * wavelet().at(stepper.time() - height / s_wave_velocity).velocity;
     worst = std::max(worst, std::abs(stepper.state().velocity[static_cast<std::size_t>(top) * 2] - exact));
   }
   return worst;
@@ -108,7 +108,7 @@ TEST(newmark, keeps_the_energy_of_a_free_body) {
 TEST(rayleigh, damps_a_mode_by_its_ratio) {
   // A bar in shear, 1 element wide, sides held vertically: its first mode has the frequency Vs/(4 H).
   const auto mesh = test::box(ElementShape::quadrilateral8, {{1, height, 1}, {1, 10, 1}, 0});
-  const Real frequency = shear_velocity / (4 * height), ratio = 0.05;
+  const Real frequency = s_wave_velocity / (4 * height), ratio = 0.05;
   Supports<2> supports;
   for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
     supports.held.push_back({static_cast<Index>(node), 1, Support::no_motion, 0});

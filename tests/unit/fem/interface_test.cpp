@@ -132,7 +132,7 @@ TEST(block_on_a_joint, is_lifted_without_resistance) {
   for (int step = 0; step < 100; ++step) stepper.advance();
   const Index top = test::node_at(stepper.body().mesh(), {0.5, 0.5, 1});
   EXPECT_NEAR(stepper.state().velocity[static_cast<std::size_t>(top) * 3 + 2], 5 * 0.1, 0.02 * 0.5);
-  EXPECT_EQ(stepper.body().joints().summary(0, stepper.state().displacement, stepper.state().memory.joints).open_share, 1);
+  EXPECT_EQ(stepper.body().joints().summary(0, stepper.state().displacement, stepper.state().memory.joints).open_fraction, 1);
 }
 
 }  // namespace

@@ -65,20 +65,20 @@ Outcome run(CouplingScheme scheme, Real window, Real until = 0.06) {
 
 TEST(two_mass_oscillator, the_lagged_schemes_are_of_first_order_and_the_repeated_one_of_second) {
   for (const auto& [scheme, order] :
-       {std::pair{CouplingScheme::paper, 1.0}, {CouplingScheme::impulse, 1.0}, {CouplingScheme::repeat, 2.0}}) {
+       {std::pair{CouplingScheme::lagged, 1.0}, {CouplingScheme::impulse, 1.0}, {CouplingScheme::iterative, 2.0}}) {
     const Real coarse = run(scheme, 1e-4).error, fine = run(scheme, 5e-5).error;
     EXPECT_NEAR(std::log2(coarse / fine), order, 0.15) << static_cast<int>(scheme);
-    if (scheme == CouplingScheme::repeat) {
+    if (scheme == CouplingScheme::iterative) {
       EXPECT_LT(fine, 2e-3 * weight / spring);
     }
   }
 }
 
 TEST(two_mass_oscillator, the_energy_that_it_gains_is_what_the_surface_made) {
-  for (const CouplingScheme scheme : {CouplingScheme::paper, CouplingScheme::impulse, CouplingScheme::repeat}) {
+  for (const CouplingScheme scheme : {CouplingScheme::lagged, CouplingScheme::impulse, CouplingScheme::iterative}) {
     const Outcome outcome = run(scheme, 1e-4);
     EXPECT_NEAR(outcome.gained, outcome.made, 2e-4) << static_cast<int>(scheme);
-    if (scheme == CouplingScheme::repeat)
+    if (scheme == CouplingScheme::iterative)
       EXPECT_NEAR(outcome.made, 0, 1e-7);
     else
       EXPECT_GT(outcome.made, 5e-3);

@@ -22,12 +22,12 @@ state::Particles<D> make_particles(const std::vector<Site<D>>& sites, Real spaci
   state::Particles<D> particles;
   particles.spacing = spacing;
   particles.resize(static_cast<Index>(sites.size()));
-  const Real mu = soil.density * soil.shear_velocity * soil.shear_velocity;
+  const Real mu = soil.density * soil.s_wave_velocity * soil.s_wave_velocity;
   for (std::size_t i = 0; i < sites.size(); ++i) {
     for (std::size_t axis = 0; axis < D; ++axis) particles.start[axis][i] = (sites[i][axis] + 0.5) * spacing;
     particles.set_density(static_cast<Index>(i), soil.density);
     particles.shear_modulus[i] = mu;
-    particles.lame[i] = soil.density * soil.pressure_velocity * soil.pressure_velocity - 2 * mu;
+    particles.lame[i] = soil.density * soil.p_wave_velocity * soil.p_wave_velocity - 2 * mu;
     particles.damping_ratio[i] = soil.damping_ratio;
   }
   return particles;

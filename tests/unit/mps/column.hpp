@@ -9,8 +9,8 @@ namespace sazare::methods::mps {
 
 struct Soil {
   Real density = 1500;           ///< [kg/m3]
-  Real shear_velocity = 100;     ///< [m/s]
-  Real pressure_velocity = 200;  ///< [m/s]
+  Real s_wave_velocity = 100;     ///< [m/s]
+  Real p_wave_velocity = 200;  ///< [m/s]
   Real damping_ratio = 0;
 };
 

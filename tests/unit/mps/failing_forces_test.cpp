@@ -14,8 +14,8 @@ namespace {
 constexpr Real degree = std::numbers::pi / 180;
 
 StrengthOfGround strong_as(const Soil& soil, const laws::MohrCoulomb& law, Real rupture_strain) {
-  const Real mu = soil.density * soil.shear_velocity * soil.shear_velocity;
-  return {true, law, {mu, soil.density * soil.pressure_velocity * soil.pressure_velocity - 2 * mu}, soil.density, rupture_strain};
+  const Real mu = soil.density * soil.s_wave_velocity * soil.s_wave_velocity;
+  return {true, law, {mu, soil.density * soil.p_wave_velocity * soil.p_wave_velocity - 2 * mu}, soil.density, rupture_strain};
 }
 
 /// A box of particles of one ground.
@@ -75,7 +75,7 @@ TEST(failing_forces, are_elastic_below_the_strength) {
 /// Simple shear without friction: every particle, at corners and edges too, yields at the cohesion.
 TEST(failing_forces, flow_at_the_strength_in_every_particle) {
   const Soil soil;
-  const Real mu = soil.density * soil.shear_velocity * soil.shear_velocity;
+  const Real mu = soil.density * soil.s_wave_velocity * soil.s_wave_velocity;
   Box<2> box({5, 4}, 0.5, strong_as(soil, laws::MohrCoulomb::make(30e3, 0, 0, 1e9), 1));
   constexpr Real sheared = 8e-3;
   box.shear(sheared);
@@ -161,7 +161,7 @@ TEST(failing_forces, keep_both_momenta_when_links_break_and_particles_touch) {
 
 TEST(failing_forces, break_links_at_the_rupture_strain) {
   const Soil soil;
-  const Real mu = soil.density * soil.shear_velocity * soil.shear_velocity;
+  const Real mu = soil.density * soil.s_wave_velocity * soil.s_wave_velocity;
   Box<2> box({4, 4}, 0.5, strong_as(soil, laws::MohrCoulomb::make(10e3, 0, 0, 1e9), 0.01));
   const Real yields = 10e3 / mu;
   box.shear(yields + 0.0095);
@@ -171,7 +171,7 @@ TEST(failing_forces, break_links_at_the_rupture_strain) {
   box.shear(yields + 0.0105);
   box.evaluate();
   EXPECT_EQ(box.forces.broken_links(), 4 * 3 * 2 + 2 * 3 * 3);
-  for (Index i = 0; i < 16; ++i) EXPECT_EQ(box.forces.broken_share(i), 1);
+  for (Index i = 0; i < 16; ++i) EXPECT_EQ(box.forces.broken_fraction(i), 1);
   box.evaluate();
   // The shortened diagonals still press: a small part of what was stored.
   const Real stored = before;
@@ -194,7 +194,7 @@ struct Collision {
     }
     const auto links = make_links<2>(sites, spacing, 1.5);
     const auto ground = strong_as(soil, laws::MohrCoulomb::make(1e12, friction_angle, 0, 1e11), 1);
-    const Real step = 0.1 * spacing / soil.pressure_velocity;
+    const Real step = 0.1 * spacing / soil.p_wave_velocity;
     auto made = std::make_unique<FailingForces<2>>(particles, links,
                                                    GroundStrength<2>(particles, links, {ground}, std::vector<Index>(18, 0)),
                                                    LooseRules{.step = step, .damping_ratio = damping_ratio});

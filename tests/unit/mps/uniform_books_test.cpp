@@ -86,7 +86,7 @@ void stand_on_viscous_base(Column2& column, const Soil& soil, const laws::Ground
     if (column.sites[i][1] != 0) continue;
     base.push_back(static_cast<Index>(i));
     column.particles.inverse_mass[i] *= 2;
-    column.supports.dashpots.push_back({base.back(), 0, 2 * soil.shear_velocity / spacing, 0});
+    column.supports.dashpots.push_back({base.back(), 0, 2 * soil.s_wave_velocity / spacing, 0});
   }
   column.links.halve_among(base);
 }
@@ -106,7 +106,7 @@ TEST(uniform_books, count_the_energy_that_a_wave_brings_in_and_takes_out) {
   for (int i = 0; i < 5000; ++i) {
     stepper.advance();
     const Real velocity = wave.at(stepper.time()).velocity;
-    flux += step * soil.density * soil.shear_velocity * velocity * velocity * across * spacing;
+    flux += step * soil.density * soil.s_wave_velocity * velocity * velocity * across * spacing;
     most = std::max(most, stepper.work().boundary);
     worst = std::max(worst, std::abs(stepper.work().boundary - Books(stepper).carried));
   }

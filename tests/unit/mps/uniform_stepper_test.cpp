@@ -114,13 +114,13 @@ TEST(uniform_stepper, settles_on_a_viscous_base_and_stays_at_rest) {
     particles.inverse_inertia[i] *= 2;
     particles.lame[i] *= 2;
     for (const int axis : {0, 1})
-      supports.dashpots.push_back({base.back(), axis, 2 * (axis == 1 ? soil.pressure_velocity : soil.shear_velocity) / spacing});
+      supports.dashpots.push_back({base.back(), axis, 2 * (axis == 1 ? soil.p_wave_velocity : soil.s_wave_velocity) / spacing});
   }
   links.halve_among(base);
   particles::UniformStepper<2> stepper(particles, std::make_unique<ElasticForces<2>>(links, RotationRemoval::mean_rotation),
                                     supports, {1e-3, particles::Integrator::verlet, laws::RayleighDamping::make(1, 10)});
   EXPECT_LT(stepper.relax({1e-6, 20000}), 1e-6);
-  const Real length = (high - 1) * spacing, modulus = soil.density * soil.pressure_velocity * soil.pressure_velocity;
+  const Real length = (high - 1) * spacing, modulus = soil.density * soil.p_wave_velocity * soil.p_wave_velocity;
   const Real expected = -soil.density * gravity * (0.5 * length * length + 0.5 * spacing * length) / modulus;
   EXPECT_NEAR(stepper.initial_displacement()[1][high - 1], expected, 1e-3 * std::abs(expected));
   for (const particles::Dashpot& dashpot : stepper.supports().dashpots) {

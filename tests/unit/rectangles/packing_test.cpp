@@ -174,7 +174,7 @@ TEST(packing, breaks_and_closes_the_books) {
   stepper->start();
   const Real energy = stepper->kinetic_energy() + stepper->elastic_energy();
   for (int i = 0; i < 5000; ++i) stepper->advance();
-  EXPECT_GT(scene.forces->links().open_links(), 0);
+  EXPECT_GT(scene.forces->links().broken_links(), 0);
   EXPECT_GT(scene.forces->contacts().pairs().size(), 0U);
   const EnergyBooks books = scene.forces->books(stepper->particles());
   EXPECT_GT(books.links.fracture, 0);
@@ -247,7 +247,7 @@ TEST(packing, sides_of_a_crack_meet_again) {
   EXPECT_EQ(scene.forces->outlines().exposed[0], packing.outside[0]);
   move(1e-3);  // stresses of 4e5 Pa between the first two, and 8e4 Pa to the third
   evaluate(scene);
-  EXPECT_EQ(scene.forces->links().open_links(), 1);
+  EXPECT_EQ(scene.forces->links().broken_links(), 1);
   EXPECT_NE(scene.forces->outlines().exposed[0], packing.outside[0]);
   EXPECT_EQ(scene.forces->contacts().touching(), 0);
   move(-1e-3);

@@ -21,7 +21,7 @@ geometry::TetraMesh two_elements() {
 
 std::string joint(const std::string& name, const std::string& first, const std::string& second) {
   return "[[joints]]\nname = \"" + name + "\"\nbetween = [\"" + first + "\", \"" + second +
-         "\"]\nnormal_stiffness = 450e9\nshear_stiffness = 90e9\ncohesion = 6e6\nfriction_coefficient = 0.58\n"
+         "\"]\njoint_normal_stiffness = 450e9\njoint_shear_stiffness = 90e9\ncohesion = 6e6\nfriction_coefficient = 0.58\n"
          "tensile_strength = 6e6\nfracture_energy = 100.0\n";
 }
 
@@ -31,7 +31,7 @@ cases::CaseFile case_with(const std::string& joints) {
       "[[materials]]\nname = \"soft\"\nregions = [\"lower\"]\ndensity = 2390.0\n"
       "[[materials]]\nname = \"hard\"\nregions = [\"upper\"]\ndensity = 2390.0\n" +
           joints +
-          "[contact]\nnormal_stiffness = 1.5e9\nfriction_coefficient = 0.58\n"
+          "[contact]\ncontact_stiffness = 1.5e9\nfriction_coefficient = 0.58\n"
           "[[blasts]]\nsurface = \"hole\"\npeak_pressure = 5e8\nrise_time = 1e-4\ndecay_ratio = 2.0\n"
           "[[boundaries]]\nsurface = \"hole\"\nkind = \"fixed\"\n"
           "[time]\nend = 5e-4\nhistory_interval = 1e-6\nsnapshot_interval = 1e-5\n",

@@ -72,7 +72,6 @@ TEST_F(FinishedRun, ManifestHasTheNamesOfTheInterface) {
                                                                     "energy_work",
                                                                     "fragments",
                                                                     "joints",
-                                                                    "kicks",
                                                                     "largest_fragment_volume",
                                                                     "pair_evaluations",
                                                                     "peak_speed",
@@ -80,8 +79,9 @@ TEST_F(FinishedRun, ManifestHasTheNamesOfTheInterface) {
                                                                     "smallest_step",
                                                                     "steps",
                                                                     "throw_max",
-                                                                    "ticks",
                                                                     "uniform_evaluations",
+                                                                    "update_times",
+                                                                    "updates",
                                                                     "wall_seconds",
                                                                     "x50",
                                                                     "x80"}));

@@ -36,7 +36,7 @@ TEST(run_fem, writes_its_folder_and_its_figures) {
   EXPECT_EQ(manifest["method"], "fem");
   EXPECT_EQ(manifest["status"], "done");
   EXPECT_EQ(manifest["results"]["steps"], 120);
-  EXPECT_EQ(manifest["results"]["cuts"], 0);
+  EXPECT_EQ(manifest["results"]["step_cuts"], 0);
   EXPECT_LT(std::abs(manifest["results"]["energy_residual"].get<double>()),
             1e-7 * manifest["results"]["energy_work"].get<double>());
   EXPECT_TRUE(fs::exists(folder / "run/snapshots/finite_elements_00002.vtkhdf"));

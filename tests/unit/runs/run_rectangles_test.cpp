@@ -111,11 +111,11 @@ lower = [5.0, 0.0, 0.0]
 [[materials]]
 name = "stone"
 density = 2500.0
-normal_stiffness = 1e9
-shear_stiffness = 4e8
+face_normal_stiffness = 1e9
+face_shear_stiffness = 4e8
 [contact]
-normal_stiffness = 1e9
-shear_stiffness = 4e8
+face_normal_stiffness = 1e9
+face_shear_stiffness = 4e8
 friction_angle = 30.0
 [time]
 end = 1.0

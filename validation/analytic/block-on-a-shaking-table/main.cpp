@@ -116,7 +116,7 @@ Settings newmark_settings() {
           fmt::format("contact.friction_angle={:.17g}", std::atan(friction) * 180 / std::numbers::pi), "gauges=[]",
           "time.end=3.5", "time.snapshot_interval=0.5",
           // Friction follows the springs without the dashpots, so both are stiff and weak here.
-          "contact.normal_stiffness=1e11", "contact.shear_stiffness=1e11", "contact.damping_ratio=0.2"};
+          "contact.face_normal_stiffness=1e11", "contact.face_shear_stiffness=1e11", "contact.damping_ratio=0.2"};
 }
 
 /// How far a block has slid over the table after shaking both ways [m].

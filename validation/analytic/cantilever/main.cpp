@@ -54,10 +54,10 @@ Real ratio(Real spacing, Real poisson) {
   const auto trace = validation::trace_gauges(
       "validation/analytic/cantilever/case.toml",
       {fmt::format("particles.spacing={}", spacing), fmt::format("materials.0.poisson_ratio={}", poisson)}, 0, 20);
-  constexpr Real shear_velocity = 100, height = 1;
+  constexpr Real s_wave_velocity = 100, height = 1;
   const Real length = 20 - 0.5 * spacing, modulus = 2 * (1 + poisson) / (1 - poisson * poisson);  // plane strain, over G
   const Real kappa = 10 * (1 + poisson) / (12 + 11 * poisson);
-  const Real theory = timoshenko_root(height / length, modulus / kappa) / (2 * std::numbers::pi) * shear_velocity *
+  const Real theory = timoshenko_root(height / length, modulus / kappa) / (2 * std::numbers::pi) * s_wave_velocity *
                       std::sqrt(modulus / 12) * height / (length * length);
   return frequency_of(trace.displacement.front(), trace.step, theory) / theory;
 }

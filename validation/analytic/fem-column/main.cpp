@@ -36,7 +36,7 @@ Surface surface(geometry::ElementShape shape, int cells, Real step) {
   base.motion = {0, Support::no_motion};
   for (const auto& face : mesh.find_group("bottom")->elements)
     base.faces.push_back({{face.node_list().begin(), face.node_list().end()},
-                          face_impedance<2>(mesh, face, density * soil.pressure_velocity(), density * velocity)});
+                          face_impedance<2>(mesh, face, density * soil.p_wave_velocity(), density * velocity)});
   supports.viscous = {base};
   methods::fem::FemRules rules;
   rules.step = step;

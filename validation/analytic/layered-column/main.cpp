@@ -29,7 +29,7 @@ Complex exact_ratio(const cases::MpsCase& mps, Real frequency, bool by_particle)
   for (std::size_t layer = 0; layer < mps.materials.size(); ++layer) {
     const auto properties = [&](const cases::Ground& ground) {
       const Complex density = ground.density * (1.0 - i * damping.mass_rate * ground.damping_ratio / omega);
-      const Complex modulus = ground.density * ground.shear_velocity * ground.shear_velocity *
+      const Complex modulus = ground.density * ground.s_wave_velocity * ground.s_wave_velocity *
                               (1.0 + i * omega * damping.stiffness_time * ground.damping_ratio);
       const Complex number = omega * std::sqrt(density / modulus);
       return std::pair{number, number * (by_particle ? Complex(std::real(modulus)) : modulus)};

@@ -23,7 +23,7 @@ def settlement(factor, spacing, folder):
     """Largest displacement under gravity [m], until the rest or the last step."""
     friction = math.degrees(math.atan(math.tan(math.radians(FRICTION)) / factor))
     settings = {"particles.spacing": spacing, "materials.0.cohesion": COHESION / factor, "materials.0.friction_angle": friction,
-                "gravity.settling_steps": int(4000 / spacing)}
+                "gravity.max_settling_steps": int(4000 / spacing)}
     command = [PROGRAM, "run", HERE / "case.toml", "--out", folder, "--overwrite", "--quiet"]
     command += [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
     done = subprocess.run(command, capture_output=True, text=True, check=False)

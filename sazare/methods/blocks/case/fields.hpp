@@ -42,10 +42,10 @@ void visit_fields(Visitor& visit, Joint& joint) {
     visit("between", joint.between);
   visit("bonded", joint.bonded);
   if (!joint.bonded) return;
-  visit("normal_stiffness", joint.normal_stiffness);
-  visit("shear_stiffness", joint.shear_stiffness);
-  visit("normal_damping", joint.normal_damping);
-  visit("shear_damping", joint.shear_damping);
+  visit("joint_normal_stiffness", joint.normal_stiffness);
+  visit("joint_shear_stiffness", joint.shear_stiffness);
+  visit("joint_normal_damping", joint.normal_damping);
+  visit("joint_shear_damping", joint.shear_damping);
   visit("cohesion", joint.cohesion);
   visit.friction(joint.friction_coefficient);
   visit("tensile_strength", joint.tensile_strength);
@@ -54,8 +54,8 @@ void visit_fields(Visitor& visit, Joint& joint) {
 
 template <class Visitor>
 void visit_fields(Visitor& visit, Contact& contact) {
-  visit("normal_stiffness", contact.normal_stiffness);
-  visit("normal_damping", contact.normal_damping);
+  visit("contact_stiffness", contact.normal_stiffness);
+  visit("contact_damping", contact.normal_damping);
   visit.friction(contact.friction_coefficient);
   visit("damping_cap", contact.damping_cap);
   visit("edge_division", contact.edge_division);

@@ -9,8 +9,6 @@ namespace sazare::runs {
 
 namespace {
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 /// Joined sets; the smallest element of each is its root.
 class Sets {
 public:

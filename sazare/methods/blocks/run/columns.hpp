@@ -58,8 +58,8 @@ inline constexpr std::array figures = {
     Column{"throw_max", "m", "largest displacement of a fragment's centre"},
     Column{"peak_speed", "m/s", "largest of any element, at the rows of the history"},
     Column{"steps", "-", "base steps"},
-    Column{"kicks", "-", "of elements, each at its level"},
-    Column{"ticks", "-", "times at which elements were updated"},
+    Column{"updates", "-", "of elements, each at its level"},
+    Column{"update_times", "-", "times at which elements were updated"},
     Column{"smallest_step", "s", "of any element"},
     Column{"pair_evaluations", "-", "of joints and contacts"},
     Column{"uniform_evaluations", "-", "that a uniform step, the smallest one, would have needed"}};

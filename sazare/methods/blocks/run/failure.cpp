@@ -16,8 +16,6 @@ namespace {
 
 constexpr std::size_t serial_below = 1024;
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 /// Quickly, of all elements at every base step: none that has failed passes as sound. What is no number in any momentum is none
 /// in the rotation after the next drift, or in the velocity.
 bool is_sound(const state::Motion<3>& motion, Real reach, Real longest_step) {

@@ -5,7 +5,6 @@
 namespace sazare::runs {
 
 namespace {
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 }  // namespace
 
 PlacedElement::PlacedElement(const state::Bodies<3>& bodies, const levels::Snapshot<3>& now, Index element)

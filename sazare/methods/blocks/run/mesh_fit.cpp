@@ -10,8 +10,6 @@ namespace sazare::runs {
 
 namespace {
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 std::vector<UnjoinedFaces> unjoined_faces(const MeshFaces& faces, const std::vector<Index>& material,
                                           const std::vector<Index>& joint_of_face) {
   std::vector<UnjoinedFaces> unjoined;

@@ -123,8 +123,8 @@ std::vector<std::pair<std::string, observe::Figure>> RunRecord::results(std::int
       {"uniform_evaluations", counters.uniform_evaluations},
       {"wall_seconds", wall_seconds},
       {"steps", step},
-      {"kicks", counters.kicks},
-      {"ticks", counters.ticks},
+      {"updates", counters.kicks},
+      {"update_times", counters.ticks},
       {"smallest_step", smallest_step_}};
   for (std::size_t i = 0; i < balance.joules.size(); ++i)
     results.emplace_back(columns::blocks::energies[i].name, balance.joules[i]);

@@ -16,8 +16,6 @@ namespace {
 
 using methods::blocks::JointState;
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 /// Numbers from a function of their place.
 template <class T, class NumberAt>
 observe::MadeNumbers<T> made(std::size_t count, NumberAt number_at) {

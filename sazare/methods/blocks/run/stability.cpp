@@ -15,8 +15,6 @@ namespace sazare::runs {
 
 namespace {
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 std::string seconds(Real value) { return cases::short_number(value, 3) + " s"; }
 
 /// The largest base step that is stable for all elements and divides the history interval.

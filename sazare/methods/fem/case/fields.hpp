@@ -58,8 +58,8 @@ void visit_fields(Visitor& visit, FemJoint& joint) {
     visit("group", joint.group);
   else
     visit("between", joint.between);
-  visit("normal_stiffness", joint.normal_stiffness);
-  visit("shear_stiffness", joint.shear_stiffness);
+  visit("joint_normal_stiffness", joint.normal_stiffness);
+  visit("joint_shear_stiffness", joint.shear_stiffness);
   visit("cohesion", joint.cohesion);
   visit("friction_angle", joint.friction_angle);
 }
@@ -92,8 +92,8 @@ void visit_fields(Visitor& visit, FemGravity& gravity) {
 template <class Visitor>
 void visit_fields(Visitor& visit, FemSolver& solver) {
   visit("tolerance", solver.tolerance);
-  visit("iterations", solver.iterations);
-  visit("cuts", solver.cuts);
+  visit("max_iterations", solver.iterations);
+  visit("max_cuts", solver.cuts);
 }
 
 template <class Visitor>

@@ -20,29 +20,30 @@ inline constexpr std::array energies = {Column{"energy_work", "J", "work done on
                                         Column{"energy_plastic", "J", "dissipated by plastic flow"},
                                         Column{"energy_friction", "J", "dissipated by friction of joints"},
                                         Column{"energy_residual", "J", "residual of the energy balance"}};
-inline constexpr std::array work = {Column{"work_gravity", "J", "work of gravity"}, Column{"work_loads", "J", "work of loads"},
-                                    Column{"work_boundary", "J", "work of moving supports"},
-                                    Column{"work_waves", "J", "work of waves that enter through viscous boundaries"}};
-inline constexpr std::array boundary = {Column{"force.NAME", "N", "of a boundary on the body", 3}};
-inline constexpr std::array joint_set = {Column{"joint.NAME.open_share", "-", "open share of the area of the joint"},
-                                         Column{"joint.NAME.slip_share", "-", "sliding share of the area of the joint"},
-                                         Column{"joint.NAME.slip_max", "m", "largest slip"}};
-inline constexpr std::array newton = {Column{"iterations", "-", "Newton iterations so far"},
-                                      Column{"cuts", "-", "steps that were halved"}};
+inline constexpr std::array work = {Column{"energy_work_gravity", "J", "work of gravity"},
+                                    Column{"energy_work_loads", "J", "work of loads"},
+                                    Column{"energy_work_boundary", "J", "work of moving supports"},
+                                    Column{"energy_work_waves", "J", "work of waves that enter through viscous boundaries"}};
+inline constexpr std::array boundary = {Column{"NAME.force", "N", "of a boundary on the body", 3}};
+inline constexpr std::array joint_set = {Column{"NAME.open_fraction", "-", "open share of the area of the joint"},
+                                         Column{"NAME.sliding_fraction", "-", "sliding share of the area of the joint"},
+                                         Column{"NAME.slip_max", "m", "largest slip"}};
+inline constexpr std::array newton = {Column{"newton_iterations", "-", "Newton iterations so far"},
+                                      Column{"step_cuts", "-", "steps that were halved"}};
 inline constexpr std::array nodes = {Column{"displacement", "m", "since the beginning"}, Column{"velocity", "m/s", ""},
                                      Column{"acceleration", "m/s2", ""}};
 inline constexpr std::array elements = {Column{"normal_stress", "Pa", "xx, yy, zz; tension is positive"},
                                         Column{"shear_stress", "Pa", "xy in 2-D; xy, yz, zx in 3-D"},
                                         Column{"pressure", "Pa", "minus the mean of the normal stresses"},
-                                        Column{"plastic_slip", "-", "equivalent plastic shear strain"},
+                                        Column{"plastic_shear_strain", "-", "equivalent plastic shear strain"},
                                         Column{"region", "-", "physical group in the mesh"}};
 
 /// In the manifest, `results` by name: an interface, which scripts of users read.
 inline constexpr std::array figures = {Column{"nodes", "-", ""},
                                    Column{"elements", "-", ""},
-                                   Column{"freedoms", "-", "free degrees of freedom"},
-                                   Column{"iterations", "-", "Newton iterations"},
-                                   Column{"cuts", "-", "steps that were halved"},
+                                   Column{"degrees_of_freedom", "-", "free degrees of freedom"},
+                                   Column{"newton_iterations", "-", "Newton iterations"},
+                                   Column{"step_cuts", "-", "steps that were halved"},
                                    Column{"peak_force_NAME", "N", "of a boundary on the body, by axis"},
                                    Column{"slip_max_NAME", "m", "of a joint, at the end"}};
 

@@ -17,8 +17,9 @@ std::string fem_summary(const observe::Manifest& manifest) {
   const auto number = [&](std::string_view name, int digits = 4) { return figure_text(manifest, name, digits); };
   std::string text;
   text += fmt::format("elements        {}, {} degrees of freedom, {} steps of {} s\n", number("elements", 12),
-                      number("freedoms", 12), number("steps", 12), number("step"));
-  text += fmt::format("solver          {} Newton iterations, {} step cuts\n", number("iterations", 12), number("cuts", 12));
+                      number("degrees_of_freedom", 12), number("steps", 12), number("step"));
+  text += fmt::format("solver          {} Newton iterations, {} step cuts\n", number("newton_iterations", 12),
+                      number("step_cuts", 12));
   text += fmt::format("peaks           {} m, {} m/s, {} m/s2\n", number("peak_displacement"), number("peak_speed"),
              number("peak_acceleration"));
   text += fmt::format("energy          {}\n", balance_text(manifest));

@@ -24,8 +24,6 @@ namespace fem = methods::fem;
 using cases::GroupKind;
 using fem::Support;
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 /// Looks up what a case names in its mesh, and refuses what is not there.
 class MeshNames {
 public:
@@ -162,8 +160,8 @@ private:
       const fem::SolidMaterial& ground = body_.materials[at(body_.material[at(beside[i])])];
       const auto list = group.elements[i].node_list();
       boundary.faces.push_back({{list.begin(), list.end()},
-                                fem::face_impedance<D>(body_.mesh, group.elements[i], ground.density * ground.pressure_velocity(),
-                                                       ground.density * ground.shear_velocity())});
+                                fem::face_impedance<D>(body_.mesh, group.elements[i], ground.density * ground.p_wave_velocity(),
+                                                       ground.density * ground.s_wave_velocity())});
       for (const Index node : list)
         if (viscous_nodes_.insert(node).second) boundary.nodes.push_back(node);
     }

@@ -15,8 +15,6 @@ namespace sazare::runs {
 
 namespace {
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 /// The numbers of a node as a vector of three.
 template <int D>
 Vector3 vector_of(const methods::fem::NodalColumn& column, std::size_t node) {
@@ -119,7 +117,7 @@ std::vector<Real> FemRecord<D>::history_row(Real time, Real wall_seconds) {
   const auto& joints = stepper().body().joints();
   for (std::size_t set = 0; set < joints.sets().size(); ++set) {
     const auto summary = joints.summary(set, state.displacement, state.memory.joints);
-    row.insert(row.end(), {summary.open_share, summary.slip_share, summary.largest_slip});
+    row.insert(row.end(), {summary.open_fraction, summary.sliding_fraction, summary.largest_slip});
   }
   row.insert(row.end(), {static_cast<Real>(state.iterations), static_cast<Real>(state.cuts), wall_seconds});
   return row;
@@ -201,11 +199,11 @@ std::vector<std::pair<std::string, observe::Figure>> FemRecord<D>::results(std::
   std::vector<std::pair<std::string, observe::Figure>> results = {
       {"nodes", static_cast<std::int64_t>(model_->mesh().nodes.size())},
       {"elements", static_cast<std::int64_t>(model_->mesh().elements.size())},
-      {"freedoms", static_cast<std::int64_t>(stepper().free_freedoms())},
+      {"degrees_of_freedom", static_cast<std::int64_t>(stepper().free_freedoms())},
       {"steps", step},
       {"step", model_->step},
-      {"iterations", state.iterations},
-      {"cuts", state.cuts},
+      {"newton_iterations", state.iterations},
+      {"step_cuts", state.cuts},
       {"wall_seconds", wall_seconds},
       {"final_displacement", displacement_},
       {"peak_displacement", largest_displacement_},

@@ -10,7 +10,7 @@
 /// two cases that it names.
 namespace sazare::cases {
 
-enum class HybridScheme { paper, impulse, repeat };
+enum class HybridScheme { lagged, impulse, iterative };
 
 struct HybridSides {
   std::filesystem::path continuum;  // of method fem

@@ -14,7 +14,7 @@ std::string explain(const HybridCase& hybrid) {
                               (of.width > 0 ? fmt::format(", a slab of {} m", short_number(of.width)) : "");
   const HybridCoupling& coupling = hybrid.coupling;
   std::string scheme(EnumWords<HybridScheme>::words.at(static_cast<std::size_t>(coupling.scheme)));
-  if (coupling.scheme == HybridScheme::repeat)
+  if (coupling.scheme == HybridScheme::iterative)
     scheme +=
         fmt::format(", tolerance {} of the force, at most {} passes", short_number(coupling.tolerance), coupling.passes);
   return hybrid.title + "\n" + line("surface", surface) +

@@ -8,7 +8,7 @@ namespace sazare::cases {
 
 template <>
 struct EnumWords<HybridScheme> {
-  static constexpr std::array<std::string_view, 3> words{"paper", "impulse", "repeat"};
+  static constexpr std::array<std::string_view, 3> words{"lagged", "impulse", "iterative"};
 };
 
 template <class Visitor>
@@ -28,7 +28,7 @@ template <class Visitor>
 void visit_fields(Visitor& visit, HybridCoupling& coupling) {
   visit("scheme", coupling.scheme);
   visit("tolerance", coupling.tolerance);
-  visit("passes", coupling.passes);
+  visit("max_passes", coupling.passes);
 }
 
 template <class Visitor>

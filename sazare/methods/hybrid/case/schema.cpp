@@ -6,7 +6,7 @@
 namespace sazare::cases {
 namespace {
 
-constexpr std::array<std::string_view, 3> schemes{"paper", "impulse", "repeat"};
+constexpr std::array<std::string_view, 3> schemes{"lagged", "impulse", "iterative"};
 
 constexpr std::array side_keys{
     Key{.name = "continuum",
@@ -52,7 +52,7 @@ constexpr std::array coupling_keys{
         .default_text = "1e-4",
         .note = "scheme repeat",
         .sentence = "Difference between the assumed and the resulting force, divided by the larger of the two."},
-    Key{.name = "passes",
+    Key{.name = "max_passes",
         .type = Type::integer,
         .range = {.low = 2, .high = 1000},
         .default_text = "20",

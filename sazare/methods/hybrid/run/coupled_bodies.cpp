@@ -14,7 +14,7 @@
 
 namespace sazare::runs {
 
-bool repeats(const cases::HybridCase& hybrid) { return hybrid.coupling.scheme == cases::HybridScheme::repeat; }
+bool repeats(const cases::HybridCase& hybrid) { return hybrid.coupling.scheme == cases::HybridScheme::iterative; }
 
 CoupledSpheres::CoupledSpheres(const BodiesSetting& setting)
     : file(*setting.hybrid.bodies),

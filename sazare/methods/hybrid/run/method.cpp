@@ -30,7 +30,7 @@ std::string hybrid_summary(const observe::Manifest& manifest) {
   text += fmt::format("surface         force up to {} N, displacement up to {} m\n", number("peak_force"),
                       number("peak_displacement"));
   text += fmt::format("energy          {} J over the surface, {} J added by the coupling, residual {} J\n",
-                      number("work_on_nodes"), number("energy_made", 2), number("energy_residual", 2));
+                      number("energy_work_on_nodes"), number("energy_coupling_error", 2), number("energy_residual", 2));
   return text + wall_time_line(manifest);
 }
 

@@ -10,9 +10,9 @@
 namespace sazare::runs {
 
 methods::hybrid::CouplingRules coupling_rules(const cases::HybridCase& hybrid) {
-  const auto scheme = hybrid.coupling.scheme == cases::HybridScheme::paper     ? methods::hybrid::CouplingScheme::paper
+  const auto scheme = hybrid.coupling.scheme == cases::HybridScheme::lagged     ? methods::hybrid::CouplingScheme::lagged
                       : hybrid.coupling.scheme == cases::HybridScheme::impulse ? methods::hybrid::CouplingScheme::impulse
-                                                                               : methods::hybrid::CouplingScheme::repeat;
+                                                                               : methods::hybrid::CouplingScheme::iterative;
   return {scheme, surface_width(hybrid), hybrid.coupling.tolerance, hybrid.coupling.passes};
 }
 

@@ -55,9 +55,9 @@ std::vector<Real> HybridRecord<D, Bodies>::row(Real time, Real wall_seconds) con
        {parts_.side.mean_displacement(), parts_.side.mean_force(), parts_.side.last_force(), totals.given, totals.under_way()})
     row.insert(row.end(), value.begin(), value.end());
   const Real width = D == 2 ? parts_.side.rules().width : 1;
-  row.insert(row.end(),
-             {totals.work_on_nodes, totals.work_on_bodies, totals.made(), width * parts_.continuum.stepper->energy_residual(),
-              bodies_.energy_residual(), static_cast<Real>(totals.passes), parts_.side.disagreement(), wall_seconds});
+  row.insert(row.end(), {totals.energy_work_on_nodes, totals.energy_work_on_bodies, totals.made(),
+                         width * parts_.continuum.stepper->energy_residual(), bodies_.energy_residual(),
+                         static_cast<Real>(totals.passes), parts_.side.disagreement(), wall_seconds});
   return row;
 }
 
@@ -94,14 +94,14 @@ std::vector<std::pair<std::string, observe::Figure>> HybridRecord<D, Bodies>::re
           {"steps_per_window", parts_.steps_per_window},
           {"step", parts_.bodies.step()},
           {"elements", static_cast<std::int64_t>(parts_.continuum.mesh().elements.size())},
-          {"freedoms", static_cast<std::int64_t>(parts_.continuum.stepper->free_freedoms())},
+          {"degrees_of_freedom", static_cast<std::int64_t>(parts_.continuum.stepper->free_freedoms())},
           {Bodies::count_key, parts_.bodies.count()},
           {Bodies::steps_key, parts_.bodies.count() * parts_.steps_per_window * totals.passes},
           {"wall_seconds", wall_seconds},
           {"impulse_given", totals.given.norm()},
-          {"impulse_under_way", totals.under_way().norm()},
-          {"work_on_nodes", totals.work_on_nodes},
-          {"energy_made", totals.made()},
+          {"impulse_pending", totals.under_way().norm()},
+          {"energy_work_on_nodes", totals.energy_work_on_nodes},
+          {"energy_coupling_error", totals.made()},
           {"energy_residual", files_.rows() > 0 ? residual() : 0},
           {"peak_force", largest_force_},
           {"peak_displacement", largest_displacement_}};

@@ -41,8 +41,8 @@ struct Ground {
   std::string name;
   std::vector<std::string> regions;
   Real density = 0;            // kg/m3
-  Real shear_velocity = 0;     // m/s; of the three, two are given and the third follows
-  Real pressure_velocity = 0;  // m/s
+  Real s_wave_velocity = 0;     // m/s; of the three, two are given and the third follows
+  Real p_wave_velocity = 0;  // m/s
   Real damping_ratio = 0;
   bool yields = false;        // whether it has a strength
   Real cohesion = 0;          // Pa
@@ -61,7 +61,7 @@ struct SideBoundary {
 
 struct GroundGravity : Gravity {
   bool settle = false;
-  int settling_steps = 0;  // at most
+  int max_settling_steps = 0;  // at most
 };
 
 /// Contacts of particles whose links broke.

@@ -87,22 +87,22 @@ void check_velocities(const CheckContext& context, const Entry& entry, const Gro
   if (!entry.exists()) return;
   int given = 0;
   bool sound = true;
-  for (std::string_view key : {"shear_velocity", "pressure_velocity", "poisson_ratio"}) {
+  for (std::string_view key : {"s_wave_velocity", "p_wave_velocity", "poisson_ratio"}) {
     given += entry.has(key) ? 1 : 0;
     sound = sound && entry.is_sound(key);
   }
   if (given != 2) {
     context.problems.error(entry.header(),
-                           fmt::format("[[materials]] gives {} of shear_velocity, pressure_velocity and poisson_ratio", given),
+                           fmt::format("[[materials]] gives {} of s_wave_velocity, p_wave_velocity and poisson_ratio", given),
                            "give exactly two of them");
     return;
   }
   if (!sound ||
-      ground.pressure_velocity * ground.pressure_velocity >= 2 * ground.shear_velocity * ground.shear_velocity * (1 - 1e-12))
+      ground.p_wave_velocity * ground.p_wave_velocity >= 2 * ground.s_wave_velocity * ground.s_wave_velocity * (1 - 1e-12))
     return;
-  context.problems.error(entry.place("pressure_velocity"),
-                         fmt::format("pressure_velocity must be at least sqrt(2) times shear_velocity, found {} and {} m/s",
-                                     short_number(ground.pressure_velocity), short_number(ground.shear_velocity)),
+  context.problems.error(entry.place("p_wave_velocity"),
+                         fmt::format("p_wave_velocity must be at least sqrt(2) times s_wave_velocity, found {} and {} m/s",
+                                     short_number(ground.p_wave_velocity), short_number(ground.s_wave_velocity)),
                          "otherwise Poisson's ratio would be negative");
 }
 

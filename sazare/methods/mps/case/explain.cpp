@@ -52,7 +52,7 @@ std::string explain(const MpsCase& mps) {
   for (const Ground& ground : mps.materials)
     text += line("materials",
                  fmt::format("{}: {} kg/m3, S-wave velocity {} m/s, P-wave velocity {} m/s, damping ratio {}, regions {}",
-                             ground.name, number(ground.density), number(ground.shear_velocity), number(ground.pressure_velocity),
+                             ground.name, number(ground.density), number(ground.s_wave_velocity), number(ground.p_wave_velocity),
                              number(ground.damping_ratio), fmt::join(ground.regions, ", ")));
   for (const Ground& ground : mps.materials)
     if (ground.yields)

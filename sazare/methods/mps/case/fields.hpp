@@ -58,16 +58,16 @@ void visit_fields(Visitor& visit, Ground& ground) {
   visit("name", ground.name);
   visit("regions", ground.regions);
   visit("density", ground.density);
-  if (visit.has("shear_velocity", true)) visit("shear_velocity", ground.shear_velocity);
-  if (visit.has("pressure_velocity", true)) visit("pressure_velocity", ground.pressure_velocity);
+  if (visit.has("s_wave_velocity", true)) visit("s_wave_velocity", ground.s_wave_velocity);
+  if (visit.has("p_wave_velocity", true)) visit("p_wave_velocity", ground.p_wave_velocity);
   if (visit.has("poisson_ratio", false)) {
     Real ratio = 0;
     visit("poisson_ratio", ratio);
     const Real square = (1 - 2 * ratio) / (2 - 2 * ratio);  // of the shear velocity over the other
-    if (visit.has("shear_velocity", true))
-      ground.pressure_velocity = ground.shear_velocity / std::sqrt(square);
+    if (visit.has("s_wave_velocity", true))
+      ground.p_wave_velocity = ground.s_wave_velocity / std::sqrt(square);
     else
-      ground.shear_velocity = ground.pressure_velocity * std::sqrt(square);
+      ground.s_wave_velocity = ground.p_wave_velocity * std::sqrt(square);
   }
   visit("damping_ratio", ground.damping_ratio);
   ground.yields = visit.has("cohesion", ground.yields);
@@ -99,7 +99,7 @@ template <class Visitor>
 void visit_fields(Visitor& visit, GroundGravity& gravity) {
   visit("acceleration", gravity.acceleration);
   visit("settle", gravity.settle);
-  visit("settling_steps", gravity.settling_steps);
+  visit("max_settling_steps", gravity.max_settling_steps);
 }
 
 template <class Visitor>

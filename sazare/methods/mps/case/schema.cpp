@@ -13,7 +13,7 @@ constexpr std::array<std::string_view, 7> sides{"left", "right", "bottom", "top"
 constexpr std::array<std::string_view, 4> side_kinds{"fixed", "roller", "prescribed", "viscous"};
 constexpr std::array<std::string_view, 3> integrators{"verlet", "leapfrog", "euler"};
 
-constexpr std::string_view two_of_three = "exactly two of shear_velocity, pressure_velocity and poisson_ratio";
+constexpr std::string_view two_of_three = "exactly two of s_wave_velocity, p_wave_velocity and poisson_ratio";
 constexpr std::string_view with_strength = "required with a cohesion";
 constexpr std::string_view with_motion = "kinds prescribed and viscous only";
 
@@ -95,13 +95,13 @@ constexpr std::array material_keys{
         .range = positive,
         .need = Need::required,
         .sentence = "Mass per volume."},
-    Key{.name = "shear_velocity",
+    Key{.name = "s_wave_velocity",
         .type = Type::number,
         .unit = "m/s",
         .range = positive,
         .note = two_of_three,
         .sentence = "Velocity of S waves."},
-    Key{.name = "pressure_velocity",
+    Key{.name = "p_wave_velocity",
         .type = Type::number,
         .unit = "m/s",
         .range = positive,
@@ -189,7 +189,7 @@ constexpr std::array ground_gravity_keys{
         .default_text = "false",
         .sentence = "Begin in equilibrium under gravity: it is found first, viscous boundaries keep carrying their reactions in "
                     "it, and displacements count from it."},
-    Key{.name = "settling_steps",
+    Key{.name = "max_settling_steps",
         .type = Type::integer,
         .range = {.low = 1, .high = 1000000000},
         .default_text = "200000",

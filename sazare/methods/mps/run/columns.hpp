@@ -19,9 +19,9 @@ inline constexpr std::array books = {Column{"energy_gravity", "J", "work of grav
                                      Column{"energy_applied", "J", "work of forces given in Python"},
                                      Column{"energy_damping", "J", "dissipated by Rayleigh damping"},
                                      Column{"energy_residual", "J", "residual of the energy balance"}};
-inline constexpr std::array failure = {Column{"energy_flow", "J", "dissipated by plastic flow"},
-                                       Column{"energy_rupture", "J", "dissipated by the breaking of links"},
-                                       Column{"energy_contact", "J", "stored in contacts"}, Column{"links_broken", "-", "so far"},
+inline constexpr std::array failure = {Column{"energy_plastic", "J", "dissipated by plastic flow"},
+                                       Column{"energy_fracture", "J", "dissipated by the breaking of links"},
+                                       Column{"energy_contact", "J", "stored in contacts"}, Column{"broken_links", "-", "so far"},
                                        Column{"contacts", "-", "now"}};
 inline constexpr std::array particles = {Column{"displacement", "m", "since the beginning"},
                                          Column{"velocity", "m/s", ""},
@@ -29,15 +29,15 @@ inline constexpr std::array particles = {Column{"displacement", "m", "since the 
                                          Column{"region", "-", "number in the case"},
                                          Column{"material", "-", "number in the case"},
                                          Column{"spacing", "m", ""}};
-inline constexpr std::array failed_particles = {Column{"slip", "-", "equivalent plastic shear strain"},
-                                                Column{"broken_share", "-", "share of its links that are broken"}};
+inline constexpr std::array failed_particles = {Column{"plastic_shear_strain", "-", "equivalent plastic shear strain"},
+                                                Column{"broken_fraction", "-", "share of its links that are broken"}};
 
 /// In the manifest, `results` by name: an interface, which scripts of users read.
 inline constexpr std::array figures = {Column{"particles", "-", ""},
                                    Column{"particle_steps", "-", ""},
                                    Column{"largest_frequency", "rad/s", "from which the stability limit is predicted"},
                                    Column{"settlement", "m", "largest displacement to equilibrium under gravity, where found"},
-                                   Column{"links_broken", "-", "of ground with a strength"},
+                                   Column{"broken_links", "-", "of ground with a strength"},
                                    Column{"drift_velocity_NAME", "m/s", "at the end of a motion given by accelerations"},
                                    Column{"drift_displacement_NAME", "m", "at the end of a motion given by accelerations"}};
 

@@ -29,8 +29,7 @@ public:
     found_.predicted = euler ? predicted.euler : predicted.verlet;
     found_.particles = parts_.particles.count;
     Real fastest = 0;
-    for (const cases::Ground& ground : file_.as<cases::MpsCase>().materials)
-      fastest = std::max(fastest, ground.pressure_velocity);
+    for (const cases::Ground& ground : file_.as<cases::MpsCase>().materials) fastest = std::max(fastest, ground.p_wave_velocity);
     bracket(file_.as<cases::MpsCase>().particles.spacing / fastest);
     while (found_.unstable > rules_.ratio * found_.stable) {
       const Real step = std::sqrt(found_.stable * found_.unstable);

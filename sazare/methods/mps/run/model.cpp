@@ -33,8 +33,8 @@ state::Particles<D> make_particles(const cases::MpsCase& mps, const Filling<D>& 
     const Vector<D> place = filling.place(i);
     for (std::size_t axis = 0; axis < D; ++axis) particles.start[axis][i] = place[static_cast<int>(axis)];
     particles.set_density(static_cast<Index>(i), ground.density);
-    particles.shear_modulus[i] = ground.density * ground.shear_velocity * ground.shear_velocity;
-    particles.lame[i] = ground.density * ground.pressure_velocity * ground.pressure_velocity - 2 * particles.shear_modulus[i];
+    particles.shear_modulus[i] = ground.density * ground.s_wave_velocity * ground.s_wave_velocity;
+    particles.lame[i] = ground.density * ground.p_wave_velocity * ground.p_wave_velocity - 2 * particles.shear_modulus[i];
     particles.damping_ratio[i] = ground.damping_ratio;
   }
   return particles;
@@ -42,11 +42,11 @@ state::Particles<D> make_particles(const cases::MpsCase& mps, const Filling<D>& 
 
 methods::mps::StrengthOfGround strength_of(const cases::Ground& ground) {
   constexpr Real degree = std::numbers::pi / 180;
-  const Real mu = ground.density * ground.shear_velocity * ground.shear_velocity;
+  const Real mu = ground.density * ground.s_wave_velocity * ground.s_wave_velocity;
   return {ground.yields,
           laws::MohrCoulomb::make(ground.cohesion, ground.friction_angle * degree, ground.dilation_angle * degree,
                                   ground.tensile_strength),
-          {mu, ground.density * ground.pressure_velocity * ground.pressure_velocity - 2 * mu},
+          {mu, ground.density * ground.p_wave_velocity * ground.p_wave_velocity - 2 * mu},
           ground.density,
           ground.rupture_strain};
 }
@@ -161,7 +161,7 @@ private:
       const auto i = static_cast<std::size_t>(particle);
       const cases::Ground& ground = mps_.materials[static_cast<std::size_t>(material_[i])];
       // Impedance times the area of a particle, over half of its mass.
-      const Real rate = 2 * (axis == normal ? ground.pressure_velocity : ground.shear_velocity) / particles_.spacing;
+      const Real rate = 2 * (axis == normal ? ground.p_wave_velocity : ground.s_wave_velocity) / particles_.spacing;
       supports_.dashpots.push_back({particle, freedom, rate, motion, 1});
     } else {
       return;

@@ -162,7 +162,7 @@ void MpsRecord<D>::write_snapshot(Real time, const state::FreedomColumns<D>& vel
   if (const auto* failing = model_->failing) {
     const state::Column& all = failing->strength().slip();
     slip.assign(all.data(), all.data() + particles.size());
-    for (std::size_t i = 0; i < particles.size(); ++i) broken.push_back(failing->broken_share(static_cast<Index>(i)));
+    for (std::size_t i = 0; i < particles.size(); ++i) broken.push_back(failing->broken_fraction(static_cast<Index>(i)));
     for (const observe::CellData& one : observe::cell_data(columns::mps::failed_particles, slip, broken)) data.push_back(one);
   }
   files_.add_snapshot({observe::Grid::Cell::vertex, place, number, data, time});
@@ -207,9 +207,9 @@ std::vector<std::pair<std::string, observe::Figure>> MpsRecord<D>::results(std::
   if (file_->as<cases::MpsCase>().gravity.settle) results.emplace_back("settlement", settlement());
   if (const auto* failing = model_->failing) {
     const auto work = failing->work();
-    results.insert(results.end(), {{"links_broken", static_cast<std::int64_t>(failing->broken_links())},
-                                   {"energy_flow", work.flow},
-                                   {"energy_rupture", work.rupture},
+    results.insert(results.end(), {{"broken_links", static_cast<std::int64_t>(failing->broken_links())},
+                                   {"energy_plastic", work.flow},
+                                   {"energy_fracture", work.rupture},
                                    {"energy_contact", work.contact}});
   }
   for (const cases::Motion& motion : file_->as<cases::MpsCase>().motions) {

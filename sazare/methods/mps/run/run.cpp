@@ -85,13 +85,13 @@ struct MpsWork final : WorkDefaults {
       asked = options.stop_asked != nullptr && options.stop_asked->load(std::memory_order_relaxed);
       return !asked;
     };
-    const Real left = model.stepper->relax({tolerance, file.as<cases::MpsCase>().gravity.settling_steps, goes_on});
+    const Real left = model.stepper->relax({tolerance, file.as<cases::MpsCase>().gravity.max_settling_steps, goes_on});
     if (asked) return false;
     if (left <= tolerance) return true;
     throw PhysicsError(fmt::format(
         "no equilibrium under gravity: after {} steps an acceleration of {} m/s2 remains, {} is required\n"
         "  the ground is not stable, or hardly supported: check its strength and the boundaries that support it",
-        file.as<cases::MpsCase>().gravity.settling_steps, number(left, 3), number(tolerance, 3)));
+        file.as<cases::MpsCase>().gravity.max_settling_steps, number(left, 3), number(tolerance, 3)));
   }
 
   bool advance(const Pause&) {

@@ -121,11 +121,11 @@ void check_blocks(const CheckContext& context, RectanglesCase& rectangles) {
 
 void check_material(const CheckContext& context, const Entry& entry, const SquareMaterial& material) {
   if (!entry.exists()) return;
-  const bool springs = entry.has("normal_stiffness") && entry.has("shear_stiffness");
+  const bool springs = entry.has("face_normal_stiffness") && entry.has("face_shear_stiffness");
   const bool moduli = entry.has("youngs_modulus") && entry.has("poisson_ratio");
-  const int given =
-      static_cast<int>(std::ranges::count_if(std::array{"normal_stiffness", "shear_stiffness", "youngs_modulus", "poisson_ratio"},
-                                             [&](const char* key) { return entry.has(key); }));
+  const int given = static_cast<int>(
+      std::ranges::count_if(std::array{"face_normal_stiffness", "face_shear_stiffness", "youngs_modulus", "poisson_ratio"},
+                            [&](const char* key) { return entry.has(key); }));
   if (given != 2 || !(springs || moduli))
     context.problems.error(entry.header(),
                            fmt::format("the stiffness of the material \"{}\" is not given by two keys", material.name),

@@ -59,8 +59,8 @@ void visit_fields(Visitor& visit, SquareMaterial& material) {
     material.normal_stiffness = (1 - ratio) * modulus / ((1 + ratio) * (1 - 2 * ratio));
     material.shear_stiffness = (1 - 2 * ratio) / (2 * (1 - ratio)) * material.normal_stiffness;
   } else {
-    visit("normal_stiffness", material.normal_stiffness);
-    visit("shear_stiffness", material.shear_stiffness);
+    visit("face_normal_stiffness", material.normal_stiffness);
+    visit("face_shear_stiffness", material.shear_stiffness);
   }
   visit("damping_ratio", material.damping_ratio);
   visit("tensile_strength", material.tensile_strength);
@@ -73,8 +73,8 @@ void visit_fields(Visitor& visit, SquareMaterial& material) {
 
 template <class Visitor>
 void visit_fields(Visitor& visit, SquareContact& contact) {
-  visit("normal_stiffness", contact.normal_stiffness);
-  visit("shear_stiffness", contact.shear_stiffness);
+  visit("face_normal_stiffness", contact.normal_stiffness);
+  visit("face_shear_stiffness", contact.shear_stiffness);
   visit("damping_ratio", contact.damping_ratio);
   visit("friction_angle", contact.friction_angle);
 }

@@ -19,7 +19,7 @@ inline constexpr std::array history = {Column{"energy_kinetic", "J", ""},
                                        Column{"energy_work", "J", "of gravity, supports, plate and forces given in Python"},
                                        Column{"energy_residual", "J", "residual of the energy balance"},
                                        Column{"broken_springs", "-", "so far"},
-                                       Column{"open_links", "-", "links whose springs are all broken"},
+                                       Column{"broken_links", "-", "links whose springs are all broken"},
                                        Column{"contacts", "-", "touching pairs"},
                                        Column{"displacement_max", "m", "of any element so far"},
                                        Column{"speed_max", "m/s", "of any element so far"}};
@@ -35,7 +35,7 @@ inline constexpr std::array elements = {Column{"displacement", "m", ""},
 
 /// In the manifest, `results` by name: an interface, which scripts of users read.
 inline constexpr std::array figures = {Column{"elements", "-", ""}, Column{"element_steps", "-", ""},
-                                          Column{"broken_springs", "-", ""}, Column{"open_links", "-", ""},
+                                          Column{"broken_springs", "-", ""}, Column{"broken_links", "-", ""},
                                           Column{"peak_force_NAME", "N", "of a wall or roller"}};
 
 }  // namespace sazare::runs::columns::rectangles

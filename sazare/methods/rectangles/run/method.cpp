@@ -18,7 +18,7 @@ std::string rectangles_summary(const observe::Manifest& manifest) {
   std::string text;
   text += fmt::format("elements        {}, step {} s, predicted limit {} s\n", number("elements", 12), number("step"),
              number("predicted_limit"));
-  text += fmt::format("broken springs  {}, broken links {}\n", number("broken_springs", 12), number("open_links", 12));
+  text += fmt::format("broken springs  {}, broken links {}\n", number("broken_springs", 12), number("broken_links", 12));
   text += fmt::format("peaks           {} m, {} m/s\n", number("peak_displacement"), number("peak_speed"));
   text += fmt::format("energy          {}\n", balance_text(manifest));
   return text + wall_time_line(manifest, "element_steps", "element-steps");

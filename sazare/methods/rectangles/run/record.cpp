@@ -142,7 +142,7 @@ void RectanglesRecord::add_history(Real time, Real wall_seconds) {
                            balance_.work,
                            balance_.residual,
                            static_cast<Real>(links.broken_springs()),
-                           static_cast<Real>(links.open_links()),
+                           static_cast<Real>(links.broken_links()),
                            static_cast<Real>(model_->forces->contacts().touching()),
                            largest_displacement_,
                            largest_speed_};
@@ -231,7 +231,7 @@ std::vector<std::pair<std::string, observe::Figure>> RectanglesRecord::results(s
       {"element_steps", elements * step},
       {"wall_seconds", wall_seconds},
       {"broken_springs", static_cast<std::int64_t>(links.broken_springs())},
-      {"open_links", static_cast<std::int64_t>(links.open_links())},
+      {"broken_links", static_cast<std::int64_t>(links.broken_links())},
       {"energy_work", balance_.work},
       {"energy_residual", balance_.residual},
       {"peak_displacement", largest_displacement_},

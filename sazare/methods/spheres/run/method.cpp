@@ -19,7 +19,7 @@ std::string spheres_summary(const observe::Manifest& manifest) {
   text += fmt::format("spheres         {}, {} contacts at the end, step {} s\n", number("particles", 12), number("contacts", 12),
              number("step"));
   if (figure(manifest, "bodies") > 0)
-    text += fmt::format("bodies          {} bonded, {} of them broken, in {} pieces\n", number("bodies", 12), number("bodies_broken", 12),
+    text += fmt::format("bodies          {} bonded, {} of them broken, in {} pieces\n", number("bodies", 12), number("broken_bodies", 12),
                number("fragments", 12));
   text += fmt::format("energy          lost {} J, unaccounted {} J; peak speed {} m/s\n", number("energy_lost"),
              number("energy_residual", 2), number("peak_speed"));

@@ -18,8 +18,8 @@ constexpr Real slope = 40 * std::numbers::pi / 180, friction = 38 * std::numbers
 Real slip(Real normal, Real ratio, Real step) {
   const cases::CaseFile file = registry::read_case(
       "cases/block-on-slope/case.toml",
-      std::vector<std::string>{fmt::format("contact.normal_stiffness={:e}", normal),
-                               fmt::format("contact.shear_stiffness={:e}", ratio * normal), fmt::format("time.step={:e}", step)});
+      std::vector<std::string>{fmt::format("contact.face_normal_stiffness={:e}", normal),
+                               fmt::format("contact.face_shear_stiffness={:e}", ratio * normal), fmt::format("time.step={:e}", step)});
   const runs::RectanglesModel model = runs::build_rectangles(file);
   model.stepper->start();
   const auto down = [](const auto& columns) { return -(std::cos(slope) * columns[0][0] + std::sin(slope) * columns[1][0]); };
