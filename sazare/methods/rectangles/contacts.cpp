@@ -17,8 +17,6 @@ constexpr Real skin_share = 0.3;      // of the smallest half width
 constexpr Real same_direction = 0.7;  // cosine: beyond it a normal belongs to another face
 constexpr std::size_t serial_below = 128;
 
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
-
 bool may_touch(const state::Outlines& outlines, std::size_t i) {
   return outlines.block[i] < 0 || outlines.kind[i] == OutlineKind::circle || outlines.exposed[i] != 0;
 }
