@@ -12,11 +12,11 @@
 namespace sazare::cases {
 namespace {
 
-constexpr std::array<std::string_view, 9> bond_keys{"normal_stiffness",     "shear_stiffness", "normal_damping",
-                                                    "shear_damping",        "cohesion",        "friction_angle",
-                                                    "friction_coefficient", "fracture_energy", "tensile_strength"};
-constexpr std::array<std::string_view, 5> keys_of_bonded{"normal_stiffness", "shear_stiffness", "cohesion", "tensile_strength",
-                                                         "fracture_energy"};
+constexpr std::array<std::string_view, 9> bond_keys{
+    "joint_normal_stiffness", "joint_shear_stiffness", "joint_normal_damping", "joint_shear_damping", "cohesion",
+    "friction_angle",         "friction_coefficient",  "fracture_energy",      "tensile_strength"};
+constexpr std::array<std::string_view, 5> keys_of_bonded{"joint_normal_stiffness", "joint_shear_stiffness", "cohesion",
+                                                         "tensile_strength", "fracture_energy"};
 
 std::string header_of(const Entry& entry) { return table_header(*entry.table); }
 
@@ -66,9 +66,10 @@ void check_strength(const CheckContext& context, const Entry& entry, const Joint
   };
   context.problems.error(
       entry.place("tensile_strength"),
-      fmt::format("tensile_strength {} Pa is too large for this fracture_energy and normal_stiffness", short_number(strength)),
+      fmt::format("tensile_strength {} Pa is too large for this fracture_energy and joint_normal_stiffness",
+                  short_number(strength)),
       fmt::format("softening would end at an opening of {} m, before the strength is reached at {} m; the largest "
-                  "strength that does is sqrt(2 fracture_energy normal_stiffness) = {} Pa, the smallest "
+                  "strength that does is sqrt(2 fracture_energy joint_normal_stiffness) = {} Pa, the smallest "
                   "fracture_energy for this strength {} N/m",
                   short_number(2 * energy / strength, 4), short_number(strength / stiffness, 4), rounded(largest, -1),
                   rounded(strength * strength / (2 * stiffness), +1)));
@@ -86,7 +87,7 @@ void check_bonded(const CheckContext& context, const Entry& entry, const Joint& 
                              how_to_add(*find_key(*entry.table, key)) + " Needed unless bonded = false.");
   }
   check_friction(context, entry);
-  if (entry.gives("tensile_strength") && entry.gives("fracture_energy") && entry.gives("normal_stiffness"))
+  if (entry.gives("tensile_strength") && entry.gives("fracture_energy") && entry.gives("joint_normal_stiffness"))
     check_strength(context, entry, joint);
 }
 

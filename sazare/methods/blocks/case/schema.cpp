@@ -89,7 +89,7 @@ constexpr std::array joint_keys{
         .range = positive,
         .note = when_bonded,
         .sentence =
-            "Tensile strength: normal stress at which softening begins; at most sqrt(2 fracture_energy normal_stiffness)."},
+            "Tensile strength: normal stress at which softening begins; at most sqrt(2 fracture_energy joint_normal_stiffness)."},
     Key{.name = "fracture_energy",
         .type = Type::number,
         .unit = "N/m",

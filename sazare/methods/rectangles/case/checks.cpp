@@ -127,9 +127,9 @@ void check_material(const CheckContext& context, const Entry& entry, const Squar
       std::ranges::count_if(std::array{"face_normal_stiffness", "face_shear_stiffness", "youngs_modulus", "poisson_ratio"},
                             [&](const char* key) { return entry.has(key); }));
   if (given != 2 || !(springs || moduli))
-    context.problems.error(entry.header(),
-                           fmt::format("the stiffness of the material \"{}\" is not given by two keys", material.name),
-                           "give normal_stiffness and shear_stiffness, or youngs_modulus and poisson_ratio, and no others");
+    context.problems.error(
+        entry.header(), fmt::format("the stiffness of the material \"{}\" is not given by two keys", material.name),
+        "give face_normal_stiffness and face_shear_stiffness, or youngs_modulus and poisson_ratio, and no others");
   if (material.layout == SpringLayout::ends && entry.has("springs") && material.springs != 2)
     context.problems.error(entry.place("springs"), fmt::format("layout \"ends\" has 2 springs, found {}", material.springs),
                            "remove springs, or choose layout \"centres\"");
@@ -151,7 +151,7 @@ void check_material_of_polygons(const CheckContext& context, const Entry& entry,
         fmt::format(
             "blocks of polygons and others have the material \"{}\", but youngs_modulus gives different stiffnesses in each",
             material.name),
-        "give two materials, or normal_stiffness and shear_stiffness");
+        "give two materials, or face_normal_stiffness and face_shear_stiffness");
   if (!(material.poisson_ratio < most_poisson_ratio))
     return context.problems.error(
         entry.place("poisson_ratio"),

@@ -12,7 +12,8 @@ constexpr std::array<std::string_view, 2> layouts{"centres", "ends"};
 constexpr std::array<std::string_view, 2> increments{"small", "exact"};
 
 constexpr Range angle_range{.low = 0, .high = 90, .high_open = true};
-constexpr std::string_view two_stiffnesses = "normal_stiffness and shear_stiffness, or youngs_modulus and poisson_ratio";
+constexpr std::string_view two_stiffnesses =
+    "face_normal_stiffness and face_shear_stiffness, or youngs_modulus and poisson_ratio";
 
 constexpr std::array element_keys{
     Key{.name = "thickness",
