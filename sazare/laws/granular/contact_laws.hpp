@@ -1,7 +1,14 @@
 #pragma once
 
-/// The laws of granular contact: all that is chosen by law goes through this list. A law is a type with the members that
-/// `Hertz` has; one that is added to the list is a word of contact.model, and its parameters are keys, with nothing else to be said.
+/// The laws of granular contact: all that is chosen by law goes through this list. A law is a type with the members that `Hertz`
+/// has. A law that is added to the list is a word of contact.model, and its parameters are keys of [contact] and [[pairs]].
+///
+/// Spheres touch when they overlap. Where a law adheres, they remain in contact until the neck between them breaks, and the law
+/// has these members as well:
+///
+///     holds(constants, overlap, radius)          whether spheres in contact remain so, at an overlap that may be negative
+///     neck(constants, reduced_radius)            the largest gap across which they remain in contact [m]
+///     parting_loss(constants, reduced_radius)    energy of the normal spring when the neck breaks, which is dissipated [J]
 
 #include <cassert>
 #include <tuple>

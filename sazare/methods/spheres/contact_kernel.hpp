@@ -39,7 +39,7 @@ public:
     if (is_one_material_) {
       const auto& one = contacts.table_.of(0, 0);
       constants_ = {one.normal,   one.tangential, one.normal_damping, one.tangential_damping,
-                    one.friction, one.rolling,    one.twisting};
+                    one.friction, one.rolling,    one.twisting,       one.adhesion};
     }
   }
 
@@ -72,6 +72,7 @@ public:
       total.dashpot_work += step_[lane] * dashpot_power_[lane];
       total.sliding_work += step_[lane] * sliding_power_[lane];
     }
+    if constexpr (Law::adheres) total.dashpot_work += parting_loss_;
     total.contacts = touching_;
     return total;
   }
@@ -152,12 +153,22 @@ private:
       beyond -= rest;
     }
     at.overlap = maximum(beyond, TwinLanes(tiny));
+    TwinMask holds;
+    if constexpr (Law::adheres) {
+      if (!is_one_material_) look_up(group);
+      holds = Law::holds(constants_, beyond, at.radius);
+      at.overlap = select(holds, beyond, TwinLanes(tiny));
+    }
     TwinLanes deep = 0.5 * at.overlap;
     if constexpr (rests) deep += 0.5 * rest;
     group.first_arm = radius - deep;
     group.second_arm = second_radius - deep;
     at.velocity = twins(one.velocity, two.velocity);
-    if (!all_above(beyond, TwinLanes(tiny))) leave_alone(group, beyond > tiny, gap);
+    if constexpr (Law::adheres) {
+      if (any(~holds)) leave_alone(group, holds, gap);
+    } else {
+      if (!all_above(beyond, TwinLanes(tiny))) leave_alone(group, beyond > tiny, gap);
+    }
   }
 
   /// What spins add to the velocity where spheres meet.
@@ -229,6 +240,9 @@ private:
       const std::size_t contact = group.begin + static_cast<std::size_t>(lane);
       pairs_.sleep_on(contacts_[contact].pair, approach_ + gap[lane]);
       parted_.push_back(contact);
+      if constexpr (Law::adheres)
+        parting_loss_ += pairs_.table_.parting_loss(material_of(contacts_[contact].first), material_of(contacts_[contact].second),
+                                                    group.at.radius.product[lane] / group.at.radius.sum[lane]);
     }
   }
 
@@ -240,9 +254,8 @@ private:
   }
   void look_up(const Contact* contacts, Lanes TwinLanes::*half) {
     std::array<const Real*, lane_count> from;
-    const auto material = [&](const SphereAt& sphere) { return static_cast<Index>(sphere.of(spheres_.spin.data())->material); };
     for (std::size_t n = 0; n < lane_count; ++n)
-      from[n] = pairs_.table_.numbers(material(contacts[n].first) * pairs_.table_.materials + material(contacts[n].second));
+      from[n] = pairs_.table_.numbers(material_of(contacts[n].first) * pairs_.table_.materials + material_of(contacts[n].second));
     const auto numbers = load_quads([&](std::size_t lane) { return from[lane]; }),
                more = load_quads([&](std::size_t lane) { return from[lane] + 4; });
     constants_.normal.*half = numbers[0];
@@ -252,7 +265,9 @@ private:
     constants_.friction.*half = more[0];
     constants_.rolling.*half = more[1];
     constants_.twisting.*half = more[2];
+    if constexpr (Law::adheres) constants_.adhesion.*half = more[3];
   }
+  Index material_of(const SphereAt& sphere) const { return static_cast<Index>(sphere.of(spheres_.spin.data())->material); }
 
   /// Equal and opposite forces; moments about both centres, whose arms together are the distance. What does not count is zero.
   [[gnu::flatten, gnu::noinline]] void deliver(std::span<const Group> groups) {
@@ -316,6 +331,7 @@ private:
   std::vector<std::size_t> parted_;
   TwinLanes elastic_, sliding_, dashpot_power_, sliding_power_;
   std::int64_t touching_ = 0;
+  Real parting_loss_ = 0;  ///< [J]
   std::array<Group, groups_at_once> groups_;
   std::array<Contact, TwinLanes::count> padded_;
 };

@@ -2,6 +2,7 @@
 
 /// What every pair of materials is in contact.
 
+#include <algorithm>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -34,6 +35,36 @@ public:
     return std::span(records_).subspan(static_cast<std::size_t>(material * materials), static_cast<std::size_t>(materials));
   }
 
+  /// Whether spheres that have touched may go on doing so across a gap.
+  bool adheres() const {
+    return laws::visit_law(model, []<class Law>(Law) { return Law::adheres; });
+  }
+  /// The largest gap across which spheres of two materials that have touched go on doing so [m].
+  Real neck(Index one, Index other, Real reduced_radius) const {
+    return laws::visit_law(model, [&]<class Law>(Law) {
+      if constexpr (Law::adheres)
+        return Law::neck(of(one, other), reduced_radius);
+      else
+        return Real{0};
+    });
+  }
+  /// Of all pairs of materials [m].
+  Real longest_neck(Real reduced_radius) const {
+    Real longest = 0;
+    for (Index one = 0; one < materials; ++one)
+      for (Index other = 0; other <= one; ++other) longest = std::max(longest, neck(one, other, reduced_radius));
+    return longest;
+  }
+  /// Energy that is lost when spheres of two materials part [J].
+  Real parting_loss(Index one, Index other, Real reduced_radius) const {
+    return laws::visit_law(model, [&]<class Law>(Law) {
+      if constexpr (Law::adheres)
+        return Law::parting_loss(of(one, other), reduced_radius);
+      else
+        return Real{0};
+    });
+  }
+
   laws::ContactModel model;
   Index materials;
   bool rolls = false;  ///< some pair resists rolling or twisting
@@ -54,7 +85,7 @@ auto visit_law(const ContactTable& table, Visitor&& visit) {
 struct ContactSums {
   Real elastic = 0;       ///< energy in normal springs [J]
   Real sliding = 0;       ///< energy in the springs of sliders [J]
-  Real dashpot_work = 0;  ///< taken by normal dashpots in this step [J]
+  Real dashpot_work = 0;  ///< taken by normal dashpots, and by contacts that were pulled apart, in this step [J]
   Real sliding_work = 0;  ///< work against sliders in this step, stored or lost [J]
   std::int64_t contacts = 0;
   Real bonds = 0;           ///< energy in bonds [J]

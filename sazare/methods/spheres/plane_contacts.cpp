@@ -41,13 +41,15 @@ public:
     const auto& one = task.table.of(0, task.wall.material);
     constants_ = {
         broadcast(one.normal),   broadcast(one.tangential), broadcast(one.normal_damping), broadcast(one.tangential_damping),
-        broadcast(one.friction), broadcast(one.rolling),    broadcast(one.twisting)};
+        broadcast(one.friction), broadcast(one.rolling),    broadcast(one.twisting),       broadcast(one.adhesion)};
   }
 
   [[gnu::flatten]] void evaluate(PlaneRow& row) {
     for (std::size_t n = 0; n < row.group_count(); ++n) {
       AtPlane meeting;
-      if (meet(row, n, meeting))
+      const bool touches = meet(row, n, meeting);
+      if constexpr (Law::adheres) note_parted(row, n, meeting.touch);
+      if (touches)
         press(row, n, meeting);
       else
         forget(row, n);
@@ -57,7 +59,7 @@ public:
   ContactSums sums() const {
     return {.elastic = sums_[of_elastic],
             .sliding = sums_[of_sliding],
-            .dashpot_work = task_.step * sums_[of_dashpots],
+            .dashpot_work = task_.step * sums_[of_dashpots] + parting_loss_,
             .sliding_work = task_.step * sums_[of_sliders],
             .contacts = touching_};
   }
@@ -77,20 +79,25 @@ private:
   };
 
   /// Where and how fast a group meets the plane. Returns whether any of it touches; if none does nothing more is known.
-  bool meet(PlaneRow& row, std::size_t n, AtPlane& meeting) const {
+  bool meet(PlaneRow& row, std::size_t n, AtPlane& meeting) {
     const Index* const sphere = row.group(n).sphere.data();
     const state::SpherePlace* const places = task_.spheres.place.data();
     const state::SphereSpin* const spins = task_.spheres.spin.data();
     const auto place = load_quads([&](std::size_t lane) { return &places[sphere[lane]].x; });
     const Triple<Lanes> centre = box_.wrapped({place[0], place[1], place[2]});
     const Lanes radius = place[3], overlap = radius - dot(centre - plane_.point, plane_.normal);
-    meeting.touch = (overlap > 0.0) & (lane_numbers() < static_cast<std::int64_t>(row.size() - n * lane_count));
+    meeting.touch = overlap > 0.0;
+    if constexpr (Law::adheres) {
+      if (task_.table.materials > 1) look_up(row.group(n));
+      meeting.touch |= (row.touching(n) > 0.0) & Law::holds(constants_, overlap, laws::Reduced<Lanes>::alone(radius));
+    }
+    meeting.touch &= lane_numbers() < static_cast<std::int64_t>(row.size() - n * lane_count);
     if (!any(meeting.touch)) return false;
     const auto motion = load_quads([&](std::size_t lane) { return &places[sphere[lane]].vx; }),
                turn = load_quads([&](std::size_t lane) { return &spins[sphere[lane]].x; });
     const Triple<Lanes> spin{turn[0], turn[1], turn[2]};
     laws::ContactMotion<Lanes>& at = meeting.at;
-    at.overlap = maximum(overlap, broadcast(tiny));
+    at.overlap = Law::adheres ? select(meeting.touch, overlap, broadcast(tiny)) : maximum(overlap, broadcast(tiny));
     at.radius = laws::Reduced<Lanes>::alone(radius);
     at.mass = laws::Reduced<Lanes>::alone(motion[3]);
     at.normal = plane_.normal;
@@ -110,7 +117,7 @@ private:
 
   /// The law, whose forces go to the loads.
   void press(PlaneRow& row, std::size_t n, const AtPlane& meeting) {
-    if (task_.table.materials > 1) look_up(row.group(n));
+    if (!Law::adheres && task_.table.materials > 1) look_up(row.group(n));
     laws::ContactMemory<Lanes> memory;
     memory.sliding = row.group(n).sliding;
     if constexpr (rolls) {
@@ -145,6 +152,17 @@ private:
     }
   }
 
+  /// Keeps which spheres touch now, and books the energy dissipated by those that have parted.
+  void note_parted(PlaneRow& row, std::size_t n, const LaneMask& touch) {
+    for (int lane = 0; lane < lane_count; ++lane) {
+      if (touch[lane] != 0 || !(row.touching(n)[lane] > 0)) continue;
+      const auto sphere = static_cast<std::size_t>(row.group(n).sphere[static_cast<std::size_t>(lane)]);
+      parting_loss_ += task_.table.parting_loss(static_cast<Index>(task_.spheres.spin[sphere].material), task_.wall.material,
+                                                task_.spheres.place[sphere].radius);
+    }
+    row.touching(n) = where(touch, broadcast(1));
+  }
+
   static void forget(PlaneRow& row, std::size_t n) {
     row.group(n).sliding = {};
     if constexpr (rolls) row.turning(n) = {};
@@ -159,7 +177,7 @@ private:
     }
     const auto numbers = load_quads([&](std::size_t lane) { return from[lane]; }),
                more = load_quads([&](std::size_t lane) { return from[lane] + 4; });
-    constants_ = {numbers[0], numbers[1], numbers[2], numbers[3], more[0], more[1], more[2]};
+    constants_ = {numbers[0], numbers[1], numbers[2], numbers[3], more[0], more[1], more[2], more[3]};
   }
 
   /// Forces and the moments that resist turning, to the spheres.
@@ -175,6 +193,7 @@ private:
   Lanes step_;
   laws::ContactConstants<Lanes> constants_;
   std::array<Real, sum_count> sums_{};
+  Real parting_loss_ = 0;  ///< [J]
   std::int64_t touching_ = 0;
 };
 
@@ -194,11 +213,12 @@ ContactSums evaluate_plane(PlaneRow& row, const PlaneTask& task, WallLoad& on_pl
   });
 }
 
-void PlaneRow::add(Index sphere, bool rolls) {
+void PlaneRow::add(Index sphere, bool rolls, bool adheres) {
   const std::size_t lane = size_ % lane_count;
   if (lane == 0) {
     groups_.emplace_back();
     if (rolls) turning_.emplace_back();
+    if (adheres) touching_.emplace_back();
   }
   auto& spheres = groups_.back().sphere;
   std::fill(spheres.begin() + static_cast<std::ptrdiff_t>(lane), spheres.end(), sphere);
@@ -215,6 +235,7 @@ laws::ContactMemory<Real> PlaneRow::memory(std::size_t n) const {
 }
 
 bool PlaneRow::remembers(std::size_t n) const {
+  if (!touching_.empty()) return touching_[n / lane_count][static_cast<int>(n % lane_count)] > 0;
   const laws::ContactMemory<Real> memory = this->memory(n), nothing;
   return std::memcmp(&memory, &nothing, sizeof(memory)) != 0;
 }
@@ -232,8 +253,10 @@ void PlaneRow::remember(Index sphere, const laws::ContactMemory<Real>& memory) {
     numbers.z[lane] = value.z;
   };
   put(group.sliding, memory.sliding);
+  const auto number = static_cast<std::size_t>(next - 1 - groups_.begin());
+  if (!touching_.empty()) touching_[number][lane] = 1;
   if (turning_.empty()) return;
-  Turning& turning = turning_[static_cast<std::size_t>(next - 1 - groups_.begin())];
+  Turning& turning = turning_[number];
   put(turning.rolling, memory.rolling);
   turning.twisting[lane] = memory.twisting;
 }

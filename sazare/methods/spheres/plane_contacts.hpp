@@ -13,7 +13,8 @@
 
 namespace sazare::methods::spheres {
 
-/// The spheres of a block that are near a plane. Who does not touch it remembers nothing: zero in every bit.
+/// The spheres of a block that are near a plane. Those that do not touch it remember nothing: zero in every bit. Where the law
+/// adheres, the row remembers which of them touch it.
 class PlaneRow {
 public:
   /// As many as there are lanes.
@@ -30,7 +31,7 @@ public:
   Index operator[](std::size_t n) const { return groups_[n / lane_count].sphere[n % lane_count]; }
 
   /// A sphere beyond those that are there; it remembers nothing.
-  void add(Index sphere, bool rolls);
+  void add(Index sphere, bool rolls, bool adheres = false);
 
   laws::ContactMemory<Real> memory(std::size_t n) const;
   bool remembers(std::size_t n) const;
@@ -40,11 +41,14 @@ public:
   std::size_t group_count() const { return groups_.size(); }
   Group& group(std::size_t n) { return groups_[n]; }
   Turning& turning(std::size_t n) { return turning_[n]; }
+  /// 1 for those that touch, else 0; there where the law adheres.
+  Lanes& touching(std::size_t n) { return touching_[n]; }
 
 private:
   std::size_t size_ = 0;
   std::vector<Group> groups_;
   std::vector<Turning> turning_;  ///< by group; empty where nothing resists rolling or twisting
+  std::vector<Lanes> touching_;   ///< by group; empty where the law does not adhere
 };
 
 /// What the contacts of a row are evaluated with.

@@ -79,6 +79,8 @@ void WallContacts::find_points(const state::Spheres& spheres, const Vector3& pla
   const std::size_t begin = points.size();
   const auto sphere = static_cast<std::size_t>(near.front().sphere);
   const Real radius = spheres.place[sphere].radius;
+  const auto material = static_cast<Index>(spheres.spin[sphere].material);
+  const bool adheres = table_.adheres();
   for (Near& one : near) {
     const auto w = static_cast<std::size_t>(one.wall);
     const Vector3 centre = seen_by(w, place);
@@ -87,7 +89,8 @@ void WallContacts::find_points(const state::Spheres& spheres, const Vector3& pla
     const Real distance = (centre - foot).norm();
     if (went_through(one, corners, centre, distance, spheres.box) && !block.passage)
       block.passage = {spheres.number[sphere], one.wall, place, time_};
-    if (distance < radius && distance > 0)
+    const Real reach = adheres ? radius + table_.neck(material, walls_[w].material, radius) : radius;
+    if (distance < reach && distance > 0)
       points.push_back({one.wall, one.triangle, radius - distance, place, foot, (centre - foot) / distance});
   }
   if (points.size() > begin + 1) points.resize(begin + keep_those_in_front(radius, std::span(points).subspan(begin)));
@@ -123,6 +126,7 @@ struct WallContacts::InLanes {
     constants.normal_damping[lane] = of.normal_damping;
     constants.tangential_damping[lane] = of.tangential_damping;
     constants.friction[lane] = of.friction;
+    constants.adhesion[lane] = of.adhesion;
     at.overlap[lane] = point.overlap;
     put(at.normal, lane, point.normal);
     put(memory.sliding, lane, touch.sliding);
@@ -232,18 +236,43 @@ void WallContacts::touch_anew(const state::Spheres& spheres, Block& block) const
     find_points(spheres, repeats ? spheres.box.wrapped(place.centre(), inverse) : place.centre(), {from, to}, block);
     from = to;
     while (remembered != block.before.end() && remembered->sphere < sphere) ++remembered;
-    for (const Point& point : std::span(block.points).subspan(begin)) {
-      Touch touch{.sphere = sphere, .wall = point.wall, .normal = point.normal};
-      for (auto old = remembered; old != block.before.end() && old->sphere == sphere; ++old)
-        if (old->wall == point.wall && old->normal.dot(point.normal) > same_direction) {
-          touch.sliding = old->sliding;
-          touch.rolling = old->rolling;
-          touch.twisting = old->twisting;
-          old->wall = -1;  // each goes on once
-          break;
-        }
-      block.touches.push_back(touch);
+    const auto others = std::find_if(remembered, block.before.end(), [&](const Touch& old) { return old.sphere != sphere; });
+    take_points(sphere, begin, {remembered, others}, block);
+  }
+  if (table_.adheres()) note_parted(spheres, block);
+}
+
+/// The points of a sphere from a number on become touches, with what those `before` remember. Across a gap only a touch that was
+/// there before remains.
+void WallContacts::take_points(Index sphere, std::size_t begin, std::span<Touch> before, Block& block) const {
+  std::size_t kept = begin;
+  for (std::size_t n = begin; n < block.points.size(); ++n) {
+    const Point& point = block.points[n];
+    Touch touch{.sphere = sphere, .wall = point.wall, .normal = point.normal};
+    const auto old = std::ranges::find_if(before, [&](const Touch& one) {
+      return one.wall == point.wall && one.normal.dot(point.normal) > same_direction;
+    });
+    if (old != before.end()) {
+      touch.sliding = old->sliding;
+      touch.rolling = old->rolling;
+      touch.twisting = old->twisting;
+      old->wall = -1;  // each goes on once
+    } else if (!(point.overlap > 0)) {
+      continue;
     }
+    block.touches.push_back(touch);
+    block.points[kept++] = point;
+  }
+  block.points.resize(kept);
+}
+
+/// Books the energy dissipated by touches that have ended. One that merges with a deeper one nearby counts the same.
+void WallContacts::note_parted(const state::Spheres& spheres, Block& block) const {
+  for (const Touch& old : block.before) {
+    if (old.wall < 0) continue;
+    const auto sphere = static_cast<std::size_t>(old.sphere);
+    block.parting_loss += table_.parting_loss(static_cast<Index>(spheres.spin[sphere].material),
+                                              walls_[static_cast<std::size_t>(old.wall)].material, spheres.place[sphere].radius);
   }
 }
 
@@ -252,6 +281,7 @@ ContactSums WallContacts::evaluate(const state::Spheres& spheres, const Task& ta
   std::fill(block.loads.begin(), block.loads.end(), WallLoad{});
   block.on_nodes.clear();
   block.passage.reset();
+  block.parting_loss = 0;
   ContactSums sums;
   const std::size_t begin_of_block = task.block * neighbors::block_size;
   for (std::size_t w = 0; w < block.planes.size(); ++w)
@@ -262,6 +292,7 @@ ContactSums WallContacts::evaluate(const state::Spheres& spheres, const Task& ta
   const Push push_some = push_of_table();
   for (std::size_t begin = 0; begin < block.points.size(); begin += lane_count)
     sums += (this->*push_some)(spheres, begin, task, block);
+  sums.dashpot_work += block.parting_loss;
   return sums;
 }
 

@@ -105,7 +105,8 @@ private:
     std::vector<Near> near;        ///< by sphere
     std::vector<Touch> touches;    ///< of surfaces, by sphere
     std::vector<Point> points;     ///< those of the touches
-    std::vector<Touch> before;
+    std::vector<Touch> before;  ///< of these, those that do not go on have a wall in the end
+    Real parting_loss = 0;      ///< of touches that ended [J]
     std::vector<WallLoad> loads;             ///< by wall
     std::vector<geometry::NodeForce> on_nodes;  ///< of the surface [N]
     std::optional<Passage> passage;
@@ -129,6 +130,8 @@ private:
                     const state::PeriodicBox& box) const;
   Ground ground_at(const Point& point, Real radius) const;
   void find_points(const state::Spheres& spheres, const Vector3& place, std::span<Near> near, Block& block) const;
+  void take_points(Index sphere, std::size_t begin, std::span<Touch> before, Block& block) const;
+  void note_parted(const state::Spheres& spheres, Block& block) const;
   static std::size_t keep_those_in_front(Real radius, std::span<Point> points);
   void touch_anew(const state::Spheres& spheres, Block& block) const;
   static std::vector<Touch> touches_of(const Block& block);

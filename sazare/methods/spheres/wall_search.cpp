@@ -132,7 +132,7 @@ void WallContacts::find_near(const state::Spheres& spheres, std::size_t sphere, 
     }
     const Vector3 centre = seen_by(w, spheres.box.wrapped(place.centre()));
     if ((centre - wall.point).dot(wall.normal) < place.radius + margin)
-      block.planes[w].add(static_cast<Index>(sphere), table_.rolls);
+      block.planes[w].add(static_cast<Index>(sphere), table_.rolls, table_.adheres());
   }
 }
 

@@ -96,7 +96,8 @@ void check_law_parameters(const CheckContext& context, const SpheresCase& sphere
     const std::size_t kinds = spheres.materials.size();
     const auto given = std::ranges::count_if(list, [&](const Entry& entry) { return entry.has(key); });
     if (static_cast<std::size_t>(given) < kinds * (kinds + 1) / 2)
-      context.problems.error(contact.header(), fmt::format("[contact] has no \"{}\", which {} needs", key, law_text(spheres.contact.model)),
+      context.problems.error(contact.header(),
+                             fmt::format("[contact] has no \"{}\", which {} needs", key, law_text(spheres.contact.model)),
                              how_to_add(*find_key(*contact.table, key)));
   }
 }
@@ -254,6 +255,10 @@ void check_bonds(const CheckContext& context, const SpheresCase& spheres) {
     if (!entry.exists()) continue;
     check_bonded_groups(context, entry, spheres, spheres.bonds[i]);
     check_bond_stiffness(context, entry);
+    if (spheres.bonds[i].breaks() && laws::visit_law(spheres.contact.model, []<class Law>(Law) { return Law::adheres; }))
+      context.problems.error(entry.header(), fmt::format("bonds that break do not go with {}", law_text(spheres.contact.model)),
+                             "the contact that a broken bond leaves has an initial overlap, without adhesion: give no strength, "
+                             "or another contact model");
     if (entry.has("fracture_energy") && !entry.has("tensile_strength"))
       context.problems.error(entry.place("fracture_energy"), "fracture_energy without tensile_strength",
                              how_to_add(*find_key(*entry.table, "tensile_strength")));

@@ -25,6 +25,14 @@ Real largest_radius(const state::Spheres& spheres) {
   return largest;
 }
 
+/// Whoever touches across a neck stays among those that are kept, with room to go farther apart before all are sought anew.
+SphereRules covering_necks(SphereRules rules, const ContactTable& table, const state::Spheres& spheres) {
+  const Real most = 2 * table.longest_neck(largest_radius(spheres));
+  rules.margin = std::max(rules.margin, most);
+  rules.wall_margin = std::max(rules.wall_margin, most);
+  return rules;
+}
+
 /// All spheres of a clump have the finest level among them.
 std::vector<std::int8_t> one_level_each(const state::Clumps& clumps, std::vector<std::int8_t> level) {
   if (level.empty()) return level;
@@ -45,11 +53,11 @@ SphereStepper::SphereStepper(state::Spheres spheres, const methods::spheres::Con
                              std::vector<methods::spheres::Wall> walls, const SphereRules& rules, methods::spheres::Bonds bonds,
                              state::Clumps clumps, methods::spheres::BondedBodies bodies)
     : spheres_(std::move(spheres)),
-      walls_(table, std::move(walls), largest_radius(spheres_) + rules.wall_margin),
+      walls_(table, std::move(walls), largest_radius(spheres_) + covering_necks(rules, table, spheres_).wall_margin),
       bonds_(std::move(bonds)),
       clumps_(std::move(clumps)),
       bodies_(std::move(bodies)),
-      rules_(rules),
+      rules_(covering_necks(rules, table, spheres_)),
       levels_(one_level_each(clumps_, rules.level), table, rules.step),
       smallest_radius_(smallest_radius(spheres_)) {
   if (!clumps_.empty()) body_.assign(spheres_.size(), -1);

@@ -28,7 +28,7 @@ struct SphereRules {
   Real step = 0;                        ///< h; with levels the base step [s]
   Vector3 gravity = Vector3::Zero();    ///< [m/s2]
   Real margin = 0;                      ///< spheres nearer than this are kept as pairs until they may have come closer [m]
-  Real wall_margin = 0;                 ///< the same for walls [m]
+  Real wall_margin = 0;                 ///< the same for walls [m]; both are at least twice the longest neck of the contact law
   std::vector<std::int8_t> level = {};  ///< by number of the sphere; empty: all in one step. Those of a clump go by its finest
 };
 
@@ -39,7 +39,7 @@ struct SphereEnergies {
   Real elastic = 0;       ///< in normal springs of contacts [J]
   Real sliding = 0;       ///< in springs of sliders [J]
   Real potential = 0;     ///< of gravity [J]
-  Real dashpot_work = 0;  ///< lost in normal dashpots since the start [J]
+  Real dashpot_work = 0;  ///< lost in normal dashpots, and where contacts were pulled apart, since the start [J]
   Real sliding_work = 0;  ///< lost in sliders since the start [J]
   Real wall_work = 0;     ///< brought in by moving walls, and by spheres that are driven, since the start [J]
   Real bonds = 0;         ///< in bonds [J]
