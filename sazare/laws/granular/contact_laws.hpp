@@ -16,11 +16,12 @@
 #include <utility>
 
 #include "sazare/laws/granular/hertz.hpp"
+#include "sazare/laws/granular/jkr.hpp"
 #include "sazare/laws/granular/linear.hpp"
 
 namespace sazare::laws {
 
-using ContactLaws = std::tuple<Hertz, Linear>;
+using ContactLaws = std::tuple<Hertz, Linear, Jkr>;
 
 inline constexpr std::size_t contact_law_count = std::tuple_size_v<ContactLaws>;
 
@@ -34,7 +35,7 @@ consteval int number_of_law() {
 }
 
 /// Names for the laws where none is known at compile time.
-enum class ContactModel { hertz = number_of_law<Hertz>(), linear = number_of_law<Linear>() };
+enum class ContactModel { hertz = number_of_law<Hertz>(), linear = number_of_law<Linear>(), jkr = number_of_law<Jkr>() };
 
 template <class Law>
 inline constexpr ContactModel model_of = static_cast<ContactModel>(number_of_law<Law>());

@@ -7,10 +7,16 @@ namespace sazare::methods::spheres {
 
 ContactTable table(const Rules& rules) {
   ContactTable contacts(rules.model, 1);
-  contacts.set(0, 0,
-               rules.model == laws::ContactModel::hertz
-                   ? laws::hertz_constants(soft, soft, rules.restitution, {rules.friction, rules.rolling, rules.twisting})
-                   : laws::linear_constants(1e5, 8e4, rules.restitution, {rules.friction, rules.rolling, rules.twisting}));
+  const laws::MaterialsInContact materials{
+      soft, soft, rules.restitution, {rules.friction, rules.rolling, rules.twisting}};
+  contacts.set(0, 0, laws::visit_law(rules.model, [&]<class Law>(Law) {
+    if constexpr (std::is_same_v<Law, laws::Linear>)
+      return Law::constants(materials, {1e5, 8e4});
+    else if constexpr (std::is_same_v<Law, laws::Jkr>)
+      return Law::constants(materials, {rules.surface_energy});
+    else
+      return Law::constants(materials, {});
+  }));
   return contacts;
 }
 

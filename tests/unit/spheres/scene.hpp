@@ -23,6 +23,7 @@ struct Rules {
   laws::ContactModel model = laws::ContactModel::hertz;
   state::PeriodicBox box = {};
   std::vector<std::int8_t> level = {};  ///< by grain; empty: all in one step
+  Real surface_energy = 0;              ///< of model jkr [J/m2]
 };
 
 ContactTable table(const Rules& rules);

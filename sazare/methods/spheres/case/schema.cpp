@@ -14,7 +14,7 @@ constexpr std::array<std::string_view, 3> level_choices{"automatic", "per_sphere
 constexpr std::array<std::string_view, 3> wall_shapes{"plane", "box", "mesh"};
 
 constexpr Range restitution_range{.low = 0, .high = 1, .low_open = true};
-constexpr std::string_view for_hertz = "required for model hertz";
+constexpr std::string_view for_elasticity = "required for models hertz and jkr";
 constexpr std::string_view of_contact = "default: that of [contact]";
 constexpr std::string_view in_region = "required for lattice and random";
 
@@ -50,12 +50,12 @@ constexpr std::array material_keys{
         .type = Type::number,
         .unit = "Pa",
         .range = positive,
-        .note = for_hertz,
+        .note = for_elasticity,
         .sentence = "Young's modulus."},
     Key{.name = "poisson_ratio",
         .type = Type::number,
         .range = {.low = 0, .high = 0.5},
-        .note = for_hertz,
+        .note = for_elasticity,
         .sentence = "Poisson's ratio."},
 };
 
@@ -86,7 +86,8 @@ constexpr std::array leading_contact_keys{
     Key{.name = "model",
         .type = Type::choice,
         .default_text = "\"hertz\"",
-        .sentence = "Hertz-Mindlin from the elasticity of the materials, or linear springs.",
+        .sentence = "Hertz-Mindlin from the elasticity of the materials, linear springs, or the adhesion of Johnson, Kendall and "
+                    "Roberts between elastic spheres.",
         .choices = laws::contact_law_words},
     Key{.name = "restitution",
         .type = Type::number,
