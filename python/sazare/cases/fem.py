@@ -21,31 +21,31 @@ class Mesh(Part):
     """Values for constants that the geometry declares with DefineConstant (gmsh -setnumber). (only for a .geo file) Default: {}.
     """
     dimension: int | None = None
-    """2 for plane strain in x and y (up), forces per metre across the plane; 3 for a body in x, y and z (up). Default: 2. At
+    """2 for plane strain in x and y (up), with forces per metre out of plane; 3 for a body in x, y and z (up). Default: 2. At
     least 2 and at most 3.
     """
 
 
 @dataclass(kw_only=True, eq=False)
 class Elements(Part):
-    """How elements are integrated."""
+    """Mass matrix and numerical integration."""
 
     mass: Literal["consistent", "lumped"] | None = None
     """Mass matrix: consistent, or lumped at the nodes. Default: "consistent"."""
     integration: Literal["full", "reduced"] | None = None
-    """Of the stiffness; reduced takes fewer points in 8-node quadrilaterals and 20-node hexahedra, which bend and flow more
-    easily. Default: "full".
+    """Integration of the stiffness: full, or reduced, with fewer points in 8-node quadrilaterals and 20-node hexahedra, which
+    avoids locking in bending and plastic flow. Default: "full".
     """
 
 
 @dataclass(kw_only=True, eq=False)
 class Material(Part):
-    """What the regions are made of."""
+    """Materials of the regions."""
 
     name: str
     """Name of the material in messages."""
     regions: list[str]
-    """Physical groups of the mesh that are made of it: surfaces in 2-D, volumes in 3-D."""
+    """Physical groups of the mesh that consist of the material: surfaces in 2-D, volumes in 3-D."""
     density: float
     """Mass per volume. [kg/m3] Greater than 0."""
     youngs_modulus: float
@@ -53,37 +53,37 @@ class Material(Part):
     poisson_ratio: float
     """Poisson's ratio. At least 0 and less than 0.5."""
     damping_ratio: float | None = None
-    """Share of critical damping at the frequencies f1 and f2 of [damping]. Default: 0.0. At least 0 and at most 2."""
+    """Damping ratio at the frequencies f1 and f2 of [damping]. Default: 0.0. At least 0 and at most 2."""
     cohesion: float | None = None
-    """Cohesion of Mohr and Coulomb's strength. [Pa] (default: the material is elastic and never yields) At least 0."""
+    """Cohesion of the Mohr-Coulomb strength. [Pa] (default: the material is elastic and never yields) At least 0."""
     friction_angle: float | None = None
-    """Angle of friction. [deg] (required with a cohesion) At least 0 and at most 60."""
+    """Friction angle. [deg] (required with a cohesion) At least 0 and at most 60."""
     dilation_angle: float | None = None
-    """Angle of dilation; at most the friction angle. [deg] (only with a cohesion) Default: 0.0. At least 0 and at most 60."""
+    """Dilation angle; at most the friction angle. [deg] (only with a cohesion) Default: 0.0. At least 0 and at most 60."""
     tensile_strength: float | None = None
-    """Largest tensile stress; at most cohesion/tan(friction_angle). [Pa] (only with a cohesion; default:
+    """Tension cut-off: largest tensile stress; at most cohesion/tan(friction_angle). [Pa] (only with a cohesion; default:
     cohesion/tan(friction_angle), without friction none) At least 0.
     """
 
 
 @dataclass(kw_only=True, eq=False)
 class Joint(Part):
-    """Faces without thickness that slip and open."""
+    """Zero-thickness interfaces that slip and open."""
 
     name: str
     """Name of the joint in results and messages."""
     between: tuple[str, str] | None = None
-    """The two regions whose shared faces it parts. (exactly one of between and group)"""
+    """The two regions between whose shared faces the joint lies. (exactly one of between and group)"""
     group: str | None = None
-    """Physical group of faces inside the body (in 2-D of lines) along which it is parted. (exactly one of between and group)"""
-    normal_stiffness: float
-    """Pressure per overlap of the faces. [Pa/m] Greater than 0."""
-    shear_stiffness: float
-    """Shear stress per displacement before slip. [Pa/m] Greater than 0."""
+    """Physical group of faces inside the body (lines in 2-D) along which the joint lies. (exactly one of between and group)"""
+    joint_normal_stiffness: float
+    """Normal stiffness: pressure per overlap of the faces. [Pa/m] Greater than 0."""
+    joint_shear_stiffness: float
+    """Shear stiffness: shear stress per elastic shear displacement. [Pa/m] Greater than 0."""
     cohesion: float | None = None
-    """Shear strength without pressure, where the faces touch. [Pa] Default: 0.0. At least 0."""
+    """Cohesion: shear strength at zero pressure, where the faces touch. [Pa] Default: 0.0. At least 0."""
     friction_angle: float
-    """Angle of friction between the faces. [deg] At least 0 and at most 89."""
+    """Friction angle between the faces. [deg] At least 0 and at most 89."""
 
 
 @dataclass(kw_only=True, eq=False)
@@ -91,18 +91,18 @@ class Damping(Part):
     """Rayleigh damping: its two frequencies."""
 
     f1: float | None = None
-    """Lower frequency at which the damping is that of the material. [Hz] (required where a material has a damping_ratio) Greater
-    than 0.
+    """Lower frequency at which the damping ratio equals that of the material. [Hz] (required where a material has a
+    damping_ratio) Greater than 0.
     """
     f2: float | None = None
-    """Higher frequency at which the damping is that of the material. [Hz] (required where a material has a damping_ratio) Greater
-    than 0.
+    """Higher frequency at which the damping ratio equals that of the material. [Hz] (required where a material has a
+    damping_ratio) Greater than 0.
     """
 
 
 @dataclass(kw_only=True, eq=False)
 class Motion(Part):
-    """Waves and histories of the ground's motion."""
+    """Ground motions: wavelets, sines, records and functions of time."""
 
     name: str
     """Name by which boundaries refer to it."""
@@ -110,35 +110,40 @@ class Motion(Part):
     """A Ricker wavelet, a sine from t = 0, a record from a file, or a function that the caller gives in Python."""
     quantity: Literal["displacement", "velocity", "acceleration"] | None = None
     """What the formula describes; the other two follow by integration from rest or differentiation. (not for a record, whose file
-    says it) Default: "acceleration".
+    states it) Default: "acceleration".
     """
     amplitude: float | None = None
-    """Factor of the formula, in m, m/s or m/s2 as the quantity is; of a record or a function, a plain factor. Default: 1.0."""
+    """Amplitude of the formula, in m, m/s or m/s2 according to the quantity; for a record or a function, a dimensionless factor.
+    Default: 1.0.
+    """
     frequency: float | None = None
     """Frequency of the sine, central frequency of the wavelet. [Hz] (required for a wavelet and a sine) Greater than 0."""
     peak_time: float | None = None
-    """Time of the wavelet's peak; at least 1/frequency, so that it begins from rest. [s] (required for a wavelet) Greater than 0.
+    """Time of the wavelet's peak; at least 1/frequency, so that the wavelet begins at rest. [s] (required for a wavelet) Greater
+    than 0.
     """
     cycles: float | None = None
-    """Number of periods of the sine; 0: without end. Default: 0.0. At least 0."""
+    """Number of periods of the sine; 0: unlimited. Default: 0.0. At least 0."""
     file: str | None = None
     """CSV with units in its header, PEER .AT2, or K-NET ASCII (.EW .NS .UD). (required for a record)"""
     baseline: Literal["none", "constant", "linear"] | None = None
-    """What is taken off a record so that its integral has no trend: nothing, a constant or a straight line. Default: "none"."""
+    """Baseline correction: what is subtracted from a record so that its integral has no trend: nothing, a constant or a straight
+    line. Default: "none".
+    """
 
 
 @dataclass(kw_only=True, eq=False)
 class Boundary(Part):
-    """How groups are held; all others are free."""
+    """Boundary conditions of groups; all other nodes are free."""
 
     group: str
-    """Physical group of the mesh whose nodes it holds: faces, lines or points."""
+    """Physical group of the mesh to whose nodes it applies: faces, lines or points."""
     kind: Literal["fixed", "roller", "prescribed", "viscous"]
-    """fixed does not move, roller is held along axes, prescribed moves along the axes that have a motion, viscous lets waves
-    leave and a wave enter (groups of faces only).
+    """fixed: held along all axes; roller: held along some; prescribed: moved along the axes that have a motion; viscous: lets
+    waves leave and incident waves enter (groups of faces only).
     """
     axes: list[Literal["x", "y", "z"]] | None = None
-    """Axes along which a roller is held; of kind prescribed, those that are held without a motion. (required for a roller)
+    """Axes along which a roller is held; for kind prescribed, those that are held without a motion. (required for a roller)
     Default: [].
     """
     motion_x: str | None = None
@@ -156,11 +161,12 @@ class Load(Part):
     name: str
     """Name of the load in messages."""
     group: str
-    """Physical group of outer faces (in 2-D of lines) on which it acts."""
+    """Physical group of outer faces (lines in 2-D) on which it acts."""
     traction: tuple[float, float, float]
-    """Force per area; z is 0 in 2-D. [Pa]"""
+    """Traction: force per area; z is 0 in 2-D. [Pa]"""
     ramp: float | None = None
-    """Time in which it grows from 0 to its full value; 0: all at once at t = 0. [s] Default: 0.0. At least 0."""
+    """Time in which the load grows linearly from 0 to its full value; 0: applied at once at t = 0. [s] Default: 0.0. At least 0.
+    """
 
 
 @dataclass(kw_only=True, eq=False)
@@ -168,25 +174,25 @@ class Gravity(Part):
     """Body force."""
 
     acceleration: tuple[float, float, float] | None = None
-    """Acceleration of free fall. [m/s2] Default: [0.0, 0.0, 0.0]."""
+    """Gravitational acceleration. [m/s2] Default: [0.0, 0.0, 0.0]."""
     settle: bool | None = None
-    """Begin at rest under gravity: the equilibrium is found first, viscous boundaries carry what they carry in it, and
-    displacements count from there. Default: false.
+    """Begin in equilibrium under gravity: it is found first, viscous boundaries keep carrying their reactions in it, and
+    displacements count from it. Default: false.
     """
 
 
 @dataclass(kw_only=True, eq=False)
 class Solver(Part):
-    """When a step is found, and what is tried."""
+    """Convergence of the Newton iteration and step cuts."""
 
     tolerance: float | None = None
-    """Unbalanced force left in a step, over the largest of internal, external and inertial forces. Default: 1e-8. At least 1e-13
-    and at most 0.01.
+    """Convergence: unbalanced force divided by the largest of the internal, external and inertial forces. Default: 1e-8. At least
+    1e-13 and at most 0.01.
     """
-    iterations: int | None = None
-    """Of Newton in a step, at most. Default: 20. At least 1 and at most 1000."""
-    cuts: int | None = None
-    """How often a step that does not converge is halved, at most. Default: 8. At least 0 and at most 20."""
+    max_iterations: int | None = None
+    """Maximum Newton iterations per step. Default: 20. At least 1 and at most 1000."""
+    max_cuts: int | None = None
+    """Maximum number of times that a step that does not converge is halved. Default: 8. At least 0 and at most 20."""
 
 
 @dataclass(kw_only=True, eq=False)
@@ -196,31 +202,31 @@ class Gauge(Part):
     name: str
     """Name of the gauge; its columns in gauges.csv begin with it."""
     point: tuple[float, float, float]
-    """Where it is at the start: it takes the motion of the nearest node. [m]"""
+    """Initial position: the gauge records the motion of the nearest node. [m]"""
 
 
 @dataclass(kw_only=True, eq=False)
 class Time(Part):
-    """How long, in which steps, and when results are written."""
+    """Duration, time step and intervals of output."""
 
     end: float
     """Time at which the run ends; it begins at 0. [s] Greater than 0."""
     step: float
-    """Step of time; every step is stable, so it follows from the frequencies that count. [s] Greater than 0."""
+    """Time step; the implicit step is unconditionally stable, so choose it by the frequencies of interest. [s] Greater than 0."""
     analysis: Literal["dynamic", "static"] | None = None
-    """dynamic, or static: each step is an equilibrium, and time only counts loads and motions. Default: "dynamic"."""
+    """dynamic, or static: each step is an equilibrium, and time only parametrises loads and motions. Default: "dynamic"."""
     alpha: float | None = None
-    """Of Hilber, Hughes and Taylor: below 0 the step damps frequencies that it cannot resolve; 0 is Newmark's step of constant
-    mean acceleration. (dynamic only) Default: 0.0. At least -0.333333 and at most 0.
+    """Parameter of HHT-alpha: negative values add numerical damping of high frequencies; 0 is Newmark's constant average
+    acceleration. (dynamic only) Default: 0.0. At least -0.333333 and at most 0.
     """
     history_interval: float | None = None
     """Time between rows of the histories; the end is a whole multiple of it. [s] (default: about end/200) Greater than 0."""
     snapshot_interval: float | None = None
-    """Time between snapshots; a whole multiple of history_interval, and the end one of it. [s] (default: about end/20) Greater
-    than 0.
+    """Time between snapshots; a whole multiple of history_interval, of which the end is a whole multiple. [s] (default: about
+    end/20) Greater than 0.
     """
     strict: bool | None = None
-    """Refuse what would only be warned about. Default: false."""
+    """Treat warnings as errors. Default: false."""
 
 
 @dataclass(kw_only=True, eq=False)
@@ -255,26 +261,26 @@ class Case(AnyCase):
     mesh: Mesh
     """The body."""
     elements: Elements | None = None
-    """How elements are integrated."""
+    """Mass matrix and numerical integration."""
     materials: list[Material]
-    """What the regions are made of."""
+    """Materials of the regions."""
     joints: list[Joint] = field(default_factory=list)
-    """Faces without thickness that slip and open."""
+    """Zero-thickness interfaces that slip and open."""
     damping: Damping | None = None
     """Rayleigh damping: its two frequencies."""
     motions: list[Motion] = field(default_factory=list)
-    """Waves and histories of the ground's motion."""
+    """Ground motions: wavelets, sines, records and functions of time."""
     boundaries: list[Boundary] = field(default_factory=list)
-    """How groups are held; all others are free."""
+    """Boundary conditions of groups; all other nodes are free."""
     loads: list[Load] = field(default_factory=list)
     """Tractions on outer faces."""
     gravity: Gravity | None = None
     """Body force."""
     solver: Solver | None = None
-    """When a step is found, and what is tried."""
+    """Convergence of the Newton iteration and step cuts."""
     gauges: list[Gauge] = field(default_factory=list)
     """Points whose motion is recorded."""
     time: Time
-    """How long, in which steps, and when results are written."""
+    """Duration, time step and intervals of output."""
     output: Output | None = None
     """What is written besides histories and snapshots."""

@@ -9,48 +9,48 @@ from sazare.cases import Part
 
 @dataclass(kw_only=True, eq=False)
 class Sides(Part):
-    """The two cases that are coupled."""
+    """The two cases that are coupled: continuum and bodies."""
 
     continuum: str
-    """Case of method fem, relative to this file; its step is the window in which the sides exchange motion for force, and it may
-    also be run alone.
+    """Case of method fem, relative to this file; its time step is the coupling window, at whose ends the two solvers exchange
+    force and motion; it may also be run alone.
     """
     bodies: str
-    """Case of method spheres, rectangles or blocks with the same end and intervals; its step divides the window, and is chosen so
-    where it is not given.
+    """Case of method spheres, rectangles or blocks with the same end and intervals; its time step divides the coupling window,
+    and is chosen accordingly where it is not given.
     """
 
 
 @dataclass(kw_only=True, eq=False)
 class Surface(Part):
-    """Where they touch."""
+    """Coupling surface."""
 
     group: str
-    """Physical group of outer faces of the continuum (in 2-D of lines) that the bodies feel as a moving wall."""
+    """Physical group of outer faces of the continuum (lines in 2-D), which acts on the bodies as a moving wall."""
     material: str | None = None
-    """Material of the bodies' case of which the surface is in contact; rectangles and blocks have one contact law. (required for
+    """Material of the bodies' case that the surface has in contact; rectangles and blocks have one contact law. (required for
     bodies of method spheres, and only for them)
     """
     width: float | None = None
-    """Width along z of the slab of bodies whose forces the plane gets per metre. [m] (required for spheres and blocks where the
-    continuum is in 2-D, and only there) Greater than 0.
+    """Width along z of the slab of bodies, by which forces are divided: a continuum in 2-D takes them per metre. [m] (required
+    for spheres and blocks where the continuum is in 2-D, and only there) Greater than 0.
     """
 
 
 @dataclass(kw_only=True, eq=False)
 class Coupling(Part):
-    """How force and motion are exchanged."""
+    """Coupling scheme: how force and motion are exchanged."""
 
-    scheme: Literal["paper", "impulse", "repeat"] | None = None
-    """Force with which the continuum goes through a window: paper takes that at the end of the window before, impulse the mean of
-    the window before, repeat goes through it again until force and motion agree. Default: "impulse".
+    scheme: Literal["lagged", "impulse", "iterative"] | None = None
+    """Force on the continuum in a coupling window: lagged: that at the end of the window before; impulse: the mean of the window
+    before; iterative: found by repeating the window until force and motion agree. Default: "impulse".
     """
     tolerance: float | None = None
-    """Difference between the force that was tried and the one that came of it, over the larger. (scheme repeat) Default: 1e-4. At
+    """Difference between the assumed and the resulting force, divided by the larger of the two. (scheme repeat) Default: 1e-4. At
     least 1e-13 and at most 0.1.
     """
-    passes: int | None = None
-    """Through a window, at most. (scheme repeat) Default: 20. At least 2 and at most 1000."""
+    max_passes: int | None = None
+    """Maximum passes through a coupling window. (scheme repeat) Default: 20. At least 2 and at most 1000."""
 
 
 @dataclass(kw_only=True, eq=False)
@@ -74,10 +74,10 @@ class Case(AnyCase):
     }
 
     sides: Sides
-    """The two cases that are coupled."""
+    """The two cases that are coupled: continuum and bodies."""
     surface: Surface
-    """Where they touch."""
+    """Coupling surface."""
     coupling: Coupling | None = None
-    """How force and motion are exchanged."""
+    """Coupling scheme: how force and motion are exchanged."""
     output: Output | None = None
     """What is written besides histories and snapshots."""

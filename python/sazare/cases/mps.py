@@ -9,30 +9,31 @@ from sazare.cases import Part
 
 @dataclass(kw_only=True, eq=False)
 class Particles(Part):
-    """The lattice on which particles stand."""
+    """Lattice of the particles."""
 
     spacing: float
-    """Distance of neighbouring particles on the lattice, twice the particle's radius. [m] Greater than 0."""
+    """Distance between neighbouring particles on the lattice: twice the radius of a particle. [m] Greater than 0."""
     dimension: int | None = None
     """2 for plane strain in x and y (up), 3 for a body in x, y and z (up). Default: 2. At least 2 and at most 3."""
     influence: float | None = None
-    """Influence radius over the spacing: particles nearer than this are linked. Default: 1.5. Greater than 1 and at most 3."""
+    """Influence radius divided by the spacing: particles nearer than this are linked. Default: 1.5. Greater than 1 and at most 3.
+    """
     fit: Literal["exact", "inside"] | None = None
     """Whether rectangles must be whole multiples of the spacing, or hold as many particles as fit inside. Default: "exact"."""
     periodic: list[Literal["x", "y", "z"]] | None = None
-    """Axes along which the body repeats itself: its two ends are linked, as in a layer without end. Default: []."""
+    """Axes along which the body is periodic: its two ends are linked, as in an infinite layer. Default: []."""
     rotation: Literal["mean_rotation", "mean_angle"] | None = None
-    """How rotation is taken out of deformations: by the mean of two rotations, or by the mean angle (2-D only). Default:
-    "mean_rotation".
+    """How rigid rotation is removed from the deformation of a link: by the mean of the two rotations, or by the mean angle (2-D
+    only). Default: "mean_rotation".
     """
 
 
 @dataclass(kw_only=True, eq=False)
 class Region(Part):
-    """What is filled with particles."""
+    """Regions that are filled with particles."""
 
     name: str
-    """Name by which materials refer to the region; where regions overlap, the last one counts."""
+    """Name by which materials refer to the region; where regions overlap, the last one applies."""
     shape: Literal["rectangle", "polygon", "mesh"] | None = None
     """A rectangle (in 3-D a box), a polygon (2-D), or a volume group of a Gmsh mesh. Default: "rectangle"."""
     lower: tuple[float, float, float] | None = None
@@ -49,12 +50,12 @@ class Region(Part):
 
 @dataclass(kw_only=True, eq=False)
 class Material(Part):
-    """What the regions are made of."""
+    """Materials of the regions."""
 
     name: str
     """Name of the material in messages."""
     regions: list[str]
-    """Regions that are made of it."""
+    """Regions that consist of the material."""
     density: float
     """Mass per volume. [kg/m3] Greater than 0."""
     s_wave_velocity: float | None = None
@@ -64,20 +65,22 @@ class Material(Part):
     poisson_ratio: float | None = None
     """Poisson's ratio. (exactly two of s_wave_velocity, p_wave_velocity and poisson_ratio) At least 0 and less than 0.5."""
     damping_ratio: float | None = None
-    """Share of critical damping at the frequencies f1 and f2 of [damping]. Default: 0.0. At least 0 and at most 2."""
+    """Damping ratio at the frequencies f1 and f2 of [damping]. Default: 0.0. At least 0 and at most 2."""
     cohesion: float | None = None
-    """Cohesion of Mohr and Coulomb's strength. [Pa] (default: the material is elastic and never fails) At least 0."""
+    """Cohesion of the Mohr-Coulomb strength. [Pa] (default: the material is elastic and never fails) At least 0."""
     friction_angle: float | None = None
-    """Angle of friction, in the ground and, once links are broken, between particles. [deg] (required with a cohesion) At least 0
+    """Friction angle, in the ground and, once links are broken, between particles. [deg] (required with a cohesion) At least 0
     and at most 60.
     """
     dilation_angle: float | None = None
-    """Angle of dilation; at most the friction angle. [deg] (only with a cohesion) Default: 0.0. At least 0 and at most 60."""
+    """Dilation angle; at most the friction angle. [deg] (only with a cohesion) Default: 0.0. At least 0 and at most 60."""
     tensile_strength: float | None = None
-    """Largest tensile stress; at most cohesion/tan(friction_angle). [Pa] (only with a cohesion) Default: 0.0. At least 0."""
+    """Tension cut-off: largest tensile stress; at most cohesion/tan(friction_angle). [Pa] (only with a cohesion) Default: 0.0. At
+    least 0.
+    """
     rupture_strain: float | None = None
-    """Plastic slip (of engineering shear strain) or opening at which links break. (only with a cohesion) Default: 0.1. Greater
-    than 0.
+    """Equivalent plastic shear strain (engineering) or tensile opening at which links break. (only with a cohesion) Default: 0.1.
+    Greater than 0.
     """
 
 
@@ -86,18 +89,18 @@ class Damping(Part):
     """Rayleigh damping: its two frequencies."""
 
     f1: float | None = None
-    """Lower frequency at which the damping is that of the material. [Hz] (required where a material has a damping_ratio) Greater
-    than 0.
+    """Lower frequency at which the damping ratio equals that of the material. [Hz] (required where a material has a
+    damping_ratio) Greater than 0.
     """
     f2: float | None = None
-    """Higher frequency at which the damping is that of the material. [Hz] (required where a material has a damping_ratio) Greater
-    than 0.
+    """Higher frequency at which the damping ratio equals that of the material. [Hz] (required where a material has a
+    damping_ratio) Greater than 0.
     """
 
 
 @dataclass(kw_only=True, eq=False)
 class Motion(Part):
-    """Waves and histories of the ground's motion."""
+    """Ground motions: wavelets, sines, records and functions of time."""
 
     name: str
     """Name by which boundaries refer to it."""
@@ -105,37 +108,42 @@ class Motion(Part):
     """A Ricker wavelet, a sine from t = 0, a record from a file, or a function that the caller gives in Python."""
     quantity: Literal["displacement", "velocity", "acceleration"] | None = None
     """What the formula describes; the other two follow by integration from rest or differentiation. (not for a record, whose file
-    says it) Default: "acceleration".
+    states it) Default: "acceleration".
     """
     amplitude: float | None = None
-    """Factor of the formula, in m, m/s or m/s2 as the quantity is; of a record or a function, a plain factor. Default: 1.0."""
+    """Amplitude of the formula, in m, m/s or m/s2 according to the quantity; for a record or a function, a dimensionless factor.
+    Default: 1.0.
+    """
     frequency: float | None = None
     """Frequency of the sine, central frequency of the wavelet. [Hz] (required for a wavelet and a sine) Greater than 0."""
     peak_time: float | None = None
-    """Time of the wavelet's peak; at least 1/frequency, so that it begins from rest. [s] (required for a wavelet) Greater than 0.
+    """Time of the wavelet's peak; at least 1/frequency, so that the wavelet begins at rest. [s] (required for a wavelet) Greater
+    than 0.
     """
     cycles: float | None = None
-    """Number of periods of the sine; 0: without end. Default: 0.0. At least 0."""
+    """Number of periods of the sine; 0: unlimited. Default: 0.0. At least 0."""
     file: str | None = None
     """CSV with units in its header, PEER .AT2, or K-NET ASCII (.EW .NS .UD). (required for a record)"""
     baseline: Literal["none", "constant", "linear"] | None = None
-    """What is taken off a record so that its integral has no trend: nothing, a constant or a straight line. Default: "none"."""
+    """Baseline correction: what is subtracted from a record so that its integral has no trend: nothing, a constant or a straight
+    line. Default: "none".
+    """
 
 
 @dataclass(kw_only=True, eq=False)
 class Boundary(Part):
-    """How the sides are held; all others are free."""
+    """Boundary conditions of the sides; all others are free."""
 
     side: Literal["left", "right", "bottom", "top", "front", "back", "all"]
-    """Particles without a neighbour in this direction: left and right are x, front and back y in 3-D, bottom and top the
-    vertical; all takes every particle.
+    """Side: the particles without a neighbour in this direction: left and right are along x, front and back along y in 3-D,
+    bottom and top vertical; all: every particle.
     """
     kind: Literal["fixed", "roller", "prescribed", "viscous"]
-    """fixed does not move, roller is held across the side, prescribed moves as given (E + F), viscous lets waves leave and a wave
-    E enter.
+    """fixed: held along all axes; roller: held normal to the side; prescribed: moves with the within motion (E + F); viscous:
+    lets waves leave and an incident wave (E) enter.
     """
     axes: list[Literal["x", "y", "z"]] | None = None
-    """Axes along which a roller is held. (kind roller only; none: across the side) Default: []."""
+    """Axes along which a roller is held. (kind roller only; none: normal to the side) Default: []."""
     motion_x: str | None = None
     """Motion along x. (kinds prescribed and viscous only)"""
     motion_y: str | None = None
@@ -146,10 +154,10 @@ class Boundary(Part):
 
 @dataclass(kw_only=True, eq=False)
 class Contact(Part):
-    """Contacts of particles whose links broke."""
+    """Contact between particles whose link is broken."""
 
     damping_ratio: float | None = None
-    """Dashpots of contacts between particles whose links broke, over critical ones. Default: 0.2. At least 0 and at most 2."""
+    """Damping ratio of contacts between particles whose link is broken. Default: 0.2. At least 0 and at most 2."""
 
 
 @dataclass(kw_only=True, eq=False)
@@ -157,25 +165,27 @@ class Gravity(Part):
     """Body force."""
 
     acceleration: tuple[float, float, float] | None = None
-    """Acceleration of free fall. [m/s2] Default: [0.0, 0.0, 0.0]."""
+    """Gravitational acceleration. [m/s2] Default: [0.0, 0.0, 0.0]."""
     settle: bool | None = None
-    """Begin at rest under gravity: the equilibrium is found first, viscous boundaries carry what they carry in it, and
-    displacements count from there. Default: false.
+    """Begin in equilibrium under gravity: it is found first, viscous boundaries keep carrying their reactions in it, and
+    displacements count from it. Default: false.
     """
     max_settling_steps: int | None = None
-    """After so many steps without rest the ground is said not to stand. Default: 200000. At least 1 and at most 1e+09."""
+    """Maximum steps to reach equilibrium under gravity; after these the ground is reported as unstable. Default: 200000. At least
+    1 and at most 1e+09.
+    """
 
 
 @dataclass(kw_only=True, eq=False)
 class Noise(Part):
-    """Small random motion at the start, so that whatever can grow does."""
+    """Small random initial motion, so that every instability can grow."""
 
     velocity: float | None = None
-    """Largest random velocity of every degree of freedom at the start (of rotations: over half a spacing). [m/s] Default: 0.0. At
+    """Largest random initial velocity of every degree of freedom (rotations: divided by half a spacing). [m/s] Default: 0.0. At
     least 0.
     """
     seed: int | None = None
-    """Which random numbers are taken. Default: 1. At least 1 and at most 1e+06."""
+    """Seed of the random numbers. Default: 1. At least 1 and at most 1e+06."""
 
 
 @dataclass(kw_only=True, eq=False)
@@ -185,31 +195,31 @@ class Gauge(Part):
     name: str
     """Name of the gauge; its columns in gauges.csv begin with it."""
     point: tuple[float, float, float]
-    """Where it is at the start: it takes the motion of the nearest particle, at most a spacing away. [m]"""
+    """Initial position: the gauge records the motion of the nearest particle, at most one spacing away. [m]"""
 
 
 @dataclass(kw_only=True, eq=False)
 class Time(Part):
-    """How long, in which steps, and when results are written."""
+    """Duration, time step and intervals of output."""
 
     end: float
     """Time at which the run ends; it begins at 0. [s] Greater than 0."""
     step: float | None = None
-    """Step of all particles; above the predicted limit the case is refused. [s] (default: stability_fraction of the predicted
-    limit, or a little less) Greater than 0.
+    """Time step of all particles; above the predicted stability limit the case is refused. [s] (default: stability_fraction of
+    the predicted stability limit, or a little less) Greater than 0.
     """
     stability_fraction: float | None = None
-    """Step over the predicted limit where no step is given. Default: 0.9. Greater than 0 and less than 1."""
+    """Ratio of the step to the predicted stability limit where no step is given. Default: 0.9. Greater than 0 and less than 1."""
     integrator: Literal["verlet", "leapfrog", "euler"] | None = None
-    """How a step goes. Default: "verlet"."""
+    """Time integration scheme. Default: "verlet"."""
     history_interval: float | None = None
     """Time between rows of the histories; the end is a whole multiple of it. [s] (default: about end/200) Greater than 0."""
     snapshot_interval: float | None = None
-    """Time between snapshots; a whole multiple of history_interval, and the end one of it. [s] (default: about end/20) Greater
-    than 0.
+    """Time between snapshots; a whole multiple of history_interval, of which the end is a whole multiple. [s] (default: about
+    end/20) Greater than 0.
     """
     strict: bool | None = None
-    """Refuse what would only be warned about. Default: false."""
+    """Treat warnings as errors. Default: false."""
 
 
 @dataclass(kw_only=True, eq=False)
@@ -241,26 +251,26 @@ class Case(AnyCase):
     }
 
     particles: Particles
-    """The lattice on which particles stand."""
+    """Lattice of the particles."""
     regions: list[Region]
-    """What is filled with particles."""
+    """Regions that are filled with particles."""
     materials: list[Material]
-    """What the regions are made of."""
+    """Materials of the regions."""
     damping: Damping | None = None
     """Rayleigh damping: its two frequencies."""
     motions: list[Motion] = field(default_factory=list)
-    """Waves and histories of the ground's motion."""
+    """Ground motions: wavelets, sines, records and functions of time."""
     boundaries: list[Boundary] = field(default_factory=list)
-    """How the sides are held; all others are free."""
+    """Boundary conditions of the sides; all others are free."""
     contact: Contact | None = None
-    """Contacts of particles whose links broke."""
+    """Contact between particles whose link is broken."""
     gravity: Gravity | None = None
     """Body force."""
     noise: Noise | None = None
-    """Small random motion at the start, so that whatever can grow does."""
+    """Small random initial motion, so that every instability can grow."""
     gauges: list[Gauge] = field(default_factory=list)
     """Points whose motion is recorded."""
     time: Time
-    """How long, in which steps, and when results are written."""
+    """Duration, time step and intervals of output."""
     output: Output | None = None
     """What is written besides histories and snapshots."""

@@ -9,26 +9,26 @@ from sazare.cases import Part
 
 @dataclass(kw_only=True, eq=False)
 class Elements(Part):
-    """What all elements have in common."""
+    """Thickness of all elements."""
 
     thickness: float | None = None
-    """Depth of all elements across the plane. [m] Default: 1.0. Greater than 0."""
+    """Out-of-plane thickness of all elements. [m] Default: 1.0. Greater than 0."""
 
 
 @dataclass(kw_only=True, eq=False)
 class Block(Part):
-    """Bodies of squares that are joined on a lattice, of polygons, or of one rectangle."""
+    """Bodies: squares joined on a lattice, polygons, or one rectangle."""
 
     name: str
     """Name of the block in messages."""
     material: str
-    """What it is made of."""
+    """Material of the block."""
     shape: Literal["rectangle", "polygon", "image"] | None = None
-    """A rectangle, a polygon (of which squares fill it whose centres lie inside; convex for polygons), or the dark pixels of an
-    image. Default: "rectangle".
+    """A rectangle, a polygon (filled with the squares whose centres lie inside; convex where elements are polygons), or the dark
+    pixels of an image. Default: "rectangle".
     """
     elements: Literal["squares", "circles", "polygons"] | None = None
-    """Squares, the circles inside them (with springs = 1 the ordinary circular elements), or the polygons around irregular
+    """Squares, the circles inscribed in them (with springs = 1 the usual circular elements), or the Voronoi polygons of irregular
     nuclei, always with increments "exact". Default: "squares".
     """
     element_size: float | None = None
@@ -40,74 +40,75 @@ class Block(Part):
     only; not with element_size)
     """
     seed: int | None = None
-    """Which irregular nuclei are taken where no file gives them. Default: 1. At least 1 and at most 1e+06."""
+    """Seed of the irregular nuclei where no file gives them. Default: 1. At least 1 and at most 1e+06."""
     lower: tuple[float, float, float] | None = None
     """Corner with the smallest coordinates before it is turned; z is 0. [m] (required for a rectangle and an image)"""
     upper: tuple[float, float, float] | None = None
     """Corner with the largest coordinates before it is turned; z is 0. [m] (required for a rectangle)"""
     points: list[tuple[float, float]] | None = None
-    """Corners in order, first and last the same; the lattice begins at their smallest coordinates. [m] (required for a polygon)
+    """Corners in order, first and last the same; the lattice starts at their smallest coordinates. [m] (required for a polygon)
     """
     file: str | None = None
-    """Grey image (.pgm): white is empty, neighbouring pixels of one grey are joined, others only touch. (required for an image)
+    """Grey-scale image (.pgm): white is empty, neighbouring pixels of one grey are joined, others only touch. (required for an
+    image)
     """
     angle: float | None = None
-    """By how much it is turned about its lower corner, counter-clockwise. [deg] Default: 0.0."""
+    """Rotation of the block about its lower corner, counter-clockwise. [deg] Default: 0.0."""
 
 
 @dataclass(kw_only=True, eq=False)
 class Material(Part):
-    """What the blocks are made of."""
+    """Materials of the blocks."""
 
     name: str
     """Name by which blocks refer to it."""
     density: float
     """Mass per volume. [kg/m3] Greater than 0."""
-    normal_stiffness: float | None = None
-    """k_n: normal stress per strain between the centres of joined elements. [Pa] (normal_stiffness and shear_stiffness, or
-    youngs_modulus and poisson_ratio) Greater than 0.
+    face_normal_stiffness: float | None = None
+    """k_n: normal stiffness: stress per strain between the centres of joined elements. [Pa] (face_normal_stiffness and
+    face_shear_stiffness, or youngs_modulus and poisson_ratio) Greater than 0.
     """
-    shear_stiffness: float | None = None
-    """k_s: shear stress per strain between the centres of joined elements. [Pa] (normal_stiffness and shear_stiffness, or
-    youngs_modulus and poisson_ratio) Greater than 0.
+    face_shear_stiffness: float | None = None
+    """k_s: shear stiffness: stress per strain between the centres of joined elements. [Pa] (face_normal_stiffness and
+    face_shear_stiffness, or youngs_modulus and poisson_ratio) Greater than 0.
     """
     youngs_modulus: float | None = None
-    """Young's modulus in plane strain, from which both stiffnesses follow: for squares as for a square lattice, for polygons by
-    the mean over all directions. [Pa] (normal_stiffness and shear_stiffness, or youngs_modulus and poisson_ratio) Greater than
-    0.
+    """Young's modulus in plane strain, from which both stiffnesses follow: for squares by those of a square lattice, for polygons
+    by the mean over all directions. [Pa] (face_normal_stiffness and face_shear_stiffness, or youngs_modulus and poisson_ratio)
+    Greater than 0.
     """
     poisson_ratio: float | None = None
-    """Poisson's ratio; below 0.25 for polygons. (normal_stiffness and shear_stiffness, or youngs_modulus and poisson_ratio) At
-    least 0 and less than 0.5.
+    """Poisson's ratio; below 0.25 for polygons. (face_normal_stiffness and face_shear_stiffness, or youngs_modulus and
+    poisson_ratio) At least 0 and less than 0.5.
     """
     damping_ratio: float | None = None
-    """h_n: share of critical damping of two joined elements. Default: 0.0. At least 0."""
+    """h_n: damping ratio of two joined elements. Default: 0.0. At least 0."""
     tensile_strength: float | None = None
-    """Normal stress at which a spring breaks for good. [Pa] Default: inf. Greater than 0."""
+    """Tensile strength: normal stress at which a spring breaks for good. [Pa] Default: inf. Greater than 0."""
     cohesion: float | None = None
-    """Shear strength without normal stress, of springs that never broke. [Pa] Default: inf. At least 0."""
+    """Cohesion: shear strength at zero normal stress, of springs that are not broken. [Pa] Default: inf. At least 0."""
     friction_angle: float | None = None
-    """Shear strength grows with the normal stress by its tangent. [deg] Default: 0.0. At least 0 and less than 90."""
+    """Friction angle of the springs. [deg] Default: 0.0. At least 0 and less than 90."""
     springs: int | None = None
-    """N: springs on each face; with 1 the elements turn as circles do. Default: 5. At least 1 and at most 1000."""
+    """N: number of springs on each face; with 1 the elements rotate like circles. Default: 5. At least 1 and at most 1000."""
     layout: Literal["centres", "ends"] | None = None
-    """Springs in the middles of N equal parts of the face, or (N = 2) at its two ends. Default: "centres"."""
+    """Position of the springs: at the centres of N equal parts of the face, or (N = 2) at its two ends. Default: "centres"."""
     increments: Literal["small", "exact"] | None = None
-    """Formula of the springs' displacements: (15) for small relative rotations, or (3) for any. Default: "small"."""
+    """Formula for the displacements of the springs: (15) for small relative rotations, or (3) for any. Default: "small"."""
 
 
 @dataclass(kw_only=True, eq=False)
 class Contact(Part):
-    """Springs, dashpots and friction where elements meet that are not joined."""
+    """Springs, dashpots and friction between elements that touch without being joined."""
 
-    normal_stiffness: float
-    """k_n between elements that are not joined, and between elements and supports. [Pa] Greater than 0."""
-    shear_stiffness: float
-    """k_s of the same. [Pa] Greater than 0."""
+    face_normal_stiffness: float
+    """k_n in contact: between elements that are not joined, and between elements and supports. [Pa] Greater than 0."""
+    face_shear_stiffness: float
+    """k_s in contact. [Pa] Greater than 0."""
     damping_ratio: float | None = None
-    """h_n of the same; never attracts. Default: 0.0. At least 0."""
+    """h_n in contact: damping ratio; the normal force is never attractive. Default: 0.0. At least 0."""
     friction_angle: float
-    """Angle of friction of the same. [deg] At least 0 and less than 90."""
+    """Friction angle of contacts. [deg] At least 0 and less than 90."""
 
 
 @dataclass(kw_only=True, eq=False)
@@ -117,9 +118,9 @@ class Wall(Part):
     name: str
     """Name of the wall; its columns in history.csv begin with it."""
     from_: tuple[float, float, float]
-    """Where it begins; from here to its end the free side is on the left, the solid one on the right. [m]"""
+    """Start point; seen towards the end point, the free side is on the left and the solid one on the right. [m]"""
     to: tuple[float, float, float]
-    """Where it ends; z is 0. [m]"""
+    """End point; z is 0. [m]"""
     velocity: tuple[float, float, float] | None = None
     """Constant velocity. [m/s] Default: [0.0, 0.0, 0.0]."""
     motion_x: str | None = None
@@ -135,9 +136,9 @@ class Roller(Part):
     name: str
     """Name of the roller; its columns in history.csv begin with it."""
     center: tuple[float, float, float]
-    """Its middle; z is 0. [m]"""
+    """Centre; z is 0. [m]"""
     radius: float
-    """Its radius; it does not turn. [m] Greater than 0."""
+    """Radius; the roller does not turn. [m] Greater than 0."""
     velocity: tuple[float, float, float] | None = None
     """Constant velocity. [m/s] Default: [0.0, 0.0, 0.0]."""
     motion_x: str | None = None
@@ -148,7 +149,7 @@ class Roller(Part):
 
 @dataclass(kw_only=True, eq=False)
 class Motion(Part):
-    """Waves and histories of the ground's motion."""
+    """Ground motions: wavelets, sines, records and functions of time."""
 
     name: str
     """Name by which boundaries refer to it."""
@@ -156,33 +157,40 @@ class Motion(Part):
     """A Ricker wavelet, a sine from t = 0, a record from a file, or a function that the caller gives in Python."""
     quantity: Literal["displacement", "velocity", "acceleration"] | None = None
     """What the formula describes; the other two follow by integration from rest or differentiation. (not for a record, whose file
-    says it) Default: "acceleration".
+    states it) Default: "acceleration".
     """
     amplitude: float | None = None
-    """Factor of the formula, in m, m/s or m/s2 as the quantity is; of a record or a function, a plain factor. Default: 1.0."""
+    """Amplitude of the formula, in m, m/s or m/s2 according to the quantity; for a record or a function, a dimensionless factor.
+    Default: 1.0.
+    """
     frequency: float | None = None
     """Frequency of the sine, central frequency of the wavelet. [Hz] (required for a wavelet and a sine) Greater than 0."""
     peak_time: float | None = None
-    """Time of the wavelet's peak; at least 1/frequency, so that it begins from rest. [s] (required for a wavelet) Greater than 0.
+    """Time of the wavelet's peak; at least 1/frequency, so that the wavelet begins at rest. [s] (required for a wavelet) Greater
+    than 0.
     """
     cycles: float | None = None
-    """Number of periods of the sine; 0: without end. Default: 0.0. At least 0."""
+    """Number of periods of the sine; 0: unlimited. Default: 0.0. At least 0."""
     file: str | None = None
     """CSV with units in its header, PEER .AT2, or K-NET ASCII (.EW .NS .UD). (required for a record)"""
     baseline: Literal["none", "constant", "linear"] | None = None
-    """What is taken off a record so that its integral has no trend: nothing, a constant or a straight line. Default: "none"."""
+    """Baseline correction: what is subtracted from a record so that its integral has no trend: nothing, a constant or a straight
+    line. Default: "none".
+    """
 
 
 @dataclass(kw_only=True, eq=False)
 class BaseFriction(Part):
-    """A plate that drags all elements: the base-friction model of a slope."""
+    """Base-friction model of a slope: a plate beneath the elements that drags them by friction."""
 
     friction_coefficient: float | None = None
-    """Friction between all elements and the plate on which they lie; 0: there is none. Default: 0.0. At least 0."""
+    """Coefficient of friction between all elements and the plate on which they lie; 0: no friction. Default: 0.0. At least 0."""
     velocity: tuple[float, float, float] | None = None
-    """Velocity with which the plate is drawn away below them. [m/s] Default: [0.0, 0.0, 0.0]."""
+    """Velocity with which the plate is pulled beneath them. [m/s] Default: [0.0, 0.0, 0.0]."""
     gravity: float | None = None
-    """Gravity across the plane, which presses the elements on the plate. [m/s2] Default: 9.81. Greater than 0."""
+    """Gravitational acceleration normal to the plane, which presses the elements on the plate. [m/s2] Default: 9.81. Greater than
+    0.
+    """
 
 
 @dataclass(kw_only=True, eq=False)
@@ -190,7 +198,7 @@ class Gravity(Part):
     """Body force."""
 
     acceleration: tuple[float, float, float] | None = None
-    """Acceleration of free fall. [m/s2] Default: [0.0, 0.0, 0.0]."""
+    """Gravitational acceleration. [m/s2] Default: [0.0, 0.0, 0.0]."""
 
 
 @dataclass(kw_only=True, eq=False)
@@ -200,29 +208,29 @@ class Gauge(Part):
     name: str
     """Name of the gauge; its columns in gauges.csv begin with it."""
     point: tuple[float, float, float]
-    """Where it is at the start: it takes the motion of the element that holds it. [m]"""
+    """Initial position: the gauge records the motion of the element that contains it. [m]"""
 
 
 @dataclass(kw_only=True, eq=False)
 class Time(Part):
-    """How long, in which steps, and when results are written."""
+    """Duration, time step and intervals of output."""
 
     end: float
     """Time at which the run ends; it begins at 0. [s] Greater than 0."""
     step: float | None = None
-    """Step of all elements; above the predicted limit the case is refused. [s] (default: stability_fraction of the predicted
-    limit, or a little less) Greater than 0.
+    """Time step of all elements; above the predicted stability limit the case is refused. [s] (default: stability_fraction of the
+    predicted stability limit, or a little less) Greater than 0.
     """
     stability_fraction: float | None = None
-    """Step over the predicted limit where no step is given. Default: 0.8. Greater than 0 and less than 1."""
+    """Ratio of the step to the predicted stability limit where no step is given. Default: 0.8. Greater than 0 and less than 1."""
     history_interval: float | None = None
     """Time between rows of the histories; the end is a whole multiple of it. [s] (default: about end/200) Greater than 0."""
     snapshot_interval: float | None = None
-    """Time between snapshots; a whole multiple of history_interval, and the end one of it. [s] (default: about end/20) Greater
-    than 0.
+    """Time between snapshots; a whole multiple of history_interval, of which the end is a whole multiple. [s] (default: about
+    end/20) Greater than 0.
     """
     strict: bool | None = None
-    """Refuse what would only be warned about. Default: false."""
+    """Treat warnings as errors. Default: false."""
 
 
 @dataclass(kw_only=True, eq=False)
@@ -254,26 +262,26 @@ class Case(AnyCase):
     }
 
     elements: Elements | None = None
-    """What all elements have in common."""
+    """Thickness of all elements."""
     blocks: list[Block]
-    """Bodies of squares that are joined on a lattice, of polygons, or of one rectangle."""
+    """Bodies: squares joined on a lattice, polygons, or one rectangle."""
     materials: list[Material]
-    """What the blocks are made of."""
+    """Materials of the blocks."""
     contact: Contact
-    """Springs, dashpots and friction where elements meet that are not joined."""
+    """Springs, dashpots and friction between elements that touch without being joined."""
     walls: list[Wall] = field(default_factory=list)
     """Straight supports."""
     rollers: list[Roller] = field(default_factory=list)
     """Circular supports and platens."""
     motions: list[Motion] = field(default_factory=list)
-    """Waves and histories of the ground's motion."""
+    """Ground motions: wavelets, sines, records and functions of time."""
     base_friction: BaseFriction | None = None
-    """A plate that drags all elements: the base-friction model of a slope."""
+    """Base-friction model of a slope: a plate beneath the elements that drags them by friction."""
     gravity: Gravity | None = None
     """Body force."""
     gauges: list[Gauge] = field(default_factory=list)
     """Elements whose motion is recorded."""
     time: Time
-    """How long, in which steps, and when results are written."""
+    """Duration, time step and intervals of output."""
     output: Output | None = None
     """What is written besides histories and snapshots."""

@@ -28,17 +28,19 @@ class Material(Part):
     density: float
     """Mass per volume. [kg/m3] Greater than 0."""
     youngs_modulus: float | None = None
-    """Young's modulus. [Pa] (required for model hertz) Greater than 0."""
+    """Young's modulus. [Pa] (required for models hertz and jkr) Greater than 0."""
     poisson_ratio: float | None = None
-    """Poisson's ratio. (required for model hertz) At least 0 and at most 0.5."""
+    """Poisson's ratio. (required for models hertz and jkr) At least 0 and at most 0.5."""
 
 
 @dataclass(kw_only=True, eq=False)
 class Contact(Part):
     """How spheres touch."""
 
-    model: Literal["hertz", "linear"] | None = None
-    """Hertz-Mindlin from the elasticity of the materials, or linear springs. Default: "hertz"."""
+    model: Literal["hertz", "linear", "jkr"] | None = None
+    """Hertz-Mindlin from the elasticity of the materials, linear springs, or the adhesion of Johnson, Kendall and Roberts between
+    elastic spheres. Default: "hertz".
+    """
     restitution: float
     """Speed after a central impact over the speed before, at any speed. Greater than 0 and at most 1."""
     friction_coefficient: float | None = None
@@ -53,6 +55,10 @@ class Contact(Part):
     """Spring along the normal. [N/m] (required for model linear, here or in every pair) Greater than 0."""
     shear_stiffness: float | None = None
     """Spring across the normal. [N/m] (required for model linear, here or in every pair) Greater than 0."""
+    surface_energy: float | None = None
+    """Work of adhesion w: energy per area that separates the two surfaces; for one material, twice the surface energy of a free
+    surface. [J/m2] (required for model jkr, here or in every pair) At least 0.
+    """
     overlap_limit: float | None = None
     """Largest overlap at the start over the smaller radius; more is refused. Default: 0.05. At least 0 and at most 1."""
     margin: float | None = None
@@ -79,6 +85,8 @@ class Pair(Part):
     """As in [contact]. [N/m] (default: that of [contact]) Greater than 0."""
     shear_stiffness: float | None = None
     """As in [contact]. [N/m] (default: that of [contact]) Greater than 0."""
+    surface_energy: float | None = None
+    """As in [contact]. [J/m2] (default: that of [contact]) At least 0."""
 
 
 @dataclass(kw_only=True, eq=False)
@@ -251,21 +259,26 @@ class Motion(Part):
     """A Ricker wavelet, a sine from t = 0, a record from a file, or a function that the caller gives in Python."""
     quantity: Literal["displacement", "velocity", "acceleration"] | None = None
     """What the formula describes; the other two follow by integration from rest or differentiation. (not for a record, whose file
-    says it) Default: "acceleration".
+    states it) Default: "acceleration".
     """
     amplitude: float | None = None
-    """Factor of the formula, in m, m/s or m/s2 as the quantity is; of a record or a function, a plain factor. Default: 1.0."""
+    """Amplitude of the formula, in m, m/s or m/s2 according to the quantity; for a record or a function, a dimensionless factor.
+    Default: 1.0.
+    """
     frequency: float | None = None
     """Frequency of the sine, central frequency of the wavelet. [Hz] (required for a wavelet and a sine) Greater than 0."""
     peak_time: float | None = None
-    """Time of the wavelet's peak; at least 1/frequency, so that it begins from rest. [s] (required for a wavelet) Greater than 0.
+    """Time of the wavelet's peak; at least 1/frequency, so that the wavelet begins at rest. [s] (required for a wavelet) Greater
+    than 0.
     """
     cycles: float | None = None
-    """Number of periods of the sine; 0: without end. Default: 0.0. At least 0."""
+    """Number of periods of the sine; 0: unlimited. Default: 0.0. At least 0."""
     file: str | None = None
     """CSV with units in its header, PEER .AT2, or K-NET ASCII (.EW .NS .UD). (required for a record)"""
     baseline: Literal["none", "constant", "linear"] | None = None
-    """What is taken off a record so that its integral has no trend: nothing, a constant or a straight line. Default: "none"."""
+    """Baseline correction: what is subtracted from a record so that its integral has no trend: nothing, a constant or a straight
+    line. Default: "none".
+    """
 
 
 @dataclass(kw_only=True, eq=False)
@@ -273,7 +286,7 @@ class Gravity(Part):
     """Body force."""
 
     acceleration: tuple[float, float, float] | None = None
-    """Acceleration of free fall. [m/s2] Default: [0.0, 0.0, 0.0]."""
+    """Gravitational acceleration. [m/s2] Default: [0.0, 0.0, 0.0]."""
 
 
 @dataclass(kw_only=True, eq=False)
@@ -308,11 +321,11 @@ class Time(Part):
     history_interval: float | None = None
     """Time between rows of the histories; the end is a whole multiple of it. [s] (default: about end/200) Greater than 0."""
     snapshot_interval: float | None = None
-    """Time between snapshots; a whole multiple of history_interval, and the end one of it. [s] (default: about end/20) Greater
-    than 0.
+    """Time between snapshots; a whole multiple of history_interval, of which the end is a whole multiple. [s] (default: about
+    end/20) Greater than 0.
     """
     strict: bool | None = None
-    """Refuse what would only be warned about. Default: false."""
+    """Treat warnings as errors. Default: false."""
 
 
 @dataclass(kw_only=True, eq=False)
