@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "sazare/cases/case_file.hpp"
 #include "sazare/core/archive.hpp"
 #include "sazare/coupling/file_exchange.hpp"
 #include "sazare/runs/live_run.hpp"

@@ -289,6 +289,6 @@ METHOD = Method(
     fields={
         "velocity": ("speed", "m/s"),
         "broken": ("share of broken bonds", ""),
-        "spin": ("angular velocity", "rad/s"),
+        "angular_velocity": ("angular velocity", "rad/s"),
     },
 )

@@ -33,8 +33,8 @@ struct Linear {
   static constexpr bool needs_elasticity = false, adheres = false;
   static constexpr std::string_view required = "required for model linear, here or in every pair";
   static constexpr std::array parameters{
-      LawParameter{.name = "normal_stiffness", .unit = "N/m", .note = required, .sentence = "Spring along the normal."},
-      LawParameter{.name = "shear_stiffness", .unit = "N/m", .note = required, .sentence = "Spring across the normal."}};
+      LawParameter{.name = "contact_stiffness", .unit = "N/m", .note = required, .sentence = "Spring along the normal."},
+      LawParameter{.name = "contact_shear_stiffness", .unit = "N/m", .note = required, .sentence = "Spring across the normal."}};
 
   static ContactConstants<Real> constants(const MaterialsInContact& of, const std::array<Real, 2>& stiffness) {
     return linear_constants(stiffness[0], stiffness[1], of.restitution, of.friction);

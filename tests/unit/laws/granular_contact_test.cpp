@@ -77,8 +77,8 @@ TEST(contact_laws, have_words_and_are_found_by_their_models) {
 TEST(contact_laws, tell_their_parameters_once) {
   for (std::size_t n = 0; n < law_parameters.size(); ++n)
     for (std::size_t k = 0; k < n; ++k) EXPECT_NE(law_parameters[n].name, law_parameters[k].name);
-  EXPECT_TRUE(takes<Linear>("shear_stiffness"));
-  EXPECT_FALSE(takes<Hertz>("shear_stiffness"));
+  EXPECT_TRUE(takes<Linear>("contact_shear_stiffness"));
+  EXPECT_FALSE(takes<Hertz>("contact_shear_stiffness"));
 }
 
 TEST(contact_laws, find_the_overlap_that_holds_an_energy) {

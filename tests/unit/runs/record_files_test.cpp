@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "sazare/methods/blocks/run/columns.hpp"
 #include "sazare/levels/terms/energy_balance.hpp"
 #include "sazare/runs/record_columns.hpp"
 #include "sazare/runs/record_files.hpp"

@@ -157,7 +157,7 @@ TEST(RunBlocks, WalkedInPartsAndLookedAtItHasTheBitsOfOneRun) {
   const TemporaryFolder folder;
   const cases::CaseFile file = block_case();
   const auto whole = run_quietly(file, folder / "whole");
-  const auto run = open_case(file, {folder / "parts", Begin::fresh, true});
+  const auto run = registry::open_case(file, {folder / "parts", Begin::fresh, true});
   run->begin();
   MotionTable table;
   int pauses = 0;

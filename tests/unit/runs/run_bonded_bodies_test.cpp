@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "sazare/registry/registry.hpp"
 #include "sazare/methods/spheres/run/model.hpp"
 #include "tests/unit/runs/sphere_cases.hpp"
 
@@ -18,7 +19,7 @@ using test::read_manifest, test::TemporaryFolder;
 TEST(run_bonded_bodies, bonded_tetrapods_break_and_tell_their_pieces) {
   const TemporaryFolder folder;
   const auto file = case_of(folder, brittle, {"time.end=0.1", "time.stability_fraction=0.05"});
-  EXPECT_NE(check_case(file).find("bodies      20 bonded, their inertia within"), std::string::npos);
+  EXPECT_NE(registry::check_case(file).find("bodies      20 bonded, their inertia within"), std::string::npos);
   carry_out(file, folder / "run");
   const nlohmann::json results = read_manifest(folder / "run")["results"];
   EXPECT_EQ(results["clumps"], 0);

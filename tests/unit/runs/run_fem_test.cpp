@@ -26,7 +26,7 @@ cases::CaseFile weak_beam() { return beam({"materials.0.cohesion=2e6", "material
 
 RunOutcome run_quietly(const cases::CaseFile& file, const fs::path& folder, Begin begin = Begin::fresh,
                        const std::atomic<bool>* stop = nullptr) {
-  return run_case(file, {folder, begin, true, stop});
+  return registry::run_case(file, {folder, begin, true, stop});
 }
 
 TEST(run_fem, writes_its_folder_and_its_figures) {
@@ -67,7 +67,7 @@ TEST(run_fem, in_many_parts_gives_the_bits_of_one_run) {
 }
 
 std::string refused(const std::vector<std::string>& settings) {
-  return words_of<UserError>([&] { check_case(beam(settings)); });
+  return words_of<UserError>([&] { registry::check_case(beam(settings)); });
 }
 
 TEST(run_fem, says_what_does_not_fit_the_mesh) {

@@ -146,7 +146,7 @@ TEST(run_hybrid, what_rains_lies_before_the_wall_when_the_windows_begin) {
 }
 
 std::string refused(const std::vector<std::string>& settings) {
-  return words_of<UserError>([&] { check_case(oscillator(settings)); });
+  return words_of<UserError>([&] { registry::check_case(oscillator(settings)); });
 }
 
 TEST(run_hybrid, says_what_does_not_fit) {
@@ -160,7 +160,7 @@ TEST(run_hybrid, says_what_does_not_fit) {
 }
 
 TEST(run_hybrid, chooses_a_step_of_the_bodies_that_divides_the_window) {
-  const std::string words = check_case(registry::read_case("cases/seawall-shaking-table/case.toml"));
+  const std::string words = registry::check_case(registry::read_case("cases/seawall-shaking-table/case.toml"));
   EXPECT_NE(words.find("steps of the spheres"), std::string::npos) << words;
 }
 

@@ -28,12 +28,12 @@ cases::CaseFile column(std::vector<std::string> settings = {}) {
 
 RunOutcome run_quietly(const cases::CaseFile& file, const fs::path& folder, Begin begin = Begin::fresh,
                        const std::atomic<bool>* stop = nullptr) {
-  return run_case(file, {folder, begin, true, stop});
+  return registry::run_case(file, {folder, begin, true, stop});
 }
 
 /// The words of refusing a step.
 std::string refused(const std::vector<std::string>& settings) {
-  return words_of<UserError>([&] { check_case(column(settings)); });
+  return words_of<UserError>([&] { registry::check_case(column(settings)); });
 }
 
 TEST(run_mps, writes_its_folder_and_its_figures) {
@@ -121,7 +121,7 @@ TEST(run_mps, refuses_a_step_above_the_limit_and_warns_of_one_near_it) {
   EXPECT_NE(words.find("help: choose 0.00735 s or less, or give no step"), std::string::npos) << words;
   near.insert(near.end(), {"time.end=0.486", "time.history_interval=0.0081", "time.snapshot_interval=0.486", "time.step=0.0081"});
   EXPECT_EQ(refused(near), "");
-  EXPECT_NE(check_case(column(near)).find("0.9 of it leaves a margin for large motion"), std::string::npos);
+  EXPECT_NE(registry::check_case(column(near)).find("0.9 of it leaves a margin for large motion"), std::string::npos);
 }
 
 TEST(run_mps, refuses_what_does_not_fit_its_particles) {
@@ -213,7 +213,7 @@ divergence = 1e3
 TEST(study, finds_predicted_limits_and_goes_on_where_it_stopped) {
   const TemporaryFolder folder;
   const cases::Study study = small_study(folder);
-  const StudyOutcome whole = run_study(study, {folder / "whole", Begin::fresh, true, 2, nullptr});
+  const StudyOutcome whole = registry::run_study(study, {folder / "whole", Begin::fresh, true, 2, nullptr});
   EXPECT_EQ(whole.done, 4);
   EXPECT_LT(whole.largest_difference, 0.02);
   const std::string rows = test::without_last_column(read_text(folder / "whole/study.csv"));
@@ -223,13 +223,13 @@ TEST(study, finds_predicted_limits_and_goes_on_where_it_stopped) {
   const std::string text = read_text(folder / "whole/study.csv");
   std::ofstream(folder / "part/study.csv") << text.substr(0, text.find('\n', text.find('\n') + 1) + 1);
   std::ofstream(folder / "part/manifest.json") << R"({"status": "stopped"})";
-  EXPECT_EQ(run_study(study, {folder / "part", Begin::resume, true, 1, nullptr}).done, 4);
+  EXPECT_EQ(registry::run_study(study, {folder / "part", Begin::resume, true, 1, nullptr}).done, 4);
   EXPECT_EQ(test::without_last_column(read_text(folder / "part/study.csv")), rows);
 
   std::ofstream(folder / "part/manifest.json") << R"({"status": "stopped"})";
   std::ofstream(folder / "study.toml", std::ios::app) << "ratio = 1.1\n";
   const std::string words = words_of<UserError>([&] {
-    run_study(cases::read_study(folder / "study.toml"), {folder / "part", Begin::resume, true, 1, nullptr});
+    registry::run_study(cases::read_study(folder / "study.toml"), {folder / "part", Begin::resume, true, 1, nullptr});
   });
   EXPECT_NE(words.find("cannot be resumed: the study, its cases or the program have changed"), std::string::npos) << words;
 }

@@ -26,12 +26,12 @@ cases::CaseFile beam(std::vector<std::string> settings = {}) {
 }
 
 std::string refused(const std::vector<std::string>& settings) {
-  return words_of<UserError>([&] { check_case(beam(settings)); });
+  return words_of<UserError>([&] { registry::check_case(beam(settings)); });
 }
 
 TEST(run_rectangles, writes_its_folder_and_its_figures) {
   const TemporaryFolder folder;
-  EXPECT_FALSE(run_case(beam(), {folder / "run", Begin::fresh, true}).stopped);
+  EXPECT_FALSE(registry::run_case(beam(), {folder / "run", Begin::fresh, true}).stopped);
   const nlohmann::json manifest = read_manifest(folder / "run");
   EXPECT_EQ(manifest["method"], "rectangles");
   EXPECT_EQ(manifest["status"], "done");
@@ -46,7 +46,7 @@ TEST(run_rectangles, writes_its_folder_and_its_figures) {
 TEST(run_rectangles, in_many_parts_gives_the_bits_of_one_run) {
   const TemporaryFolder folder;
   const cases::CaseFile file = beam();
-  run_case(file, {folder / "whole", Begin::fresh, true});
+  registry::run_case(file, {folder / "whole", Begin::fresh, true});
   for (int parts = 1;; ++parts) {
     std::atomic<bool> stop = false;
     std::jthread alarm([&](const std::stop_token& over) {
@@ -55,7 +55,7 @@ TEST(run_rectangles, in_many_parts_gives_the_bits_of_one_run) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
       stop = true;
     });
-    if (run_case(file, {folder / "parts", Begin::resume, true, &stop}).stopped) continue;
+    if (registry::run_case(file, {folder / "parts", Begin::resume, true, &stop}).stopped) continue;
     EXPECT_GT(parts, 1);
     break;
   }

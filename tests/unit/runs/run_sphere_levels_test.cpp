@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "sazare/registry/registry.hpp"
 #include "sazare/core/error.hpp"
 #include "sazare/methods/spheres/run/model.hpp"
 #include "tests/unit/runs/sphere_cases.hpp"
@@ -36,8 +37,8 @@ TEST(run_sphere_levels, are_not_taken_unasked_where_they_save_little_or_a_step_i
 }
 
 TEST(run_sphere_levels, of_linear_springs_go_by_mass) {
-  const std::vector<std::string> linear = {"contact.model=\"linear\"", "contact.normal_stiffness=1e5",
-                                           "contact.shear_stiffness=8e4"};
+  const std::vector<std::string> linear = {"contact.model=\"linear\"", "contact.contact_stiffness=1e5",
+                                           "contact.contact_shear_stiffness=8e4"};
   const SphereSteps steps = steps_of(mixed, linear);
   ASSERT_FALSE(steps.level.empty());
   EXPECT_GE(steps.count.size(), 5U);  // the steps differ by sqrt(8^3), 22.6
@@ -122,7 +123,7 @@ TEST(run_sphere_levels, carry_clumps_and_bonded_bodies_as_one_step_for_all_does)
 
 TEST(run_sphere_levels, are_told_by_check) {
   const TemporaryFolder folder;
-  const std::string text = check_case(case_of(folder, mixed));
+  const std::string text = registry::check_case(case_of(folder, mixed));
   EXPECT_NE(text.find("levels      0: 101 spheres, "), std::string::npos) << text;
   EXPECT_NE(text.find("            3: 8 spheres, "), std::string::npos) << text;
   EXPECT_NE(text.find("of those that one step for all takes"), std::string::npos) << text;

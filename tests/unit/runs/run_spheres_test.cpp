@@ -42,12 +42,12 @@ radius = 0.004
 lower = [0.01, 0.01, 0.001]
 upper = [0.06, 0.06, 0.051]
 velocity = [0.0, 0.5, -2.0]
-spin = [0.0, 5.0, 0.0]
+angular_velocity = [0.0, 5.0, 0.0]
 [[bonds]]
 name = "cement"
 between = ["block", "block"]
-normal_stiffness = 1e9
-shear_stiffness = 5e8
+bond_normal_stiffness = 1e9
+bond_shear_stiffness = 5e8
 tensile_strength = 2e4
 cohesion = 2e4
 friction_angle = 30.0
@@ -101,7 +101,7 @@ group = "ball"
 
 std::string refused(const std::string& rest, const std::vector<std::string>& settings = {}) {
   const TemporaryFolder folder;
-  return words_of<UserError>([&] { check_case(case_of(folder, rest, settings)); });
+  return words_of<UserError>([&] { registry::check_case(case_of(folder, rest, settings)); });
 }
 
 TEST(run_spheres, writes_its_folder_and_its_figures) {
@@ -225,7 +225,7 @@ TEST(run_spheres, tetrapods_come_with_the_mass_of_their_union) {
   EXPECT_NEAR(one.mass, 2500 * one.volume, 1e-12);
   EXPECT_GT(one.volume, 0.7 * 0.280 * 8e-6);
   EXPECT_LT(one.volume, 0.280 * 8e-6);
-  EXPECT_NE(check_case(file).find("clumps      20 rigid"), std::string::npos);
+  EXPECT_NE(registry::check_case(file).find("clumps      20 rigid"), std::string::npos);
   carry_out(case_of(folder, tetrapods, {"time.end=0.05", "time.snapshot_interval=0.05"}), folder / "run");
   EXPECT_EQ(read_manifest(folder / "run")["results"]["clumps"], 20);
 }
@@ -241,7 +241,7 @@ material = "glass"
 shape = "bar"
 centre = [0.03, 0.03, 0.03]
 rotation = [0.0, 1.5707963267948966, 0.0]
-spin = [0.0, 0.0, 2.0]
+angular_velocity = [0.0, 0.0, 2.0]
 )");
   const Placement placement = place_spheres(file);
   EXPECT_LT((placement.spheres.place[1].centre() - Vector3(0.03, 0.03, 0.03)).norm(), 1e-8);
@@ -267,7 +267,7 @@ TEST(run_spheres, says_what_is_wrong_with_bonds_and_shapes) {
   };
   const std::string empty = refused(shape("file", folder.write("none.txt", "# nothing\n").string()));
   EXPECT_NE(empty.find("error: the shape \"s\" has no sphere"), std::string::npos) << empty;
-  const std::string cement = "[[bonds]]\nname = \"cement\"\nnormal_stiffness = 1e9\nshear_stiffness = 1e9\n";
+  const std::string cement = "[[bonds]]\nname = \"cement\"\nbond_normal_stiffness = 1e9\nbond_shear_stiffness = 1e9\n";
   const std::string apart_within = refused(shape("file", folder.write("two.txt", "0.1 0 0 0\n0.1 0.3 0 0\n").string()) + cement,
                                            {"shapes.0.bonds=\"cement\""});
   EXPECT_NE(apart_within.find("error: the spheres of the shape \"s\" do not hang together by bonds"), std::string::npos)
@@ -329,7 +329,7 @@ TEST(run_spheres, a_bed_keeps_its_energy_at_the_default_step) {
     std::vector<std::string> settings = {"contact.restitution=0.3", "contact.friction_coefficient=0.5", "spheres.0.count=300",
                                          "time.end=0.6", "time.history_interval=0.05"};
     if (model == "linear")
-      for (const char* one : {"contact.model=\"linear\"", "contact.normal_stiffness=1e4", "contact.shear_stiffness=1e4"})
+      for (const char* one : {"contact.model=\"linear\"", "contact.contact_stiffness=1e4", "contact.contact_shear_stiffness=1e4"})
         settings.emplace_back(one);
     carry_out(case_of(folder, scattered, settings), folder / model);
     const auto figures = read_manifest(folder / model)["results"];
@@ -386,7 +386,7 @@ radius = 0.005
   const std::string row = words_of<UserError>([&] {
     const auto file = case_of(folder, "[[spheres]]\nname = \"a\"\nmaterial = \"glass\"\nsource = \"file\"\nfile = \"" +
                                           folder.write("a.txt", "# comment\n0.005 0 0 0.01\n0.005, 0, 0\n").string() + "\"\n");
-    check_case(file);
+    registry::check_case(file);
   });
   EXPECT_NE(row.find("a.txt:3: four numbers were expected, radius, x, y and z in m, found"), std::string::npos) << row;
 }

@@ -126,7 +126,7 @@ inline cases::CaseFile case_of(const test::TemporaryFolder& folder, const std::s
 
 inline RunOutcome carry_out(const cases::CaseFile& file, const std::filesystem::path& folder, Begin begin = Begin::fresh,
                             const std::atomic<bool>* stop = nullptr) {
-  return run_case(file, {folder, begin, true, stop});
+  return registry::run_case(file, {folder, begin, true, stop});
 }
 
 /// The rows of a table, by the names of its columns without their units.

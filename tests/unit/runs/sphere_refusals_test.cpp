@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "sazare/registry/registry.hpp"
 #include "tests/unit/runs/sphere_cases.hpp"
 
 namespace sazare::runs {
@@ -19,7 +20,7 @@ std::string sphere(const std::string& name, const std::string& rest) {
 
 /// What is said of a case where it is read and built.
 std::string refused(const TemporaryFolder& folder, const std::string& rest, const std::vector<std::string>& settings = {}) {
-  return words_of<UserError>([&] { check_case(case_of(folder, rest, settings)); });
+  return words_of<UserError>([&] { registry::check_case(case_of(folder, rest, settings)); });
 }
 
 #define EXPECT_SAYS(words, part) EXPECT_NE((words).find(part), std::string::npos) << (words)
@@ -170,18 +171,18 @@ std::string plate(const TemporaryFolder& folder, Real from, Real to, Real height
 TEST(sphere_refusals, a_wall_that_turns_where_it_would_repeat_itself) {
   const TemporaryFolder folder;
   const std::string one = sphere("a", "radius = 0.005\ncentre = [0.04, 0.04, 0.02]\n");
-  const std::string words = refused(folder, one + plate(folder, 0, 0.08, 0.06, "spin = [0.0, 0.0, 1.0]\n"));
+  const std::string words = refused(folder, one + plate(folder, 0, 0.08, 0.06, "angular_velocity = [0.0, 0.0, 1.0]\n"));
   EXPECT_SAYS(words, "the wall \"plate\" turns across the periodic axis x, ends at its sides, and comes within 0.005 m of them");
-  EXPECT_EQ(refused(folder, one + plate(folder, -0.01, 0.09, 0.06, "spin = [0.0, 0.0, 1.0]\n")), "");
+  EXPECT_EQ(refused(folder, one + plate(folder, -0.01, 0.09, 0.06, "angular_velocity = [0.0, 0.0, 1.0]\n")), "");
 }
 
 TEST(sphere_refusals, check_tells_of_open_edges_and_of_walls_that_repeat_themselves) {
   const TemporaryFolder folder;
   const std::string one = sphere("a", "radius = 0.005\ncentre = [0.04, 0.04, 0.02]\n");
-  const std::string words = check_case(case_of(folder, one + plate(folder, 0, 0.078, 0.06)));
+  const std::string words = registry::check_case(case_of(folder, one + plate(folder, 0, 0.078, 0.06)));
   EXPECT_SAYS(words, "\"plate\" has 4 open edges, of one triangle each: it ends there, or has holes");
   EXPECT_SAYS(words, "\"plate\" repeats itself along x, with a gap of 0.002 m");
-  const std::string whole = check_case(case_of(folder, one + plate(folder, 0, 0.08, 0.06)));
+  const std::string whole = registry::check_case(case_of(folder, one + plate(folder, 0, 0.08, 0.06)));
   EXPECT_SAYS(whole, "\"plate\" repeats itself along x\n");
 }
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "sazare/registry/registry.hpp"
 #include "sazare/methods/spheres/run/placement.hpp"
 #include "tests/unit/runs/sphere_cases.hpp"
 
@@ -52,7 +53,7 @@ TEST(sphere_shapes, a_body_from_a_surface_has_mass_and_inertia_of_the_solid) {
 TEST(sphere_shapes, how_much_of_its_surface_a_body_fills_is_told) {
   const TemporaryFolder folder;
   const auto file = cube_case(folder);
-  const std::string words = check_case(file);
+  const std::string words = registry::check_case(file);
   EXPECT_NE(words.find("\"cube\": its spheres fill 81 % of its surface, whose mass and inertia it has"), std::string::npos)
       << words;
   carry_out(file, folder / "run");

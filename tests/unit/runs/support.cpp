@@ -26,7 +26,7 @@ cases::CaseFile loose_case() {
 BlocksModel block_model(const cases::CaseFile& file) { return build_blocks(file.as<cases::BlocksCase>(), load_mesh(file, {}, true)); }
 
 RunOutcome run_quietly(const cases::CaseFile& file, const fs::path& folder, Begin begin, const std::atomic<bool>* stop) {
-  return run_case(file, {folder, begin, true, stop});
+  return registry::run_case(file, {folder, begin, true, stop});
 }
 
 nlohmann::json read_manifest(const fs::path& folder) { return nlohmann::json::parse(read_text(folder / "manifest.json")); }

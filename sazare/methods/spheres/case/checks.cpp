@@ -159,7 +159,7 @@ void check_lowered(const CheckContext& context, const Entry& entry, const Sphere
 /// A group that falls before the run begins.
 void check_rain(const CheckContext& context, const Entry& entry, const SpheresCase& spheres, const SphereGroup& group) {
   if (!group.rain) return;
-  check_keys(context, entry, "rain", {}, {"velocity", "spin", "noise", "held"});
+  check_keys(context, entry, "rain", {}, {"velocity", "angular_velocity", "noise", "held"});
   if (!(spheres.gravity.acceleration.norm() > 0))
     context.problems.error(entry.place("rain"), "there is no gravity to fall under", "give [gravity] an acceleration");
   for (const BondRules& bond : spheres.bonds)
@@ -210,16 +210,16 @@ void check_groups(const CheckContext& context, const SpheresCase& spheres) {
 
 /// A bond has the stiffness of a beam or of a cemented contact.
 void check_bond_stiffness(const CheckContext& context, const Entry& entry) {
-  const bool beam = entry.has("youngs_modulus"), cement = entry.has("normal_stiffness");
+  const bool beam = entry.has("youngs_modulus"), cement = entry.has("bond_normal_stiffness");
   if (beam && cement)
-    context.problems.error(entry.place("normal_stiffness"), "youngs_modulus and normal_stiffness are both given",
+    context.problems.error(entry.place("bond_normal_stiffness"), "youngs_modulus and bond_normal_stiffness are both given",
                            "keep one: a bond is a beam between the centres, or a cemented contact with stiffnesses per area");
   else if (beam)
-    check_keys(context, entry, "youngs_modulus", {"poisson_ratio"}, {"shear_stiffness"});
+    check_keys(context, entry, "youngs_modulus", {"poisson_ratio"}, {"bond_shear_stiffness"});
   else if (cement)
-    check_keys(context, entry, "normal_stiffness", {"shear_stiffness"}, {"poisson_ratio"});
+    check_keys(context, entry, "bond_normal_stiffness", {"bond_shear_stiffness"}, {"poisson_ratio"});
   else
-    context.problems.error(entry.header(), "[[bonds]] has neither youngs_modulus nor normal_stiffness",
+    context.problems.error(entry.header(), "[[bonds]] has neither youngs_modulus nor bond_normal_stiffness",
                            how_to_add(*find_key(*entry.table, "youngs_modulus")));
 }
 

@@ -110,7 +110,7 @@ void visit_fields(Visitor& visit, SphereGroup& group) {
   visit("lowered", group.lowered);
   visit("rain", group.rain);
   if (visit.has("velocity", !group.rain)) visit("velocity", group.velocity);
-  if (visit.has("spin", !group.rain)) visit("spin", group.spin);
+  if (visit.has("angular_velocity", !group.rain)) visit("angular_velocity", group.spin);
   if (visit.has("noise", !group.rain)) visit("noise", group.noise);
   if (visit.has("held", !group.rain)) visit("held", group.held);
   if (!visit.has("shape", !group.shape.empty())) return;
@@ -138,7 +138,7 @@ void visit_fields(Visitor& visit, WallRules& wall) {
   }
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (visit.has(keys[axis], !wall.motion[axis].empty())) visit(keys[axis], wall.motion[axis]);
-  visit("spin", wall.spin);
+  visit("angular_velocity", wall.spin);
   visit("pivot", wall.pivot);
 }
 
@@ -150,8 +150,8 @@ void visit_fields(Visitor& visit, BondRules& bond) {
   visit("radius_ratio", bond.radius_ratio);
   visit("youngs_modulus", bond.youngs_modulus);
   visit("poisson_ratio", bond.poisson_ratio);
-  visit("normal_stiffness", bond.normal_stiffness);
-  visit("shear_stiffness", bond.shear_stiffness);
+  visit("bond_normal_stiffness", bond.normal_stiffness);
+  visit("bond_shear_stiffness", bond.shear_stiffness);
   visit("damping_ratio", bond.damping_ratio);
   visit("tensile_strength", bond.tensile_strength);
   visit("cohesion", bond.cohesion);

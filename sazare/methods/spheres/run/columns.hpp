@@ -31,7 +31,7 @@ inline constexpr std::array gauge = {Column{"NAME.position", "m", "of the group'
 inline constexpr std::array wall = {Column{"NAME.force", "N", "on the wall", 3},
                                     Column{"NAME.moment", "N m", "on the wall, about its pivot", 3}};
 inline constexpr std::array particles = {Column{"velocity", "m/s", ""},
-                                         Column{"spin", "rad/s", ""},
+                                         Column{"angular_velocity", "rad/s", ""},
                                          Column{"radius", "m", ""},
                                          Column{"group", "-", "number in the case"},
                                          Column{"material", "-", "number in the case"},

@@ -116,7 +116,7 @@ void SpheresRecord::write_snapshot(Real time) {
   const state::Spheres& spheres = model_->stepper->spheres();
   const std::size_t n = spheres.size();
   std::vector<Vector3> place(n), velocity(n), spin(n);
-  const std::vector<Real> broken = broken_share();
+  const std::vector<Real> broken = broken_fraction();
   std::vector<Real> radius(n);
   const std::vector<std::int32_t> body = body_numbers(*model_);
   std::vector<std::int32_t> cell(n), group(n), material(n);
@@ -136,7 +136,7 @@ void SpheresRecord::write_snapshot(Real time) {
 }
 
 /// Share of its bonds that each sphere has lost, by number; 0 where it had none.
-std::vector<Real> SpheresRecord::broken_share() const {
+std::vector<Real> SpheresRecord::broken_fraction() const {
   const methods::spheres::Bonds& bonds = model_->stepper->bonds();
   std::vector<Real> all(model_->group.size(), 0), broken(all);
   for (std::size_t n = 0; n < bonds.bonds().size(); ++n)
@@ -204,7 +204,7 @@ std::vector<std::pair<std::string, observe::Figure>> SpheresRecord::results(std:
       {"contacts", model_->stepper->contacts()},
       {"clumps", model_->clumps},
       {"bonds", model_->bonds},
-      {"bonds_broken", model_->stepper->broken_bonds()},
+      {"broken_bonds", model_->stepper->broken_bonds()},
       {"searches", model_->stepper->searches()},
       {"wall_seconds", wall_seconds},
       {"energy_kinetic", energies_.translation + energies_.rotation},
@@ -221,7 +221,7 @@ std::vector<std::pair<std::string, observe::Figure>> SpheresRecord::results(std:
   for (const ShapeFill& fill : model_->fills) results.emplace_back("shape_fill_" + fill.shape, fill.share);
   if (!bodies.empty()) {
     results.emplace_back("bodies", static_cast<std::int64_t>(bodies.count()));
-    results.emplace_back("bodies_broken", broken_bodies(bodies));
+    results.emplace_back("broken_bodies", broken_bodies(bodies));
     results.emplace_back("fragments", count_pieces(bodies));
   }
   return results;

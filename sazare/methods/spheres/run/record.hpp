@@ -38,7 +38,7 @@ private:
   void check_surfaces() const;
   void add_gauge_row(Real time);
   void add_wall_row(Real time);
-  std::vector<Real> broken_share() const;
+  std::vector<Real> broken_fraction() const;
   void write_snapshot(Real time);
 
   const RunFolder* folder_;
