@@ -51,9 +51,9 @@ class Contact(Part):
     """Largest moment against rolling over normal force and reduced radius. Default: 0.0. At least 0."""
     twisting_friction: float | None = None
     """Largest moment against turning about the normal over normal force and reduced radius. Default: 0.0. At least 0."""
-    normal_stiffness: float | None = None
+    contact_stiffness: float | None = None
     """Spring along the normal. [N/m] (required for model linear, here or in every pair) Greater than 0."""
-    shear_stiffness: float | None = None
+    contact_shear_stiffness: float | None = None
     """Spring across the normal. [N/m] (required for model linear, here or in every pair) Greater than 0."""
     surface_energy: float | None = None
     """Work of adhesion w: energy per area that separates the two surfaces; for one material, twice the surface energy of a free
@@ -81,9 +81,9 @@ class Pair(Part):
     """As in [contact]. (default: that of [contact]) At least 0."""
     twisting_friction: float | None = None
     """As in [contact]. (default: that of [contact]) At least 0."""
-    normal_stiffness: float | None = None
+    contact_stiffness: float | None = None
     """As in [contact]. [N/m] (default: that of [contact]) Greater than 0."""
-    shear_stiffness: float | None = None
+    contact_shear_stiffness: float | None = None
     """As in [contact]. [N/m] (default: that of [contact]) Greater than 0."""
     surface_energy: float | None = None
     """As in [contact]. [J/m2] (default: that of [contact]) At least 0."""
@@ -150,7 +150,7 @@ class Sphere(Part):
     """Which random numbers are taken. Default: 1. At least 1 and at most 1e+06."""
     velocity: tuple[float, float, float] | None = None
     """At the start. [m/s] Default: [0.0, 0.0, 0.0]."""
-    spin: tuple[float, float, float] | None = None
+    angular_velocity: tuple[float, float, float] | None = None
     """Angular velocity at the start. [rad/s] Default: [0.0, 0.0, 0.0]."""
     noise: float | None = None
     """Largest random velocity along each axis, beside the velocity. [m/s] Default: 0.0. At least 0."""
@@ -189,15 +189,15 @@ class Bond(Part):
     radius_ratio: float | None = None
     """Radius of the bond over that of the smaller sphere. Default: 1.0. Greater than 0."""
     youngs_modulus: float | None = None
-    """Young's modulus: the bond is a round beam from centre to centre. [Pa] (or normal_stiffness) Greater than 0."""
+    """Young's modulus: the bond is a round beam from centre to centre. [Pa] (or bond_normal_stiffness) Greater than 0."""
     poisson_ratio: float | None = None
     """Poisson's ratio. (required with youngs_modulus) At least 0 and at most 0.5."""
-    normal_stiffness: float | None = None
+    bond_normal_stiffness: float | None = None
     """Tension per area and opening of a cemented contact; it resists bending as well. [Pa/m] (or youngs_modulus) Greater than 0.
     """
-    shear_stiffness: float | None = None
-    """Shear stress over sliding of a cemented contact; it resists twist as well. [Pa/m] (required with normal_stiffness) Greater
-    than 0.
+    bond_shear_stiffness: float | None = None
+    """Shear stress over sliding of a cemented contact; it resists twist as well. [Pa/m] (required with bond_normal_stiffness)
+    Greater than 0.
     """
     damping_ratio: float | None = None
     """Dashpots beside the bond over those that are critical for two spheres alone. Default: 0.0. At least 0."""
@@ -243,7 +243,7 @@ class Wall(Part):
     """Motion along y. (none: at rest)"""
     motion_z: str | None = None
     """Motion along z. (none: at rest)"""
-    spin: tuple[float, float, float] | None = None
+    angular_velocity: tuple[float, float, float] | None = None
     """Steady turn about the pivot. [rad/s] Default: [0.0, 0.0, 0.0]."""
     pivot: tuple[float, float, float] | None = None
     """A point of the axis, at the start. [m] Default: [0.0, 0.0, 0.0]."""
