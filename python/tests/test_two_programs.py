@@ -124,7 +124,7 @@ def test_either_side_is_stopped_and_both_go_on(one, tmp_path, scheme, victim, ho
     other = "bodies" if victim == "continuum" else "continuum"
     assert ended[victim][1] == (-signal.SIGKILL if how == signal.SIGKILL else 4), ended[victim]
     assert ended[other][1] == 4, ended[other]
-    expected = "died without a word. Resume both sides" if how == signal.SIGKILL else f"--resume --side {other}"
+    expected = "died without notice. Resume both sides" if how == signal.SIGKILL else f"--resume --side {other}"
     assert expected in ended[other][0]
     for side, (words, code) in finish(start_both(OSCILLATOR, tmp_path, "--resume", *arguments)).items():
         assert code == 0, f"{side}: {words}"

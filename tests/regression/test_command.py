@@ -136,7 +136,7 @@ def test_check_keeps_the_mesh_that_its_error_tells_of(sazare, tmp_path):
     assert "is in no element" in words
     kept = words.split("the mesh that gmsh generated for the case is kept in ")[1].strip()
     assert [path.name for path in Path(kept).iterdir()] == ["mesh.msh"]
-    assert "elements have the numbers of mesh.msh" in sazare("check", sazare.block, "--set", "mesh.file=block.geo",
+    assert "numbers of elements are those of mesh.msh" in sazare("check", sazare.block, "--set", "mesh.file=block.geo",
                                                             env=os.environ | {"TMPDIR": str(tmp_path)}).stdout
     assert list(tmp_path.iterdir()) == [Path(kept)]
 

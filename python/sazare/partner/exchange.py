@@ -256,7 +256,7 @@ class FileExchange:
             raise Died(f"{self.folder}: {self.partner_name} died, and was started again. Resume this side as well")
         if self._is_gone(partner) and not (self.folder / file_name(self.other, sequence)).exists():
             raise Died(
-                f"{self.folder}: {self.partner_name} (process {partner.process} on {partner.host}) died without a word. Resume both sides"
+                f"{self.folder}: {self.partner_name} (process {partner.process} on {partner.host}) died without notice. Resume both sides"
             )
 
     def _is_gone(self, partner):

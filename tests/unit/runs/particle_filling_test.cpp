@@ -18,7 +18,7 @@ using test::TemporaryFolder, test::words_of;
 cases::CaseFile case_with(const TemporaryFolder& folder, const std::string& text, const std::string& names) {
   std::ofstream(folder / "case.toml") << "[case]\ntitle = \"t\"\nmethod = \"mps\"\n"
                                       << text << "\n[[materials]]\nname = \"soil\"\nregions = [" << names
-                                      << "]\ndensity = 1500.0\nshear_velocity = 100.0\npoisson_ratio = 0.25\n[time]\nend = 1.0\n";
+                                      << "]\ndensity = 1500.0\ns_wave_velocity = 100.0\npoisson_ratio = 0.25\n[time]\nend = 1.0\n";
   return registry::read_case(folder / "case.toml");
 }
 

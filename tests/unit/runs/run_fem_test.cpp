@@ -87,7 +87,7 @@ TEST(run_fem, names_a_node_that_nothing_holds) {
 
 TEST(run_fem, says_what_was_tried_where_a_body_cannot_carry_its_load) {
   const TemporaryFolder folder;
-  const auto file = beam({"time.analysis=static", "materials.0.cohesion=1e5", "materials.0.friction_angle=20", "solver.cuts=2",
+  const auto file = beam({"time.analysis=static", "materials.0.cohesion=1e5", "materials.0.friction_angle=20", "solver.max_cuts=2",
                           "loads.0.ramp=0.06"});
   const std::string words = words_of<PhysicsError>([&] { run_quietly(file, folder / "run"); });
   EXPECT_NE(words.find("there is no equilibrium at t = "), std::string::npos) << words;

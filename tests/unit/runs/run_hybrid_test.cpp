@@ -23,7 +23,7 @@ cases::CaseFile oscillator(const std::vector<std::string>& settings = {}) {
 
 /// A few tetrapods that are thrown against the caisson.
 cases::CaseFile seawall() {
-  std::vector<std::string> settings = {"coupling.scheme=repeat", "bodies.spheres.0.upper=[-0.01, 0.2, 0.315]",
+  std::vector<std::string> settings = {"coupling.scheme=iterative", "bodies.spheres.0.upper=[-0.01, 0.2, 0.315]",
                                        "bodies.spheres.1.upper=[-0.44, 0.12, 0.315]", "bodies.spheres.0.velocity=[1, 0, 0]"};
   for (const char* side : {"continuum", "bodies"})
     for (const char* time : {"end=0.1", "history_interval=0.01", "snapshot_interval=0.1"})
@@ -93,7 +93,7 @@ cases::CaseFile shortened(const std::string& name, const std::string& end, const
 
 /// Blocks in the plane and tetrahedra in space, that touch by then.
 const auto blocks_in_the_plane = [] {
-  return shortened("block-on-soft-ground", "0.1", "0.01", {"coupling.scheme=repeat", "coupling.tolerance=1e-2"});
+  return shortened("block-on-soft-ground", "0.1", "0.01", {"coupling.scheme=iterative", "coupling.tolerance=1e-2"});
 };
 const auto tetrahedra = [] { return shortened("rock-fall-on-slab", "0.0016", "1e-4"); };
 

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "sazare/core/error.hpp"
-#include "sazare/methods/blocks/run/check.hpp"
+#include "sazare/methods/blocks/run/run.hpp"
 #include "sazare/methods/blocks/run/stability.hpp"
 #include "tests/unit/runs/support.hpp"
 
@@ -27,8 +27,8 @@ TEST(Stability, LimitingElementsAreThoseWithTheSmallestSteps) {
 }
 
 TEST(Stability, KnowsWhetherSpringsOrDashpotsBind) {
-  const BlocksModel damped = block_model(block_case({"joints.0.normal_damping=2.26e8", "joints.0.shear_damping=1e8"}));
-  const BlocksModel undamped = block_model(block_case({"joints.0.normal_damping=0", "joints.0.shear_damping=0"}));
+  const BlocksModel damped = block_model(block_case({"joints.0.joint_normal_damping=2.26e8", "joints.0.joint_shear_damping=1e8"}));
+  const BlocksModel undamped = block_model(block_case({"joints.0.joint_normal_damping=0", "joints.0.joint_shear_damping=0"}));
   EXPECT_TRUE(bound_by_dashpots(damped, 0));
   EXPECT_FALSE(bound_by_dashpots(undamped, 0));
 }
