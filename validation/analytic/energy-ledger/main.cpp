@@ -2,6 +2,7 @@
 #include <cmath>
 #include <string>
 
+#include "sazare/methods/blocks/run/columns.hpp"
 #include "sazare/runs/record_columns.hpp"
 #include "validation/common/blast.hpp"
 #include "validation/common/rows.hpp"

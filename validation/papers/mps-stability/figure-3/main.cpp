@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "sazare/methods/mps/run/model.hpp"
 #include "sazare/methods/mps/run/limit_search.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "sazare/registry/registry.hpp"
