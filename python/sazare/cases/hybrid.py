@@ -12,8 +12,8 @@ class Sides(Part):
     """The two cases that are coupled: continuum and bodies."""
 
     continuum: str
-    """Case of method fem, relative to this file; its time step is the coupling window, at whose ends the two solvers exchange
-    force and motion; it may also be run alone.
+    """Case of finite elements, relative to this file; its time step is the coupling window, at whose ends the two solvers
+    exchange force and motion; it may also be run alone.
     """
     bodies: str
     """Case of method spheres, rectangles or blocks with the same end and intervals; its time step divides the coupling window,

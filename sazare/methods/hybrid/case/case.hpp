@@ -13,7 +13,7 @@ namespace sazare::cases {
 enum class HybridScheme { lagged, impulse, iterative };
 
 struct HybridSides {
-  std::filesystem::path continuum;  // of method fem
+  std::filesystem::path continuum;  // of finite elements
   std::filesystem::path bodies;     // of method spheres, rectangles or blocks
 };
 

@@ -41,7 +41,7 @@ std::string write_resolved(const HybridCase& hybrid, const std::filesystem::path
 
 CaseFormat hybrid_format() {
   return {.method = "hybrid",
-          .sentence = "hybrid (a case of fem coupled with one of bodies)",
+          .sentence = "hybrid (a case of finite elements coupled with one of bodies)",
           .tables = hybrid_schema(),
           .read = read,
           .write = write,

@@ -12,7 +12,7 @@ constexpr std::array side_keys{
     Key{.name = "continuum",
         .type = Type::file,
         .need = Need::required,
-        .sentence = "Case of method fem, relative to this file; its time step is the coupling window, at whose ends the two "
+        .sentence = "Case of finite elements, relative to this file; its time step is the coupling window, at whose ends the two "
                     "solvers exchange force and motion; it may also be run alone."},
     Key{.name = "bodies",
         .type = Type::file,
