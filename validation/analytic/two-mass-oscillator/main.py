@@ -49,7 +49,7 @@ def run(scheme, window, folder):
     scale = WEIGHT**2 / SPRING
     error = np.abs(gauges["mass.displacement_y"] - exact(gauges["time"])).max() / (WEIGHT / SPRING)
     energy = 0.1 * (elements["energy_kinetic"] + elements["energy_elastic"]) + sum(
-        ball[f"energy_{name}"] for name in ("translation", "rotation", "elastic", "sliding", "potential"))
+        ball[f"energy_{name}"] for name in ("translation", "rotation", "elastic", "tangential", "potential"))
     gained = (energy[-1] - energy[0]) / scale
     return error, gained, results.history["energy_coupling_error"][-1] / scale, float(ball["contacts"].min() == 0)
 
