@@ -65,7 +65,7 @@ class Measurement:
 
     @property
     def output_share(self):
-        """Share of the wall-clock time in histories, ledger, snapshots and checkpoints."""
+        """Share of the wall-clock time in histories, energy balance, snapshots and checkpoints."""
         return (self.parts["output"] + self.parts["checkpoints"]) / self.wall_seconds
 
 

@@ -33,7 +33,7 @@ def rows():
             Peer("ourselves, 1 thread"), Limit("ratio", low=1.7)),
         Row("blocks/ourselves-full-ranks", "wall time without set-up on 2 ranks, against 1", "s", rank_speed,
             Peer("ourselves, 1 rank"), Limit("ratio", low=1.6)),
-        Row("blocks/ourselves-full-output", "share of wall time in histories, ledger, snapshots, checkpoints", "-",
+        Row("blocks/ourselves-full-output", "share of wall time in histories, energy balance, snapshots, checkpoints", "-",
             output_share(two), limit=Limit("ours", high=0.05)),
         Row("blocks/ourselves-full-memory", "resident memory per element", "B",
             lambda bench: bench.run(two).bytes_per_element),

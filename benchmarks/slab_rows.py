@@ -90,7 +90,7 @@ def stability_rows():
             Peer(PAPER, 2702 * MINUTES)),
         Row("blocks/paper-slab-stability-threads", "wall time, stability limiter, 2 threads", "s", wall(two),
             Peer("paper, 24 processors", 340 * MINUTES)),
-        Row("blocks/ourselves-slab-output", "share of wall time in histories, ledger, snapshots, checkpoints", "-",
+        Row("blocks/ourselves-slab-output", "share of wall time in histories, energy balance, snapshots, checkpoints", "-",
             output_share(slab), limit=Limit("ours", high=0.05)),
         Row("blocks/ourselves-slab-output-processor", "share of processor time that a silent run does not need", "-",
             output_processor_share(slab), limit=Limit("ours", high=0.05)),

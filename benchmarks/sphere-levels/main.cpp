@@ -5,7 +5,7 @@
 ///
 /// prints `spheres,fine_spheres,levels_seconds,uniform_seconds,evaluations,uniform_evaluations,kicks,height,uniform_height,
 /// residual,uniform_residual` of STEPS base steps, on one thread: how high the centre of mass lies at the end, and what the
-/// ledger is short of, over what was lost.
+/// energy balance leaves as residual, over what was lost.
 
 #include <cmath>
 #include <cstdio>

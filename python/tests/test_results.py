@@ -16,8 +16,8 @@ def test_tables_are_columns_by_name_with_units(slab):
     assert history.unit("time") == "s" and history.unit("broken_joints") == "-"
     assert history["time"][-1] == pytest.approx(5e-4)
     assert history.rows == 101
-    ledger = sum(history[name] for name in history if name.startswith("energy_") and name != "energy_work")
-    assert ledger == pytest.approx(history["energy_work"])
+    balance = sum(history[name] for name in history if name.startswith("energy_") and name != "energy_work")
+    assert balance == pytest.approx(history["energy_work"])
 
 
 def test_a_column_of_words_stays_words(slab):

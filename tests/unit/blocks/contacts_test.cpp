@@ -56,7 +56,7 @@ TEST(contacts, without_dashpot_they_part_as_fast_as_they_met) {
   EXPECT_LT(std::abs(model.simulation->energy_balance().residual()), 1e-3 * mass_of_block);
 }
 
-TEST(contacts, a_dashpot_takes_energy_and_the_ledger_finds_it) {
+TEST(contacts, a_dashpot_takes_energy_and_the_energy_balance_finds_it) {
   auto blocks = head_on(1);
   blocks.contact.normal_damping = 2e3;
   auto model = started(blocks);

@@ -123,7 +123,7 @@ TEST(block_side, nodes_get_the_momentum_that_blocks_lose) {
   }
 }
 
-TEST(block_side, the_ledger_of_the_blocks_has_the_work_of_the_surface) {
+TEST(block_side, the_energy_balance_of_the_blocks_has_the_work_of_the_surface) {
   test::CouplingScene scene = thrown(CouplingScheme::impulse);
   scene.steps = 200;
   TetrahedronOnTop sides(scene, 1e-3);

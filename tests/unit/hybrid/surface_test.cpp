@@ -86,7 +86,7 @@ TEST(surface, repeated_windows_keep_energy_and_leave_nothing_under_way) {
   EXPECT_LT(static_cast<Real>(totals.passes), 8.0 * static_cast<Real>(totals.windows));
 }
 
-TEST(surface, the_ledger_of_the_finite_elements_closes_with_lagged_forces) {
+TEST(surface, the_energy_balance_of_the_finite_elements_closes_with_lagged_forces) {
   for (const Real alpha : {0.0, -0.1}) {
     test::CouplingScene scene = collision<2>(ElementShape::quadrilateral4, CouplingScheme::impulse);
     scene.alpha = alpha;

@@ -32,7 +32,7 @@ terms::EnergyBalance balance_at_end(const test::Network<3>& network, int base_st
   return simulation.energy_balance();
 }
 
-TEST(engine_ledger, closes_with_dashpots_at_mixed_levels) {
+TEST(energy_balance, closes_with_dashpots_at_mixed_levels) {
   // What the dashpots take is booked exactly; the leapfrog's own error of energy is left, (w h)^2 / 8 of what swings.
   for (const int base_steps : {128, 256}) {
     Real residual;
@@ -42,7 +42,7 @@ TEST(engine_ledger, closes_with_dashpots_at_mixed_levels) {
   }
 }
 
-TEST(engine_ledger, dashpots_only_take) {
+TEST(energy_balance, dashpots_only_take) {
   auto simulation = damped(0.2).simulation({.base_step = 0.02});
   simulation.start();
   Real last = 0;
@@ -54,7 +54,7 @@ TEST(engine_ledger, dashpots_only_take) {
   }
 }
 
-TEST(engine_ledger, gravity_gives_what_the_bodies_gain) {
+TEST(energy_balance, gravity_gives_what_the_bodies_gain) {
   auto network = test::ladder<3>();
   TermList<3> terms;
   terms.push_back(std::make_unique<terms::Springs<3>>(network.springs, network.bodies));
@@ -68,7 +68,7 @@ TEST(engine_ledger, gravity_gives_what_the_bodies_gain) {
   EXPECT_LT(std::abs(balance.residual() + stored), 2e-5 * balance[EnergyKind::work]);
 }
 
-TEST(engine_ledger, at_the_beginning_all_is_nothing_but_what_springs_hold) {
+TEST(energy_balance, at_the_beginning_all_is_nothing_but_what_springs_hold) {
   auto simulation = damped(0.1).simulation({.base_step = 0.01});
   const auto balance = simulation.energy_balance();
   EXPECT_EQ(balance[EnergyKind::kinetic], 0);

@@ -48,7 +48,7 @@ TEST(RecordFiles, GoesOnWithWhatItsCheckpointCountsOn) {
   EXPECT_EQ(read_text(folder.path() / "gauges.csv"), "time [s],speed [m/s]\n0,0\n1,2\n5,10\n");
 }
 
-TEST(RecordColumns, EveryAccountOfTheLedgerHasItsColumn) {
+TEST(RecordColumns, EveryTermOfTheEnergyBalanceHasItsColumn) {
   const auto name = [](terms::EnergyKind account) { return columns::blocks::energies[static_cast<std::size_t>(account)].name; };
   EXPECT_EQ(name(terms::EnergyKind::work), "energy_work");
   EXPECT_EQ(name(terms::EnergyKind::kinetic), "energy_kinetic");

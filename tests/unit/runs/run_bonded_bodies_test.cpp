@@ -44,7 +44,7 @@ TEST(run_bonded_bodies, bonded_tetrapods_break_and_tell_their_pieces) {
   EXPECT_LT(std::abs(results["energy_residual"].get<double>()), 1e-2 * results["energy_lost"].get<double>());
 }
 
-/// One tetrapod on its feet: below a speed it stays whole, above it breaks; either way the ledger closes.
+/// One tetrapod on its feet: below a speed it stays whole, above it breaks; either way the energy balance closes.
 TEST(run_bonded_bodies, a_dropped_tetrapod_breaks_above_a_speed) {
   for (const auto& [speed, breaks] : {std::pair(0.1, false), std::pair(3.0, true)}) {
     const TemporaryFolder folder;

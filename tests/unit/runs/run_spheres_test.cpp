@@ -203,7 +203,7 @@ TEST(run_spheres, rain_stops_when_asked) {
   EXPECT_EQ(outcome.manifest.status, "stopped");
 }
 
-TEST(run_spheres, a_bonded_block_breaks_and_the_ledger_closes) {
+TEST(run_spheres, a_bonded_block_breaks_and_energy_balances) {
   const TemporaryFolder folder;
   const auto file = case_of(folder, bonded, {"time.end=0.05", "time.snapshot_interval=0.05", "time.stability_fraction=0.1"});
   carry_out(file, folder / "run");

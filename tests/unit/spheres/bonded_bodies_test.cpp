@@ -294,7 +294,7 @@ std::size_t broken_bodies(const methods::spheres::SphereStepper& stepper) {
   return broken;
 }
 
-void expect_to_break_and_close_the_ledger(methods::spheres::SphereStepper stepper) {
+void expect_to_break_and_balance_energy(methods::spheres::SphereStepper stepper) {
   stepper.start();
   const Vector3 momentum = stepper.momentum(), turning = stepper.angular_momentum();
   const Real energy = stepper.energies().sum();
@@ -307,18 +307,18 @@ void expect_to_break_and_close_the_ledger(methods::spheres::SphereStepper steppe
   EXPECT_NEAR(stepper.energies().sum(), energy, 2e-3 * energy);
 }
 
-TEST(bonded_bodies, break_each_other_and_the_ledger_closes) {
+TEST(bonded_bodies, break_each_other_and_energy_balances) {
   auto rules = falling();
   rules.gravity = Vector3::Zero();
-  expect_to_break_and_close_the_ledger(cloud(3).stepper(rules));
+  expect_to_break_and_balance_energy(cloud(3).stepper(rules));
 }
 
-TEST(bonded_bodies, of_several_levels_break_each_other_and_the_ledger_closes) {
+TEST(bonded_bodies, of_several_levels_break_each_other_and_energy_balances) {
   auto rules = falling();
   rules.gravity = Vector3::Zero();
   auto stepper = two_sizes(3, rules);
   EXPECT_EQ(stepper.levels().finest(), 1);
-  expect_to_break_and_close_the_ledger(std::move(stepper));
+  expect_to_break_and_balance_energy(std::move(stepper));
 }
 
 TEST(bonded_bodies, give_the_same_bits_on_any_number_of_threads) {

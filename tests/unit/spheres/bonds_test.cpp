@@ -223,7 +223,7 @@ TEST(bonds, a_broken_bond_leaves_the_contact) {
   }
 }
 
-TEST(bonds, dashpots_take_what_the_ledger_says) {
+TEST(bonds, dashpots_take_what_the_energy_balance_says) {
   auto stepper = lattice(2, 2, 5, 0, {.damping = 0.1, .step = 2e-6}, {20, -10, 30}, {0.05, 0.1, -0.03});
   stepper.start();
   const Real before = stepper.energies().sum();

@@ -112,7 +112,7 @@ TEST(clumps, fall_freely) {
   EXPECT_NEAR(stepper.energies().sum(), 0.5 * 0.03 * 5 + 0.03 * 10, 1e-14);
 }
 
-TEST(clumps, keep_momentum_and_angular_momentum_and_the_ledger_closes) {
+TEST(clumps, keep_momentum_and_angular_momentum_and_energy_balances) {
   auto stepper = cloud(4).stepper({.restitution = 0.6, .friction = 0.4, .step = 5e-6});
   stepper.start();
   const Vector3 momentum = stepper.momentum(), turning = stepper.angular_momentum();
@@ -202,7 +202,7 @@ TEST(clumps, of_several_levels_keep_momenta_to_the_last_digits) {
   EXPECT_LT((stepper.angular_momentum() - turning).norm(), 1e-13 * 42 * 0.03 * 0.2);
 }
 
-/// What the ledger is short of after a fall onto a floor, over what was lost.
+/// Residual of the energy balance after a fall onto a floor, over what was lost.
 Real residual_of_a_fall(Real step, bool levels) {
   Rules rules = falling();
   rules.step = step;
@@ -216,7 +216,7 @@ Real residual_of_a_fall(Real step, bool levels) {
   return std::abs(now.sum() - before) / (now.dashpot_work + now.sliding_work);
 }
 
-TEST(clumps, of_several_levels_close_the_ledger_as_the_finest_step_does) {
+TEST(clumps, of_several_levels_balance_energy_as_the_finest_step_does) {
   EXPECT_LT(residual_of_a_fall(2e-5, true), 2e-3);
   EXPECT_LT(residual_of_a_fall(5e-6, false), 2e-3);
 }

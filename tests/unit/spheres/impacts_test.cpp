@@ -111,8 +111,8 @@ TEST(sphere_stepper, keeps_momentum_and_angular_momentum) {
   }
 }
 
-/// The residual of the ledger falls with the step.
-TEST(sphere_stepper, ledger_closes) {
+/// The residual of the energy balance falls with the step.
+TEST(sphere_stepper, energy_balance_closes) {
   const auto residual = [](Real step) {
     auto stepper =
         make_stepper(heap(5, 0.5), {.restitution = 0.6, .friction = 0.4, .rolling = 0.1, .twisting = 0.05, .step = step});

@@ -113,7 +113,7 @@ TEST(sphere_levels, keep_momenta_to_the_last_digits) {
   EXPECT_LT((stepper.angular_momentum() - angular).norm(), 1e-13 * mass * 0.1);
 }
 
-/// What the ledger is short of after a fall onto the floor, over what was lost.
+/// Residual of the energy balance after a fall onto the floor, over what was lost.
 Real residual(Real step) {
   Rules rules = falling();
   rules.step = step;
@@ -128,7 +128,7 @@ Real residual(Real step) {
   return std::abs(now.sum() - before) / (now.dashpot_work + now.sliding_work);
 }
 
-TEST(sphere_levels, the_ledger_closes_with_the_square_of_the_step) {
+TEST(sphere_levels, the_energy_balance_closes_with_the_square_of_the_step) {
   const Real coarse = residual(4e-5), fine = residual(1e-5);
   EXPECT_LT(coarse, 0.02);
   EXPECT_LT(fine, coarse / 8);
@@ -178,7 +178,7 @@ TEST(sphere_levels, evaluate_less_than_the_finest_step_for_all) {
   EXPECT_FALSE(stepper.missed_pairs());
 }
 
-/// A held plate of large spheres goes down onto small ones that lie on the floor: what the ledger is short of, over its work.
+/// A held plate of large spheres goes down onto small ones that lie on the floor: the residual of the energy balance, over its work.
 Real residual_of_a_press(int steps) {
   Rules rules = rough();
   std::vector<Grain> grains;

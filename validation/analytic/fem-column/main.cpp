@@ -16,7 +16,7 @@ struct Surface {
   Real error = 0;    ///< largest, of the velocity, over the wave's peak
   Real arrival = 0;  ///< of the peak [s]
   Real peak = 0;     ///< largest velocity over that of the wave
-  Real ledger = 0;   ///< energy that is found nowhere over the wave's
+  Real residual = 0;   ///< energy that is found nowhere over the wave's
 };
 
 /// A column in shear on a viscous base through which a wavelet comes in.
@@ -54,7 +54,7 @@ Surface surface(geometry::ElementShape shape, int cells, Real step) {
     result.arrival = stepper.time();
   }
   result.peak = std::abs(result.peak);
-  result.ledger = std::abs(stepper.energy_residual()) / stepper.work().waves;
+  result.residual = std::abs(stepper.energy_residual()) / stepper.work().waves;
   return result;
 }
 
@@ -66,7 +66,7 @@ int main() {
   validation::print_row("arrival", fine.arrival - peak_time);
   validation::print_row("doubling", fine.peak);
   validation::print_row("wave-form", fine.error);
-  validation::print_row("ledger", fine.ledger);
+  validation::print_row("energy-balance", fine.residual);
   const Surface coarse = surface(Shape::quadrilateral4, 40, 1e-3), half = surface(Shape::quadrilateral4, 80, 5e-4);
   validation::print_row("order", std::log2(coarse.error / half.error));
 }

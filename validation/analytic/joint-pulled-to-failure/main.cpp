@@ -20,7 +20,7 @@ void print_dynamic(Real area) {
   const auto balance = model.simulation->energy_balance();
   validation::print_row("broken", model.joints->broken_count());
   validation::print_row("kinetic", -balance[terms::EnergyKind::kinetic], fracture_energy * area);
-  validation::print_row("ledger", balance[terms::EnergyKind::fracture], fracture_energy * area);
+  validation::print_row("energy-balance", balance[terms::EnergyKind::fracture], fracture_energy * area);
 }
 
 /// The same slowly: force times displacement, by the trapezoidal rule.

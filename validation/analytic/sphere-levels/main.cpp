@@ -256,7 +256,7 @@ void print_momentum() {
   validation::print_row("evaluations", static_cast<Real>(counts.evaluations) / static_cast<Real>(counts.uniform_evaluations));
 }
 
-/// What the ledger is short of when the cloud has fallen on a floor, over what was lost.
+/// Residual of the energy balance when the cloud has fallen on a floor, over what was lost.
 Real residual(Real fraction) {
   Cloud cloud;
   constexpr Real end = 0.03;
@@ -273,10 +273,10 @@ Real residual(Real fraction) {
   return std::abs(now.sum() - before) / (now.dashpot_work + now.sliding_work);
 }
 
-void print_ledger() {
+void print_energy_balance() {
   const Real coarse = residual(0.2), fine = residual(0.05);
-  validation::print_row("ledger", coarse);
-  validation::print_row("ledger-falls", fine / coarse);
+  validation::print_row("energy-balance", coarse);
+  validation::print_row("energy-balance-falls", fine / coarse);
 }
 
 /// How much the largest kinetic energy seen has grown from the first to the last third of a long swing.
@@ -329,6 +329,6 @@ int main() {
   validation::print_row("elastic-collision", restitution_of_one_to_eight(1));
   validation::print_row("damped-collision", restitution_of_one_to_eight(0.5));
   print_momentum();
-  print_ledger();
+  print_energy_balance();
   print_resonance();
 }

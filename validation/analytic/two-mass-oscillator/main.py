@@ -90,7 +90,7 @@ def main():
         print(f"order-{scheme},{np.log2(found[scheme, 5e-5][0] / found[scheme, 2.5e-5][0])}")
         print(f"error-{scheme},{found[scheme, 5e-5][0]}")
         print(f"made-{scheme},{found[scheme, 5e-5][2]}")
-        print(f"ledger-{scheme},{abs(found[scheme, 5e-5][1] - found[scheme, 5e-5][2])}")
+        print(f"energy-balance-{scheme},{abs(found[scheme, 5e-5][1] - found[scheme, 5e-5][2])}")
         print(f"longest-window-{scheme},{max(window for window in WINDOWS if found[scheme, window][3] == 0)}")
 
 
