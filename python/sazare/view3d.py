@@ -196,7 +196,7 @@ def _faces_of_tetrahedra(snapshots):
     drawn = count[place.ravel()] == 1
     first, last = snapshots[0].joints, snapshots[-1].joints
     if first is not None and last is not None and first.n_cells == last.n_cells:
-        broken = np.asarray(last.cell_data["state"]) == 2
+        broken = np.asarray(last.cell_data["state"]) >= 2  # broken, or sheared and pressed together
         corners = np.asarray(first.cells).reshape(-1, 4)[broken, 1:]
         open_keys = {tuple(key) for key in _keys(np.asarray(first.points)[corners], step)}
         drawn |= np.fromiter((tuple(key) in open_keys for key in keys), dtype=bool, count=len(keys))

@@ -135,7 +135,7 @@ class SyntheticRun:
             np.arange(3 * count).reshape(-1, 3), TRIANGLE, time,
             {
                 "state": self.state(time), "opening": 1e-4 * (self.state(time) == 2), "slip": np.zeros(count),
-                "kind": np.zeros(count, np.int32),
+                "mode": (self.state(time) == 2).astype(np.int32), "kind": np.zeros(count, np.int32),
             },
         )
 

@@ -5,56 +5,96 @@
 /// A law is a type that names what a joint bears across its face, `Tension`, and along it, `Shear`, each a struct of numbers for
 /// `P` = Real, and for `P` = Lanes where every lane has numbers of its own. The concept below says which functions belong to
 /// them. They are templates, so one number and lanes take the same steps, and the kernel is made for each law of the list. A law
-/// takes its parameters from any struct that has them as members, named as the keys of a case are.
+/// takes its numbers from any struct that has them as members, named as the keys of a case are, and those that it alone takes,
+/// `parameters`, from an array in their order.
 ///
 /// Every vertex of a joint has two memories: the largest opening so far, `peak`, and the slip so far. A joint of any law breaks
-/// when one of its vertices has failed.
+/// when one of its vertices has failed. A law that softens by slip, SoftensBySlip, has a third, the path of slip, by which and by the
+/// largest opening it has a damage between 0 and 1.
 
 #include <concepts>
+#include <optional>
 #include <tuple>
 
 #include "sazare/laws/joint_shear.hpp"
 #include "sazare/laws/joint_tension.hpp"
+#include "sazare/laws/law_list.hpp"
 
 namespace sazare::laws {
 
-/// What the kernel asks of a law, per unit of area; tension is positive.
+/// What the kernel asks of every law, per unit of area; tension is positive.
 template <class Law>
-concept JointLaw = requires(typename Law::template Tension<Lanes> tension, typename Law::template Shear<Lanes> shear,
-                            Lanes number, Slip<Lanes> slip) {
-  { tension.stiffness } -> std::convertible_to<Lanes>;                  // below and up to `elastic_peak` [Pa/m]
-  { elastic_peak(tension) } -> std::same_as<Lanes>;                     // the largest opening that leaves a joint intact [m]
+concept ElasticJointLaw = requires(typename Law::template Tension<Lanes> tension, typename Law::template Shear<Lanes> shear,
+                                   Lanes number, Slip<Lanes> slip) {
+  { tension.stiffness } -> std::convertible_to<Lanes>;                // below and up to `elastic_peak` [Pa/m]
+  { elastic_peak(tension) } -> std::same_as<Lanes>;                   // the largest opening that leaves a joint intact [m]
+  { stored_energy(tension, number, number) } -> std::same_as<Lanes>;  // by opening and stress [J/m2]
+  { shear.stiffness } -> std::convertible_to<Lanes>;                  // [Pa/m]
+  { slips(shear, slip, number) } -> std::same_as<LaneMask>;           // by the shear strength
+  tension.numbers();                                                  // all it has, as references
+  shear.numbers();                                                    // and likewise
+};
+
+/// A law that softens by opening alone.
+template <class Law>
+concept SoftensByOpening = ElasticJointLaw<Law> && requires(typename Law::template Tension<Lanes> tension,
+                                                            typename Law::template Shear<Lanes> shear, Lanes number, Slip<Lanes> slip) {
   { is_softened(tension, number) } -> std::same_as<LaneMask>;           // by the peak: it is above that
   { has_failed(tension, number) } -> std::same_as<LaneMask>;            // by the peak
   { softened_stress(tension, number, number) } -> std::same_as<Lanes>;  // by opening and peak, intact or not [Pa]
-  { stored_energy(tension, number, number) } -> std::same_as<Lanes>;    // by opening and stress [J/m2]
   { fracture_dissipation(tension, number) } -> std::same_as<Lanes>;     // by the peak [J/m2]
-  { shear.stiffness } -> std::convertible_to<Lanes>;                    // [Pa/m]
   { shear_strength(shear, number) } -> std::same_as<Lanes>;             // by the normal stress [Pa]
-  { slips(shear, slip, number) } -> std::same_as<LaneMask>;             // by that strength
   slip_back(shear, slip, number);                                       // until it bears no more than that strength
-  tension.numbers();                                                    // all it has, as references
-  shear.numbers();                                                      // and likewise
 };
+
+/// A law that softens by opening and by slip.
+template <class Law>
+concept SoftensBySlip = ElasticJointLaw<Law> && requires(typename Law::template Tension<Lanes> tension,
+                                                         typename Law::template Shear<Lanes> shear, Lanes number,
+                                                         SofteningSlip<Lanes> slip) {
+  { damage(tension, shear, number, number) } -> std::same_as<Lanes>;                // by peak and path of slip
+  { damaged_stress(tension, number, number, number) } -> std::same_as<Lanes>;       // by opening, peak and damage [Pa]
+  { opening_dissipation(tension, number, number, number) } -> std::same_as<Lanes>;  // by both peaks, and damage before [J/m2]
+  { shear_strength(shear, number, number) } -> std::same_as<Lanes>;                 // by normal stress and damage [Pa]
+  slip_and_soften(shear, slip, number, number, number);                             // by normal stress, damage and path
+};
+
+template <class Law>
+concept JointLaw = SoftensByOpening<Law> || SoftensBySlip<Law>;
 
 /// Linear softening in tension, Coulomb's slip along the face. [Konno2018], 2.1.
 struct LinearSoftening {
+  static constexpr std::string_view word = "linear_softening";
+  static constexpr std::array<LawParameter, 0> parameters{};
+
   template <class P>
   using Tension = TensionParameters<P>;
   template <class P>
   using Shear = ShearParameters<P>;
 
   template <class Joint>
-  static JointTension tension(const Joint& joint) {
+  static JointTension tension(const Joint& joint, const std::array<std::optional<Real>, 0>&) {
     return JointTension::make(joint.normal_stiffness, joint.tensile_strength, joint.fracture_energy);
   }
   template <class Joint>
-  static JointShear shear(const Joint& joint) {
+  static JointShear shear(const Joint& joint, const std::array<std::optional<Real>, 0>&) {
     return {joint.shear_stiffness, joint.cohesion, joint.friction_coefficient};
   }
 };
 
 /// A law that stands here can be had by every joint.
 using JointLaws = std::tuple<LinearSoftening>;
+
+/// Names for the laws where none is known at compile time.
+enum class JointLawName { linear_softening = place_of_law<JointLaws, LinearSoftening>() };
+
+/// What `visit(Law{})` returns for the law of a name.
+template <class Visitor>
+auto visit_joint_law(JointLawName name, Visitor&& visit) {
+  return visit_law_at<JointLaws>(static_cast<std::size_t>(name), std::forward<Visitor>(visit));
+}
+
+/// What the laws take beside stiffness, damping, friction and strength; those of other laws than the chosen one are not given.
+using JointLawParameters = std::array<std::optional<Real>, parameters_of_laws<JointLaws>.size()>;
 
 }  // namespace sazare::laws

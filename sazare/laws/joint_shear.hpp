@@ -34,6 +34,12 @@ struct Slip {
   T dissipation{};  ///< energy per area taken by this slip [J/m2]
 };
 
+/// What slip does to a vertex of a law that softens by slip.
+template <class T>
+struct SofteningSlip : Slip<T> {
+  T fracture{};  ///< that part of the dissipation which the loss of cohesion has taken [J/m2]
+};
+
 /// Shear strength [Pa] under the normal stress (tension positive).
 template <class P, class T>
 T shear_strength(const ShearParameters<P>& law, T normal_stress) {

@@ -35,8 +35,13 @@ def _body_sections(snapshots):
     return [
         Section(
             "cracks", "Crack pattern",
-            "Broken joints, coloured by the time of the first snapshot that shows them broken.",
+            "Broken joints when a fifth, a half and four fifths of them have broken and at the end, coloured by the time of the first "
+            "snapshot that shows them broken.",
             partial(blocks_maps.crack_pattern, body), "The run wrote no joints.",
+        ),
+        Section(
+            "modes", "Cracks by mode", "Cracks at the end, by the mode in which more of their fracture energy was dissipated.",
+            partial(blocks_maps.crack_modes, body), "No joint has failed in shear.",
         ),
         Section(
             "shape", "Deformed shape",

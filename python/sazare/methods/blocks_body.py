@@ -8,6 +8,9 @@ from sazare.scenes import MARGIN, PlaneView, SolidView
 # A body is a slab where its smallest extent is under this part of the next one.
 SLAB_RATIO = 0.35
 
+# From this `state` of a joint on, it is a crack: broken, or sheared and pressed together.
+CRACK = 2
+
 
 class Body:
     """The elements of a run from snapshot to snapshot: their first places, their extent, and the views that suit them."""
@@ -31,16 +34,21 @@ class Body:
                 return None
             if times is None:
                 times = np.full(joints.n_cells, np.inf)
-            newly = (joints.cell_data["state"] == 2) & np.isinf(times)
+            newly = (joints.cell_data["state"] >= CRACK) & np.isinf(times)
             times[newly] = snapshot.time
         return times
+
+    def latest_break(self):
+        """The last time at which a snapshot shows a joint broken that was not before [s]; None without any."""
+        times = [] if self.break_time is None else self.break_time[np.isfinite(self.break_time)]
+        return float(np.max(times)) if len(times) else None
 
     def broken(self, snapshot):
         """The broken joints of a snapshot with the time each broke [s]; None where the run wrote no joints."""
         joints = snapshot.joints
         if joints is None:
             return None
-        chosen = np.flatnonzero(joints.cell_data["state"] == 2)
+        chosen = np.flatnonzero(joints.cell_data["state"] >= CRACK)
         mesh = joints.extract_cells(chosen)
         times = np.full(len(chosen), snapshot.time) if self.break_time is None else self.break_time[chosen]
         if mesh.n_cells:

@@ -12,12 +12,23 @@ from sazare.scenes import Layer, PlaneView, render
 EDGES = {"show_edges": True, "edge_color": style.STONE_EDGE, "line_width": 1.0, "lighting": False}
 STONE = {"color": style.STONE, **EDGES}
 CRACK_WIDTH = 5.0
+SHEAR = 2  # `mode` of a crack in which slip has dissipated more than opening
 
 
 def spread(snapshots, shares):
     """The snapshots nearest to shares of the run's time, each once, in the order of time."""
     end = snapshots.times.max()
     chosen = {snapshot.time: snapshot for snapshot in (snapshots.at(share * end) for share in shares)}
+    return [chosen[time] for time in sorted(chosen)]
+
+
+def spread_over_breaking(body, shares):
+    """The snapshots by which these shares of all broken joints have broken, and the last; by the time of the run where none has."""
+    times = np.sort(body.break_time[np.isfinite(body.break_time)]) if body.break_time is not None else np.empty(0)
+    if not len(times):
+        return spread(body.snapshots, (*shares, 1.0))
+    reached = [times[min(int(share * len(times)), len(times) - 1)] for share in shares]
+    chosen = {snapshot.time: snapshot for snapshot in [*map(body.snapshots.at, reached), body.snapshots[-1]]}
     return [chosen[time] for time in sorted(chosen)]
 
 
@@ -105,13 +116,14 @@ def _lift(view, mesh, height):
 
 
 @style.styled
-def crack_pattern(body, shares=(0.2, 0.4, 0.7, 1.0)):
-    """The broken joints at several times, coloured by the time each broke; None where the run wrote no joints."""
+def crack_pattern(body, shares=(0.2, 0.5, 0.8)):
+    """The broken joints when some shares of them have broken and at the end, coloured by the time each broke; None without joints."""
     if body.snapshots[-1].joints is None:
         return None
-    snapshots = spread(body.snapshots, shares)
-    factor, prefix = style.prefix_for(body.snapshots.times.max())
-    norm = Normalize(0.0, body.snapshots.times.max() or 1.0)
+    snapshots = spread_over_breaking(body, shares)
+    latest = body.latest_break() or body.snapshots.times.max() or 1.0
+    factor, prefix = style.prefix_for(latest)
+    norm = Normalize(0.0, latest)
     hull = None if body.is_slab else body.hull()
     panels = [
         (view, _crack_layers(body, view, snapshot, norm, hull), _title(body, view, snapshot))
@@ -125,6 +137,31 @@ def crack_pattern(body, shares=(0.2, 0.4, 0.7, 1.0)):
             Line2D([], [], color=style.SOFTENING, linewidth=1.5, label="softening joint"),
         ]
         figure.legend(handles=keys, loc="outside lower center", ncols=2)
+    return figure
+
+
+@style.styled
+def crack_modes(body):
+    """The cracks of the last snapshot by the mode that has dissipated more, opening or shear; None where none has sheared."""
+    snapshot = body.snapshots[-1]
+    broken = body.broken(snapshot)
+    if broken is None or "mode" not in broken.cell_data or not np.any(broken.cell_data["mode"] == SHEAR):
+        return None
+    hull = None if body.is_slab else body.hull()
+    colors = {"scalars": "mode", "cmap": [style.RUPTURE, style.SHEAR_CRACK], "clim": (0.5, 2.5), "lighting": False}
+
+    def layers(view):
+        if isinstance(view, PlaneView):
+            lines = {**colors, "line_width": CRACK_WIDTH}
+            return [Layer(view.cut(body.first), STONE), Layer(_lift(view, view.cut(broken), 1), lines)]
+        return [Layer(hull, {"color": style.STONE, "opacity": 0.25, "show_edges": False}), Layer(broken, {**colors, "show_edges": False})]
+
+    figure, _ = _sheet([(view, layers(view), _title(body, view, snapshot)) for view, _ in _views(body, [snapshot])])
+    keys = [
+        Line2D([], [], color=style.RUPTURE, linewidth=2.5, label="opening"),
+        Line2D([], [], color=style.SHEAR_CRACK, linewidth=2.5, label="shear"),
+    ]
+    figure.legend(handles=keys, loc="outside lower center", ncols=2)
     return figure
 
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 #include <span>
-#include <string_view>
 
 #include "sazare/core/triple.hpp"
+#include "sazare/laws/law_list.hpp"
 
 namespace sazare::laws {
 
@@ -47,15 +47,6 @@ struct MaterialsInContact {
   GrainElasticity one, other;
   Real restitution = 1;
   GrainFriction friction;
-};
-
-/// A number of two materials that a law takes beside these, as [contact] and [[pairs]] of a case give it.
-struct LawParameter {
-  std::string_view name;
-  std::string_view unit;
-  std::string_view note;      ///< when it is required
-  std::string_view sentence;  ///< what it is
-  bool may_be_zero = false;
 };
 
 /// A sphere among others of its material, for which the longest stable step is sought.

@@ -10,9 +10,7 @@
 ///     neck(constants, reduced_radius)            the largest gap across which they remain in contact [m]
 ///     parting_loss(constants, reduced_radius)    energy of the normal spring when the neck breaks, which is dissipated [J]
 
-#include <cassert>
 #include <tuple>
-#include <type_traits>
 #include <utility>
 
 #include "sazare/laws/granular/hertz.hpp"
@@ -23,15 +21,10 @@ namespace sazare::laws {
 
 using ContactLaws = std::tuple<Hertz, Linear, Jkr>;
 
-inline constexpr std::size_t contact_law_count = std::tuple_size_v<ContactLaws>;
-
 /// Where a law stands in the list; only one that is in it compiles.
-template <class Law, std::size_t n = 0>
+template <class Law>
 consteval int number_of_law() {
-  if constexpr (std::is_same_v<Law, std::tuple_element_t<n, ContactLaws>>)
-    return n;
-  else
-    return number_of_law<Law, n + 1>();
+  return place_of_law<ContactLaws, Law>();
 }
 
 /// Names for the laws where none is known at compile time.
@@ -41,57 +34,16 @@ template <class Law>
 inline constexpr ContactModel model_of = static_cast<ContactModel>(number_of_law<Law>());
 
 /// What `visit(Law{})` returns for the law of a model.
-template <std::size_t n = 0, class Visitor>
+template <class Visitor>
 auto visit_law(ContactModel model, Visitor&& visit) {
-  const bool is_this = static_cast<std::size_t>(model) == n;
-  if constexpr (n + 1 < contact_law_count) {
-    if (!is_this) return visit_law<n + 1>(model, std::forward<Visitor>(visit));
-  } else {
-    assert(is_this && "a model is a law of the list");
-  }
-  return visit(std::tuple_element_t<n, ContactLaws>{});
+  return visit_law_at<ContactLaws>(static_cast<std::size_t>(model), std::forward<Visitor>(visit));
 }
 
 /// The words of contact.model, in the order of the list.
-inline constexpr auto contact_law_words = []<std::size_t... n>(std::index_sequence<n...>) {
-  return std::array{std::tuple_element_t<n, ContactLaws>::word...};
-}(std::make_index_sequence<contact_law_count>{});
+inline constexpr auto contact_law_words = words_of_laws<ContactLaws>;
 
-namespace detail {
-
-/// The parameters of all laws, each once, and how many they are.
-template <class... Laws>
-consteval auto all_parameters(const std::tuple<Laws...>*) {
-  std::pair<std::array<LawParameter, (Laws::parameters.size() + ... + 0)>, std::size_t> all{};
-  const auto add = [&](const LawParameter& parameter) {
-    for (std::size_t n = 0; n < all.second; ++n)
-      if (all.first[n].name == parameter.name) return;
-    all.first[all.second++] = parameter;
-  };
-  const auto add_those_of = [&](const auto& parameters) {
-    for (const LawParameter& parameter : parameters) add(parameter);
-  };
-  (add_those_of(Laws::parameters), ...);
-  return all;
-}
-
-}  // namespace detail
-
-/// What laws take of two materials beside restitution and friction. Laws may share a parameter.
-inline constexpr auto law_parameters = [] {
-  constexpr auto all = detail::all_parameters(static_cast<const ContactLaws*>(nullptr));
-  std::array<LawParameter, all.second> each{};
-  for (std::size_t n = 0; n < each.size(); ++n) each[n] = all.first[n];
-  return each;
-}();
-
-/// Whether a law takes a parameter.
-template <class Law>
-constexpr bool takes(std::string_view parameter) {
-  for (const LawParameter& own : Law::parameters)
-    if (own.name == parameter) return true;
-  return false;
-}
+/// What laws take of two materials beside restitution and friction.
+inline constexpr auto law_parameters = parameters_of_laws<ContactLaws>;
 
 /// Energy in the normal spring of a pair at an overlap [J].
 inline Real normal_energy(ContactModel model, const ContactConstants<Real>& constants, Real overlap, Real reduced_radius) {

@@ -52,7 +52,7 @@ JointRecord make_joint(const JointFace& face, const ElasticJoint& kind, const st
 }  // namespace
 
 BondedFaces::BondedFaces(std::vector<ElasticJoint> kinds, std::span<const JointFace> faces, std::vector<terms::Rates> rates,
-                         const state::Bodies<3>& bodies)
+                         const state::Bodies<3>& bodies, bool some_soften_by_slip)
     : elastic_(std::move(kinds)), at_face_(at(bodies.size()), {-1, -1, -1, -1}), rates_(std::move(rates)) {
   reserve_on_large_pages(records_, faces.size());
   for (const JointFace& face : faces) {
@@ -63,6 +63,10 @@ BondedFaces::BondedFaces(std::vector<ElasticJoint> kinds, std::span<const JointF
   }
   table_.causes = {terms::Cause::joint_dashpot};
   losses_.resize(faces.size());
+  if (some_soften_by_slip) {
+    paths_.resize(faces.size());
+    was_sheared_.resize(faces.size());
+  }
   reserve_on_large_pages(table_.slots, faces.size());
   table_.slots.resize(faces.size());
   table_.incidence = terms::FixedIncidence(bodies.size(), links_);
@@ -75,7 +79,20 @@ std::vector<Index> BondedFaces::first_links() const {
   return all;
 }
 
+/// Counts joints that have lost their strength under pressure, whichever process has found them.
+void BondedFaces::note_sheared(terms::Peers& peers) {
+  std::vector<Index> sheared = sheared_.take();
+  peers.unite(sheared);
+  for (const Index joint : sheared) {
+    if (was_sheared_[at(joint)] != 0) continue;
+    was_sheared_[at(joint)] = 1;
+    records_[at(joint)].state = JointState::sheared;
+    ++broken_count_;
+  }
+}
+
 void BondedFaces::post_step(const Moment&, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) {
+  if (!paths_.empty()) note_sheared(peers);
   std::vector<Index> failed = failed_.take();
   peers.unite(failed);
   for (const Index joint : failed) records_[at(joint)].state = JointState::broken;  // it may have failed in another process
@@ -85,7 +102,7 @@ void BondedFaces::post_step(const Moment&, const state::Bodies<3>& bodies, terms
     table_.incidence.end(joint, links_[at(joint)]);
     softer.insert(softer.end(), {links_[at(joint)].first, links_[at(joint)].second});
     broken_.push_back(joint);
-    ++broken_count_;
+    if (was_sheared_.empty() || was_sheared_[at(joint)] == 0) ++broken_count_;
   }
   std::ranges::sort(softer);
   softer.erase(std::unique(softer.begin(), softer.end()), softer.end());
@@ -122,12 +139,15 @@ void BondedFaces::carry(Index joint, Parcel& parcel) {
   parcel(records_[at(joint)].vertex);
   parcel(records_[at(joint)].state);
   parcel(losses_[at(joint)]);
+  if (!paths_.empty()) parcel(paths_[at(joint)]);
   parcel(table_[joint]);
 }
 
 void BondedFaces::columns(Archive& archive) {
   archive("joints", records_);
   archive("losses", losses_);
+  archive("slip_paths", paths_);
+  archive("was_sheared", was_sheared_);
   archive("slots", table_.slots);
   archive("rates", rates_);
   archive("broken", broken_);

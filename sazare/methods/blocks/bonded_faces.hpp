@@ -38,7 +38,14 @@ public:
   /// Whether two bodies share a joint that holds.
   bool bonded(Index first, Index second) const;
 
+  /// Joints that are cracks: broken, or sheared and pressed together.
   Index broken_count() const { return broken_count_; }
+
+  /// Energies that a joint has dissipated and lost.
+  const JointLosses& losses(Index joint) const { return losses_[static_cast<std::size_t>(joint)]; }
+
+  /// Path of slip of the vertices of a joint; none where no law softens by it.
+  std::span<const SlipPath> slip_paths() const { return paths_; }
 
   /// Joints that came apart since the last call, in rising order.
   std::vector<Index> take_broken();
@@ -46,21 +53,25 @@ public:
 protected:
   /// `kinds` as they are at the beginning; `bodies` stand where the faces are given.
   BondedFaces(std::vector<ElasticJoint> kinds, std::span<const JointFace> faces, std::vector<terms::Rates> rates,
-              const state::Bodies<3>& bodies);
+              const state::Bodies<3>& bodies, bool some_soften_by_slip);
 
   std::vector<JointRecord> records_;
   std::vector<JointLosses> losses_;
   std::vector<Link> links_;
   terms::SlotTable<3, 1, terms::FixedIncidence> table_;
-  terms::Events failed_;  ///< joints, in the present step
+  terms::Events failed_;         ///< joints, in the present step
+  std::vector<SlipPath> paths_;  ///< by joint; empty where no law softens by slip
+  terms::Events sheared_;        ///< joints without strength that are pressed together, after the present step
 
 private:
+  void note_sheared(terms::Peers& peers);
   void update_rates(Index body, const state::Bodies<3>& bodies);
 
   std::vector<ElasticJoint> elastic_;          ///< by kind
   std::vector<std::array<Index, 4>> at_face_;  ///< joint by body and local face
   std::vector<terms::Rates> rates_;
   std::vector<Index> broken_;  ///< not yet taken
+  std::vector<std::int8_t> was_sheared_;  ///< by joint; empty where no law softens by slip
   Index broken_count_ = 0;
 };
 

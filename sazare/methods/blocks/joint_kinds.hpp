@@ -25,10 +25,11 @@ struct JointParameters {
   P shear_damping{};   ///< c_s [Pa s/m]
 };
 
-/// From any struct that has the law's parameters as members, and the dashpots.
+/// From any struct that has stiffness, strength and dashpots as members, and what the law alone takes.
 template <laws::JointLaw Law, class Joint>
-JointParameters<Law, Real> joint_parameters(const Joint& joint) {
-  return {Law::tension(joint), Law::shear(joint), joint.normal_damping, joint.shear_damping};
+JointParameters<Law, Real> joint_parameters(const Joint& joint,
+                                            const std::array<std::optional<Real>, Law::parameters.size()>& own = {}) {
+  return {Law::tension(joint, own), Law::shear(joint, own), joint.normal_damping, joint.shear_damping};
 }
 
 /// Any joint as long as nothing has happened to it.
@@ -55,6 +56,13 @@ std::vector<ElasticJoint> elastic_joints(const std::vector<Kind>& kinds) {
   std::vector<ElasticJoint> elastic;
   for (const Kind& kind : kinds) elastic.push_back(elastic_joint(kind));
   return elastic;
+}
+
+/// Whether the law of some kind softens by slip.
+template <class... Laws>
+bool some_soften_by_slip(const std::vector<std::variant<JointParameters<Laws, Real>...>>& kinds) {
+  const auto softens = []<class Law>(const JointParameters<Law, Real>&) { return laws::SoftensBySlip<Law>; };
+  return std::ranges::any_of(kinds, [&](const auto& kind) { return std::visit(softens, kind); });
 }
 
 /// Puts the numbers of a law's part into a lane.

@@ -25,7 +25,7 @@ inline constexpr std::size_t batches_ahead = 4;    // memory answers after some 
 template <class Laws>
 JointsOf<Laws>::JointsOf(const std::vector<Kind>& kinds, std::span<const JointFace> faces, std::vector<terms::Rates> rates,
                          const state::Bodies<3>& bodies)
-    : BondedFaces(elastic_joints(kinds), faces, std::move(rates), bodies), kinds_(kinds) {
+    : BondedFaces(elastic_joints(kinds), faces, std::move(rates), bodies, some_soften_by_slip(kinds)), kinds_(kinds) {
   for (const JointFace& face : faces) kinds_.use(face.kind);
 }
 
@@ -81,12 +81,39 @@ template <class Law>
   }
   JointChange change;
   LaneMask failed;
+  LaneVector path;
+  if constexpr (laws::SoftensBySlip<Law>) path = load_paths([&](std::size_t lane) { return in_lanes[lane].link; });
   const JointForce force =
-      blocks::evaluate(LaneJoints<JointRecord>{records}, kinds.of(records), masters, slaves, bodies.pole, failed, change);
+      blocks::evaluate(LaneJoints<JointRecord>{records}, kinds.of(records), path, masters, slaves, bodies.pole, failed, change);
   terms::write(slots, now, in_lanes, force.total, force.dashpots, failed);
   if (!change.has_happened) return;
   remember(records, change);
+  if constexpr (laws::SoftensBySlip<Law>) soften_by_slip(due, change);
   book(due, change);
+}
+
+/// Paths of slip of the joints that `joint_of` names by lane.
+template <class Laws>
+template <class JointOfLane>
+LaneVector JointsOf<Laws>::load_paths(const JointOfLane& joint_of) const {
+  LaneVector path;
+  for (std::size_t lane = 0; lane < lane_count; ++lane)
+    for (std::size_t v = 0; v < vertex_count; ++v)
+      path[static_cast<int>(v)][static_cast<int>(lane)] = paths_[at(joint_of(lane))][v];
+  return path;
+}
+
+/// What a law that softens by slip has besides: paths of slip, fracture energies, and joints that have lost their strength.
+template <class Laws>
+void JointsOf<Laws>::soften_by_slip(std::span<const Due> due, const JointChange& change) {
+  for (std::size_t n = 0; n < due.size(); ++n) {
+    const int lane = static_cast<int>(n);
+    const Index joint = due[n].link;
+    for (std::size_t v = 0; v < vertex_count; ++v) paths_[at(joint)][v] = change.path[static_cast<int>(v)][lane];
+    losses_[at(joint)].opening += change.opening_fracture[lane];
+    losses_[at(joint)].shear += change.shear_fracture[lane];
+    if (change.sheared[lane] != 0) sheared_.add(joint);
+  }
 }
 
 /// What joints remember of slip and opening: in lanes, for nobody guesses which of them have slipped. Those that have not keep
@@ -113,7 +140,11 @@ void JointsOf<Laws>::book(std::span<const Due> due, const JointChange& change) {
     const int i = static_cast<int>(lane);
     if (change.softened[i] == 0) continue;
     const bool failed = change.failed[i] != 0;
-    records_[at(due[lane].link)].state = failed ? JointState::broken : JointState::softening;
+    JointState& state = records_[at(due[lane].link)].state;
+    if (failed)
+      state = JointState::broken;
+    else if (state != JointState::sheared)
+      state = JointState::softening;
     if (!failed) continue;
     losses_[at(due[lane].link)].released = change.released[i];
     failed_.add(due[lane].link);
@@ -140,9 +171,13 @@ template <class Law>
     slave_ahead[lane] = &synchronized.ahead[at(records[lane]->slave)];
   }
   const auto& kind = kinds.of(records);
-  const FaceGeometry at_face = face_geometry(LaneJoints<const JointRecord>{records}, masters, slaves);
-  const bool soften = some_soften(kind, at_face);
-  return {elastic_energy(kind, at_face, tension_stress(kind, at_face, soften)), soften ? fracture_work(kind, at_face) : Lanes{},
+  FaceGeometry at_face = face_geometry(LaneJoints<const JointRecord>{records}, masters, slaves);
+  Lanes fracture{};  // a law that softens by slip has it among its losses
+  if constexpr (laws::SoftensBySlip<Law>)
+    at_face.path = load_paths([&](std::size_t lane) { return std::min(first + static_cast<Index>(lane), count() - 1); });
+  else if (some_soften(kind, at_face))
+    fracture = fracture_work(kind, at_face);
+  return {elastic_energy(kind, at_face, tension_stress(kind, at_face)), fracture,
           terms::work_after(slots, master_ahead, slave_ahead)};
 }
 
@@ -182,7 +217,7 @@ LaneBits JointsOf<Laws>::lanes_of(std::size_t law, Index begin, Index end) const
 template <class Laws>
 void JointsOf<Laws>::add_energies(Index begin, Index end, const terms::Synchronized<3>& synchronized, Sums& sums) const {
   LaneBits counted = 0, broken = 0;
-  Lanes slip_work{}, released{};
+  Lanes slip_work{}, released{}, fracture{};
   for (Index joint = begin; joint < end; ++joint) {
     const int lane = joint - begin;
     if (!synchronized.counts(links_[at(joint)])) continue;
@@ -190,6 +225,7 @@ void JointsOf<Laws>::add_energies(Index begin, Index end, const terms::Synchroni
     if (state(joint) == JointState::broken) broken |= static_cast<LaneBits>(1U << lane);
     slip_work[lane] = losses_[at(joint)].slip_work;
     released[lane] = losses_[at(joint)].released;
+    fracture[lane] = losses_[at(joint)].opening + losses_[at(joint)].shear;
   }
   if (counted == 0) return;
   kinds_.visit_laws([&](const auto& kinds, std::size_t law) {
@@ -203,6 +239,7 @@ void JointsOf<Laws>::add_energies(Index begin, Index end, const terms::Synchroni
   });
   sums.slip += slip_work;
   sums.release += released;
+  sums.fracture += fracture;
 }
 
 }  // namespace sazare::methods::blocks

@@ -11,7 +11,11 @@
 
 namespace sazare::methods::blocks {
 
-enum class JointState : std::int16_t { intact, softening, broken };
+/// A sheared joint has lost its cohesion by slip, and its faces are still pressed together: a crack under pressure.
+enum class JointState : std::int16_t { intact, softening, broken, sheared };
+
+/// Whether the faces of a joint are two bodies to whoever counts cracks and fragments.
+inline bool is_crack(JointState state) { return state == JointState::broken || state == JointState::sheared; }
 
 inline constexpr int vertex_count = 3;
 
@@ -59,7 +63,15 @@ std::array<Vector, 3> face_axes(const Vector& n, const Number& tilt) {
 struct JointLosses {
   Real slip_work = 0;  ///< [J]
   Real released = 0;   ///< elastic energy when the face came apart [J]
+  Real opening = 0;    ///< fracture by opening, of a law that softens by slip [J]
+  Real shear = 0;      ///< fracture by slip, likewise [J]
+
+  /// Whether slip has dissipated more of the fracture energy than opening.
+  bool is_mostly_shear() const { return shear > opening; }
 };
+
+/// Path of slip of the vertices of a joint whose law softens by slip [m].
+using SlipPath = std::array<Real, vertex_count>;
 
 /// Joints in lanes; `Record` is a JointRecord, const or not. Each part is read where it is needed: all of it together would not
 /// stay in registers. The pointers stay where they are: a copy of what has just been written one by one makes a processor wait

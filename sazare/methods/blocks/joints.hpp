@@ -37,6 +37,9 @@ private:
   void evaluate_lanes(const KindsOfLaw<Law>& kinds, const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies);
   static void remember(const LanePointers<JointRecord>& records, const JointChange& change);
   void book(std::span<const Due> due, const JointChange& change);
+  template <class JointOfLane>
+  LaneVector load_paths(const JointOfLane& joint_of) const;
+  void soften_by_slip(std::span<const Due> due, const JointChange& change);
   LaneBits lanes_of(std::size_t law, Index begin, Index end) const;
   void add_energies(Index begin, Index end, const terms::Synchronized<3>& synchronized, Sums& sums) const;
   template <class Law>

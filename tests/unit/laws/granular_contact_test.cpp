@@ -70,7 +70,7 @@ TEST(granular_contact, linear_shear_and_normal_springs_of_mindlin_have_their_rat
 TEST(contact_laws, have_words_and_are_found_by_their_models) {
   EXPECT_EQ(model_of<Hertz>, ContactModel::hertz);
   EXPECT_EQ(model_of<Linear>, ContactModel::linear);
-  for (std::size_t n = 0; n < contact_law_count; ++n)
+  for (std::size_t n = 0; n < contact_law_words.size(); ++n)
     EXPECT_EQ(visit_law(static_cast<ContactModel>(n), []<class Law>(Law) { return Law::word; }), contact_law_words[n]);
 }
 

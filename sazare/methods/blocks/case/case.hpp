@@ -11,12 +11,15 @@
 #include <vector>
 
 #include "sazare/cases/tables.hpp"
+#include "sazare/laws/joint_laws.hpp"
 #include "sazare/laws/pressure_table.hpp"
 
 /// A checked case of method blocks, as plain data. All values in SI units; friction always as a coefficient;
 /// files as paths that can be opened from anywhere. Every member is one key of the case file (`schema.cpp`
 /// lists them with unit, range and default).
 namespace sazare::cases {
+
+using laws::JointLawName;
 
 /// How a contact dashpot that is stiffer than the step allows is limited.
 enum class DampingCap { literal, critical, step };
@@ -41,7 +44,8 @@ struct Joint {
   std::string name;
   std::array<std::string, 2> between;
   std::string surface;
-  bool bonded = true;         // false: the numbers below mean nothing and are 0
+  bool bonded = true;         // false: what stands below means nothing and is 0
+  JointLawName law = JointLawName::linear_softening;
   Real normal_stiffness = 0;  // Pa/m
   Real shear_stiffness = 0;   // Pa/m
   Real normal_damping = 0;    // Pa s/m
@@ -50,6 +54,7 @@ struct Joint {
   Real friction_coefficient = 0;
   Real tensile_strength = 0;  // Pa
   Real fracture_energy = 0;   // N/m
+  laws::JointLawParameters law_parameters;
   bool on_surface() const { return !surface.empty(); }
 };
 

@@ -7,6 +7,11 @@
 namespace sazare::cases {
 
 template <>
+struct EnumWords<JointLawName> {
+  static constexpr auto words = laws::words_of_laws<laws::JointLaws>;
+};
+
+template <>
 struct EnumWords<DampingCap> {
   static constexpr std::array<std::string_view, 3> words{"literal", "critical", "step"};
 };
@@ -42,6 +47,7 @@ void visit_fields(Visitor& visit, Joint& joint) {
     visit("between", joint.between);
   visit("bonded", joint.bonded);
   if (!joint.bonded) return;
+  visit("law", joint.law);
   visit("joint_normal_stiffness", joint.normal_stiffness);
   visit("joint_shear_stiffness", joint.shear_stiffness);
   visit("joint_normal_damping", joint.normal_damping);
@@ -50,6 +56,8 @@ void visit_fields(Visitor& visit, Joint& joint) {
   visit.friction(joint.friction_coefficient);
   visit("tensile_strength", joint.tensile_strength);
   visit("fracture_energy", joint.fracture_energy);
+  for (std::size_t n = 0; n < joint.law_parameters.size(); ++n)
+    visit(laws::parameters_of_laws<laws::JointLaws>[n].name, joint.law_parameters[n]);
 }
 
 template <class Visitor>

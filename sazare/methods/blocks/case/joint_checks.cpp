@@ -12,11 +12,18 @@
 namespace sazare::cases {
 namespace {
 
-constexpr std::array<std::string_view, 9> bond_keys{
-    "joint_normal_stiffness", "joint_shear_stiffness", "joint_normal_damping", "joint_shear_damping", "cohesion",
-    "friction_angle",         "friction_coefficient",  "fracture_energy",      "tensile_strength"};
+constexpr std::array<std::string_view, 10> bond_keys{
+    "law",      "joint_normal_stiffness", "joint_shear_stiffness", "joint_normal_damping", "joint_shear_damping",
+    "cohesion", "friction_angle",         "friction_coefficient",  "fracture_energy",      "tensile_strength"};
 constexpr std::array<std::string_view, 5> keys_of_bonded{"joint_normal_stiffness", "joint_shear_stiffness", "cohesion",
                                                          "tensile_strength", "fracture_energy"};
+
+/// Of those that only a bonded joint has.
+bool is_bond_key(std::string_view key) {
+  const auto has_name = [&](const laws::LawParameter& parameter) { return parameter.name == key; };
+  return std::ranges::find(bond_keys, key) != bond_keys.end() ||
+         std::ranges::any_of(laws::parameters_of_laws<laws::JointLaws>, has_name);
+}
 
 std::string header_of(const Entry& entry) { return table_header(*entry.table); }
 
@@ -45,7 +52,7 @@ void check_friction(const CheckContext& context, const Entry& entry) {
 void check_unbonded(const CheckContext& context, const Entry& entry) {
   std::vector<std::string> given;
   for (const Member& member : *entry.value->members())
-    if (std::ranges::find(bond_keys, member.key) != bond_keys.end()) given.push_back(member.key);
+    if (is_bond_key(member.key)) given.push_back(member.key);
   if (given.empty()) return;
   context.problems.error(
       *entry.value->key_place(given.front()),
@@ -75,6 +82,20 @@ void check_strength(const CheckContext& context, const Entry& entry, const Joint
                   rounded(strength * strength / (2 * stiffness), +1)));
 }
 
+/// What the law of a joint takes beside stiffness and strength is given, and what only others take is not.
+void check_law_parameters(const CheckContext& context, const Entry& entry, const Joint& joint) {
+  laws::visit_joint_law(joint.law, [&]<class Law>(Law) {
+    std::vector<std::string_view> needed, foreign;
+    for (const laws::LawParameter& parameter : laws::parameters_of_laws<laws::JointLaws>) {
+      if (!laws::takes<Law>(parameter.name))
+        foreign.push_back(parameter.name);
+      else if (!parameter.may_be_absent)
+        needed.push_back(parameter.name);
+    }
+    check_keys(context, entry, fmt::format("law {}", Law::word), needed, foreign);
+  });
+}
+
 void check_bonded(const CheckContext& context, const Entry& entry, const Joint& joint) {
   for (std::string_view key : keys_of_bonded) {
     if (entry.has(key)) continue;
@@ -87,6 +108,7 @@ void check_bonded(const CheckContext& context, const Entry& entry, const Joint& 
                              how_to_add(*find_key(*entry.table, key)) + " Needed unless bonded = false.");
   }
   check_friction(context, entry);
+  if (entry.is_sound("law")) check_law_parameters(context, entry, joint);
   if (entry.gives("tensile_strength") && entry.gives("fracture_energy") && entry.gives("joint_normal_stiffness"))
     check_strength(context, entry, joint);
 }

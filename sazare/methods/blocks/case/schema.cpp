@@ -1,6 +1,8 @@
 #include <array>
 
 #include "sazare/cases/case_keys.hpp"
+#include "sazare/cases/law_keys.hpp"
+#include "sazare/laws/joint_laws.hpp"
 #include "sazare/methods/blocks/case/format.hpp"
 
 namespace sazare::cases {
@@ -27,7 +29,7 @@ constexpr std::array material_keys{
         .sentence = "Mass per volume."},
 };
 
-constexpr std::array joint_keys{
+constexpr std::array leading_joint_keys{
     Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name of the joint in results and messages."},
     Key{.name = "between",
         .type = Type::two_names,
@@ -42,6 +44,12 @@ constexpr std::array joint_keys{
         .type = Type::boolean,
         .default_text = "true",
         .sentence = "False for faces that were never bonded, such as an existing crack or a slit."},
+    Key{.name = "law",
+        .type = Type::choice,
+        .default_text = "\"linear_softening\"",
+        .sentence = "How a bonded joint fails. linear_softening: tension softens linearly until the joint breaks, and shear slips at "
+                    "the Mohr-Coulomb strength without end.",
+        .choices = laws::words_of_laws<laws::JointLaws>},
     Key{.name = "joint_normal_stiffness",
         .type = Type::number,
         .unit = "Pa/m",
@@ -97,6 +105,8 @@ constexpr std::array joint_keys{
         .note = when_bonded,
         .sentence = "Fracture energy: energy per area that the joint dissipates when it breaks in tension."},
 };
+
+constexpr auto joint_keys = joined(leading_joint_keys, keys_of_laws<laws::JointLaws>());
 
 constexpr std::array contact_keys{
     Key{.name = "contact_stiffness",

@@ -42,7 +42,8 @@ inline constexpr std::array elements = {
     Column{"step", "s", "of the level"},
     Column{"fragment", "-", ""},
     Column{"damage", "-", "share of its joints that are broken"}};
-inline constexpr std::array joints = {Column{"state", "-", "0 intact, 1 softening, 2 broken"},
+inline constexpr std::array joints = {Column{"state", "-", "0 intact, 1 softening, 2 broken, 3 sheared: without strength, and pressed together"},
+                                      Column{"mode", "-", "of a crack: 1 opening, 2 shear, whichever has dissipated more; else 0"},
                                       Column{"opening", "m", "largest of its corners"},
                                       Column{"slip", "m", "largest of its corners"}, Column{"kind", "-", "number in the case"}};
 
@@ -50,7 +51,8 @@ inline constexpr std::array joints = {Column{"state", "-", "0 intact, 1 softenin
 inline constexpr std::array figures = {
     Column{"elements", "-", ""},
     Column{"joints", "-", ""},
-    Column{"broken_joints", "-", ""},
+    Column{"broken_joints", "-", "cracks, also those whose faces are pressed together"},
+    Column{"broken_in_shear", "-", "of these, the ones in which slip has dissipated more than opening"},
     Column{"fragments", "-", ""},
     Column{"largest_fragment_volume", "m3", ""},
     Column{"x50", "m", "size below which half of the volume lies"},

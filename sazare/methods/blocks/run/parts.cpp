@@ -109,7 +109,9 @@ std::vector<Index> joint_by_face(const cases::BlocksCase& blocks, const MeshFace
 
 methods::blocks::JointKind make_joint_kind(const cases::Joint& joint) {
   if (!joint.bonded) return {};
-  return methods::blocks::joint_parameters<laws::LinearSoftening>(joint);
+  return laws::visit_joint_law(joint.law, [&]<class Law>(Law) -> methods::blocks::JointKind {
+    return methods::blocks::joint_parameters<Law>(joint, laws::own_parameters<laws::JointLaws, Law>(joint.law_parameters));
+  });
 }
 
 std::vector<methods::blocks::JointFace> make_joint_faces(const cases::BlocksCase& blocks, const MeshFaces& faces,

@@ -106,6 +106,17 @@ void RunRecord::write_fragments() {
                                                                 model_->simulation->snapshot()));
 }
 
+namespace {
+
+std::int64_t broken_in_shear(const methods::blocks::Joints& joints) {
+  std::int64_t count = 0;
+  for (Index joint = 0; joint < joints.count(); ++joint)
+    if (is_crack(joints.state(joint)) && joints.losses(joint).is_mostly_shear()) ++count;
+  return count;
+}
+
+}  // namespace
+
 std::vector<std::pair<std::string, observe::Figure>> RunRecord::results(std::int64_t step, Real wall_seconds) {
   const auto& simulation = *model_->simulation;
   const levels::Counters& counters = simulation.counters();
@@ -116,6 +127,7 @@ std::vector<std::pair<std::string, observe::Figure>> RunRecord::results(std::int
   for (const Fragment& piece : pieces) farthest = std::max(farthest, piece.throw_distance);
   std::vector<std::pair<std::string, observe::Figure>> results = {
       {"broken_joints", std::int64_t{model_->joints->broken_count()}},
+      {"broken_in_shear", broken_in_shear(*model_->joints)},
       {"joints", static_cast<std::int64_t>(model_->joints->links().size())},
       {"fragments", std::int64_t{fragments().count}},
       {"elements", std::int64_t{simulation.bodies().size()}},

@@ -78,6 +78,12 @@ Gaps gaps_of(const BlocksModel& model, const levels::Snapshot<3>& now) {
   return gaps;
 }
 
+/// How a joint has come to be a crack: 1 by opening, 2 by slip, 0 not at all.
+std::int8_t mode_of(const methods::blocks::Joints& joints, Index joint) {
+  if (!is_crack(joints.state(joint))) return 0;
+  return joints.losses(joint).is_mostly_shear() ? 2 : 1;
+}
+
 /// Share of an element's joints that broke.
 Real damage_of(const methods::blocks::Joints& joints, std::span<const JointState> state, Index element) {
   Real all = 0, broken = 0;
@@ -85,7 +91,7 @@ Real damage_of(const methods::blocks::Joints& joints, std::span<const JointState
     const Index joint = joints.joint_at(element, face);
     if (joint < 0) continue;
     ++all;
-    if (state[at(joint)] == JointState::broken) ++broken;
+    if (is_crack(state[at(joint)])) ++broken;
   }
   return all > 0 ? broken / all : 0;
 }
@@ -99,6 +105,7 @@ struct Snapshots::Picture {
   std::vector<std::int8_t> level;      ///< by element
   std::vector<std::int32_t> fragment;  ///< by element
   std::vector<JointState> state;       ///< by joint
+  std::vector<std::int8_t> mode;       ///< by joint, see mode_of
 };
 
 Snapshots::Snapshots(const std::filesystem::path& folder, const BlocksModel& model)
@@ -122,13 +129,17 @@ void Snapshots::resume(std::size_t count) {
 void Snapshots::write(Real time, levels::Snapshot<3> now, const FragmentMap& fragments) {
   finish_writing();
   release(now.angular_momentum);
-  Picture taken{time, std::move(now), {}, fragments.of_element, {}};
+  Picture taken{time, std::move(now), {}, fragments.of_element, {}, {}};
   const Index elements = model_->simulation->bodies().size(), joints = model_->joints->count();
   taken.level.reserve(at(elements));
   taken.state.reserve(at(joints));
+  taken.mode.reserve(at(joints));
   for (Index element = 0; element < elements; ++element)
     taken.level.push_back(static_cast<std::int8_t>(model_->simulation->levels().level(element)));
-  for (Index joint = 0; joint < joints; ++joint) taken.state.push_back(model_->joints->state(joint));
+  for (Index joint = 0; joint < joints; ++joint) {
+    taken.state.push_back(model_->joints->state(joint));
+    taken.mode.push_back(mode_of(*model_->joints, joint));
+  }
   writing_ = std::async(std::launch::async, [this, taken = std::move(taken)]() mutable {
     const Picture picture = std::move(taken);  // goes when it is written, not when the next one comes
     write_elements(picture);
@@ -177,10 +188,11 @@ void Snapshots::write_joints(const Picture& picture) {
     return corners;
   });
   const auto state = made<std::int32_t>(count, [&](Index joint) { return static_cast<std::int32_t>(picture.state[at(joint)]); });
+  const auto mode = made<std::int32_t>(count, [&](Index joint) { return std::int32_t{picture.mode[at(joint)]}; });
   const auto kind = made<std::int32_t>(count, [&](Index joint) { return model_->joints->record(joint).kind; });
   observe::Grid grid{observe::Grid::Cell::triangle, {}, {}, {}, picture.time};
   grid.own_points = points;
-  grid.cell_data = observe::cell_data(columns::blocks::joints, state, gaps.opening, gaps.slip, kind);
+  grid.cell_data = observe::cell_data(columns::blocks::joints, state, mode, gaps.opening, gaps.slip, kind);
   joints_.write(grid);
 }
 

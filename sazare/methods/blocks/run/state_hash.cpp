@@ -37,6 +37,11 @@ std::uint64_t state_hash(const BlocksModel& model) {
       }
     }
   });
+  const auto paths = model.joints->slip_paths();
+  if (!paths.empty())
+    hash.add_pieces([&](observe::PieceHash& memory) {
+      for (const methods::blocks::SlipPath& path : paths) add(memory, path);
+    });
   return hash.value();
 }
 

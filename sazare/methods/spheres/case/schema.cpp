@@ -2,6 +2,7 @@
 #include <array>
 
 #include "sazare/cases/case_keys.hpp"
+#include "sazare/cases/law_keys.hpp"
 #include "sazare/laws/granular/contact_laws.hpp"
 #include "sazare/methods/spheres/case/body_keys.hpp"
 #include "sazare/methods/spheres/case/format.hpp"
@@ -59,27 +60,14 @@ constexpr std::array material_keys{
         .sentence = "Poisson's ratio."},
 };
 
-/// Keys for the parameters of the contact laws; in [[pairs]] that of [contact] is the default.
-consteval auto law_keys(bool in_pairs) {
-  std::array<Key, laws::law_parameters.size()> keys{};
-  for (std::size_t n = 0; n < keys.size(); ++n) {
-    const laws::LawParameter& of = laws::law_parameters[n];
-    keys[n] = {.name = of.name,
-               .type = Type::number,
-               .unit = of.unit,
-               .range = of.may_be_zero ? not_negative : positive,
-               .note = in_pairs ? of_contact : of.note,
-               .sentence = in_pairs ? "As in [contact]." : of.sentence};
+/// Keys for the parameters of the contact laws in [[pairs]], where that of [contact] is the default.
+consteval auto law_keys_of_pairs() {
+  auto keys = keys_of_laws<laws::ContactLaws>();
+  for (Key& key : keys) {
+    key.note = of_contact;
+    key.sentence = "As in [contact].";
   }
   return keys;
-}
-
-template <std::size_t... counts>
-consteval auto joined(const std::array<Key, counts>&... parts) {
-  std::array<Key, (counts + ...)> all{};
-  auto next = all.begin();
-  ((next = std::copy(parts.begin(), parts.end(), next)), ...);
-  return all;
 }
 
 constexpr std::array leading_contact_keys{
@@ -131,7 +119,7 @@ constexpr std::array closing_contact_keys{
                     "with levels also what the step leaves."},
 };
 
-constexpr auto contact_keys = joined(leading_contact_keys, law_keys(false), closing_contact_keys);
+constexpr auto contact_keys = joined(leading_contact_keys, keys_of_laws<laws::ContactLaws>(), closing_contact_keys);
 
 constexpr std::array own_pair_keys{
     Key{.name = "between",
@@ -160,7 +148,7 @@ constexpr std::array own_pair_keys{
         .sentence = "As in [contact]."},
 };
 
-constexpr auto pair_keys = joined(own_pair_keys, law_keys(true));
+constexpr auto pair_keys = joined(own_pair_keys, law_keys_of_pairs());
 
 constexpr std::array sphere_keys{
     Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name of the group, for gauges and messages."},

@@ -38,12 +38,10 @@ laws::ContactConstants<Real> constants_of(const SpheresCase& spheres, std::size_
                                             pair.rolling_friction.value_or(contact.rolling_friction),
                                             pair.twisting_friction.value_or(contact.twisting_friction)}};
   return laws::visit_law(contact.model, [&]<class Law>(Law) {
-    std::array<Real, Law::parameters.size()> values{};
-    for (std::size_t n = 0; n < laws::law_parameters.size(); ++n)
-      for (std::size_t own = 0; own < values.size(); ++own)
-        if (Law::parameters[own].name == laws::law_parameters[n].name)
-          values[own] = pair.law_parameters[n].value_or(contact.law_parameters[n].value_or(0));
-    return Law::constants(materials, values);
+    std::array<Real, laws::law_parameters.size()> values{};
+    for (std::size_t n = 0; n < values.size(); ++n)
+      values[n] = pair.law_parameters[n].value_or(contact.law_parameters[n].value_or(0));
+    return Law::constants(materials, laws::own_parameters<laws::ContactLaws, Law>(values));
   });
 }
 
