@@ -16,6 +16,7 @@
 #include <optional>
 #include <tuple>
 
+#include "sazare/laws/joint_mixed_mode.hpp"
 #include "sazare/laws/joint_shear.hpp"
 #include "sazare/laws/joint_tension.hpp"
 #include "sazare/laws/law_list.hpp"
@@ -83,10 +84,13 @@ struct LinearSoftening {
 };
 
 /// A law that stands here can be had by every joint.
-using JointLaws = std::tuple<LinearSoftening>;
+using JointLaws = std::tuple<LinearSoftening, MixedMode>;
 
 /// Names for the laws where none is known at compile time.
-enum class JointLawName { linear_softening = place_of_law<JointLaws, LinearSoftening>() };
+enum class JointLawName {
+  linear_softening = place_of_law<JointLaws, LinearSoftening>(),
+  mixed_mode = place_of_law<JointLaws, MixedMode>()
+};
 
 /// What `visit(Law{})` returns for the law of a name.
 template <class Visitor>

@@ -48,6 +48,11 @@ class Joint(Part):
     """Physical surface group inside the body whose faces it joins, such as a fault. (exactly one of between and surface)"""
     bonded: bool | None = None
     """False for faces that were never bonded, such as an existing crack or a slit. Default: true."""
+    law: Literal["linear_softening", "mixed_mode"] | None = None
+    """How a bonded joint fails. linear_softening: tension softens linearly until the joint breaks, and shear slips at the Mohr-
+    Coulomb strength without end. mixed_mode: opening and slip use up one strength, each with its fracture energy, and friction
+    remains. Default: "linear_softening".
+    """
     joint_normal_stiffness: float | None = None
     """Normal stiffness: normal stress per opening. [Pa/m] (required when bonded) Greater than 0."""
     joint_shear_stiffness: float | None = None
@@ -73,6 +78,14 @@ class Joint(Part):
     fracture_energy: float | None = None
     """Fracture energy: energy per area that the joint dissipates when it breaks in tension. [N/m] (required when bonded) Greater
     than 0.
+    """
+    shear_fracture_energy: float | None = None
+    """Fracture energy in shear, mode II: energy per area that cohesion dissipates, beside friction, when slip uses it up. [N/m]
+    (required for law mixed_mode) Greater than 0.
+    """
+    residual_friction_coefficient: float | None = None
+    """Coefficient of friction of a joint of law mixed_mode without cohesion. (default: the friction coefficient of the joint) At
+    least 0.
     """
 
 

@@ -72,6 +72,10 @@ void explain_joint(Explanation& text, const Joint& joint) {
   text.more(fmt::format("shear: slips at {} Pa + {} times the pressure (friction angle {} deg)", number(joint.cohesion),
                         number(joint.friction_coefficient),
                         number(std::atan(joint.friction_coefficient) * 180 / std::numbers::pi)));
+  if (joint.law == JointLawName::mixed_mode)
+    text.more(fmt::format("law mixed_mode: cohesion is used up by a slip of {} m ({} J/m2), and friction {} remains",
+                          number(2 * joint.law_parameters[0].value_or(0) / joint.cohesion), number(joint.law_parameters[0].value_or(0)),
+                          number(joint.law_parameters[1].value_or(joint.friction_coefficient))));
   text.more(fmt::format("springs {} and {} Pa/m, dashpots {} and {} Pa s/m (normal, shear)", number(joint.normal_stiffness),
                         number(joint.shear_stiffness), number(joint.normal_damping), number(joint.shear_damping)));
 }

@@ -96,6 +96,35 @@ void check_law_parameters(const CheckContext& context, const Entry& entry, const
   });
 }
 
+/// Slip must go on to soften beyond the elastic limit, 2 G_II / c >= c / k_s, take more energy than opening, and not gain friction.
+void check_shear_softening(const CheckContext& context, const Entry& entry, const Joint& joint) {
+  const Real energy = joint.law_parameters[0].value_or(0), residual = joint.law_parameters[1].value_or(joint.friction_coefficient);
+  const Real needed = joint.cohesion * joint.cohesion / (2 * joint.shear_stiffness);
+  const auto error = [&](std::string_view key, const std::string& what, const std::string& help) {
+    context.problems.error(entry.place(key), what, help);
+  };
+  if (entry.gives("cohesion") && joint.cohesion == 0)
+    error("cohesion", "law mixed_mode needs a cohesion above 0, which slip uses up", "give a cohesion, or use law linear_softening");
+  if (entry.gives("shear_fracture_energy") && entry.gives("joint_shear_stiffness") && energy < needed)
+    error("shear_fracture_energy",
+          fmt::format("shear_fracture_energy {} N/m is too small for this cohesion and joint_shear_stiffness", short_number(energy)),
+          fmt::format("cohesion would be used up at a slip of {} m, before it is reached at a shear displacement of {} m; the smallest "
+                      "shear_fracture_energy is cohesion^2 / (2 joint_shear_stiffness) = {} N/m",
+                      short_number(2 * energy / joint.cohesion, 4), short_number(joint.cohesion / joint.shear_stiffness, 4),
+                      short_number(needed, 4)));
+  if (entry.gives("shear_fracture_energy") && entry.gives("fracture_energy") && energy < joint.fracture_energy)
+    error("shear_fracture_energy",
+          fmt::format("shear_fracture_energy {} N/m is below the fracture_energy {} N/m", short_number(energy),
+                      short_number(joint.fracture_energy)),
+          "rock and concrete need more energy in shear than in tension: check the two");
+  const bool has_friction = entry.gives("friction_coefficient") || entry.gives("friction_angle");
+  if (has_friction && entry.gives("residual_friction_coefficient") && residual > joint.friction_coefficient)
+    error("residual_friction_coefficient",
+          fmt::format("the residual friction {} is above the friction at the peak, {}", short_number(residual),
+                      short_number(joint.friction_coefficient)),
+          "a joint does not gain friction when it fails: exchange the two, or leave residual_friction_coefficient out");
+}
+
 void check_bonded(const CheckContext& context, const Entry& entry, const Joint& joint) {
   for (std::string_view key : keys_of_bonded) {
     if (entry.has(key)) continue;
@@ -109,6 +138,7 @@ void check_bonded(const CheckContext& context, const Entry& entry, const Joint& 
   }
   check_friction(context, entry);
   if (entry.is_sound("law")) check_law_parameters(context, entry, joint);
+  if (joint.law == JointLawName::mixed_mode) check_shear_softening(context, entry, joint);
   if (entry.gives("tensile_strength") && entry.gives("fracture_energy") && entry.gives("joint_normal_stiffness"))
     check_strength(context, entry, joint);
 }

@@ -48,7 +48,8 @@ constexpr std::array leading_joint_keys{
         .type = Type::choice,
         .default_text = "\"linear_softening\"",
         .sentence = "How a bonded joint fails. linear_softening: tension softens linearly until the joint breaks, and shear slips at "
-                    "the Mohr-Coulomb strength without end.",
+                    "the Mohr-Coulomb strength without end. mixed_mode: opening and slip use up one strength, each with its fracture "
+                    "energy, and friction remains.",
         .choices = laws::words_of_laws<laws::JointLaws>},
     Key{.name = "joint_normal_stiffness",
         .type = Type::number,
