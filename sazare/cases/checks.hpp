@@ -48,8 +48,8 @@ struct Clocks {
 void resolve_clocks(const CheckContext& context, const Clocks& clocks);
 void resolve_clocks(const CheckContext& context, UniformTime& time);
 
-/// Checks motions and reads their records.
-void check_motions(const CheckContext& context, std::vector<Motion>& motions);
+/// Checks motions and reads their records; warns of those that are over before the end of the run [s].
+void check_motions(const CheckContext& context, std::vector<Motion>& motions, Real end);
 
 /// In 2-D the z of a key is 0; `table` has the key dimension.
 void check_flat(const CheckContext& context, const Entry& entry, std::string_view key, const Vector3& value, int dimension,

@@ -28,7 +28,40 @@ void check_keys(const CheckContext& context, const Entry& entry, const std::stri
 
 namespace {
 
-void check_record(const CheckContext& context, const Entry& entry, Motion& motion) {
+/// Refuses a record that leaves the range of numbers, itself or integrated, in SI units and times the amplitude.
+void check_size(const CheckContext& context, const Entry& entry, const Motion& motion) {
+  const laws::Record& record = motion.record;
+  const auto is_too_large = [&](Real value) { return !std::isfinite(value * motion.amplitude); };
+  if (std::ranges::none_of(record.value, is_too_large) && std::ranges::none_of(record.first, is_too_large) &&
+      std::ranges::none_of(record.second, is_too_large))
+    return;
+  context.problems.error(entry.place("file"),
+                         "the record holds numbers that are too large for its motion to be found, in its unit and times its "
+                         "amplitude",
+                         "check the numbers of the file, their unit and the amplitude");
+}
+
+/// Says what a record does that is easily overlooked.
+void warn_of_record(const CheckContext& context, const Entry& entry, const Motion& motion, Real end) {
+  const laws::Record& record = motion.record;
+  const bool displaces = motion.quantity == laws::MotionQuantity::displacement;
+  if (record.value.size() < 2) return;
+  if (displaces && record.value.front() != 0)
+    context.problems.warning(
+        entry.place("file"), fmt::format("the record begins at a displacement of {} m", short_number(record.value.front())),
+        "displacements count from where things stand at t = 0: this first value is taken off all others");
+  if (!(record.duration() < end * (1 - 1e-9))) return;
+  const Real drift = motion.amplitude * record.first.back();
+  const std::string then = motion.quantity == laws::MotionQuantity::acceleration && drift != 0
+                               ? fmt::format("goes on at the velocity of that moment, {} m/s", short_number(drift, 3))
+                               : "stays where it is at that moment";
+  context.problems.warning(
+      entry.place("file"),
+      fmt::format("the record ends at {} s, before the run at {} s", short_number(record.duration()), short_number(end)),
+      fmt::format("what it moves {}; let the record reach the end of the run if that is not meant", then));
+}
+
+void check_record(const CheckContext& context, const Entry& entry, Motion& motion, Real end) {
   check_keys(context, entry, "a record", {"file"}, {"quantity", "frequency", "peak_time", "cycles"});
   if (!entry.gives("file")) return;
   const std::string as_written = *entry.value->find("file")->text();
@@ -37,18 +70,20 @@ void check_record(const CheckContext& context, const Entry& entry, Motion& motio
                    context.problems);
   if (motion.baseline != Baseline::none && motion.record.value.size() > 2)
     laws::take_off_baseline(motion.record, motion.baseline == Baseline::linear ? 1 : 0);
+  check_size(context, entry, motion);
+  warn_of_record(context, entry, motion, end);
 }
 
 }  // namespace
 
-void check_motions(const CheckContext& context, std::vector<Motion>& motions) {
+void check_motions(const CheckContext& context, std::vector<Motion>& motions, Real end) {
   const auto list = context.entries_of("motions");
   for (std::size_t i = 0; i < list.size(); ++i) {
     const Entry& entry = list[i];
     Motion& motion = motions[i];
     if (!entry.gives("type")) continue;
     if (motion.type == MotionShape::record) {
-      check_record(context, entry, motion);
+      check_record(context, entry, motion, end);
     } else if (motion.type == MotionShape::function) {
       check_keys(context, entry, "a function", {}, {"file", "baseline", "frequency", "peak_time", "cycles"});
       motion.samples = std::make_shared<laws::Record>();

@@ -2,15 +2,18 @@
 
 /// Motion of the ground as a function of time: displacement, velocity and acceleration that belong together, at rest before 0.
 ///
+/// Displacements count from where things stand at t = 0, whatever value a history has there. Where a history of displacements ends,
+/// what it moves stays where it then is; one of velocities or accelerations is 0 after its end.
+///
 /// Ricker wavelet [Yoshida2010], eq. (9), here of the acceleration; with b = (pi fc)^2, s = t - tp:
 ///
 ///     e(t) = (2 b s^2 - 1) exp(-b s^2)     fc  central frequency [Hz]     tp  time of the peak [s]
 ///
-/// Its integrals -s exp(-b s^2) and exp(-b s^2)/(2 b) die out on both sides, so it leaves no drift; what they are at t = 0 is the
-/// velocity and displacement with which the motion begins (1e-4 of the peak for fc tp = 1).
+/// Its integrals -s exp(-b s^2) and exp(-b s^2)/(2 b) die out on both sides, so it leaves no drift; what the first one is at t = 0 is
+/// the velocity with which the motion begins (1e-4 of the peak for fc tp = 1).
 ///
-/// A record is linear between its samples, and is integrated exactly from rest. What a record leaves as velocity at its end, its
-/// drift, stays, unless a baseline is taken off (`take_off_baseline`).
+/// A record is linear between its samples, and is integrated exactly from rest. What a record of accelerations leaves as velocity at
+/// its end, its drift, stays, unless a baseline is taken off (`take_off_baseline`).
 ///
 /// A function that only the caller of the engine knows is a record too, whose samples are handed over while the run goes on.
 
@@ -61,13 +64,13 @@ inline Real ricker_order(const Ricker& wave, Real time, int order) {
 
 inline Real ricker(const Ricker& wave, Real time) { return ricker_order(wave, time, 2); }
 
-/// Sine from t = 0 for a whole number of periods.
+/// Sine from t = 0 for a number of periods, which need not be whole.
 struct Sine {
   Real frequency = 0;  ///< [Hz]
   Real cycles = 0;     ///< 0: without end
 };
 
-/// Equal steps of time, linear between them; zero after the last.
+/// Equal steps of time, linear between them.
 struct Record {
   Real step = 0;             ///< [s]
   std::vector<Real> value;   ///< of the motion's quantity
@@ -101,8 +104,9 @@ struct Record {
 
   Real duration() const { return value.empty() ? 0 : step * static_cast<Real>(value.size() - 1); }
 
-  /// (second integral, integral, value, slope) at a time.
-  std::array<Real, 4> at(Real time) const {
+  /// (second integral, integral, value, slope) at a time. After the last sample the value is `last`; it counts no more in the
+  /// integrals.
+  std::array<Real, 4> at(Real time, Real last = 0) const {
     if (value.size() < 2 || time <= 0) return {};
     const Real place = std::min(time / step, static_cast<Real>(value.size() - 1));
     const std::size_t i = std::min(static_cast<std::size_t>(place), value.size() - 2);
@@ -111,7 +115,7 @@ struct Record {
     const Real integral = first[i] + t * (value[i] + 0.5 * slope * t);
     const Real twice = second[i] + t * (first[i] + t * (0.5 * value[i] + slope * t / 6));
     const Real after = time - duration();
-    if (after > 0) return {twice + integral * after, integral, 0, 0};
+    if (after > 0) return {twice + integral * after, integral, last, 0};
     return {twice, integral, value[i] + slope * t, slope};
   }
 };
@@ -153,19 +157,43 @@ struct GroundMotion {
   std::shared_ptr<const Record> samples;  ///< of a function: as many as are known, past the time of the run
 
   MotionState at(Real time) const {
+    if (time < 0) return {};
     std::array<Real, 3> motion{};
     const int lowest = 2 - static_cast<int>(quantity);  // how often the displacement differentiates to the quantity, backwards
     for (int i = 0; i < 3; ++i) motion[static_cast<std::size_t>(i)] = amplitude * order(time, lowest + i);
-    return {motion[0], motion[1], motion[2]};
+    return {motion[0] - amplitude * beginning(lowest), motion[1], motion[2]};
   }
 
+  /// Whether the displacement is linear in pieces: then the velocity jumps between them, and no acceleration at a moment tells it.
+  bool has_jumps_of_velocity() const { return holds() && (shape == Shape::record || shape == Shape::function); }
+
 private:
+  /// Whether the history stays at its last value.
+  bool holds() const { return quantity == MotionQuantity::displacement; }
+
+  /// The displacement that the formula or the samples have at t = 0; `lowest` is its order.
+  Real beginning(int lowest) const {
+    if (shape == Shape::ricker) return ricker_order(ricker_wave, 0, lowest);
+    const Record* const sampled = samples_of();
+    return holds() && sampled != nullptr && sampled->value.size() >= 2 ? sampled->value.front() : 0;
+  }
+
+  const Record* samples_of() const {
+    return shape == Shape::record ? &record : shape == Shape::function ? samples.get() : nullptr;
+  }
+
   /// Order 2 is the shape itself, 1 its integral, 3 its derivative.
   Real order(Real time, int order) const {
-    if (shape == Shape::ricker) return time < 0 ? 0 : ricker_order(ricker_wave, time, order);
-    if (shape == Shape::record) return order > 3 ? 0 : record.at(time)[static_cast<std::size_t>(order)];
-    if (shape == Shape::function) return order > 3 ? 0 : samples->at(time)[static_cast<std::size_t>(order)];
-    return sine_order(time, order);
+    if (shape == Shape::ricker) return ricker_order(ricker_wave, time, order);
+    if (shape == Shape::sine) return sine_order(time, order);
+    return order > 3 ? 0 : sampled_order(*samples_of(), time)[static_cast<std::size_t>(order)];
+  }
+
+  std::array<Real, 4> sampled_order(const Record& sampled, Real time) const {
+    if (!holds() || sampled.value.size() < 2) return sampled.at(time);
+    std::array<Real, 4> found = sampled.at(time, sampled.value.back());
+    if (time <= 0) found[2] = sampled.value.front();
+    return found;
   }
 
   Real sine_order(Real time, int order) const {
@@ -180,7 +208,7 @@ private:
       case 1:
         return (1 - std::cos(omega * t)) / omega;
       case 2:
-        return time > length ? 0 : std::sin(omega * t);
+        return time > length && !holds() ? 0 : std::sin(omega * t);
       case 3:
         return time > length ? 0 : omega * std::cos(omega * t);
       default:

@@ -93,7 +93,7 @@ void check_fem(const CheckContext& context, FemCase& fem) {
   std::vector<Real> ratios;
   for (const FemMaterial& material : fem.materials) ratios.push_back(material.damping_ratio);
   check_damping(context, fem.damping, ratios);
-  check_motions(context, fem.motions);
+  check_motions(context, fem.motions, fem.time.end);
   check_boundaries(context, fem);
   check_gravity(context, fem);
   const auto loads = context.entries_of("loads");

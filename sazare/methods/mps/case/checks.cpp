@@ -203,7 +203,7 @@ void check_mps(const CheckContext& context, MpsCase& mps) {
   std::vector<Real> ratios;
   for (const Ground& ground : mps.materials) ratios.push_back(ground.damping_ratio);
   check_damping(context, mps.damping, ratios);
-  check_motions(context, mps.motions);
+  check_motions(context, mps.motions, mps.time.end);
   check_boundaries(context, mps);
   check_gravity(context, mps);
   const auto gauges = context.entries_of("gauges");

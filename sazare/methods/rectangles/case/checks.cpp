@@ -212,7 +212,7 @@ void check_rectangles(const CheckContext& context, RectanglesCase& rectangles) {
     check_material(context, materials[i], rectangles.materials[i]);
     check_material_of_polygons(context, materials[i], rectangles, rectangles.materials[i]);
   }
-  check_motions(context, rectangles.motions);
+  check_motions(context, rectangles.motions, rectangles.time.end);
   check_supports(context, rectangles);
   check_in_plane(context, context.entries_of("gravity").front(), "acceleration", rectangles.gravity.acceleration);
   check_in_plane(context, context.entries_of("base_friction").front(), "velocity", rectangles.plate.velocity);

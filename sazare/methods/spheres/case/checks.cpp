@@ -350,7 +350,7 @@ void check_spheres(const CheckContext& context, SpheresCase& spheres) {
   check_groups(context, spheres);
   check_bonds(context, spheres);
   check_walls(context, spheres);
-  check_motions(context, spheres.motions);
+  check_motions(context, spheres.motions, spheres.time.end);
   check_gauges(context, spheres);
   check_levels(context, spheres);
 }
