@@ -1,15 +1,37 @@
 #include "sazare/runs/record_files.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sazare/core/error.hpp"
+
 namespace sazare::runs {
 
 void RecordFiles::begin(const std::vector<Table>& tables) {
+  kinds_ = tables;
   for (const Table& table : tables) tables_.emplace_back(table.file, table.titles);
 }
 
 void RecordFiles::resume(const std::vector<Table>& tables) {
+  kinds_ = tables;
   for (const Table& table : tables)
     tables_.push_back(observe::CsvWriter::resume(table.file, table.titles, static_cast<std::size_t>(kept_rows_)));
   if (snapshots_) snapshots_->resume(static_cast<std::size_t>(kept_snapshots_));
+}
+
+void RecordFiles::add_row(std::size_t table, std::span<const Real> values) {
+  const auto bad = std::ranges::find_if(values, [](Real value) { return !std::isfinite(value); });
+  if (bad != values.end()) {
+    const Table& kind = kinds_[table];
+    throw PhysicsError(
+        fmt::format("{} of {} is {} at t = {:.6g} s\n  a number of the case is too large or too small for what follows from it: "
+                    "check stiffnesses, densities, sizes, gravity and loads, and their units",
+                    kind.titles[static_cast<std::size_t>(bad - values.begin())], kind.file.filename().string(),
+                    std::isnan(*bad) ? "no number" : "infinite", values.front()));
+  }
+  tables_[table].add_row(values);
 }
 
 void RecordFiles::flush(bool to_disk) {

@@ -31,8 +31,9 @@ public:
   /// not there.
   void resume(const std::vector<Table>& tables);
 
-  /// Adds a row to a table, numbered as they were given; all tables have as many rows.
-  void add_row(std::size_t table, std::span<const Real> values) { tables_[table].add_row(values); }
+  /// Adds a row to a table, numbered as they were given; all tables have as many rows. The first value is the time [s]. Throws
+  /// PhysicsError where one is no finite number: then the run means nothing, though its motion may still be one.
+  void add_row(std::size_t table, std::span<const Real> values);
   void add_snapshot(const observe::Grid& grid) { snapshots_->write(grid); }
 
   std::size_t rows() const { return tables_.empty() ? 0 : tables_.front().rows(); }
@@ -43,6 +44,7 @@ public:
 
 private:
   std::vector<observe::CsvWriter> tables_;
+  std::vector<Table> kinds_;  ///< of the tables
   std::optional<observe::SnapshotSeries> snapshots_;
   std::int64_t kept_rows_ = 0, kept_snapshots_ = 0;  ///< of the checkpoint that was read
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "sazare/cases/clocks.hpp"
+#include "sazare/cases/format/number_text.hpp"
 #include "sazare/core/error.hpp"
 
 namespace sazare::runs {
@@ -16,6 +17,16 @@ std::int64_t whole(std::string_view longer_name, Real longer, std::string_view s
 }
 
 }  // namespace
+
+void check_step(const cases::CaseSource& file, Real history_interval, std::string_view step_name, Real step) {
+  if (cases::whole_multiple(history_interval, step)) return;
+  refuse(file, "time",
+         fmt::format("the {} is {} s: history_interval = {} s cannot be walked in such steps", step_name,
+                     cases::short_number(step, 4), cases::short_number(history_interval, 4)),
+         fmt::format("it follows from the stiffness, density and size of the bodies, one of which is too large or too small to be "
+                     "meant so: check their units, or give time.{}",
+                     step_name));
+}
 
 RunClocks make_clocks(const ClockIntervals& time, std::string_view step_name, Real step) {
   RunClocks clocks;

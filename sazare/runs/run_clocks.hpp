@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "sazare/cases/case_file.hpp"
 #include "sazare/cases/tables.hpp"
 #include "sazare/core/time.hpp"
 
@@ -31,11 +32,21 @@ struct ClockIntervals {
   Real end = 0, history_interval = 0, snapshot_interval = 0;
 };
 
+/// Refuses a case whose step [s] is no number, or none that a history interval [s] can be walked in.
+void check_step(const cases::CaseSource& file, Real history_interval, std::string_view step_name, Real step);
+
 /// `step_name` is the key of the step [s] in the case. Throws UserError when the clocks do not nest in whole steps.
 RunClocks make_clocks(const ClockIntervals& intervals, std::string_view step_name, Real step);
 
 inline RunClocks make_clocks(const cases::UniformTime& time, Real step) {
   return make_clocks({time.end, time.history_interval, time.snapshot_interval}, "step", step);
+}
+
+/// The same of a case, whose step is given or follows from its bodies. Refuses it at its [time] where that is no step at all.
+template <class Time>
+RunClocks make_clocks(const cases::CaseSource& file, const Time& time, std::string_view step_name, Real step) {
+  check_step(file, time.history_interval, step_name, step);
+  return make_clocks({time.end, time.history_interval, time.snapshot_interval}, step_name, step);
 }
 
 }  // namespace sazare::runs

@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
+#include "sazare/core/error.hpp"
 #include "sazare/methods/blocks/run/columns.hpp"
 #include "sazare/levels/terms/energy_balance.hpp"
 #include "sazare/runs/record_columns.hpp"
@@ -20,6 +24,20 @@ void add_rows(RecordFiles& files, std::initializer_list<Real> times) {
     files.add_row(0, std::vector<Real>{time});
     files.add_row(1, std::vector<Real>{time, 2 * time});
   }
+}
+
+TEST(RecordFiles, RefusesARowThatIsNoNumber) {
+  const test::TemporaryFolder folder;
+  RecordFiles files(folder.path() / "snapshots", "cells");
+  files.begin(two_tables(folder.path()));
+  add_rows(files, {0});
+  const auto words = [&](Real value) {
+    return test::words_of<PhysicsError>([&] { files.add_row(1, std::vector<Real>{0.5, value}); });
+  };
+  EXPECT_TRUE(words(std::nan("")).starts_with("speed [m/s] of gauges.csv is no number at t = 0.5 s\n")) << words(std::nan(""));
+  EXPECT_TRUE(words(-std::numeric_limits<Real>::infinity()).starts_with("speed [m/s] of gauges.csv is infinite at t = 0.5 s\n"));
+  files.flush(false);
+  EXPECT_EQ(read_text(folder.path() / "gauges.csv"), "time [s],speed [m/s]\n0,0\n");
 }
 
 TEST(RecordFiles, GoesOnWithWhatItsCheckpointCountsOn) {

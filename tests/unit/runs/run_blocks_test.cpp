@@ -182,10 +182,22 @@ TEST(RunBlocks, AMotionThatMakesNoSenseEndsTheRunAndKeepsTheCheckpoint) {
   EXPECT_TRUE(words.starts_with("element ")) << words;
   EXPECT_NE(words.find("farther in one step than its own size, found at t = "), std::string::npos) << words;
   EXPECT_NE(words.find("times the stability limit ("), std::string::npos) << words;
+  EXPECT_NE(words.find(" s) from the dashpots of its joints and boundaries: "), std::string::npos) << words;
   EXPECT_NE(words.find("set time.limiter = \"stability\", or time.base_step to "), std::string::npos) << words;
   EXPECT_NE(words.find("the checkpoint of t = 0 s is kept in "), std::string::npos) << words;
   EXPECT_TRUE(fs::exists(folder / "run/checkpoint/state.h5"));
   EXPECT_EQ(read_manifest(folder / "run")["status"], "failed");
+}
+
+/// Where the levels are refined while bodies fly apart, the step that began it is named all the same.
+TEST(RunBlocks, AStepFarAboveTheLimitIsNamedThoughTheElementHasAShortOneByThen) {
+  const TemporaryFolder folder;
+  const cases::CaseFile absurd = block_case({"time.limiter=travel", "time.base_step=2e-5", "time.history_interval=2e-5", "time.end=1e-3",
+                                             "time.snapshot_interval=1e-3"});
+  const std::string words = test::words_of<PhysicsError>([&] { run_quietly(absurd, folder / "run"); });
+  EXPECT_NE(words.find("the step may be 20e-6 s long, which is "), std::string::npos) << words;
+  EXPECT_NE(words.find("set time.limiter = \"stability\", or time.base_step to "), std::string::npos) << words;
+  EXPECT_EQ(words.find("check the loads"), std::string::npos) << words;
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ std::string step_text(const BlocksModel& model, const RunClocks& clocks) {
 std::string check(const cases::CaseFile& file, const fs::path& made) {
   BlocksModel model = build_blocks(file.as<cases::BlocksCase>(), load_mesh(file, made, false));
   const Gauges gauges(file, model.mesh);
-  const RunClocks clocks = clocks_of(file.as<cases::BlocksCase>().time, model.simulation->levels().step(0));
+  const RunClocks clocks = make_clocks(file, file.as<cases::BlocksCase>().time, "base_step", model.simulation->levels().step(0));
   const std::string warning = warn_of(file, model);
   model.simulation->start();
   return cases::explain(file.as<cases::BlocksCase>()) + body_text(model) + step_text(model, clocks) + level_text(model) +

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 
@@ -45,6 +46,28 @@ Index likely_first(const BlocksModel& model) {
   return worst;
 }
 
+/// The longest step that the rules of a case let an element take.
+Real longest_step(const BlocksModel& model, const cases::Time& time, Index element) {
+  const Real base = model.simulation->levels().step(0);
+  return time.limiter == cases::Limiter::stability ? std::min(base, time.stability_fraction * model.stable_step[at(element)])
+                                                   : base;
+}
+
+/// Where any element may take a step above its limit, what that is; it may have been another one, or have been refined since.
+std::string step_above_limit(const BlocksModel& model, const cases::Time& time) {
+  Index worst = -1;
+  Real highest = 1 + 1e-9;
+  for (Index element = 0; element < model.simulation->bodies().size(); ++element)
+    if (const Real share = longest_step(model, time, element) / (stable_share * model.stable_step[at(element)]); share > highest) {
+      highest = share;
+      worst = element;
+    }
+  if (worst < 0) return {};
+  return fmt::format("the step may be {} s long, which is {} times the stability limit ({} s) of {}",
+                     cases::short_number(longest_step(model, time, worst), 3), cases::short_number(highest, 3),
+                     cases::short_number(stable_share * model.stable_step[at(worst)], 3), element_text(model.mesh, worst));
+}
+
 std::string likely_reason(const BlocksModel& model, const cases::CaseFile& file, Index element) {
   const LimitingElement smallest = limiting_elements(model, 1).front();
   const Real step = model.simulation->levels().step(model.simulation->levels().level(element));
@@ -56,7 +79,9 @@ std::string likely_reason(const BlocksModel& model, const cases::CaseFile& file,
   if (step > limit)
     return fmt::format("its step of {} s is {} times the stability limit ({} s) from the {} of its joints and boundaries: {}",
                        cases::short_number(step, 3), cases::short_number(step / limit, 3),
-                       bound_by_dashpots(model, element) ? "dashpots" : "springs", cases::short_number(limit, 3), cure);
+                       cases::short_number(limit, 3), bound_by_dashpots(model, element) ? "dashpots" : "springs", cure);
+  if (const std::string above = step_above_limit(model, file.as<cases::BlocksCase>().time); !above.empty())
+    return fmt::format("{}: {}", above, cure);
   if (file.as<cases::BlocksCase>().contact.damping_cap == cases::DampingCap::literal)
     return "its step is stable for its joints; the dashpot of its contacts is not capped and may be too stiff for the step: set "
            "contact.damping_cap = \"step\"";

@@ -37,7 +37,7 @@ struct BlocksWork final : WorkDefaults {
         folder(enter_folder()),
         model(make_model()),
         identity(identify(of.as<cases::BlocksCase>(), model.mesh)),
-        clocks(clocks_of(of.as<cases::BlocksCase>().time, simulation().levels().step(0))),
+        clocks(make_clocks(of, of.as<cases::BlocksCase>().time, "base_step", simulation().levels().step(0))),
         record(folder, of, model, clocks) {
     parallel::limit_threads(simulation().bodies().size() / elements_per_thread);
   }

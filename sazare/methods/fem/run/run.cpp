@@ -30,7 +30,7 @@ struct FemWork final : WorkDefaults {
         folder(options.folder, options.begin),
         model(build_fem<D>(of, load_fem_mesh(of, folder.mesh(), folder.resumes()))),
         identity(identify(of.as<cases::FemCase>(), mesh_hash(model.mesh()))),
-        clocks(make_clocks(of.as<cases::FemCase>().time, model.step)),
+        clocks(make_clocks(of, of.as<cases::FemCase>().time, "step", model.step)),
         record(folder, of, model, clocks) {
     parallel::limit_threads(static_cast<int>(model.mesh().elements.size()) / fem_elements_per_thread);
   }
@@ -77,7 +77,7 @@ struct FemWork final : WorkDefaults {
 template <int D>
 std::string check(const cases::CaseFile& file, const std::filesystem::path& folder) {
   const FemModel<D> model = build_fem<D>(file, load_fem_mesh(file, folder / "mesh.msh", false));
-  const RunClocks clocks = make_clocks(file.as<cases::FemCase>().time, model.step);
+  const RunClocks clocks = make_clocks(file, file.as<cases::FemCase>().time, "step", model.step);
   const auto& body = model.stepper->body();
   return cases::explain(file.as<cases::FemCase>()) +
          fmt::format("  {:<12}{} nodes, {} elements, {} joints, mass {} {}\n", "body", model.mesh().nodes.size(),

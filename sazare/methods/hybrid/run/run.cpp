@@ -93,7 +93,7 @@ struct HybridWork final : WorkDefaults {
               folder.resumes()),
         identity(identify(of.as<cases::HybridCase>(), identify(continuum_content(), mesh_hash(model.continuum.mesh())),
                           model.bodies.identity())),
-        clocks(make_clocks(continuum_content().time, model.continuum.step)),
+        clocks(make_clocks(continuum_case(), continuum_content().time, "step", model.continuum.step)),
         record({of, folder, continuum_folder, bodies_folder, model.continuum, model.bodies, model.continuum_side,
                 steps_per_window()},
                clocks) {
@@ -193,7 +193,8 @@ std::string check(const cases::CaseFile& file, const std::filesystem::path& fold
   HybridModel<D, Bodies> model(file, load_continuum_mesh(*file.as<cases::HybridCase>().continuum, folder / "mesh.msh", false),
                                folder / "bodies.msh", false);
   model.attach(file);
-  const RunClocks clocks = make_clocks(cases::continuum_of(file.as<cases::HybridCase>()).time, model.continuum.step);
+  const auto& hybrid = file.as<cases::HybridCase>();
+  const RunClocks clocks = make_clocks(*hybrid.continuum, cases::continuum_of(hybrid).time, "step", model.continuum.step);
   return cases::explain(file.as<cases::HybridCase>()) + fmt::format("  {:<12}{} windows, {} steps of the {} of {} s in each\n",
                                                                     "work", clocks.steps(), model.bodies.side.steps_per_window(),
                                                                     Bodies::name, number(model.bodies.step(), 5));

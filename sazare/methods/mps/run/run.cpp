@@ -45,7 +45,7 @@ struct MpsWork final : WorkDefaults {
         model(build_mps<D>(of)),
         folder(of_run.folder, of_run.begin),
         identity(identify(of.as<cases::MpsCase>(), filling_hash(model.filling))),
-        clocks(make_clocks(of.as<cases::MpsCase>().time, model.step)),
+        clocks(make_clocks(of, of.as<cases::MpsCase>().time, "step", model.step)),
         record(folder, of, model, clocks),
         options(of_run) {
     parallel::limit_threads(static_cast<int>(particles()) / particles_per_thread);
@@ -121,7 +121,7 @@ template <int D>
 std::string check(const cases::CaseFile& file) {
   const MpsModel<D> model = build_mps<D>(file);
   gauge_particles<D>(file, model.filling);
-  const RunClocks clocks = make_clocks(file.as<cases::MpsCase>().time, model.step);
+  const RunClocks clocks = make_clocks(file, file.as<cases::MpsCase>().time, "step", model.step);
   const Real limit = model.stable_step(file.as<cases::MpsCase>().time.integrator);
   const auto& supports = model.stepper->supports();
   const auto particles = static_cast<Real>(model.filling.sites.size());

@@ -30,7 +30,7 @@ std::string check_step(const cases::CaseFile& file, const RectanglesModel& model
                   cases::short_number(model.step / limit, 4), cases::short_number(limit, 4));
   const std::string paper =
       model.limit.paper > 0 ? fmt::format("; (26) of the paper gives {} s", cases::short_number(model.limit.paper, 3)) : "";
-  if (model.step > limit)
+  if (!(model.step <= limit))  // so is a limit that is no number
     refuse(file, "time.step", what,
            fmt::format("choose {} s or less, or give no step{}", cases::short_number(near_limit * limit, 3), paper));
   if (model.step > near_limit * limit)

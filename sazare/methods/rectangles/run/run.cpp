@@ -31,7 +31,7 @@ struct RectanglesWork final : WorkDefaults {
         model(build_rectangles(of)),
         folder(options.folder, options.begin),
         identity(identify(of.as<cases::RectanglesCase>(), assembly_hash(model.stepper->particles()))),
-        clocks(make_clocks(of.as<cases::RectanglesCase>().time, model.step)),
+        clocks(make_clocks(of, of.as<cases::RectanglesCase>().time, "step", model.step)),
         record(folder, of, model, clocks) {
     parallel::limit_threads(model.elements / elements_per_thread);
   }
@@ -81,7 +81,7 @@ std::unique_ptr<LiveRun> open_rectangles(const cases::CaseFile& file, const RunO
 std::string check_rectangles(const cases::CaseFile& file, std::optional<Real> window) {
   const RectanglesModel model = build_rectangles(file, window);
   gauge_elements(file, model);
-  const RunClocks clocks = make_clocks(file.as<cases::RectanglesCase>().time, model.step);
+  const RunClocks clocks = make_clocks(file, file.as<cases::RectanglesCase>().time, "step", model.step);
   const auto line = [](std::string_view topic, const std::string& text) { return fmt::format("  {:<12}{}\n", topic, text); };
   const std::string paper = model.limit.paper > 0 ? fmt::format("; (26) of the paper: {} s", number(model.limit.paper)) : "";
   return cases::explain(file.as<cases::RectanglesCase>()) + line("body", fmt::format("{} elements", model.elements)) +

@@ -37,7 +37,7 @@ struct SpheresWork final : WorkDefaults {
         model(build_spheres(of)),
         folder(of_run.folder, of_run.begin),
         identity(identify(of.as<cases::SpheresCase>(), observe::to_hex(model.start))),
-        clocks(make_clocks(of.as<cases::SpheresCase>().time, model.steps.step)),
+        clocks(make_clocks(of, of.as<cases::SpheresCase>().time, "step", model.steps.step)),
         record(folder, of, model, clocks),
         options(of_run) {
     give_back_large_tables();
@@ -123,7 +123,7 @@ std::string steps_text(const SphereSteps& steps, const RunClocks& clocks) {
 
 std::string check_spheres(const cases::CaseFile& file) {
   const SpheresModel model = build_spheres(file);
-  const RunClocks clocks = make_clocks(file.as<cases::SpheresCase>().time, model.steps.step);
+  const RunClocks clocks = make_clocks(file, file.as<cases::SpheresCase>().time, "step", model.steps.step);
   Real volume = 0, mass = 0, smallest = 0, largest = 0;
   for (const state::Clump& clump : model.stepper->clumps().clumps) {
     volume += clump.volume;
