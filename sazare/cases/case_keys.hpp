@@ -28,7 +28,9 @@ inline constexpr std::array motion_keys{
         .type = Type::choice,
         .default_text = "\"acceleration\"",
         .note = "not for a record, whose file states it",
-        .sentence = "What the formula describes; the other two follow by integration from rest or differentiation.",
+        .sentence = "What the formula describes; the other two follow by integration from rest or differentiation. Displacements "
+                    "count from where things stand at t = 0, and stay at their last value where the formula, a record or a "
+                    "function ends; velocities and accelerations are 0 after it.",
         .choices = quantities},
     Key{.name = "amplitude",
         .type = Type::number,
@@ -103,6 +105,11 @@ inline constexpr std::array damping_keys{
         .range = positive,
         .note = "required where a material has a damping_ratio",
         .sentence = "Higher frequency at which the damping ratio equals that of the material."},
+    Key{.name = "relative_to_base",
+        .type = Type::boolean,
+        .default_text = "true",
+        .sentence = "Mass-proportional damping acts on the velocity relative to the base along an axis along which all supports follow "
+                    "one prescribed motion; elsewhere, and with false, on the velocity in space."},
 };
 
 inline constexpr std::array gravity_keys{

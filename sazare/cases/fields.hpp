@@ -38,6 +38,7 @@ template <class Visitor>
 void visit_fields(Visitor& visit, Damping& damping) {
   if (visit.has("f1", damping.f1 > 0)) visit("f1", damping.f1);
   if (visit.has("f2", damping.f2 > 0)) visit("f2", damping.f2);
+  visit("relative_to_base", damping.relative_to_base);
 }
 
 template <class Visitor>

@@ -30,6 +30,7 @@ struct Mesh {
 struct Damping {
   Real f1 = 0;  // Hz
   Real f2 = 0;  // Hz
+  bool relative_to_base = true;
 };
 
 /// `motion` holds what a run needs of it: the samples of a record, in SI units, without the baseline.

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "sazare/laws/base_motion.hpp"
 #include "sazare/laws/ground_motion.hpp"
 #include "sazare/state/particles.hpp"
 
@@ -44,6 +45,15 @@ struct ParticleSupports {
   std::vector<DrivenFreedom> driven;
   std::vector<Dashpot> dashpots;
   Vector<D> gravity = Vector<D>::Zero();  ///< [m/s2]
+  laws::BaseMotion base;                  ///< relative to which damping in proportion to the mass acts
+
+  /// Takes the motion of the supports along each axis for that of the base, where it is one.
+  void find_base() {
+    for (const HeldFreedom& one : held)
+      if (one.freedom < D) base.add_support(one.freedom, laws::BaseMotion::none);
+    for (const DrivenFreedom& one : driven)
+      if (one.freedom < D) base.add_support(one.freedom, one.factor == 1 ? one.motion : laws::BaseMotion::none);
+  }
 };
 
 }  // namespace sazare::particles

@@ -17,7 +17,7 @@ bool UniformStepper<D>::is_damped() const {
 template <int D>
 Real UniformStepper<D>::velocity_after(std::size_t freedom, std::size_t i) const {
   return keep_[freedom][i] * particles_.velocity[freedom][i] +
-         gain_[freedom][i] * (total_acceleration(freedom, i) + load_[freedom][i]);
+         gain_[freedom][i] * (total_acceleration(freedom, i) + load_[freedom][i] + carried(freedom, i));
 }
 
 template <int D>
@@ -103,7 +103,9 @@ WorkByCause UniformStepper<D>::first_half_of_kick() const {
       if (!(gain_[freedom][i] > 0)) continue;
       const Real before = particles_.velocity[freedom][i];
       const Real damping = velocity_after(freedom, i) - before - rules_.step * (elastic_[freedom][i] + load_[freedom][i]);
-      half.damping += 0.5 * before * damping / particles_.inverse_inertia_of(freedom)[i];
+      const Real base = base_velocity_[freedom];
+      half.damping += 0.5 * (before - base) * damping / particles_.inverse_inertia_of(freedom)[i];
+      half.prescribed += 0.5 * base * damping / particles_.inverse_inertia_of(freedom)[i];
     }
   for (const particles::Dashpot& dashpot : supports_.dashpots) {
     const auto freedom = static_cast<std::size_t>(dashpot.freedom);
@@ -127,8 +129,10 @@ WorkByCause UniformStepper<D>::work() const {
   sum.applied += support_work_.applied;
   for (std::size_t i = 0; i < particles_.size(); ++i) {
     if (!(particles_.inverse_mass[i] > 0)) continue;  // moved by others, whatever its weight
-    if (!damping_work_[0].empty())
+    if (!damping_work_[0].empty()) {
       sum.damping += damping_work_[0][i] / particles_.inverse_mass[i] + damping_work_[1][i] / particles_.inverse_inertia[i];
+      sum.prescribed += base_work_[i] / particles_.inverse_mass[i];
+    }
     for (std::size_t axis = 0; axis < D; ++axis)
       sum.gravity += supports_.gravity[static_cast<int>(axis)] *
                      (particles_.displacement[axis][i] - initial_displacement_[axis][i]) / particles_.inverse_mass[i];

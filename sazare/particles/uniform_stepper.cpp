@@ -52,6 +52,7 @@ UniformStepper<D>::UniformStepper(state::Particles<D> particles, std::unique_ptr
     for (state::Column& column : *group) column.assign(particles_.padded(), 0);
   initial_displacement_ = particles_.displacement;
   for (state::Column& column : damping_work_) column.assign(is_damped() && has_books() ? particles_.padded() : 0, 0);
+  base_work_.assign(damping_work_[0].size(), 0);
   prepare_factors();
 }
 
@@ -67,17 +68,19 @@ void UniformStepper<D>::prepare_factors() {
   const Real dt = rules_.step;
   const bool euler = rules_.integrator == Integrator::euler;
   memory_.resize(particles_.padded());
-  for (std::size_t i = 0; i < memory_.size(); ++i) memory_[i] = rules_.damping.stiffness_time * particles_.damping_ratio[i] / dt;
+  drag_.resize(particles_.padded());
+  for (std::size_t i = 0; i < memory_.size(); ++i) {
+    memory_[i] = rules_.damping.stiffness_time * particles_.damping_ratio[i] / dt;
+    drag_[i] = rules_.damping.mass_rate * particles_.damping_ratio[i];
+  }
   const auto set = [&](std::size_t freedom, std::size_t i, Real rate) {
     keep_[freedom][i] = euler ? 1 - dt * rate : (1 - 0.5 * dt * rate) / (1 + 0.5 * dt * rate);
     gain_[freedom][i] = euler ? dt : dt / (1 + 0.5 * dt * rate);
   };
   for (std::size_t freedom = 0; freedom < keep_.size(); ++freedom)
-    for (std::size_t i = 0; i < particles_.padded(); ++i) set(freedom, i, rules_.damping.mass_rate * particles_.damping_ratio[i]);
-  for (const particles::Dashpot& dashpot : supports_.dashpots) {
-    const Real own = rules_.damping.mass_rate * particles_.damping_ratio[at(dashpot.particle)];
-    set(static_cast<std::size_t>(dashpot.freedom), at(dashpot.particle), own + dashpot.rate);
-  }
+    for (std::size_t i = 0; i < particles_.padded(); ++i) set(freedom, i, drag_[i]);
+  for (const particles::Dashpot& dashpot : supports_.dashpots)
+    set(static_cast<std::size_t>(dashpot.freedom), at(dashpot.particle), drag_[at(dashpot.particle)] + dashpot.rate);
   for (const auto& held : supports_.held) hold(held.particle, held.freedom);
   for (const auto& driven : supports_.driven) hold(driven.particle, driven.freedom);
   set_loads();
@@ -115,7 +118,8 @@ void UniformStepper<D>::find_even_tiles() {
       return std::all_of(&column[begin], column.data() + end, [&](Real value) { return value == column[begin]; });
     };
     for (std::size_t freedom = 0; freedom < keep_.size(); ++freedom)
-      is_even_[tile][freedom] = is_even(load_[freedom]) && is_even(keep_[freedom]) && is_even(gain_[freedom]) && is_even(memory_);
+      is_even_[tile][freedom] = is_even(load_[freedom]) && is_even(keep_[freedom]) && is_even(gain_[freedom]) &&
+                                is_even(memory_) && is_even(drag_);
   }
   for (const particles::Dashpot& dashpot : supports_.dashpots)  // their loads change
     is_even_[at(dashpot.particle) / tile_size][static_cast<std::size_t>(dashpot.freedom)] = 0;
@@ -131,6 +135,7 @@ void UniformStepper<D>::start() {
   begin_halfway();
   // Only the second half of the first kick counts.
   for (state::Column& column : damping_work_) std::ranges::fill(column, 0);
+  std::ranges::fill(base_work_, 0);
   support_work_ = {};
   const WorkByCause half = first_half_of_kick();
   support_work_ = {0, -half.boundary, -half.prescribed, -half.damping, -half.applied};
@@ -156,6 +161,14 @@ void UniformStepper<D>::add_loads() {
     load_[freedom][at(dashpot.particle)] =
         at_rest(dashpot) + 2 * dashpot.rate * dashpot.factor * now[at(dashpot.motion)].velocity;
   }
+  look_at_base();
+}
+
+template <int D>
+void UniformStepper<D>::look_at_base() {
+  for (int axis = 0; axis < D; ++axis)
+    if (const Index motion = supports_.base.along(axis); motion != laws::BaseMotion::none)
+      base_velocity_[static_cast<std::size_t>(axis)] = supports_.motions[at(motion)].at(time()).velocity;
 }
 
 template <int D>
@@ -220,22 +233,28 @@ void UniformStepper<D>::kick(std::size_t tile, std::size_t begin, std::size_t en
     const Real* const elastic = elastic_[freedom].data();
     const Real* const previous = previous_[freedom].data();
     Real* const work = damping_work_[freedom < D ? 0 : 1].data();
-    const auto kick_by = [&](const auto load, const auto keep, const auto gain, const auto memory) {
+    Real* const work_of_base = base_work_.data();
+    const Real base = base_velocity_[freedom];
+    const auto kick_by = [&](const auto load, const auto keep, const auto gain, const auto memory, const auto drag) {
       for (std::size_t i = begin; i < end; ++i) {
         Real acceleration = elastic[i] + load[i];
-        if constexpr (damped) acceleration = elastic[i] + memory[i] * (elastic[i] - previous[i]) + load[i];
+        if constexpr (damped) acceleration = elastic[i] + memory[i] * (elastic[i] - previous[i]) + load[i] + drag[i] * base;
         const Real before = velocity[i];
         const Real after =
             verlet ? (keep[i] * (dt * before) + dt * gain[i] * acceleration) / dt : keep[i] * before + gain[i] * acceleration;
         velocity[i] = after;
-        if constexpr (damped)
-          work[i] += gain[i] > 0 ? 0.5 * (before + after) * (after - before - dt * (elastic[i] + load[i])) : 0;
+        if constexpr (damped) {
+          const Real change = gain[i] > 0 ? after - before - dt * (elastic[i] + load[i]) : 0;
+          work[i] += (0.5 * (before + after) - base) * change;
+          if (base != 0) work_of_base[i] += base * change;
+        }
       }
     };
     if (is_even_[tile][freedom] != 0)
-      kick_by(Even{load_[freedom][begin]}, Even{keep_[freedom][begin]}, Even{gain_[freedom][begin]}, Even{memory_[begin]});
+      kick_by(Even{load_[freedom][begin]}, Even{keep_[freedom][begin]}, Even{gain_[freedom][begin]}, Even{memory_[begin]},
+              Even{drag_[begin]});
     else
-      kick_by(load_[freedom].data(), keep_[freedom].data(), gain_[freedom].data(), memory_.data());
+      kick_by(load_[freedom].data(), keep_[freedom].data(), gain_[freedom].data(), memory_.data(), drag_.data());
   }
 }
 
@@ -269,7 +288,7 @@ void UniformStepper<D>::drift_and_kick() {
     for (std::size_t freedom = 0; freedom < keep_.size(); ++freedom)
       for (std::size_t i = begin; i < end; ++i) {
         const Real before = previous_[freedom][i];
-        const Real acceleration = before + memory_[i] * (elastic_[freedom][i] - before) + load_[freedom][i];
+        const Real acceleration = before + memory_[i] * (elastic_[freedom][i] - before) + load_[freedom][i] + carried(freedom, i);
         particles_.velocity[freedom][i] = keep_[freedom][i] * particles_.velocity[freedom][i] + gain_[freedom][i] * acceleration;
       }
   });
@@ -291,7 +310,7 @@ state::FreedomColumns<D> UniformStepper<D>::acceleration() const {
   for (std::size_t freedom = 0; freedom < keep_.size(); ++freedom)
     for (std::size_t i = 0; i < particles_.padded(); ++i) {
       // The change of velocity that the coming kick gives, over the step.
-      const Real kick = gain_[freedom][i] * (total_acceleration(freedom, i) + load_[freedom][i]);
+      const Real kick = gain_[freedom][i] * (total_acceleration(freedom, i) + load_[freedom][i] + carried(freedom, i));
       const Real kept =
           keep_[freedom][i] > 0 || gain_[freedom][i] > 0 ? (keep_[freedom][i] - 1) * particles_.velocity[freedom][i] : 0;
       result[freedom][i] = (kick + kept) / dt;
@@ -355,6 +374,7 @@ void UniformStepper<D>::columns(Archive& archive) {
   archive("reactions", reactions);
   for (std::size_t part = 0; part < damping_work_.size(); ++part)
     archive("damping_work" + std::to_string(part), damping_work_[part]);
+  archive("base_work", base_work_);
   archive("boundary_work", support_work_.boundary);
   archive("prescribed_work", support_work_.prescribed);
   archive("other_damping_work", support_work_.damping);
@@ -363,6 +383,7 @@ void UniformStepper<D>::columns(Archive& archive) {
     supports_.dashpots[i].reaction = reactions[i];
   archive.folder("forces", [&] { forces_->columns(archive); });
   find_even_tiles();
+  if (archive.reading()) look_at_base();
 }
 
 template class UniformStepper<2>;

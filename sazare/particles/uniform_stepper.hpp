@@ -37,8 +37,8 @@ struct RelaxationRules {
 struct WorkByCause {
   Real gravity = 0;
   Real boundary = 0;    ///< viscous boundaries and the waves that come in through them
-  Real prescribed = 0;  ///< supports that move as histories say
-  Real damping = 0;     ///< Rayleigh damping: what it takes is negative
+  Real prescribed = 0;  ///< supports that move as histories say, and damping as far as it carries bodies along with their base
+  Real damping = 0;     ///< Rayleigh damping, on the motion relative to the base: what it takes is negative
   Real applied = 0;     ///< forces applied from outside
 
   Real sum() const { return gravity + boundary + prescribed + damping + applied; }
@@ -46,8 +46,8 @@ struct WorkByCause {
 
 /// The damping of a particle follows from its ratio h. Its part a2 h K v is a2 h (g(k) - g(k-1))/dt, g the elastic acceleration:
 /// one stored vector per particle, (A24). In Euler's step, where x(k+1) is known before v(k+1), it is the difference g(k+1) -
-/// g(k), which is that of the velocity v(k). The part a1 h v and dashpots of supports take the mean of the velocities before and
-/// after the kick.
+/// g(k), which is that of the velocity v(k). The part a1 h (v - v_b), v_b the velocity of the base at the kick, and dashpots of
+/// supports take the mean of the velocities before and after the kick.
 ///
 /// Work of a force of the kick from v(k-1/2) to v(k+1/2) is its mean over two kicks times the displacement between them. With m
 /// v(k-1/2) v(k+1/2)/2 as kinetic energy the energy balance of linear forces then closes to round-off at any step.
@@ -127,6 +127,9 @@ private:
   }
   Real applied_power() const;
   void drive();
+  void look_at_base();
+  /// Acceleration with which damping carries a particle along with its base.
+  Real carried(std::size_t freedom, std::size_t i) const { return drag_[i] * base_velocity_[freedom]; }
 
   bool is_damped() const;
   bool has_books() const { return rules_.integrator != Integrator::euler; }
@@ -150,11 +153,15 @@ private:
   state::FreedomColumns<D> keep_;         ///< what a kick leaves of the velocity
   state::FreedomColumns<D> gain_;         ///< what it adds per acceleration [s]
   state::Column memory_;                  ///< a2 h/dt
-  /// By tile: whether its particles share load, keep, gain and memory.
+  state::Column drag_;                    ///< a1 h [1/s]
+  /// Of the base, by freedom, at the present time [m/s]; 0 where there is none, and for rotations.
+  std::array<Real, state::particle_freedoms<D>> base_velocity_{};
+  /// By tile: whether its particles share load, keep, gain, memory and drag.
   std::vector<std::array<std::uint8_t, state::particle_freedoms<D>>> is_even_;
   std::array<state::Column, D> initial_displacement_;  ///< displacements at the beginning [m]
 
   std::array<state::Column, 2> damping_work_;  ///< over the mass, and over the inertia of rotation [m2/s2], [rad2/s2]
+  state::Column base_work_;                    ///< of damping, on the motion of the base, over the mass [m2/s2]
   WorkByCause support_work_;                   ///< of whole kicks; its damping is what the columns lack
   std::vector<Real> before_kick_;              ///< velocities of dashpots, then of driven freedoms
 };

@@ -1,5 +1,7 @@
 /// The energy balance of FemStepper: work by cause, and energies.
 
+#include <algorithm>
+
 #include "sazare/methods/fem/nodal_algebra.hpp"
 #include "sazare/methods/fem/stepper.hpp"
 
@@ -19,7 +21,14 @@ Real mean_work(const NodalColumn& before, const NodalColumn& after, const NodalC
 
 }  // namespace
 
-/// Work of a step, each force with its mean over it.
+/// Whether nothing has been carried so far.
+template <int D>
+bool FemStepper<D>::is_unloaded() const {
+  return std::ranges::all_of(state_.internal, [](Real force) { return force == 0; });
+}
+
+/// Work of a step, each force with its mean over it. The first step of a static run brings its loads to bear, from nothing to what
+/// they are at its end, as does any step what has been applied from outside since the last one.
 template <int D>
 void FemStepper<D>::book(const Trial& trial, const NodalColumn& balance, const Span& span) {
   NodalColumn moved = trial.displacement;
@@ -32,13 +41,16 @@ void FemStepper<D>::book(const Trial& trial, const NodalColumn& balance, const S
   }
   if (stage_ == Stage::relaxing) return;
   const Real to = span.from + span.length;
-  work.gravity += dot(weight_, moved);
-  for (const auto& load : supports_.loads) work.loads += 0.5 * (load.share(span.from) + load.share(to)) * dot(load.force, moved);
-  work.loads += dot(state_.applied, moved);
+  const bool brings = rules_.statics && span.from == 0;
+  work.gravity += (brings && is_unloaded() ? 0.5 : 1) * dot(weight_, moved);
+  for (const auto& load : supports_.loads)
+    work.loads += 0.5 * ((brings ? 0 : load.share(span.from)) + load.share(to)) * dot(load.force, moved);
+  work.loads += rules_.statics ? mean_work(state_.carried, state_.applied, moved) : dot(state_.applied, moved);
+  state_.carried = state_.applied;
   work.boundary += dot(rest_, moved);
   NodalColumn before = state_.balance, after = balance;
   if (inertia()) {
-    work.damping += mean_work(product(rayleigh_, state_.velocity), product(rayleigh_, trial.velocity), moved);
+    book_damping(trial, span, moved);
     work.radiation += mean_work(product(viscous_, state_.velocity), product(viscous_, trial.velocity), moved);
     work.waves += mean_work(incoming(span.from), incoming(to), moved);
     body_->mass().multiply(state_.acceleration, 1, before);
@@ -49,6 +61,22 @@ void FemStepper<D>::book(const Trial& trial, const NodalColumn& balance, const S
     const std::size_t i = number<D>(support.node, support.axis);
     work.boundary += 0.5 * (before[i] + after[i]) * moved[i];
   }
+}
+
+/// What damping does on the motion of the base is the work of the base.
+template <int D>
+void FemStepper<D>::book_damping(const Trial& trial, const Span& span, const NodalColumn& moved) {
+  const Real to = span.from + span.length;
+  const auto force = [&](NodalColumn velocity, Real when) {
+    add(velocity, -1, at_all_nodes(base_motion(when, &laws::MotionState::velocity)));
+    return product(rayleigh_, velocity);
+  };
+  const NodalColumn before = force(state_.velocity, span.from), after = force(trial.velocity, to);
+  const Vector<D> way =
+      base_motion(to, &laws::MotionState::displacement) - base_motion(span.from, &laws::MotionState::displacement);
+  const Real all = mean_work(before, after, moved), on_base = mean_work(before, after, at_all_nodes(way));
+  state_.work.damping += all - on_base;
+  state_.work.boundary -= on_base;
 }
 
 template <int D>
@@ -71,7 +99,9 @@ Real FemStepper<D>::energy_residual() const {
 
 // The class is instantiated in fem_stepper.cpp, without these.
 #define SAZARE_INSTANTIATE_BOOKS(D)                                                 \
+  template bool FemStepper<D>::is_unloaded() const;                                 \
   template void FemStepper<D>::book(const Trial&, const NodalColumn&, const Span&); \
+  template void FemStepper<D>::book_damping(const Trial&, const Span&, const NodalColumn&); \
   template Real FemStepper<D>::kinetic_energy() const;                              \
   template Real FemStepper<D>::elastic_energy() const;                              \
   template Real FemStepper<D>::energy_residual() const;

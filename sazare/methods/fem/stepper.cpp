@@ -9,6 +9,16 @@
 #include "sazare/methods/fem/nodal_algebra.hpp"
 
 namespace sazare::methods::fem {
+namespace {
+
+/// Samples are joined by straight lines: below accelerations, they leave jumps of the acceleration or, of displacements, impulses.
+bool has_jumps_of_acceleration(const laws::GroundMotion& history) {
+  const bool is_sampled =
+      history.shape == laws::GroundMotion::Shape::record || history.shape == laws::GroundMotion::Shape::function;
+  return is_sampled && history.quantity != laws::MotionQuantity::acceleration;
+}
+
+}  // namespace
 
 template <int D>
 FemStepper<D>::FemStepper(std::unique_ptr<methods::fem::Body<D>> body, methods::fem::Supports<D> supports, const FemRules& rules)
@@ -21,7 +31,7 @@ FemStepper<D>::FemStepper(std::unique_ptr<methods::fem::Body<D>> body, methods::
       state_(body_->pattern()) {
   const NodalColumn none(body_->freedoms(), 0);
   state_.displacement = state_.velocity = state_.acceleration = state_.internal = state_.balance = none;
-  rest_ = initial_displacement_ = state_.applied = weight_ = none;
+  rest_ = initial_displacement_ = state_.applied = state_.carried = weight_ = none;
   NodalColumn fall = none;
   for (std::size_t i = 0; i < fall.size(); ++i) fall[i] = supports_.gravity[static_cast<int>(i % D)];
   weight_ = product(body_->mass(), fall);
@@ -93,6 +103,7 @@ void FemStepper<D>::start() {
   elastic_at_start_ = body_->energies(state_.displacement, state_.displacement, state_.memory, state_.memory).elastic;
   state_.work = {};
   Trial now{state_.displacement, state_.velocity, state_.acceleration, state_.internal, external(0), state_.memory};
+  if (!inertia()) now.external = carried_at_start();
   for (const Support& support : supports_.held) {
     if (support.motion == Support::no_motion) continue;
     const auto motion = supports_.motions[at(support.motion)].at(0);
@@ -172,8 +183,37 @@ NodalColumn FemStepper<D>::external(Real now) const {
   for (const auto& load : supports_.loads) add(force, load.share(now), load.force);
   add(force, 1, state_.applied);
   add(force, 1, rest_);
-  if (inertia()) add(force, 1, incoming(now));
+  if (!inertia()) return force;
+  add(force, 1, incoming(now));
+  if (const Vector<D> base = base_motion(now, &laws::MotionState::velocity); !base.isZero())
+    rayleigh_.multiply(at_all_nodes(base), 1, force);
   return force;
+}
+
+/// A static run brings its loads to bear in its first step: before it, nothing is carried but a weight that has been relaxed.
+template <int D>
+NodalColumn FemStepper<D>::carried_at_start() const {
+  if (is_unloaded()) return NodalColumn(body_->freedoms(), 0);
+  NodalColumn force = weight_;
+  add(force, 1, rest_);
+  return force;
+}
+
+/// Of the base; 0 along axes along which there is none.
+template <int D>
+Vector<D> FemStepper<D>::base_motion(Real now, Real laws::MotionState::*quantity) const {
+  Vector<D> value = Vector<D>::Zero();
+  for (int axis = 0; axis < D; ++axis)
+    if (const Index motion = supports_.base.along(axis); motion != laws::BaseMotion::none)
+      value[axis] = supports_.motions[at(motion)].at(now).*quantity;
+  return value;
+}
+
+template <int D>
+NodalColumn FemStepper<D>::at_all_nodes(const Vector<D>& value) const {
+  NodalColumn all(body_->freedoms());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = value[static_cast<int>(i % D)];
+  return all;
 }
 
 /// What brings in the waves of viscous boundaries.
@@ -215,11 +255,13 @@ typename FemStepper<D>::Trial FemStepper<D>::predict(const Span& span, NodalColu
     const std::size_t i = number<D>(support.node, support.axis);
     trial.velocity[i] = trial.acceleration[i] = 0;
     if (support.motion == Support::no_motion || stage_ == Stage::relaxing) continue;
-    const auto motion = supports_.motions[at(support.motion)].at(to);
+    const laws::GroundMotion& history = supports_.motions[at(support.motion)];
+    const auto motion = history.at(to);
     prescribed[i] = initial_displacement_[i] + motion.displacement - state_.displacement[i];
     if (!inertia()) continue;
     trial.velocity[i] = motion.velocity;
-    trial.acceleration[i] = motion.acceleration;
+    // Its mean over the step gives the nodes beside the support their impulse, wherever it jumps.
+    trial.acceleration[i] = has_jumps_of_acceleration(history) ? (motion.velocity - state_.velocity[i]) / dt : motion.acceleration;
   }
   return trial;
 }
@@ -382,6 +424,7 @@ void FemStepper<D>::columns(Archive& archive) {
   archive("internal", state_.internal);
   archive("balance", state_.balance);
   archive("applied", state_.applied);
+  archive("carried", state_.carried);
   archive("plastic", state_.memory.solids);
   archive("slip", state_.memory.joints);
   archive("tangent", state_.tangent.values());

@@ -28,7 +28,7 @@ struct FemWork {
   Real loads = 0;      ///< tractions, and forces applied from outside
   Real boundary = 0;   ///< of supports that move, and of the reactions that viscous boundaries carry in equilibrium
   Real waves = 0;      ///< that come in through viscous boundaries
-  Real damping = 0;    ///< dissipated by Rayleigh damping
+  Real damping = 0;    ///< dissipated by Rayleigh damping, in the motion relative to the base
   Real radiation = 0;  ///< dissipated by viscous boundaries
   Real plastic = 0;    ///< dissipated by plastic flow
   Real friction = 0;   ///< dissipated by joints
@@ -46,6 +46,7 @@ struct FemState {
   methods::fem::NodalColumn internal;  ///< forces of elements and joints [N]
   methods::fem::NodalColumn balance;   ///< damping and internal forces less external ones [N]
   methods::fem::NodalColumn applied;   ///< forces from outside [N]
+  methods::fem::NodalColumn carried;   ///< those of them that act at the end of the last step [N]
   methods::fem::Memory memory;
   methods::fem::BlockMatrix<D> tangent;  ///< of the internal forces, with which the next step begins
   FemWork work;
@@ -53,7 +54,8 @@ struct FemState {
 
 /// Step: M a(n+1) + (1 + alpha) b(n+1) - alpha b(n) = 0, with b = C v + f(u) - p of the damping, internal and external forces,
 /// and Newmark's u(n+1) = u + dt v + dt^2 ((1/2 - beta) a(n) + beta a(n+1)), v(n+1) = v + dt ((1 - gamma) a(n) + gamma a(n+1));
-/// beta = (1 - alpha)^2/4, gamma = 1/2 - alpha. Hilber, Hughes and Taylor, Earthquake Eng. Struct. Dyn. 5 (1977) 283-292.
+/// beta = (1 - alpha)^2/4, gamma = 1/2 - alpha. Hilber, Hughes and Taylor, Earthquake Eng. Struct. Dyn. 5 (1977) 283-292. The
+/// Rayleigh part of C v acts on the velocity relative to the base: with the velocity v_b of the base at all nodes, C (v - v_b).
 template <int D>
 class FemStepper {
 public:
@@ -123,6 +125,11 @@ private:
   Factors factors(Real length) const;
   methods::fem::NodalColumn external(Real at) const;
   methods::fem::NodalColumn incoming(Real at) const;
+  Vector<D> base_motion(Real at, Real laws::MotionState::*quantity) const;
+  methods::fem::NodalColumn at_all_nodes(const Vector<D>& value) const;
+  bool is_unloaded() const;
+  methods::fem::NodalColumn carried_at_start() const;
+  void book_damping(const Trial& trial, const Span& span, const methods::fem::NodalColumn& moved);
   void walk(const Span& span, int cuts_left);
   bool attempt(const Span& span);
   Trial predict(const Span& span, methods::fem::NodalColumn& prescribed);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "sazare/laws/base_motion.hpp"
 #include "sazare/laws/ground_motion.hpp"
 #include "sazare/methods/fem/node_pattern.hpp"
 
@@ -41,6 +42,7 @@ struct Load {
   NodalColumn force;  ///< [N]
   Real ramp = 0;      ///< [s]
 
+  /// Of the full value. A load without a ramp acts in full from t = 0 on; a static run brings it to bear within its first step.
   Real share(Real time) const { return ramp > 0 && time < ramp ? std::max(time, Real{0}) / ramp : 1; }
 };
 
@@ -51,6 +53,12 @@ struct Supports {
   std::vector<ViscousBoundary<D>> viscous;
   std::vector<Load> loads;
   Vector<D> gravity = Vector<D>::Zero();  ///< [m/s2]
+  laws::BaseMotion base;                  ///< relative to which damping in proportion to the mass acts
+
+  /// Takes the motion of the supports along each axis for that of the base, where it is one.
+  void find_base() {
+    for (const Support& support : held) base.add_support(support.axis, support.motion);
+  }
 };
 
 }  // namespace sazare::methods::fem

@@ -136,6 +136,82 @@ TEST(rayleigh, damps_a_mode_by_its_ratio) {
   EXPECT_NEAR(stepper.energy_residual(), 0, 1e-9 * stepper.work().gravity);
 }
 
+/// How far the top of a column in shear is behind its base, which has moved steadily for a while, and the share of the work that the
+/// books leave.
+std::pair<Real, Real> behind_a_steady_base(bool relative, Real ratio, const laws::RayleighDamping& damping, Real speed) {
+  const auto mesh = test::box(ElementShape::quadrilateral8, {{1, height, 1}, {1, 10, 1}, 0});
+  Supports<2> supports;
+  laws::GroundMotion steady;
+  steady.shape = laws::GroundMotion::Shape::record;
+  steady.quantity = laws::MotionQuantity::velocity;
+  steady.record = laws::Record::make(1, {0, speed, speed, speed, speed, speed, speed, speed, speed, speed, speed});
+  supports.motions = {steady};
+  for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
+    supports.held.push_back({static_cast<Index>(node), 1, Support::no_motion, 0});
+  for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
+    if (mesh.nodes[node].y() < 1e-9) supports.held.push_back({static_cast<Index>(node), 0, 0, 0});
+  if (relative) supports.find_base();
+  auto description = test::of_one_material(mesh, soil());
+  description.materials[0].damping_ratio = ratio;
+  FemRules rules;
+  rules.step = 5e-3;
+  rules.damping = damping;
+  FemStepper<2> stepper(std::make_unique<Body<2>>(std::move(description)), supports, rules);
+  stepper.start();
+  for (int step = 0; step < 2000; ++step) stepper.advance();
+  const auto along = [&](Real y) {
+    return stepper.state().displacement[static_cast<std::size_t>(test::node_at(mesh, {0, y, 0})) * 2];
+  };
+  return {along(0) - along(height), std::abs(stepper.energy_residual()) / stepper.work().boundary};
+}
+
+TEST(rayleigh, leaves_a_column_alone_that_moves_with_its_base) {
+  const Real ratio = 0.1, speed = 0.3;
+  const auto damping = laws::RayleighDamping::make(2.5, 10);
+  const Real drag = damping.mass_rate * ratio * speed * height * height / (2 * s_wave_velocity * s_wave_velocity);
+  const auto [with_base, left] = behind_a_steady_base(true, ratio, damping, speed);
+  EXPECT_NEAR(with_base, 0, 1e-6 * drag);
+  EXPECT_LT(left, 1e-4);
+  const auto [in_space, left_in_space] = behind_a_steady_base(false, ratio, damping, speed);
+  EXPECT_NEAR(in_space, drag, 1e-6 * drag);
+  EXPECT_LT(left_in_space, 1e-4);
+}
+
+/// Work and stored energy of a static step with all that can load a body: the balance closes, whether loads grow or come at once.
+TEST(statics, have_a_work_balance_that_closes) {
+  for (const Real ramp : {0.0, 1.0, 3.5})
+    for (const bool with_weight : {false, true})
+      for (const bool settles : {false, true}) {
+        const auto mesh = test::box(ElementShape::triangle6, {{1, 4, 1}, {2, 8, 1}, 0.2});
+        Supports<2> supports;
+        laws::GroundMotion shove;
+        shove.shape = laws::GroundMotion::Shape::record;
+        shove.quantity = laws::MotionQuantity::displacement;
+        shove.record = laws::Record::make(5, {0, 1e-3});
+        supports.motions = {shove};
+        test::hold<2>(mesh, "bottom", 1, supports);
+        for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
+          if (mesh.nodes[node].y() < 1e-9) supports.held.push_back({static_cast<Index>(node), 0, 0, 0});
+        test::hold<2>(mesh, "left", 0, supports);
+        supports.loads = {{"push", test::traction(mesh, "top", {1e4, -2e4, 0}), ramp}};
+        if (with_weight) supports.gravity = {0, -9.81};
+        FemRules rules;
+        rules.step = 1;
+        rules.statics = true;
+        rules.tolerance = 1e-12;
+        FemStepper<2> stepper(std::make_unique<Body<2>>(test::of_one_material(mesh, soil())), supports, rules);
+        if (settles) stepper.relax();
+        stepper.start();
+        for (int step = 0; step < 5; ++step) {
+          if (step == 2) stepper.apply(test::traction(mesh, "top", {-3e3, 1e3, 0}));
+          stepper.advance();
+        }
+        EXPECT_GT(stepper.elastic_energy(), 0);
+        EXPECT_NEAR(stepper.energy_residual(), 0, 1e-9 * stepper.elastic_energy())
+            << "ramp " << ramp << ", weight " << with_weight << ", settled " << settles;
+      }
+}
+
 std::vector<Real> final_state(int threads) {
   parallel::set_threads(threads);
   auto mesh = test::box(ElementShape::triangle6, {{4, 4, 1}, {20, 20, 1}, 0.2});

@@ -130,6 +130,7 @@ public:
     for (int axis = 0; axis < D; ++axis) supports_.gravity[axis] = fem_.gravity.acceleration[axis];
     for (std::size_t i = 0; i < fem_.boundaries.size(); ++i) add(i);
     for (std::size_t i = 0; i < fem_.loads.size(); ++i) add_load(i);
+    if (fem_.damping.relative_to_base) supports_.find_base();
     return std::move(supports_);
   }
 

@@ -121,6 +121,7 @@ public:
       if (mps_.boundaries[i].kind != SideKind::viscous) add(i);
     for (std::size_t i = 0; i < mps_.boundaries.size(); ++i)
       if (mps_.boundaries[i].kind == SideKind::viscous) add(i);
+    if (mps_.damping.relative_to_base) supports_.find_base();
     return std::move(supports_);
   }
 
@@ -184,12 +185,21 @@ private:
   std::set<std::pair<Index, int>> taken_;
 };
 
+/// Refuses a case from whose numbers no limit follows.
+void check_limit(const cases::CaseFile& file, Real limit) {
+  if (std::isnan(limit))
+    refuse(file, "materials",
+           "no stability limit follows from the materials and the spacing: a frequency of the ground is no number",
+           "one of density, wave velocities, damping and spacing is too large or too small to be meant so: check their units");
+}
+
 /// The step of a run, which divides the history interval.
 template <int D>
 Real choose_step(const cases::CaseFile& file, const MpsModel<D>& model) {
   const cases::UniformTime& time = file.as<cases::MpsCase>().time;
-  if (time.step) return *time.step;
   const Real limit = model.stable_step(time.integrator);
+  check_limit(file, limit);
+  if (time.step) return *time.step;
   if (!(limit > 0))
     refuse(file, "time.integrator", "Euler's step without damping is never stable, so no step can be chosen",
            "give a step, use integrator \"verlet\", or give every material a damping_ratio");
