@@ -28,6 +28,7 @@ public:
     check_outer_surfaces("blasts", blocks_.blasts, "pressure acts on the outside of the body");
     check_outer_surfaces("boundaries", blocks_.boundaries, "boundaries are on the outside of the body");
     check_grounds();
+    check_that_gravity_is_carried();
   }
 
 private:
@@ -115,6 +116,34 @@ private:
                       surface.name, material.name),
           fmt::format("add [[joints]] with between = [\"{0}\", \"{0}\"]", material.name));
     }
+  }
+
+  /// An absorbing face has dashpots alone: under gravity it yields for ever.
+  void check_that_gravity_is_carried() {
+    const auto absorbs = [](const Boundary& boundary) { return boundary.kind == BoundaryKind::absorbing; };
+    const auto found = std::ranges::find_if(blocks_.boundaries, absorbs);
+    const auto carries = [&](const Boundary& boundary) { return this->carries(boundary); };
+    const auto holds = [&](const Constraint& constraint) {
+      for (int axis = 0; axis < 3; ++axis)
+        if (constraint.translation[static_cast<std::size_t>(axis)] && blocks_.gravity.acceleration[axis] != 0) return true;
+      return false;
+    };
+    if (blocks_.gravity.acceleration.isZero() || found == blocks_.boundaries.end() ||
+        std::ranges::any_of(blocks_.boundaries, carries) || std::ranges::any_of(blocks_.constraints, holds))
+      return;
+    const auto entry = context_.entries_of("boundaries")[static_cast<std::size_t>(found - blocks_.boundaries.begin())];
+    context_.problems.error(
+        entry.place("kind"), "under gravity an absorbing boundary yields without limit, and nothing else holds the body",
+        "make the boundary beneath the body \"fixed\" or \"frictionless\", hold a region with [[constraints]], or remove [gravity]");
+  }
+
+  /// Whether a boundary has springs against gravity.
+  bool carries(const Boundary& boundary) const {
+    if (boundary.kind != BoundaryKind::frictionless) return boundary.kind == BoundaryKind::fixed;
+    const auto surface = std::ranges::find(groups_.surfaces, boundary.surface, &MeshSurface::name);
+    if (surface == groups_.surfaces.end()) return false;
+    const Vector3& gravity = blocks_.gravity.acceleration;
+    return surface->area.dot(gravity.cwiseAbs()) > 1e-6 * surface->area.norm() * gravity.norm();
   }
 
   const BlocksCase& blocks_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sazare/cases/case_file.hpp"
+#include "sazare/core/vector.hpp"
 
 namespace sazare::cases {
 
@@ -11,6 +12,7 @@ struct MeshSurface {
   long outer_faces = 0;
   long inner_faces = 0;
   std::vector<std::string> regions = {};  ///< of the elements behind its outer faces
+  Vector3 area = Vector3::Zero();         ///< of its outer faces as seen along each axis, whichever way they look [m2]
 };
 
 /// What a case may refer to in its mesh.

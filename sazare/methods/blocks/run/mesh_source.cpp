@@ -23,13 +23,25 @@ std::vector<std::string> regions_behind(const geometry::TetraMesh& mesh, const g
   return names;
 }
 
+Vector3 area_of(const geometry::TetraMesh& mesh, const geometry::FaceMap& faces, const geometry::SurfaceFaces& surface) {
+  Vector3 sum = Vector3::Zero();
+  for (const std::int32_t face : surface.outer) {
+    const auto& nodes = faces.outer[static_cast<std::size_t>(face)].nodes;
+    const auto place = [&](std::size_t corner) { return mesh.nodes[static_cast<std::size_t>(nodes[corner])]; };
+    const Vector3 twice = (place(1) - place(0)).cross(place(2) - place(0));
+    sum += 0.5 * twice.cwiseAbs();
+  }
+  return sum;
+}
+
 cases::MeshGroups groups_of(const geometry::TetraMesh& mesh) {
   cases::MeshGroups groups{mesh.region_names, {}};
   const geometry::FaceMap faces = geometry::build_face_map(mesh);
   const auto surfaces = geometry::find_surface_faces(mesh, faces);
   for (std::size_t i = 0; i < surfaces.size(); ++i)
     groups.surfaces.push_back({mesh.surfaces[i].name, static_cast<long>(surfaces[i].outer.size()),
-                               static_cast<long>(surfaces[i].interior.size()), regions_behind(mesh, faces, surfaces[i])});
+                               static_cast<long>(surfaces[i].interior.size()), regions_behind(mesh, faces, surfaces[i]),
+                               area_of(mesh, faces, surfaces[i])});
   return groups;
 }
 
