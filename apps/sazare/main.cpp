@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -55,6 +56,14 @@ const std::vector<std::pair<std::string, std::string>> python_commands = {
     {"compare", "results and histories of two runs side by side"},
 };
 
+/// An error of the user, or nothing: a number of seconds after which waiting ends.
+std::string is_a_duration(const std::string& text) {
+  char* end = nullptr;
+  const double seconds = std::strtod(text.c_str(), &end);
+  if (*end == '\0' && seconds > 0 && std::isfinite(seconds)) return {};
+  return "must be a finite number of seconds above 0, found " + text;
+}
+
 void describe_partner(CLI::App& run, command::RunArguments& arguments) {
   auto* side = run.add_option("--side", arguments.side,
                               "run only this side of a hybrid case, continuum or bodies; another program runs the other one")
@@ -66,7 +75,7 @@ void describe_partner(CLI::App& run, command::RunArguments& arguments) {
       ->type_name("DIR");
   run.add_option("--time-out", arguments.time_out, "with --side: seconds to wait for the other program (default 600)")
       ->needs(side)
-      ->check(CLI::PositiveNumber)
+      ->check(is_a_duration)
       ->type_name("S");
 }
 

@@ -1,6 +1,7 @@
 """The command `python -m sazare`, to which `sazare report`, `plot`, `movie` and `compare` hand over."""
 
 import argparse
+import math
 import sys
 import time
 from pathlib import Path
@@ -52,6 +53,22 @@ def comparison(chosen):
     print(compare(chosen.folder, chosen.other))
 
 
+def seconds_per_frame(text):
+    """A time [s] for which a frame can be shown: pictures count it in milliseconds, in two bytes."""
+    value = float(text)
+    if not 0.001 <= value <= 60.0:
+        raise argparse.ArgumentTypeError(f"a frame is shown for 0.001 to 60 s, found {text}")
+    return value
+
+
+def magnification(text):
+    """A finite factor of 0 or more."""
+    value = float(text)
+    if not (math.isfinite(value) and value >= 0.0):
+        raise argparse.ArgumentTypeError(f"a factor is finite and 0 or more, found {text}")
+    return value
+
+
 def parser():
     """What the command line may say."""
     top = argparse.ArgumentParser(prog="sazare", description="Read, draw and report the folder of a run.")
@@ -71,8 +88,8 @@ def parser():
     moving = add("movie", "write the snapshots as an animation", movie)
     moving.add_argument("--out", metavar="FILE", help="a .gif or .webp (default: DIR/movie.gif)")
     moving.add_argument("--field", metavar="NAME", help="the field shown in colour, such as speed or displacement")
-    moving.add_argument("--enlarge", metavar="FACTOR", type=float, help="magnification of displacements")
-    moving.add_argument("--interval", metavar="SECONDS", type=float, default=0.15, help="time for which each frame is shown [s]")
+    moving.add_argument("--enlarge", metavar="FACTOR", type=magnification, help="magnification of displacements")
+    moving.add_argument("--interval", metavar="SECONDS", type=seconds_per_frame, default=0.15, help="time for which each frame is shown [s]")
     add("compare", "compare figures and histories of two runs", comparison).add_argument("other", metavar="OTHER")
     return top
 

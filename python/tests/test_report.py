@@ -200,3 +200,11 @@ def test_a_view_holds_what_has_moved_out_of_the_body_up_to_a_quarter_of_its_size
     np.testing.assert_allclose(view.holding(near).window, [[0.0, -0.2 - margin], [4.4 + margin, 2.0]])
     splinter = pyvista.Box((90.0, 91.0, 0.0, 1.0, 0.0, 1.0))
     np.testing.assert_allclose(view.holding(near, splinter).window, [[0.0, -0.2 - margin], [5.0, 2.0]])
+
+
+@pytest.mark.parametrize("wrong", [["--interval", "-1"], ["--interval", "nan"], ["--interval", "1e9"], ["--enlarge", "inf"], ["--enlarge", "-2"]])
+def test_a_movie_of_senseless_times_or_factors_is_refused(tmp_path, capsys, wrong):
+    with pytest.raises(SystemExit) as ended:
+        main(["movie", str(tmp_path), *wrong])
+    assert ended.value.code == 2
+    assert f"found {wrong[1]}" in capsys.readouterr().err

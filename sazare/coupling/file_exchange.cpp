@@ -89,6 +89,8 @@ private:
 
 FileExchange::FileExchange(ExchangeOptions options)
     : options_(std::move(options)), seat_(options_.folder, options_.side), next_(options_.mark.next) {
+  if (!(options_.time_out > 0))
+    throw UserError(fmt::format("waiting for {} ends after a time above 0 s, found {}", partner_name(), options_.time_out));
   remove_from(next_);
   presence_.session = random_identity();
   presence_.run = options_.mark.run;

@@ -122,6 +122,7 @@ void LoadTable::clear_guests(std::size_t block) {
 }
 
 void LoadTable::add(const std::vector<Guest>& guests, state::SphereLoad* own) const {
+  if (guests.empty()) return;
   constexpr std::size_t ahead = 16;  // guests come from many blocks: what they bring is on its way so many before
   const state::SphereLoad* const first = guests_.data() + guests_.size() - 1;
   for (std::size_t n = 0; n < guests.size(); ++n) {

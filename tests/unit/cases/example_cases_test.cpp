@@ -4,6 +4,7 @@
 
 #include "sazare/cases/case_file.hpp"
 #include "sazare/cases/study_file.hpp"
+#include "sazare/core/error.hpp"
 #include "sazare/registry/registry.hpp"
 
 namespace sazare::cases {
@@ -24,6 +25,20 @@ TEST(ExampleCases, AreAllValid) {
     }
   }
   EXPECT_GT(count, 0);
+}
+
+/// What a run leaves in its folder as its case is a case, and the same one.
+TEST(ExampleCases, AreValidAsTheyAreResolved) {
+  for (const auto& folder : std::filesystem::directory_iterator("cases"))
+    for (const auto& file : std::filesystem::directory_iterator(folder.path())) {
+      if (file.path().extension() != ".toml" || file.path().filename() == "study.toml") continue;
+      const std::string resolved = registry::write_resolved(registry::read_case(file.path()));
+      try {
+        EXPECT_EQ(registry::write_resolved(registry::read_case_text(resolved, file.path())), resolved) << file.path();
+      } catch (const UserError& error) {
+        ADD_FAILURE() << file.path() << "\n" << error.what();
+      }
+    }
 }
 
 }  // namespace

@@ -101,7 +101,7 @@ void visit_fields(Visitor& visit, FemTime& time) {
   visit("end", time.end);
   visit("step", time.step);
   visit("analysis", time.analysis);
-  visit("alpha", time.alpha);
+  if (visit.has("alpha", time.analysis == Analysis::dynamic)) visit("alpha", time.alpha);
   visit("history_interval", time.history_interval);
   visit("snapshot_interval", time.snapshot_interval);
   visit("strict", time.strict);
