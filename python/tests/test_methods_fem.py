@@ -48,6 +48,15 @@ def test_forces_that_are_never_there_are_left_out():
     assert line.get_label() == "foot of it along x"
 
 
+@pytest.mark.parametrize("residual, tone", [(0.5, "good"), (-5.0, "fair"), (11.0, "bad")])
+def test_the_verdict_reads_the_energy_balance_of_the_whole_run(residual, tone):
+    # The work is taken back in the end, and so is the residual.
+    table = Table({"time": np.arange(3.0), "energy_work": np.array([0.0, -100.0, 1.0]), "energy_kinetic": np.zeros(3),
+                   "energy_elastic": np.zeros(3), "energy_residual": np.array([0.0, residual, 0.0])})
+    found, sentence = fem.verdict(SimpleNamespace(history=table, figures={}))
+    assert found == tone and f"{abs(residual) / 100.0:.1e} of the energy in play" in sentence
+
+
 def test_nothing_is_drawn_without_data():
     empty = SimpleNamespace(history=Table({}), element_snapshots=[], gauge_table=Table({}), gauges={})
     for draw in (fem.displaced, fem.yielding, fem.forces, fem.joints, fem.displacements):

@@ -3,6 +3,7 @@
 from types import SimpleNamespace
 
 import numpy as np
+import pytest
 import pyvista
 
 from sazare import report
@@ -60,6 +61,25 @@ def test_nothing_is_drawn_without_data():
     empty = SimpleNamespace(history=Table({}), sides={})
     for draw in (hybrid.together, hybrid.surface, hybrid.exchange):
         assert draw(empty) is None
+
+
+@pytest.mark.parametrize(
+    "made, residual, tone, words",
+    [(1.0, 0.1, "good", "created by the coupling is 5.0e-03"), (-5.0, 0.0, "fair", "created by the coupling is 2.5e-02"),
+     (332.0, 0.0, "bad", 'use scheme = "automatic"'), (0.1, 30.0, "bad", "residual of the two sides is 1.5e-01")],
+)
+def test_the_verdict_reads_the_energy_made_at_the_surface_and_both_balances(made, residual, tone, words):
+    table = Table({"time": np.arange(2.0), "energy_work_on_nodes": np.array([0.0, 150.0]), "energy_work_on_bodies": np.array([0.0, -200.0]),
+                   "energy_coupling_error": np.array([0.0, made]), "energy_residual_continuum": np.array([0.0, residual]),
+                   "energy_residual_bodies": np.zeros(2)})
+    found, sentence = hybrid.verdict(SimpleNamespace(history=table, figures={}))
+    assert found == tone and words in sentence
+
+
+def test_the_verdict_of_a_run_in_which_nothing_touches():
+    names = ("energy_work_on_nodes", "energy_work_on_bodies", "energy_coupling_error", "energy_residual_continuum", "energy_residual_bodies")
+    table = Table({"time": np.arange(2.0), **{name: np.zeros(2) for name in names}})
+    assert hybrid.verdict(SimpleNamespace(history=table, figures={})) == ("good", "The run is complete. Nothing went over the surface.")
 
 
 def test_the_sides_of_a_run_are_runs(tmp_path):

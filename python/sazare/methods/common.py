@@ -10,6 +10,7 @@ from sazare.style import count, quantity, round_factor
 
 # Residuals up to the first count as good, above the second as bad; as shares of the work.
 GOOD_BALANCE, BAD_BALANCE = 1e-4, 1e-2
+USELESS_BALANCE = 0.1  # of a method whose time step alone does not govern the balance
 
 NO_SNAPSHOTS = "The run wrote no snapshots."
 NO_GAUGES = "The case has no gauges."
@@ -79,6 +80,29 @@ def strict_balance_verdict(results):
     if balance <= BAD_BALANCE:
         return "fair", f"{words} It should be below {GOOD_BALANCE:.0e}: consider a smaller stability_fraction."
     return "bad", f"{words} This is too large for reliable results: use a smaller stability_fraction."
+
+
+def largest_share(table, residuals, references):
+    """The largest sum of the residuals (columns of a history) over the largest of the references; None where it cannot be computed.
+
+    A residual that comes and goes counts as one that stays, and work that is taken back is work.
+    """
+    known = [name for name in references if name in table]
+    if not known or not table.rows or any(name not in table for name in residuals):
+        return None
+    scale = max(np.abs(table[name]).max() for name in known)
+    return float(np.abs(sum(table[name] for name in residuals)).max() / scale) if scale > 0.0 else None
+
+
+def graded(share, words, advice):
+    """The verdict of a run whose energy is off by a share: good up to a hundredth, bad above a tenth."""
+    if share is None:
+        return "fair", "The run is complete. Its energy balance is not available."
+    if share <= BAD_BALANCE:
+        return "good", words
+    if share <= USELESS_BALANCE:
+        return "fair", f"{words} It should be below {BAD_BALANCE:.0e}: {advice}."
+    return "bad", f"{words} This is too large for reliable results: {advice}."
 
 
 def balance_words(balance, reference="work"):

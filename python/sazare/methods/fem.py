@@ -222,9 +222,17 @@ def _joint_section(results):
     return Section("joints", "Joints", "Share of the joint area that slips or is open, and maximum slip.", partial(joints, results), "")
 
 
+def verdict(results):
+    """The verdict of a run by its energy balance."""
+    share = common.largest_share(results.history, ["energy_residual"], ["energy_work", "energy_kinetic", "energy_elastic"])
+    share = common.energy_balance(results.figures) if share is None else share
+    return common.graded(share, "" if share is None else common.balance_words(share, "energy in play"),
+                         "use a smaller step, or a smaller tolerance of the solver; an alpha below 0 dissipates energy itself")
+
+
 METHOD = Method(
     sections=sections,
-    verdict=common.balance_verdict,
+    verdict=verdict,
     headlines=(
         Figure("peak_speed", "peak speed", "m/s"),
         Figure("energy_work", "external work", "J"),

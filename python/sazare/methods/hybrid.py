@@ -218,9 +218,16 @@ def _sections_of_side(name, side, in_one_picture):
 
 
 def verdict(results):
-    """A completed run is good; the energy created by the coupling is given."""
-    made, work = results.figures.get("energy_coupling_error", 0.0), results.figures.get("energy_work_on_nodes", 0.0)
-    return "good", "The run is complete." + (f" The energy created by the coupling is {made / abs(work):.1e} of the work across the surface." if work else "")
+    """The verdict of a run by the energy that the coupling has made, and by the energy balances of both sides."""
+    table, work = results.history, ["energy_work_on_nodes", "energy_work_on_bodies"]
+    made = common.largest_share(table, ["energy_coupling_error"], work)
+    sides = common.largest_share(table, ["energy_residual_continuum", "energy_residual_bodies"], [*work, "energy_coupling_error"])
+    if made is None:
+        return ("good", "The run is complete. Nothing went over the surface.") if table.rows else common.graded(None, "", "")
+    words = f"The run is complete. The energy created by the coupling is {made:.1e} of the work across the surface."
+    if sides is not None and sides > max(made, common.BAD_BALANCE):
+        return common.graded(sides, f"{words} The energy residual of the two sides is {sides:.1e} of it.", "use smaller steps")
+    return common.graded(made, words, 'use scheme = "automatic" or "iterative", or a shorter coupling window')
 
 
 METHOD = Method(

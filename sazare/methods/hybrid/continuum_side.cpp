@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sazare/core/error.hpp"
 #include "sazare/methods/hybrid/agreement.hpp"
@@ -79,7 +80,7 @@ coupling::SurfaceForce ContinuumSide<D>::try_window(coupling::ContinuumChannel& 
 
 template <int D>
 void ContinuumSide<D>::advance(coupling::ContinuumChannel& channel) {
-  if (rules_.scheme == CouplingScheme::iterative) return repeat(channel);
+  if (rules_.scheme == CouplingScheme::iterative || rules_.scheme == CouplingScheme::automatic) return repeat(channel);
   const std::vector<Real> applied = rules_.scheme == CouplingScheme::lagged ? force_.last : force_.mean;
   const std::vector<Real> before = of_surface<D>(surface_, stepper_->state().displacement);
   force_ = try_window(channel, applied, 0);
@@ -92,21 +93,46 @@ void ContinuumSide<D>::repeat(coupling::ContinuumChannel& channel) {
   const ContinuumState<D> saved = stepper_->state();
   const std::vector<Real> before = of_surface<D>(surface_, saved.displacement);
   Agreement agreement;
-  std::vector<Real> tried = force_.mean;
-  for (std::int32_t pass = 0; pass < rules_.most_passes; ++pass) {
+  std::vector<Real> tried = force_.mean, applied, gap, best;
+  Real least = std::numeric_limits<Real>::infinity();
+  const auto attempt = [&](std::int32_t pass) {
     if (pass > 0) stepper_->restore(saved);
-    const std::vector<Real> applied = sum_of(tried, carry_);
+    applied = sum_of(tried, carry_);
     force_ = try_window(channel, applied, pass);
-    const std::vector<Real> gap = difference(force_.mean, tried);
-    const Real scale = std::max(norm(force_.mean), norm(tried));
-    disagreement_ = scale > 0 ? norm(gap) / scale : 0;
-    if (disagreement_ <= rules_.tolerance) {
-      add_work(applied, before);
-      carry_ = gap;
-      return;
+    return has_settled(tried, gap);
+  };
+  bool settled = false;
+  for (std::int32_t pass = 0; pass < rules_.most_passes; ++pass) {
+    settled = attempt(pass);
+    if (settled) break;
+    if (disagreement_ < least) {
+      least = disagreement_;
+      best = tried;
     }
     tried = agreement.next(tried, force_.mean);
   }
+  if (!settled) {
+    if (rules_.scheme == CouplingScheme::iterative || best.empty()) give_up();
+    tried = best;
+    attempt(rules_.most_passes);
+    ++totals_.unsettled;
+  }
+  add_work(applied, before);
+  carry_ = gap;
+}
+
+/// Whether the force with which the continuum moved is near enough to the one that came of it; `gap` is what lies between them.
+template <int D>
+bool ContinuumSide<D>::has_settled(const std::vector<Real>& tried, std::vector<Real>& gap) {
+  constexpr Real small_share = 1e-2;
+  gap = difference(force_.mean, tried);
+  const Real scale = std::max(norm(force_.mean), norm(tried));
+  disagreement_ = scale > 0 ? norm(gap) / scale : 0;
+  return disagreement_ <= (rules_.scheme == CouplingScheme::automatic ? small_share : rules_.tolerance);
+}
+
+template <int D>
+void ContinuumSide<D>::give_up() const {
   throw PhysicsError(
       fmt::format("force and motion of the surface do not agree at t = {:.6g} s\n"
                   "  tried: {} passes through the window; {:.3g} of the force remains, {:.3g} is required\n"

@@ -2,13 +2,18 @@
 
 /// The side of finite elements in a coupling: it leads, window by window, each one of its steps.
 ///
-/// What bodies put on the nodes of the surface is known only after the window for which the continuum needs it. Three schemes:
+/// What bodies put on the nodes of the surface is known only after the window for which the continuum needs it. Four schemes:
 ///
-///     paper     the force at the end of the window before, held through the window (Nakase et al., the method's fig. 1)
-///     impulse   the mean force of the window before: nothing of the bodies' impulse is lost, it comes a window later
-///     repeat    windows are gone through again until the force with which the continuum moved is the mean of what it brings
-///     about;
-///               what is left between the two goes into the next window
+///     lagged     the force at the end of the window before, held through the window (Nakase et al., the method's fig. 1)
+///     impulse    the mean force of the window before: nothing of the bodies' impulse is lost, it comes a window later
+///     iterative  windows are gone through again until the force with which the continuum moved is the mean of what it brings
+///                about; what is left between the two goes into the next window
+///     automatic  the same, but a window counts as soon as what is left is a small share of the force, most often at once; after
+///                the last pass the one counts that left least
+///
+/// A force that lags behind feeds on itself where the contact is stiffer than the surface is in a window, or the bodies are heavier
+/// than what of the continuum moves in one: what a window leaves then comes back larger in the next. Such windows are those that the
+/// automatic scheme goes through again.
 
 #include <string>
 
@@ -18,13 +23,13 @@
 
 namespace sazare::methods::hybrid {
 
-enum class CouplingScheme { lagged, impulse, iterative };
+enum class CouplingScheme { automatic, lagged, impulse, iterative };
 
 struct CouplingRules {
-  CouplingScheme scheme = CouplingScheme::impulse;
+  CouplingScheme scheme = CouplingScheme::automatic;
   Real width = 1;         ///< of the slab of bodies, in the plane [m]
   Real tolerance = 1e-4;  ///< of the iterative scheme: largest difference of forces, over the larger of the two
-  int most_passes = 20;   ///< of the iterative scheme
+  int most_passes = 20;   ///< of the iterative and the automatic scheme
 };
 
 /// What went over the surface since the beginning, of the whole width.
@@ -34,6 +39,7 @@ struct CouplingTotals {
   Real energy_work_on_nodes = 0;           ///< of the forces with which the continuum has moved [J]
   Real energy_work_on_bodies = 0;          ///< of the moving surface [J]
   std::int64_t windows = 0, passes = 0;
+  std::int64_t unsettled = 0;  ///< windows of the automatic scheme that kept more than its share of the force
 
   Vector3 under_way() const { return given - taken; }
   /// Energy added by the coupling: the sum of the works on both sides [J].
@@ -64,7 +70,7 @@ public:
   /// Mean of the nodes, since the beginning [m].
   Vector3 mean_displacement() const;
 
-  /// Difference between the force tried and found in the last window, over the larger one; of repeat.
+  /// Difference between the force tried and found in the last window, over the larger one; of schemes that repeat windows.
   Real disagreement() const { return disagreement_; }
 
   void columns(Archive& archive);
@@ -74,6 +80,8 @@ private:
   coupling::SurfaceMotion motion(std::int32_t pass) const;
   coupling::SurfaceForce try_window(coupling::ContinuumChannel& channel, const std::vector<Real>& force, std::int32_t pass);
   void repeat(coupling::ContinuumChannel& channel);
+  bool has_settled(const std::vector<Real>& tried, std::vector<Real>& gap);
+  [[noreturn]] void give_up() const;
   void add_work(const std::vector<Real>& applied, const std::vector<Real>& displacement_before);
   Vector3 sum(const std::vector<Real>& values) const;
 
@@ -81,7 +89,7 @@ private:
   geometry::LinearSurface surface_;
   CouplingRules rules_;
   coupling::SurfaceForce force_;  ///< of the last window
-  std::vector<Real> carry_;       ///< what repeat left between the force tried and found [N]
+  std::vector<Real> carry_;       ///< what the last window left between the force tried and found [N]
   Real disagreement_ = 0;
   CouplingTotals totals_;
 };

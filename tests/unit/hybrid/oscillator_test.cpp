@@ -85,5 +85,14 @@ TEST(two_mass_oscillator, the_energy_that_it_gains_is_what_the_surface_made) {
   }
 }
 
+/// Windows so long that a force that lags behind throws the ball off within the time (validation/analytic/two-mass-oscillator).
+TEST(two_mass_oscillator, the_automatic_scheme_makes_little_energy_in_windows_in_which_the_lagged_ones_are_unstable) {
+  for (const Real window : {1e-4, 2e-4, 4e-4}) {
+    const Outcome outcome = run(CouplingScheme::automatic, window);
+    EXPECT_NEAR(outcome.gained, outcome.made, 1e-3) << window;
+    EXPECT_NEAR(outcome.made, 0, 2e-2) << window;
+  }
+}
+
 }  // namespace
 }  // namespace sazare::methods::hybrid

@@ -3,7 +3,11 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
+#include <fstream>
 #include <functional>
+#include <numbers>
+#include <sstream>
 #include <thread>
 
 #include "sazare/core/error.hpp"
@@ -80,6 +84,122 @@ TEST(run_hybrid, in_many_parts_gives_the_bits_of_one_run) {
             test::without_last_column(read_text(folder / "parts/history.csv")));
   for (const char* table : {"continuum/gauges.csv", "bodies/gauges.csv", "bodies/walls.csv"})
     EXPECT_EQ(read_text(folder / "whole" / table), read_text(folder / "parts" / table)) << table;
+}
+
+constexpr Real pulse = 6, friction = 0.2, weight = 9.81, pulse_end = 0.25, slide_end = 0.8;
+
+/// A block that stands on a slab of 5 GPa with contacts of 10 GPa, while the slab is pushed away beneath it.
+cases::CaseFile block_on_moving_slab(const fs::path& folder, const std::string& scheme) {
+  std::ofstream(folder / "slab.geo") << R"(
+Point(1) = {-2, -0.5, 0, 0.25}; Point(2) = {2, -0.5, 0, 0.25}; Point(3) = {2, 0, 0, 0.25}; Point(4) = {-2, 0, 0, 0.25};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Transfinite Curve{1, 3} = 17; Transfinite Curve{2, 4} = 3; Transfinite Surface{1}; Recombine Surface{1};
+Physical Curve("foot") = {1}; Physical Curve("top") = {3}; Physical Surface("slab") = {1};
+)";
+  const std::string times = fmt::format("end = {}\nhistory_interval = 0.01\nsnapshot_interval = {}\n", slide_end, slide_end);
+  std::ofstream(folder / "slab.toml") << R"([case]
+title = "slab"
+method = "fem"
+[mesh]
+file = "slab.geo"
+dimension = 2
+[[materials]]
+name = "concrete"
+regions = ["slab"]
+density = 2400.0
+youngs_modulus = 5e9
+poisson_ratio = 0.2
+[[motions]]
+name = "push"
+type = "sine"
+quantity = "acceleration"
+frequency = 2.0
+cycles = 0.5
+amplitude = )" << fmt::format("{:.1f}", pulse)
+                                      << R"(
+[[boundaries]]
+group = "foot"
+kind = "prescribed"
+motion_x = "push"
+axes = ["y"]
+[time]
+step = 2e-4
+)" << times;
+  std::ofstream(folder / "block.toml") << R"([case]
+title = "block"
+method = "rectangles"
+[[blocks]]
+name = "rock"
+material = "rock"
+lower = [-0.5, 0.0, 0.0]
+upper = [0.5, 0.5, 0.0]
+[[materials]]
+name = "rock"
+density = 2500.0
+face_normal_stiffness = 1e10
+face_shear_stiffness = 1e10
+[contact]
+face_normal_stiffness = 1e10
+face_shear_stiffness = 1e10
+damping_ratio = 0.3
+friction_angle = )" << fmt::format("{:.6f}", std::atan(friction) * 180 / std::numbers::pi)
+                                       << R"(
+[gravity]
+acceleration = [0.0, -9.81, 0.0]
+[[gauges]]
+name = "rock"
+point = [0.0, 0.25, 0.0]
+[time]
+)" << times;
+  std::ofstream(folder / "case.toml") << "[case]\ntitle = \"slide\"\nmethod = \"hybrid\"\n[sides]\ncontinuum = \"slab.toml\"\n"
+                                         "bodies = \"block.toml\"\n[surface]\ngroup = \"top\"\n[coupling]\nscheme = \""
+                                      << scheme << "\"\n";
+  return registry::read_case(folder / "case.toml");
+}
+
+/// How far Newmark's rigid block, which friction alone takes along, is left behind.
+Real newmark_slide() {
+  Real slab = 0, block = 0, behind = 0;
+  constexpr Real step = 1e-6;
+  for (Real time = 0; time < slide_end; time += step) {
+    const Real push = time < pulse_end ? pulse * std::sin(4 * std::numbers::pi * time) : 0;
+    const bool slides = slab > block || push > friction * weight;
+    slab += step * push;
+    block = slides ? std::min(slab, block + step * friction * weight) : slab;
+    behind += step * (slab - block);
+  }
+  return behind;
+}
+
+Real last_of(const std::string& table, const std::string& name) {
+  std::istringstream lines(table);
+  std::string titles, line, last, word;
+  std::getline(lines, titles);
+  while (std::getline(lines, line)) last = line;
+  std::istringstream names(titles), values(last);
+  while (std::getline(names, word, ',')) {
+    std::string value;
+    std::getline(values, value, ',');
+    if (word == name) return std::stod(value);
+  }
+  ADD_FAILURE() << name;
+  return 0;
+}
+
+/// Contacts twice as stiff as the ground: a force that lags behind feeds on itself there.
+TEST(run_hybrid, a_stiff_contact_on_softer_ground_gains_no_energy) {
+  const TemporaryFolder folder;
+  run_quietly(block_on_moving_slab(folder.path(), "automatic"), folder / "run");
+  const nlohmann::json results = read_manifest(folder / "run")["results"];
+  const Real slide = last_of(read_text(folder / "run/history.csv"), "surface.displacement_x [m]") -
+                     last_of(read_text(folder / "run/bodies/gauges.csv"), "rock.displacement_x [m]");
+  EXPECT_NEAR(slide, newmark_slide(), 0.02 * newmark_slide());
+  const Real kinetic = 0.5 * 1250 * std::pow(2 * pulse * pulse_end / std::numbers::pi, 2);  // what the block is given
+  EXPECT_LT(std::abs(results["energy_coupling_error"].get<Real>()), 1e-3 * kinetic);
+  EXPECT_LT(std::abs(results["energy_residual"].get<Real>()), 1e-2 * kinetic);
+  EXPECT_LT(results["passes"].get<Real>(), 4 * results["windows"].get<Real>());
+  EXPECT_LT(results["unsettled_windows"].get<Real>(), 0.01 * results["windows"].get<Real>());
 }
 
 /// A case with an end and rows of its own.

@@ -10,7 +10,7 @@
 /// two cases that it names.
 namespace sazare::cases {
 
-enum class HybridScheme { lagged, impulse, iterative };
+enum class HybridScheme { automatic, lagged, impulse, iterative };
 
 struct HybridSides {
   std::filesystem::path continuum;  // of finite elements
@@ -24,7 +24,7 @@ struct HybridSurface {
 };
 
 struct HybridCoupling {
-  HybridScheme scheme = HybridScheme::impulse;
+  HybridScheme scheme = HybridScheme::automatic;
   Real tolerance = 0;
   int passes = 0;
 };

@@ -17,6 +17,7 @@ std::string explain(const HybridCase& hybrid) {
   if (coupling.scheme == HybridScheme::iterative)
     scheme +=
         fmt::format(", tolerance {} of the force, at most {} passes", short_number(coupling.tolerance), coupling.passes);
+  if (coupling.scheme == HybridScheme::automatic) scheme += fmt::format(", at most {} passes", coupling.passes);
   return hybrid.title + "\n" + line("surface", surface) +
          line("coupling", fmt::format("{}, windows of {} s", scheme, short_number(*continuum_of(hybrid).time.step)));
 }

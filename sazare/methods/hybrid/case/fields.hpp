@@ -8,7 +8,7 @@ namespace sazare::cases {
 
 template <>
 struct EnumWords<HybridScheme> {
-  static constexpr std::array<std::string_view, 3> words{"lagged", "impulse", "iterative"};
+  static constexpr std::array<std::string_view, 4> words{"automatic", "lagged", "impulse", "iterative"};
 };
 
 template <class Visitor>

@@ -6,7 +6,7 @@
 namespace sazare::cases {
 namespace {
 
-constexpr std::array<std::string_view, 3> schemes{"lagged", "impulse", "iterative"};
+constexpr std::array<std::string_view, 4> schemes{"automatic", "lagged", "impulse", "iterative"};
 
 constexpr std::array side_keys{
     Key{.name = "continuum",
@@ -42,21 +42,22 @@ constexpr std::array surface_keys{
 constexpr std::array coupling_keys{
     Key{.name = "scheme",
         .type = Type::choice,
-        .default_text = "\"impulse\"",
+        .default_text = "\"automatic\"",
         .sentence = "Force on the continuum in a coupling window: lagged: that at the end of the window before; impulse: the "
-                    "mean of the window before; iterative: found by repeating the window until force and motion agree.",
+                    "mean of the window before; iterative: found by repeating the window until force and motion agree; automatic: "
+                    "the mean of the window before, and windows in which more than a hundredth of the force differs are repeated.",
         .choices = schemes},
     Key{.name = "tolerance",
         .type = Type::number,
         .range = {.low = 1e-13, .high = 0.1},
         .default_text = "1e-4",
-        .note = "scheme repeat",
+        .note = "scheme iterative",
         .sentence = "Difference between the assumed and the resulting force, divided by the larger of the two."},
     Key{.name = "max_passes",
         .type = Type::integer,
         .range = {.low = 2, .high = 1000},
         .default_text = "20",
-        .note = "scheme repeat",
+        .note = "schemes iterative and automatic",
         .sentence = "Maximum passes through a coupling window."},
 };
 

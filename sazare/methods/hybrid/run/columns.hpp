@@ -27,6 +27,8 @@ inline constexpr std::array history = {
 inline constexpr std::array figures = {Column{"windows", "-", ""},
                                       Column{"window", "s", "its length"},
                                       Column{"passes", "-", "through coupling windows"},
+                                      Column{"unsettled_windows", "-",
+                                             "in which the automatic scheme left more than a hundredth of the force"},
                                       Column{"steps_per_window", "-", "of the bodies"},
                                       Column{"step", "s", "of the bodies"},
                                       Column{"elements", "-", ""},

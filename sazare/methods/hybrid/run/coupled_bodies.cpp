@@ -14,7 +14,9 @@
 
 namespace sazare::runs {
 
-bool repeats(const cases::HybridCase& hybrid) { return hybrid.coupling.scheme == cases::HybridScheme::iterative; }
+bool repeats(const cases::HybridCase& hybrid) {
+  return hybrid.coupling.scheme == cases::HybridScheme::iterative || hybrid.coupling.scheme == cases::HybridScheme::automatic;
+}
 
 CoupledSpheres::CoupledSpheres(const BodiesSetting& setting)
     : file(*setting.hybrid.bodies),

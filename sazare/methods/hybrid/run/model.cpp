@@ -1,6 +1,7 @@
 #include "sazare/methods/hybrid/run/model.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "sazare/methods/hybrid/case/case.hpp"
 #include "sazare/methods/hybrid/run/continuum.hpp"
@@ -10,9 +11,10 @@
 namespace sazare::runs {
 
 methods::hybrid::CouplingRules coupling_rules(const cases::HybridCase& hybrid) {
-  const auto scheme = hybrid.coupling.scheme == cases::HybridScheme::lagged     ? methods::hybrid::CouplingScheme::lagged
-                      : hybrid.coupling.scheme == cases::HybridScheme::impulse ? methods::hybrid::CouplingScheme::impulse
-                                                                               : methods::hybrid::CouplingScheme::iterative;
+  using methods::hybrid::CouplingScheme;
+  constexpr std::array schemes = {CouplingScheme::automatic, CouplingScheme::lagged, CouplingScheme::impulse,
+                                  CouplingScheme::iterative};  // as HybridScheme lists them
+  const CouplingScheme scheme = schemes[static_cast<std::size_t>(hybrid.coupling.scheme)];
   return {scheme, surface_width(hybrid), hybrid.coupling.tolerance, hybrid.coupling.passes};
 }
 

@@ -1,7 +1,10 @@
 #include "sazare/methods/hybrid/run/record.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "sazare/core/error.hpp"
 #include "sazare/methods/hybrid/case/case.hpp"
 #include "sazare/methods/hybrid/run/columns.hpp"
 #include "sazare/methods/hybrid/run/continuum.hpp"
@@ -80,8 +83,18 @@ void HybridRecord<D, Bodies>::flush(bool to_disk) {
 
 template <int D, class Bodies>
 void HybridRecord<D, Bodies>::check_motion(Real time) const {
-  continuum_.check_motion(time);
-  bodies_.check_motion(time);
+  try {
+    continuum_.check_motion(time);
+    bodies_.check_motion(time);
+  } catch (const PhysicsError& error) {
+    const auto& rules = parts_.side.rules();
+    using methods::hybrid::CouplingScheme;
+    if (rules.scheme != CouplingScheme::lagged && rules.scheme != CouplingScheme::impulse) throw;
+    throw PhysicsError(
+        fmt::format("{}\n  the coupling added {:.3g} J until then: a scheme that lags behind does so where the contact is stiff beside "
+                    "the surface; set coupling.scheme = \"automatic\"",
+                    error.what(), parts_.side.totals().made()));
+  }
 }
 
 template <int D, class Bodies>
@@ -91,6 +104,7 @@ std::vector<std::pair<std::string, observe::Figure>> HybridRecord<D, Bodies>::re
   return {{"windows", step},
           {"window", parts_.continuum.step},
           {"passes", totals.passes},
+          {"unsettled_windows", totals.unsettled},
           {"steps_per_window", parts_.steps_per_window},
           {"step", parts_.bodies.step()},
           {"elements", static_cast<std::int64_t>(parts_.continuum.mesh().elements.size())},
