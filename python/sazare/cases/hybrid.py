@@ -41,16 +41,17 @@ class Surface(Part):
 class Coupling(Part):
     """Coupling scheme: how force and motion are exchanged."""
 
-    scheme: Literal["lagged", "impulse", "iterative"] | None = None
+    scheme: Literal["automatic", "lagged", "impulse", "iterative"] | None = None
     """Force on the continuum in a coupling window: lagged: that at the end of the window before; impulse: the mean of the window
-    before; iterative: found by repeating the window until force and motion agree. Default: "impulse".
+    before; iterative: found by repeating the window until force and motion agree; automatic: the mean of the window before,
+    and windows in which more than a hundredth of the force differs are repeated. Default: "automatic".
     """
     tolerance: float | None = None
-    """Difference between the assumed and the resulting force, divided by the larger of the two. (scheme repeat) Default: 1e-4. At
-    least 1e-13 and at most 0.1.
+    """Difference between the assumed and the resulting force, divided by the larger of the two. (scheme iterative) Default: 1e-4.
+    At least 1e-13 and at most 0.1.
     """
     max_passes: int | None = None
-    """Maximum passes through a coupling window. (scheme repeat) Default: 20. At least 2 and at most 1000."""
+    """Maximum passes through a coupling window. (schemes iterative and automatic) Default: 20. At least 2 and at most 1000."""
 
 
 @dataclass(kw_only=True, eq=False)

@@ -96,6 +96,10 @@ class Damping(Part):
     """Higher frequency at which the damping ratio equals that of the material. [Hz] (required where a material has a
     damping_ratio) Greater than 0.
     """
+    relative_to_base: bool | None = None
+    """Mass-proportional damping acts on the velocity relative to the base along an axis along which all supports follow one
+    prescribed motion; elsewhere, and with false, on the velocity in space. Default: true.
+    """
 
 
 @dataclass(kw_only=True, eq=False)
@@ -107,8 +111,9 @@ class Motion(Part):
     type: Literal["ricker", "sine", "record", "function"]
     """A Ricker wavelet, a sine from t = 0, a record from a file, or a function that the caller gives in Python."""
     quantity: Literal["displacement", "velocity", "acceleration"] | None = None
-    """What the formula describes; the other two follow by integration from rest or differentiation. (not for a record, whose file
-    states it) Default: "acceleration".
+    """What the formula describes; the other two follow by integration from rest or differentiation. Displacements count from
+    where things stand at t = 0, and stay at their last value where the formula, a record or a function ends; velocities and
+    accelerations are 0 after it. (not for a record, whose file states it) Default: "acceleration".
     """
     amplitude: float | None = None
     """Amplitude of the formula, in m, m/s or m/s2 according to the quantity; for a record or a function, a dimensionless factor.

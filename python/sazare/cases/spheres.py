@@ -258,8 +258,9 @@ class Motion(Part):
     type: Literal["ricker", "sine", "record", "function"]
     """A Ricker wavelet, a sine from t = 0, a record from a file, or a function that the caller gives in Python."""
     quantity: Literal["displacement", "velocity", "acceleration"] | None = None
-    """What the formula describes; the other two follow by integration from rest or differentiation. (not for a record, whose file
-    states it) Default: "acceleration".
+    """What the formula describes; the other two follow by integration from rest or differentiation. Displacements count from
+    where things stand at t = 0, and stay at their last value where the formula, a record or a function ends; velocities and
+    accelerations are 0 after it. (not for a record, whose file states it) Default: "acceleration".
     """
     amplitude: float | None = None
     """Amplitude of the formula, in m, m/s or m/s2 according to the quantity; for a record or a function, a dimensionless factor.
