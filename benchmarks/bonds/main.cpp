@@ -30,7 +30,7 @@ methods::spheres::Bond bond(Index first, Index second, int axis) {
   bond.second = second;
   bond.radius = radius;
   bond.stiffness = laws::beam_stiffness(spacing, radius, 1e9, 0.25);
-  bond.direction = triple(Vector3(Vector3::Unit(axis)));
+  bond.direction = Vector3(Vector3::Unit(axis));
   return bond;
 }
 

@@ -5,7 +5,8 @@
 #include <array>
 #include <concepts>
 
-#include "sazare/core/lanes.hpp"
+#include "sazare/core/octets.hpp"
+#include "sazare/core/vector_of.hpp"
 
 namespace sazare {
 
@@ -48,19 +49,30 @@ inline void transpose(std::array<Lanes, lane_count>& rows) {
 #endif
 }
 
+/// Numbers of `lane_count` quads become four `Lanes`; `quad(lane)` is that of a lane. For what is worked on before it is turned:
+/// what stands in memory is loaded in lanes by `load_quads`.
+template <class QuadOf>
+std::array<Lanes, 4> lanes_of_quads(const QuadOf& quad) {
+#ifdef __AVX512F__
+  const auto halves = [&](std::size_t lane) { return _mm512_insertf64x4(_mm512_castpd256_pd512(quad(lane)), quad(lane + 2), 1); };
+  const Lanes zero = halves(0), one = halves(1), four = halves(4), five = halves(5), even = even_numbers(zero, one),
+              even2 = even_numbers(four, five), odd = odd_numbers(zero, one), odd2 = odd_numbers(four, five);
+  return {even_pairs(even, even2), even_pairs(odd, odd2), odd_pairs(even, even2), odd_pairs(odd, odd2)};
+#else
+  std::array<Lanes, lane_count> rows{quad(0), quad(1), quad(2), quad(3)};
+  transpose(rows);
+  return rows;
+#endif
+}
+
 /// Four doubles of `lane_count` records become four `Lanes`; `from(lane)` says where those of a lane begin. Parts of two or four
 /// records are put side by side as they are loaded, which takes no unit that turns them over.
 template <class From>
 requires std::invocable<const From&, std::size_t> std::array<Lanes, 4> load_quads(const From& from) {
-  std::array<Lanes, 4> fields;
 #ifdef __AVX512F__
-  const auto halves = [&](std::size_t lane) {
-    return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(from(lane))), _mm256_loadu_pd(from(lane + 2)), 1);
-  };
-  const Lanes zero = halves(0), one = halves(1), four = halves(4), five = halves(5), even = even_numbers(zero, one),
-              even2 = even_numbers(four, five), odd = odd_numbers(zero, one), odd2 = odd_numbers(four, five);
-  fields = {even_pairs(even, even2), even_pairs(odd, odd2), odd_pairs(even, even2), odd_pairs(odd, odd2)};
+  return lanes_of_quads([&](std::size_t lane) { return load_half(from(lane)); });
 #else
+  std::array<Lanes, 4> fields;
   const auto halves = [&](std::size_t lane, int number) {
 #ifdef __AVX__
     return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(from(lane) + number)), _mm_loadu_pd(from(lane + 2) + number),
@@ -75,8 +87,8 @@ requires std::invocable<const From&, std::size_t> std::array<Lanes, 4> load_quad
     fields[i] = __builtin_shufflevector(even, odd, 0, 4, 2, 6);
     fields[i + 1] = __builtin_shufflevector(even, odd, 1, 5, 3, 7);
   }
-#endif
   return fields;
+#endif
 }
 inline std::array<Lanes, 4> load_quads(const std::array<const Real*, lane_count>& from) {
   return load_quads([&](std::size_t lane) { return from[lane]; });
@@ -102,6 +114,92 @@ void store_quads(const std::array<Lanes, 4>& fields, const To& to) {
   transpose(rows);
   for (std::size_t lane = 0; lane < lane_count; ++lane) store_lanes(to(lane), rows[lane]);
 #endif
+}
+
+/// Vectors that stand side by side in memory, one in each lane.
+inline LaneVector load_vectors(const Vector3* from) {
+  const Real* const numbers = from->data();
+  const Lanes a = load_lanes(numbers), b = load_lanes(numbers + lane_count), c = load_lanes(numbers + 2 * lane_count);
+#ifdef __AVX512F__
+  const Lanes x = __builtin_shufflevector(a, b, 0, 3, 6, 9, 12, 15, -1, -1);
+  const Lanes y = __builtin_shufflevector(a, b, 1, 4, 7, 10, 13, -1, -1, -1);
+  const Lanes z = __builtin_shufflevector(a, b, 2, 5, 8, 11, 14, -1, -1, -1);
+  return {{__builtin_shufflevector(x, c, 0, 1, 2, 3, 4, 5, 10, 13), __builtin_shufflevector(y, c, 0, 1, 2, 3, 4, 8, 11, 14),
+           __builtin_shufflevector(z, c, 0, 1, 2, 3, 4, 9, 12, 15)}};
+#else
+  const Lanes x = __builtin_shufflevector(a, b, 0, 3, 6, -1), y = __builtin_shufflevector(a, b, 1, 4, 7, -1);
+  const Lanes z = __builtin_shufflevector(a, b, 2, 5, -1, -1);
+  return {{__builtin_shufflevector(x, c, 0, 1, 2, 5), __builtin_shufflevector(y, c, 0, 1, 2, 6),
+           __builtin_shufflevector(z, c, 0, 1, 4, 7)}};
+#endif
+}
+
+/// Back again.
+inline void store_vectors(const LaneVector& v, Vector3* to) {
+  Real* const numbers = to->data();
+#ifdef __AVX512F__
+  const Lanes a = __builtin_shufflevector(v[0], v[1], 0, 8, -1, 1, 9, -1, 2, 10);
+  const Lanes b = __builtin_shufflevector(v[0], v[1], -1, 3, 11, -1, 4, 12, -1, 5);
+  const Lanes c = __builtin_shufflevector(v[0], v[1], 13, -1, 6, 14, -1, 7, 15, -1);
+  store_lanes(numbers, __builtin_shufflevector(a, v[2], 0, 1, 8, 3, 4, 9, 6, 7));
+  store_lanes(numbers + lane_count, __builtin_shufflevector(b, v[2], 10, 1, 2, 11, 4, 5, 12, 7));
+  store_lanes(numbers + 2 * lane_count, __builtin_shufflevector(c, v[2], 0, 13, 2, 3, 14, 5, 6, 15));
+#else
+  const Lanes a = __builtin_shufflevector(v[0], v[1], 0, 4, -1, 1), b = __builtin_shufflevector(v[0], v[1], 5, -1, 2, 6);
+  const Lanes c = __builtin_shufflevector(v[0], v[1], -1, 3, 7, -1);
+  store_lanes(numbers, __builtin_shufflevector(a, v[2], 0, 1, 4, 3));
+  store_lanes(numbers + lane_count, __builtin_shufflevector(b, v[2], 0, 5, 2, 3));
+  store_lanes(numbers + 2 * lane_count, __builtin_shufflevector(c, v[2], 6, 1, 2, 7));
+#endif
+}
+
+/// Pairs of records of eight numbers in lanes. What nobody reads is not made.
+struct PairsOfRecords {
+  std::array<Lanes, 8> difference, first, second;  ///< `difference`: second less first
+};
+
+/// `first(lane)` and `second(lane)` say where the records of a lane begin.
+template <class First, class Second>
+PairsOfRecords load_pairs(const First& first, const Second& second) {
+  PairsOfRecords pairs;
+#ifdef __AVX512F__  // differences are turned into lanes once, and not what either record has
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    pairs.first[lane] = load_lanes(first(lane));
+    pairs.second[lane] = load_lanes(second(lane));
+    pairs.difference[lane] = pairs.second[lane] - pairs.first[lane];
+  }
+  transpose(pairs.first);
+  transpose(pairs.second);
+  transpose(pairs.difference);
+#else
+  for (std::size_t half = 0; half < 8; half += 4) {
+    const auto one = load_quads([&](std::size_t lane) { return first(lane) + half; }),
+               other = load_quads([&](std::size_t lane) { return second(lane) + half; });
+    for (std::size_t i = 0; i < 4; ++i) {
+      pairs.first[half + i] = one[i];
+      pairs.second[half + i] = other[i];
+      pairs.difference[half + i] = other[i] - one[i];
+    }
+  }
+#endif
+  return pairs;
+}
+
+/// Eight numbers of each lane as records.
+inline std::array<Octet, lane_count> octets_of(const std::array<Lanes, 8>& fields) {
+  std::array<Octet, lane_count> records;
+#ifdef __AVX512F__
+  std::array<Lanes, lane_count> rows = fields;
+  transpose(rows);
+  for (std::size_t lane = 0; lane < lane_count; ++lane) records[lane] = Octet(rows[lane]);
+#else
+  std::array<Lanes, lane_count> first{fields[0], fields[1], fields[2], fields[3]},
+      second{fields[4], fields[5], fields[6], fields[7]};
+  transpose(first);
+  transpose(second);
+  for (std::size_t lane = 0; lane < lane_count; ++lane) records[lane] = Octet(first[lane], second[lane]);
+#endif
+  return records;
 }
 
 /// Numbers in single precision, two in the place of each double of a record.

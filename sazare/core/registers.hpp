@@ -106,6 +106,14 @@ private:
   }
 };
 
+/// Said of a register just loaded that is needed more than once: compilers would read its numbers from memory again each time.
+template <class Reals>
+void keep([[maybe_unused]] Reals& numbers) {
+#ifdef __AVX512F__
+  asm("" : "+v"(numbers));
+#endif
+}
+
 /// The first numbers of a register, zeros in place of the others.
 template <int Count, int Width>
 typename RegisterOf<Width>::Reals first_of(const typename RegisterOf<Width>::Reals& numbers) {

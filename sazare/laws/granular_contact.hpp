@@ -26,34 +26,34 @@ namespace sazare::laws {
 /// What the law needs to know of a touching pair.
 template <class Number>
 struct ContactMotion {
-  Number overlap;           ///< d [m], > 0
-  Reduced<Number> radius;   ///< R [m]
-  Reduced<Number> mass;     ///< m [kg]
-  Triple<Number> normal;    ///< n, from the first to the second
-  Triple<Number> velocity;  ///< of the second relative to the first where they touch [m/s]
-  Triple<Number> rolling;   ///< R (w_2 - w_1) x n [m/s]; read, like the next, where spheres resist to turn on each other
-  Number twisting;          ///< R (w_2 - w_1) . n [m/s]
-  Number step;              ///< h [s]
+  Number overlap;                                     ///< d [m], > 0
+  Reduced<Number> radius;                             ///< R [m]
+  Reduced<Number> mass;                               ///< m [kg]
+  VectorOf<Number> normal = zero_vector<Number>();    ///< n, from the first to the second
+  VectorOf<Number> velocity = zero_vector<Number>();  ///< of the second relative to the first where they touch [m/s]
+  VectorOf<Number> rolling = zero_vector<Number>();   ///< R (w_2 - w_1) x n [m/s]; used, like the next, if spheres resist it
+  Number twisting;                                    ///< R (w_2 - w_1) . n [m/s]
+  Number step;                                        ///< h [s]
 };
 
 /// What a pair remembers until it parts.
 template <class Number>
 struct ContactMemory {
-  Triple<Number> sliding;  ///< [m]
-  Triple<Number> rolling;  ///< [m]
-  Number twisting{};       ///< [m]
+  VectorOf<Number> sliding = zero_vector<Number>();  ///< [m]
+  VectorOf<Number> rolling = zero_vector<Number>();  ///< [m]
+  Number twisting{};                                 ///< [m]
 };
 
 template <class Number>
 struct ContactForce {
-  Number normal{};          ///< N on the second, along n [N]
-  Triple<Number> friction;  ///< T on the second [N]
-  Triple<Number> rolling;   ///< slider's force of rolling [N]; the moment on the second is R n x it
-  Number twisting{};        ///< slider's force of twisting [N]; the moment on the second is R n times it
-  Number elastic_energy{};  ///< of the normal spring [J]
-  Number sliding_energy{};  ///< in the sliders' springs [J]
-  Number dashpot_power{};   ///< taken by the normal dashpot [W]
-  Number sliding_power{};   ///< work against the sliders: stored and lost [W]
+  Number normal{};                                    ///< N on the second, along n [N]
+  VectorOf<Number> friction = zero_vector<Number>();  ///< T on the second [N]
+  VectorOf<Number> rolling = zero_vector<Number>();   ///< force of the slider of rolling [N]; the moment is R n x it
+  Number twisting{};                                  ///< force of the slider of twisting [N]; the moment is R n times it
+  Number elastic_energy{};                            ///< of the normal spring [J]
+  Number sliding_energy{};                            ///< in the sliders' springs [J]
+  Number dashpot_power{};                             ///< taken by the normal dashpot [W]
+  Number sliding_power{};                             ///< work against the sliders: stored and lost [W]
 };
 
 /// Shares of m/h that dashpots may have at most.
@@ -88,8 +88,8 @@ Dashpots<Number> dashpots(const ContactConstants<Number>& constants, const Numbe
       select(strong, bearable_damping(asked.tangential, tangential, most_tangential_damping, root, travel), asked.tangential)};
 }
 
-template <class Number>
-Triple<Number> across(const Triple<Number>& vector, const Triple<Number>& normal) {
+template <IsVectorOf Vector>
+Vector across(const Vector& vector, const Vector& normal) {
   return subtract_product(dot(vector, normal), normal, vector);
 }
 
@@ -104,12 +104,12 @@ ContactForce<Number> contact_force(const ContactConstants<Number>& constants, co
   const Number spring = Law::force(constants, width, at.overlap, at.radius), dashpot = damped * opening,
                normal = spring - dashpot, pressing = Law::pressing(constants, normal, at.radius),
                stiffness = constants.tangential * width;
-  const Triple<Number> sliding = subtract_product(opening, at.normal, at.velocity);
+  const VectorOf<Number> sliding = subtract_product(opening, at.normal, at.velocity);
   memory.sliding = across(memory.sliding, at.normal);
   const auto slid = slide(stiffness, damping, Number(constants.friction * pressing), sliding, at.step, memory.sliding);
   ContactForce<Number> result{.normal = normal,
                               .friction = slid.force,
-                              .rolling = {},
+                              .rolling = zero_vector<Number>(),
                               .twisting = {},
                               .elastic_energy = {},
                               .sliding_energy = {},

@@ -9,7 +9,7 @@
 /// together. The memory is x half a step back, m: x = m + h v/2 at the evaluation, and m = x + h v/2 after it, h being the step
 /// [s]; so x is the integral of v by the trapezoidal rule. x, v and T are vectors, or numbers where there is one way to slide.
 
-#include "sazare/core/triple.hpp"
+#include "sazare/core/vector_of.hpp"
 
 namespace sazare::laws {
 
@@ -23,8 +23,8 @@ template <class Number>
 Number square_of(const Number& number) {
   return number * number;
 }
-template <class Number>
-Number square_of(const Triple<Number>& vector) {
+template <IsVectorOf Vector>
+NumberOf<Vector> square_of(const Vector& vector) {
   return dot(vector, vector);
 }
 

@@ -69,20 +69,20 @@ inline BondStiffness<Real> cement_stiffness(Real length, Real radius, Real norma
 
 template <class Number>
 struct BondPose {
-  Triple<Number> apart;      ///< from the first centre to the second [m]
-  Turn<Number> first;        ///< of the first sphere since the beginning
-  Turn<Number> second;       ///< of the second sphere
-  Triple<Number> direction;  ///< e at the beginning
+  VectorOf<Number> apart = zero_vector<Number>();      ///< from the first centre to the second [m]
+  Turn<Number> first;                                  ///< of the first sphere since the beginning
+  Turn<Number> second;                                 ///< of the second sphere
+  VectorOf<Number> direction = zero_vector<Number>();  ///< e at the beginning
 };
 
 template <class Number>
 struct BondForce {
-  Triple<Number> direction;      ///< e
-  Triple<Number> force;          ///< on the second sphere [N]; the other way on the first
-  Triple<Number> first_moment;   ///< on the first sphere [N m]
-  Triple<Number> second_moment;  ///< on the second sphere [N m]
-  Number compression{};          ///< energy that damage leaves [J]
-  Number energy{};               ///< all other energy, of the sound bond [J]
+  VectorOf<Number> direction = zero_vector<Number>();      ///< e
+  VectorOf<Number> force = zero_vector<Number>();          ///< on the second sphere [N]; the other way on the first
+  VectorOf<Number> first_moment = zero_vector<Number>();   ///< on the first sphere [N m]
+  VectorOf<Number> second_moment = zero_vector<Number>();  ///< on the second sphere [N m]
+  Number compression{};                                    ///< energy that damage leaves [J]
+  Number energy{};                                         ///< all other energy, of the sound bond [J]
 };
 
 /// Force of a bond that keeps the share `kept` of its stiffness, d.
@@ -90,19 +90,19 @@ template <class Number>
 BondForce<Number> bond_force(const BondStiffness<Number>& bond, const BondPose<Number>& at, const Number& kept) {
   BondForce<Number> result;
   const Number length = square_root(dot(at.apart, at.apart)), inverse = 1.0 / length;
-  const Triple<Number> e = inverse * at.apart, a = turned(at.first, at.direction), b = turned(at.second, at.direction);
+  const VectorOf<Number> e = inverse * at.apart, a = turned(at.first, at.direction), b = turned(at.second, at.direction);
   const Turn<Number> turn = turn_between(at.first, at.second);
   const Number opening = length - bond.length, tension = bond.stretch * opening;
   const Number half_shear = 0.5 * bond.shear, bend = bond.bend - 0.25 * bond.shear - bond.twist;
-  const Triple<Number> sum = a + b, across = sum - dot(sum, e) * e;
+  const VectorOf<Number> sum = a + b, across = sum - dot(sum, e) * e;
   const auto opens = opening > 0.0;
   const Number kept_tension = select(opens, Number(kept * tension), tension);
   result.direction = e;
   result.force = (kept * half_shear * inverse) * across - kept_tension * e;
-  const Triple<Number> along = bend * cross(a, b) + (2.0 * bond.twist * turn.w) * turn.axis();
+  const VectorOf<Number> along = bend * cross(a, b) + (2.0 * bond.twist * turn.w) * turn.axis();
   result.first_moment = kept * (half_shear * cross(a, e) + along);
   result.second_moment = kept * (half_shear * cross(b, e) - along);
-  const Triple<Number> first_off = a - e, second_off = b - e, off = a - b;
+  const VectorOf<Number> first_off = a - e, second_off = b - e, off = a - b;
   const Number stretching = 0.5 * tension * opening;
   result.compression = select(opens, Number{}, stretching);
   result.energy = select(opens, stretching, Number{}) +
@@ -131,8 +131,8 @@ template <class Number>
 Number bond_use(const BondStrength<Number>& strength, const BondForce<Number>& force, const Number& radius) {
   const Number per_area = 1.0 / (std::numbers::pi * radius * radius), arm = 4.0 / radius;
   const Number tension = Number{} - dot(force.force, force.direction);
-  const Triple<Number> across = force.force + tension * force.direction;
-  const auto bending_squared = [&](const Triple<Number>& moment, const Number& twist) {
+  const VectorOf<Number> across = force.force + tension * force.direction;
+  const auto bending_squared = [&](const VectorOf<Number>& moment, const Number& twist) {
     return maximum(Number(dot(moment, moment) - twist * twist), Number{});
   };
   const Number twist = dot(force.second_moment, force.direction), other_twist = dot(force.first_moment, force.direction);
@@ -167,22 +167,22 @@ struct BondDamping {
 
 template <class Number>
 struct BondDrag {
-  Triple<Number> force;   ///< on the second sphere [N]
-  Triple<Number> arm;     ///< moment of the force on either sphere [N m]
-  Triple<Number> moment;  ///< on the second sphere, the other way on the first [N m]
-  Number power{};         ///< taken [W]
+  VectorOf<Number> force = zero_vector<Number>();   ///< on the second sphere [N]
+  VectorOf<Number> arm = zero_vector<Number>();     ///< moment of the force on either sphere [N m]
+  VectorOf<Number> moment = zero_vector<Number>();  ///< on the second sphere, the other way on the first [N m]
+  Number power{};                                   ///< taken [W]
 };
 
 /// `velocity` and `turning` are those of the second sphere relative to the first [m/s, rad/s], `mean_spin` the mean of both.
 template <class Number>
-BondDrag<Number> bond_drag(const BondDamping<Number>& damping, const Triple<Number>& apart, const Triple<Number>& direction,
-                           const Triple<Number>& velocity, const Triple<Number>& turning, const Triple<Number>& mean_spin) {
-  const Triple<Number> sliding = velocity - cross(mean_spin, apart);
+BondDrag<Number> bond_drag(const BondDamping<Number>& damping, const VectorOf<Number>& apart, const VectorOf<Number>& direction,
+                           const VectorOf<Number>& velocity, const VectorOf<Number>& turning, const VectorOf<Number>& mean_spin) {
+  const VectorOf<Number> sliding = velocity - cross(mean_spin, apart);
   const Number opening = dot(sliding, direction);
   BondDrag<Number> drag;
-  drag.force = Triple<Number>{} - (damping.along * opening) * direction - damping.across * (sliding - opening * direction);
+  drag.force = zero_vector<Number>() - (damping.along * opening) * direction - damping.across * (sliding - opening * direction);
   drag.arm = (Number{} + 0.5) * cross(drag.force, apart);
-  drag.moment = Triple<Number>{} - damping.turning * turning;
+  drag.moment = zero_vector<Number>() - damping.turning * turning;
   drag.power = Number{} - dot(drag.force, sliding) - dot(drag.moment, turning);
   return drag;
 }

@@ -18,7 +18,7 @@
 /// error of order h^2. So it is for the cap `step`; `critical` keeps c under critical damping instead, and `literal` takes c
 /// as it is.
 
-#include "sazare/core/lanes.hpp"
+#include "sazare/core/vector_of.hpp"
 
 namespace sazare::laws {
 

@@ -40,13 +40,13 @@ public:
   std::size_t find_near(const state::Spheres& spheres, const state::BoxLanes<Lanes>& box, const state::SpherePlace& own,
                         Real margin, std::vector<Index>& near) const {
     if (near.size() < count_ + lane_count) near.resize(count_ + lane_count);
-    const Triple<Lanes> centre{broadcast(own.x), broadcast(own.y), broadcast(own.z)};
+    const LaneVector centre{broadcast(own.x), broadcast(own.y), broadcast(own.z)};
     const Lanes least_reach = broadcast(own.radius + margin);
     std::size_t found = 0;
     for (std::size_t n = 0; n < count_; n += lane_count) {
       const Index* const some = &spheres_[n];
       const auto other = load_quads([&](std::size_t lane) { return &spheres.place[static_cast<std::size_t>(some[lane])].x; });
-      Triple<Lanes> apart{other[0] - centre.x, other[1] - centre.y, other[2] - centre.z};
+      LaneVector apart{other[0] - centre[0], other[1] - centre[1], other[2] - centre[2]};
       const Lanes reach = least_reach + other[3];
       unsigned bits = those_above(reach * reach, box.square_of_nearest(apart));
       if (count_ - n < lane_count) bits &= (1u << (count_ - n)) - 1;

@@ -78,7 +78,7 @@ namespace {
   for (std::size_t lane = 0; lane < lane_count; ++lane) seconds[static_cast<int>(lane)] = now.seconds_since(bodies[lane]->due);
   const auto n = load_records<28>(bodies);
   const LaneMatrix rotation{{LaneVector{{n[3], n[4], n[5]}}, LaneVector{{n[6], n[7], n[8]}}, LaneVector{{n[9], n[10], n[11]}}}};
-  const LaneVector position = add_product(seconds, {{n[18], n[19], n[20]}}, {{n[0], n[1], n[2]}});
+  const LaneVector position = add_product(seconds, LaneVector{{n[18], n[19], n[20]}}, {{n[0], n[1], n[2]}});
   const LaneVector half = (0.5 * seconds) * LaneVector{{n[24], n[25], n[26]}};
   const LaneMatrix r = rotation_of(2.0 / (1.0 + dot(half, half)), half[0], half[1], half[2], broadcast(1)) * rotation;
   store_records(std::bit_cast<std::array<Lanes, 12>>(std::array{position, r[0], r[1], r[2]}), poses);

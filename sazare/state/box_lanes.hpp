@@ -2,8 +2,7 @@
 
 #include <limits>
 
-#include "sazare/core/lanes.hpp"
-#include "sazare/core/triple.hpp"
+#include "sazare/core/vector_of.hpp"
 #include "sazare/state/spheres.hpp"
 
 namespace sazare::state {
@@ -23,7 +22,7 @@ public:
 
   /// Squares of the distances `apart`, from some places to any images of others, which become the nearest. Most are: where no
   /// square is beyond that of half a box all of them are.
-  Number square_of_nearest(Triple<Number>& apart) const {
+  Number square_of_nearest(VectorOf<Number>& apart) const {
     const Number square = dot(apart, apart);
     if (!any_above(square, surely_nearest_)) return square;
     apart = nearest(apart);
@@ -31,20 +30,17 @@ public:
   }
 
   /// From one place to the nearest image of another, of which any image is given.
-  Triple<Number> nearest(Triple<Number> apart) const {
+  VectorOf<Number> nearest(VectorOf<Number> apart) const {
     if (!repeats_) return apart;
-    apart.x -= length_.x * whole(apart.x * inverse_.x);
-    apart.y -= length_.y * whole(apart.y * inverse_.y);
-    apart.z -= length_.z * whole(apart.z * inverse_.z);
+    for (int axis = 0; axis < 3; ++axis) apart[axis] -= length_[axis] * whole(apart[axis] * inverse_[axis]);
     return apart;
   }
 
   /// The periodic image of a place within the box.
-  Triple<Number> wrapped(Triple<Number> place) const {
+  VectorOf<Number> wrapped(VectorOf<Number> place) const {
     if (!repeats_) return place;
-    place.x -= length_.x * whole_below((place.x - lower_.x) * inverse_.x);
-    place.y -= length_.y * whole_below((place.y - lower_.y) * inverse_.y);
-    place.z -= length_.z * whole_below((place.z - lower_.z) * inverse_.z);
+    for (int axis = 0; axis < 3; ++axis)
+      place[axis] -= length_[axis] * whole_below((place[axis] - lower_[axis]) * inverse_[axis]);
     return place;
   }
 
@@ -60,7 +56,7 @@ private:
   }
 
   bool repeats_;
-  Triple<Number> lower_, length_, inverse_;
+  VectorOf<Number> lower_, length_, inverse_;
   Number surely_nearest_;
 };
 

@@ -13,30 +13,30 @@ namespace sazare::state {
 
 /// A body whose axes are its principal ones. Its momenta hold what each force gives until half a step after it was evaluated.
 struct Clump {
-  Triple<Real> centre;            ///< [m]
-  Triple<Real> velocity;          ///< [m/s]
-  Triple<Real> angular_momentum;  ///< about its centre [kg m2/s]
-  Turn<Real> turn{1, 0, 0, 0};    ///< from its own axes to those of space
-  Real mass = 0;                  ///< [kg]
-  Triple<Real> inertia;           ///< about its own axes [kg m2]
-  Triple<Real> impulse_ahead;     ///< what its momentum lacks at its time [N s]
-  Triple<Real> turning_ahead;     ///< what its angular momentum lacks [N m s]
-  Real volume = 0;                ///< [m3]
-  std::int64_t first_member = 0;  ///< its members end where those of the next begin
+  Vector3 centre = Vector3::Zero();            ///< [m]
+  Vector3 velocity = Vector3::Zero();          ///< [m/s]
+  Vector3 angular_momentum = Vector3::Zero();  ///< about its centre [kg m2/s]
+  Turn<Real> turn{1, 0, 0, 0};                 ///< from its own axes to those of space
+  Real mass = 0;                               ///< [kg]
+  Vector3 inertia = Vector3::Zero();           ///< about its own axes [kg m2]
+  Vector3 impulse_ahead = Vector3::Zero();     ///< what its momentum lacks at its time [N s]
+  Vector3 turning_ahead = Vector3::Zero();     ///< what its angular momentum lacks [N m s]
+  Real volume = 0;                             ///< [m3]
+  std::int64_t first_member = 0;               ///< its members end where those of the next begin
 
   /// A vector of its own axes as space sees it, and back.
-  Triple<Real> out(const Triple<Real>& own) const { return turned(turn, own); }
-  Triple<Real> into(const Triple<Real>& space) const { return turned<Real>({turn.w, -turn.x, -turn.y, -turn.z}, space); }
-  Triple<Real> spin_of(const Triple<Real>& momentum) const {
-    const Triple<Real> own = into(momentum);
-    return out({own.x / inertia.x, own.y / inertia.y, own.z / inertia.z});
+  Vector3 out(const Vector3& own) const { return turned(turn, own); }
+  Vector3 into(const Vector3& space) const { return turned<Real>({turn.w, -turn.x, -turn.y, -turn.z}, space); }
+  Vector3 spin_of(const Vector3& momentum) const {
+    const Vector3 own = into(momentum);
+    return out(own.cwiseQuotient(inertia));
   }
 };
 
 struct ClumpMember {
   Index sphere = 0;    ///< its number
   Index unused = 0;    // no gaps: checkpoints are compared byte by byte
-  Triple<Real> place;  ///< of its centre, by the axes of the clump [m]
+  Vector3 place = Vector3::Zero();  ///< of its centre, by the axes of the clump [m]
 };
 
 struct Clumps {

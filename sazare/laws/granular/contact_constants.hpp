@@ -6,7 +6,7 @@
 #include <numbers>
 #include <span>
 
-#include "sazare/core/triple.hpp"
+#include "sazare/core/vector_of.hpp"
 #include "sazare/laws/law_list.hpp"
 
 namespace sazare::laws {

@@ -1,11 +1,6 @@
 #include "sazare/levels/schedule/levels.hpp"
 
-#ifdef __AVX512F__
-#include <immintrin.h>
-#endif
-
 #include <algorithm>
-#include <bit>
 
 namespace sazare::schedule {
 
@@ -54,32 +49,6 @@ void Buckets::move(Index item, int level) {
   insert(item, level);
 }
 
-namespace {
-
-/// Writes the places of levels that are as fine as one, and past the last of them.
-void list_rising(std::span<const std::int8_t> levels, int level, Index* next) {
-  std::size_t item = 0;
-#ifdef __AVX512F__  // a register of places at a time, those that are listed pushed together
-  constexpr std::size_t width = 16;
-  const __m128i least = _mm_set1_epi8(static_cast<char>(level));
-  __m512i places = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
-  for (; item + width <= levels.size(); item += width) {
-    const __m128i some = _mm_loadu_si128(reinterpret_cast<const __m128i*>(levels.data() + item));
-    const __mmask16 listed = _mm_cmpge_epi8_mask(some, least);
-    _mm512_mask_storeu_epi32(next, static_cast<__mmask16>((1U << std::popcount(listed)) - 1),
-                             _mm512_maskz_compress_epi32(listed, places));
-    next += std::popcount(listed);
-    places = _mm512_add_epi32(places, _mm512_set1_epi32(width));
-  }
-#endif
-  for (; item < levels.size(); ++item) {
-    *next = static_cast<Index>(item);
-    next += levels[item] >= level ? 1 : 0;
-  }
-}
-
-}  // namespace
-
 void Buckets::list_from(int level, std::vector<Index>& items) const {
   constexpr std::size_t many = 2048;  // most of fewer is in the cache of a core
   std::size_t count = 0;
@@ -91,7 +60,10 @@ void Buckets::list_from(int level, std::vector<Index>& items) const {
       for (const Index item : at(finer)) *next++ = item;
     });
   } else {
-    list_rising(level_, level, next);
+    for (std::size_t item = 0; item < level_.size(); ++item) {  // without a branch: nobody foretells which are listed
+      *next = static_cast<Index>(item);
+      next += level_[item] >= level ? 1 : 0;
+    }
   }
   items.resize(count);
 }

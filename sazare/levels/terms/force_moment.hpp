@@ -22,9 +22,7 @@ struct ForceMoment {
   /// For what is needed more than once: compilers would read it again each time.
   static ForceMoment load_once(const Real* from) {
     ForceMoment loaded = load(from);
-#ifdef __AVX512F__
-    asm("" : "+v"(loaded.numbers));
-#endif
+    keep(loaded.numbers);
     return loaded;
   }
   static ForceMoment load(const float* from) { return {Register::template converted<count>(from)}; }

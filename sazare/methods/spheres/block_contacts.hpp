@@ -8,7 +8,7 @@
 #include "sazare/core/coming_lines.hpp"
 #include "sazare/core/large_tables.hpp"
 #include "sazare/core/time.hpp"
-#include "sazare/core/triple.hpp"
+#include "sazare/core/vector_of.hpp"
 #include "sazare/core/twin_lanes.hpp"
 #include "sazare/laws/granular_contact.hpp"
 #include "sazare/methods/spheres/sphere_at.hpp"
@@ -86,12 +86,12 @@ public:
   }
 
   /// What the `at_once` contacts from a multiple of it on remember [m]; lanes beyond the last contact may hold anything.
-  Triple<TwinLanes>& sliding_of(std::size_t contact) { return sliding_[contact / at_once]; }
-  Triple<TwinLanes>& rolling_of(std::size_t contact) { return rolling_[contact / at_once]; }
+  VectorOf<TwinLanes>& sliding_of(std::size_t contact) { return sliding_[contact / at_once]; }
+  VectorOf<TwinLanes>& rolling_of(std::size_t contact) { return rolling_[contact / at_once]; }
   TwinLanes& twisting_of(std::size_t contact) { return twisting_[contact / at_once]; }
 
   laws::ContactMemory<Real> memory(std::size_t contact) const {
-    if (rolling_.empty()) return {get(sliding_, contact), {}, 0};
+    if (rolling_.empty()) return {get(sliding_, contact), Vector3::Zero(), 0};
     return {get(sliding_, contact), get(rolling_, contact), twisting_[contact / at_once][lane_of(contact)]};
   }
   void remember(std::size_t contact, const laws::ContactMemory<Real>& memory) {
@@ -111,22 +111,20 @@ public:
   }
 
 private:
-  using Memory = std::vector<Triple<TwinLanes>>;
+  using Memory = std::vector<VectorOf<TwinLanes>>;
   static constexpr std::size_t spare = 32;
 
   static std::size_t groups_of(std::size_t count) { return (count + at_once - 1) / at_once; }
   static int lane_of(std::size_t contact) { return static_cast<int>(contact % at_once); }
-  static Triple<Real> get(const Memory& memory, std::size_t contact) {
-    const Triple<TwinLanes>& group = memory[contact / at_once];
+  static Vector3 get(const Memory& memory, std::size_t contact) {
+    const VectorOf<TwinLanes>& group = memory[contact / at_once];
     const int lane = lane_of(contact);
-    return {group.x[lane], group.y[lane], group.z[lane]};
+    return {group[0][lane], group[1][lane], group[2][lane]};
   }
-  static void put(Memory& memory, std::size_t contact, const Triple<Real>& value) {
-    Triple<TwinLanes>& group = memory[contact / at_once];
+  static void put(Memory& memory, std::size_t contact, const Vector3& value) {
+    VectorOf<TwinLanes>& group = memory[contact / at_once];
     const int lane = lane_of(contact);
-    group.x.set(lane, value.x);
-    group.y.set(lane, value.y);
-    group.z.set(lane, value.z);
+    for (int axis = 0; axis < 3; ++axis) group[axis].set(lane, value[axis]);
   }
 
   std::vector<Contact> contacts_;

@@ -106,13 +106,13 @@ private:
 
   /// The contact begins with the overlap at which it holds what the bond held in compression, and at most with what came since
   /// the start; it pushes beyond the rest alone. What it holds is taken off what breaking has cost, which so is never below 0.
-  void note_broken(std::size_t link, LaneMask breaks_now, const Triple<Lanes>& apart, const Ends& ends) {
+  void note_broken(std::size_t link, LaneMask breaks_now, const LaneVector& apart, const Ends& ends) {
     for (int lane = 0; lane < lane_count; ++lane) {
       if (breaks_now[lane] == 0) continue;
       const std::size_t at = link + static_cast<std::size_t>(lane);
       const auto i = static_cast<std::size_t>(bonds_.first[at]), j = static_cast<std::size_t>(bonds_.ends.second[at]);
       const Real distance =
-          std::sqrt(apart.x[lane] * apart.x[lane] + apart.y[lane] * apart.y[lane] + apart.z[lane] * apart.z[lane]);
+          std::sqrt(apart[0][lane] * apart[0][lane] + apart[1][lane] * apart[1][lane] + apart[2][lane] * apart[2][lane]);
       const Real reach = ends.radius[lane] + ends.other_radius[lane], overlap = reach - distance;
       const auto& constants =
           task_.contacts.of(static_cast<Index>(spheres_.spin[i].material), static_cast<Index>(spheres_.spin[j].material));
@@ -127,7 +127,7 @@ private:
     }
   }
 
-  void drag(std::size_t link, laws::BondForce<Lanes>& force, const Triple<Lanes>& apart,
+  void drag(std::size_t link, laws::BondForce<Lanes>& force, const LaneVector& apart,
             const std::array<const Real*, lane_count>& place, const std::array<const Real*, lane_count>& other_place) {
     std::array<const Real*, lane_count> velocity, other_velocity, spin, other_spin;
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
@@ -145,7 +145,7 @@ private:
     const Lanes half = Lanes{} + 0.5;
     const auto drag = laws::bond_drag<Lanes>(damping, apart, force.direction, {u[0] - v[0], u[1] - v[1], u[2] - v[2]},
                                              {z[0] - w[0], z[1] - w[1], z[2] - w[2]},
-                                             half * Triple<Lanes>{z[0] + w[0], z[1] + w[1], z[2] + w[2]});
+                                             half * LaneVector{z[0] + w[0], z[1] + w[1], z[2] + w[2]});
     force.force = force.force + drag.force;
     force.first_moment = force.first_moment + drag.arm - drag.moment;
     force.second_moment = force.second_moment + drag.arm + drag.moment;
@@ -153,7 +153,7 @@ private:
   }
 
   void deliver(std::size_t link, const laws::BondForce<Lanes>& force) {
-    const Triple<Lanes> back = Triple<Lanes>{} - force.force;
+    const LaneVector back = LaneVector{} - force.force;
     const LoadRows first(back, force.first_moment), second(force.force, force.second_moment);
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
       first.add(lane, &task_.own[static_cast<std::size_t>(bonds_.first[link + lane]) - begin_]);

@@ -13,9 +13,9 @@ void BondLinks::append(const Placed& at, const Bond& bond, const Traits& traits,
   shear.push_back(share * bond.stiffness.shear);
   bend.push_back(share * bond.stiffness.bend);
   twist.push_back(share * bond.stiffness.twist);
-  direction_x.push_back(bond.direction.x);
-  direction_y.push_back(bond.direction.y);
-  direction_z.push_back(bond.direction.z);
+  direction_x.push_back(bond.direction.x());
+  direction_y.push_back(bond.direction.y());
+  direction_z.push_back(bond.direction.z());
   if (traits.breaks) {
     radius.push_back(bond.radius);
     largest_use.push_back(is_filler ? 0 : bond.largest_use);

@@ -18,9 +18,9 @@ struct Bond {
   Real radius = 0;  ///< [m]
   laws::BondStiffness<Real> stiffness;
   laws::BondDamping<Real> damping;
-  Triple<Real> direction;  ///< from the first to the second at the start
-  Real largest_use = 0;    ///< so far
-  Real energy_before = 0;  ///< what damage may take, at the last evaluation [J]
+  Vector3 direction = Vector3::Zero();  ///< from the first to the second at the start
+  Real largest_use = 0;                 ///< so far
+  Real energy_before = 0;               ///< what damage may take, at the last evaluation [J]
 };
 
 /// A bond that has just broken: its place among the links, and the overlap beyond which alone its spheres push each other [m].

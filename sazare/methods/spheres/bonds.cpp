@@ -73,7 +73,7 @@ void Bonds::arrange(std::span<const Index> place, const Levels& levels) {
     if (i > j) {
       std::swap(i, j);
       std::swap(bond.first, bond.second);
-      bond.direction = Triple<Real>{} - bond.direction;
+      bond.direction = zero_vector<Real>() - bond.direction;
     }
     placed[std::max(level_of(bond.first), level_of(bond.second))].push_back({i, j, static_cast<Index>(n)});
   }

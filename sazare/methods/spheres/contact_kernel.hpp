@@ -88,7 +88,7 @@ private:
     TwinMask touches;  ///< where not all do
     laws::ContactMotion<TwinLanes> at;
     TwinLanes first_arm, second_arm;
-    Triple<TwinLanes> force, moment_by_arm, turning;  ///< what the second spheres get, and what moments come from
+    VectorOf<TwinLanes> force, moment_by_arm, turning;  ///< what the second spheres get, and what moments come from
   };
 
   /// Sets out the groups of the contacts from a number on, and returns how many there are.
@@ -115,8 +115,9 @@ private:
     return padded_.data();
   }
 
-  static Triple<TwinLanes> twins(const Triple<Lanes>& first, const Triple<Lanes>& second) {
-    return {{first.x, second.x}, {first.y, second.y}, {first.z, second.z}};
+  static VectorOf<TwinLanes> twins(const LaneVector& first, const LaneVector& second) {
+    const auto twin = [&](int axis) { return TwinLanes(first[axis], second[axis]); };
+    return {twin(0), twin(1), twin(2)};
   }
   /// The spheres of contacts that stand one after the other, by lane.
   static auto firsts(const Contact* some) {
@@ -139,7 +140,7 @@ private:
     laws::ContactMotion<TwinLanes>& at = group.at;
     const Meeting one = meeting_of(places, firsts(some), seconds(some)),
                   two = meeting_of(places, firsts(some + lane_count), seconds(some + lane_count));
-    Triple<TwinLanes> apart = twins(one.apart, two.apart);
+    VectorOf<TwinLanes> apart = twins(one.apart, two.apart);
     const TwinLanes radius(one.radius, two.radius), second_radius(one.second_radius, two.second_radius);
     at.radius = reduced(radius, second_radius);
     at.mass = reduced({one.mass, two.mass}, {one.second_mass, two.second_mass});
@@ -186,7 +187,7 @@ private:
     at.velocity = at.velocity - cross(turning, at.normal);
     if constexpr (rolls) {
       const TwinLanes reduced_radius = at.radius.product / at.radius.sum;
-      const Triple<TwinLanes> turns = twins(spins_of(spins, seconds(some)), spins_of(spins, seconds(more))) -
+      const VectorOf<TwinLanes> turns = twins(spins_of(spins, seconds(some)), spins_of(spins, seconds(more))) -
                                       twins(spins_of(spins, firsts(some)), spins_of(spins, firsts(more)));
       at.rolling = reduced_radius * cross(turns, at.normal);
       at.twisting = reduced_radius * dot(turns, at.normal);
@@ -225,7 +226,7 @@ private:
     for (TwinLanes* number : {&force.normal, &force.twisting, &force.elastic_energy, &force.sliding_energy, &force.dashpot_power,
                               &force.sliding_power})
       *number = select(touches, *number, 0);
-    for (auto* part : {&force.friction, &force.rolling}) *part = select(touches, *part, Triple<TwinLanes>{});
+    for (auto* part : {&force.friction, &force.rolling}) *part = select(touches, *part, VectorOf<TwinLanes>{});
   }
 
   /// Tells the lanes that push. Pairs that do not sleep, where there is a gap, for as long as it lasts. Called, like `look_up`,
@@ -301,8 +302,8 @@ private:
     }
   }
 
-  static Triple<Lanes> lanes_of(const Triple<TwinLanes>& numbers, Lanes TwinLanes::*half) {
-    return {numbers.x.*half, numbers.y.*half, numbers.z.*half};
+  static LaneVector lanes_of(const VectorOf<TwinLanes>& numbers, Lanes TwinLanes::*half) {
+    return {numbers[0].*half, numbers[1].*half, numbers[2].*half};
   }
 
   void book(const laws::ContactForce<TwinLanes>& force, const Group& group) {

@@ -51,7 +51,7 @@ PairContacts::Touches PairContacts::take_touches(const std::vector<Index>& new_p
         if (touch.one > touch.other) {
           // Seen from the other sphere, sliding changes its sign; rolling and twisting do not.
           std::swap(touch.one, touch.other);
-          touch.sliding = Triple<Real>{} - touch.sliding;
+          touch.sliding = zero_vector<Real>() - touch.sliding;
         }
         if (table_.rolls) touches.turning[to] = {memory.rolling, memory.twisting};
         if (some_rest) touches.rest[to] = contacts_[block].rest(n);
@@ -177,7 +177,7 @@ inline Lanes PairContacts::gaps(const state::Spheres& spheres, const BoxLanes<La
   const auto first = load_quads([&](std::size_t lane) { return &own[owner_[pairs[lane]]].x; });
   const auto second =
       load_quads([&](std::size_t lane) { return &spheres.place[static_cast<std::size_t>(pairs_.other[pairs[lane]])].x; });
-  Triple<Lanes> apart{second[0] - first[0], second[1] - first[1], second[2] - first[2]};
+  LaneVector apart{second[0] - first[0], second[1] - first[1], second[2] - first[2]};
   return square_root(box.square_of_nearest(apart)) - (first[3] + second[3]);
 }
 
@@ -241,7 +241,7 @@ void PairContacts::columns(Archive& archive) {
   archive("sleeps_until", sleeps_until_);
   std::vector<std::uint64_t> counts;
   std::vector<Contact> contacts;
-  std::vector<Triple<Real>> sliding, rolling;
+  std::vector<Vector3> sliding, rolling;
   std::vector<Real> twisting, rest;
   for (const BlockContacts& block : contacts_) {
     counts.push_back(block.size());
@@ -269,7 +269,7 @@ void PairContacts::columns(Archive& archive) {
     contacts_[block].reserve(counts[block], table_.rolls);
     for (std::size_t n = 0; n < counts[block]; ++n, ++next) {
       contacts_[block].add(contacts[next], table_.rolls);
-      laws::ContactMemory<Real> memory{sliding[next], {}, 0};
+      laws::ContactMemory<Real> memory{.sliding = sliding[next]};
       if (table_.rolls) memory.rolling = rolling[next], memory.twisting = twisting[next];
       contacts_[block].remember(n, memory);
       if (!rest.empty() && rest[next] > 0) contacts_[block].set_rest(n, rest[next]);

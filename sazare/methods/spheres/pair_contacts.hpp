@@ -72,11 +72,11 @@ private:
   /// A contact that goes on when pairs are found anew.
   struct Touch {
     Index one, other;  ///< places
-    Triple<Real> sliding;
+    Vector3 sliding = Vector3::Zero();
   };
   /// What else it remembers: few tables resist rolling, and all contacts are held twice while pairs are found.
   struct Turning {
-    Triple<Real> rolling;
+    Vector3 rolling = Vector3::Zero();
     Real twisting = 0;
   };
   struct Touches {

@@ -12,10 +12,6 @@ namespace {
 
 constexpr Real tiny = 1e-30;  // an overlap at which nothing of the law fails [m]
 
-Triple<Lanes> in_every_lane(const Vector3& vector) {
-  return {broadcast(vector.x()), broadcast(vector.y()), broadcast(vector.z())};
-}
-
 template <class Numbers>
 Numbers where(const LaneMask& mask, const Numbers& numbers) {
   return select(mask, numbers, Numbers{});
@@ -23,14 +19,14 @@ Numbers where(const LaneMask& mask, const Numbers& numbers) {
 
 /// Where a plane is and how it moves, in every lane.
 struct PlaneInLanes {
-  Triple<Lanes> point, normal, pivot, velocity, spin;
+  LaneVector point, normal, pivot, velocity, spin;
 
   PlaneInLanes(const Wall& wall, const WallPose& pose)
-      : point(in_every_lane(pose.out(wall.point))),
-        normal(in_every_lane(pose.direction_out(wall.normal))),
-        pivot(in_every_lane(pose.pivot + pose.shift)),
-        velocity(in_every_lane(pose.velocity)),
-        spin(in_every_lane(pose.spin)) {}
+      : point(broadcast(pose.out(wall.point))),
+        normal(broadcast(pose.direction_out(wall.normal))),
+        pivot(broadcast(pose.pivot + pose.shift)),
+        velocity(broadcast(pose.velocity)),
+        spin(broadcast(pose.spin)) {}
 };
 
 template <class Law, bool rolls>
@@ -74,8 +70,8 @@ private:
   struct AtPlane {
     LaneMask touch;  ///< those that count
     laws::ContactMotion<Lanes> at;
-    Lanes radius, arm;             ///< from the centres to where they touch [m]
-    Triple<Lanes> foot, velocity;  ///< of the plane there: from its pivot [m], and [m/s]
+    Lanes radius, arm;          ///< from the centres to where they touch [m]
+    LaneVector foot, velocity;  ///< of the plane there: from its pivot [m], and [m/s]
   };
 
   /// Where and how fast a group meets the plane. Returns whether any of it touches; if none does nothing more is known.
@@ -84,7 +80,7 @@ private:
     const state::SpherePlace* const places = task_.spheres.place.data();
     const state::SphereSpin* const spins = task_.spheres.spin.data();
     const auto place = load_quads([&](std::size_t lane) { return &places[sphere[lane]].x; });
-    const Triple<Lanes> centre = box_.wrapped({place[0], place[1], place[2]});
+    const LaneVector centre = box_.wrapped({place[0], place[1], place[2]});
     const Lanes radius = place[3], overlap = radius - dot(centre - plane_.point, plane_.normal);
     meeting.touch = overlap > 0.0;
     if constexpr (Law::adheres) {
@@ -95,7 +91,7 @@ private:
     if (!any(meeting.touch)) return false;
     const auto motion = load_quads([&](std::size_t lane) { return &places[sphere[lane]].vx; }),
                turn = load_quads([&](std::size_t lane) { return &spins[sphere[lane]].x; });
-    const Triple<Lanes> spin{turn[0], turn[1], turn[2]};
+    const LaneVector spin{turn[0], turn[1], turn[2]};
     laws::ContactMotion<Lanes>& at = meeting.at;
     at.overlap = Law::adheres ? select(meeting.touch, overlap, broadcast(tiny)) : maximum(overlap, broadcast(tiny));
     at.radius = laws::Reduced<Lanes>::alone(radius);
@@ -108,7 +104,7 @@ private:
     meeting.velocity = plane_.velocity + cross(plane_.spin, meeting.foot);
     at.velocity = subtract_product(meeting.arm, cross(spin, plane_.normal), {motion[0], motion[1], motion[2]}) - meeting.velocity;
     if constexpr (rolls) {
-      const Triple<Lanes> turns = spin - plane_.spin;
+      const LaneVector turns = spin - plane_.spin;
       at.rolling = radius * cross(turns, plane_.normal);
       at.twisting = radius * dot(turns, plane_.normal);
     }
@@ -126,16 +122,16 @@ private:
     }
     const auto force = laws::contact_force<Law, rolls>(constants_, meeting.at, memory);
     row.group(n).sliding = where(meeting.touch, memory.sliding);
-    Triple<Lanes> turning;
+    LaneVector turning{};
     if constexpr (rolls) {
       row.turning(n) = {where(meeting.touch, memory.rolling), where(meeting.touch, memory.twisting)};
       turning = where(meeting.touch,
                       Lanes(-meeting.radius) * add_product(force.twisting, plane_.normal, cross(plane_.normal, force.rolling)));
     }
-    const Triple<Lanes> push = where(meeting.touch, add_product(force.normal, plane_.normal, force.friction));
+    const LaneVector push = where(meeting.touch, add_product(force.normal, plane_.normal, force.friction));
     deliver(row.group(n), meeting, push, turning);
-    const Triple<Lanes> about_pivot = turning - cross(meeting.foot, push);
-    add_up(meeting.touch, {push.x, push.y, push.z, about_pivot.x, about_pivot.y, about_pivot.z,
+    const LaneVector about_pivot = turning - cross(meeting.foot, push);
+    add_up(meeting.touch, {push[0], push[1], push[2], about_pivot[0], about_pivot[1], about_pivot[2],
                            dot(push, meeting.velocity) - dot(turning, plane_.spin), force.elastic_energy, force.sliding_energy,
                            force.dashpot_power, force.sliding_power});
   }
@@ -181,8 +177,8 @@ private:
   }
 
   /// Forces and the moments that resist turning, to the spheres.
-  void deliver(const PlaneRow::Group& group, const AtPlane& meeting, const Triple<Lanes>& force, const Triple<Lanes>& turning) {
-    const LoadRows rows(force, subtract_product(meeting.arm, cross(plane_.normal, force), Triple<Lanes>{} - turning));
+  void deliver(const PlaneRow::Group& group, const AtPlane& meeting, const LaneVector& force, const LaneVector& turning) {
+    const LoadRows rows(force, subtract_product(meeting.arm, cross(plane_.normal, force), LaneVector{} - turning));
     state::SphereLoad* const loads = task_.own - task_.own_begin;
     for (std::size_t lane = 0; lane < lane_count; ++lane) rows.add(lane, &loads[group.sphere[lane]]);
   }
@@ -227,9 +223,9 @@ void PlaneRow::add(Index sphere, bool rolls, bool adheres) {
 
 laws::ContactMemory<Real> PlaneRow::memory(std::size_t n) const {
   const auto lane = static_cast<int>(n % lane_count);
-  const auto get = [lane](const Triple<Lanes>& of) { return Triple<Real>{of.x[lane], of.y[lane], of.z[lane]}; };
-  const Triple<Real> sliding = get(groups_[n / lane_count].sliding);
-  if (turning_.empty()) return {sliding, {}, 0};
+  const auto get = [lane](const LaneVector& of) { return Vector3(of[0][lane], of[1][lane], of[2][lane]); };
+  const Vector3 sliding = get(groups_[n / lane_count].sliding);
+  if (turning_.empty()) return {sliding, Vector3::Zero(), 0};
   const Turning& turning = turning_[n / lane_count];
   return {sliding, get(turning.rolling), turning.twisting[lane]};
 }
@@ -247,10 +243,8 @@ void PlaneRow::remember(Index sphere, const laws::ContactMemory<Real>& memory) {
   const auto found = std::ranges::find(group.sphere, sphere);
   if (found == group.sphere.end()) return;
   const auto lane = static_cast<int>(found - group.sphere.begin());
-  const auto put = [lane](Triple<Lanes>& numbers, const Triple<Real>& value) {
-    numbers.x[lane] = value.x;
-    numbers.y[lane] = value.y;
-    numbers.z[lane] = value.z;
+  const auto put = [lane](LaneVector& numbers, const Vector3& value) {
+    for (int axis = 0; axis < 3; ++axis) numbers[axis][lane] = value[axis];
   };
   put(group.sliding, memory.sliding);
   const auto number = static_cast<std::size_t>(next - 1 - groups_.begin());

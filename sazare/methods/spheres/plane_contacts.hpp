@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "sazare/core/triple.hpp"
+#include "sazare/core/vector_of.hpp"
 #include "sazare/laws/granular_contact.hpp"
 #include "sazare/methods/spheres/contact_table.hpp"
 #include "sazare/methods/spheres/wall.hpp"
@@ -20,11 +20,11 @@ public:
   /// As many as there are lanes.
   struct Group {
     std::array<Index, lane_count> sphere{};  ///< beyond the last one: the same once more
-    Triple<Lanes> sliding;                   ///< [m]
+    LaneVector sliding{};                    ///< [m]
   };
   struct Turning {
-    Triple<Lanes> rolling;  ///< [m]
-    Lanes twisting{};       ///< [m]
+    LaneVector rolling{};  ///< [m]
+    Lanes twisting{};      ///< [m]
   };
 
   std::size_t size() const { return size_; }

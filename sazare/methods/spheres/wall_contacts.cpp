@@ -148,12 +148,10 @@ struct WallContacts::InLanes {
     }
   }
 
-  static void put(Triple<Lanes>& numbers, int lane, const Vector3& vector) {
-    numbers.x[lane] = vector.x();
-    numbers.y[lane] = vector.y();
-    numbers.z[lane] = vector.z();
+  static void put(LaneVector& numbers, int lane, const Vector3& vector) {
+    for (int axis = 0; axis < 3; ++axis) numbers[axis][lane] = vector[axis];
   }
-  static Vector3 get(const Triple<Lanes>& numbers, int lane) { return {numbers.x[lane], numbers.y[lane], numbers.z[lane]}; }
+  static Vector3 get(const LaneVector& numbers, int lane) { return {numbers[0][lane], numbers[1][lane], numbers[2][lane]}; }
 };
 
 /// Forces at as many points as there are lanes, or fewer, from one on; what is too much repeats the first and does not count.

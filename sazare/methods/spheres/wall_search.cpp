@@ -71,8 +71,8 @@ std::vector<WallContacts::Touch> WallContacts::touches_of(const Block& block) {
       const laws::ContactMemory<Real> memory = block.planes[w].memory(n);
       all.push_back({.sphere = block.planes[w][n],
                      .wall = static_cast<Index>(w),
-                     .sliding = vector(memory.sliding),
-                     .rolling = vector(memory.rolling),
+                     .sliding = memory.sliding,
+                     .rolling = memory.rolling,
                      .twisting = memory.twisting});
     }
   return all;
@@ -140,7 +140,7 @@ void WallContacts::find_near(const state::Spheres& spheres, std::size_t sphere, 
 void WallContacts::remember(const Touch& touch, Block& block) const {
   const auto w = static_cast<std::size_t>(touch.wall);
   if (walls_[w].is_plane())
-    block.planes[w].remember(touch.sphere, {triple(touch.sliding), triple(touch.rolling), touch.twisting});
+    block.planes[w].remember(touch.sphere, {touch.sliding, touch.rolling, touch.twisting});
   else
     block.touches.push_back(touch);
 }

@@ -89,5 +89,41 @@ TEST(lane_records, single_numbers_are_rounded_to_the_nearest) {
   for (int lane = 0; lane < lane_count; ++lane) EXPECT_EQ(rounded[lane], static_cast<float>(numbers[lane]));
 }
 
+TEST(lane_records, quads_that_are_worked_on_first_become_the_same_lanes) {
+  auto all = records();
+  const auto from = pointers(all);
+  const auto twice = lanes_of_quads([&](std::size_t lane) { return 2 * load_half(&from[lane]->number[3]); });
+  const auto once = load_quad(from, 3);
+  for (std::size_t i = 0; i < 4; ++i)
+    for (int lane = 0; lane < lane_count; ++lane) EXPECT_EQ(twice[i][lane], 2 * once[i][lane]);
+}
+
+TEST(lane_records, pairs_of_records_have_their_differences_and_both) {
+  auto all = records();
+  const auto from = pointers(all);
+  const auto first = [&](std::size_t lane) { return &from[lane]->number[1]; };
+  const auto second = [&](std::size_t lane) { return &all[lane].number[2]; };
+  const PairsOfRecords pairs = load_pairs(first, second);
+  for (std::size_t lane = 0; lane < lane_count; ++lane)
+    for (std::size_t i = 0; i < 8; ++i) {
+      const auto n = static_cast<int>(lane);
+      EXPECT_EQ(pairs.first[i][n], first(lane)[i]);
+      EXPECT_EQ(pairs.second[i][n], second(lane)[i]);
+      EXPECT_EQ(pairs.difference[i][n], second(lane)[i] - first(lane)[i]);
+    }
+}
+
+TEST(lane_records, eight_numbers_of_each_lane_become_a_record) {
+  std::array<Lanes, 8> fields;
+  for (std::size_t i = 0; i < 8; ++i)
+    for (int lane = 0; lane < lane_count; ++lane) fields[i][lane] = 10 * lane + static_cast<Real>(i);
+  const auto octets = octets_of(fields);
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    std::array<Real, 8> record;
+    octets[lane].store(record.data());
+    for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(record[i], static_cast<Real>(10 * lane + i));
+  }
+}
+
 }  // namespace
 }  // namespace sazare

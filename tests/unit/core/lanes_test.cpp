@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "sazare/core/lane_records.hpp"
-#include "sazare/core/triple.hpp"
 #include "sazare/core/twin_lanes.hpp"
+#include "sazare/core/vector_of.hpp"
 
 namespace sazare {
 namespace {
@@ -66,25 +66,20 @@ TEST(lanes, vectors_side_by_side_are_one_in_each_lane) {
 }
 
 /// A law must give the same bits wherever it runs.
-TEST(triple, products_of_numbers_and_of_lanes_are_the_same_bit_for_bit) {
-  const auto one = [](int n) { return Triple<Real>{number(n % 7 + 140), -number(n % 5 + 149), number(n % 11 + 145)}; };
-  Triple<TwinLanes> a, b;
+TEST(vector_of, products_of_numbers_and_of_lanes_are_the_same_bit_for_bit) {
+  const auto one = [](int n) { return Vector3{number(n % 7 + 140), -number(n % 5 + 149), number(n % 11 + 145)}; };
+  VectorOf<TwinLanes> a, b;
   for (int lane = 0; lane < TwinLanes::count; ++lane)
-    for (const auto& [to, from] : {std::pair(&a, one(lane)), std::pair(&b, one(3 * lane + 1))}) {
-      to->x.set(lane, from.x);
-      to->y.set(lane, from.y);
-      to->z.set(lane, from.z);
-    }
+    for (const auto& [to, from] : {std::pair(&a, one(lane)), std::pair(&b, one(3 * lane + 1))})
+      for (int axis = 0; axis < 3; ++axis) (*to)[axis].set(lane, from[axis]);
   const TwinLanes product = dot(a, b);
   const auto across = cross(a, b), sum = add_product(product, a, b), rest = subtract_product(product, a, b);
   for (int lane = 0; lane < TwinLanes::count; ++lane) {
     const auto c = one(lane), d = one(3 * lane + 1);
     EXPECT_EQ(product[lane], dot(c, d));
-    EXPECT_EQ(across.x[lane], cross(c, d).x);
-    EXPECT_EQ(across.y[lane], cross(c, d).y);
-    EXPECT_EQ(across.z[lane], cross(c, d).z);
-    EXPECT_EQ(sum.y[lane], add_product(dot(c, d), c, d).y);
-    EXPECT_EQ(rest.z[lane], subtract_product(dot(c, d), c, d).z);
+    for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(across[axis][lane], cross(c, d)[axis]);
+    EXPECT_EQ(sum[1][lane], add_product(dot(c, d), c, d)[1]);
+    EXPECT_EQ(rest[2][lane], subtract_product(dot(c, d), c, d)[2]);
     EXPECT_NEAR(dot(c, cross(c, d)), 0, 8 * round_off * dot(c, c) * std::sqrt(dot(d, d)));
   }
 }

@@ -31,8 +31,8 @@ ContactMotion<Real> touching(Real overlap) {
 }
 
 template <class Law>
-ContactForce<Real> at_rest(Real overlap, Triple<Real> stretch = {}) {
-  ContactMemory<Real> memory{stretch, {}};
+ContactForce<Real> at_rest(Real overlap, const Vector3& stretch = Vector3::Zero()) {
+  ContactMemory<Real> memory{.sliding = stretch};
   return contact_force<Law, false>(constants<Law>(1, {1e9}), touching(overlap), memory);
 }
 
@@ -47,7 +47,7 @@ void expect_derivatives() {
     const Real across =
         (at_rest<Law>(overlap, {x + small, 0, 0}).sliding_energy - at_rest<Law>(overlap, {x - small, 0, 0}).sliding_energy) /
         (2 * small);
-    EXPECT_NEAR(-at_rest<Law>(overlap, {x, 0, 0}).friction.x, across, 1e-7 * across);
+    EXPECT_NEAR(-at_rest<Law>(overlap, {x, 0, 0}).friction[0], across, 1e-7 * across);
   }
 }
 
@@ -92,7 +92,7 @@ TEST(contact_laws, find_the_overlap_that_holds_an_energy) {
 }
 
 TEST(granular_contact, the_same_from_the_other_side) {
-  ContactMemory<Real> memory{{1e-8, -2e-8, 0}, {}}, mirrored{{-1e-8, 2e-8, 0}, {}};
+  ContactMemory<Real> memory{.sliding = {1e-8, -2e-8, 0}}, mirrored{.sliding = {-1e-8, 2e-8, 0}};
   auto at = touching(1e-6);
   at.velocity = {0.1, 0.2, -0.3};
   const auto force = contact_force<Hertz, false>(constants<Hertz>(0.5), at, memory);
@@ -100,9 +100,9 @@ TEST(granular_contact, the_same_from_the_other_side) {
   at.normal = {0, 0, -1};
   const auto other = contact_force<Hertz, false>(constants<Hertz>(0.5), at, mirrored);
   EXPECT_DOUBLE_EQ(force.normal, other.normal);
-  EXPECT_DOUBLE_EQ(force.friction.x, -other.friction.x);
-  EXPECT_DOUBLE_EQ(force.friction.y, -other.friction.y);
-  EXPECT_DOUBLE_EQ(memory.sliding.x, -mirrored.sliding.x);
+  EXPECT_DOUBLE_EQ(force.friction[0], -other.friction[0]);
+  EXPECT_DOUBLE_EQ(force.friction[1], -other.friction[1]);
+  EXPECT_DOUBLE_EQ(memory.sliding[0], -mirrored.sliding[0]);
 }
 
 TEST(granular_contact, friction_stays_on_coulombs_line) {
@@ -113,8 +113,8 @@ TEST(granular_contact, friction_stays_on_coulombs_line) {
   ContactForce<Real> force{};
   for (int step = 0; step < 20; ++step) force = contact_force<Hertz, false>(law, at, memory);
   EXPECT_NEAR(std::sqrt(dot(force.friction, force.friction)), 0.25 * force.normal, 1e-12 * force.normal);
-  EXPECT_NEAR(force.friction.x / force.friction.y, 0.75, 1e-12);
-  EXPECT_LT(force.friction.x, 0);
+  EXPECT_NEAR(force.friction[0] / force.friction[1], 0.75, 1e-12);
+  EXPECT_LT(force.friction[0], 0);
 }
 
 TEST(granular_contact, without_friction_nothing_pulls_across) {
@@ -126,7 +126,7 @@ TEST(granular_contact, without_friction_nothing_pulls_across) {
 }
 
 TEST(granular_contact, memory_turns_with_the_contact) {
-  ContactMemory<Real> memory{{1e-8, 0, 0}, {}};
+  ContactMemory<Real> memory{.sliding = {1e-8, 0, 0}};
   auto at = touching(1e-6);
   at.normal = {std::sin(1e-3), 0, std::cos(1e-3)};
   contact_force<Hertz, false>(constants<Hertz>(), at, memory);
@@ -141,7 +141,7 @@ TEST(granular_contact, rolling_moment_has_its_limit) {
   ContactForce<Real> force{};
   const auto law = constants<Hertz>(1, {0.5, 0.1});
   for (int step = 0; step < 20; ++step) force = contact_force<Hertz, true>(law, at, memory);
-  EXPECT_NEAR(force.rolling.x, -0.1 * force.normal, 1e-12 * force.normal);
+  EXPECT_NEAR(force.rolling[0], -0.1 * force.normal, 1e-12 * force.normal);
   EXPECT_EQ(force.twisting, 0);
 }
 
@@ -195,12 +195,12 @@ void set_lane(ContactMotion<TwinLanes>& lanes, int lane, const ContactMotion<Rea
   lanes.radius.sum.set(lane, at.radius.sum);
   lanes.mass.product.set(lane, at.mass.product);
   lanes.mass.sum.set(lane, at.mass.sum);
-  lanes.normal.z.set(lane, at.normal.z);
-  lanes.velocity.x.set(lane, at.velocity.x);
-  lanes.velocity.y.set(lane, at.velocity.y);
-  lanes.velocity.z.set(lane, at.velocity.z);
-  lanes.rolling.x.set(lane, at.rolling.x);
-  lanes.rolling.y.set(lane, at.rolling.y);
+  lanes.normal[2].set(lane, at.normal[2]);
+  lanes.velocity[0].set(lane, at.velocity[0]);
+  lanes.velocity[1].set(lane, at.velocity[1]);
+  lanes.velocity[2].set(lane, at.velocity[2]);
+  lanes.rolling[0].set(lane, at.rolling[0]);
+  lanes.rolling[1].set(lane, at.rolling[1]);
   lanes.twisting.set(lane, at.twisting);
   lanes.step.set(lane, at.step);
 }
@@ -228,11 +228,11 @@ TEST(granular_contact, lanes_compute_what_one_number_does) {
     ContactMemory<Real> memory{};
     const auto alone = contact_force<Hertz, true>(one_law, scene(lane), memory);
     expect_equal(alone.normal, together.normal[lane]);
-    expect_equal(alone.friction.x, together.friction.x[lane]);
-    expect_equal(alone.rolling.y, together.rolling.y[lane]);
+    expect_equal(alone.friction[0], together.friction[0][lane]);
+    expect_equal(alone.rolling[1], together.rolling[1][lane]);
     expect_equal(alone.twisting, together.twisting[lane]);
-    expect_equal(memory.sliding.y, lane_memory.sliding.y[lane]);
-    expect_equal(memory.rolling.x, lane_memory.rolling.x[lane]);
+    expect_equal(memory.sliding[1], lane_memory.sliding[1][lane]);
+    expect_equal(memory.rolling[0], lane_memory.rolling[0][lane]);
     expect_equal(memory.twisting, lane_memory.twisting[lane]);
   }
 }
@@ -257,7 +257,7 @@ TEST(granular_contact, a_lane_does_not_hang_on_how_strongly_others_are_damped) {
   EXPECT_LT(strong.normal[0], calm.normal[0]);  // the dashpot of the first is cut
   for (int lane = 1; lane < TwinLanes::count; ++lane) {
     EXPECT_EQ(strong.normal[lane], calm.normal[lane]);
-    EXPECT_EQ(strong.friction.x[lane], calm.friction.x[lane]);
+    EXPECT_EQ(strong.friction[0][lane], calm.friction[0][lane]);
   }
 }
 

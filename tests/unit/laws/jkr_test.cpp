@@ -136,8 +136,8 @@ TEST(jkr, without_adhesion_is_hertz) {
     const auto force = contact_force<Jkr, true>(law, at, memory), hertz = contact_force<Hertz, true>(law, at, other_memory);
     const auto expect_equal = [](Real one, Real other) { EXPECT_NEAR(one, other, 1e-14 * std::abs(other)); };
     expect_equal(force.normal, hertz.normal);
-    expect_equal(force.friction.x, hertz.friction.x);
-    expect_equal(force.rolling.y, hertz.rolling.y);
+    expect_equal(force.friction[0], hertz.friction[0]);
+    expect_equal(force.rolling[1], hertz.rolling[1]);
     expect_equal(force.twisting, hertz.twisting);
     expect_equal(force.elastic_energy, hertz.elastic_energy);
     expect_equal(force.dashpot_power, hertz.dashpot_power);
@@ -159,7 +159,7 @@ TEST(jkr, spheres_that_only_stick_together_resist_sliding) {
   ContactForce<Real> force{};
   for (int step = 0; step < 100; ++step) force = contact_force<Jkr, false>(law, at, memory);
   EXPECT_LT(force.normal, -0.9 * pull_off);
-  EXPECT_NEAR(-force.friction.x, 0.4 * (force.normal + 2 * pull_off), 1e-12 * pull_off);
+  EXPECT_NEAR(-force.friction[0], 0.4 * (force.normal + 2 * pull_off), 1e-12 * pull_off);
 }
 
 TEST(jkr, finds_the_overlap_that_holds_an_energy) {

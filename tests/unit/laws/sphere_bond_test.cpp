@@ -41,7 +41,7 @@ Real energy(const BondPose<Real>& pose) {
   return force.energy + force.compression;
 }
 
-Real norm(const Triple<Real>& numbers) { return vector(numbers).norm(); }
+Real norm(const Vector3& vector) { return vector.norm(); }
 
 TEST(sphere_bond, force_and_moments_are_slopes_of_the_energy) {
   const BondPose<Real> pose = far_off();
@@ -52,22 +52,22 @@ TEST(sphere_bond, force_and_moments_are_slopes_of_the_energy) {
     const Vector3 unit = Vector3::Unit(axis);
     const Real pushed = slope([&](Real by) {
       BondPose<Real> other = pose;
-      other.apart = other.apart + triple(by * length * unit);
+      other.apart = other.apart + by * length * unit;
       return other;
     });
-    EXPECT_NEAR(pushed, length * vector(force.force)[axis], 1e-8 * length * norm(force.force)) << axis;
+    EXPECT_NEAR(pushed, length * force.force[axis], 1e-8 * length * norm(force.force)) << axis;
     const Real turned_first = slope([&](Real by) {
       BondPose<Real> other = pose;
       other.first = after(about(unit, by), pose.first);
       return other;
     });
-    EXPECT_NEAR(turned_first, vector(force.first_moment)[axis], 1e-7 * norm(force.first_moment)) << axis;
+    EXPECT_NEAR(turned_first, force.first_moment[axis], 1e-7 * norm(force.first_moment)) << axis;
     const Real turned_second = slope([&](Real by) {
       BondPose<Real> other = pose;
       other.second = after(about(unit, by), pose.second);
       return other;
     });
-    EXPECT_NEAR(turned_second, vector(force.second_moment)[axis], 1e-7 * norm(force.second_moment)) << axis;
+    EXPECT_NEAR(turned_second, force.second_moment[axis], 1e-7 * norm(force.second_moment)) << axis;
   }
 }
 
@@ -87,13 +87,13 @@ TEST(sphere_bond, rigid_motions_do_nothing) {
 TEST(sphere_bond, keeps_angular_momentum) {
   const BondPose<Real> pose = far_off();
   const BondForce<Real> force = sound(pose);
-  const Triple<Real> total = force.first_moment + force.second_moment + cross(pose.apart, force.force);
+  const Vector3 total = force.first_moment + force.second_moment + cross(pose.apart, force.force);
   EXPECT_LT(norm(total), 1e-14 * norm(force.first_moment));
 }
 
 TEST(sphere_bond, is_the_same_from_either_end) {
   const BondPose<Real> pose = far_off();
-  const BondPose<Real> back{Triple<Real>{} - pose.apart, pose.second, pose.first, Triple<Real>{} - pose.direction};
+  const BondPose<Real> back{zero_vector<Real>() - pose.apart, pose.second, pose.first, zero_vector<Real>() - pose.direction};
   const BondForce<Real> one = sound(pose), other = sound(back);
   EXPECT_LT(norm(one.force + other.force), 1e-14 * norm(one.force));
   EXPECT_LT(norm(one.first_moment - other.second_moment), 1e-14 * norm(one.first_moment));
@@ -106,35 +106,35 @@ TEST(sphere_bond, small_motions_meet_the_stiffness_of_a_beam) {
              shear_modulus = modulus / (2 * (1 + poisson)), coefficient = 6 * (1 + poisson) / (7 + 6 * poisson);
   const Real shear = 12 * modulus * second_moment / (coefficient * shear_modulus * area * length * length), small = 1e-6;
   BondPose<Real> pose = at_start();
-  pose.apart.x += small * length;
-  EXPECT_NEAR(sound(pose).force.x, -modulus * area * small, 1e-8 * modulus * area * small);
+  pose.apart[0] += small * length;
+  EXPECT_NEAR(sound(pose).force[0], -modulus * area * small, 1e-8 * modulus * area * small);
   pose = at_start();
-  pose.apart.y += small * length;
+  pose.apart[1] += small * length;
   const Real across = 12 * modulus * second_moment / (length * length * (1 + shear)) * small;
-  EXPECT_NEAR(sound(pose).force.y, -across, 1e-6 * across);
-  EXPECT_NEAR(sound(pose).first_moment.z, 0.5 * across * length, 1e-6 * across * length);
+  EXPECT_NEAR(sound(pose).force[1], -across, 1e-6 * across);
+  EXPECT_NEAR(sound(pose).first_moment[2], 0.5 * across * length, 1e-6 * across * length);
   pose = at_start();
   pose.second = about({0, 0, 1}, small);
   const Real far = modulus * second_moment / length * (4 + shear) / (1 + shear) * small,
              near = modulus * second_moment / length * (2 - shear) / (1 + shear) * small;
-  EXPECT_NEAR(sound(pose).second_moment.z, -far, 1e-6 * far);
-  EXPECT_NEAR(sound(pose).first_moment.z, -near, 1e-6 * std::abs(far));
+  EXPECT_NEAR(sound(pose).second_moment[2], -far, 1e-6 * far);
+  EXPECT_NEAR(sound(pose).first_moment[2], -near, 1e-6 * std::abs(far));
   pose = at_start();
   pose.second = about({1, 0, 0}, small);
   const Real twist = shear_modulus * 2 * second_moment / length * small;
-  EXPECT_NEAR(sound(pose).second_moment.x, -twist, 1e-6 * twist);
-  EXPECT_NEAR(sound(pose).first_moment.x, twist, 1e-6 * twist);
+  EXPECT_NEAR(sound(pose).second_moment[0], -twist, 1e-6 * twist);
+  EXPECT_NEAR(sound(pose).first_moment[0], twist, 1e-6 * twist);
 }
 
 TEST(sphere_bond, a_cemented_contact_has_its_stiffnesses_per_area) {
   const BondStiffness<Real> cement = cement_stiffness(length, radius, 3e12, 1e12);
   const Real area = std::numbers::pi * radius * radius, small = 1e-6 * length;
   BondPose<Real> pose = at_start();
-  pose.apart.x += small;
-  EXPECT_NEAR(bond_force<Real>(cement, pose, 1).force.x, -3e12 * area * small, 1e-9 * 3e12 * area * small);
+  pose.apart[0] += small;
+  EXPECT_NEAR(bond_force<Real>(cement, pose, 1).force[0], -3e12 * area * small, 1e-9 * 3e12 * area * small);
   pose = at_start();
-  pose.apart.y += small;
-  EXPECT_NEAR(bond_force<Real>(cement, pose, 1).force.y, -1e12 * area * small, 1e-6 * 1e12 * area * small);
+  pose.apart[1] += small;
+  EXPECT_NEAR(bond_force<Real>(cement, pose, 1).force[1], -1e12 * area * small, 1e-6 * 1e12 * area * small);
 }
 
 /// Stresses at the rim by beam theory.
@@ -142,7 +142,7 @@ TEST(sphere_bond, use_follows_tension_bending_shear_and_twist) {
   const Real area = std::numbers::pi * radius * radius, small = 1e-5;
   const BondStrength<Real> tensile{1e6, infinite, 0, 1}, cohesive{infinite, 1e6, 0, 1}, rubbing{infinite, 1e6, 0.5, 1};
   BondPose<Real> pose = at_start();
-  pose.apart.x += small * length;
+  pose.apart[0] += small * length;
   const Real tension = modulus * small;
   EXPECT_NEAR(bond_use<Real>(tensile, sound(pose), radius), tension / 1e6, 1e-8);
   pose = at_start();
@@ -154,12 +154,12 @@ TEST(sphere_bond, use_follows_tension_bending_shear_and_twist) {
   const Real twist = modulus / (2 * (1 + poisson)) * radius * small / length;
   EXPECT_NEAR(bond_use<Real>(cohesive, sound(pose), radius), twist / 1e6, 1e-8);
   EXPECT_NEAR(bond_use<Real>(rubbing, sound(pose), radius), twist / 1e6, 1e-8);
-  pose.apart.x -= small * length;
+  pose.apart[0] -= small * length;
   EXPECT_NEAR(bond_use<Real>(rubbing, sound(pose), radius), twist / (1e6 + 0.5 * tension), 1e-8);
   EXPECT_NEAR(bond_use<Real>(cohesive, sound(pose), radius), twist / 1e6, 1e-8);
   pose = at_start();
-  pose.apart.y += 1e-6 * length;
-  const Real shear = -sound(pose).force.y / area;
+  pose.apart[1] += 1e-6 * length;
+  const Real shear = -sound(pose).force[1] / area;
   EXPECT_NEAR(bond_use<Real>(cohesive, sound(pose), radius), shear / 1e6, 1e-6 * shear / 1e6);
 }
 
@@ -186,25 +186,25 @@ TEST(sphere_bond, softening_takes_the_fracture_energy) {
 
 TEST(sphere_bond, damage_leaves_compression) {
   BondPose<Real> pose = at_start();
-  pose.apart.x -= 1e-5;
-  EXPECT_EQ(bond_force<Real>(beam, pose, 0.25).force.x, sound(pose).force.x);
-  pose.apart.x += 2e-5;
-  EXPECT_NEAR(bond_force<Real>(beam, pose, 0.25).force.x, 0.25 * sound(pose).force.x, 1e-9);
+  pose.apart[0] -= 1e-5;
+  EXPECT_EQ(bond_force<Real>(beam, pose, 0.25).force[0], sound(pose).force[0]);
+  pose.apart[0] += 2e-5;
+  EXPECT_NEAR(bond_force<Real>(beam, pose, 0.25).force[0], 0.25 * sound(pose).force[0], 1e-9);
 }
 
 TEST(sphere_bond, dashpots_take_no_notice_of_rigid_motion) {
   const BondDamping<Real> damping{3, 2, 1e-4};
   const BondPose<Real> pose = far_off();
-  const Triple<Real> direction = sound(pose).direction, spin{3, -2, 5};
-  const auto rigid = bond_drag<Real>(damping, pose.apart, direction, cross(spin, pose.apart), {}, spin);
+  const Vector3 direction = sound(pose).direction, spin{3, -2, 5};
+  const auto rigid = bond_drag<Real>(damping, pose.apart, direction, cross(spin, pose.apart), Vector3::Zero(), spin);
   EXPECT_LT(norm(rigid.force), 1e-15);
   EXPECT_LT(norm(rigid.moment), 1e-15);
-  const Triple<Real> velocity{0.3, 0.1, -0.4}, first_spin{1, 2, 3}, second_spin{-2, 0, 4};
+  const Vector3 velocity{0.3, 0.1, -0.4}, first_spin{1, 2, 3}, second_spin{-2, 0, 4};
   const auto drag =
       bond_drag<Real>(damping, pose.apart, direction, velocity, second_spin - first_spin, 0.5 * (first_spin + second_spin));
   // The power taken is that of force and moments on both spheres.
   const Real power =
-      dot(drag.force, velocity) + dot(drag.arm - drag.moment, first_spin) + dot(drag.arm + drag.moment, second_spin);
+      dot(drag.force, velocity) + (drag.arm - drag.moment).dot(first_spin) + (drag.arm + drag.moment).dot(second_spin);
   EXPECT_NEAR(drag.power, -power, 1e-12 * drag.power);
   EXPECT_GT(drag.power, 0);
   EXPECT_LT(norm(drag.arm + drag.arm + cross(pose.apart, drag.force)), 1e-14 * norm(drag.arm));
@@ -213,15 +213,15 @@ TEST(sphere_bond, dashpots_take_no_notice_of_rigid_motion) {
 TEST(sphere_bond, lanes_compute_what_one_number_does) {
   const BondPose<Real> pose = far_off();
   const auto wide = [](Real value) { return broadcast(value); };
-  const auto triples = [&](const Triple<Real>& t) { return Triple<Lanes>{wide(t.x), wide(t.y), wide(t.z)}; };
+  const auto vectors = [&](const Vector3& t) { return LaneVector{wide(t[0]), wide(t[1]), wide(t[2])}; };
   const auto turns = [&](const Turn<Real>& t) { return Turn<Lanes>{wide(t.w), wide(t.x), wide(t.y), wide(t.z)}; };
   const BondStiffness<Lanes> stiffness{wide(beam.length), wide(beam.stretch), wide(beam.shear), wide(beam.bend),
                                        wide(beam.twist)};
   const auto lanes = bond_force<Lanes>(
-      stiffness, {triples(pose.apart), turns(pose.first), turns(pose.second), triples(pose.direction)}, wide(0.7));
+      stiffness, {vectors(pose.apart), turns(pose.first), turns(pose.second), vectors(pose.direction)}, wide(0.7));
   const auto one = bond_force<Real>(beam, pose, 0.7);
-  EXPECT_EQ(lanes.force.y[1], one.force.y);
-  EXPECT_EQ(lanes.first_moment.z[lane_count - 1], one.first_moment.z);
+  EXPECT_EQ(lanes.force[1][1], one.force[1]);
+  EXPECT_EQ(lanes.first_moment[2][lane_count - 1], one.first_moment[2]);
   EXPECT_EQ(lanes.energy[0], one.energy);
   const BondStrength<Lanes> strength{wide(1e6), wide(2e6), wide(0.4), wide(3)};
   EXPECT_EQ(bond_use<Lanes>(strength, lanes, wide(radius))[2], bond_use<Real>({1e6, 2e6, 0.4, 3}, one, radius));

@@ -247,9 +247,9 @@ angular_velocity = [0.0, 0.0, 2.0]
   EXPECT_LT((placement.spheres.place[1].centre() - Vector3(0.03, 0.03, 0.03)).norm(), 1e-8);
   EXPECT_LT((placement.spheres.place[2].centre() - Vector3(0.03, 0.03, 0.028)).norm(), 1e-8);  // x of the file is -z now
   const state::Clump& clump = placement.clumps.clumps.front();
-  const Triple<Real> spin = clump.spin_of(clump.angular_momentum);
-  EXPECT_NEAR(spin.z, 2, 1e-9);
-  EXPECT_NEAR(spin.x, 0, 1e-9);
+  const Vector3 spin = clump.spin_of(clump.angular_momentum);
+  EXPECT_NEAR(spin[2], 2, 1e-9);
+  EXPECT_NEAR(spin[0], 0, 1e-9);
 }
 
 TEST(run_spheres, says_what_is_wrong_with_bonds_and_shapes) {

@@ -45,7 +45,7 @@ TEST(sphere_shapes, a_body_from_a_surface_has_mass_and_inertia_of_the_solid) {
   const state::Clump& clump = placement.clumps.clumps.front();
   EXPECT_NEAR(clump.mass, mass, 1e-12 * mass);
   EXPECT_NEAR(clump.volume, 8e-6, 1e-17);
-  for (const Real own : {clump.inertia.x, clump.inertia.y, clump.inertia.z}) EXPECT_NEAR(own, inertia, 1e-9 * inertia);
+  for (const Real own : clump.inertia) EXPECT_NEAR(own, inertia, 1e-9 * inertia);
   // The first sphere fills the middle of the cube, which is its centre of mass.
   EXPECT_LT((placement.spheres.place.front().centre() - Vector3(0.04, 0.04, 0.02)).norm(), 5e-4);
 }

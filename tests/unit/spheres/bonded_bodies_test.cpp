@@ -70,7 +70,7 @@ private:
     bond.second = second;
     bond.radius = std::min(spheres_.place[i].radius, spheres_.place[j].radius);
     bond.stiffness = laws::beam_stiffness(apart.norm(), bond.radius, modulus, poisson);
-    bond.direction = triple(apart.normalized());
+    bond.direction = apart.normalized();
     const Real mass = std::min(spheres_.place[i].mass, spheres_.place[j].mass);
     bond.damping.along = bond.damping.across = cement_.damping * std::sqrt(bond.stiffness.stretch * mass);
     bonds_.push_back(bond);
@@ -228,10 +228,9 @@ TEST(bonded_bodies, a_crack_that_parts_nothing_closes_again) {
     bond.kind = bonds.empty() ? 0 : 1;
     bond.radius = 0.005;
     bond.stiffness = laws::beam_stiffness(0.018, bond.radius, modulus, poisson);
-    bond.direction = triple(
-        ((spheres.place[static_cast<std::size_t>(second)].centre() - spheres.place[static_cast<std::size_t>(first)].centre()) /
-         0.018)
-            .eval());
+    bond.direction =
+        (spheres.place[static_cast<std::size_t>(second)].centre() - spheres.place[static_cast<std::size_t>(first)].centre()) /
+        0.018;
     bonds.push_back(bond);
   }
   const Bonds ring(bonds, {{1e5, infinite, 0, 1}, {infinite, infinite, 0, 1}});

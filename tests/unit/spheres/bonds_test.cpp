@@ -34,7 +34,7 @@ Bond bond_of(const state::Spheres& spheres, Index first, Index second, Real damp
   const auto &one = spheres.place[static_cast<std::size_t>(first)], &other = spheres.place[static_cast<std::size_t>(second)];
   const Vector3 apart = other.centre() - one.centre();
   bond.stiffness = laws::beam_stiffness(apart.norm(), bond_radius, modulus, poisson);
-  bond.direction = triple(apart.normalized());
+  bond.direction = apart.normalized();
   const Real mass = 0.5 * one.mass, inertia = 0.2 * one.mass * radius * radius;
   bond.damping = {2 * damping * std::sqrt(bond.stiffness.stretch * mass),
                   2 * damping * std::sqrt(bond.stiffness.shear * mass) / bond.stiffness.length,

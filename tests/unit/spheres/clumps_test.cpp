@@ -19,19 +19,19 @@ public:
   state::Spheres spheres;
   state::Clumps clumps;
 
-  void add(const Vector3& centre, const Vector3& velocity, const Triple<Real>& angular_momentum, Real size = 1) {
+  void add(const Vector3& centre, const Vector3& velocity, const Vector3& angular_momentum, Real size = 1) {
     const std::array<Vector3, 4> arms{Vector3(-0.012, -0.002, 0), Vector3(0, -0.002, 0), Vector3(0.012, -0.002, 0),
                                       Vector3(0, 0.01, 0)};
     state::Clump clump;
-    clump.centre = triple(centre);
-    clump.velocity = triple(velocity);
+    clump.centre = centre;
+    clump.velocity = velocity;
     clump.angular_momentum = angular_momentum;
     clump.mass = 0.03 * std::pow(size, 3);
-    clump.inertia = std::pow(size, 5) * Triple<Real>{1.5e-6, 3e-6, 4e-6};
+    clump.inertia = std::pow(size, 5) * Vector3{1.5e-6, 3e-6, 4e-6};
     clump.first_member = static_cast<std::int64_t>(clumps.members.size());
     clumps.clumps.push_back(clump);
     for (const Vector3& arm : arms) {
-      clumps.members.push_back({static_cast<Index>(spheres.size()), 0, size * triple(arm)});
+      clumps.members.push_back({static_cast<Index>(spheres.size()), 0, size * arm});
       spheres.add(centre + size * arm, 0.007 * size, 2500, 0, true);
       spheres.place.back().mass = clump.mass;
     }
@@ -94,7 +94,7 @@ TEST(clumps, a_steady_spin_is_exact) {
   auto stepper = heap.stepper({.step = 1e-3});
   stepper.start();
   advance(stepper, 1000);
-  const Triple<Real> now = stepper.clumps().clumps[0].out({1, 0, 0});
+  const Vector3 now = stepper.clumps().clumps[0].out({1, 0, 0});
   EXPECT_NEAR(now.x, std::cos(1.0), 1e-12);
   EXPECT_NEAR(now.y, std::sin(1.0), 1e-12);
   const Vector3 last = centre_of(stepper, 2);
@@ -174,8 +174,8 @@ TEST(clumps, all_at_one_level_take_the_steps_of_that_level) {
   EXPECT_GT(uniform.energies().dashpot_work, 0);  // they have met
   for (std::size_t c = 0; c < heap.clumps.clumps.size(); ++c) {
     const state::Clump &one = leveled.clumps().clumps[c], &other = uniform.clumps().clumps[c];
-    EXPECT_LT((vector(one.centre) - vector(other.centre)).norm(), 1e-11);
-    EXPECT_LT((vector(one.angular_momentum) - vector(other.angular_momentum)).norm(), 1e-14);
+    EXPECT_LT((one.centre - other.centre).norm(), 1e-11);
+    EXPECT_LT((one.angular_momentum - other.angular_momentum).norm(), 1e-14);
   }
 }
 

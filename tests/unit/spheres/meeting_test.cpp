@@ -20,17 +20,17 @@ TEST(meeting, has_both_spheres_of_each_pair_in_its_lane) {
   const auto first = [](std::size_t lane) { return SphereAt::at(static_cast<Index>((5 * lane + 3) % 40)); };
   const auto second = [](std::size_t lane) { return SphereAt::at(static_cast<Index>((11 * lane + 17) % 40)); };
   const Meeting meeting = meeting_of(spheres.place.data(), first, second);
-  const Triple<Lanes> spin = spins_of(spheres.spin.data(), first), second_spin = spins_of(spheres.spin.data(), second);
+  const LaneVector spin = spins_of(spheres.spin.data(), first), second_spin = spins_of(spheres.spin.data(), second);
   Lanes a, b;
   for (int lane = 0; lane < lane_count; ++lane) {
     a[lane] = 0.25 * lane;
     b[lane] = 2.0 - lane;
   }
-  const Triple<Lanes> sum = sum_of_spins(spheres.spin.data(), first, a, second, b);
+  const LaneVector sum = sum_of_spins(spheres.spin.data(), first, a, second, b);
   for (int lane = 0; lane < lane_count; ++lane) {
     const auto one = static_cast<std::size_t>(first(static_cast<std::size_t>(lane)).place()),
                other = static_cast<std::size_t>(second(static_cast<std::size_t>(lane)).place());
-    const auto in_lane = [&](const Triple<Lanes>& numbers) { return Vector3(numbers.x[lane], numbers.y[lane], numbers.z[lane]); };
+    const auto in_lane = [&](const LaneVector& numbers) { return Vector3(numbers[0][lane], numbers[1][lane], numbers[2][lane]); };
     EXPECT_EQ(in_lane(meeting.apart), spheres.place[other].centre() - spheres.place[one].centre());
     EXPECT_EQ(in_lane(meeting.velocity), spheres.place[other].velocity() - spheres.place[one].velocity());
     EXPECT_EQ(meeting.radius[lane], spheres.place[one].radius);

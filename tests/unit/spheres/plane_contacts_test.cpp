@@ -109,15 +109,15 @@ OneContact alone(const state::Spheres& spheres, std::size_t i, const ContactTabl
   laws::ContactMotion<Real> motion{.overlap = overlap,
                                    .radius = laws::Reduced<Real>::alone(place.radius),
                                    .mass = laws::Reduced<Real>::alone(place.mass),
-                                   .normal = triple(normal),
-                                   .velocity = triple(place.velocity() - arm * spin.cross(normal) - ground),
-                                   .rolling = triple(place.radius * turns.cross(normal)),
+                                   .normal = normal,
+                                   .velocity = place.velocity() - arm * spin.cross(normal) - ground,
+                                   .rolling = place.radius * turns.cross(normal),
                                    .twisting = place.radius * turns.dot(normal),
                                    .step = step};
   const auto& constants = table.of(static_cast<Index>(spheres.spin[i].material), wall.material);
   const auto law = laws::contact_force<Law, rolls>(constants, motion, memory);
-  const Vector3 force = law.normal * normal + vector(law.friction),
-                turning = -place.radius * (normal.cross(vector(law.rolling)) + law.twisting * normal),
+  const Vector3 force = law.normal * normal + law.friction,
+                turning = -place.radius * (normal.cross(law.rolling) + law.twisting * normal),
                 foot = touched - pose.pivot - pose.shift;
   return {force,
           -arm * normal.cross(force) - turning,
@@ -220,8 +220,8 @@ TEST(plane_row, tells_each_sphere_its_own_memory) {
     EXPECT_EQ(row[n], static_cast<Index>(3 * n + 1));
     ASSERT_EQ(row.remembers(n), n % 2 == 0) << n;
     if (n % 2 != 0) continue;
-    EXPECT_EQ(row.memory(n).sliding.y, 10.0 * static_cast<Real>(n) + 1);
-    EXPECT_EQ(row.memory(n).rolling.z, 10.0 * static_cast<Real>(n) + 5);
+    EXPECT_EQ(row.memory(n).sliding[1], 10.0 * static_cast<Real>(n) + 1);
+    EXPECT_EQ(row.memory(n).rolling[2], 10.0 * static_cast<Real>(n) + 5);
     EXPECT_EQ(row.memory(n).twisting, 10.0 * static_cast<Real>(n) + 6);
   }
 }
@@ -230,7 +230,7 @@ TEST(plane_row, without_rolling_remembers_sliding_alone) {
   PlaneRow row;
   row.add(5, false);
   row.remember(5, some_memory(1));
-  EXPECT_EQ(row.memory(0).sliding.z, 3);
+  EXPECT_EQ(row.memory(0).sliding[2], 3);
   EXPECT_EQ(row.memory(0).twisting, 0);
 }
 

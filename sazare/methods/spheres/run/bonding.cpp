@@ -87,7 +87,7 @@ private:
     bond.radius = rules.radius_ratio * std::min(one.radius, other.radius);
     bond.stiffness = stiffness_of(rules, apart.norm(), bond.radius);
     bond.damping = damping_of(rules, bond.stiffness, placement_.spheres, pair);
-    bond.direction = triple(apart.normalized());
+    bond.direction = apart.normalized();
     bond.kind = kind_of(rules, ultimate_of(file_, static_cast<std::size_t>(pair.entry), apart.norm()));
     bonds_.push_back(bond);
     ++counts_[static_cast<std::size_t>(pair.entry)];

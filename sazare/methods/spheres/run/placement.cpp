@@ -183,17 +183,17 @@ private:
     const Real density = density_of(material);
     const Eigen::Quaternion<Real> turn = rotation * Eigen::Quaternion<Real>(shape.axes);
     state::Clump clump;
-    clump.centre = triple(centre);
-    clump.velocity = triple(velocity);
+    clump.centre = centre;
+    clump.velocity = velocity;
     clump.turn = {turn.w(), turn.x(), turn.y(), turn.z()};
     clump.mass = density * shape.volume;
-    clump.inertia = triple(density * shape.inertia);
+    clump.inertia = density * shape.inertia;
     clump.volume = shape.volume;
     clump.first_member = static_cast<std::int64_t>(result_.clumps.members.size());
     const Vector3 own = (turn.conjugate() * group.spin).cwiseProduct(density * shape.inertia);
-    clump.angular_momentum = triple(turn * own);
+    clump.angular_momentum = turn * own;
     for (const Ball& ball : shape.balls) {
-      result_.clumps.members.push_back({static_cast<Index>(result_.spheres.size()), 0, triple(ball.centre)});
+      result_.clumps.members.push_back({static_cast<Index>(result_.spheres.size()), 0, ball.centre});
       result_.spheres.add(centre + turn * ball.centre, ball.radius, density, material, true);
       result_.spheres.place.back().mass = clump.mass;
       result_.group.push_back(static_cast<Index>(number));

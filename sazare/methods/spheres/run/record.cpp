@@ -89,7 +89,7 @@ void SpheresRecord::add_gauge_row(Real time) {
     const auto first = static_cast<std::size_t>(stepper.clumps().members[stepper.clumps().begin_of(c)].sphere);
     const auto g = static_cast<std::size_t>(model_->group[first]);
     mass[g] += clump.mass;
-    place[g] += clump.mass * vector(clump.centre);
+    place[g] += clump.mass * clump.centre;
     momentum[g] += clump.mass * methods::spheres::velocity(clump);
   }
   std::vector<Real> row = {time};

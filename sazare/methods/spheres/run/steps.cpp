@@ -48,9 +48,9 @@ Real least_mass(const state::Clumps& clumps, std::size_t clump, const state::Sph
   Real arm = 0;
   for (const auto& member : clumps.members_of(clump)) {
     const Real radius = placed.place[static_cast<std::size_t>(member.sphere)].radius;
-    arm = std::max(arm, vector(member.place).norm() + radius);
+    arm = std::max(arm, member.place.norm() + radius);
   }
-  return 1 / (1 / of.mass + arm * arm / std::min({of.inertia.x, of.inertia.y, of.inertia.z}));
+  return 1 / (1 / of.mass + arm * arm / of.inertia.minCoeff());
 }
 
 /// The step of all, which divides a clock [s].

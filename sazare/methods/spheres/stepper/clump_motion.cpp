@@ -10,10 +10,8 @@ namespace {
 
 /// A turn about one of the clump's own axes comes before its turn.
 void turn_about(state::Clump& clump, int axis, Real time) {
-  const Triple<Real> own = clump.into(clump.angular_momentum);
-  const Real momentum = axis == 0 ? own.x : axis == 1 ? own.y : own.z;
-  const Real inertia = axis == 0 ? clump.inertia.x : axis == 1 ? clump.inertia.y : clump.inertia.z;
-  const Real half = 0.5 * time * momentum / inertia, cosine = std::cos(half), sine = std::sin(half);
+  const Vector3 own = clump.into(clump.angular_momentum);
+  const Real half = 0.5 * time * own[axis] / clump.inertia[axis], cosine = std::cos(half), sine = std::sin(half);
   const Turn<Real> old = clump.turn;
   if (axis == 0)
     clump.turn = {cosine * old.w - sine * old.x, cosine * old.x + sine * old.w, cosine * old.y + sine * old.z,
@@ -26,23 +24,23 @@ void turn_about(state::Clump& clump, int axis, Real time) {
                   cosine * old.z + sine * old.w};
 }
 
-Triple<Real> momentum_at_its_time(const state::Clump& clump) { return clump.angular_momentum + clump.turning_ahead; }
+Vector3 momentum_at_its_time(const state::Clump& clump) { return clump.angular_momentum + clump.turning_ahead; }
 
 }  // namespace
 
 ClumpImpulse gather(state::Clump& clump, std::span<const state::ClumpMember> members, std::span<const TimedTable> loads,
                     const SphereFlight& flight, std::span<const Index> place) {
-  const Triple<Real> fall = flight.step * clump.mass * triple(flight.gravity);
-  ClumpImpulse given{fall, {}};
+  const Vector3 fall = flight.step * clump.mass * flight.gravity;
+  ClumpImpulse given{.linear = fall};
   clump.impulse_ahead = 0.5 * fall;
-  clump.turning_ahead = {};
+  clump.turning_ahead = Vector3::Zero();
   for (const TimedTable& level : loads) {
-    Triple<Real> force{}, moment{};
+    Vector3 force = Vector3::Zero(), moment = Vector3::Zero();
     for (const state::ClumpMember& member : members) {
       const state::SphereLoad& load = level.loads->of(static_cast<std::size_t>(place[static_cast<std::size_t>(member.sphere)]));
-      const Triple<Real> push{load.fx, load.fy, load.fz};
+      const Vector3 push{load.fx, load.fy, load.fz};
       force = force + push;
-      moment = moment + Triple<Real>{load.mx, load.my, load.mz} + cross(clump.out(member.place), push);
+      moment = moment + Vector3{load.mx, load.my, load.mz} + cross(clump.out(member.place), push);
     }
     given.linear = given.linear + level.given * force;
     given.turning = given.turning + level.given * moment;
@@ -68,13 +66,13 @@ void drift(state::Clump& clump, Real step) {
 
 void place_members(const state::Clump& clump, std::span<const state::ClumpMember> members, std::span<const Index> place,
                    state::Spheres& spheres) {
-  const Triple<Real> spin = clump.spin_of(momentum_at_its_time(clump)), moves = triple(velocity(clump));
+  const Vector3 spin = clump.spin_of(momentum_at_its_time(clump)), moves = velocity(clump);
   for (const state::ClumpMember& member : members) {
     const auto i = static_cast<std::size_t>(place[static_cast<std::size_t>(member.sphere)]);
-    const Triple<Real> arm = clump.out(member.place), centre = clump.centre + arm, at = moves + cross(spin, arm);
+    const Vector3 arm = clump.out(member.place), centre = clump.centre + arm, at = moves + cross(spin, arm);
     state::SpherePlace& sphere = spheres.place[i];
-    sphere = {centre.x, centre.y, centre.z, sphere.radius, at.x, at.y, at.z, sphere.mass};
-    spheres.spin[i] = {spin.x, spin.y, spin.z, spheres.spin[i].material};
+    sphere = {centre[0], centre[1], centre[2], sphere.radius, at[0], at[1], at[2], sphere.mass};
+    spheres.spin[i] = {spin[0], spin[1], spin[2], spheres.spin[i].material};
   }
 }
 
@@ -82,20 +80,20 @@ Real turning_speed(const state::Clump& clump, std::span<const state::ClumpMember
   constexpr Real rounded_up = 1.01;  // the spin changes a little within a step
   Real reach = 0;
   for (const state::ClumpMember& member : members) reach = std::max(reach, dot(member.place, member.place));
-  const Triple<Real> spin = clump.spin_of(clump.angular_momentum);
+  const Vector3 spin = clump.spin_of(clump.angular_momentum);
   return rounded_up * std::sqrt(reach * dot(spin, spin));
 }
 
-Vector3 velocity(const state::Clump& clump) { return vector(clump.velocity + 1 / clump.mass * clump.impulse_ahead); }
+Vector3 velocity(const state::Clump& clump) { return clump.velocity + 1 / clump.mass * clump.impulse_ahead; }
 
 ClumpEnergies energies(const state::Clump& clump, const Vector3& gravity) {
-  const Triple<Real> momentum = momentum_at_its_time(clump);
+  const Vector3 momentum = momentum_at_its_time(clump);
   return {0.5 * clump.mass * velocity(clump).squaredNorm(), 0.5 * dot(momentum, clump.spin_of(momentum)),
-          -clump.mass * gravity.dot(vector(clump.centre))};
+          -clump.mass * gravity.dot(clump.centre)};
 }
 
 Vector3 angular_momentum(const state::Clump& clump) {
-  return clump.mass * vector(clump.centre).cross(velocity(clump)) + vector(momentum_at_its_time(clump));
+  return clump.mass * clump.centre.cross(velocity(clump)) + momentum_at_its_time(clump);
 }
 
 }  // namespace sazare::methods::spheres

@@ -18,8 +18,8 @@ struct TimedTable {
 
 /// What a kick gives a clump.
 struct ClumpImpulse {
-  Triple<Real> linear;   ///< [N s]
-  Triple<Real> turning;  ///< about its centre [N m s]
+  Vector3 linear = Vector3::Zero();   ///< [N s]
+  Vector3 turning = Vector3::Zero();  ///< about its centre [N m s]
 };
 
 /// Adds up what pushes the spheres of a clump: returns what a kick gives, and keeps what is foreseen besides, of gravity half

@@ -6,7 +6,7 @@
 
 #include "sazare/core/lane_records.hpp"
 #include "sazare/core/octets.hpp"
-#include "sazare/core/triple.hpp"
+#include "sazare/core/vector_of.hpp"
 #include "sazare/methods/spheres/load_table.hpp"
 
 namespace sazare::methods::spheres {
@@ -16,7 +16,7 @@ namespace {
 /// The largest speeds of spheres, compared in lanes: one by one each would wait for the one before.
 class LargestSpeeds {
 public:
-  explicit LargestSpeeds(const Vector3& drift) : drift_{broadcast(drift.x()), broadcast(drift.y()), broadcast(drift.z())} {}
+  explicit LargestSpeeds(const Vector3& drift) : drift_(broadcast(drift)) {}
 
   /// Of `count` spheres that stand one after the other, as many as there are lanes at most.
   void take(const state::SphereKick* kicks, std::size_t count) {
@@ -36,7 +36,7 @@ public:
 
 private:
   void take(const std::array<Lanes, 4>& kick, LaneBits those) {
-    const Triple<Lanes> velocity{kick[0], kick[1], kick[2]}, from_drift = velocity - drift_;
+    const LaneVector velocity{kick[0], kick[1], kick[2]}, from_drift = velocity - drift_;
     Lanes seen = dot(from_drift, from_drift), square = dot(velocity, velocity);
     if (those != all_lanes) {
       seen = select(mask_of(those), seen, Lanes{});
@@ -48,7 +48,7 @@ private:
     sum_ += seen;
   }
 
-  Triple<Lanes> drift_;
+  LaneVector drift_;
   Lanes first_{}, second_{}, largest_{};
   Lanes sum_{};  // tells what is no number, which comparisons lose
 };

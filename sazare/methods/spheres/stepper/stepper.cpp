@@ -154,7 +154,7 @@ void SphereStepper::kick_clumps(std::size_t pace, std::int64_t tick) {
   for (const Index c : which) {
     const state::Clump& clump = clumps_.clumps[static_cast<std::size_t>(c)];
     const Real turning = turning_speed(clump, clumps_.members_of(static_cast<std::size_t>(c)));
-    const Vector3 moves = vector(clump.velocity);
+    const Vector3& moves = clump.velocity;
     speeds.take({(moves - drift_).norm() + turning, 0, moves.norm() + turning});
   }
   levels_.take(pace, speeds);
