@@ -116,43 +116,6 @@ void store_quads(const std::array<Lanes, 4>& fields, const To& to) {
 #endif
 }
 
-/// Vectors that stand side by side in memory, one in each lane.
-inline LaneVector load_vectors(const Vector3* from) {
-  const Real* const numbers = from->data();
-  const Lanes a = load_lanes(numbers), b = load_lanes(numbers + lane_count), c = load_lanes(numbers + 2 * lane_count);
-#ifdef __AVX512F__
-  const Lanes x = __builtin_shufflevector(a, b, 0, 3, 6, 9, 12, 15, -1, -1);
-  const Lanes y = __builtin_shufflevector(a, b, 1, 4, 7, 10, 13, -1, -1, -1);
-  const Lanes z = __builtin_shufflevector(a, b, 2, 5, 8, 11, 14, -1, -1, -1);
-  return {{__builtin_shufflevector(x, c, 0, 1, 2, 3, 4, 5, 10, 13), __builtin_shufflevector(y, c, 0, 1, 2, 3, 4, 8, 11, 14),
-           __builtin_shufflevector(z, c, 0, 1, 2, 3, 4, 9, 12, 15)}};
-#else
-  const Lanes x = __builtin_shufflevector(a, b, 0, 3, 6, -1), y = __builtin_shufflevector(a, b, 1, 4, 7, -1);
-  const Lanes z = __builtin_shufflevector(a, b, 2, 5, -1, -1);
-  return {{__builtin_shufflevector(x, c, 0, 1, 2, 5), __builtin_shufflevector(y, c, 0, 1, 2, 6),
-           __builtin_shufflevector(z, c, 0, 1, 4, 7)}};
-#endif
-}
-
-/// Back again.
-inline void store_vectors(const LaneVector& v, Vector3* to) {
-  Real* const numbers = to->data();
-#ifdef __AVX512F__
-  const Lanes a = __builtin_shufflevector(v[0], v[1], 0, 8, -1, 1, 9, -1, 2, 10);
-  const Lanes b = __builtin_shufflevector(v[0], v[1], -1, 3, 11, -1, 4, 12, -1, 5);
-  const Lanes c = __builtin_shufflevector(v[0], v[1], 13, -1, 6, 14, -1, 7, 15, -1);
-  store_lanes(numbers, __builtin_shufflevector(a, v[2], 0, 1, 8, 3, 4, 9, 6, 7));
-  store_lanes(numbers + lane_count, __builtin_shufflevector(b, v[2], 10, 1, 2, 11, 4, 5, 12, 7));
-  store_lanes(numbers + 2 * lane_count, __builtin_shufflevector(c, v[2], 0, 13, 2, 3, 14, 5, 6, 15));
-#else
-  const Lanes a = __builtin_shufflevector(v[0], v[1], 0, 4, -1, 1), b = __builtin_shufflevector(v[0], v[1], 5, -1, 2, 6);
-  const Lanes c = __builtin_shufflevector(v[0], v[1], -1, 3, 7, -1);
-  store_lanes(numbers, __builtin_shufflevector(a, v[2], 0, 1, 4, 3));
-  store_lanes(numbers + lane_count, __builtin_shufflevector(b, v[2], 0, 5, 2, 3));
-  store_lanes(numbers + 2 * lane_count, __builtin_shufflevector(c, v[2], 6, 1, 2, 7));
-#endif
-}
-
 /// Pairs of records of eight numbers in lanes. What nobody reads is not made.
 struct PairsOfRecords {
   std::array<Lanes, 8> difference, first, second;  ///< `difference`: second less first

@@ -5,7 +5,6 @@
 #include <numeric>
 #include <utility>
 
-#include "sazare/core/lane_sum.hpp"
 #include "sazare/levels/motion/kick.hpp"
 #include "sazare/levels/motion/synchronize.hpp"
 #include "sazare/levels/simulation.hpp"
@@ -54,7 +53,7 @@ void Simulation<D>::take_snapshot(Index begin, Index end, Snapshot<D>& at_now) c
   gather(begin, end, 0, [&](std::size_t first, std::span<const state::Impulse<D>> given) {
     const auto some = [&](auto& column) { return std::span(column).subspan(first, given.size()); };
     state::poses_at(some(bodies_.motion), now_, some(at_now.pose));
-    motion::find_momenta(bodies_, first, given, {some(at_now.pose), some(at_now.velocity), some(at_now.angular_momentum)});
+    motion::find_momenta<D>(bodies_, first, given, {some(at_now.pose), some(at_now.velocity), some(at_now.angular_momentum)});
   });
 }
 
@@ -89,10 +88,10 @@ void Simulation<D>::sum_body_energies(const Snapshot<D>& at_now, const distribut
   terms::sum_over_ranges(ahead.size(), serial_below, sums, [&](std::size_t begin, std::size_t end, terms::EnergySums& part) {
     const auto some = [&](const auto& column) { return std::span(column).subspan(begin, end - begin); };
     std::vector<Real> kinetic(end - begin);
-    motion::find_energies(bodies_, begin, {some(at_now.pose), some(at_now.velocity), some(at_now.angular_momentum)}, kinetic,
+    motion::find_energies<D>(bodies_, begin, {some(at_now.pose), some(at_now.velocity), some(at_now.angular_momentum)}, kinetic,
                           std::span(ahead).subspan(begin, end - begin));
     const std::size_t from = std::clamp(first, begin, end), to = std::clamp(last, begin, end);
-    add_all(std::span(kinetic).subspan(from - begin, to - from), part[terms::EnergyKind::kinetic]);
+    for (std::size_t body = from; body < to; ++body) part[terms::EnergyKind::kinetic] += kinetic[body - begin];
     terms::add_work(std::span(work_).subspan(from, to - from), part);
   });
 }

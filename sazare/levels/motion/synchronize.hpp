@@ -23,15 +23,13 @@ template <int D>
 using MotionFound = MotionNow<D, Vector<D>, Angular<D>>;
 
 /// Finds velocities and momenta at a moment from those after the last kicks and from what links have given until then.
-void find_momenta(const state::Bodies<3>& bodies, std::size_t first, std::span<const state::Impulse<3>> given,
-                  const MotionFound<3>& now);
-void find_momenta(const state::Bodies<2>& bodies, std::size_t first, std::span<const state::Impulse<2>> given,
-                  const MotionFound<2>& now);
+template <int D>
+void find_momenta(const state::Bodies<D>& bodies, std::size_t first, std::span<const state::Impulse<D>> given,
+                  const MotionFound<D>& now);
 
 /// Kinetic energies [J], and the means of the motion after the last kicks and now.
-void find_energies(const state::Bodies<3>& bodies, std::size_t first, const MotionSeen<3>& now, std::span<Real> energy,
-                   std::span<state::MeanMotion<3>> ahead);
-void find_energies(const state::Bodies<2>& bodies, std::size_t first, const MotionSeen<2>& now, std::span<Real> energy,
-                   std::span<state::MeanMotion<2>> ahead);
+template <int D>
+void find_energies(const state::Bodies<D>& bodies, std::size_t first, const MotionSeen<D>& now, std::span<Real> energy,
+                   std::span<state::MeanMotion<D>> ahead);
 
 }  // namespace sazare::motion

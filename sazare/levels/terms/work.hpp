@@ -7,8 +7,6 @@
 #include <cstdint>
 #include <span>
 
-#include "sazare/core/lane_records.hpp"
-#include "sazare/core/lane_sum.hpp"
 #include "sazare/levels/terms/force_moment.hpp"
 #include "sazare/levels/terms/energy_balance.hpp"
 #include "sazare/state/impulse.hpp"
@@ -40,31 +38,19 @@ inline EnergyKind energy_kind_of(Cause cause) {
 }
 
 /// Adds work on the bodies to the sum of its kind: that of loads is done on them, all other is taken from them.
-template <class Number, class Sum>
-void add_work_to(Cause cause, const Number& work, Sum& sum) {
+inline void add_work(Cause cause, Real work, EnergySums& energies) {
+  ExactSum& sum = energies[energy_kind_of(cause)];
   if (cause == Cause::load)
     sum += work;
   else
     sum -= work;
 }
-inline void add_work(Cause cause, Real work, EnergySums& energies) { add_work_to(cause, work, energies[energy_kind_of(cause)]); }
 
 /// Adds the work on several bodies.
 inline void add_work(std::span<const CauseWork> works, EnergySums& energies) {
-  const auto sum_of = [&](Cause cause) { return LaneSum(energies[energy_kind_of(cause)]); };
-  std::array<LaneSum, cause_count> sums = {sum_of(Cause::load), sum_of(Cause::joint_dashpot), sum_of(Cause::contact_dashpot),
-                                           sum_of(Cause::friction), sum_of(Cause::boundary)};
-  const auto add = [&](Cause cause, const Lanes& work) {  // most bodies know one or two causes
-    if (any(work != 0.0)) add_work_to(cause, work, sums[static_cast<std::size_t>(cause)]);
-  };
-  for (; works.size() >= lane_count; works = works.subspan(lane_count)) {
-    const auto first = load_quads([&](std::size_t lane) { return works[lane].data(); });
-    const auto last = load_quads([&](std::size_t lane) { return works[lane].data() + 1; });
-    for (std::size_t cause = 0; cause < cause_count; ++cause)
-      add(static_cast<Cause>(cause), cause == 0 ? first[0] : last[cause - 1]);
-  }
   for (const CauseWork& work : works)
-    for (std::size_t cause = 0; cause < cause_count; ++cause) add_work(static_cast<Cause>(cause), work[cause], energies);
+    for (std::size_t cause = 0; cause < cause_count; ++cause)
+      if (work[cause] != 0) add_work(static_cast<Cause>(cause), work[cause], energies);  // most bodies know one or two causes
 }
 
 /// Bodies that are kicked together; what they gather stays in the first-level cache.

@@ -3,9 +3,9 @@
 /// What joints do with their laws, lane by lane: included where `JointsOf` is made for a list of laws, and nowhere else.
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
-#include "sazare/core/lane_sum.hpp"
 #include "sazare/core/large_tables.hpp"
 #include "sazare/levels/terms/sum_over_ranges.hpp"
 #include "sazare/levels/terms/lane_slots.hpp"
@@ -181,25 +181,11 @@ template <class Law>
           terms::work_after(slots, master_ahead, slave_ahead)};
 }
 
-/// Sums of the accounts that joints have, in lanes.
-template <class Laws>
-struct JointsOf<Laws>::Sums {
-  LaneSum elastic, fracture, release, slip, dashpots;
-
-  explicit Sums(terms::EnergySums& energies)
-      : elastic(energies[terms::EnergyKind::elastic]),
-        fracture(energies[terms::EnergyKind::fracture]),
-        release(energies[terms::EnergyKind::release]),
-        slip(energies[terms::EnergyKind::slip]),
-        dashpots(energies[terms::energy_kind_of(terms::Cause::joint_dashpot)]) {}
-};
-
 template <class Laws>
 void JointsOf<Laws>::add_energies(const terms::Synchronized<3>& synchronized, terms::EnergySums& energies) const {
   const auto add_range = [&](std::size_t begin, std::size_t end, terms::EnergySums& own) {
-    Sums sums(own);
     for (auto first = static_cast<Index>(begin); at(first) < end; first += lane_count)
-      add_energies(first, std::min(first + lane_count, static_cast<Index>(end)), synchronized, sums);
+      add_energies(first, std::min(first + lane_count, static_cast<Index>(end)), synchronized, own);
   };
   terms::sum_over_ranges(links_.size(), joint_loops::serial_below, energies, add_range);
 }
@@ -215,31 +201,28 @@ LaneBits JointsOf<Laws>::lanes_of(std::size_t law, Index begin, Index end) const
 
 /// Those of as many joints as there are lanes at most.
 template <class Laws>
-void JointsOf<Laws>::add_energies(Index begin, Index end, const terms::Synchronized<3>& synchronized, Sums& sums) const {
-  LaneBits counted = 0, broken = 0;
-  Lanes slip_work{}, released{}, fracture{};
+void JointsOf<Laws>::add_energies(Index begin, Index end, const terms::Synchronized<3>& synchronized,
+                                  terms::EnergySums& energies) const {
+  LaneBits counted = 0;
   for (Index joint = begin; joint < end; ++joint) {
-    const int lane = joint - begin;
     if (!synchronized.counts(links_[at(joint)])) continue;
-    counted |= static_cast<LaneBits>(1U << lane);
-    if (state(joint) == JointState::broken) broken |= static_cast<LaneBits>(1U << lane);
-    slip_work[lane] = losses_[at(joint)].slip_work;
-    released[lane] = losses_[at(joint)].released;
-    fracture[lane] = losses_[at(joint)].opening + losses_[at(joint)].shear;
+    counted |= static_cast<LaneBits>(1U << (joint - begin));
+    energies[terms::EnergyKind::slip] += losses_[at(joint)].slip_work;
+    energies[terms::EnergyKind::release] += losses_[at(joint)].released;
+    energies[terms::EnergyKind::fracture] += losses_[at(joint)].opening + losses_[at(joint)].shear;
   }
   if (counted == 0) return;
   kinds_.visit_laws([&](const auto& kinds, std::size_t law) {
-    const LaneBits own = kinds_.has_one_law() ? counted : counted & lanes_of(law, begin, end);
+    LaneBits own = kinds_.has_one_law() ? counted : counted & lanes_of(law, begin, end);
     if (own == 0) return;
-    const LaneEnergies found = energies(kinds, begin, synchronized);
-    const LaneMask count = mask_of(own);
-    sums.elastic += select(count & ~mask_of(broken), found.elastic, Lanes{});
-    sums.fracture += select(count, found.fracture, Lanes{});
-    terms::add_work_to(table_.causes[0], -select(count, found.dashpots_after, Lanes{}), sums.dashpots);
+    const LaneEnergies found = this->energies(kinds, begin, synchronized);
+    for (; own != 0; own &= own - 1) {
+      const int lane = std::countr_zero(own);
+      if (state(begin + lane) != JointState::broken) energies[terms::EnergyKind::elastic] += found.elastic[lane];
+      energies[terms::EnergyKind::fracture] += found.fracture[lane];
+      terms::add_work(table_.causes[0], -found.dashpots_after[lane], energies);
+    }
   });
-  sums.slip += slip_work;
-  sums.release += released;
-  sums.fracture += fracture;
 }
 
 }  // namespace sazare::methods::blocks

@@ -26,7 +26,6 @@ public:
   void add_energies(const terms::Synchronized<3>& at, terms::EnergySums& energies) const override;
 
 private:
-  struct Sums;
   struct LaneEnergies {
     Lanes elastic, fracture, dashpots_after;
   };
@@ -41,7 +40,7 @@ private:
   LaneVector load_paths(const JointOfLane& joint_of) const;
   void soften_by_slip(std::span<const Due> due, const JointChange& change);
   LaneBits lanes_of(std::size_t law, Index begin, Index end) const;
-  void add_energies(Index begin, Index end, const terms::Synchronized<3>& synchronized, Sums& sums) const;
+  void add_energies(Index begin, Index end, const terms::Synchronized<3>& synchronized, terms::EnergySums& energies) const;
   template <class Law>
   LaneEnergies energies(const KindsOfLaw<Law>& kinds, Index first, const terms::Synchronized<3>& synchronized) const;
 

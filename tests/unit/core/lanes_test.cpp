@@ -55,16 +55,6 @@ TEST(lanes, numbers_of_single_precision_come_back_from_their_pairs) {
   }
 }
 
-TEST(lanes, vectors_side_by_side_are_one_in_each_lane) {
-  std::array<Vector3, lane_count> vectors, back;
-  for (int lane = 0; lane < lane_count; ++lane) vectors[static_cast<std::size_t>(lane)] = Vector3(lane, 10 + lane, 100 + lane);
-  const LaneVector lanes = load_vectors(vectors.data());
-  for (int lane = 0; lane < lane_count; ++lane)
-    for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(lanes[axis][lane], vectors[static_cast<std::size_t>(lane)][axis]);
-  store_vectors(lanes, back.data());
-  EXPECT_EQ(back, vectors);
-}
-
 /// A law must give the same bits wherever it runs.
 TEST(vector_of, products_of_numbers_and_of_lanes_are_the_same_bit_for_bit) {
   const auto one = [](int n) { return Vector3{number(n % 7 + 140), -number(n % 5 + 149), number(n % 11 + 145)}; };

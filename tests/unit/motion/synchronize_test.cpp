@@ -48,8 +48,9 @@ Found find(const Scene& scene, std::size_t first, std::size_t count) {
   Found found{std::vector<Vector3>(count), std::vector<Vector3>(count), std::vector<Real>(count),
               std::vector<state::MeanMotion<3>>(count)};
   const auto pose = std::span(scene.pose).subspan(first, count);
-  find_momenta(scene.bodies, first, std::span(scene.given).subspan(first, count), {pose, found.velocity, found.angular_momentum});
-  find_energies(scene.bodies, first, {pose, found.velocity, found.angular_momentum}, found.energy, found.ahead);
+  find_momenta<3>(scene.bodies, first, std::span(scene.given).subspan(first, count),
+                  {pose, found.velocity, found.angular_momentum});
+  find_energies<3>(scene.bodies, first, {pose, found.velocity, found.angular_momentum}, found.energy, found.ahead);
   return found;
 }
 
