@@ -2,18 +2,18 @@
 
 /// Motion of the ground as a function of time: displacement, velocity and acceleration that belong together, at rest before 0.
 ///
-/// Displacements count from where things stand at t = 0, whatever value a history has there. Where a history of displacements ends,
-/// what it moves stays where it then is; one of velocities or accelerations is 0 after its end.
+/// Displacements count from where things stand at t = 0, whatever value a history has there. Where a history of displacements
+/// ends, what it moves stays where it then is; one of velocities or accelerations is 0 after its end.
 ///
 /// Ricker wavelet [Yoshida2010], eq. (9), here of the acceleration; with b = (pi fc)^2, s = t - tp:
 ///
 ///     e(t) = (2 b s^2 - 1) exp(-b s^2)     fc  central frequency [Hz]     tp  time of the peak [s]
 ///
-/// Its integrals -s exp(-b s^2) and exp(-b s^2)/(2 b) die out on both sides, so it leaves no drift; what the first one is at t = 0 is
-/// the velocity with which the motion begins (1e-4 of the peak for fc tp = 1).
+/// Its integrals -s exp(-b s^2) and exp(-b s^2)/(2 b) die out on both sides, so it leaves no drift; what the first one is at
+/// t = 0 is the velocity with which the motion begins (1e-4 of the peak for fc tp = 1).
 ///
-/// A record is linear between its samples, and is integrated exactly from rest. What a record of accelerations leaves as velocity at
-/// its end, its drift, stays, unless a baseline is taken off (`take_off_baseline`).
+/// A record is linear between its samples, and is integrated exactly from rest. What a record of accelerations leaves as velocity
+/// at its end, its drift, stays, unless a baseline is taken off (`take_off_baseline`).
 ///
 /// A function that only the caller of the engine knows is a record too, whose samples are handed over while the run goes on.
 
@@ -163,9 +163,6 @@ struct GroundMotion {
     for (int i = 0; i < 3; ++i) motion[static_cast<std::size_t>(i)] = amplitude * order(time, lowest + i);
     return {motion[0] - amplitude * beginning(lowest), motion[1], motion[2]};
   }
-
-  /// Whether the displacement is linear in pieces: then the velocity jumps between them, and no acceleration at a moment tells it.
-  bool has_jumps_of_velocity() const { return holds() && (shape == Shape::record || shape == Shape::function); }
 
 private:
   /// Whether the history stays at its last value.
