@@ -11,11 +11,16 @@
 namespace sazare::methods::fem {
 namespace {
 
-/// Samples are joined by straight lines: below accelerations, they leave jumps of the acceleration or, of displacements, impulses.
-bool has_jumps_of_acceleration(const laws::GroundMotion& history) {
+/// The acceleration of a support at the end of a step, which gives the nodes beside it their impulse. Samples of velocities are
+/// joined by straight lines, where the acceleration jumps, and so are displacements, where the velocity does: the mean over the
+/// steps before and after a moment is what such a jump comes to. The velocity after a moment is that of the step to come.
+Real acceleration_of(const laws::GroundMotion& history, Real time, Real step) {
   const bool is_sampled =
       history.shape == laws::GroundMotion::Shape::record || history.shape == laws::GroundMotion::Shape::function;
-  return is_sampled && history.quantity != laws::MotionQuantity::acceleration;
+  const auto velocity = [&](Real when) { return history.at(when).velocity; };
+  if (!is_sampled || history.quantity == laws::MotionQuantity::acceleration) return history.at(time).acceleration;
+  if (history.quantity == laws::MotionQuantity::displacement) return (velocity(time) - velocity(time - step)) / step;
+  return (velocity(time + step) - velocity(time - step)) / (2 * step);
 }
 
 }  // namespace
@@ -260,8 +265,7 @@ typename FemStepper<D>::Trial FemStepper<D>::predict(const Span& span, NodalColu
     prescribed[i] = initial_displacement_[i] + motion.displacement - state_.displacement[i];
     if (!inertia()) continue;
     trial.velocity[i] = motion.velocity;
-    // Its mean over the step gives the nodes beside the support their impulse, wherever it jumps.
-    trial.acceleration[i] = has_jumps_of_acceleration(history) ? (motion.velocity - state_.velocity[i]) / dt : motion.acceleration;
+    trial.acceleration[i] = acceleration_of(history, to, dt);
   }
   return trial;
 }
