@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "sazare/methods/spheres/run/file.hpp"
 #include "sazare/registry/registry.hpp"
 #include "tests/unit/runs/sphere_cases.hpp"
 
@@ -40,6 +41,31 @@ TEST(sphere_refusals, a_row_that_begins_with_a_letter_below_the_titles) {
   };
   EXPECT_SAYS(with("radius,x,y,z\n0.005,0,0,0.01\nO.005,0.03,0,0.01\n"), "a.csv:3: four numbers were expected");
   EXPECT_SAYS(with("# spheres\n0.005 0 0 0.01\nnan 0 0 5\n"), "a.csv:3: four numbers were expected");
+}
+
+/// A field is one number and nothing else, whatever separates the fields, and titles are those of the columns.
+TEST(sphere_refusals, files_of_spheres_that_could_be_misread) {
+  const TemporaryFolder folder;
+  const auto with = [&](const std::string& rows) {
+    return refused(folder, sphere("a", "source = \"file\"\nfile = \"" + folder.write("a.csv", rows).string() + "\"\n"));
+  };
+  const std::string good = "0.005 0.01 0.01 0.01\n";
+  for (const char* row : {"0,005 0 0 0.01", "0,5 1,2", "1 234,0,0,0", "0.005,,0,0.01", "0.005;0,1;0;0.01", "0.005 0 0 0.01 m",
+                          "0.005 0 0", "0.005\t0\t0\t0,01"})
+    EXPECT_SAYS(with(good + row + "\n"), "a.csv:2: four numbers were expected") << row;
+  EXPECT_SAYS(with("x y z radius\n" + good), "a.csv:1: four numbers were expected");
+  EXPECT_SAYS(with("diameter,x,y,z\n" + good), "the titles of their columns are radius, x, y, z");
+  EXPECT_SAYS(with("radius [mm],x [mm],y [mm],z [mm]\n" + good), "a.csv:1: the file says [mm], but lengths are read in m");
+  EXPECT_SAYS(with("# radius, x, y, z (mm)\n" + good), "a.csv:1: the file says [mm]");
+  EXPECT_SAYS(with(std::string("r\0a\0", 4)), "is not plain text");
+}
+
+TEST(sphere_refusals, files_of_spheres_of_any_system_are_read) {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& rows) { return read_balls(folder.write("a.csv", rows)).size(); };
+  EXPECT_EQ(read("\xef\xbb\xbfradius [m],x [m],y [m],z [m]\r\n0.005,0,0,0.01\r\n0.005,0.03,0,0.01\r\n"), 2);
+  EXPECT_EQ(read("Radius;X;Y;Z\r0.005;0;0;0.01\r0.005;0.03;0;0.01"), 2);
+  EXPECT_EQ(read("# radius x y z [m]\n\n 0.005\t0 0  0.01\n+5e-3 0.03 0 .01\n"), 2);
 }
 
 TEST(sphere_refusals, a_body_that_would_meet_itself_through_a_periodic_side) {

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include "sazare/cases/format/csv_fields.hpp"
 #include "sazare/cases/format/number_text.hpp"
@@ -26,6 +24,7 @@ public:
       report(0, {}, "the pressure table is empty", help_for_header());
       return;
     }
+    separator_ = separator_of(lines[0]);
     if (!is_header(lines[0])) report(1, trimmed(lines[0], 0, lines[0].size()), "wrong header", help_for_header());
     for (std::size_t i = 1; i < lines.size() && errors_ < most_errors; ++i)
       if (trimmed(lines[i], 0, lines[i].size()).text.size() > 0) read_row(static_cast<int>(i) + 1, lines[i]);
@@ -37,8 +36,8 @@ public:
 private:
   static std::string help_for_header() { return fmt::format("the first line is \"{}\"", header); }
 
-  static bool is_header(std::string_view line) {
-    const auto fields = split(without_byte_order_mark(line));
+  bool is_header(std::string_view line) const {
+    const auto fields = split(line, separator_);
     return fields.size() == 2 && fields[0].text == "time [s]" && fields[1].text == "pressure [Pa]";
   }
 
@@ -56,7 +55,7 @@ private:
   }
 
   void read_row(int line, std::string_view text) {
-    const auto fields = split(text);
+    const auto fields = split(text, separator_);
     if (fields.size() != 2) {
       report(line, trimmed(text, 0, text.size()),
              fmt::format("two numbers were expected, found {} field{}", fields.size(), fields.size() == 1 ? "" : "s"),
@@ -89,6 +88,7 @@ private:
   int source_;
   Place named_at_;
   Problems& problems_;
+  char separator_ = ',';
   int errors_ = 0;
   Real last_time_ = 0;
   int last_line_ = 0;
@@ -97,15 +97,8 @@ private:
 }  // namespace
 
 void read_pressure_table(PressureTable& table, const std::string& shown_name, const Place& named_at, Problems& problems) {
-  std::ifstream stream(table.file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream) {
-    problems.error(named_at, fmt::format("the pressure table {} cannot be read", shown_name), "is it a text file?");
-    return;
-  }
-  const int source = problems.add_source(source_from_text(shown_name, text.str()));
-  TableReader(table, source, named_at, problems).run();
+  const auto source = add_text_file(table.file, shown_name, "the pressure table", named_at, problems);
+  if (source) TableReader(table, *source, named_at, problems).run();
 }
 
 }  // namespace sazare::cases

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <numeric>
-#include <sstream>
 
 #include "sazare/cases/format/csv_fields.hpp"
 #include "sazare/cases/format/number_text.hpp"
@@ -26,7 +24,8 @@ public:
         source_(source),
         named_at_(named_at),
         problems_(problems),
-        lines_(problems.source(source).lines) {}
+        lines_(problems.source(source).lines),
+        separator_(lines_.empty() ? ',' : separator_of(lines_[0])) {}
 
   void run() {
     if (lines_.empty() || !is_header(lines_[0]))
@@ -43,8 +42,8 @@ public:
   }
 
 private:
-  static bool is_header(std::string_view line) {
-    const auto fields = split(without_byte_order_mark(line));
+  bool is_header(std::string_view line) const {
+    const auto fields = split(line, separator_);
     return fields.size() == 2 && fields[0].text == "x [m]" && fields[1].text == "y [m]";
   }
 
@@ -57,7 +56,7 @@ private:
 
   void read_row(int line) {
     const std::string& text = lines_[static_cast<std::size_t>(line) - 1];
-    const auto fields = split(text);
+    const auto fields = split(text, separator_);
     const Field whole = trimmed(text, 0, text.size());
     if (fields.size() != 2)
       return report(line, whole,
@@ -102,6 +101,7 @@ private:
   Place named_at_;
   Problems& problems_;
   std::vector<std::string> lines_;
+  char separator_;
   std::vector<int> line_of_;
   int errors_ = 0;
 };
@@ -120,13 +120,8 @@ std::vector<Vector2> outline_of(const SquareBlock& block) {
 }
 
 void read_nuclei(SquareBlock& block, const std::string& shown_name, const Place& named_at, Problems& problems) {
-  std::ifstream stream(block.nuclei, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream)
-    return problems.error(named_at, fmt::format("the file of nuclei {} cannot be read", shown_name), "is it a text file?");
-  const int source = problems.add_source(source_from_text(shown_name, text.str()));
-  NucleiReader(block, source, named_at, problems).run();
+  const auto source = add_text_file(block.nuclei, shown_name, "the file of nuclei", named_at, problems);
+  if (source) NucleiReader(block, *source, named_at, problems).run();
 }
 
 }  // namespace sazare::cases

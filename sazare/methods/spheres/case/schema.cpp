@@ -179,8 +179,9 @@ constexpr std::array sphere_keys{
         .type = Type::file,
         .note = "required for a file",
         .sentence =
-            "Rows of radius, x, y, z in m, parted by blanks or commas; titles in the first line and lines that begin with # "
-            "are skipped. Of a shape: rows of x, y, z in m and its rotation vector in rad."},
+            "Rows of radius, x, y, z in m, with blanks, commas or semicolons between them; titles in the first line must be those of "
+            "the columns, and lines that begin with # are skipped. Of a shape: rows of x, y, z in m and its rotation vector rx, ry, rz "
+            "in rad."},
     Key{.name = "lower",
         .type = Type::vector,
         .unit = "m",

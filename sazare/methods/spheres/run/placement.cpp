@@ -148,8 +148,7 @@ private:
     if (group.source == SphereSource::lattice) places = lattice(group);
     if (group.source == SphereSource::random) places = scatter(number, group);
     if (group.source == SphereSource::file)
-      for (const auto& [line, row] :
-           read_rows(group.file, 6, "six numbers were expected, x, y, z in m and a rotation vector in rad")) {
+      for (const auto& [line, row] : read_rows(group.file, place_rows)) {
         places.push_back({{row[0], row[1], row[2]}, shape.reach});
         rotations.emplace_back(row[3], row[4], row[5]);
       }
