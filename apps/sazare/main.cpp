@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <new>
+#include <system_error>
 #include <thread>
 
 #include "apps/sazare/commands.hpp"
@@ -46,6 +47,13 @@ void describe_study(CLI::App& study, command::StudyArguments& arguments) {
   auto* resume = study.add_flag("--resume", arguments.resume, "resume a stopped study");
   study.add_flag("--overwrite", arguments.overwrite, "replace the study that is in the folder")->excludes(resume);
   study.add_flag("--quiet", arguments.quiet, "print warnings and errors only");
+}
+
+/// A geometry (.geo) is a program of Gmsh; one that does more than describe shapes runs only where the user says so.
+void add_trust(CLI::App& command) {
+  command.add_flag_callback(
+      "--trust-geometry", [] { setenv("SAZARE_TRUST_GEOMETRY", "1", 1); },
+      "run .geo files that run commands, or write or read other files, as they are");
 }
 
 /// What Python carries out, and reads the arguments of.
@@ -92,6 +100,7 @@ void describe(CLI::App& app, Arguments& arguments) {
   app.set_help_all_flag("--help-all", "help of all commands");
   auto& run = *app.add_subcommand("run", "run a case");
   add_case_options(run, arguments.run.of_case);
+  add_trust(run);
   run.add_option("--out", arguments.run.folder, "the run's folder (default: runs/<name of the case>)")->type_name("DIR");
   auto* resume = run.add_flag("--resume", arguments.run.resume, "resume a stopped or killed run from its checkpoint");
   run.add_flag("--overwrite", arguments.run.overwrite, "replace the run that is in the folder")->excludes(resume);
@@ -109,7 +118,10 @@ void describe(CLI::App& app, Arguments& arguments) {
   auto& check =
       *app.add_subcommand("check", "report every error of a case, or what it will do: steps, levels, limiting elements");
   add_case_options(check, arguments.check);
-  describe_study(*app.add_subcommand("study", "families of cases: the stability limit of each, by bisection"), arguments.study);
+  add_trust(check);
+  auto& study = *app.add_subcommand("study", "families of cases: the stability limit of each, by bisection");
+  describe_study(study, arguments.study);
+  add_trust(study);
   for (const auto& [name, words] : python_commands) app.add_subcommand(name, words)->prefix_command()->set_help_flag();
   auto& schema = *app.add_subcommand("schema", "the schema of the case file, as JSON for editors");
   auto* page = schema.add_flag("--markdown", arguments.markdown, "print it as a page of the reference");
@@ -172,9 +184,24 @@ int run_command(const CLI::App& app, const Arguments& arguments, const parallel:
     return fail("the machine failed", error.what(), MachineError::exit_code);
   } catch (const std::bad_alloc&) {
     return fail("the machine failed", "not enough memory: use a coarser mesh, or a machine with more", MachineError::exit_code);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return fail(
+        "the machine failed",
+        fmt::format("{}: {}. Is the path right, and may it be read and written?", error.path1().string(), error.code().message()),
+        MachineError::exit_code);
+  } catch (const std::system_error& error) {
+    return fail("the machine failed", fmt::format("a file could not be read or written: {}", error.code().message()),
+                MachineError::exit_code);
   } catch (const std::exception& error) {
     return fail("error of the program", fmt::format("{}. Please report it", error.what()), program_error);
   }
+}
+
+/// The exit code, once all that was printed has gone where it should: a full disk behind standard output is told, too.
+int with_output(int exit_code) {
+  if (exit_code != 0 || (std::fflush(stdout) == 0 && std::ferror(stdout) == 0)) return exit_code;
+  print_failure("the machine failed", "standard output cannot be written: is the disk full?");
+  return MachineError::exit_code;
 }
 
 }  // namespace
@@ -192,7 +219,7 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
       return !ranks.is_first() ? UserError::exit_code : app.exit(error) == 0 ? 0 : UserError::exit_code;
     }
-    return run_command(app, arguments, ranks);
+    return with_output(run_command(app, arguments, ranks));
   } catch (const UserError& error) {  // of the launch
     print_failure("error", error.what());
     return UserError::exit_code;

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
 #include <set>
 #include <string>
 
@@ -110,7 +113,72 @@ void check_interfaces(const TetraMesh& mesh, const FaceMap& faces) {
                   names.size() == 1 ? "1 pair" : fmt::format("{} pairs", names.size()), list(names)));
 }
 
+constexpr Real same_place = 1e-4;  // of the shortest distance of two nodes of an element
+
+/// For every node the shortest distance to another one of its elements [m].
+std::vector<Real> shortest_distances(const ElementMesh& mesh) {
+  std::vector<Real> shortest(mesh.nodes.size(), std::numeric_limits<Real>::infinity());
+  for (const MeshElement& element : mesh.elements) {
+    const auto nodes = element.node_list();
+    for (std::size_t a = 0; a < nodes.size(); ++a)
+      for (std::size_t b = a + 1; b < nodes.size(); ++b) {
+        const auto i = static_cast<std::size_t>(nodes[a]), j = static_cast<std::size_t>(nodes[b]);
+        const Real distance = (mesh.nodes[i] - mesh.nodes[j]).norm();
+        shortest[i] = std::min(shortest[i], distance);
+        shortest[j] = std::min(shortest[j], distance);
+      }
+  }
+  return shortest;
+}
+
+void check_double_nodes(const ElementMesh& mesh) {
+  const std::vector<Real> shortest = shortest_distances(mesh);
+  std::vector<std::size_t> order(mesh.nodes.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::sort(
+      order, [&](std::size_t a, std::size_t b) { return std::ranges::lexicographical_compare(mesh.nodes[a], mesh.nodes[b]); });
+  const Real widest = same_place * *std::ranges::max_element(shortest);
+  std::vector<std::string> pairs;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const std::size_t one = order[k];
+    for (std::size_t next = k + 1; next < order.size(); ++next) {
+      const std::size_t other = order[next];
+      if (mesh.nodes[other].x() - mesh.nodes[one].x() > widest) break;
+      if ((mesh.nodes[other] - mesh.nodes[one]).norm() > same_place * std::min(shortest[one], shortest[other])) continue;
+      const auto [first, second] = std::minmax(mesh.node_tags[one], mesh.node_tags[other]);
+      pairs.push_back(fmt::format("{} and {}", first, second));
+    }
+  }
+  if (pairs.empty()) return;
+  throw UserError(fmt::format(
+      "$Nodes: {} of nodes stand in one place: {}. The parts of the body on their two sides would not hold together: let them "
+      "share the nodes (BooleanFragments, or Coherence and Coherence Mesh) and mesh again; a joint or a crack between them is "
+      "the "
+      "physical group of an interface, named in [[joints]]",
+      pairs.size() == 1 ? "1 pair" : fmt::format("{} pairs", pairs.size()), list(pairs)));
+}
+
+void check_double_elements(const ElementMesh& mesh) {
+  std::map<std::vector<Index>, std::int64_t> seen;
+  std::vector<std::string> pairs;
+  for (const MeshElement& element : mesh.elements) {
+    std::vector<Index> nodes(element.node_list().begin(), element.node_list().end());
+    std::ranges::sort(nodes);
+    const auto [other, is_new] = seen.try_emplace(std::move(nodes), element.tag);
+    if (!is_new) pairs.push_back(fmt::format("{} and {}", other->second, element.tag));
+  }
+  if (pairs.empty()) return;
+  throw UserError(
+      fmt::format("$Elements: {} of elements have the same nodes, so their material would count twice: {}. Mesh again",
+                  pairs.size() == 1 ? "1 pair" : fmt::format("{} pairs", pairs.size()), list(pairs)));
+}
+
 }  // namespace
+
+void check_conforming(const ElementMesh& mesh) {
+  check_double_nodes(mesh);
+  check_double_elements(mesh);
+}
 
 void check_mesh(const TetraMesh& mesh) {
   check_volumes(mesh);

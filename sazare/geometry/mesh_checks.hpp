@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "sazare/geometry/element_mesh.hpp"
 #include "sazare/geometry/face_map.hpp"
 #include "sazare/geometry/tetra_mesh.hpp"
 
@@ -14,6 +15,10 @@ namespace sazare::geometry {
 /// one plane without being one face (an interface that does not conform). The last is allowed where both
 /// faces belong to named surface groups: then the gap is meant, as a slit or two bodies in contact.
 void check_mesh(const TetraMesh& mesh);
+
+/// Refuses a mesh of finite elements in which two nodes stand in one place, or two elements have the same nodes (UserError): its
+/// parts would go through each other, or count twice.
+void check_conforming(const ElementMesh& mesh);
 
 /// Pairs of outer faces (indices into faces.outer, the smaller first) that lie in one plane back to back and
 /// overlap by more than a sliver; sorted.

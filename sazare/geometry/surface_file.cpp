@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "sazare/core/error.hpp"
+#include "sazare/core/plain_text.hpp"
 #include "sazare/geometry/gmsh/file.hpp"
 
 namespace sazare::geometry {
@@ -70,8 +71,8 @@ std::vector<Triangle> binary_stl(const fs::path& file, const std::string& bytes)
 
 std::vector<Triangle> text_stl(const fs::path& file, const std::string& text) {
   std::vector<Triangle> triangles;
-  std::istringstream stream(text);
-  std::string line, word;
+  std::istringstream stream(plain_text(text));
+  std::string line, word, rest;
   std::size_t corner = 0;  // of the facet, so far
   bool is_open = false;    // a solid has begun and not ended
   for (std::size_t number = 1; std::getline(stream, line); ++number) {
@@ -85,7 +86,7 @@ std::vector<Triangle> text_stl(const fs::path& file, const std::string& text) {
     if (corner == 3) refuse_loop(file, number, 4);
     if (corner == 0) triangles.emplace_back();
     Vector3& at = triangles.back()[corner++];
-    if (!(words >> at.x() >> at.y() >> at.z()))
+    if (!(words >> at.x() >> at.y() >> at.z()) || words >> rest)
       throw UserError(
           fmt::format("{}:{}: three numbers were expected after \"vertex\", found \"{}\"", file.string(), number, line));
   }
@@ -99,13 +100,12 @@ std::vector<Triangle> text_stl(const fs::path& file, const std::string& text) {
 }
 
 /// Numbers of the physical surface group, or nothing where all count.
-std::vector<std::int32_t> group_numbers(const GmshFile& mesh, const fs::path& file, const std::string& group) {
+std::vector<std::int32_t> numbers_of_group(const GmshFile& mesh, const fs::path& file, const std::string& group) {
   std::vector<std::int32_t> numbers;
   std::vector<std::string> names;
-  for (const auto& [key, name] : mesh.physical_names) {
-    if (key.first != 2) continue;
-    names.push_back(name);
-    if (name == group) numbers.push_back(key.second);
+  for (const std::int32_t number : group_numbers(mesh, 2)) {
+    names.push_back(group_name(mesh, 2, number));
+    if (names.back() == group) numbers.push_back(number);
   }
   if (!group.empty() && numbers.empty())
     throw UserError(
@@ -115,7 +115,7 @@ std::vector<std::int32_t> group_numbers(const GmshFile& mesh, const fs::path& fi
 
 std::vector<Triangle> gmsh_surface(const fs::path& file, const std::string& group) {
   const GmshFile mesh = read_gmsh_file(file);
-  const std::vector<std::int32_t> wanted = group_numbers(mesh, file, group);
+  const std::vector<std::int32_t> wanted = numbers_of_group(mesh, file, group);
   std::map<std::int64_t, std::size_t> node_at;
   for (std::size_t i = 0; i < mesh.node_tags.size(); ++i) node_at[mesh.node_tags[i]] = i;
   std::vector<Triangle> triangles;

@@ -8,14 +8,10 @@
 #include "sazare/core/error.hpp"
 #include "sazare/geometry/element_mesh.hpp"
 #include "sazare/geometry/gmsh/file.hpp"
+#include "sazare/geometry/mesh_checks.hpp"
 
 namespace sazare::geometry {
 namespace {
-
-std::string group_name(const GmshFile& file, int dimension, std::int32_t number) {
-  const auto found = file.physical_names.find({dimension, number});
-  return found == file.physical_names.end() || found->second.empty() ? std::to_string(number) : found->second;
-}
 
 /// Names of the physical groups of an entity.
 std::vector<std::string> groups_of(const GmshFile& file, const GmshBlock& block) {
@@ -162,6 +158,7 @@ ElementMesh read_element_mesh(const std::filesystem::path& path, int dimension, 
   try {
     ElementMesh mesh = MeshMaker(file, dimension, scale).make();
     check_flat(mesh);
+    check_conforming(mesh);
     return mesh;
   } catch (const UserError& error) {
     throw UserError(fmt::format("{}: {}", path.string(), error.what()));

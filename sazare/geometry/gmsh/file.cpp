@@ -232,6 +232,20 @@ std::map<std::string, ReadSection> sections_to_read(GmshContent content) {
 
 }  // namespace
 
+std::string group_name(const GmshFile& file, int dimension, std::int32_t number) {
+  const auto found = file.physical_names.find({dimension, number});
+  return found == file.physical_names.end() || found->second.empty() ? std::to_string(number) : found->second;
+}
+
+std::set<std::int32_t> group_numbers(const GmshFile& file, int dimension) {
+  std::set<std::int32_t> numbers;
+  for (const auto& [key, name] : file.physical_names)
+    if (key.first == dimension) numbers.insert(key.second);
+  for (const auto& [key, groups] : file.physical_groups)
+    if (key.first == dimension) numbers.insert(groups.begin(), groups.end());
+  return numbers;
+}
+
 GmshFile read_gmsh_file(const std::filesystem::path& path, GmshContent content) {
   const auto sections = sections_to_read(content);
   GmshScanner in(path);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,6 +45,12 @@ struct GmshFile {
   GmshElements<4> tetrahedra;
   std::vector<GmshBlock> blocks;  ///< where every shape is read: all elements, and the two lists above stay empty
 };
+
+/// The name of a physical group; one without a name goes by its number.
+std::string group_name(const GmshFile& file, int dimension, std::int32_t number);
+
+/// The numbers of all physical groups of a dimension, whether they have names or not.
+std::set<std::int32_t> group_numbers(const GmshFile& file, int dimension);
 
 /// Reads the sections of a Gmsh mesh, format 4.1, ASCII or binary. Throws UserError.
 GmshFile read_gmsh_file(const std::filesystem::path& file, GmshContent content = GmshContent::simplices);

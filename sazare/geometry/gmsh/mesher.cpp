@@ -2,21 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
 #include <csignal>
-#include <fcntl.h>
 #include <fstream>
 #include <iterator>
-#include <spawn.h>
 #include <string_view>
-#include <sys/wait.h>
 #include <system_error>
-#include <unistd.h>
 
 #include "sazare/core/error.hpp"
+#include "sazare/geometry/gmsh/geometry_file.hpp"
 
 extern char** environ;
 
@@ -27,13 +28,20 @@ namespace fs = std::filesystem;
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
-/// Removes a file when it goes out of scope, if it is still there.
-struct RemoveAtEnd {
-  fs::path file;
-  ~RemoveAtEnd() {
-    std::error_code ignored;
-    fs::remove(file, ignored);
+/// A folder that nobody else knows, beside what is to be made: gmsh follows links, and its file would have a name that can be
+/// guessed.
+struct OwnFolder {
+  std::string path;
+
+  explicit OwnFolder(const fs::path& where) : path((where / ".sazare-mesh-XXXXXX").string()) {
+    if (mkdtemp(path.data()) == nullptr) path.clear();
   }
+  ~OwnFolder() {
+    std::error_code ignored;
+    if (!path.empty()) fs::remove_all(path, ignored);
+  }
+  OwnFolder(const OwnFolder&) = delete;
+  OwnFolder& operator=(const OwnFolder&) = delete;
 };
 
 bool is_name_character(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'; }
@@ -212,8 +220,7 @@ void check_outcome(const MeshRequest& request, const Outcome& outcome, const fs:
   constexpr std::size_t shown = 8;
   const std::string words = last_lines(messages.errors.empty() ? messages.lines : messages.errors, shown);
   if (WIFSIGNALED(outcome.status) && (WTERMSIG(outcome.status) == SIGINT || WTERMSIG(outcome.status) == SIGTERM)) {
-    throw MachineError(
-        fmt::format("{}: stopped while gmsh was meshing it. The run has not started: run it again", geometry));
+    throw MachineError(fmt::format("{}: stopped while gmsh was meshing it. The run has not started: run it again", geometry));
   }
   if (WIFSIGNALED(outcome.status)) {
     throw MachineError(
@@ -233,13 +240,14 @@ void check_end(const MeshRequest& request, const fs::path& output) {
   stream.seekg(length - static_cast<std::streamoff>(end.size()));
   stream.read(end.data(), static_cast<std::streamsize>(end.size()));
   if (end.find("$End") != std::string::npos) return;
-  throw MachineError(fmt::format("{}: the mesh written by gmsh is truncated: is the disk full? It has been removed",
-                                 request.mesh.string()));
+  throw MachineError(
+      fmt::format("{}: the mesh written by gmsh is truncated: is the disk full? It has been removed", request.mesh.string()));
 }
 
 }  // namespace
 
 void mesh_geometry(const MeshRequest& request) {
+  if (!geometries_are_trusted()) refuse_what_reaches_outside(request.geometry);
   check_parameters(request, read_geometry(request.geometry));
   std::error_code error;
   const fs::path folder = fs::absolute(request.mesh).parent_path();
@@ -248,10 +256,13 @@ void mesh_geometry(const MeshRequest& request) {
     throw MachineError(fmt::format("{}: cannot be written: {}. Choose another folder", request.mesh.string(),
                                    error ? error.message() : reason(errno)));
   }
-  const RemoveAtEnd temporary{folder / fmt::format(".{}.{}.msh", request.mesh.stem().string(), getpid())};
-  check_outcome(request, run(arguments_for(request, temporary.file)), temporary.file);
-  check_end(request, temporary.file);
-  fs::rename(temporary.file, request.mesh, error);
+  const OwnFolder own(folder);
+  if (own.path.empty())
+    throw MachineError(fmt::format("{}: cannot be written: {}. Choose another folder", request.mesh.string(), reason(errno)));
+  const fs::path made = fs::path(own.path) / "made.msh";
+  check_outcome(request, run(arguments_for(request, made)), made);
+  check_end(request, made);
+  fs::rename(made, request.mesh, error);
   if (error) {
     throw MachineError(fmt::format("{}: cannot be written: {}", request.mesh.string(), error.message()));
   }

@@ -18,25 +18,11 @@ namespace {
 constexpr int surface_dimension = 2;
 constexpr int volume_dimension = 3;
 
-/// A group without a name goes by its number.
-std::string group_name(const GmshFile& file, int dimension, std::int32_t number) {
-  const auto found = file.physical_names.find({dimension, number});
-  return found == file.physical_names.end() || found->second.empty() ? std::to_string(number) : found->second;
-}
-
 /// Names of all groups of one dimension, in the order of their numbers, each with its place.
 class GroupNames {
 public:
   GroupNames(const GmshFile& file, int dimension) {
-    std::map<std::int32_t, bool> numbers;
-    for (const auto& [key, name] : file.physical_names) {
-      if (key.first == dimension) numbers[key.second] = true;
-    }
-    for (const auto& [key, groups] : file.physical_groups) {
-      if (key.first != dimension) continue;
-      for (const std::int32_t number : groups) numbers[number] = true;
-    }
-    for (const auto& [number, used] : numbers) {
+    for (const std::int32_t number : group_numbers(file, dimension)) {
       const std::string name = group_name(file, dimension, number);
       const auto [place, added] = places_.emplace(name, static_cast<std::int32_t>(names_.size()));
       if (added) names_.push_back(name);

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "sazare/core/error.hpp"
+#include "sazare/core/plain_text.hpp"
 
 namespace sazare::geometry {
 namespace {
@@ -48,7 +49,9 @@ std::string read_file(const std::filesystem::path& file) {
 
 }  // namespace
 
-GmshScanner::GmshScanner(std::filesystem::path file) : file_(std::move(file)), text_(read_file(file_)) {}
+GmshScanner::GmshScanner(std::filesystem::path file) : file_(std::move(file)), text_(read_file(file_)) {
+  position_ = text_.size() - without_byte_order_mark(text_).size();
+}
 
 void GmshScanner::fail(std::string_view message) const {
   const std::string in = section_.empty() ? "" : fmt::format("${}: ", section_);

@@ -12,7 +12,7 @@
 #include "sazare/core/archive.hpp"
 #include "sazare/core/time.hpp"
 #include "sazare/geometry/nodal_surface.hpp"
-#include "sazare/geometry/triangle_grid.hpp"
+#include "sazare/geometry/triangle_tree.hpp"
 #include "sazare/laws/ground_motion.hpp"
 #include "sazare/state/spheres.hpp"
 

@@ -16,7 +16,7 @@ constexpr Real same_direction = 0.9;  // cosine between the normals of one conta
 
 WallContacts::WallContacts(ContactTable table, std::vector<Wall> walls, Real reach)
     : table_(std::move(table)), walls_(std::move(walls)), reach_(reach) {
-  for (const Wall& wall : walls_) grids_.emplace_back(wall.triangles, reach);
+  for (const Wall& wall : walls_) trees_.emplace_back(wall.triangles, reach);
   poses_.resize(walls_.size());
   move(0);
 }
@@ -24,7 +24,7 @@ WallContacts::WallContacts(ContactTable table, std::vector<Wall> walls, Real rea
 void WallContacts::add_surface(Wall wall) {
   surface_ = walls_.size();
   walls_.push_back(std::move(wall));
-  grids_.emplace_back(std::span<const geometry::Triangle>{}, reach_);  // made anew by every search
+  trees_.emplace_back(std::span<const geometry::Triangle>{}, reach_);  // made anew by every search
   poses_.emplace_back();
 }
 

@@ -149,7 +149,7 @@ private:
 
   ContactTable table_;
   std::vector<Wall> walls_;
-  std::vector<geometry::TriangleGrid> grids_;  ///< by wall
+  std::vector<geometry::TriangleTree> trees_;  ///< by wall
   std::vector<WallPose> poses_;
   bool stand_still_ = false;
   Real reach_ = 0;

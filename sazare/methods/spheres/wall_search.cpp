@@ -51,7 +51,7 @@ void WallContacts::find_surface(std::size_t wall, const state::Spheres& spheres,
   const auto begin = static_cast<std::ptrdiff_t>(near.size());
   places_seen_by(wall, place, spheres.box, margin, places);
   for (const Vector3& centre : places)
-    for (const std::int32_t t : grids_[wall].near(centre)) {
+    for (const std::int32_t t : trees_[wall].near(centre)) {
       const geometry::Triangle corners = triangle(wall, t);
       if ((geometry::nearest_point(corners, centre) - centre).norm() < place.radius + margin)
         near.push_back({static_cast<Index>(sphere), static_cast<Index>(wall), t, places.front() - middle_of(corners)});
@@ -95,7 +95,7 @@ void WallContacts::find(const state::Spheres& spheres, Real time, Real margin, s
   if (surface() != nullptr) {
     std::vector<geometry::Triangle> now;
     for (std::size_t face = 0; face < surface()->face_count(); ++face) now.push_back(surface()->corners(face, time));
-    grids_[surface_] = geometry::TriangleGrid(now, reach_);
+    trees_[surface_] = geometry::TriangleTree(now, reach_);
   }
   std::vector<Index> place(places_before.size());
   for (std::size_t n = 0; n < place.size(); ++n) place[static_cast<std::size_t>(places_before[n])] = static_cast<Index>(n);

@@ -122,6 +122,62 @@ TEST(gmsh_mesher, a_stop_while_it_works_is_said_to_be_one) {
   EXPECT_WORDS(words_of<MachineError>(request), "stopped while gmsh was meshing it. The run has not started");
 }
 
+/// What is said of a geometry with this line in it; Gmsh is not reached.
+std::string refused(const TemporaryFolder& folder, const std::string& line) {
+  const std::filesystem::path file = folder.write("box.geo", line + box);
+  return words_of<UserError>({file, folder / "made.msh", {}, 1, 3, "no-such-program-of-a-test"});
+}
+
+TEST(gmsh_mesher, a_geometry_that_does_more_than_describe_shapes_is_refused) {
+  const TemporaryFolder folder;
+  folder.write("shape.geo", "Point(1) = {0, 0, 0};\n");
+  folder.write("evil.geo", "\nSystemCall \"id\";\n");
+  folder.write("dash.stl", "solid\nendsolid\n");
+  for (const char* line : {"SystemCall \"id > PWNED\";",
+                           "System \"id\";",
+                           "  NonBlockingSystemCall(\"id\");",
+                           "OnelabRun(\"a\", \"id\");",
+                           "Printf(\"overwritten\") > \"victim.txt\";",
+                           "Printf(\"(%g\", Max(1, 2) ) /* c */ >> \"victim.txt\";",
+                           "Error(\"x\") > \"v\";",
+                           "Print \"picture.png\";",
+                           "Save \"a.msh\";",
+                           "CreateDir \"a\";",
+                           "Merge \"/etc/passwd\";",
+                           "Merge \"../a.stl\";",
+                           "Merge StrCat(\"a\", \".geo\");",
+                           "Include \"evil.geo\";",
+                           "Merge 'evil.geo';",
+                           "Include \"dash.stl\\",
+                           "Field[1] = ExternalProcess;",
+                           "Field[1].CommandLine = \"id\";",
+                           "Field[1].FileName = \"/dev/zero\";",
+                           "Plugin(Homology).Run;",
+                           "Solver.Executable0 = \"id\";",
+                           "General.OptionsFileName = \"x\";",
+                           "Sleep 100;",
+                           "a() = ListFromFile(\"/dev/zero\");",
+                           "/* \" */ Save \"a\"; /* \" */",
+                           "// '\nSave \"a\"; // '",
+                           "Field[1] = S2N[\"External\"];"})
+    EXPECT_WORDS(refused(folder, line), "--trust-geometry") << line;
+  folder.write("box.geo.opt", "Save \"a\";");
+  EXPECT_WORDS(refused(folder, ""), "box.geo.opt:1: it uses Save");
+}
+
+TEST(gmsh_mesher, a_geometry_that_describes_shapes_reaches_gmsh) {
+  const TemporaryFolder folder;
+  folder.write("shape.geo", "Point(7) = {0, 0, 0};\n");
+  folder.write("a.stl", "solid\nendsolid\n");
+  for (const char* line :
+       {"Include \"shape.geo\";", "Merge \"a.stl\";", "Printf(\"%g > 1\", 2 > 1);", "Physical Point(\"Save\") = {1};",
+        "// Save \"a\"\n", "Print.Background = 1;", "/* SystemOfUnits */ name = \"a' Save\";"})
+    EXPECT_WORDS(refused(folder, line), "no-such-program-of-a-test") << line;
+  setenv("SAZARE_TRUST_GEOMETRY", "1", 1);
+  EXPECT_WORDS(refused(folder, "SystemCall \"id\";"), "no-such-program-of-a-test");
+  unsetenv("SAZARE_TRUST_GEOMETRY");
+}
+
 TEST(gmsh_mesher, missing_program) {
   const TemporaryFolder folder;
   const MeshRequest request{folder.write("box.geo", box), folder.path() / "box.msh", {}, 1, 3, "no-such-gmsh"};

@@ -74,6 +74,39 @@ TEST(surface_file, reads_a_surface_group_of_a_mesh) {
       << words(file, "flor");
 }
 
+TEST(surface_file, a_group_without_a_name_goes_by_its_number) {
+  const TemporaryFolder folder;
+  test::MshWriter mesh = test::two_tetrahedra();
+  const auto floor = std::ranges::find(mesh.names, "floor", &test::MshWriter::Group::name);
+  ASSERT_NE(floor, mesh.names.end());
+  const std::string number = std::to_string(floor->number);
+  mesh.names.erase(floor);
+  const auto file = folder.write("a.msh", mesh.text());
+  EXPECT_EQ(read_surface(file, number, 1).size(), 2);
+  EXPECT_NE(words(file, "floor").find("its groups: " + number), std::string::npos) << words(file, "floor");
+}
+
+TEST(surface_file, text_of_any_system_is_read_alike) {
+  const TemporaryFolder folder;
+  const std::string mark = "\xef\xbb\xbf", text = two_triangles;
+  std::string returns = text;
+  std::ranges::replace(returns, '\n', '\r');
+  EXPECT_EQ(read_surface(folder.write("mark.stl", mark + text), "", 1).size(), 2);
+  EXPECT_EQ(read_surface(folder.write("returns.stl", returns), "", 1).size(), 2);
+  EXPECT_EQ(read_surface(folder.write("mark.msh", mark + test::two_tetrahedra().text()), "floor", 1).size(), 2);
+  const std::string cut = words(folder.write("cut.stl", mark + text.substr(0, text.rfind(" facet"))));
+  EXPECT_NE(cut.find("it is cut short"), std::string::npos) << cut;
+}
+
+TEST(surface_file, a_corner_has_three_numbers_and_nothing_else) {
+  const TemporaryFolder folder;
+  for (const char* corner : {"0,5 0 0", "0 0 0 1", "0 0 0 mm", "0 0"})
+    EXPECT_NE(
+        words(folder.write("a.stl", std::string("solid\nvertex ") + corner + "\n")).find("a.stl:2: three numbers were expected"),
+        std::string::npos)
+        << corner;
+}
+
 TEST(surface_file, says_what_is_wrong) {
   const TemporaryFolder folder;
   EXPECT_NE(words(folder / "none.stl").find("cannot be read"), std::string::npos);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sazare/geometry/triangle_grid.hpp"
+#include "sazare/geometry/triangle_tree.hpp"
 
 namespace sazare::geometry {
 namespace {
@@ -36,7 +36,7 @@ TEST(triangle, is_gone_through_within_its_edges) {
   }
 }
 
-TEST(triangle_grid, knows_all_that_are_near) {
+TEST(triangle_tree, knows_all_that_are_near) {
   std::uint64_t state = 3;
   const auto random = [&] {
     state = state * 6364136223846793005ULL + 1442695040888963407ULL;
@@ -48,11 +48,11 @@ TEST(triangle_grid, knows_all_that_are_near) {
     triangles.push_back({at, at + 0.2 * Vector3(random(), random(), random()), at + 0.2 * Vector3(random(), random(), random())});
   }
   for (const Real reach : {0.02, 0.3}) {
-    const TriangleGrid grid(triangles, reach);
+    const TriangleTree tree(triangles, reach);
     std::size_t met = 0;
     for (int i = 0; i < 2000; ++i) {
       const Vector3 place = 2 * Vector3(random(), random(), random()) - Vector3(0.5, 0.5, 0.5);
-      const auto near = grid.near(place);
+      const auto near = tree.near(place);
       for (std::size_t t = 0; t < triangles.size(); ++t) {
         if ((nearest_point(triangles[t], place) - place).norm() > reach) continue;
         ++met;
@@ -61,6 +61,20 @@ TEST(triangle_grid, knows_all_that_are_near) {
     }
     EXPECT_GT(met, 20);
   }
+}
+
+/// One floor of two triangles that is wide against the reach, and steps of fine ones upon it: as fast and small as their number.
+TEST(triangle_tree, knows_huge_triangles_among_small_ones) {
+  std::vector<Triangle> triangles = {{Vector3(-1e5, -1e5, 0), Vector3(1e5, -1e5, 0), Vector3(1e5, 1e5, 0)},
+                                     {Vector3(-1e5, -1e5, 0), Vector3(1e5, 1e5, 0), Vector3(-1e5, 1e5, 0)}};
+  for (int i = 0; i < 20000; ++i) triangles.push_back({Vector3(i, 0, 0), Vector3(i + 1, 0, 0), Vector3(i, 1, 1)});
+  const TriangleTree tree(triangles, 1e-3);
+  std::size_t met = 0;
+  for (int i = 0; i < 20000; ++i) met += tree.near({i + 0.25, 0.1, 0.0}).size();
+  EXPECT_GE(met, 2 * 20000);
+  EXPECT_LE(met, 4 * 20000);
+  EXPECT_TRUE(tree.near({0, 0, 0.5}).size() <= 2);
+  EXPECT_TRUE(TriangleTree({}, 1).near({0, 0, 0}).empty());
 }
 
 }  // namespace

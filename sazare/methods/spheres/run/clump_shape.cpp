@@ -1,7 +1,7 @@
 #include "sazare/methods/spheres/run/clump_shape.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <span>
@@ -9,6 +9,7 @@
 
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/geometry/closed_surface.hpp"
+#include "sazare/geometry/shells.hpp"
 #include "sazare/geometry/surface_file.hpp"
 #include "sazare/methods/spheres/case/case.hpp"
 #include "sazare/methods/spheres/run/file.hpp"
@@ -37,6 +38,29 @@ void check_touching(const cases::CaseFile& file, std::size_t number, std::span<c
              no_gap));
 }
 
+/// Every place must be within the solid or not: a surface that goes around some of it twice says neither its mass nor its
+/// inertia.
+void check_shells(const cases::CaseFile& file, std::size_t number, std::span<const geometry::Triangle> surface) {
+  const auto fault = geometry::find_shell_fault(surface);
+  if (!fault) return;
+  using Kind = geometry::ShellFault::Kind;
+  const std::string name = file.as<cases::SpheresCase>().shapes[number].name;
+  refuse(file, fmt::format("shapes.{}.file", number),
+         fault->kind == Kind::crossing
+             ? fmt::format("the surface of the shape \"{}\" crosses itself: its triangles {} and {}, counted "
+                           "from 1, go through each other",
+                           name, fault->triangle + 1, fault->other + 1)
+         : fault->kind == Kind::doubled
+             ? fmt::format("parts of the surface of the shape \"{}\" overlap: triangle {}, counted from 1, "
+                           "belongs to a solid that lies within another one",
+                           name, fault->triangle + 1)
+             : fmt::format("a part of the surface of the shape \"{}\" is inside out: that of triangle {}, "
+                           "counted from 1",
+                           name, fault->triangle + 1),
+         "unite the solids before they are exported; a hollow has its triangles turned the other way round than the solid that "
+         "holds it");
+}
+
 /// A surface around a solid.
 std::vector<geometry::Triangle> solid_of(const cases::CaseFile& file, std::size_t number) {
   const cases::ClumpShape& shape = file.as<cases::SpheresCase>().shapes[number];
@@ -53,6 +77,7 @@ std::vector<geometry::Triangle> solid_of(const cases::CaseFile& file, std::size_
            fmt::format("the surface of the shape \"{}\" has triangles that are turned inside out, at {} edges", shape.name,
                        edges.turned),
            "all triangles must have the same side out: programs that mend meshes unify their normals");
+  check_shells(file, number, surface);
   return surface;
 }
 

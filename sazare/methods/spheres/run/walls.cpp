@@ -104,10 +104,10 @@ void repeat_walls(const cases::CaseFile& file, CaseWalls& made, const state::Sph
 }
 
 /// How far a sphere reaches through a wall, over its radius; below 0 where it does not.
-Real share_within(const Wall& wall, const geometry::TriangleGrid& grid, const Vector3& centre, Real radius) {
+Real share_within(const Wall& wall, const geometry::TriangleTree& tree, const Vector3& centre, Real radius) {
   if (wall.is_plane()) return 1 - (centre - wall.point).dot(wall.normal) / radius;
   Real nearest = std::numeric_limits<Real>::infinity();
-  for (const std::int32_t t : grid.near(centre))
+  for (const std::int32_t t : tree.near(centre))
     nearest = std::min(nearest, (geometry::nearest_point(wall.triangles[static_cast<std::size_t>(t)], centre) - centre).norm());
   return 1 - nearest / radius;
 }
@@ -133,11 +133,11 @@ void check_walls(const cases::CaseFile& file, const CaseWalls& made, const Place
   const Real largest = largest_radius(placed);
   for (std::size_t w = 0; w < walls.size(); ++w) {
     if (walls[w].nodal.exists()) continue;
-    const geometry::TriangleGrid grid(walls[w].triangles, largest);
+    const geometry::TriangleTree tree(walls[w].triangles, largest);
     std::vector<std::size_t> beyond;
     Real deepest = 0;
     for (std::size_t i = 0; i < placed.size(); ++i) {
-      const Real share = share_within(walls[w], grid, placed.box.wrapped(placed.place[i].centre()), placed.place[i].radius);
+      const Real share = share_within(walls[w], tree, placed.box.wrapped(placed.place[i].centre()), placed.place[i].radius);
       if (share > spheres.contact.overlap_limit) beyond.push_back(i);
       deepest = std::max(deepest, share);
     }
