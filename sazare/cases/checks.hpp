@@ -84,6 +84,10 @@ void check_unique(const CheckContext& context, std::string_view table, const std
   check_unique_names(context, table, names);
 }
 
+/// Reports names that stand in both lists: they head columns of one table.
+void check_names_apart(const CheckContext& context, std::string_view table, std::span<const std::string> names,
+                       std::string_view other, std::span<const std::string> other_names);
+
 /// The file that a key names, as it can be opened; reports one that is not there (then nothing).
 bool check_file(const CheckContext& context, const Place& place, std::string_view what, const std::filesystem::path& file,
                 const std::string& as_written);

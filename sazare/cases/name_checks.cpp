@@ -21,4 +21,15 @@ void check_unique_names(const CheckContext& context, std::string_view table, std
   }
 }
 
+void check_names_apart(const CheckContext& context, std::string_view table, std::span<const std::string> names,
+                       std::string_view other, std::span<const std::string> other_names) {
+  const auto list = context.entries_of(table), others = context.entries_of(other);
+  for (std::size_t i = 0; i < others.size(); ++i)
+    for (std::size_t k = 0; k < list.size(); ++k)
+      if (!other_names[i].empty() && other_names[i] == names[k])
+        context.problems.error(others[i].place("name"),
+                               fmt::format("one of the {} and one of the {} are called \"{}\"", table, other, other_names[i]),
+                               fmt::format("give each its own name; {}", other_line(list[k].place("name"))));
+}
+
 }  // namespace sazare::cases

@@ -4,13 +4,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "sazare/core/error.hpp"
 
 namespace sazare::runs {
 
+namespace {
+
+/// Names of a case head columns; whoever reads a table by them must find one each.
+void check_titles(const RecordFiles::Table& table) {
+  std::set<std::string> seen;
+  for (const std::string& title : table.titles)
+    if (!seen.insert(title).second)
+      throw UserError(fmt::format("{}: two columns would be called \"{}\": give what they are of different names in the case",
+                                  table.file.string(), title));
+}
+
+}  // namespace
+
 void RecordFiles::begin(const std::vector<Table>& tables) {
   kinds_ = tables;
+  for (const Table& table : tables) check_titles(table);
   for (const Table& table : tables) tables_.emplace_back(table.file, table.titles);
 }
 

@@ -16,7 +16,7 @@ namespace {
 using test::read_text;
 
 std::vector<RecordFiles::Table> two_tables(const std::filesystem::path& folder) {
-  return {{folder / "history.csv", {"time [s]"}}, {folder / "gauges.csv", {"time [s]", "speed [m/s]"}}};
+  return {{folder.path() / "history.csv", {"time [s]"}}, {folder / "gauges.csv", {"time [s]", "speed [m/s]"}}};
 }
 
 void add_rows(RecordFiles& files, std::initializer_list<Real> times) {
@@ -38,6 +38,15 @@ TEST(RecordFiles, RefusesARowThatIsNoNumber) {
   EXPECT_TRUE(words(-std::numeric_limits<Real>::infinity()).starts_with("speed [m/s] of gauges.csv is infinite at t = 0.5 s\n"));
   files.flush(false);
   EXPECT_EQ(read_text(folder.path() / "gauges.csv"), "time [s],speed [m/s]\n0,0\n");
+}
+
+TEST(RecordFiles, RefusesTwoColumnsOfOneName) {
+  const test::TemporaryFolder folder;
+  RecordFiles files(folder.path() / "snapshots", "cells");
+  const std::string words = test::words_of<UserError>(
+      [&] { files.begin({{folder.path() / "history.csv", {"time [s]", "support.force_x [N]", "support.force_x [N]"}}}); });
+  EXPECT_NE(words.find("two columns would be called \"support.force_x [N]\""), std::string::npos) << words;
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "history.csv"));
 }
 
 TEST(RecordFiles, GoesOnWithWhatItsCheckpointCountsOn) {

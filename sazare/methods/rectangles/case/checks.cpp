@@ -174,8 +174,7 @@ void check_support(const CheckContext& context, const Entry& entry, const Suppor
       context.problems.error(entry.place(key), fmt::format("there is no motion \"{}\"", moves.motion[axis]),
                              full_suggestion(moves.motion[axis], motions, "motions"));
     if (!moves.velocity.isZero())
-      context.problems.error(entry.place(key), "a support has either a velocity or a motion, not both",
-                             "remove one of them");
+      context.problems.error(entry.place(key), "a support has either a velocity or a motion, not both", "remove one of them");
   }
 }
 
@@ -204,6 +203,7 @@ void check_rectangles(const CheckContext& context, RectanglesCase& rectangles) {
   check_unique(context, "materials", rectangles.materials);
   check_unique(context, "walls", rectangles.walls);
   check_unique(context, "rollers", rectangles.rollers);
+  check_names_apart(context, "walls", names_of(rectangles.walls), "rollers", names_of(rectangles.rollers));
   check_unique(context, "motions", rectangles.motions);
   check_unique(context, "gauges", rectangles.gauges);
   check_blocks(context, rectangles);
