@@ -29,6 +29,8 @@ std::string_view advice_for(int error) {
     case EPERM:
     case EROFS:
       return "Choose an output folder that you may write to (--out)";
+    case ELOOP:
+      return "It is a symbolic link, which is not followed: remove it";
     case ENOENT:
     case ENOTDIR:
       return "The folder does not exist: create it, or choose another (--out)";
@@ -44,9 +46,14 @@ void fail_to_write(const fs::path& file, int error) {
       fmt::format("{}: cannot be written: {}. {}", file.string(), std::generic_category().message(error), advice_for(error)));
 }
 
+int make_file(const fs::path& file, int access) {
+  unlink(file.c_str());
+  return open(file.c_str(), access | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+}
+
 AtomicFile::AtomicFile(fs::path file) : file_(std::move(file)) {
   temporary_ = folder_of(file_) / fmt::format(".{}.part", file_.filename().string());
-  descriptor_ = open(temporary_.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  descriptor_ = make_file(temporary_, O_RDWR);
   if (descriptor_ < 0) fail_to_write(file_, errno);
 }
 

@@ -48,6 +48,10 @@ void sync_file(const std::filesystem::path& file);
 /// Writes the names in a folder through to the disk. A file system that cannot do so is left as it is.
 void sync_folder(const std::filesystem::path& folder);
 
+/// Opens a new file for writing (`access` is O_WRONLY or O_RDWR). What had the name goes: a link itself, not what it leads to.
+/// Returns -1 and sets errno where it cannot.
+int make_file(const std::filesystem::path& file, int access);
+
 /// Throws MachineError with the file, the words of `error` (an errno) and what to do.
 [[noreturn]] void fail_to_write(const std::filesystem::path& file, int error);
 

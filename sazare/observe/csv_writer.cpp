@@ -64,7 +64,7 @@ std::size_t length_of_rows(const std::string& text, std::size_t header, std::siz
 
 CsvWriter::CsvWriter(fs::path file, std::vector<std::string> columns) : file_(std::move(file)), columns_(columns.size()) {
   append_row(buffer_, columns);
-  descriptor_ = open(file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  descriptor_ = make_file(file_, O_WRONLY);
   if (descriptor_ < 0) fail_to_write(file_, errno);
   flush();
 }
@@ -92,7 +92,7 @@ CsvWriter CsvWriter::resume(fs::path file, std::vector<std::string> columns, std
   writer.columns_ = columns.size();
   writer.rows_ = rows;
   writer.written_ = length;
-  writer.descriptor_ = open(writer.file_.c_str(), O_WRONLY | O_CLOEXEC);
+  writer.descriptor_ = open(writer.file_.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC);
   if (writer.descriptor_ < 0 || ftruncate(writer.descriptor_, static_cast<off_t>(length)) != 0) {
     fail_to_write(writer.file_, errno);
   }

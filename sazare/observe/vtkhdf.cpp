@@ -131,10 +131,18 @@ void write_vtkhdf(const fs::path& file, const Grid& grid, Sync sync) {
   out.commit(sync);
 }
 
-SnapshotSeries::SnapshotSeries(fs::path folder, std::string name) : folder_(std::move(folder)), name_(std::move(name)) {
+namespace {
+
+void make_folder(const fs::path& folder) {
   std::error_code error;
-  fs::create_directories(folder_, error);
-  if (error) fail_to_write(folder_, error.value());
+  fs::create_directories(folder, error);
+  if (error) fail_to_write(folder, error.value());
+}
+
+}  // namespace
+
+SnapshotSeries::SnapshotSeries(fs::path folder, std::string name) : folder_(std::move(folder)), name_(std::move(name)) {
+  make_folder(folder_);
 }
 
 std::string SnapshotSeries::file_name(std::size_t index) const { return fmt::format("{}_{:05}.vtkhdf", name_, index); }
@@ -144,6 +152,7 @@ fs::path SnapshotSeries::series_file(const std::string& ending) const {
 }
 
 void SnapshotSeries::write(const Grid& grid) {
+  if (times_.empty()) make_folder(folder_);  // which went with the run that this one replaces
   write_vtkhdf(folder_ / file_name(times_.size()), grid, Sync::system);
   times_.push_back(grid.time);
   is_listed_ = false;

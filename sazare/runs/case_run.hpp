@@ -69,6 +69,7 @@ public:
     return work_.progress(static_cast<Real>(work_.step()) / static_cast<Real>(work_.clocks.steps()), time());
   }
   void read_motion(MotionTable& table) override { work_.read_motion(table); }
+  bool takes_forces() const override { return work_.takes_forces(); }
   void apply(std::span<const Vector3> forces) override {
     if (!work_.takes_forces()) throw UserError(fmt::format("method {} accepts no external forces", work_.method()));
     work_.apply(forces);
@@ -104,9 +105,7 @@ private:
     }
   }
 
-  void say_farewell(coupling::Farewell farewell, const std::string& words = "") {
-    work_.part(farewell, words);
-  }
+  void say_farewell(coupling::Farewell farewell, const std::string& words = "") { work_.part(farewell, words); }
 
   void say(const std::string& line) const {
     if (options_.quiet) return;
@@ -297,6 +296,9 @@ private:
 
   std::string where_it_can_go_on() const {
     if (checkpoint_step_ < 0) return "the run cannot be resumed: it has no checkpoint yet";
+    std::error_code unknown;
+    if (!std::filesystem::exists(work_.folder.checkpoint(), unknown))
+      return fmt::format("the run cannot be resumed: {} is not there any more", work_.folder.checkpoint().string());
     return fmt::format("the checkpoint of t = {} s is kept in {}", cases::short_number(work_.clocks.time(checkpoint_step_)),
                        work_.folder.checkpoint().string());
   }

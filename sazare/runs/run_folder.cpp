@@ -5,9 +5,12 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -33,13 +36,46 @@ void remove_file(const fs::path& file) {
   if (error) observe::fail_to_write(file, error.value());
 }
 
-/// Snapshots, their lists, and parts of them that a killed run has left.
+/// Files of a run or a study, of whatever method, by their names; the manifest is none of them.
+constexpr std::array file_names = {
+    "case.toml", "history.csv", "gauges.csv", "walls.csv", "fragments.csv",  "timing.csv",          "ranks.csv",
+    "mesh.msh",  "report.html", "study.csv",  "study.id",  "regression.csv", "regression_lines.csv"};
+constexpr std::array folder_names = {"snapshots", "checkpoint", "continuum", "bodies"};
+constexpr std::array side_names = {"continuum", "bodies"};
+constexpr std::array series_names = {"elements", "joints", "particles", "finite_elements", "rectangles"};
+
+/// Snapshots, their lists, and parts of them that a killed run has left: NAME_00000.vtkhdf, NAME.vtkhdf.series.
 bool is_snapshot(const fs::path& file) {
   const std::string name = file.filename().string();
-  const std::string_view visible = std::string_view(name).substr(name.starts_with('.') ? 1 : 0);
-  const bool ours = visible.starts_with("elements") || visible.starts_with("joints") || visible.starts_with("particles") ||
-                    visible.starts_with("finite_elements");
-  return ours && (name.ends_with(".vtkhdf") || name.ends_with(".series") || name.ends_with(".part"));
+  std::string_view visible = name;
+  if (visible.starts_with('.') && visible.ends_with(".part")) visible = visible.substr(1, visible.size() - 6);
+  return std::ranges::any_of(series_names, [&](std::string_view series) {
+    if (!visible.starts_with(series)) return false;
+    std::string_view rest = visible.substr(series.size());
+    if (rest == ".vtkhdf.series" || rest == ".hdf.series") return true;
+    if (!rest.starts_with('_') || !rest.ends_with(".vtkhdf")) return false;
+    rest = rest.substr(1, rest.size() - 8);
+    return rest.size() >= 5 && rest.find_first_not_of("0123456789") == std::string_view::npos;
+  });
+}
+
+bool is_link(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_symlink(fs::symlink_status(path, ignored));
+}
+
+std::vector<fs::path> snapshots_in(const fs::path& folder) {
+  std::vector<fs::path> found;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder / "snapshots", ignored))
+    if (is_snapshot(entry.path())) found.push_back(entry.path());
+  return found;
+}
+
+void remove_files_of(const fs::path& folder) {
+  for (const char* name : file_names) remove_file(folder / name);
+  if (is_link(folder / "snapshots")) return;
+  for (const fs::path& file : snapshots_in(folder)) remove_file(file);
 }
 
 }  // namespace
@@ -52,15 +88,20 @@ std::string run_status(const fs::path& folder) {
   return manifest["status"].get<std::string>();
 }
 
-RunFolder::RunFolder(fs::path folder, Begin begin) : path_(std::move(folder)) {
-  if (fs::exists(path_) && !fs::is_directory(path_))
+RunFolder::RunFolder(fs::path folder, Begin begin) : RunFolder(std::move(folder), begin, Kind::run) {}
+
+RunFolder::RunFolder(fs::path folder, Begin begin, Kind kind) : path_(std::move(folder)) {
+  std::error_code unknown;
+  if (fs::exists(path_, unknown) && !fs::is_directory(path_, unknown))
     throw UserError(fmt::format("{}: is a file, and should be the folder of a run. Choose another (--out)", path_.string()));
   make_folder(path_);
   hold();
   try {
+    refuse_links();
     if (begin == Begin::fresh) refuse_unless_free();
     if (begin == Begin::resume) refuse_when_done();
-    replaces_ = begin == Begin::overwrite;
+    if (kind == Kind::run) refuse_files_of_others();
+    replaces_ = begin != Begin::resume;
     if (replaces_) remove_file(mesh());  // of a run that could not begin
     resumes_ = begin == Begin::resume && fs::exists(checkpoint());
     make_folder(checkpoint_folder());
@@ -72,9 +113,14 @@ RunFolder::RunFolder(fs::path folder, Begin begin) : path_(std::move(folder)) {
 
 RunFolder RunFolder::of_another(fs::path folder, Begin begin) {
   RunFolder names(std::move(folder));
-  names.replaces_ = begin == Begin::overwrite;
+  names.replaces_ = begin != Begin::resume;
   names.resumes_ = begin == Begin::resume && fs::exists(names.checkpoint());
   return names;
+}
+
+RunFolder RunFolder::of_side(const RunFolder& whole, const std::string& name, Begin begin) {
+  const fs::path folder = whole.path() / name;
+  return begin == Begin::resume ? of_another(folder, begin) : RunFolder(folder, begin, Kind::side);
 }
 
 RunFolder::RunFolder(RunFolder&& other) noexcept
@@ -98,9 +144,8 @@ void RunFolder::hold() {
   }
   if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
   close(descriptor_);
-  throw UserError(
-      fmt::format("{}: another sazare process is using this folder. Wait for it, or choose another folder (--out)",
-                  path_.string()));
+  throw UserError(fmt::format("{}: another sazare process is using this folder. Wait for it, or choose another folder (--out)",
+                              path_.string()));
 }
 
 void RunFolder::refuse_unless_free() const {
@@ -117,6 +162,30 @@ void RunFolder::refuse_unless_free() const {
                   done ? "Use " : "Use --resume to continue it, "));
 }
 
+/// A folder may come from a stranger: a link in it would lead what is written, or removed, to some other place.
+void RunFolder::refuse_links() const {
+  for (const char* name : folder_names)
+    if (is_link(path_ / name))
+      throw UserError(fmt::format(
+          "{}: is a symbolic link: a run would write, and remove files, where it leads. Remove it, or choose another folder "
+          "(--out)",
+          (path_ / name).string()));
+}
+
+/// Files with the names of a run's where no run is are somebody's own.
+void RunFolder::refuse_files_of_others() const {
+  if (fs::exists(manifest()) || fs::exists(checkpoint()) || fs::exists(path_ / "study.id")) return;
+  std::vector<fs::path> found = snapshots_in(path_);
+  for (const char* name : file_names)
+    if (fs::exists(fs::symlink_status(path_ / name))) found.push_back(path_ / name);
+  const bool only_mesh = found.size() == 1 && found.front() == path_ / "mesh.msh";
+  if (found.empty() || (only_mesh && fs::is_directory(checkpoint_folder())))
+    return;  // a run that was killed at its beginning leaves these
+  throw UserError(fmt::format(
+      "{}: is there already, and belongs to no run: a run in this folder would replace it. Choose another folder (--out)",
+      found.back().string()));
+}
+
 void RunFolder::refuse_when_done() const {
   if (run_status(path_) != "done") return;
   throw UserError(
@@ -130,6 +199,7 @@ void RunFolder::clear() {
   const fs::path made = mesh();
   replaces_ = false;
   remove_run();
+  make_folder(path_);
   make_folder(checkpoint_folder());
   std::error_code error;
   if (fs::exists(made)) fs::rename(made, mesh(), error);
@@ -145,23 +215,16 @@ void RunFolder::remove_checkpoint() const {
 void RunFolder::remove_run() const {
   std::error_code ignored;
   remove_checkpoint();
-  std::vector<fs::path> files = {history(),
-                                 gauges(),
-                                 walls(),
-                                 fragments(),
-                                 timing(),
-                                 ranks(),
-                                 mesh(),
-                                 case_file(),
-                                 path_ / "report.html",
-                                 path_ / "study.csv",
-                                 path_ / "study.id",
-                                 path_ / "regression.csv",
-                                 path_ / "regression_lines.csv"};
-  for (const auto& entry : fs::directory_iterator(snapshots(), ignored))
-    if (is_snapshot(entry.path())) files.push_back(entry.path());
-  files.push_back(manifest());
-  for (const fs::path& file : files) remove_file(file);
+  for (const char* side : side_names) {
+    if (is_link(path_ / side)) continue;
+    remove_files_of(path_ / side);
+    remove_file(path_ / side / "manifest.json");
+    fs::remove(path_ / side / "checkpoint", ignored);
+    fs::remove(path_ / side / "snapshots", ignored);
+    fs::remove(path_ / side, ignored);  // where nothing of others is left
+  }
+  remove_files_of(path_);
+  remove_file(manifest());
 }
 
 }  // namespace sazare::runs

@@ -17,7 +17,12 @@ namespace sazare::runs {
 class TemporaryFolder {
 public:
   TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "sazare-check-XXXXXX").string();
+    std::error_code error;
+    const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
+    if (error)
+      throw MachineError(
+          fmt::format("the folder for temporary files is missing ({}): set TMPDIR to a folder that is there", error.message()));
+    std::string name = (parent / "sazare-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) observe::fail_to_write(name, errno);
     path_ = name;
   }

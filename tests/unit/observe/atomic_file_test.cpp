@@ -25,6 +25,15 @@ TEST(atomic_file, writes_and_replaces) {
   EXPECT_EQ(folder.files(), Names{"a.txt"});
 }
 
+TEST(atomic_file, links_are_replaced_and_what_they_lead_to_stays) {
+  const TemporaryFolder folder;
+  test::write_text(folder.path() / "precious.txt", "precious");
+  for (const char* name : {"a.txt", ".a.txt.part"}) std::filesystem::create_symlink("precious.txt", folder.path() / name);
+  write_file(folder.path() / "a.txt", "new");
+  EXPECT_EQ(read_text(folder.path() / "precious.txt"), "precious");
+  EXPECT_EQ(read_text(folder.path() / "a.txt"), "new");
+}
+
 TEST(atomic_file, nothing_under_the_name_before_the_commit) {
   const TemporaryFolder folder;
   AtomicFile file(folder.path() / "a.txt");

@@ -33,6 +33,18 @@ TEST(csv_writer, header_is_there_at_once_and_rows_after_a_flush) {
   EXPECT_EQ(writer.rows(), 1u);
 }
 
+TEST(csv_writer, a_link_is_replaced_and_what_it_leads_to_stays) {
+  const TemporaryFolder folder;
+  test::write_text(folder.path() / "precious.txt", "precious");
+  std::filesystem::create_symlink(folder.path() / "precious.txt", folder.path() / "a.csv");
+  { CsvWriter(folder.path() / "a.csv", columns).add_row(std::vector<Real>{1, 2}); }
+  EXPECT_EQ(read_text(folder.path() / "precious.txt"), "precious");
+  EXPECT_FALSE(std::filesystem::is_symlink(folder.path() / "a.csv"));
+  std::filesystem::rename(folder.path() / "a.csv", folder.path() / "b.csv");
+  std::filesystem::create_symlink(folder.path() / "b.csv", folder.path() / "a.csv");
+  EXPECT_WORDS(words_of<MachineError>([&] { CsvWriter::resume(folder.path() / "a.csv", columns, 0); }), "It is a symbolic link");
+}
+
 TEST(csv_writer, destruction_flushes) {
   const TemporaryFolder folder;
   { CsvWriter(folder.path() / "a.csv", columns).add_row(std::vector<Real>{1, 2}); }

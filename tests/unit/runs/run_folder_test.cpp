@@ -92,6 +92,47 @@ TEST(RunFolder, OverwritingRemovesTheRunAndNothingElse) {
   EXPECT_EQ(left, (std::vector<std::string>{"notes.txt", "picture.png"}));
 }
 
+TEST(RunFolder, SnapshotsOfEveryMethodAndTheSidesOfACoupledRunGoWithIt) {
+  const test::TemporaryFolder folder;
+  const fs::path run = folder / "run";
+  for (const char* name :
+       {"manifest.json", "snapshots/rectangles_00000.vtkhdf", "snapshots/rectangles.hdf.series", "bodies/history.csv",
+        "bodies/snapshots/rectangles_00001.vtkhdf", "bodies/snapshots/particles.vtkhdf.series", "continuum/case.toml",
+        "continuum/snapshots/finite_elements_00000.vtkhdf"})
+    sazare::test::write_text(run / name, "old");
+  for (const char* name : {"bodies/notes.txt", "snapshots/particles_mine.vtkhdf", "snapshots/elements.vtkhdf"})
+    sazare::test::write_text(run / name, "mine");
+  RunFolder(run, Begin::overwrite).clear();
+  std::vector<std::string> left;
+  for (const auto& entry : fs::recursive_directory_iterator(run))
+    if (entry.is_regular_file()) left.push_back(entry.path().filename().string());
+  std::ranges::sort(left);
+  EXPECT_EQ(left, (std::vector<std::string>{"elements.vtkhdf", "notes.txt", "particles_mine.vtkhdf"}));
+  EXPECT_FALSE(fs::exists(run / "continuum"));
+}
+
+TEST(RunFolder, FilesOfTheUserWithTheNamesOfARunsAreKept) {
+  for (const char* name : {"case.toml", "gauges.csv", "mesh.msh", "snapshots/elements_00000.vtkhdf"})
+    for (const Begin begin : {Begin::fresh, Begin::overwrite, Begin::resume}) {
+      const test::TemporaryFolder folder;
+      sazare::test::write_text(folder / name, "mine");
+      const std::string words = words_of_opening(folder.path(), begin);
+      EXPECT_NE(words.find("is there already, and belongs to no run"), std::string::npos) << name << ": " << words;
+      EXPECT_EQ(test::read_text(folder / name), "mine");
+    }
+}
+
+TEST(RunFolder, LinksInItAreNotFollowed) {
+  const test::TemporaryFolder folder;
+  fs::create_directories(folder / "elsewhere");
+  for (const char* name : {"snapshots", "checkpoint", "bodies"}) {
+    fs::create_directories(folder / name / "run");
+    fs::create_directory_symlink(folder / "elsewhere", folder / name / "run" / name);
+    const std::string words = words_of_opening(folder / name / "run", Begin::overwrite);
+    EXPECT_NE(words.find("is a symbolic link"), std::string::npos) << name << ": " << words;
+  }
+}
+
 TEST(RunFolder, IsHeldByOneAtATime) {
   const test::TemporaryFolder folder;
   const RunFolder first(folder / "run", Begin::fresh);

@@ -37,12 +37,6 @@ private:
   levels::PartTime* part_;
 };
 
-/// The folder of a side: as of a run alone, but for the checkpoint, which both have together.
-RunFolder side_folder(const RunFolder& whole, const char* name, Begin begin) {
-  const auto path = whole.path() / name;
-  return begin == Begin::resume ? RunFolder::of_another(path, begin) : RunFolder(path, begin);
-}
-
 /// The two sides of a case, ready to begin or to be resumed.
 template <int D, class Bodies>
 struct HybridModel {
@@ -87,8 +81,8 @@ struct HybridWork final : WorkDefaults {
       : file(of),
         options(of_run),
         folder(of_run.folder, of_run.begin),
-        continuum_folder(side_folder(folder, "continuum", of_run.begin)),
-        bodies_folder(side_folder(folder, "bodies", of_run.begin)),
+        continuum_folder(RunFolder::of_side(folder, "continuum", of_run.begin)),
+        bodies_folder(RunFolder::of_side(folder, "bodies", of_run.begin)),
         model(of, load_continuum_mesh(continuum_case(), continuum_folder.mesh(), folder.resumes()), bodies_folder.mesh(),
               folder.resumes()),
         identity(identify(of.as<cases::HybridCase>(), identify(continuum_content(), mesh_hash(model.continuum.mesh())),

@@ -8,13 +8,15 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
-#include <unistd.h>
+#include <optional>
 
 #include "sazare/cases/format/number_text.hpp"
+#include "sazare/core/machine_memory.hpp"
 #include "sazare/geometry/gmsh/mesher.hpp"
 #include "sazare/geometry/gmsh/reader.hpp"
 #include "sazare/geometry/tetrahedron.hpp"
 #include "sazare/methods/mps/case/case.hpp"
+#include "sazare/runs/temporary_folder.hpp"
 
 namespace sazare::runs {
 
@@ -23,6 +25,7 @@ namespace {
 using cases::RegionShape;
 constexpr Real tolerance = 1e-6;  // of a spacing
 constexpr Real most_sites = 2e9;
+constexpr Real bytes_of_particle = 500;  // at least, with its links in the plane
 
 /// A region as a bounding box and a test whether it holds a point.
 struct Shape {
@@ -70,12 +73,12 @@ Shape polygon_shape(const cases::ParticleRegion& region) {
 Shape mesh_shape(const cases::CaseFile& file, std::size_t number) {
   const cases::ParticleRegion& region = file.as<cases::MpsCase>().regions[number];
   std::filesystem::path source = region.file;
+  std::optional<TemporaryFolder> folder;
   if (source.extension() == ".geo") {
-    source = std::filesystem::temp_directory_path() / fmt::format("sazare-region-{}-{}.msh", ::getpid(), number);
+    source = folder.emplace().path() / "region.msh";
     geometry::mesh_geometry({region.file, source, {}, 1});
   }
   const geometry::TetraMesh mesh = geometry::read_gmsh(source, 1);
-  if (source != region.file) std::filesystem::remove(source);
   const auto found = std::ranges::find(mesh.region_names, region.group);
   if (found == mesh.region_names.end())
     refuse(file, fmt::format("regions.{}.group", number), fmt::format("the mesh has no volume group \"{}\"", region.group),
@@ -155,6 +158,7 @@ Filling<D> fill_regions(const cases::CaseFile& file) {
            "choose a larger spacing");
   const auto longest = static_cast<std::size_t>(std::ranges::max_element(counts) - counts.begin());
   std::vector<std::size_t> held(shapes.size(), 0);
+  const Real memory = machine_memory();
   for (std::int64_t number = 0; number < static_cast<std::int64_t>(total); ++number) {
     methods::mps::Site<D> site;
     std::int64_t rest = number / counts[longest];
@@ -170,6 +174,12 @@ Filling<D> fill_regions(const cases::CaseFile& file) {
     for (std::size_t i = shapes.size(); i-- > 0;) {
       if (!shapes[i].holds(center)) continue;
       filling.sites.push_back(site);
+      if (static_cast<Real>(filling.sites.size()) * bytes_of_particle > memory)
+        refuse(file, "particles.spacing",
+               fmt::format("the regions would contain more than {} particles, of {} at most",
+                           cases::short_number(static_cast<Real>(filling.sites.size()), 2), cases::short_number(total, 2)),
+               fmt::format("this machine has {} GB of memory, and a particle needs {} bytes or more: choose a larger spacing",
+                           cases::short_number(1e-9 * memory, 3), bytes_of_particle));
       filling.region.push_back(static_cast<Index>(i));
       ++held[i];
       break;

@@ -10,6 +10,7 @@
 
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/core/error.hpp"
+#include "sazare/core/machine_memory.hpp"
 #include "sazare/geometry/voronoi.hpp"
 #include "sazare/methods/rectangles/case/case.hpp"
 #include "sazare/methods/rectangles/case/nuclei_file.hpp"
@@ -29,6 +30,8 @@ constexpr Real overlap_tolerance = 1e-6;  // of an element
 constexpr Real near_support = 0.05;       // of an element
 
 Real radians(Real degrees) { return degrees * std::numbers::pi / 180; }
+
+constexpr int bytes_of_element = 500;  // at least, with its links
 
 /// Squares of a lattice by column and row; what they are joined by must be equal.
 using Lattice = std::map<std::pair<int, int>, int>;
@@ -150,11 +153,21 @@ private:
                  densities_[static_cast<std::size_t>(material_of(block))]});
   }
 
+  void check_count(std::size_t number, Real elements) const {
+    const Real memory = machine_memory();
+    if (bytes_of_element * elements <= memory) return;
+    refuse(file_, fmt::format("blocks.{}.element_size", number),
+           fmt::format("the block would have {} elements", cases::short_number(elements, 3)),
+           fmt::format("they need {} bytes each or more, and this machine has {} GB of memory: choose larger ones",
+                       bytes_of_element, cases::short_number(1e-9 * memory, 3)));
+  }
+
   /// Lower corner and sites (row, column).
   std::pair<Vector2, Lattice> lattice_of(std::size_t number, const cases::SquareBlock& block) const {
     Lattice lattice;
     const Real size = block.element_size;
-    const auto count = [&](Real length) { return static_cast<int>(std::ceil(length / size - 1e-6)); };
+    const auto real_count = [&](Real length) { return std::ceil(length / size - 1e-6); };
+    const auto count = [&](Real length) { return static_cast<int>(real_count(length)); };
     if (block.shape == BlockShape::image) {
       const GreyImage image = image_of(number, block);
       for (int row = 0; row < image.height; ++row)
@@ -170,6 +183,7 @@ private:
         upper = upper.cwiseMax(Vector2(point[0], point[1]));
       }
     }
+    check_count(number, real_count(upper.x() - lower.x()) * real_count(upper.y() - lower.y()));
     for (int row = 0; row < count(upper.y() - lower.y()); ++row)
       for (int column = 0; column < count(upper.x() - lower.x()); ++column)
         if (block.shape == BlockShape::rectangle ||
@@ -303,8 +317,7 @@ public:
       const cases::Roller& roller = case_.rollers[i];
       const bool still = roller.moves.velocity.isZero() && roller.moves.motion[0].empty() && roller.moves.motion[1].empty();
       if (still && !holds_something[first_roller() + i])
-        refuse(file_, fmt::format("rollers.{}.center", i),
-               fmt::format("the support \"{}\" touches no element", roller.name),
+        refuse(file_, fmt::format("rollers.{}.center", i), fmt::format("the support \"{}\" touches no element", roller.name),
                "move it to the block, or give it a velocity");
     }
   }

@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <unistd.h>
 
 #include "sazare/cases/format/number_text.hpp"
+#include "sazare/core/machine_memory.hpp"
 #include "sazare/core/time.hpp"
 #include "sazare/methods/spheres/sphere_at.hpp"
 
@@ -21,8 +21,6 @@ using cases::SphereSource;
 
 constexpr int bytes_of_sphere = 350;  // see docs/theory/spheres.md
 constexpr Index most_spheres = methods::spheres::SphereAt::most;
-
-Real machine_memory() { return static_cast<Real>(sysconf(_SC_PHYS_PAGES)) * static_cast<Real>(sysconf(_SC_PAGESIZE)); }
 
 /// Spheres along the axes of a lattice, as numbers that may be larger than any whole one.
 std::array<Real, 3> lattice_counts(const SphereGroup& group) {
