@@ -99,6 +99,12 @@ CaseFile read_case_text(CaseFormats formats, const std::string& content, const f
   for (const std::string& setting : overrides)
     if (!has_sides || !is_of_side(setting)) apply_override(text->root, setting, problems, side);
   const CaseFormat& format = format_of(formats, method_name(text->root));
+  if (format.has_sides && !side.empty()) {
+    problems.error(find_place(text->root, "case.method"),
+                   fmt::format("a side of a hybrid case is of method {} itself", format.method),
+                   "the continuum is of method fem, the bodies are of method spheres, rectangles or blocks");
+    problems.throw_if_errors();
+  }
   check_structure(text->root, TablesWithChoice(formats, format.tables).tables(), problems);
 
   const ReadSide read_side = [formats](const fs::path& of, std::span<const std::string> own, const std::string& key) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <limits>
 #include <sstream>
 
 namespace sazare::coupling {
@@ -18,6 +19,7 @@ constexpr std::array<std::string_view, 2> sides = {"continuum", "bodies"};
 constexpr std::array<std::string_view, 4> kinds = {"shape", "motion", "force", "farewell"};
 constexpr std::string_view last_line_of_head = "data";
 constexpr std::string_view seal_key = "checksum ";
+constexpr std::size_t most_numbers = std::size_t{1} << 56;  // of all tables: their bytes can still be counted
 constexpr std::size_t seal_size = seal_key.size() + 8 + 1;
 
 std::string seal_of(std::string_view bytes) {
@@ -90,13 +92,18 @@ Message decode(std::string_view bytes, const std::string& name) {
   message.run = head.text("run");
   message.sequence = head.count("sequence");
   message.window = head.count("window");
-  message.pass = static_cast<std::int32_t>(head.count("pass"));
+  const std::int64_t pass = head.count("pass");
+  if (pass < 0 || pass > std::numeric_limits<std::int32_t>::max())
+    throw DamagedFile(fmt::format("{}: 'pass {}' in its head is out of range", name, pass));
+  message.pass = static_cast<std::int32_t>(pass);
   message.time = head.number("time");
+  std::vector<std::size_t> counts;  // tables get their room once the file is known to hold them
   std::size_t numbers = 0;
   for (const std::string& line : head.all("table")) {
-    const std::size_t count = read_layout(line, name, message.tables.emplace_back());
-    message.tables.back().values.resize(std::min(count, bytes.size() / sizeof(Real)));
-    numbers += count;
+    counts.push_back(read_layout(line, name, message.tables.emplace_back()));
+    numbers += counts.back();
+    if (numbers > most_numbers)
+      throw DamagedFile(fmt::format("{}: is damaged: its tables have {} numbers or more", name, numbers));
   }
   const std::size_t size = head.end() + numbers * sizeof(Real) + seal_size;
   if (bytes.size() < size) throw DamagedFile(fmt::format("{}: is half written: {} of {} bytes", name, bytes.size(), size));
@@ -104,7 +111,9 @@ Message decode(std::string_view bytes, const std::string& name) {
   if (bytes.substr(size - seal_size) != seal_of(bytes.substr(0, size - seal_size)))
     throw DamagedFile(fmt::format("{}: is damaged: its checksum does not match its data", name));
   const char* from = bytes.data() + head.end();
-  for (NumberTable& table : message.tables) {
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    NumberTable& table = message.tables[i];
+    table.values.resize(counts[i]);
     if (!table.values.empty()) std::memcpy(table.values.data(), from, table.values.size() * sizeof(Real));
     from += table.values.size() * sizeof(Real);
   }

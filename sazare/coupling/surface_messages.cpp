@@ -54,8 +54,7 @@ std::vector<std::int32_t> whole_numbers(const std::vector<Real>& values) {
   std::vector<std::int32_t> whole;
   whole.reserve(values.size());
   for (const Real value : values) {
-    if (!(std::abs(value) < 2147483648.0) || value != std::floor(value))
-      refuse(fmt::format("'{}' is not a node number", value));
+    if (!(std::abs(value) < 2147483648.0) || value != std::floor(value)) refuse(fmt::format("'{}' is not a node number", value));
     whole.push_back(static_cast<std::int32_t>(value));
   }
   return whole;
@@ -109,8 +108,9 @@ Message to_message(const SurfaceForce& force, const SurfaceShape& shape) {
 SurfaceShape to_shape(Message message) {
   check_kind(message, Kind::shape);
   SurfaceShape shape;
-  shape.dimension = static_cast<int>(message.details.count("dimension"));
-  if (shape.dimension != 2 && shape.dimension != 3) refuse(fmt::format("it has {} dimensions", shape.dimension));
+  const std::int64_t dimension = message.details.count("dimension");
+  if (dimension != 2 && dimension != 3) refuse(fmt::format("it has {} dimensions", dimension));
+  shape.dimension = static_cast<int>(dimension);
   shape.width = message.details.number("width");
   shape.window = message.details.number("window_length");
   shape.nodes = std::move(message.table("nodes", shape.dimension, "m").values);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -96,6 +97,18 @@ public:
 private:
   Real seconds_since_start() const { return std::chrono::duration<Real>(Clock::now() - start_).count(); }
 
+  [[noreturn]] void refuse_table() const {
+    throw UserError(fmt::format("{}: a row is damaged. Start again with --overwrite", table_.string()));
+  }
+
+  template <class Number>
+  Number number_in(const std::string& text) const {
+    Number number{};
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (failure != std::errc{} || end != text.data() + text.size()) refuse_table();
+    return number;
+  }
+
   /// Rows of an earlier part of the study.
   void take_rows() {
     std::ifstream stream(table_);
@@ -109,11 +122,12 @@ private:
     const std::size_t count = columns_of(study_).size();
     while (std::getline(stream, line)) {
       const std::vector<std::string> fields = split(line);
-      if (fields.size() != count)
-        throw UserError(fmt::format("{}: a row is damaged. Start again with --overwrite", table_.string()));
-      Row row = {std::stoll(fields[0]), fields[1]};
-      for (std::size_t i = 2; i < count; ++i) row.emplace_back(std::stod(fields[i]));
-      rows_[static_cast<std::size_t>(std::stoll(fields[0]))] = std::move(row);
+      if (fields.size() != count) refuse_table();
+      const auto number = number_in<std::int64_t>(fields[0]);
+      Row row = {number, fields[1]};
+      for (std::size_t i = 2; i < count; ++i) row.emplace_back(number_in<Real>(fields[i]));
+      if (number < 0 || static_cast<std::size_t>(number) >= study_.size()) refuse_table();
+      rows_[static_cast<std::size_t>(number)] = std::move(row);
     }
   }
 

@@ -44,6 +44,42 @@ Value convert(const toml::node& node, int source) {
   return value;
 }
 
+constexpr int deepest_key =
+    64;  // parts of a dotted key; a case has three. toml++ makes a table in a table for each until the stack ends
+
+bool is_bare(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
+}
+
+/// Whether a line may hold a key of more parts. Counts the dots between characters of bare keys, and those beside quotes; numbers
+/// have one each.
+bool has_deep_key(std::string_view line) {
+  int in_key = 0, beside_quotes = 0;
+  char before = ' ';
+  for (const char c : line) {
+    if (c == ' ' || c == '\t') continue;
+    const bool is_quote = c == '"' || c == '\'', was_quote = before == '"' || before == '\'';
+    if (!is_bare(c) && !is_quote) in_key = 0;
+    in_key += c == '.' ? 1 : 0;
+    beside_quotes += (c == '.' && was_quote) || (before == '.' && is_quote) ? 1 : 0;
+    if (in_key >= deepest_key || beside_quotes >= 2 * deepest_key) return true;
+    before = c;
+  }
+  return false;
+}
+
+/// The first line with such a key; 0 where there is none. Lines of comments hold none.
+int line_of_deep_key(std::string_view text) {
+  for (int line = 1; !text.empty(); ++line) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view content = text.substr(0, end);
+    const std::size_t first = content.find_first_not_of(" \t");
+    if (first != std::string_view::npos && content[first] != '#' && has_deep_key(content)) return line;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return 0;
+}
+
 }  // namespace
 
 const Value* Value::find(std::string_view key) const {
@@ -63,6 +99,11 @@ const Place* Value::key_place(std::string_view key) const {
 }
 
 std::optional<Value> parse_document(std::string_view text, int source, Problems& problems, std::span<const Table> known) {
+  if (const int line = line_of_deep_key(text); line > 0) {
+    problems.error({source, line, 1, 1}, fmt::format("a key has more than {} parts", deepest_key),
+                   "a key of a case is table.key");
+    return std::nullopt;
+  }
   try {
     return convert(toml::parse(text), source);
   } catch (const toml::parse_error& failure) {

@@ -8,6 +8,7 @@
 namespace sazare::cases {
 namespace {
 
+constexpr std::size_t deepest_path = 64;
 constexpr std::string_view form = "write it as --set table.key=value, such as --set time.end=1e-3";
 
 std::vector<std::string> split_path(std::string_view path) {
@@ -113,7 +114,7 @@ void apply_override(Value& root, const std::string& setting, Problems& problems,
   const int index = problems.add_source(std::move(source));
   const int begin = static_cast<int>(std::string_view("--set ").size() + side.size()) + 1;
   Override change{split_path(key), {index, 1, begin, std::max<int>(1, static_cast<int>(key.size()))}, {}};
-  if (equals == std::string::npos || key.empty() || std::ranges::count(change.path, std::string()) > 0) {
+  if (equals == std::string::npos || key.empty() || change.path.size() > deepest_path || std::ranges::count(change.path, std::string()) > 0) {
     problems.error(change.path_place, "this is not of the form table.key=value", std::string(form));
     return;
   }

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <regex>
+#include <string_view>
 
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/cases/format/units.hpp"
@@ -17,13 +17,44 @@ struct Assignment {
   int value_column = 1;
 };
 
-/// `key = value   # comment` split by hand, for lines that TOML does not accept.
-bool split_assignment(const std::string& line, Assignment& result) {
-  static const std::regex pattern(R"(^(\s*([A-Za-z0-9_.-]+)\s*[=:]=?\s*)([^#]*?)\s*(#.*)?$)");
-  std::smatch match;
-  if (!std::regex_match(line, match, pattern)) return false;
-  result = {match[2], match[3], static_cast<int>(match.length(1)) + 1};
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_key_character(char c) { return is_letter(c) || is_digit(c) || c == '.' || c == '-'; }
+
+/// `key = value   # comment` split by hand, for lines that TOML does not accept; := and : are taken for = too.
+bool split_assignment(std::string_view line, Assignment& result) {
+  std::size_t at = 0;
+  const auto skip = [&](auto is_skipped) {
+    while (at < line.size() && is_skipped(line[at])) ++at;
+  };
+  skip(is_blank);
+  const std::size_t key = at;
+  skip(is_key_character);
+  result.key = line.substr(key, at - key);
+  skip(is_blank);
+  if (result.key.empty() || at == line.size() || (line[at] != '=' && line[at] != ':')) return false;
+  ++at;
+  if (at < line.size() && line[at] == '=') ++at;
+  skip(is_blank);
+  std::size_t end = std::min(line.find('#', at), line.size());
+  while (end > at && is_blank(line[end - 1])) --end;
+  result.value = line.substr(at, end - at);
+  result.value_column = static_cast<int>(at) + 1;
   return true;
+}
+
+/// A word or several, without quotes.
+bool is_bare_text(std::string_view value) {
+  return is_letter(value.front()) && std::ranges::all_of(value, [](char c) { return is_key_character(c) || c == ' '; });
+}
+
+/// Digits, a comma, digits.
+bool has_decimal_comma(std::string_view value) {
+  if (value.starts_with('+') || value.starts_with('-')) value.remove_prefix(1);
+  const std::size_t comma = value.find(',');
+  if (comma == 0 || comma == std::string_view::npos || comma + 1 == value.size()) return false;
+  return std::ranges::all_of(value.substr(0, comma), is_digit) && std::ranges::all_of(value.substr(comma + 1), is_digit);
 }
 
 /// Keys are looked up by name alone: which table the line stands in is not known where the text is not TOML.
@@ -37,15 +68,13 @@ std::string help_for_unit(const std::string& name, const Quantity& quantity, std
 }
 
 std::string help_for_value(const Assignment& line, std::span<const Table> known) {
-  static const std::regex word(R"([A-Za-z_][A-Za-z0-9_. -]*)");
-  static const std::regex decimal_comma(R"([+-]?\d+,\d+)");
   if (line.value.empty()) return fmt::format("write a value after \"{} =\"", line.key);
   const auto quantity = parse_quantity(line.value);
   if (quantity && is_unit(quantity->unit)) return help_for_unit(line.key, *quantity, known);
-  if (std::regex_match(line.value, decimal_comma)) return "write a decimal point";
+  if (has_decimal_comma(line.value)) return "write a decimal point";
   if (line.value == "True" || line.value == "False") return "write true or false in lower case";
   if (line.value.front() == '.') return "write a digit before the decimal point: 0" + line.value;
-  if (std::regex_match(line.value, word) && line.value != "true" && line.value != "false")
+  if (is_bare_text(line.value) && line.value != "true" && line.value != "false")
     return fmt::format("enclose text in double quotes: {} = \"{}\"", line.key, line.value);
   return "";
 }

@@ -20,6 +20,7 @@ struct Symbol {
   bool takes_prefix;
 };
 
+constexpr std::size_t longest_quantity = 200;  // characters
 constexpr Real degrees_per_radian = 180 / std::numbers::pi;
 
 constexpr std::array symbols{
@@ -114,6 +115,7 @@ std::string_view trimmed(std::string_view text) {
 
 std::optional<Quantity> parse_quantity(std::string_view text) {
   text = trimmed(text);
+  if (text.size() > longest_quantity) return std::nullopt;
   if (text.starts_with('+')) text.remove_prefix(1);
   Quantity quantity;
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), quantity.value);

@@ -77,6 +77,36 @@ TEST(Reader, ReadsFilesWithWindowsLineEnds) {
   EXPECT_EQ(folder.read(text).as<cases::BlocksCase>().title, "Small");
 }
 
+/// Long lines and deep keys are told of, in time that grows with their length.
+TEST(Reader, HostileTextIsRefusedQuickly) {
+  const CaseFolder folder;
+  const std::string head = "[case]\ntitle = \"x\"\nmethod = \"mps\"\n", a(200000, 'a'), blanks(200000, ' ');
+  std::string dotted = "a", quoted = "\"=\"";
+  for (int i = 0; i < 200000; ++i) {
+    dotted += ".a";
+    quoted += ".\"=\"";
+  }
+  for (const std::string& line : {"x = " + a, a + " = ?", "x = 0." + std::string(500000, '0') + "1",
+                                  "x = " + std::string(100000, '[') + std::string(100000, ']'), "x = a" + blanks + "b",
+                                  "x = a" + blanks + "#", "x = 1 " + std::string(200000, 'm') + blanks + "m"})
+    EXPECT_THROW(folder.read(head + line + "\n"), UserError) << line.substr(0, 20);
+  for (const std::string& line :
+       {dotted + " = 1", "[" + dotted + "]", "[[" + dotted + "]]", "x = { " + dotted + " = 1 }", quoted + " = 1"}) {
+    const std::string words = folder.refusal(head + line + "\n");
+    EXPECT_NE(words.find("a key has more than 64 parts"), std::string::npos) << words.substr(0, 200);
+  }
+  EXPECT_NO_THROW(folder.read(smallest_case() + "# " + dotted + "\n")) << "in a comment";
+}
+
+TEST(Reader, TakesAByteOrderMarkAndAHybridThatNamesItselfIsRefused) {
+  const CaseFolder folder;
+  EXPECT_EQ(folder.read("\xef\xbb\xbf" + smallest_case()).as<cases::BlocksCase>().title, "Small");
+  const std::string words = folder.refusal(
+      "[case]\ntitle = \"x\"\nmethod = \"hybrid\"\n[sides]\ncontinuum = \"case.toml\"\nbodies = \"case.toml\"\n[surface]\ngroup "
+      "= \"top\"\n");
+  EXPECT_NE(words.find("a side of a hybrid case is of method hybrid itself"), std::string::npos) << words;
+}
+
 TEST(Reader, SaysWhenTheCaseFileIsNotThere) {
   const CaseFolder folder;
   EXPECT_THROW(registry::read_case(folder.path() / "none.toml"), UserError);

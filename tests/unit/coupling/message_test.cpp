@@ -104,6 +104,24 @@ TEST(message, head_that_makes_no_sense) {
   EXPECT_WORDS(words_of<DamagedFile>([&] { decode(bytes, "file"); }), "half written");
 }
 
+/// Sizes that wrap around, or that no file has: no room is taken for them.
+TEST(message, tables_get_no_room_that_the_file_does_not_fill) {
+  std::string bytes = encode(example());
+  const std::string row = "table mean 2 2 N/m\n";
+  std::string huge;
+  for (int i = 0; i < 5000; ++i) huge += "table t 1099511627776 1000 N\n";
+  bytes.replace(bytes.find(row), row.size(), huge);
+  EXPECT_WORDS(words_of<DamagedFile>([&] { decode(bytes, "file"); }), "its tables have");
+  bytes = encode(example());
+  huge.clear();
+  for (int i = 0; i < 60; ++i) huge += "table t 1000000000 1 N\n";  // each as large as memory, none of them there
+  bytes.replace(bytes.find(row), row.size(), huge);
+  EXPECT_WORDS(words_of<DamagedFile>([&] { decode(bytes, "file"); }), "half written");
+  bytes = encode(example());
+  bytes.replace(bytes.find("pass 2\n"), 7, "pass 4294967298\n");
+  EXPECT_WORDS(words_of<DamagedFile>([&] { decode(bytes, "file"); }), "'pass 4294967298' in its head is out of range");
+}
+
 TEST(message, table_of_another_unit) {
   Message message = example();
   EXPECT_EQ(message.table("mean", 2, "N/m").values.size(), 4u);

@@ -227,6 +227,16 @@ TEST(study, finds_predicted_limits_and_goes_on_where_it_stopped) {
   EXPECT_EQ(test::without_last_column(read_text(folder / "part/study.csv")), rows);
 
   std::ofstream(folder / "part/manifest.json") << R"({"status": "stopped"})";
+  const std::string header = text.substr(0, text.find('\n') + 1),
+                    row = text.substr(header.size(), text.find('\n', header.size()) + 1 - header.size());
+  for (const std::string& damaged :
+       {"x" + row, "99" + row, "-" + row, row.substr(0, row.size() - 1) + "s\n", "1e999" + row.substr(1)}) {
+    std::ofstream(folder / "part/study.csv") << header << damaged;
+    const std::string said = words_of<UserError>([&] {
+      registry::run_study(study, {folder / "part", Begin::resume, true, 1, nullptr});
+    });
+    EXPECT_NE(said.find("study.csv: a row is damaged"), std::string::npos) << damaged << said;
+  }
   std::ofstream(folder / "study.toml", std::ios::app) << "ratio = 1.1\n";
   const std::string words = words_of<UserError>([&] {
     registry::run_study(cases::read_study(folder / "study.toml"), {folder / "part", Begin::resume, true, 1, nullptr});
