@@ -71,6 +71,15 @@ TEST(sphere_grid, visits_few_that_are_far) {
   EXPECT_LT(total, 100u * 20u);  // of 2000 each; a cube of three cells a side holds seven
 }
 
+TEST(sphere_grid, one_that_is_huge_against_the_others_walks_over_what_is_there) {
+  SphereGrid grid;
+  for (Index item = 0; item < 100; ++item) grid.place(item, {0.1 * item, 0, 0}, 1e-6);
+  EXPECT_EQ(visited(grid, {{0, 0, 0}, 1e3}).size(), 100);
+  EXPECT_EQ(visited(grid, {{0, 0, 0}, 1.05}).size(), 11);
+  grid.place(100, {1e308, 0, 0}, 1e-6);
+  EXPECT_EQ(visited(grid, {{1e308, 0, 0}, 1}), std::vector<Index>{100});
+}
+
 TEST(sphere_grid, a_small_move_within_a_cell_changes_nothing) {
   SphereGrid grid;
   grid.place(0, {0.1, 0.1, 0.1}, 0.2);
