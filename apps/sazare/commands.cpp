@@ -5,13 +5,12 @@
 #include <cstdio>
 
 #include "sazare/cases/case_file.hpp"
-#include "sazare/parallel/threads.hpp"
 #include "sazare/registry/registry.hpp"
 
 namespace sazare::command {
 
 int check(const CaseArguments& arguments) {
-  parallel::set_threads(arguments.threads);
+  use_threads(arguments.threads, true);
   const cases::CaseFile file = registry::read_case(arguments.file, arguments.settings);
   const std::string text = registry::check_case(file);
   fmt::print("{}", text);

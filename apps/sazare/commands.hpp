@@ -48,6 +48,8 @@ struct StudyArguments {
   bool quiet = false;
 };
 
+/// Sets the number of threads that was asked for, 0 for as many as there are; not more than the processors, which is told.
+void use_threads(int asked, bool speaks);
 int run(const RunArguments& arguments, const parallel::Ranks& ranks);
 int study(const StudyArguments& arguments);
 int check(const CaseArguments& arguments);

@@ -8,6 +8,7 @@
 #include "sazare/cases/case_file.hpp"
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/core/error.hpp"
+#include "sazare/parallel/processors.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "sazare/registry/registry.hpp"
 #include "sazare/runs/progress.hpp"
@@ -45,19 +46,39 @@ std::optional<runs::OneSide> side_of(const RunArguments& arguments, const cases:
   return runs::OneSide{side, exchange, arguments.time_out};
 }
 
+/// A word as a shell reads it back.
+std::string quoted(const std::string& word) {
+  static constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./,:@%";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
 std::string resume_text(const RunArguments& arguments, const fs::path& folder) {
-  std::string text = fmt::format("sazare run {} --out {} --resume", arguments.of_case.file.string(), folder.string());
+  std::string text =
+      fmt::format("sazare run {} --out {} --resume", quoted(arguments.of_case.file.string()), quoted(folder.string()));
   if (!arguments.side.empty()) text += fmt::format(" --side {}", arguments.side);
-  if (!arguments.exchange.empty()) text += fmt::format(" --exchange {}", arguments.exchange.string());
-  for (const std::string& setting : arguments.of_case.settings) text += fmt::format(" --set '{}'", setting);
+  if (!arguments.exchange.empty()) text += fmt::format(" --exchange {}", quoted(arguments.exchange.string()));
+  for (const std::string& setting : arguments.of_case.settings) text += fmt::format(" --set {}", quoted(setting));
   return text;
 }
 
 }  // namespace
 
+void use_threads(int asked, bool speaks) {
+  const int most = parallel::processors();
+  if (asked > most && speaks)
+    fmt::print(stderr,
+               "warning: --threads {}: this program may use {} processor{}, and more threads than that only wait for each other: "
+               "{} used\n",
+               asked, most, most == 1 ? "" : "s", most == 1 ? "1 is" : fmt::format("{} are", most));
+  parallel::set_threads(std::min(asked, most));
+}
+
 int run(const RunArguments& arguments, const parallel::Ranks& ranks) {
   stop_on_signals();
-  parallel::set_threads(arguments.of_case.threads);
+  use_threads(arguments.of_case.threads, ranks.is_first());
   const cases::CaseFile file = registry::read_case(arguments.of_case.file, arguments.of_case.settings);
   if (ranks.size() > 1 && !registry::method(file.method).runs_on_ranks)
     throw UserError(

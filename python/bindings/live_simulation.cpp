@@ -1,10 +1,12 @@
 #include "python/bindings/live_simulation.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <stdexcept>
 
 #include "sazare/cases/case_file.hpp"
 #include "sazare/core/error.hpp"
+#include "sazare/parallel/processors.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "sazare/registry/registry.hpp"
 
@@ -22,7 +24,7 @@ runs::Begin begin_named(const std::string& begin) {
 }
 
 cases::CaseFile read(const CaseSource& source, int threads) {
-  parallel::set_threads(threads);
+  parallel::set_threads(std::min(threads, parallel::processors()));
   return source.read();
 }
 

@@ -48,6 +48,7 @@ public:
   void add_samples(const std::string& name, double step, const std::vector<double>& values);
   /// Forces on the bodies from now on [N]. Throws UserError where the method takes none.
   void apply(std::span<const Vector3> forces);
+  bool takes_forces() const { return run_ != nullptr && run_->takes_forces(); }
 
   const cases::CaseFile& file() const { return file_; }
   const Status& status() const { return status_; }

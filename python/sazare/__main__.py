@@ -4,6 +4,7 @@ import argparse
 import math
 import sys
 import time
+import traceback
 from pathlib import Path
 
 from sazare.comparison import compare
@@ -99,12 +100,21 @@ def main(arguments=None):
     chosen = parser().parse_args(arguments)
     try:
         chosen.function(chosen)
+        sys.stdout.flush()
     except (NotARun, ValueError) as error:
         print(f"error: {error}", file=sys.stderr)
         return USER_ERROR
     except OSError as error:
         print(f"error: {error}", file=sys.stderr)
         return MACHINE_ERROR
+    except (TypeError, KeyError, IndexError, AttributeError, ArithmeticError, RuntimeError) as error:
+        place = traceback.extract_tb(error.__traceback__)[-1]
+        print(
+            f"error: {chosen.folder}: the files of this run do not fit together: {type(error).__name__}: {error} "
+            f"({Path(place.filename).name}:{place.lineno}). If sazare wrote them as they are, please report it",
+            file=sys.stderr,
+        )
+        return USER_ERROR
     return 0
 
 

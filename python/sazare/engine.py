@@ -5,6 +5,19 @@ import sys
 from functools import cache
 
 
+_process = None  # that has loaded the engine
+
+
+def refuse_after_fork():
+    """Raises RuntimeError in a process that was forked off one with an engine: the threads of the engine are not there, and a run would wait for
+    them for ever."""
+    if _process is not None and _process != os.getpid():
+        raise RuntimeError(
+            "this process was forked off one that has used the engine, whose threads a fork does not take along: start workers by "
+            'multiprocessing.get_context("spawn"), or use the engine in them alone'
+        )
+
+
 @cache
 def engine():
     """The module `sazare._engine`. Raises ImportError, saying what to do, where it was not built."""
@@ -18,6 +31,8 @@ def engine():
             "the engine of Sazare is not built for this Python "
             f"({sys.version_info.major}.{sys.version_info.minor}): run make build in the source tree, or pip install ."
         ) from error
+    global _process
+    _process = os.getpid()
     for name in ("UserError", "PhysicsError", "MachineError"):
         getattr(_engine, name).__module__ = "sazare"
     return _engine

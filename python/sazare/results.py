@@ -47,9 +47,11 @@ class Results:
         if not path.exists():
             return {}
         try:
-            return json.loads(path.read_text(encoding="utf-8"))
-        except ValueError as error:
+            found = json.loads(path.read_text(encoding="utf-8"))
+        except (ValueError, RecursionError) as error:
             raise NotARun(f"{path}: not valid JSON: {error}") from error
+        _check_manifest(path, found)
+        return found
 
     @property
     def title(self):
@@ -165,6 +167,23 @@ class Results:
 
     def _snapshots(self, kind):
         return read_snapshots(self.path / "snapshots", kind)
+
+
+def _check_manifest(path, manifest):
+    """Raises NotARun where a manifest has other kinds of values than a run writes."""
+    if not isinstance(manifest, dict):
+        raise NotARun(f"{path}: not a manifest: a JSON object was expected, found {type(manifest).__name__}")
+    kinds = {
+        "case": str, "method": str, "status": str, "sazare": str, "commit": str, "started": str, "finished": str, "state_hash": str,
+        "machine": dict, "results": dict,
+    }
+    for key, kind in kinds.items():
+        if key in manifest and not isinstance(manifest[key], kind):
+            raise NotARun(f"{path}: \"{key}\" must be {'an object' if kind is dict else 'a string'}, found {json.dumps(manifest[key])[:80]}")
+    for name, value in manifest.get("results", {}).items():
+        values = value.values() if isinstance(value, dict) else [value]
+        if not all(isinstance(item, int | float | str) or item is None for item in values):
+            raise NotARun(f"{path}: the figure \"{name}\" is neither a number nor a word: {json.dumps(value)[:80]}")
 
 
 def _check_is_run(path):

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from sazare.cases import Case, toml_value
-from sazare.engine import engine
+from sazare.engine import engine, refuse_after_fork
 from sazare.histories import histories_of
 from sazare.progress import ProgressLine
 from sazare.results import open_run
@@ -54,7 +54,7 @@ def _name_from_title(text):
 
 
 def check(case, *, overrides=None, folder=None):
-    """Describes what a case will do: the resolved case, its time steps and what limits them, as `sazare check`. Runs nothing.
+    """Describes what a case will do: the resolved case, its time steps and what limits them, as `sazare check`. Takes no step; a .geo is meshed by Gmsh.
 
     Raises UserError with all errors of the case.
     """
@@ -94,7 +94,7 @@ def run(
     Raises UserError, PhysicsError or MachineError with the messages of the command. Ctrl-C keeps a checkpoint, from which `resume` continues.
     """
     source = source_of(case, overrides, folder)
-    where = Path(out or Path("runs") / source.name)
+    where = Path(out or Path("runs") / source.name).absolute()
     simulation = Simulation(source, where, threads, overwrite, resume, progress, functions=functions, forces=forces)
     try:
         simulation.run(stop)
@@ -116,7 +116,7 @@ def build(
     """
     source = source_of(case, overrides, folder)
     temporary = tempfile.TemporaryDirectory(prefix="sazare-") if out is None else None
-    where = Path(temporary.name) / source.name if temporary else Path(out)
+    where = Path(temporary.name) / source.name if temporary else Path(out).absolute()
     return Simulation(source, where, threads, overwrite, resume, progress, temporary, functions, forces)
 
 
@@ -129,6 +129,7 @@ class Simulation:
     def __init__(
         self, source, path, threads=0, overwrite=False, resume=False, progress=False, temporary=None, functions=None, forces=None
     ):
+        refuse_after_fork()
         begin = "resume" if resume else "overwrite" if overwrite else "fresh"
         self.path = path
         self._temporary = temporary
@@ -137,6 +138,8 @@ class Simulation:
         self._live = engine().LiveSimulation(source.for_engine(), path, begin, threads)
         self._histories = histories_of(self._live, functions or {})
         self._forces = forces
+        if forces is not None and not self._live.takes_forces:
+            raise engine().UserError("this method accepts no external forces: methods mps, rectangles and fem do")
         try:
             self._prepare(0)
             self._live.begin()

@@ -15,6 +15,7 @@ import numpy as np
 from sazare.tables import NotARun
 
 HDF5_SIGNATURE = b"\x89HDF\r\n\x1a\n"
+MOST_EXPANSION = 100  # of what a file holds; runs write numbers as they are
 FILE_NAME = re.compile(r"\w[\w.-]*\.vtkhdf")
 
 
@@ -74,12 +75,36 @@ def read_mesh(path):
         with path.open("rb") as file:
             if file.read(len(HDF5_SIGNATURE)) != HDF5_SIGNATURE:
                 raise NotARun(f"{path}: not a readable VTKHDF file: it does not begin as HDF5 files do")
+        _check_content(path)
         mesh = pyvista.HDFReader(path).read()
-    except (OSError, ValueError, RuntimeError) as error:
+    except (OSError, ValueError, RuntimeError, KeyError) as error:
         raise NotARun(f"{path}: not a readable VTKHDF file: {error}") from error
     if not isinstance(mesh, pyvista.UnstructuredGrid):
         raise NotARun(f"{path}: not a snapshot: it holds {type(mesh).__name__}, and a run writes UnstructuredGrid")
     return mesh
+
+
+def _check_content(path):
+    """Raises NotARun where an HDF5 file leads to other files, or announces more numbers than it can hold: VTK would take memory for them."""
+    import h5py
+
+    total = 0
+
+    def look(name, item):
+        nonlocal total
+        if isinstance(item, h5py.Dataset):
+            if item.external or item.is_virtual:
+                raise NotARun(f"{path}: not a snapshot: {name} has its numbers in another file")
+            total += item.size * item.dtype.itemsize
+        elif any(not isinstance(item.get(key, getlink=True), h5py.HardLink) for key in item):
+            raise NotARun(f"{path}: not a snapshot: {name} holds links")
+
+    with h5py.File(path, "r") as file:
+        look("/", file)
+        file.visititems(look)
+    size = path.stat().st_size
+    if total > MOST_EXPANSION * size:
+        raise NotARun(f"{path}: not a snapshot: it announces {total / 1e9:.3g} GB of numbers, and the file has {size / 1e9:.3g} GB")
 
 
 def kinds_in(folder):

@@ -6,6 +6,7 @@ import matplotlib
 import numpy as np
 from matplotlib.colors import LinearSegmentedColormap, ListedColormap
 from matplotlib.figure import Figure
+from matplotlib.text import Text
 
 STONE = "#e9e4da"
 STONE_EDGE = "#c9c1b2"
@@ -67,7 +68,10 @@ def figure(width, height):
 
 @styled
 def save(figure, path):
-    """Writes a figure as PNG."""
+    """Writes a figure as PNG. Names of users stand as they are, with dollar signs too, which begin formulas elsewhere; labels of ticks are formulas."""
+    for text in figure.findobj(Text):
+        if "$" in text.get_text() and "\\mathdefault" not in text.get_text():
+            text.set_parse_math(False)
     figure.savefig(path)
 
 

@@ -14,6 +14,12 @@ class NotARun(Exception):
     """A folder, or one of its files, is not what a run writes; the message says which and what to do."""
 
 
+class NoColumn(NotARun, KeyError):
+    """A table lacks a column that a run writes."""
+
+    __str__ = Exception.__str__
+
+
 class Table(Mapping):
     """The columns of a CSV file by name, in the file's order; units are apart.
 
@@ -25,6 +31,8 @@ class Table(Mapping):
         self._units = dict(units or {})
 
     def __getitem__(self, name):
+        if name not in self._columns:
+            raise NoColumn(f"a table of the run has no column {name!r}; it has: {', '.join(self._columns) or 'none'}")
         return self._columns[name]
 
     def __iter__(self):
@@ -57,7 +65,10 @@ class Table(Mapping):
 def read_table(path):
     """A CSV file whose header has names with units in brackets, such as `time [s]`. Raises NotARun for a damaged file."""
     with path.open(newline="", encoding="utf-8") as file:
-        rows = [row for row in csv.reader(file) if row]
+        try:
+            rows = [row for row in csv.reader(file) if row]
+        except (csv.Error, UnicodeDecodeError) as error:
+            raise NotARun(f"{path}: not a table of a run: {error}") from error
     if not rows:
         raise NotARun(f"{path}: the file is empty; a run writes a header line first")
     heads = [HEADER.match(cell) for cell in rows[0]]

@@ -88,3 +88,25 @@ def test_an_unknown_key_of_a_text_is_said_in_the_words_of_the_command():
 def test_a_text_that_is_no_toml_is_said_in_the_words_of_the_command():
     with pytest.raises(sazare.UserError, match=r"case:1:\d+: error"):
         case_from_text("[case\ntitle = 1\n")
+
+
+def test_a_misspelt_key_is_refused():
+    case = read_case(ROOT / "cases/column-ricker/case.toml")
+    with pytest.raises(AttributeError, match="has no key 'spacng'; did you mean 'spacing'"):
+        case.particles.spacng = 0.1
+    with pytest.raises(AttributeError, match="has no key 'tiem'; did you mean 'time'"):
+        case.tiem = case.time
+    case.particles.spacing = 0.25
+    assert case.to_dict()["particles"]["spacing"] == 0.25
+
+
+@pytest.mark.parametrize("title", ["a\x7fb", 'quotes " and \\', "tab\tand\nline", "\u2028 \x00 \x1f", "震動 𝄞"])
+def test_a_title_of_any_characters_is_read_back(title):
+    case = read_case(ROOT / "cases/column-ricker/case.toml")
+    case.title = title
+    assert tomllib.loads(case.to_toml())["case"]["title"] == title
+
+
+def test_a_title_that_is_no_text_is_refused():
+    with pytest.raises(ValueError, match="cannot stand in a case"):
+        mps.Case(title="\udc80", particles=mps.Particles(spacing=1.0), regions=[], materials=[], time=mps.Time(end=1.0)).to_toml()

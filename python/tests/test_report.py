@@ -208,3 +208,22 @@ def test_a_movie_of_senseless_times_or_factors_is_refused(tmp_path, capsys, wron
         main(["movie", str(tmp_path), *wrong])
     assert ended.value.code == 2
     assert f"found {wrong[1]}" in capsys.readouterr().err
+
+
+def test_names_with_dollar_signs_are_drawn_as_they_are(slab, tmp_path):
+    copy = shutil.copytree(slab, tmp_path / "run")
+    table = copy / "gauges.csv"
+    table.write_text(table.read_text().replace("G1.", "$\\frac{$ G1.").replace("G2.", "US$ 5 and $x^."))
+    assert main(["plot", str(copy), "gauges", "--out", str(tmp_path)]) == 0
+    assert imread(tmp_path / "gauges.png")[..., :3].std() > 0.02
+
+
+@pytest.mark.parametrize("figure", ['"many"', "null", '{"a": 1}'])
+def test_figures_of_other_kinds_end_in_a_message(slab, tmp_path, figure, capsys):
+    copy = shutil.copytree(slab, tmp_path / "run")
+    manifest = (copy / "manifest.json").read_text()
+    steps = re.search(r'"steps": *\d+', manifest)
+    (copy / "manifest.json").write_text(manifest.replace(steps[0], f'"steps": {figure}'))
+    code = main(["report", str(copy)])
+    assert code in (0, 2)
+    assert code == 0 or "error:" in capsys.readouterr().err

@@ -157,3 +157,26 @@ def test_snapshots_are_found_whatever_the_method(slab):
     results = sazare.open(slab)
     assert len(results.all_snapshots) == len(results.snapshots)
     assert results.all_snapshots[-1].mesh is results.all_snapshots[-1].elements
+
+
+@pytest.mark.parametrize(
+    "manifest", ["[]", '"text"', '{"results": 3}', '{"machine": []}', '{"case": 7}', '{"status": {}}', '{"results": {"steps": [1]}}', "[" * 100000]
+)
+def test_a_manifest_of_other_kinds_is_told_of(manifest, tmp_path):
+    (tmp_path / "manifest.json").write_text(manifest)
+    with pytest.raises(sazare.NotARun, match="manifest.json"):
+        sazare.open(tmp_path).manifest
+
+
+def test_a_table_without_a_column_is_told_of(tmp_path):
+    (tmp_path / "history.csv").write_text("time [s]\n0\n")
+    history = sazare.open(tmp_path).history
+    with pytest.raises(sazare.NotARun, match="no column 'energy_work'; it has: time"):
+        history["energy_work"]
+    assert "energy_work" not in history and history.get("energy_work") is None
+
+
+def test_a_table_that_is_no_text_is_told_of(tmp_path):
+    (tmp_path / "history.csv").write_bytes(b"time [s]\n\xff\xfe\n")
+    with pytest.raises(sazare.NotARun, match="not a table"):
+        sazare.open(tmp_path).history

@@ -262,3 +262,80 @@ def test_progress_is_one_line_in_a_notebook(monkeypatch):
         line.show(lambda: "10 %")
         line.show(lambda: "20 %")
     assert page.text == "\r10 %\r20 %\r    \r", "written over, and gone at the end"
+
+
+@pytest.mark.parametrize("method", ["spheres", "blocks"])
+def test_forces_on_a_method_that_takes_none_are_refused_before_they_are_asked_for(method, tmp_path):
+    case, overrides = SHORT[method]
+    with pytest.raises(sazare.UserError, match="accepts no external forces"):
+        sazare.run(case, tmp_path / "run", overrides=overrides, progress=False, forces=lambda now: np.zeros(now.positions.shape))
+
+
+def test_a_relative_folder_is_that_of_the_beginning(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    case, overrides = SHORT["blocks"]
+    (tmp_path / "elsewhere").mkdir()
+    with sazare.build(case, "run", overrides=overrides) as simulation:
+        monkeypatch.chdir(tmp_path / "elsewhere")
+        simulation.run()
+        assert simulation.results.manifest["status"] == "done"
+    assert (tmp_path / "run" / "manifest.json").exists() and not list((tmp_path / "elsewhere").iterdir())
+
+
+def test_a_process_forked_after_a_run_is_told_to_spawn(tmp_path):
+    code = f"""
+import os, sazare
+sazare.run({str(BLOCK)!r}, {str(tmp_path / "run")!r}, overrides={{"time.end": 4e-5}}, progress=False)
+child = os.fork()
+if child == 0:
+    try:
+        sazare.run({str(BLOCK)!r}, {str(tmp_path / "fork")!r}, progress=False)
+    except RuntimeError as error:
+        os._exit(7 if "spawn" in str(error) else 1)
+    os._exit(1)
+print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+"""
+    process = python(code)
+    out, errors = process.communicate(timeout=120)
+    assert out.strip() == "7", errors
+
+
+def test_more_threads_than_processors_are_not_used(tmp_path):
+    done = subprocess.run(
+        [COMMAND, "run", BLOCK, "--out", tmp_path / "run", "--set", "time.end=4e-5", "--threads", "4000"], capture_output=True, text=True
+    )
+    assert done.returncode == 0 and "warning: --threads 4000" in done.stderr
+    assert sazare.open(tmp_path / "run").manifest["machine"]["threads"] <= os.cpu_count()
+
+
+def test_a_full_disk_behind_the_standard_output_is_an_error(tmp_path):
+    with open("/dev/full", "w") as full:
+        done = subprocess.run([COMMAND, "check", BLOCK], stdout=full, stderr=subprocess.PIPE, text=True)
+    assert done.returncode == 4 and "standard output cannot be written" in done.stderr
+
+
+def test_a_missing_folder_for_temporary_files_is_told_of(tmp_path):
+    done = subprocess.run([COMMAND, "check", BLOCK], capture_output=True, text=True, env={**os.environ, "TMPDIR": str(tmp_path / "none")})
+    assert done.returncode == 4 and "set TMPDIR to a folder that is there" in done.stderr
+
+
+def test_the_users_own_case_is_not_replaced(tmp_path):
+    for file in BLOCK.parent.iterdir():
+        if file.is_file():
+            (tmp_path / file.name).write_bytes(file.read_bytes())
+    before = (tmp_path / "case.toml").read_bytes()
+    for option in ([], ["--overwrite"]):
+        done = subprocess.run([COMMAND, "run", "case.toml", "--out", ".", *option], cwd=tmp_path, capture_output=True, text=True)
+        assert done.returncode == 2 and "belongs to no run" in done.stderr
+    assert (tmp_path / "case.toml").read_bytes() == before
+
+
+def test_the_advice_to_resume_can_be_pasted(tmp_path):
+    folder = tmp_path / "it's a run"
+    process = subprocess.Popen([COMMAND, "run", COLUMN, "--out", folder, "--quiet"], stderr=subprocess.PIPE, text=True)
+    while not (folder / "checkpoint" / "state.h5").exists():
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    _, errors = process.communicate(timeout=60)
+    if process.returncode == 4:
+        assert "'\\''s a run'" in errors

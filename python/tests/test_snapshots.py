@@ -74,3 +74,22 @@ def test_a_kind_is_not_taken_for_another_with_the_same_beginning(slab, tmp_path)
     (copy / "snapshots" / "elements.vtkhdf.series").unlink()
     shutil.copy(copy / "snapshots" / "elements_00000.vtkhdf", copy / "snapshots" / "elements_of_water_00000.vtkhdf")
     assert len(sazare.open(copy).snapshots) == 6
+
+
+@pytest.mark.parametrize("trap", ["chunks", "link", "external"])
+def test_a_file_that_announces_more_than_it_holds_or_leads_to_others_is_refused(slab, tmp_path, trap):
+    path = tmp_path / "elements_00000.vtkhdf"
+    shutil.copy(slab / "snapshots" / "elements_00000.vtkhdf", path)
+    with h5py.File(path, "r+") as file:
+        group = file["VTKHDF"]
+        if trap == "chunks":
+            del group["Points"]
+            group.create_dataset("Points", shape=(400_000_000, 3), chunks=(1024, 3), dtype="f8")
+        elif trap == "link":
+            del group["Points"]
+            group["Points"] = h5py.ExternalLink(str(slab / "snapshots" / "elements_00001.vtkhdf"), "/VTKHDF/Points")
+        else:
+            group.create_dataset("CellData/extra", shape=(720,), dtype="f8", external=[(str(tmp_path / "other"), 0, 720 * 8)])
+    words = {"chunks": "announces 9.6 GB", "link": "holds links", "external": "numbers in another file"}
+    with pytest.raises(sazare.NotARun, match=words[trap]):
+        read_mesh(path)

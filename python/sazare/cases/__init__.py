@@ -9,6 +9,7 @@ A key that is None is not written, so its default holds; a key that Python keeps
 (`from_`). What a value may be is checked by the engine, as for a file.
 """
 
+import difflib
 import importlib
 import json
 import keyword
@@ -23,9 +24,9 @@ def toml_value(value: Any) -> str:
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, str | Path):
-        return json.dumps(str(value), ensure_ascii=False)
+        return _quoted(str(value))
     if isinstance(value, dict):
-        pairs = ", ".join(f"{json.dumps(str(key), ensure_ascii=False)} = {toml_value(item)}" for key, item in value.items())
+        pairs = ", ".join(f"{_quoted(str(key))} = {toml_value(item)}" for key, item in value.items())
         return f"{{ {pairs} }}" if pairs else "{}"
     if hasattr(value, "tolist"):  # of numpy
         return toml_value(value.tolist())
@@ -36,7 +37,28 @@ def toml_value(value: Any) -> str:
     raise TypeError(f"{value!r} cannot stand in a case: write text, numbers, truth values, or lists of them")
 
 
-class Part:
+def _quoted(text: str) -> str:
+    """A text as TOML: as in JSON, but for the character DEL, which TOML wants escaped too. Raises ValueError for text that UTF-8 cannot hold."""
+    try:
+        text.encode()
+    except UnicodeEncodeError as error:
+        raise ValueError(f"{text!r} cannot stand in a case: {error.reason}") from error
+    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+class _Strict:
+    """Refuses attributes that are no keys: a misspelt one would be left out of the case in silence."""
+
+    def __setattr__(self, name, value):
+        known = [field.name for field in fields(self)]
+        if name not in known:
+            near = difflib.get_close_matches(name, known, 1)
+            help_ = f"did you mean {near[0]!r}?" if near else f"its keys are {', '.join(known)}"
+            raise AttributeError(f"{type(self).__module__}.{type(self).__name__} has no key {name!r}; {help_}")
+        super().__setattr__(name, value)
+
+
+class Part(_Strict):
     """One table of a case. Two are equal when they write the same."""
 
     def __eq__(self, other):
@@ -57,7 +79,7 @@ def _plain(value: Any) -> Any:
 
 
 @dataclass(kw_only=True, eq=False)
-class Case:
+class Case(_Strict):
     """What the cases of all methods share. Two are equal when they write the same."""
 
     method: ClassVar[str]
