@@ -1,0 +1,140 @@
+"""Changes the files of small cases at random and looks whether the program answers each with a message: make fuzz.
+
+    python tests/fuzz/fuzz.py [--mutants N] [--seed S] [--only NAME]
+
+The corpus (corpus.py) has small cases, each with the files that it names. A mutant is one of them with some bytes, numbers, words or lines changed, by the seed
+and its number alone. A finding is an end by a signal, an internal error, more than TIME seconds or more memory than MEMORY; its files are kept in build/fuzz/NAME-NUMBER.
+"""
+
+import argparse
+import random
+import re
+import resource
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from corpus import CORPUS, checkpoint_of
+
+ROOT = Path(__file__).resolve().parents[2]
+COMMAND = ROOT / "build/release/apps/sazare/sazare"
+FINDINGS = ROOT / "build/fuzz"
+TIME, MEMORY = 20, 6_000_000_000  # s, B of addresses
+NUMBERS = [
+    "0", "-0", "-1", "1", "2", "7", "1e9", "1e18", "1e300", "-1e300", "1e-300", "nan", "inf", "-inf", "0x10", "1_000", "1,5", "2147483648",
+    "9223372036854775807", "18446744073709551616", "99999999999999999999999999", "", "x", '"', "[", "]", "{", "}", "\n", "\t", ";", ",", "\r", "#",
+]
+
+
+def change(data, chance):
+    """The bytes with one change."""
+    kind = chance.randrange(9)
+    spots = list(re.finditer(rb"[-+]?\d+\.?\d*(?:[eE][-+]?\d+)?|[A-Za-z_]+", data)) if kind in (0, 1, 2) else []
+    if spots and kind in (0, 1):
+        spot = chance.choice(spots)
+        return data[: spot.start()] + chance.choice(NUMBERS).encode() + data[spot.end():]
+    if spots:
+        one, other = chance.choice(spots), chance.choice(spots)
+        return data[: one.start()] + other.group() + data[one.end():]
+    if kind == 3 and data:  # a bit
+        at = chance.randrange(len(data))
+        return data[:at] + bytes([data[at] ^ 1 << chance.randrange(8)]) + data[at + 1:]
+    if kind == 4:  # cut short
+        return data[: chance.randrange(len(data) + 1)]
+    if kind == 5:  # a part again
+        begin = chance.randrange(len(data) + 1)
+        return data[:begin] + data[begin: begin + chance.randrange(1, 200)] * chance.randrange(1, 4) + data[begin:]
+    lines = data.split(b"\n")
+    at = chance.randrange(len(lines))
+    if kind == 6:
+        del lines[at]
+    elif kind == 7:
+        lines.insert(at, chance.choice(lines))
+    elif len(data) >= 8:  # a number as it lies in memory
+        at = chance.randrange(len(data) - 7)
+        value = chance.choice([struct.pack("<q", chance.choice([-1, 0, 1, 2**31, 2**62])), struct.pack("<d", chance.choice([0.0, -1.0, 1e300, float("nan")]))])
+        return data[:at] + value + data[at + 8:]
+    return b"\n".join(lines)
+
+
+def mutant(files, seed, number):
+    """The files of a case, one of them changed one to four times: (name, bytes)."""
+    chance = random.Random(f"{seed}-{number}")
+    name = chance.choice(sorted(files))
+    data = files[name]
+    for _ in range(chance.choice((1, 1, 1, 2, 4))):
+        data = change(data, chance)
+    return name, data
+
+
+def limited():
+    """Of a program that is tried."""
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+
+def fault_of(folder, resumes):
+    """What is wrong with the answer to a case; None where it is a good one."""
+    arguments = ["run", "case.toml", "--out", "run", "--resume", "--quiet"] if resumes else ["check", "case.toml"]
+    try:
+        done = subprocess.run([COMMAND, *arguments, "--threads", "1"], cwd=folder, capture_output=True, timeout=TIME, preexec_fn=limited)
+    except subprocess.TimeoutExpired:
+        return f"more than {TIME} s"
+    words = done.stderr.decode(errors="replace")
+    if done.returncode < 0:
+        return f"signal {-done.returncode}"
+    if done.returncode not in (0, 2, 3, 4) or "report it" in words or "terminate called" in words:
+        return f"exit code {done.returncode}: {words[-300:]}"
+    if done.returncode and not words.strip():
+        return f"exit code {done.returncode} without a word"
+    return None
+
+
+def attempt(name, files, seed, number):
+    """Tries one mutant; returns what is wrong, or None."""
+    changed, data = mutant({key: value for key, value in files.items() if key != "run/checkpoint/state.h5" or number % 2}, seed, number)
+    with tempfile.TemporaryDirectory(prefix="sazare-fuzz-") as place:
+        for key, value in {**files, changed: data}.items():
+            path = Path(place) / key
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(value)
+        fault = fault_of(place, "run/checkpoint/state.h5" in files)
+        if fault:
+            shutil.copytree(place, FINDINGS / f"{name}-{number}", dirs_exist_ok=True)
+            fault = f"{name}-{number} ({changed}): {fault}"
+        return fault
+
+
+def main():
+    """Tries all mutants; returns the exit code: 1 where there is a finding."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--mutants", type=int, default=2000)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--only", help="one case of the corpus")
+    parser.add_argument("--jobs", type=int, default=2)
+    chosen = parser.parse_args()
+    corpus = {name: files for name, files in {**CORPUS, **checkpoint_of()}.items() if chosen.only in (None, name)}
+    with tempfile.TemporaryDirectory(prefix="sazare-fuzz-") as place:  # seeds that are refused would hide all that comes later
+        for name, files in corpus.items():
+            for key, value in files.items():
+                (Path(place) / name / key).parent.mkdir(parents=True, exist_ok=True)
+                (Path(place) / name / key).write_bytes(value)
+            done = subprocess.run([COMMAND, "check", "case.toml"], cwd=Path(place) / name, capture_output=True, text=True)
+            if done.returncode:
+                print(f"the seed {name} is refused:\n{done.stderr}")
+                return 1
+    names = sorted(corpus)
+    with ThreadPoolExecutor(chosen.jobs) as pool:
+        work = [pool.submit(attempt, names[n % len(names)], corpus[names[n % len(names)]], chosen.seed, n) for n in range(chosen.mutants)]
+        faults = [fault for fault in (one.result() for one in work) if fault]
+    print("\n".join(faults))
+    print(f"{chosen.mutants} mutants of {len(names)} cases, seed {chosen.seed}: {len(faults)} findings")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
