@@ -16,8 +16,11 @@
 /// over them, with spins that go against each other, stay below 1. That is 0.2 m/h along the normal and 0.03 m/h of a slider;
 /// contacts that last for more than some 10 steps have weaker dashpots along the normal anyway.
 ///
-/// The slider's memory turns with the contact: its part along n is taken off, which shortens it by 1 - cos of the step's turn.
+/// The stretches lie in the plane of contact and turn with it: as n does, and about n as the two bodies do on average, each counted
+/// by its distance from the contact, so that a wall alone counts where there is one. Two bodies that turn as one thus keep
+/// their forces ([Luding2008], who counts both alike).
 
+#include "sazare/laws/contact_plane.hpp"
 #include "sazare/laws/granular/contact_laws.hpp"
 #include "sazare/laws/slider.hpp"
 
@@ -26,22 +29,24 @@ namespace sazare::laws {
 /// What the law needs to know of a touching pair.
 template <class Number>
 struct ContactMotion {
-  Number overlap;                                     ///< d [m], > 0
-  Reduced<Number> radius;                             ///< R [m]
-  Reduced<Number> mass;                               ///< m [kg]
+  Number overlap;           ///< d [m], > 0
+  Reduced<Number> radius;   ///< R [m]
+  Reduced<Number> mass;     ///< m [kg]
   VectorOf<Number> normal = zero_vector<Number>();    ///< n, from the first to the second
   VectorOf<Number> velocity = zero_vector<Number>();  ///< of the second relative to the first where they touch [m/s]
-  VectorOf<Number> rolling = zero_vector<Number>();   ///< R (w_2 - w_1) x n [m/s]; used, like the next, if spheres resist it
-  Number twisting;                                    ///< R (w_2 - w_1) . n [m/s]
-  Number step;                                        ///< h [s]
+  VectorOf<Number> rolling = zero_vector<Number>();   ///< R (w_2 - w_1) x n [m/s]; read, like the next, where spheres resist to turn on each other
+  Number twisting;          ///< R (w_2 - w_1) . n [m/s]
+  Number step;              ///< h [s]
+  VectorOf<Number> tilt = zero_vector<Number>();      ///< of the normal since the last step, see `PlaneTurn` [rad]
+  Number turn;              ///< of the plane of contact about n since the last step [rad]
 };
 
-/// What a pair remembers until it parts.
+/// Stretches of the sliders that a pair remembers until it parts, see `slide`.
 template <class Number>
 struct ContactMemory {
-  VectorOf<Number> sliding = zero_vector<Number>();  ///< [m]
-  VectorOf<Number> rolling = zero_vector<Number>();  ///< [m]
-  Number twisting{};                                 ///< [m]
+  VectorOf<Number> sliding = zero_vector<Number>();  ///< [sqrt(J)]
+  VectorOf<Number> rolling = zero_vector<Number>();  ///< [sqrt(J)]
+  Number twisting{};       ///< [sqrt(J)]
 };
 
 template <class Number>
@@ -88,11 +93,6 @@ Dashpots<Number> dashpots(const ContactConstants<Number>& constants, const Numbe
       select(strong, bearable_damping(asked.tangential, tangential, most_tangential_damping, root, travel), asked.tangential)};
 }
 
-template <IsVectorOf Vector>
-Vector across(const Vector& vector, const Vector& normal) {
-  return subtract_product(dot(vector, normal), normal, vector);
-}
-
 /// With `rolls` false the resistance to rolling and twisting is left out, with `tells_energies` false what springs hold.
 template <class Law, bool rolls, bool tells_energies = true, class Number>
 ContactForce<Number> contact_force(const ContactConstants<Number>& constants, const ContactMotion<Number>& at,
@@ -103,10 +103,11 @@ ContactForce<Number> contact_force(const ContactConstants<Number>& constants, co
   const auto [damped, damping] = dashpots(constants, width, root, at.step);
   const Number spring = Law::force(constants, width, at.overlap, at.radius), dashpot = damped * opening,
                normal = spring - dashpot, pressing = Law::pressing(constants, normal, at.radius),
-               stiffness = constants.tangential * width;
+               spring_root = square_root(Number(constants.tangential * width));
   const VectorOf<Number> sliding = subtract_product(opening, at.normal, at.velocity);
-  memory.sliding = across(memory.sliding, at.normal);
-  const auto slid = slide(stiffness, damping, Number(constants.friction * pressing), sliding, at.step, memory.sliding);
+  const PlaneTurn<Number> turned(at.normal, at.tilt, at.turn);
+  memory.sliding = turned.carried(memory.sliding);
+  const auto slid = slide(spring_root, damping, Number(constants.friction * pressing), sliding, at.step, memory.sliding);
   ContactForce<Number> result{.normal = normal,
                               .friction = slid.force,
                               .rolling = zero_vector<Number>(),
@@ -117,18 +118,18 @@ ContactForce<Number> contact_force(const ContactConstants<Number>& constants, co
                               .sliding_power = Number{} - dot(slid.force, sliding)};
   if constexpr (tells_energies) {
     result.elastic_energy = Law::energy(constants, spring, width, at.overlap, at.radius);
-    result.sliding_energy = 0.5 * stiffness * dot(slid.stretch, slid.stretch);
+    result.sliding_energy = 0.5 * dot(slid.stretch, slid.stretch);
   }
   if constexpr (rolls) {
-    memory.rolling = across(memory.rolling, at.normal);
-    const auto rolled = slide(stiffness, damping, Number(constants.rolling * pressing), at.rolling, at.step, memory.rolling);
-    const auto twisted = slide(stiffness, damping, Number(constants.twisting * pressing), at.twisting, at.step, memory.twisting);
+    memory.rolling = turned.carried(memory.rolling);
+    const auto rolled = slide(spring_root, damping, Number(constants.rolling * pressing), at.rolling, at.step, memory.rolling);
+    const auto twisted = slide(spring_root, damping, Number(constants.twisting * pressing), at.twisting, at.step, memory.twisting);
     result.rolling = rolled.force;
     result.twisting = twisted.force;
     result.sliding_power = result.sliding_power - dot(rolled.force, at.rolling) - twisted.force * at.twisting;
     if constexpr (tells_energies)
       result.sliding_energy =
-          result.sliding_energy + 0.5 * stiffness * (dot(rolled.stretch, rolled.stretch) + square_of(twisted.stretch));
+          result.sliding_energy + 0.5 * (dot(rolled.stretch, rolled.stretch) + square_of(twisted.stretch));
   }
   return result;
 }

@@ -13,12 +13,15 @@
 ///     D = E - c' v_n     dE/dt = -s v_n - s E/(c - c')      c' = min(c, m/(4 n h))     s = m/(16 n h^2)
 ///     T = S - c' v_t     dS/dt = -s v_t                     |S|, |T| <= mu N
 ///
+/// S turns with the plane of contact, so that bodies which turn as one keep it.
+///
 /// m is the mass that the two bodies show at the point, n the number of contacts that share it; three heavy bodies at a time
 /// may touch a light one before the step is unstable. For slow motion D = -c v_n and T is Coulomb's friction, with an
 /// error of order h^2. So it is for the cap `step`; `critical` keeps c under critical damping instead, and `literal` takes c
 /// as it is.
 
 #include "sazare/core/vector_of.hpp"
+#include "sazare/laws/contact_plane.hpp"
 
 namespace sazare::laws {
 
@@ -49,6 +52,11 @@ template <class T>
 struct SphereMemoryOf {
   T dashpot{};                              ///< E [N]
   VectorOf<T> friction = zero_vector<T>();  ///< S [N]
+
+  /// Friction lies in the plane of contact and goes along with it, see `PlaneTurn`.
+  void turn(const VectorOf<T>& normal, const VectorOf<T>& tilt, const T& angle) {
+    friction = PlaneTurn<T>(normal, tilt, angle).carried(friction);
+  }
 };
 
 template <class T>

@@ -154,6 +154,7 @@ void ContactBatch::keep_if_touching(const Member& member, Real overlap) {
   shared.overlap = at.overlap - load_quad(members.spheres, 0)[1];
   const auto known = load_quad(members.spheres, 3);
   laws::SphereMemoryOf<Lanes> memory{known[0], {{known[1], known[2], known[3]}}};
+  turn_with_spheres(memory, at.normal, opening, at.arm, at.other_arm, mine.spin, theirs.spin, shared.elapsed);
   const auto force = force_at(
       law, at.normal, opening, [&](const LaneVector& along) { return soft(arm, along) + other_soft(other_arm, along); }, shared,
       memory);

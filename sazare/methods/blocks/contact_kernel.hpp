@@ -28,6 +28,7 @@ struct SphereTouchOf {
   T overlap{};         ///< [m], negative when apart
   VectorOf<T> normal;  ///< from the first to the second
   VectorOf<T> point;   ///< between the surfaces [m]
+  T arm{}, other_arm{};  ///< from the centres of both spheres to it [m]
 };
 using SphereTouch = SphereTouchOf<Real>;
 
@@ -40,7 +41,9 @@ SphereTouchOf<T> touch(const Sphere& a, const Sphere& b, const Place& first, con
   SphereTouchOf<T> at;
   at.overlap = a.radius + b.radius - distance;
   at.normal = (1.0 / distance) * apart;
-  at.point = from + (a.radius - 0.5 * at.overlap) * at.normal;
+  at.arm = a.radius - 0.5 * at.overlap;
+  at.other_arm = b.radius - 0.5 * at.overlap;
+  at.point = from + at.arm * at.normal;
   return at;
 }
 
@@ -85,8 +88,20 @@ inline terms::Rates contact_rates(const laws::SphereContact& law, Real count, Re
   return {count * law.stiffness * softness, count * damping * softness};
 }
 
+/// Turns what a contact of two spheres remembers with it, for `seconds` [s]. `arm` and `other_arm` are from the two centres to the
+/// point of contact [m]: their sum is the distance of the centres, whose motion tilts the normal, and by these lengths the spins
+/// of both bodies [rad/s] count about it. `opening` is their motion at the point against each other [m/s].
+template <class T>
+void turn_with_spheres(laws::SphereMemoryOf<T>& memory, const VectorOf<T>& normal, const VectorOf<T>& opening, T arm, T other_arm,
+                       const VectorOf<T>& spin, const VectorOf<T>& other_spin, T seconds) {
+  const T seconds_by_distance = seconds / (arm + other_arm);
+  const VectorOf<T> turning = add_product(arm, spin, VectorOf<T>(other_arm * other_spin));
+  memory.turn(normal, seconds_by_distance * (opening + cross(turning, normal)), T(seconds_by_distance * dot(turning, normal)));
+}
+
 /// Force at a point on what lies along the normal, with its motion there against the other body [m/s]. `softness` tells the
-/// 1/mass that both show along a direction; `shared` holds overlap, step and number of contacts. `T` is Real or Lanes.
+/// 1/mass that both show along a direction; `shared` holds overlap, step and number of contacts; the memory has been turned with
+/// the contact. `T` is Real or Lanes.
 template <class T, class Softness>
 laws::SphereForceOf<T> force_at(const laws::SphereContact& law, const VectorOf<T>& normal, const VectorOf<T>& opening,
                                 const Softness& softness, laws::SphereMotionOf<T> shared, laws::SphereMemoryOf<T>& memory) {
@@ -96,7 +111,6 @@ laws::SphereForceOf<T> force_at(const laws::SphereContact& law, const VectorOf<T
   const VectorOf<T> direction = select(speed > 0.0, 1.0 / speed, T{}) * shared.sliding;
   shared.normal_mass = 1.0 / softness(normal);
   shared.sliding_mass = 1.0 / softness(direction);
-  memory.friction = memory.friction - dot(normal, memory.friction) * normal;  // the plane of contact turns
   return laws::sphere_force(law, shared, memory);
 }
 

@@ -136,7 +136,6 @@ SurfaceContacts::Touch& SurfaceContacts::touch_of(const Met& met, Near& near) {
   });
   if (touch == near.touches.end()) touch = near.touches.insert(touch, {met.sphere, 0, met.point.normal, {}});
   touch->is_touching = 1;
-  touch->normal = met.point.normal;
   return *touch;
 }
 
@@ -147,6 +146,9 @@ const SurfaceContacts::Push& SurfaceContacts::push(const ContactBody& body, cons
   const auto face = surface_.point(static_cast<std::size_t>(met.point.face), seconds, met.point.place);
   const Vector3 arm = met.point.place - body.motion.position, &normal = met.point.normal;
   shared.overlap = met.overlap;
+  const Vector3 tilt = 2 / (1 + touch.normal.dot(normal)) * (normal - touch.normal);  // exact for any angle
+  touch.memory.turn(normal, tilt, shared.elapsed * face.spin().dot(normal));
+  touch.normal = normal;
   const laws::SphereForce given = force_at(
       law_, normal, face.velocity() - body.motion.velocity_at(arm),
       [&](const Vector3& along) { return body.softness(arm, along); }, shared, touch.memory);

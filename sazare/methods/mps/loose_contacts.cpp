@@ -176,7 +176,8 @@ typename LooseContacts<D>::Force LooseContacts<D>::force(const state::Particles<
   const Real masses = particles.inverse_mass[at(pair.first)] + particles.inverse_mass[at(pair.second)];
   const Real inertias = particles.inverse_inertia[at(pair.first)] + particles.inverse_inertia[at(pair.second)];
   const Angular<D> spin = spin_of(particles, pair.first) + spin_of(particles, pair.second);
-  const Vector<D> parting = velocity_of(particles, pair.second) - velocity_of(particles, pair.first) - turned(spin, result.arm);
+  const Vector<D> moving = velocity_of(particles, pair.second) - velocity_of(particles, pair.first),
+                  parting = moving - turned(spin, result.arm);
   laws::SphereMotion motion;
   motion.overlap = overlap;
   motion.opening_speed = parting.dot(normal);
@@ -189,6 +190,9 @@ typename LooseContacts<D>::Force LooseContacts<D>::force(const state::Particles<
   law.stiffness = pair.share * stiffness_of(particles, a, b);
   law.damping = 2 * rules_.damping_ratio * std::sqrt(law.stiffness * motion.normal_mass);
   law.friction = std::min(a.law.tan_friction, b.law.tan_friction);
+  Real turn = 0;
+  if constexpr (D == 3) turn = 0.5 * rules_.step * spin.dot(normal);
+  pair.memory.turn(in_space<D>(normal), in_space<D>(rules_.step / distance * moving), turn);
   const laws::SphereForce push = laws::sphere_force(law, motion, pair.memory);
   result.on_second = (push.elastic + push.dashpot) * normal + push.friction.template head<D>();
   result.loss = -rules_.step * (push.dashpot * motion.opening_speed + push.friction.dot(motion.sliding));

@@ -87,7 +87,7 @@ private:
     bool all_touch;
     TwinMask touches;  ///< where not all do
     laws::ContactMotion<TwinLanes> at;
-    TwinLanes first_arm, second_arm;
+    TwinLanes first_arm, second_arm, inverse_distance;
     VectorOf<TwinLanes> force, moment_by_arm, turning;  ///< what the second spheres get, and what moments come from
   };
 
@@ -146,6 +146,7 @@ private:
     at.mass = reduced({one.mass, two.mass}, {one.second_mass, two.second_mass});
     const TwinLanes square = box_.square_of_nearest(apart), inverse_distance = inverse_square_root(square),
                     gap = add_product(square, inverse_distance, -at.radius.sum);
+    group.inverse_distance = inverse_distance;
     at.normal = inverse_distance * apart;
     TwinLanes beyond = -gap, rest{};
     if constexpr (rests) {
@@ -184,6 +185,9 @@ private:
     laws::ContactMotion<TwinLanes>& at = group.at;
     const auto turning = twins(sum_of_spins(spins, firsts(some), group.first_arm.first, seconds(some), group.second_arm.first),
                                sum_of_spins(spins, firsts(more), group.first_arm.second, seconds(more), group.second_arm.second));
+    const TwinLanes step_by_distance = step_ * group.inverse_distance;  // both arms together are the distance
+    at.tilt = step_by_distance * at.velocity;
+    at.turn = step_by_distance * dot(turning, at.normal);
     at.velocity = at.velocity - cross(turning, at.normal);
     if constexpr (rolls) {
       const TwinLanes reduced_radius = at.radius.product / at.radius.sum;

@@ -98,6 +98,8 @@ private:
     at.mass = laws::Reduced<Lanes>::alone(motion[3]);
     at.normal = plane_.normal;
     at.step = step_;
+    at.tilt = step_ * cross(plane_.spin, plane_.normal);
+    at.turn = step_ * dot(plane_.spin, plane_.normal);
     meeting.radius = radius;
     meeting.arm = radius - 0.5 * at.overlap;
     meeting.foot = subtract_product(meeting.arm, plane_.normal, centre) - plane_.pivot;

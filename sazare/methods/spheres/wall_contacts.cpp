@@ -63,7 +63,7 @@ WallContacts::Ground WallContacts::ground_at(const Point& point, Real radius) co
     ground.place = point.centre - ground.arm * point.normal;
     ground.face = walls_[w].nodal.point(static_cast<std::size_t>(point.triangle), time_, ground.place);
     ground.velocity = ground.face->velocity();
-    ground.spin = table_.rolls ? ground.face->spin() : Vector3(Vector3::Zero());
+    ground.spin = ground.face->spin();
     return ground;
   }
   ground.arm = radius - 0.5 * point.overlap;
@@ -138,13 +138,15 @@ struct WallContacts::InLanes {
     }
   }
 
-  void set(int lane, const state::SpherePlace& place, const Vector3& spin, const Vector3& normal, const Ground& ground) {
+  void set(int lane, const state::SpherePlace& place, const Vector3& spin, const Point& point, const Ground& ground, Real step) {
     at.radius.product[lane] = place.radius;
     at.mass.product[lane] = place.mass;
-    put(at.velocity, lane, place.velocity() - ground.arm * spin.cross(normal) - ground.velocity);
+    put(at.velocity, lane, place.velocity() - ground.arm * spin.cross(point.normal) - ground.velocity);
+    put(at.tilt, lane, 2 / (1 + point.before.dot(point.normal)) * (point.normal - point.before));  // exact for any angle
+    at.turn[lane] = step * ground.spin.dot(point.normal);
     if constexpr (rolls) {
-      put(at.rolling, lane, place.radius * (spin - ground.spin).cross(normal));
-      at.twisting[lane] = place.radius * (spin - ground.spin).dot(normal);
+      put(at.rolling, lane, place.radius * (spin - ground.spin).cross(point.normal));
+      at.twisting[lane] = place.radius * (spin - ground.spin).dot(point.normal);
     }
   }
 
@@ -168,7 +170,7 @@ ContactSums WallContacts::push(const state::Spheres& spheres, std::size_t begin,
     lanes.set(lane,
               table_.of(static_cast<Index>(spheres.spin[i].material), walls_[static_cast<std::size_t>(point.wall)].material),
               point, block.touches[n]);
-    lanes.set(lane, spheres.place[i], spheres.spin[i].spin(), point.normal, ground);
+    lanes.set(lane, spheres.place[i], spheres.spin[i].spin(), point, ground, task.step);
   }
   lanes.at.radius.sum = lanes.at.mass.sum = broadcast(1);
   lanes.at.step = broadcast(task.step);
@@ -245,8 +247,9 @@ void WallContacts::touch_anew(const state::Spheres& spheres, Block& block) const
 void WallContacts::take_points(Index sphere, std::size_t begin, std::span<Touch> before, Block& block) const {
   std::size_t kept = begin;
   for (std::size_t n = begin; n < block.points.size(); ++n) {
-    const Point& point = block.points[n];
+    Point& point = block.points[n];
     Touch touch{.sphere = sphere, .wall = point.wall, .normal = point.normal};
+    point.before = point.normal;
     const auto old = std::ranges::find_if(before, [&](const Touch& one) {
       return one.wall == point.wall && one.normal.dot(point.normal) > same_direction;
     });
@@ -254,6 +257,7 @@ void WallContacts::take_points(Index sphere, std::size_t begin, std::span<Touch>
       touch.sliding = old->sliding;
       touch.rolling = old->rolling;
       touch.twisting = old->twisting;
+      point.before = old->normal;
       old->wall = -1;  // each goes on once
     } else if (!(point.overlap > 0)) {
       continue;

@@ -65,6 +65,26 @@ public:
   /// Adds the forces on spheres to their loads.
   ContactSums evaluate(const state::Spheres& spheres, const Task& task);
 
+  /// Calls `visit(sphere, material, normal, overlap)` with the place of the sphere of every contact of a part, the material of the
+  /// wall, the normal towards the wall, and the overlap [m]: at planes now, at surfaces as last evaluated.
+  template <class Visit>
+  void visit_contacts(const state::Spheres& spheres, std::size_t part, Visit&& visit) const {
+    if (part >= parts_.size()) return;
+    for (const Block& block : parts_[part]) {
+      for (std::size_t w = 0; w < block.planes.size(); ++w)
+        for (std::size_t n = 0; n < block.planes[w].size(); ++n) {
+          const state::SpherePlace& place = spheres.place[static_cast<std::size_t>(block.planes[w][n])];
+          const Vector3 centre = seen_by(w, spheres.box.wrapped(place.centre()));
+          const Real overlap = place.radius - (centre - walls_[w].point).dot(walls_[w].normal);
+          if (overlap > 0) visit(block.planes[w][n], walls_[w].material, -poses_[w].direction_out(walls_[w].normal), overlap);
+        }
+      for (std::size_t n = 0; n < block.points.size(); ++n)
+        if (const Point& point = block.points[n]; point.overlap > 0)
+          visit(block.touches[n].sphere, walls_[static_cast<std::size_t>(point.wall)].material, -point.normal, point.overlap);
+    }
+  }
+
+  const ContactTable& table() const { return table_; }
   const std::vector<Wall>& walls() const { return walls_; }
   /// By wall, as last evaluated: of a part, and of all.
   std::vector<WallLoad> loads(std::size_t part) const;
@@ -79,9 +99,9 @@ public:
     Index sphere = 0;
     Index wall = 0;
     Vector3 normal = Vector3::Zero();   ///< from the wall to the sphere; not needed at a plane
-    Vector3 sliding = Vector3::Zero();  ///< [m]
-    Vector3 rolling = Vector3::Zero();  ///< [m]
-    Real twisting = 0;                  ///< [m]
+    Vector3 sliding = Vector3::Zero();  ///< [sqrt(J)], as the next two, see laws::ContactMemory
+    Vector3 rolling = Vector3::Zero();
+    Real twisting = 0;
   };
 
 private:
@@ -99,6 +119,7 @@ private:
     Vector3 centre;    ///< of the sphere, within a periodic box [m]
     Vector3 foot;      ///< on the wall, where that was at the start [m]
     Vector3 normal;    ///< from the wall to the sphere
+    Vector3 before = Vector3::Zero();  ///< the normal at the last step; what begins to touch has this one
   };
   struct Block {
     std::vector<PlaneRow> planes;  ///< by wall; those of surfaces are empty

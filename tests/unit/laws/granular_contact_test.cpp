@@ -36,6 +36,12 @@ ContactForce<Real> at_rest(Real overlap, const Vector3& stretch = Vector3::Zero(
   return contact_force<Law, false>(constants<Law>(1, {1e9}), touching(overlap), memory);
 }
 
+/// What a stretch along the face is remembered as [sqrt(J)].
+template <class Law>
+Real remembered(const ContactConstants<Real>& constants, Real overlap, Real stretch) {
+  return std::sqrt(constants.tangential * Law::width(constants, overlap, touching(overlap).radius)) * stretch;
+}
+
 template <class Law>
 void expect_derivatives() {
   for (const Real overlap : {1e-7, 1e-6, 1e-5}) {
@@ -43,11 +49,10 @@ void expect_derivatives() {
     const Real normal =
         (at_rest<Law>(overlap + small).elastic_energy - at_rest<Law>(overlap - small).elastic_energy) / (2 * small);
     EXPECT_NEAR(at_rest<Law>(overlap).normal, normal, 1e-7 * normal);
+    const auto sheared = [&](Real x) { return at_rest<Law>(overlap, {remembered<Law>(constants<Law>(), overlap, x), 0, 0}); };
     const Real x = 0.3 * overlap;
-    const Real across =
-        (at_rest<Law>(overlap, {x + small, 0, 0}).sliding_energy - at_rest<Law>(overlap, {x - small, 0, 0}).sliding_energy) /
-        (2 * small);
-    EXPECT_NEAR(-at_rest<Law>(overlap, {x, 0, 0}).friction[0], across, 1e-7 * across);
+    const Real across = (sheared(x + small).sliding_energy - sheared(x - small).sliding_energy) / (2 * small);
+    EXPECT_NEAR(-sheared(x).friction[0], across, 1e-7 * across);
   }
 }
 
@@ -150,7 +155,7 @@ TEST(granular_contact, twisting_moment_is_elastic_up_to_its_limit) {
   const auto law = constants<Hertz>(1, {0.5, 0, 0.1});
   const auto twisted = [&](Real twist) {
     ContactMemory<Real> memory{};
-    memory.twisting = twist;
+    memory.twisting = remembered<Hertz>(law, 1e-6, twist);
     return contact_force<Hertz, true>(law, touching(1e-6), memory);
   };
   const Real small = 1e-8, apart = 1e-10;

@@ -113,7 +113,9 @@ OneContact alone(const state::Spheres& spheres, std::size_t i, const ContactTabl
                                    .velocity = place.velocity() - arm * spin.cross(normal) - ground,
                                    .rolling = place.radius * turns.cross(normal),
                                    .twisting = place.radius * turns.dot(normal),
-                                   .step = step};
+                                   .step = step,
+                                   .tilt = step * pose.spin.cross(normal),
+                                   .turn = step * pose.spin.dot(normal)};
   const auto& constants = table.of(static_cast<Index>(spheres.spin[i].material), wall.material);
   const auto law = laws::contact_force<Law, rolls>(constants, motion, memory);
   const Vector3 force = law.normal * normal + law.friction,
