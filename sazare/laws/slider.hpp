@@ -9,7 +9,7 @@
 ///
 /// S, c and L change while a contact is pressed together. Since z is remembered and not x, a change of S alone changes no
 /// energy: U grows by nothing but the work of T, so that no sequence of pressing and shearing yields work (docs/theory/spheres.md;
-/// with x remembered, pressing a stretched spring harder would fill it with energy that nobody has spent [Elata1996]).
+/// with x remembered, pressing a stretched spring harder would fill it with energy that nobody has spent).
 /// Spring and dashpot together hold no more than L, and the spring alone no more than L either, whatever the dashpot does.
 ///
 /// The memory is z half a step back, m: z = m + h sqrt(S) v/2 at the evaluation, and m = z + h sqrt(S) v/2 after it, h being the

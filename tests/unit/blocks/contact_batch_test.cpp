@@ -86,8 +86,8 @@ ContactForce one_by_one(Rubble& rubble, Index pair) {
     const Vector3 arm = at.point - first.motion.position, other_arm = at.point - second.motion.position;
     shared.overlap = at.overlap - spheres->rest;
     const Vector3 opening = second.motion.velocity_at(other_arm) - first.motion.velocity_at(arm);
-    turn_with_spheres(spheres->memory, at.normal, opening, at.arm, at.other_arm, first.motion.spin, second.motion.spin,
-                      shared.elapsed);
+    turn_with_spheres(spheres->memory, at.normal, opening, at.arm, at.other_arm, first.motion.predicted_spin,
+                      second.motion.predicted_spin, shared.elapsed);
     const auto force = force_at(
         rough, at.normal, opening,
         [&](const Vector3& along) { return first.softness(arm, along) + second.softness(other_arm, along); }, shared,
