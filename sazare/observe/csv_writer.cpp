@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -58,6 +61,17 @@ std::size_t length_of_rows(const std::string& text, std::size_t header, std::siz
     length = end + 1;
   }
   return length;
+}
+
+/// The title of a column, which stands in the file from the beginning.
+std::string title_of(const fs::path& file, std::size_t column) {
+  std::ifstream stream(file);
+  std::string header, title;
+  std::getline(stream, header);
+  std::istringstream rest(header);
+  for (std::size_t n = 0; n <= column; ++n)
+    if (!std::getline(rest, title, ',')) return fmt::format("column {}", column + 1);
+  return fmt::format("\"{}\"", title);
 }
 
 }  // namespace
@@ -123,6 +137,14 @@ CsvWriter::~CsvWriter() {
 void CsvWriter::add_row(std::span<const Real> values) {
   if (values.size() != columns_) {
     throw std::invalid_argument(fmt::format("{}: a row of {} numbers for {} columns", file_.string(), values.size(), columns_));
+  }
+  const auto senseless = std::ranges::find_if_not(values, [](Real value) { return std::isfinite(value); });
+  if (senseless != values.end()) {
+    const auto column = static_cast<std::size_t>(senseless - values.begin());
+    throw PhysicsError(fmt::format(
+        "{}: {} is {} where {} is {}: the run has left the range of numbers\n"
+        "  look for sizes, speeds, stiffnesses or a gravity beyond all measure in the case",
+        file_.filename().string(), title_of(file_, column), *senseless, title_of(file_, 0), values.front()));
   }
   append_row(buffer_, values);
   ++rows_;

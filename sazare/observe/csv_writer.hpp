@@ -30,7 +30,7 @@ public:
   /// Flushes what it can; call `flush` to learn of a failure.
   ~CsvWriter();
 
-  /// One number per column.
+  /// One number per column. Throws PhysicsError when one is not finite, and adds no row then.
   void add_row(std::span<const Real> values);
 
   /// Number of rows added, those of the earlier run included.

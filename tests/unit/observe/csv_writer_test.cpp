@@ -140,6 +140,18 @@ TEST(csv_writer, row_of_another_length_is_a_programming_error) {
   EXPECT_THROW(writer.add_row(std::vector<Real>{1}), std::invalid_argument);
 }
 
+TEST(csv_writer, numbers_that_are_not_finite_are_no_results) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "a.csv";
+  {
+    CsvWriter writer(file, columns);
+    for (const Real value : {std::numeric_limits<Real>::quiet_NaN(), -std::numeric_limits<Real>::infinity()})
+      EXPECT_WORDS(words_of<PhysicsError>([&] { writer.add_row(std::vector<Real>{0.5, value}); }), "a.csv: \"speed [m/s]\" is ");
+    EXPECT_EQ(writer.rows(), 0U);
+  }
+  EXPECT_EQ(read_text(file), "time [s],speed [m/s]\n");
+}
+
 TEST(csv_writer, moved_writer_goes_on) {
   const TemporaryFolder folder;
   {
