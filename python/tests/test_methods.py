@@ -40,6 +40,19 @@ def test_a_method_gives_all_that_is_asked_of_it(name, empty):
     assert all(isinstance(figure, Figure) for figure in method.headlines)
 
 
+@pytest.mark.parametrize(
+    "residual, load, tone",
+    [(0.5, 0.3, "good"), (4.0, 0.3, "fair"), (10.0, 0.3, "bad"), (-48.0, 0.3, "bad"), (0.5, 1.7, "fair"), (10.0, 1.7, "bad"),
+     (None, 0.3, "bad")],
+)
+def test_the_verdict_of_spheres_reads_the_energy_balance_and_the_step(empty, residual, load, tone):
+    results = {"energy_work": 100.0, "energy_residual": residual, "step_load": load}
+    found, sentence = method_named("spheres").verdict(empty({"method": "spheres", "status": "done", "results": results}))
+    assert found == tone
+    assert ("stability_fraction" in sentence) == (tone != "good" and residual is not None)
+    assert ("gained energy" in sentence) == (load > 1.0)
+
+
 def test_a_method_is_found_by_the_manifest_then_by_the_case(empty):
     case = '[case]\nmethod = "mps"\n'
     assert method_of(empty({"method": "fem"}, case)) is method_named("fem")

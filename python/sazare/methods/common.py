@@ -67,18 +67,27 @@ def balance_verdict(results, reference="work"):
     """The verdict of a run by its energy balance: fair where that is not good. reference: what the residual is a share of, in words."""
     balance = energy_balance(results.figures)
     if balance is None:
-        return "fair", "The run is complete. Its energy balance is not available."
+        return missing_balance_verdict(results.figures)
     return "good" if balance <= BAD_BALANCE else "fair", balance_words(balance, reference)
 
 
-def strict_balance_verdict(results):
+def missing_balance_verdict(figures):
+    """The verdict of a run without an energy balance: bad where its energies are no numbers, which the manifest writes as null."""
+    if any(name in figures and figures[name] is None for name in ("energy_work", "energy_residual")):
+        return "bad", "The run is complete, but its energies are not finite numbers. Look at the sizes and speeds of the case."
+    return "fair", "The run is complete. Its energy balance is not available."
+
+
+def strict_balance_verdict(results, good=GOOD_BALANCE, bad=BAD_BALANCE, reference="work"):
     """The same of a method whose time step governs the balance: three grades, and what to do about it."""
     balance = energy_balance(results.figures)
-    if balance is None or balance <= GOOD_BALANCE:
-        return balance_verdict(results)
-    words = balance_words(balance)
-    if balance <= BAD_BALANCE:
-        return "fair", f"{words} It should be below {GOOD_BALANCE:.0e}: consider a smaller stability_fraction."
+    if balance is None:
+        return missing_balance_verdict(results.figures)
+    words = balance_words(balance, reference)
+    if balance <= good:
+        return "good", words
+    if balance <= bad:
+        return "fair", f"{words} It should be below {good:.0e}: consider a smaller stability_fraction."
     return "bad", f"{words} This is too large for reliable results: use a smaller stability_fraction."
 
 
