@@ -42,7 +42,10 @@ class Contact(Part):
     elastic spheres. Default: "hertz".
     """
     restitution: float
-    """Speed after a central impact over the speed before, at any speed. Greater than 0 and at most 1."""
+    """Speed after a central impact with one contact over the speed before, at any speed. A rigid body that lands on several of
+    its spheres at once loses more. Where the step is too long for fast impacts, a warning says up to which speed it holds.
+    Greater than 0 and at most 1.
+    """
     friction_coefficient: float | None = None
     """Coulomb's coefficient of friction. Default: 0.0. At least 0."""
     friction_angle: float | None = None

@@ -42,6 +42,7 @@ inline ContactConstants<Real> hertz_constants(const GrainElasticity& one, const 
 struct Hertz {
   static constexpr std::string_view word = "hertz";
   static constexpr bool needs_elasticity = true, adheres = false;
+  static constexpr Real steepness = 1.5;  ///< dN/dd over K a, at most
   static constexpr std::array<LawParameter, 0> parameters{};
 
   static ContactConstants<Real> constants(const MaterialsInContact& of, const std::array<Real, 0>&) {

@@ -63,6 +63,13 @@ public:
   /// What a step reads.
   void add_to(LargePages& pages) const;
 
+  /// Calls `visit(one, other, rest)` with the places of the spheres of every contact and the overlap beyond which it pushes [m].
+  template <class Visit>
+  void visit_contacts(Visit&& visit) const {
+    for (const BlockContacts& block : contacts_)
+      for (std::size_t n = 0; n < block.size(); ++n) visit(block[n].first.place(), block[n].second.place(), block.rest(n));
+  }
+
   const neighbors::SpherePairs& pairs() const { return pairs_; }
   const ContactTable& table() const { return table_; }
 

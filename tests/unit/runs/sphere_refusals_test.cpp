@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "sazare/methods/spheres/run/file.hpp"
@@ -228,6 +229,52 @@ TEST(sphere_refusals, a_sphere_that_goes_through_a_wall_ends_the_run) {
   EXPECT_SAYS(
       fast,
       "a sphere came 0.03361 m nearer to a wall in a step of 84.03e-6 s, so that it may have passed one of triangles unseen");
+}
+
+/// A dashpot that a step bears brakes a fast and soft impact less than is asked for.
+TEST(sphere_refusals, a_restitution_that_the_step_cannot_give_is_told_of) {
+  const TemporaryFolder folder;
+  const auto check = [&](const std::string& speed, const std::vector<std::string>& settings = {}) {
+    std::vector<std::string> all{"contact.restitution=0.1", "gravity.acceleration=[0.0, 0.0, 0.0]"};
+    all.insert(all.end(), settings.begin(), settings.end());
+    return registry::check_case(
+        case_of(folder, sphere("ball", "radius = 0.005\ncentre = [0.04, 0.04, 0.02]\nvelocity = [0.0, 0.0, -" + speed + "]\n"), all));
+  };
+  const std::string fast = check("10.0");
+  EXPECT_SAYS(fast, "the step gives the restitution of 0.1 between \"glass\" and \"glass\"");
+  EXPECT_SAYS(fast, "at 10 m/s, which falls and motions of this case may reach, it is 0.");
+  const std::string proposed = "set time.stability_fraction = ";
+  EXPECT_SAYS(fast, proposed);
+  const std::string fraction = fast.substr(fast.find(proposed) + 5, fast.find(" for faster impacts") - fast.find(proposed) - 5);
+  std::string setting = fraction;
+  setting.erase(std::remove(setting.begin(), setting.end(), ' '), setting.end());
+  EXPECT_EQ(check("10.0", {setting}).find("the restitution of"), std::string::npos) << setting;
+  EXPECT_EQ(words_of<UserError>([&] { check("10.0", {setting, "time.strict=true"}); }), "");
+  EXPECT_SAYS(words_of<UserError>([&] { check("10.0", {"time.strict=true"}); }), "the restitution of 0.1");
+}
+
+TEST(sphere_refusals, energies_that_are_no_numbers_end_the_run) {
+  const TemporaryFolder folder;
+  const auto file = case_of(folder, sphere("far", "radius = 0.005\ncentre = [0.04, 0.04, 1e308]\n"));
+  EXPECT_SAYS(words_of<PhysicsError>([&] { carry_out(file, folder / "run"); }), "the run has left the range of numbers");
+}
+
+/// A pile that is pressed hard and walked with too long a step: its contacts do not bear it.
+TEST(sphere_refusals, a_step_that_the_contacts_do_not_bear_is_told_of) {
+  const TemporaryFolder folder;
+  const std::string pile =
+      sphere("pile", "source = \"lattice\"\nradius = 0.004\nlower = [0.0, 0.0, 0.0]\nupper = [0.08, 0.08, 0.06]\n"
+                     "velocity = [0.0, 0.0, 0.0]\n");
+  const auto words = [&](const std::string& fraction) {
+    // With adhesion no restitution is asked for by which the case would be refused before.
+    const auto file = case_of(folder, pile,
+                              {"time.stability_fraction=" + fraction, "time.strict=true", "time.end=0.04",
+                               "time.snapshot_interval=0.04", "contact.model=jkr", "contact.surface_energy=1e-6",
+                               "gravity.acceleration=[0.0, 0.0, -500.0]"});
+    return words_of<PhysicsError>([&] { carry_out(file, folder / ("run" + fraction)); });
+  };
+  EXPECT_EQ(words("0.2"), "");
+  EXPECT_SAYS(words("0.9"), "of what a stable step bears");
 }
 
 }  // namespace

@@ -81,7 +81,9 @@ constexpr std::array leading_contact_keys{
         .type = Type::number,
         .range = restitution_range,
         .need = Need::required,
-        .sentence = "Speed after a central impact over the speed before, at any speed."},
+        .sentence = "Speed after a central impact with one contact over the speed before, at any speed. A rigid body that lands on "
+                    "several of its spheres at once loses more. Where the step is too long for fast impacts, a warning says up to "
+                    "which speed it holds."},
     Key{.name = "friction_coefficient",
         .type = Type::number,
         .range = not_negative,

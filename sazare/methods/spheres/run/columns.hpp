@@ -58,6 +58,8 @@ inline constexpr std::array figures = {
     Column{"searches", "-", "for neighbours"},
     Column{"energy_kinetic", "J", "translation and rotation"},
     Column{"energy_lost", "J", "taken by dashpots, friction and fracture"},
+    Column{"step_load", "-",
+           "largest part of a stable step that the springs and dashpots of the contacts of a body took; above 1 it may be unstable"},
     Column{"energy_work", "J", "largest of what was lost, held in motion, or brought in by walls"}};
 
 }  // namespace sazare::runs::columns::spheres

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <limits>
 
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/core/error.hpp"
@@ -52,6 +54,7 @@ void SpheresRecord::observe(std::int64_t step, Real wall_seconds) {
   const Real time = clocks_.time(step);
   methods::spheres::SphereStepper& stepper = *model_->stepper;
   stepper.settle();
+  stepper.look_at_step();
   energies_ = stepper.energies();
   if (files_.rows() == 0) first_sum_ = energies_.sum();
   const Real speed = stepper.largest_speed();
@@ -65,6 +68,7 @@ void SpheresRecord::observe(std::int64_t step, Real wall_seconds) {
   add_gauge_row(time);
   add_wall_row(time);
   if (clocks_.is_snapshot(step)) write_snapshot(time);
+  check_step(time);
 }
 
 void SpheresRecord::add_gauge_row(Real time) {
@@ -159,7 +163,10 @@ void SpheresRecord::check_motion(Real time) const {
         "two spheres came so fast before t = {} s, or one to a wall, that they may have met unseen within a base step of {} s\n"
         "  set contact.margin larger, or time.levels = \"uniform\"; or look at spheres that overlap at the start",
         cases::short_number(time), cases::short_number(model_->steps.step, 4)));
-  if (speed < senseless_speed) return check_surfaces();
+  if (speed < senseless_speed) {
+    check_surfaces();
+    return check_step(time);
+  }
   const Real smallest = model_->steps.smallest(), limit = model_->steps.limit;
   throw PhysicsError(
       fmt::format("the motion of the spheres makes no sense any more at t = {} s: the largest speed is {} m/s, above {} m/s\n"
@@ -167,6 +174,23 @@ void SpheresRecord::check_motion(Real time) const {
                   "overlap at the start",
                   cases::short_number(time), cases::short_number(speed, 3), cases::short_number(senseless_speed, 3),
                   cases::short_number(smallest, 4), cases::short_number(smallest / limit, 3), cases::short_number(limit, 4)));
+}
+
+/// Whether the contacts that spheres have bear the step.
+void SpheresRecord::check_step(Real time) const {
+  const methods::spheres::StepLoad& load = model_->stepper->step_load();
+  if (load.load <= warned_load_) return;
+  const cases::SpheresCase& spheres = file_->as<cases::SpheresCase>();
+  const Real share = model_->steps.smallest() / model_->steps.limit;
+  const std::string words = fmt::format(
+      "the contacts of sphere {} of \"{}\" take {} of what a stable step bears, at t = {} s or before: energy may come from "
+      "nothing\n  set time.stability_fraction = {} or less; the step of {} s is {} of the limit that spheres have alone",
+      load.sphere + 1, spheres.spheres[static_cast<std::size_t>(model_->group[static_cast<std::size_t>(load.sphere)])].name,
+      cases::short_number(load.load, 3), cases::short_number(time, 4), cases::short_number(0.9 * share / std::sqrt(load.load), 2),
+      cases::short_number(model_->steps.smallest(), 4), cases::short_number(share, 3));
+  if (spheres.time.strict) throw PhysicsError(words);
+  fmt::print(stderr, "warning: {}\n", words);
+  warned_load_ = std::numeric_limits<Real>::infinity();  // once
 }
 
 /// Whether spheres went through walls of triangles: these would push them on.
@@ -211,6 +235,7 @@ std::vector<std::pair<std::string, observe::Figure>> SpheresRecord::results(std:
       {"energy_lost", lost},
       {"energy_work", std::max({lost, peak_kinetic_, std::abs(energies_.wall_work)})},
       {"energy_residual", energy_residual()},
+      {"step_load", model_->stepper->step_load().load},
       {"peak_speed", largest_speed_}};
   if (const methods::spheres::SphereLevels& levels = model_->stepper->levels(); !levels.is_one()) {
     results.emplace_back("levels", static_cast<std::int64_t>(levels.count()));

@@ -36,6 +36,7 @@ public:
 private:
   std::vector<RecordFiles::Table> tables() const;  ///< history, gauges, walls
   void check_surfaces() const;
+  void check_step(Real time) const;
   void add_gauge_row(Real time);
   void add_wall_row(Real time);
   std::vector<Real> broken_fraction() const;
@@ -50,6 +51,7 @@ private:
   std::vector<Real> peaks_;          ///< largest speed by gauge [m/s]
   methods::spheres::SphereEnergies energies_;  ///< at the last row
   Real first_sum_ = 0, largest_speed_ = 0, peak_kinetic_ = 0;
+  mutable Real warned_load_ = 1;  ///< of the step: a larger one is told of
 };
 
 }  // namespace sazare::runs

@@ -8,6 +8,7 @@
 #include "sazare/methods/spheres/run/motion_rows.hpp"
 #include "sazare/methods/spheres/run/rain.hpp"
 #include "sazare/methods/spheres/run/record.hpp"
+#include "sazare/methods/spheres/run/restitution.hpp"
 #include "sazare/observe/atomic_file.hpp"
 #include "sazare/observe/hash.hpp"
 #include "sazare/runs/case_run.hpp"
@@ -58,6 +59,7 @@ struct SpheresWork final : WorkDefaults {
     for (const std::string& note : model.wall_notes) words += "\n  " + note;
     return words;
   }
+  std::string warning() const override { return warn_of_restitution(file, model); }
   Real checkpoint_interval() const { return file.as<cases::SpheresCase>().output.checkpoint_interval; }
 
   bool start() {
@@ -124,6 +126,7 @@ std::string steps_text(const SphereSteps& steps, const RunClocks& clocks) {
 std::string check_spheres(const cases::CaseFile& file) {
   const SpheresModel model = build_spheres(file);
   const RunClocks clocks = make_clocks(file, file.as<cases::SpheresCase>().time, "step", model.steps.step);
+  const std::string warning = warn_of_restitution(file, model);
   Real volume = 0, mass = 0, smallest = 0, largest = 0;
   for (const state::Clump& clump : model.stepper->clumps().clumps) {
     volume += clump.volume;
@@ -144,7 +147,7 @@ std::string check_spheres(const cases::CaseFile& file) {
               : fmt::format("  {:<12}{} bonded, their inertia within {} of that of their shapes\n", "bodies",
                             model.stepper->bodies().count(), number(model.share_error, 2))) +
          (model.bonds > 0 ? fmt::format("  {:<12}{} at the start\n", "bonds", model.bonds) : "") + notes_text(model) +
-         steps_text(model.steps, clocks);
+         steps_text(model.steps, clocks) + (warning.empty() ? "" : "\n" + warning);
 }
 
 }  // namespace sazare::runs

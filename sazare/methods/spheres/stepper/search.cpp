@@ -14,6 +14,8 @@ constexpr Real margin_over_way = 16;
 /// Pairs are found anew before a base step of several levels in which so many times this way might lead beyond this share of the
 /// margin. What is left of it is for spheres that are hit within the base step.
 constexpr Real way_ahead = 2, usable_share = 0.75;
+/// Steps after which a search looks at the step again: contacts change more slowly, and a look costs as much as a step or two.
+constexpr std::int64_t steps_between_looks = 128;
 
 }  // namespace
 
@@ -39,6 +41,7 @@ bool SphereStepper::may_pass_unseen(const SphereSpeeds& speeds) const {
 }
 
 void SphereStepper::find_pairs() {
+  if (step_ >= looked_at_step_ + steps_between_looks) look_at_step();
   find_drift();
   margin_ = margin_for_step();
   const std::vector<Index> places_before = levels_.find(spheres_, margin_, together());

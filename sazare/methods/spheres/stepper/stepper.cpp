@@ -241,6 +241,9 @@ void SphereStepper::columns(Archive& archive) {
   archive("fracture", sums_.fracture);
   archive("broken_bonds", sums_.broken);
   archive("wall_work", wall_work_);
+  archive("step_load", step_load_.load);
+  archive("step_load_sphere", step_load_.sphere);
+  archive("looked_at_step", looked_at_step_);
 }
 
 }  // namespace sazare::methods::spheres

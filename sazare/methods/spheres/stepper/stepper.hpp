@@ -16,6 +16,7 @@
 
 #include "sazare/methods/spheres/bonded_bodies.hpp"
 #include "sazare/methods/spheres/pair_contacts.hpp"
+#include "sazare/methods/spheres/step_load.hpp"
 #include "sazare/methods/spheres/stepper/block_shares.hpp"
 #include "sazare/methods/spheres/stepper/levels.hpp"
 #include "sazare/methods/spheres/wall_contacts.hpp"
@@ -127,6 +128,10 @@ public:
   bool missed_pairs() const { return missed_pairs_; }
   /// Where a sphere's centre went through a surface of triangles, which pushes it on since; nothing where none did.
   const std::optional<methods::spheres::Passage>& passage() const { return walls_.passage(); }
+  /// Looks how much of a stable step the present contacts take; searches do so as well, at times.
+  void look_at_step();
+  /// The largest one that was seen so far.
+  const methods::spheres::StepLoad& step_load() const { return step_load_; }
   /// With one step for all: how far a sphere came in a step in which it may have gone through a surface unseen; 0 where there was
   /// none [m].
   Real missed_way() const { return missed_way_; }
@@ -168,6 +173,7 @@ private:
   void share_out();
   void balance();
 
+  void visit_contacts(const std::function<void(const methods::spheres::ContactPoint&)>& visit) const;
   bool seek_in_time(const SphereSpeeds& speeds);
   bool may_pass_unseen(const SphereSpeeds& speeds) const;
   void find_pairs();
@@ -218,6 +224,8 @@ private:
   Real largest_speed_ = 0;
   methods::spheres::ContactSums sums_;  ///< of the last evaluation; works since the start
   Real wall_work_ = 0;
+  methods::spheres::StepLoad step_load_;
+  std::int64_t looked_at_step_ = -1;  ///< when `look_at_step` did so last
 
   // Of a walk.
   std::vector<SphereSpeeds> speeds_;  ///< by block

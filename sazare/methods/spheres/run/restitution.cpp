@@ -1,0 +1,170 @@
+#include "sazare/methods/spheres/run/restitution.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "sazare/cases/format/number_text.hpp"
+#include "sazare/laws/granular/impact.hpp"
+#include "sazare/methods/spheres/case/case.hpp"
+
+namespace sazare::runs {
+
+namespace {
+
+using cases::SpheresCase;
+using laws::Reduced;
+
+constexpr Real most_error = 0.02;  // of a coefficient of restitution
+
+/// Two materials in contact, their smallest sphere against another one like it or a wall.
+struct Impact {
+  std::string one, other;
+  laws::ContactConstants<Real> constants;
+  Real restitution = 1;
+  Reduced<Real> radius = Reduced<Real>::alone(1);
+  Real mass = 0;  ///< reduced [kg]
+  Real step = 0;  ///< [s]
+
+  Real rebound(laws::ContactModel model, Real speed, Real shorter = 1) const {
+    return laws::visit_law(model, [&]<class Law>(Law) {
+      return laws::worst_rebound<Law>(constants, restitution, radius, mass, speed, shorter * step);
+    });
+  }
+  bool holds(laws::ContactModel model, Real speed, Real shorter = 1) const {
+    return std::abs(rebound(model, speed, shorter) - restitution) <= most_error * restitution;
+  }
+};
+
+/// The lightest sphere of each material, by its place at the start.
+std::map<Index, std::size_t> lightest(const state::Spheres& spheres) {
+  std::map<Index, std::size_t> found;
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    const auto at = found.try_emplace(static_cast<Index>(spheres.spin[i].material), i).first;
+    if (spheres.place[i].mass < spheres.place[at->second].mass) at->second = i;
+  }
+  return found;
+}
+
+Real restitution_of(const SpheresCase& spheres, const std::string& one, const std::string& other) {
+  for (const cases::MaterialPair& pair : spheres.pairs)
+    if ((pair.between[0] == one && pair.between[1] == other) || (pair.between[0] == other && pair.between[1] == one))
+      return pair.restitution.value_or(spheres.contact.restitution);
+  return spheres.contact.restitution;
+}
+
+Real step_of(const SpheresModel& model, std::size_t sphere) {
+  return model.steps.level.empty() ? model.steps.step : std::ldexp(model.steps.step, -model.steps.level[sphere]);
+}
+
+std::vector<Impact> impacts(const SpheresCase& spheres, const SpheresModel& model) {
+  const state::Spheres& placed = model.stepper->spheres();
+  const methods::spheres::ContactTable& table = model.stepper->walls().table();
+  std::vector<Impact> all;
+  const auto add = [&](Index one, Index other, Impact impact) {
+    impact.one = spheres.materials[static_cast<std::size_t>(one)].name;
+    impact.other = spheres.materials[static_cast<std::size_t>(other)].name;
+    impact.constants = table.of(one, other);
+    impact.restitution = restitution_of(spheres, impact.one, impact.other);
+    all.push_back(impact);
+  };
+  const std::map<Index, std::size_t> found = lightest(placed);
+  for (const auto& [material, sphere] : found) {
+    const auto& own = placed.place[sphere];
+    for (const auto& [other_material, other_sphere] : found) {
+      if (other_material < material || placed.size() < 2) continue;
+      const auto& other = placed.place[other_sphere];
+      Impact impact;
+      impact.radius = Reduced<Real>::of(own.radius, other.radius);
+      impact.mass = Reduced<Real>::of(own.mass, other.mass).value();
+      impact.step = std::min(step_of(model, sphere), step_of(model, other_sphere));
+      add(material, other_material, impact);
+    }
+    for (const auto& wall : model.stepper->walls().walls()) {
+      Impact impact;
+      impact.radius = Reduced<Real>::alone(own.radius);
+      impact.mass = own.mass;
+      impact.step = step_of(model, sphere);
+      add(material, wall.material, impact);
+    }
+  }
+  return all;
+}
+
+/// How fast spheres may hit something: as they move at the start, as walls do, and as they fall from the highest sphere to the
+/// lowest thing [m/s].
+Real expected_speed(const SpheresCase& spheres, const SpheresModel& model) {
+  const Vector3 gravity = spheres.gravity.acceleration;
+  Real speed = 0, highest = -std::numeric_limits<Real>::infinity(), lowest = -highest, extent = 0;
+  const auto& placed = model.stepper->spheres();
+  for (const auto& place : placed.place) {
+    speed = std::max(speed, place.velocity().norm());
+    const Real height = -place.centre().dot(gravity);
+    highest = std::max(highest, height);
+    lowest = std::min(lowest, height);
+    extent = std::max(extent, place.centre().norm() + place.radius);
+  }
+  for (const auto& wall : model.stepper->walls().walls()) {
+    if (wall.is_plane() && wall.normal.dot(gravity) < 0) lowest = std::min(lowest, -wall.point.dot(gravity));
+    for (const auto& triangle : wall.triangles)
+      for (const Vector3& corner : triangle) lowest = std::min(lowest, -corner.dot(gravity));
+  }
+  return speed + model.stepper->walls().largest_speed(extent) + std::sqrt(2 * std::max(highest - lowest, Real{0}));
+}
+
+/// The largest speed up to which an impact rebounds as asked for; 0 where it never does [m/s].
+Real holds_up_to(const Impact& impact, laws::ContactModel model, Real fastest) {
+  Real low = 1e-4 * fastest, high = fastest;
+  if (!impact.holds(model, low)) return 0;
+  for (int n = 0; n < 20; ++n) {
+    const Real middle = std::sqrt(low * high);
+    (impact.holds(model, middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+/// By how much the step is to be shortened for an impact; 0 where a thousandth does not do.
+Real shorter_step(const Impact& impact, laws::ContactModel model, Real speed) {
+  for (Real shorter = 0.5; shorter > 1e-3; shorter *= 0.5)
+    if (impact.holds(model, speed, shorter)) return shorter;
+  return 0;
+}
+
+}  // namespace
+
+std::string warn_of_restitution(const cases::CaseFile& file, const SpheresModel& model) {
+  const auto& spheres = file.as<SpheresCase>();
+  const laws::ContactModel law = spheres.contact.model;
+  if (laws::visit_law(law, []<class Law>(Law) { return Law::adheres; })) return "";  // adhesion takes energy besides
+  const Real fastest = expected_speed(spheres, model);
+  if (!(fastest > 0) || !std::isfinite(fastest)) return "";
+  const Impact* worst = nullptr;
+  Real worst_error = most_error, found = 0;
+  const std::vector<Impact> all = impacts(spheres, model);
+  for (const Impact& impact : all) {
+    const Real rebound = impact.rebound(law, fastest), error = std::abs(rebound - impact.restitution) / impact.restitution;
+    if (error <= worst_error) continue;
+    worst = &impact;
+    worst_error = error;
+    found = rebound;
+  }
+  if (worst == nullptr) return "";
+  const Real holds = holds_up_to(*worst, law, fastest), shorter = shorter_step(*worst, law, fastest),
+             share = model.steps.smallest() / model.steps.limit;
+  const std::string what = fmt::format(
+      "the step gives the restitution of {} between \"{}\" and \"{}\" {}; at {} m/s, which falls and motions of this case may "
+      "reach, it is {}",
+      cases::short_number(worst->restitution, 3), worst->one, worst->other,
+      holds > 0 ? fmt::format("within 2 % up to {} m/s", cases::short_number(holds, 2)) : "at no speed within 2 %",
+      cases::short_number(fastest, 3), cases::short_number(found, 3));
+  const std::string help = shorter > 0 ? fmt::format("set time.stability_fraction = {} for faster impacts",
+                                                     cases::short_number(0.95 * shorter * share, 2))
+                                       : "give the spheres stiffer contacts, or a restitution that such an impact can have";
+  if (spheres.time.strict) refuse(file, "contact.restitution", what, help);
+  return warning(file, "contact.restitution", what, help);
+}
+
+}  // namespace sazare::runs
