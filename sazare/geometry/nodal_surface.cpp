@@ -60,6 +60,12 @@ FacePoint NodalSurface::point(std::size_t face, Real time, const Vector3& place)
   return point;
 }
 
+FacetComplex NodalSurface::complex() const {
+  std::vector<Vector3> nodes(node_count());
+  for (std::size_t node = 0; node < nodes.size(); ++node) nodes[node] = place(static_cast<Index>(node), 0);
+  return {nodes, faces_};
+}
+
 SurfaceNodes::SurfaceNodes(std::vector<Vector3> places)
     : places_(std::move(places)),
       velocities_(places_.size(), Vector3::Zero()),

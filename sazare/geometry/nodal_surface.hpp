@@ -10,7 +10,7 @@
 
 #include "sazare/core/archive.hpp"
 #include "sazare/core/time.hpp"
-#include "sazare/geometry/triangle.hpp"
+#include "sazare/geometry/facets/complex.hpp"
 
 namespace sazare::geometry {
 
@@ -46,6 +46,7 @@ public:
   explicit SurfaceNodes(std::vector<Vector3> places);
 
   Vector3 place(Index node, Real time) const { return places_[at(node)] + (time - since_) * velocities_[at(node)]; }  ///< [m]
+  std::size_t node_count() const { return places_.size(); }
   const Vector3& velocity(Index node) const { return velocities_[at(node)]; }                                         ///< [m/s]
   Real largest_speed() const { return largest_speed_; }
 
@@ -86,6 +87,8 @@ public:
   std::size_t face_count() const { return faces_.size(); }
   geometry::Triangle corners(std::size_t face, Real time) const;
   FacePoint point(std::size_t face, Real time, const Vector3& place) const;
+  /// Its faces as they count in contacts; nodes are vertices. What they count follows from where the nodes are at rest.
+  FacetComplex complex() const;
 
 private:
   std::vector<std::array<Index, 3>> faces_;

@@ -218,7 +218,7 @@ class Bond(Part):
 
 @dataclass(kw_only=True, eq=False)
 class Wall(Part):
-    """Planes and surfaces that spheres cannot pass."""
+    """Planes and surfaces that spheres cannot pass. Those of one material and one motion are one surface."""
 
     name: str
     """Name of the wall; its columns in walls.csv begin with it."""
@@ -376,7 +376,7 @@ class Case(AnyCase):
     bonds: list[Bond] = field(default_factory=list)
     """Which spheres are bonded, and how strongly."""
     walls: list[Wall] = field(default_factory=list)
-    """Planes and surfaces that spheres cannot pass."""
+    """Planes and surfaces that spheres cannot pass. Those of one material and one motion are one surface."""
     motions: list[Motion] = field(default_factory=list)
     """Histories of the walls' motion."""
     gravity: Gravity | None = None

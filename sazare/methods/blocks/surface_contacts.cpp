@@ -12,7 +12,6 @@ namespace sazare::methods::blocks {
 namespace {
 
 constexpr std::size_t serial_below = 64;
-constexpr Real same_plane = 1e-6;     // of a radius
 constexpr Real same_direction = 0.7;  // cosine: beyond it a point is another one
 
 }  // namespace
@@ -30,6 +29,7 @@ SurfaceContacts::SurfaceContacts(const laws::SphereContact& law, const Contacts&
 void SurfaceContacts::attach(std::vector<Vector3> nodes, std::vector<std::array<Index, 3>> faces) {
   impulse_.assign(nodes.size(), Vector3::Zero());
   surface_ = geometry::NodalSurface(std::move(nodes), std::move(faces));
+  complex_ = surface_.complex();
 }
 
 void SurfaceContacts::Work::add(Real seconds, const Push& push, const Vector3& velocity) {
@@ -95,46 +95,64 @@ void SurfaceContacts::evaluate(const Moment& now, std::span<const Due> due, cons
     }
 }
 
-void SurfaceContacts::find_points(const ContactSphere& sphere, const Vector3& centre, std::span<const std::int32_t> faces,
-                                  Real seconds, std::vector<Point>& points) const {
-  points.clear();
+/// The faces within the radius of a sphere. Returns by how much it overlaps the nearest one.
+Real SurfaceContacts::find_near(const ContactSphere& sphere, const Vector3& centre, std::span<const std::int32_t> faces,
+                                Real seconds, std::vector<geometry::NearFacet>& near) const {
+  near.clear();
+  Real deepest = 0;
   for (const std::int32_t face : faces) {
-    const Vector3 place = geometry::nearest_point(surface_.corners(static_cast<std::size_t>(face), seconds), centre);
-    const Real distance = (place - centre).norm();
-    if (distance < sphere.radius && distance > 0)
-      points.push_back({face, sphere.radius - distance, place, (place - centre) / distance});
+    const auto point = geometry::nearest_on(surface_.corners(static_cast<std::size_t>(face), seconds), centre);
+    const Real distance = (point.place - centre).norm();
+    if (!(distance < sphere.radius) || !(distance > 0) || complex_.facets()[static_cast<std::size_t>(face)].count == 0) continue;
+    near.push_back({face, point, distance});
+    deepest = std::max(deepest, sphere.radius - distance);
   }
-  std::ranges::stable_sort(points, [](const Point& a, const Point& b) { return a.overlap > b.overlap; });
-  std::size_t kept = 0;
-  for (const Point& point : points)
-    if (std::all_of(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(kept), [&](const Point& before) {
-          return (before.place - point.place).dot(before.normal) > same_plane * sphere.radius;
-        }))
-      points[kept++] = point;
-  points.resize(kept);
+  return deepest;
 }
 
-/// Where the spheres of a block press into the surface deeper than they rest.
+/// Where the spheres of a block press into the surface deeper than they rest, as spheres that are smaller by as much.
 void SurfaceContacts::find_met(const ContactBody& body, Near& near, Real seconds, std::vector<Met>& met) const {
-  thread_local std::vector<Point> points;
+  thread_local std::vector<geometry::NearFacet> faces;
+  thread_local geometry::FacetPoints found;
   met.clear();
   for (Sphere& one : near.spheres) {
     const ContactSphere& sphere = contacts_->surface().sphere(one.number);
-    find_points(sphere, body.motion.position + body.motion.rotation * sphere.centre, near.faces, seconds, points);
-    const Real deepest = points.empty() ? 0 : points.front().overlap;
+    const Vector3 centre = body.motion.position + body.motion.rotation * sphere.centre;
+    const Real deepest = find_near(sphere, centre, near.faces, seconds, faces);
     one.rest = one.is_known != 0 ? std::min(one.rest, deepest) : deepest;
     one.is_known = 1;
-    for (const Point& point : points)
-      if (point.overlap > one.rest) met.push_back({point, point.overlap - one.rest, one.number});
+    const Real radius = sphere.radius - one.rest;
+    std::erase_if(faces, [&](const geometry::NearFacet& face) { return !(face.distance < radius); });
+    if (faces.empty()) continue;
+    found.find(
+        complex_, [&](Index node) { return surface_.place(node, seconds); }, centre, radius, radius, faces);
+    for (const geometry::FacetPoint& point : found.points())
+      met.push_back({point, radius - point.distance, one.number, centre});
   }
 }
 
-/// The memory of a touching point: that of the point of the same sphere that faced the same way, else a new one.
+/// The memory of a touching point: that of the point of the same sphere that faced most nearly the same way, else a new one,
+/// which begins with what one beside it remembers, since it takes over from it.
 SurfaceContacts::Touch& SurfaceContacts::touch_of(const Met& met, Near& near) {
-  auto touch = std::ranges::find_if(near.touches, [&](const Touch& known) {
-    return known.sphere == met.sphere && known.is_touching == 0 && known.normal.dot(met.point.normal) > same_direction;
-  });
-  if (touch == near.touches.end()) touch = near.touches.insert(touch, {met.sphere, 0, met.point.normal, {}});
+  const Vector3 normal = -met.point.normal;
+  const auto like = [&](bool again) {
+    auto best = near.touches.end();
+    Real most = same_direction;
+    for (auto known = near.touches.begin(); known != near.touches.end(); ++known) {
+      if (known->sphere != met.sphere || (known->is_touching != 0 && !again)) continue;
+      const Real along = known->normal.dot(normal);
+      if (!(along > most)) continue;
+      most = along;
+      best = known;
+    }
+    return best;
+  };
+  auto touch = like(false);
+  if (touch == near.touches.end()) {
+    const auto beside = like(true);
+    const laws::SphereMemory memory = beside != near.touches.end() ? beside->memory : laws::SphereMemory{};
+    touch = near.touches.insert(near.touches.end(), {met.sphere, 0, normal, memory});
+  }
   touch->is_touching = 1;
   return *touch;
 }
@@ -142,24 +160,34 @@ SurfaceContacts::Touch& SurfaceContacts::touch_of(const Met& met, Near& near) {
 /// Pushes the surface in one point; `shared` is what all points of the block have in common.
 const SurfaceContacts::Push& SurfaceContacts::push(const ContactBody& body, const Met& met, Real seconds,
                                                    laws::SphereMotion shared, Near& near) const {
-  Touch& touch = touch_of(met, near);
-  const auto face = surface_.point(static_cast<std::size_t>(met.point.face), seconds, met.point.place);
-  const Vector3 arm = met.point.place - body.motion.position, &normal = met.point.normal;
+  const auto face = surface_.point(static_cast<std::size_t>(met.point.facet), seconds, met.point.place);
+  const Vector3 arm = met.point.place - body.motion.position, normal = -met.point.normal;
   shared.overlap = met.overlap;
-  const Vector3 tilt = 2 / (1 + touch.normal.dot(normal)) * (normal - touch.normal);  // exact for any angle
-  touch.memory.turn(normal, tilt, shared.elapsed * face.spin().dot(normal));
-  touch.normal = normal;
-  const laws::SphereForce given = force_at(
-      law_, normal, face.velocity() - body.motion.velocity_at(arm),
-      [&](const Vector3& along) { return body.softness(arm, along); }, shared, touch.memory);
-  near.elastic += laws::sphere_energy(law_, met.overlap);
+  near.elastic += met.point.count * laws::sphere_energy(law_, met.overlap);
   Push& push = near.pushes.emplace_back();
   push.nodes = face.nodes;
   push.shares = face.shares;
-  push.dashpot = given.dashpot * normal;
-  push.friction = given.friction;
-  push.total = given.elastic * normal + push.dashpot + push.friction;
+  push.dashpot = push.friction = Vector3::Zero();
+  if (met.point.share > 0) {
+    Touch& touch = touch_of(met, near);
+    const Vector3 tilt = 2 / (1 + touch.normal.dot(normal)) * (normal - touch.normal);  // exact for any angle
+    touch.memory.turn(normal, tilt, shared.elapsed * face.spin().dot(normal));
+    touch.normal = normal;
+    const laws::SphereForce given = force_at(
+        law_, normal, face.velocity() - body.motion.velocity_at(arm),
+        [&](const Vector3& along) { return body.softness(arm, along); }, shared, touch.memory);
+    push.dashpot = met.point.share * given.dashpot * normal;
+    push.friction = met.point.share * given.friction;
+  }
+  push.total = met.point.count * law_.stiffness * met.overlap * normal + push.dashpot + push.friction;
   return push;
+}
+
+/// What the block is pushed by where a point counts more or less as the centre of its sphere moves: it acts in that centre.
+Vector3 SurfaceContacts::push_by_slope(const Met& met, Near& near) const {
+  const Vector3 force = laws::sphere_energy(law_, met.overlap) * met.point.slope;
+  near.pushes.back().total += force;
+  return force;
 }
 
 void SurfaceContacts::evaluate_one(const Moment& now, const Due& due, const state::Bodies<3>& bodies) {
@@ -172,7 +200,7 @@ void SurfaceContacts::evaluate_one(const Moment& now, const Due& due, const stat
   thread_local std::vector<Met> met;
   find_met(body, near, time(now), met);
   laws::SphereMotion shared;
-  shared.contacts = static_cast<Real>(met.size());
+  shared.contacts = static_cast<Real>(std::ranges::count_if(met, [](const Met& one) { return one.point.share > 0; }));
   shared.step = std::max(due.acting, 2 * due.ahead);
   shared.elapsed = due.acting;
   ContactForce force;
@@ -182,6 +210,7 @@ void SurfaceContacts::evaluate_one(const Moment& now, const Due& due, const stat
     force.dashpot.add_at(point, given.dashpot);
     force.friction.add_at(point, given.friction);
     force.total.add_at(point, given.total);
+    if (!one.point.slope.isZero(0)) force.total.add_at(one.centre - bodies.pole, push_by_slope(one, near));
   }
   std::erase_if(near.touches, [](const Touch& touch) { return touch.is_touching == 0; });
   auto& slot = table_[due.link];

@@ -2,14 +2,15 @@
 
 /// Term of the contact between open faces of blocks and a surface of triangles whose nodes move (terms/nodal_surface.hpp).
 ///
-/// The spheres of open faces touch the surface where they are nearest to a triangle of it; of these points the deepest comes
-/// first, and each further one counts only when it lies in front of the tangent planes of those before, so that edges push once.
+/// The spheres of open faces touch the surface in points that count so that the force has an energy (geometry/facets/complex.hpp):
+/// edges push once, and the two sides of a groove push both.
 /// The law is that of two touching spheres (laws/sphere_contact.hpp), the surface showing no softness. What a sphere overlaps
 /// when it first meets the surface gives no force until they part.
 ///
 /// A link is a block near the surface, and has the block's time level. Impulses on the nodes are counted as those of the block
 /// are, from the middle of one interval to the middle of the next; at a base step the part that acts later is set aside.
 
+#include "sazare/geometry/facets/points.hpp"
 #include "sazare/geometry/nodal_surface.hpp"
 #include "sazare/methods/blocks/contact_kernel.hpp"
 #include "sazare/methods/blocks/contacts.hpp"
@@ -76,17 +77,12 @@ private:
     Real elastic = 0;  ///< when last evaluated [J]
     bool is_near() const { return !spheres.empty(); }
   };
-  /// A point where a sphere touches.
-  struct Point {
-    std::int32_t face = 0;
-    Real overlap = 0;
-    Vector3 place, normal;
-  };
   /// A sphere in a point where it presses.
   struct Met {
-    Point point;
+    geometry::FacetPoint point;
     Real overlap = 0;  ///< beyond its rest [m]
     Index sphere = 0;
+    Vector3 centre;    ///< of the sphere [m]
   };
   /// Of the surface on the blocks, in all and by causes [J].
   struct Work {
@@ -103,8 +99,9 @@ private:
   void find_met(const ContactBody& body, Near& near, Real seconds, std::vector<Met>& met) const;
   static Touch& touch_of(const Met& met, Near& near);
   const Push& push(const ContactBody& body, const Met& met, Real seconds, laws::SphereMotion shared, Near& near) const;
-  void find_points(const ContactSphere& sphere, const Vector3& centre, std::span<const std::int32_t> faces, Real seconds,
-                   std::vector<Point>& points) const;
+  Vector3 push_by_slope(const Met& met, Near& near) const;
+  Real find_near(const ContactSphere& sphere, const Vector3& centre, std::span<const std::int32_t> faces, Real seconds,
+                 std::vector<geometry::NearFacet>& near) const;
   Vector3 velocity(const Push& push) const;
   Work work_ahead() const;
   void add_ahead(std::vector<Vector3>& impulse, Real sign) const;
@@ -112,6 +109,7 @@ private:
   laws::SphereContact law_;
   const Contacts* contacts_;
   geometry::NodalSurface surface_;
+  geometry::FacetComplex complex_;
   Tick led_ = 0;                ///< when the nodes were led last
   std::vector<Real> softness_;  ///< by body, see Contacts [1/kg]
   std::vector<Real> reach_;     ///< by body [m]

@@ -67,6 +67,7 @@ struct Wall {
   std::vector<geometry::Triangle> triangles;  ///< at the start [m]; none: a plane, or a surface that moves with its nodes
   state::PeriodicBox images;                  ///< of a surface: the axes along which it repeats itself, see `repeat_wall`
   WallMotion motion;
+  Index joined = -1;  ///< walls of one material and one motion that have the same number are one surface; -1: stands alone
   geometry::NodalSurface nodal;
 
   /// Whether a sphere can be on either side of it.

@@ -9,13 +9,13 @@ namespace sazare::methods::spheres {
 
 namespace {
 
-constexpr Real same_plane = 1e-6;     // of a radius: a point that little before a tangent plane lies in it
 constexpr Real same_direction = 0.9;  // cosine between the normals of one contact at two steps
 
 }  // namespace
 
 WallContacts::WallContacts(ContactTable table, std::vector<Wall> walls, Real reach)
     : table_(std::move(table)), walls_(std::move(walls)), reach_(reach) {
+  join_walls();
   for (const Wall& wall : walls_) trees_.emplace_back(wall.triangles, reach);
   poses_.resize(walls_.size());
   move(0);
@@ -23,6 +23,8 @@ WallContacts::WallContacts(ContactTable table, std::vector<Wall> walls, Real rea
 
 void WallContacts::add_surface(Wall wall) {
   surface_ = walls_.size();
+  surface_of_.push_back(static_cast<Index>(surfaces_.size()));
+  surfaces_.push_back({{static_cast<Index>(surface_)}, {0}, wall.nodal.complex()});
   walls_.push_back(std::move(wall));
   trees_.emplace_back(std::span<const geometry::Triangle>{}, reach_);  // made anew by every search
   poses_.emplace_back();
@@ -71,46 +73,6 @@ WallContacts::Ground WallContacts::ground_at(const Point& point, Real radius) co
   ground.velocity = poses_[w].velocity_at(ground.place);
   ground.spin = poses_[w].spin;
   return ground;
-}
-
-/// Adds the points where the sphere touches surfaces to which `near` belongs, and sees whether it went through a surface.
-void WallContacts::find_points(const state::Spheres& spheres, const Vector3& place, std::span<Near> near, Block& block) const {
-  std::vector<Point>& points = block.points;
-  const std::size_t begin = points.size();
-  const auto sphere = static_cast<std::size_t>(near.front().sphere);
-  const Real radius = spheres.place[sphere].radius;
-  const auto material = static_cast<Index>(spheres.spin[sphere].material);
-  const bool adheres = table_.adheres();
-  for (Near& one : near) {
-    const auto w = static_cast<std::size_t>(one.wall);
-    const Vector3 centre = seen_by(w, place);
-    const geometry::Triangle corners = triangle(w, one.triangle);
-    const Vector3 foot = geometry::nearest_point(corners, centre);
-    const Real distance = (centre - foot).norm();
-    if (went_through(one, corners, centre, distance, spheres.box) && !block.passage)
-      block.passage = {spheres.number[sphere], one.wall, place, time_};
-    const Real reach = adheres ? radius + table_.neck(material, walls_[w].material, radius) : radius;
-    if (distance < reach && distance > 0)
-      points.push_back({one.wall, one.triangle, radius - distance, place, foot, (centre - foot) / distance});
-  }
-  if (points.size() > begin + 1) points.resize(begin + keep_those_in_front(radius, std::span(points).subspan(begin)));
-  for (Point& point : std::span(points).subspan(begin))
-    point.normal = poses_[static_cast<std::size_t>(point.wall)].direction_out(point.normal);
-}
-
-/// Of the points of a wall the deepest one, and those in front of the tangent planes of the points kept before: these come first.
-/// Returns how many they are.
-std::size_t WallContacts::keep_those_in_front(Real radius, std::span<Point> points) {
-  std::ranges::stable_sort(
-      points, [](const Point& a, const Point& b) { return a.wall != b.wall ? a.wall < b.wall : a.overlap > b.overlap; });
-  std::size_t kept = 0;
-  for (const Point& point : points) {
-    const bool counts = std::ranges::all_of(points.first(kept), [&](const Point& before) {
-      return before.wall != point.wall || (point.foot - before.foot).dot(before.normal) > same_plane * radius;
-    });
-    if (counts) points[kept++] = point;
-  }
-  return kept;
 }
 
 /// Contacts in lanes, one in each.
@@ -175,23 +137,33 @@ ContactSums WallContacts::push(const state::Spheres& spheres, std::size_t begin,
   lanes.at.radius.sum = lanes.at.mass.sum = broadcast(1);
   lanes.at.step = broadcast(task.step);
   const auto forces = laws::contact_force<Law, rolls>(lanes.constants, lanes.at, lanes.memory);
+  const auto some = std::span(block.points).subspan(begin, static_cast<std::size_t>(count));
+  Lanes spring{};
+  if (std::ranges::any_of(some, [](const Point& point) { return point.count != point.share; }))
+    spring = Law::force(lanes.constants, Law::width(lanes.constants, lanes.at.overlap, lanes.at.radius), lanes.at.overlap,
+                        lanes.at.radius);
   ContactSums sums;
   for (int lane = 0; lane < count; ++lane) {
     const std::size_t n = begin + static_cast<std::size_t>(lane);
     Touch& touch = block.touches[n];
-    const Vector3& normal = block.points[n].normal;
+    const Point& point = block.points[n];
+    const Vector3& normal = point.normal;
     touch.sliding = lanes.get(lanes.memory.sliding, lane);
-    const Vector3 force = forces.normal[lane] * normal + lanes.get(forces.friction, lane);
+    Vector3 force = point.share * (forces.normal[lane] * normal + lanes.get(forces.friction, lane));
+    if (point.count != point.share) force += (point.count - point.share) * spring[lane] * normal;
     Vector3 turning = Vector3::Zero();
     if constexpr (rolls) {
       touch.rolling = lanes.get(lanes.memory.rolling, lane);
       touch.twisting = lanes.memory.twisting[lane];
-      turning = -spheres.place[static_cast<std::size_t>(touch.sphere)].radius *
+      turning = -point.share * spheres.place[static_cast<std::size_t>(touch.sphere)].radius *
                 (normal.cross(lanes.get(forces.rolling, lane)) + forces.twisting[lane] * normal);
     }
     deliver(n, grounds[static_cast<std::size_t>(lane)], force, turning, task, block);
-    sums += {forces.elastic_energy[lane], forces.sliding_energy[lane], task.step * forces.dashpot_power[lane],
-             task.step * forces.sliding_power[lane], 1};
+    if (!point.slope.isZero(0))
+      deliver_at_centre(n, grounds[static_cast<std::size_t>(lane)], -forces.elastic_energy[lane] * point.slope, task, block);
+    sums += {point.count * forces.elastic_energy[lane], point.share * forces.sliding_energy[lane],
+             task.step * point.share * forces.dashpot_power[lane], task.step * point.share * forces.sliding_power[lane],
+             point.share > 0 ? 1 : 0};
   }
   return sums;
 }
@@ -213,6 +185,23 @@ void WallContacts::deliver(std::size_t n, const Ground& ground, const Vector3& f
   block.loads[w] += {-force, turning - foot.cross(force), task.step * (force.dot(ground.velocity) - turning.dot(ground.spin))};
   if (!ground.face) return;
   const auto forces = ground.face->on_corners(-force, turning);
+  for (std::size_t k = 0; k < 3; ++k) block.on_nodes.push_back({ground.face->nodes[k], forces[k]});
+}
+
+/// A force that does not turn the sphere, and back to its wall.
+void WallContacts::deliver_at_centre(std::size_t n, const Ground& ground, const Vector3& force, const Task& task,
+                                     Block& block) const {
+  const Point& point = block.points[n];
+  const auto w = static_cast<std::size_t>(point.wall);
+  state::SphereLoad& load = task.own[static_cast<std::size_t>(block.touches[n].sphere) - task.block * neighbors::block_size];
+  load.fx += force.x();
+  load.fy += force.y();
+  load.fz += force.z();
+  const Vector3 arm = point.centre - ground.place, moment = arm.cross(force);
+  block.loads[w] += {-force, -(point.centre - poses_[w].pivot - poses_[w].shift).cross(force),
+                     task.step * (force.dot(ground.velocity) + moment.dot(ground.spin))};
+  if (!ground.face) return;
+  const auto forces = ground.face->on_corners(-force, -moment);
   for (std::size_t k = 0; k < 3; ++k) block.on_nodes.push_back({ground.face->nodes[k], forces[k]});
 }
 
@@ -242,25 +231,56 @@ void WallContacts::touch_anew(const state::Spheres& spheres, Block& block) const
   if (table_.adheres()) note_parted(spheres, block);
 }
 
-/// The points of a sphere from a number on become touches, with what those `before` remember. Across a gap only a touch that was
-/// there before remains.
+/// The touch before that faces most nearly as a point does; `again`: also one that goes on in another point.
+const WallContacts::Touch* WallContacts::like(const Point& point, std::span<const Touch> before, bool again) const {
+  const Touch* found = nullptr;
+  Real most = same_direction;
+  for (const Touch& one : before) {
+    const Index wall = one.wall < 0 ? ~one.wall : one.wall;
+    if ((one.wall < 0 && !again) || !(one.share > 0) || surface_of(wall) != surface_of(point.wall)) continue;
+    const Real along = one.normal.dot(point.normal);
+    if (!(along > most)) continue;
+    most = along;
+    found = &one;
+  }
+  return found;
+}
+
+/// By point of a sphere: the shares of all on its surface that face as it does.
+void WallContacts::add_up_shares(std::span<const Point> points, std::vector<Real>& shares) const {
+  shares.assign(points.size(), points.size() == 1 ? points.front().share : 0);
+  if (points.size() == 1) return;
+  for (std::size_t n = 0; n < points.size(); ++n)
+    for (const Point& one : points)
+      if (surface_of(one.wall) == surface_of(points[n].wall) && one.normal.dot(points[n].normal) > same_direction)
+        shares[n] += one.share;
+}
+
+/// The points of a sphere from a number on become touches, with what those `before` remember. One that begins beside another
+/// remembers the same, since it takes over from it; where more of them share a load than did, each remembers less. Across a gap
+/// only a touch that was there before remains.
 void WallContacts::take_points(Index sphere, std::size_t begin, std::span<Touch> before, Block& block) const {
+  thread_local std::vector<Real> shares;
+  std::vector<Point>& points = block.points;
+  add_up_shares(std::span(points).subspan(begin), shares);
   std::size_t kept = begin;
-  for (std::size_t n = begin; n < block.points.size(); ++n) {
-    Point& point = block.points[n];
+  for (std::size_t n = begin; n < points.size(); ++n) {
+    Point& point = points[n];
     Touch touch{.sphere = sphere, .wall = point.wall, .normal = point.normal};
     point.before = point.normal;
-    const auto old = std::ranges::find_if(before, [&](const Touch& one) {
-      return one.wall == point.wall && one.normal.dot(point.normal) > same_direction;
-    });
-    if (old != before.end()) {
-      touch.sliding = old->sliding;
-      touch.rolling = old->rolling;
-      touch.twisting = old->twisting;
-      point.before = old->normal;
-      old->wall = -1;  // each goes on once
-    } else if (!(point.overlap > 0)) {
-      continue;
+    if (point.share > 0) {
+      const Touch* const free = like(point, before, false);
+      const Touch* const old = free != nullptr ? free : like(point, before, true);
+      if (free == nullptr && !(point.overlap > 0)) continue;
+      touch.share = shares[n - begin];
+      if (old != nullptr) {
+        const Real part = old->share < touch.share ? old->share / touch.share : 1;
+        touch.sliding = part * old->sliding;
+        touch.rolling = part * old->rolling;
+        touch.twisting = part * old->twisting;
+        point.before = old->normal;
+      }
+      if (free != nullptr) before[static_cast<std::size_t>(free - before.data())].wall = ~free->wall;  // goes on
     }
     block.touches.push_back(touch);
     block.points[kept++] = point;
@@ -271,7 +291,7 @@ void WallContacts::take_points(Index sphere, std::size_t begin, std::span<Touch>
 /// Books the energy dissipated by touches that have ended. One that merges with a deeper one nearby counts the same.
 void WallContacts::note_parted(const state::Spheres& spheres, Block& block) const {
   for (const Touch& old : block.before) {
-    if (old.wall < 0) continue;
+    if (old.wall < 0 || !(old.share > 0)) continue;
     const auto sphere = static_cast<std::size_t>(old.sphere);
     block.parting_loss += table_.parting_loss(static_cast<Index>(spheres.spin[sphere].material),
                                               walls_[static_cast<std::size_t>(old.wall)].material, spheres.place[sphere].radius);

@@ -2,9 +2,9 @@
 
 /// Contacts of spheres with walls: planes, see PlaneRow, and surfaces.
 ///
-/// A sphere touches a surface of triangles in the points where it is nearest to one of them. Of these the deepest comes first,
-/// and each further one counts only when it lies in front of the tangent planes of those before: so a flat surface, an outer edge
-/// or a corner pushes once, however many triangles share it, and the two sides of a groove push both.
+/// Walls that are joined are one surface. A sphere touches it in points that count so that the force has an energy (see
+/// geometry/facets/complex.hpp): a flat surface, an outer edge or a corner pushes once, however many triangles share it, and the
+/// two sides of a groove push both.
 ///
 /// A centre beyond a surface would be pushed on to the wrong side: that it went through is seen and kept.
 
@@ -12,6 +12,7 @@
 #include <span>
 #include <utility>
 
+#include "sazare/geometry/facets/points.hpp"
 #include "sazare/methods/spheres/contact_table.hpp"
 #include "sazare/methods/spheres/load_table.hpp"
 #include "sazare/methods/spheres/plane_contacts.hpp"
@@ -102,6 +103,7 @@ public:
     Vector3 sliding = Vector3::Zero();  ///< [sqrt(J)], as the next two, see laws::ContactMemory
     Vector3 rolling = Vector3::Zero();
     Real twisting = 0;
+    Real share = 0;  ///< of all of the sphere that face this way, see FacetPoint; 0: remembers nothing
   };
 
 private:
@@ -120,17 +122,30 @@ private:
     Vector3 foot;      ///< on the wall, where that was at the start [m]
     Vector3 normal;    ///< from the wall to the sphere
     Vector3 before = Vector3::Zero();  ///< the normal at the last step; what begins to touch has this one
+    Real count = 1, share = 1;        ///< of its energy, and of what it dissipates
+    Vector3 slope = Vector3::Zero();  ///< of the count, as the centre moves [1/m]
   };
   struct Block {
     std::vector<PlaneRow> planes;  ///< by wall; those of surfaces are empty
     std::vector<Near> near;        ///< by sphere
     std::vector<Touch> touches;    ///< of surfaces, by sphere
     std::vector<Point> points;     ///< those of the touches
-    std::vector<Touch> before;  ///< of these, those that do not go on have a wall in the end
+    std::vector<Touch> before;  ///< of these, those that go on have the complement of their wall in the end
     Real parting_loss = 0;      ///< of touches that ended [J]
     std::vector<WallLoad> loads;             ///< by wall
     std::vector<geometry::NodeForce> on_nodes;  ///< of the surface [N]
     std::optional<Passage> passage;
+  };
+  /// Walls that are one, whose facets stand one wall after the other.
+  struct Surface {
+    std::vector<Index> walls;
+    std::vector<Index> first;  ///< facet, by wall of them
+    geometry::FacetComplex complex;
+  };
+  /// A facet of a surface that a sphere may touch.
+  struct Reached {
+    Index surface = 0;
+    geometry::NearFacet facet;
   };
   /// How a surface moves where it is touched.
   struct Ground {
@@ -153,7 +168,13 @@ private:
   void find_points(const state::Spheres& spheres, const Vector3& place, std::span<Near> near, Block& block) const;
   void take_points(Index sphere, std::size_t begin, std::span<Touch> before, Block& block) const;
   void note_parted(const state::Spheres& spheres, Block& block) const;
-  static std::size_t keep_those_in_front(Real radius, std::span<Point> points);
+  void add_points(Index surface, const Vector3& place, Real radius, Real reach, std::span<const geometry::NearFacet> facets,
+                  std::vector<Point>& points) const;
+  void join_walls();
+  void build(Surface& surface, std::span<const Index> planes);
+  const Touch* like(const Point& point, std::span<const Touch> before, bool again) const;
+  void add_up_shares(std::span<const Point> points, std::vector<Real>& shares) const;
+  Index surface_of(Index wall) const { return surface_of_[static_cast<std::size_t>(wall)]; }
   void touch_anew(const state::Spheres& spheres, Block& block) const;
   static std::vector<Touch> touches_of(const Block& block);
   std::vector<Touch> touches() const;
@@ -167,10 +188,14 @@ private:
   ContactSums push(const state::Spheres& spheres, std::size_t begin, const Task& task, Block& block) const;
   void deliver(std::size_t n, const Ground& ground, const Vector3& force, const Vector3& turning, const Task& task,
                Block& block) const;
+  void deliver_at_centre(std::size_t n, const Ground& ground, const Vector3& force, const Task& task, Block& block) const;
 
   ContactTable table_;
   std::vector<Wall> walls_;
   std::vector<geometry::TriangleTree> trees_;  ///< by wall
+  std::vector<Surface> surfaces_;
+  static constexpr Index no_surface = -1, lies_in_another = -2;
+  std::vector<Index> surface_of_;  ///< by wall; planes have none, and those that lie in another one do not push
   std::vector<WallPose> poses_;
   bool stand_still_ = false;
   Real reach_ = 0;

@@ -130,6 +130,7 @@ void WallContacts::find_near(const state::Spheres& spheres, std::size_t sphere, 
       find_surface(w, spheres, sphere, margin, block.near);
       continue;
     }
+    if (surface_of_[w] == lies_in_another) continue;
     const Vector3 centre = seen_by(w, spheres.box.wrapped(place.centre()));
     if ((centre - wall.point).dot(wall.normal) < place.radius + margin)
       block.planes[w].add(static_cast<Index>(sphere), table_.rolls, table_.adheres());

@@ -8,6 +8,7 @@
 #include "sazare/core/error.hpp"
 #include "sazare/methods/spheres/case/case.hpp"
 #include "sazare/methods/spheres/run/model.hpp"
+#include "sazare/methods/spheres/run/walls.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "sazare/registry/registry.hpp"
 #include "tests/unit/runs/sphere_cases.hpp"
@@ -167,6 +168,34 @@ TEST(run_spheres, gives_the_bits_of_one_run_on_a_wall_that_repeats_itself) {
                            folder.write("strips.stl", strips + "endsolid strips\n").string() + "\"\n";
   expect_the_same_in_parts(
       folder, case_of(folder, scattered + wall, {"spheres.0.lower=[0.0, 0.0, 0.011]", "spheres.0.velocity=[0.5, 0.3, 0.0]"}));
+}
+
+TEST(run_spheres, walls_of_one_material_and_one_motion_are_one_surface) {
+  const TemporaryFolder folder;
+  const auto wall = [](const std::string& name, const std::string& material, const std::string& more) {
+    return "[[walls]]\nname = \"" + name + "\"\nmaterial = \"" + material + "\"\npoint = [0.0, 0.0, -0.1]\n" + more;
+  };
+  const std::string steel = R"([[materials]]
+name = "steel"
+density = 7800.0
+youngs_modulus = 2e11
+poisson_ratio = 0.3
+[[motions]]
+name = "up"
+type = "sine"
+quantity = "displacement"
+amplitude = 1e-3
+frequency = 1.0
+cycles = 1.0
+)";
+  const std::string walls = wall("again", "glass", "") + wall("of steel", "steel", "") +
+                            wall("turning", "glass", "angular_velocity = [0.0, 0.0, 1.0]\n") +
+                            wall("moving", "glass", "motion_z = \"up\"\n") + wall("with it", "glass", "motion_z = \"up\"\n");
+  const auto file = case_of(folder, scattered + steel + walls);
+  const CaseWalls made = make_walls(file, place_spheres(file));
+  std::vector<Index> joined;
+  for (const auto& one : made.walls) joined.push_back(one.joined);
+  EXPECT_EQ(joined, (std::vector<Index>{0, 0, 2, 3, 4, 4}));
 }
 
 INSTANTIATE_TEST_SUITE_P(run_spheres, InParts, testing::Values(scattered, bonded, tetrapods, brittle, rained, mixed));

@@ -354,7 +354,7 @@ constexpr std::array tables{
     Table{"shapes", true, Need::optional, "Bodies made of spheres, rigid or bonded.", shape_keys},
     Table{"spheres", true, Need::required, "Groups of spheres.", sphere_keys},
     Table{"bonds", true, Need::optional, "Which spheres are bonded, and how strongly.", bond_keys},
-    Table{"walls", true, Need::optional, "Planes and surfaces that spheres cannot pass.", wall_keys},
+    Table{"walls", true, Need::optional, "Planes and surfaces that spheres cannot pass. Those of one material and one motion are one surface.", wall_keys},
     Table{"motions", true, Need::optional, "Histories of the walls' motion.", motion_keys},
     gravity_table,
     Table{"gauges", true, Need::optional, "Groups whose motion is recorded.", gauge_keys},

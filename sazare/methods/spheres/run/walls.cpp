@@ -50,6 +50,18 @@ std::vector<Wall> walls_of(const cases::WallRules& rules) {
   return walls;
 }
 
+bool move_alike(const cases::WallRules& one, const cases::WallRules& other) {
+  const bool turn_alike = one.spin == other.spin && (one.spin.isZero(0) || one.pivot == other.pivot);
+  return one.motion == other.motion && turn_alike;
+}
+
+/// The first entry of a case whose walls are one surface with those of another entry.
+std::size_t joined_with(const std::vector<cases::WallRules>& walls, std::size_t entry) {
+  for (std::size_t first = 0; first < entry; ++first)
+    if (walls[first].material == walls[entry].material && move_alike(walls[first], walls[entry])) return first;
+  return entry;
+}
+
 void add_walls(const SpheresCase& spheres, CaseWalls& made) {
   for (std::size_t i = 0; i < spheres.walls.size(); ++i) {
     const cases::WallRules& rules = spheres.walls[i];
@@ -62,6 +74,7 @@ void add_walls(const SpheresCase& spheres, CaseWalls& made) {
         for (const cases::Motion& motion : spheres.motions)
           if (!motion.name.empty() && motion.name == rules.motion[static_cast<std::size_t>(axis)])
             wall.motion.histories.emplace_back(axis, motion_of_case(motion));
+      wall.joined = static_cast<Index>(joined_with(spheres.walls, i));
       made.walls.push_back(std::move(wall));
       made.entry.push_back(static_cast<Index>(i));
     }
