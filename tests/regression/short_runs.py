@@ -51,6 +51,7 @@ RUNS = {
     "bonded-beam": Run(),
     "caisson-pushover": Run(),
     "cantilever-fem": Run(),
+    "column-collapse-mps": Run(),
     "column-ricker": Run(),
     "free-face-blast": Run(),
     "free-face-blast-full": Run(until(1e-4)),

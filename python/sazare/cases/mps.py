@@ -69,9 +69,7 @@ class Material(Part):
     cohesion: float | None = None
     """Cohesion of the Mohr-Coulomb strength. [Pa] (default: the material is elastic and never fails) At least 0."""
     friction_angle: float | None = None
-    """Friction angle, in the ground and, once links are broken, between particles. [deg] (required with a cohesion) At least 0
-    and at most 60.
-    """
+    """Friction angle, of broken ground too. [deg] (required with a cohesion) At least 0 and at most 60."""
     dilation_angle: float | None = None
     """Dilation angle; at most the friction angle. [deg] (only with a cohesion) Default: 0.0. At least 0 and at most 60."""
     tensile_strength: float | None = None
@@ -79,8 +77,8 @@ class Material(Part):
     least 0.
     """
     rupture_strain: float | None = None
-    """Equivalent plastic shear strain (engineering) or tensile opening at which links break. (only with a cohesion) Default: 0.1.
-    Greater than 0.
+    """Equivalent plastic shear strain (engineering) or tensile opening at which the ground breaks: it then has friction, but no
+    cohesion and no links. (only with a cohesion) Default: 0.1. Greater than 0.
     """
 
 
@@ -140,9 +138,15 @@ class Boundary(Part):
     """Boundary conditions of the sides; all others are free."""
 
     side: Literal["left", "right", "bottom", "top", "front", "back", "all"]
-    """Side: the particles without a neighbour in this direction: left and right are along x, front and back along y in 3-D,
-    bottom and top vertical; all: every particle.
+    """Side of the body, or of a region: left and right are along x, front and back along y in 3-D, bottom and top vertical; all:
+    every particle.
     """
+    extent: Literal["plane", "surface"] | None = None
+    """plane: the outermost plane of particles; surface: all particles without a neighbour in this direction, on slope faces,
+    overhangs and in cavities too. Default: "plane".
+    """
+    region: str | None = None
+    """Region whose side is meant. (default: the whole body)"""
     kind: Literal["fixed", "roller", "prescribed", "viscous"]
     """fixed: held along all axes; roller: held normal to the side; prescribed: moves with the within motion (E + F); viscous:
     lets waves leave and an incident wave (E) enter.
@@ -159,10 +163,12 @@ class Boundary(Part):
 
 @dataclass(kw_only=True, eq=False)
 class Contact(Part):
-    """Contact between particles whose link is broken."""
+    """Broken ground, and contact between bodies."""
 
     damping_ratio: float | None = None
-    """Damping ratio of contacts between particles whose link is broken. Default: 0.2. At least 0 and at most 2."""
+    """Damping ratio of broken ground, for the motion of its particles that is no smooth deformation, and of contacts. Default:
+    0.2. At least 0 and at most 2.
+    """
 
 
 @dataclass(kw_only=True, eq=False)
@@ -268,7 +274,7 @@ class Case(AnyCase):
     boundaries: list[Boundary] = field(default_factory=list)
     """Boundary conditions of the sides; all others are free."""
     contact: Contact | None = None
-    """Contact between particles whose link is broken."""
+    """Broken ground, and contact between bodies."""
     gravity: Gravity | None = None
     """Body force."""
     noise: Noise | None = None

@@ -13,6 +13,9 @@ ENERGIES = [
 ]
 
 
+GOOD_BALANCE = 1e-3  # of the work; flow and rupture in finite steps leave some 1e-4
+
+
 @style.styled
 def displaced(results):
     """Particles at four times, coloured by displacement [m]; magnified where the title says so."""
@@ -46,6 +49,27 @@ def displaced(results):
             axes.locator_params(axis="x", nbins=2)
         axes.grid(False)
     figure.colorbar(drawn, ax=list(panels), label="displacement [m]", shrink=0.8)
+    return figure
+
+
+@style.styled
+def supports(results):
+    """The particles that are held, moved or on a viscous boundary, where they begin."""
+    snapshots = results.particle_snapshots
+    if not len(snapshots) or "support" not in snapshots[0].elements.cell_data:
+        return None
+    grid = snapshots[0].elements
+    points, kinds = np.asarray(grid.points), np.asarray(grid.cell_data["support"])
+    up = 2 if np.ptp(points[:, 2]) > 0.0 else 1
+    figure = style.figure(9.0, 3.2)
+    axes = figure.subplots()
+    for kind, label, color in ((0, "free", "#d8d3c8"), (1, "held", "#a64b3c"), (2, "prescribed motion", "#c98a3d"), (3, "viscous", "#3f6f8f")):
+        chosen = kinds == kind
+        if chosen.any():
+            axes.scatter(points[chosen, 0], points[chosen, up], s=3.0, c=color, linewidths=0, label=f"{label}: {chosen.sum()}")
+    axes.set_aspect("equal")
+    axes.grid(False)
+    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=4)
     return figure
 
 
@@ -98,6 +122,10 @@ def sections(results):
         )
     ] if "energy_plastic" in results.history else []
     return [
+        Section(
+            "supports", "Supports", "Particles that are held, moved by a prescribed motion or on a viscous boundary, and how many.",
+            partial(supports, results), common.NO_SNAPSHOTS,
+        ),
         *common.shaking_sections(results),
         Section(
             "displaced", "Displaced particles", "Particle positions, coloured by displacement; displacements are magnified where the title says so.",
@@ -112,10 +140,28 @@ def sections(results):
     ]
 
 
+def balance(figures):
+    """The energy residual as a share of the work of all causes, or of the energy in the ground where that is more; None without a balance."""
+    residual = figures.get("energy_residual")
+    if residual is None:
+        return None
+    work = sum(abs(figures.get(f"energy_{cause}") or 0.0) for cause in ("gravity", "boundary", "prescribed", "applied"))
+    stored = abs(figures.get("energy_kinetic") or 0.0) + abs(figures.get("energy_elastic") or 0.0)
+    reference = max(work, stored)
+    return abs(residual) / reference if reference else None
+
+
 def verdict(results):
-    """A completed run is good; its time step is compared with the stability limit."""
+    """By the energy balance; the time step is compared with the stability limit."""
+    share = balance(results.figures)
+    if share is not None and share > GOOD_BALANCE:
+        words = common.balance_words(share)
+        if share <= common.BAD_BALANCE:
+            return "fair", f"{words} It should be below {GOOD_BALANCE:.0e}: consider a smaller stability_fraction."
+        return "bad", f"{words} This is too large for reliable results: use a smaller stability_fraction."
     limit, step = results.figures.get("predicted_limit"), results.figures.get("step")
-    return "good", "The run is complete." + (f" The time step is {step / limit:.2f} of the predicted stability limit." if limit and step else "")
+    words = "The run is complete." if share is None else common.balance_words(share)
+    return "good", words + (f" The time step is {step / limit:.2f} of the predicted stability limit." if limit and step else "")
 
 
 METHOD = Method(

@@ -1,7 +1,6 @@
 #include "sazare/methods/mps/failing_forces.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <utility>
 
@@ -13,11 +12,12 @@ FailingForces<D>::FailingForces(const state::Particles<D>& particles, LinkTable<
     : links_(std::move(links)),
       strength_(std::move(strength)),
       contacts_(particles, links_, rules),
-      spacing_(particles.spacing),
+      gathered_(particles, strength_, rules),
       whole_links_(particles.size(), 0),
       lost_links_(particles.size(), 0) {
-  for (auto* tensors : {&frames_, &stretch_})
+  for (auto* tensors : {&stretch_, &virial_, &relief_})
     for (state::Column& column : *tensors) column.assign(particles.padded(), 0);
+  for (state::Column& column : frames_) column.assign(particles.padded(), 0);
   for (Index i = 0; i < particles.count; ++i)
     for (std::size_t n = 0; n < links_.directions.size(); ++n) whole_links_[at(i)] += links_.is_present(n, i) ? 1 : 0;
 }
@@ -26,85 +26,96 @@ template <int D>
 void FailingForces<D>::evaluate(const state::Particles<D>& particles, state::FreedomColumns<D>& acceleration) {
   measure_stretch(links_, particles, stretch_);
   strength_.flow(particles, stretch_);
+  gathered_.advance(particles, strength_);
   strength_.make_frames(particles, frames_);
-  break_links(particles);
-  evaluate_links(links_, RotationRemoval::mean_rotation, particles, frames_, pressure_, acceleration);
+  if (const std::vector<Index> broken = ruptured(); !broken.empty())
+    break_ground(particles, broken);
+  else if (gathered_.must_search(particles))
+    gathered_.search(particles, strength_);
+  evaluate_links(links_, RotationRemoval::mean_rotation, particles, frames_, pressure_, acceleration, &virial_);
+  book_flow(particles);
   contacts_.evaluate(particles, links_, strength_, acceleration);
+  gathered_.add_forces(particles, strength_, acceleration);
 }
 
 template <int D>
-void FailingForces<D>::find_ruptured(Index particle, std::vector<Link>& found) const {
+std::vector<Index> FailingForces<D>::ruptured() const {
+  std::vector<Index> found;
+  const auto& flowed = strength_.flowed();
+  for (auto next = std::ranges::find(flowed, 1); next != flowed.end(); next = std::find(next + 1, flowed.end(), 1))
+    if (const auto i = static_cast<Index>(next - flowed.begin()); strength_.is_ruptured(i)) found.push_back(i);
+  return found;
+}
+
+/// Ground that has been torn apart keeps the gaps that have opened, without stress.
+template <int D>
+void FailingForces<D>::break_ground(const state::Particles<D>& particles, std::span<const Index> broken) {
+  const auto stored = [&] {
+    return energy_around(particles, broken) + contacts_.energy(particles, strength_) + gathered_.energy(strength_);
+  };
+  const Real before = stored();
+  for (const Index particle : broken) {
+    const Rotation<D> stress = strength_.stress(particles, stretch_, particle);
+    if (stress.trace() < 0)
+      gathered_.add(particle, stress, 0);
+    else
+      gathered_.add(particle, Rotation<D>::Zero(), std::max(strength_.plastic(particle).trace(), Real{0}));
+  }
+  for (const Index particle : broken) cut_links(particle);
+  gathered_.search(particles, strength_);
+  rupture_ += before - stored();
+}
+
+template <int D>
+void FailingForces<D>::cut_links(Index particle) {
   for (std::size_t n = 0; n < links_.directions.size(); ++n) {
     if (!links_.is_present(n, particle)) continue;
     const Index other = links_.directions[n].neighbor[at(particle)];
-    if (strength_.flowed()[at(other)] != 0 && other < particle) continue;  // the other one has found this link
-    const Real slip = strength_.slip()[at(particle)] + strength_.slip()[at(other)];
-    const StrengthOfGround &own = strength_.ground(particle), &others = strength_.ground(other);
-    if (own.yields && others.yields && slip >= own.rupture_strain + others.rupture_strain)
-      found.push_back({particle, other, static_cast<std::int64_t>(n)});
-  }
-}
-
-template <int D>
-void FailingForces<D>::break_links(const state::Particles<D>& particles) {
-  std::vector<Link> ruptured;
-  const auto& flowed = strength_.flowed();
-  for (auto next = std::ranges::find(flowed, 1); next != flowed.end(); next = std::find(next + 1, flowed.end(), 1))
-    find_ruptured(static_cast<Index>(next - flowed.begin()), ruptured);
-  if (ruptured.empty()) return;
-  const Real before = energy_around(particles, ruptured) + contacts_.energy(particles, strength_);
-  for (Link& link : ruptured) {
-    link.length = unstressed_length(link);
-    cut(link);
-  }
-  rupture_ += before - energy_around(particles, ruptured) - contacts_.energy(particles, strength_);
-  broken_.insert(broken_.end(), ruptured.begin(), ruptured.end());
-}
-
-template <int D>
-void FailingForces<D>::cut(const Link& link) {
-  links_.set_share(static_cast<std::size_t>(link.direction), link.first, 0);
-  links_.set_share(links_.opposite(static_cast<std::size_t>(link.direction)), link.second, 0);
-  for (const Index particle : {link.first, link.second}) {
-    strength_.measure(particle, links_);
+    links_.set_share(n, particle, 0);
+    links_.set_share(links_.opposite(n), other, 0);
+    strength_.measure(other, links_);
+    contacts_.loosen(other);
     ++lost_links_[at(particle)];
+    ++lost_links_[at(other)];
+    ++broken_links_;
   }
-  const laws::LinkDirection<D>& law = links_.directions[static_cast<std::size_t>(link.direction)].law;
-  contacts_.add(link.first, link.second, link.length, share_of_column(law));
+  strength_.measure(particle, links_);
+  contacts_.release(particle);
 }
 
-/// Length of the link without stress, as it began in the mean frame of its particles.
 template <int D>
-Real FailingForces<D>::unstressed_length(const Link& link) const {
-  const auto& start = links_.directions[static_cast<std::size_t>(link.direction)].law.start;
-  laws::Components<D, Real> relaxed{};
-  for (std::size_t i = 0; i < D; ++i)
-    for (std::size_t k = 0; k < D; ++k) {
-      const state::Column& frame = frames_[D * i + k];
-      relaxed[i] += 0.5 * (frame[at(link.first)] + frame[at(link.second)]) * start[k];
+void FailingForces<D>::book_flow(const state::Particles<D>& particles) {
+  const auto& flowed = strength_.flowed();
+  const auto relief = [&](std::size_t i, std::size_t row, std::size_t column) {  // R^T times the virial
+    Real sum = 0;
+    if constexpr (D == 2) {
+      const Real cosine = particles.rotation[0][i], sine = particles.rotation[1][i];
+      sum = row == 0 ? cosine * virial_[column][i] + sine * virial_[2 + column][i]
+                     : cosine * virial_[2 + column][i] - sine * virial_[column][i];
+    } else {
+      for (std::size_t k = 0; k < 3; ++k) sum += particles.rotation[3 * k + row][i] * virial_[3 * k + column][i];
     }
-  return std::sqrt(laws::product<D, Real>(relaxed, relaxed));
-}
-
-/// Stiffness of a link over that of all links that a column has in one direction: shortened by a strain e along one axis, they
-/// hold as much energy as the column's lambda + 2 mu.
-template <int D>
-Real FailingForces<D>::share_of_column(const laws::LinkDirection<D>& law) const {
-  Real column = 0;
-  for (const auto& direction : links_.directions) {
-    const auto& start = direction.law.start;
-    const Real square = laws::product<D, Real>(start, start), along = start[0] * start[0] / square;
-    column += 0.5 * direction.law.spring * along * along * square;  // every link belongs to two particles
+    return sum;
+  };
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const Rotation<D> part = flowed[i] != 0 ? strength_.last_flow(static_cast<Index>(i)) : Rotation<D>(Rotation<D>::Zero());
+    for (std::size_t row = 0; row < D; ++row)
+      for (std::size_t column = 0; column < D; ++column) {
+        Real& kept = relief_[D * row + column][i];
+        const Real now = relief(i, row, column);
+        if (flowed[i] != 0) flow_ += 0.5 * (kept + now) * part(static_cast<int>(row), static_cast<int>(column));
+        kept = now;
+      }
   }
-  return law.spring * spacing_ * spacing_ / column;
 }
 
-/// Energy of all blocks that have a particle of these links.
+/// Energy of all blocks that have one of these particles or a particle that is linked with one.
 template <int D>
-Real FailingForces<D>::energy_around(const state::Particles<D>& particles, const std::vector<Link>& links) const {
+Real FailingForces<D>::energy_around(const state::Particles<D>& particles, std::span<const Index> broken) const {
   std::set<std::size_t> blocks;
-  for (const Link& link : links)
-    for (const Index particle : {link.first, link.second}) blocks.insert(at(particle) / lane_count);
+  for (const Index particle : broken)
+    for (const auto& direction : links_.directions)
+      for (const Index one : {particle, direction.neighbor[at(particle)]}) blocks.insert(at(one) / lane_count);
   Real total = 0;
   for (const std::size_t block : blocks) total += energy_of_block(links_, particles, frames_, block);
   return total;
@@ -113,7 +124,8 @@ Real FailingForces<D>::energy_around(const state::Particles<D>& particles, const
 template <int D>
 Real FailingForces<D>::energy(const state::Particles<D>& particles) {
   strength_.make_frames(particles, frames_);
-  return energy_of_links(links_, RotationRemoval::mean_rotation, particles, frames_) + contacts_.energy(particles, strength_);
+  return energy_of_links(links_, RotationRemoval::mean_rotation, particles, frames_) +
+         contacts_.energy(particles, strength_) + gathered_.energy(strength_);
 }
 
 template <int D>
@@ -125,11 +137,13 @@ Real FailingForces<D>::broken_fraction(Index particle) const {
 template <int D>
 void FailingForces<D>::columns(Archive& archive) {
   archive.folder("strength", [&] { strength_.columns(archive); });
-  archive("broken", broken_);
+  archive("flow", flow_);
   archive("rupture", rupture_);
-  if (archive.reading())
-    for (const Link& link : broken_) cut(link);
+  for (std::size_t n = 0; n < relief_.size(); ++n) archive("relief" + std::to_string(n), relief_[n]);
+  archive.folder("gathered", [&] { gathered_.columns(archive); });
   archive.folder("contacts", [&] { contacts_.columns(archive); });
+  if (archive.reading())
+    for (const Index particle : gathered_.particles()) cut_links(particle);
 }
 
 template class FailingForces<2>;

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Forces between particles of ground that has a strength: elastic links, plastic flow, links that break, contacts where they
-/// broke.
+/// Forces between particles of ground that has a strength: elastic links, plastic flow, broken ground.
 
+#include "sazare/methods/mps/gathered_ground.hpp"
 #include "sazare/methods/mps/loose_contacts.hpp"
 #include "sazare/particles/particle_forces.hpp"
 
@@ -11,13 +11,16 @@ namespace sazare::methods::mps {
 /// What failing has cost so far [J; J/m in 2-D].
 struct FailureWork {
   Real flow = 0;     ///< dissipated by plastic flow
-  Real rupture = 0;  ///< elastic energy that links lost when they broke, less what contacts took over
-  Real contact = 0;  ///< dissipated by friction and dashpots of contacts
+  Real rupture = 0;  ///< elastic energy that links lost, less what broken ground took over
+  Real contact = 0;  ///< dissipated by friction and dashpots of contacts, and by those of broken ground
 };
 
 /// Every evaluation first lets the ground flow by what is beyond its strength, and then evaluates the links as they have relaxed.
-/// (With the flow of the step before, the overshoot would act as a dashpot and make the stable step shorter.) A link breaks when
-/// the mean slip of its particles reaches the mean of their rupture strains.
+/// (With the flow of the step before, the overshoot would act as a dashpot and make the stable step shorter.) A particle breaks when
+/// its slip reaches its rupture strain: all its links break, and it is broken ground from then on (gathered_ground.hpp).
+///
+/// Plastic flow de_p of a linked particle dissipates (q + q')/2 : de_p, with q = -dE/de_p before the step and q' after it: with
+/// the work of the forces, the mean of both ends times the displacement, it closes the energy balance.
 template <int D>
 class FailingForces final : public particles::ParticleForces<D> {
 public:
@@ -29,38 +32,34 @@ public:
   void columns(Archive& archive) override;
 
   const GroundStrength<D>& strength() const { return strength_; }
-  FailureWork work() const { return {strength_.dissipated(), rupture_, contacts_.dissipated()}; }
-  Index broken_links() const { return static_cast<Index>(broken_.size()); }
+  const GatheredGround<D>& gathered() const { return gathered_; }
+  FailureWork work() const { return {flow_ + gathered_.flow(), rupture_ + gathered_.lost(), contacts_.dissipated() + gathered_.drag()}; }
+  Index broken_links() const { return broken_links_; }
   Index contacts() const { return contacts_.touching(); }
 
   /// Share of the links at the beginning that a particle has lost [-].
   Real broken_fraction(Index particle) const;
 
 private:
-  struct Link {
-    Index first = 0, second = 0;
-    std::int64_t direction = 0;  ///< that of the first
-    Real length = 0;             ///< without stress, when it broke [m]
-  };
-
-  void break_links(const state::Particles<D>& particles);
-  void find_ruptured(Index particle, std::vector<Link>& found) const;
-  void cut(const Link& link);
-  Real unstressed_length(const Link& link) const;
-  Real share_of_column(const laws::LinkDirection<D>& law) const;
-  Real energy_around(const state::Particles<D>& particles, const std::vector<Link>& links) const;
+  std::vector<Index> ruptured() const;
+  void break_ground(const state::Particles<D>& particles, std::span<const Index> broken);
+  void cut_links(Index particle);
+  void book_flow(const state::Particles<D>& particles);
+  Real energy_around(const state::Particles<D>& particles, std::span<const Index> broken) const;
 
   LinkTable<D> links_;
   GroundStrength<D> strength_;
   LooseContacts<D> contacts_;
-  Real spacing_ = 0;  ///< [m]
+  GatheredGround<D> gathered_;
   Frames<GroundStrength<D>::numbers> frames_;
   Tensors<D> stretch_;      ///< see measure_stretch
+  Tensors<D> virial_;       ///< see evaluate_links
+  Tensors<D> relief_;       ///< q of every particle at the last evaluation [N m; N in 2-D]
   state::Column pressure_;  ///< see evaluate_links
-  std::vector<Link> broken_;
   std::vector<Index> whole_links_;  ///< by particle, at the beginning
   std::vector<Index> lost_links_;   ///< by particle
-  Real rupture_ = 0;
+  Index broken_links_ = 0;
+  Real flow_ = 0, rupture_ = 0;
 };
 
 extern template class FailingForces<2>;

@@ -66,9 +66,8 @@ GroundStrength<D>::GroundStrength(const state::Particles<D>& particles, const Li
     : grounds_(std::move(grounds)),
       material_(std::move(material)),
       slip_(particles.padded(), 0),
-      dissipated_(particles.padded(), 0),
       flowed_(particles.padded(), 0) {
-  for (auto* tensors : {&plastic_, &inverse_})
+  for (auto* tensors : {&plastic_, &inverse_, &last_flow_})
     for (state::Column& column : *tensors) column.assign(particles.padded(), 0);
   for (Index i = 0; i < particles.count; ++i) measure(i, links);
 }
@@ -107,13 +106,18 @@ void GroundStrength<D>::make_frames(const state::Particles<D>& particles, Frames
 }
 
 template <int D>
+Rotation<D> GroundStrength<D>::elastic_strain(const state::Particles<D>& particles, const Tensors<D>& stretch,
+                                              std::size_t i) const {
+  const Rotation<D> gradient = rotation_of(particles, i).transpose() * read<D>(stretch, i) * read<D>(inverse_, i);
+  return 0.5 * (gradient + gradient.transpose()) - Rotation<D>::Identity() - read<D>(plastic_, i);
+}
+
+template <int D>
 bool GroundStrength<D>::flow_one(const state::Particles<D>& particles, const Tensors<D>& stretch, std::size_t i) {
   const StrengthOfGround& ground = grounds_[at(material_[i])];
   if (!ground.yields) return false;
-  const Rotation<D> inverse = read<D>(inverse_, i);
-  if (inverse(0, 0) == 0) return false;
-  const Rotation<D> gradient = rotation_of(particles, i).transpose() * read<D>(stretch, i) * inverse;
-  const Rotation<D> elastic = 0.5 * (gradient + gradient.transpose()) - Rotation<D>::Identity() - read<D>(plastic_, i);
+  if (inverse_[0][i] == 0) return false;
+  const Rotation<D> elastic = elastic_strain(particles, stretch, i);
   const auto [largest, smallest] = extreme_stresses<D>(ground.elastic, elastic);
   if (ground.law.bears(largest, smallest)) return false;
   Eigen::SelfAdjointEigenSolver<Rotation<D>> solver;
@@ -122,16 +126,12 @@ bool GroundStrength<D>::flow_one(const state::Particles<D>& particles, const Ten
   for (int axis = 0; axis < D; ++axis) strain[static_cast<std::size_t>(axis)] = solver.eigenvalues()[axis];
   const auto flow = laws::plastic_flow<D>(ground.law, ground.elastic, strain);
   if (!(flow.slip > 0)) return false;
-  const Real volume = 1 / (ground.density * particles.inverse_mass[i]);
   Vector<D> part;
-  for (std::size_t axis = 0; axis < D; ++axis) {
-    part[static_cast<int>(axis)] = flow.strain[axis];
-    strain[axis] -= 0.5 * flow.strain[axis];
-  }
-  const std::array<Real, D> stress = ground.elastic.stress(strain);  // in the middle of the flow
-  for (std::size_t axis = 0; axis < D; ++axis) dissipated_[i] += volume * stress[axis] * flow.strain[axis];
+  for (std::size_t axis = 0; axis < D; ++axis) part[static_cast<int>(axis)] = flow.strain[axis];
   const Rotation<D>& axes = solver.eigenvectors();
-  write<D>(plastic_, i, read<D>(plastic_, i) + axes * part.asDiagonal() * axes.transpose());
+  const Rotation<D> flowed = axes * part.asDiagonal() * axes.transpose();
+  write<D>(last_flow_, i, flowed);
+  write<D>(plastic_, i, read<D>(plastic_, i) + flowed);
   slip_[i] += flow.slip;
   return true;
 }
@@ -144,17 +144,34 @@ void GroundStrength<D>::flow(const state::Particles<D>& particles, const Tensors
 }
 
 template <int D>
-Real GroundStrength<D>::dissipated() const {
-  Real total = 0;
-  for (const Real part : dissipated_) total += part;
-  return total;
+Rotation<D> GroundStrength<D>::plastic(Index particle) const {
+  return read<D>(plastic_, at(particle));
+}
+
+template <int D>
+Rotation<D> GroundStrength<D>::last_flow(Index particle) const {
+  return read<D>(last_flow_, at(particle));
+}
+
+template <int D>
+Rotation<D> GroundStrength<D>::stress(const state::Particles<D>& particles, const Tensors<D>& stretch, Index particle) const {
+  const std::size_t i = at(particle);
+  if (inverse_[0][i] == 0) return Rotation<D>::Zero();
+  const Rotation<D> strain = elastic_strain(particles, stretch, i), rotation = rotation_of(particles, i);
+  const laws::Elasticity& elastic = ground(particle).elastic;
+  const Rotation<D> own = 2 * elastic.shear_modulus * strain + elastic.lame * strain.trace() * Rotation<D>::Identity();
+  return rotation * own * rotation.transpose();
+}
+
+template <int D>
+bool GroundStrength<D>::is_ruptured(Index particle) const {
+  return ground(particle).yields && slip_[at(particle)] >= ground(particle).rupture_strain;
 }
 
 template <int D>
 void GroundStrength<D>::columns(Archive& archive) {
   for (std::size_t n = 0; n < numbers; ++n) archive("plastic" + std::to_string(n), plastic_[n]);
   archive("slip", slip_);
-  archive("dissipated", dissipated_);
 }
 
 template class GroundStrength<2>;

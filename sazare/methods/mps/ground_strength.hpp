@@ -45,23 +45,35 @@ public:
   /// Which particles have flowed in the last call of `flow`: a byte each, not 0.
   const std::vector<std::uint8_t>& flowed() const { return flowed_; }
 
+  /// e_p of a particle [-].
+  Rotation<D> plastic(Index particle) const;
+  /// What `flow` has added to e_p of a particle that has flowed [-].
+  Rotation<D> last_flow(Index particle) const;
+
+  /// Stress of a particle, in space; none where its links do not span the space.
+  Rotation<D> stress(const state::Particles<D>& particles, const Tensors<D>& stretch, Index particle) const;
+
   /// To be called when links of a particle have changed.
   void measure(Index particle, const LinkTable<D>& links);
 
+  /// Slip of ground that flows without links.
+  void add_slip(Index particle, Real slip) { slip_[at(particle)] += slip; }
+  bool is_ruptured(Index particle) const;
+
   const state::Column& slip() const { return slip_; }  ///< of each particle, summed up [-]
-  Real dissipated() const;                             ///< by plastic flow [J; J/m in 2-D]
 
   void columns(Archive& archive);
 
 private:
+  Rotation<D> elastic_strain(const state::Particles<D>& particles, const Tensors<D>& stretch, std::size_t i) const;
   bool flow_one(const state::Particles<D>& particles, const Tensors<D>& stretch, std::size_t i);
 
   std::vector<StrengthOfGround> grounds_;
   std::vector<Index> material_;
   Tensors<D> plastic_;  ///< e_p [-]
   Tensors<D> inverse_;  ///< S^-1; zero where the links do not span the space
+  Tensors<D> last_flow_;  ///< of particles that have flowed [-]
   state::Column slip_;
-  state::Column dissipated_;
   std::vector<std::uint8_t> flowed_;
 };
 

@@ -48,10 +48,12 @@ void block_stretch(const LinkTable<D>& links, const state::Particles<D>& particl
 /// Forces and torques on the particles of a block, as accelerations.
 template <int D, std::size_t N, RotationRemoval removal>
 void block_accelerations(const state::Particles<D>& particles, const Frames<N>& frames, const LinkTable<D>& links,
-                         const state::Column& pressure, std::size_t block, state::FreedomColumns<D>& acceleration) {
+                         const state::Column& pressure, std::size_t block, state::FreedomColumns<D>& acceleration,
+                         Tensors<D>* virial) {
   LinkBlock<D, N> at(particles, frames, block);
   const Lanes own_modulus = at.own(particles.shear_modulus), own_pressure = at.own(pressure);
   std::array<Lanes, state::particle_freedoms<D>> sum{};
+  std::array<Lanes, static_cast<std::size_t>(D) * D> turning{};
   for (const auto& direction : links.directions) {
     if (direction.pattern[block] == 0) continue;
     at.look(direction);
@@ -63,14 +65,19 @@ void block_accelerations(const state::Particles<D>& particles, const Frames<N>& 
     const LaneComponents<D> arm = at.template arm<removal>(strain, direction.law);
     for (std::size_t i = 0; i < D; ++i) sum[i] += force.force[i];
     for (std::size_t i = D; i < sum.size(); ++i) sum[i] += 0.5 * lane_moment(arm, force.turning, i - D);
+    if (virial == nullptr) continue;
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t k = 0; k < D; ++k) turning[D * i + k] += (0.5 * direction.law.start[k]) * force.turning[i];
   }
   for (std::size_t i = 0; i < sum.size(); ++i)
     store_lanes(&acceleration[i][block * lane_count], sum[i] * at.own(particles.inverse_inertia_of(i)));
+  for (std::size_t i = 0; virial != nullptr && i < turning.size(); ++i)
+    store_lanes(&(*virial)[i][block * lane_count], turning[i]);
 }
 
 template <int D, std::size_t N, RotationRemoval removal>
 void evaluate_with(const LinkTable<D>& links, const state::Particles<D>& particles, const Frames<N>& frames,
-                   state::Column& pressure, state::FreedomColumns<D>& acceleration) {
+                   state::Column& pressure, state::FreedomColumns<D>& acceleration, Tensors<D>* virial) {
   pressure.resize(particles.padded());
   const std::size_t blocks = particles.padded() / lane_count;
   const Real volume = particles.volume();
@@ -82,7 +89,7 @@ void evaluate_with(const LinkTable<D>& links, const state::Particles<D>& particl
   });
   parallel::parallel_for(blocks, serial_below, [&](std::size_t begin, std::size_t end) {
     for (std::size_t block = begin; block < end; ++block)
-      block_accelerations<D, N, removal>(particles, frames, links, pressure, block, acceleration);
+      block_accelerations<D, N, removal>(particles, frames, links, pressure, block, acceleration, virial);
   });
 }
 
@@ -109,11 +116,12 @@ Real block_energy(const LinkTable<D>& links, const state::Particles<D>& particle
 
 template <int D, std::size_t N>
 void evaluate_links(const LinkTable<D>& links, RotationRemoval removal, const state::Particles<D>& particles,
-                    const Frames<N>& frames, state::Column& pressure, state::FreedomColumns<D>& acceleration) {
+                    const Frames<N>& frames, state::Column& pressure, state::FreedomColumns<D>& acceleration,
+                    Tensors<D>* virial) {
   if constexpr (N == 2)
     if (removal == RotationRemoval::mean_angle)
-      return evaluate_with<D, N, RotationRemoval::mean_angle>(links, particles, frames, pressure, acceleration);
-  evaluate_with<D, N, RotationRemoval::mean_rotation>(links, particles, frames, pressure, acceleration);
+      return evaluate_with<D, N, RotationRemoval::mean_angle>(links, particles, frames, pressure, acceleration, virial);
+  evaluate_with<D, N, RotationRemoval::mean_rotation>(links, particles, frames, pressure, acceleration, virial);
 }
 
 template <int D>
@@ -145,11 +153,11 @@ Real energy_of_links(const LinkTable<D>& links, RotationRemoval removal, const s
 }
 
 template void evaluate_links<2, 2>(const LinkTable<2>&, RotationRemoval, const state::Particles<2>&, const Frames<2>&,
-                                   state::Column&, state::FreedomColumns<2>&);
+                                   state::Column&, state::FreedomColumns<2>&, Tensors<2>*);
 template void evaluate_links<2, 4>(const LinkTable<2>&, RotationRemoval, const state::Particles<2>&, const Frames<4>&,
-                                   state::Column&, state::FreedomColumns<2>&);
+                                   state::Column&, state::FreedomColumns<2>&, Tensors<2>*);
 template void evaluate_links<3, 9>(const LinkTable<3>&, RotationRemoval, const state::Particles<3>&, const Frames<9>&,
-                                   state::Column&, state::FreedomColumns<3>&);
+                                   state::Column&, state::FreedomColumns<3>&, Tensors<3>*);
 template void measure_stretch<2>(const LinkTable<2>&, const state::Particles<2>&, Tensors<2>&);
 template void measure_stretch<3>(const LinkTable<3>&, const state::Particles<3>&, Tensors<3>&);
 template Real energy_of_block<2, 4>(const LinkTable<2>&, const state::Particles<2>&, const Frames<4>&, std::size_t);

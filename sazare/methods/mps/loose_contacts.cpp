@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t serial_below = 64;  // pairs
 constexpr Real skin = 0.25;               // of the spacing
+constexpr std::uint8_t inner = 0, loose = 1, released = 2;
 template <int D>
 constexpr Real contacts_around = D == 2 ? 6 : 12;  // of equal discs or spheres
 
@@ -68,10 +69,10 @@ bool are_linked(const LinkTable<D>& links, Index first, Index second) {
 
 template <int D>
 LooseContacts<D>::LooseContacts(const state::Particles<D>& particles, const LinkTable<D>& links, const LooseRules& rules)
-    : rules_(rules), loose_(particles.size(), 0) {
+    : rules_(rules), loose_(particles.size(), inner) {
   for (Index i = 0; i < particles.count; ++i)
     for (std::size_t n = 0; n < links.directions.size(); ++n)
-      if (!links.is_present(n, i)) loose_[at(i)] = 1;
+      if (!links.is_present(n, i)) loose_[at(i)] = loose;
   search(particles, links);
 }
 
@@ -85,20 +86,14 @@ Vector<D> LooseContacts<D>::apart(const state::Particles<D>& particles, Index fi
 }
 
 template <int D>
-void LooseContacts<D>::add(Index first, Index second, Real length, Real share) {
-  loose_[at(first)] = loose_[at(second)] = 1;
-  const Pair pair{std::min(first, second), std::max(first, second), length, share, {}};
-  const auto before = [](const Pair& a, const Pair& b) { return std::tie(a.first, a.second) < std::tie(b.first, b.second); };
-  const auto place = std::lower_bound(pairs_.begin(), pairs_.end(), pair, before);
-  if (place == pairs_.end() || before(pair, *place)) pairs_.insert(place, pair);
+void LooseContacts<D>::loosen(Index particle) {
+  if (loose_[at(particle)] == inner) loose_[at(particle)] = loose;
 }
 
-/// Whether a pair whose link broke is still together.
 template <int D>
-bool LooseContacts<D>::are_neighbors(const state::Particles<D>& particles, const Pair& pair) const {
-  const Real lattice = 1e-9 * particles.spacing;
-  if (pair.share == 1 && pair.length <= particles.spacing + lattice) return false;
-  return apart(particles, pair.first, pair.second).norm() < pair.length + skin * particles.spacing;
+void LooseContacts<D>::release(Index particle) {
+  loose_[at(particle)] = released;
+  std::erase_if(pairs_, [&](const Pair& pair) { return pair.first == particle || pair.second == particle; });
 }
 
 /// Whether two particles may have come nearer to each other than the skin since the last search. What all have in common, as
@@ -126,9 +121,10 @@ void LooseContacts<D>::find_near(const state::Particles<D>& particles, const Lin
   const Real reach = (1 + skin) * particles.spacing;
   const auto look_at = [&](const Vector<D>& place) {
     grid_.visit_near(in_space<D>(place), 0.5 * reach, [&](Index other) {
-      if (other == particle || (loose_[at(other)] != 0 && other < particle)) return;  // the other one finds this pair
+      if (other == particle || loose_[at(other)] == released) return;
+      if (loose_[at(other)] == loose && other < particle) return;  // the other one finds this pair
       if (apart(particles, particle, other).norm() > reach || are_linked(links, particle, other)) return;
-      found.push_back({std::min(particle, other), std::max(particle, other), particles.spacing, 1, {}});
+      found.push_back({std::min(particle, other), std::max(particle, other), {}, Vector3::Zero()});
     });
   };
   const Vector<D> place = place_of(particles, particle);
@@ -142,10 +138,8 @@ template <int D>
 void LooseContacts<D>::search(const state::Particles<D>& particles, const LinkTable<D>& links) {
   for (Index i = 0; i < particles.count; ++i) grid_.place(i, in_space<D>(place_of(particles, i)), 0.5 * particles.spacing);
   std::vector<Pair> found;
-  for (const Pair& pair : pairs_)
-    if (are_neighbors(particles, pair)) found.push_back(pair);
   for (Index i = 0; i < particles.count; ++i)
-    if (loose_[at(i)] != 0) find_near(particles, links, i, found);
+    if (loose_[at(i)] == loose) find_near(particles, links, i, found);
   const auto key = [](const Pair& pair) { return std::tie(pair.first, pair.second); };
   std::ranges::stable_sort(found, {}, key);  // of two equal ones that which was there before stays
   const auto same = [&](const Pair& a, const Pair& b) { return key(a) == key(b); };
@@ -153,7 +147,7 @@ void LooseContacts<D>::search(const state::Particles<D>& particles, const LinkTa
   auto old = pairs_.begin();
   for (Pair& pair : found) {
     while (old != pairs_.end() && key(*old) < key(pair)) ++old;
-    if (old != pairs_.end() && same(*old, pair)) pair.memory = old->memory;
+    if (old != pairs_.end() && same(*old, pair)) pair = *old;
   }
   pairs_ = std::move(found);
   searched_at_ = particles.displacement;
@@ -164,9 +158,10 @@ typename LooseContacts<D>::Force LooseContacts<D>::force(const state::Particles<
                                                          Pair& pair) const {
   Force result;
   const Vector<D> way = apart(particles, pair.first, pair.second);
-  const Real distance = way.norm(), overlap = pair.length - distance;
+  const Real distance = way.norm(), overlap = particles.spacing - distance;
   if (!(overlap > 0)) {
     pair.memory = {};
+    pair.inelastic.setZero();
     return result;
   }
   const StrengthOfGround &a = strength.ground(pair.first), &b = strength.ground(pair.second);
@@ -187,7 +182,7 @@ typename LooseContacts<D>::Force LooseContacts<D>::force(const state::Particles<
   motion.contacts = contacts_around<D>;
   motion.step = motion.elapsed = rules_.step;
   laws::SphereContact law;
-  law.stiffness = pair.share * stiffness_of(particles, a, b);
+  law.stiffness = stiffness_of(particles, a, b);
   law.damping = 2 * rules_.damping_ratio * std::sqrt(law.stiffness * motion.normal_mass);
   law.friction = std::min(a.law.tan_friction, b.law.tan_friction);
   Real turn = 0;
@@ -195,7 +190,10 @@ typename LooseContacts<D>::Force LooseContacts<D>::force(const state::Particles<
   pair.memory.turn(in_space<D>(normal), in_space<D>(rules_.step / distance * moving), turn);
   const laws::SphereForce push = laws::sphere_force(law, motion, pair.memory);
   result.on_second = (push.elastic + push.dashpot) * normal + push.friction.template head<D>();
-  result.loss = -rules_.step * (push.dashpot * motion.opening_speed + push.friction.dot(motion.sliding));
+  // In a step the mean of the forces at its ends does work, as the stepper counts it.
+  const Vector3 inelastic = push.dashpot * in_space<D>(normal) + push.friction;
+  result.loss = -0.5 * rules_.step * in_space<D>(parting).dot(inelastic + pair.inelastic);
+  pair.inelastic = inelastic;
   return result;
 }
 
@@ -229,8 +227,8 @@ void LooseContacts<D>::evaluate(const state::Particles<D>& particles, const Link
 template <int D>
 Real LooseContacts<D>::energy_of(const state::Particles<D>& particles, const GroundStrength<D>& strength,
                                  const Pair& pair) const {
-  const Real overlap = std::max(pair.length - apart(particles, pair.first, pair.second).norm(), Real{0});
-  return 0.5 * pair.share * stiffness_of(particles, strength.ground(pair.first), strength.ground(pair.second)) * overlap *
+  const Real overlap = std::max(particles.spacing - apart(particles, pair.first, pair.second).norm(), Real{0});
+  return 0.5 * stiffness_of(particles, strength.ground(pair.first), strength.ground(pair.second)) * overlap *
          overlap;
 }
 

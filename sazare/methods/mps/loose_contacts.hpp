@@ -15,21 +15,22 @@ struct LooseRules {
   std::array<Real, 3> period{};  ///< length of the body along periodic axes [m]; 0: none
 };
 
-/// Two loose particles that meet press on each other as discs or spheres as wide as the spacing, with the stiffness of a column
-/// of ground as wide as they are, lambda + 2 mu, and slide with the friction of the weaker of their grounds
-/// (laws/sphere_contact.hpp). Two particles whose link has just broken touch at the length it had without stress, as its two
-/// sides did, with its share of lambda + 2 mu; so the pressure stays, of the shear what friction carries, and the lattice does
-/// not collapse. They are such neighbours until a gap as wide as the skin has opened between them.
+/// Two particles of unbroken ground that no link joins and that meet, as on the free surfaces of two bodies, press on each other as
+/// discs or spheres as wide as the spacing, with the stiffness of a column of ground as wide as they are, lambda + 2 mu, and slide
+/// with the friction of the weaker of their grounds (laws/sphere_contact.hpp).
 ///
-/// Loose are particles without some of their links, so those of free surfaces too. Pairs are kept while they may touch, in
-/// the order of their numbers; they are searched again when a particle has moved by more than half the skin against another.
+/// Loose are particles without some of their links, so those of free surfaces, until they are gathered (gathered_ground.hpp). Pairs
+/// are kept while they may touch, in the order of their numbers; they are searched again when a particle has moved by more than
+/// half the skin against another.
 template <int D>
 class LooseContacts {
 public:
   LooseContacts(const state::Particles<D>& particles, const LinkTable<D>& links, const LooseRules& rules);
 
-  /// Two particles whose link has just broken, its length [m] and its share of the stiffness [-].
-  void add(Index first, Index second, Real length, Real share);
+  /// This particle has lost links.
+  void loosen(Index particle);
+  /// From now on this particle touches nobody.
+  void release(Index particle);
 
   /// Adds the accelerations that contacts give.
   void evaluate(const state::Particles<D>& particles, const LinkTable<D>& links, const GroundStrength<D>& strength,
@@ -44,9 +45,8 @@ public:
 private:
   struct Pair {
     Index first = 0, second = 0;
-    Real length = 0;  ///< below which they touch [m]
-    Real share = 1;   ///< of the stiffness [-]
     laws::SphereMemory memory;
+    Vector3 inelastic = Vector3::Zero();  ///< dashpot and friction on the second at the last evaluation [N]
   };
   struct Force {
     Vector<D> on_second = Vector<D>::Zero();  ///< [N]
@@ -57,14 +57,13 @@ private:
 
   Vector<D> apart(const state::Particles<D>& particles, Index first, Index second) const;
   Real energy_of(const state::Particles<D>& particles, const GroundStrength<D>& strength, const Pair& pair) const;
-  bool are_neighbors(const state::Particles<D>& particles, const Pair& pair) const;
   Force force(const state::Particles<D>& particles, const GroundStrength<D>& strength, Pair& pair) const;
   bool must_search(const state::Particles<D>& particles) const;
   void search(const state::Particles<D>& particles, const LinkTable<D>& links);
   void find_near(const state::Particles<D>& particles, const LinkTable<D>& links, Index particle, std::vector<Pair>& found) const;
 
   LooseRules rules_;
-  std::vector<std::uint8_t> loose_;  ///< by particle
+  std::vector<std::uint8_t> loose_;  ///< by particle: inner, loose or released
   std::vector<Pair> pairs_;
   std::vector<Force> forces_;                 ///< by pair, of the last evaluation
   std::array<state::Column, D> searched_at_;  ///< displacements at the last search [m]

@@ -16,6 +16,7 @@ enum class ParticleFit { exact, inside };
 enum class RotationRemoval { mean_rotation, mean_angle };
 enum class RegionShape { rectangle, polygon, mesh };
 enum class Side { left, right, bottom, top, front, back, all };
+enum class SideExtent { plane, surface };
 enum class SideKind { fixed, roller, prescribed, viscous };
 
 struct ParticleRules {
@@ -54,6 +55,8 @@ struct Ground {
 
 struct SideBoundary {
   Side side = Side::bottom;
+  SideExtent extent = SideExtent::plane;
+  std::string region;  // whose side; empty: of the body
   SideKind kind = SideKind::fixed;
   std::array<bool, 3> axes{false, false, false};  // of a roller; none: across the side
   std::array<std::string, 3> motion;              // names of motions by axis, or empty

@@ -180,6 +180,11 @@ void check_boundaries(const CheckContext& context, const MpsCase& mps) {
       context.problems.error(entry.place("side"), "side \"all\" requires kind roller with axes",
                              "add axes = [\"y\"], for example");
     check_motion_names(context, entry, boundary.motion, names);
+    std::vector<std::string> regions;
+    for (const ParticleRegion& region : mps.regions) regions.push_back(region.name);
+    if (!boundary.region.empty() && std::ranges::find(regions, boundary.region) == regions.end())
+      context.problems.error(entry.place("region"), fmt::format("there is no region \"{}\"", boundary.region),
+                             full_suggestion(boundary.region, regions, "regions"));
   }
 }
 

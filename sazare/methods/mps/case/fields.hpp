@@ -25,6 +25,10 @@ struct EnumWords<Side> {
   static constexpr std::array<std::string_view, 7> words{"left", "right", "bottom", "top", "front", "back", "all"};
 };
 template <>
+struct EnumWords<SideExtent> {
+  static constexpr std::array<std::string_view, 2> words{"plane", "surface"};
+};
+template <>
 struct EnumWords<SideKind> {
   static constexpr std::array<std::string_view, 4> words{"fixed", "roller", "prescribed", "viscous"};
 };
@@ -83,6 +87,8 @@ template <class Visitor>
 void visit_fields(Visitor& visit, SideBoundary& boundary) {
   constexpr std::array<std::string_view, 3> keys{"motion_x", "motion_y", "motion_z"};
   visit("side", boundary.side);
+  visit("extent", boundary.extent);
+  if (visit.has("region", !boundary.region.empty())) visit("region", boundary.region);
   visit("kind", boundary.kind);
   if (boundary.kind == SideKind::roller) visit("axes", boundary.axes);
   if (boundary.kind != SideKind::prescribed && boundary.kind != SideKind::viscous) return;

@@ -10,6 +10,7 @@ constexpr std::array<std::string_view, 2> fits{"exact", "inside"};
 constexpr std::array<std::string_view, 2> removals{"mean_rotation", "mean_angle"};
 constexpr std::array<std::string_view, 3> shapes{"rectangle", "polygon", "mesh"};
 constexpr std::array<std::string_view, 7> sides{"left", "right", "bottom", "top", "front", "back", "all"};
+constexpr std::array<std::string_view, 2> extents{"plane", "surface"};
 constexpr std::array<std::string_view, 4> side_kinds{"fixed", "roller", "prescribed", "viscous"};
 constexpr std::array<std::string_view, 3> integrators{"verlet", "leapfrog", "euler"};
 
@@ -128,7 +129,7 @@ constexpr std::array material_keys{
         .unit = "deg",
         .range = {.low = 0, .high = 60},
         .note = with_strength,
-        .sentence = "Friction angle, in the ground and, once links are broken, between particles."},
+        .sentence = "Friction angle, of broken ground too."},
     Key{.name = "dilation_angle",
         .type = Type::number,
         .unit = "deg",
@@ -148,16 +149,27 @@ constexpr std::array material_keys{
         .range = positive,
         .default_text = "0.1",
         .note = "only with a cohesion",
-        .sentence = "Equivalent plastic shear strain (engineering) or tensile opening at which links break."},
+        .sentence = "Equivalent plastic shear strain (engineering) or tensile opening at which the ground breaks: it then has friction, but no "
+                    "cohesion and no links."},
 };
 
 constexpr std::array boundary_keys{
     Key{.name = "side",
         .type = Type::choice,
         .need = Need::required,
-        .sentence = "Side: the particles without a neighbour in this direction: left and right are along x, front and back along "
-                    "y in 3-D, bottom and top vertical; all: every particle.",
+        .sentence = "Side of the body, or of a region: left and right are along x, front and back along y in 3-D, bottom and top "
+                    "vertical; all: every particle.",
         .choices = sides},
+    Key{.name = "extent",
+        .type = Type::choice,
+        .default_text = "\"plane\"",
+        .sentence = "plane: the outermost plane of particles; surface: all particles without a neighbour in this direction, on slope "
+                    "faces, overhangs and in cavities too.",
+        .choices = extents},
+    Key{.name = "region",
+        .type = Type::text,
+        .note = "default: the whole body",
+        .sentence = "Region whose side is meant."},
     Key{.name = "kind",
         .type = Type::choice,
         .need = Need::required,
@@ -179,7 +191,7 @@ constexpr std::array contact_keys{
         .type = Type::number,
         .range = {.low = 0, .high = 2},
         .default_text = "0.2",
-        .sentence = "Damping ratio of contacts between particles whose link is broken."},
+        .sentence = "Damping ratio of broken ground, for the motion of its particles that is no smooth deformation, and of contacts."},
 };
 
 constexpr std::array ground_gravity_keys{
@@ -250,7 +262,7 @@ constexpr std::array tables{
     Table{"damping", false, Need::optional, "Rayleigh damping: its two frequencies.", damping_keys},
     motions_table,
     Table{"boundaries", true, Need::optional, "Boundary conditions of the sides; all others are free.", boundary_keys},
-    Table{"contact", false, Need::optional, "Contact between particles whose link is broken.", contact_keys},
+    Table{"contact", false, Need::optional, "Broken ground, and contact between bodies.", contact_keys},
     Table{"gravity", false, Need::optional, "Body force.", ground_gravity_keys},
     Table{"noise", false, Need::optional, "Small random initial motion, so that every instability can grow.", noise_keys},
     Table{"gauges", true, Need::optional, "Points whose motion is recorded.", gauge_keys},

@@ -20,15 +20,16 @@ inline constexpr std::array books = {Column{"energy_gravity", "J", "work of grav
                                      Column{"energy_damping", "J", "dissipated by Rayleigh damping"},
                                      Column{"energy_residual", "J", "residual of the energy balance"}};
 inline constexpr std::array failure = {Column{"energy_plastic", "J", "dissipated by plastic flow"},
-                                       Column{"energy_fracture", "J", "dissipated by the breaking of links"},
-                                       Column{"energy_contact", "J", "stored in contacts"}, Column{"broken_links", "-", "so far"},
+                                       Column{"energy_fracture", "J", "elastic energy lost when links break"},
+                                       Column{"energy_contact", "J", "dissipated by contacts and by the damping of broken ground"}, Column{"broken_links", "-", "so far"},
                                        Column{"contacts", "-", "now"}};
 inline constexpr std::array particles = {Column{"displacement", "m", "since the beginning"},
                                          Column{"velocity", "m/s", ""},
                                          Column{"acceleration", "m/s2", ""},
                                          Column{"region", "-", "number in the case"},
                                          Column{"material", "-", "number in the case"},
-                                         Column{"spacing", "m", ""}};
+                                         Column{"spacing", "m", ""},
+                                         Column{"support", "-", "0 free, 1 held, 2 moved by a prescribed motion, 3 on a viscous boundary"}};
 inline constexpr std::array failed_particles = {Column{"plastic_shear_strain", "-", "equivalent plastic shear strain"},
                                                 Column{"broken_fraction", "-", "share of its links that are broken"}};
 

@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <set>
 #include <utility>
 
 #include "sazare/cases/format/number_text.hpp"
-#include "sazare/methods/mps/case/case.hpp"
+#include "sazare/methods/mps/case/fields.hpp"
 #include "sazare/methods/mps/elastic_forces.hpp"
 #include "sazare/runs/motion_of_case.hpp"
 
@@ -92,18 +93,45 @@ Site<D> period_of(const cases::MpsCase& mps, const Filling<D>& filling) {
   return period;
 }
 
-/// Particles of a side.
+/// Particles of a side, among those of its region.
 template <int D>
-std::vector<Index> particles_at(Side side, const std::vector<Site<D>>& sites) {
-  const std::set<Site<D>> taken(sites.begin(), sites.end());
-  const auto [axis, direction] = outward<D>(side);
+std::vector<Index> particles_at(const cases::MpsCase& mps, const cases::SideBoundary& boundary, const Filling<D>& filling) {
+  const auto& sites = filling.sites;
+  const auto [axis, direction] = outward<D>(boundary.side);
+  const auto belongs = [&](std::size_t i) {
+    return boundary.region.empty() || mps.regions[static_cast<std::size_t>(filling.region[i])].name == boundary.region;
+  };
+  int outermost = std::numeric_limits<int>::min();
+  for (std::size_t i = 0; i < sites.size(); ++i)
+    if (belongs(i)) outermost = std::max(outermost, direction * sites[i][axis]);
+  std::set<Site<D>> taken;
+  if (boundary.extent == cases::SideExtent::surface) taken.insert(sites.begin(), sites.end());
   std::vector<Index> found;
   for (std::size_t i = 0; i < sites.size(); ++i) {
+    if (!belongs(i)) continue;
     Site<D> beyond = sites[i];
     beyond[axis] += direction;
-    if (side == Side::all || !taken.contains(beyond)) found.push_back(static_cast<Index>(i));
+    const bool is_outside = boundary.extent == cases::SideExtent::surface ? !taken.contains(beyond) : direction * sites[i][axis] == outermost;
+    if (boundary.side == Side::all || is_outside) found.push_back(static_cast<Index>(i));
   }
   return found;
+}
+
+/// How many particles a boundary has, and where.
+template <int D>
+std::string words_of_side(std::string_view name, std::string_view kind, const std::vector<Index>& found, const Filling<D>& filling) {
+  std::string text = fmt::format("{}: {}, {} particles", name, kind, found.size());
+  for (int axis = 0; axis < D && !found.empty(); ++axis) {
+    Real low = std::numeric_limits<Real>::infinity(), high = -low;
+    for (const Index particle : found) {
+      const Real place = filling.place(static_cast<std::size_t>(particle))[axis];
+      low = std::min(low, place);
+      high = std::max(high, place);
+    }
+    text += fmt::format(", {} {}", "xyz"[axis], cases::short_number(low, 4));
+    if (high > low) text += fmt::format(" to {}", cases::short_number(high, 4));
+  }
+  return text + (found.empty() ? "" : " m");
 }
 
 /// Supports of a case, boundary by boundary; what an earlier one holds stays held.
@@ -125,10 +153,14 @@ public:
     return std::move(supports_);
   }
 
+  const std::vector<std::string>& words() const { return words_; }
+
 private:
   void add(std::size_t number) {
     const cases::SideBoundary& boundary = mps_.boundaries[number];
-    const std::vector<Index> particles = particles_at<D>(boundary.side, filling_.sites);
+    const std::vector<Index> particles = particles_at<D>(mps_, boundary, filling_);
+    words_.push_back(words_of_side<D>(cases::EnumWords<Side>::words[static_cast<std::size_t>(boundary.side)],
+                                      cases::EnumWords<SideKind>::words[static_cast<std::size_t>(boundary.kind)], particles, filling_));
     for (const Index particle : particles)
       for (std::size_t axis = 0; axis < D; ++axis) add(boundary, particle, axis);
     if (boundary.kind != SideKind::roller) cut_in_half(particles);
@@ -183,6 +215,7 @@ private:
   methods::mps::LinkTable<D>& links_;
   particles::ParticleSupports<D> supports_;
   std::set<std::pair<Index, int>> taken_;
+  std::vector<std::string> words_;
 };
 
 /// Refuses a case from whose numbers no limit follows.
@@ -251,7 +284,9 @@ MpsParts<D> make_parts(const cases::CaseFile& file) {
   parts.links = methods::mps::make_links<D>(parts.filling.sites, mps.particles.spacing, mps.particles.influence,
                                             period_of<D>(mps, parts.filling));
   if (mps.damping.f2 > 0) parts.damping = laws::RayleighDamping::make(mps.damping.f1, mps.damping.f2);
-  parts.supports = SupportMaker<D>(mps, parts).make();
+  SupportMaker<D> maker(mps, parts);
+  parts.supports = maker.make();
+  parts.sides = maker.words();
   return parts;
 }
 
@@ -283,6 +318,7 @@ MpsModel<D> build_mps(const cases::CaseFile& file) {
   model.number_density = parts.links.number_density;
   model.filling = parts.filling;
   model.material = parts.material;
+  model.sides = parts.sides;
   model.step = choose_step<D>(file, model);
   model.warning = check_step<D>(file, model);
   model.stepper = parts.stepper(file.as<cases::MpsCase>(), model.step);

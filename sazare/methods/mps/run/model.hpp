@@ -21,6 +21,7 @@ struct MpsModel {
   Real number_density = 0;         ///< n0 [-]
   methods::mps::StableStep limit;  ///< predicted
   Real step = 0;                   ///< [s]
+  std::vector<std::string> sides;  ///< what each boundary holds, ready to print
   std::string warning;             ///< about the step, ready to print; empty when there is none
   std::unique_ptr<particles::UniformStepper<D>> stepper;
   const methods::mps::FailingForces<D>* failing = nullptr;  ///< the stepper's forces, where the ground has a strength
@@ -39,6 +40,7 @@ struct MpsParts {
   state::Particles<D> particles;
   methods::mps::LinkTable<D> links;
   particles::ParticleSupports<D> supports;
+  std::vector<std::string> sides;  ///< what each boundary holds, ready to print
   laws::RayleighDamping damping;
 
   methods::mps::StableStep predict() const { return methods::mps::stable_step<D>(particles, links, supports, damping); }

@@ -157,7 +157,7 @@ void MpsRecord<D>::write_snapshot(Real time, const state::FreedomColumns<D>& vel
     number[i] = static_cast<std::int32_t>(i);
   }
   std::vector<observe::CellData> data =
-      observe::cell_data(columns::mps::particles, displacement, speed, change, model_->filling.region, model_->material, size);
+      observe::cell_data(columns::mps::particles, displacement, speed, change, model_->filling.region, model_->material, size, supported());
   std::vector<Real> slip, broken;
   if (const auto* failing = model_->failing) {
     const state::Column& all = failing->strength().slip();
@@ -166,6 +166,18 @@ void MpsRecord<D>::write_snapshot(Real time, const state::FreedomColumns<D>& vel
     for (const observe::CellData& one : observe::cell_data(columns::mps::failed_particles, slip, broken)) data.push_back(one);
   }
   files_.add_snapshot({observe::Grid::Cell::vertex, place, number, data, time});
+}
+
+/// By particle: 0 free, 1 held, 2 prescribed, 3 on a viscous boundary.
+template <int D>
+const std::vector<std::int32_t>& MpsRecord<D>::supported() {
+  if (!supported_.empty()) return supported_;
+  const auto& supports = model_->stepper->supports();
+  supported_.assign(model_->filling.sites.size(), 0);
+  for (const auto& held : supports.held) supported_[at(held.particle)] = 1;
+  for (const auto& dashpot : supports.dashpots) supported_[at(dashpot.particle)] = 3;
+  for (const auto& driven : supports.driven) supported_[at(driven.particle)] = 2;
+  return supported_;
 }
 
 template <int D>

@@ -39,6 +39,7 @@ private:
   Vector3 displacement_of(std::size_t i) const;    ///< since the beginning [m]
   Real settlement() const;                         ///< largest displacement to equilibrium under gravity [m]
   bool has_books() const { return file_->as<cases::MpsCase>().time.integrator != cases::Integrator::euler; }
+  const std::vector<std::int32_t>& supported();
   void close_books(bool at_beginning);
   void write_snapshot(Real time, const state::FreedomColumns<D>& velocity, const state::FreedomColumns<D>& acceleration);
 
@@ -48,6 +49,7 @@ private:
   RunClocks clocks_;
   std::vector<std::size_t> gauge_particles_;
   RecordFiles files_;
+  std::vector<std::int32_t> supported_;  ///< see supported
   std::vector<Real> peaks_;  ///< largest speed by gauge [m/s]
   Real displacement_ = 0;    ///< largest of the last row [m]
   Real largest_displacement_ = 0, largest_speed_ = 0, largest_acceleration_ = 0;

@@ -1,6 +1,8 @@
 #include "sazare/methods/mps/run/run.hpp"
 
 #include <cmath>
+#include <map>
+#include <optional>
 
 #include "sazare/methods/mps/case/format.hpp"
 #include "sazare/methods/mps/run/identity.hpp"
@@ -16,6 +18,7 @@ namespace {
 
 constexpr int particles_per_thread = 4000;  // with fewer a second thread takes more time than it saves
 constexpr std::int64_t motion_check_steps = 32;
+constexpr std::int64_t settling_check_steps = 50;
 constexpr Real settled_share = 1e-5;  // of gravity
 
 std::string number(Real value, int digits = 4) { return cases::short_number(value, digits); }
@@ -57,8 +60,10 @@ struct MpsWork final : WorkDefaults {
   static std::string method() { return "mps"; }
   std::string warning() const override { return model.warning; }
   std::string words() const {
-    return fmt::format("{} particles, step {} s, {} of the predicted limit", particles(), number(model.step),
-                       number(model.step / model.stable_step(file.as<cases::MpsCase>().time.integrator), 3));
+    std::string text = fmt::format("{} particles, step {} s, {} of the predicted limit", particles(), number(model.step),
+                                   number(model.step / model.stable_step(file.as<cases::MpsCase>().time.integrator), 3));
+    for (const std::string& side : model.sides) text += "\n  " + side;
+    return text;
   }
   Real checkpoint_interval() const { return file.as<cases::MpsCase>().output.checkpoint_interval; }
 
@@ -72,6 +77,8 @@ struct MpsWork final : WorkDefaults {
   bool relax() {
     const Real tolerance = settled_share * file.as<cases::MpsCase>().gravity.acceleration.norm();
     if (!options.quiet) fmt::print("finding the equilibrium under gravity\n");
+    std::map<Index, Vector<D>> broke_at;
+    std::optional<Index> slides;
     std::fflush(stdout);
     Progress progress(options.quiet, {.smallest_step = model.step, .broken_joints = -1, .evaluated = "particle-steps"});
     Real first = 0;
@@ -83,15 +90,42 @@ struct MpsWork final : WorkDefaults {
         progress.show(
             {std::log(first / left) / std::log(first / tolerance), 0, done * particles(), model.step, -1, "particle-steps"});
       asked = options.stop_asked != nullptr && options.stop_asked->load(std::memory_order_relaxed);
-      return !asked;
+      if (done % settling_check_steps == 0) slides = find_slide(broke_at);
+      return !asked && !slides;
     };
     const Real left = model.stepper->relax({tolerance, file.as<cases::MpsCase>().gravity.max_settling_steps, goes_on});
     if (asked) return false;
+    if (!slides) slides = find_slide(broke_at);
+    if (slides)
+      throw PhysicsError(fmt::format(
+          "no equilibrium under gravity: the ground at {} broke and has moved by more than a spacing since\n"
+          "  the ground slides under its own weight: check its strength and its shape, or run it without settle to see the slide",
+          place_words(*slides)));
     if (left <= tolerance) return true;
     throw PhysicsError(fmt::format(
         "no equilibrium under gravity: after {} steps an acceleration of {} m/s2 remains, {} is required\n"
         "  the ground is not stable, or hardly supported: check its strength and the boundaries that support it",
         file.as<cases::MpsCase>().gravity.max_settling_steps, number(left, 3), number(tolerance, 3)));
+  }
+
+  /// A particle that has moved by more than a spacing since it broke, to which broken ones are added.
+  std::optional<Index> find_slide(std::map<Index, Vector<D>>& broke_at) const {
+    if (model.failing == nullptr) return {};
+    const auto& particles = model.stepper->particles();
+    for (const Index particle : model.failing->gathered().particles()) {
+      Vector<D> now;
+      for (std::size_t axis = 0; axis < D; ++axis) now[static_cast<int>(axis)] = particles.displacement[axis][at(particle)];
+      const auto [found, is_new] = broke_at.try_emplace(particle, now);
+      if (!is_new && (now - found->second).norm() > particles.spacing) return particle;
+    }
+    return {};
+  }
+
+  std::string place_words(Index particle) const {
+    const Vector<D> place = model.filling.place(at(particle));
+    std::string text = "(";
+    for (int axis = 0; axis < D; ++axis) text += (axis > 0 ? ", " : "") + number(place[axis]);
+    return text + ") m";
   }
 
   bool advance(const Pause&) {
@@ -118,6 +152,13 @@ struct MpsWork final : WorkDefaults {
 };
 
 template <int D>
+std::string side_lines(const MpsModel<D>& model) {
+  std::string text;
+  for (const std::string& side : model.sides) text += fmt::format("  {:<12}{}\n", "held", side);
+  return text;
+}
+
+template <int D>
 std::string check(const cases::CaseFile& file) {
   const MpsModel<D> model = build_mps<D>(file);
   gauge_particles<D>(file, model.filling);
@@ -130,6 +171,7 @@ std::string check(const cases::CaseFile& file) {
              "  {:<12}{} particles, number density {}, {} degrees of freedom held, {} prescribed, {} on viscous boundaries\n",
              "body", model.filling.sites.size(), number(model.number_density, 6), supports.held.size(), supports.driven.size(),
              supports.dashpots.size()) +
+         side_lines(model) +
          fmt::format("  {:<12}limit {} s, predicted from the largest frequency, {} rad/s, and the damping\n", "stability",
                      number(limit, 5), number(model.limit.frequency, 6)) +
          fmt::format("  {:<12}{} s, {} of the limit, {} per history row\n", "step", number(model.step, 5),
