@@ -131,12 +131,12 @@ private:
             std::sqrt(bodies_.spheres.kick[sphere].inverse_inertia) * turning;
         return way;
       }
-      const Vector3 own = vector(clump->into(Vector3(turning))), inertia = vector(clump->inertia);
-      way << along / std::sqrt(clump->mass), own.cwiseQuotient(inertia.cwiseSqrt());
+      const Vector3 own = clump->into(turning);
+      way << along / std::sqrt(clump->mass), own.cwiseQuotient(clump->inertia.cwiseSqrt());
       return way;
     };
     Vector3 point = arm * normal;  // from the centre of the body
-    if (clump != nullptr) point += bodies_.spheres.place[sphere].centre() - vector(clump->centre);
+    if (clump != nullptr) point += bodies_.spheres.place[sphere].centre() - clump->centre;
     const auto strain = [&](Real strength, const Vector3& along) {
       if (strength > 0) visit(strength, way_of(along, point.cross(along)));
     };
