@@ -20,7 +20,7 @@ upper = [4.0, 4.0, 0.0]
 name = "m"
 regions = ["s"]
 density = 2000.0
-shear_velocity = 300.0
+s_wave_velocity = 300.0
 poisson_ratio = 0.3
 [[motions]]
 name = "x"
@@ -210,7 +210,7 @@ KNET = (
     "Scale Factor      3920(gal)/6182761\nMax. Acc. (gal)   0.063\nMemo.\n" + " ".join(map(str, COUNTS)) + "\n"
 )
 IMAGE = 'shape = "image"\nfile = "i.pgm"\nelement_size = 0.1\nlower = [0.0, 0.0, 0.0]'
-PACKING = 'nuclei = "n.csv"\nlower = [0.0, 0.0, 0.0]\nupper = [1.0, 1.0, 0.0]'
+PACKING = 'elements = "polygons"\nnuclei = "n.csv"\nlower = [0.0, 0.0, 0.0]\nupper = [1.0, 1.0, 0.0]'
 BLOCK = ROOT / "tests/regression/block"
 
 
