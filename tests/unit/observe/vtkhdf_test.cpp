@@ -91,14 +91,6 @@ TEST(vtkhdf, full_disk_leaves_nothing) {
   }
 }
 
-TEST(vtkhdf, full_device_leaves_nothing) {
-  const TemporaryFolder folder;
-  std::filesystem::create_symlink("/dev/full", folder.path() / ".a.vtkhdf.part");
-  EXPECT_WORDS(words_of<MachineError>([&] { write_vtkhdf(folder.path() / "a.vtkhdf", grid_at(0)); }),
-               "a.vtkhdf: cannot be written: No space left on device. Free space there");
-  EXPECT_EQ(folder.files(), Names{});
-}
-
 TEST(vtkhdf, equal_contents_make_equal_files) {
   const TemporaryFolder folder;
   write_vtkhdf(folder.path() / "a.vtkhdf", grid_at(0.5));
