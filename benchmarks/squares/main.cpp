@@ -12,7 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "sazare/geometry/voronoi.hpp"
+#include "sazare/geometry/plane/voronoi.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "tests/support/blocks_of_squares.hpp"
 

@@ -10,6 +10,7 @@
 
 #include <array>
 
+#include "sazare/core/time.hpp"
 #include "sazare/core/vector.hpp"
 
 namespace sazare::laws {

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "sazare/geometry/outline_contact.hpp"
+#include "sazare/geometry/plane/outline_contact.hpp"
 #include "sazare/state/particles.hpp"
 
 namespace sazare::state {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "sazare/core/lane_math.hpp"
-#include "sazare/geometry/outline_contact.hpp"
+#include "sazare/geometry/plane/outline_contact.hpp"
 #include "sazare/parallel/threads.hpp"
 
 namespace sazare::methods::rectangles {

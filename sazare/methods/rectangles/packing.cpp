@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sazare/geometry/voronoi.hpp"
+#include "sazare/geometry/plane/voronoi.hpp"
 
 namespace sazare::methods::rectangles {
 

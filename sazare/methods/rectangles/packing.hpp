@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "sazare/geometry/outline_contact.hpp"
+#include "sazare/geometry/plane/outline_contact.hpp"
 #include "sazare/methods/rectangles/face_links.hpp"
 
 namespace sazare::methods::rectangles {

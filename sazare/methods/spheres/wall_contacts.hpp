@@ -121,9 +121,9 @@ private:
     Vector3 centre;    ///< of the sphere, within a periodic box [m]
     Vector3 foot;      ///< on the wall, where that was at the start [m]
     Vector3 normal;    ///< from the wall to the sphere
+    Real count = 1, share = 1;         ///< of its energy, and of what it dissipates
+    Vector3 slope = Vector3::Zero();   ///< of the count, as the centre moves [1/m]
     Vector3 before = Vector3::Zero();  ///< the normal at the last step; what begins to touch has this one
-    Real count = 1, share = 1;        ///< of its energy, and of what it dissipates
-    Vector3 slope = Vector3::Zero();  ///< of the count, as the centre moves [1/m]
   };
   struct Block {
     std::vector<PlaneRow> planes;  ///< by wall; those of surfaces are empty

@@ -86,7 +86,7 @@ TEST(motion_file, a_field_is_one_number_and_nothing_else) {
   EXPECT_SAYS(
       row("0.01,1 234"),
       "found \"1 234\"\n    3 | 0.01,1 234\n      |      ^~~~~\n      help: write numbers such as 1.5e-4, without blanks");
-  EXPECT_SAYS(row("0.01,1\xc2\xa0234"), "a number was expected");
+  EXPECT_SAYS(row("0.01,1\xc2\xa0" "234"), "a number was expected");
   EXPECT_SAYS(row("0.01,0.5 g"), "found \"0.5 g\"");
   EXPECT_SAYS(row("0.01,,0.5"), "two numbers were expected, found 3");
   EXPECT_SAYS(row("0.01,"), "a number was expected, found \"\"");

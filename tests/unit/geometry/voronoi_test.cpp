@@ -1,4 +1,4 @@
-#include "sazare/geometry/voronoi.hpp"
+#include "sazare/geometry/plane/voronoi.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "sazare/geometry/voronoi.hpp"
+#include "sazare/geometry/plane/voronoi.hpp"
 #include "sazare/methods/rectangles/stable_step.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "tests/support/blocks_of_squares.hpp"

@@ -16,7 +16,7 @@ namespace {
 using test::read_text;
 
 std::vector<RecordFiles::Table> two_tables(const std::filesystem::path& folder) {
-  return {{folder.path() / "history.csv", {"time [s]"}}, {folder / "gauges.csv", {"time [s]", "speed [m/s]"}}};
+  return {{folder / "history.csv", {"time [s]"}}, {folder / "gauges.csv", {"time [s]", "speed [m/s]"}}};
 }
 
 void add_rows(RecordFiles& files, std::initializer_list<Real> times) {

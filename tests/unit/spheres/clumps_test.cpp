@@ -79,12 +79,12 @@ TEST(clumps, free_flight_keeps_angular_momentum_to_the_bit_and_energy) {
     stepper.settle();
     least = std::min(least, stepper.energies().rotation);
     most = std::max(most, stepper.energies().rotation);
-    backwards = std::min(backwards, stepper.clumps().clumps[0].out({0, 1, 0}).y);
+    backwards = std::min(backwards, stepper.clumps().clumps[0].out({0, 1, 0}).y());
   }
-  EXPECT_EQ(stepper.clumps().clumps[0].angular_momentum.y, 2e-4);
+  EXPECT_EQ(stepper.clumps().clumps[0].angular_momentum.y(), 2e-4);
   EXPECT_LT(backwards, -0.5);  // it does turn over
   EXPECT_LT(most - least, 1e-4 * energy);
-  EXPECT_NEAR(stepper.clumps().clumps[0].centre.x, 2, 1e-12);
+  EXPECT_NEAR(stepper.clumps().clumps[0].centre.x(), 2, 1e-12);
 }
 
 /// A body that only spins about a principal axis turns by w t.
@@ -95,8 +95,8 @@ TEST(clumps, a_steady_spin_is_exact) {
   stepper.start();
   advance(stepper, 1000);
   const Vector3 now = stepper.clumps().clumps[0].out({1, 0, 0});
-  EXPECT_NEAR(now.x, std::cos(1.0), 1e-12);
-  EXPECT_NEAR(now.y, std::sin(1.0), 1e-12);
+  EXPECT_NEAR(now.x(), std::cos(1.0), 1e-12);
+  EXPECT_NEAR(now.y(), std::sin(1.0), 1e-12);
   const Vector3 last = centre_of(stepper, 2);
   EXPECT_NEAR(last.x(), 0.012 * std::cos(1.0) + 0.002 * std::sin(1.0), 1e-14);
   EXPECT_NEAR((velocity_of(stepper, 2) - Vector3(0, 0, 1).cross(last)).norm(), 0, 1e-12);
@@ -108,7 +108,7 @@ TEST(clumps, fall_freely) {
   auto stepper = heap.stepper({.step = 1e-3, .gravity = {0, 0, -10}});
   stepper.start();
   advance(stepper, 500);
-  EXPECT_NEAR(stepper.clumps().clumps[0].centre.z, 1 + 1 - 1.25, 1e-13);
+  EXPECT_NEAR(stepper.clumps().clumps[0].centre.z(), 1 + 1 - 1.25, 1e-13);
   EXPECT_NEAR(stepper.energies().sum(), 0.5 * 0.03 * 5 + 0.03 * 10, 1e-14);
 }
 
@@ -139,7 +139,7 @@ TEST(clumps, come_to_rest_on_a_floor) {
   advance(stepper, 200000);
   EXPECT_LT(stepper.energies().translation + stepper.energies().rotation, 1e-12 * stepper.energies().potential);
   // Flat on its four spheres.
-  EXPECT_NEAR(stepper.clumps().clumps[0].centre.z, 0.007, 1e-4);
+  EXPECT_NEAR(stepper.clumps().clumps[0].centre.z(), 0.007, 1e-4);
   EXPECT_NEAR(stepper.walls().loads().front().force.z(), -0.3, 1e-6);
 }
 

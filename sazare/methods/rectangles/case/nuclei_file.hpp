@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sazare/cases/format/problems.hpp"
-#include "sazare/geometry/polygon.hpp"
+#include "sazare/geometry/plane/polygon.hpp"
 #include "sazare/methods/rectangles/case/case.hpp"
 
 namespace sazare::cases {

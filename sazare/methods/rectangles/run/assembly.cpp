@@ -11,7 +11,7 @@
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/core/error.hpp"
 #include "sazare/core/machine_memory.hpp"
-#include "sazare/geometry/voronoi.hpp"
+#include "sazare/geometry/plane/voronoi.hpp"
 #include "sazare/methods/rectangles/case/case.hpp"
 #include "sazare/methods/rectangles/case/nuclei_file.hpp"
 #include "sazare/methods/rectangles/packing.hpp"

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "sazare/geometry/polygon.hpp"
+#include "sazare/geometry/plane/polygon.hpp"
 
 namespace sazare::geometry {
 

@@ -1,4 +1,4 @@
-#include "sazare/geometry/polygon.hpp"
+#include "sazare/geometry/plane/polygon.hpp"
 
 namespace sazare::geometry {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sazare/core/time.hpp"
-#include "sazare/geometry/polygon.hpp"
+#include "sazare/geometry/plane/polygon.hpp"
 
 namespace sazare::geometry {
 

@@ -1,4 +1,4 @@
-#include "sazare/geometry/outline_contact.hpp"
+#include "sazare/geometry/plane/outline_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
