@@ -136,8 +136,9 @@ class Sphere(Part):
     """Radii are equally likely between the two; the largest are placed first. [m] (random only; default: radius) Greater than 0.
     """
     file: str | None = None
-    """Rows of radius, x, y, z in m, parted by blanks or commas; titles in the first line and lines that begin with # are skipped.
-    Of a shape: rows of x, y, z in m and its rotation vector in rad. (required for a file)
+    """Rows of radius, x, y, z in m, with blanks, commas or semicolons between them; titles in the first line must be those of the
+    columns, and lines that begin with # are skipped. Of a shape: rows of x, y, z in m and its rotation vector rx, ry, rz in
+    rad. (required for a file)
     """
     lower: tuple[float, float, float] | None = None
     """Corner of the box with the smallest coordinates. [m] (required for lattice and random)"""

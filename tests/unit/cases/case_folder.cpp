@@ -84,6 +84,7 @@ density = 1800.5
 name = "rock"
 between = ["rock", "rock"]
 bonded = true
+law = "mixed_mode"
 joint_normal_stiffness = 450e9
 joint_shear_stiffness = 90e9
 joint_normal_damping = 22.6e6
@@ -92,6 +93,8 @@ cohesion = 6.66e6
 friction_angle = 30
 tensile_strength = 6.66e6
 fracture_energy = 99.67
+shear_fracture_energy = 900.0
+residual_friction_coefficient = 0.4
 
 [[joints]]
 name = "seam"
