@@ -57,8 +57,10 @@ def test_a_method_is_found_by_the_manifest_then_by_the_case(empty):
     case = '[case]\nmethod = "mps"\n'
     assert method_of(empty({"method": "fem"}, case)) is method_named("fem")
     assert method_of(empty({}, case)) is method_named("mps")
-    for manifest, text in (({}, ""), ({"method": "magic"}, "[case"), ({"method": ["fem"]}, "case = 1")):
+    for manifest, text in (({}, ""), ({"method": "magic"}, "[case"), ({}, "case = 1")):
         assert method_of(empty(manifest, text)) is method_named("blocks")
+    with pytest.raises(sazare.tables.NotARun, match="must be a string"):
+        method_of(empty({"method": ["fem"]}, ""))
 
 
 def test_a_figure_becomes_words():

@@ -57,7 +57,7 @@ TEST_F(FinishedRun, ManifestHasTheNamesOfTheInterface) {
   EXPECT_EQ(keys_of(manifest), (std::vector<std::string>{"case", "commit", "finished", "machine", "method", "results", "sazare",
                                                          "started", "state_hash", "status"}));
   EXPECT_EQ(keys_of(manifest["machine"]), (std::vector<std::string>{"cores", "cpu", "ranks", "threads"}));
-  EXPECT_EQ(keys_of(manifest["results"]), (std::vector<std::string>{"broken_joints",
+  EXPECT_EQ(keys_of(manifest["results"]), (std::vector<std::string>{"broken_in_shear", "broken_joints",
                                                                     "elements",
                                                                     "energy_boundary",
                                                                     "energy_contact_dashpot",

@@ -230,7 +230,7 @@ TEST(study, finds_predicted_limits_and_goes_on_where_it_stopped) {
   const std::string header = text.substr(0, text.find('\n') + 1),
                     row = text.substr(header.size(), text.find('\n', header.size()) + 1 - header.size());
   for (const std::string& damaged :
-       {"x" + row, "99" + row, "-" + row, row.substr(0, row.size() - 1) + "s\n", "1e999" + row.substr(1)}) {
+       {"x" + row, "99" + row, "-1" + row.substr(1), row.substr(0, row.size() - 1) + "s\n", "1e999" + row.substr(1)}) {
     std::ofstream(folder / "part/study.csv") << header << damaged;
     const std::string said = words_of<UserError>([&] {
       registry::run_study(study, {folder / "part", Begin::resume, true, 1, nullptr});

@@ -173,7 +173,7 @@ TEST(run_spheres, gives_the_bits_of_one_run_on_a_wall_that_repeats_itself) {
 TEST(run_spheres, walls_of_one_material_and_one_motion_are_one_surface) {
   const TemporaryFolder folder;
   const auto wall = [](const std::string& name, const std::string& material, const std::string& more) {
-    return "[[walls]]\nname = \"" + name + "\"\nmaterial = \"" + material + "\"\npoint = [0.0, 0.0, -0.1]\n" + more;
+    return "[[walls]]\nname = \"" + name + "\"\nmaterial = \"" + material + "\"\npoint = [0.0, 0.0, -0.1]\nnormal = [0.0, 0.0, 1.0]\n" + more;
   };
   const std::string steel = R"([[materials]]
 name = "steel"

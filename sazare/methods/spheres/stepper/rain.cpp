@@ -58,8 +58,8 @@ RainEnd SphereStepper::rain(const RainRules& rules) {
     const std::int64_t first = all.clumps[c].first_member;
     all.clumps[c] = clumps_.clumps[rained++];
     all.clumps[c].first_member = first;
-    all.clumps[c].velocity = all.clumps[c].angular_momentum = {};
-    all.clumps[c].impulse_ahead = all.clumps[c].turning_ahead = {};
+    all.clumps[c].velocity = all.clumps[c].angular_momentum = Vector3::Zero();
+    all.clumps[c].impulse_ahead = all.clumps[c].turning_ahead = Vector3::Zero();
   }
   clumps_ = std::move(all);
   for (std::size_t i = 0; i < spheres_.size(); ++i) {
