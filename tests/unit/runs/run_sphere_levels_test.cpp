@@ -62,9 +62,13 @@ TEST(run_sphere_levels, give_what_one_step_for_all_gives_for_less) {
   EXPECT_LT(leveled["particle_steps"].get<double>(), 0.7 * uniform["particle_steps"].get<double>());
   EXPECT_LT(leveled["pair_evaluations"].get<double>(), 0.7 * leveled["uniform_evaluations"].get<double>());
   EXPECT_LT(std::abs(leveled["energy_residual"].get<double>()), 2e-2 * leveled["energy_lost"].get<double>());
-  // The ball meets the same bed, but for how its stones have rolled to rest.
+  // The ball falls alike until it meets the bed. How high it comes to lie there depends on how the stones have rolled to rest, which any
+  // change of the step changes: with one step for all it ends at 23 mm at 0.15 of the limit and at 32 mm at 0.10.
   const auto one = rows_of(folder / "per_sphere/gauges.csv"), other = rows_of(folder / "uniform/gauges.csv");
-  EXPECT_NEAR(one.back().at("ball.position_z"), other.back().at("ball.position_z"), 3e-3);
+  const std::size_t before = 10;  // rows of 5 ms: the bed is met after 0.05 s
+  EXPECT_NEAR(one[before].at("ball.position_z"), other[before].at("ball.position_z"), 1e-6);
+  constexpr Real stone = 0.012;
+  EXPECT_NEAR(one.back().at("ball.position_z"), other.back().at("ball.position_z"), stone);
 }
 
 /// Tetrapods and a few chips of a quarter of their size that fall together, rigid or bonded.
