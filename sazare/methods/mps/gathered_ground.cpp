@@ -22,20 +22,6 @@ constexpr Real drag_share = 0.25;         // of the forces of stress that dashpo
 constexpr Real most_damping = 0.25;       // of a particle's momentum in a step
 
 template <int D>
-Vector<D> vector_of(const std::array<state::Column, D>& columns, Index particle) {
-  Vector<D> vector;
-  for (std::size_t axis = 0; axis < D; ++axis) vector[static_cast<int>(axis)] = columns[axis][at(particle)];
-  return vector;
-}
-
-template <int D>
-Vector<D> velocity_of(const state::Particles<D>& particles, Index particle) {
-  Vector<D> velocity;
-  for (std::size_t axis = 0; axis < D; ++axis) velocity[static_cast<int>(axis)] = particles.velocity[axis][at(particle)];
-  return velocity;
-}
-
-template <int D>
 Real volume_of(const state::Particles<D>& particles, const StrengthOfGround& ground, Index particle) {
   return 1 / (ground.density * particles.inverse_mass[at(particle)]);
 }
@@ -84,7 +70,8 @@ GatheredGround<D>::GatheredGround(const state::Particles<D>& particles, const Gr
       start_(particles.start),
       member_(particles.size(), -1),
       is_cut_(particles.size(), 0),
-      begin_{0} {
+      begin_{0},
+      grid_(rules.period, particles.spacing) {
   for (Index i = 0; i < particles.count; ++i)
     is_cut_[at(i)] = volume_of<D>(particles, strength.ground(i), i) < 0.75 * particles.volume() ? 1 : 0;
   for (state::Column& column : drag_force_) column.assign(particles.size(), 0);
@@ -102,17 +89,6 @@ std::vector<Index> GatheredGround<D>::particles() const {
   std::vector<Index> result;
   for (const Member& member : members_) result.push_back(member.particle);
   return result;
-}
-
-template <int D>
-Vector<D> GatheredGround<D>::apart(const std::array<state::Column, D>& start, const std::array<state::Column, D>& displacement,
-                                   Index first, Index second) const {
-  Vector<D> way = vector_of<D>(start, second) + vector_of<D>(displacement, second) -
-                  (vector_of<D>(start, first) + vector_of<D>(displacement, first));
-  for (int axis = 0; axis < D; ++axis)
-    if (const Real period = rules_.period[static_cast<std::size_t>(axis)]; period > 0)
-      way[axis] -= period * std::round(way[axis] / period);
-  return way;
 }
 
 /// g of a neighbour [1/m2].
@@ -168,7 +144,7 @@ laws::GroundStep<D> GatheredGround<D>::advance_one(const state::Particles<D>& pa
            (vector_of<D>(particles.displacement, member.particle) - vector_of<D>(last_, member.particle));
   };
   const auto middle = [&](Index other) -> Vector<D> {
-    return apart(start_, particles.displacement, member.particle, other) - 0.5 * change(other);
+    return apart<D>(rules_.period, start_, particles.displacement, member.particle, other) - 0.5 * change(other);
   };
   const Around around = look_around(n, p_wave_velocity(ground), middle, change);
   if (!around.is_alone) {
@@ -196,79 +172,24 @@ void GatheredGround<D>::advance(const state::Particles<D>& particles, GroundStre
 
 template <int D>
 bool GatheredGround<D>::must_search(const state::Particles<D>& particles) const {
-  if (members_.empty()) return false;
-  const Real most = 0.45 * skin * particles.spacing;  // two particles may approach each other, and it is asked once in a step
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    Real square = 0;
-    for (std::size_t axis = 0; axis < D; ++axis) {
-      const Real way = particles.displacement[axis][i] - searched_at_[axis][i];
-      square += way * way;
-    }
-    if (square > most * most) return true;
-  }
-  return false;
+  // Two particles may approach each other, and it is asked once in a step.
+  return !members_.empty() && some_moved<D>(particles, searched_at_, 0.45 * skin * particles.spacing);
 }
-
-/// Particles by cells as wide as the reach, in order.
-template <int D>
-class Cells {
-public:
-  using Cell = std::array<std::int64_t, D>;
-
-  explicit Cells(Real width) : width_(width) {}
-  void put(Index particle, const Vector<D>& place) { entries_.emplace_back(cell_of(place), particle); }
-  void sort() { std::ranges::sort(entries_); }
-
-  template <class Visit>
-  void visit_near(const Vector<D>& place, Visit&& visit) const {
-    const Cell middle = cell_of(place);
-    constexpr int rows = D == 2 ? 3 : 9;
-    for (int row = 0; row < rows; ++row) {  // the last axis runs fastest: three cells along it stand in a row
-      Cell from = middle, to = middle;
-      from[0] = to[0] = middle[0] + row % 3 - 1;
-      if constexpr (D == 3) from[1] = to[1] = middle[1] + row / 3 - 1;
-      --from[D - 1];
-      ++to[D - 1];
-      for (auto next = std::ranges::lower_bound(entries_, std::pair{from, Index{-1}}); next != entries_.end() && next->first <= to; ++next)
-        visit(next->second);
-    }
-  }
-
-private:
-  Cell cell_of(const Vector<D>& place) const {
-    Cell cell;
-    for (int axis = 0; axis < D; ++axis)
-      cell[static_cast<std::size_t>(axis)] = static_cast<std::int64_t>(std::floor(std::clamp(place[axis] / width_, -1e15, 1e15)));
-    return cell;
-  }
-
-  Real width_;
-  std::vector<std::pair<Cell, Index>> entries_;
-};
 
 /// Lists of all members from the displacements at the last search.
 template <int D>
 void GatheredGround<D>::list_neighbors() {
   const Real reach = (support + skin) * spacing_;
-  const auto place_of = [&](Index i) -> Vector<D> { return vector_of<D>(start_, i) + vector_of<D>(searched_at_, i); };
-  Cells<D> cells(reach);
-  for (Index i = 0; i < static_cast<Index>(member_.size()); ++i) cells.put(i, place_of(i));
-  cells.sort();
+  grid_.place(start_, searched_at_, static_cast<Index>(member_.size()));
   neighbors_.clear();
   begin_.assign(1, 0);
   std::vector<Index> near;
   for (const Member& member : members_) {
     near.clear();
-    const auto look_at = [&](const Vector<D>& place) {
-      cells.visit_near(place, [&](Index other) {
-        if (other != member.particle && apart(start_, searched_at_, member.particle, other).norm() < reach) near.push_back(other);
-      });
-    };
-    const Vector<D> place = place_of(member.particle);
-    look_at(place);
-    for (int axis = 0; axis < D; ++axis)
-      if (const Real period = rules_.period[static_cast<std::size_t>(axis)]; period > 0)
-        for (const int side : {-1, 1}) look_at(place + side * period * Vector<D>::Unit(axis));
+    const Index own = member.particle;
+    grid_.visit_near(vector_of<D>(start_, own) + vector_of<D>(searched_at_, own), reach, [&](Index other) {
+      if (other != own && apart<D>(rules_.period, start_, searched_at_, own, other).norm() < reach) near.push_back(other);
+    });
     std::ranges::sort(near);
     near.erase(std::unique(near.begin(), near.end()), near.end());
     for (const Index other : near) {
@@ -292,7 +213,7 @@ template <int D>
 Real GatheredGround<D>::push_from(const state::Particles<D>& particles, const GroundStrength<D>& strength, std::size_t n) {
   const Index own = members_[n].particle;
   const StrengthOfGround& ground = strength.ground(own);
-  const auto way = [&](Index other) { return apart(start_, particles.displacement, own, other); };
+  const auto way = [&](Index other) { return apart<D>(rules_.period, start_, particles.displacement, own, other); };
   const auto change = [&](Index other) -> Vector<D> { return velocity_of<D>(particles, other) - velocity_of<D>(particles, own); };
   const Around around = look_around(n, p_wave_velocity(ground), way, change);
   const Real volume = around.volume * volume_of<D>(particles, ground, own), mass = 1 / particles.inverse_mass[at(own)];

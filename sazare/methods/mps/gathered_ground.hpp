@@ -99,8 +99,6 @@ private:
     Real core = 0;                         ///< energy of the repulsion of two particles that are too near [J]
   };
 
-  Vector<D> apart(const std::array<state::Column, D>& start, const std::array<state::Column, D>& displacement, Index first,
-                  Index second) const;
   Real weight(Real square, Real share) const;
   template <class Way, class Change>
   Around look_around(std::size_t member, Real wave_velocity, Way&& way, Change&& change) const;
@@ -109,11 +107,11 @@ private:
   void list_neighbors();
 
   LooseRules rules_;
-  Real spacing_ = 0;          ///< [m]
-  Real whole_ = 0;            ///< factor of g [-]
+  Real spacing_ = 0;                    ///< [m]
+  Real whole_ = 0;                      ///< factor of g [-]
   std::array<state::Column, D> start_;  ///< of all particles [m]
   std::vector<Member> members_;
-  std::vector<Index> member_;  ///< by particle: which member it is, or -1
+  std::vector<Index> member_;         ///< by particle: which member it is, or -1
   std::vector<std::uint8_t> is_cut_;  ///< by particle: whether half of it lies beyond a boundary
   std::vector<Neighbor> neighbors_;
   std::vector<std::size_t> begin_;  ///< by member: first of its neighbours; one more
@@ -123,6 +121,7 @@ private:
   std::array<state::Column, D> searched_at_;  ///< displacements at the last search [m]
   std::array<state::Column, D> last_;         ///< displacements at the last forces [m]
   std::array<state::Column, D> drag_force_;   ///< by particle, of the last forces [N]
+  ParticleGrid<D> grid_;
   Real flow_ = 0, drag_ = 0, lost_ = 0;
 };
 

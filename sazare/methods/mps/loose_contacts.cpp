@@ -18,32 +18,6 @@ template <int D>
 constexpr Real contacts_around = D == 2 ? 6 : 12;  // of equal discs or spheres
 
 template <int D>
-Vector<D> vector_of(const std::array<state::Column, D>& columns, Index particle) {
-  Vector<D> vector;
-  for (std::size_t axis = 0; axis < D; ++axis) vector[static_cast<int>(axis)] = columns[axis][at(particle)];
-  return vector;
-}
-
-template <int D>
-Vector<D> place_of(const state::Particles<D>& particles, Index particle) {
-  return vector_of<D>(particles.start, particle) + vector_of<D>(particles.displacement, particle);
-}
-
-template <int D>
-Vector3 in_space(const Vector<D>& vector) {
-  Vector3 result = Vector3::Zero();
-  result.head<D>() = vector;
-  return result;
-}
-
-template <int D>
-Vector<D> velocity_of(const state::Particles<D>& particles, Index particle) {
-  Vector<D> velocity;
-  for (std::size_t axis = 0; axis < D; ++axis) velocity[static_cast<int>(axis)] = particles.velocity[axis][at(particle)];
-  return velocity;
-}
-
-template <int D>
 Angular<D> spin_of(const state::Particles<D>& particles, Index particle) {
   Angular<D> spin;
   for (int axis = 0; axis < angular_dimension<D>; ++axis)
@@ -69,7 +43,7 @@ bool are_linked(const LinkTable<D>& links, Index first, Index second) {
 
 template <int D>
 LooseContacts<D>::LooseContacts(const state::Particles<D>& particles, const LinkTable<D>& links, const LooseRules& rules)
-    : rules_(rules), loose_(particles.size(), inner) {
+    : rules_(rules), loose_(particles.size(), inner), grid_(rules.period, particles.spacing) {
   for (Index i = 0; i < particles.count; ++i)
     for (std::size_t n = 0; n < links.directions.size(); ++n)
       if (!links.is_present(n, i)) loose_[at(i)] = loose;
@@ -78,11 +52,7 @@ LooseContacts<D>::LooseContacts(const state::Particles<D>& particles, const Link
 
 template <int D>
 Vector<D> LooseContacts<D>::apart(const state::Particles<D>& particles, Index first, Index second) const {
-  Vector<D> way = place_of(particles, second) - place_of(particles, first);
-  for (int axis = 0; axis < D; ++axis)
-    if (const Real period = rules_.period[static_cast<std::size_t>(axis)]; period > 0)
-      way[axis] -= period * std::round(way[axis] / period);
-  return way;
+  return mps::apart<D>(rules_.period, particles.start, particles.displacement, first, second);
 }
 
 template <int D>
@@ -96,47 +66,22 @@ void LooseContacts<D>::release(Index particle) {
   std::erase_if(pairs_, [&](const Pair& pair) { return pair.first == particle || pair.second == particle; });
 }
 
-/// Whether two particles may have come nearer to each other than the skin since the last search. What all have in common, as
-/// the first one tells it, brings nobody nearer.
-template <int D>
-bool LooseContacts<D>::must_search(const state::Particles<D>& particles) const {
-  const Real most = 0.5 * skin * particles.spacing;
-  Real farthest = 0;
-  std::array<Real, D> common;
-  for (std::size_t axis = 0; axis < D; ++axis) common[axis] = particles.displacement[axis][0] - searched_at_[axis][0];
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    Real square = 0;
-    for (std::size_t axis = 0; axis < D; ++axis) {
-      const Real way = particles.displacement[axis][i] - searched_at_[axis][i] - common[axis];
-      square += way * way;
-    }
-    farthest = std::max(farthest, square);
-  }
-  return farthest > most * most;
-}
-
 template <int D>
 void LooseContacts<D>::find_near(const state::Particles<D>& particles, const LinkTable<D>& links, Index particle,
                                  std::vector<Pair>& found) const {
   const Real reach = (1 + skin) * particles.spacing;
-  const auto look_at = [&](const Vector<D>& place) {
-    grid_.visit_near(in_space<D>(place), 0.5 * reach, [&](Index other) {
-      if (other == particle || loose_[at(other)] == released) return;
-      if (loose_[at(other)] == loose && other < particle) return;  // the other one finds this pair
-      if (apart(particles, particle, other).norm() > reach || are_linked(links, particle, other)) return;
-      found.push_back({std::min(particle, other), std::max(particle, other), {}, Vector3::Zero()});
-    });
-  };
-  const Vector<D> place = place_of(particles, particle);
-  look_at(place);
-  for (int axis = 0; axis < D; ++axis)
-    if (const Real period = rules_.period[static_cast<std::size_t>(axis)]; period > 0)
-      for (const int side : {-1, 1}) look_at(place + side * period * Vector<D>::Unit(axis));
+  const Vector<D> place = vector_of<D>(particles.start, particle) + vector_of<D>(particles.displacement, particle);
+  grid_.visit_near(place, reach, [&](Index other) {
+    if (other == particle || loose_[at(other)] == released) return;
+    if (loose_[at(other)] == loose && other < particle) return;  // the other one finds this pair
+    if (apart(particles, particle, other).norm() > reach || are_linked(links, particle, other)) return;
+    found.push_back({std::min(particle, other), std::max(particle, other), {}, Vector3::Zero()});
+  });
 }
 
 template <int D>
 void LooseContacts<D>::search(const state::Particles<D>& particles, const LinkTable<D>& links) {
-  for (Index i = 0; i < particles.count; ++i) grid_.place(i, in_space<D>(place_of(particles, i)), 0.5 * particles.spacing);
+  grid_.place(particles.start, particles.displacement, particles.count);
   std::vector<Pair> found;
   for (Index i = 0; i < particles.count; ++i)
     if (loose_[at(i)] == loose) find_near(particles, links, i, found);
@@ -200,7 +145,7 @@ typename LooseContacts<D>::Force LooseContacts<D>::force(const state::Particles<
 template <int D>
 void LooseContacts<D>::evaluate(const state::Particles<D>& particles, const LinkTable<D>& links,
                                 const GroundStrength<D>& strength, state::FreedomColumns<D>& acceleration) {
-  if (must_search(particles)) search(particles, links);
+  if (some_moved<D>(particles, searched_at_, 0.5 * skin * particles.spacing)) search(particles, links);
   forces_.resize(pairs_.size());
   parallel::parallel_for(pairs_.size(), serial_below, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) forces_[n] = force(particles, strength, pairs_[n]);

@@ -4,7 +4,7 @@
 
 #include "sazare/laws/sphere_contact.hpp"
 #include "sazare/methods/mps/ground_strength.hpp"
-#include "sazare/neighbors/sphere_grid.hpp"
+#include "sazare/methods/mps/particle_places.hpp"
 
 namespace sazare::methods::mps {
 
@@ -12,7 +12,7 @@ namespace sazare::methods::mps {
 struct LooseRules {
   Real step = 0;                 ///< [s]
   Real damping_ratio = 0;        ///< of the dashpots, over critical [-]
-  std::array<Real, 3> period{};  ///< length of the body along periodic axes [m]; 0: none
+  Periods period{};              ///< of the body
 };
 
 /// Two particles of unbroken ground that no link joins and that meet, as on the free surfaces of two bodies, press on each other as
@@ -58,7 +58,6 @@ private:
   Vector<D> apart(const state::Particles<D>& particles, Index first, Index second) const;
   Real energy_of(const state::Particles<D>& particles, const GroundStrength<D>& strength, const Pair& pair) const;
   Force force(const state::Particles<D>& particles, const GroundStrength<D>& strength, Pair& pair) const;
-  bool must_search(const state::Particles<D>& particles) const;
   void search(const state::Particles<D>& particles, const LinkTable<D>& links);
   void find_near(const state::Particles<D>& particles, const LinkTable<D>& links, Index particle, std::vector<Pair>& found) const;
 
@@ -67,7 +66,7 @@ private:
   std::vector<Pair> pairs_;
   std::vector<Force> forces_;                 ///< by pair, of the last evaluation
   std::array<state::Column, D> searched_at_;  ///< displacements at the last search [m]
-  neighbors::SphereGrid grid_;
+  ParticleGrid<D> grid_;
   Real dissipated_ = 0;
   Index touching_ = 0;
 };
