@@ -75,7 +75,7 @@ void add_simulation(nb::module_& module) {
       .def("finish", &LiveSimulation::finish, ReleaseLock())
       .def("add_samples", &LiveSimulation::add_samples, "name"_a, "step"_a, "values"_a)
       .def("apply", &apply, "forces"_a)
-      .def_prop_ro("takes_forces", &LiveSimulation::takes_forces)
+      .def("require_forces", &LiveSimulation::require_forces)
       .def("progress_text", &LiveSimulation::progress_text)
       .def_prop_ro("title", [](const LiveSimulation& self) { return self.status().title; })
       .def_prop_ro("words", [](const LiveSimulation& self) { return self.status().words; })

@@ -46,9 +46,12 @@ public:
   /// Hands over samples of a history that the case leaves to its caller, at equal steps [s] from its beginning; after those that
   /// were handed over before.
   void add_samples(const std::string& name, double step, const std::vector<double>& values);
-  /// Forces on the bodies from now on [N]. Throws UserError where the method takes none.
+  /// Forces on the bodies from now on [N].
   void apply(std::span<const Vector3> forces);
-  bool takes_forces() const { return run_ != nullptr && run_->takes_forces(); }
+  /// Throws UserError where the method takes none.
+  void require_forces() const {
+    if (run_ != nullptr) run_->require_forces();
+  }
 
   const cases::CaseFile& file() const { return file_; }
   const Status& status() const { return status_; }

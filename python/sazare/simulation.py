@@ -138,8 +138,8 @@ class Simulation:
         self._live = engine().LiveSimulation(source.for_engine(), path, begin, threads)
         self._histories = histories_of(self._live, functions or {})
         self._forces = forces
-        if forces is not None and not self._live.takes_forces:
-            raise engine().UserError("this method accepts no external forces: methods mps, rectangles and fem do")
+        if forces is not None:
+            self._live.require_forces()
         try:
             self._prepare(0)
             self._live.begin()

@@ -215,5 +215,5 @@ def test_forces_of_a_wrong_shape_are_refused():
         sazare.build(single_block(1.0, 100), forces=lambda now: np.zeros(3))
     with pytest.raises(ValueError, match="not all finite"):
         sazare.build(single_block(1.0, 100), forces=lambda now: [[math.inf, 0.0, 0.0]])
-    with pytest.raises(sazare.UserError, match="accepts no external forces"):
+    with pytest.raises(sazare.UserError, match="method blocks accepts no external forces"):
         sazare.build(BLOCK, forces=lambda now: np.zeros(now.positions.shape))

@@ -69,9 +69,11 @@ public:
     return work_.progress(static_cast<Real>(work_.step()) / static_cast<Real>(work_.clocks.steps()), time());
   }
   void read_motion(MotionTable& table) override { work_.read_motion(table); }
-  bool takes_forces() const override { return work_.takes_forces(); }
-  void apply(std::span<const Vector3> forces) override {
+  void require_forces() const override {
     if (!work_.takes_forces()) throw UserError(fmt::format("method {} accepts no external forces", work_.method()));
+  }
+  void apply(std::span<const Vector3> forces) override {
+    require_forces();
     work_.apply(forces);
     is_pushed_ = true;
   }

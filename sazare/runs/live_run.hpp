@@ -42,10 +42,10 @@ public:
   virtual void read_motion(MotionTable& table) = 0;
 
   /// Forces on the bodies from outside, in the order of `read_motion` [N; N/m in the plane]; they act from now on, until others
-  /// are given. Before `begin` they act from the beginning. Throws UserError where the method takes none.
+  /// are given. Before `begin` they act from the beginning.
   virtual void apply(std::span<const Vector3> forces) = 0;
-  /// Whether the method takes them.
-  virtual bool takes_forces() const = 0;
+  /// Throws UserError where the method takes none.
+  virtual void require_forces() const = 0;
 
   Real time() const { return clocks().time(step()); }
   bool is_over() const { return step() >= clocks().steps(); }
