@@ -75,7 +75,7 @@ struct LinearSoftening {
 
   template <class Joint>
   static JointTension tension(const Joint& joint, const std::array<std::optional<Real>, 0>&) {
-    return JointTension::make(joint.normal_stiffness, joint.tensile_strength, joint.fracture_energy);
+    return joint_tension(joint);
   }
   template <class Joint>
   static JointShear shear(const Joint& joint, const std::array<std::optional<Real>, 0>&) {

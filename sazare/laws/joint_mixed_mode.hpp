@@ -130,7 +130,7 @@ struct MixedMode {
 
   template <class Joint>
   static JointTension tension(const Joint& joint, const std::array<std::optional<Real>, 2>&) {
-    return JointTension::make(joint.normal_stiffness, joint.tensile_strength, joint.fracture_energy);
+    return joint_tension(joint);
   }
   template <class Joint>
   static SofteningShear<Real> shear(const Joint& joint, const std::array<std::optional<Real>, 2>& own) {

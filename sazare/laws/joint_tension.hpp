@@ -33,6 +33,12 @@ struct TensionParameters {
 
 using JointTension = TensionParameters<Real>;
 
+/// From any struct that has stiffness, strength and fracture energy as members, named as the keys of a case are.
+template <class Joint>
+JointTension joint_tension(const Joint& joint) {
+  return JointTension::make(joint.normal_stiffness, joint.tensile_strength, joint.fracture_energy);
+}
+
 /// The largest opening [m] that leaves a joint intact: the memory begins with it.
 template <class P>
 P elastic_peak(const TensionParameters<P>& law) {
