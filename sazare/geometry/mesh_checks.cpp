@@ -7,11 +7,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 #include <string>
 
 #include "sazare/core/error.hpp"
+#include "sazare/geometry/place_cells.hpp"
 #include "sazare/geometry/tetrahedron.hpp"
 
 namespace sazare::geometry {
@@ -115,7 +115,7 @@ void check_interfaces(const TetraMesh& mesh, const FaceMap& faces) {
 
 constexpr Real same_place = 1e-4;  // of the shortest distance of two nodes of an element
 
-/// For every node the shortest distance to another one of its elements [m].
+/// For every node the shortest distance to another one of its elements [m]; -1 for a node of no element, which is nobody's double.
 std::vector<Real> shortest_distances(const ElementMesh& mesh) {
   std::vector<Real> shortest(mesh.nodes.size(), std::numeric_limits<Real>::infinity());
   for (const MeshElement& element : mesh.elements) {
@@ -128,26 +128,22 @@ std::vector<Real> shortest_distances(const ElementMesh& mesh) {
         shortest[j] = std::min(shortest[j], distance);
       }
   }
+  std::ranges::replace(shortest, std::numeric_limits<Real>::infinity(), -1);
   return shortest;
 }
 
 void check_double_nodes(const ElementMesh& mesh) {
   const std::vector<Real> shortest = shortest_distances(mesh);
-  std::vector<std::size_t> order(mesh.nodes.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::sort(
-      order, [&](std::size_t a, std::size_t b) { return std::ranges::lexicographical_compare(mesh.nodes[a], mesh.nodes[b]); });
-  const Real widest = same_place * *std::ranges::max_element(shortest);
+  PlaceCells cells(same_place * *std::ranges::max_element(shortest));
   std::vector<std::string> pairs;
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const std::size_t one = order[k];
-    for (std::size_t next = k + 1; next < order.size(); ++next) {
-      const std::size_t other = order[next];
-      if (mesh.nodes[other].x() - mesh.nodes[one].x() > widest) break;
-      if ((mesh.nodes[other] - mesh.nodes[one]).norm() > same_place * std::min(shortest[one], shortest[other])) continue;
+  for (std::size_t one = 0; one < mesh.nodes.size(); ++one) {
+    cells.visit_near(mesh.nodes[one], [&](Index number) {
+      const auto other = static_cast<std::size_t>(number);
+      if ((mesh.nodes[other] - mesh.nodes[one]).norm() > same_place * std::min(shortest[one], shortest[other])) return;
       const auto [first, second] = std::minmax(mesh.node_tags[one], mesh.node_tags[other]);
       pairs.push_back(fmt::format("{} and {}", first, second));
-    }
+    });
+    cells.add(static_cast<Index>(one), mesh.nodes[one]);
   }
   if (pairs.empty()) return;
   throw UserError(fmt::format(

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <unordered_map>
 
 #include "sazare/geometry/mesh_checks.hpp"
+#include "sazare/geometry/place_cells.hpp"
 #include "sazare/geometry/tetrahedron.hpp"
 
 namespace sazare::geometry {
@@ -59,56 +59,14 @@ bool touch(const Face& a, const Face& b) {
   return overlap_in_plane(a, b, least);
 }
 
-using Cell = std::array<std::int64_t, 3>;
-
-struct CellHash {
-  std::size_t operator()(const Cell& cell) const {
-    std::uint64_t hash = 0;
-    for (const std::int64_t part : cell) {
-      hash = (hash ^ static_cast<std::uint64_t>(part)) * 0x9E3779B97F4A7C15ULL;
-      hash ^= hash >> 29;
-    }
-    return static_cast<std::size_t>(hash);
-  }
-};
-
-/// Faces of one magnitude of size (a power of two) by the cell of their centre; cells are as long as the
-/// largest.
-struct Grid {
-  Real cell_size = 0;
-  std::unordered_map<Cell, std::vector<std::int32_t>, CellHash> cells;
-
-  Cell cell_of(const Vector3& point) const {
-    Cell cell;
-    for (int axis = 0; axis < 3; ++axis) {
-      cell[static_cast<std::size_t>(axis)] = static_cast<std::int64_t>(std::floor(point[axis] / cell_size));
-    }
-    return cell;
-  }
-
-  template <class F>
-  void for_each_near(const Vector3& point, F&& f) const {
-    const Cell middle = cell_of(point);
-    for (std::int64_t x = -1; x <= 1; ++x) {
-      for (std::int64_t y = -1; y <= 1; ++y) {
-        for (std::int64_t z = -1; z <= 1; ++z) {
-          const auto found = cells.find({middle[0] + x, middle[1] + y, middle[2] + z});
-          if (found != cells.end()) std::for_each(found->second.begin(), found->second.end(), f);
-        }
-      }
-    }
-  }
-};
-
-/// Grids by magnitude. A face looks for its like and for larger ones only, so each search is short however
-/// much the sizes differ.
-std::map<int, Grid> make_grids(const std::vector<Face>& faces) {
-  std::map<int, Grid> grids;
+/// Faces by magnitude of their size (a power of two) and by the cell of their centre; cells are as long as the largest of a
+/// magnitude. A face looks for its like and for larger ones only, so each search is short however much the sizes differ.
+std::map<int, PlaceCells> make_grids(const std::vector<Face>& faces) {
+  std::map<int, PlaceCells> grids;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const int magnitude = std::ilogb(faces[i].size);
-    Grid& grid = grids[magnitude];
-    grid.cell_size = std::ldexp(2 * (1 + tolerance), magnitude);
-    grid.cells[grid.cell_of(faces[i].center)].push_back(static_cast<std::int32_t>(i));
+    PlaceCells& grid = grids.try_emplace(magnitude, std::ldexp(2 * (1 + tolerance), magnitude)).first->second;
+    grid.add(static_cast<Index>(i), faces[i].center);
   }
   return grids;
 }
@@ -119,12 +77,12 @@ std::vector<std::pair<std::int32_t, std::int32_t>> find_touching_outer_faces(con
   std::vector<Face> faces;
   faces.reserve(map.outer.size());
   for (const OuterFace& outer : map.outer) faces.push_back(make_face(mesh, outer));
-  const std::map<int, Grid> grids = make_grids(faces);
+  const std::map<int, PlaceCells> grids = make_grids(faces);
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const auto own = static_cast<std::int32_t>(i);
     for (auto grid = grids.find(std::ilogb(faces[i].size)); grid != grids.end(); ++grid) {
-      grid->second.for_each_near(faces[i].center, [&](std::int32_t other) {
+      grid->second.visit_near(faces[i].center, [&](std::int32_t other) {
         if (other == own || !touch(faces[i], faces[static_cast<std::size_t>(other)])) return;
         pairs.emplace_back(std::min(own, other), std::max(own, other));
       });

@@ -5,7 +5,8 @@
 #include <map>
 #include <numbers>
 #include <set>
-#include <unordered_map>
+
+#include "sazare/geometry/place_cells.hpp"
 
 namespace sazare::geometry {
 
@@ -17,41 +18,27 @@ constexpr Real right_angle = 0.5 * std::numbers::pi;  // from which on two facet
 using Pair = std::array<Index, 2>;
 Pair sorted(Index one, Index other) { return {std::min(one, other), std::max(one, other)}; }
 
-/// Places by cells as wide as what counts as one place: those that are it lie in one cell or in neighbours.
+/// Makes vertices of places; those that are nearer than `same_place` are one.
 class Welder {
 public:
-  explicit Welder(Real same_place) : same_place_(same_place) {}
+  explicit Welder(Real same_place) : same_place_(same_place), cells_(same_place) {}
 
   /// The vertex at a place, which may be new.
   Index vertex(const Vector3& place, std::vector<FacetComplex::Vertex>& vertices) {
-    const std::array<std::int64_t, 3> cell = cell_of(place);
-    for (std::int64_t dx = -1; dx <= 1; ++dx)
-      for (std::int64_t dy = -1; dy <= 1; ++dy)
-        for (std::int64_t dz = -1; dz <= 1; ++dz) {
-          const auto [begin, end] = cells_.equal_range(key({cell[0] + dx, cell[1] + dy, cell[2] + dz}));
-          for (auto found = begin; found != end; ++found)
-            if ((vertices[at(found->second)].place - place).norm() <= same_place_) return found->second;
-        }
+    Index same = -1;
+    cells_.visit_near(place, [&](Index known) {
+      if (same < 0 && (vertices[at(known)].place - place).norm() <= same_place_) same = known;
+    });
+    if (same >= 0) return same;
     const auto number = static_cast<Index>(vertices.size());
     vertices.emplace_back().place = place;
-    cells_.emplace(key(cell), number);
+    cells_.add(number, place);
     return number;
   }
 
 private:
-  std::array<std::int64_t, 3> cell_of(const Vector3& place) const {
-    std::array<std::int64_t, 3> cell{};
-    for (int axis = 0; axis < 3; ++axis) cell[static_cast<std::size_t>(axis)] = std::llround(place[axis] / (2 * same_place_));
-    return cell;
-  }
-  static std::uint64_t key(const std::array<std::int64_t, 3>& cell) {
-    std::uint64_t sum = 0;
-    for (const std::int64_t number : cell) sum = (sum ^ static_cast<std::uint64_t>(number)) * 0x9E3779B97F4A7C15ULL;
-    return sum;
-  }
-
   Real same_place_;
-  std::unordered_multimap<std::uint64_t, Index> cells_;
+  PlaceCells cells_;
 };
 
 /// Vertices of the outlines, for questions which of them lie on a side.
