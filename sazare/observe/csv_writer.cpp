@@ -141,10 +141,11 @@ void CsvWriter::add_row(std::span<const Real> values) {
   const auto senseless = std::ranges::find_if_not(values, [](Real value) { return std::isfinite(value); });
   if (senseless != values.end()) {
     const auto column = static_cast<std::size_t>(senseless - values.begin());
-    throw PhysicsError(fmt::format(
-        "{}: {} is {} where {} is {}: the run has left the range of numbers\n"
-        "  look for sizes, speeds, stiffnesses or a gravity beyond all measure in the case",
-        file_.filename().string(), title_of(file_, column), *senseless, title_of(file_, 0), values.front()));
+    throw PhysicsError(
+        fmt::format("{}: {} is {} where {} is {:.6g}\n  a number of the case is too large or too small for what follows from it: check "
+                    "stiffnesses, densities, sizes, gravity and loads, and their units",
+                    file_.filename().string(), title_of(file_, column), std::isnan(*senseless) ? "not a number" : "infinite",
+                    title_of(file_, 0), values.front()));
   }
   append_row(buffer_, values);
   ++rows_;

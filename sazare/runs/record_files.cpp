@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "sazare/core/error.hpp"
@@ -24,28 +22,17 @@ void check_titles(const RecordFiles::Table& table) {
 }  // namespace
 
 void RecordFiles::begin(const std::vector<Table>& tables) {
-  kinds_ = tables;
   for (const Table& table : tables) check_titles(table);
   for (const Table& table : tables) tables_.emplace_back(table.file, table.titles);
 }
 
 void RecordFiles::resume(const std::vector<Table>& tables) {
-  kinds_ = tables;
   for (const Table& table : tables)
     tables_.push_back(observe::CsvWriter::resume(table.file, table.titles, static_cast<std::size_t>(kept_rows_)));
   if (snapshots_) snapshots_->resume(static_cast<std::size_t>(kept_snapshots_));
 }
 
 void RecordFiles::add_row(std::size_t table, std::span<const Real> values) {
-  const auto bad = std::ranges::find_if(values, [](Real value) { return !std::isfinite(value); });
-  if (bad != values.end()) {
-    const Table& kind = kinds_[table];
-    throw PhysicsError(
-        fmt::format("{} of {} is {} at t = {:.6g} s\n  a number of the case is too large or too small for what follows from it: "
-                    "check stiffnesses, densities, sizes, gravity and loads, and their units",
-                    kind.titles[static_cast<std::size_t>(bad - values.begin())], kind.file.filename().string(),
-                    std::isnan(*bad) ? "no number" : "infinite", values.front()));
-  }
   tables_[table].add_row(values);
 }
 

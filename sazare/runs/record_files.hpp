@@ -44,7 +44,6 @@ public:
 
 private:
   std::vector<observe::CsvWriter> tables_;
-  std::vector<Table> kinds_;  ///< of the tables
   std::optional<observe::SnapshotSeries> snapshots_;
   std::int64_t kept_rows_ = 0, kept_snapshots_ = 0;  ///< of the checkpoint that was read
 };

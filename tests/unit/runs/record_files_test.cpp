@@ -34,8 +34,8 @@ TEST(RecordFiles, RefusesARowThatIsNoNumber) {
   const auto words = [&](Real value) {
     return test::words_of<PhysicsError>([&] { files.add_row(1, std::vector<Real>{0.5, value}); });
   };
-  EXPECT_TRUE(words(std::nan("")).starts_with("speed [m/s] of gauges.csv is no number at t = 0.5 s\n")) << words(std::nan(""));
-  EXPECT_TRUE(words(-std::numeric_limits<Real>::infinity()).starts_with("speed [m/s] of gauges.csv is infinite at t = 0.5 s\n"));
+  EXPECT_TRUE(words(std::nan("")).starts_with("gauges.csv: \"speed [m/s]\" is not a number where \"time [s]\" is 0.5\n")) << words(std::nan(""));
+  EXPECT_TRUE(words(-std::numeric_limits<Real>::infinity()).starts_with("gauges.csv: \"speed [m/s]\" is infinite where \"time [s]\" is 0.5\n"));
   files.flush(false);
   EXPECT_EQ(read_text(folder.path() / "gauges.csv"), "time [s],speed [m/s]\n0,0\n");
 }
