@@ -2,6 +2,7 @@
 
 /// Sums and products of columns of numbers of nodes.
 
+#include <algorithm>
 #include <cmath>
 
 #include "sazare/methods/fem/node_pattern.hpp"
@@ -18,6 +19,10 @@ inline Real dot(const NodalColumn& a, const NodalColumn& b) {
   Real sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
   return sum;
+}
+
+inline bool is_zero(const NodalColumn& a) {
+  return std::ranges::all_of(a, [](Real value) { return value == 0; });
 }
 
 inline Real norm(const NodalColumn& a) { return std::sqrt(dot(a, a)); }

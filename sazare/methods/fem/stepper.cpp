@@ -11,16 +11,20 @@
 namespace sazare::methods::fem {
 namespace {
 
-/// The acceleration of a support at the end of a step, which gives the nodes beside it their impulse. Samples of velocities are
-/// joined by straight lines, where the acceleration jumps, and so are displacements, where the velocity does: the mean over the
-/// steps before and after a moment is what such a jump comes to. The velocity after a moment is that of the step to come.
-Real acceleration_of(const laws::GroundMotion& history, Real time, Real step) {
+/// Accelerations of a support at the beginning and at the end of a step, which give the nodes beside it their impulse.
+struct SupportAcceleration {
+  Real first, last;
+};
+
+/// Samples of velocities are joined by straight lines, where the acceleration is constant in a step and jumps between steps, and so
+/// are displacements, where the velocity jumps: the change of velocity over the step is what counts there.
+SupportAcceleration acceleration_of(const laws::GroundMotion& history, Real from, Real length) {
+  const auto begin = history.at(from), end = history.at(from + length);
   const bool is_sampled =
       history.shape == laws::GroundMotion::Shape::record || history.shape == laws::GroundMotion::Shape::function;
-  const auto velocity = [&](Real when) { return history.at(when).velocity; };
-  if (!is_sampled || history.quantity == laws::MotionQuantity::acceleration) return history.at(time).acceleration;
-  if (history.quantity == laws::MotionQuantity::displacement) return (velocity(time) - velocity(time - step)) / step;
-  return (velocity(time + step) - velocity(time - step)) / (2 * step);
+  if (!is_sampled || history.quantity == laws::MotionQuantity::acceleration) return {begin.acceleration, end.acceleration};
+  const Real mean = (end.velocity - begin.velocity) / length;
+  return {mean, mean};
 }
 
 }  // namespace
@@ -69,13 +73,36 @@ void FemStepper<D>::apply(NodalColumn force) {
   NodalColumn change = force;
   add(change, -1, state_.applied);
   state_.applied = std::move(force);
-  if (!inertia() || std::ranges::all_of(change, [](Real value) { return value == 0; })) return;
+  if (!inertia() || is_zero(change)) return;
   add(state_.balance, -1, change);
+  push(change);
+}
+
+/// Accelerations after forces on the free nodes have changed by so much at once.
+template <int D>
+void FemStepper<D>::push(const NodalColumn& change) {
   if (!mass_solver_) {
     mass_solver_ = std::make_unique<methods::fem::LinearSolver<D>>(body_->pattern(), is_free_, true);
     if (!mass_solver_->factorize(body_->mass().values())) throw PhysicsError("the mass matrix is singular");
   }
   add(state_.acceleration, 1, mass_solver_->solve(change));
+}
+
+/// Where the acceleration of a support jumps between two steps, so does that of the nodes beside it, by their common mass.
+template <int D>
+void FemStepper<D>::jump(const Span& span) {
+  NodalColumn change(body_->freedoms(), 0);
+  for (const Support& support : supports_.held) {
+    if (support.motion == Support::no_motion) continue;
+    const std::size_t i = number<D>(support.node, support.axis);
+    const Real first = acceleration_of(supports_.motions[at(support.motion)], span.from, span.length).first;
+    change[i] = first - state_.acceleration[i];
+  }
+  if (is_zero(change)) return;
+  add(state_.acceleration, 1, change);
+  NodalColumn force = product(body_->mass(), change);
+  for (std::size_t i = 0; i < force.size(); ++i) force[i] = is_free_[i] ? -force[i] : 0;
+  push(force);
 }
 
 template <int D>
@@ -265,7 +292,7 @@ typename FemStepper<D>::Trial FemStepper<D>::predict(const Span& span, NodalColu
     prescribed[i] = initial_displacement_[i] + motion.displacement - state_.displacement[i];
     if (!inertia()) continue;
     trial.velocity[i] = motion.velocity;
-    trial.acceleration[i] = acceleration_of(history, to, dt);
+    trial.acceleration[i] = acceleration_of(history, span.from, dt).last;
   }
   return trial;
 }
@@ -273,6 +300,7 @@ typename FemStepper<D>::Trial FemStepper<D>::predict(const Span& span, NodalColu
 /// True when the step, or equilibrium, is found; then it counts.
 template <int D>
 bool FemStepper<D>::attempt(const Span& span) {
+  if (inertia()) jump(span);
   NodalColumn prescribed;
   Trial trial = predict(span, prescribed);
   if (!iterate(trial, factors(span.length), prescribed)) return false;

@@ -131,6 +131,8 @@ private:
   methods::fem::NodalColumn carried_at_start() const;
   void book_damping(const Trial& trial, const Span& span, const methods::fem::NodalColumn& moved);
   void walk(const Span& span, int cuts_left);
+  void push(const methods::fem::NodalColumn& change);
+  void jump(const Span& span);
   bool attempt(const Span& span);
   Trial predict(const Span& span, methods::fem::NodalColumn& prescribed);
   bool iterate(Trial& trial, const Factors& by, const methods::fem::NodalColumn& prescribed);

@@ -143,8 +143,8 @@ std::pair<Real, Real> behind_a_steady_base(bool relative, Real ratio, const laws
   Supports<2> supports;
   laws::GroundMotion steady;
   steady.shape = laws::GroundMotion::Shape::record;
-  steady.quantity = laws::MotionQuantity::acceleration;
-  steady.record = laws::Record::make(1, {2 * speed, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});  // the speed is reached in a second
+  steady.quantity = laws::MotionQuantity::velocity;
+  steady.record = laws::Record::make(1, {0, speed, speed, speed, speed, speed, speed, speed, speed, speed, speed});
   supports.motions = {steady};
   for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
     supports.held.push_back({static_cast<Index>(node), 1, Support::no_motion, 0});
