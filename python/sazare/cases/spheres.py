@@ -42,9 +42,9 @@ class Contact(Part):
     elastic spheres. Default: "hertz".
     """
     restitution: float
-    """Speed after a central impact with one contact over the speed before, at any speed. A rigid body that lands on several of
-    its spheres at once loses more. Where the step is too long for fast impacts, a warning says up to which speed it holds.
-    Greater than 0 and at most 1.
+    """Speed after a central impact with one contact over the speed before. A rigid body that lands on several of its spheres at
+    once loses more, and fast impacts lose less where the step is too long for them: a warning then says up to which speed the
+    step is right. Greater than 0 and at most 1.
     """
     friction_coefficient: float | None = None
     """Coulomb's coefficient of friction. Default: 0.0. At least 0."""

@@ -81,9 +81,9 @@ constexpr std::array leading_contact_keys{
         .type = Type::number,
         .range = restitution_range,
         .need = Need::required,
-        .sentence = "Speed after a central impact with one contact over the speed before, at any speed. A rigid body that lands on "
-                    "several of its spheres at once loses more. Where the step is too long for fast impacts, a warning says up to "
-                    "which speed it holds."},
+        .sentence = "Speed after a central impact with one contact over the speed before. A rigid body that lands on several of its "
+                    "spheres at once loses more, and fast impacts lose less where the step is too long for them: a warning then says "
+                    "up to which speed the step is right."},
     Key{.name = "friction_coefficient",
         .type = Type::number,
         .range = not_negative,

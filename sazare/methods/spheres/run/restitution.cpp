@@ -94,14 +94,34 @@ std::vector<Impact> impacts(const SpheresCase& spheres, const SpheresModel& mode
   return all;
 }
 
-/// How fast spheres may hit something: as they move at the start, as walls do, and as they fall from the highest sphere to the
-/// lowest thing [m/s].
-Real expected_speed(const SpheresCase& spheres, const SpheresModel& model) {
+/// How fast spheres may hit something: as they move at the start, as they fall from the highest sphere to the lowest thing, and as
+/// walls come towards them.
+struct ExpectedSpeed {
+  Real initial = 0;  ///< [m/s]
+  Real fall = 0;     ///< gravity times height [m2/s2]
+  Real walls = 0;    ///< [m/s]
+
+  Real all() const { return std::sqrt(initial * initial + 2 * fall) + walls; }
+
+  std::string text() const {
+    std::string causes;
+    const auto add = [&](Real speed, const char* cause) {
+      if (speed > 0) causes += fmt::format("{}{} {} m/s", causes.empty() ? "" : ", ", cause, cases::short_number(speed, 3));
+    };
+    add(initial, "initial velocity");
+    add(std::sqrt(2 * fall), "fall");
+    add(walls, "motion of walls");
+    return fmt::format("{} m/s ({})", cases::short_number(all(), 3), causes);
+  }
+};
+
+ExpectedSpeed expected_speed(const SpheresCase& spheres, const SpheresModel& model) {
   const Vector3 gravity = spheres.gravity.acceleration;
-  Real speed = 0, highest = -std::numeric_limits<Real>::infinity(), lowest = -highest, extent = 0;
+  ExpectedSpeed speed;
+  Real highest = -std::numeric_limits<Real>::infinity(), lowest = -highest, extent = 0;
   const auto& placed = model.stepper->spheres();
   for (const auto& place : placed.place) {
-    speed = std::max(speed, place.velocity().norm());
+    speed.initial = std::max(speed.initial, place.velocity().norm());
     const Real height = -place.centre().dot(gravity);
     highest = std::max(highest, height);
     lowest = std::min(lowest, height);
@@ -112,18 +132,19 @@ Real expected_speed(const SpheresCase& spheres, const SpheresModel& model) {
     for (const auto& triangle : wall.triangles)
       for (const Vector3& corner : triangle) lowest = std::min(lowest, -corner.dot(gravity));
   }
-  return speed + model.stepper->walls().largest_speed(extent) + std::sqrt(2 * std::max(highest - lowest, Real{0}));
+  speed.fall = std::max(highest - lowest, Real{0});
+  speed.walls = model.stepper->walls().largest_speed(extent);
+  return speed;
 }
 
-/// The largest speed up to which an impact rebounds as asked for; 0 where it never does [m/s].
+/// The largest of the speeds 10^(n/20) m/s up to which an impact rebounds as asked for; 0 where it never does. Impacts are looked
+/// at from slow to fast, since slower ones than the first that is off are right, but not all faster ones are off.
 Real holds_up_to(const Impact& impact, laws::ContactModel model, Real fastest) {
-  Real low = 1e-4 * fastest, high = fastest;
-  if (!impact.holds(model, low)) return 0;
-  for (int n = 0; n < 20; ++n) {
-    const Real middle = std::sqrt(low * high);
-    (impact.holds(model, middle) ? low : high) = middle;
-  }
-  return low;
+  const auto speed = [](int n) { return std::pow(Real{10}, n / Real{20}); };
+  int n = static_cast<int>(std::floor(20 * std::log10(1e-4 * fastest)));
+  if (!impact.holds(model, speed(n))) return 0;
+  while (speed(n + 1) < fastest && impact.holds(model, speed(n + 1))) ++n;
+  return speed(n);
 }
 
 /// By how much the step is to be shortened for an impact; 0 where a thousandth does not do.
@@ -139,7 +160,8 @@ std::string warn_of_restitution(const cases::CaseFile& file, const SpheresModel&
   const auto& spheres = file.as<SpheresCase>();
   const laws::ContactModel law = spheres.contact.model;
   if (laws::visit_law(law, []<class Law>(Law) { return Law::adheres; })) return "";  // adhesion takes energy besides
-  const Real fastest = expected_speed(spheres, model);
+  const ExpectedSpeed expected = expected_speed(spheres, model);
+  const Real fastest = expected.all();
   if (!(fastest > 0) || !std::isfinite(fastest)) return "";
   const Impact* worst = nullptr;
   Real worst_error = most_error, found = 0;
@@ -155,11 +177,9 @@ std::string warn_of_restitution(const cases::CaseFile& file, const SpheresModel&
   const Real holds = holds_up_to(*worst, law, fastest), shorter = shorter_step(*worst, law, fastest),
              share = model.steps.smallest() / model.steps.limit;
   const std::string what = fmt::format(
-      "the step gives the restitution of {} between \"{}\" and \"{}\" {}; at {} m/s, which falls and motions of this case may "
-      "reach, it is {}",
-      cases::short_number(worst->restitution, 3), worst->one, worst->other,
-      holds > 0 ? fmt::format("within 2 % up to {} m/s", cases::short_number(holds, 2)) : "at no speed within 2 %",
-      cases::short_number(fastest, 3), cases::short_number(found, 3));
+      "between \"{}\" and \"{}\" it will be {} instead of {} at {}, which this case may reach; with this step it is right within 2 % {}",
+      worst->one, worst->other, cases::short_number(found, 3), cases::short_number(worst->restitution, 3), expected.text(),
+      holds > 0 ? fmt::format("up to {} m/s", cases::short_number(holds, 2)) : "at no speed");
   const std::string help = shorter > 0 ? fmt::format("set time.stability_fraction = {} for faster impacts",
                                                      cases::short_number(0.95 * shorter * share, 2))
                                        : "give the spheres stiffer contacts, or a restitution that such an impact can have";
