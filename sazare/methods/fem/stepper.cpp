@@ -11,20 +11,20 @@
 namespace sazare::methods::fem {
 namespace {
 
-/// Accelerations of a support at the beginning and at the end of a step, which give the nodes beside it their impulse.
-struct SupportAcceleration {
-  Real first, last;
-};
+bool is_sampled(const laws::GroundMotion& history, laws::MotionQuantity quantity) {
+  using Shape = laws::GroundMotion::Shape;
+  return (history.shape == Shape::record || history.shape == Shape::function) && history.quantity == quantity;
+}
 
-/// Samples of velocities are joined by straight lines, where the acceleration is constant in a step and jumps between steps, and so
-/// are displacements, where the velocity jumps: the change of velocity over the step is what counts there.
-SupportAcceleration acceleration_of(const laws::GroundMotion& history, Real from, Real length) {
-  const auto begin = history.at(from), end = history.at(from + length);
-  const bool is_sampled =
-      history.shape == laws::GroundMotion::Shape::record || history.shape == laws::GroundMotion::Shape::function;
-  if (!is_sampled || history.quantity == laws::MotionQuantity::acceleration) return {begin.acceleration, end.acceleration};
-  const Real mean = (end.velocity - begin.velocity) / length;
-  return {mean, mean};
+/// Samples of velocities are joined by straight lines, so the acceleration is constant between them and jumps where they bend.
+bool jumps(const laws::GroundMotion& history) { return is_sampled(history, laws::MotionQuantity::velocity); }
+
+/// The acceleration of a support at the end of a step, which gives the nodes beside it their impulse. Where displacements are joined
+/// by straight lines the velocity jumps: half of the jump belongs to the step before the bend, the other half to the step after.
+Real acceleration_of(const laws::GroundMotion& history, Real from, Real length) {
+  const auto end = history.at(from + length);
+  if (!jumps(history) && !is_sampled(history, laws::MotionQuantity::displacement)) return end.acceleration;
+  return (end.velocity - history.at(from).velocity) / length;
 }
 
 }  // namespace
@@ -88,15 +88,15 @@ void FemStepper<D>::push(const NodalColumn& change) {
   add(state_.acceleration, 1, mass_solver_->solve(change));
 }
 
-/// Where the acceleration of a support jumps between two steps, so does that of the nodes beside it, by their common mass.
+/// Where the acceleration of a support jumps between two steps, so does that of the nodes beside it, by their common mass. The
+/// acceleration is that of the step to come, constant over it.
 template <int D>
 void FemStepper<D>::jump(const Span& span) {
   NodalColumn change(body_->freedoms(), 0);
   for (const Support& support : supports_.held) {
-    if (support.motion == Support::no_motion) continue;
+    if (support.motion == Support::no_motion || !jumps(supports_.motions[at(support.motion)])) continue;
     const std::size_t i = number<D>(support.node, support.axis);
-    const Real first = acceleration_of(supports_.motions[at(support.motion)], span.from, span.length).first;
-    change[i] = first - state_.acceleration[i];
+    change[i] = acceleration_of(supports_.motions[at(support.motion)], span.from, span.length) - state_.acceleration[i];
   }
   if (is_zero(change)) return;
   add(state_.acceleration, 1, change);
@@ -292,7 +292,7 @@ typename FemStepper<D>::Trial FemStepper<D>::predict(const Span& span, NodalColu
     prescribed[i] = initial_displacement_[i] + motion.displacement - state_.displacement[i];
     if (!inertia()) continue;
     trial.velocity[i] = motion.velocity;
-    trial.acceleration[i] = acceleration_of(history, span.from, dt).last;
+    trial.acceleration[i] = acceleration_of(history, span.from, dt);
   }
   return trial;
 }
