@@ -6,7 +6,7 @@ SAZARE := build/release/apps/sazare/sazare
 DEMO_CASE := cases/free-face-blast/case.toml
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build demo test fuzz validate bench docs clean
+.PHONY: help setup build demo test sanitize fuzz validate bench docs clean
 
 help: ## list the targets
 	@grep -E '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):[^#]*## (.*)/  make \1\t\2/' | expand -t 18
@@ -26,6 +26,9 @@ test: setup ## run everything that guards the project
 	@scripts/build release $(JOBS)
 	@scripts/setup browser || echo "test: there is no Chromium, so nobody looks at the 3-D view in a browser"
 	@scripts/test
+
+sanitize: setup ## run the C++ tests and every case, shortened, with the address and undefined-behaviour sanitizers
+	@scripts/sanitize $(JOBS)
 
 fuzz: build ## change the files of small cases at random and look whether each is answered with a message (MUTANTS=2000 SEED=1)
 	@$(PYTHON) tests/fuzz/fuzz.py --mutants $(or $(MUTANTS),2000) --seed $(or $(SEED),1) --jobs $(JOBS)

@@ -50,6 +50,7 @@ if(SAZARE_SANITIZE)
   if(SAZARE_SANITIZE MATCHES "undefined")
     target_compile_options(sazare_options INTERFACE -fno-sanitize-recover=undefined)
   endif()
+  target_compile_definitions(sazare_options INTERFACE EIGEN_INITIALIZE_MATRICES_BY_NAN)  # what nobody has set shows in results
 endif()
 
 # The version header holds the commit, so it is brought up to date by every build and rewritten only when it changed.
