@@ -12,6 +12,7 @@
 #include "sazare/parallel/threads.hpp"
 #include "sazare/registry/registry.hpp"
 #include "sazare/runs/progress.hpp"
+#include "sazare/runs/summary.hpp"
 
 namespace sazare::command {
 
@@ -101,6 +102,7 @@ int run(const RunArguments& arguments, const parallel::Ranks& ranks) {
   }
   if (!arguments.quiet)
     fmt::print("{}results in      {}\n", registry::method(file.method).summary(outcome.manifest), folder.string());
+  fmt::print(stderr, "{}", runs::balance_warning(outcome.manifest));
   return done;
 }
 

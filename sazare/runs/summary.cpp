@@ -24,6 +24,16 @@ std::string balance_text(const observe::Manifest& manifest) {
   return fmt::format("work {} J, residual {} J{}", cases::short_number(work, 4), cases::short_number(residual, 2), share);
 }
 
+std::string balance_warning(const observe::Manifest& manifest) {
+  constexpr Real warned_of = 0.01;
+  const Real work = figure(manifest, "energy_work"), share = std::abs(figure(manifest, "energy_residual") / work);
+  if (work == 0 || share <= warned_of) return "";
+  return fmt::format("warning: the energy balance misses {} % of the work, so that motion may have gained or lost energy by itself\n"
+                     "      help: a smaller time.stability_fraction, or a smaller step, should bring it below 1 %; the report of the "
+                     "run says more\n",
+                     cases::short_number(100 * share, 2));
+}
+
 std::string wall_time_line(const observe::Manifest& manifest, std::string_view steps, std::string_view step_name) {
   const Real seconds = figure(manifest, "wall_seconds");
   std::string text = fmt::format("wall-clock time {:.2f} s", seconds);
