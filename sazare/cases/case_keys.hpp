@@ -28,9 +28,10 @@ inline constexpr std::array motion_keys{
         .type = Type::choice,
         .default_text = "\"acceleration\"",
         .note = "not for a record, whose file states it",
-        .sentence = "What the formula describes; the other two follow by integration from rest or differentiation. Displacements "
-                    "count from where things stand at t = 0, and stay at their last value where the formula, a record or a "
-                    "function ends; velocities and accelerations are 0 after it.",
+        .sentence =
+            "What the formula describes; the other two follow by integration from rest or differentiation. Displacements "
+            "count from where things stand at t = 0. After the end of a formula, a record or a function, what was given is "
+            "the last displacement, no velocity or no acceleration; velocity that a record of accelerations leaves goes on.",
         .choices = quantities},
     Key{.name = "amplitude",
         .type = Type::number,
@@ -57,12 +58,16 @@ inline constexpr std::array motion_keys{
     Key{.name = "file",
         .type = Type::file,
         .note = "required for a record",
-        .sentence = "CSV with units in its header, PEER .AT2, or K-NET ASCII (.EW .NS .UD)."},
+        .sentence =
+            "CSV with a header that states the unit, such as \"time [s],acceleration [gal]\" (m/s2, g, gal or cm/s2, m/s, cm/s, "
+            "m, cm), PEER .AT2, or K-NET ASCII (.EW .NS .UD)."},
     Key{.name = "baseline",
         .type = Type::choice,
         .default_text = "\"none\"",
-        .sentence = "Baseline correction: what is subtracted from a record so that its integral has no trend: nothing, a "
-                    "constant or a straight line.",
+        .sentence =
+            "Baseline correction: what is subtracted from a record so that its integral has no trend: nothing, a "
+            "constant or a straight line. It is fitted to the whole record by least squares, so that a small velocity may "
+            "be left at its end, which check tells.",
         .choices = baselines},
 };
 
@@ -108,8 +113,9 @@ inline constexpr std::array damping_keys{
     Key{.name = "relative_to_base",
         .type = Type::boolean,
         .default_text = "true",
-        .sentence = "Mass-proportional damping acts on the velocity relative to the base along an axis along which all supports follow "
-                    "one prescribed motion; elsewhere, and with false, on the velocity in space."},
+        .sentence =
+            "Mass-proportional damping acts on the velocity relative to the base along an axis along which all supports follow "
+            "one prescribed motion; elsewhere, and with false, on the velocity in space."},
 };
 
 inline constexpr std::array gravity_keys{

@@ -9,6 +9,7 @@
 #include "sazare/cases/format/structure_check.hpp"
 #include "sazare/cases/format/suggest.hpp"
 #include "sazare/cases/motion_file.hpp"
+#include "sazare/cases/motion_peaks.hpp"
 
 namespace sazare::cases {
 
@@ -41,24 +42,55 @@ void check_size(const CheckContext& context, const Entry& entry, const Motion& m
                          "check the numbers of the file, their unit and the amplitude");
 }
 
+/// What a thing does that follows a record which ends before the run.
+void warn_of_end(const CheckContext& context, const Entry& entry, const Motion& motion, Real end) {
+  const Real duration = motion.record.duration(), velocity = motion.amplitude * motion.record.first.back();
+  std::string then = "what it moves stays where it is then; let the record reach the end of the run if that is not meant";
+  if (motion.quantity == laws::MotionQuantity::acceleration && velocity != 0)
+    then = fmt::format(
+        "what it moves goes on at the velocity that is left, {} m/s, by {} m to the end of the run; let the run end "
+        "with the record, or add accelerations that bring it to rest{}",
+        short_number(velocity, 3), short_number(velocity * (end - duration), 3),
+        motion.baseline == Baseline::none ? ", or set baseline = \"linear\"" : "");
+  context.problems.warning(
+      entry.place("file"),
+      fmt::format("the record ends at {} s, before the run at {} s", short_number(duration), short_number(end)), then);
+}
+
+/// Records in gal or cm/s whose numbers are taken for m/s2 or m/s are a hundred times too strong.
+void warn_of_peaks(const CheckContext& context, const Entry& entry, const Motion& motion, Real end) {
+  constexpr MotionPeaks strongest{50, 8, 25};  // somewhat more than the strongest that was ever recorded near a fault
+  const std::optional<MotionPeaks> peaks = peaks_of(motion, end);
+  if (!peaks) return;
+  const auto warn = [&](const char* what, Real peak, const char* unit, Real factor, const char* small_unit) {
+    context.problems.warning(entry.place("file"),
+                             fmt::format("the motion of this record has a peak {} of {} {}, more than any earthquake had", what,
+                                         short_number(peak, 4), unit),
+                             fmt::format("check the unit that the file states and the amplitude; as {} it would be {} {}",
+                                         small_unit, short_number(factor * peak, 4), unit));
+  };
+  if (motion.quantity == laws::MotionQuantity::acceleration && peaks->acceleration > strongest.acceleration)
+    warn("acceleration", peaks->acceleration, "m/s2", 0.01, "gal");
+  else if (motion.quantity == laws::MotionQuantity::velocity && peaks->velocity > strongest.velocity)
+    warn("velocity", peaks->velocity, "m/s", 0.01, "cm/s");
+  else if (motion.quantity != laws::MotionQuantity::displacement && peaks->displacement > strongest.displacement)
+    context.problems.warning(
+        entry.place("file"),
+        fmt::format("this record moves by {} m, more than any earthquake did", short_number(peaks->displacement, 4)),
+        "records of accelerations drift: choose a baseline, or check the unit that the file states");
+}
+
 /// Says what a record does that is easily overlooked.
 void warn_of_record(const CheckContext& context, const Entry& entry, const Motion& motion, Real end) {
   const laws::Record& record = motion.record;
   const bool displaces = motion.quantity == laws::MotionQuantity::displacement;
   if (record.value.size() < 2) return;
   if (displaces && record.value.front() != 0)
-    context.problems.warning(
-        entry.place("file"), fmt::format("the record begins at a displacement of {} m", short_number(record.value.front())),
-        "displacements count from where things stand at t = 0: this first value is taken off all others");
-  if (!(record.duration() < end * (1 - 1e-9))) return;
-  const Real drift = motion.amplitude * record.first.back();
-  const std::string then = motion.quantity == laws::MotionQuantity::acceleration && drift != 0
-                               ? fmt::format("goes on at the velocity of that moment, {} m/s", short_number(drift, 3))
-                               : "stays where it is at that moment";
-  context.problems.warning(
-      entry.place("file"),
-      fmt::format("the record ends at {} s, before the run at {} s", short_number(record.duration()), short_number(end)),
-      fmt::format("what it moves {}; let the record reach the end of the run if that is not meant", then));
+    context.problems.warning(entry.place("file"),
+                             fmt::format("the record begins at a displacement of {} m", short_number(record.value.front())),
+                             "displacements count from where things stand at t = 0: this first value is taken off all others");
+  if (record.duration() < end * (1 - 1e-9)) warn_of_end(context, entry, motion, end);
+  warn_of_peaks(context, entry, motion, end);
 }
 
 void check_record(const CheckContext& context, const Entry& entry, Motion& motion, Real end) {

@@ -1,8 +1,8 @@
-#include "sazare/runs/motion_of_case.hpp"
+#include "sazare/cases/motion_of_case.hpp"
 
-namespace sazare::runs {
+namespace sazare::cases {
 
-laws::GroundMotion motion_of_case(const cases::Motion& motion) {
+laws::GroundMotion motion_of_case(const Motion& motion) {
   laws::GroundMotion result;
   result.shape = static_cast<laws::GroundMotion::Shape>(motion.type);
   result.quantity = motion.quantity;
@@ -13,7 +13,7 @@ laws::GroundMotion motion_of_case(const cases::Motion& motion) {
   result.samples = motion.samples;
   return result;
 }
-static_assert(static_cast<int>(laws::GroundMotion::Shape::function) == static_cast<int>(cases::MotionShape::function));
+static_assert(static_cast<int>(laws::GroundMotion::Shape::function) == static_cast<int>(MotionShape::function));
 
 laws::GroundMotion constant_velocity(Real velocity, Real end) {
   laws::GroundMotion result;
@@ -23,4 +23,4 @@ laws::GroundMotion constant_velocity(Real velocity, Real end) {
   return result;
 }
 
-}  // namespace sazare::runs
+}  // namespace sazare::cases

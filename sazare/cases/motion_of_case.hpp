@@ -2,12 +2,12 @@
 
 #include "sazare/cases/tables.hpp"
 
-namespace sazare::runs {
+namespace sazare::cases {
 
 /// The motion that a case describes.
-laws::GroundMotion motion_of_case(const cases::Motion& motion);
+laws::GroundMotion motion_of_case(const Motion& motion);
 
 /// A constant velocity from 0 to the end of a run.
 laws::GroundMotion constant_velocity(Real velocity, Real end);
 
-}  // namespace sazare::runs
+}  // namespace sazare::cases

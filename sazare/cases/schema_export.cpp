@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sazare/cases/case_format.hpp"
+#include "sazare/cases/format/number_text.hpp"
 #include "sazare/cases/format/structure_check.hpp"
 #include "sazare/cases/method_choice.hpp"
 #include "sazare/cases/study_file.hpp"
@@ -138,8 +139,11 @@ std::string markdown_type(const Key& key) {
 }
 
 std::string markdown_range(const Key& key) {
-  const std::string range = range_text(key.range);
-  return key.range.infinite ? range + ", or inf" : range;
+  std::string range = range_text(key.range);
+  if (key.range.infinite) range += ", or inf";
+  if (key.usual.low > 0 || std::isfinite(key.usual.high))
+    range += fmt::format("; usually {} to {}", short_number(key.usual.low), short_number(key.usual.high));
+  return range;
 }
 
 Json method_json(std::string_view method, std::span<const Table> tables) {

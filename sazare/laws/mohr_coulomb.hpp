@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "sazare/core/vector.hpp"
 
@@ -29,11 +31,15 @@ struct MohrCoulomb {
   Real sin_dilation = 0;      ///< of psi [-]
   Real tensile_strength = 0;  ///< s_t [Pa]
 
-  /// Angles in radians.
-  static MohrCoulomb make(Real cohesion, Real friction_angle, Real dilation_angle, Real tensile_strength) {
-    return {
-        cohesion,        std::tan(friction_angle), std::sin(friction_angle), std::cos(friction_angle), std::sin(dilation_angle),
-        tensile_strength};
+  /// Angles in radians. Without a tensile strength, tension is limited by the tip of the shear strength alone, c / tan(phi).
+  static MohrCoulomb make(Real cohesion, Real friction_angle, Real dilation_angle, std::optional<Real> tensile_strength) {
+    const Real tip = friction_angle > 0 ? cohesion / std::tan(friction_angle) : std::numeric_limits<Real>::infinity();
+    return {cohesion,
+            std::tan(friction_angle),
+            std::sin(friction_angle),
+            std::cos(friction_angle),
+            std::sin(dilation_angle),
+            std::min(tensile_strength.value_or(tip), tip)};
   }
 
   Real shear(Real largest, Real smallest) const {
@@ -70,7 +76,8 @@ template <std::size_t D>
 PlasticFlow<D> plastic_flow(const MohrCoulomb& law, const Elasticity& elastic, const std::array<Real, D>& strain) {
   constexpr int most_sweeps = 5000;
   const Real mu = elastic.shear_modulus, lambda = elastic.lame;
-  const Real tolerance = 1e-9 * (law.cohesion + law.tensile_strength + 1e-6 * mu);
+  const Real tension = std::isfinite(law.tensile_strength) ? law.tensile_strength : 0;
+  const Real tolerance = 1e-9 * (law.cohesion + tension + 1e-6 * mu);
   const Real opening = 1 + law.sin_dilation, closing = 1 - law.sin_dilation, growth = lambda * (opening - closing);
   const Real shear_relief =
       (1 + law.sin_friction) * (2 * mu * opening + growth) + (1 - law.sin_friction) * (2 * mu * closing - growth);

@@ -42,7 +42,7 @@ inline RunClocks make_clocks(const cases::UniformTime& time, Real step) {
   return make_clocks({time.end, time.history_interval, time.snapshot_interval}, "step", step);
 }
 
-/// The same of a case, whose step is given or follows from its bodies. Refuses it at its [time] where that is no step at all.
+/// The clocks of a case, whose step is given or follows from its bodies. Refuses at its [time] what is no step at all.
 template <class Time>
 RunClocks make_clocks(const cases::CaseSource& file, const Time& time, std::string_view step_name, Real step) {
   check_step(file, time.history_interval, step_name, step);

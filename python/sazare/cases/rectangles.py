@@ -157,8 +157,9 @@ class Motion(Part):
     """A Ricker wavelet, a sine from t = 0, a record from a file, or a function that the caller gives in Python."""
     quantity: Literal["displacement", "velocity", "acceleration"] | None = None
     """What the formula describes; the other two follow by integration from rest or differentiation. Displacements count from
-    where things stand at t = 0, and stay at their last value where the formula, a record or a function ends; velocities and
-    accelerations are 0 after it. (not for a record, whose file states it) Default: "acceleration".
+    where things stand at t = 0. After the end of a formula, a record or a function, what was given is the last displacement,
+    no velocity or no acceleration; velocity that a record of accelerations leaves goes on. (not for a record, whose file
+    states it) Default: "acceleration".
     """
     amplitude: float | None = None
     """Amplitude of the formula, in m, m/s or m/s2 according to the quantity; for a record or a function, a dimensionless factor.
@@ -173,10 +174,13 @@ class Motion(Part):
     cycles: float | None = None
     """Number of periods of the sine; 0: unlimited. Default: 0.0. At least 0."""
     file: str | None = None
-    """CSV with units in its header, PEER .AT2, or K-NET ASCII (.EW .NS .UD). (required for a record)"""
+    """CSV with a header that states the unit, such as "time [s],acceleration [gal]" (m/s2, g, gal or cm/s2, m/s, cm/s, m, cm),
+    PEER .AT2, or K-NET ASCII (.EW .NS .UD). (required for a record)
+    """
     baseline: Literal["none", "constant", "linear"] | None = None
     """Baseline correction: what is subtracted from a record so that its integral has no trend: nothing, a constant or a straight
-    line. Default: "none".
+    line. It is fitted to the whole record by least squares, so that a small velocity may be left at its end, which check
+    tells. Default: "none".
     """
 
 

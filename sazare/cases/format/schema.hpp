@@ -40,6 +40,12 @@ constexpr Range positive{.low = 0, .low_open = true};
 constexpr Range not_negative{.low = 0};
 constexpr Range positive_or_infinite{.low = 0, .low_open = true, .infinite = true};
 
+/// Between which values the magnitude of a number lies in practice. One outside is warned about, unless it is 0 or infinite.
+struct UsualRange {
+  Real low = 0;
+  Real high = std::numeric_limits<Real>::infinity();
+};
+
 /// "greater than 0", "from 3 to 20"; empty when any number will do.
 std::string range_text(const Range& range);
 bool in_range(const Range& range, Real value);
@@ -51,6 +57,7 @@ struct Key {
   Type type = Type::text;
   std::string_view unit = "";
   Range range = any_number;
+  UsualRange usual{};
   /// TOML text of the default; empty when there is none or when it is computed (then `note` says how).
   std::string_view default_text = "";
   Need need = Need::optional;

@@ -9,6 +9,7 @@
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/cases/format/suggest.hpp"
 #include "sazare/cases/format/units.hpp"
+#include "sazare/cases/format/usual_values.hpp"
 
 namespace sazare::cases {
 namespace {
@@ -104,7 +105,9 @@ private:
   bool is_number(const Value& value) {
     const auto number = number_in(value);
     if (!number) return refuse(value, help_for_number(value));
-    return is_in_range(value, *number);
+    if (!is_in_range(value, *number)) return false;
+    warn_of_unusual(key_, value, *number, problems_);
+    return true;
   }
 
   bool is_in_range(const Value& value, Real number) {

@@ -12,11 +12,11 @@ TEST(Explain, SaysWhatFollowsFromTheNumbers) {
   for (const char* words : {
            "mesh        block.geo, coordinates times 0.001, meshed by gmsh",
            "rock: 2700 kg/m3, regions rock, roof",
-           "elastic to 6.66e6 Pa at an opening of 14.8e-6 m, broken at 29.93e-6 m",
+           "elastic to 6.66e6 Pa (6.66 MPa) at an opening of 14.8e-6 m, broken at 29.93e-6 m",
            "friction angle 30 deg",
            "slit: on surface slit, never bonded",
            "10 spheres on each free face",
-           "hole 1: on surface hole_1 from 100e-6 s: 575e6 Pa after 133e-6 s, zero again after 498.8e-6 s",
+           "hole 1: on surface hole_1 from 100e-6 s: 575e6 Pa (575 MPa) after 133e-6 s, zero again after 498.8e-6 s",
            "ends on a face once its displacement is 0.005 m",
            "hole_2: on surface hole_2 from 0 s: 3 rows of pressure.csv, to 500e-6 s",
            "rock: translation x z, rotation y",

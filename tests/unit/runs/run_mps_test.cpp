@@ -50,6 +50,26 @@ TEST(run_mps, writes_its_folder_and_its_figures) {
   EXPECT_TRUE(read_text(folder / "run/gauges.csv").starts_with("time [s],GL -100 m.displacement_x [m],"));
 }
 
+/// Two layers with a gap of two spacings between them: the upper one is joined to nothing.
+TEST(run_mps, tells_of_parts_that_nothing_holds) {
+  const TemporaryFolder folder;
+  const auto checked = [&](const std::string& lower) {
+    const std::string text =
+        "[case]\ntitle = \"two layers\"\nmethod = \"mps\"\n[particles]\nspacing = 1.0\ndimension = 2\n"
+        "[[regions]]\nname = \"rock\"\nlower = [0.0, 0.0, 0.0]\nupper = [4.0, 2.0, 0.0]\n"
+        "[[regions]]\nname = \"soil\"\nlower = [0.0, " + lower + ", 0.0]\nupper = [4.0, 7.0, 0.0]\n"
+        "[[materials]]\nname = \"ground\"\nregions = [\"rock\", \"soil\"]\ndensity = 1800.0\ns_wave_velocity = 100.0\n"
+        "p_wave_velocity = 200.0\n[[boundaries]]\nside = \"bottom\"\nkind = \"fixed\"\n[time]\nend = 0.1\nhistory_interval = 0.01\n";
+    return registry::check_case(registry::read_case_text(text, folder / "case.toml"));
+  };
+  const std::string parted = checked("4.0"), whole = checked("2.0");
+  EXPECT_NE(parted.find("nothing holds 12 of the 20 particles, such as that at (0.5, 4.5, 0) m"), std::string::npos) << parted;
+  EXPECT_NE(parted.find("wider than the influence radius of 1.5 m"), std::string::npos) << parted;
+  EXPECT_EQ(whole.find("nothing holds"), std::string::npos) << whole;
+  EXPECT_NE(whole.find("size        4 x 7 m, from (0, 0, 0) to (4, 7, 0) m"), std::string::npos) << whole;
+  EXPECT_NE(whole.find("ground: P 200 m/s, S 100 m/s; S waves of 10 Hz are ten times 1 m long"), std::string::npos) << whole;
+}
+
 /// A coarse slope in which links break.
 cases::CaseFile slope() {
   const std::vector<std::string> settings = {"particles.spacing=2", "materials.0.rupture_strain=2e-3", "time.end=3",

@@ -35,6 +35,16 @@ TEST(sphere_refusals, a_box_of_random_places_thinner_than_a_sphere) {
   EXPECT_SAYS(words, "error: the box of the group \"grains\" is 0.012 m along z, and its largest sphere 0.02 m wide");
 }
 
+/// Contacts without friction are asked for, not had by leaving a key out.
+TEST(sphere_refusals, contacts_of_which_nobody_said_how_they_rub) {
+  const TemporaryFolder folder;
+  std::string text = head;
+  const std::string friction = "friction_coefficient = 0.4\n";
+  text.erase(text.find(friction), friction.size());
+  EXPECT_SAYS(words_of<UserError>([&] { registry::read_case_text(text, folder / "case.toml"); }),
+              "error: [contact] has neither friction_coefficient nor friction_angle\n");
+}
+
 TEST(sphere_refusals, a_row_that_begins_with_a_letter_below_the_titles) {
   const TemporaryFolder folder;
   const auto with = [&](const std::string& rows) {

@@ -5,30 +5,19 @@
 #include <numbers>
 
 #include "sazare/cases/clocks.hpp"
+#include "sazare/cases/explanation.hpp"
 #include "sazare/cases/fields.hpp"
-#include "sazare/cases/format/number_text.hpp"
 #include "sazare/methods/blocks/case/fields.hpp"
 #include "sazare/methods/blocks/case/format.hpp"
 
 namespace sazare::cases {
 namespace {
 
-std::string number(Real value) { return short_number(value, 4); }
-
 std::string axes_text(const std::array<bool, 3>& axes) {
   std::string out;
   for (std::size_t i = 0; i < 3; ++i)
     if (axes[i]) out += fmt::format("{}{}", out.empty() ? "" : " ", static_cast<char>('x' + i));
   return out.empty() ? "none" : out;
-}
-
-std::string vector_text(const Vector3& value) {
-  return fmt::format("({}, {}, {})", number(value.x()), number(value.y()), number(value.z()));
-}
-
-template <class Enum>
-std::string_view word(Enum value) {
-  return EnumWords<Enum>::words.at(static_cast<std::size_t>(value));
 }
 
 /// One topic of the explanation; further lines of the same topic are indented below the first.
@@ -67,14 +56,15 @@ void explain_joint(Explanation& text, const Joint& joint) {
   if (!joint.bonded) return;
   const Real elastic = joint.tensile_strength / joint.normal_stiffness;
   const Real broken = 2 * joint.fracture_energy / joint.tensile_strength;
-  text.more(fmt::format("tension: elastic to {} Pa at an opening of {} m, broken at {} m ({} J/m2)",
-                        number(joint.tensile_strength), number(elastic), number(broken), number(joint.fracture_energy)));
-  text.more(fmt::format("shear: slips at {} Pa + {} times the pressure (friction angle {} deg)", number(joint.cohesion),
+  text.more(fmt::format("tension: elastic to {} at an opening of {} m, broken at {} m ({} J/m2)",
+                        stress_text(joint.tensile_strength), number(elastic), number(broken), number(joint.fracture_energy)));
+  text.more(fmt::format("shear: slips at {} + {} times the pressure (friction angle {} deg)", stress_text(joint.cohesion),
                         number(joint.friction_coefficient),
                         number(std::atan(joint.friction_coefficient) * 180 / std::numbers::pi)));
   if (joint.law == JointLawName::mixed_mode)
     text.more(fmt::format("law mixed_mode: cohesion is used up by a slip of {} m ({} J/m2), and friction {} remains",
-                          number(2 * joint.law_parameters[0].value_or(0) / joint.cohesion), number(joint.law_parameters[0].value_or(0)),
+                          number(2 * joint.law_parameters[0].value_or(0) / joint.cohesion),
+                          number(joint.law_parameters[0].value_or(0)),
                           number(joint.law_parameters[1].value_or(joint.friction_coefficient))));
   text.more(fmt::format("springs {} and {} Pa/m, dashpots {} and {} Pa s/m (normal, shear)", number(joint.normal_stiffness),
                         number(joint.shear_stiffness), number(joint.normal_damping), number(joint.shear_damping)));
@@ -93,7 +83,7 @@ void explain_blast(Explanation& text, const Blast& blast) {
   if (const auto* pulse = std::get_if<PressurePulse>(&blast.pressure)) {
     peak = pulse->peak_pressure;
     duration = pulse->rise_time * (1 + pulse->decay_ratio);
-    pressure = fmt::format("{} Pa after {} s, zero again after {} s", number(peak), number(pulse->rise_time), number(duration));
+    pressure = fmt::format("{} after {} s, zero again after {} s", stress_text(peak), number(pulse->rise_time), number(duration));
   } else if (const auto* table = std::get_if<PressureTable>(&blast.pressure)) {
     pressure = fmt::format("{} rows of {}, to {} s", table->time.size(), table->file.filename().string(),
                            table->time.empty() ? "0" : number(table->time.back()));

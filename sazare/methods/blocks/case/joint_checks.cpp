@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 10> bond_keys{
 constexpr std::array<std::string_view, 5> keys_of_bonded{"joint_normal_stiffness", "joint_shear_stiffness", "cohesion",
                                                          "tensile_strength", "fracture_energy"};
 
-/// Of those that only a bonded joint has.
+/// Whether a key is one that only a bonded joint has.
 bool is_bond_key(std::string_view key) {
   const auto has_name = [&](const laws::LawParameter& parameter) { return parameter.name == key; };
   return std::ranges::find(bond_keys, key) != bond_keys.end() ||

@@ -1,6 +1,7 @@
 #include <array>
 
 #include "sazare/cases/case_keys.hpp"
+#include "sazare/cases/format/usual_values.hpp"
 #include "sazare/cases/law_keys.hpp"
 #include "sazare/laws/joint_laws.hpp"
 #include "sazare/methods/blocks/case/format.hpp"
@@ -25,6 +26,7 @@ constexpr std::array material_keys{
         .type = Type::number,
         .unit = "kg/m3",
         .range = positive,
+        .usual = usual::density,
         .need = Need::required,
         .sentence = "Mass per volume."},
 };
@@ -47,20 +49,23 @@ constexpr std::array leading_joint_keys{
     Key{.name = "law",
         .type = Type::choice,
         .default_text = "\"linear_softening\"",
-        .sentence = "How a bonded joint fails. linear_softening: tension softens linearly until the joint breaks, and shear slips at "
-                    "the Mohr-Coulomb strength without end. mixed_mode: opening and slip use up one strength, each with its fracture "
-                    "energy, and friction remains.",
+        .sentence =
+            "How a bonded joint fails. linear_softening: tension softens linearly until the joint breaks, and shear slips at "
+            "the Mohr-Coulomb strength without end. mixed_mode: opening and slip use up one strength, each with its fracture "
+            "energy, and friction remains.",
         .choices = laws::words_of_laws<laws::JointLaws>},
     Key{.name = "joint_normal_stiffness",
         .type = Type::number,
         .unit = "Pa/m",
         .range = positive,
+        .usual = usual::stiffness_per_area,
         .note = when_bonded,
         .sentence = "Normal stiffness: normal stress per opening."},
     Key{.name = "joint_shear_stiffness",
         .type = Type::number,
         .unit = "Pa/m",
         .range = not_negative,
+        .usual = usual::stiffness_per_area,
         .note = when_bonded,
         .sentence = "Shear stiffness: shear stress per elastic shear displacement."},
     Key{.name = "joint_normal_damping",
@@ -79,6 +84,7 @@ constexpr std::array leading_joint_keys{
         .type = Type::number,
         .unit = "Pa",
         .range = not_negative,
+        .usual = usual::strength,
         .note = when_bonded,
         .sentence = "Cohesion: shear strength at zero normal stress."},
     Key{.name = "friction_coefficient",
@@ -90,12 +96,14 @@ constexpr std::array leading_joint_keys{
         .type = Type::number,
         .unit = "deg",
         .range = {.low = 0, .high = 90, .high_open = true},
+        .usual = usual::friction_angle,
         .note = "when bonded, exactly one of friction_coefficient and friction_angle",
         .sentence = "Angle whose tangent is the friction coefficient."},
     Key{.name = "tensile_strength",
         .type = Type::number,
         .unit = "Pa",
         .range = positive,
+        .usual = usual::strength,
         .note = when_bonded,
         .sentence =
             "Tensile strength: normal stress at which softening begins; at most sqrt(2 fracture_energy joint_normal_stiffness)."},
@@ -103,6 +111,7 @@ constexpr std::array leading_joint_keys{
         .type = Type::number,
         .unit = "N/m",
         .range = positive,
+        .usual = usual::fracture_energy,
         .note = when_bonded,
         .sentence = "Fracture energy: energy per area that the joint dissipates when it breaks in tension."},
 };
@@ -131,6 +140,7 @@ constexpr std::array contact_keys{
         .type = Type::number,
         .unit = "deg",
         .range = {.low = 0, .high = 90, .high_open = true},
+        .usual = usual::friction_angle,
         .note = "exactly one of friction_coefficient and friction_angle",
         .sentence = "Angle whose tangent is the friction coefficient."},
     Key{.name = "damping_cap",
@@ -157,18 +167,21 @@ constexpr std::array blast_keys{
         .type = Type::number,
         .unit = "s",
         .range = not_negative,
+        .usual = usual::delay,
         .default_text = "0.0",
         .sentence = "Time at which the pressure begins."},
     Key{.name = "peak_pressure",
         .type = Type::number,
         .unit = "Pa",
         .range = positive,
+        .usual = usual::blast_pressure,
         .note = "required without table and function",
         .sentence = "Largest pressure P0 of the pulse."},
     Key{.name = "rise_time",
         .type = Type::number,
         .unit = "s",
         .range = positive,
+        .usual = usual::rise_time,
         .note = "required without table and function",
         .sentence = "Rise time a: from zero to the largest pressure."},
     Key{.name = "decay_ratio",
@@ -223,11 +236,7 @@ constexpr std::array initial_velocity_keys{
         .type = Type::names,
         .need = Need::required,
         .sentence = "Physical volume groups that have an initial velocity."},
-    Key{.name = "velocity",
-        .type = Type::vector,
-        .unit = "m/s",
-        .need = Need::required,
-        .sentence = "Initial velocity."},
+    Key{.name = "velocity", .type = Type::vector, .unit = "m/s", .need = Need::required, .sentence = "Initial velocity."},
 };
 
 constexpr std::array gauge_keys{

@@ -10,7 +10,9 @@
 #include "sazare/methods/blocks/run/gauges.hpp"
 #include "sazare/methods/blocks/run/mesh_source.hpp"
 #include "sazare/methods/blocks/run/run.hpp"
+#include "sazare/methods/blocks/run/second_look.hpp"
 #include "sazare/methods/blocks/run/stability.hpp"
+#include "sazare/runs/cost.hpp"
 #include "sazare/runs/run_clocks.hpp"
 #include "sazare/runs/temporary_folder.hpp"
 
@@ -71,13 +73,24 @@ std::string step_text(const BlocksModel& model, const RunClocks& clocks) {
       "steps", number(base_step), clocks.steps_per_row, number(smallest), "work", number(rate), number(rate * clocks.end));
 }
 
+std::string cost_text(const cases::BlocksCase& blocks, const BlocksModel& model, const RunClocks& clocks) {
+  constexpr Real evaluations_per_second = 10e6, history_columns = 20, gauge_columns = 6, bytes_of_element = 240;
+  const Cost cost{.work = runs::evaluations_per_second(model) * clocks.end,
+                  .work_per_second = evaluations_per_second,
+                  .columns = history_columns + gauge_columns * static_cast<Real>(blocks.gauges.size()),
+                  .bodies = static_cast<Real>(model.simulation->bodies().size()),
+                  .bytes_of_body = bytes_of_element};
+  return cost_text(cost, clocks);
+}
+
 std::string check(const cases::CaseFile& file, const fs::path& made) {
   BlocksModel model = build_blocks(file.as<cases::BlocksCase>(), load_mesh(file, made, false));
   const Gauges gauges(file, model.mesh);
   const RunClocks clocks = make_clocks(file, file.as<cases::BlocksCase>().time, "base_step", model.simulation->levels().step(0));
   const std::string warning = warn_of(file, model);
   model.simulation->start();
-  return cases::explain(file.as<cases::BlocksCase>()) + body_text(model) + step_text(model, clocks) + level_text(model) +
+  return cases::explain(file.as<cases::BlocksCase>()) + body_text(model) + second_look(file.as<cases::BlocksCase>(), model) +
+         step_text(model, clocks) + cost_text(file.as<cases::BlocksCase>(), model, clocks) + level_text(model) +
          limiting_text(model, file.as<cases::BlocksCase>().mesh) + (warning.empty() ? "" : "\n" + warning);
 }
 

@@ -2,45 +2,29 @@
 #include <fmt/ranges.h>
 
 #include "sazare/cases/clocks.hpp"
-#include "sazare/cases/format/number_text.hpp"
+#include "sazare/cases/explanation.hpp"
 #include "sazare/methods/fem/case/fields.hpp"
 #include "sazare/methods/fem/case/format.hpp"
 
 namespace sazare::cases {
 namespace {
 
-std::string number(Real value) { return short_number(value, 4); }
-
-template <class Enum>
-std::string_view word(Enum value) {
-  return EnumWords<Enum>::words.at(static_cast<std::size_t>(value));
-}
-
-std::string line(std::string_view topic, const std::string& text) { return fmt::format("  {:<12}{}\n", topic, text); }
-
 std::string material_text(const FemMaterial& material) {
   std::string text = fmt::format("{}: {} kg/m3, E {} Pa, Poisson's ratio {}, damping ratio {}, regions {}", material.name,
                                  number(material.density), number(material.youngs_modulus), number(material.poisson_ratio),
                                  number(material.damping_ratio), fmt::join(material.regions, ", "));
   if (material.yields)
-    text +=
-        fmt::format("\n  {:<12}  yields: cohesion {} Pa, friction angle {} deg, dilation angle {} deg{}", "",
-                    number(material.cohesion), number(material.friction_angle), number(material.dilation_angle),
-                    material.tensile_strength ? fmt::format(", tension cut-off {} Pa", number(*material.tensile_strength)) : "");
+    text += fmt::format("\n  {:<12}  yields: cohesion {} Pa, friction angle {} deg, dilation angle {} deg, tension cut-off {}", "",
+                        number(material.cohesion), number(material.friction_angle), number(material.dilation_angle),
+                        cut_off_text(material.tensile_strength));
   return text;
 }
 
 std::string boundary_text(const GroupBoundary& boundary) {
   std::string text = fmt::format("{}: {}", boundary.group, word(boundary.kind));
-  for (std::size_t axis = 0; axis < 3; ++axis) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
     if (boundary.axes[axis]) text += fmt::format(" {}", "xyz"[axis]);
-    if (!boundary.motion[axis].empty()) text += fmt::format(", {} moves as {}", "xyz"[axis], boundary.motion[axis]);
-  }
-  return text;
-}
-
-std::string vector_text(const Vector3& value) {
-  return fmt::format("({}, {}, {})", number(value.x()), number(value.y()), number(value.z()));
+  return text + motion_names_text(boundary.motion);
 }
 
 }  // namespace
@@ -57,13 +41,12 @@ std::string explain(const FemCase& fem) {
                              number(joint.normal_stiffness), number(joint.shear_stiffness), number(joint.cohesion),
                              number(joint.friction_angle)));
   if (fem.damping.f2 > 0) text += line("damping", fmt::format("at {} and {} Hz", number(fem.damping.f1), number(fem.damping.f2)));
+  text += explain_motions(fem.motions, fem.time.end);
   for (const GroupBoundary& boundary : fem.boundaries) text += line("boundaries", boundary_text(boundary));
   for (const FemLoad& load : fem.loads)
     text += line("loads", fmt::format("{}: {} Pa on {}, full value after {} s", load.name, vector_text(load.traction), load.group,
                                       number(load.ramp)));
-  if (!fem.gravity.acceleration.isZero())
-    text += line("gravity", vector_text(fem.gravity.acceleration) +
-                                (fem.gravity.settle ? " m/s2, from equilibrium under gravity" : " m/s2"));
+  text += explain_gravity(fem.gravity.acceleration, fem.gravity.settle ? ", from equilibrium under gravity" : "");
   for (const Gauge& gauge : fem.gauges) text += line("gauges", fmt::format("{}: {} m", gauge.name, vector_text(gauge.point)));
   const auto count = [&](Real interval) { return whole_multiple(fem.time.end, interval).value_or(0); };
   text += line("time", fmt::format("to {} s in steps of {} s, {}, alpha {}, {} history rows, {} snapshots", number(fem.time.end),

@@ -10,11 +10,11 @@
 
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/cases/format/suggest.hpp"
+#include "sazare/cases/motion_of_case.hpp"
 #include "sazare/geometry/gmsh/mesher.hpp"
 #include "sazare/methods/fem/boundary_faces.hpp"
 #include "sazare/methods/fem/case/case.hpp"
 #include "sazare/observe/hash.hpp"
-#include "sazare/runs/motion_of_case.hpp"
 
 namespace sazare::runs {
 
@@ -70,10 +70,8 @@ fem::SolidMaterial material_of(const cases::FemMaterial& given) {
   material.name = given.name;
   material.damping_ratio = given.damping_ratio;
   if (!given.yields) return material;
-  const Real tip =
-      given.friction_angle > 0 ? given.cohesion / std::tan(given.friction_angle * degree) : std::numeric_limits<Real>::infinity();
   material.strength = laws::MohrCoulomb::make(given.cohesion, given.friction_angle * degree, given.dilation_angle * degree,
-                                              std::min(given.tensile_strength.value_or(tip), tip));
+                                              given.tensile_strength);
   return material;
 }
 
@@ -126,7 +124,7 @@ public:
       : file_(file), fem_(file.as<cases::FemCase>()), body_(body), names_(names) {}
 
   fem::Supports<D> make() {
-    for (const cases::Motion& motion : fem_.motions) supports_.motions.push_back(motion_of_case(motion));
+    for (const cases::Motion& motion : fem_.motions) supports_.motions.push_back(cases::motion_of_case(motion));
     for (int axis = 0; axis < D; ++axis) supports_.gravity[axis] = fem_.gravity.acceleration[axis];
     for (std::size_t i = 0; i < fem_.boundaries.size(); ++i) add(i);
     for (std::size_t i = 0; i < fem_.loads.size(); ++i) add_load(i);
@@ -281,7 +279,7 @@ FemModel<D> build_fem(const cases::CaseFile& file, geometry::ElementMesh mesh) {
     model.group_names.push_back(times == 0 ? boundary.group : fmt::format("{} {}", boundary.group, times + 1));
   }
   model.stepper = std::make_unique<methods::fem::FemStepper<D>>(std::make_unique<fem::Body<D>>(std::move(description)),
-                                                          std::move(supports), rules_of(given));
+                                                                std::move(supports), rules_of(given));
   check_held(file, *model.stepper);
   return model;
 }

@@ -1,5 +1,8 @@
 #include "sazare/methods/fem/run/run.hpp"
 
+#include <algorithm>
+
+#include "sazare/cases/explanation.hpp"
 #include "sazare/methods/fem/case/format.hpp"
 #include "sazare/methods/fem/run/identity.hpp"
 #include "sazare/methods/fem/run/motion_rows.hpp"
@@ -74,6 +77,31 @@ struct FemWork final : WorkDefaults {
   }
 };
 
+/// The largest distance of two nodes of an element [m].
+Real largest_element(const geometry::ElementMesh& mesh) {
+  Real largest = 0;
+  for (const geometry::MeshElement& element : mesh.elements)
+    for (const Index one : element.node_list())
+      for (const Index other : element.node_list())
+        largest = std::max(largest, (mesh.nodes[at(one)] - mesh.nodes[at(other)]).norm());
+  return largest;
+}
+
+/// Extent of the mesh, and the waves that it can follow.
+std::string second_look(const cases::FemCase& fem, const geometry::ElementMesh& mesh) {
+  Vector3 low = mesh.nodes.front(), high = low;
+  for (const Vector3& node : mesh.nodes) {
+    low = low.cwiseMin(node);
+    high = high.cwiseMax(node);
+  }
+  std::string text = cases::explain_size(low, high);
+  for (const cases::FemMaterial& of : fem.materials) {
+    const auto material = methods::fem::SolidMaterial::elastic_of(of.youngs_modulus, of.poisson_ratio, of.density);
+    text += cases::explain_waves(of.name, material.p_wave_velocity(), material.s_wave_velocity(), largest_element(mesh));
+  }
+  return text;
+}
+
 template <int D>
 std::string check(const cases::CaseFile& file, const std::filesystem::path& folder) {
   const FemModel<D> model = build_fem<D>(file, load_fem_mesh(file, folder / "mesh.msh", false));
@@ -82,6 +110,7 @@ std::string check(const cases::CaseFile& file, const std::filesystem::path& fold
   return cases::explain(file.as<cases::FemCase>()) +
          fmt::format("  {:<12}{} nodes, {} elements, {} joints, mass {} {}\n", "body", model.mesh().nodes.size(),
                      model.mesh().elements.size(), body.joints().size(), number(body.total_mass(), 6), D == 2 ? "kg/m" : "kg") +
+         second_look(file.as<cases::FemCase>(), model.mesh()) +
          fmt::format("  {:<12}{} degrees of freedom, {} equations\n", "work", model.stepper->free_freedoms(),
                      body.is_symmetric() ? "symmetric" : "unsymmetric") +
          fmt::format("  {:<12}{} steps, {} per history row\n", "", clocks.steps(), clocks.steps_per_row);

@@ -49,7 +49,7 @@ struct Ground {
   Real cohesion = 0;          // Pa
   Real friction_angle = 0;    // degrees
   Real dilation_angle = 0;    // degrees
-  Real tensile_strength = 0;  // Pa
+  std::optional<Real> tensile_strength;  // Pa; without it the tip of the strength
   Real rupture_strain = 0;
 };
 

@@ -142,7 +142,7 @@ void check_strengths(const CheckContext& context, const MpsCase& mps) {
       continue;
     }
     check_keys(context, entry, "a material with a cohesion", {"friction_angle"}, {});
-    check_strength(context, entry, {ground.cohesion, ground.friction_angle, ground.dilation_angle, ground.tensile_strength});
+    check_strength(context, entry, {ground.cohesion, ground.friction_angle, ground.dilation_angle, ground.tensile_strength.value_or(0)});
   }
 }
 

@@ -1,6 +1,7 @@
 #include <array>
 
 #include "sazare/cases/case_keys.hpp"
+#include "sazare/cases/format/usual_values.hpp"
 #include "sazare/methods/mps/case/format.hpp"
 
 namespace sazare::cases {
@@ -94,18 +95,21 @@ constexpr std::array material_keys{
         .type = Type::number,
         .unit = "kg/m3",
         .range = positive,
+        .usual = usual::density,
         .need = Need::required,
         .sentence = "Mass per volume."},
     Key{.name = "s_wave_velocity",
         .type = Type::number,
         .unit = "m/s",
         .range = positive,
+        .usual = usual::wave_velocity,
         .note = two_of_three,
         .sentence = "Velocity of S waves."},
     Key{.name = "p_wave_velocity",
         .type = Type::number,
         .unit = "m/s",
         .range = positive,
+        .usual = usual::wave_velocity,
         .note = two_of_three,
         .sentence = "Velocity of P waves."},
     Key{.name = "poisson_ratio",
@@ -122,12 +126,14 @@ constexpr std::array material_keys{
         .type = Type::number,
         .unit = "Pa",
         .range = not_negative,
+        .usual = usual::strength,
         .note = "default: the material is elastic and never fails",
         .sentence = "Cohesion of the Mohr-Coulomb strength."},
     Key{.name = "friction_angle",
         .type = Type::number,
         .unit = "deg",
         .range = {.low = 0, .high = 60},
+        .usual = usual::friction_angle,
         .note = with_strength,
         .sentence = "Friction angle, of broken ground too."},
     Key{.name = "dilation_angle",
@@ -141,15 +147,16 @@ constexpr std::array material_keys{
         .type = Type::number,
         .unit = "Pa",
         .range = not_negative,
-        .default_text = "0.0",
-        .note = "only with a cohesion",
+        .usual = usual::strength,
+        .note = "only with a cohesion; default: cohesion/tan(friction_angle), without friction none",
         .sentence = "Tension cut-off: largest tensile stress; at most cohesion/tan(friction_angle)."},
     Key{.name = "rupture_strain",
         .type = Type::number,
         .range = positive,
         .default_text = "0.1",
         .note = "only with a cohesion",
-        .sentence = "Equivalent plastic shear strain (engineering) or tensile opening at which the ground breaks: it then has friction, but no "
+        .sentence = "Equivalent plastic shear strain (engineering) or tensile opening at which the ground breaks: it then has "
+                    "friction, but no "
                     "cohesion and no links."},
 };
 
@@ -163,13 +170,11 @@ constexpr std::array boundary_keys{
     Key{.name = "extent",
         .type = Type::choice,
         .default_text = "\"plane\"",
-        .sentence = "plane: the outermost plane of particles; surface: all particles without a neighbour in this direction, on slope "
-                    "faces, overhangs and in cavities too.",
+        .sentence =
+            "plane: the outermost plane of particles; surface: all particles without a neighbour in this direction, on slope "
+            "faces, overhangs and in cavities too.",
         .choices = extents},
-    Key{.name = "region",
-        .type = Type::text,
-        .note = "default: the whole body",
-        .sentence = "Region whose side is meant."},
+    Key{.name = "region", .type = Type::text, .note = "default: the whole body", .sentence = "Region whose side is meant."},
     Key{.name = "kind",
         .type = Type::choice,
         .need = Need::required,
@@ -191,7 +196,8 @@ constexpr std::array contact_keys{
         .type = Type::number,
         .range = {.low = 0, .high = 2},
         .default_text = "0.2",
-        .sentence = "Damping ratio of broken ground, for the motion of its particles that is no smooth deformation, and of contacts."},
+        .sentence =
+            "Damping ratio of broken ground, for the motion of its particles that is no smooth deformation, and of contacts."},
 };
 
 constexpr std::array ground_gravity_keys{

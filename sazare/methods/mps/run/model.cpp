@@ -10,9 +10,10 @@
 #include <utility>
 
 #include "sazare/cases/format/number_text.hpp"
+#include "sazare/cases/motion_of_case.hpp"
 #include "sazare/methods/mps/case/fields.hpp"
 #include "sazare/methods/mps/elastic_forces.hpp"
-#include "sazare/runs/motion_of_case.hpp"
+#include "sazare/methods/mps/run/loose_parts.hpp"
 
 namespace sazare::runs {
 
@@ -111,7 +112,8 @@ std::vector<Index> particles_at(const cases::MpsCase& mps, const cases::SideBoun
     if (!belongs(i)) continue;
     Site<D> beyond = sites[i];
     beyond[axis] += direction;
-    const bool is_outside = boundary.extent == cases::SideExtent::surface ? !taken.contains(beyond) : direction * sites[i][axis] == outermost;
+    const bool is_outside =
+        boundary.extent == cases::SideExtent::surface ? !taken.contains(beyond) : direction * sites[i][axis] == outermost;
     if (boundary.side == Side::all || is_outside) found.push_back(static_cast<Index>(i));
   }
   return found;
@@ -119,7 +121,8 @@ std::vector<Index> particles_at(const cases::MpsCase& mps, const cases::SideBoun
 
 /// How many particles a boundary has, and where.
 template <int D>
-std::string words_of_side(std::string_view name, std::string_view kind, const std::vector<Index>& found, const Filling<D>& filling) {
+std::string words_of_side(std::string_view name, std::string_view kind, const std::vector<Index>& found,
+                          const Filling<D>& filling) {
   std::string text = fmt::format("{}: {}, {} particles", name, kind, found.size());
   for (int axis = 0; axis < D && !found.empty(); ++axis) {
     Real low = std::numeric_limits<Real>::infinity(), high = -low;
@@ -140,7 +143,7 @@ class SupportMaker {
 public:
   SupportMaker(const cases::MpsCase& mps, MpsParts<D>& parts)
       : mps_(mps), filling_(parts.filling), material_(parts.material), particles_(parts.particles), links_(parts.links) {
-    for (const cases::Motion& motion : mps_.motions) supports_.motions.push_back(motion_of_case(motion));
+    for (const cases::Motion& motion : mps_.motions) supports_.motions.push_back(cases::motion_of_case(motion));
     for (int axis = 0; axis < D; ++axis) supports_.gravity[axis] = mps_.gravity.acceleration[axis];
   }
 
@@ -160,7 +163,8 @@ private:
     const cases::SideBoundary& boundary = mps_.boundaries[number];
     const std::vector<Index> particles = particles_at<D>(mps_, boundary, filling_);
     words_.push_back(words_of_side<D>(cases::EnumWords<Side>::words[static_cast<std::size_t>(boundary.side)],
-                                      cases::EnumWords<SideKind>::words[static_cast<std::size_t>(boundary.kind)], particles, filling_));
+                                      cases::EnumWords<SideKind>::words[static_cast<std::size_t>(boundary.kind)], particles,
+                                      filling_));
     for (const Index particle : particles)
       for (std::size_t axis = 0; axis < D; ++axis) add(boundary, particle, axis);
     if (boundary.kind != SideKind::roller) cut_in_half(particles);
@@ -260,8 +264,7 @@ std::string check_step(const cases::CaseFile& file, const MpsModel<D>& model) {
     return warning(
         file, "time.step", what,
         "the error of Euler's step then grows slowly: short runs may tolerate it; the limit of Verlet's step is larger");
-  if (model.step > near_limit * limit)
-    return warning(file, "time.step", what, "0.9 of it leaves a margin for large motion");
+  if (model.step > near_limit * limit) return warning(file, "time.step", what, "0.9 of it leaves a margin for large motion");
   return {};
 }
 
@@ -320,7 +323,7 @@ MpsModel<D> build_mps(const cases::CaseFile& file) {
   model.material = parts.material;
   model.sides = parts.sides;
   model.step = choose_step<D>(file, model);
-  model.warning = check_step<D>(file, model);
+  model.warning = check_step<D>(file, model) + warn_of_loose_parts<D>(file, parts);
   model.stepper = parts.stepper(file.as<cases::MpsCase>(), model.step);
   model.failing = dynamic_cast<const methods::mps::FailingForces<D>*>(&model.stepper->forces());
   return model;

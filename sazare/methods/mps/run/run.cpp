@@ -1,15 +1,19 @@
 #include "sazare/methods/mps/run/run.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
+#include <span>
 
+#include "sazare/cases/explanation.hpp"
 #include "sazare/methods/mps/case/format.hpp"
 #include "sazare/methods/mps/run/identity.hpp"
 #include "sazare/methods/mps/run/record.hpp"
 #include "sazare/observe/atomic_file.hpp"
 #include "sazare/observe/hash.hpp"
 #include "sazare/runs/case_run.hpp"
+#include "sazare/runs/cost.hpp"
 #include "sazare/runs/particle_rows.hpp"
 
 namespace sazare::runs {
@@ -102,10 +106,10 @@ struct MpsWork final : WorkDefaults {
           "  the ground slides under its own weight: check its strength and its shape, or run it without settle to see the slide",
           place_words(*slides)));
     if (left <= tolerance) return true;
-    throw PhysicsError(fmt::format(
-        "no equilibrium under gravity: after {} steps an acceleration of {} m/s2 remains, {} is required\n"
-        "  the ground is not stable, or hardly supported: check its strength and the boundaries that support it",
-        file.as<cases::MpsCase>().gravity.max_settling_steps, number(left, 3), number(tolerance, 3)));
+    throw PhysicsError(
+        fmt::format("no equilibrium under gravity: after {} steps an acceleration of {} m/s2 remains, {} is required\n"
+                    "  the ground is not stable, or hardly supported: check its strength and the boundaries that support it",
+                    file.as<cases::MpsCase>().gravity.max_settling_steps, number(left, 3), number(tolerance, 3)));
   }
 
   /// A particle that has moved by more than a spacing since it broke, to which broken ones are added.
@@ -158,6 +162,34 @@ std::string side_lines(const MpsModel<D>& model) {
   return text;
 }
 
+/// Extent of the ground, and the waves that particles can follow.
+template <int D>
+std::string second_look(const cases::MpsCase& mps, const state::Particles<D>& particles) {
+  Vector3 low = Vector3::Zero(), high = Vector3::Zero();
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    const auto own = std::span(particles.start[axis]).first(particles.size());
+    low[static_cast<Eigen::Index>(axis)] = std::ranges::min(own) - 0.5 * particles.spacing;
+    high[static_cast<Eigen::Index>(axis)] = std::ranges::max(own) + 0.5 * particles.spacing;
+  }
+  std::string text = cases::explain_size(low, high);
+  for (const cases::Ground& ground : mps.materials)
+    text += cases::explain_waves(ground.name, ground.p_wave_velocity, ground.s_wave_velocity, particles.spacing);
+  return text;
+}
+
+template <int D>
+std::string cost_text(const cases::MpsCase& mps, Real particles, const RunClocks& clocks) {
+  constexpr Real elastic_in_plane = 30e6, elastic_in_space = 4e6, share_with_strength = 0.4, history_columns = 20,
+                 gauge_columns = 6, bytes_of_particle = 150;
+  const bool yields = std::ranges::any_of(mps.materials, [](const cases::Ground& ground) { return ground.yields; });
+  return runs::cost_text({.work = particles * static_cast<Real>(clocks.steps()),
+                          .work_per_second = (D == 2 ? elastic_in_plane : elastic_in_space) * (yields ? share_with_strength : 1),
+                          .columns = history_columns + gauge_columns * static_cast<Real>(mps.gauges.size()),
+                          .bodies = particles,
+                          .bytes_of_body = bytes_of_particle},
+                         clocks);
+}
+
 template <int D>
 std::string check(const cases::CaseFile& file) {
   const MpsModel<D> model = build_mps<D>(file);
@@ -171,14 +203,14 @@ std::string check(const cases::CaseFile& file) {
              "  {:<12}{} particles, number density {}, {} degrees of freedom held, {} prescribed, {} on viscous boundaries\n",
              "body", model.filling.sites.size(), number(model.number_density, 6), supports.held.size(), supports.driven.size(),
              supports.dashpots.size()) +
-         side_lines(model) +
+         second_look<D>(file.as<cases::MpsCase>(), model.stepper->particles()) + side_lines(model) +
          fmt::format("  {:<12}limit {} s, predicted from the largest frequency, {} rad/s, and the damping\n", "stability",
                      number(limit, 5), number(model.limit.frequency, 6)) +
          fmt::format("  {:<12}{} s, {} of the limit, {} per history row\n", "step", number(model.step, 5),
                      number(model.step / limit, 3), clocks.steps_per_row) +
          fmt::format("  {:<12}{} steps, {} particle-steps\n", "work", clocks.steps(),
                      number(particles * static_cast<Real>(clocks.steps()))) +
-         (model.warning.empty() ? "" : "\n" + model.warning);
+         cost_text<D>(file.as<cases::MpsCase>(), particles, clocks) + (model.warning.empty() ? "" : "\n" + model.warning);
 }
 
 }  // namespace

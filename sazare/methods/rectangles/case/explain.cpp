@@ -1,24 +1,17 @@
 #include <fmt/format.h>
 
 #include "sazare/cases/clocks.hpp"
-#include "sazare/cases/format/number_text.hpp"
+#include "sazare/cases/explanation.hpp"
 #include "sazare/methods/rectangles/case/fields.hpp"
 #include "sazare/methods/rectangles/case/format.hpp"
 
 namespace sazare::cases {
 namespace {
 
-std::string number(Real value) { return short_number(value, 4); }
-
-std::string line(std::string_view topic, const std::string& text) { return fmt::format("  {:<12}{}\n", topic, text); }
-
 std::string moves_text(const SupportMotion& moves) {
   if (!moves.velocity.isZero())
     return fmt::format(", moves with ({}, {}) m/s", number(moves.velocity.x()), number(moves.velocity.y()));
-  std::string text;
-  for (std::size_t axis = 0; axis < 2; ++axis)
-    if (!moves.motion[axis].empty()) text += fmt::format(", {} moves as {}", "xy"[axis], moves.motion[axis]);
-  return text;
+  return motion_names_text(moves.motion);
 }
 
 std::string block_text(const SquareBlock& block) {
@@ -48,6 +41,8 @@ std::string explain(const RectanglesCase& rectangles) {
   text += line("contact", fmt::format("k_n {} Pa, k_s {} Pa, damping {}, friction {} deg",
                                       number(rectangles.contact.normal_stiffness), number(rectangles.contact.shear_stiffness),
                                       number(rectangles.contact.damping_ratio), number(rectangles.contact.friction_angle)));
+  text += explain_gravity(rectangles.gravity.acceleration);
+  text += explain_motions(rectangles.motions, rectangles.time.end);
   for (const Wall& wall : rectangles.walls) text += line("walls", wall.name + moves_text(wall.moves));
   for (const Roller& roller : rectangles.rollers)
     text += line("rollers", fmt::format("{}: radius {} m", roller.name, number(roller.radius)) + moves_text(roller.moves));

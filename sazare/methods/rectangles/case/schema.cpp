@@ -1,6 +1,7 @@
 #include <array>
 
 #include "sazare/cases/case_keys.hpp"
+#include "sazare/cases/format/usual_values.hpp"
 #include "sazare/methods/rectangles/case/format.hpp"
 
 namespace sazare::cases {
@@ -89,6 +90,7 @@ constexpr std::array material_keys{
         .type = Type::number,
         .unit = "kg/m3",
         .range = positive,
+        .usual = usual::density,
         .need = Need::required,
         .sentence = "Mass per volume."},
     Key{.name = "face_normal_stiffness",
@@ -107,6 +109,7 @@ constexpr std::array material_keys{
         .type = Type::number,
         .unit = "Pa",
         .range = positive,
+        .usual = usual::elastic_modulus,
         .note = two_stiffnesses,
         .sentence = "Young's modulus in plane strain, from which both stiffnesses follow: for squares by those of a square "
                     "lattice, for polygons by the mean over all directions."},
@@ -124,18 +127,21 @@ constexpr std::array material_keys{
         .type = Type::number,
         .unit = "Pa",
         .range = positive_or_infinite,
+        .usual = usual::strength,
         .default_text = "inf",
         .sentence = "Tensile strength: normal stress at which a spring breaks for good."},
     Key{.name = "cohesion",
         .type = Type::number,
         .unit = "Pa",
         .range = {.low = 0, .infinite = true},
+        .usual = usual::strength,
         .default_text = "inf",
         .sentence = "Cohesion: shear strength at zero normal stress, of springs that are not broken."},
     Key{.name = "friction_angle",
         .type = Type::number,
         .unit = "deg",
         .range = angle_range,
+        .usual = usual::friction_angle,
         .default_text = "0.0",
         .sentence = "Friction angle of the springs."},
     Key{.name = "springs",
@@ -177,6 +183,7 @@ constexpr std::array contact_keys{
         .type = Type::number,
         .unit = "deg",
         .range = angle_range,
+        .usual = usual::friction_angle,
         .need = Need::required,
         .sentence = "Friction angle of contacts."},
 };

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "sazare/cases/format/number_text.hpp"
+#include "sazare/cases/motion_of_case.hpp"
 #include "sazare/core/error.hpp"
 #include "sazare/core/machine_memory.hpp"
 #include "sazare/geometry/plane/voronoi.hpp"
@@ -16,7 +17,6 @@
 #include "sazare/methods/rectangles/case/nuclei_file.hpp"
 #include "sazare/methods/rectangles/packing.hpp"
 #include "sazare/methods/rectangles/run/grey_image.hpp"
-#include "sazare/runs/motion_of_case.hpp"
 
 namespace sazare::runs {
 
@@ -251,9 +251,9 @@ private:
       const std::string& name = moves.motion[static_cast<std::size_t>(axis)];
       auto& motions = result_.supports.motions;
       if (!name.empty())
-        motions.push_back(motion_of_case(*std::ranges::find(case_.motions, name, &cases::Motion::name)));
+        motions.push_back(cases::motion_of_case(*std::ranges::find(case_.motions, name, &cases::Motion::name)));
       else if (moves.velocity[axis] != 0)
-        motions.push_back(constant_velocity(moves.velocity[axis], case_.time.end));
+        motions.push_back(cases::constant_velocity(moves.velocity[axis], case_.time.end));
       else {
         result_.supports.held.push_back({own, axis});
         continue;

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "sazare/cases/format/schema.hpp"
+#include "sazare/cases/format/usual_values.hpp"
 
 /// Keys of what joins spheres: shapes and bonds.
 namespace sazare::cases {
@@ -70,6 +71,7 @@ inline constexpr std::array bond_keys{
         .type = Type::number,
         .unit = "Pa",
         .range = positive,
+        .usual = usual::elastic_modulus,
         .note = "or bond_normal_stiffness",
         .sentence = "Young's modulus: the bond is a round beam from centre to centre."},
     Key{.name = "poisson_ratio",
@@ -81,12 +83,14 @@ inline constexpr std::array bond_keys{
         .type = Type::number,
         .unit = "Pa/m",
         .range = positive,
+        .usual = usual::stiffness_per_area,
         .note = "or youngs_modulus",
         .sentence = "Tension per area and opening of a cemented contact; it resists bending as well."},
     Key{.name = "bond_shear_stiffness",
         .type = Type::number,
         .unit = "Pa/m",
         .range = positive,
+        .usual = usual::stiffness_per_area,
         .note = "required with bond_normal_stiffness",
         .sentence = "Shear stress over sliding of a cemented contact; it resists twist as well."},
     Key{.name = "damping_ratio",
@@ -98,24 +102,28 @@ inline constexpr std::array bond_keys{
         .type = Type::number,
         .unit = "Pa",
         .range = positive,
+        .usual = usual::strength,
         .note = "none: not limited",
         .sentence = "Tension at the rim, bending included, at which it begins to fail."},
     Key{.name = "cohesion",
         .type = Type::number,
         .unit = "Pa",
         .range = positive,
+        .usual = usual::strength,
         .note = "none: not limited",
         .sentence = "Shear stress at the rim, twist included, at which it begins to fail without pressure."},
     Key{.name = "friction_angle",
         .type = Type::number,
         .unit = "deg",
         .range = {.low = 0, .high = 90, .high_open = true},
+        .usual = usual::friction_angle,
         .default_text = "0.0",
         .sentence = "Angle whose tangent times the pressure is added to the cohesion."},
     Key{.name = "fracture_energy",
         .type = Type::number,
         .unit = "N/m",
         .range = positive,
+        .usual = usual::fracture_energy,
         .note = "none: brittle",
         .sentence = "Energy per area that softening takes in tension."},
 };

@@ -68,6 +68,9 @@ void check_materials(const CheckContext& context, const SpheresCase& spheres) {
   if (contact.has("friction_coefficient") && contact.has("friction_angle"))
     context.problems.error(contact.place("friction_angle"), "friction_coefficient and friction_angle are both given",
                            "keep one of them");
+  if (contact.exists() && !contact.has("friction_coefficient") && !contact.has("friction_angle"))
+    context.problems.error(contact.header(), "[contact] has neither friction_coefficient nor friction_angle",
+                           "add friction_coefficient = ...; 0.0 is for contacts without friction");
 }
 
 void check_pairs(const CheckContext& context, const SpheresCase& spheres) {

@@ -1,21 +1,12 @@
 #include <fmt/format.h>
 
 #include "sazare/cases/clocks.hpp"
-#include "sazare/cases/format/number_text.hpp"
+#include "sazare/cases/explanation.hpp"
 #include "sazare/methods/spheres/case/fields.hpp"
 #include "sazare/methods/spheres/case/format.hpp"
 
 namespace sazare::cases {
 namespace {
-
-std::string number(Real value) { return short_number(value, 4); }
-
-template <class Enum>
-std::string_view word(Enum value) {
-  return EnumWords<Enum>::words.at(static_cast<std::size_t>(value));
-}
-
-std::string line(std::string_view topic, const std::string& text) { return fmt::format("  {:<12}{}\n", topic, text); }
 
 std::string contact_text(const GranularContact& contact, const MaterialPair& pair = {}) {
   const auto of = [](const std::optional<Real>& own, Real of_all) { return number(own.value_or(of_all)); };
@@ -26,8 +17,7 @@ std::string contact_text(const GranularContact& contact, const MaterialPair& pai
 
 std::string wall_text(const WallRules& wall) {
   std::string text = fmt::format("{}: {} of {}", wall.name, word(wall.shape), wall.material);
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (!wall.motion[axis].empty()) text += fmt::format(", {} moves as {}", "xyz"[axis], wall.motion[axis]);
+  text += motion_names_text(wall.motion);
   if (wall.spin.norm() > 0) text += fmt::format(", turns at {} rad/s", number(wall.spin.norm()));
   return text;
 }
@@ -67,6 +57,8 @@ std::string explain(const SpheresCase& spheres) {
                                         group.shape.empty() ? "" : ", shape " + group.shape, group.held ? ", held" : "",
                                         group.rain ? ", falls and rests before the start" : ""));
   for (const BondRules& bond : spheres.bonds) text += line("bonds", bond_text(bond));
+  text += explain_gravity(spheres.gravity.acceleration);
+  text += explain_motions(spheres.motions, spheres.time.end);
   for (const WallRules& wall : spheres.walls) text += line("walls", wall_text(wall));
   for (const GroupGauge& gauge : spheres.gauges)
     text += line("gauges", fmt::format("{}: centre of mass of {}", gauge.name, gauge.group));

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "sazare/cases/case_keys.hpp"
+#include "sazare/cases/format/usual_values.hpp"
 #include "sazare/cases/law_keys.hpp"
 #include "sazare/laws/granular/contact_laws.hpp"
 #include "sazare/methods/spheres/case/body_keys.hpp"
@@ -45,12 +46,14 @@ constexpr std::array material_keys{
         .type = Type::number,
         .unit = "kg/m3",
         .range = positive,
+        .usual = usual::density,
         .need = Need::required,
         .sentence = "Mass per volume."},
     Key{.name = "youngs_modulus",
         .type = Type::number,
         .unit = "Pa",
         .range = positive,
+        .usual = usual::elastic_modulus,
         .note = for_elasticity,
         .sentence = "Young's modulus."},
     Key{.name = "poisson_ratio",
@@ -81,19 +84,21 @@ constexpr std::array leading_contact_keys{
         .type = Type::number,
         .range = restitution_range,
         .need = Need::required,
-        .sentence = "Speed after a central impact with one contact over the speed before. A rigid body that lands on several of its "
-                    "spheres at once loses more, and fast impacts lose less where the step is too long for them: a warning then says "
-                    "up to which speed the step is right."},
+        .sentence =
+            "Speed after a central impact with one contact over the speed before. A rigid body that lands on several of its "
+            "spheres at once loses more, and fast impacts lose less where the step is too long for them: a warning then says "
+            "up to which speed the step is right."},
     Key{.name = "friction_coefficient",
         .type = Type::number,
         .range = not_negative,
-        .default_text = "0.0",
-        .sentence = "Coulomb's coefficient of friction."},
+        .note = "exactly one of friction_coefficient and friction_angle",
+        .sentence = "Coulomb's coefficient of friction; 0.0 for contacts without friction."},
     Key{.name = "friction_angle",
         .type = Type::number,
         .unit = "deg",
         .range = {.low = 0, .high = 90, .high_open = true},
-        .note = "instead of friction_coefficient",
+        .usual = usual::friction_angle,
+        .note = "exactly one of friction_coefficient and friction_angle",
         .sentence = "Angle whose tangent is the coefficient of friction."},
     Key{.name = "rolling_friction",
         .type = Type::number,
@@ -180,10 +185,11 @@ constexpr std::array sphere_keys{
     Key{.name = "file",
         .type = Type::file,
         .note = "required for a file",
-        .sentence =
-            "Rows of radius, x, y, z in m, with blanks, commas or semicolons between them; titles in the first line must be those of "
-            "the columns, and lines that begin with # are skipped. Of a shape: rows of x, y, z in m and its rotation vector rx, ry, rz "
-            "in rad."},
+        .sentence = "Rows of radius, x, y, z in m, with blanks, commas or semicolons between them; titles in the first line must "
+                    "be those of "
+                    "the columns, and lines that begin with # are skipped. Of a shape: rows of x, y, z in m and its rotation "
+                    "vector rx, ry, rz "
+                    "in rad."},
     Key{.name = "lower",
         .type = Type::vector,
         .unit = "m",
@@ -354,7 +360,8 @@ constexpr std::array tables{
     Table{"shapes", true, Need::optional, "Bodies made of spheres, rigid or bonded.", shape_keys},
     Table{"spheres", true, Need::required, "Groups of spheres.", sphere_keys},
     Table{"bonds", true, Need::optional, "Which spheres are bonded, and how strongly.", bond_keys},
-    Table{"walls", true, Need::optional, "Planes and surfaces that spheres cannot pass. Those of one material and one motion are one surface.", wall_keys},
+    Table{"walls", true, Need::optional,
+          "Planes and surfaces that spheres cannot pass. Those of one material and one motion are one surface.", wall_keys},
     Table{"motions", true, Need::optional, "Histories of the walls' motion.", motion_keys},
     gravity_table,
     Table{"gauges", true, Need::optional, "Groups whose motion is recorded.", gauge_keys},

@@ -94,8 +94,8 @@ std::vector<Impact> impacts(const SpheresCase& spheres, const SpheresModel& mode
   return all;
 }
 
-/// How fast spheres may hit something: as they move at the start, as they fall from the highest sphere to the lowest thing, and as
-/// walls come towards them.
+/// How fast spheres may hit something: as they move at the start, as they fall from the highest sphere to the lowest thing, and
+/// as walls come towards them.
 struct ExpectedSpeed {
   Real initial = 0;  ///< [m/s]
   Real fall = 0;     ///< gravity times height [m2/s2]
@@ -177,7 +177,8 @@ std::string warn_of_restitution(const cases::CaseFile& file, const SpheresModel&
   const Real holds = holds_up_to(*worst, law, fastest), shorter = shorter_step(*worst, law, fastest),
              share = model.steps.smallest() / model.steps.limit;
   const std::string what = fmt::format(
-      "between \"{}\" and \"{}\" it will be {} instead of {} at {}, which this case may reach; with this step it is right within 2 % {}",
+      "between \"{}\" and \"{}\" it will be {} instead of {} at {}, which this case may reach; with this step it is right within "
+      "2 % {}",
       worst->one, worst->other, cases::short_number(found, 3), cases::short_number(worst->restitution, 3), expected.text(),
       holds > 0 ? fmt::format("up to {} m/s", cases::short_number(holds, 2)) : "at no speed");
   const std::string help = shorter > 0 ? fmt::format("set time.stability_fraction = {} for faster impacts",

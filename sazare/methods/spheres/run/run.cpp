@@ -12,6 +12,7 @@
 #include "sazare/observe/atomic_file.hpp"
 #include "sazare/observe/hash.hpp"
 #include "sazare/runs/case_run.hpp"
+#include "sazare/runs/cost.hpp"
 
 namespace sazare::runs {
 
@@ -84,7 +85,9 @@ struct SpheresWork final : WorkDefaults {
   }
 
   std::uint64_t state_hash() const { return record.state_hash(); }
-  void write_case() const { observe::write_file(folder.case_file(), cases::write_resolved(file.as<cases::SpheresCase>(), folder.path())); }
+  void write_case() const {
+    observe::write_file(folder.case_file(), cases::write_resolved(file.as<cases::SpheresCase>(), folder.path()));
+  }
   void write_end() override { record.write_fragments(); }
 };
 
@@ -121,6 +124,16 @@ std::string steps_text(const SphereSteps& steps, const RunClocks& clocks) {
   return text + fmt::format(" or so, {} of those that one step for all takes\n", number(steps.share_of_uniform, 2));
 }
 
+std::string cost_text(const cases::SpheresCase& spheres, const SpheresModel& model, const RunClocks& clocks) {
+  constexpr Real particle_steps_per_second = 25e6, history_columns = 20, gauge_columns = 12, bytes_of_sphere = 120;
+  return runs::cost_text({.work = model.steps.particle_steps * static_cast<Real>(clocks.steps()),
+                          .work_per_second = particle_steps_per_second,
+                          .columns = history_columns + gauge_columns * static_cast<Real>(spheres.gauges.size()),
+                          .bodies = static_cast<Real>(model.group.size()),
+                          .bytes_of_body = bytes_of_sphere},
+                         clocks);
+}
+
 }  // namespace
 
 std::string check_spheres(const cases::CaseFile& file) {
@@ -147,7 +160,8 @@ std::string check_spheres(const cases::CaseFile& file) {
               : fmt::format("  {:<12}{} bonded, their inertia within {} of that of their shapes\n", "bodies",
                             model.stepper->bodies().count(), number(model.share_error, 2))) +
          (model.bonds > 0 ? fmt::format("  {:<12}{} at the start\n", "bonds", model.bonds) : "") + notes_text(model) +
-         steps_text(model.steps, clocks) + (warning.empty() ? "" : "\n" + warning);
+         steps_text(model.steps, clocks) + cost_text(file.as<cases::SpheresCase>(), model, clocks) +
+         (warning.empty() ? "" : "\n" + warning);
 }
 
 }  // namespace sazare::runs

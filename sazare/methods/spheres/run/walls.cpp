@@ -7,11 +7,11 @@
 #include <span>
 
 #include "sazare/cases/format/number_text.hpp"
+#include "sazare/cases/motion_of_case.hpp"
 #include "sazare/geometry/closed_surface.hpp"
 #include "sazare/geometry/surface_file.hpp"
 #include "sazare/methods/spheres/case/case.hpp"
 #include "sazare/methods/spheres/wall_images.hpp"
-#include "sazare/runs/motion_of_case.hpp"
 
 namespace sazare::runs {
 
@@ -73,7 +73,7 @@ void add_walls(const SpheresCase& spheres, CaseWalls& made) {
       for (int axis = 0; axis < 3; ++axis)
         for (const cases::Motion& motion : spheres.motions)
           if (!motion.name.empty() && motion.name == rules.motion[static_cast<std::size_t>(axis)])
-            wall.motion.histories.emplace_back(axis, motion_of_case(motion));
+            wall.motion.histories.emplace_back(axis, cases::motion_of_case(motion));
       wall.joined = static_cast<Index>(joined_with(spheres.walls, i));
       made.walls.push_back(std::move(wall));
       made.entry.push_back(static_cast<Index>(i));

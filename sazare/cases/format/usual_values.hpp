@@ -1,0 +1,30 @@
+#pragma once
+
+/// What quantities of the field usually are, from soft soil to steel and from laboratory specimens to quarries. Values outside
+/// are more often slips of units than meant, so they are warned about.
+
+#include "sazare/cases/format/document.hpp"
+#include "sazare/cases/format/problems.hpp"
+#include "sazare/cases/format/schema.hpp"
+
+namespace sazare::cases {
+
+namespace usual {
+
+inline constexpr UsualRange density{100, 25e3};             // [kg/m3]
+inline constexpr UsualRange elastic_modulus{1e4, 2e12};     // [Pa]
+inline constexpr UsualRange strength{100, 10e9};            // [Pa]
+inline constexpr UsualRange stiffness_per_area{1e5, 1e16};  // [Pa/m]
+inline constexpr UsualRange fracture_energy{1e-3, 1e6};     // [N/m]
+inline constexpr UsualRange blast_pressure{1e4, 200e9};     // [Pa]
+inline constexpr UsualRange friction_angle{2, 80};          // [deg]
+inline constexpr UsualRange wave_velocity{10, 15e3};        // [m/s]
+inline constexpr UsualRange delay{0, 30};                   // of a blast [s]
+inline constexpr UsualRange rise_time{0, 0.1};              // of its pressure [s]
+
+}  // namespace usual
+
+/// Warns of a number outside the usual range of its key, and says which unit would explain it.
+void warn_of_unusual(const Key& key, const Value& value, Real number, Problems& problems);
+
+}  // namespace sazare::cases

@@ -1,0 +1,164 @@
+#include "sazare/methods/blocks/run/second_look.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "sazare/cases/explanation.hpp"
+#include "sazare/geometry/face_map.hpp"
+#include "sazare/methods/blocks/run/block_fragments.hpp"
+#include "sazare/methods/blocks/run/parts.hpp"
+
+namespace sazare::runs {
+namespace {
+
+using cases::line;
+using cases::number;
+
+constexpr Real standard_gravity = 9.80665;  // m/s2
+
+/// Of ammonium nitrate and fuel oil: bulk density [kg/m3], and energy [J/kg] as 0.8 of that of TNT (4.184 MJ/kg).
+constexpr Real anfo_density = 840, anfo_energy = 0.8 * 4.184e6;
+
+std::string size_text(const BlocksModel& model) {
+  const geometry::TetraMesh& mesh = model.mesh;
+  Vector3 low = mesh.nodes.front(), high = low;
+  for (const Vector3& node : mesh.nodes) {
+    low = low.cwiseMin(node);
+    high = high.cwiseMax(node);
+  }
+  return cases::explain_size(low, high);
+}
+
+std::string mass_text(const BlocksModel& model) {
+  Real mass = 0;
+  for (const auto& inertia : model.simulation->bodies().inertia) mass += inertia.mass;
+  return line("mass", fmt::format("{} kg, weight {} kN", number(mass), number(standard_gravity / 1e3 * mass)));
+}
+
+/// The wall of a hole, by the faces on which its blast acts.
+struct HoleWall {
+  Real area = 0;                   ///< [m2]
+  Vector3 open = Vector3::Zero();  ///< sum of the faces' area vectors: 0 where the wall closes around the hole [m2]
+  Vector3 axis = Vector3::Zero();  ///< 0 for a hole that is no cylinder
+  Real length = 0, diameter = 0;   ///< along and across the axis; a hole without axis has the diameter of a like sphere [m]
+  Real around = 0;                 ///< faces on a circumference
+  Real volume = 0;                 ///< [m3]
+};
+
+HoleWall measure_wall(const geometry::TetraMesh& mesh, const std::vector<geometry::OuterFace>& faces) {
+  constexpr Real cylinder = 0.02;  // largest mean square of the axial part of the normals
+  HoleWall wall;
+  Matrix3 normals = Matrix3::Zero();
+  Vector3 centre = Vector3::Zero();
+  const auto corners = [&](const geometry::OuterFace& face, std::size_t k) { return mesh.nodes[at(face.nodes[k])]; };
+  const auto area_of = [&](const geometry::OuterFace& face) {
+    return Vector3(0.5 * (corners(face, 1) - corners(face, 0)).cross(corners(face, 2) - corners(face, 0)));
+  };
+  for (const auto& face : faces) {
+    const Vector3 area = area_of(face);
+    wall.area += area.norm();
+    wall.open += area;
+    normals += area * area.normalized().transpose();
+    centre += area.norm() * (corners(face, 0) + corners(face, 1) + corners(face, 2)) / 3;
+  }
+  centre /= wall.area;
+  const Eigen::SelfAdjointEigenSolver<Matrix3> spread(normals / wall.area);
+  const bool has_axis = spread.eigenvalues()[0] < cylinder;
+  if (has_axis) wall.axis = spread.eigenvectors().col(0);
+  Real low = 0, high = 0, widths = 0;
+  for (const auto& face : faces) {
+    const Vector3 area = area_of(face), across = wall.axis.cross(area).normalized();
+    std::array<Real, 3> along{}, around{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      along[k] = (corners(face, k) - centre).dot(wall.axis);
+      around[k] = corners(face, k).dot(across);
+      low = std::min(low, along[k]);
+      high = std::max(high, along[k]);
+    }
+    widths += std::ranges::max(around) - std::ranges::min(around);
+    const Vector3 radius = (corners(face, 0) + corners(face, 1) + corners(face, 2)) / 3 - centre;
+    wall.volume -= (radius - radius.dot(wall.axis) * wall.axis).dot(area) / (has_axis ? 2 : 3);
+  }
+  wall.length = high - low;
+  wall.diameter =
+      has_axis ? std::sqrt(4 * wall.volume / (std::numbers::pi * wall.length)) : std::cbrt(6 * wall.volume / std::numbers::pi);
+  wall.around = std::numbers::pi * wall.diameter * static_cast<Real>(faces.size()) / widths;
+  return wall;
+}
+
+/// The largest pressure of a blast; 0 where it is a function, which only its caller knows [Pa].
+Real peak_of(const cases::Blast& blast) {
+  if (const auto* pulse = std::get_if<cases::PressurePulse>(&blast.pressure)) return pulse->peak_pressure;
+  const auto* table = std::get_if<cases::PressureTable>(&blast.pressure);
+  return table == nullptr || table->pressure.empty() ? 0 : std::ranges::max(table->pressure);
+}
+
+std::string hole_text(const cases::Blast& blast, const HoleWall& wall) {
+  constexpr Real mostly_closed = 0.05, few_faces = 7.5;
+  const Real peak = peak_of(blast), open = wall.open.norm() / wall.area;
+  if (open > mostly_closed || !(wall.volume > 0))
+    return line("holes",
+                fmt::format("{}: {} m2 that do not close around a hole: the pressure pushes the body with the resultant of "
+                            "{} % of its faces{}",
+                            blast.name, number(wall.area), cases::short_number(100 * open, 2),
+                            peak > 0 ? fmt::format(", {} N at its peak", number(peak * wall.open.norm())) : ""));
+  const bool has_axis = !wall.axis.isZero();
+  std::string text = line("holes", fmt::format("{}: {} m across{}, {}{}", blast.name, number(wall.diameter),
+                                               has_axis ? fmt::format(", {} m long", number(wall.length)) : "",
+                                               has_axis ? fmt::format("about {:.0f} faces around", wall.around) : "no cylinder",
+                                               has_axis && wall.around < few_faces ? ", which are few for a round hole" : ""));
+  if (peak > 0)
+    text += line("", fmt::format("  peak pressure times volume {} J; filled with ANFO of {} kg/m3, {} kg would give {} J",
+                                 number(peak * wall.volume), number(anfo_density), number(anfo_density * wall.volume),
+                                 number(anfo_density * anfo_energy * wall.volume)));
+  return text;
+}
+
+/// Elements that a boundary or a constraint holds along one axis at least.
+std::vector<char> held_elements(const cases::BlocksCase& blocks, const BlocksModel& model, const MeshFaces& faces) {
+  const auto& locks = model.simulation->bodies().locks;
+  std::vector<char> held(locks.size(), 0);
+  for (std::size_t i = 0; i < held.size(); ++i) held[i] = locks[i].translation != 0 ? 1 : 0;
+  for (const cases::Boundary& boundary : blocks.boundaries)
+    for (const geometry::OuterFace& face : faces.outer(boundary.surface)) held[at(face.element)] = 1;
+  return held;
+}
+
+/// How many pieces nothing holds, with the place of the largest.
+std::string held_text(const cases::BlocksCase& blocks, const BlocksModel& model, const MeshFaces& faces) {
+  const std::vector<char> held = held_elements(blocks, model, faces);
+  const auto count = std::ranges::count(held, 1);
+  const FragmentMap pieces = find_fragments(static_cast<Index>(held.size()), *model.joints);
+  std::set<Index> holds;
+  for (std::size_t i = 0; i < held.size(); ++i)
+    if (held[i] != 0) holds.insert(pieces.of_element[i]);
+  const auto free = pieces.count - static_cast<Index>(holds.size());
+  std::string text = fmt::format("{} elements by boundaries and constraints", count);
+  if (free == 0) return line("held", text);
+  std::size_t first = 0;
+  while (holds.contains(pieces.of_element[first])) ++first;
+  const Real fall = 0.5 * blocks.gravity.acceleration.norm() * blocks.time.end * blocks.time.end;
+  text += pieces.count == 1 ? std::string("; nothing holds the body")
+                            : fmt::format("; nothing holds {} of {} pieces, such as that of the element at {} m", free,
+                                          pieces.count, cases::vector_text(model.simulation->bodies().start[first]));
+  if (fall > 0) text += fmt::format(", which falls {} m in the time of the run where it meets nothing", number(fall));
+  return line("held", text);
+}
+
+}  // namespace
+
+std::string second_look(const cases::BlocksCase& blocks, const BlocksModel& model) {
+  const auto map = geometry::build_face_map(model.mesh);
+  const MeshFaces faces{model.mesh, map, geometry::find_surface_faces(model.mesh, map)};
+  std::string text = size_text(model) + mass_text(model);
+  for (const cases::Blast& blast : blocks.blasts)
+    if (const auto wall = faces.outer(blast.surface); !wall.empty()) text += hole_text(blast, measure_wall(model.mesh, wall));
+  return text + held_text(blocks, model, faces);
+}
+
+}  // namespace sazare::runs
