@@ -59,12 +59,12 @@ Result walk(const Bed& bed, Real step, bool levels, int steps) {
       {step, Vector3(0, 0, -9.81), 0.5 * small, small, levels ? bed.level : std::vector<std::int8_t>{}});
   const double began = parallel::processor_seconds();
   stepper.start();
-  stepper.settle();
+  stepper.evaluate_now();
   const Real before = stepper.energies().sum();
   for (int k = 0; k < steps; ++k) stepper.advance();
   Result result;
   result.seconds = parallel::processor_seconds() - began;
-  stepper.settle();
+  stepper.evaluate_now();
   const auto now = stepper.energies();
   result.residual = (now.sum() - before) / (now.dashpot_work + now.sliding_work);
   Real mass = 0;

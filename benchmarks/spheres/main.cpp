@@ -75,7 +75,7 @@ int main(int count, char** arguments) {
   const auto began = std::chrono::steady_clock::now();
   for (int k = 0; k < steps; ++k) stepper.advance();
   const Real seconds = std::chrono::duration<Real>(std::chrono::steady_clock::now() - began).count();
-  stepper.settle();
+  stepper.evaluate_now();
   const Real largest = largest_resident_bytes(), resident = resident_bytes();
   std::printf("%.0f,%.4g,%.3g,%.4g,%.4g,%.3g,%.3g,%lld\n", spheres, steps * spheres / seconds,
               static_cast<Real>(stepper.contacts()) / spheres, (largest - before) / spheres, (resident - before) / spheres,

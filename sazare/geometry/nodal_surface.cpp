@@ -93,7 +93,7 @@ Real SurfaceNodes::lead(Real time, Real step, std::vector<Vector3> from, std::ve
   return work;
 }
 
-void SurfaceNodes::book(std::span<const NodeForce> forces, Real step) {
+void SurfaceNodes::add_work(std::span<const NodeForce> forces, Real step) {
   for (const Index touched : touched_) {
     const auto node = static_cast<std::size_t>(touched);
     impulse_[node] += 0.5 * step * force_[node];

@@ -55,9 +55,9 @@ public:
   Real lead(Real time, Real step, std::vector<Vector3> from, std::vector<Vector3> with);
 
   /// Takes the forces at a time, a step after those before.
-  void book(std::span<const NodeForce> forces, Real step);
+  void add_work(std::span<const NodeForce> forces, Real step);
 
-  const std::vector<Vector3>& force() const { return force_; }  ///< as last given to `book` [N]
+  const std::vector<Vector3>& force() const { return force_; }  ///< as last given to `add_work` [N]
   /// Since the last `lead`, of the mean of two forces over the step between them [N s].
   const std::vector<Vector3>& impulse() const { return impulse_; }
   /// Work of the surface on the bodies since the last `lead` [J].

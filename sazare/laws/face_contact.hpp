@@ -78,7 +78,7 @@ struct PressedFace {
   }
   /// w [m/s].
   Real sliding_rate() const { return pressure > 0 ? sliding / pressure : 0; }
-  /// Of Q at a point that has this force [N].
+  /// The share of Q that a point with this force [N] has.
   Real share_of(Real force) const { return total > 0 ? force / total : 1 / static_cast<Real>(points); }
 };
 

@@ -222,7 +222,7 @@ struct SpringStrength {
   Real friction = 0;  ///< tan phi
 };
 
-/// Of the springs of a face. One that has ever broken has neither strength nor cohesion left.
+/// The strength of one spring of a face. A spring that has broken has neither strength nor cohesion left.
 template <class Face>
 auto spring_strength(const Face& face, bool whole = true) {
   using Limit = std::remove_cvref_t<decltype(face.tension_limit)>;

@@ -52,7 +52,7 @@ auto slips(const ShearParameters<P>& law, const Slip<T>& at, T strength) {
   return law.stiffness * law.stiffness * squared > strength * strength;
 }
 
-/// Returns the elastic displacement to the Coulomb line and books the work of the slip at the strength. With the stress t before,
+/// Returns the elastic displacement to the Coulomb line and adds up the work of the slip at the strength. With the stress t before,
 /// that is (t - t_max) t_max / k_s.
 template <class P, class T>
 void slip_back(const ShearParameters<P>& law, Slip<T>& at, T strength) {

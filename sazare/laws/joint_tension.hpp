@@ -76,7 +76,7 @@ T tension_stress(const TensionParameters<P>& law, T opening, T unloading) {
   return opening * select(opening > 0.0, unloading, T{} + law.stiffness);
 }
 
-/// The same by the memory, intact or not.
+/// The stress at an opening for a joint of this memory, intact or not.
 template <class P, class T>
 T softened_stress(const TensionParameters<P>& law, T opening, T peak) {
   return tension_stress(law, opening, unloading_stiffness(law, peak));

@@ -88,7 +88,7 @@ constexpr bool takes(std::string_view parameter) {
   return false;
 }
 
-/// Those of all parameters of a list that a law takes, in the order of the law.
+/// Picks from the values of all parameters of a list those that a law takes, in the order of the law.
 template <class Laws, class Law, class Value>
 std::array<Value, Law::parameters.size()> own_parameters(const std::array<Value, parameters_of_laws<Laws>.size()>& all) {
   std::array<Value, Law::parameters.size()> own{};

@@ -50,25 +50,25 @@ void UniformStepper<D>::remember_supports() {
 
 /// The kick has been given, the forces are still those that gave it.
 template <int D>
-void UniformStepper<D>::book_supports() {
+void UniformStepper<D>::add_work_of_supports() {
   support_work_.applied += 0.5 * rules_.step * applied_power();
   auto before = before_kick_.begin();
   const auto after = [&](const auto& support) {
     return particles_.velocity[static_cast<std::size_t>(support.freedom)][at(support.particle)];
   };
   for (const particles::Dashpot& dashpot : supports_.dashpots) {
-    book_boundary(dashpot, *before, after(dashpot), 0.5 * (*before + after(dashpot)), support_work_);
+    add_work_of_boundary(dashpot, *before, after(dashpot), 0.5 * (*before + after(dashpot)), support_work_);
     ++before;
   }
   for (const particles::DrivenFreedom& driven : supports_.driven) {
-    book_prescribed(driven, *before, after(driven), 0.5 * (*before + after(driven)), support_work_);
+    add_work_of_prescribed(driven, *before, after(driven), 0.5 * (*before + after(driven)), support_work_);
     ++before;
   }
 }
 
 /// `way` is over the step. The columns count its drag as damping.
 template <int D>
-void UniformStepper<D>::book_boundary(const particles::Dashpot& dashpot, Real before, Real after, Real way,
+void UniformStepper<D>::add_work_of_boundary(const particles::Dashpot& dashpot, Real before, Real after, Real way,
                                       WorkByCause& work) const {
   const auto freedom = static_cast<std::size_t>(dashpot.freedom);
   const Real impulse = rules_.step / particles_.inverse_inertia_of(freedom)[at(dashpot.particle)];
@@ -81,7 +81,7 @@ void UniformStepper<D>::book_boundary(const particles::Dashpot& dashpot, Real be
 
 /// The support gives what the change of velocity needs besides all other forces.
 template <int D>
-void UniformStepper<D>::book_prescribed(const particles::DrivenFreedom& driven, Real before, Real after, Real way,
+void UniformStepper<D>::add_work_of_prescribed(const particles::DrivenFreedom& driven, Real before, Real after, Real way,
                                         WorkByCause& work) const {
   const auto freedom = static_cast<std::size_t>(driven.freedom);
   const std::size_t i = at(driven.particle);
@@ -110,18 +110,18 @@ WorkByCause UniformStepper<D>::first_half_of_kick() const {
   for (const particles::Dashpot& dashpot : supports_.dashpots) {
     const auto freedom = static_cast<std::size_t>(dashpot.freedom);
     const Real before = particles_.velocity[freedom][at(dashpot.particle)];
-    book_boundary(dashpot, before, velocity_after(freedom, at(dashpot.particle)), 0.5 * before, half);
+    add_work_of_boundary(dashpot, before, velocity_after(freedom, at(dashpot.particle)), 0.5 * before, half);
   }
   for (const particles::DrivenFreedom& driven : supports_.driven) {
     const Real before = particles_.velocity[static_cast<std::size_t>(driven.freedom)][at(driven.particle)];
-    book_prescribed(driven, before, velocity_after(driven), 0.5 * before, half);
+    add_work_of_prescribed(driven, before, velocity_after(driven), 0.5 * before, half);
   }
   return half;
 }
 
 template <int D>
 WorkByCause UniformStepper<D>::work() const {
-  if (!has_books()) return {};
+  if (!has_energy_balance()) return {};
   WorkByCause sum = first_half_of_kick();
   sum.boundary += support_work_.boundary;
   sum.prescribed += support_work_.prescribed;
@@ -162,9 +162,9 @@ Real UniformStepper<D>::kinetic_energy_of_kick() const {
   template Real UniformStepper<D>::velocity_after(const particles::DrivenFreedom&) const;                                  \
   template Real UniformStepper<D>::applied_power() const;                                                              \
   template void UniformStepper<D>::remember_supports();                                                                \
-  template void UniformStepper<D>::book_supports();                                                                    \
-  template void UniformStepper<D>::book_boundary(const particles::Dashpot&, Real, Real, Real, WorkByCause&) const;         \
-  template void UniformStepper<D>::book_prescribed(const particles::DrivenFreedom&, Real, Real, Real, WorkByCause&) const; \
+  template void UniformStepper<D>::add_work_of_supports();                                                                    \
+  template void UniformStepper<D>::add_work_of_boundary(const particles::Dashpot&, Real, Real, Real, WorkByCause&) const;         \
+  template void UniformStepper<D>::add_work_of_prescribed(const particles::DrivenFreedom&, Real, Real, Real, WorkByCause&) const; \
   template WorkByCause UniformStepper<D>::first_half_of_kick() const;                                                  \
   template WorkByCause UniformStepper<D>::work() const;                                                                \
   template Real UniformStepper<D>::kinetic_energy_of_kick() const;

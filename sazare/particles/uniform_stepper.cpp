@@ -51,7 +51,7 @@ UniformStepper<D>::UniformStepper(state::Particles<D> particles, std::unique_ptr
   for (auto* group : {&elastic_, &previous_, &load_, &keep_, &gain_})
     for (state::Column& column : *group) column.assign(particles_.padded(), 0);
   initial_displacement_ = particles_.displacement;
-  for (state::Column& column : damping_work_) column.assign(is_damped() && has_books() ? particles_.padded() : 0, 0);
+  for (state::Column& column : damping_work_) column.assign(is_damped() && has_energy_balance() ? particles_.padded() : 0, 0);
   base_work_.assign(damping_work_[0].size(), 0);
   prepare_factors();
 }
@@ -131,7 +131,7 @@ void UniformStepper<D>::start() {
   forces_->evaluate(particles_, elastic_);
   previous_ = elastic_;
   add_loads();
-  if (!has_books()) return;
+  if (!has_energy_balance()) return;
   begin_halfway();
   // Only the second half of the first kick counts.
   for (state::Column& column : damping_work_) std::ranges::fill(column, 0);
@@ -271,7 +271,7 @@ void UniformStepper<D>::kick_and_drift() {
   });
   ++step_;
   drive();
-  book_supports();
+  add_work_of_supports();
   std::swap(elastic_, previous_);
   forces_->evaluate(particles_, elastic_);
 }

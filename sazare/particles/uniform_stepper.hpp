@@ -132,13 +132,13 @@ private:
   Real carried(std::size_t freedom, std::size_t i) const { return drag_[i] * base_velocity_[freedom]; }
 
   bool is_damped() const;
-  bool has_books() const { return rules_.integrator != Integrator::euler; }
+  bool has_energy_balance() const { return rules_.integrator != Integrator::euler; }
   Real velocity_after(std::size_t freedom, std::size_t i) const;
   Real velocity_after(const particles::DrivenFreedom& driven) const;
   void remember_supports();
-  void book_supports();
-  void book_boundary(const particles::Dashpot& dashpot, Real before, Real after, Real way, WorkByCause& work) const;
-  void book_prescribed(const particles::DrivenFreedom& driven, Real before, Real after, Real way, WorkByCause& work) const;
+  void add_work_of_supports();
+  void add_work_of_boundary(const particles::Dashpot& dashpot, Real before, Real after, Real way, WorkByCause& work) const;
+  void add_work_of_prescribed(const particles::DrivenFreedom& driven, Real before, Real after, Real way, WorkByCause& work) const;
   WorkByCause first_half_of_kick() const;
 
   state::Particles<D> particles_;
@@ -154,7 +154,7 @@ private:
   state::FreedomColumns<D> gain_;         ///< what it adds per acceleration [s]
   state::Column memory_;                  ///< a2 h/dt
   state::Column drag_;                    ///< a1 h [1/s]
-  /// Of the base, by freedom, at the present time [m/s]; 0 where there is none, and for rotations.
+  /// Velocity of the base by freedom at the present time [m/s]; 0 where there is none, and for rotations.
   std::array<Real, state::particle_freedoms<D>> base_velocity_{};
   /// By tile: whether its particles share load, keep, gain, memory and drag.
   std::vector<std::array<std::uint8_t, state::particle_freedoms<D>>> is_even_;

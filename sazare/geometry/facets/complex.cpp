@@ -178,7 +178,7 @@ void FacetComplex::count(Real same_place, std::span<const PlaneInSpace> planes) 
     for (const Index end : edge.ends) vertices_[at(end)].count -= edge.count;
 }
 
-/// Of length 1, in the plane of a facet, across one of its edges and into it.
+/// The unit vector in the plane of a facet that points across one of its edges into it.
 Vector3 FacetComplex::across(const Edge& edge, Index facet) const {
   const auto& corners = facets_[at(facet)].corners;
   const Vector3 &from = vertices_[at(edge.ends[0])].place, along = (vertices_[at(edge.ends[1])].place - from).normalized();

@@ -36,7 +36,7 @@ Real rebound(const ContactConstants<Real>& constants, const Reduced<Real>& radiu
   return 0;
 }
 
-/// Of the rebounds from several places at the first step, the one that is farthest from the coefficient of restitution.
+/// The rebound that is farthest from the coefficient of restitution, among those from several places at the first step.
 template <class Law>
 Real worst_rebound(const ContactConstants<Real>& constants, Real restitution, const Reduced<Real>& radius, Real mass, Real speed,
                    Real step) {

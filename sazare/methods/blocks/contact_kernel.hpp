@@ -32,7 +32,7 @@ struct SphereTouchOf {
 };
 using SphereTouch = SphereTouchOf<Real>;
 
-/// Of spheres that know a centre and a radius, on bodies that know a position and a rotation.
+/// The touch of two spheres that know a centre and a radius, on bodies that know a position and a rotation.
 template <class Sphere, class Place, class T = decltype(Sphere::radius)>
 SphereTouchOf<T> touch(const Sphere& a, const Sphere& b, const Place& first, const Place& second) {
   const VectorOf<T> from = first.position + first.rotation * a.centre;

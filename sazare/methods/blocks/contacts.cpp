@@ -224,7 +224,7 @@ void Contacts::post_base_step(const Moment& now, const state::Bodies<3>& bodies,
   search(moved, true, now, bodies, changes);
 }
 
-/// Those pairs rest that the evaluation of this base step has found too far apart to meet before the one after the next.
+/// Lets pairs rest that the evaluation of this base step has found too far apart to meet before the one after the next.
 void Contacts::rest_the_distant(const Moment& now, terms::Peers& peers, terms::Changes& changes) {
   base_step_ = now.seconds_since(std::exchange(last_base_, now.tick));
   std::vector<Index> changed;

@@ -89,7 +89,7 @@ template <class Law>
   if (!change.has_happened) return;
   remember(records, change);
   if constexpr (laws::SoftensBySlip<Law>) soften_by_slip(due, change);
-  book(due, change);
+  add_work(due, change);
 }
 
 /// Paths of slip of the joints that `joint_of` names by lane.
@@ -132,7 +132,7 @@ void JointsOf<Laws>::remember(const LanePointers<JointRecord>& records, const Jo
 
 /// What changes of joints have cost, and which of them soften or fail.
 template <class Laws>
-void JointsOf<Laws>::book(std::span<const Due> due, const JointChange& change) {
+void JointsOf<Laws>::add_work(std::span<const Due> due, const JointChange& change) {
   for (std::size_t lane = 0; lane < due.size(); ++lane)
     losses_[at(due[lane].link)].slip_work += change.slip_work[static_cast<int>(lane)];
   if (!any(change.softened)) return;
@@ -151,8 +151,8 @@ void JointsOf<Laws>::book(std::span<const Due> due, const JointChange& change) {
   }
 }
 
-/// Of as many joints as there are lanes: elastic energy in the places of a base step, what fracture has taken, and work of the
-/// dashpots after it [J]. Lanes beyond the last joint repeat it; what lanes of another law have means nothing.
+/// Energies of as many joints as there are lanes: elastic in the places of a base step, what fracture has taken, and work of
+/// the dashpots after it [J]. Lanes beyond the last joint repeat it; what lanes of another law have means nothing.
 template <class Laws>
 template <class Law>
 [[gnu::flatten]] typename JointsOf<Laws>::LaneEnergies JointsOf<Laws>::energies(
@@ -199,7 +199,7 @@ LaneBits JointsOf<Laws>::lanes_of(std::size_t law, Index begin, Index end) const
   return own;
 }
 
-/// Those of as many joints as there are lanes at most.
+/// Adds the energies of as many joints as there are lanes at most.
 template <class Laws>
 void JointsOf<Laws>::add_energies(Index begin, Index end, const terms::Synchronized<3>& synchronized,
                                   terms::EnergySums& energies) const {

@@ -35,7 +35,7 @@ private:
   template <class Law>
   void evaluate_lanes(const KindsOfLaw<Law>& kinds, const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies);
   static void remember(const LanePointers<JointRecord>& records, const JointChange& change);
-  void book(std::span<const Due> due, const JointChange& change);
+  void add_work(std::span<const Due> due, const JointChange& change);
   template <class JointOfLane>
   LaneVector load_paths(const JointOfLane& joint_of) const;
   void soften_by_slip(std::span<const Due> due, const JointChange& change);

@@ -84,7 +84,7 @@ private:
     Index sphere = 0;
     Vector3 centre;    ///< of the sphere [m]
   };
-  /// Of the surface on the blocks, in all and by causes [J].
+  /// Work of the surface on the blocks, in all and by causes [J].
   struct Work {
     Real total = 0, dashpot = 0, friction = 0;
     void add(Real seconds, const Push& push, const Vector3& velocity);

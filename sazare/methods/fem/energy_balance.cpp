@@ -30,7 +30,7 @@ bool FemStepper<D>::is_unloaded() const {
 /// Work of a step, each force with its mean over it. The first step of a static run brings its loads to bear, from nothing to what
 /// they are at its end, as does any step what has been applied from outside since the last one.
 template <int D>
-void FemStepper<D>::book(const Trial& trial, const NodalColumn& balance, const Span& span) {
+void FemStepper<D>::add_work(const Trial& trial, const NodalColumn& balance, const Span& span) {
   NodalColumn moved = trial.displacement;
   add(moved, -1, state_.displacement);
   FemWork& work = state_.work;
@@ -50,7 +50,7 @@ void FemStepper<D>::book(const Trial& trial, const NodalColumn& balance, const S
   work.boundary += dot(rest_, moved);
   NodalColumn before = state_.balance, after = balance;
   if (inertia()) {
-    book_damping(trial, span, moved);
+    add_work_of_damping(trial, span, moved);
     work.radiation += mean_work(product(viscous_, state_.velocity), product(viscous_, trial.velocity), moved);
     work.waves += mean_work(incoming(span.from), incoming(to), moved);
     body_->mass().multiply(state_.acceleration, 1, before);
@@ -65,7 +65,7 @@ void FemStepper<D>::book(const Trial& trial, const NodalColumn& balance, const S
 
 /// What damping does on the motion of the base is the work of the base.
 template <int D>
-void FemStepper<D>::book_damping(const Trial& trial, const Span& span, const NodalColumn& moved) {
+void FemStepper<D>::add_work_of_damping(const Trial& trial, const Span& span, const NodalColumn& moved) {
   const Real to = span.from + span.length;
   const auto force = [&](NodalColumn velocity, Real when) {
     add(velocity, -1, at_all_nodes(base_motion(when, &laws::MotionState::velocity)));
@@ -100,8 +100,8 @@ Real FemStepper<D>::energy_residual() const {
 // The class is instantiated in fem_stepper.cpp, without these.
 #define SAZARE_INSTANTIATE_BOOKS(D)                                                 \
   template bool FemStepper<D>::is_unloaded() const;                                 \
-  template void FemStepper<D>::book(const Trial&, const NodalColumn&, const Span&); \
-  template void FemStepper<D>::book_damping(const Trial&, const Span&, const NodalColumn&); \
+  template void FemStepper<D>::add_work(const Trial&, const NodalColumn&, const Span&); \
+  template void FemStepper<D>::add_work_of_damping(const Trial&, const Span&, const NodalColumn&); \
   template Real FemStepper<D>::kinetic_energy() const;                              \
   template Real FemStepper<D>::elastic_energy() const;                              \
   template Real FemStepper<D>::energy_residual() const;

@@ -19,8 +19,9 @@ bool is_sampled(const laws::GroundMotion& history, laws::MotionQuantity quantity
 /// Samples of velocities are joined by straight lines, so the acceleration is constant between them and jumps where they bend.
 bool jumps(const laws::GroundMotion& history) { return is_sampled(history, laws::MotionQuantity::velocity); }
 
-/// The acceleration of a support at the end of a step, which gives the nodes beside it their impulse. Where displacements are joined
-/// by straight lines the velocity jumps: half of the jump belongs to the step before the bend, the other half to the step after.
+/// The acceleration of a support at the end of a step, which gives the nodes beside it their impulse. Where displacements are
+/// joined by straight lines the velocity jumps: half of the jump belongs to the step before the bend, the other half to the step
+/// after.
 Real acceleration_of(const laws::GroundMotion& history, Real from, Real length) {
   const auto end = history.at(from + length);
   if (!jumps(history) && !is_sampled(history, laws::MotionQuantity::displacement)) return end.acceleration;
@@ -231,7 +232,7 @@ NodalColumn FemStepper<D>::carried_at_start() const {
   return force;
 }
 
-/// Of the base; 0 along axes along which there is none.
+/// The motion of the base; 0 along axes along which there is none.
 template <int D>
 Vector<D> FemStepper<D>::base_motion(Real now, Real laws::MotionState::*quantity) const {
   Vector<D> value = Vector<D>::Zero();
@@ -408,7 +409,7 @@ bool FemStepper<D>::factorize(const Factors& by) {
 template <int D>
 void FemStepper<D>::commit(Trial& trial, const Span& span) {
   const NodalColumn balance = balance_of(trial);
-  book(trial, balance, span);
+  add_work(trial, balance, span);
   state_.displacement.swap(trial.displacement);
   state_.velocity.swap(trial.velocity);
   state_.acceleration.swap(trial.acceleration);

@@ -129,7 +129,7 @@ private:
   methods::fem::NodalColumn at_all_nodes(const Vector<D>& value) const;
   bool is_unloaded() const;
   methods::fem::NodalColumn carried_at_start() const;
-  void book_damping(const Trial& trial, const Span& span, const methods::fem::NodalColumn& moved);
+  void add_work_of_damping(const Trial& trial, const Span& span, const methods::fem::NodalColumn& moved);
   void walk(const Span& span, int cuts_left);
   void push(const methods::fem::NodalColumn& change);
   void jump(const Span& span);
@@ -143,7 +143,7 @@ private:
   methods::fem::NodalColumn unbalance(const Trial& trial, Real& scale) const;
   bool factorize(const Factors& by);
   void commit(Trial& trial, const Span& span);
-  void book(const Trial& trial, const methods::fem::NodalColumn& balance, const Span& span);
+  void add_work(const Trial& trial, const methods::fem::NodalColumn& balance, const Span& span);
   void prepare_solver(bool viscous_held);
   [[noreturn]] void give_up(const Span& span) const;
 

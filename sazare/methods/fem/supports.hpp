@@ -42,7 +42,7 @@ struct Load {
   NodalColumn force;  ///< [N]
   Real ramp = 0;      ///< [s]
 
-  /// Of the full value. A load without a ramp acts in full from t = 0 on; a static run brings it to bear within its first step.
+  /// The share of the full value. Without a ramp a load acts in full from t = 0; a static run brings it to bear in its first step.
   Real share(Real time) const { return ramp > 0 && time < ramp ? std::max(time, Real{0}) / ramp : 1; }
 };
 

@@ -53,7 +53,7 @@ coupling::SurfaceForce SphereSide::answer(const coupling::SurfaceMotion& motion)
   for (std::size_t n = 0; n < velocity.size(); ++n) velocity[n] = (velocity[n] - from[n]) / window;
   stepper_->lead(std::move(from), std::move(velocity));
   for (std::int64_t step = 0; step < course_.steps(); ++step) stepper_->advance();
-  stepper_->settle();
+  stepper_->evaluate_now();
   const auto& nodes = *stepper_->walls().surface();
   return {motion.window, motion.pass, motion.time, surface_.folded(nodes.impulse(), 1 / window),
           surface_.folded(nodes.force(), 1)};

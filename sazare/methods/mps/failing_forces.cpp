@@ -33,7 +33,7 @@ void FailingForces<D>::evaluate(const state::Particles<D>& particles, state::Fre
   else if (gathered_.must_search(particles))
     gathered_.search(particles, strength_);
   evaluate_links(links_, RotationRemoval::mean_rotation, particles, frames_, pressure_, acceleration, &virial_);
-  book_flow(particles);
+  add_work_of_flow(particles);
   contacts_.evaluate(particles, links_, strength_, acceleration);
   gathered_.add_forces(particles, strength_, acceleration);
 }
@@ -84,7 +84,7 @@ void FailingForces<D>::cut_links(Index particle) {
 }
 
 template <int D>
-void FailingForces<D>::book_flow(const state::Particles<D>& particles) {
+void FailingForces<D>::add_work_of_flow(const state::Particles<D>& particles) {
   const auto& flowed = strength_.flowed();
   const auto relief = [&](std::size_t i, std::size_t row, std::size_t column) {  // R^T times the virial
     Real sum = 0;

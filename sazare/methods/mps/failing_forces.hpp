@@ -44,7 +44,7 @@ private:
   std::vector<Index> ruptured() const;
   void break_ground(const state::Particles<D>& particles, std::span<const Index> broken);
   void cut_links(Index particle);
-  void book_flow(const state::Particles<D>& particles);
+  void add_work_of_flow(const state::Particles<D>& particles);
   Real energy_around(const state::Particles<D>& particles, std::span<const Index> broken) const;
 
   LinkTable<D> links_;

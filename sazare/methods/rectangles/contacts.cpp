@@ -45,7 +45,7 @@ Vector2 relative_velocity(const state::Particles<2>& particles, std::size_t i, s
           particles.velocity[1][i] + spin1 * arm1.x() - particles.velocity[1][j] - spin2 * arm2.x()};
 }
 
-/// Of a force at a place about an element's centre [N m].
+/// The moment of a force at a place about an element's centre [N m].
 Real moment_about(const state::Particles<2>& particles, std::size_t element, const Vector2& place, const Vector2& force) {
   return (place.x() - particles.position(0, element)) * force.y() - (place.y() - particles.position(1, element)) * force.x();
 }

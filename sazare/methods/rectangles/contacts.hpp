@@ -18,7 +18,7 @@ namespace sazare::methods::rectangles {
 
 using ContactRules = laws::FaceContact;
 
-/// Of a pair of elements, or of an element and a support, which has no mass.
+/// Springs and dashpots of a pair of elements, or of an element and a support, which has no mass.
 laws::ContactSprings contact_springs(const ContactRules& rules, const state::Outlines& outlines,
                                      const state::Particles<2>& particles, Index first, Index second);
 

@@ -313,7 +313,7 @@ void FaceLinks::evaluate_damaged(const state::Particles<2>& particles, Real elap
     for (std::size_t place = begin; place < end; ++place)
       if (!is_open(damaged_[place])) evaluate_damaged(particles, place, elapsed);
   });
-  close_books();
+  close_energy_balance();
 }
 
 void FaceLinks::evaluate_damaged(const state::Particles<2>& particles, std::size_t place, Real elapsed) {
@@ -354,7 +354,7 @@ void FaceLinks::advance_damaged(const FaceKind& kind, const Face& face, const Fa
 }
 
 /// Takes links that have opened out of the list.
-void FaceLinks::close_books() {
+void FaceLinks::close_energy_balance() {
   for (std::size_t place = 0; place < damaged_.size(); ++place) {
     if (just_opened_[place] == 0 || is_open(damaged_[place])) continue;
     open_[at(damaged_[place])] = 1;

@@ -149,7 +149,7 @@ private:
   void damage(Index number);
   void evaluate_damaged(const state::Particles<2>& particles, Real elapsed);
   void evaluate_damaged(const state::Particles<2>& particles, std::size_t place, Real elapsed);
-  void close_books();
+  void close_energy_balance();
   template <class Face>
   void advance_damaged(const FaceKind& kind, const Face& face, const laws::FaceMotion<Real>& motion, std::size_t place,
                        Real elapsed);

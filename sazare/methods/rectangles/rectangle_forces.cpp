@@ -126,20 +126,20 @@ Real RectangleForces::energy(const state::Particles<2>& particles) {
   return links_.elastic_energy(particles) + contacts_.elastic_energy() + (surface_ ? surface_->elastic_energy() : 0);
 }
 
-EnergyBooks RectangleForces::books(const state::Particles<2>& particles) const {
-  EnergyBooks books;
-  books.links = links_.losses();
-  books.contacts = contacts_.losses();
-  books.elastic = links_.elastic_energy(particles) + contacts_.elastic_energy();
+EnergyParts RectangleForces::energy_parts(const state::Particles<2>& particles) const {
+  EnergyParts energies;
+  energies.links = links_.losses();
+  energies.contacts = contacts_.losses();
+  energies.elastic = links_.elastic_energy(particles) + contacts_.elastic_energy();
   for (std::size_t i = 0; i < outlines_.size() && !base_work_.empty(); ++i)
-    books.base_friction += base_work_[i];  // without the padding
-  books.supports = support_work_;
-  if (!surface_) return books;
-  books.elastic += surface_->elastic_energy();
-  books.contacts.dashpot += surface_->losses().dashpot;
-  books.contacts.friction += surface_->losses().friction;
-  books.surface = surface_->work();
-  return books;
+    energies.base_friction += base_work_[i];  // without the padding
+  energies.supports = support_work_;
+  if (!surface_) return energies;
+  energies.elastic += surface_->elastic_energy();
+  energies.contacts.dashpot += surface_->losses().dashpot;
+  energies.contacts.friction += surface_->losses().friction;
+  energies.surface = surface_->work();
+  return energies;
 }
 
 void RectangleForces::columns(Archive& archive) {

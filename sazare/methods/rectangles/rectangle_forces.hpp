@@ -22,7 +22,7 @@ struct BaseFriction {
 };
 
 /// Energies so far [J].
-struct EnergyBooks {
+struct EnergyParts {
   Real elastic = 0;
   SpringLosses links;
   SpringLosses contacts;   ///< nothing breaks there
@@ -59,7 +59,7 @@ public:
   /// Nullptr where there is none.
   const SurfaceContacts* surface() const { return surface_ ? &*surface_ : nullptr; }
 
-  EnergyBooks books(const state::Particles<2>& particles) const;
+  EnergyParts energy_parts(const state::Particles<2>& particles) const;
   const state::Outlines& outlines() const { return outlines_; }
   const FaceLinks& links() const { return links_; }
   const Contacts& contacts() const { return contacts_; }

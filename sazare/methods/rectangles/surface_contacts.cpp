@@ -79,7 +79,7 @@ void SurfaceContacts::evaluate(const state::Particles<2>& particles, const state
       forces.push_back({nodes_of(point)[0], (1 - point.share) * back});
       forces.push_back({nodes_of(point)[1], point.share * back});
     }
-  nodes_.book(forces, elapsed);
+  nodes_.add_work(forces, elapsed);
 }
 
 /// Which elements are near which segments; those that were near keep what they remember.
@@ -257,7 +257,7 @@ void SurfaceContacts::add_circle(const Outline& outline, Near& near) const {
   }
 }
 
-/// Of an element that lies on the surface with one face: those on a wall, without points.
+/// Springs and dashpots of an element that lies on the surface with one face: those on a wall, without points.
 laws::ContactSprings SurfaceContacts::springs_of(Real mass) const {
   const Real normal = 2 * rules_.normal_stiffness * rules_.thickness, shear = 2 * rules_.shear_stiffness * rules_.thickness,
              damping = 2 * rules_.damping_ratio * std::sqrt(normal * mass);
@@ -317,7 +317,7 @@ Real SurfaceContacts::power_of_nodes(const Near& near) const {
   return power;
 }
 
-/// Of the last dashpot forces, by the present velocities.
+/// The power of the last dashpot forces at the present velocities [W].
 Real SurfaceContacts::dashpot_power(const state::Particles<2>& particles, const Near& near) const {
   Real power = power_of_nodes(near);
   for (std::size_t freedom = 0; freedom < 3; ++freedom)

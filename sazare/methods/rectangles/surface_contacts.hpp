@@ -44,7 +44,7 @@ public:
   Index touching() const;  ///< faces of elements
   Real elastic_energy() const;
   SpringLosses losses() const;
-  /// Of the surface on the elements [J].
+  /// Work of the surface on the elements [J].
   Real work() const { return past_work_ + nodes_.work(); }
 
   void columns(Archive& archive);

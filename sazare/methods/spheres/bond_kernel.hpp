@@ -65,7 +65,7 @@ public:
 private:
   static Lanes column(const std::vector<Real>& values, std::size_t link) { return load_lanes(&values[link]); }
 
-  /// Damage by the use of the strength, from the force of the sound bond; what it takes is booked over the step as by the
+  /// Damage by the use of the strength, from the force of the sound bond; what it takes is added up over the step as by the
   /// trapezoidal rule, as the kicks do.
   void weaken(std::size_t link, laws::BondForce<Lanes>& force, const laws::BondPose<Lanes>& pose, const Lanes& radius,
               const Lanes& other_radius) {

@@ -222,7 +222,7 @@ private:
     group.moment_by_arm = cross(force.friction, at.normal);
     if constexpr (rolls)
       group.turning = at.radius.value() * add_product(force.twisting, at.normal, cross(at.normal, force.rolling));
-    book(force, group);
+    add_work(force, group);
   }
 
   /// What a law gives where nothing touches.
@@ -310,7 +310,7 @@ private:
     return {numbers[0].*half, numbers[1].*half, numbers[2].*half};
   }
 
-  void book(const laws::ContactForce<TwinLanes>& force, const Group& group) {
+  void add_work(const laws::ContactForce<TwinLanes>& force, const Group& group) {
     if (group.all_touch)
       touching_ += TwinLanes::count;
     else

@@ -30,7 +30,7 @@ public:
     return records_[static_cast<std::size_t>(one * materials + other)];
   }
   const Real* numbers(Index place) const { return &records_[static_cast<std::size_t>(place)].normal; }
-  /// Those of a material with each.
+  /// Constants of a material in contact with each material.
   std::span<const laws::ContactConstants<Real>> row(Index material) const {
     return std::span(records_).subspan(static_cast<std::size_t>(material * materials), static_cast<std::size_t>(materials));
   }
@@ -48,7 +48,7 @@ public:
         return Real{0};
     });
   }
-  /// Of all pairs of materials [m].
+  /// The longest neck that any pair of materials has at this radius [m].
   Real longest_neck(Real reduced_radius) const {
     Real longest = 0;
     for (Index one = 0; one < materials; ++one)

@@ -11,7 +11,7 @@ namespace sazare::methods::spheres {
 
 namespace {
 
-/// Of some second spheres those that stand at `last` or beyond, each once.
+/// Collects those of some second spheres that stand at `last` or beyond, each once.
 void collect_guests(std::span<const Index> seconds, Index last, std::vector<Index>& guests) {
   std::ranges::copy_if(seconds, std::back_inserter(guests), [&](Index other) { return other >= last; });
   std::ranges::sort(guests);

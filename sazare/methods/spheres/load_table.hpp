@@ -44,7 +44,7 @@ public:
   std::size_t blocks() const { return blocks_; }
   std::size_t begin_of(std::size_t block) const { return block * neighbors::block_size; }
   std::size_t end_of(std::size_t block) const { return std::min((block + 1) * neighbors::block_size, spheres_); }
-  /// Of all blocks together.
+  /// Number of guests of all blocks together.
   std::size_t guests() const { return guest_.size(); }
   const std::vector<std::size_t>& cuts() const { return cuts_; }
   /// A block with late spheres.
@@ -52,7 +52,7 @@ public:
     std::size_t block = 0;
     std::size_t after = 0;  ///< all blocks of earlier shares that look at them are before this one
   };
-  /// Those of a share, in the order in which they may move.
+  /// Late blocks of a share, in the order in which they may move.
   std::span<const LateBlock> late_blocks(std::size_t share) const { return late_blocks_[share]; }
 
   /// Sets the loads of a block's guests to zero, before it is evaluated; those of its own spheres are to be zero then as well.
@@ -72,13 +72,13 @@ public:
     add(in_time_[block].guests, own);
     add(late_[block].guests, own);
   }
-  /// The same for the spheres of a block that are not late, as soon as those before it of its share are evaluated. The others'
+  /// Gathers for the spheres of a block that are not late, as soon as those before it of its share are evaluated. The others'
   /// loads are kept for `gather_late` and become zero in `own`.
   void gather_in_time(std::size_t block, state::SphereLoad* own);
   /// Which are not late, and which are.
   std::span<const PlaceRange> places_in_time(std::size_t block) const { return in_time_[block].places; }
   std::span<const PlaceRange> late_places(std::size_t block) const { return late_[block].places; }
-  /// The same for those that are late, whose loads come to where they stand in `own`.
+  /// Gathers for the spheres that are late, whose loads come to where they stand in `own`.
   void gather_late(std::size_t block, state::SphereLoad* own) const;
 
   /// Where the loads of a block's spheres are kept; there is no memory for them before they are asked for.

@@ -170,7 +170,7 @@ void PairContacts::rest_within(std::span<const Index> body) {
   }
 }
 
-/// Of as many pairs of a block as there are lanes [m].
+/// Gaps of as many pairs of a block as there are lanes [m].
 inline Lanes PairContacts::gaps(const state::Spheres& spheres, const BoxLanes<Lanes>& box, const Task& task,
                                 std::span<const std::uint32_t, lane_count> pairs) const {
   const state::SpherePlace* const own = &spheres.place[task.loads.begin_of(task.block)];

@@ -40,7 +40,7 @@ public:
   /// awake.
   void wake(Index one, Index other, Real allowed, const LoadTable& loads);
 
-  /// The same as `rest` for all pairs of one body that do not touch; `body` says by place which, below 0 where none.
+  /// Lets all pairs of one body that do not touch rest, as `rest` does; `body` says by place which, below 0 where none.
   void rest_within(std::span<const Index> body);
 
   /// A block, and where its forces go.

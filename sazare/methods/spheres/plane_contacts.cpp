@@ -150,7 +150,7 @@ private:
     }
   }
 
-  /// Keeps which spheres touch now, and books the energy dissipated by those that have parted.
+  /// Keeps which spheres touch now, and adds up the energy dissipated by those that have parted.
   void note_parted(PlaneRow& row, std::size_t n, const LaneMask& touch) {
     for (int lane = 0; lane < lane_count; ++lane) {
       if (touch[lane] != 0 || !(row.touching(n)[lane] > 0)) continue;

@@ -80,7 +80,7 @@ private:
     if (other_moves) visit(at.second, -at.normal, times);
   }
 
-  /// Of what a contact adds to the matrix of a sphere's body.
+  /// The trace of what a contact adds to the matrix of a sphere's body.
   Real trace_of(const ContactPoint& at, std::size_t sphere, const Vector3& normal, const Strengths& strengths) const {
     if (clump_of(sphere) == nullptr) {
       const auto& kick = bodies_.spheres.kick[sphere];

@@ -43,7 +43,7 @@ struct LoadedBodies {
   std::span<const Index> clump_of;
 };
 
-/// Of the bodies that the sums of their contacts single out, at most some hundred.
+/// The largest load among the bodies that the sums of their contacts single out, at most some hundred.
 StepLoad largest_step_load(const LoadedBodies& bodies, const ContactTable& table, const ContactVisit& visit);
 
 }  // namespace sazare::methods::spheres

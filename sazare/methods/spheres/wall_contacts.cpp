@@ -34,12 +34,12 @@ Real WallContacts::lead(Real time, Real step, std::vector<Vector3> from, std::ve
   return walls_[surface_].nodal.lead(time, step, std::move(from), std::move(with));
 }
 
-void WallContacts::book_surface(Real step) {
+void WallContacts::add_work_of_surface(Real step) {
   if (surface() == nullptr) return;
   std::vector<geometry::NodeForce> forces;
   for (const auto& blocks : parts_)
     for (const Block& block : blocks) forces.insert(forces.end(), block.on_nodes.begin(), block.on_nodes.end());
-  walls_[surface_].nodal.book(forces, step);
+  walls_[surface_].nodal.add_work(forces, step);
 }
 
 void WallContacts::move(Real time) {
@@ -288,7 +288,7 @@ void WallContacts::take_points(Index sphere, std::size_t begin, std::span<Touch>
   block.points.resize(kept);
 }
 
-/// Books the energy dissipated by touches that have ended. One that merges with a deeper one nearby counts the same.
+/// Adds up the energy dissipated by touches that have ended. One that merges with a deeper one nearby counts the same.
 void WallContacts::note_parted(const state::Spheres& spheres, Block& block) const {
   for (const Touch& old : block.before) {
     if (old.wall < 0 || !(old.share > 0)) continue;

@@ -53,7 +53,7 @@ public:
   const geometry::NodalSurface* surface() const { return surface_ < walls_.size() ? &walls_[surface_].nodal : nullptr; }
   Real lead(Real time, Real step, std::vector<Vector3> from, std::vector<Vector3> with);
   /// To be called once after the blocks of a step: what its nodes have got.
-  void book_surface(Real step);
+  void add_work_of_surface(Real step);
 
   /// The spheres of a part in a block.
   struct Task {
@@ -90,7 +90,7 @@ public:
   /// By wall, as last evaluated: of a part, and of all.
   std::vector<WallLoad> loads(std::size_t part) const;
   std::vector<WallLoad> loads() const;
-  /// Of any wall, anywhere near the spheres [m/s]: within `radius` of its pivot.
+  /// The largest speed of any wall within `radius` of its pivot, so anywhere near the spheres [m/s].
   Real largest_speed(Real radius) const;
 
   void columns(Archive& archive);

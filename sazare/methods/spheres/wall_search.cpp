@@ -62,7 +62,7 @@ void WallContacts::find_surface(std::size_t wall, const state::Spheres& spheres,
   near.erase(twice.begin(), twice.end());
 }
 
-/// Of surfaces by sphere, then of each plane by sphere.
+/// Touches of a block: those of surfaces by sphere, then those of each plane by sphere.
 std::vector<WallContacts::Touch> WallContacts::touches_of(const Block& block) {
   std::vector<Touch> all = block.touches;
   for (std::size_t w = 0; w < block.planes.size(); ++w)
@@ -78,7 +78,7 @@ std::vector<WallContacts::Touch> WallContacts::touches_of(const Block& block) {
   return all;
 }
 
-/// Of all parts and blocks, one after the other.
+/// Touches of all parts and blocks, one after the other.
 std::vector<WallContacts::Touch> WallContacts::touches() const {
   std::vector<Touch> all;
   for (const auto& blocks : parts_)

@@ -76,7 +76,7 @@ TEST(contacts, blocks_that_part_are_not_held_and_forgotten_once_they_are_far) {
   EXPECT_EQ(model.contacts->pair_count(), 0);
 }
 
-TEST(contacts, friction_slows_the_slide_and_is_booked) {
+TEST(contacts, friction_slows_the_slide_and_is_accounted_for) {
   auto blocks = head_on(1);
   blocks.initial_velocities.clear();
   test::move(blocks, "left", {1, 0.3, 0});

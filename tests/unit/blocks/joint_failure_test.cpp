@@ -73,7 +73,7 @@ TEST(joint_failure, one_failed_vertex_releases_the_whole_face) {
   EXPECT_NEAR(pair.probe().energy_balance()[EnergyKind::fracture], 99.67 * pair.area() / 3, 1e-3 * 99.67 * pair.area());
 }
 
-TEST(joint_failure, what_a_broken_face_still_stored_is_booked_as_released) {
+TEST(joint_failure, what_a_broken_face_still_stored_counts_as_released) {
   BondedPair pair;
   const Real slip = 5e-5;  // within the Coulomb line at this opening? 90e9 x 5e-5 = 4.5e6 Pa, less than 6.66e6
   pair.place(0, slip);

@@ -137,7 +137,7 @@ TEST(rayleigh, damps_a_mode_by_its_ratio) {
 }
 
 /// How far the top of a column in shear is behind its base, which has moved steadily for a while, and the share of the work that the
-/// books leave.
+/// energy balance leaves.
 std::pair<Real, Real> behind_a_steady_base(bool relative, Real ratio, const laws::RayleighDamping& damping, Real speed) {
   const auto mesh = test::box(ElementShape::quadrilateral8, {{1, height, 1}, {1, 10, 1}, 0});
   Supports<2> supports;

@@ -63,8 +63,8 @@ public:
   }
   /// Kinetic, elastic and lost, of the blocks [J].
   Real energy() {
-    const auto books = squares_.forces->books(stepper_->particles());
-    return stepper_->kinetic_energy() + books.elastic + books.lost();
+    const auto energies = squares_.forces->energy_parts(stepper_->particles());
+    return stepper_->kinetic_energy() + energies.elastic + energies.lost();
   }
   fem::FemStepper<2>& fem() { return *fem_; }
   ContinuumSide<2>& continuum() { return *continuum_; }

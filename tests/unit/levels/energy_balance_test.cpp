@@ -33,7 +33,7 @@ terms::EnergyBalance balance_at_end(const test::Network<3>& network, int base_st
 }
 
 TEST(energy_balance, closes_with_dashpots_at_mixed_levels) {
-  // What the dashpots take is booked exactly; the leapfrog's own error of energy is left, (w h)^2 / 8 of what swings.
+  // What the dashpots take is added up exactly; the leapfrog's own error of energy is left, (w h)^2 / 8 of what swings.
   for (const int base_steps : {128, 256}) {
     Real residual;
     const auto balance = balance_at_end(damped(0.1), base_steps, residual);

@@ -235,7 +235,7 @@ TEST(loose_contacts, keep_the_energy_of_bodies_that_meet_without_damping_and_fri
   EXPECT_NEAR(collision.momentum(1), up, 1e-10 * std::abs(up));
 }
 
-TEST(loose_contacts, book_what_dashpots_and_friction_take) {
+TEST(loose_contacts, add_up_what_dashpots_and_friction_take) {
   Collision collision(0.2, 30 * degree);
   const Real before = collision.energy(), along = collision.momentum(0);
   for (int i = 0; i < 1200; ++i) collision.stepper->advance();

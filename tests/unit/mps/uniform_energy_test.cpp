@@ -15,9 +15,9 @@ using particles::WorkByCause;
 constexpr Real step = 4e-4;  // [s]; five times as much is stable without damping, not with a ratio of 0.05
 constexpr Real spacing = 0.5;
 
-/// What the books of a run say at present.
-struct Books {
-  explicit Books(particles::UniformStepper<2>& stepper)
+/// What the energy balance of a run says at present.
+struct Balance {
+  explicit Balance(particles::UniformStepper<2>& stepper)
       : carried(stepper.kinetic_energy_of_kick() + stepper.elastic_energy()), work(stepper.work()) {}
 
   Real carried;
@@ -27,12 +27,12 @@ struct Books {
 /// Energy that no cause accounts for, over the largest that was there, in a run.
 Real largest_residual(particles::UniformStepper<2>& stepper, int steps) {
   stepper.start();
-  const Real beginning = Books(stepper).carried;
-  EXPECT_NEAR(Books(stepper).work.sum(), 0, 1e-15 * std::abs(beginning));
+  const Real beginning = Balance(stepper).carried;
+  EXPECT_NEAR(Balance(stepper).work.sum(), 0, 1e-15 * std::abs(beginning));
   Real worst = 0, most = beginning;
   for (int i = 0; i < steps; ++i) {
     stepper.advance();
-    const Books now(stepper);
+    const Balance now(stepper);
     most = std::max(most, now.carried);
     worst = std::max(worst, std::abs(beginning + now.work.sum() - now.carried));
   }
@@ -48,7 +48,7 @@ Column2 moving_column(Real ratio) {
   return column;
 }
 
-TEST(uniform_books, close_to_round_off_for_small_motion_at_any_step) {
+TEST(uniform_energy, close_to_round_off_for_small_motion_at_any_step) {
   for (const Integrator integrator : {Integrator::verlet, Integrator::leapfrog})
     for (const Real ratio : {0.0, 0.05}) {
       Column2 column = moving_column(ratio);
@@ -60,7 +60,7 @@ TEST(uniform_books, close_to_round_off_for_small_motion_at_any_step) {
     }
 }
 
-TEST(uniform_books, close_with_the_square_of_the_step_for_large_rotations) {
+TEST(uniform_energy, close_with_the_square_of_the_step_for_large_rotations) {
   const auto residual = [](Real dt) {
     const auto sites = box_sites<2>({4, 10});
     state::Particles<2> particles = make_particles<2>(sites, 1.0, {1500, 100, 200, 0.02});
@@ -91,7 +91,7 @@ void stand_on_viscous_base(Column2& column, const Soil& soil, const laws::Ground
   column.links.halve_among(base);
 }
 
-TEST(uniform_books, count_the_energy_that_a_wave_brings_in_and_takes_out) {
+TEST(uniform_energy, count_the_energy_that_a_wave_brings_in_and_takes_out) {
   const Soil soil;
   const int across = 3, high = 100;
   laws::GroundMotion wave;
@@ -108,14 +108,14 @@ TEST(uniform_books, count_the_energy_that_a_wave_brings_in_and_takes_out) {
     const Real velocity = wave.at(stepper.time()).velocity;
     flux += step * soil.density * soil.s_wave_velocity * velocity * velocity * across * spacing;
     most = std::max(most, stepper.work().boundary);
-    worst = std::max(worst, std::abs(stepper.work().boundary - Books(stepper).carried));
+    worst = std::max(worst, std::abs(stepper.work().boundary - Balance(stepper).carried));
   }
   EXPECT_LT(worst, 1e-7 * most);
   EXPECT_NEAR(most, flux, 0.03 * flux);
   EXPECT_LT(stepper.work().boundary, 0.01 * most);  // the wave has left
 }
 
-TEST(uniform_books, count_what_a_moving_support_gives) {
+TEST(uniform_energy, count_what_a_moving_support_gives) {
   Column2 column(4, 40, spacing, {.damping_ratio = 0.05});
   laws::GroundMotion shake;
   shake.shape = laws::GroundMotion::Shape::sine;
@@ -130,7 +130,7 @@ TEST(uniform_books, count_what_a_moving_support_gives) {
   EXPECT_GT(stepper.work().prescribed, 0);
 }
 
-/// A column in shear whose base has moved steadily for a while: how far its top is behind, and what its books leave.
+/// A column in shear whose base has moved steadily for a while: how far its top is behind, and what its energy balance leaves.
 struct Carried {
   Real behind = 0, residual = 0;
   WorkByCause work;
@@ -189,7 +189,7 @@ TEST(damping, in_space_holds_a_column_back) {
   EXPECT_LT(in_space.residual, 1e-7);
 }
 
-TEST(uniform_books, count_what_forces_from_outside_do) {
+TEST(uniform_energy, count_what_forces_from_outside_do) {
   for (const Real ratio : {0.0, 0.05}) {
     Column2 column = moving_column(ratio);
     auto stepper = column.stepper({step, Integrator::leapfrog, laws::RayleighDamping::make(1, 15)});
@@ -200,12 +200,12 @@ TEST(uniform_books, count_what_forces_from_outside_do) {
     };
     apply();
     stepper.start();
-    const Real beginning = Books(stepper).carried;
+    const Real beginning = Balance(stepper).carried;
     Real worst = 0, most = 0;
     for (int i = 0; i < 1000; ++i) {
       apply();
       stepper.advance();
-      const Books now(stepper);
+      const Balance now(stepper);
       most = std::max(most, now.carried);
       worst = std::max(worst, std::abs(beginning + now.work.sum() - now.carried));
     }
@@ -215,7 +215,7 @@ TEST(uniform_books, count_what_forces_from_outside_do) {
   }
 }
 
-TEST(uniform_books, nothing_moves_where_a_force_carries_the_weight) {
+TEST(uniform_energy, nothing_moves_where_a_force_carries_the_weight) {
   Column2 column(4, 10, spacing, {});
   column.supports.gravity = {0, -2};
   auto stepper = column.stepper({step, Integrator::verlet, {}});
@@ -230,7 +230,7 @@ TEST(uniform_books, nothing_moves_where_a_force_carries_the_weight) {
   EXPECT_LT(std::ranges::min(stepper.particles().displacement[1]), -1e-5);  // let go, it sags between the sides that are held
 }
 
-TEST(uniform_books, go_on_bit_for_bit_after_a_checkpoint) {
+TEST(uniform_energy, go_on_bit_for_bit_after_a_checkpoint) {
   const Column2 column = moving_column(0.05);
   const auto make = [&] { return column.stepper({step, Integrator::verlet, laws::RayleighDamping::make(1, 15)}); };
   auto whole = make(), second = make();

@@ -56,7 +56,7 @@ TEST(contacts, a_slender_block_topples_beyond_its_diagonal_and_not_before) {
   }
 }
 
-TEST(contacts, a_tumbling_block_closes_its_books) {
+TEST(contacts, a_tumbling_block_closes_its_energy_balance) {
   Scene scene;
   scene.contact = {1e8, 1e8, 0.05, 0.5, 1};
   scene.add(OutlineKind::rectangle, {0, 2}, 0.5, 0.3, 0.4);
@@ -67,8 +67,8 @@ TEST(contacts, a_tumbling_block_closes_its_books) {
     Real total = stepper.kinetic_energy();
     const auto& particles = stepper.particles();
     for (std::size_t i = 0; i < 2; ++i) total += 9.81 / particles.inverse_mass[i] * particles.position(1, i);
-    const EnergyBooks books = forces.books(particles);
-    return total + books.elastic + books.lost();
+    const EnergyParts energies = forces.energy_parts(particles);
+    return total + energies.elastic + energies.lost();
   };
   auto stepper = scene.make(1e-5);
   stepper->start();
@@ -142,7 +142,7 @@ TEST(contacts, a_support_that_moves_does_its_work) {
   EXPECT_NEAR(stepper->particles().displacement[1][0], 0.1, 1e-3);
   // It lifts the block, gives it its velocity at once, and as much again goes to the dashpots.
   const Real mass = scene.density, expected = mass * 9.81 * 0.1 + mass * 0.1 * 0.1;
-  EXPECT_NEAR(scene.forces->books(stepper->particles()).supports, expected, 1e-4 * expected);
+  EXPECT_NEAR(scene.forces->energy_parts(stepper->particles()).supports, expected, 1e-4 * expected);
 }
 
 TEST(contacts, base_friction_drags_as_21_says) {

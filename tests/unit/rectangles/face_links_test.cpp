@@ -80,16 +80,16 @@ TEST(face_links, keep_momentum_and_energy_of_a_free_bar) {
   }
 }
 
-TEST(face_links, damped_bar_closes_its_books) {
+TEST(face_links, damped_bar_closes_its_energy_balance) {
   Scene scene = bar(FaceFormula::small, 0.3);
   set_in_motion(scene);
   auto stepper = scene.make(step);
   stepper->start();
   const Real energy = stepper->kinetic_energy() + stepper->elastic_energy();
   for (int i = 0; i < 5000; ++i) stepper->advance();
-  const EnergyBooks books = scene.forces->books(stepper->particles());
-  EXPECT_GT(books.links.dashpot, 0.01 * energy);
-  EXPECT_NEAR(stepper->kinetic_energy() + books.elastic + books.links.dashpot, energy, 2e-3 * energy);
+  const EnergyParts energies = scene.forces->energy_parts(stepper->particles());
+  EXPECT_GT(energies.links.dashpot, 0.01 * energy);
+  EXPECT_NEAR(stepper->kinetic_energy() + energies.elastic + energies.links.dashpot, energy, 2e-3 * energy);
 }
 
 TEST(face_links, a_bar_in_tension_stretches_as_its_springs) {
@@ -192,7 +192,7 @@ Scene breaking_bar() {
   return scene;
 }
 
-TEST(face_links, break_and_open_and_close_the_books) {
+TEST(face_links, break_and_open_and_close_the_energy_balance) {
   Scene scene = breaking_bar();
   auto stepper = scene.make(step);
   stepper->start();
@@ -200,9 +200,9 @@ TEST(face_links, break_and_open_and_close_the_books) {
   for (int i = 0; i < 5000; ++i) stepper->advance();
   EXPECT_GT(scene.forces->links().broken_links(), 0);
   EXPECT_GT(scene.forces->links().broken_springs(), 0);
-  const EnergyBooks books = scene.forces->books(stepper->particles());
-  EXPECT_GT(books.links.fracture, 0);
-  EXPECT_NEAR(stepper->kinetic_energy() + books.elastic + books.lost(), energy, 5e-3 * energy);
+  const EnergyParts energies = scene.forces->energy_parts(stepper->particles());
+  EXPECT_GT(energies.links.fracture, 0);
+  EXPECT_NEAR(stepper->kinetic_energy() + energies.elastic + energies.lost(), energy, 5e-3 * energy);
 }
 
 TEST(face_links, same_bits_with_any_number_of_threads) {
@@ -242,7 +242,7 @@ TEST(face_links, go_on_from_a_checkpoint_with_the_same_bits) {
   }
   for (std::size_t freedom = 0; freedom < 3; ++freedom)
     EXPECT_EQ(whole->particles().velocity[freedom], resumed->particles().velocity[freedom]);
-  const EnergyBooks one = scene.forces->books(whole->particles()), other = resumed_scene.forces->books(resumed->particles());
+  const EnergyParts one = scene.forces->energy_parts(whole->particles()), other = resumed_scene.forces->energy_parts(resumed->particles());
   EXPECT_EQ(one.links.dashpot, other.links.dashpot);
   EXPECT_EQ(one.links.fracture, other.links.fracture);
 }

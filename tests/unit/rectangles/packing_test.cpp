@@ -168,7 +168,7 @@ Scene breaking() {
   return scene;
 }
 
-TEST(packing, breaks_and_closes_the_books) {
+TEST(packing, breaks_and_closes_the_energy_balance) {
   Scene scene = breaking();
   auto stepper = scene.make(step);
   stepper->start();
@@ -176,9 +176,9 @@ TEST(packing, breaks_and_closes_the_books) {
   for (int i = 0; i < 5000; ++i) stepper->advance();
   EXPECT_GT(scene.forces->links().broken_links(), 0);
   EXPECT_GT(scene.forces->contacts().pairs().size(), 0U);
-  const EnergyBooks books = scene.forces->books(stepper->particles());
-  EXPECT_GT(books.links.fracture, 0);
-  EXPECT_NEAR(stepper->kinetic_energy() + books.elastic + books.lost(), energy, 5e-3 * energy);
+  const EnergyParts energies = scene.forces->energy_parts(stepper->particles());
+  EXPECT_GT(energies.links.fracture, 0);
+  EXPECT_NEAR(stepper->kinetic_energy() + energies.elastic + energies.lost(), energy, 5e-3 * energy);
 }
 
 TEST(packing, goes_on_from_a_checkpoint_with_the_same_bits) {

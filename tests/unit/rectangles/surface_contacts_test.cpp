@@ -189,19 +189,19 @@ struct Shaken {
     Real total = stepper->kinetic_energy();
     const auto& particles = stepper->particles();
     for (std::size_t i = 0; i < 2; ++i) total += 9.81 / particles.inverse_mass[i] * particles.position(1, i);
-    const EnergyBooks books = scene.forces->books(particles);
-    return total + books.elastic + books.lost() - books.surface;
+    const EnergyParts energies = scene.forces->energy_parts(particles);
+    return total + energies.elastic + energies.lost() - energies.surface;
   }
 };
 
-TEST(surface_contacts, what_is_thrown_about_closes_its_books) {
+TEST(surface_contacts, what_is_thrown_about_closes_its_energy_balance) {
   Shaken shaken;
   shaken.stepper->start();
   const Real before = shaken.energy();
   for (int number = 0; number < 400; ++number) shaken.window(number);
-  const EnergyBooks books = shaken.scene.forces->books(shaken.stepper->particles());
-  EXPECT_GT(std::abs(books.surface), 0.02 * before);
-  EXPECT_GT(books.contacts.friction, 0);
+  const EnergyParts energies = shaken.scene.forces->energy_parts(shaken.stepper->particles());
+  EXPECT_GT(std::abs(energies.surface), 0.02 * before);
+  EXPECT_GT(energies.contacts.friction, 0);
   EXPECT_NEAR(shaken.energy(), before, 2e-3 * before);
 }
 

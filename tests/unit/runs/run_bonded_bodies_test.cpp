@@ -142,7 +142,7 @@ damping_ratio = 1.0
     sag += mass * 9.81 * (at * at * (3 * end - at) / (6 * modulus * second_moment) + at / shear);
   stepper.start();
   while (stepper.time() < 0.3) stepper.advance();
-  stepper.settle();
+  stepper.evaluate_now();
   Real found = 0;
   for (std::size_t i = 0; i < stepper.spheres().size(); ++i) {
     const auto number = static_cast<std::size_t>(stepper.spheres().number[i]);

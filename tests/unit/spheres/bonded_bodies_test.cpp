@@ -175,7 +175,7 @@ TEST(bonded_bodies, a_bar_that_is_torn_apart_does_not_burst) {
   Real most = 0;
   for (int k = 0; k < 4000; ++k) {
     stepper.advance();
-    stepper.settle();
+    stepper.evaluate_now();
     most = std::max(most, stepper.energies().elastic);
   }
   EXPECT_EQ(stepper.broken_bonds(), 2);
@@ -202,7 +202,7 @@ TEST(bonded_bodies, what_a_broken_bond_leaves_pressed_makes_no_energy) {
     Real broke_with = -1;  // what breaking took
     for (int k = 0; k < 60000; ++k) {
       stepper.advance();
-      stepper.settle();
+      stepper.evaluate_now();
       const auto now = stepper.energies();
       EXPECT_GE(now.fracture, -1e-12 * energy);
       if (stepper.broken_bonds() > 0 && broke_with < 0) broke_with = now.fracture;
@@ -241,7 +241,7 @@ TEST(bonded_bodies, a_crack_that_parts_nothing_closes_again) {
   Real most = 0;
   for (int k = 0; k < 20000; ++k) {
     stepper.advance();
-    stepper.settle();
+    stepper.evaluate_now();
     most = std::max(most, stepper.energies().elastic);
   }
   EXPECT_EQ(stepper.broken_bonds(), 1);
@@ -345,10 +345,10 @@ TEST(bonded_bodies, go_the_same_way_whether_or_not_one_looks_at_them) {
   alone.start();
   for (int step = 0; step < 4000; ++step) {
     watched.advance();
-    watched.settle();
+    watched.evaluate_now();
     alone.advance();
   }
-  alone.settle();
+  alone.evaluate_now();
   EXPECT_GT(broken_bodies(alone), 1);
   EXPECT_TRUE(state_of(watched) == state_of(alone));
 }

@@ -103,7 +103,7 @@ TEST(sphere_levels, keep_momenta_to_the_last_digits) {
   const auto grains = three_sizes(6, 1);
   auto stepper = leveled(grains, rough());
   stepper.start();
-  stepper.settle();
+  stepper.evaluate_now();
   const Vector3 momentum = stepper.momentum(), angular = stepper.angular_momentum();
   const Real mass = 8.4e-3 * 216;
   advance(stepper, 200);
@@ -120,7 +120,7 @@ Real residual(Real step) {
   const auto grains = three_sizes(5, 0.3);
   auto stepper = leveled(grains, rules, {Wall{}});
   stepper.start();
-  stepper.settle();
+  stepper.evaluate_now();
   const Real before = stepper.energies().sum();
   advance(stepper, static_cast<int>(std::lround(0.02 / step)));
   const auto now = stepper.energies();
@@ -199,7 +199,7 @@ Real residual_of_a_press(int steps) {
   methods::spheres::SphereStepper stepper(std::move(spheres), table(rules), {Wall{}},
                                 {4e-3 / steps, Vector3::Zero(), 1e-3, 5e-3, levels_by_radius(grains)});
   stepper.start();
-  stepper.settle();
+  stepper.evaluate_now();
   const Real before = stepper.energies().sum();
   advance(stepper, steps);
   const auto now = stepper.energies();

@@ -48,7 +48,7 @@ inline Vector3 spin_of(const methods::spheres::SphereStepper& stepper, Index num
 
 inline void advance(methods::spheres::SphereStepper& stepper, int steps) {
   for (int step = 0; step < steps; ++step) stepper.advance();
-  stepper.settle();
+  stepper.evaluate_now();
 }
 
 }  // namespace sazare::methods::spheres

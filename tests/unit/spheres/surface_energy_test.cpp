@@ -81,7 +81,7 @@ Real change_of_energy(const Wall& wall, Real x, Real y, Real step = 5e-7) {
   const Vector3 velocity(-0.1, 0.07, -0.6);
   auto stepper = make_stepper({{.centre = above(wall, x, y), .velocity = velocity}}, {.step = step, .gravity = gravity}, {wall});
   stepper.start();
-  stepper.settle();
+  stepper.evaluate_now();
   const Real before = energy_of(stepper), kinetic = 0.5 * stepper.spheres().place[0].mass * velocity.squaredNorm();
   const auto has_bounced = [&] { return stepper.contacts() == 0 && (velocity_of(stepper, 0) - velocity).norm() > 0.25; };
   for (int n = 0; n < 40 && !has_bounced(); ++n) advance(stepper, static_cast<int>(5e-4 / step));

@@ -22,7 +22,7 @@ methods::spheres::SphereStepper shot(Real speed, Real step, const Wall& wall, Re
 void fly(methods::spheres::SphereStepper& stepper) {
   while (!stepper.passage() && stepper.missed_way() == 0 && centre_of(stepper, 0).z() > -0.5 && centre_of(stepper, 0).z() < 0.3)
     stepper.advance();
-  stepper.settle();
+  stepper.evaluate_now();
 }
 
 TEST(wall_passages, a_ball_that_a_surface_throws_back_passes_none) {

@@ -87,7 +87,7 @@ TEST(face_pressure, never_cut_unless_asked) {
   EXPECT_NEAR(pressed.force().linear.x(), -0.5e6, 1e-9);
 }
 
-TEST(face_pressure, books_the_work_at_the_mean_motion_of_the_kick) {
+TEST(face_pressure, adds_the_work_at_the_mean_motion_of_the_kick) {
   PressedBody pressed(constant(1e6));
   pressed.force();
   const MeanMotion<3> mean{Vector3(-2, 0, 0), Vector3::Zero()};

@@ -65,7 +65,7 @@ state::SphereLoad reaction(const Vector3& shift, const Vector3& turning) {
                                 methods::spheres::Bonds(std::move(bonds), {{infinite, infinite, 0, 1}}));
   stepper.start();
   for (int k = 0; k < 1000000; ++k) stepper.advance();
-  stepper.settle();
+  stepper.evaluate_now();
   const auto& numbers = stepper.spheres().number;
   for (std::size_t i = 0; i < numbers.size(); ++i)
     if (numbers[i] + 1 == nodes) return stepper.load(i);
@@ -103,7 +103,7 @@ void breaking() {
     stepper.advance();
     way = speed * stepper.time();
     if (way < 0.4 * breaks_at || way > 0.6 * breaks_at) continue;
-    stepper.settle();
+    stepper.evaluate_now();
     for (std::size_t i = 0; i < stepper.spheres().size(); ++i)
       if (model.group[static_cast<std::size_t>(stepper.spheres().number[i])] == 2) force += stepper.load(i).fz / way;
     ++samples;

@@ -19,7 +19,7 @@ cases::CaseFile read(const std::string& name) { return registry::read_case("vali
 void walk(methods::spheres::SphereStepper& stepper, Real end) {
   stepper.start();
   while (stepper.time() < end) stepper.advance();
-  stepper.settle();
+  stepper.evaluate_now();
 }
 
 /// Mass, momentum and angular momentum of a tetrapod as of the rigid body of the same shape, at the start and after a flight.
@@ -37,13 +37,13 @@ void flight() {
   const Vector3 spin = turn * (density * shape.inertia).cwiseProduct(turn.transpose() * group.spin),
                 rigid = mass * group.centre.cross(group.velocity) + spin;
   stepper.start();
-  stepper.settle();
+  stepper.evaluate_now();
   const Vector3 momentum = stepper.momentum(), turning = stepper.angular_momentum();
   const Real energy = stepper.energies().sum();
   validation::print_row("momentum", (momentum - mass * group.velocity).norm() / momentum.norm());
   validation::print_row("angular-momentum", (turning - rigid).norm() / spin.norm());
   while (stepper.time() < file.as<cases::SpheresCase>().time.end) stepper.advance();
-  stepper.settle();
+  stepper.evaluate_now();
   validation::print_row("momentum-kept", (stepper.momentum() - momentum).norm() / momentum.norm());
   validation::print_row("angular-momentum-kept", (stepper.angular_momentum() - turning).norm() / turning.norm());
   validation::print_row("energy-kept", std::abs(stepper.energies().sum() - energy) / energy);
@@ -91,7 +91,7 @@ Parting part(Real speed) {
   Parting parting;
   while (stepper.time() < file.as<cases::SpheresCase>().time.end) {
     stepper.advance();
-    stepper.settle();
+    stepper.evaluate_now();
     const methods::spheres::SphereEnergies now = stepper.energies();
     parting.contact_energy = std::max(parting.contact_energy, now.elastic / energy);
     parting.gained = std::max(parting.gained, (now.translation + now.rotation) / energy - 1);

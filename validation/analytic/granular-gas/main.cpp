@@ -39,7 +39,7 @@ state::Spheres gas() {
 
 /// Energy per freedom over the mass of a sphere [m2/s2].
 Real temperature(methods::spheres::SphereStepper& stepper) {
-  stepper.settle();
+  stepper.evaluate_now();
   const auto& spheres = stepper.spheres();
   return 2 * stepper.energies().translation / (3 * static_cast<Real>(spheres.size()) * spheres.place[0].mass);
 }

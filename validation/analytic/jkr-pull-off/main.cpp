@@ -65,7 +65,7 @@ void pull(const Solid& solid, bool of_triangles) {
     longest = 2 * neck * std::sin(0.5 * pi * k / steps);
     largest = std::max(largest, -stepper.walls().loads()[0].force.z());
     stepper.advance();
-    stepper.settle();
+    stepper.evaluate_now();
   }
   const std::string row = (of_triangles ? "mesh-" : "plane-") + solid.name;
   print_row(row + "-force", largest, solid.pull_off(radius));
@@ -87,7 +87,7 @@ void collide(const Solid& solid, Real times) {
   SphereStepper stepper(std::move(spheres), solid.table(), {}, {lasts / 400000, Vector3::Zero(), radius, radius});
   stepper.start();
   for (int k = 0; k < 400000; ++k) stepper.advance();
-  stepper.settle();
+  stepper.evaluate_now();
   const Real after = stepper.contacts() > 0 ? 0 : (stepper.velocity(1) - stepper.velocity(0)).norm();
   print_row(fmt::format("{}-{}", solid.name, times), after / sticking, std::sqrt(std::max(times * times - 1, Real{0})));
 }

@@ -49,7 +49,7 @@ int main() {
   methods::spheres::SphereStepper stepper(std::move(spheres), table, {tray()}, {step, Vector3(0, 0, -gravity), 1e-3, 5e-3});
   stepper.start();
   for (int k = 0; k < 300000; ++k) stepper.advance();
-  stepper.settle();
+  stepper.evaluate_now();
   const auto energies = stepper.energies();
   validation::print_row("kinetic", (energies.translation + energies.rotation) / energies.potential);
   Real outside = 0;
@@ -59,7 +59,7 @@ int main() {
   validation::print_row("overlap", outside);
   const Real height = energies.potential;
   for (int k = 0; k < 100000; ++k) stepper.advance();
-  stepper.settle();
+  stepper.evaluate_now();
   validation::print_row("creep", std::abs(stepper.energies().potential - height) / height);
   Real weight = 0;
   for (const auto& place : stepper.spheres().place) weight += place.mass * gravity;

@@ -146,7 +146,7 @@ private:
 
 void advance(methods::spheres::SphereStepper& stepper, int steps) {
   for (int k = 0; k < steps; ++k) stepper.advance();
-  stepper.settle();
+  stepper.evaluate_now();
 }
 
 /// Velocities and spins, each times the radius of its sphere, by number.
@@ -212,7 +212,7 @@ Real restitution_of_one_to_eight(Real restitution) {
   bool met = false;
   for (int k = 0; k < 200 && !(met && stepper.contacts() == 0); ++k) {
     stepper.advance();
-    stepper.settle();
+    stepper.evaluate_now();
     met = met || stepper.contacts() > 0;
   }
   const auto after = motion(stepper);
@@ -246,7 +246,7 @@ void print_momentum() {
   methods::spheres::SphereStepper stepper(cloud.spheres, table(0.7, 0.4), {},
                                 {0.2 * rayleigh(largest_radius), Vector3::Zero(), 5e-4, 5e-4, cloud.level});
   stepper.start();
-  stepper.settle();
+  stepper.evaluate_now();
   const Vector3 momentum = stepper.momentum(), angular = stepper.angular_momentum();
   advance(stepper, 400);
   validation::print_row("momentum", (stepper.momentum() - momentum).norm() / cloud.mass);
@@ -266,7 +266,7 @@ Real residual(Real fraction) {
   methods::spheres::SphereStepper stepper(cloud.spheres, table(0.7, 0.4), {floor},
                                 {end / steps, Vector3(0, 0, -9.81), 5e-4, 5e-4, cloud.level});
   stepper.start();
-  stepper.settle();
+  stepper.evaluate_now();
   const Real before = stepper.energies().sum();
   advance(stepper, steps);
   const auto now = stepper.energies();
@@ -283,7 +283,7 @@ void print_energy_balance() {
 Real growth(methods::spheres::SphereStepper stepper) {
   constexpr int steps = 3000, look = 50;
   stepper.start();
-  stepper.settle();
+  stepper.evaluate_now();
   Real first = 0, last = 0;
   for (int k = 0; k < steps; k += look) {
     advance(stepper, look);

@@ -25,7 +25,7 @@ Heap heap(int threads) {
   methods::spheres::SphereStepper& stepper = *model.stepper;
   stepper.start();
   while (stepper.time() < file.as<cases::SpheresCase>().time.end) stepper.advance();
-  stepper.settle();
+  stepper.evaluate_now();
   Heap heap;
   heap.bodies = stepper.clumps().clumps;
   const auto count = static_cast<Real>(heap.bodies.size());

@@ -55,7 +55,7 @@ After impact(const Solid& solid, const std::vector<Ball>& balls, Real expected_d
   bool met = false;
   for (int k = 0; k < 8 * resolution && !(met && stepper.contacts() == 0); ++k) {
     stepper.advance();
-    stepper.settle();
+    stepper.evaluate_now();
     if (stepper.contacts() == 0) continue;
     met = true;
     after.duration += step;

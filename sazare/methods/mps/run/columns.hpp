@@ -13,7 +13,7 @@ inline constexpr std::array motion = {Column{"energy_kinetic", "J", ""}, Column{
                                       Column{"displacement_max", "m", "of any particle, since the beginning"},
                                       Column{"speed_max", "m/s", "of any particle"},
                                       Column{"acceleration_max", "m/s2", "of any particle"}};
-inline constexpr std::array books = {Column{"energy_gravity", "J", "work of gravity"},
+inline constexpr std::array energy_balance = {Column{"energy_gravity", "J", "work of gravity"},
                                      Column{"energy_boundary", "J", "work of viscous boundaries and their incident waves"},
                                      Column{"energy_prescribed", "J", "work of moving supports"},
                                      Column{"energy_applied", "J", "work of forces given in Python"},

@@ -66,7 +66,7 @@ std::vector<RecordFiles::Table> MpsRecord<D>::tables() const {
   std::vector<std::string> history, gauges;
   observe::add_titles(history, columns::time);
   observe::add_titles(history, columns::mps::motion);
-  if (has_books()) observe::add_titles(history, columns::mps::books);
+  if (has_energy_balance()) observe::add_titles(history, columns::mps::energy_balance);
   if (model_->failing != nullptr) observe::add_titles(history, columns::mps::failure);
   observe::add_titles(history, columns::clock);
   observe::add_titles(gauges, columns::time);
@@ -100,9 +100,9 @@ void MpsRecord<D>::observe(std::int64_t step, Real wall_seconds) {
     speed = std::max(speed, vector_of(velocity, D, i).norm());
     largest = std::max(largest, vector_of(acceleration, D, i).norm());
   }
-  close_books(step == 0);
+  close_energy_balance(step == 0);
   std::vector<Real> history = {time, kinetic_, elastic_, displacement, speed, largest};
-  if (has_books())
+  if (has_energy_balance())
     history.insert(history.end(), {work_.gravity, work_.boundary, work_.prescribed, work_.applied, -work_.damping, residual_});
   if (const auto* failing = model_->failing) {
     const auto work = failing->work();
@@ -128,10 +128,10 @@ void MpsRecord<D>::observe(std::int64_t step, Real wall_seconds) {
 
 /// The residual of the energy balance: the energy of linear forces is kept to round-off with the kinetic energy of the kick.
 template <int D>
-void MpsRecord<D>::close_books(bool at_beginning) {
+void MpsRecord<D>::close_energy_balance(bool at_beginning) {
   kinetic_ = model_->stepper->kinetic_energy();
   elastic_ = model_->stepper->elastic_energy();
-  if (!has_books()) return;
+  if (!has_energy_balance()) return;
   work_ = model_->stepper->work();
   Real carried = model_->stepper->kinetic_energy_of_kick() + elastic_;
   if (const auto* failing = model_->failing) {
@@ -209,7 +209,7 @@ std::vector<std::pair<std::string, observe::Figure>> MpsRecord<D>::results(std::
       {"peak_speed", largest_speed_},
       {"peak_acceleration", largest_acceleration_}};
   results.emplace_back("final_displacement", displacement_);
-  if (has_books())
+  if (has_energy_balance())
     results.insert(results.end(), {{"energy_gravity", work_.gravity},
                                    {"energy_boundary", work_.boundary},
                                    {"energy_prescribed", work_.prescribed},

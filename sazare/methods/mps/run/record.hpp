@@ -38,9 +38,9 @@ private:
   std::vector<RecordFiles::Table> tables() const;  ///< history, gauges
   Vector3 displacement_of(std::size_t i) const;    ///< since the beginning [m]
   Real settlement() const;                         ///< largest displacement to equilibrium under gravity [m]
-  bool has_books() const { return file_->as<cases::MpsCase>().time.integrator != cases::Integrator::euler; }
+  bool has_energy_balance() const { return file_->as<cases::MpsCase>().time.integrator != cases::Integrator::euler; }
   const std::vector<std::int32_t>& supported();
-  void close_books(bool at_beginning);
+  void close_energy_balance(bool at_beginning);
   void write_snapshot(Real time, const state::FreedomColumns<D>& velocity, const state::FreedomColumns<D>& acceleration);
 
   const RunFolder* folder_;

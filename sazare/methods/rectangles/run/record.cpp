@@ -98,14 +98,14 @@ EnergyBalance RectanglesRecord::balance() const {
   const auto& particles = model_->stepper->particles();
   EnergyBalance now;
   now.kinetic = model_->stepper->kinetic_energy();
-  now.books = model_->forces->books(particles);
+  now.energies = model_->forces->energy_parts(particles);
   const auto gravity = model_->stepper->supports().gravity;
   for (std::size_t i = 0; i < static_cast<std::size_t>(model_->elements); ++i)
     now.work +=
         (gravity.x() * particles.displacement[0][i] + gravity.y() * particles.displacement[1][i]) / particles.inverse_mass[i];
   now.work +=
-      now.books.supports + now.books.surface + now.books.base_friction + model_->stepper->applied_work() + energy_at_beginning_;
-  now.residual = now.work - now.kinetic - now.books.elastic - now.books.lost();
+      now.energies.supports + now.energies.surface + now.energies.base_friction + model_->stepper->applied_work() + energy_at_beginning_;
+  now.residual = now.work - now.kinetic - now.energies.elastic - now.energies.lost();
   return now;
 }
 
@@ -115,7 +115,7 @@ void RectanglesRecord::observe(std::int64_t step, Real wall_seconds) {
   const auto velocity = model_->stepper->velocity(), acceleration = model_->stepper->acceleration();
   if (step == 0) {
     const EnergyBalance beginning = balance();
-    energy_at_beginning_ = beginning.kinetic + beginning.books.elastic;
+    energy_at_beginning_ = beginning.kinetic + beginning.energies.elastic;
   }
   const auto& particles = model_->stepper->particles();
   for (std::size_t i = 0; i < static_cast<std::size_t>(model_->elements); ++i) {
@@ -129,16 +129,16 @@ void RectanglesRecord::observe(std::int64_t step, Real wall_seconds) {
 
 void RectanglesRecord::add_history(Real time, Real wall_seconds) {
   balance_ = balance();
-  const auto& books = balance_.books;
+  const auto& energies = balance_.energies;
   const auto& links = model_->forces->links();
   std::vector<Real> row = {time,
                            balance_.kinetic,
-                           books.elastic,
-                           books.links.dashpot,
-                           books.links.friction,
-                           books.links.fracture,
-                           books.contacts.dashpot,
-                           books.contacts.friction,
+                           energies.elastic,
+                           energies.links.dashpot,
+                           energies.links.friction,
+                           energies.links.fracture,
+                           energies.contacts.dashpot,
+                           energies.contacts.friction,
                            balance_.work,
                            balance_.residual,
                            static_cast<Real>(links.broken_springs()),

@@ -18,7 +18,7 @@ struct EnergyBalance {
   Real kinetic = 0;
   Real work = 0;      ///< of gravity, supports and the plate, and what was there at the beginning
   Real residual = 0;  ///< of the energy balance
-  methods::rectangles::EnergyBooks books;
+  methods::rectangles::EnergyParts energies;
 };
 
 class RectanglesRecord {

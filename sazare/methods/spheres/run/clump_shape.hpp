@@ -20,7 +20,7 @@ struct Shape {
   std::optional<Real> fill;            ///< of balls in a surface: the volume of their union over its own
   Real reach = 0;                      ///< of its farthest point from the centre of mass [m]
 
-  /// Of bonded balls; empty for a rigid body.
+  /// Shares of the mass that bonded balls have; empty for a rigid body.
   std::vector<geometry::MassShare> shares;
   Real share_error = 0;                             ///< what their inertia together lacks of the body's, relative
   std::vector<std::pair<Index, Index>> neighbours;  ///< which are bonded

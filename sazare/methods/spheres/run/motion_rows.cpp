@@ -3,7 +3,7 @@
 namespace sazare::runs {
 
 void read_spheres(methods::spheres::SphereStepper& stepper, MotionTable& table) {
-  stepper.settle();
+  stepper.evaluate_now();
   const state::Spheres& spheres = stepper.spheres();
   table.resize(spheres.size());
   for (std::size_t i = 0; i < spheres.size(); ++i) {

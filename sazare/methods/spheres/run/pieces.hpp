@@ -17,7 +17,7 @@ std::int64_t count_pieces(const methods::spheres::BondedBodies& bodies);
 std::vector<std::int32_t> body_numbers(const SpheresModel& model);
 
 /// The pieces of all bonded bodies, the largest first; volumes are shares of the bodies' volumes, ways begin where the bodies
-/// were placed. `settle` has been called.
+/// were placed. `evaluate_now` has been called.
 std::vector<Fragment> measure_pieces(const SpheresModel& model);
 
 }  // namespace sazare::runs

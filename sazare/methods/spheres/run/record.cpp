@@ -53,7 +53,7 @@ void SpheresRecord::observe(std::int64_t step, Real wall_seconds) {
   if (!clocks_.is_row(step)) return;
   const Real time = clocks_.time(step);
   methods::spheres::SphereStepper& stepper = *model_->stepper;
-  stepper.settle();
+  stepper.evaluate_now();
   stepper.look_at_step();
   energies_ = stepper.energies();
   if (files_.rows() == 0) first_sum_ = energies_.sum();

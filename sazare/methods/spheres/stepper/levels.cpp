@@ -146,7 +146,7 @@ void SphereLevels::add_up(std::int64_t tick) {
     for (const Level& level : levels_) counts_.uniform_evaluations += ticks() * level.sums.contacts;
 }
 
-std::int64_t SphereLevels::book(std::int64_t tick, methods::spheres::ContactSums& sums) const {
+std::int64_t SphereLevels::add_work(std::int64_t tick, methods::spheres::ContactSums& sums) const {
   methods::spheres::ContactSums due;
   for (std::size_t l = coarsest_due(tick); l < levels_.size(); ++l) due += levels_[l].sums;
   sums.dashpot_work += due.dashpot_work;

@@ -34,17 +34,17 @@ public:
   bool is_one() const { return levels_.size() == 1; }
   std::size_t count() const { return levels_.size(); }
   int finest() const { return static_cast<int>(count()) - 1; }
-  /// Of a base step.
+  /// The finest steps in a base step.
   std::int64_t ticks() const { return std::int64_t{1} << finest(); }
   Real tick_seconds() const { return levels_.back().step; }
-  /// Of the levels due at a tick of a base step; all finer ones are due as well.
+  /// The coarsest level that is due at a tick of a base step; all finer ones are due as well.
   std::size_t coarsest_due(std::int64_t tick) const;
   /// By number of the sphere; empty where all are at one.
   const std::vector<std::int8_t>& by_number() const { return level_; }
   /// By place; empty where all are at one.
   std::vector<std::int8_t> by_place(const state::Spheres& spheres) const;
   std::size_t pace(std::size_t sphere) const;
-  /// Of a pace or a level [s].
+  /// The step of a pace or a level [s].
   Real step(std::size_t level) const { return levels_[level].step; }
 
   /// Which spheres belong together, by their present places: see neighbors::LevelsByPlace.
@@ -55,7 +55,7 @@ public:
   /// Sorts the spheres by pace and along a curve and finds all pairs nearer than the margin [m]; what touches goes on
   /// remembering. Returns the place before of each sphere. `arrange` is to follow.
   std::vector<Index> find(state::Spheres& spheres, Real margin, Together together);
-  /// The same as of PairContacts, in the level in which the pair is.
+  /// As in PairContacts, in the level in which the pair is.
   void rest_within(std::span<const Index> body);
   void rest(const state::Spheres& spheres, Index one, Index other);
   void wake(const state::Spheres& spheres, Index one, Index other, Real allowed);
@@ -97,7 +97,7 @@ public:
 
   /// Adds what the levels due have taken at a tick to the works of `sums`; at a base step also sets what contacts and bonds hold.
   /// Returns how many bonds broke.
-  std::int64_t book(std::int64_t tick, methods::spheres::ContactSums& sums) const;
+  std::int64_t add_work(std::int64_t tick, methods::spheres::ContactSums& sums) const;
 
   /// What of the spheres all kicks have in common.
   struct Kick {
@@ -113,13 +113,13 @@ public:
   void count_kicks(std::size_t spheres) { counts_.kicks += static_cast<std::int64_t>(spheres); }
   /// Further speeds of bodies of a pace, after their kick.
   void take(std::size_t pace, const SphereSpeeds& speeds) { levels_[pace].speeds.take(speeds); }
-  /// Of all, each since its last kick.
+  /// The largest speeds of all spheres, each since its last kick.
   SphereSpeeds speeds() const;
 
   /// The loads of all levels on a body of a pace which is kicked at a tick. A load evaluated at t acts from half a step of its
   /// level before t to half a step after it.
   std::vector<TimedTable> acting(std::size_t pace, std::int64_t tick) const;
-  /// The same where forces are kept and the kick of this base step is still to come: nothing given yet, half a step of each
+  /// The loads where forces are kept and the kick of this base step is still to come: nothing given yet, half a step of each
   /// level ahead.
   std::vector<TimedTable> acting_until_now(std::size_t pace) const;
 

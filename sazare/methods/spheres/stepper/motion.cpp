@@ -18,7 +18,7 @@ class LargestSpeeds {
 public:
   explicit LargestSpeeds(const Vector3& drift) : drift_(broadcast(drift)) {}
 
-  /// Of `count` spheres that stand one after the other, as many as there are lanes at most.
+  /// Takes in `count` spheres that stand one after the other, as many as there are lanes at most.
   void take(const state::SphereKick* kicks, std::size_t count) {
     if (count == lane_count) return take(load_quads([&](std::size_t lane) { return &kicks[lane].vx; }), all_lanes);
     take(load_quads([&](std::size_t lane) { return &kicks[lane < count ? lane : 0].vx; }),

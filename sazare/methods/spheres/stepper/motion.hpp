@@ -42,7 +42,7 @@ struct TimedLoads {
   Real foreseen = 0;                         ///< given besides until the next kick; below 0 what they have too much [s]
 };
 
-/// The same for spheres of one pace whose loads are those of several levels, which stay.
+/// Kicks and drifts spheres of one pace whose loads are those of several levels, which stay.
 SphereSpeeds kick_and_drift(state::Spheres& spheres, std::size_t begin, std::size_t end, std::span<const TimedLoads> loads,
                             const SphereFlight& flight);
 

@@ -13,7 +13,7 @@ constexpr std::int64_t steps_between_looks = 64;
 
 void stop(state::SphereKick& kick) { kick.vx = kick.vy = kick.vz = kick.wx = kick.wy = kick.wz = 0; }
 
-/// Those clumps of which all spheres are marked, by number.
+/// The clumps of which all spheres are marked, by number.
 state::Clumps clumps_of(const state::Clumps& all, const std::vector<std::uint8_t>& marked) {
   state::Clumps some;
   for (std::size_t c = 0; c < all.clumps.size(); ++c) {
@@ -93,7 +93,7 @@ void SphereStepper::slow(Real kept) {
 /// mean radius, the mean acceleration, which does not forget what has just begun to fall, with a hundredth of gravity.
 Real SphereStepper::unrest() {
   constexpr Real lifted_by = 1e-6, of_gravity = 1e-2;
-  settle();
+  evaluate_now();
   Real mass = 0, squares = 0, radius = 0;
   for (std::size_t i = 0; i < spheres_.size(); ++i) {
     radius += spheres_.place[i].radius;

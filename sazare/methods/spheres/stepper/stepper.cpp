@@ -73,7 +73,7 @@ void SphereStepper::start() {
   find_pairs();
   for (std::size_t c = 0; c < clumps_.clumps.size(); ++c)
     place_members(clumps_.clumps[c], clumps_.members_of(c), place_, spheres_);
-  settle();
+  evaluate_now();
   for (state::Clump& clump : clumps_.clumps) methods::spheres::kick(clump, {-1 * clump.impulse_ahead, -1 * clump.turning_ahead});
   sums_.dashpot_work = sums_.bond_drag = wall_work_ = 0;
   sums_.sliding_work = sums_.sliding;  // what sliders hold at the beginning is not lost
@@ -95,21 +95,21 @@ void SphereStepper::start() {
 void SphereStepper::evaluate(std::int64_t tick) {
   walls_.move(time() + static_cast<Real>(tick) * levels_.tick_seconds());
   levels_.evaluate(tick, scene());
-  book(tick);
+  add_work(tick);
 }
 
 /// Adds up what the evaluation of a tick has given.
-void SphereStepper::book(std::int64_t tick) {
+void SphereStepper::add_work(std::int64_t tick) {
   const std::size_t coarsest = levels_.coarsest_due(tick);
-  if (levels_.book(tick, sums_) > 0) part_broken(coarsest);
+  if (levels_.add_work(tick, sums_) > 0) part_broken(coarsest);
   for (std::size_t level = coarsest; level < levels_.count(); ++level)
     for (const auto& load : walls_.loads(level)) wall_work_ += load.work;
   if (walls_.have_surfaces())
     for (std::size_t level = coarsest; level < levels_.count(); ++level) walls_.note_passages(level);
-  walls_.book_surface(rules_.step);
+  walls_.add_work_of_surface(rules_.step);
 }
 
-void SphereStepper::settle() {
+void SphereStepper::evaluate_now() {
   if (settled_) return;
   evaluate(0);
   hold_clumps();

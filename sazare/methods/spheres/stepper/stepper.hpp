@@ -93,7 +93,7 @@ public:
 
   /// Evaluates the forces at `time()` and keeps them: to be called before anything below is asked for. The next `advance` goes on
   /// from them, with the same bits.
-  void settle();
+  void evaluate_now();
 
   std::int64_t steps() const { return step_; }
   Real time() const { return static_cast<Real>(step_) * rules_.step; }
@@ -151,7 +151,7 @@ private:
     return {spheres_, walls_, bonds_, block_approach_.empty() ? all : block_approach_};
   }
   void evaluate(std::int64_t tick);
-  void book(std::int64_t tick);
+  void add_work(std::int64_t tick);
   SphereSpeeds kick(std::int64_t tick);
   void hold_clumps();
   void kick_clumps(std::size_t pace, std::int64_t tick);
@@ -163,7 +163,7 @@ private:
   SphereSpeeds walk();
   void walk(std::size_t share, parallel::Progress& progress);
   SphereSpeeds move(std::size_t block, std::span<const methods::spheres::PlaceRange> places, state::SphereLoad* loads);
-  void book_driven(std::size_t begin, std::size_t end, const state::SphereLoad* loads);
+  void add_work_of_driven(std::size_t begin, std::size_t end, const state::SphereLoad* loads);
   Real driven_work() const;
   ComingLines coming(std::size_t block) const;
   void ask_for_late(std::size_t block) const;
@@ -227,7 +227,7 @@ private:
   methods::spheres::StepLoad step_load_;
   std::int64_t looked_at_step_ = -1;  ///< when `look_at_step` did so last
 
-  // Of a walk.
+  // Results of a walk over the blocks.
   std::vector<SphereSpeeds> speeds_;  ///< by block
   std::vector<Real> driven_work_;  ///< by spheres that are late together: of driven ones in the last step [J]; empty without them
   std::vector<std::size_t> cuts_;  ///< of the blocks into shares, see LoadTable

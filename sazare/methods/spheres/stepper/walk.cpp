@@ -34,7 +34,7 @@ SphereSpeeds SphereStepper::walk() {
   });
   levels_.add_up(0);
   levels_.count_kicks(spheres_.size());
-  book(0);
+  add_work(0);
   if (drives_) wall_work_ += driven_work();
   SphereSpeeds all;
   for (const SphereSpeeds& one : speeds_) all.take(one);
@@ -48,22 +48,22 @@ SphereSpeeds SphereStepper::move(std::size_t block, std::span<const methods::sph
   const std::size_t first = levels_.loads(0).begin_of(block);
   for (const auto& range : places) {
     const std::size_t begin = first + range.begin, end = first + range.end;
-    if (drives_) book_driven(begin, end, loads + range.begin);
+    if (drives_) add_work_of_driven(begin, end, loads + range.begin);
     speeds.take(kick_and_drift(spheres_, begin, end, loads + range.begin, {rules_.step, rules_.gravity, drift_}));
     if (!spheres_.turn.empty()) turn(spheres_, begin, end, rules_.step);
   }
   return speeds;
 }
 
-/// The same sums, however blocks are cut.
-void SphereStepper::book_driven(std::size_t begin, std::size_t end, const state::SphereLoad* loads) {
+/// Adds up the work on driven spheres in groups whose sums are the same however blocks are cut.
+void SphereStepper::add_work_of_driven(std::size_t begin, std::size_t end, const state::SphereLoad* loads) {
   constexpr std::size_t together = methods::spheres::LoadTable::together;
   for (std::size_t first = begin; first < end; first += together)
     driven_work_[first / together] =
         work_of_driven(spheres_, first, std::min(first + together, end), loads + (first - begin), rules_.step);
 }
 
-/// Of the last walk, added up block by block [J].
+/// Work of the last walk on driven spheres, added up block by block [J].
 Real SphereStepper::driven_work() const {
   constexpr std::size_t of_block = neighbors::block_size / methods::spheres::LoadTable::together;
   Real all = 0;
