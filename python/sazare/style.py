@@ -1,9 +1,12 @@
 """Colours, fonts and number formats of every picture."""
 
 import functools
+import importlib.util
+from pathlib import Path
 
 import matplotlib
 import numpy as np
+from matplotlib import font_manager
 from matplotlib.colors import LinearSegmentedColormap, ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.text import Text
@@ -12,17 +15,20 @@ STONE = "#e9e4da"
 STONE_EDGE = "#c9c1b2"
 INK = "#2b2b2b"
 OLD_CRACK = "#555555"
-SOFTENING = "#3b8ea5"
-SHEAR_CRACK = "#3b5fa5"
+SOFTENING = "#7a9a3f"
+SHEAR_CRACK, SHEAR_PRESSED = "#1f4e9c", "#7fb2e5"
+OPEN_CRACK, OPEN_PRESSED = "#a8321c", "#ef9a7c"
+WALL = "#7d8894"
 ACCENT = "#b5472f"
 SECOND = "#2f6f8f"
 GRID = "#e3e3e3"
 
 RUBBLE = ListedColormap(
-    ["#d98c5f", "#7fa6a0", "#c9b458", "#8e7cc3", "#6d9f5b", "#c77b8b", "#5f87b8", "#b9894e", "#94b447", "#a46fa0"]
+    ["#d9774a", "#4f9d97", "#d1b13c", "#8069c0", "#5e9c45", "#cf6484", "#3f74b5", "#8a5a34", "#a9cf5a", "#7a7f88"]
 )
 
 BREAK_TIME = LinearSegmentedColormap.from_list("break_time", ["#3b0f2b", "#8c1d40", "#d1452b", "#f08a1d"])
+SHEAR_TIME = LinearSegmentedColormap.from_list("shear_time", ["#10204d", "#1f4e9c", "#3f8fd6", "#8fd0f2"])
 SPEED = LinearSegmentedColormap.from_list("speed", [STONE, "#efb273", "#d1452b", "#7d1d4a", "#2a0f36"])
 LEVEL = "YlGnBu"
 
@@ -30,7 +36,28 @@ LEVEL = "YlGnBu"
 KINETIC, ELASTIC, DASHPOT, SLIP, RUPTURE, RELEASE = "#35618f", "#6fa3c7", "#c9a66b", "#a8763e", "#b5472f", "#e08a76"
 CONTACT_DASHPOT, FRICTION, OUTSIDE = "#9aa87c", "#5f7a4a", "#8d8d9e"
 
+# Fonts for Japanese words where the package that brings one is missing, by the systems that have them.
+JAPANESE_FONTS = ("IPAexGothic", "IPAGothic", "Noto Sans CJK JP", "Noto Sans JP", "Hiragino Sans", "Yu Gothic", "MS Gothic")
+
+
+def _japanese_font():
+    """The name of a font for Japanese words: IPAexGothic of the package matplotlib_fontja, or one of the system; None without any.
+
+    The package is not imported, since that would change the settings of whoever uses Sazare in a program of their own.
+    """
+    package = importlib.util.find_spec("matplotlib_fontja")
+    for folder in package.submodule_search_locations if package else ():
+        if (file := Path(folder) / "fonts" / "ipaexg.ttf").exists():
+            font_manager.fontManager.addfont(file)
+    known = {font.name for font in font_manager.fontManager.ttflist}
+    return next((name for name in JAPANESE_FONTS if name in known), None)
+
+
+# Letters that the first font lacks come from the next one.
+FONTS = [name for name in ("DejaVu Sans", _japanese_font()) if name]
+
 SETTINGS = {
+    "font.family": FONTS,
     "font.size": 9.5,
     "axes.spines.top": False,
     "axes.spines.right": False,
