@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sazare/cases/format/counted.hpp"
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/methods/hybrid/case/format.hpp"
 #include "sazare/methods/hybrid/run/columns.hpp"
@@ -15,18 +16,24 @@ namespace sazare::runs {
 
 namespace {
 
+std::string counted(const observe::Manifest& manifest, std::string_view name, std::string_view things) {
+  return cases::counted(static_cast<std::int64_t>(figure(manifest, name)), things);
+}
+
 std::string bodies_text(const observe::Manifest& manifest) {
   for (const auto& [name, words] : {std::pair{"particles", "spheres"}, {"body_elements", "rectangles"}, {"blocks", "blocks"}})
     if (std::ranges::any_of(manifest.results, [&](const auto& result) { return result.first == name; }))
-      return fmt::format("{} {}", figure_text(manifest, name, 12), words);
+      return counted(manifest, name, words);
   return "no bodies";
 }
 
 std::string hybrid_summary(const observe::Manifest& manifest) {
   const auto number = [&](std::string_view name, int digits = 4) { return figure_text(manifest, name, digits); };
   std::string text;
-  text += fmt::format("solver sides    {} elements, {}; {} windows of {} s, {} passes\n", number("elements", 12),
-                      bodies_text(manifest), number("windows", 12), number("window"), number("passes", 12));
+  text += fmt::format("model           {} coupled with {}\n", counted(manifest, "elements", "finite elements"),
+                      bodies_text(manifest));
+  text += fmt::format("coupling        {} of {} s, gone through {} times in all\n", counted(manifest, "windows", "windows"),
+                      number("window"), number("passes", 12));
   text += fmt::format("surface         force up to {} N, displacement up to {} m\n", number("peak_force"),
                       number("peak_displacement"));
   text += fmt::format("energy          {} J over the surface, {} J added by the coupling, residual {} J\n",

@@ -1,5 +1,6 @@
 #include "sazare/methods/hybrid/run/run.hpp"
 
+#include "sazare/cases/format/counted.hpp"
 #include "sazare/methods/hybrid/case/format.hpp"
 #include "sazare/methods/hybrid/run/continuum.hpp"
 #include "sazare/methods/hybrid/run/coupled_bodies.hpp"
@@ -106,9 +107,10 @@ struct HybridWork final : WorkDefaults {
   static std::string method() { return "hybrid"; }
   std::string warning() const override { return model.bodies.warning(); }
   std::string words() const {
-    return fmt::format("{} elements and {} {}, windows of {} s, {} steps of the {} in each",
-                       model.continuum.mesh().elements.size(), model.bodies.count(), Bodies::name, number(model.continuum.step),
-                       steps_per_window(), Bodies::name);
+    const auto elements = static_cast<std::int64_t>(model.continuum.mesh().elements.size());
+    return fmt::format("{} and {}, windows of {} s, {} of the {} in each", cases::counted(elements, "finite elements"),
+                       cases::counted(model.bodies.count(), Bodies::name), number(model.continuum.step),
+                       cases::counted(steps_per_window(), "steps"), Bodies::name);
   }
   Real checkpoint_interval() const { return file.as<cases::HybridCase>().output.checkpoint_interval; }
 

@@ -1,5 +1,6 @@
 #include "sazare/methods/rectangles/run/run.hpp"
 
+#include "sazare/cases/format/counted.hpp"
 #include "sazare/methods/rectangles/case/format.hpp"
 #include "sazare/methods/rectangles/run/identity.hpp"
 #include "sazare/methods/rectangles/run/record.hpp"
@@ -40,7 +41,7 @@ struct RectanglesWork final : WorkDefaults {
   static std::string method() { return "rectangles"; }
   std::string warning() const override { return model.warning; }
   std::string words() const {
-    return fmt::format("{} elements, step {} s, {} of the predicted limit", model.elements, number(model.step),
+    return fmt::format("{}, step {} s, {} of the predicted limit", cases::counted(model.elements, "elements"), number(model.step),
                        number(model.step / model.limit.limit, 3));
   }
   Real checkpoint_interval() const { return file.as<cases::RectanglesCase>().output.checkpoint_interval; }
@@ -84,7 +85,7 @@ std::string check_rectangles(const cases::CaseFile& file, std::optional<Real> wi
   const RunClocks clocks = make_clocks(file, file.as<cases::RectanglesCase>().time, "step", model.step);
   const auto line = [](std::string_view topic, const std::string& text) { return fmt::format("  {:<12}{}\n", topic, text); };
   const std::string paper = model.limit.paper > 0 ? fmt::format("; (26) of the paper: {} s", number(model.limit.paper)) : "";
-  return cases::explain(file.as<cases::RectanglesCase>()) + line("body", fmt::format("{} elements", model.elements)) +
+  return cases::explain(file.as<cases::RectanglesCase>()) + line("body", cases::counted(model.elements, "elements")) +
          line("stability", fmt::format("limit {} s, predicted from the largest frequency, {} rad/s, and the dashpots{}",
                                        number(model.limit.limit), number(model.limit.largest_frequency), paper)) +
          line("step", fmt::format("{} s, {} of the limit, {} per history row", number(model.step, 5),

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "sazare/cases/format/counted.hpp"
 #include "sazare/core/large_tables.hpp"
 #include "sazare/methods/spheres/case/format.hpp"
 #include "sazare/methods/spheres/run/identity.hpp"
@@ -53,10 +54,11 @@ struct SpheresWork final : WorkDefaults {
   std::string words() const {
     const SphereSteps& steps = model.steps;
     const std::string share = number(steps.smallest() / steps.limit, 3);
-    std::string words = steps.level.empty()
-                            ? fmt::format("{} spheres, step {} s, {} of the limit", spheres(), number(steps.step), share)
-                            : fmt::format("{} spheres at {} levels, steps {} to {} s, {} of the limit", spheres(),
-                                          steps.count.size(), number(steps.smallest()), number(steps.step), share);
+    std::string words =
+        steps.level.empty()
+            ? fmt::format("{}, step {} s, {} of the limit", cases::counted(spheres(), "spheres"), number(steps.step), share)
+            : fmt::format("{} at {} levels, steps {} to {} s, {} of the limit", cases::counted(spheres(), "spheres"),
+                          steps.count.size(), number(steps.smallest()), number(steps.step), share);
     for (const std::string& note : model.wall_notes) words += "\n  " + note;
     return words;
   }
@@ -116,8 +118,9 @@ std::string steps_text(const SphereSteps& steps, const RunClocks& clocks) {
       fmt::format("  {:<12}{} s, {} of the limit, {} to a history row\n", steps.level.empty() ? "step" : "base step",
                   number(steps.step, 5), number(steps.step / steps.limit, 3), clocks.steps_per_row);
   for (std::size_t level = 0; level < steps.count.size(); ++level)
-    text += fmt::format("  {:<12}{}: {} spheres, {} s\n", level == 0 ? "levels" : "", level, steps.count[level],
-                        number(std::ldexp(steps.step, -static_cast<int>(level)), 5));
+    text +=
+        fmt::format("  {:<12}{}: {}, {} s\n", level == 0 ? "levels" : "", level, cases::counted(steps.count[level], "spheres"),
+                    number(std::ldexp(steps.step, -static_cast<int>(level)), 5));
   text += fmt::format("  {:<12}{} steps, {} particle-steps", "work", clocks.steps(),
                       number(steps.particle_steps * static_cast<Real>(clocks.steps())));
   if (steps.level.empty()) return text + "\n";
@@ -152,8 +155,9 @@ std::string check_spheres(const cases::CaseFile& file) {
     largest = std::max(largest, place.radius);
   }
   return cases::explain(file.as<cases::SpheresCase>()) +
-         fmt::format("  {:<12}{} spheres of radius {} to {} m, {} kg, {} walls\n", "body", model.group.size(), number(smallest),
-                     number(largest), number(mass), model.stepper->walls().walls().size()) +
+         fmt::format("  {:<12}{} of radius {} to {} m, {} kg, {}\n", "body",
+                     cases::counted(static_cast<std::int64_t>(model.group.size()), "spheres"), number(smallest), number(largest),
+                     number(mass), cases::counted(static_cast<std::int64_t>(model.stepper->walls().walls().size()), "walls")) +
          (model.clumps > 0 ? fmt::format("  {:<12}{} rigid, of {} m3 together\n", "clumps", model.clumps, number(volume)) : "") +
          (model.stepper->bodies().empty()
               ? ""
