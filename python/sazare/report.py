@@ -15,14 +15,14 @@ MOST_FRAGMENTS = 10
 
 
 def _drawn(section, folder):
-    """The section as the template wants it, its picture written and embedded."""
+    """The section as the template wants it, its picture written and embedded; without data, its heading and what it says instead."""
     figure = section.draw()
-    filled = {"name": section.name, "heading": section.heading, "caption": section.caption, "wide": section.wide}
     if figure is None:
-        return {**filled, "caption": "", "missing": section.missing, "image": None}
+        return {"heading": section.heading, "missing": section.missing, "image": None}
     path = folder / f"{section.name}.png"
     style.save(figure, path)
-    return {**filled, "missing": "", "image": base64.b64encode(path.read_bytes()).decode()}
+    image = base64.b64encode(path.read_bytes()).decode()
+    return {"name": section.name, "heading": section.heading, "caption": section.caption, "wide": section.wide, "image": image}
 
 
 def _facts(results):
@@ -70,7 +70,8 @@ def _page(results, sections):
         tone=tone,
         sentence=sentence,
         headlines=headlines(results),
-        sections=sections,
+        sections=[section for section in sections if section["image"]],
+        without_data=[section for section in sections if not section["image"] and section["missing"]],
         facts=_facts(results),
         fragments=_largest_fragments(results),
         gauges=[(gauge.name, style.quantity(gauge.ppv, "m/s")) for gauge in results.gauges.values()],

@@ -67,6 +67,12 @@ class Snapshots(Sequence):
         return self._snapshots[int(np.argmin(np.abs(self.times - time)))]
 
 
+def elements_once(snapshot):
+    """The bodies of a snapshot, which does not keep them in memory unless it has them already."""
+    kept = vars(snapshot).get("elements")
+    return read_mesh(snapshot.elements_file) if kept is None else kept
+
+
 def read_mesh(path):
     """The unstructured grid of a VTKHDF file. Raises NotARun where the file is anything else."""
     import pyvista

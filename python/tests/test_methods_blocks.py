@@ -1,9 +1,14 @@
 """The body of a run of method blocks, from runs made here."""
 
+import shutil
+
+import h5py
 import numpy as np
 
 import sazare
-from sazare.methods.blocks_body import Body
+from sazare.methods import blocks_maps
+from sazare.methods.blocks_body import SHEARED, Body, colors_of_neighbors
+from sazare.report import sections_of
 
 
 def test_a_slab_is_known_by_its_thin_axis(slab, solid):
@@ -33,12 +38,66 @@ def test_displacements_are_enlarged_by_a_round_factor(slab):
 
 
 def test_crack_panels_follow_the_breaking_and_not_the_run(slab):
-    from sazare.methods import blocks_maps
-
     run = sazare.open(slab)
     body = Body(run.snapshots)
-    chosen = blocks_maps.spread_over_breaking(body, (0.2, 0.5, 0.8))
+    chosen = body.moments(4)
     counts = [np.sum(snapshot.joints.cell_data["state"] >= 2) for snapshot in chosen]
     assert chosen[-1].time == run.snapshots[-1].time
     assert counts[0] >= 0.2 * counts[-1] and sorted(counts) == counts
     assert body.latest_break() <= run.snapshots[-1].time
+
+
+def test_panels_of_a_body_without_breaks_follow_its_movement(slab, monkeypatch):
+    body = Body(sazare.open(slab).snapshots)
+    monkeypatch.setattr(body, "break_time", None)
+    times = [snapshot.time for snapshot in body.moments(3)]
+    assert times == sorted(times) and times[-1] == body.snapshots[-1].time and len(times) == 3
+
+
+def test_fragments_that_share_an_edge_have_different_colors():
+    # Six groups of two elements in a ring, each sharing edges with the next; the first and the last meet too.
+    group = np.repeat(np.arange(6), 2)
+    edges = np.stack([np.arange(12) // 2, (np.arange(12) // 2 + 1) % 6, *(100 + 12 * n + np.arange(12) for n in range(4))], axis=1)
+    colors = colors_of_neighbors(group, edges, 3)
+    assert set(colors) <= {0, 1, 2}
+    assert all(colors[n] != colors[(n + 1) % 6] for n in range(6))
+
+
+def test_fragments_of_a_body_differ_from_all_they_touch(slab):
+    run = sazare.open(slab)
+    body = Body(run.snapshots)
+    corners = np.asarray(body.first.points).reshape(-1, 4, 3)
+    fragment = (5.0 * corners.mean(axis=1)[:, 0]).astype(int)  # slices along x
+    color, group = body.fragment_colors(fragment, 4)
+    assert all(len(set(color[group == one])) == 1 for one in np.unique(group))
+    by_slice = [color[fragment == one][0] for one in np.unique(fragment)]
+    assert all(one != other for one, other in zip(by_slice, by_slice[1:]))
+
+
+def mixed_mode_run(slab, tmp_path):
+    """The slab's run with the law mixed_mode, in which every second crack is sheared and pressed together."""
+    copy = shutil.copytree(slab, tmp_path / "run")
+    (copy / "case.toml").write_text((copy / "case.toml").read_text() + '\n[[joints]]\nlaw = "mixed_mode"\n')
+    for path in (copy / "snapshots").glob("joints_*.vtkhdf"):
+        with h5py.File(path, "r+") as file:
+            state, mode = file["VTKHDF/CellData/state"], file["VTKHDF/CellData/mode"]
+            cracks = np.flatnonzero(state[:] == 2)[::2]
+            states, modes = state[:], mode[:]
+            states[cracks], modes[cracks] = SHEARED, 2
+            state[:], mode[:] = states, modes
+    return copy
+
+
+def test_sheared_joints_have_colors_and_counts_of_their_own(slab, tmp_path):
+    results = sazare.open(mixed_mode_run(slab, tmp_path))
+    body = Body(results.snapshots)
+    labels = [axes.get_ylabel() for axes in blocks_maps.crack_pattern(body).axes]
+    assert "sheared, faces pressed together: time of failure [µs]" in labels and "open: time of failure [µs]" in labels
+    states = results.snapshots[-1].joints.cell_data["state"]
+    words = [text.get_text() for text in blocks_maps.crack_modes(body).legends[0].get_texts()]
+    assert words == [f"opening, faces apart: {np.sum(states == 2)} joints", f"shear, faces pressed together: {np.sum(states == SHEARED)} joints"]
+
+
+def test_cracks_by_mode_are_drawn_for_the_law_that_has_modes(slab, tmp_path):
+    assert "modes" not in [section.name for section in sections_of(sazare.open(slab))]
+    assert "modes" in [section.name for section in sections_of(sazare.open(mixed_mode_run(slab, tmp_path)))]

@@ -3,6 +3,8 @@
 import json
 import re
 import shutil
+import sys
+import warnings
 
 import numpy as np
 import pytest
@@ -10,7 +12,7 @@ import pyvista
 from matplotlib.image import imread
 
 import sazare
-from sazare import plot
+from sazare import plot, style
 from sazare.__main__ import main
 from sazare.methods.common import energy_balance
 from sazare.report import write_report
@@ -170,7 +172,7 @@ def test_plot_writes_the_pictures_that_are_named(slab, tmp_path, capsys):
     assert {path.name for path in (tmp_path / "pictures").iterdir()} == {"energy.png", "gauges.png"}
     assert main(["plot", str(slab)]) == 0
     listed = {line.split()[0] for line in capsys.readouterr().out.splitlines()[2:]}
-    assert listed == PICTURES | {"modes"}
+    assert listed == PICTURES
 
 
 def test_plot_says_which_pictures_there_are(slab, tmp_path, capsys):
@@ -227,3 +229,35 @@ def test_figures_of_other_kinds_end_in_a_message(slab, tmp_path, figure, capsys)
     code = main(["report", str(copy)])
     assert code in (0, 2)
     assert code == 0 or "error:" in capsys.readouterr().err
+
+
+def test_pictures_without_data_have_no_section_of_their_own(slab, tmp_path):
+    copy = shutil.copytree(slab, tmp_path / "run")
+    (copy / "gauges.csv").unlink()
+    page = write_report(copy).read_text()
+    assert '<section id="gauges"' not in page and "<h2>Gauges</h2>" not in page
+    assert "<li>Gauges: The case has no gauges.</li>" in page
+
+
+def test_japanese_words_are_drawn_with_a_font_that_has_them(slab, tmp_path):
+    copy = shutil.copytree(slab, tmp_path / "run")
+    table = copy / "gauges.csv"
+    table.write_text(table.read_text().replace("G1.", "落石の重心."), encoding="utf-8")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")  # Matplotlib warns of a glyph that no font has
+        assert main(["plot", str(copy), "gauges", "--out", str(tmp_path)]) == 0
+    drawn = imread(tmp_path / "gauges.png")
+    boxes = style.FONTS[:1]
+    with pytest.MonkeyPatch.context() as patch, warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        patch.setitem(style.SETTINGS, "font.family", boxes)
+        main(["plot", str(copy), "gauges", "--out", str(tmp_path / "boxes")])
+    assert not np.array_equal(drawn, imread(tmp_path / "boxes" / "gauges.png"))
+
+
+def test_the_font_is_found_without_changing_the_settings_of_others():
+    import matplotlib
+
+    assert "IPAexGothic" in style.FONTS
+    assert "IPAexGothic" not in matplotlib.rcParams["font.family"]
+    assert "matplotlib_fontja" not in sys.modules

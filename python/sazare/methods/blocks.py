@@ -21,31 +21,29 @@ ENERGIES = {
 def sections(results):
     """The pictures of the body, where there are snapshots, then the curves."""
     if len(results.snapshots):
-        return [*_body_sections(results.snapshots), *_curve_sections(results)]
+        return [*_body_sections(results), *_curve_sections(results)]
     nothing = Section("cracks", "Crack pattern, deformed shape, time levels, fragments", "", lambda: None, common.NO_SNAPSHOTS)
     return [nothing, *_curve_sections(results)]
 
 
-def _body_sections(snapshots):
+def _body_sections(results):
     # VTK takes a second to load, and a summary does without.
     from sazare.methods import blocks_maps
     from sazare.methods.blocks_body import Body
 
-    body = Body(snapshots)
+    body = Body(results.snapshots)
     return [
         Section(
             "cracks", "Crack pattern",
-            "Broken joints when a fifth, a half and four fifths of them have broken and at the end, coloured by the time of the first "
-            "snapshot that shows them broken.",
+            "Broken joints when a quarter, a half and three quarters of them have broken and at the end, coloured by the time of the "
+            "first snapshot that shows them broken; joints that are sheared and whose faces are still pressed together in blue.",
             partial(blocks_maps.crack_pattern, body), "The run wrote no joints.",
         ),
-        Section(
-            "modes", "Cracks by mode", "Cracks at the end, by the mode in which more of their fracture energy was dissipated.",
-            partial(blocks_maps.crack_modes, body), "No joint has failed in shear.",
-        ),
+        *([_mode_section(body)] if 'law = "mixed_mode"' in results.case_text else []),
         Section(
             "shape", "Deformed shape",
-            "Speed of the elements. Displacements are magnified where the title says so; colour scale clipped at the 99th percentile.",
+            "Speed of the elements when half of the joints that break have broken, and at the end. Displacements are magnified where the "
+            "title says so.",
             partial(blocks_maps.displaced_shape, body), "",
         ),
         Section(
@@ -53,10 +51,22 @@ def _body_sections(snapshots):
             partial(blocks_maps.time_levels, body), "",
         ),
         Section(
-            "fragments", "Fragments", "Elements that are still connected share a colour; the largest fragment is pale.",
+            "fragments", "Fragments", "Elements that are still connected share a colour, and neighbouring fragments have different ones; the largest fragment is pale.",
             partial(blocks_maps.fragment_map, body), "", wide=not body.is_slab,
         ),
     ]
+
+
+def _mode_section(body):
+    """The picture of a run in which joints may fail in shear."""
+    from sazare.methods import blocks_maps
+
+    return Section(
+        "modes", "Cracks by mode",
+        "Joints that have failed by the end, with their number in the whole body. Red or blue: opening or shear has dissipated more of "
+        "the joint's fracture energy. Dark or pale: the faces are apart, or they are pressed together and slide with friction.",
+        partial(blocks_maps.crack_modes, body), "No joint has failed.",
+    )
 
 
 def _curve_sections(results):
@@ -101,7 +111,7 @@ METHOD = Method(
         Figure("fragments", "fragments", note=common.count_note("elements", "elements")),
         Figure("x50", "X50", "m", common.quantity_note("x80", "X80 ", "m")),
         Figure("throw_max", "maximum throw", "m"),
-        Figure("peak_speed", "peak speed", "m/s"),
+        Figure("peak_speed", "peak speed", "m/s", common.said("of any element")),
         Figure("energy_work", "external work", "J"),
     ),
     snapshots="elements",

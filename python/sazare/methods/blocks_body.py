@@ -3,13 +3,44 @@
 import numpy as np
 
 from sazare import style
+from sazare.moments import moments
 from sazare.scenes import MARGIN, PlaneView, SolidView
 
 # A body is a slab where its smallest extent is under this part of the next one.
 SLAB_RATIO = 0.35
 
 # From this `state` of a joint on, it is a crack: broken, or sheared and pressed together.
-CRACK = 2
+CRACK, SHEARED = 2, 3
+
+
+def _edges(mesh):
+    """Of every tetrahedron of its own four points: the numbers (n, 6) of its edges, alike where edges are at one place."""
+    corners = np.asarray(mesh.cell_connectivity).reshape(-1, 4)
+    places = np.asarray(mesh.points)
+    grid = np.round(places / (1e-7 * max(np.ptp(places, axis=0).max(), 1e-30))).astype(np.int64)
+    _, vertex = np.unique(grid, axis=0, return_inverse=True)
+    pairs = np.sort(np.ravel(vertex)[corners][:, [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)]], axis=2).astype(np.int64)
+    return np.unique(pairs[..., 0] * (pairs.max(initial=0) + 1) + pairs[..., 1], return_inverse=True)[1].reshape(-1, 6)
+
+
+def colors_of_neighbors(group, edges, colors):
+    """A number below `colors` for every group of elements; groups that share edges have different ones wherever there are enough.
+
+    group (n,): of every element, counted from 0. edges (n, 6): numbers of its edges.
+    """
+    count = int(group.max(initial=-1)) + 1
+    pairs = np.unique(np.stack([edges.ravel(), np.repeat(group, edges.shape[1])], axis=1), axis=0)
+    meeting = [[] for _ in range(count)]
+    for groups in np.split(pairs[:, 1], np.flatnonzero(np.diff(pairs[:, 0])) + 1):
+        for one in groups if len(groups) > 1 else ():
+            meeting[one].extend(groups[groups != one])
+    chosen, used = np.full(count, -1), np.zeros(colors)
+    for one in np.argsort(-np.bincount(group, minlength=count), kind="stable"):
+        around = chosen[meeting[one]] if meeting[one] else np.empty(0, dtype=int)
+        near = np.bincount(around[around >= 0], minlength=colors)
+        chosen[one] = np.lexsort((used, near))[0]
+        used[chosen[one]] += 1
+    return chosen
 
 
 class Body:
@@ -38,6 +69,17 @@ class Body:
             times[newly] = snapshot.time
         return times
 
+    def moments(self, most):
+        """Snapshots in the order of time between which equal shares of the joints have broken, the last one included; equal shares of
+        the movement where none has."""
+        if self.latest_break() is None:
+            chosen = moments(self.snapshots, most + 1)[1:] or [0]
+            return [self.snapshots[number] for number in chosen]
+        broken = np.sort(self.break_time[np.isfinite(self.break_time)])
+        reached = [broken[int(share * (len(broken) - 1))] for share in np.linspace(0.0, 1.0, most + 1)[1:-1]]
+        chosen = {snapshot.time: snapshot for snapshot in [*map(self.snapshots.at, reached), self.snapshots[-1]]}
+        return [chosen[time] for time in sorted(chosen)]
+
     def latest_break(self):
         """The last time at which a snapshot shows a joint broken that was not before [s]; None without any."""
         times = [] if self.break_time is None else self.break_time[np.isfinite(self.break_time)]
@@ -54,6 +96,13 @@ class Body:
         if mesh.n_cells:
             mesh.cell_data["break_time"] = times
         return mesh
+
+    def fragment_colors(self, fragment, colors):
+        """A number below `colors` for every element, the same within a fragment, and different in fragments that touched at the start
+        wherever there are numbers enough; and the fragment of each element, counted from 0. fragment: of every element."""
+        _, group = np.unique(np.asarray(fragment), return_inverse=True)
+        chosen = colors_of_neighbors(group, _edges(self.first), colors)
+        return chosen[group], group
 
     def softening(self, snapshot):
         """The softening joints of a snapshot."""

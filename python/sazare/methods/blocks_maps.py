@@ -7,29 +7,18 @@ from matplotlib.colors import BoundaryNorm, Normalize
 from matplotlib.lines import Line2D
 
 from sazare import style
+from sazare.methods.blocks_body import SHEARED
 from sazare.scenes import Layer, PlaneView, render
 
 EDGES = {"show_edges": True, "edge_color": style.STONE_EDGE, "line_width": 1.0, "lighting": False}
 STONE = {"color": style.STONE, **EDGES}
 CRACK_WIDTH = 5.0
 SHEAR = 2  # `mode` of a crack in which slip has dissipated more than opening
-
-
-def spread(snapshots, shares):
-    """The snapshots nearest to shares of the run's time, each once, in the order of time."""
-    end = snapshots.times.max()
-    chosen = {snapshot.time: snapshot for snapshot in (snapshots.at(share * end) for share in shares)}
-    return [chosen[time] for time in sorted(chosen)]
-
-
-def spread_over_breaking(body, shares):
-    """The snapshots by which these shares of all broken joints have broken, and the last; by the time of the run where none has."""
-    times = np.sort(body.break_time[np.isfinite(body.break_time)]) if body.break_time is not None else np.empty(0)
-    if not len(times):
-        return spread(body.snapshots, (*shares, 1.0))
-    reached = [times[min(int(share * len(times)), len(times) - 1)] for share in shares]
-    chosen = {snapshot.time: snapshot for snapshot in [*map(body.snapshots.at, reached), body.snapshots[-1]]}
-    return [chosen[time] for time in sorted(chosen)]
+# Cracks by mode and by whether their faces are apart: words and colour.
+KINDS = (
+    ("opening, faces apart", style.OPEN_CRACK), ("opening, faces pressed together", style.OPEN_PRESSED),
+    ("shear, faces apart", style.SHEAR_CRACK), ("shear, faces pressed together", style.SHEAR_PRESSED),
+)
 
 
 def _panel(axes, view, layers, title):
@@ -90,21 +79,28 @@ def _title(body, view, snapshot, factor=1.0):
     return ", ".join(words)
 
 
+def _pressed(cracks):
+    """Which cracks are sheared and pressed together."""
+    return np.asarray(cracks.cell_data["state"]) == SHEARED if cracks.n_cells else np.zeros(0, dtype=bool)
+
+
 def _crack_layers(body, view, snapshot, norm, hull):
     broken, softening = body.broken(snapshot), body.softening(snapshot)
+    pressed = _pressed(broken)
+    parts = [(broken.extract_cells(np.flatnonzero(pressed)), style.SHEAR_TIME), (broken.extract_cells(np.flatnonzero(~pressed)), style.BREAK_TIME)]
     lines = {"lighting": False, "line_width": CRACK_WIDTH}
-    colored = {"scalars": "break_time", "cmap": style.BREAK_TIME, "clim": (norm.vmin, norm.vmax)}
+    colored = [(mesh, {"scalars": "break_time", "cmap": colors, "clim": (norm.vmin, norm.vmax)}) for mesh, colors in parts]
     if isinstance(view, PlaneView):
         return [
             Layer(view.cut(body.first), STONE),
             Layer(_lift(view, view.cut(softening), 1), {"color": style.SOFTENING, **lines, "line_width": 2.5}),
-            Layer(_lift(view, view.cut(broken), 2), {**lines, **colored}),
+            *(Layer(_lift(view, view.cut(mesh), 2 + place), {**lines, **options}) for place, (mesh, options) in enumerate(colored)),
         ]
     outline = hull.extract_feature_edges(25.0, boundary_edges=False, non_manifold_edges=False, manifold_edges=False)
     return [
         Layer(hull, {"color": style.STONE, "opacity": 0.25, "show_edges": False}),
         Layer(outline, {"color": style.OLD_CRACK, "line_width": 2.0, "lighting": False}),
-        Layer(broken, {**colored, "ambient": 0.35, "show_edges": False}),
+        *(Layer(mesh, {**options, "ambient": 0.35, "show_edges": False}) for mesh, options in colored),
     ]
 
 
@@ -116,22 +112,30 @@ def _lift(view, mesh, height):
 
 
 @style.styled
-def crack_pattern(body, shares=(0.2, 0.5, 0.8)):
-    """The broken joints when some shares of them have broken and at the end, coloured by the time each broke; None without joints."""
+def crack_pattern(body, panels=4):
+    """The broken joints at times between which equal shares of them have broken, coloured by the time each broke; None without joints.
+
+    Joints that are sheared and pressed together have colours of their own.
+    """
     if body.snapshots[-1].joints is None:
         return None
-    snapshots = spread_over_breaking(body, shares)
+    snapshots = body.moments(panels)
     latest = body.latest_break() or body.snapshots.times.max() or 1.0
     factor, prefix = style.prefix_for(latest)
     norm = Normalize(0.0, latest)
     hull = None if body.is_slab else body.hull()
-    panels = [
+    drawn = [
         (view, _crack_layers(body, view, snapshot, norm, hull), _title(body, view, snapshot))
         for view, snapshot in _views(body, snapshots)
     ]
-    figure, axes = _sheet(panels)
-    _bar(figure, axes, style.BREAK_TIME, Normalize(0.0, norm.vmax / factor), f"time of failure [{prefix}s]")
-    if isinstance(panels[0][0], PlaneView):
+    figure, axes = _sheet(drawn)
+    scale = Normalize(0.0, norm.vmax / factor)
+    if any(_pressed(body.broken(snapshot)).any() for snapshot in snapshots):
+        _bar(figure, axes, style.SHEAR_TIME, scale, f"sheared, faces pressed together: time of failure [{prefix}s]")
+        _bar(figure, axes, style.BREAK_TIME, scale, f"open: time of failure [{prefix}s]")
+    else:
+        _bar(figure, axes, style.BREAK_TIME, scale, f"time of failure [{prefix}s]")
+    if isinstance(drawn[0][0], PlaneView):
         keys = [
             Line2D([], [], color=style.ACCENT, linewidth=2.5, label="broken joint"),
             Line2D([], [], color=style.SOFTENING, linewidth=1.5, label="softening joint"),
@@ -142,13 +146,16 @@ def crack_pattern(body, shares=(0.2, 0.5, 0.8)):
 
 @style.styled
 def crack_modes(body):
-    """The cracks of the last snapshot by the mode that has dissipated more, opening or shear; None where none has sheared."""
+    """The cracks of the last snapshot by the mode that has dissipated more, opening or shear, and by whether their faces are apart;
+    None where there is none."""
     snapshot = body.snapshots[-1]
     broken = body.broken(snapshot)
-    if broken is None or "mode" not in broken.cell_data or not np.any(broken.cell_data["mode"] == SHEAR):
+    if broken is None or not broken.n_cells or "mode" not in broken.cell_data:
         return None
+    kind = 2 * (np.asarray(broken.cell_data["mode"]) == SHEAR) + _pressed(broken)
+    broken.cell_data["kind_of_crack"] = kind
     hull = None if body.is_slab else body.hull()
-    colors = {"scalars": "mode", "cmap": [style.RUPTURE, style.SHEAR_CRACK], "clim": (0.5, 2.5), "lighting": False}
+    colors = {"scalars": "kind_of_crack", "cmap": [color for _, color in KINDS], "clim": (-0.5, len(KINDS) - 0.5), "lighting": False}
 
     def layers(view):
         if isinstance(view, PlaneView):
@@ -157,9 +164,10 @@ def crack_modes(body):
         return [Layer(hull, {"color": style.STONE, "opacity": 0.25, "show_edges": False}), Layer(broken, {**colors, "show_edges": False})]
 
     figure, _ = _sheet([(view, layers(view), _title(body, view, snapshot)) for view, _ in _views(body, [snapshot])])
+    counts = np.bincount(kind, minlength=len(KINDS))
     keys = [
-        Line2D([], [], color=style.RUPTURE, linewidth=2.5, label="opening"),
-        Line2D([], [], color=style.SHEAR_CRACK, linewidth=2.5, label="shear"),
+        Line2D([], [], color=color, linewidth=3.0, label=f"{words}: {style.count(number)} joint{'s' if number != 1 else ''}")
+        for (words, color), number in zip(KINDS, counts) if number
     ]
     figure.legend(handles=keys, loc="outside lower center", ncols=2)
     return figure
@@ -173,9 +181,9 @@ def _field_layers(body, view, mesh, options):
 
 
 @style.styled
-def time_levels(body, shares=(0.4, 1.0)):
+def time_levels(body, panels=2):
     """The time level k of every element, whose step is the base step / 2^k."""
-    snapshots = spread(body.snapshots, shares)
+    snapshots = body.moments(panels)
     if not body.is_slab:
         snapshots = snapshots[-1:]
     levels = [snapshot.elements.cell_data["level"] for snapshot in snapshots]
@@ -195,9 +203,9 @@ def time_levels(body, shares=(0.4, 1.0)):
 
 
 @style.styled
-def displaced_shape(body, shares=(0.4, 1.0)):
+def displaced_shape(body, panels=2):
     """The body with magnified displacements, coloured by speed."""
-    snapshots = spread(body.snapshots, shares)
+    snapshots = body.moments(panels)
     if not body.is_slab:
         snapshots = snapshots[-1:]
     factor = body.exaggeration(body.snapshots[-1])
@@ -216,21 +224,20 @@ def displaced_shape(body, shares=(0.4, 1.0)):
     ]
     figure, axes = _sheet(panels)
     extend = "max" if speeds.max() > top else "neither"
-    _bar(figure, axes, style.SPEED, Normalize(0.0, top), "speed [m/s]", extend=extend)
+    words = ", clipped at the 99th percentile" if speeds.max() > top else ""
+    _bar(figure, axes, style.SPEED, Normalize(0.0, top), f"speed [m/s]{words}", extend=extend)
     return figure
 
 
 @style.styled
 def fragment_map(body):
-    """The fragments at the end, each in one of ten colours, the largest in the colour of stone."""
+    """The fragments at the end in ten colours, those that touched at the start in different ones, the largest in the colour of stone."""
     snapshot = body.snapshots[-1]
-    fragment = np.asarray(snapshot.elements.cell_data["fragment"])
-    _, group, sizes = np.unique(fragment, return_inverse=True, return_counts=True)
-    color = 1 + np.arange(len(sizes)) * 7 % style.RUBBLE.N
-    color[np.argmax(sizes)] = 0
+    color, group = body.fragment_colors(snapshot.elements.cell_data["fragment"], style.RUBBLE.N)
+    color = np.where(group == np.argmax(np.bincount(group)), 0, 1 + color)
     factor = body.exaggeration(snapshot)
     mesh = body.displaced(snapshot, factor).copy()
-    mesh.cell_data["color"] = color[group]
+    mesh.cell_data["color"] = color
     table = [style.STONE, *style.RUBBLE.colors]
     options = {"scalars": "color", "cmap": table, "clim": (-0.5, len(table) - 0.5)}
     panels = [

@@ -130,6 +130,11 @@ def share_note(part, whole):
     return note
 
 
+def said(words):
+    """Of a figure of which the same is always said: a note of these words."""
+    return lambda _: words
+
+
 def count_note(key, words):
     """Of a figure beside a count: a note such as `120 elements`."""
     return lambda figures: f"{count(figures[key])} {words}" if figures.get(key) is not None else ""

@@ -1,0 +1,60 @@
+"""Which snapshots the panels of one picture show: those between which equal shares of what happens lie.
+
+Most runs are quiet for long, before or after what they are about. Panels at equal times would show the quiet.
+"""
+
+import numpy as np
+
+from sazare.snapshots import elements_once
+
+MOST_READ = 48  # snapshots; of longer series every n-th one is looked at
+
+
+def movement(before, after):
+    """Mean way of the points of a mesh to those of the next snapshot [m]; 0 where they are not the same points."""
+    before, after = np.asarray(before.points), np.asarray(after.points)
+    return float(np.linalg.norm(after - before, axis=1).mean()) if before.shape == after.shape and len(before) else 0.0
+
+
+def growth(field):
+    """A function of two meshes that tells by how much the sum of a field of their cells has grown."""
+
+    def grown(before, after):
+        sums = [float(np.sum(mesh.cell_data[field])) if field in mesh.cell_data else 0.0 for mesh in (before, after)]
+        return abs(sums[1] - sums[0])
+
+    return grown
+
+
+def moments(snapshots, most, change=movement):
+    """Numbers of some snapshots in the order of time, `most` at most: the first, the last, and between them those by which equal
+    shares of the change have taken place.
+
+    change: a function of two meshes, one snapshot after the other, that returns how much has happened between them.
+    """
+    last = len(snapshots) - 1
+    if last < 1:
+        return [0] * len(snapshots)
+    read = sorted({int(number) for number in np.linspace(0, last, min(MOST_READ, last + 1)).round()})
+    steps = [0.0]
+    before = elements_once(snapshots[read[0]])
+    for number in read[1:]:
+        after = elements_once(snapshots[number])
+        steps.append(change(before, after))
+        before = after
+    return [read[place] for place in equal_shares(steps, most)]
+
+
+def equal_shares(steps, most):
+    """Places in a list of what happens from one to the next, its first number being 0: first, last, and equal shares of the sum between.
+
+    Equal numbers of places where nothing happens at all.
+    """
+    done = np.cumsum(np.nan_to_num(np.asarray(steps, dtype=float)))
+    shares = np.linspace(0.0, 1.0, most)[1:-1]
+    if done[-1] <= 0.0:
+        between = np.round(shares * (len(done) - 1)).astype(int)
+    else:
+        # A share that round-off leaves short by a trifle is reached.
+        between = np.searchsorted(done, shares * done[-1] * (1.0 - 1e-12))
+    return sorted({0, *(int(place) for place in between), len(done) - 1})
