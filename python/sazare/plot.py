@@ -15,41 +15,55 @@ def time_axis(table):
 
 
 @style.styled
-def energy(results, terms):
-    """Stored and dissipated energy [J] by cause, stacked, and the external work; below, the residual as a share of the work [-].
+def energy(results, terms, works=("energy_work",)):
+    """Stored and dissipated energy [J] by cause, stacked, and the work; below, the residual as a share of the work [-]. Without work,
+    which some runs do not record, the energies alone.
 
-    terms: column of the history -> (name, colour), from the bottom of the stack up.
+    terms: column of the history -> (name, colour), from the bottom of the stack up. works: columns whose sum is the work.
     """
     history = results.history
-    if "energy_work" not in history or history.rows < 2:
+    known = [name for name in works if name in history]
+    shown = [name for name in terms if name in history and np.any(history[name] != 0.0)]
+    if history.rows < 2 or not (known or shown):
         return None
     time, label = time_axis(history)
-    shown = [name for name in terms if name in history and np.any(history[name] != 0.0)]
-    work = history["energy_work"]
-    factor, prefix = style.prefix_for(np.abs(work).max())
-    figure = style.figure(9.0, 5.2)
-    upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=(3.4, 1.0))
+    stored = np.array([np.maximum(history[name], 0.0) for name in shown]).reshape(len(shown), -1)
+    work = sum(history[name] for name in known) if known else None
+    factor, prefix = style.prefix_for(max(np.abs(work).max() if known else 0.0, stored.sum(axis=0).max(initial=0.0)))
+    balanced = known and "energy_residual" in history
+    figure = style.figure(9.0, 5.2 if balanced else 3.8)
+    axes = figure.subplots(2, 1, sharex=True, height_ratios=(3.4, 1.0)) if balanced else [figure.subplots()]
+    upper = axes[0]
     if shown:
         upper.stackplot(
-            time, [np.maximum(history[name], 0.0) / factor for name in shown],
-            labels=[terms[name][0] for name in shown], colors=[terms[name][1] for name in shown],
+            time, stored / factor, labels=[terms[name][0] for name in shown], colors=[terms[name][1] for name in shown],
             linewidth=0.4, edgecolor="white",
         )
-    upper.plot(time, work / factor, color=style.INK, linewidth=1.6, linestyle="--", label="external work")
+    if known:
+        # Some methods count the energy that the body has at the start, as ground under its own weight does.
+        begun = float(stored[:, 0].sum()) if len(stored) else 0.0
+        words = "external work" if begun <= 1e-3 * np.abs(work).max() else "energy at the start\nand external work"
+        upper.plot(time, (work + begun) / factor, color=style.INK, linewidth=1.6, linestyle="--", label=words)
     upper.set_ylabel(f"energy [{prefix}J]")
     handles, labels = upper.get_legend_handles_labels()
     upper.legend(handles[::-1], labels[::-1], loc="center left", bbox_to_anchor=(1.0, 0.5))
+    upper.margins(x=0)
+    axes[-1].set_xlabel(label)
+    if balanced:
+        _residual(axes[1], time, history["energy_residual"], work)
+    return figure
+
+
+def _residual(axes, time, residual, work):
+    """The residual as a share of the largest work so far."""
     scale = np.maximum.accumulate(np.abs(work))
-    share = np.divide(history["energy_residual"], scale, out=np.zeros_like(work), where=scale > 0.0)
+    share = np.divide(residual, scale, out=np.zeros_like(work), where=scale > 0.0)
     # The first samples divide round-off by almost no work.
     share[scale < 1e-3 * scale.max()] = np.nan
-    lower.plot(time, share, color=style.ACCENT, linewidth=1.3)
-    lower.axhline(0.0, color="#8a8a8a", linewidth=0.8)
-    lower.set_ylabel("residual\n/ work [-]")
-    lower.set_xlabel(label)
-    lower.ticklabel_format(axis="y", style="sci", scilimits=(-2, 2))
-    lower.margins(x=0)
-    return figure
+    axes.plot(time, share, color=style.ACCENT, linewidth=1.3)
+    axes.axhline(0.0, color="#8a8a8a", linewidth=0.8)
+    axes.set_ylabel("residual\n/ work [-]")
+    axes.ticklabel_format(axis="y", style="sci", scilimits=(-2, 2))
 
 
 @style.styled

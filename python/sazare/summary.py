@@ -19,8 +19,8 @@ def verdict(results):
 
 def headlines(results):
     """The figures for the top of the report (list of Headline); those the run did not write are left out."""
-    figures = results.figures
-    found = [figure.headline(figures) for figure in method_of(results).headlines]
+    figures, method = results.figures, method_of(results)
+    found = [*method.measured(results), *(figure.headline(figures) for figure in method.headlines)]
     balance = energy_balance(figures)
     if balance is not None:
         found.append(Headline("energy balance", f"{balance:.1e}", "relative residual"))

@@ -5,10 +5,12 @@ import json
 import numpy as np
 import pytest
 
-from sazare import shaking
+from sazare import plot, shaking
 from sazare.methods import mps
 from sazare.report import write_report
 from sazare.results import open_run
+from sazare.summary import terminal_text
+from synthetic_run import write_grid
 
 
 @pytest.fixture
@@ -52,5 +54,85 @@ def test_report_of_a_run_has_its_pictures_and_says_what_is_missing(ground_run):
 def test_without_data_there_is_no_picture(tmp_path):
     (tmp_path / "manifest.json").write_text("{}")
     results = open_run(tmp_path)
-    for draw in (shaking.accelerations, shaking.spectra, mps.displaced, mps.failure, mps.energies):
+    assert mps.measured(results) == []
+    for draw in (shaking.accelerations, shaking.spectra, mps.displaced, mps.failure, mps.supports):
         assert draw(results) is None
+
+
+SPACING = 0.1
+
+
+def heap(shape=(40, 10)):
+    """Particles of a heap in the plane (n, 3), its lower left corner at the origin."""
+    x, y = np.meshgrid(*(SPACING * (np.arange(count) + 0.5) for count in shape), indexing="ij")
+    return np.stack([x.ravel(), y.ravel(), np.zeros(x.size)], axis=1)
+
+
+@pytest.fixture
+def slide(tmp_path):
+    """A heap of 4 m by 1 m on a held layer, whose right half slides by 2 m and one of whose particles flies off by 50 m."""
+    start = heap()
+    moved = np.zeros_like(start)
+    moved[start[:, 0] > 2.0, 0] = 2.0
+    moved[-1] = (50.0, 20.0, 0.0)
+    folder = tmp_path / "snapshots"
+    folder.mkdir()
+    for number, share in enumerate((0.0, 0.5, 1.0)):
+        way = share * moved
+        write_grid(folder / f"particles_{number:05d}.vtkhdf", start + way, np.arange(len(start))[:, None], 1, float(number), {
+            "displacement": way, "velocity": way, "acceleration": way, "spacing": np.full(len(start), SPACING),
+            "support": (start[:, 1] < SPACING).astype(np.int32), "plastic_shear_strain": np.linalg.norm(way, axis=1), "broken_fraction": np.zeros(len(start)),
+        })
+    (tmp_path / "history.csv").write_text(
+        "time [s],energy_kinetic [J],energy_elastic [J],energy_gravity [J],energy_boundary [J],energy_plastic [J],energy_residual [J]\n"
+        "0,0,0,0,0,0,0\n1,2,1,5,-1,1,0.04\n2,1,2,10,-2,5,0.08\n")
+    manifest = {"method": "mps", "status": "done", "case": "slide", "results": {"peak_displacement": 54.0, "final_displacement": 54.0}}
+    (tmp_path / "manifest.json").write_text(json.dumps(manifest))
+    return open_run(tmp_path)
+
+
+def test_the_run_out_is_that_of_the_front_and_not_of_a_single_particle():
+    start = heap()
+    end = start.copy()
+    end[:, 0] += 1.5
+    end[-1, 0] += 40.0
+    far, words, height, before = mps.run_out(start, end, SPACING)
+    assert words == "+x" and far == pytest.approx(1.5, abs=2 * SPACING)
+    assert height == before == pytest.approx(1.0, abs=2 * SPACING)
+    assert mps.run_out(start, start, SPACING) is None
+
+
+def test_of_two_slopes_the_front_that_came_farther_counts():
+    left, right = heap(), heap() + [10.0, 0.0, 0.0]
+    start = np.concatenate([left, right])
+    end = np.concatenate([left + [1.0, 0.0, 0.0], right - [2.0, 0.0, 0.0]])
+    far, words, _, _ = mps.run_out(start, end, SPACING)
+    assert words == "−x" and far == pytest.approx(2.0, abs=2 * SPACING)
+
+
+def test_the_summary_tells_of_the_mass_and_of_the_largest_single_displacement(slide):
+    text = terminal_text(slide)
+    assert "final displacement     2 m  (99 % of the particles moved less; largest 53.9 m)" in text
+    assert "run-out" in text and "height of the deposit" in text
+
+
+def test_a_stray_particle_sets_neither_the_frame_nor_the_colors(slide):
+    figure = mps.displaced(slide)
+    assert all(axes.get_xlim()[1] < 8.0 for axes in figure.axes[:2])
+    bar = figure.axes[-1]
+    assert "clipped at the\n99th percentile" in bar.get_ylabel()
+    assert figure.axes[0].collections[0].get_clim() == (0.0, pytest.approx(2.0))
+    assert "clipped" in mps.failure(slide).axes[-2].get_ylabel()
+
+
+def test_supports_are_marked_as_large_as_particles(slide):
+    axes = mps.supports(slide).axes[0]
+    assert [text.get_text() for text in axes.get_legend().get_texts()] == ["free: 360", "held: 40"]
+    assert min(marks.get_sizes()[0] for marks in axes.collections) > 9.0
+
+
+def test_the_energies_have_their_work_and_residual(slide):
+    upper, lower = plot.energy(slide, mps.ENERGIES, mps.WORKS).axes
+    work = next(line for line in upper.lines if line.get_label() == "external work")
+    assert work.get_ydata().tolist() == [0.0, 4.0, 8.0]
+    assert lower.lines[0].get_ydata()[1:] == pytest.approx([0.01, 0.01])

@@ -79,6 +79,7 @@ class Method:
     sections: a function of Results that returns the report's pictures, in their order.
     verdict: a function of Results of a run that is done: ("good", "fair" or "bad", sentence).
     headlines: the figures at the top, in their order.
+    measured: a function of Results that returns more of them (list of Headline), which are read from the snapshots.
     snapshots: the kind of its snapshots, with which the names of their files begin; None where it writes none of its own.
     fields: cell data of the snapshots that the 3-D view and the movie colour, the first one by default: name in the file ->
         (name in words, unit). Of vectors the magnitude is shown.
@@ -88,6 +89,7 @@ class Method:
     sections: Callable[[Any], list[Section]]
     verdict: Callable[[Any], tuple[str, str]]
     headlines: tuple[Figure, ...] = ()
+    measured: Callable[[Any], list[Headline]] = lambda _: []
     snapshots: str | None = None
     fields: dict[str, tuple[str, str]] = field(default_factory=dict)
     colors: Any = field(default_factory=lambda: style.SPEED)

@@ -4,72 +4,171 @@ from functools import partial
 
 import numpy as np
 
-from sazare import style
-from sazare.methods import Figure, Method, Section, common
+from sazare import plot, style
+from sazare.methods import Figure, Headline, Method, Section, common
+from sazare.moments import moments
+from sazare.snapshots import elements_once
 
-ENERGIES = [
-    ("energy_kinetic", "kinetic", style.KINETIC), ("energy_elastic", "elastic", style.ELASTIC), ("energy_damping", "damping", "#b9b3a8"),
-    ("energy_plastic", "plastic flow", "#c98a3d"), ("energy_fracture", "rupture", "#a64b3c"), ("energy_contact", "contacts", "#8a8f3d"),
-]
-
+ENERGIES = {
+    "energy_kinetic": ("kinetic", style.KINETIC),
+    "energy_elastic": ("elastic", style.ELASTIC),
+    "energy_damping": ("Rayleigh damping", style.DASHPOT),
+    "energy_plastic": ("plastic flow", style.SLIP),
+    "energy_fracture": ("rupture", style.RUPTURE),
+    "energy_contact": ("contacts and broken ground", style.CONTACT_DASHPOT),
+}
+# Causes of work, whose sum the energies above and the residual make up.
+WORKS = ("energy_gravity", "energy_boundary", "energy_prescribed", "energy_applied")
+KINDS = (
+    (0, "free", style.STONE_EDGE), (1, "held", "#b5302a"), (2, "prescribed motion", "#d98a1f"), (3, "viscous boundary", "#1f5f9c"),
+)
 
 GOOD_BALANCE = 1e-3  # of the work; flow and rupture in finite steps leave some 1e-4
+MOST_PANELS = 4
+FEWEST_MOVED = 10  # particles, that make a mass
+FLAT, SLENDER = 0.3, 5.0  # height over width below which panels stand one above the other, and above which proportions are not true
+MOVED, SMALL_PART = 0.05, 0.6  # a particle counts as moved from this share of the usual displacement on; see `_frame`
+STRAY, STRAY_OF_MOVED = 0.5, 2.0  # percent of all particles, and of those that moved, that frames leave out on each side
+USUAL = 99.0  # percentile at which scales of colours end, and up to which figures of a whole mass are read
+
+
+def _up(points):
+    """The axis that points upwards: z in space, y in the plane."""
+    return 2 if np.ptp(points[:, 2]) > 0.0 else 1
+
+
+def _starts(grid):
+    """Where the particles of a snapshot were at the beginning (n, 3) [m]."""
+    return np.asarray(grid.points) - np.asarray(grid.cell_data["displacement"])
+
+
+def _frame(starts, ends, sizes):
+    """Lower and upper corner (2, 2) [m] of what is shown: the body, without particles that strayed; of a body that moves in a small part
+    only, that part and some more around it.
+
+    starts, ends: places of the particles in the plane of the picture, of every panel (n, 2) [m]; sizes: how far each has moved (n,) [m].
+    """
+    whole = _holding([starts[0], *ends], 0.02)
+    threshold = MOVED * max((np.percentile(size, USUAL) for size in sizes), default=0.0)
+    moved = [place[size > threshold] for places in (starts, ends) for place, size in zip(places, sizes) if np.any(size > threshold)]
+    part = _holding(moved, 0.2, STRAY_OF_MOVED) if threshold > 0.0 and moved else whole
+    part = np.stack([np.maximum(part[0], whole[0]), np.minimum(part[1], whole[1])])
+    return part if np.prod(np.ptp(part, axis=0)) < SMALL_PART * np.prod(np.ptp(whole, axis=0)) else whole
+
+
+def _holding(clouds, margin, stray=STRAY, each_axis=False):
+    """A frame of all places but `stray` percent of them on each side, and a margin as a share of its size, or of that along each axis."""
+    corners = np.concatenate([np.percentile(cloud, (stray, 100.0 - stray), axis=0) for cloud in clouds])
+    room = margin * (np.ptp(corners, axis=0) if each_axis else np.ptp(corners, axis=0).max())
+    return np.stack([corners.min(axis=0) - room, corners.max(axis=0) + room])
+
+
+def _marker(grid, frame, room):
+    """Area of the mark of a particle [points²] with which neighbours touch, in axes of a size [inch]."""
+    spacing = float(np.median(grid.cell_data["spacing"])) if "spacing" in grid.cell_data else 0.0
+    points_per_metre = 72.0 * min(np.asarray(room) / np.ptp(frame, axis=0))
+    return float(np.clip((1.05 * spacing * points_per_metre) ** 2, 1.5, 200.0))
+
+
+def _show(axes, frame, up):
+    """Limits and names of axes in true proportion."""
+    axes.set(xlim=frame[:, 0], ylim=frame[:, 1], xlabel="x [m]", ylabel=f"{'xyz'[up]} [m]")
+    axes.set_aspect("equal")
+    axes.grid(False)
+    axes.label_outer()
+
+
+def _top(values):
+    """Where a scale of colours ends, and whether that is less than the largest value."""
+    largest = float(np.max(values, initial=0.0))
+    top = float(np.percentile(values, USUAL)) if len(values) else 0.0
+    return (top, True) if 0.0 < top < largest else (largest or 1.0, False)
+
+
+def _colorbar(figure, drawn, axes, label, clipped):
+    """The bar of a scale, which says where it is clipped."""
+    words = ",\n".join(part for part in (label, "clipped at the\n99th percentile" if clipped else "") if part)
+    figure.colorbar(drawn, ax=axes, label=words, shrink=0.8, extend="max" if clipped else "neither")
+
+
+def _chosen(snapshots, sizes):
+    """Snapshots between which the particles move equally far, and the one of the largest displacement where it is another one."""
+    chosen = moments(snapshots, MOST_PANELS + 1)[1:]
+    largest = int(np.argmax(sizes))
+    return chosen if max(sizes[number] for number in chosen) > 0.95 * sizes[largest] else sorted({*chosen[1:], largest})
 
 
 @style.styled
 def displaced(results):
-    """Particles at four times, coloured by displacement [m]; magnified where the title says so."""
+    """Particles at some times, coloured by displacement [m]; magnified where the title says so."""
     snapshots = results.particle_snapshots
     if len(snapshots) < 2:
         return None
-    size = [np.linalg.norm(snapshot.elements.cell_data["displacement"], axis=1).max() for snapshot in snapshots]
-    chosen = sorted({*np.linspace(0, len(snapshots) - 1, 4).round().astype(int)[1:], int(np.argmax(size))})
-    first = snapshots[0].elements
-    points = np.asarray(first.points) - np.asarray(first.cell_data["displacement"])
-    up = 2 if np.ptp(points[:, 2]) > 0.0 else 1
+    sizes = [np.linalg.norm(elements_once(snapshot).cell_data["displacement"], axis=1).max() for snapshot in snapshots]
+    chosen = _chosen(snapshots, sizes)
+    points = _starts(snapshots[0].elements)
+    up = _up(points)
     extent = max(np.ptp(points[:, 0]), np.ptp(points[:, up]), 1e-9)
-    tall = np.ptp(points[:, up]) > np.ptp(points[:, 0])
     thin = np.ptp(points[:, 0]) < 0.05 * extent  # a column of layers: along x the displacement counts, not the shape
-    figure = style.figure(9.0, 5.2 if tall else 1.2 + 2.4 * ((len(chosen) + 1) // 2))
-    panels = np.ravel(figure.subplots(1, len(chosen)) if tall else figure.subplots((len(chosen) + 1) // 2, 2, squeeze=False))
+    grids = [snapshots[index].elements for index in chosen]
+    moved = [np.asarray(grid.cell_data["displacement"]) for grid in grids]
+    factors = [common.enlargement(way, extent, largest=0.02, shown=0.04) for way in moved]
+    places = [(way + [[0.0, 1.0, 1.0]] * points if thin else points + factor * way)[:, [0, up]] for way, factor in zip(moved, factors)]
+    values = [np.linalg.norm(way, axis=1) for way in moved]
+    start = points[:, [0, up]]
+    frame = _holding(places, 0.05, 0.0, each_axis=True) if thin else _frame([start] * len(places), places, values)
+    top, clipped = _top(np.concatenate(values))
+
+    tall = thin or np.ptp(frame, axis=0)[1] > np.ptp(frame, axis=0)[0]
+    rows, columns = (1, len(chosen)) if tall else ((len(chosen) + 1) // 2, min(2, len(chosen)))
+    ratio = np.ptp(frame, axis=0)[1] / np.ptp(frame, axis=0)[0]
+    if ratio < FLAT:
+        rows, columns = len(chosen), 1
+    room = (7.6 / columns, 4.6 if tall else 7.6 / columns * ratio)
+    figure = style.figure(9.0, 5.4 if tall else 0.3 + rows * (room[1] + 0.6))
+    panels = np.ravel(figure.subplots(rows, columns, squeeze=False, sharex=not thin, sharey=True))
     for axes in panels[len(chosen):]:
         axes.set_axis_off()
-    top = max(size) or 1.0
-    for axes, index in zip(panels, chosen):
-        grid = snapshots[index].elements
-        moved = np.asarray(grid.cell_data["displacement"])
-        factor = common.enlargement(moved, extent, largest=0.02, shown=0.04)
-        places = moved + [[0.0, 1.0, 1.0]] * points if thin else points + factor * moved
-        drawn = axes.scatter(places[:, 0], places[:, up], c=np.linalg.norm(moved, axis=1), cmap=style.SPEED, vmin=0.0, vmax=top, s=3.0,
+    for axes, index, place, value, factor in zip(panels, chosen, places, values, factors):
+        drawn = axes.scatter(*place.T, c=value, cmap=style.SPEED, vmin=0.0, vmax=top, s=8.0 if thin else _marker(grids[0], frame, room),
                              linewidths=0)
-        axes.set_aspect("auto" if thin else "equal")
-        axes.set_title(f"{snapshots[index].time:.3g} s" + (f", × {factor:g}" if factor != 1.0 and not thin else ""))
+        _show(axes, frame, up)
         if thin:
+            axes.set_aspect("auto")
             axes.set_xlabel("displacement [m]")
             axes.locator_params(axis="x", nbins=2)
-        axes.grid(False)
-    figure.colorbar(drawn, ax=list(panels), label="displacement [m]", shrink=0.8)
+        axes.set_title(style.quantity(snapshots[index].time, "s") + (f", × {factor:g}" if factor != 1.0 and not thin else ""))
+    _colorbar(figure, drawn, list(panels), "displacement [m]", clipped)
     return figure
 
 
 @style.styled
 def supports(results):
-    """The particles that are held, moved or on a viscous boundary, where they begin."""
+    """The particles that are held, moved or on a viscous boundary, where they begin; None where all are free."""
     snapshots = results.particle_snapshots
     if not len(snapshots) or "support" not in snapshots[0].elements.cell_data:
         return None
     grid = snapshots[0].elements
     points, kinds = np.asarray(grid.points), np.asarray(grid.cell_data["support"])
-    up = 2 if np.ptp(points[:, 2]) > 0.0 else 1
-    figure = style.figure(9.0, 3.2)
+    if not np.any(kinds):
+        return None
+    places = points[:, [0, _up(points)]]
+    frame = _holding([places], 0.04, 0.0, each_axis=True)
+    ratio = np.ptp(frame, axis=0)[1] / np.ptp(frame, axis=0)[0]
+    slender = ratio > SLENDER
+    room = (2.4, 4.6) if slender else (8.2, 8.2 * min(ratio, 0.7))
+    figure = style.figure(room[0] + 0.8, room[1] + 1.0)
     axes = figure.subplots()
-    for kind, label, color in ((0, "free", "#d8d3c8"), (1, "held", "#a64b3c"), (2, "prescribed motion", "#c98a3d"), (3, "viscous", "#3f6f8f")):
+    size = _marker(grid, frame, room)
+    for kind, label, color in KINDS:
         chosen = kinds == kind
         if chosen.any():
-            axes.scatter(points[chosen, 0], points[chosen, up], s=3.0, c=color, linewidths=0, label=f"{label}: {chosen.sum()}")
-    axes.set_aspect("equal")
-    axes.grid(False)
-    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=4)
+            # Supports are a single row, which must be seen in a large body too.
+            axes.scatter(*places[chosen].T, s=max(size, 9.0) if kind else size, c=color, linewidths=0, label=f"{label}: {style.count(chosen.sum())}")
+    _show(axes, frame, _up(points))
+    if slender:
+        axes.set_aspect("auto")
+    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=1 if slender else 4, markerscale=max(1.0, 5.0 / np.sqrt(size)))
     return figure
 
 
@@ -81,60 +180,96 @@ def failure(results):
         return None
     grid = snapshots[-1].elements
     points = np.asarray(grid.points)
-    up = 2 if np.ptp(points[:, 2]) > 0.0 else 1
-    fields = [("plastic_shear_strain", "equivalent plastic\nshear strain [-]"), ("broken_fraction", "share of broken links [-]")]
-    figure = style.figure(9.0, 6.0)
+    columns = [0, _up(points)]
+    moved = np.linalg.norm(grid.cell_data["displacement"], axis=1)
+    frame = _frame([_starts(grid)[:, columns]], [points[:, columns]], [moved])
+    fields = [("plastic_shear_strain", "equivalent plastic shear strain [-]"), ("broken_fraction", "share of broken links [-]")]
+    room = (7.2, min(7.2 * np.ptp(frame, axis=0)[1] / np.ptp(frame, axis=0)[0], 4.5))
+    figure = style.figure(9.0, 2.0 * (room[1] + 0.6))
     for axes, (name, label) in zip(figure.subplots(2, 1, sharex=True), fields):
         values = np.asarray(grid.cell_data[name])
-        drawn = axes.scatter(points[:, 0], points[:, up], c=values, cmap=style.SPEED, vmin=0.0, vmax=max(values.max(initial=0.0), 1e-9), s=2.0,
-                             linewidths=0)
-        axes.set_aspect("equal")
-        axes.grid(False)
-        figure.colorbar(drawn, ax=axes, label=label, shrink=0.8)
+        top, clipped = _top(values)
+        drawn = axes.scatter(*points[:, columns].T, c=values, cmap=style.SPEED, vmin=0.0, vmax=top, s=_marker(grid, frame, room), linewidths=0)
+        _show(axes, frame, columns[1])
+        axes.set_title(label)
+        _colorbar(figure, drawn, axes, "", clipped)
     return figure
 
 
-@style.styled
-def energies(results):
-    """Kinetic and elastic energy [J] against time, and energy dissipated by damping and failure."""
-    history = results.history
-    if "energy_kinetic" not in history or history.rows < 2:
-        return None
-    figure = style.figure(6.2, 3.6)
-    axes = figure.subplots()
-    shown = [(history[key], label, color) for key, label, color in ENERGIES if key in history]
-    factor, prefix = style.prefix_for(sum(values for values, _, _ in shown).max(initial=0.0))
-    axes.stackplot(history["time"], *[values / factor for values, _, _ in shown], labels=[label for _, label, _ in shown],
-                   colors=[color for _, _, color in shown], linewidth=0)
-    axes.set_xlabel("time [s]")
-    axes.set_ylabel(f"energy [{prefix}J]")
-    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3)
-    axes.margins(x=0)
-    return figure
+def run_out(start, end, spacing):
+    """How far the front of a mass that has moved came, in which direction, and how high the mass lies: (run-out [m], words such as "+x",
+    height [m], height at the start [m]); None where nothing has moved by more than twice the spacing. Of several masses, such as the two
+    slopes of a cutting, the one that came farthest. Single particles do not count: all but one in a hundred do.
+
+    start, end (n, 3): places of the particles [m]; spacing: theirs [m].
+    """
+    up = _up(start)
+    moved = np.linalg.norm(end - start, axis=1) > 2.0 * spacing
+    masses = [mass for mass in _masses(start[moved], end[moved], 3.0 * spacing) if len(mass[0]) >= FEWEST_MOVED]
+    found = []
+    for before, after in masses:
+        far, words = max(
+            (float(np.percentile(sign * after[:, axis], USUAL) - np.max(sign * before[:, axis])), f"{'+' if sign > 0 else '−'}{'xyz'[axis]}")
+            for axis in range(up) for sign in (1.0, -1.0)
+        )
+        heights = [float(np.ptp(np.percentile(place[:, up], (100.0 - USUAL, USUAL)))) + spacing for place in (after, before)]
+        found.append((max(far, 0.0), words, *heights))
+    return max(found, default=None)
+
+
+def _masses(start, end, gap):
+    """Places of particles at the start and in the end, split where they left a gap along x [m] at the start."""
+    order = np.argsort(start[:, 0])
+    cuts = np.flatnonzero(np.diff(start[order, 0]) > gap) + 1
+    return [(start[part], end[part]) for part in np.split(order, cuts)]
+
+
+def measured(results):
+    """Figures in words that are read from the last snapshot: displacement of the mass, and of ground that fails the run-out."""
+    snapshots = results.particle_snapshots
+    if len(snapshots) < 2:
+        return []
+    grid = elements_once(snapshots[-1])
+    moved = np.asarray(grid.cell_data["displacement"])
+    size = np.linalg.norm(moved, axis=1)
+    found = [Headline(
+        "final displacement", style.quantity(float(np.percentile(size, USUAL)), "m"),
+        f"99 % of the particles moved less; largest {style.quantity(float(size.max()), 'm')}",
+    )]
+    if "plastic_shear_strain" in grid.cell_data:
+        out = run_out(_starts(grid), np.asarray(grid.points), float(np.median(grid.cell_data["spacing"])))
+        if out is not None:
+            far, words, height, before = out
+            found.append(Headline("run-out", style.quantity(far, "m"), f"of the front of the moved mass, along {words}"))
+            found.append(Headline("height of the deposit", style.quantity(height, "m"), f"of the moved mass; {style.quantity(before, 'm')} at the start"))
+    return found
 
 
 def sections(results):
     """The pictures of a run."""
     failing = [
         Section(
-            "failure", "Failure", "Equivalent plastic shear strain, and share of broken links of each particle, at the end.",
+            "failure", "Failure", "Equivalent plastic shear strain, and share of broken links of each particle, at the end, where the particles moved.",
             partial(failure, results), common.NO_SNAPSHOTS,
         )
     ] if "energy_plastic" in results.history else []
     return [
         Section(
             "supports", "Supports", "Particles that are held, moved by a prescribed motion or on a viscous boundary, and how many.",
-            partial(supports, results), common.NO_SNAPSHOTS,
+            partial(supports, results), "No particle is held, moved or on a viscous boundary.",
         ),
         *common.shaking_sections(results),
         Section(
-            "displaced", "Displaced particles", "Particle positions, coloured by displacement; displacements are magnified where the title says so.",
+            "displaced", "Displaced particles", "Particles at times between which they move equally far, and at the largest displacement. Displacements are magnified where "
+            "the title says so; single particles far from the others are out of the picture.",
             partial(displaced, results), common.NO_SNAPSHOTS,
         ),
         *failing,
         Section(
-            "energies", "Energy", "Kinetic and elastic energy of the particles, and energy dissipated by damping and failure.",
-            partial(energies, results), common.NO_HISTORY, wide=False,
+            "energies", "Energy balance",
+            "Stored and dissipated energy by cause, stacked, and the work of gravity, boundaries, moving supports and forces; below, the "
+            "residual as a share of the work.",
+            partial(plot.energy, results, ENERGIES, WORKS), common.NO_HISTORY,
         ),
         common.timing_section(results),
     ]
@@ -168,14 +303,14 @@ METHOD = Method(
     sections=sections,
     verdict=verdict,
     headlines=(
-        Figure("peak_speed", "peak speed", "m/s"),
+        Figure("peak_speed", "peak speed", "m/s", note=common.said("of any particle")),
         Figure("particles", "particles"),
         Figure("broken_links", "broken links"),
-        Figure("final_displacement", "final displacement", "m"),
-        Figure("peak_acceleration", "peak acceleration", "m/s²"),
-        Figure("peak_displacement", "peak displacement", "m"),
+        Figure("peak_acceleration", "peak acceleration", "m/s²", note=common.said("of any particle")),
+        Figure("peak_displacement", "peak displacement", "m", note=common.said("of any particle")),
         Figure("step", "time step", "s", common.quantity_note("predicted_limit", "stability limit ", "s")),
     ),
+    measured=measured,
     snapshots="particles",
     fields={
         "velocity": ("speed", "m/s"),
