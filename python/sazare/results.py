@@ -141,6 +141,11 @@ class Results:
         return self._snapshots("particles")
 
     @cached_property
+    def wall_snapshots(self):
+        """The walls of triangles of a run of method spheres, each triangle with its own points; once where no wall of them moves."""
+        return self._snapshots("walls")
+
+    @cached_property
     def square_snapshots(self):
         """The same of a run of method rectangles: a polygon for each element and support."""
         return self._snapshots("rectangles")
@@ -151,7 +156,7 @@ class Results:
         from sazare.methods import method_of
 
         own = method_of(self).snapshots
-        kinds = ([own] if own else []) + [kind for kind in kinds_in(self.path / "snapshots") if kind not in (own, "joints")]
+        kinds = ([own] if own else []) + [kind for kind in kinds_in(self.path / "snapshots") if kind not in (own, "joints", "walls")]
         return next((found for found in map(self._snapshots, kinds) if len(found)), Snapshots([]))
 
     @cached_property

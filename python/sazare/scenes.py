@@ -12,6 +12,7 @@ import pyvista  # noqa: E402
 
 MARGIN = 0.03
 PIXELS = 1100
+ZOOM = 1.1  # of views from a corner
 AXES = "xyz"
 
 
@@ -98,10 +99,11 @@ class PlaneView:
 
 @dataclass(frozen=True)
 class SolidView:
-    """Looks at the body from a corner; `side` (3,) holds the signs of the corner."""
+    """Looks at the body from a corner; `side` (3,) holds the signs of the corner. trim: whether pictures lose their white border."""
 
     bounds: tuple
     side: np.ndarray
+    trim: bool = True
 
     words = "oblique view"
     size = (PIXELS, int(0.8 * PIXELS))
@@ -110,22 +112,41 @@ class SolidView:
         """Points the camera; z is up."""
         center = np.array(self.bounds).reshape(3, 2).mean(axis=1)
         plotter.camera.focal_point = center
-        plotter.camera.position = center + self.side * np.array([1.0, 1.35, 0.8]) * np.ptp(self.bounds)
+        plotter.camera.position = center + self._toward_eye * np.ptp(self.bounds)
         plotter.camera.up = (0.0, 0.0, 1.0)
         plotter.enable_parallel_projection()
         plotter.reset_camera(bounds=self.bounds)
-        plotter.camera.zoom(1.1)
+        plotter.camera.zoom(ZOOM)
+
+    @property
+    def _toward_eye(self):
+        return self.side * np.array([1.0, 1.35, 0.8])
+
+    def shows(self, points):
+        """Which points (n, 3) lie within the window (n,)."""
+        box = np.array(self.bounds).reshape(3, 2)
+        toward = self._toward_eye / np.linalg.norm(self._toward_eye)
+        right = np.cross([0.0, 0.0, 1.0], toward)
+        right /= np.linalg.norm(right)
+        up = np.cross(toward, right)
+        half = 0.5 * np.linalg.norm(np.ptp(box, axis=1)) / ZOOM  # of the height: a ball about the box fits without the zoom
+        away = np.asarray(points) - box.mean(axis=1)
+        return (np.abs(away @ up) <= half) & (np.abs(away @ right) <= half * self.size[0] / self.size[1])
 
     def picture(self, image):
-        """The image without its white border."""
-        used = np.any(image < 250, axis=2)
-        rows, columns = np.flatnonzero(used.any(axis=1)), np.flatnonzero(used.any(axis=0))
-        if len(rows) == 0:
-            return Picture(image)
-        pad = 8
-        return Picture(
-            image[max(rows[0] - pad, 0) : rows[-1] + pad, max(columns[0] - pad, 0) : columns[-1] + pad]
-        )
+        """The image without its white border, unless that is to stay."""
+        return Picture(trimmed_alike([image])[0] if self.trim else image)
+
+
+def trimmed_alike(images):
+    """Images of one size without the white border that all of them have."""
+    used = np.any([np.any(image < 250, axis=2) for image in images], axis=0)
+    rows, columns = np.flatnonzero(used.any(axis=1)), np.flatnonzero(used.any(axis=0))
+    if len(rows) == 0:
+        return images
+    pad = 8
+    window = (slice(max(rows[0] - pad, 0), rows[-1] + pad), slice(max(columns[0] - pad, 0), columns[-1] + pad))
+    return [image[window] for image in images]
 
 
 def render(view, layers):

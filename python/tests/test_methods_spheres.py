@@ -1,13 +1,21 @@
 """Pictures of runs of method spheres, from a small folder made here."""
 
 import json
+import subprocess
+from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from sazare.methods import spheres
+from sazare.scenes import SolidView
 from sazare.report import write_report
 from sazare.results import open_run
+from synthetic_run import write_grid
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = ROOT / "build/release/apps/sazare/sazare"
 
 
 @pytest.fixture
@@ -72,3 +80,96 @@ def test_a_run_with_levels_tells_its_smallest_step(granular_run):
     (granular_run / "manifest.json").write_text(json.dumps(manifest))
     page = write_report(granular_run).read_text()
     assert "4 time levels, smallest step 1 µs, stability limit 5 µs" in page
+
+
+def cloud(points, radius=0.1):
+    """Spheres of one radius at some places."""
+    points = np.asarray(points, dtype=float)
+    return SimpleNamespace(points=points, cell_data={"radius": np.full(len(points), radius)}, n_points=len(points))
+
+
+def test_spheres_that_stay_together_have_one_frame():
+    here = np.random.default_rng(1).random((300, 3))
+    first, second = spheres.frames([cloud(here), cloud(here + [0.5, 0.0, 0.0])])
+    assert np.array_equal(first, second)
+    assert np.all(first[0] < 0.02) and first[1, 0] > 1.48
+
+
+def test_spheres_that_fall_far_have_frames_that_follow_them():
+    here = np.random.default_rng(1).random((300, 3))
+    first, second = spheres.frames([cloud(here), cloud(here - [0.0, 0.0, 100.0])])
+    assert np.ptp(first, axis=0).max() < 1.5 and np.ptp(second, axis=0).max() < 1.5
+    assert second[1, 2] < -98.0
+
+
+def test_spheres_that_run_out_of_a_silo_do_not_make_it_small():
+    here = np.random.default_rng(1).random((300, 3))
+    falling = here.copy()
+    falling[:100, 2] -= np.linspace(1.0, 200.0, 100)
+    _, second = spheres.frames([cloud(here), cloud(falling)])
+    assert np.ptp(second, axis=0).max() <= spheres.MOST_OWN * 1.3
+    view = SolidView(tuple(second.T.ravel()), np.array([1.0, -1.0, 1.0]))
+    assert 80 < np.sum(~view.shows(falling)) <= 100
+
+
+def test_single_large_spheres_count_by_their_volume():
+    points = np.concatenate([np.random.default_rng(1).random((500, 3)), [[0.5, 0.5, 4.0]]])
+    both = cloud(points, 0.02)
+    both.cell_data["radius"][-1] = 0.5
+    (frame,) = spheres.frames([both])
+    assert frame[1, 2] == pytest.approx(4.5)
+
+
+@pytest.fixture
+def walled_run(granular_run):
+    """The ball in two snapshots, above a plate of two triangles that was written once."""
+    folder = granular_run / "snapshots"
+    folder.mkdir()
+    for number, height in enumerate((1.0, 0.1)):
+        write_grid(folder / f"particles_{number:05d}.vtkhdf", np.array([[0.0, 0.0, height]]), np.array([[0]]), 1, float(number), {
+            "velocity": np.array([[0.0, 0.0, -1.0]]), "angular_velocity": np.zeros((1, 3)), "radius": np.array([0.1]),
+            "broken": np.zeros(1),
+        })
+    corners = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, -1, 0], [1, 1, 0], [-1, 1, 0]], dtype=float)
+    write_grid(folder / "walls_00000.vtkhdf", corners, np.arange(6).reshape(2, 3), 5, 0.0, {"wall": np.zeros(2, np.int32)})
+    return open_run(granular_run)
+
+
+def test_walls_of_triangles_are_drawn_and_are_no_bodies(walled_run):
+    assert len(walled_run.wall_snapshots) == 1 and len(walled_run.all_snapshots) == 2
+    frame = spheres._with_walls(np.array([[-0.1, -0.1, 0.0], [0.1, 0.1, 1.1]]), walled_run.wall_snapshots[0].elements)
+    assert frame[0].tolist() == [-1.0, -1.0, 0.0] and frame[1, 0] == 1.0
+    with_walls = [axes.images[0].get_array() for axes in spheres.pictures(walled_run).axes[:2]]
+    for path in (walled_run.path / "snapshots").glob("walls*"):
+        path.unlink()
+    without = spheres.pictures(open_run(walled_run.path)).axes[0].images[0].get_array()
+    assert with_walls[0].shape[1] > 1.2 * without.shape[1]
+
+
+def test_walls_much_larger_than_the_spheres_are_cut_off():
+    import pyvista
+
+    ground = pyvista.Plane(i_size=100.0, j_size=100.0)
+    frame = spheres._with_walls(np.array([[-1.0, -1.0, 0.0], [1.0, 1.0, 1.0]]), ground)
+    assert frame[:, 0].tolist() == [-1.5, 1.5]
+    surface, edges = spheres._wall_layers(ground.cast_to_unstructured_grid(), frame)
+    assert np.abs(np.array(surface.mesh.bounds)[:4]).max() == pytest.approx(1.5)
+    assert surface.options["opacity"] < 0.5
+
+
+@pytest.fixture(scope="module")
+def drum_run(tmp_path_factory):
+    """The rotating drum, for two snapshots."""
+    folder = tmp_path_factory.mktemp("drum") / "run"
+    settings = ["time.end=0.04", "time.snapshot_interval=0.04"]
+    command = [PROGRAM, "run", ROOT / "cases/rotating-drum/case.toml", "--out", folder, "--quiet", "--threads", "1"]
+    subprocess.run([*command, *(word for setting in settings for word in ("--set", setting))], check=True, timeout=120)
+    return folder
+
+
+def test_a_run_writes_its_walls_of_triangles_where_they_are(drum_run):
+    first, last = (np.asarray(snapshot.elements.points) for snapshot in open_run(drum_run).wall_snapshots)
+    angle = 3.0 * 0.04  # rad about the y axis
+    turn = np.array([[np.cos(angle), 0.0, np.sin(angle)], [0.0, 1.0, 0.0], [-np.sin(angle), 0.0, np.cos(angle)]])
+    np.testing.assert_allclose(last, first @ turn.T, atol=1e-9)
+    assert np.hypot(first[:, 0], first[:, 2]) == pytest.approx(0.1, rel=1e-5)

@@ -18,10 +18,17 @@ inline constexpr std::array of_steps = {
     Column{"steps", "-", ""}, Column{"step", "s", ""},
     Column{"predicted_limit", "s", "predicted stability limit of the step, of methods that have one"}};
 
-inline constexpr std::array of_motion = {
-    Column{"peak_displacement", "m", "of any element, node or particle; not of spheres"},
-    Column{"peak_speed", "m/s", "of any element, node or particle"},
-    Column{"peak_acceleration", "m/s2", "of any element, node or particle, where it is recorded"},
-    Column{"final_displacement", "m", "largest displacement at the end, where it is recorded"}};
+/// Extreme values of the motion; `whose` says of what, and when it is looked at.
+constexpr std::array<Column, 4> of_motion(std::string_view whose) {
+  return {Column{"peak_displacement", "m", "of any element, node or particle; not of spheres"},
+          Column{"peak_speed", "m/s", whose},
+          Column{"peak_acceleration", "m/s2", "of any element, node or particle, where it is recorded"},
+          Column{"final_displacement", "m", "largest displacement at the end, where it is recorded"}};
+}
+
+inline constexpr std::array of_particles = of_motion("largest of any particle, at the rows of the history");
+inline constexpr std::array of_elements = of_motion("largest of any element's centre, at the rows of the history");
+inline constexpr std::array of_spheres = of_motion("largest of any sphere's centre, at the rows of the history");
+inline constexpr std::array of_nodes = of_motion("largest of any node, at the rows of the history");
 
 }  // namespace sazare::runs::figures

@@ -42,7 +42,7 @@ constexpr std::array file_names = {
     "mesh.msh",  "report.html", "study.csv",  "study.id",  "regression.csv", "regression_lines.csv"};
 constexpr std::array folder_names = {"snapshots", "checkpoint", "continuum", "bodies"};
 constexpr std::array side_names = {"continuum", "bodies"};
-constexpr std::array series_names = {"elements", "joints", "particles", "finite_elements", "rectangles"};
+constexpr std::array series_names = {"elements", "joints", "particles", "finite_elements", "rectangles", "walls"};
 
 /// Snapshots, their lists, and parts of them that a killed run has left: NAME_00000.vtkhdf, NAME.vtkhdf.series.
 bool is_snapshot(const fs::path& file) {

@@ -234,7 +234,7 @@ METHOD = Method(
     sections=sections,
     verdict=verdict,
     headlines=(
-        Figure("peak_speed", "peak speed", "m/s"),
+        Figure("peak_speed", "peak speed", "m/s", common.said("of any node")),
         Figure("energy_work", "external work", "J"),
         Figure("final_displacement", "final displacement", "m"),
         Figure("peak_acceleration", "peak acceleration", "m/s²"),

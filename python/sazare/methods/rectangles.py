@@ -168,7 +168,7 @@ METHOD = Method(
     sections=sections,
     verdict=common.strict_balance_verdict,
     headlines=(
-        Figure("peak_speed", "peak speed", "m/s"),
+        Figure("peak_speed", "peak speed", "m/s", common.said("of any element")),
         Figure("energy_work", "external work", "J"),
         Figure("broken_springs", "broken springs", note=common.count_note("elements", "elements")),
         Figure("broken_links", "open links"),

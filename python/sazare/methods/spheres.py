@@ -6,6 +6,7 @@ import numpy as np
 
 from sazare import plot, style
 from sazare.methods import Figure, Method, Section, common
+from sazare.moments import growth, moments, movement
 from sazare.style import quantity
 
 AXES = "xyz"
@@ -13,6 +14,9 @@ MOST_CURVES = 6
 MOST_PICTURES = 4
 CUT_ABOVE = 1000  # spheres; fewer do not hide each other
 FINE_BELOW = 3000  # spheres; above it those of the usual size are drawn with fewer faces
+STRAY = 0.005  # of the volume, which frames leave out on each side
+MOST_COMMON, MOST_OWN = 4.0, 3.0  # sizes of frames over that of the first one, see `frames`
+MOST_WALLS = 2.5  # size of walls over that of the spheres' frame, up to which all of them are shown
 LARGE = 2.0  # usual radii; above it a sphere is drawn with more faces in any case
 KINDS = [
     ("translation", "energy_translation"), ("rotation", "energy_rotation"),
@@ -64,37 +68,105 @@ def pictures(results):
 @style.styled
 def damage(results):
     """The spheres at some times, coloured by their share of broken bonds [-]; None where no bond is broken."""
-    return _scenes(results, "broken", "share of broken bonds [-]", "YlOrRd") if results.figures.get("broken_bonds", 0) > 0 else None
+    return _scenes(results, "broken", "share of broken bonds [-]", "YlOrRd", growth("broken")) if results.figures.get("broken_bonds", 0) > 0 else None
 
 
-def _scenes(results, scalar, label, colors):
-    """The spheres at some times, coloured by one field; the front half is cut away where there are many."""
-    from sazare.scenes import Layer, SolidView, render
+def _box(cloud):
+    """Lower and upper corner [m] of a cloud of spheres without its outermost: all but a share STRAY of the volume on each side."""
+    points, radius = np.asarray(cloud.points), np.asarray(cloud.cell_data["radius"])
+    volume = radius**3
+    corners = np.empty((2, 3))
+    for axis in range(3):
+        for side, sign in enumerate((1.0, -1.0)):
+            order = np.argsort(sign * points[:, axis])
+            beyond = np.cumsum(volume[order]) / volume.sum()
+            one = order[min(np.searchsorted(beyond, STRAY, side="right"), len(order) - 1)]
+            corners[side, axis] = points[one, axis] - sign * radius[one]
+    return np.stack([corners.min(axis=0), corners.max(axis=0)])
+
+
+def frames(clouds):
+    """Lower and upper corner [m] of what the picture of each cloud of spheres shows: one frame for all; where they move so far or apart
+    that they would be small in it, a frame for each, about the middle sphere and MOST_OWN times as large as the first at most."""
+    boxes = [_box(cloud) for cloud in clouds]
+    together = np.stack([np.min([box[0] for box in boxes], axis=0), np.max([box[1] for box in boxes], axis=0)])
+    size = np.ptp(boxes[0], axis=0).max()
+    if np.ptp(together, axis=0).max() <= MOST_COMMON * size:
+        return [together] * len(clouds)
+    room = 0.5 * MOST_OWN * size
+    middles = [np.median(np.asarray(cloud.points), axis=0) for cloud in clouds]
+    return [np.stack([np.maximum(box[0], middle - room), np.minimum(box[1], middle + room)]) for box, middle in zip(boxes, middles)]
+
+
+def _with_walls(frame, walls):
+    """A frame that holds the walls of triangles too, unless they are much larger; then grown by a quarter."""
+    if walls is None:
+        return frame
+    box = np.array(walls.bounds).reshape(3, 2).T
+    both = np.stack([np.minimum(frame[0], box[0]), np.maximum(frame[1], box[1])])
+    size = np.ptp(frame, axis=0).max()
+    if np.ptp(both, axis=0).max() <= MOST_WALLS * size:
+        return both
+    return frame + 0.25 * size * np.array([[-1.0], [1.0]])
+
+
+def _wall_layers(walls, frame):
+    """Walls of triangles within a frame, light and transparent, and their edges."""
+    from sazare.scenes import Layer
+
+    if walls is None:
+        return []
+    bounds = frame.T.ravel()
+    shown = walls.extract_surface().clean().clip_box(bounds, invert=False).extract_surface()
+    if not shown.n_cells:
+        return []
+    edges = shown.extract_feature_edges(30.0, boundary_edges=True, non_manifold_edges=False, manifold_edges=False)
+    return [
+        Layer(shown, {"color": style.WALL, "opacity": 0.22, "show_edges": False}),
+        Layer(edges, {"color": style.WALL, "opacity": 0.8, "line_width": 1.5, "lighting": False}),
+    ]
+
+
+def _scenes(results, scalar, label, colors, change=movement):
+    """The spheres at some times, coloured by one field, with walls of triangles; the front half is cut away where there are many."""
+    from sazare.scenes import Layer, SolidView, render, trimmed_alike
 
     snapshots = results.particle_snapshots
     if not len(snapshots):
         return None
-    chosen = sorted(set(np.linspace(0, len(snapshots) - 1, MOST_PICTURES).round().astype(int)))
+    chosen = moments(snapshots, MOST_PICTURES, change)
     clouds = [snapshots[index].elements for index in chosen]
-    box = np.array([cloud.bounds for cloud in clouds])
-    bounds = tuple(np.where(np.arange(6) % 2 == 0, box.min(axis=0), box.max(axis=0)))
     speeds = np.concatenate([np.linalg.norm(cloud.cell_data["velocity"], axis=1) for cloud in clouds])
     top = 1.0 if scalar == "broken" else float(np.percentile(speeds, 99)) or float(speeds.max(initial=0.0)) or 1.0
-    view = SolidView(bounds, np.array([1.0, -1.0, 1.0]))
-    figure = style.figure(9.0, 1.0 + 3.6 * ((len(chosen) + 1) // 2))
-    panels = np.ravel(figure.subplots((len(chosen) + 1) // 2, min(2, len(chosen)), squeeze=False))
+    images, titles = [], []
+    for index, cloud, spheres_frame in zip(chosen, clouds, frames(clouds)):
+        time = snapshots[index].time
+        walls = results.wall_snapshots.at(time).elements if len(results.wall_snapshots) else None
+        frame = _with_walls(spheres_frame, walls)
+        bounds = tuple(frame.T.ravel())
+        balls = _balls(snapshots[index])
+        mesh = _cut(balls, bounds) if cloud.n_points > CUT_ABOVE else balls
+        options = {"scalars": scalar, "cmap": colors, "clim": (0.0, top), "smooth_shading": False}
+        view = SolidView(bounds, np.array([1.0, -1.0, 1.0]), trim=False)
+        images.append(render(view, [Layer(mesh, options), *_wall_layers(walls, frame)]).image)
+        outside = int(np.sum(~view.shows(cloud.points)))
+        titles.append(style.quantity(time, "s") + (f", {style.count(outside)} of {style.count(cloud.n_points)} outside the picture" if outside else ""))
+    images = trimmed_alike(images)
+    rows, columns = (len(chosen) + 1) // 2, min(2, len(chosen))
+    high, wide = images[0].shape[:2]
+    figure = style.figure(9.0, rows * (0.3 + 8.0 / columns * min(high / wide, 1.0)))
+    panels = np.ravel(figure.subplots(rows, columns, squeeze=False))
     for axes in panels:
         axes.set_axis_off()
-    for axes, index in zip(panels, chosen):
-        balls = _balls(snapshots[index])
-        mesh = _cut(balls, bounds) if snapshots[index].elements.n_points > CUT_ABOVE else balls
-        options = {"scalars": scalar, "cmap": colors, "clim": (0.0, top), "smooth_shading": False}
-        axes.imshow(render(view, [Layer(mesh, options)]).image)
-        axes.set_title(f"{snapshots[index].time:.3g} s")
+    for axes, image, title in zip(panels, images, titles):
+        axes.imshow(image)
+        axes.set_title(title)
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
 
-    figure.colorbar(ScalarMappable(Normalize(0.0, top), colors), ax=list(panels), label=label, shrink=0.7)
+    clipped = scalar != "broken" and speeds.max(initial=0.0) > top
+    words = f"{label}, clipped at the 99th percentile" if clipped else label
+    figure.colorbar(ScalarMappable(Normalize(0.0, top), colors), ax=list(panels), label=words, shrink=0.7, extend="max" if clipped else "neither")
     return figure
 
 
@@ -218,13 +290,14 @@ def sections(results):
     """The pictures of a run."""
     bonded = [
         Section(
-            "damage", "Broken bonds", "Spheres coloured by their share of broken bonds.", partial(damage, results), "No bond is broken.",
+            "damage", "Broken bonds", "Spheres coloured by their share of broken bonds, at times between which equally many bonds break.", partial(damage, results), "No bond is broken.",
         )
     ] if results.figures.get("bonds", 0) > 0 else []
     return [
         Section(
             "spheres", "Spheres",
-            "Spheres coloured by speed, colour scale clipped at the 99th percentile; the front half is cut away where there are many.",
+            "Spheres coloured by speed at times between which they move equally far; the front half is cut away where there are many. "
+            "Walls of triangles are light and transparent. Where the spheres move far, each picture has a scale of its own.",
             partial(pictures, results), common.NO_SNAPSHOTS, places=True,
         ),
         *bonded,
@@ -293,7 +366,7 @@ METHOD = Method(
     headlines=(
         Figure("broken_bodies", "broken bodies", note=common.share_note("broken_bodies", "bodies")),
         Figure("fragments", "fragments"),
-        Figure("peak_speed", "peak speed", "m/s"),
+        Figure("peak_speed", "peak speed", "m/s", common.said("of any sphere")),
         Figure("energy_work", "reference energy", "J"),
         Figure("particles", "particles"),
         Figure("contacts", "final contacts"),

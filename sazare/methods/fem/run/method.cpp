@@ -27,7 +27,7 @@ std::string fem_summary(const observe::Manifest& manifest) {
 }
 
 FolderTables tables_of_fem() {
-  return {.figures = {{"`fem`", {figures::of_steps, figures::of_motion, columns::fem::figures}}},
+  return {.figures = {{"`fem`", {figures::of_steps, figures::of_nodes, columns::fem::figures}}},
           .history = {{"`fem`",
                        {columns::fem::motion, columns::fem::energies, columns::fem::work, columns::fem::boundary,
                         columns::fem::joint_set, columns::fem::newton}}},

@@ -25,7 +25,7 @@ std::string mps_summary(const observe::Manifest& manifest) {
 }
 
 FolderTables tables_of_mps() {
-  return {.figures = {{"`mps`", {figures::of_steps, figures::of_motion, columns::mps::figures}}},
+  return {.figures = {{"`mps`", {figures::of_steps, figures::of_particles, columns::mps::figures}}},
           .history = {{"`mps`", {columns::mps::motion}},
                       {"`mps`, not with Euler's step", {columns::mps::energy_balance}},
                       {"`mps`, ground that fails", {columns::mps::failure}}},

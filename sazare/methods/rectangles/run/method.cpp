@@ -25,7 +25,7 @@ std::string rectangles_summary(const observe::Manifest& manifest) {
 }
 
 FolderTables tables_of_rectangles() {
-  return {.figures = {{"`rectangles`", {figures::of_steps, figures::of_motion, columns::rectangles::figures}}},
+  return {.figures = {{"`rectangles`", {figures::of_steps, figures::of_elements, columns::rectangles::figures}}},
           .history = {{"`rectangles`", {columns::rectangles::history, columns::rectangles::support}}},
           .gauges = {{"`gauges.csv` of `rectangles`", {columns::place_motion, columns::rectangles::gauge_rotation}}},
           .files = {},

@@ -38,6 +38,8 @@ inline constexpr std::array particles = {Column{"velocity", "m/s", ""},
                                          Column{"body", "-", "its clump, or behind all clumps its bonded body, or -1"},
                                          Column{"broken", "-", "share of its bonds that broke"}};
 
+inline constexpr std::array surfaces = {Column{"wall", "-", "number in the case"}};
+
 /// In the manifest, `results` by name: an interface, which scripts of users read.
 inline constexpr std::array figures = {
     Column{"particles", "-", ""},

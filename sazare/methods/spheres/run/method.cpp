@@ -27,11 +27,12 @@ std::string spheres_summary(const observe::Manifest& manifest) {
 }
 
 FolderTables tables_of_spheres() {
-  return {.figures = {{"`spheres`", {figures::of_steps, figures::of_motion, columns::spheres::figures}}},
+  return {.figures = {{"`spheres`", {figures::of_steps, figures::of_spheres, columns::spheres::figures}}},
           .history = {{"`spheres`", {columns::spheres::history}}},
           .gauges = {{"`gauges.csv` of `spheres`", {columns::spheres::gauge}}, {"`walls.csv`", {columns::spheres::wall}}},
           .files = {},
-          .snapshots = {{"`particles` of `spheres`", {columns::spheres::particles}}}};
+          .snapshots = {{"`particles` of `spheres`", {columns::spheres::particles}},
+                        {"`walls` of `spheres`: triangles, once where no wall of them moves", {columns::spheres::surfaces}}}};
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <numeric>
 
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/core/error.hpp"
@@ -30,6 +31,7 @@ SpheresRecord::SpheresRecord(const RunFolder& folder, const cases::CaseFile& fil
       model_(&model),
       clocks_(clocks),
       files_(folder.snapshots(), "particles"),
+      surface_files_(folder.snapshots(), "walls"),
       peaks_(file.as<cases::SpheresCase>().gauges.size(), 0) {
   const auto& groups = file.as<cases::SpheresCase>().spheres;
   for (const cases::GroupGauge& gauge : file.as<cases::SpheresCase>().gauges)
@@ -47,6 +49,16 @@ std::vector<RecordFiles::Table> SpheresRecord::tables() const {
   observe::add_titles(walls, columns::time);
   for (const auto& wall : file_->as<cases::SpheresCase>().walls) observe::add_titles(walls, columns::spheres::wall, wall.name);
   return {{folder_->history(), history}, {folder_->gauges(), gauges}, {folder_->walls(), walls}};
+}
+
+void SpheresRecord::resume() {
+  files_.resume(tables());
+  if (kept_surfaces_ > 0) surface_files_.resume(kept_surfaces_);
+}
+
+void SpheresRecord::flush(bool to_disk) {
+  files_.flush(to_disk);
+  if (to_disk) surface_files_.sync();
 }
 
 void SpheresRecord::observe(std::int64_t step, Real wall_seconds) {
@@ -137,6 +149,29 @@ void SpheresRecord::write_snapshot(Real time) {
   files_.add_snapshot({observe::Grid::Cell::vertex, place, cell,
                        observe::cell_data(columns::spheres::particles, velocity, spin, radius, group, material, body, broken),
                        time});
+  write_surfaces(time);
+}
+
+/// The walls of triangles, where they are now; once where none of them moves.
+void SpheresRecord::write_surfaces(Real time) {
+  const std::vector<methods::spheres::Wall>& walls = model_->stepper->walls().walls();
+  const auto has_triangles = [](const methods::spheres::Wall& wall) { return !wall.triangles.empty(); };
+  const auto moves = [&](const methods::spheres::Wall& wall) { return has_triangles(wall) && wall.motion.moves(); };
+  if (std::ranges::none_of(walls, has_triangles)) return;
+  if (surface_files_.size() > 0 && std::ranges::none_of(walls, moves)) return;
+  std::vector<Vector3> corners;
+  std::vector<std::int32_t> entry;
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    const methods::spheres::WallPose pose = methods::spheres::WallPose::of(walls[w].motion, time);
+    for (const geometry::Triangle& triangle : walls[w].triangles) {
+      for (const Vector3& corner : triangle) corners.push_back(pose.out(corner));
+      entry.push_back(static_cast<std::int32_t>(model_->case_wall[w]));
+    }
+  }
+  std::vector<std::int32_t> points(corners.size());
+  std::iota(points.begin(), points.end(), 0);
+  surface_files_.write(
+      {observe::Grid::Cell::triangle, corners, points, observe::cell_data(columns::spheres::surfaces, entry), time});
 }
 
 /// Share of its bonds that each sphere has lost, by number; 0 where it had none.
@@ -276,6 +311,9 @@ void SpheresRecord::columns(Archive& archive) {
   archive("largest_speed", largest_speed_);
   archive("peak_kinetic", peak_kinetic_);
   archive("peaks", peaks_);
+  auto surfaces = static_cast<std::int64_t>(surface_files_.size());
+  archive("wall_snapshots", surfaces);
+  if (archive.reading()) kept_surfaces_ = static_cast<std::size_t>(surfaces);
 }
 
 }  // namespace sazare::runs

@@ -16,9 +16,9 @@ public:
   SpheresRecord(const RunFolder& folder, const cases::CaseFile& file, SpheresModel& model, const RunClocks& clocks);
 
   void begin() { files_.begin(tables()); }
-  void resume() { files_.resume(tables()); }
+  void resume();
   void observe(std::int64_t step, Real wall_seconds);
-  void flush(bool to_disk) { files_.flush(to_disk); }
+  void flush(bool to_disk);
   /// Writes the pieces of bonded bodies; nothing where there are none.
   void write_fragments() const;
 
@@ -41,6 +41,7 @@ private:
   void add_wall_row(Real time);
   std::vector<Real> broken_fraction() const;
   void write_snapshot(Real time);
+  void write_surfaces(Real time);
 
   const RunFolder* folder_;
   const cases::CaseFile* file_;
@@ -48,6 +49,8 @@ private:
   RunClocks clocks_;
   std::vector<Index> gauge_group_;
   RecordFiles files_;
+  observe::SnapshotSeries surface_files_;  ///< of walls of triangles
+  std::size_t kept_surfaces_ = 0;          ///< snapshots of them, of the checkpoint that was read
   std::vector<Real> peaks_;          ///< largest speed by gauge [m/s]
   methods::spheres::SphereEnergies energies_;  ///< at the last row
   Real first_sum_ = 0, largest_speed_ = 0, peak_kinetic_ = 0;
