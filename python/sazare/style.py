@@ -19,6 +19,8 @@ SOFTENING = "#7a9a3f"
 SHEAR_CRACK, SHEAR_PRESSED = "#1f4e9c", "#7fb2e5"
 OPEN_CRACK, OPEN_PRESSED = "#a8321c", "#ef9a7c"
 WALL = "#7d8894"
+# Finite elements by region, beside bodies that are coloured by speed.
+GROUND = ("#a9bdd0", "#b9c9b4", "#c4b9d3", "#a8c9c6", "#c9cfd6")
 ACCENT = "#b5472f"
 SECOND = "#2f6f8f"
 GRID = "#e3e3e3"
@@ -111,6 +113,27 @@ def prefix_for(value):
         if abs(value) >= 0.9995 * factor:
             return factor, name
     return PREFIXES[-1] if value else (1.0, "")
+
+
+def prefix_of(*values):
+    """The factor and SI prefix in which the largest magnitude of some arrays is between 1 and 1000."""
+    return prefix_for(max((float(np.nanmax(np.abs(one), initial=0.0)) for one in values), default=0.0))
+
+
+FEW = 200  # values, of which one in a hundred is not a stray one
+
+
+def clipped_top(values, share=99.0):
+    """Where a scale of colours ends, and whether values are beyond it: a percentile of many values, of few their largest; 1 where all are 0."""
+    largest = float(np.max(values, initial=0.0))
+    top = float(np.percentile(values, share)) if len(values) >= FEW else 0.0
+    return (top, True) if 0.0 < top < largest else (largest or 1.0, False)
+
+
+def colorbar(figure, drawn, axes, label, clipped, **options):
+    """A bar of colours that says where its scale is clipped."""
+    words = ",\n".join(part for part in (label, "clipped at the\n99th percentile" if clipped else "") if part)
+    figure.colorbar(drawn, ax=axes, label=words, extend="max" if clipped else "neither", **{"shrink": 0.8, **options})
 
 
 def round_factor(most):

@@ -34,6 +34,12 @@ def test_meshes_are_drawn(shape):
     assert fem.yielding(results) is not None
 
 
+def test_displacements_have_a_prefix_that_suits_them():
+    figure = fem.displaced(SimpleNamespace(element_snapshots=[snapshot(time, *SQUARE) for time in (0.0, 1.0)]))
+    assert figure.axes[-1].get_ylabel() == "displacement [mm]"
+    assert figure.axes[0].collections[0].get_array().max() == pytest.approx(7.5)  # three corners move by 10 mm
+
+
 def test_the_outline_of_a_quadratic_cell_goes_round():
     grid = snapshot(1.0, *SIX_NODES).elements
     (cell,) = fem.outlines(grid)

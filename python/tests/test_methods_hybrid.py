@@ -5,8 +5,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 import pyvista
+from matplotlib.colors import to_rgb
 
-from sazare import report
+from sazare import report, style
 from sazare.methods import hybrid
 from sazare.results import Table, open_run
 
@@ -47,8 +48,25 @@ def test_both_sides_are_drawn_within_one_frame():
     assert figure.axes[0].get_xlim() == (-0.6, 1.0)
 
 
-def test_a_continuum_in_space_is_not_drawn_in_the_plane():
-    assert hybrid.together(run(10, (0, 1, 2, 3))) is None
+def test_a_continuum_in_space_is_drawn_from_a_corner():
+    figure = hybrid.together(run(10, (0, 1, 2, 3)))
+    assert [len(axes.images) for axes in figure.axes[:2]] == [1, 1]
+    assert np.asarray(figure.axes[0].images[0].get_array()).std() > 10
+
+
+def test_the_ground_has_other_colors_than_bodies_at_any_speed():
+    speeds = style.SPEED(np.linspace(0.0, 1.0, 50))[:, :3]
+    for color in style.GROUND:
+        assert np.linalg.norm(speeds - to_rgb(color), axis=1).min() > 0.12
+
+
+def test_small_displacements_have_a_suitable_prefix():
+    table = history()
+    small = {name: 5e-5 * table[name] if "displacement" in name else table[name] for name in table}
+    figure = hybrid.surface(SimpleNamespace(history=Table({**small, "time": 1e-3 * table["time"]})))
+    assert [axes.get_ylabel() for axes in figure.axes] == ["force along y [N]", "displacement along y [µm]"]
+    assert figure.axes[1].get_xlabel() == "time [ms]"
+    assert figure.axes[1].lines[0].get_ydata().max() == pytest.approx(50.0)
 
 
 def test_the_surface_is_drawn_along_the_axis_on_which_it_is_largest():

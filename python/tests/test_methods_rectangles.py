@@ -57,6 +57,13 @@ def test_manifest_names_the_figures(beam_run):
     assert abs(results["energy_residual"]) < 1e-3 * results["energy_work"]
 
 
+def test_panels_follow_the_movement_and_have_prefixes(beam_run):
+    figure = rectangles.moving(open_run(beam_run))
+    titles = [axes.get_title(loc="left") for axes in figure.axes[:-1]]
+    assert titles[0] == "0 s" and titles[-1] == "4 ms"
+    assert "displacement [mm]" in figure.axes[-1].get_ylabel()
+
+
 @pytest.fixture(scope="module")
 def packing_run(tmp_path_factory):
     """The beam of irregular polygons, loaded fast so that it breaks soon."""

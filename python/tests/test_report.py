@@ -261,3 +261,17 @@ def test_the_font_is_found_without_changing_the_settings_of_others():
     assert "IPAexGothic" in style.FONTS
     assert "IPAexGothic" not in matplotlib.rcParams["font.family"]
     assert "matplotlib_fontja" not in sys.modules
+
+
+def test_scales_of_many_values_end_at_a_percentile_and_say_so():
+    values = np.r_[np.linspace(0.0, 1.0, 999), 1000.0]
+    top, clipped = style.clipped_top(values)
+    assert clipped and top == pytest.approx(0.99, abs=0.01)
+    assert style.clipped_top(values[-5:]) == (1000.0, False)
+    assert style.clipped_top(np.zeros(500)) == (1.0, False)
+
+
+def test_the_prefix_of_arrays_is_that_of_their_largest_magnitude():
+    assert style.prefix_of(np.array([0.0, -5e-5])) == (1e-6, "µ")
+    assert style.prefix_of(np.array([]), np.array([2e3, np.nan])) == (1e3, "k")
+    assert style.prefix_of(np.zeros(3)) == (1.0, "")

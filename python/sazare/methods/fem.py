@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.collections import PolyCollection
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
-from sazare import style
+from sazare import plot, style
 from sazare.methods import Figure, Method, Section, common
 
 ENERGIES = {
@@ -51,6 +51,7 @@ def _draw_flat(axes, grid, values, factor, top):
     edge = 0.3 if len(cells) < 3000 else 0.0
     drawn = axes.add_collection(PolyCollection(cells, array=values, cmap=style.SPEED, edgecolors="#00000055", linewidths=edge))
     drawn.set_clim(0.0, top)
+    axes.set(xlabel="x [m]", ylabel="y [m]")
     axes.set_aspect("equal")
     axes.autoscale_view()
     axes.grid(False)
@@ -90,11 +91,11 @@ def _panels(grids, values, label, factor, titles):
     ratio = max(extent[1] if flat else 0.7 * extent.max(), 0.12 * extent[0]) / max(extent[0], 1e-9)
     figure = style.figure(9.0, 5.4 if tall else len(grids) * (0.9 + min(7.5 * ratio, 4.5)))
     panels = np.ravel(figure.subplots(*shape, subplot_kw={} if flat else {"projection": "3d"}, squeeze=False))
-    top = max(max(one.max(initial=0.0) for one in values), 1e-30)
+    top, clipped = style.clipped_top(np.concatenate(values))
     for axes, grid, one, title in zip(panels, grids, values, titles):
         drawn = (_draw_flat if flat else _draw_solid)(axes, grid, one, factor, top)
         axes.set_title(title + (f", displacements × {factor:g}" if factor != 1.0 else ""), loc="left")
-    figure.colorbar(drawn, ax=list(panels), label=label, shrink=0.8)
+    style.colorbar(figure, drawn, list(panels), label, clipped)
     return figure
 
 
@@ -110,7 +111,9 @@ def displaced(results):
     extent = np.ptp(np.asarray(grids[0].points), axis=0).max()
     factor = min(_enlargement(grids[i], extent) for i in chosen)
     values = [_mean_by_cell(grids[i], sizes[i]) for i in chosen]
-    return _panels([grids[i] for i in chosen], values, "displacement [m]", factor, [f"{snapshots[i].time:.3g} s" for i in chosen])
+    unit, prefix = style.prefix_of(*values)
+    titles = [style.quantity(snapshots[i].time, "s") for i in chosen]
+    return _panels([grids[i] for i in chosen], [value / unit for value in values], f"displacement [{prefix}m]", factor, titles)
 
 
 @style.styled
@@ -125,7 +128,7 @@ def yielding(results):
         return None
     extent = np.ptp(np.asarray(grid.points), axis=0).max()
     factor = _enlargement(grid, extent)
-    return _panels([grid], [slip], "equivalent plastic shear strain [-]", factor, [f"{snapshots[-1].time:.3g} s"])
+    return _panels([grid], [slip], "equivalent plastic shear strain [-]", factor, [style.quantity(snapshots[-1].time, "s")])
 
 
 @style.styled
@@ -135,14 +138,15 @@ def forces(results):
     names = [name for name in history if name[:-2].endswith(".force") and np.any(history[name] != 0.0)]
     if not names or history.rows < 2:
         return None
+    time, time_label = plot.time_axis(history)
     names = sorted(names, key=lambda name: -np.ptp(history[name]))[:MOST_FORCES]
     factor, prefix = style.prefix_for(max(np.abs(history[name]).max() for name in names))
     figure = style.figure(6.2, 3.6)
     axes = figure.subplots()
     for name in names:
         group, axis = name[:-2].removesuffix(".force"), name[-1]
-        axes.plot(history["time"], history[name] / factor, linewidth=1.1, label=f"{group} along {axis}")
-    axes.set_xlabel("time [s]")
+        axes.plot(time, history[name] / factor, linewidth=1.1, label=f"{group} along {axis}")
+    axes.set_xlabel(time_label)
     axes.set_ylabel(f"force on the body [{prefix}N]")
     axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3)
     axes.margins(x=0)
@@ -156,18 +160,20 @@ def joints(results):
     names = [name.removesuffix(".slip_max") for name in history if name.endswith(".slip_max")]
     if not names or history.rows < 2:
         return None
+    time, time_label = plot.time_axis(history)
     figure = style.figure(9.0, 3.4)
     left, right = figure.subplots(1, 2)
+    factor, prefix = style.prefix_of(*(history[f"{name}.slip_max"] for name in names))
     for name in names:
-        line, = left.plot(history["time"], history[f"{name}.sliding_fraction"], linewidth=1.0, label=f"{name}, slipping")
-        left.plot(history["time"], history[f"{name}.open_fraction"], linewidth=1.0, linestyle=":", color=line.get_color(),
+        line, = left.plot(time, history[f"{name}.sliding_fraction"], linewidth=1.0, label=f"{name}, slipping")
+        left.plot(time, history[f"{name}.open_fraction"], linewidth=1.0, linestyle=":", color=line.get_color(),
                   label=f"{name}, open")
-        right.plot(history["time"], history[f"{name}.slip_max"], linewidth=1.0, color=line.get_color(), label=name)
+        right.plot(time, history[f"{name}.slip_max"] / factor, linewidth=1.0, color=line.get_color(), label=name)
     left.set_ylabel("share of area [-]")
     left.legend()
-    right.set_ylabel("maximum slip [m]")
+    right.set_ylabel(f"maximum slip [{prefix}m]")
     for axes in (left, right):
-        axes.set_xlabel("time [s]")
+        axes.set_xlabel(time_label)
         axes.margins(x=0)
     return figure
 
@@ -179,14 +185,15 @@ def displacements(results):
     names = list(results.gauges)
     if not names or table.rows < 2:
         return None
+    time, time_label = plot.time_axis(table)
     peaks = [max(np.abs(table[f"{name}.displacement_{axis}"]).max() for name in names) for axis in "xyz"]
     axis = "xyz"[int(np.argmax(peaks))]
     factor, prefix = style.prefix_for(max(peaks))
     figure = style.figure(6.2, 3.4)
     axes = figure.subplots()
     for name in names[:MOST_FORCES]:
-        axes.plot(table["time"], table[f"{name}.displacement_{axis}"] / factor, linewidth=1.1, label=name)
-    axes.set_xlabel("time [s]")
+        axes.plot(time, table[f"{name}.displacement_{axis}"] / factor, linewidth=1.1, label=name)
+    axes.set_xlabel(time_label)
     axes.set_ylabel(f"displacement along {axis} [{prefix}m]")
     axes.legend()
     axes.margins(x=0)

@@ -4,13 +4,17 @@ from dataclasses import replace
 from functools import partial
 
 import numpy as np
+from matplotlib.cm import ScalarMappable
 from matplotlib.collections import EllipseCollection, PolyCollection
-from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+from matplotlib.colors import Normalize
 
-from sazare import style
-from sazare.methods import Figure, Method, Section, common, fem, method_of
+from sazare import plot, style
+from sazare.methods import Figure, Method, Section, common, fem, method_of, spheres
+from sazare.moments import moments
 
 MOST_PICTURES = 4
+AMBIENT = 0.4  # share of the light that reaches sides in the shade
+FLAT = 0.3  # height over width below which panels stand one above the other
 AXES = "xyz"
 
 
@@ -59,7 +63,7 @@ def _spheres(axes, cloud):
     order = np.argsort(np.asarray(cloud.points)[:, 2])
     points, widths = np.asarray(cloud.points)[order, :2], 2.0 * np.asarray(cloud.cell_data["radius"])[order]
     return EllipseCollection(widths, widths, np.zeros(len(widths)), units="xy", offsets=points, transOffset=axes.transData,
-                             array=_speed(cloud)[order], cmap=style.SPEED, edgecolors="#00000055", linewidths=0.2)
+                             array=_speed(cloud)[order], cmap=style.SPEED, edgecolors="#000000aa", linewidths=0.3)
 
 
 def _outer_faces(grid):
@@ -82,8 +86,8 @@ def _polygons(cloud):
 def _draw_sides(axes, mesh, cloud, top):
     """The mesh of a continuum in the plane and the bodies, seen along z."""
     cells = [np.asarray(mesh.points)[cell, :2] for cell in fem.outlines(mesh)]
-    colors = [style.RUBBLE(int(region) % style.RUBBLE.N) for region in np.asarray(mesh.cell_data["region"])]
-    axes.add_collection(PolyCollection(cells, facecolors=colors, edgecolors="#00000033", linewidths=0.3, alpha=0.55))
+    colors = [style.GROUND[int(region) % len(style.GROUND)] for region in np.asarray(mesh.cell_data["region"])]
+    axes.add_collection(PolyCollection(cells, facecolors=colors, edgecolors="#ffffff", linewidths=0.4))
     drawn = axes.add_collection(_spheres(axes, cloud) if "radius" in cloud.cell_data else _polygons(cloud))
     drawn.set_clim(0.0, top)
     axes.set_aspect("equal")
@@ -91,62 +95,80 @@ def _draw_sides(axes, mesh, cloud, top):
     return drawn
 
 
-def _draw_in_space(axes, mesh, cloud, top):
-    """The outside of a continuum in space and of blocks."""
-    under, _ = _outer_faces(mesh)
-    axes.add_collection3d(Poly3DCollection(under, facecolors="#c9c4ba", edgecolors="#00000022", linewidths=0.2, zorder=0))
-    faces, cells = _outer_faces(cloud)
-    drawn = axes.add_collection3d(Poly3DCollection(faces, array=_speed(cloud)[cells], cmap=style.SPEED, edgecolors="#00000066", linewidths=0.3, zorder=1))
-    drawn.set_clim(0.0, top)
-    axes.computed_zorder = False
-    axes.view_init(elev=18, azim=-60)
-    return drawn
-
-
 def _chosen(results):
-    """Meshes and bodies at some times, as (time, mesh, bodies)."""
+    """Meshes and bodies at times between which the bodies move equally far, as (time, mesh, bodies)."""
     if len(results.sides) < 2:
         return []
     meshes, clouds = results.sides["continuum"].all_snapshots, results.sides["bodies"].all_snapshots
-    if not len(meshes) or not len(clouds):
-        return []
-    chosen = sorted(set(np.linspace(0, min(len(meshes), len(clouds)) - 1, MOST_PICTURES).round().astype(int)))
-    return [(meshes[i].time, meshes[i].elements, clouds[i].elements) for i in chosen]
+    count = min(len(meshes), len(clouds))
+    return [(meshes[i].time, meshes[i].elements, clouds[i].elements) for i in moments([clouds[i] for i in range(count)], MOST_PICTURES)]
 
 
 @style.styled
 def together(results):
-    """Both sides at some times, the bodies coloured by speed: seen along z, or in space where the bodies are blocks; else None."""
+    """Both sides at some times, the bodies coloured by speed: seen along z, or from a corner where the continuum is in space."""
     frames = _chosen(results)
-    flat = bool(frames) and fem.is_flat(frames[0][1])
-    if not frames or not (flat or "radius" not in frames[0][2].cell_data):
+    if not frames:
         return None
-    top = max(float(np.percentile(_speed(cloud), 99)) for _, _, cloud in frames) or 1.0
-    low, high = _frame([mesh for _, mesh, _ in frames], [cloud for _, _, cloud in frames])
-    rows = (len(frames) + 1) // 2
-    height = min(3.8 * (high[1] - low[1]) / (high[0] - low[0]), 5.0) if flat else 3.4
-    figure = style.figure(9.0, 0.4 + rows * (height + 0.6))
-    kind = {} if flat else {"subplot_kw": {"projection": "3d"}}
-    panels = np.ravel(figure.subplots(rows, min(2, len(frames)), squeeze=False, **kind))
-    for axes, (time, mesh, cloud) in zip(panels, frames):
-        drawn = (_draw_sides if flat else _draw_in_space)(axes, mesh, cloud, top)
-        if flat:
-            axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
-        else:
-            _frame_in_space(axes, frames)
-        axes.set_title(f"{time:.3g} s")
+    top, clipped = style.clipped_top(np.concatenate([_speed(cloud) for _, _, cloud in frames]))
+    figure, panels = (_in_plane if fem.is_flat(frames[0][1]) else _in_space)(frames, top)
+    for axes, (time, _, _) in zip(panels, frames):
+        axes.set_title(style.quantity(time, "s"))
     for axes in panels[len(frames):]:
         axes.set_axis_off()
-    figure.colorbar(drawn, ax=list(panels), label="speed of the bodies [m/s]", shrink=0.9)
+    scale = ScalarMappable(Normalize(0.0, top), style.SPEED)
+    style.colorbar(figure, scale, list(panels), "speed of the bodies [m/s]", clipped, shrink=0.9)
     return figure
 
 
-def _frame_in_space(axes, frames):
-    """Limits that hold the first frame, in true proportion."""
-    points = np.concatenate([np.asarray(grid.points) for grid in frames[0][1:]])
-    low, high = points.min(axis=0), points.max(axis=0)
-    axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
-    axes.set_box_aspect(high - low)
+def _in_plane(frames, top):
+    """A figure of both sides, seen along z."""
+    low, high = _frame([mesh for _, mesh, _ in frames], [cloud for _, _, cloud in frames])
+    ratio = (high[1] - low[1]) / (high[0] - low[0])
+    columns = 1 if ratio < FLAT else min(2, len(frames))
+    rows = -(-len(frames) // columns)
+    figure = style.figure(9.0, 0.4 + rows * (min(7.6 / columns * ratio, 5.0) + 0.7))
+    panels = np.ravel(figure.subplots(rows, columns, squeeze=False, sharex=True, sharey=True))
+    for axes, (_, mesh, cloud) in zip(panels, frames):
+        _draw_sides(axes, mesh, cloud, top)
+        axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), xlabel="x [m]", ylabel="y [m]")
+        axes.label_outer()
+    return figure, panels
+
+
+def _in_space(frames, top):
+    """A figure of both sides, seen from a corner: of the first frame, whatever flies off later."""
+    from sazare.scenes import Layer, SolidView, render, trimmed_alike
+
+    corners = np.concatenate([np.asarray(grid.points) for grid in frames[0][1:]])
+    view = SolidView(tuple(np.stack([corners.min(axis=0), corners.max(axis=0)]).T.ravel()), np.array([1.0, -1.0, 1.0]), trim=False)
+    images = []
+    for _, mesh, cloud in frames:
+        ground = mesh.extract_surface(nonlinear_subdivision=1)
+        bodies = _bodies(cloud)
+        coloured = {"scalars": "speed", "cmap": style.SPEED, "clim": (0.0, top)}
+        images.append(render(view, [
+            Layer(ground, {"color": style.GROUND[0], "show_edges": True, "edge_color": "white", "line_width": 1.0, "ambient": AMBIENT}),
+            Layer(bodies, {**coloured, "show_edges": "radius" not in cloud.cell_data, "edge_color": style.INK, "line_width": 1.0, "ambient": AMBIENT}),
+        ]).image)
+    images = trimmed_alike(images)
+    rows, columns = (len(frames) + 1) // 2, min(2, len(frames))
+    high, wide = images[0].shape[:2]
+    figure = style.figure(9.0, rows * (0.3 + 8.0 / columns * min(high / wide, 1.0)))
+    panels = np.ravel(figure.subplots(rows, columns, squeeze=False))
+    for axes, image in zip(panels, images):
+        axes.imshow(image)
+        axes.set_axis_off()
+    return figure, panels
+
+
+def _bodies(cloud):
+    """Spheres as balls, or the outside of other bodies, with their speed [m/s]."""
+    if "radius" in cloud.cell_data:
+        return spheres.balls(cloud)
+    outside = cloud.copy()
+    outside.cell_data["speed"] = np.linalg.norm(cloud.cell_data["velocity"], axis=1)
+    return outside.extract_surface()
 
 
 @style.styled
@@ -157,12 +179,14 @@ def surface(results):
         return None
     figure = style.figure(9.0, 4.6)
     upper, lower = figure.subplots(2, 1, sharex=True)
-    for axes, name, words, color in ((upper, "surface.force", "force [N]", style.ACCENT), (lower, "surface.displacement", "displacement [m]", style.SECOND)):
-        axis, values = _along(history, name)
-        axes.plot(history["time"], values, color=color, linewidth=1.1)
-        axes.set_ylabel(f"{words.split()[0]} along {axis} {words.split()[1]}")
+    time, label = plot.time_axis(history)
+    for axes, name, unit, color in ((upper, "force", "N", style.ACCENT), (lower, "displacement", "m", style.SECOND)):
+        axis, values = _along(history, f"surface.{name}")
+        factor, prefix = style.prefix_of(values)
+        axes.plot(time, values / factor, color=color, linewidth=1.1)
+        axes.set_ylabel(f"{name} along {axis} [{prefix}{unit}]")
         axes.margins(x=0)
-    lower.set_xlabel("time [s]")
+    lower.set_xlabel(label)
     return figure
 
 
@@ -175,10 +199,11 @@ def exchange(results):
     factor, prefix = style.prefix_for(max(np.abs(history["energy_work_on_nodes"]).max(), np.abs(history["energy_coupling_error"]).max()))
     figure = style.figure(6.2, 3.6)
     axes = figure.subplots()
+    time, label = plot.time_axis(history)
     for name, words, color in (("energy_work_on_nodes", "work on the nodes", style.SECOND), ("energy_work_on_bodies", "work on the bodies", "#9bbf8a"),
                                ("energy_coupling_error", "created by the coupling", style.ACCENT)):
-        axes.plot(history["time"], history[name] / factor, color=color, linewidth=1.1, label=words)
-    axes.set_xlabel("time [s]")
+        axes.plot(time, history[name] / factor, color=color, linewidth=1.1, label=words)
+    axes.set_xlabel(label)
     axes.set_ylabel(f"energy [{prefix}J]")
     axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=2)
     axes.margins(x=0)
@@ -189,7 +214,8 @@ def sections(results):
     """The pictures of a run: both solver sides together, the coupling surface, then those of each side."""
     return [
         Section(
-            "together", "Finite elements and bodies", "Finite elements, and bodies coloured by speed.", partial(together, results),
+            "together", "Finite elements and bodies",
+            "Finite elements, and bodies coloured by speed, at times between which the bodies move equally far.", partial(together, results),
             "No snapshots of both sides can be drawn together.",
         ),
         Section(

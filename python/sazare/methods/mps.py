@@ -29,7 +29,7 @@ FEWEST_MOVED = 10  # particles, that make a mass
 FLAT, SLENDER = 0.3, 5.0  # height over width below which panels stand one above the other, and above which proportions are not true
 MOVED, SMALL_PART = 0.05, 0.6  # a particle counts as moved from this share of the usual displacement on; see `_frame`
 STRAY, STRAY_OF_MOVED = 0.5, 2.0  # percent of all particles, and of those that moved, that frames leave out on each side
-USUAL = 99.0  # percentile at which scales of colours end, and up to which figures of a whole mass are read
+USUAL = 99.0  # percentile up to which figures of a whole mass are read
 
 
 def _up(points):
@@ -78,19 +78,6 @@ def _show(axes, frame, up):
     axes.label_outer()
 
 
-def _top(values):
-    """Where a scale of colours ends, and whether that is less than the largest value."""
-    largest = float(np.max(values, initial=0.0))
-    top = float(np.percentile(values, USUAL)) if len(values) else 0.0
-    return (top, True) if 0.0 < top < largest else (largest or 1.0, False)
-
-
-def _colorbar(figure, drawn, axes, label, clipped):
-    """The bar of a scale, which says where it is clipped."""
-    words = ",\n".join(part for part in (label, "clipped at the\n99th percentile" if clipped else "") if part)
-    figure.colorbar(drawn, ax=axes, label=words, shrink=0.8, extend="max" if clipped else "neither")
-
-
 def _chosen(snapshots, sizes):
     """Snapshots between which the particles move equally far, and the one of the largest displacement where it is another one."""
     chosen = moments(snapshots, MOST_PANELS + 1)[1:]
@@ -115,9 +102,10 @@ def displaced(results):
     factors = [common.enlargement(way, extent, largest=0.02, shown=0.04) for way in moved]
     places = [(way + [[0.0, 1.0, 1.0]] * points if thin else points + factor * way)[:, [0, up]] for way, factor in zip(moved, factors)]
     values = [np.linalg.norm(way, axis=1) for way in moved]
+    unit, prefix = style.prefix_for(style.clipped_top(np.concatenate(values))[0])
     start = points[:, [0, up]]
     frame = _holding(places, 0.05, 0.0, each_axis=True) if thin else _frame([start] * len(places), places, values)
-    top, clipped = _top(np.concatenate(values))
+    top, clipped = style.clipped_top(np.concatenate(values) / unit)
 
     tall = thin or np.ptp(frame, axis=0)[1] > np.ptp(frame, axis=0)[0]
     rows, columns = (1, len(chosen)) if tall else ((len(chosen) + 1) // 2, min(2, len(chosen)))
@@ -130,7 +118,7 @@ def displaced(results):
     for axes in panels[len(chosen):]:
         axes.set_axis_off()
     for axes, index, place, value, factor in zip(panels, chosen, places, values, factors):
-        drawn = axes.scatter(*place.T, c=value, cmap=style.SPEED, vmin=0.0, vmax=top, s=8.0 if thin else _marker(grids[0], frame, room),
+        drawn = axes.scatter(*place.T, c=value / unit, cmap=style.SPEED, vmin=0.0, vmax=top, s=8.0 if thin else _marker(grids[0], frame, room),
                              linewidths=0)
         _show(axes, frame, up)
         if thin:
@@ -138,7 +126,7 @@ def displaced(results):
             axes.set_xlabel("displacement [m]")
             axes.locator_params(axis="x", nbins=2)
         axes.set_title(style.quantity(snapshots[index].time, "s") + (f", × {factor:g}" if factor != 1.0 and not thin else ""))
-    _colorbar(figure, drawn, list(panels), "displacement [m]", clipped)
+    style.colorbar(figure, drawn, list(panels), f"displacement [{prefix}m]", clipped)
     return figure
 
 
@@ -188,11 +176,11 @@ def failure(results):
     figure = style.figure(9.0, 2.0 * (room[1] + 0.6))
     for axes, (name, label) in zip(figure.subplots(2, 1, sharex=True), fields):
         values = np.asarray(grid.cell_data[name])
-        top, clipped = _top(values)
+        top, clipped = style.clipped_top(values)
         drawn = axes.scatter(*points[:, columns].T, c=values, cmap=style.SPEED, vmin=0.0, vmax=top, s=_marker(grid, frame, room), linewidths=0)
         _show(axes, frame, columns[1])
         axes.set_title(label)
-        _colorbar(figure, drawn, axes, "", clipped)
+        style.colorbar(figure, drawn, axes, "", clipped)
     return figure
 
 

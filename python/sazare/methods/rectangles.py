@@ -6,8 +6,9 @@ import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.patches import Circle
 
-from sazare import style
+from sazare import plot, style
 from sazare.methods import Figure, Method, Section, common
+from sazare.moments import moments
 
 ENERGIES = {
     "energy_kinetic": ("kinetic", style.KINETIC),
@@ -20,6 +21,7 @@ ENERGIES = {
 }
 MOST_GAUGES = 6
 MOST_PANELS = 4
+MANY, STRAY = 200, 0.5  # elements; percent of so many that a frame leaves out on each side
 RECTANGLE, CIRCLE, WALL, POLYGON = 0, 1, 2, 3
 FACES = ((1, 2), (2, 3), (3, 0), (0, 1))  # corners of a rectangle's faces along +x, +y, -x, -y
 
@@ -40,18 +42,19 @@ def _cracks(corners, kind, broken):
 
 
 def _window(frames):
-    """x and y limits that hold all elements of some frames, with a margin."""
-    points = np.concatenate([corners for grid in frames
-                             for corners, block in zip(_corners(grid), np.asarray(grid.cell_data["block"])) if block >= 0])
-    lower, upper = points.min(axis=0), points.max(axis=0)
+    """x and y limits that hold the elements of some frames, but for single ones that have left many others, with a margin."""
+    points = [np.concatenate([corners for corners, block in zip(_corners(grid), grid.cell_data["block"]) if block >= 0]) for grid in frames]
+    stray = STRAY if frames[0].n_cells > MANY else 0.0
+    ends = np.concatenate([points[0], *(np.percentile(place, (stray, 100.0 - stray), axis=0) for place in points)])
+    lower, upper = ends.min(axis=0), ends.max(axis=0)
     margin = 0.06 * max(upper - lower)
     return lower - margin, upper + margin
 
 
-def _draw(axes, grid, top):
-    """Elements by displacement, broken faces, and supports."""
+def _draw(axes, grid, top, factor):
+    """Elements by displacement in a unit of so many metres, broken faces, and supports."""
     corners, kind = _corners(grid), np.asarray(grid.cell_data["kind"])
-    moved = np.linalg.norm(np.asarray(grid.cell_data["displacement"]), axis=1)
+    moved = np.linalg.norm(np.asarray(grid.cell_data["displacement"]), axis=1) / factor
     own = np.asarray(grid.cell_data["block"]) >= 0
     filled = own & ((kind == RECTANGLE) | (kind == POLYGON))
     edge = 0.5 if filled.sum() < 1500 else 0.0
@@ -74,26 +77,29 @@ def moving(results):
     snapshots = results.square_snapshots
     if not len(snapshots):
         return None
-    chosen = sorted({int(i) for i in np.linspace(0, len(snapshots) - 1, MOST_PANELS).round()})
+    chosen = moments(snapshots, MOST_PANELS)
     frames = [snapshots[i].elements for i in chosen]
-    top = max(np.linalg.norm(np.asarray(grid.cell_data["displacement"]), axis=1).max() for grid in frames) or 1.0
+    top, clipped = style.clipped_top(np.concatenate([np.linalg.norm(grid.cell_data["displacement"], axis=1) for grid in frames]))
+    factor, prefix = style.prefix_for(top)
     lower, upper = _window(frames)
     wide = (upper - lower)[0] > 1.3 * (upper - lower)[1]
     rows, columns = (len(frames), 1) if wide else ((len(frames) + 1) // 2, 2)
     width = 9.0
     height = np.clip(rows * (0.8 * width / columns) * (upper - lower)[1] / (upper - lower)[0] + 0.6 * rows, 3.0, 11.0)
     figure = style.figure(width, float(height))
-    panels = np.ravel(figure.subplots(rows, columns, squeeze=False))
+    panels = np.ravel(figure.subplots(rows, columns, squeeze=False, sharex=True, sharey=True))
     for axes in panels[len(frames):]:
         axes.set_axis_off()
     for axes, grid, index in zip(panels, frames, chosen):
-        drawn = _draw(axes, grid, top)
+        drawn = _draw(axes, grid, top / factor, factor)
         axes.set_xlim(lower[0], upper[0])
         axes.set_ylim(lower[1], upper[1])
         axes.set_aspect("equal")
-        axes.set_title(f"{snapshots[index].time:.3g} s")
+        axes.set_title(style.quantity(snapshots[index].time, "s"))
+        axes.set(xlabel="x [m]", ylabel="y [m]")
+        axes.label_outer()
         axes.grid(False)
-    figure.colorbar(drawn, ax=list(panels), label="displacement [m]", shrink=0.7)
+    style.colorbar(figure, drawn, list(panels), f"displacement [{prefix}m]", clipped, shrink=0.7)
     return figure
 
 
@@ -109,14 +115,15 @@ def supports(results):
     names, history = support_names(results), results.history
     if not names or history.rows < 2:
         return None
+    time, time_label = plot.time_axis(history)
     forces = {name: np.hypot(history[f"{name}.force_x"], history[f"{name}.force_y"]) for name in names}
     factor, prefix = style.prefix_for(max(force.max() for force in forces.values()))
     figure = style.figure(9.0, 3.6)
     axes = figure.subplots()
     for name, force in forces.items():
         peak = int(np.argmax(force))
-        axes.plot(history["time"], force / factor, linewidth=1.1, label=f"{name}: peak {style.quantity(force[peak], 'N')}")
-    axes.set_xlabel("time [s]")
+        axes.plot(time, force / factor, linewidth=1.1, label=f"{name}: peak {style.quantity(force[peak], 'N')}")
+    axes.set_xlabel(time_label)
     axes.set_ylabel(f"force [{prefix}N]")
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     axes.margins(x=0)
@@ -129,18 +136,19 @@ def gauges(results):
     names, table = list(results.gauges)[:MOST_GAUGES], results.gauge_table
     if not names or table.rows < 2:
         return None
+    time, time_label = plot.time_axis(table)
     figure = style.figure(9.0, 3.6)
     left, right = figure.subplots(1, 2)
     moved = {name: np.hypot(table[f"{name}.displacement_x"], table[f"{name}.displacement_y"]) for name in names}
     factor, prefix = style.prefix_for(max(way.max() for way in moved.values()))
     for name, way in moved.items():
-        left.plot(table["time"], way / factor, linewidth=1.2, label=name)
-        right.plot(table["time"], np.degrees(table[f"{name}.rotation"]), linewidth=1.2)
+        left.plot(time, way / factor, linewidth=1.2, label=name)
+        right.plot(time, np.degrees(table[f"{name}.rotation"]), linewidth=1.2)
     left.set_ylabel(f"displacement [{prefix}m]")
     right.set_ylabel("rotation [degrees]")
     left.legend()
     for axes in (left, right):
-        axes.set_xlabel("time [s]")
+        axes.set_xlabel(time_label)
         axes.margins(x=0)
     return figure
 
@@ -149,7 +157,7 @@ def sections(results):
     """The pictures of a run."""
     return [
         Section(
-            "moving", "Elements", "Elements coloured by displacement; broken faces are red.",
+            "moving", "Elements", "Elements coloured by displacement, at times between which they move equally far; broken faces are red.",
             partial(moving, results), common.NO_SNAPSHOTS, places=True,
         ),
         Section(

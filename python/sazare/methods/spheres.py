@@ -3,6 +3,8 @@
 from functools import partial
 
 import numpy as np
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import Normalize
 
 from sazare import plot, style
 from sazare.methods import Figure, Method, Section, common
@@ -30,11 +32,10 @@ BOND_KINDS = [("bonds", "energy_bonds"), ("bond dashpots", "energy_bond_dashpot"
 BOND_COLORS = ["#7d5ba6", "#c9a0dc", "#2b2b2b"]
 
 
-def _balls(snapshot):
-    """The spheres of a snapshot as a surface, with their speed [m/s] and the share of their bonds that is broken."""
+def balls(cloud):
+    """Spheres as a surface, with their speed [m/s] and the share of their bonds that is broken."""
     import pyvista
 
-    cloud = snapshot.elements
     points = pyvista.PolyData(np.asarray(cloud.points))
     points["radius"] = np.asarray(cloud.cell_data["radius"])
     points["speed"] = np.linalg.norm(cloud.cell_data["velocity"], axis=1)
@@ -137,15 +138,14 @@ def _scenes(results, scalar, label, colors, change=movement):
     chosen = moments(snapshots, MOST_PICTURES, change)
     clouds = [snapshots[index].elements for index in chosen]
     speeds = np.concatenate([np.linalg.norm(cloud.cell_data["velocity"], axis=1) for cloud in clouds])
-    top = 1.0 if scalar == "broken" else float(np.percentile(speeds, 99)) or float(speeds.max(initial=0.0)) or 1.0
+    top, clipped = (1.0, False) if scalar == "broken" else style.clipped_top(speeds)
     images, titles = [], []
     for index, cloud, spheres_frame in zip(chosen, clouds, frames(clouds)):
         time = snapshots[index].time
         walls = results.wall_snapshots.at(time).elements if len(results.wall_snapshots) else None
         frame = _with_walls(spheres_frame, walls)
         bounds = tuple(frame.T.ravel())
-        balls = _balls(snapshots[index])
-        mesh = _cut(balls, bounds) if cloud.n_points > CUT_ABOVE else balls
+        mesh = _cut(balls(cloud), bounds) if cloud.n_points > CUT_ABOVE else balls(cloud)
         options = {"scalars": scalar, "cmap": colors, "clim": (0.0, top), "smooth_shading": False}
         view = SolidView(bounds, np.array([1.0, -1.0, 1.0]), trim=False)
         images.append(render(view, [Layer(mesh, options), *_wall_layers(walls, frame)]).image)
@@ -161,12 +161,7 @@ def _scenes(results, scalar, label, colors, change=movement):
     for axes, image, title in zip(panels, images, titles):
         axes.imshow(image)
         axes.set_title(title)
-    from matplotlib.cm import ScalarMappable
-    from matplotlib.colors import Normalize
-
-    clipped = scalar != "broken" and speeds.max(initial=0.0) > top
-    words = f"{label}, clipped at the 99th percentile" if clipped else label
-    figure.colorbar(ScalarMappable(Normalize(0.0, top), colors), ax=list(panels), label=words, shrink=0.7, extend="max" if clipped else "neither")
+    style.colorbar(figure, ScalarMappable(Normalize(0.0, top), colors), list(panels), label, clipped, shrink=0.7)
     return figure
 
 
@@ -182,12 +177,13 @@ def energies(results):
     factor, prefix = style.prefix_for(parts.sum(axis=0).max(initial=0.0))
     figure = style.figure(9.0, 4.4)
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=[3, 1])
-    upper.stackplot(history["time"], np.maximum(parts, 0.0) / factor, labels=[name for name, _ in kinds], colors=colors, linewidth=0)
+    time, label = plot.time_axis(history)
+    upper.stackplot(time, np.maximum(parts, 0.0) / factor, labels=[name for name, _ in kinds], colors=colors, linewidth=0)
     upper.set_ylabel(f"energy [{prefix}J]")
     upper.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
-    lower.plot(history["time"], history["energy_residual"] / factor, color=style.INK, linewidth=0.9)
+    lower.plot(time, history["energy_residual"] / factor, color=style.INK, linewidth=0.9)
     lower.set_ylabel(f"residual [{prefix}J]")
-    lower.set_xlabel("time [s]")
+    lower.set_xlabel(label)
     upper.margins(x=0)
     return figure
 
@@ -207,20 +203,24 @@ def groups(results):
     table, names = results.gauge_table, list(results.gauges)[:MOST_CURVES]
     if not names or table.rows < 2:
         return None
+    time, time_label = plot.time_axis(table)
     figure = style.figure(9.0, 0.6 + 2.4 * len(names))
     rows = figure.subplots(len(names), 2, sharex=True, squeeze=False)
     for (left, right), name in zip(rows, names):
         places = np.stack([table[f"{name}.position_{axis}"] for axis in AXES], axis=1)
         axis = int(np.argmax(np.ptp(places, axis=0)))
-        left.plot(table["time"], places[:, axis], color=style.SECOND, linewidth=1.2)
-        left.set_ylabel(f"{AXES[axis]} [m]")
+        factor, prefix = style.prefix_of(places[:, axis])
+        left.plot(time, places[:, axis] / factor, color=style.SECOND, linewidth=1.2)
+        left.set_ylabel(f"{AXES[axis]} [{prefix}m]")
         left.set_title(name)
         beside, unit, along = _beside(table, name, axis)
-        right.plot(table["time"], table[f"{name}.{beside}_{AXES[along]}"], color=style.ACCENT, linewidth=1.2)
-        right.set_ylabel(f"{beside} along {AXES[along]} [{unit}]")
+        values = table[f"{name}.{beside}_{AXES[along]}"]
+        factor, prefix = style.prefix_of(values)
+        right.plot(time, values / factor, color=style.ACCENT, linewidth=1.2)
+        right.set_ylabel(f"{beside} along {AXES[along]} [{prefix}{unit}]")
         left.margins(x=0)
     for axes in rows[-1]:
-        axes.set_xlabel("time [s]")
+        axes.set_xlabel(time_label)
     return figure
 
 
@@ -231,14 +231,16 @@ def walls(results):
     names = [column.removesuffix(".force_x") for column in table if column.endswith(".force_x")][:MOST_CURVES]
     if not names or table.rows < 2:
         return None
+    time, time_label = plot.time_axis(table)
     figure = style.figure(9.0, 3.4)
     axes = figure.subplots()
-    for name in names:
-        force = np.stack([table[f"{name}.force_{axis}"] for axis in AXES], axis=1)
+    forces = {name: np.stack([table[f"{name}.force_{axis}"] for axis in AXES], axis=1) for name in names}
+    factor, prefix = style.prefix_of(*forces.values())
+    for name, force in forces.items():
         axis = int(np.argmax(np.abs(force).max(axis=0)))
-        axes.plot(table["time"], force[:, axis], linewidth=1.0, label=f"{name}, {AXES[axis]}")
-    axes.set_xlabel("time [s]")
-    axes.set_ylabel("force [N]")
+        axes.plot(time, force[:, axis] / factor, linewidth=1.0, label=f"{name}, {AXES[axis]}")
+    axes.set_xlabel(time_label)
+    axes.set_ylabel(f"force [{prefix}N]")
     axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3)
     axes.margins(x=0)
     return figure
@@ -250,14 +252,15 @@ def broken_bodies(results):
     history = results.history
     if "broken_bodies" not in history or history.rows < 2:
         return None
+    time, time_label = plot.time_axis(history)
     figure = style.figure(6.2, 3.6)
     axes = figure.subplots()
-    axes.plot(history["time"], history["broken_bodies"], color=style.ACCENT, linewidth=1.6)
-    axes.set_xlabel("time [s]")
+    axes.plot(time, history["broken_bodies"], color=style.ACCENT, linewidth=1.6)
+    axes.set_xlabel(time_label)
     axes.set_ylabel("broken bodies", color=style.ACCENT)
     axes.set_ylim(bottom=0)
     other = axes.twinx()
-    other.plot(history["time"], history["broken_bonds"], color=style.SECOND, linewidth=1.2)
+    other.plot(time, history["broken_bonds"], color=style.SECOND, linewidth=1.2)
     other.set_ylabel("broken bonds", color=style.SECOND)
     other.set_ylim(bottom=0)
     other.grid(False)
@@ -271,14 +274,15 @@ def contacts(results):
     history = results.history
     if "contacts" not in history or history.rows < 2:
         return None
+    time, time_label = plot.time_axis(history)
     figure = style.figure(6.2, 3.6)
     axes = figure.subplots()
-    axes.plot(history["time"], history["contacts"], color=style.SECOND, linewidth=1.2)
-    axes.set_xlabel("time [s]")
+    axes.plot(time, history["contacts"], color=style.SECOND, linewidth=1.2)
+    axes.set_xlabel(time_label)
     axes.set_ylabel("contacts")
     axes.set_ylim(bottom=0)
     other = axes.twinx()
-    other.plot(history["time"], history["speed_max"], color=style.ACCENT, linewidth=0.9)
+    other.plot(time, history["speed_max"], color=style.ACCENT, linewidth=0.9)
     other.set_ylabel("maximum speed [m/s]")
     other.set_ylim(bottom=0)
     other.grid(False)
