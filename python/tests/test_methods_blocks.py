@@ -1,14 +1,20 @@
 """The body of a run of method blocks, from runs made here."""
 
 import shutil
+import subprocess
+from pathlib import Path
 
 import h5py
 import numpy as np
+import pytest
 
 import sazare
 from sazare.methods import blocks_maps
 from sazare.methods.blocks_body import SHEARED, Body, colors_of_neighbors
 from sazare.report import sections_of
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = ROOT / "build/release/apps/sazare/sazare"
 
 
 def test_a_slab_is_known_by_its_thin_axis(slab, solid):
@@ -101,3 +107,32 @@ def test_sheared_joints_have_colors_and_counts_of_their_own(slab, tmp_path):
 def test_cracks_by_mode_are_drawn_for_the_law_that_has_modes(slab, tmp_path):
     assert "modes" not in [section.name for section in sections_of(sazare.open(slab))]
     assert "modes" in [section.name for section in sections_of(sazare.open(mixed_mode_run(slab, tmp_path)))]
+
+
+@pytest.fixture(scope="module")
+def sheared_run(tmp_path_factory):
+    """The direct shear test of a lift joint."""
+    folder = tmp_path_factory.mktemp("shear") / "run"
+    subprocess.run([PROGRAM, "run", ROOT / "cases/direct-shear/case.toml", "--out", folder, "--quiet"], check=True, timeout=300)
+    return sazare.open(folder)
+
+
+def test_a_lift_joint_fails_in_shear_with_its_shear_fracture_energy(sheared_run):
+    figures, area = sheared_run.figures, 0.3 * 0.06
+    joint = sheared_run.snapshots[-1].joints
+    own = np.asarray(joint.cell_data["kind"]) == 1
+    assert joint.extract_cells(np.flatnonzero(own)).area == pytest.approx(area, rel=1e-9)
+    assert figures["broken_in_shear"] == figures["broken_joints"] == own.sum()
+    assert np.all(np.asarray(joint.cell_data["state"])[own] >= 2) and figures["fragments"] == 2
+    assert figures["energy_fracture"] + figures["energy_release"] == pytest.approx(400.0 * area, rel=0.01)
+
+
+def test_the_mean_shear_stress_of_a_lift_joint_stays_below_its_strength(sheared_run):
+    history, mass, area = sheared_run.history, 2400.0 * 0.3 * 0.1 * 0.06, 0.3 * 0.06
+    time = history["time"]
+    push = np.interp(time, [0.0, 1.2e-3, 3.7e-3], [0.0, 0.0, 75e6]) * 0.02 * 0.06
+    speed = np.sqrt(2.0 * np.maximum(history["energy_kinetic"], 0.0) / mass)
+    stress = (push - mass * np.gradient(speed, time)) / area
+    sliding = history["broken_joints"] == sheared_run.figures["broken_joints"]
+    assert 0.7 * 4e6 < np.convolve(stress, np.full(9, 1 / 9), "valid").max() < 4e6
+    assert stress[sliding].mean() == pytest.approx(0.7 * 2e6, rel=0.2)

@@ -53,6 +53,7 @@ RUNS = {
     "cantilever-fem": Run(),
     "column-collapse-mps": Run(),
     "column-ricker": Run(),
+    "direct-shear": Run(),
     "free-face-blast": Run(),
     "free-face-blast-full": Run(until(1e-4)),
     "irregular-beam": Run(),

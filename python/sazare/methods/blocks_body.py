@@ -80,10 +80,17 @@ class Body:
         chosen = {snapshot.time: snapshot for snapshot in [*map(self.snapshots.at, reached), self.snapshots[-1]]}
         return [chosen[time] for time in sorted(chosen)]
 
+    def first_break(self):
+        """The first time at which a snapshot shows a broken joint [s]; None without any."""
+        return self._break_at(np.min)
+
     def latest_break(self):
         """The last time at which a snapshot shows a joint broken that was not before [s]; None without any."""
+        return self._break_at(np.max)
+
+    def _break_at(self, which):
         times = [] if self.break_time is None else self.break_time[np.isfinite(self.break_time)]
-        return float(np.max(times)) if len(times) else None
+        return float(which(times)) if len(times) else None
 
     def broken(self, snapshot):
         """The broken joints of a snapshot with the time each broke [s]; None where the run wrote no joints."""

@@ -2,6 +2,7 @@
 
 import matplotlib
 import numpy as np
+from matplotlib.ticker import MaxNLocator
 
 from sazare import style
 from sazare.plot import time_axis
@@ -19,6 +20,7 @@ def broken_joints(results):
     axes.plot(time, history["broken_joints"], color=style.ACCENT, linewidth=2.0)
     axes.fill_between(time, history["broken_joints"], color=style.ACCENT, alpha=0.12, linewidth=0.0)
     axes.set_ylabel("broken joints", color=style.ACCENT)
+    axes.yaxis.set_major_locator(MaxNLocator(integer=True))
     axes.set_xlabel(label)
     axes.margins(x=0)
     axes.set_ylim(bottom=0)
@@ -28,6 +30,7 @@ def broken_joints(results):
         other.spines["right"].set_visible(True)
         other.plot(time, history["fragments"], color=style.SECOND, linewidth=1.6)
         other.set_ylabel("fragments", color=style.SECOND)
+        other.yaxis.set_major_locator(MaxNLocator(integer=True))
         other.set_ylim(bottom=0)
     return figure
 

@@ -122,14 +122,15 @@ def crack_pattern(body, panels=4):
     snapshots = body.moments(panels)
     latest = body.latest_break() or body.snapshots.times.max() or 1.0
     factor, prefix = style.prefix_for(latest)
-    norm = Normalize(0.0, latest)
+    first = body.first_break() or 0.0
+    norm = Normalize(first if first < latest else 0.0, latest)
     hull = None if body.is_slab else body.hull()
     drawn = [
         (view, _crack_layers(body, view, snapshot, norm, hull), _title(body, view, snapshot))
         for view, snapshot in _views(body, snapshots)
     ]
     figure, axes = _sheet(drawn)
-    scale = Normalize(0.0, norm.vmax / factor)
+    scale = Normalize(norm.vmin / factor, norm.vmax / factor)
     if any(_pressed(body.broken(snapshot)).any() for snapshot in snapshots):
         _bar(figure, axes, style.SHEAR_TIME, scale, f"sheared, faces pressed together: time of failure [{prefix}s]")
         _bar(figure, axes, style.BREAK_TIME, scale, f"open: time of failure [{prefix}s]")
