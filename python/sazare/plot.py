@@ -85,7 +85,7 @@ def gauges(results):
         axes.set_title(f"{gauge.name}: peak particle velocity {style.quantity(gauge.ppv, 'm/s')}")
         axes.set_ylabel("velocity [m/s]")
         axes.margins(x=0)
-    rows[0].legend(loc="upper right", ncols=4)
+    rows[0].legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=4, borderaxespad=0.2)
     rows[-1].set_xlabel(f"time [{prefix}s]")
     return figure
 
@@ -106,7 +106,9 @@ def fragment_curve(results):
     sizes, share = passing(fragments["size"], fragments["volume"])
     figure = style.figure(6.2, 3.6)
     axes = figure.subplots()
-    axes.step(sizes, 100.0 * share, where="post", color=style.SECOND, linewidth=1.8)
+    # Straight in size, as X50 and X80 are read from it; on an axis of logarithms that is curved.
+    between = np.unique(np.concatenate([sizes, np.linspace(sizes[0], sizes[-1], 2000), np.geomspace(max(sizes[0], 1e-12), sizes[-1], 500)]))
+    axes.plot(between, 100.0 * np.interp(between, sizes, share), color=style.SECOND, linewidth=1.8)
     axes.plot(sizes, 100.0 * share, "o", color=style.SECOND, markersize=2.5)
     axes.set_xscale("log")
     spread = np.log10(sizes[-1] / sizes[0]) if sizes[0] > 0.0 else 0.0

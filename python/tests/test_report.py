@@ -14,6 +14,7 @@ from matplotlib.image import imread
 import sazare
 from sazare import plot, style
 from sazare.__main__ import main
+from sazare.methods import blocks_curves
 from sazare.methods.common import energy_balance
 from sazare.report import write_report
 from sazare.scenes import MARGIN, PlaneView
@@ -111,6 +112,21 @@ def test_old_pictures_do_not_stay(reported):
     (folder / "report" / "old.png").write_bytes(b"")
     write_report(folder)
     assert not (folder / "report" / "old.png").exists()
+
+
+def test_the_size_distribution_passes_through_x50(slab):
+    run = sazare.open(slab)
+    sizes, share = plot.passing(run.fragments["size"], run.fragments["volume"])
+    curve = plot.fragment_curve(run).axes[0].lines[0]
+    x, y = curve.get_xdata(), curve.get_ydata()
+    half = np.interp(0.5, share, sizes)
+    assert np.interp(half, x, y) == pytest.approx(50.0, abs=0.1)
+    assert x[0] == sizes[0] and y[-1] == pytest.approx(100.0)
+
+
+def test_steps_are_told_in_words_at_their_axis(slab):
+    axes = blocks_curves.smallest_step(sazare.open(slab)).axes[0]
+    assert [label.get_text() for label in axes.get_yticklabels()] == ["62.5 ns", "125 ns", "250 ns", "500 ns"]
 
 
 def test_passing_shares_are_of_the_volume():

@@ -7,6 +7,8 @@ from matplotlib.ticker import MaxNLocator
 from sazare import style
 from sazare.plot import time_axis
 
+MOST_TICKS = 8
+
 
 @style.styled
 def broken_joints(results):
@@ -44,9 +46,15 @@ def smallest_step(results):
     time, label = time_axis(history)
     figure = style.figure(6.2, 3.6)
     axes = figure.subplots()
-    axes.step(time, np.where(history["smallest_step"] > 0.0, history["smallest_step"], np.nan), color=style.SECOND, where="post")
-    axes.set_yscale("log")
-    axes.set_ylabel("smallest time step [s]")
+    steps = history["smallest_step"]
+    axes.step(time, np.where(steps > 0.0, steps, np.nan), color=style.SECOND, where="post")
+    axes.set_yscale("log", base=2)
+    taken = np.unique(steps[steps > 0.0])
+    shown = taken[:: -(-len(taken) // MOST_TICKS)]
+    axes.set_yticks(shown, [style.quantity(step, "s") for step in shown])
+    axes.minorticks_off()
+    axes.set_ylim(taken[0] / 1.3, taken[-1] * 1.3)
+    axes.set_ylabel("smallest time step")
     axes.set_xlabel(label)
     axes.margins(x=0)
     return figure
