@@ -47,7 +47,7 @@ def keep(picture, target):
         image = image.convert("RGB")
         if image.width > WIDTH:
             image = image.resize((WIDTH, round(image.height * WIDTH / image.width)), Image.Resampling.LANCZOS)
-        image.quantize(128).save(target, optimize=True)
+        image.quantize(256).save(target, optimize=True)
 
 
 def main(names):
