@@ -10,10 +10,23 @@ from sazare.snapshots import elements_once
 MOST_READ = 48  # snapshots; of longer series every n-th one is looked at
 
 
-def movement(before, after):
-    """Mean way of the points of a mesh to those of the next snapshot [m]; 0 where they are not the same points."""
-    before, after = np.asarray(before.points), np.asarray(after.points)
-    return float(np.linalg.norm(after - before, axis=1).mean()) if before.shape == after.shape and len(before) else 0.0
+MOST_WAY = 0.1  # of the body's size, up to which the way of a point counts: what flies off is no more than gone
+
+
+def movement(first):
+    """A function of two meshes that tells the mean way of their points from one to the other [m], which counts up to a share of the size of
+    the first mesh of a series; 0 where they are not the same points."""
+    places = np.asarray(first.points)
+    size = float(np.ptp(places, axis=0).max()) if len(places) else 0.0
+    most = MOST_WAY * size if size > 0.0 else np.inf
+
+    def moved(before, after):
+        before, after = np.asarray(before.points), np.asarray(after.points)
+        if before.shape != after.shape or not len(before):
+            return 0.0
+        return float(np.minimum(np.linalg.norm(after - before, axis=1), most).mean())
+
+    return moved
 
 
 def growth(field):
@@ -26,11 +39,12 @@ def growth(field):
     return grown
 
 
-def moments(snapshots, most, change=movement):
+def moments(snapshots, most, change=None):
     """Numbers of some snapshots in the order of time, `most` at most: the first, the last, and between them those by which equal
     shares of the change have taken place.
 
-    change: a function of two meshes, one snapshot after the other, that returns how much has happened between them.
+    change: a function of two meshes, one snapshot after the other, that returns how much has happened between them; the movement where
+    it is None.
     """
     last = len(snapshots) - 1
     if last < 1:
@@ -38,6 +52,7 @@ def moments(snapshots, most, change=movement):
     read = sorted({int(number) for number in np.linspace(0, last, min(MOST_READ, last + 1)).round()})
     steps = [0.0]
     before = elements_once(snapshots[read[0]])
+    change = change or movement(before)
     for number in read[1:]:
         after = elements_once(snapshots[number])
         steps.append(change(before, after))

@@ -12,7 +12,7 @@ import pyvista  # noqa: E402
 
 MARGIN = 0.03
 PIXELS = 1100
-ZOOM = 1.1  # of views from a corner
+TALL = 1.3  # height over width of pictures that stand side by side
 AXES = "xyz"
 
 
@@ -116,7 +116,6 @@ class SolidView:
         plotter.camera.up = (0.0, 0.0, 1.0)
         plotter.enable_parallel_projection()
         plotter.reset_camera(bounds=self.bounds)
-        plotter.camera.zoom(ZOOM)
 
     @property
     def _toward_eye(self):
@@ -129,7 +128,7 @@ class SolidView:
         right = np.cross([0.0, 0.0, 1.0], toward)
         right /= np.linalg.norm(right)
         up = np.cross(toward, right)
-        half = 0.5 * np.linalg.norm(np.ptp(box, axis=1)) / ZOOM  # of the height: a ball about the box fits without the zoom
+        half = 0.5 * np.linalg.norm(np.ptp(box, axis=1))  # of the height: a ball about the box fits
         away = np.asarray(points) - box.mean(axis=1)
         return (np.abs(away @ up) <= half) & (np.abs(away @ right) <= half * self.size[0] / self.size[1])
 
@@ -147,6 +146,22 @@ def trimmed_alike(images):
     pad = 8
     window = (slice(max(rows[0] - pad, 0), rows[-1] + pad), slice(max(columns[0] - pad, 0), columns[-1] + pad))
     return [image[window] for image in images]
+
+
+def sheet(images):
+    """A figure with an axes for each of some images of one size: two in a row, or all side by side where they are tall; and its axes."""
+    from sazare import style
+
+    high, wide = images[0].shape[:2]
+    columns = min(len(images), 4 if high > TALL * wide else 2)
+    rows = -(-len(images) // columns)
+    figure = style.figure(9.0, rows * (0.45 + 7.6 / columns * high / wide))
+    panels = np.ravel(figure.subplots(rows, columns, squeeze=False))
+    for axes in panels:
+        axes.set_axis_off()
+    for axes, image in zip(panels, images):
+        axes.imshow(image)
+    return figure, panels
 
 
 def render(view, layers):

@@ -16,7 +16,7 @@ def snapshots(places):
 
 def test_panels_follow_what_happens_and_not_the_time():
     # All happens in the first tenth of the run.
-    places = np.minimum(np.arange(41) / 4.0, 1.0)
+    places = 10.0 + np.minimum(np.arange(41) / 4.0, 1.0)
     assert moments(snapshots(places), 5) == [0, 1, 2, 3, 40]
 
 
@@ -36,10 +36,15 @@ def test_of_a_long_series_some_snapshots_are_read():
 
 
 def test_change_is_the_mean_way_or_the_growth_of_a_field():
-    before, after = (one.elements for one in snapshots([1.0, 3.0]))
-    assert movement(before, after) == pytest.approx(1.0)
-    assert growth("broken")(before, after) == pytest.approx(2.0)
+    first, before, after = (one.elements for one in snapshots([10.0, 1.0, 1.4]))
+    assert movement(first)(before, after) == pytest.approx(0.2)
+    assert growth("broken")(before, after) == pytest.approx(0.4)
     assert growth("heat")(before, after) == 0.0
+
+
+def test_what_flies_off_does_not_count_more_than_what_stays():
+    first, before, after = (one.elements for one in snapshots([10.0, 20.0, 1000.0]))
+    assert movement(first)(before, after) == pytest.approx(0.5)
 
 
 def test_steps_that_are_no_numbers_count_as_nothing():

@@ -138,7 +138,7 @@ def _in_plane(frames, top):
 
 def _in_space(frames, top):
     """A figure of both sides, seen from a corner: of the first frame, whatever flies off later."""
-    from sazare.scenes import Layer, SolidView, render, trimmed_alike
+    from sazare.scenes import Layer, SolidView, render, sheet, trimmed_alike
 
     corners = np.concatenate([np.asarray(grid.points) for grid in frames[0][1:]])
     view = SolidView(tuple(np.stack([corners.min(axis=0), corners.max(axis=0)]).T.ravel()), np.array([1.0, -1.0, 1.0]), trim=False)
@@ -151,15 +151,7 @@ def _in_space(frames, top):
             Layer(ground, {"color": style.GROUND[0], "show_edges": True, "edge_color": "white", "line_width": 1.0, "ambient": AMBIENT}),
             Layer(bodies, {**coloured, "show_edges": "radius" not in cloud.cell_data, "edge_color": style.INK, "line_width": 1.0, "ambient": AMBIENT}),
         ]).image)
-    images = trimmed_alike(images)
-    rows, columns = (len(frames) + 1) // 2, min(2, len(frames))
-    high, wide = images[0].shape[:2]
-    figure = style.figure(9.0, rows * (0.3 + 8.0 / columns * min(high / wide, 1.0)))
-    panels = np.ravel(figure.subplots(rows, columns, squeeze=False))
-    for axes, image in zip(panels, images):
-        axes.imshow(image)
-        axes.set_axis_off()
-    return figure, panels
+    return sheet(trimmed_alike(images))
 
 
 def _bodies(cloud):

@@ -8,7 +8,7 @@ from matplotlib.colors import Normalize
 
 from sazare import plot, style
 from sazare.methods import Figure, Method, Section, common
-from sazare.moments import growth, moments, movement
+from sazare.moments import growth, moments
 from sazare.style import quantity
 
 AXES = "xyz"
@@ -128,9 +128,9 @@ def _wall_layers(walls, frame):
     ]
 
 
-def _scenes(results, scalar, label, colors, change=movement):
+def _scenes(results, scalar, label, colors, change=None):
     """The spheres at some times, coloured by one field, with walls of triangles; the front half is cut away where there are many."""
-    from sazare.scenes import Layer, SolidView, render, trimmed_alike
+    from sazare.scenes import Layer, SolidView, render, sheet, trimmed_alike
 
     snapshots = results.particle_snapshots
     if not len(snapshots):
@@ -150,16 +150,9 @@ def _scenes(results, scalar, label, colors, change=movement):
         view = SolidView(bounds, np.array([1.0, -1.0, 1.0]), trim=False)
         images.append(render(view, [Layer(mesh, options), *_wall_layers(walls, frame)]).image)
         outside = int(np.sum(~view.shows(cloud.points)))
-        titles.append(style.quantity(time, "s") + (f", {style.count(outside)} of {style.count(cloud.n_points)} outside the picture" if outside else ""))
-    images = trimmed_alike(images)
-    rows, columns = (len(chosen) + 1) // 2, min(2, len(chosen))
-    high, wide = images[0].shape[:2]
-    figure = style.figure(9.0, rows * (0.3 + 8.0 / columns * min(high / wide, 1.0)))
-    panels = np.ravel(figure.subplots(rows, columns, squeeze=False))
-    for axes in panels:
-        axes.set_axis_off()
-    for axes, image, title in zip(panels, images, titles):
-        axes.imshow(image)
+        titles.append(style.quantity(time, "s") + (f"\n{style.count(outside)} of {style.count(cloud.n_points)} outside" if outside else ""))
+    figure, panels = sheet(trimmed_alike(images))
+    for axes, title in zip(panels, titles):
         axes.set_title(title)
     style.colorbar(figure, ScalarMappable(Normalize(0.0, top), colors), list(panels), label, clipped, shrink=0.7)
     return figure
@@ -301,7 +294,8 @@ def sections(results):
         Section(
             "spheres", "Spheres",
             "Spheres coloured by speed at times between which they move equally far; the front half is cut away where there are many. "
-            "Walls of triangles are light and transparent. Where the spheres move far, each picture has a scale of its own.",
+            "Walls of triangles are light and transparent. Where the spheres move far, each picture has a scale of its own, and the title says how "
+            "many are outside of it.",
             partial(pictures, results), common.NO_SNAPSHOTS, places=True,
         ),
         *bonded,
