@@ -46,18 +46,32 @@ def moments(snapshots, most, change=None):
     change: a function of two meshes, one snapshot after the other, that returns how much has happened between them; the movement where
     it is None.
     """
-    last = len(snapshots) - 1
+    return moments_of([snapshots], most, change)
+
+
+def moments_of(series, most, change=None):
+    """The same of several series of the same times, such as the two sides of a run: what happens in each counts alike."""
+    last = min(map(len, series)) - 1
     if last < 1:
-        return [0] * len(snapshots)
+        return [0] * (last + 1)
     read = sorted({int(number) for number in np.linspace(0, last, min(MOST_READ, last + 1)).round()})
+    shares = np.zeros(len(read))
+    for snapshots in series:
+        steps = np.nan_to_num(_steps([snapshots[number] for number in read], change))
+        shares += steps / steps.sum() if steps.sum() > 0.0 else 0.0
+    return [read[place] for place in equal_shares(shares, most)]
+
+
+def _steps(snapshots, change):
+    """How much has happened up to each snapshot since the one before it (n,), the first being 0."""
     steps = [0.0]
-    before = elements_once(snapshots[read[0]])
+    before = elements_once(snapshots[0])
     change = change or movement(before)
-    for number in read[1:]:
-        after = elements_once(snapshots[number])
+    for snapshot in snapshots[1:]:
+        after = elements_once(snapshot)
         steps.append(change(before, after))
         before = after
-    return [read[place] for place in equal_shares(steps, most)]
+    return np.array(steps)
 
 
 def equal_shares(steps, most):

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from sazare.moments import equal_shares, growth, moments, movement
+from sazare.moments import equal_shares, growth, moments, moments_of, movement
 
 
 def snapshots(places):
@@ -49,3 +49,10 @@ def test_what_flies_off_does_not_count_more_than_what_stays():
 
 def test_steps_that_are_no_numbers_count_as_nothing():
     assert equal_shares([0.0, np.nan, 1.0, 1.0], 3) == [0, 2, 3]
+
+
+def test_both_sides_of_a_run_count_alike_however_little_one_moves():
+    early = snapshots(10.0 + np.minimum(np.arange(21) / 2.0, 1.0))
+    late = snapshots(10.0 + 1e-3 * np.maximum(np.arange(21) - 18.0, 0.0))
+    assert moments_of([early, late], 5) == [0, 1, 2, 19, 20]
+    assert moments_of([early, []], 5) == []

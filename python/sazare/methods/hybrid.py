@@ -10,7 +10,7 @@ from matplotlib.colors import Normalize
 
 from sazare import plot, style
 from sazare.methods import Figure, Method, Section, common, fem, method_of, spheres
-from sazare.moments import moments
+from sazare.moments import moments_of
 
 MOST_PICTURES = 4
 AMBIENT = 0.4  # share of the light that reaches sides in the shade
@@ -96,12 +96,11 @@ def _draw_sides(axes, mesh, cloud, top):
 
 
 def _chosen(results):
-    """Meshes and bodies at times between which the bodies move equally far, as (time, mesh, bodies)."""
+    """Meshes and bodies at times between which both together move equally far, each side counted alike, as (time, mesh, bodies)."""
     if len(results.sides) < 2:
         return []
     meshes, clouds = results.sides["continuum"].all_snapshots, results.sides["bodies"].all_snapshots
-    count = min(len(meshes), len(clouds))
-    return [(meshes[i].time, meshes[i].elements, clouds[i].elements) for i in moments([clouds[i] for i in range(count)], MOST_PICTURES)]
+    return [(meshes[i].time, meshes[i].elements, clouds[i].elements) for i in moments_of([meshes, clouds], MOST_PICTURES)]
 
 
 @style.styled
@@ -207,7 +206,7 @@ def sections(results):
     return [
         Section(
             "together", "Finite elements and bodies",
-            "Finite elements, and bodies coloured by speed, at times between which the bodies move equally far.", partial(together, results),
+            "Finite elements, and bodies coloured by speed, at times between which both sides move equally far.", partial(together, results),
             "No snapshots of both sides can be drawn together.",
         ),
         Section(
