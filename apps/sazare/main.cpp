@@ -56,6 +56,13 @@ void add_trust(CLI::App& command) {
       "run .geo files that run commands, or write or read other files, as they are");
 }
 
+/// A checkpoint goes into the memory of a run as it is; one that is not the user's own is read only where the user says so.
+void add_checkpoint_trust(CLI::App& command) {
+  command.add_flag_callback(
+      "--trust-checkpoint", [] { setenv("SAZARE_TRUST_CHECKPOINT", "1", 1); },
+      "resume from a checkpoint that was not written by you on this machine");
+}
+
 /// What Python carries out, and reads the arguments of.
 const std::vector<std::pair<std::string, std::string>> python_commands = {
     {"report", "figures, plots and one HTML page of a run"},
@@ -101,6 +108,7 @@ void describe(CLI::App& app, Arguments& arguments) {
   auto& run = *app.add_subcommand("run", "run a case");
   add_case_options(run, arguments.run.of_case);
   add_trust(run);
+  add_checkpoint_trust(run);
   run.add_option("--out", arguments.run.folder, "the run's folder (default: runs/<name of the case>)")->type_name("DIR");
   auto* resume = run.add_flag("--resume", arguments.run.resume, "resume a stopped or killed run from its checkpoint");
   run.add_flag("--overwrite", arguments.run.overwrite, "replace the run that is in the folder")->excludes(resume);

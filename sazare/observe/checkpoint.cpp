@@ -21,6 +21,10 @@ std::vector<std::int64_t> seal_of(std::span<const std::byte> bytes) {
   return {static_cast<std::int64_t>(bytes.size()), std::bit_cast<std::int64_t>(hash_bytes(bytes))};
 }
 
+std::vector<std::int64_t> signature(const SignatureKey& key, const std::string& name, std::span<const std::byte> bytes) {
+  return {std::bit_cast<std::int64_t>(signature_of(key, name, bytes))};
+}
+
 }  // namespace
 
 CheckpointWriter::CheckpointWriter(const std::filesystem::path& file) : file_(file, Hdf5Writer::Tables::checked) {
@@ -36,6 +40,7 @@ void CheckpointWriter::add(const std::string& name, std::span<const std::byte> b
   if (!names_.insert(name).second) throw std::invalid_argument("a checkpoint holds '" + name + "' already");
   file_.write(path_of(name), bytes);
   file_.set_attribute(path_of(name), "length_and_checksum", seal_of(bytes));
+  file_.set_attribute(path_of(name), "signature", signature(key_, name, bytes));
 }
 
 void CheckpointWriter::commit(Sync sync) { file_.commit(sync); }
@@ -63,11 +68,23 @@ std::vector<std::byte> CheckpointReader::read(const std::string& name) const {
   }
   std::vector<std::byte> bytes = file_.read_bytes(path_of(name));
   if (file_.read_attribute(path_of(name), "length_and_checksum") != seal_of(bytes)) {
-    throw UserError(
-        fmt::format("{}: '{}' is damaged: its checksum does not match its data. Start the run again with --overwrite",
-                    path_.string(), name));
+    throw UserError(fmt::format("{}: '{}' is damaged: its checksum does not match its data. Start the run again with --overwrite",
+                                path_.string(), name));
   }
+  check_signature(name, bytes);
   return bytes;
+}
+
+void CheckpointReader::check_signature(const std::string& name, std::span<const std::byte> bytes) const {
+  if (is_trusted_) return;
+  if (file_.has_attribute(path_of(name), "signature") &&
+      file_.read_attribute(path_of(name), "signature") == signature(key_, name, bytes))
+    return;
+  throw UserError(fmt::format(
+      "{}: this checkpoint was not written by you on this machine, and one that somebody made up can crash the program\n"
+      "  if you know where it comes from, add --trust-checkpoint, or set SAZARE_TRUST_CHECKPOINT=1 in the environment; "
+      "otherwise start the run again with --overwrite",
+      path_.string()));
 }
 
 }  // namespace sazare::observe
