@@ -20,6 +20,7 @@ WIDTH = 900  # pixels
 # Case -> the picture of its report that shows most.
 PICTURES = {
     "free-face-blast": "cracks",
+    "spalling-bar": "cracks",
     "column-ricker": "accelerations",
     "toppling-columns": "moving",
     "mortar-beam": "moving",
