@@ -29,9 +29,12 @@ concept ElasticJointLaw = requires(typename Law::template Tension<Lanes> tension
                                    Lanes number, Slip<Lanes> slip) {
   { tension.stiffness } -> std::convertible_to<Lanes>;                // below and up to `elastic_peak` [Pa/m]
   { elastic_peak(tension) } -> std::same_as<Lanes>;                   // the largest opening that leaves a joint intact [m]
+  { elastic_limit(tension) } -> std::same_as<Lanes>;                  // and the stress there [Pa]
   { stored_energy(tension, number, number) } -> std::same_as<Lanes>;  // by opening and stress [J/m2]
   { shear.stiffness } -> std::convertible_to<Lanes>;                  // [Pa/m]
   { slips(shear, slip, number) } -> std::same_as<LaneMask>;           // by the shear strength
+  set_stiffness(tension, number);                                     // of a face that has its own; strength stays
+  set_stiffness(shear, number);                                       // and likewise
   tension.numbers();                                                  // all it has, as references
   shear.numbers();                                                    // and likewise
 };

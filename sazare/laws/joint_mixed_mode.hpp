@@ -43,6 +43,12 @@ struct SofteningShear {
   auto numbers() { return std::tie(stiffness, cohesion, friction, residual_friction, failure_slip); }
 };
 
+/// Gives a joint another stiffness; its strength and its fracture energy stay.
+template <class P>
+void set_stiffness(SofteningShear<P>& law, P stiffness) {
+  law.stiffness = stiffness;
+}
+
 /// D by the two memories.
 template <class P, class T>
 T damage(const TensionParameters<P>& tension, const SofteningShear<P>& shear, T peak, T path) {

@@ -26,6 +26,12 @@ struct ShearParameters {
 
 using JointShear = ShearParameters<Real>;
 
+/// Gives a joint another stiffness; its strength stays.
+template <class P>
+void set_stiffness(ShearParameters<P>& law, P stiffness) {
+  law.stiffness = stiffness;
+}
+
 /// Elastic tangential displacement and the slip behind it, in the two directions of the face.
 template <class T>
 struct Slip {

@@ -39,6 +39,19 @@ JointTension joint_tension(const Joint& joint) {
   return JointTension::make(joint.normal_stiffness, joint.tensile_strength, joint.fracture_energy);
 }
 
+/// Gives a joint another stiffness; its strength and its fracture energy stay.
+template <class P>
+void set_stiffness(TensionParameters<P>& law, P stiffness) {
+  law.stiffness = stiffness;
+  law.elastic_opening = law.strength / stiffness;
+}
+
+/// The largest stress [Pa] that leaves a joint intact.
+template <class P>
+P elastic_limit(const TensionParameters<P>& law) {
+  return law.strength;
+}
+
 /// The largest opening [m] that leaves a joint intact: the memory begins with it.
 template <class P>
 P elastic_peak(const TensionParameters<P>& law) {

@@ -44,6 +44,10 @@ void expect_resumed_is_uninterrupted(const test::SlabRules& rules, std::vector<i
 /// At 71 pairs of contacts have just ended.
 TEST(resume, at_any_base_step_with_the_stability_limiter) { expect_resumed_is_uninterrupted({}, {0, 37, 71, 99}, 100); }
 
+TEST(resume, at_any_base_step_with_springs_of_the_elements) {
+  expect_resumed_is_uninterrupted({cases::Limiter::stability, cases::Levels::per_element, true}, {0, 37, 71, 99}, 100);
+}
+
 TEST(resume, at_any_base_step_while_levels_change_and_bodies_wake) {
   expect_resumed_is_uninterrupted({cases::Limiter::travel, cases::Levels::per_element}, {1, 120, 203}, 220);
 }

@@ -11,6 +11,20 @@ void append(std::string& bytes, const T& value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
+/// Rock of which Young's modulus and Poisson's ratio are given.
+void take_springs_from_elements(cases::BlocksCase& blocks) {
+  blocks.materials[0].youngs_modulus = 20e9;
+  blocks.materials[0].poisson_ratio = 0.2;
+  cases::Joint& joint = blocks.joints[0];
+  joint.normal_stiffness = joint.shear_stiffness = std::nullopt;
+  joint.normal_damping = joint.shear_damping = 0;
+  joint.damping_ratio = 0.1;
+  joint.law = cases::JointLawName::mixed_mode;
+  joint.tensile_strength = 4e6;
+  joint.law_parameters = {1000.0, std::nullopt};
+  blocks.boundaries = {{"left", cases::BoundaryKind::absorbing}, {"bottom", cases::BoundaryKind::fixed}};
+}
+
 }  // namespace
 
 runs::BlocksModel slab(const SlabRules& rules) {
@@ -18,6 +32,7 @@ runs::BlocksModel slab(const SlabRules& rules) {
   blocks.blasts[0].pressure = cases::PressureTable{{}, {0, 1e-3}, {1.5e9, 1.5e9}};
   blocks.time.limiter = rules.limiter;
   blocks.time.levels = rules.levels;
+  if (rules.takes_springs_from_elements) take_springs_from_elements(blocks);
   if (rules.limiter == cases::Limiter::travel) {
     blocks.time.base_step = 2e-8;
     blocks.time.travel_length = 2e-7;

@@ -13,6 +13,7 @@ namespace sazare::test {
 struct SlabRules {
   cases::Limiter limiter = cases::Limiter::stability;
   cases::Levels levels = cases::Levels::per_element;
+  bool takes_springs_from_elements = false;  ///< by Young's modulus and Poisson's ratio, with joints that soften by slip as well
 };
 
 /// Not started. The mesh is that of the case.

@@ -31,6 +31,10 @@ TEST(threads, give_the_same_bits_while_levels_change_and_bodies_wake) {
   expect_same_bits({cases::Limiter::travel, cases::Levels::per_element}, 200, 5);
 }
 
+TEST(threads, give_the_same_bits_with_springs_of_the_elements) {
+  expect_same_bits({cases::Limiter::stability, cases::Levels::per_element, true}, 100, 40);
+}
+
 TEST(threads, a_difference_of_one_bit_would_show) {
   parallel::set_threads(1);
   auto model = test::slab(), other = test::slab();

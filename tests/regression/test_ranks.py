@@ -48,6 +48,28 @@ def assert_same_results(one, many):
         assert (one / name).read_bytes() == (many / name).read_bytes()
 
 
+def elastic_block(folder):
+    """The small block with Young's modulus and Poisson's ratio instead of stiffnesses, beside its mesh."""
+    text = Sazare().block.read_text(encoding="utf-8")
+    lines = [line for line in text.split("\n") if not line.startswith(("joint_normal_", "joint_shear_"))]
+    text = "\n".join(lines).replace("density", "youngs_modulus = 20e9\npoisson_ratio = 0.2\ndensity")
+    text = text.replace("cohesion", "damping_ratio = 0.05\ncohesion").replace('"block.msh"', f'"{Sazare().block.parent}/block.msh"')
+    case = folder / "elastic.toml"
+    case.write_text(text, encoding="utf-8")
+    return case
+
+
+@pytest.mark.parametrize("ranks", [2, 3])
+def test_springs_of_the_elements_give_the_same_bits_on_ranks(sazare, tmp_path, ranks):
+    case = elastic_block(tmp_path)
+    alone = sazare("run", case, "--out", tmp_path / "alone", "--threads", 1, "--set", LATER)
+    assert alone.returncode == DONE, alone.stderr
+    assert manifest(tmp_path / "alone")["results"]["broken_joints"] > 0
+    many = sazare.on_ranks(ranks, "run", case, "--out", tmp_path / "many", "--threads", 1, "--set", LATER)
+    assert many.returncode == DONE, many.stderr
+    assert_same_results(tmp_path / "alone", tmp_path / "many")
+
+
 @pytest.mark.parametrize(
     ("ranks", "threads", "options"),
     [

@@ -32,6 +32,14 @@ class Material(Part):
     """Physical volume groups of the mesh that consist of the material."""
     density: float
     """Mass per volume. [kg/m3] Greater than 0."""
+    youngs_modulus: float | None = None
+    """Young's modulus. With it the springs of each face follow from the two elements beside it, and waves run at one speed in
+    elements of any size. [Pa] (with poisson_ratio, instead of the stiffnesses of joints) Greater than 0.
+    """
+    poisson_ratio: float | None = None
+    """Poisson's ratio. Rigid elements can have 0 to 0.45; for more, use method fem. (with youngs_modulus, instead of the
+    stiffnesses of joints) At least 0 and at most 0.45.
+    """
 
 
 @dataclass(kw_only=True, eq=False)
@@ -54,13 +62,21 @@ class Joint(Part):
     remains. Default: "linear_softening".
     """
     joint_normal_stiffness: float | None = None
-    """Normal stiffness: normal stress per opening. [Pa/m] (required when bonded) Greater than 0."""
+    """Normal stiffness: normal stress per opening. [Pa/m] (required when bonded, unless its materials have youngs_modulus)
+    Greater than 0.
+    """
     joint_shear_stiffness: float | None = None
-    """Shear stiffness: shear stress per elastic shear displacement. [Pa/m] (required when bonded) At least 0."""
+    """Shear stiffness: shear stress per elastic shear displacement. [Pa/m] (required when bonded, unless its materials have
+    youngs_modulus) At least 0.
+    """
     joint_normal_damping: float | None = None
     """Normal dashpot: normal stress per opening velocity. [Pa s/m] Default: 0.0. At least 0."""
     joint_shear_damping: float | None = None
     """Shear dashpot: shear stress per sliding velocity. [Pa s/m] Default: 0.0. At least 0."""
+    damping_ratio: float | None = None
+    """Dashpots of each face as a share of the critical damping of the two elements beside it, which move against each other on
+    its springs. (instead of joint_normal_damping and joint_shear_damping) At least 0.
+    """
     cohesion: float | None = None
     """Cohesion: shear strength at zero normal stress. [Pa] (required when bonded) At least 0."""
     friction_coefficient: float | None = None
@@ -72,8 +88,8 @@ class Joint(Part):
     friction_angle) At least 0 and less than 90.
     """
     tensile_strength: float | None = None
-    """Tensile strength: normal stress at which softening begins; at most sqrt(2 fracture_energy joint_normal_stiffness). [Pa]
-    (required when bonded) Greater than 0.
+    """Tensile strength: normal stress at which softening begins; at most sqrt(2 fracture_energy k) with the normal stiffness k of
+    each face. [Pa] (required when bonded) Greater than 0.
     """
     fracture_energy: float | None = None
     """Fracture energy: energy per area that the joint dissipates when it breaks in tension. [N/m] (required when bonded) Greater

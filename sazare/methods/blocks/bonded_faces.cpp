@@ -58,9 +58,11 @@ BondedFaces::BondedFaces(std::vector<ElasticJoint> kinds, std::span<const JointF
   for (const JointFace& face : faces) {
     at_face_[at(face.master)][at(face.master_face)] = count();
     at_face_[at(face.slave)][at(face.slave_face)] = count();
-    records_.push_back(make_joint(face, elastic_[at(face.kind)], bodies));
+    records_.push_back(make_joint(face, elastic_joint(elastic_, face), bodies));
     links_.push_back({face.master, face.slave});
   }
+  if (std::ranges::any_of(faces, [](const JointFace& face) { return face.own.has_value(); }))
+    for (const JointFace& face : faces) own_springs_.push_back(elastic_joint(elastic_, face));
   table_.causes = {terms::Cause::joint_dashpot};
   losses_.resize(faces.size());
   if (some_soften_by_slip) {
@@ -127,7 +129,7 @@ void BondedFaces::update_rates(Index body, const state::Bodies<3>& bodies) {
   for (const Index number : at_face_[at(body)])
     if (number >= 0 && state(number) != JointState::broken) {
       const JointRecord& joint = records_[at(number)];
-      add_face(matrices, face_springs(joint, elastic_[at(joint.kind)], body, bodies));
+      add_face(matrices, face_springs(joint, elastic(number), body, bodies));
     }
   const terms::Rates held =
       largest_rates(matrices, bodies.inertia[at(body)], state::start_rotation(bodies, body), bodies.locks[at(body)]);

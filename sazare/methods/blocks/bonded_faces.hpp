@@ -29,7 +29,10 @@ public:
   Index count() const { return static_cast<Index>(links_.size()); }
   const JointRecord& record(Index joint) const { return records_[static_cast<std::size_t>(joint)]; }
   /// As the joint was at the beginning.
-  const ElasticJoint& elastic(Index joint) const { return elastic_[static_cast<std::size_t>(record(joint).kind)]; }
+  ElasticJoint elastic(Index joint) const {
+    const ElasticJoint& kind = elastic_[static_cast<std::size_t>(record(joint).kind)];
+    return own_springs_.empty() ? kind : kind.with(own_springs_[static_cast<std::size_t>(joint)]);
+  }
   JointState state(Index joint) const { return record(joint).state; }
 
   /// Joint on a body's local face, or -1.
@@ -57,6 +60,7 @@ protected:
 
   std::vector<JointRecord> records_;
   std::vector<JointLosses> losses_;
+  std::vector<JointSprings> own_springs_;  ///< by joint, from the beginning on; empty where all faces have those of their kinds
   std::vector<Link> links_;
   terms::SlotTable<3, 1, terms::FixedIncidence> table_;
   terms::Events failed_;         ///< joints, in the present step

@@ -82,7 +82,7 @@ Vector3 turned_by(const state::Bodies<3>& bodies, std::size_t body, const Vector
 Real coupled_damping(std::span<const ElasticJoint> kinds, std::span<const JointFace> faces, const state::Bodies<3>& bodies,
                      std::span<const terms::Rates> held) {
   std::vector<Coupling> couplings;
-  for (const JointFace& face : faces) couplings.push_back(coupling_of(face, kinds[at(face.kind)], held));
+  for (const JointFace& face : faces) couplings.push_back(coupling_of(face, elastic_joint(kinds, face), held));
   Motions motions = noise(bodies);
   Real largest = 1;
   for (int iteration = 0; iteration < iterations; ++iteration) {

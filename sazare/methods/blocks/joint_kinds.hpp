@@ -32,18 +32,29 @@ JointParameters<Law, Real> joint_parameters(const Joint& joint,
   return {Law::tension(joint, own), Law::shear(joint, own), joint.normal_damping, joint.shear_damping};
 }
 
-/// Any joint as long as nothing has happened to it.
-struct ElasticJoint {
+/// Springs and dashpots per area of a face: four numbers side by side, which lanes read at once.
+struct JointSprings {
   Real normal_stiffness = 0;  ///< [Pa/m]
   Real shear_stiffness = 0;   ///< [Pa/m]
   Real normal_damping = 0;    ///< [Pa s/m]
   Real shear_damping = 0;     ///< [Pa s/m]
-  Real largest_opening = 0;   ///< beyond it the joint is not elastic any more [m]
+};
+static_assert(sizeof(JointSprings) == 4 * sizeof(Real));
+
+/// Any joint as long as nothing has happened to it.
+struct ElasticJoint : JointSprings {
+  Real largest_opening = 0;  ///< beyond it the joint is not elastic any more [m]
+  Real largest_stress = 0;   ///< at that opening [Pa]
+
+  /// The same on a face that has its own springs: its strength stays.
+  ElasticJoint with(const JointSprings& own) const { return {own, largest_stress / own.normal_stiffness, largest_stress}; }
 };
 
 template <class Law>
 ElasticJoint elastic_joint(const JointParameters<Law, Real>& kind) {
-  return {kind.tension.stiffness, kind.shear.stiffness, kind.normal_damping, kind.shear_damping, elastic_peak(kind.tension)};
+  return {{kind.tension.stiffness, kind.shear.stiffness, kind.normal_damping, kind.shear_damping},
+          elastic_peak(kind.tension),
+          elastic_limit(kind.tension)};
 }
 
 template <class... Kinds>
@@ -80,6 +91,16 @@ void set_lane(JointParameters<Law, Lanes>& lanes, int lane, const JointParameter
   set_numbers(lanes.shear, lane, kind.shear);
   lanes.normal_damping[lane] = kind.normal_damping;
   lanes.shear_damping[lane] = kind.shear_damping;
+}
+
+/// Puts the springs of faces that have their own into their lanes.
+template <class Law, class SpringsOfLane>
+void set_springs(JointParameters<Law, Lanes>& kind, const SpringsOfLane& springs) {
+  const auto own = load_quads([&](std::size_t lane) { return &springs(lane).normal_stiffness; });
+  set_stiffness(kind.tension, own[0]);
+  set_stiffness(kind.shear, own[1]);
+  kind.normal_damping = own[2];
+  kind.shear_damping = own[3];
 }
 
 /// The kinds of one law, at their places among all kinds. What stands at the places of others is never used.

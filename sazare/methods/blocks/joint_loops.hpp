@@ -82,14 +82,27 @@ template <class Law>
   JointChange change;
   LaneMask failed;
   LaneVector path;
-  if constexpr (laws::SoftensBySlip<Law>) path = load_paths([&](std::size_t lane) { return in_lanes[lane].link; });
-  const JointForce force =
-      blocks::evaluate(LaneJoints<JointRecord>{records}, kinds.of(records), path, masters, slaves, bodies.pole, failed, change);
+  const auto joint_of = [&](std::size_t lane) { return in_lanes[lane].link; };
+  if constexpr (laws::SoftensBySlip<Law>) path = load_paths(joint_of);
+  const JointForce force = blocks::evaluate(LaneJoints<JointRecord>{records}, parameters(kinds, records, joint_of), path, masters,
+                                            slaves, bodies.pole, failed, change);
   terms::write(slots, now, in_lanes, force.total, force.dashpots, failed);
   if (!change.has_happened) return;
   remember(records, change);
   if constexpr (laws::SoftensBySlip<Law>) soften_by_slip(due, change);
   add_work(due, change);
+}
+
+/// Parameters of each lane, until the next call in this thread; `joint_of` names the joints by lane.
+template <class Laws>
+template <class Law, class Record, class JointOfLane>
+const JointParameters<Law, Lanes>& JointsOf<Laws>::parameters(const KindsOfLaw<Law>& kinds, const LanePointers<Record>& records,
+                                                              const JointOfLane& joint_of) const {
+  if (own_springs_.empty()) return kinds.of(records);
+  thread_local JointParameters<Law, Lanes> of_faces;
+  of_faces = kinds.of(records);
+  set_springs(of_faces, [&](std::size_t lane) -> const JointSprings& { return own_springs_[at(joint_of(lane))]; });
+  return of_faces;
 }
 
 /// Paths of slip of the joints that `joint_of` names by lane.
@@ -161,8 +174,9 @@ template <class Law>
   LanePointers<const terms::Slot<3, 1>> slots;
   LanePointers<const state::Pose<3>> masters, slaves;
   LanePointers<const state::MeanMotion<3>> master_ahead, slave_ahead;
+  const auto joint_of = [&](std::size_t lane) { return std::min(first + static_cast<Index>(lane), count() - 1); };
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
-    const Index joint = std::min(first + static_cast<Index>(lane), count() - 1);
+    const Index joint = joint_of(lane);
     records[lane] = &records_[at(joint)];
     slots[lane] = &table_[joint];
     masters[lane] = &synchronized.pose_of(records[lane]->master);
@@ -170,11 +184,11 @@ template <class Law>
     master_ahead[lane] = &synchronized.ahead[at(records[lane]->master)];
     slave_ahead[lane] = &synchronized.ahead[at(records[lane]->slave)];
   }
-  const auto& kind = kinds.of(records);
+  const auto& kind = parameters(kinds, records, joint_of);
   FaceGeometry at_face = face_geometry(LaneJoints<const JointRecord>{records}, masters, slaves);
   Lanes fracture{};  // a law that softens by slip has it among its losses
   if constexpr (laws::SoftensBySlip<Law>)
-    at_face.path = load_paths([&](std::size_t lane) { return std::min(first + static_cast<Index>(lane), count() - 1); });
+    at_face.path = load_paths(joint_of);
   else if (some_soften(kind, at_face))
     fracture = fracture_work(kind, at_face);
   return {elastic_energy(kind, at_face, tension_stress(kind, at_face)), fracture,

@@ -73,7 +73,7 @@ std::vector<terms::Rates> joint_rates(std::span<const ElasticJoint> kinds, std::
     for (const Index body : {face.master, face.slave}) {
       const auto& motion = bodies.motion[at(body)];
       const auto& c = face.corners;
-      FaceSprings springs = springs_of(kinds[at(face.kind)], (c[1] - c[0]).cross(c[2] - c[0]).norm() / 6);
+      FaceSprings springs = springs_of(elastic_joint(kinds, face), (c[1] - c[0]).cross(c[2] - c[0]).norm() / 6);
       for (std::size_t v = 0; v < vertex_count; ++v) springs.corners[v] = motion.rotation.transpose() * (c[v] - motion.position);
       add_face(matrices[at(body)], springs);
     }

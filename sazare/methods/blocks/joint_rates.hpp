@@ -4,6 +4,7 @@
 /// freedoms, from its own joints.
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,7 +24,14 @@ struct JointFace {
   int master_face = 0;  ///< local faces 0..3
   int slave_face = 0;
   std::array<Vector3, 3> corners;  ///< counter-clockwise seen from outside the master [m]
+  std::optional<JointSprings> own = std::nullopt;  ///< instead of the springs and dashpots of its kind
 };
+
+/// What a face is before anything has happened to it.
+inline ElasticJoint elastic_joint(std::span<const ElasticJoint> kinds, const JointFace& face) {
+  const ElasticJoint& kind = kinds[static_cast<std::size_t>(face.kind)];
+  return face.own ? kind.with(*face.own) : kind;
+}
 
 /// Stiffness and damping of one block: three translations, three rotations about its centre, in its body frame.
 struct BodyMatrices {

@@ -34,6 +34,9 @@ private:
   void ask_for_some(std::span<const Due> due, const state::Bodies<3>& bodies) const;
   template <class Law>
   void evaluate_lanes(const KindsOfLaw<Law>& kinds, const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies);
+  template <class Law, class Record, class JointOfLane>
+  const JointParameters<Law, Lanes>& parameters(const KindsOfLaw<Law>& kinds, const LanePointers<Record>& records,
+                                                const JointOfLane& joint_of) const;
   static void remember(const LanePointers<JointRecord>& records, const JointChange& change);
   void add_work(std::span<const Due> due, const JointChange& change);
   template <class JointOfLane>

@@ -27,6 +27,15 @@ template <class P>
 P elastic_peak(const ParabolicTension<P>& law) {
   return law.elastic_opening;
 }
+template <class P>
+P elastic_limit(const ParabolicTension<P>& law) {
+  return law.strength;
+}
+template <class P>
+void set_stiffness(ParabolicTension<P>& law, P stiffness) {
+  law.stiffness = stiffness;
+  law.elastic_opening = law.strength / stiffness;
+}
 template <class P, class T>
 auto is_softened(const ParabolicTension<P>& law, T peak) {
   return peak > law.elastic_opening;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sazare/cases/tables.hpp"
+#include "sazare/laws/block_elasticity.hpp"
 #include "sazare/laws/joint_laws.hpp"
 #include "sazare/laws/pressure_table.hpp"
 
@@ -36,6 +37,11 @@ struct Material {
   std::string name;
   std::vector<std::string> regions;
   Real density = 0;  // kg/m3
+  std::optional<Real> youngs_modulus = std::nullopt;  // Pa; with poisson_ratio: joints take their springs from it
+  std::optional<Real> poisson_ratio = std::nullopt;
+
+  bool has_moduli() const { return youngs_modulus && poisson_ratio; }
+  laws::ElasticModuli moduli() const { return {youngs_modulus.value(), poisson_ratio.value()}; }
 };
 
 /// Applies between two materials (`between`) or on a surface group inside the body (`surface`); the other one
@@ -46,16 +52,20 @@ struct Joint {
   std::string surface;
   bool bonded = true;         // false: what stands below means nothing and is 0
   JointLawName law = JointLawName::linear_softening;
-  Real normal_stiffness = 0;  // Pa/m
-  Real shear_stiffness = 0;   // Pa/m
-  Real normal_damping = 0;    // Pa s/m
-  Real shear_damping = 0;     // Pa s/m
+  std::optional<Real> normal_stiffness = std::nullopt;  // Pa/m; both or none: then the elements beside a face give it
+  std::optional<Real> shear_stiffness = std::nullopt;   // Pa/m
+  Real normal_damping = 0;                              // Pa s/m
+  Real shear_damping = 0;                               // Pa s/m
+  std::optional<Real> damping_ratio = std::nullopt;     // instead of the two dashpots
   Real cohesion = 0;          // Pa
   Real friction_coefficient = 0;
   Real tensile_strength = 0;  // Pa
   Real fracture_energy = 0;   // N/m
   laws::JointLawParameters law_parameters;
   bool on_surface() const { return !surface.empty(); }
+  bool has_stiffness() const { return normal_stiffness && shear_stiffness; }
+  /// Whether each of its faces has springs or dashpots that depend on the elements beside it.
+  bool depends_on_elements() const { return bonded && (!has_stiffness() || damping_ratio); }
 };
 
 struct Contact {

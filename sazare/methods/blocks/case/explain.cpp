@@ -45,8 +45,11 @@ void explain_body(Explanation& text, const BlocksCase& blocks) {
   }
   text.add("mesh", mesh.file.filename().string() + how);
   for (const Material& material : blocks.materials)
-    text.add("materials",
-             fmt::format("{}: {} kg/m3, regions {}", material.name, number(material.density), fmt::join(material.regions, ", ")));
+    text.add("materials", fmt::format("{}: {} kg/m3{}, regions {}", material.name, number(material.density),
+                                      material.has_moduli() ? fmt::format(", E {}, nu {}", stress_text(*material.youngs_modulus),
+                                                                          number(*material.poisson_ratio))
+                                                            : "",
+                                      fmt::join(material.regions, ", ")));
 }
 
 void explain_joint(Explanation& text, const Joint& joint) {
@@ -54,10 +57,11 @@ void explain_joint(Explanation& text, const Joint& joint) {
       joint.on_surface() ? "on surface " + joint.surface : fmt::format("between {} and {}", joint.between[0], joint.between[1]);
   text.add("joints", fmt::format("{}: {}{}", joint.name, where, joint.bonded ? "" : ", never bonded"));
   if (!joint.bonded) return;
-  const Real elastic = joint.tensile_strength / joint.normal_stiffness;
   const Real broken = 2 * joint.fracture_energy / joint.tensile_strength;
-  text.more(fmt::format("tension: elastic to {} at an opening of {} m, broken at {} m ({} J/m2)",
-                        stress_text(joint.tensile_strength), number(elastic), number(broken), number(joint.fracture_energy)));
+  const std::string opening =
+      joint.has_stiffness() ? fmt::format(" at an opening of {} m", number(joint.tensile_strength / *joint.normal_stiffness)) : "";
+  text.more(fmt::format("tension: elastic to {}{}, broken at {} m ({} J/m2)", stress_text(joint.tensile_strength), opening,
+                        number(broken), number(joint.fracture_energy)));
   text.more(fmt::format("shear: slips at {} + {} times the pressure (friction angle {} deg)", stress_text(joint.cohesion),
                         number(joint.friction_coefficient),
                         number(std::atan(joint.friction_coefficient) * 180 / std::numbers::pi)));
@@ -66,8 +70,13 @@ void explain_joint(Explanation& text, const Joint& joint) {
                           number(2 * joint.law_parameters[0].value_or(0) / joint.cohesion),
                           number(joint.law_parameters[0].value_or(0)),
                           number(joint.law_parameters[1].value_or(joint.friction_coefficient))));
-  text.more(fmt::format("springs {} and {} Pa/m, dashpots {} and {} Pa s/m (normal, shear)", number(joint.normal_stiffness),
-                        number(joint.shear_stiffness), number(joint.normal_damping), number(joint.shear_damping)));
+  const std::string springs = joint.has_stiffness() ? fmt::format("springs {} and {} Pa/m", number(*joint.normal_stiffness),
+                                                                  number(*joint.shear_stiffness))
+                                                    : std::string("springs of the elements beside each face");
+  const std::string dashpots = joint.damping_ratio
+                                   ? fmt::format("dashpots {} of critical damping", number(*joint.damping_ratio))
+                                   : fmt::format("dashpots {} and {} Pa s/m", number(joint.normal_damping), number(joint.shear_damping));
+  text.more(fmt::format("{}, {} (normal, shear)", springs, dashpots));
 }
 
 void explain_contact(Explanation& text, const Contact& contact) {

@@ -36,6 +36,8 @@ void visit_fields(Visitor& visit, Material& material) {
   visit("name", material.name);
   visit("regions", material.regions);
   visit("density", material.density);
+  visit("youngs_modulus", material.youngs_modulus);
+  visit("poisson_ratio", material.poisson_ratio);
 }
 
 template <class Visitor>
@@ -52,6 +54,7 @@ void visit_fields(Visitor& visit, Joint& joint) {
   visit("joint_shear_stiffness", joint.shear_stiffness);
   visit("joint_normal_damping", joint.normal_damping);
   visit("joint_shear_damping", joint.shear_damping);
+  visit("damping_ratio", joint.damping_ratio);
   visit("cohesion", joint.cohesion);
   visit.friction(joint.friction_coefficient);
   visit("tensile_strength", joint.tensile_strength);

@@ -12,11 +12,19 @@
 namespace sazare::cases {
 namespace {
 
-constexpr std::array<std::string_view, 10> bond_keys{
-    "law",      "joint_normal_stiffness", "joint_shear_stiffness", "joint_normal_damping", "joint_shear_damping",
-    "cohesion", "friction_angle",         "friction_coefficient",  "fracture_energy",      "tensile_strength"};
-constexpr std::array<std::string_view, 5> keys_of_bonded{"joint_normal_stiffness", "joint_shear_stiffness", "cohesion",
-                                                         "tensile_strength", "fracture_energy"};
+constexpr std::array<std::string_view, 11> bond_keys{"law",
+                                                     "joint_normal_stiffness",
+                                                     "joint_shear_stiffness",
+                                                     "joint_normal_damping",
+                                                     "joint_shear_damping",
+                                                     "damping_ratio",
+                                                     "cohesion",
+                                                     "friction_angle",
+                                                     "friction_coefficient",
+                                                     "fracture_energy",
+                                                     "tensile_strength"};
+constexpr std::array<std::string_view, 3> keys_of_bonded{"cohesion", "tensile_strength", "fracture_energy"};
+constexpr std::array<std::string_view, 2> stiffness_keys{"joint_normal_stiffness", "joint_shear_stiffness"};
 
 /// Whether a key is one that only a bonded joint has.
 bool is_bond_key(std::string_view key) {
@@ -64,7 +72,7 @@ void check_unbonded(const CheckContext& context, const Entry& entry) {
 void check_strength(const CheckContext& context, const Entry& entry, const Joint& joint) {
   const Real strength = joint.tensile_strength;
   const Real energy = joint.fracture_energy;
-  const Real stiffness = joint.normal_stiffness;
+  const Real stiffness = joint.normal_stiffness.value();
   const Real largest = std::sqrt(2 * energy * stiffness);
   if (strength <= largest) return;
   const auto rounded = [](Real value, Real direction) {
@@ -99,7 +107,7 @@ void check_law_parameters(const CheckContext& context, const Entry& entry, const
 /// Slip must go on to soften beyond the elastic limit, 2 G_II / c >= c / k_s, take more energy than opening, and not gain friction.
 void check_shear_softening(const CheckContext& context, const Entry& entry, const Joint& joint) {
   const Real energy = joint.law_parameters[0].value_or(0), residual = joint.law_parameters[1].value_or(joint.friction_coefficient);
-  const Real needed = joint.cohesion * joint.cohesion / (2 * joint.shear_stiffness);
+  const Real stiffness = joint.shear_stiffness.value_or(0), needed = joint.cohesion * joint.cohesion / (2 * stiffness);
   const auto error = [&](std::string_view key, const std::string& what, const std::string& help) {
     context.problems.error(entry.place(key), what, help);
   };
@@ -110,7 +118,7 @@ void check_shear_softening(const CheckContext& context, const Entry& entry, cons
           fmt::format("shear_fracture_energy {} N/m is too small for this cohesion and joint_shear_stiffness", short_number(energy)),
           fmt::format("cohesion would be used up at a slip of {} m, before it is reached at a shear displacement of {} m; the smallest "
                       "shear_fracture_energy is cohesion^2 / (2 joint_shear_stiffness) = {} N/m",
-                      short_number(2 * energy / joint.cohesion, 4), short_number(joint.cohesion / joint.shear_stiffness, 4),
+                      short_number(2 * energy / joint.cohesion, 4), short_number(joint.cohesion / stiffness, 4),
                       short_number(needed, 4)));
   if (entry.gives("shear_fracture_energy") && entry.gives("fracture_energy") && energy < joint.fracture_energy)
     error("shear_fracture_energy",
@@ -125,7 +133,60 @@ void check_shear_softening(const CheckContext& context, const Entry& entry, cons
           "a joint does not gain friction when it fails: exchange the two, or leave residual_friction_coefficient out");
 }
 
-void check_bonded(const CheckContext& context, const Entry& entry, const Joint& joint) {
+void check_missing_stiffness(const CheckContext& context, const Entry& entry, std::string_view key, const std::string& help) {
+  context.problems.error(entry.header(), fmt::format("[[joints]] has no \"{}\"", key),
+                         how_to_add(*find_key(*entry.table, key)) + " " + help);
+}
+
+/// A joint has both stiffnesses of its own, or none: then all materials beside it have moduli.
+void check_stiffness(const CheckContext& context, const Entry& entry, const Joint& joint, const BlocksCase& blocks) {
+  const auto given = std::ranges::count_if(stiffness_keys, [&](std::string_view key) { return entry.has(key); });
+  const auto is_beside = [&](const Material& material) {
+    return joint.on_surface() || std::ranges::find(joint.between, material.name) != joint.between.end();
+  };
+  const auto names_moduli = [](const Material& material) { return material.youngs_modulus || material.poisson_ratio; };
+  const auto lacks_moduli = [&](const Material& material) { return is_beside(material) && !names_moduli(material); };
+  const auto without = std::ranges::find_if(blocks.materials, lacks_moduli);
+  const bool some_have = std::ranges::any_of(blocks.materials, names_moduli);
+  const bool inside = !joint.on_surface() && joint.between[0] == joint.between[1];
+  if (given == 2) {
+    if (inside && without == blocks.materials.end() && std::ranges::any_of(blocks.materials, is_beside))
+      context.problems.error(entry.place(stiffness_keys[0]),
+                             fmt::format("the stiffness of the material \"{}\" is given twice, by youngs_modulus and by this joint",
+                                         joint.between[0]),
+                             "remove joint_normal_stiffness and joint_shear_stiffness here, or youngs_modulus and poisson_ratio of the "
+                             "material");
+    return;
+  }
+  if (given == 0 && (without == blocks.materials.end() || some_have)) {
+    if (without != blocks.materials.end())
+      check_missing_stiffness(context, entry, stiffness_keys[0],
+                              fmt::format("Or give the material \"{}\" youngs_modulus and poisson_ratio.", without->name));
+    return;
+  }
+  if (given == 1) {
+    const bool has_normal = entry.has(stiffness_keys[0]);
+    const std::string_view has = stiffness_keys[has_normal ? 0 : 1], lacks = stiffness_keys[has_normal ? 1 : 0];
+    context.problems.error(*entry.value->key_place(has), fmt::format("{} without {}", has, lacks),
+                           how_to_add(*find_key(*entry.table, lacks)) +
+                               (without == blocks.materials.end()
+                                    ? fmt::format(" Or remove {}: the materials beside the joint have youngs_modulus.", has)
+                                    : ""));
+    return;
+  }
+  for (std::string_view key : stiffness_keys)
+    if (!entry.has(key))
+      check_missing_stiffness(context, entry, key, "Needed unless bonded = false or its materials have youngs_modulus and poisson_ratio.");
+}
+
+void check_damping(const CheckContext& context, const Entry& entry) {
+  for (std::string_view key : {"joint_normal_damping", "joint_shear_damping"})
+    if (entry.has("damping_ratio") && entry.has(key))
+      context.problems.error(*entry.value->key_place(key), fmt::format("the joint has both damping_ratio and {}", key),
+                             "keep damping_ratio, which suits elements of any size, or joint_normal_damping and joint_shear_damping");
+}
+
+void check_bonded(const CheckContext& context, const Entry& entry, const Joint& joint, const BlocksCase& blocks) {
   for (std::string_view key : keys_of_bonded) {
     if (entry.has(key)) continue;
     const bool half_strength = key == "fracture_energy" && entry.has("tensile_strength");
@@ -137,6 +198,8 @@ void check_bonded(const CheckContext& context, const Entry& entry, const Joint& 
                              how_to_add(*find_key(*entry.table, key)) + " Needed unless bonded = false.");
   }
   check_friction(context, entry);
+  check_stiffness(context, entry, joint, blocks);
+  check_damping(context, entry);
   if (entry.is_sound("law")) check_law_parameters(context, entry, joint);
   if (joint.law == JointLawName::mixed_mode) check_shear_softening(context, entry, joint);
   if (entry.gives("tensile_strength") && entry.gives("fracture_energy") && entry.gives("joint_normal_stiffness"))
@@ -176,7 +239,7 @@ void check_joints(const CheckContext& context, const BlocksCase& blocks) {
     check_place(context, entry);
     if (!entry.is_sound("bonded")) continue;
     if (blocks.joints[i].bonded)
-      check_bonded(context, entry, blocks.joints[i]);
+      check_bonded(context, entry, blocks.joints[i], blocks);
     else
       check_unbonded(context, entry);
   }

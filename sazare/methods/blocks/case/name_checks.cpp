@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "sazare/cases/format/structure_check.hpp"
 #include "sazare/cases/format/suggest.hpp"
 #include "sazare/cases/seen_names.hpp"
 #include "sazare/methods/blocks/case/checks.hpp"
@@ -21,6 +23,15 @@ void check_materials(const CheckContext& context, const BlocksCase& blocks) {
                                fmt::format("name each region once; {}", other_line(*before)));
     }
   }
+}
+
+/// Young's modulus and Poisson's ratio stand together.
+void check_moduli(const CheckContext& context) {
+  for (const Entry& entry : context.entries_of("materials"))
+    for (const auto& [given, missing] : {std::pair{"youngs_modulus", "poisson_ratio"}, {"poisson_ratio", "youngs_modulus"}})
+      if (entry.exists() && entry.has(given) && !entry.has(missing))
+        context.problems.error(*entry.value->key_place(given), fmt::format("{} without {}", given, missing),
+                               how_to_add(*find_key(*entry.table, missing)));
 }
 
 void check_joined_materials(const CheckContext& context, const BlocksCase& blocks) {
@@ -74,6 +85,7 @@ void check_names(const CheckContext& context, const BlocksCase& blocks) {
   check_unique(context, "blasts", blocks.blasts);
   check_unique(context, "gauges", blocks.gauges);
   check_materials(context, blocks);
+  check_moduli(context);
   check_joined_materials(context, blocks);
   check_boundaries(context, blocks);
   check_initial_velocities(context, blocks);

@@ -15,6 +15,9 @@ constexpr std::array<std::string_view, 2> level_choices{"per_element", "uniform"
 constexpr std::array<std::string_view, 3> limiters{"stability", "travel", "none"};
 
 constexpr std::string_view when_bonded = "required when bonded";
+constexpr std::string_view without_moduli = "required when bonded, unless its materials have youngs_modulus";
+constexpr std::string_view with_poisson_ratio = "with poisson_ratio, instead of the stiffnesses of joints";
+constexpr std::string_view with_young_modulus = "with youngs_modulus, instead of the stiffnesses of joints";
 
 constexpr std::array material_keys{
     Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name by which joints refer to the material."},
@@ -29,6 +32,19 @@ constexpr std::array material_keys{
         .usual = usual::density,
         .need = Need::required,
         .sentence = "Mass per volume."},
+    Key{.name = "youngs_modulus",
+        .type = Type::number,
+        .unit = "Pa",
+        .range = positive,
+        .usual = usual::elastic_modulus,
+        .note = with_poisson_ratio,
+        .sentence = "Young's modulus. With it the springs of each face follow from the two elements beside it, and waves run at one "
+                    "speed in elements of any size."},
+    Key{.name = "poisson_ratio",
+        .type = Type::number,
+        .range = {.low = 0, .high = laws::most_poisson_ratio},
+        .note = with_young_modulus,
+        .sentence = "Poisson's ratio. Rigid elements can have 0 to 0.45; for more, use method fem."},
 };
 
 constexpr std::array leading_joint_keys{
@@ -59,14 +75,14 @@ constexpr std::array leading_joint_keys{
         .unit = "Pa/m",
         .range = positive,
         .usual = usual::stiffness_per_area,
-        .note = when_bonded,
+        .note = without_moduli,
         .sentence = "Normal stiffness: normal stress per opening."},
     Key{.name = "joint_shear_stiffness",
         .type = Type::number,
         .unit = "Pa/m",
         .range = not_negative,
         .usual = usual::stiffness_per_area,
-        .note = when_bonded,
+        .note = without_moduli,
         .sentence = "Shear stiffness: shear stress per elastic shear displacement."},
     Key{.name = "joint_normal_damping",
         .type = Type::number,
@@ -80,6 +96,12 @@ constexpr std::array leading_joint_keys{
         .range = not_negative,
         .default_text = "0.0",
         .sentence = "Shear dashpot: shear stress per sliding velocity."},
+    Key{.name = "damping_ratio",
+        .type = Type::number,
+        .range = not_negative,
+        .note = "instead of joint_normal_damping and joint_shear_damping",
+        .sentence = "Dashpots of each face as a share of the critical damping of the two elements beside it, which move against each "
+                    "other on its springs."},
     Key{.name = "cohesion",
         .type = Type::number,
         .unit = "Pa",
@@ -106,7 +128,8 @@ constexpr std::array leading_joint_keys{
         .usual = usual::strength,
         .note = when_bonded,
         .sentence =
-            "Tensile strength: normal stress at which softening begins; at most sqrt(2 fracture_energy joint_normal_stiffness)."},
+            "Tensile strength: normal stress at which softening begins; at most sqrt(2 fracture_energy k) with the normal stiffness k of "
+            "each face."},
     Key{.name = "fracture_energy",
         .type = Type::number,
         .unit = "N/m",

@@ -12,6 +12,7 @@
 #include "sazare/methods/blocks/run/run.hpp"
 #include "sazare/methods/blocks/run/second_look.hpp"
 #include "sazare/methods/blocks/run/stability.hpp"
+#include "sazare/methods/blocks/run/waves.hpp"
 #include "sazare/runs/cost.hpp"
 #include "sazare/runs/run_clocks.hpp"
 #include "sazare/runs/temporary_folder.hpp"
@@ -90,7 +91,8 @@ std::string check(const cases::CaseFile& file, const fs::path& made) {
   const std::string warning = warn_of(file, model);
   model.simulation->start();
   return cases::explain(file.as<cases::BlocksCase>()) + body_text(model) + second_look(file.as<cases::BlocksCase>(), model) +
-         step_text(model, clocks) + cost_text(file.as<cases::BlocksCase>(), model, clocks) + level_text(model) +
+         describe_waves(file.as<cases::BlocksCase>(), model) + step_text(model, clocks) +
+         cost_text(file.as<cases::BlocksCase>(), model, clocks) + level_text(model) +
          limiting_text(model, file.as<cases::BlocksCase>().mesh) + (warning.empty() ? "" : "\n" + warning);
 }
 

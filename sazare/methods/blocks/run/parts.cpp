@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sazare/geometry/tetrahedron.hpp"
+#include "sazare/methods/blocks/run/element_springs.hpp"
 
 namespace sazare::runs {
 
@@ -107,10 +108,26 @@ std::vector<Index> joint_by_face(const cases::BlocksCase& blocks, const MeshFace
   return joint_of;
 }
 
+namespace {
+
+/// What a joint of any law takes.
+struct JointNumbers {
+  Real normal_stiffness, shear_stiffness, normal_damping, shear_damping, cohesion, friction_coefficient, tensile_strength,
+      fracture_energy;
+};
+
+/// Where a joint gives no stiffness every face has its own, and that of the kind is never used.
+JointNumbers numbers_of(const cases::Joint& joint) {
+  return {joint.normal_stiffness.value_or(1), joint.shear_stiffness.value_or(1), joint.normal_damping,   joint.shear_damping,
+          joint.cohesion,                     joint.friction_coefficient,        joint.tensile_strength, joint.fracture_energy};
+}
+
+}  // namespace
+
 methods::blocks::JointKind make_joint_kind(const cases::Joint& joint) {
   if (!joint.bonded) return {};
   return laws::visit_joint_law(joint.law, [&]<class Law>(Law) -> methods::blocks::JointKind {
-    return methods::blocks::joint_parameters<Law>(joint, laws::own_parameters<laws::JointLaws, Law>(joint.law_parameters));
+    return methods::blocks::joint_parameters<Law>(numbers_of(joint), laws::own_parameters<laws::JointLaws, Law>(joint.law_parameters));
   });
 }
 
@@ -147,23 +164,6 @@ const cases::Joint& own_joint(const cases::BlocksCase& blocks, Index material) {
   return *own;
 }
 
-/// Springs and dashpots per area between an outer face and the ground.
-methods::blocks::FaceSprings ground_springs(cases::BoundaryKind kind, const cases::Joint& joint, Real density, Real height) {
-  methods::blocks::FaceSprings springs;
-  if (kind == cases::BoundaryKind::absorbing) {  // rho c with c^2 = k height / rho: the joints are the only compliance
-    springs.normal_damping = std::sqrt(joint.normal_stiffness * height * density);
-    springs.shear_damping = std::sqrt(joint.shear_stiffness * height * density);
-    return springs;
-  }
-  springs.normal_stiffness = joint.normal_stiffness;
-  springs.normal_damping = joint.normal_damping;
-  if (kind == cases::BoundaryKind::fixed) {
-    springs.shear_stiffness = joint.shear_stiffness;
-    springs.shear_damping = joint.shear_damping;
-  }
-  return springs;
-}
-
 }  // namespace
 
 std::vector<methods::blocks::OuterFace> make_boundaries(const cases::BlocksCase& blocks, const MeshFaces& faces,
@@ -178,8 +178,9 @@ std::vector<methods::blocks::OuterFace> make_boundaries(const cases::BlocksCase&
       face.place = face_corners(faces.mesh, outer.nodes);
       const Vector3 area = area_vector(face.place);
       face.normal = area.normalized();
-      const Real height = 2 * face.normal.dot(face.place[0] - motion.position);
-      face.springs = ground_springs(boundary.kind, own_joint(blocks, own), blocks.materials[at(own)].density, height);
+      const Real distance = face.normal.dot(face.place[0] - motion.position);
+      face.springs = ground_springs(boundary.kind, {blocks.materials[at(own)], own_joint(blocks, own), distance,
+                                                    bodies.inertia[at(outer.element)].mass / area.norm()});
       face.springs.corner_area = area.norm() / 3;
       for (std::size_t corner = 0; corner < 3; ++corner)
         face.springs.corners[corner] = motion.rotation.transpose() * (face.place[corner] - motion.position);
