@@ -76,13 +76,6 @@ std::string explain_gravity(const Vector3& acceleration, std::string_view more) 
   return acceleration.isZero() ? "" : line("gravity", fmt::format("{} m/s2{}", vector_text(acceleration), more));
 }
 
-std::string explain_size(const Vector3& low, const Vector3& high) {
-  const Vector3 size = high - low;
-  const std::string depth = size.z() > 0 ? fmt::format(" x {}", number(size.z())) : "";
-  return line("size", fmt::format("{} x {}{} m, from {} to {} m", number(size.x()), number(size.y()), depth, vector_text(low),
-                                  vector_text(high)));
-}
-
 std::string explain_waves(const std::string& material, Real p_wave, Real s_wave, Real size) {
   return line("waves", fmt::format("{}: P {} m/s, S {} m/s; S waves of {} Hz are ten times {} m long", material, number(p_wave),
                                    number(s_wave), number(s_wave / (10 * size)), number(size)));

@@ -40,9 +40,6 @@ std::string cut_off_text(const std::optional<Real>& tensile_strength);
 /// A line where there is gravity.
 std::string explain_gravity(const Vector3& acceleration, std::string_view more = "");
 
-/// A line of the extent of a model.
-std::string explain_size(const Vector3& low, const Vector3& high);
-
 /// A line of the wave velocities [m/s] of a material, and of the frequency of S waves that are ten elements or particles of this
 /// size [m] long: shorter ones are not followed well.
 std::string explain_waves(const std::string& material, Real p_wave, Real s_wave, Real size);

@@ -49,6 +49,12 @@ void check_blasts(const CheckContext& context, BlocksCase& blocks) {
       check_nothing_besides(context, list[i], "function");
     else
       check_pulse(context, list[i]);
+    for (std::size_t other = 0; other < i; ++other)
+      if (list[i].gives("surface") && blocks.blasts[other].surface == blocks.blasts[i].surface)
+        context.problems.warning(
+            list[i].place("surface"),
+            fmt::format("two blasts act on the surface \"{}\": their pressures add up", blocks.blasts[i].surface),
+            "give each hole a physical group of its own, or leave one blast out if that is not meant");
     const bool never = blocks.time.end > 0 && list[i].gives("delay") && blocks.blasts[i].delay >= blocks.time.end;
     if (never)
       context.problems.warning(list[i].place("delay"),

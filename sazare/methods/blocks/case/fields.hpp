@@ -52,9 +52,12 @@ void visit_fields(Visitor& visit, Joint& joint) {
   visit("law", joint.law);
   visit("joint_normal_stiffness", joint.normal_stiffness);
   visit("joint_shear_stiffness", joint.shear_stiffness);
-  visit("joint_normal_damping", joint.normal_damping);
-  visit("joint_shear_damping", joint.shear_damping);
-  visit("damping_ratio", joint.damping_ratio);
+  if (visit.has("damping_ratio", joint.damping_ratio.has_value())) {
+    visit("damping_ratio", joint.damping_ratio);
+  } else {
+    visit("joint_normal_damping", joint.normal_damping);
+    visit("joint_shear_damping", joint.shear_damping);
+  }
   visit("cohesion", joint.cohesion);
   visit.friction(joint.friction_coefficient);
   visit("tensile_strength", joint.tensile_strength);

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "sazare/cases/explanation.hpp"
+#include "sazare/cases/extent.hpp"
 #include "sazare/geometry/face_map.hpp"
 #include "sazare/methods/blocks/run/block_fragments.hpp"
 #include "sazare/methods/blocks/run/parts.hpp"
@@ -23,16 +24,6 @@ constexpr Real standard_gravity = 9.80665;  // m/s2
 
 /// Of ammonium nitrate and fuel oil: bulk density [kg/m3], and energy [J/kg] as 0.8 of that of TNT (4.184 MJ/kg).
 constexpr Real anfo_density = 840, anfo_energy = 0.8 * 4.184e6;
-
-std::string size_text(const BlocksModel& model) {
-  const geometry::TetraMesh& mesh = model.mesh;
-  Vector3 low = mesh.nodes.front(), high = low;
-  for (const Vector3& node : mesh.nodes) {
-    low = low.cwiseMin(node);
-    high = high.cwiseMax(node);
-  }
-  return cases::explain_size(low, high);
-}
 
 std::string mass_text(const BlocksModel& model) {
   Real mass = 0;
@@ -155,7 +146,7 @@ std::string held_text(const cases::BlocksCase& blocks, const BlocksModel& model,
 std::string second_look(const cases::BlocksCase& blocks, const BlocksModel& model) {
   const auto map = geometry::build_face_map(model.mesh);
   const MeshFaces faces{model.mesh, map, geometry::find_surface_faces(model.mesh, map)};
-  std::string text = size_text(model) + mass_text(model);
+  std::string text = cases::explain_size(cases::extent_of(model.mesh.nodes)) + mass_text(model);
   for (const cases::Blast& blast : blocks.blasts)
     if (const auto wall = faces.outer(blast.surface); !wall.empty()) text += hole_text(blast, measure_wall(model.mesh, wall));
   return text + held_text(blocks, model, faces);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "sazare/cases/extent.hpp"
 #include "sazare/cases/clocks.hpp"
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/geometry/tetrahedron.hpp"
@@ -89,7 +90,8 @@ std::string check_stability(const cases::CaseFile& file, const BlocksModel& mode
 }
 
 std::string warn_of(const cases::CaseFile& file, const BlocksModel& model) {
-  return warn_of_mesh_fit(file, model.fit) + check_stability(file, model);
+  return cases::warn_of_size(file, cases::extent_of(model.mesh.nodes)) + warn_of_mesh_fit(file, model.fit) +
+         check_stability(file, model);
 }
 
 }  // namespace sazare::runs

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sazare/cases/explanation.hpp"
+#include "sazare/cases/extent.hpp"
 #include "sazare/methods/fem/case/format.hpp"
 #include "sazare/methods/fem/run/identity.hpp"
 #include "sazare/methods/fem/run/motion_rows.hpp"
@@ -89,12 +90,7 @@ Real largest_element(const geometry::ElementMesh& mesh) {
 
 /// Extent of the mesh, and the waves that it can follow.
 std::string second_look(const cases::FemCase& fem, const geometry::ElementMesh& mesh) {
-  Vector3 low = mesh.nodes.front(), high = low;
-  for (const Vector3& node : mesh.nodes) {
-    low = low.cwiseMin(node);
-    high = high.cwiseMax(node);
-  }
-  std::string text = cases::explain_size(low, high);
+  std::string text = cases::explain_size(cases::extent_of(mesh.nodes));
   for (const cases::FemMaterial& of : fem.materials) {
     const auto material = methods::fem::SolidMaterial::elastic_of(of.youngs_modulus, of.poisson_ratio, of.density);
     text += cases::explain_waves(of.name, material.p_wave_velocity(), material.s_wave_velocity(), largest_element(mesh));
@@ -113,7 +109,8 @@ std::string check(const cases::CaseFile& file, const std::filesystem::path& fold
          second_look(file.as<cases::FemCase>(), model.mesh()) +
          fmt::format("  {:<12}{} degrees of freedom, {} equations\n", "work", model.stepper->free_freedoms(),
                      body.is_symmetric() ? "symmetric" : "unsymmetric") +
-         fmt::format("  {:<12}{} steps, {} per history row\n", "", clocks.steps(), clocks.steps_per_row);
+         fmt::format("  {:<12}{} steps, {} per history row\n", "", clocks.steps(), clocks.steps_per_row) +
+         cases::warn_of_size(file, cases::extent_of(model.mesh().nodes));
 }
 
 }  // namespace

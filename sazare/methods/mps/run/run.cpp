@@ -7,6 +7,7 @@
 #include <span>
 
 #include "sazare/cases/explanation.hpp"
+#include "sazare/cases/extent.hpp"
 #include "sazare/methods/mps/case/format.hpp"
 #include "sazare/methods/mps/run/identity.hpp"
 #include "sazare/methods/mps/run/record.hpp"
@@ -165,13 +166,13 @@ std::string side_lines(const MpsModel<D>& model) {
 /// Extent of the ground, and the waves that particles can follow.
 template <int D>
 std::string second_look(const cases::MpsCase& mps, const state::Particles<D>& particles) {
-  Vector3 low = Vector3::Zero(), high = Vector3::Zero();
+  cases::Extent extent;
   for (std::size_t axis = 0; axis < D; ++axis) {
     const auto own = std::span(particles.start[axis]).first(particles.size());
-    low[static_cast<Eigen::Index>(axis)] = std::ranges::min(own) - 0.5 * particles.spacing;
-    high[static_cast<Eigen::Index>(axis)] = std::ranges::max(own) + 0.5 * particles.spacing;
+    extent.low[static_cast<Eigen::Index>(axis)] = std::ranges::min(own) - 0.5 * particles.spacing;
+    extent.high[static_cast<Eigen::Index>(axis)] = std::ranges::max(own) + 0.5 * particles.spacing;
   }
-  std::string text = cases::explain_size(low, high);
+  std::string text = cases::explain_size(extent);
   for (const cases::Ground& ground : mps.materials)
     text += cases::explain_waves(ground.name, ground.p_wave_velocity, ground.s_wave_velocity, particles.spacing);
   return text;
