@@ -9,14 +9,26 @@
 
 namespace sazare::command {
 
-int check(const CaseArguments& arguments) {
-  use_threads(arguments.threads, true);
-  const cases::CaseFile file = registry::read_case(arguments.file, arguments.settings);
+namespace {
+
+int draw(const CheckArguments& arguments) {
+  std::fflush(stdout);  // what was printed comes before what Python prints
+  std::vector<std::string> words = {"model", arguments.of_case.file.string(), arguments.picture.string()};
+  for (const std::string& setting : arguments.of_case.settings) words.push_back("--set=" + setting);
+  return in_python(words);
+}
+
+}  // namespace
+
+int check(const CheckArguments& arguments) {
+  const CaseArguments& of_case = arguments.of_case;
+  use_threads(of_case.threads, true);
+  const cases::CaseFile file = registry::read_case(of_case.file, of_case.settings);
   const std::string text = registry::check_case(file);
   fmt::print("{}", text);
   fmt::print(stderr, "{}", file.warnings);
-  fmt::print("\nThe case is valid. To run it: sazare run {}\n", arguments.file.string());
-  return done;
+  fmt::print("\nThe case is valid. To run it: sazare run {}\n", of_case.file.string());
+  return arguments.picture.empty() ? done : draw(arguments);
 }
 
 int schema(Schema what) {

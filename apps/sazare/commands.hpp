@@ -39,6 +39,11 @@ struct RunArguments {
   double time_out = 600;              ///< how long to wait for the other program [s]
 };
 
+struct CheckArguments {
+  CaseArguments of_case;
+  std::filesystem::path picture;  ///< of the model, drawn by Python; empty: none
+};
+
 struct StudyArguments {
   std::filesystem::path file;
   std::filesystem::path folder;  ///< empty: runs/<name of the study>
@@ -52,7 +57,7 @@ struct StudyArguments {
 void use_threads(int asked, bool speaks);
 int run(const RunArguments& arguments, const parallel::Ranks& ranks);
 int study(const StudyArguments& arguments);
-int check(const CaseArguments& arguments);
+int check(const CheckArguments& arguments);
 /// A command that the Python package carries out, with its arguments: {"report", "build/demo"}.
 int in_python(std::vector<std::string> arguments);
 /// What to print of what the program knows about its files.

@@ -96,7 +96,7 @@ void describe_partner(CLI::App& run, command::RunArguments& arguments) {
 
 struct Arguments {
   command::RunArguments run;
-  command::CaseArguments check;
+  command::CheckArguments check;
   command::StudyArguments study;
   bool markdown = false, folder = false;
 };
@@ -125,7 +125,11 @@ void describe(CLI::App& app, Arguments& arguments) {
   describe_partner(run, arguments.run);
   auto& check =
       *app.add_subcommand("check", "report every error of a case, or what it will do: steps, levels, limiting elements");
-  add_case_options(check, arguments.check);
+  add_case_options(check, arguments.check.of_case);
+  check
+      .add_option("--picture", arguments.check.picture,
+                  "draw the model at t = 0 with its groups, boundaries, loads and gauges (.png, .pdf, .svg or .jpg)")
+      ->type_name("FILE");
   add_trust(check);
   auto& study = *app.add_subcommand("study", "families of cases: the stability limit of each, by bisection");
   describe_study(study, arguments.study);

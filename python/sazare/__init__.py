@@ -21,6 +21,7 @@ _HOMES = {
     "sazare.snapshots": ("Snapshot", "Snapshots"),
     "sazare.tables": ("NotARun", "Table", "write_table"),
     "sazare.comparison": ("Comparison", "compare"),
+    "sazare.model": ("draw_model",),
     "sazare.simulation": ("Simulation", "build", "check", "run"),
     "sazare.cases": ("Case", "case_from_text", "read_case"),
     "sazare._engine": ("MachineError", "PhysicsError", "UserError"),

@@ -1,4 +1,4 @@
-"""The command `python -m sazare`, to which `sazare report`, `plot`, `movie` and `compare` hand over."""
+"""The command `python -m sazare`, to which `sazare report`, `plot`, `movie`, `compare` and `check --picture` hand over."""
 
 import argparse
 import math
@@ -54,6 +54,21 @@ def comparison(chosen):
     print(compare(chosen.folder, chosen.other))
 
 
+def model(chosen):
+    """Draws a case before it runs, and says where the picture is."""
+    from sazare.engine import engine
+    from sazare.model import draw_source
+    from sazare.simulation import source_of
+
+    try:
+        draw_source(source_of(Path(chosen.case)).with_settings(chosen.set), chosen.picture)
+    except engine().UserError as error:
+        raise ValueError(error) from error
+    except engine().MachineError as error:
+        raise OSError(error) from error
+    print(f"picture: {chosen.picture}")
+
+
 def seconds_per_frame(text):
     """A time [s] for which a frame can be shown: pictures count it in milliseconds, in two bytes."""
     value = float(text)
@@ -78,7 +93,9 @@ def parser():
     def add(name, words, function):
         command = commands.add_parser(name, help=words, description=words)
         command.add_argument("folder", metavar="DIR", help="the folder of a run")
-        command.set_defaults(function=function)
+        command.set_defaults(
+            function=function, blame="{folder}: the files of this run do not fit together", advice="If sazare wrote them as they are, please report it",
+        )
         return command
 
     add("report", "write DIR/report.html and its pictures", report)
@@ -92,6 +109,11 @@ def parser():
     moving.add_argument("--enlarge", metavar="FACTOR", type=magnification, help="magnification of displacements")
     moving.add_argument("--interval", metavar="SECONDS", type=seconds_per_frame, default=0.15, help="time for which each frame is shown [s]")
     add("compare", "compare figures and histories of two runs", comparison).add_argument("other", metavar="OTHER")
+    drawn = commands.add_parser("model", help="draw a case before it runs, as sazare check --picture does")
+    drawn.add_argument("case", metavar="CASE", help="the case file (TOML)")
+    drawn.add_argument("picture", metavar="FILE", help="a .png, .pdf, .svg or .jpg")
+    drawn.add_argument("--set", metavar="KEY=VALUE", action="append", default=[], help="override a key of the case")
+    drawn.set_defaults(function=model, blame="{case}: the model of this case cannot be drawn", advice="Please report it")
     return top
 
 
@@ -102,18 +124,16 @@ def main(arguments=None):
         chosen.function(chosen)
         sys.stdout.flush()
     except (NotARun, ValueError) as error:
-        print(f"error: {error}", file=sys.stderr)
+        words = str(error)
+        print(words if ": error: " in words else f"error: {words}", file=sys.stderr)
         return USER_ERROR
     except OSError as error:
         print(f"error: {error}", file=sys.stderr)
         return MACHINE_ERROR
     except (TypeError, KeyError, IndexError, AttributeError, ArithmeticError, RuntimeError) as error:
         place = traceback.extract_tb(error.__traceback__)[-1]
-        print(
-            f"error: {chosen.folder}: the files of this run do not fit together: {type(error).__name__}: {error} "
-            f"({Path(place.filename).name}:{place.lineno}). If sazare wrote them as they are, please report it",
-            file=sys.stderr,
-        )
+        cause = f"{type(error).__name__}: {error} ({Path(place.filename).name}:{place.lineno})"
+        print(f"error: {chosen.blame.format(**vars(chosen))}: {cause}. {chosen.advice}", file=sys.stderr)
         return USER_ERROR
     return 0
 

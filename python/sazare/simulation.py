@@ -3,7 +3,7 @@
 import math
 import re
 import tempfile
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -26,6 +26,10 @@ class Source:
     text: str | None = None
     overrides: list[str] = field(default_factory=list)
     name: str = "case"
+
+    def with_settings(self, settings):
+        """The same with more keys overridden, each as `table.key=value`."""
+        return replace(self, overrides=[*self.overrides, *settings])
 
     def for_engine(self):
         """The same as the engine takes it."""

@@ -1,7 +1,8 @@
 """What is particular to a method, in one place: a module of its own behind one small interface.
 
 `MODULES` is the only list of methods in the package. A module of it has `METHOD`, a `Method`, which says what the shared files ask
-for: report, summary, 3-D view, movie and results know `method_of(results)` and no names. A new method is its module and its row.
+for: report, summary, 3-D view, movie and results know `method_of(results)` and no names. Beside it lies `X_model`, whose function `model` says
+what a picture of a case shows before it runs. A new method is these two modules and its row.
 """
 
 import importlib
@@ -104,6 +105,12 @@ def method_of(results):
     """The Method of a run, by its manifest or, where that is missing, by its case."""
     names = (results.manifest.get("method"), _name_in(results.case_text), USUAL)
     return method_named(next(name for name in names if isinstance(name, str) and name in MODULES))
+
+
+def model_of(case):
+    """The module that says what is drawn of a case (dict) at t = 0, by its method: `model(opened)` returns a `Model` of `sazare.model.parts`, and
+    `preparation(case)`, where the method can take steps before t = 0, the settings that leave them out."""
+    return importlib.import_module(f"{MODULES[case['case']['method']]}_model")
 
 
 def _name_in(case_text):

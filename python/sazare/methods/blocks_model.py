@@ -1,0 +1,89 @@
+"""The model of a case of method blocks at t = 0: materials, blasts, boundaries, joints along surfaces, constraints."""
+
+import numpy as np
+
+from sazare import style
+from sazare.model.parts import (
+    BOUNDARY, COLORS, LOAD, Arrow, Model, Part, along, body_color, boundary_words, counted, gauges_at_points, grouped, listed, named, outer_faces, surface_part,
+)
+
+
+def model(opened):
+    """What is drawn of the case."""
+    return Model(
+        3, [*_regions(opened), *_joints(opened), *_boundaries(opened), *_blasts(opened)], gauges_at_points(opened), _velocities(opened), opened.gravity,
+        _constraints(opened),
+    )
+
+
+def _region_names(opened):
+    """The name of the region of every element."""
+    names = opened.groups.region_of_elements(3)
+    return np.array([names[int(number)] for number in np.asarray(opened.first.cell_data["element"])])
+
+
+def _regions(opened):
+    """The outside of the body by region."""
+    faces, cells = outer_faces(opened.first.clean(tolerance=1e-9))
+    names = _region_names(opened)
+    parts = []
+    for place, name in enumerate(dict.fromkeys(names)):
+        count = int(np.sum(names == name))
+        label = f"{named(name, opened.material_of(name))}: {counted(count, 'element')}"
+        parts.append(Part(label, body_color(place), faces=faces[names[cells] == name], crowd=count))
+    return parts
+
+
+def _joints(opened):
+    """Joints that lie along a surface of the mesh."""
+    for bonded, entries in grouped([entry for entry in opened.all("joints") if entry.get("surface")], lambda entry: entry["bonded"]).items():
+        label = f"joint{'' if bonded else ', not bonded'}: {listed(entry['name'] for entry in entries)}"
+        yield surface_part(opened, [entry["surface"] for entry in entries], 3, label, COLORS["joint"])
+
+
+def _boundaries(opened):
+    for words, entries in grouped(opened.all("boundaries"), boundary_words).items():
+        names = [entry["surface"] for entry in entries]
+        yield surface_part(opened, names, 3, f"{words}: {listed(names)}", COLORS[entries[0]["kind"]], BOUNDARY, names)
+
+
+def _blasts(opened):
+    entries = opened.all("blasts")
+    if not entries:
+        return
+    surfaces = [entry["surface"] for entry in entries]
+    titles = [_blast_title(entry) for entry in entries]
+    label = f"blast pressure{_peak(entries)}: {listed(entry.get('name', entry['surface']) for entry in entries)}"
+    yield surface_part(opened, surfaces, 3, label, COLORS["load"], LOAD, titles)
+
+
+def _blast_title(entry):
+    """The name of a hole with its delay."""
+    return f"{entry.get('name', entry['surface'])}, {style.quantity(entry['delay'], 's')}" if entry["delay"] else entry.get("name", entry["surface"])
+
+
+def _peak(entries):
+    """The largest pressure, where it is a number of the case."""
+    peaks = {entry["peak_pressure"] for entry in entries if "peak_pressure" in entry}
+    if not peaks:
+        return ""
+    return f", peak {style.quantity(max(peaks), 'Pa')}" if len(peaks) == 1 else f", peaks up to {style.quantity(max(peaks), 'Pa')}"
+
+
+def _velocities(opened):
+    """An arrow in the middle of what moves at the beginning."""
+    centers, names = np.asarray(opened.first.cell_centers().points), _region_names(opened)
+    return [
+        Arrow(centers[np.isin(names, entry["regions"])].mean(axis=0), np.array(entry["velocity"]), COLORS["velocity"])
+        for entry in opened.all("initial_velocities") if any(entry["velocity"])
+    ]
+
+
+def _constraints(opened):
+    """Constraints and initial velocities in words."""
+    words = []
+    for entry in opened.all("constraints"):
+        held = [f"no translation along {', '.join(entry['translation'])}"] if entry["translation"] else []
+        held += [f"no rotation about {', '.join(entry['rotation'])}"] if entry["rotation"] else []
+        words.append(f"{listed(entry['regions'])}: {'; '.join(held)}")
+    return words + [f"{listed(entry['regions'])}: initial velocity {along(entry['velocity'], 'm/s')}" for entry in opened.all("initial_velocities")]

@@ -1,0 +1,71 @@
+"""The model of a case of method fem at t = 0: regions, boundaries, loads, joints."""
+
+import numpy as np
+
+from sazare import style
+from sazare.methods.fem import outlines
+from sazare.model.parts import (
+    BOUNDARY, COLORS, LOAD, Arrow, Model, Part, along, body_color, boundary_words, counted, gauges_at_points, grouped, listed, named, outer_faces, surface_part, without_settling,
+)
+
+MOST_ARROWS = 12  # of a load
+
+
+preparation = without_settling
+
+
+def model(opened):
+    """What is drawn of the case."""
+    dimension = opened.case["mesh"]["dimension"]
+    parts = [*_regions(opened, dimension), *_joints(opened, dimension), *_boundaries(opened, dimension)]
+    loads = [(entry, surface_part(opened, [entry["group"]], dimension, _load_label(entry), COLORS["load"], LOAD)) for entry in opened.all("loads")]
+    center = np.asarray(opened.first.points).mean(axis=0)
+    arrows = [arrow for entry, part in loads for arrow in _load_arrows(entry, part, center)]
+    return Model(dimension, [*parts, *(part for _, part in loads)], gauges_at_points(opened), arrows, opened.gravity)
+
+
+def _regions(opened, dimension):
+    """The elements by region: all of a plane mesh, of one in space those outside."""
+    grid = opened.first
+    names = np.array(opened.groups.regions(dimension))[np.asarray(grid.cell_data["region"])]
+    if dimension == 2:
+        faces, cells = [np.asarray(grid.points)[outline] for outline in outlines(grid)], np.arange(grid.n_cells)
+    else:
+        faces, cells = outer_faces(grid)
+    for place, name in enumerate(dict.fromkeys(names)):
+        chosen, count = np.flatnonzero(names[cells] == name), int(np.sum(names == name))
+        label = f"{named(name, opened.material_of(name))}: {counted(count, 'element')}"
+        yield Part(label, body_color(place), faces=[faces[i] for i in chosen], crowd=count)
+
+
+def _joints(opened, dimension):
+    for entry in opened.all("joints"):
+        label = f"joint: {entry['name']}"
+        if entry.get("group"):
+            yield surface_part(opened, [entry["group"]], dimension, label, COLORS["joint"])
+        elif dimension == 2:
+            yield Part(label, COLORS["joint"], BOUNDARY, lines=opened.groups.shared_edges(*entry["between"]))
+        else:
+            yield Part(label, COLORS["joint"], BOUNDARY, points=opened.groups.shared_points(*entry["between"], 3))
+
+
+def _boundaries(opened, dimension):
+    for words, entries in grouped(opened.all("boundaries"), boundary_words).items():
+        names = [entry["group"] for entry in entries]
+        yield surface_part(opened, names, dimension, f"{words}: {listed(names)}", COLORS[entries[0]["kind"]], BOUNDARY, names)
+
+
+def _load_label(entry):
+    ramp = f", growing over {style.quantity(entry['ramp'], 's')}" if entry["ramp"] else ""
+    return f"load {entry['name']}: {along(entry['traction'], 'Pa')}{ramp}"
+
+
+def _load_arrows(entry, part, center):
+    """Some arrows of a load: that push the body end on it, that pull it begin there."""
+    pieces = [np.mean(piece, axis=0) for piece in (*part.faces, *part.lines)]
+    traction = np.array(entry["traction"])
+    if not pieces or not traction.any():
+        return []
+    pushes = np.dot(np.mean(pieces, axis=0) - center, traction) < 0.0
+    chosen = np.unique(np.linspace(0, len(pieces) - 1, min(len(pieces), MOST_ARROWS)).round().astype(int))
+    return [Arrow(pieces[i], traction, COLORS["load"], pushes) for i in chosen]
