@@ -95,12 +95,17 @@ def figure(width, height):
     return Figure(figsize=(width, height), layout="constrained")
 
 
-@styled
-def save(figure, path):
-    """Writes a figure as PNG. Names of users stand as they are, with dollar signs too, which begin formulas elsewhere; labels of ticks are formulas."""
+def write_names_plainly(figure):
+    """Lets names of users stand as they are, with dollar signs too, which begin formulas elsewhere; labels of ticks are formulas."""
     for text in figure.findobj(Text):
         if "$" in text.get_text() and "\\mathdefault" not in text.get_text():
             text.set_parse_math(False)
+
+
+@styled
+def save(figure, path):
+    """Writes a figure in the format of the path's ending; names of users stand as they are."""
+    write_names_plainly(figure)
     figure.savefig(path)
 
 

@@ -3,6 +3,8 @@
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
+from sazare import style
+
 STEPS = ((1, 0), (1, 1), (1, -1), (-1, 0), (-1, 1), (-1, -1), (0, 1), (0, -1))  # where a name may stand, the best first
 GAPS = (7.0, 14.0, 24.0, 38.0, 55.0)  # from the point, in points of a letter
 NEAR = 7.0  # beyond this gap a line leads to the name
@@ -12,6 +14,7 @@ def place_names(axes, marks, places):
     """Writes the name of each mark beside its place (n, 2) in the axes, whose limits are set."""
     figure = axes.figure
     renderer = FigureCanvasAgg(figure).get_renderer()
+    style.write_names_plainly(figure)
     figure.draw_without_rendering()
     pixels = axes.transData.transform(np.reshape(places, (-1, 2)))
     scale = figure.dpi / 72.0
@@ -20,7 +23,7 @@ def place_names(axes, marks, places):
     frame = np.array(axes.get_window_extent(renderer).get_points())
     for mark, place, pixel in zip(marks, places, pixels):
         text = axes.annotate(
-            mark.name, place, xytext=(0, 0), textcoords="offset points", fontsize=8, color=mark.color, zorder=20, annotation_clip=False,
+            mark.name, place, xytext=(0, 0), textcoords="offset points", parse_math=False, fontsize=8, color=mark.color, zorder=20, annotation_clip=False,
             bbox={"boxstyle": "round,pad=0.12", "facecolor": "white", "edgecolor": "none", "alpha": 0.8},
         )
         text.set_in_layout(False)
