@@ -50,8 +50,9 @@ int in_python(std::vector<std::string> arguments) {
   add_package_path();
   pid_t child = 0;
   if (const int error = posix_spawnp(&child, program.c_str(), nullptr, nullptr, list.data(), environ); error != 0)
-    throw MachineError(fmt::format("{}: cannot be started: {}. Reports and pictures are made by Python: run make setup, or install python3",
-                                   program, std::generic_category().message(error)));
+    throw MachineError(
+        fmt::format("{}: cannot be started: {}. Reports and pictures are made by Python: run make setup, or install python3",
+                    program, std::generic_category().message(error)));
   int status = 0;
   while (waitpid(child, &status, 0) < 0)
     if (errno != EINTR) throw MachineError(fmt::format("{}: was lost: {}", program, std::generic_category().message(errno)));
