@@ -2,13 +2,13 @@
 
 /// Springs between rigid tetrahedra that together stand for an elastic body.
 ///
-///     k_n = K_n/H,  k_s = K_s/H                 H    distance of the centres of two elements, normal to the face between them [m]
+///     k_n = K_n/H,  k_s = K_s/H                 H    distance of the centres of two elements, normal to their face [m]
 ///     K_n = E/((1 - 2 nu)(1 + a (1 - 2 nu)))    E    Young's modulus [Pa]
 ///     K_s = K_n (1 - 2 nu)/(1 + b nu + c nu^2)  nu   Poisson's ratio
 ///
 /// A uniform compression changes every distance alike and makes nothing slide but what lies askew: without the term in a, 3 times
-/// the bulk modulus is K_n. The rest cannot be derived, since elements in a packing find their own places and turns. a, b and c are fitted
-/// to the stiffness of irregular meshes, at rest and without the engine, by tools/fit_block_elasticity.py.
+/// the bulk modulus is K_n. The rest cannot be derived, since elements in a packing find their own places and turns. a, b and c
+/// are fitted to the stiffness of irregular meshes, at rest and without the engine, by tools/fit_block_elasticity.py.
 ///
 /// With nu, the springs along the faces weaken, down to none at 0.5, where nothing holds the elements in shear.
 
@@ -28,7 +28,7 @@ struct ElasticModuli {
   Real young = 0;    ///< E [Pa]
   Real poisson = 0;  ///< nu
 
-  Real shear() const { return young / (2 * (1 + poisson)); }                                        ///< [Pa]
+  Real shear() const { return young / (2 * (1 + poisson)); }                                     ///< [Pa]
   Real confined() const { return young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson)); }  ///< of a plane P wave [Pa]
 };
 

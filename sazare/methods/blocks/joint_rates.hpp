@@ -23,7 +23,7 @@ struct JointFace {
   Index kind = 0;
   int master_face = 0;  ///< local faces 0..3
   int slave_face = 0;
-  std::array<Vector3, 3> corners;  ///< counter-clockwise seen from outside the master [m]
+  std::array<Vector3, 3> corners;                  ///< counter-clockwise seen from outside the master [m]
   std::optional<JointSprings> own = std::nullopt;  ///< instead of the springs and dashpots of its kind
 };
 

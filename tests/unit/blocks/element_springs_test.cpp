@@ -54,8 +54,10 @@ TEST(element_springs, of_two_materials_act_one_after_the_other) {
   blocks.materials[1].poisson_ratio = 0.1;
   const auto first = laws::spring_moduli({young, poisson}), second = laws::spring_moduli({5e9, 0.1});
   const auto springs = springs_between(blocks);
-  EXPECT_NEAR(1 / springs.normal_stiffness, distance(size) * (1 / first.normal + 1 / second.normal), 1e-12 / springs.normal_stiffness);
-  EXPECT_NEAR(1 / springs.shear_stiffness, distance(size) * (1 / first.shear + 1 / second.shear), 1e-12 / springs.shear_stiffness);
+  EXPECT_NEAR(1 / springs.normal_stiffness, distance(size) * (1 / first.normal + 1 / second.normal),
+              1e-12 / springs.normal_stiffness);
+  EXPECT_NEAR(1 / springs.shear_stiffness, distance(size) * (1 / first.shear + 1 / second.shear),
+              1e-12 / springs.shear_stiffness);
 }
 
 TEST(element_springs, of_a_joint_that_gives_its_own_are_those) {
@@ -67,8 +69,8 @@ TEST(element_springs, of_a_joint_that_gives_its_own_are_those) {
   EXPECT_EQ(springs.shear_stiffness, 3e9);
 }
 
-/// Two blocks that swing against each other along the normal with the damping ratio 1 come to rest without swinging back; with less
-/// they do. The blocks are locked against turning.
+/// Two blocks that swing against each other along the normal with the damping ratio 1 come to rest without swinging back; with
+/// less they do. The blocks are locked against turning.
 TEST(element_springs, dashpots_are_a_share_of_what_is_critical) {
   const auto swing = [](Real ratio) {
     auto blocks = two_rocks();
@@ -182,9 +184,7 @@ void expect_same_as_kind(cases::Joint joint) {
     EXPECT_EQ(balance[account], of_kind[account]);
 }
 
-TEST(element_springs, act_as_the_same_springs_of_a_kind_do) {
-  expect_same_as_kind(test::concrete_joint("concrete", "concrete"));
-}
+TEST(element_springs, act_as_the_same_springs_of_a_kind_do) { expect_same_as_kind(test::concrete_joint("concrete", "concrete")); }
 
 TEST(element_springs, act_as_the_same_springs_of_a_kind_do_with_joints_that_soften_by_slip) {
   auto joint = test::concrete_joint("concrete", "concrete");

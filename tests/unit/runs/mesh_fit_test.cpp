@@ -30,9 +30,7 @@ cases::CaseFile case_with(const std::string& joints, const std::string& moduli =
   return registry::read_case_text(
       "[case]\ntitle = \"Two\"\nmethod = \"blocks\"\n[mesh]\nfile = \"tests/regression/block/block.msh\"\n"
       "[[materials]]\nname = \"soft\"\nregions = [\"lower\"]\ndensity = 2390.0\n" +
-          moduli +
-          "[[materials]]\nname = \"hard\"\nregions = [\"upper\"]\ndensity = 2390.0\n" +
-          moduli + joints +
+          moduli + "[[materials]]\nname = \"hard\"\nregions = [\"upper\"]\ndensity = 2390.0\n" + moduli + joints +
           "[contact]\ncontact_stiffness = 1.5e9\nfriction_coefficient = 0.58\n"
           "[[blasts]]\nsurface = \"hole\"\npeak_pressure = 5e8\nrise_time = 1e-4\ndecay_ratio = 2.0\n"
           "[[boundaries]]\nsurface = \"hole\"\nkind = \"fixed\"\n"
@@ -73,9 +71,12 @@ TEST(MeshFit, FacesBetweenElementsInTheSurfaceOfABlastOrABoundaryAreWarnedOf) {
 
 /// What is said of the two elements, whose centres are 0.433 m apart, as rock of so many Pa; nothing where it is fine.
 std::string refusal(const std::string& young, const std::string& law) {
-  const auto file = case_with(
-      "[[joints]]\nname = \"both\"\nbetween = [\"soft\", \"hard\"]\nfriction_coefficient = 0.58\n" + law,
-      "youngs_modulus = " + young + "\npoisson_ratio = 0.0\n");
+  const auto entry = [&](const std::string& name, const std::string& first, const std::string& second) {
+    return "[[joints]]\nname = \"" + name + "\"\nbetween = [\"" + first + "\", \"" + second +
+           "\"]\nfriction_coefficient = 0.58\n" + law;
+  };
+  const auto file = case_with(entry("soft", "soft", "soft") + entry("both", "soft", "hard"),
+                              "youngs_modulus = " + young + "\npoisson_ratio = 0.0\n");
   const auto model = build_blocks(file.as<cases::BlocksCase>(), two_elements());
   try {
     warn_of_mesh_fit(file, model.fit);
@@ -90,14 +91,17 @@ TEST(MeshFit, ElementsThatAreTooLargeForTheStrengthAreRefused) {
   // 2 G K_n/s_t^2 with K_n = E/1.0519.
   EXPECT_EQ(refusal("84e9", law), "");
   const std::string words = refusal("80e9", law);
-  EXPECT_TRUE(has(words, "elements are too large for this tensile_strength and fracture_energy: centres on both sides of a face are "
-                         "0.433 m apart")) << words;
+  EXPECT_TRUE(has(words,
+                  "elements are too large for this tensile_strength and fracture_energy: centres on both sides of a face are "
+                  "0.433 m apart"))
+      << words;
   EXPECT_TRUE(has(words, "the largest distance of centres that does is 0.423 m, edges of some 1.04 m")) << words;
 }
 
 TEST(MeshFit, ElementsThatAreTooLargeForTheShearStrengthAreRefused) {
   const auto law = [](const std::string& energy) {
-    return "law = \"mixed_mode\"\ncohesion = 12e6\ntensile_strength = 2e6\nfracture_energy = 100.0\nshear_fracture_energy = " + energy + "\n";
+    return "law = \"mixed_mode\"\ncohesion = 12e6\ntensile_strength = 2e6\nfracture_energy = 100.0\nshear_fracture_energy = " +
+           energy + "\n";
   };
   EXPECT_EQ(refusal("80e9", law("420.0")), "");
   const std::string words = refusal("80e9", law("400.0"));

@@ -5,7 +5,7 @@
 
 #include "sazare/core/error.hpp"
 #include "sazare/methods/blocks/run/run.hpp"
-#include "sazare/methods/blocks/run/stability.hpp"
+#include "sazare/methods/blocks/run/check/stability.hpp"
 #include "tests/unit/runs/support.hpp"
 
 namespace sazare::runs {

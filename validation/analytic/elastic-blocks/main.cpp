@@ -54,7 +54,8 @@ struct Body {
   }
 };
 
-/// Of a cube of 1 m: plane waves between sides that slide, and Lame's mode, which is pure shear and leaves all sides of a free cube without stress.
+/// Of a cube of 1 m: plane waves between sides that slide, and Lame's mode, which is pure shear and leaves all sides of a free
+/// cube without stress.
 void print_speeds(const geometry::TetraMesh& mesh, Real poisson, const std::string& name) {
   const laws::ElasticModuli rock_moduli{young, poisson};
   const Real p = 1 / Body{rock(poisson, true), mesh}.half_period([](const Vector3& at) {
@@ -62,7 +63,8 @@ void print_speeds(const geometry::TetraMesh& mesh, Real poisson, const std::stri
   });
   const Real s = 1 / std::numbers::sqrt2 / Body{rock(poisson, false), mesh}.half_period([](const Vector3& at) {
     const Real x = pi * at.x(), y = pi * (at.y() + 0.5);
-    return std::pair(Vector3(std::cos(x) * std::sin(y), -std::sin(x) * std::cos(y), 0), Vector3(0, 0, -pi * std::cos(x) * std::cos(y)));
+    return std::pair(Vector3(std::cos(x) * std::sin(y), -std::sin(x) * std::cos(y), 0),
+                     Vector3(0, 0, -pi * std::cos(x) * std::cos(y)));
   });
   validation::print_row(("p-wave-" + name).c_str(), p, std::sqrt(rock_moduli.confined() / density));
   validation::print_row(("s-wave-" + name).c_str(), s, std::sqrt(rock_moduli.shear() / density));

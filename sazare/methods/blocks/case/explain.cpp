@@ -46,7 +46,7 @@ void explain_body(Explanation& text, const BlocksCase& blocks) {
   text.add("mesh", mesh.file.filename().string() + how);
   for (const Material& material : blocks.materials)
     text.add("materials", fmt::format("{}: {} kg/m3{}, regions {}", material.name, number(material.density),
-                                      material.has_moduli() ? fmt::format(", E {}, nu {}", stress_text(*material.youngs_modulus),
+                                      material.has_moduli() ? fmt::format(", E {} Pa, nu {}", number(*material.youngs_modulus),
                                                                           number(*material.poisson_ratio))
                                                             : "",
                                       fmt::join(material.regions, ", ")));
@@ -59,7 +59,8 @@ void explain_joint(Explanation& text, const Joint& joint) {
   if (!joint.bonded) return;
   const Real broken = 2 * joint.fracture_energy / joint.tensile_strength;
   const std::string opening =
-      joint.has_stiffness() ? fmt::format(" at an opening of {} m", number(joint.tensile_strength / *joint.normal_stiffness)) : "";
+      joint.has_stiffness() ? fmt::format(" at an opening of {} m", number(joint.tensile_strength / *joint.normal_stiffness))
+                            : "";
   text.more(fmt::format("tension: elastic to {}{}, broken at {} m ({} J/m2)", stress_text(joint.tensile_strength), opening,
                         number(broken), number(joint.fracture_energy)));
   text.more(fmt::format("shear: slips at {} + {} times the pressure (friction angle {} deg)", stress_text(joint.cohesion),
@@ -73,9 +74,9 @@ void explain_joint(Explanation& text, const Joint& joint) {
   const std::string springs = joint.has_stiffness() ? fmt::format("springs {} and {} Pa/m", number(*joint.normal_stiffness),
                                                                   number(*joint.shear_stiffness))
                                                     : std::string("springs of the elements beside each face");
-  const std::string dashpots = joint.damping_ratio
-                                   ? fmt::format("dashpots {} of critical damping", number(*joint.damping_ratio))
-                                   : fmt::format("dashpots {} and {} Pa s/m", number(joint.normal_damping), number(joint.shear_damping));
+  const std::string dashpots =
+      joint.damping_ratio ? fmt::format("dashpots {} of critical damping", number(*joint.damping_ratio))
+                          : fmt::format("dashpots {} and {} Pa s/m", number(joint.normal_damping), number(joint.shear_damping));
   text.more(fmt::format("{}, {} (normal, shear)", springs, dashpots));
 }
 

@@ -38,8 +38,9 @@ constexpr std::array material_keys{
         .range = positive,
         .usual = usual::elastic_modulus,
         .note = with_poisson_ratio,
-        .sentence = "Young's modulus. With it the springs of each face follow from the two elements beside it, and waves run at one "
-                    "speed in elements of any size."},
+        .sentence =
+            "Young's modulus. With it the springs of each face follow from the two elements beside it, and waves run at one "
+            "speed in elements of any size."},
     Key{.name = "poisson_ratio",
         .type = Type::number,
         .range = {.low = 0, .high = laws::most_poisson_ratio},
@@ -100,8 +101,9 @@ constexpr std::array leading_joint_keys{
         .type = Type::number,
         .range = not_negative,
         .note = "instead of joint_normal_damping and joint_shear_damping",
-        .sentence = "Dashpots of each face as a share of the critical damping of the two elements beside it, which move against each "
-                    "other on its springs."},
+        .sentence =
+            "Dashpots of each face as a share of the critical damping of the two elements beside it, which move against each "
+            "other on its springs."},
     Key{.name = "cohesion",
         .type = Type::number,
         .unit = "Pa",
@@ -127,9 +129,8 @@ constexpr std::array leading_joint_keys{
         .range = positive,
         .usual = usual::strength,
         .note = when_bonded,
-        .sentence =
-            "Tensile strength: normal stress at which softening begins; at most sqrt(2 fracture_energy k) with the normal stiffness k of "
-            "each face."},
+        .sentence = "Tensile strength: normal stress at which softening begins; at most sqrt(2 fracture_energy k) with the "
+                    "normal stiffness k of each face."},
     Key{.name = "fracture_energy",
         .type = Type::number,
         .unit = "N/m",

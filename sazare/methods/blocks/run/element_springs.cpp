@@ -19,7 +19,8 @@ Real distance_from(const JointFace& face, const Vector3& centre) {
 }
 
 Real distance_of_centres(const JointFace& face, const state::Bodies<3>& bodies) {
-  return distance_from(face, bodies.motion[at(face.master)].position) + distance_from(face, bodies.motion[at(face.slave)].position);
+  return distance_from(face, bodies.motion[at(face.master)].position) +
+         distance_from(face, bodies.motion[at(face.slave)].position);
 }
 
 /// Of the elements beside a face, one after the other.

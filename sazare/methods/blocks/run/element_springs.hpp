@@ -1,14 +1,15 @@
 #pragma once
 
-/// Springs and dashpots that faces get from the elements beside them, for materials of which Young's modulus and Poisson's ratio are given.
+/// Springs and dashpots that faces get from the elements beside them, for materials that give Young's modulus and Poisson's
+/// ratio.
 ///
 ///     1/k = d_i/K_i + d_j/K_j       d     distance of an element's centre from the face [m]
-///     1/k = d/K to ground           K     spring modulus of its material, across and along the face [Pa], laws/block_elasticity.hpp
+///     1/k = d/K to ground           K     its spring modulus across or along the face [Pa], laws/block_elasticity.hpp
 ///     c = 2 h sqrt(k m)             h     damping ratio of the joint
 ///     1/m = A/m_i + A/m_j           m_i   mass [kg];  A  area of the face [m2]
 ///
-/// Each element has its own part of a spring, from its centre to the face. So elements of any two sizes and materials go together, and
-/// ground holds an outer face where it is, instead of a centre behind it.
+/// Each element has its own part of a spring, from its centre to the face. So elements of any two sizes and materials go
+/// together, and ground holds an outer face where it is, instead of a centre behind it.
 
 #include <vector>
 

@@ -8,7 +8,7 @@
 
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/methods/blocks/case/case.hpp"
-#include "sazare/methods/blocks/run/stability.hpp"
+#include "sazare/methods/blocks/run/check/stability.hpp"
 #include "sazare/parallel/threads.hpp"
 
 namespace sazare::runs {

@@ -50,7 +50,8 @@ std::string warn_of_inner_faces(const cases::CaseFile& file, const std::string& 
 
 constexpr Real edge_per_distance = 2.45;  // a regular tetrahedron's edge over the distance of two centres
 
-/// Elements beside the softest of many faces must not be so large that what they store at the strength is more than breaking takes.
+/// Elements beside the softest of many faces must not be so large that what they store at the strength is more than breaking
+/// takes.
 struct SofteningCheck {
   std::string_view strength_key, energy_key;
   Real strength, energy, stiffness, distance;
@@ -64,11 +65,12 @@ void check_softening(const cases::CaseFile& file, std::size_t joint, const Softe
   refuse(file, fmt::format("joints.{}.{}", joint, of.strength_key),
          fmt::format("elements are too large for this {} and {}: centres on both sides of a face are {} m apart", of.strength_key,
                      of.energy_key, number(of.distance)),
-         fmt::format("a joint would be broken before it softens; the largest distance of centres that does is {} m, edges of some {} m; "
-                     "with this mesh {} must be at least {} N/m, or {} at most {} Pa",
-                     number(largest), number(edge_per_distance * largest), of.energy_key,
-                     number(of.strength * of.strength / (2 * of.stiffness)), of.strength_key,
-                     number(std::sqrt(2 * of.energy * of.stiffness))));
+         fmt::format(
+             "a joint would be broken before it softens; the largest distance of centres that does is {} m, edges of some {} m; "
+             "with this mesh {} must be at least {} N/m, or {} at most {} Pa",
+             number(largest), number(edge_per_distance * largest), of.energy_key,
+             number(of.strength * of.strength / (2 * of.stiffness)), of.strength_key,
+             number(std::sqrt(2 * of.energy * of.stiffness))));
 }
 
 void check_softening(const cases::CaseFile& file, const MeshFit& fit) {
@@ -76,11 +78,13 @@ void check_softening(const cases::CaseFile& file, const MeshFit& fit) {
   for (std::size_t n = 0; n < fit.softest_of_joint.size(); ++n) {
     const SoftestFaces& softest = fit.softest_of_joint[n];
     if (softest.faces == 0) continue;
-    check_softening(file, n, {"tensile_strength", "fracture_energy", joints[n].tensile_strength, joints[n].fracture_energy,
-                              softest.normal_stiffness, softest.normal_distance});
+    check_softening(file, n,
+                    {"tensile_strength", "fracture_energy", joints[n].tensile_strength, joints[n].fracture_energy,
+                     softest.normal_stiffness, softest.normal_distance});
     if (joints[n].law == cases::JointLawName::mixed_mode)
-      check_softening(file, n, {"cohesion", "shear_fracture_energy", joints[n].cohesion, joints[n].law_parameters[0].value(),
-                                softest.shear_stiffness, softest.shear_distance});
+      check_softening(file, n,
+                      {"cohesion", "shear_fracture_energy", joints[n].cohesion, joints[n].law_parameters[0].value(),
+                       softest.shear_stiffness, softest.shear_distance});
   }
 }
 

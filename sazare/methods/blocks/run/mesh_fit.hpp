@@ -20,17 +20,17 @@ struct UnjoinedFaces {
 
 struct MeshFit {
   std::vector<UnjoinedFaces> unjoined;
-  std::vector<Index> faces_of_joint;     ///< by entry of [[joints]]
+  std::vector<Index> faces_of_joint;                ///< by entry of [[joints]]
   std::vector<SoftestFaces> softest_of_joint = {};  ///< by entry of [[joints]]
-  std::vector<Index> inner_of_blast;     ///< by entry of [[blasts]]: faces of its surface between two elements
-  std::vector<Index> inner_of_boundary;  ///< the same of [[boundaries]]
+  std::vector<Index> inner_of_blast;                ///< by entry of [[blasts]]: faces of its surface between two elements
+  std::vector<Index> inner_of_boundary;             ///< the same of [[boundaries]]
 };
 
 MeshFit find_mesh_fit(const cases::BlocksCase& blocks, const MeshFaces& faces, const std::vector<Index>& material,
                       const std::vector<Index>& joint_of_face);
 
-/// Warnings ready to print, each at its line of the case; empty where all is as one would think. Throws a UserError where elements are
-/// so large that their joints would break before they are elastic no more.
+/// Warnings ready to print, each at its line of the case; empty where all is as one would think. Throws a UserError where
+/// elements are so large that their joints would break before they are elastic no more.
 std::string warn_of_mesh_fit(const cases::CaseFile& file, const MeshFit& fit);
 
 }  // namespace sazare::runs

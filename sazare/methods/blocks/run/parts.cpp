@@ -118,8 +118,14 @@ struct JointNumbers {
 
 /// Where a joint gives no stiffness every face has its own, and that of the kind is never used.
 JointNumbers numbers_of(const cases::Joint& joint) {
-  return {joint.normal_stiffness.value_or(1), joint.shear_stiffness.value_or(1), joint.normal_damping,   joint.shear_damping,
-          joint.cohesion,                     joint.friction_coefficient,        joint.tensile_strength, joint.fracture_energy};
+  return {joint.normal_stiffness.value_or(1),
+          joint.shear_stiffness.value_or(1),
+          joint.normal_damping,
+          joint.shear_damping,
+          joint.cohesion,
+          joint.friction_coefficient,
+          joint.tensile_strength,
+          joint.fracture_energy};
 }
 
 }  // namespace
@@ -127,7 +133,8 @@ JointNumbers numbers_of(const cases::Joint& joint) {
 methods::blocks::JointKind make_joint_kind(const cases::Joint& joint) {
   if (!joint.bonded) return {};
   return laws::visit_joint_law(joint.law, [&]<class Law>(Law) -> methods::blocks::JointKind {
-    return methods::blocks::joint_parameters<Law>(numbers_of(joint), laws::own_parameters<laws::JointLaws, Law>(joint.law_parameters));
+    return methods::blocks::joint_parameters<Law>(numbers_of(joint),
+                                                  laws::own_parameters<laws::JointLaws, Law>(joint.law_parameters));
   });
 }
 

@@ -7,7 +7,7 @@
 #include "sazare/methods/blocks/run/motion_rows.hpp"
 #include "sazare/methods/blocks/run/rank_times.hpp"
 #include "sazare/methods/blocks/run/record.hpp"
-#include "sazare/methods/blocks/run/stability.hpp"
+#include "sazare/methods/blocks/run/check/stability.hpp"
 #include "sazare/methods/blocks/run/state_hash.hpp"
 #include "sazare/observe/atomic_file.hpp"
 #include "sazare/runs/case_run.hpp"

@@ -19,7 +19,7 @@
 #include "sazare/methods/blocks/run/identity.hpp"
 #include "sazare/methods/blocks/run/motion_rows.hpp"
 #include "sazare/methods/blocks/run/record.hpp"
-#include "sazare/methods/blocks/run/stability.hpp"
+#include "sazare/methods/blocks/run/check/stability.hpp"
 #include "sazare/methods/hybrid/block_side.hpp"
 #include "sazare/methods/hybrid/case/case.hpp"
 #include "sazare/methods/hybrid/rectangle_side.hpp"

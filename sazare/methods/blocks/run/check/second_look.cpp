@@ -1,4 +1,4 @@
-#include "sazare/methods/blocks/run/second_look.hpp"
+#include "sazare/methods/blocks/run/check/second_look.hpp"
 
 #include <fmt/format.h>
 

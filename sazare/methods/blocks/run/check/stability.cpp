@@ -1,4 +1,4 @@
-#include "sazare/methods/blocks/run/stability.hpp"
+#include "sazare/methods/blocks/run/check/stability.hpp"
 
 #include <fmt/format.h>
 

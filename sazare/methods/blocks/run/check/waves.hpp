@@ -9,7 +9,8 @@
 
 namespace sazare::runs {
 
-/// Lines for each material: speeds of P and S waves; where the stiffness of joints is given per area, how they spread over the mesh.
+/// Lines for each material: speeds of P and S waves; where the stiffness of joints is given per area, how they spread over the
+/// mesh.
 std::string describe_waves(const cases::BlocksCase& blocks, const BlocksModel& model);
 
 }  // namespace sazare::runs

@@ -1,4 +1,4 @@
-#include "sazare/methods/blocks/run/waves.hpp"
+#include "sazare/methods/blocks/run/check/waves.hpp"
 
 #include <fmt/format.h>
 
