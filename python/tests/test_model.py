@@ -338,6 +338,7 @@ density = 2500.0
 youngs_modulus = 1e7
 poisson_ratio = 0.3
 [contact]
+friction_coefficient = 0.3
 restitution = 0.5
 [[spheres]]
 name = "grains"

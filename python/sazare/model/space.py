@@ -255,7 +255,7 @@ def _beside(away):
 def _numbers(low, high, share):
     """Round numbers between two ends, fewer where the edge is short in the picture; of a very short one its ends."""
     if share < SHORT:
-        return [low, high]
+        return [round(float(end), 12) for end in (low, high)]
     numbers = MaxNLocator(max(int(9 * share), 2), steps=[1, 2, 5, 10]).tick_values(low, high)
     inside = 1e-9 * (high - low)
     return [round(float(value), 12) for value in numbers if low - inside <= value <= high + inside]

@@ -33,7 +33,7 @@ inline constexpr std::array ranks = {Column{"time", "s", "end of an interval bet
                                      Column{"first_element", "-", "of the range of the rank"}};
 inline constexpr std::array elements = {
     Column{"element", "-", "number in the mesh"},
-    Column{"region", "-", "physical group in the mesh"},
+    Column{"region", "-", "physical group in the mesh, counted from 0 in the order of their numbers"},
     Column{"material", "-", "number in the case"},
     Column{"displacement", "m", "of the centre"},
     Column{"velocity", "m/s", "of the centre"},

@@ -36,7 +36,7 @@ inline constexpr std::array elements = {Column{"normal_stress", "Pa", "xx, yy, z
                                         Column{"shear_stress", "Pa", "xy in 2-D; xy, yz, zx in 3-D"},
                                         Column{"pressure", "Pa", "minus the mean of the normal stresses"},
                                         Column{"plastic_shear_strain", "-", "equivalent plastic shear strain"},
-                                        Column{"region", "-", "physical group in the mesh"}};
+                                        Column{"region", "-", "physical group in the mesh, counted from 0 as the file has them"}};
 
 /// In the manifest, `results` by name: an interface, which scripts of users read.
 inline constexpr std::array figures = {Column{"nodes", "-", ""},
