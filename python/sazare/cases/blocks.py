@@ -95,6 +95,14 @@ class Joint(Part):
     """Fracture energy: energy per area that the joint dissipates when it breaks in tension. [N/m] (required when bonded) Greater
     than 0.
     """
+    weibull_modulus: float | None = None
+    """Lets strengths and fracture energies scatter from face to face by Weibull's distribution with this modulus about those
+    given here, which are the means. (default: all faces have the same strength) At least 1.
+    """
+    scatter_seed: int | None = None
+    """Another number gives other faces the strong and the weak places. (only with a weibull_modulus) Default: 1. At least 0 and
+    at most 1e+09.
+    """
     shear_fracture_energy: float | None = None
     """Fracture energy in shear, mode II: energy per area that cohesion dissipates, beside friction, when slip uses it up. [N/m]
     (required for law mixed_mode) Greater than 0.

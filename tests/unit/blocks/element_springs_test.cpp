@@ -1,6 +1,6 @@
 /// Springs and dashpots that faces get from the elements beside them.
 
-#include "sazare/methods/blocks/run/element_springs.hpp"
+#include "sazare/methods/blocks/run/joints/element_springs.hpp"
 
 #include <gtest/gtest.h>
 

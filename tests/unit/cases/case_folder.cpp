@@ -93,6 +93,8 @@ cohesion = 6.66e6
 friction_angle = 30
 tensile_strength = 6.66e6
 fracture_energy = 99.67
+weibull_modulus = 12.0
+scatter_seed = 7
 shear_fracture_energy = 900.0
 residual_friction_coefficient = 0.4
 

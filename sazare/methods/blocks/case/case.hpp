@@ -62,6 +62,16 @@ struct Joint {
   Real tensile_strength = 0;  // Pa
   Real fracture_energy = 0;   // N/m
   laws::JointLawParameters law_parameters;
+  std::optional<Real> weibull_modulus = std::nullopt;  // without it all faces have the same strength
+  int scatter_seed = 1;
+
+  /// Factors on the strength that its faces have, equally many of each.
+  std::vector<Real> strength_factors() const;
+  /// The largest of them.
+  Real largest_factor() const { return strength_factors().back(); }
+  /// Itself, with strengths and fracture energies times a factor.
+  Joint scaled(Real factor) const;
+
   bool on_surface() const { return !surface.empty(); }
   bool has_stiffness() const { return normal_stiffness && shear_stiffness; }
   /// Whether each of its faces has springs or dashpots that depend on the elements beside it.

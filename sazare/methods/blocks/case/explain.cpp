@@ -66,6 +66,11 @@ void explain_joint(Explanation& text, const Joint& joint) {
   text.more(fmt::format("shear: slips at {} + {} times the pressure (friction angle {} deg)", stress_text(joint.cohesion),
                         number(joint.friction_coefficient),
                         number(std::atan(joint.friction_coefficient) * 180 / std::numbers::pi)));
+  if (joint.weibull_modulus) {
+    const std::vector<Real> factors = joint.strength_factors();
+    text.more(fmt::format("strengths and energies scatter: Weibull modulus {}, {} to {} times these, seed {}",
+                          number(*joint.weibull_modulus), number(factors.front()), number(factors.back()), joint.scatter_seed));
+  }
   if (joint.law == JointLawName::mixed_mode)
     text.more(fmt::format("law mixed_mode: cohesion is used up by a slip of {} m ({} J/m2), and friction {} remains",
                           number(2 * joint.law_parameters[0].value_or(0) / joint.cohesion),

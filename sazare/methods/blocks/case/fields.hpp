@@ -64,6 +64,9 @@ void visit_fields(Visitor& visit, Joint& joint) {
   visit("fracture_energy", joint.fracture_energy);
   for (std::size_t n = 0; n < joint.law_parameters.size(); ++n)
     visit(laws::parameters_of_laws<laws::JointLaws>[n].name, joint.law_parameters[n]);
+  if (!visit.has("weibull_modulus", joint.weibull_modulus.has_value())) return;
+  visit("weibull_modulus", joint.weibull_modulus);
+  visit("scatter_seed", joint.scatter_seed);
 }
 
 template <class Visitor>

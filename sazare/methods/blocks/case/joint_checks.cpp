@@ -12,7 +12,7 @@
 namespace sazare::cases {
 namespace {
 
-constexpr std::array<std::string_view, 11> bond_keys{"law",
+constexpr std::array<std::string_view, 13> bond_keys{"law",
                                                      "joint_normal_stiffness",
                                                      "joint_shear_stiffness",
                                                      "joint_normal_damping",
@@ -22,7 +22,9 @@ constexpr std::array<std::string_view, 11> bond_keys{"law",
                                                      "friction_angle",
                                                      "friction_coefficient",
                                                      "fracture_energy",
-                                                     "tensile_strength"};
+                                                     "tensile_strength",
+                                                     "weibull_modulus",
+                                                     "scatter_seed"};
 constexpr std::array<std::string_view, 3> keys_of_bonded{"cohesion", "tensile_strength", "fracture_energy"};
 constexpr std::array<std::string_view, 2> stiffness_keys{"joint_normal_stiffness", "joint_shear_stiffness"};
 
@@ -68,11 +70,11 @@ void check_unbonded(const CheckContext& context, const Entry& entry) {
       "remove the keys of a bonded joint, or set bonded = true; free faces have the properties of [contact]");
 }
 
-/// Softening must end beyond the elastic limit: 2 G / s >= s / k.
+/// Softening must end beyond the elastic limit: 2 G / s >= s / k, for the strongest of faces that scatter.
 void check_strength(const CheckContext& context, const Entry& entry, const Joint& joint) {
   const Real strength = joint.tensile_strength;
   const Real energy = joint.fracture_energy;
-  const Real stiffness = joint.normal_stiffness.value();
+  const Real stiffness = joint.normal_stiffness.value() / joint.largest_factor();
   const Real largest = std::sqrt(2 * energy * stiffness);
   if (strength <= largest) return;
   const auto rounded = [](Real value, Real direction) {
@@ -107,7 +109,7 @@ void check_law_parameters(const CheckContext& context, const Entry& entry, const
 /// Slip must go on to soften beyond the elastic limit, 2 G_II / c >= c / k_s, take more energy than opening, and not gain friction.
 void check_shear_softening(const CheckContext& context, const Entry& entry, const Joint& joint) {
   const Real energy = joint.law_parameters[0].value_or(0), residual = joint.law_parameters[1].value_or(joint.friction_coefficient);
-  const Real stiffness = joint.shear_stiffness.value_or(0), needed = joint.cohesion * joint.cohesion / (2 * stiffness);
+  const Real stiffness = joint.shear_stiffness.value_or(0) / joint.largest_factor(), needed = joint.cohesion * joint.cohesion / (2 * stiffness);
   const auto error = [&](std::string_view key, const std::string& what, const std::string& help) {
     context.problems.error(entry.place(key), what, help);
   };
@@ -200,6 +202,9 @@ void check_bonded(const CheckContext& context, const Entry& entry, const Joint& 
   check_friction(context, entry);
   check_stiffness(context, entry, joint, blocks);
   check_damping(context, entry);
+  if (entry.has("scatter_seed") && !entry.has("weibull_modulus"))
+    context.problems.error(entry.place("scatter_seed"), "scatter_seed without weibull_modulus",
+                           "add weibull_modulus, with which strengths scatter, or remove scatter_seed");
   if (entry.is_sound("law")) check_law_parameters(context, entry, joint);
   if (joint.law == JointLawName::mixed_mode) check_shear_softening(context, entry, joint);
   if (entry.gives("tensile_strength") && entry.gives("fracture_energy") && entry.gives("joint_normal_stiffness"))

@@ -138,6 +138,19 @@ constexpr std::array leading_joint_keys{
         .usual = usual::fracture_energy,
         .note = when_bonded,
         .sentence = "Fracture energy: energy per area that the joint dissipates when it breaks in tension."},
+    Key{.name = "weibull_modulus",
+        .type = Type::number,
+        .range = {.low = 1},
+        .usual = usual::weibull_modulus,
+        .note = "default: all faces have the same strength",
+        .sentence = "Lets strengths and fracture energies scatter from face to face by Weibull's distribution with this modulus about "
+                    "those given here, which are the means."},
+    Key{.name = "scatter_seed",
+        .type = Type::integer,
+        .range = {.low = 0, .high = 1e9},
+        .default_text = "1",
+        .note = "only with a weibull_modulus",
+        .sentence = "Another number gives other faces the strong and the weak places."},
 };
 
 constexpr auto joint_keys = joined(leading_joint_keys, keys_of_laws<laws::JointLaws>());

@@ -1,7 +1,7 @@
 #pragma once
 
-/// What runs of method blocks write: columns of their tables, fields of their snapshots, headline figures of their manifests, all in
-/// their order. Energies and forces in the plane are per metre across it.
+/// What runs of method blocks write: columns of their tables, fields of their snapshots, headline figures of their manifests, all
+/// in their order. Energies and forces in the plane are per metre across it.
 
 #include "sazare/observe/column.hpp"
 
@@ -10,17 +10,16 @@ namespace sazare::runs::columns::blocks {
 using observe::Column;
 
 inline constexpr std::array pieces = {Column{"broken_joints", "-", "so far"}, Column{"fragments", "-", "now"}};
-inline constexpr std::array energies = {
-    Column{"energy_work", "J", "done by loads and gravity"},
-    Column{"energy_kinetic", "J", "increase since the beginning"},
-    Column{"energy_elastic", "J", "stored in joints, contacts and boundaries"},
-    Column{"energy_joint_dashpot", "J", "dissipated by dashpots of joints"},
-    Column{"energy_slip", "J", "dissipated by slip of joints before they break"},
-    Column{"energy_fracture", "J", "dissipated by softening of joints"},
-    Column{"energy_release", "J", "released by joints whose faces opened"},
-    Column{"energy_contact_dashpot", "J", "dissipated by dashpots of contacts"},
-    Column{"energy_friction", "J", "dissipated by friction of contacts"},
-    Column{"energy_boundary", "J", "dissipated by absorbing and fixed faces"}};
+inline constexpr std::array energies = {Column{"energy_work", "J", "done by loads and gravity"},
+                                        Column{"energy_kinetic", "J", "increase since the beginning"},
+                                        Column{"energy_elastic", "J", "stored in joints, contacts and boundaries"},
+                                        Column{"energy_joint_dashpot", "J", "dissipated by dashpots of joints"},
+                                        Column{"energy_slip", "J", "dissipated by slip of joints before they break"},
+                                        Column{"energy_fracture", "J", "dissipated by softening of joints"},
+                                        Column{"energy_release", "J", "released by joints whose faces opened"},
+                                        Column{"energy_contact_dashpot", "J", "dissipated by dashpots of contacts"},
+                                        Column{"energy_friction", "J", "dissipated by friction of contacts"},
+                                        Column{"energy_boundary", "J", "dissipated by absorbing and fixed faces"}};
 inline constexpr std::array progress = {Column{"energy_residual", "J", "residual of the energy balance"},
                                         Column{"smallest_step", "s", "of any element since the last row"},
                                         Column{"pair_evaluations", "-", "so far"}};
@@ -42,10 +41,13 @@ inline constexpr std::array elements = {
     Column{"step", "s", "of the level"},
     Column{"fragment", "-", ""},
     Column{"damage", "-", "share of its joints that are broken"}};
-inline constexpr std::array joints = {Column{"state", "-", "0 intact, 1 softening, 2 broken, 3 sheared: without strength, and pressed together"},
-                                      Column{"mode", "-", "of a crack: 1 opening, 2 shear, whichever has dissipated more; else 0"},
-                                      Column{"opening", "m", "largest of its corners"},
-                                      Column{"slip", "m", "largest of its corners"}, Column{"kind", "-", "number in the case"}};
+inline constexpr std::array joints = {
+    Column{"state", "-", "0 intact, 1 softening, 2 broken, 3 sheared: without strength, and pressed together"},
+    Column{"mode", "-", "of a crack: 1 opening, 2 shear, whichever has dissipated more; else 0"},
+    Column{"opening", "m", "largest of its corners"},
+    Column{"slip", "m", "largest of its corners"},
+    Column{"kind", "-", "number in the case"},
+    Column{"strength_factor", "-", "strength over that of the case, where strengths scatter; else 1"}};
 
 /// In the manifest, `results` by name: an interface, which scripts of users read.
 inline constexpr std::array figures = {

@@ -78,13 +78,14 @@ void check_softening(const cases::CaseFile& file, const MeshFit& fit) {
   for (std::size_t n = 0; n < fit.softest_of_joint.size(); ++n) {
     const SoftestFaces& softest = fit.softest_of_joint[n];
     if (softest.faces == 0) continue;
+    const Real strongest = joints[n].largest_factor();
     check_softening(file, n,
                     {"tensile_strength", "fracture_energy", joints[n].tensile_strength, joints[n].fracture_energy,
-                     softest.normal_stiffness, softest.normal_distance});
+                     softest.normal_stiffness / strongest, softest.normal_distance});
     if (joints[n].law == cases::JointLawName::mixed_mode)
       check_softening(file, n,
                       {"cohesion", "shear_fracture_energy", joints[n].cohesion, joints[n].law_parameters[0].value(),
-                       softest.shear_stiffness, softest.shear_distance});
+                       softest.shear_stiffness / strongest, softest.shear_distance});
   }
 }
 

@@ -7,7 +7,7 @@
 
 #include "sazare/cases/case_file.hpp"
 #include "sazare/methods/blocks/case/case.hpp"
-#include "sazare/methods/blocks/run/element_springs.hpp"
+#include "sazare/methods/blocks/run/joints/element_springs.hpp"
 #include "sazare/methods/blocks/run/parts.hpp"
 
 namespace sazare::runs {

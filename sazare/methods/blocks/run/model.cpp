@@ -5,7 +5,7 @@
 #include "sazare/levels/terms/gravity.hpp"
 #include "sazare/methods/blocks/coupled_rates.hpp"
 #include "sazare/methods/blocks/run/base_step.hpp"
-#include "sazare/methods/blocks/run/element_springs.hpp"
+#include "sazare/methods/blocks/run/joints/element_springs.hpp"
 #include "sazare/methods/blocks/run/parts.hpp"
 
 namespace sazare::runs {
@@ -85,10 +85,10 @@ public:
 
 private:
   void make_joints(std::vector<methods::blocks::JointFace> joint_faces, Real whole) {
-    std::vector<methods::blocks::JointKind> kinds;
-    for (const cases::Joint& joint : blocks_.joints) kinds.push_back(make_joint_kind(joint));
     add_own_springs(blocks_, model_.material, bodies_, joint_faces);
     model_.fit.softest_of_joint = find_softest_faces(blocks_, bodies_, joint_faces);
+    model_.kinds = scatter_strengths(blocks_, model_.mesh, joint_faces);
+    const auto& kinds = model_.kinds.kinds;
     const auto elastic = methods::blocks::elastic_joints(kinds);
     auto joint_rates = methods::blocks::joint_rates(elastic, joint_faces, bodies_);
     const Real coupling = methods::blocks::coupled_damping(elastic, joint_faces, bodies_, joint_rates);

@@ -12,6 +12,7 @@
 #include "sazare/methods/blocks/contacts.hpp"
 #include "sazare/methods/blocks/joints.hpp"
 #include "sazare/methods/blocks/run/mesh_fit.hpp"
+#include "sazare/methods/blocks/run/joints/strength_scatter.hpp"
 #include "sazare/methods/blocks/surface_contacts.hpp"
 #include "sazare/runs/run_clocks.hpp"
 
@@ -23,6 +24,7 @@ struct BlocksModel {
   std::vector<Index> material;             ///< by element
   std::vector<Real> stable_step;           ///< by element at the beginning, the fraction of the case not yet applied [s]
   MeshFit fit;
+  CaseKinds kinds;                         ///< of joints
   std::vector<bool> is_bound_by_dashpots;  ///< by element: what the larger part of that step's bound comes from
   std::unique_ptr<levels::Simulation<3>> simulation;
   methods::blocks::Joints* joints = nullptr;            ///< owned by the simulation

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "sazare/geometry/tetrahedron.hpp"
-#include "sazare/methods/blocks/run/element_springs.hpp"
+#include "sazare/methods/blocks/run/joints/element_springs.hpp"
 
 namespace sazare::runs {
 

@@ -1,4 +1,4 @@
-#include "sazare/methods/blocks/run/element_springs.hpp"
+#include "sazare/methods/blocks/run/joints/element_springs.hpp"
 
 #include <cmath>
 

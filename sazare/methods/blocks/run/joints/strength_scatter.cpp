@@ -1,0 +1,49 @@
+#include "sazare/methods/blocks/run/joints/strength_scatter.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "sazare/methods/blocks/run/parts.hpp"
+
+namespace sazare::runs {
+namespace {
+
+/// Mixes a number into a hash so that every bit of it matters (the finalizer of SplitMix64).
+std::uint64_t mixed(std::uint64_t hash, std::uint64_t number) {
+  hash += number + 0x9E3779B97F4A7C15ULL;
+  hash = (hash ^ (hash >> 30)) * 0xBF58476D1CE4E5B9ULL;
+  hash = (hash ^ (hash >> 27)) * 0x94D049BB133111EBULL;
+  return hash ^ (hash >> 31);
+}
+
+/// A class for a face, each as likely as the others.
+Index class_of(const methods::blocks::JointFace& face, const geometry::TetraMesh& mesh, int seed, std::size_t classes) {
+  const auto [lower, higher] = std::minmax({geometry::element_tag(mesh, face.master), geometry::element_tag(mesh, face.slave)});
+  std::uint64_t hash = mixed(0, static_cast<std::uint64_t>(seed));
+  hash = mixed(mixed(hash, static_cast<std::uint64_t>(lower)), static_cast<std::uint64_t>(higher));
+  return static_cast<Index>((hash >> 11) % classes);
+}
+
+}  // namespace
+
+CaseKinds scatter_strengths(const cases::BlocksCase& blocks, const geometry::TetraMesh& mesh,
+                            std::vector<methods::blocks::JointFace>& faces) {
+  CaseKinds made;
+  std::vector<Index> first;  // kind, by entry
+  for (std::size_t entry = 0; entry < blocks.joints.size(); ++entry) {
+    first.push_back(static_cast<Index>(made.kinds.size()));
+    for (const Real factor : blocks.joints[entry].strength_factors()) {
+      made.kinds.push_back(make_joint_kind(blocks.joints[entry].scaled(factor)));
+      made.entry.push_back(static_cast<Index>(entry));
+      made.factor.push_back(factor);
+    }
+  }
+  for (methods::blocks::JointFace& face : faces) {
+    const cases::Joint& joint = blocks.joints[at(face.kind)];
+    const std::size_t classes = joint.strength_factors().size();
+    face.kind = first[at(face.kind)] + (classes > 1 ? class_of(face, mesh, joint.scatter_seed, classes) : 0);
+  }
+  return made;
+}
+
+}  // namespace sazare::runs
