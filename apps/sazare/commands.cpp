@@ -24,9 +24,9 @@ int check(const CheckArguments& arguments) {
   const CaseArguments& of_case = arguments.of_case;
   use_threads(of_case.threads, true);
   const cases::CaseFile file = registry::read_case(of_case.file, of_case.settings);
+  fmt::print(stderr, "{}", file.warnings);  // first: an unusual number may be the reason of what is refused below
   const std::string text = registry::check_case(file);
   fmt::print("{}", text);
-  fmt::print(stderr, "{}", file.warnings);
   fmt::print("\nThe case is valid. To run it: sazare run {}\n", of_case.file.string());
   return arguments.picture.empty() ? done : draw(arguments);
 }

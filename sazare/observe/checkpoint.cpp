@@ -82,7 +82,8 @@ void CheckpointReader::check_signature(const std::string& name, std::span<const 
     return;
   throw UserError(fmt::format(
       "{}: this checkpoint was not written by you on this machine, and one that somebody made up can crash the program\n"
-      "  if you know where it comes from, add --trust-checkpoint, or set SAZARE_TRUST_CHECKPOINT=1 in the environment; "
+      "  your key lies below HOME, so another HOME is another user; if you know where it comes from, add --trust-checkpoint, or "
+      "set SAZARE_TRUST_CHECKPOINT=1 in the environment; "
       "otherwise start the run again with --overwrite",
       path_.string()));
 }

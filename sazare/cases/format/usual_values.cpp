@@ -18,7 +18,7 @@ bool is_usual(const UsualRange& range, Real number) {
 /// "2.39 g/cm3 would be 2390": every unit of the field in which the number would be a usual one.
 std::string units_that_explain(const Key& key, Real number) {
   constexpr std::array units{"g/cm3", "kPa",   "MPa",  "GPa", "MPa/m", "GPa/m", "MPa/mm",
-                             "N/mm",  "kJ/m2", "km/s", "ms",  "us",    "rad"};
+                             "N/mm",  "kJ/m2", "km/s", "ms",  "us",    "rad",   "%"};
   std::string text;
   for (const char* const unit : units) {
     const auto in_unit = converted({number, unit}, key.unit);
@@ -37,8 +37,8 @@ void warn_of_unusual(const Key& key, const Value& value, Real number, Problems& 
   const std::string units = units_that_explain(key, number);
   problems.warning(
       value.place,
-      fmt::format("{} = {} {} is unusual: it is {} {}", key.name, short_number(number, 6), key.unit, below ? "below" : "above",
-                  short_number(below ? key.usual.low : key.usual.high)),
+      fmt::format("{} = {}{}{} is unusual: it is {} {}", key.name, short_number(number, 6), key.unit.empty() ? "" : " ", key.unit,
+                  below ? "below" : "above", short_number(below ? key.usual.low : key.usual.high)),
       fmt::format("{}{}", units, units.empty() ? "check the unit and the power of ten" : "; otherwise check the power of ten"));
 }
 

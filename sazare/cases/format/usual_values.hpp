@@ -17,6 +17,7 @@ inline constexpr UsualRange strength{100, 10e9};            // [Pa]
 inline constexpr UsualRange stiffness_per_area{1e5, 1e16};  // [Pa/m]
 inline constexpr UsualRange fracture_energy{1e-3, 1e6};     // [N/m]
 inline constexpr UsualRange blast_pressure{1e4, 200e9};     // [Pa]
+inline constexpr UsualRange damping_ratio{0, 1};
 inline constexpr UsualRange weibull_modulus{1.5, 60};
 inline constexpr UsualRange friction_angle{2, 80};          // [deg]
 inline constexpr UsualRange wave_velocity{10, 15e3};        // [m/s]

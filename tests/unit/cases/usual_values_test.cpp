@@ -40,6 +40,12 @@ TEST(usual_values, of_no_known_unit_are_told_as_well) {
   EXPECT_SAYS(said("density", "kg/m3", usual::density, 2.39e9), "check the unit and the power of ten");
 }
 
+TEST(usual_values, of_a_ratio_may_have_been_meant_in_per_cent) {
+  const std::string words = said("damping_ratio", "", usual::damping_ratio, 2);
+  EXPECT_SAYS(words, "damping_ratio = 2 is unusual: it is above 1");
+  EXPECT_SAYS(words, "2 % would be 0.02");
+}
+
 TEST(usual_values, are_those_of_a_magnitude) {
   EXPECT_EQ(said("amplitude", "", {}, -0.5), "");
   EXPECT_SAYS(said("dilation", "Pa", usual::strength, -20), "-20 kPa would be -20000");

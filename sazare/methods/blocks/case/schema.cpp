@@ -100,6 +100,7 @@ constexpr std::array leading_joint_keys{
     Key{.name = "damping_ratio",
         .type = Type::number,
         .range = not_negative,
+        .usual = usual::damping_ratio,
         .note = "instead of joint_normal_damping and joint_shear_damping",
         .sentence =
             "Dashpots of each face as a share of the critical damping of the two elements beside it, which move against each "

@@ -110,26 +110,43 @@ std::string hole_text(const cases::Blast& blast, const HoleWall& wall) {
   return text;
 }
 
-/// Elements that a boundary or a constraint holds along one axis at least.
-std::vector<char> held_elements(const cases::BlocksCase& blocks, const BlocksModel& model, const MeshFaces& faces) {
+/// Axes along which boundaries and constraints hold each element, a bit per axis. Absorbing faces carry nothing at rest; of faces
+/// without friction the axis nearest to their normal counts.
+std::vector<int> held_axes(const cases::BlocksCase& blocks, const BlocksModel& model, const MeshFaces& faces) {
   const auto& locks = model.simulation->bodies().locks;
-  std::vector<char> held(locks.size(), 0);
-  for (std::size_t i = 0; i < held.size(); ++i) held[i] = locks[i].translation != 0 ? 1 : 0;
-  for (const cases::Boundary& boundary : blocks.boundaries)
-    for (const geometry::OuterFace& face : faces.outer(boundary.surface)) held[at(face.element)] = 1;
+  std::vector<int> held(locks.size(), 0);
+  for (std::size_t i = 0; i < held.size(); ++i) held[i] = locks[i].translation;
+  for (const cases::Boundary& boundary : blocks.boundaries) {
+    if (boundary.kind == cases::BoundaryKind::absorbing) continue;
+    for (const geometry::OuterFace& face : faces.outer(boundary.surface)) {
+      const auto corner = [&](std::size_t k) { return model.mesh.nodes[at(face.nodes[k])]; };
+      Eigen::Index axis = 0;
+      (corner(1) - corner(0)).cross(corner(2) - corner(0)).cwiseAbs().maxCoeff(&axis);
+      held[at(face.element)] |= boundary.kind == cases::BoundaryKind::fixed ? 7 : 1 << axis;
+    }
+  }
   return held;
 }
 
 /// How many pieces nothing holds, with the place of the largest.
 std::string held_text(const cases::BlocksCase& blocks, const BlocksModel& model, const MeshFaces& faces) {
-  const std::vector<char> held = held_elements(blocks, model, faces);
-  const auto count = std::ranges::count(held, 1);
+  const std::vector<int> held = held_axes(blocks, model, faces);
+  const auto count = std::ranges::count_if(held, [](int axes) { return axes != 0; });
+  int axes = 0;
+  for (const int own : held) axes |= own;
   const FragmentMap pieces = find_fragments(static_cast<Index>(held.size()), *model.joints);
   std::set<Index> holds;
   for (std::size_t i = 0; i < held.size(); ++i)
     if (held[i] != 0) holds.insert(pieces.of_element[i]);
   const auto free = pieces.count - static_cast<Index>(holds.size());
   std::string text = fmt::format("{} elements by boundaries and constraints", count);
+  const auto names = [&](int of) {
+    std::string axis_names;
+    for (int axis = 0; axis < 3; ++axis)
+      if (of >> axis & 1) axis_names += fmt::format("{}{}", axis_names.empty() ? "" : ", ", "xyz"[axis]);
+    return axis_names;
+  };
+  if (count > 0 && axes != 7) text += fmt::format(" along {}; nothing is held along {}", names(axes), names(7 & ~axes));
   if (free == 0) return line("held", text);
   std::size_t first = 0;
   while (holds.contains(pieces.of_element[first])) ++first;
