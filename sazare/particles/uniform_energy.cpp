@@ -156,7 +156,7 @@ Real UniformStepper<D>::kinetic_energy_of_kick() const {
 }
 
 // The class is instantiated in uniform_stepper.cpp, without these.
-#define SAZARE_INSTANTIATE_BOOKS(D)                                                                                    \
+#define SAZARE_INSTANTIATE_ENERGY(D)                                                                                    \
   template bool UniformStepper<D>::is_damped() const;                                                                  \
   template Real UniformStepper<D>::velocity_after(std::size_t, std::size_t) const;                                     \
   template Real UniformStepper<D>::velocity_after(const particles::DrivenFreedom&) const;                                  \
@@ -169,8 +169,8 @@ Real UniformStepper<D>::kinetic_energy_of_kick() const {
   template WorkByCause UniformStepper<D>::work() const;                                                                \
   template Real UniformStepper<D>::kinetic_energy_of_kick() const;
 
-SAZARE_INSTANTIATE_BOOKS(2)
-SAZARE_INSTANTIATE_BOOKS(3)
-#undef SAZARE_INSTANTIATE_BOOKS
+SAZARE_INSTANTIATE_ENERGY(2)
+SAZARE_INSTANTIATE_ENERGY(3)
+#undef SAZARE_INSTANTIATE_ENERGY
 
 }  // namespace sazare::particles

@@ -97,8 +97,8 @@ Real FemStepper<D>::energy_residual() const {
   return done - kinetic - elastic_energy() - work.damping - work.radiation - work.plastic - work.friction;
 }
 
-// The class is instantiated in fem_stepper.cpp, without these.
-#define SAZARE_INSTANTIATE_BOOKS(D)                                                 \
+// The class is instantiated in stepper.cpp, without these.
+#define SAZARE_INSTANTIATE(D)                                                 \
   template bool FemStepper<D>::is_unloaded() const;                                 \
   template void FemStepper<D>::add_work(const Trial&, const NodalColumn&, const Span&); \
   template void FemStepper<D>::add_work_of_damping(const Trial&, const Span&, const NodalColumn&); \
@@ -106,8 +106,8 @@ Real FemStepper<D>::energy_residual() const {
   template Real FemStepper<D>::elastic_energy() const;                              \
   template Real FemStepper<D>::energy_residual() const;
 
-SAZARE_INSTANTIATE_BOOKS(2)
-SAZARE_INSTANTIATE_BOOKS(3)
-#undef SAZARE_INSTANTIATE_BOOKS
+SAZARE_INSTANTIATE(2)
+SAZARE_INSTANTIATE(3)
+#undef SAZARE_INSTANTIATE
 
 }  // namespace sazare::methods::fem
