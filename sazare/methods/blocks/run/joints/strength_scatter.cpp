@@ -29,19 +29,21 @@ Index class_of(const methods::blocks::JointFace& face, const geometry::TetraMesh
 CaseKinds scatter_strengths(const cases::BlocksCase& blocks, const geometry::TetraMesh& mesh,
                             std::vector<methods::blocks::JointFace>& faces) {
   CaseKinds made;
-  std::vector<Index> first;  // kind, by entry
+  std::vector<Index> first;          // kind, by entry
+  std::vector<std::size_t> classes;  // by entry
   for (std::size_t entry = 0; entry < blocks.joints.size(); ++entry) {
     first.push_back(static_cast<Index>(made.kinds.size()));
-    for (const Real factor : blocks.joints[entry].strength_factors()) {
+    const std::vector<Real> factors = blocks.joints[entry].strength_factors();
+    classes.push_back(factors.size());
+    for (const Real factor : factors) {
       made.kinds.push_back(make_joint_kind(blocks.joints[entry].scaled(factor)));
       made.entry.push_back(static_cast<Index>(entry));
       made.factor.push_back(factor);
     }
   }
   for (methods::blocks::JointFace& face : faces) {
-    const cases::Joint& joint = blocks.joints[at(face.kind)];
-    const std::size_t classes = joint.strength_factors().size();
-    face.kind = first[at(face.kind)] + (classes > 1 ? class_of(face, mesh, joint.scatter_seed, classes) : 0);
+    const std::size_t entry = at(face.kind);
+    face.kind = first[entry] + class_of(face, mesh, blocks.joints[entry].scatter_seed, classes[entry]);
   }
   return made;
 }
