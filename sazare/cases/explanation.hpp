@@ -13,8 +13,8 @@
 
 namespace sazare::cases {
 
-/// A number with four digits.
-inline std::string number(Real value) { return short_number(value, 4); }
+/// A number with so many significant digits.
+inline std::string number(Real value, int digits = 4) { return short_number(value, digits); }
 
 /// "(1, 0, -2.5)"
 std::string vector_text(const Vector3& value);

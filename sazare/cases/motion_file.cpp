@@ -13,11 +13,11 @@
 
 #include "sazare/cases/format/csv_fields.hpp"
 #include "sazare/cases/format/number_text.hpp"
+#include "sazare/cases/format/units.hpp"
 
 namespace sazare::cases {
 namespace {
 
-constexpr Real standard_gravity = 9.80665;  // m/s2
 constexpr Real time_tolerance = 1e-4;       // of a step, within which rows of a CSV are equally spaced
 
 constexpr Real largest_value = 1e30;  // SI units; beyond it a record is none, and sums over it overflow

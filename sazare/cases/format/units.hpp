@@ -10,6 +10,8 @@
 /// hold plain numbers.
 namespace sazare::cases {
 
+inline constexpr Real standard_gravity = 9.80665;  // m/s2
+
 struct Quantity {
   Real value = 0;    // as written
   std::string unit;  // as written, may be empty

@@ -16,7 +16,7 @@ namespace sazare::runs {
 
 namespace {
 
-std::string number(Real value, int digits = 4) { return cases::short_number(value, digits); }
+using cases::line, cases::number;
 
 /// The part of method fem in a run, see CaseRun.
 template <int D>
@@ -104,12 +104,13 @@ std::string check(const cases::CaseFile& file, const std::filesystem::path& fold
   const RunClocks clocks = make_clocks(file, file.as<cases::FemCase>().time, "step", model.step);
   const auto& body = model.stepper->body();
   return cases::explain(file.as<cases::FemCase>()) +
-         fmt::format("  {:<12}{} nodes, {} elements, {} joints, mass {} {}\n", "body", model.mesh().nodes.size(),
-                     model.mesh().elements.size(), body.joints().size(), number(body.total_mass(), 6), D == 2 ? "kg/m" : "kg") +
+         line("body",
+              fmt::format("{} nodes, {} elements, {} joints, mass {} {}", model.mesh().nodes.size(), model.mesh().elements.size(),
+                          body.joints().size(), number(body.total_mass(), 6), D == 2 ? "kg/m" : "kg")) +
          second_look(file.as<cases::FemCase>(), model.mesh()) +
-         fmt::format("  {:<12}{} degrees of freedom, {} equations\n", "work", model.stepper->free_freedoms(),
-                     body.is_symmetric() ? "symmetric" : "unsymmetric") +
-         fmt::format("  {:<12}{} steps, {} per history row\n", "", clocks.steps(), clocks.steps_per_row) +
+         line("work", fmt::format("{} degrees of freedom, {} equations", model.stepper->free_freedoms(),
+                                  body.is_symmetric() ? "symmetric" : "unsymmetric")) +
+         line("", fmt::format("{} steps, {} per history row", clocks.steps(), clocks.steps_per_row)) +
          cases::warn_of_size(file, cases::extent_of(model.mesh().nodes));
 }
 

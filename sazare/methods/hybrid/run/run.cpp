@@ -1,5 +1,6 @@
 #include "sazare/methods/hybrid/run/run.hpp"
 
+#include "sazare/cases/explanation.hpp"
 #include "sazare/cases/format/counted.hpp"
 #include "sazare/methods/hybrid/case/format.hpp"
 #include "sazare/methods/hybrid/run/continuum.hpp"
@@ -15,7 +16,7 @@ namespace sazare::runs {
 
 namespace {
 
-std::string number(Real value, int digits = 4) { return cases::short_number(value, digits); }
+using cases::line, cases::number;
 
 /// Measures how long the bodies take.
 class TimedChannel final : public coupling::ContinuumChannel {
@@ -191,9 +192,9 @@ std::string check(const cases::CaseFile& file, const std::filesystem::path& fold
   model.attach(file);
   const auto& hybrid = file.as<cases::HybridCase>();
   const RunClocks clocks = make_clocks(*hybrid.continuum, cases::continuum_of(hybrid).time, "step", model.continuum.step);
-  return cases::explain(file.as<cases::HybridCase>()) + fmt::format("  {:<12}{} windows, {} steps of the {} of {} s in each\n",
-                                                                    "work", clocks.steps(), model.bodies.side.steps_per_window(),
-                                                                    Bodies::name, number(model.bodies.step(), 5));
+  return cases::explain(file.as<cases::HybridCase>()) +
+         line("work", fmt::format("{} windows, {} steps of the {} of {} s in each", clocks.steps(),
+                                  model.bodies.side.steps_per_window(), Bodies::name, number(model.bodies.step(), 5)));
 }
 
 /// Calls `visit` with the dimension and the bodies of a case, and hands back what it gives. Elements of rectangles touch none but

@@ -26,7 +26,7 @@ constexpr std::int64_t motion_check_steps = 32;
 constexpr std::int64_t settling_check_steps = 50;
 constexpr Real settled_share = 1e-5;  // of gravity
 
-std::string number(Real value, int digits = 4) { return cases::short_number(value, digits); }
+using cases::line, cases::number;
 
 template <int D>
 std::string filling_hash(const Filling<D>& filling) {
@@ -159,7 +159,7 @@ struct MpsWork final : WorkDefaults {
 template <int D>
 std::string side_lines(const MpsModel<D>& model) {
   std::string text;
-  for (const std::string& side : model.sides) text += fmt::format("  {:<12}{}\n", "held", side);
+  for (const std::string& side : model.sides) text += line("held", side);
   return text;
 }
 
@@ -200,17 +200,17 @@ std::string check(const cases::CaseFile& file) {
   const auto& supports = model.stepper->supports();
   const auto particles = static_cast<Real>(model.filling.sites.size());
   return cases::explain(file.as<cases::MpsCase>()) +
-         fmt::format(
-             "  {:<12}{} particles, number density {}, {} degrees of freedom held, {} prescribed, {} on viscous boundaries\n",
-             "body", model.filling.sites.size(), number(model.number_density, 6), supports.held.size(), supports.driven.size(),
-             supports.dashpots.size()) +
+         line("body",
+              fmt::format("{} particles, number density {}, {} degrees of freedom held, {} prescribed, {} on viscous boundaries",
+                          model.filling.sites.size(), number(model.number_density, 6), supports.held.size(),
+                          supports.driven.size(), supports.dashpots.size())) +
          second_look<D>(file.as<cases::MpsCase>(), model.stepper->particles()) + side_lines(model) +
-         fmt::format("  {:<12}limit {} s, predicted from the largest frequency, {} rad/s, and the damping\n", "stability",
-                     number(limit, 5), number(model.limit.frequency, 6)) +
-         fmt::format("  {:<12}{} s, {} of the limit, {} per history row\n", "step", number(model.step, 5),
-                     number(model.step / limit, 3), clocks.steps_per_row) +
-         fmt::format("  {:<12}{} steps, {} particle-steps\n", "work", clocks.steps(),
-                     number(particles * static_cast<Real>(clocks.steps()))) +
+         line("stability", fmt::format("limit {} s, predicted from the largest frequency, {} rad/s, and the damping",
+                                       number(limit, 5), number(model.limit.frequency, 6))) +
+         line("step", fmt::format("{} s, {} of the limit, {} per history row", number(model.step, 5),
+                                  number(model.step / limit, 3), clocks.steps_per_row)) +
+         line("work",
+              fmt::format("{} steps, {} particle-steps", clocks.steps(), number(particles * static_cast<Real>(clocks.steps())))) +
          cost_text<D>(file.as<cases::MpsCase>(), particles, clocks) + (model.warning.empty() ? "" : "\n" + model.warning);
 }
 

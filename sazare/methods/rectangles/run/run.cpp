@@ -1,5 +1,6 @@
 #include "sazare/methods/rectangles/run/run.hpp"
 
+#include "sazare/cases/explanation.hpp"
 #include "sazare/cases/format/counted.hpp"
 #include "sazare/methods/rectangles/case/format.hpp"
 #include "sazare/methods/rectangles/run/identity.hpp"
@@ -15,7 +16,7 @@ namespace {
 constexpr int elements_per_thread = 4000;  // with fewer a second thread takes more time than it saves
 constexpr std::int64_t motion_check_steps = 64;
 
-std::string number(Real value, int digits = 4) { return cases::short_number(value, digits); }
+using cases::line, cases::number;
 
 /// The part of method rectangles in a run, see CaseRun.
 struct RectanglesWork final : WorkDefaults {
@@ -83,7 +84,6 @@ std::string check_rectangles(const cases::CaseFile& file, std::optional<Real> wi
   const RectanglesModel model = build_rectangles(file, window);
   gauge_elements(file, model);
   const RunClocks clocks = make_clocks(file, file.as<cases::RectanglesCase>().time, "step", model.step);
-  const auto line = [](std::string_view topic, const std::string& text) { return fmt::format("  {:<12}{}\n", topic, text); };
   const std::string paper = model.limit.paper > 0 ? fmt::format("; (26) of the paper: {} s", number(model.limit.paper)) : "";
   return cases::explain(file.as<cases::RectanglesCase>()) + line("body", cases::counted(model.elements, "elements")) +
          line("stability", fmt::format("limit {} s, predicted from the largest frequency, {} rad/s, and the dashpots{}",

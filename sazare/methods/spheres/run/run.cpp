@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "sazare/cases/explanation.hpp"
 #include "sazare/cases/format/counted.hpp"
 #include "sazare/core/large_tables.hpp"
 #include "sazare/methods/spheres/case/format.hpp"
@@ -22,7 +23,7 @@ namespace {
 constexpr int spheres_per_thread = 4000;  // with fewer a second thread takes more time than it saves
 constexpr std::int64_t motion_check_steps = 32;
 
-std::string number(Real value, int digits = 4) { return cases::short_number(value, digits); }
+using cases::line, cases::number;
 
 /// The part of method spheres in a run, see CaseRun.
 struct SpheresWork final : WorkDefaults {
@@ -105,26 +106,26 @@ namespace {
 std::string notes_text(const SpheresModel& model) {
   std::string text;
   for (const ShapeFill& fill : model.fills)
-    text += fmt::format("  {:<12}\"{}\": its spheres fill {} % of its surface, whose mass and inertia it has\n", "shapes",
-                        fill.shape, number(100 * fill.share, 3));
-  for (const std::string& note : model.wall_notes) text += fmt::format("  {:<12}{}\n", "walls", note);
+    text += line("shapes", fmt::format("\"{}\": its spheres fill {} % of its surface, whose mass and inertia it has", fill.shape,
+                                       number(100 * fill.share, 3)));
+  for (const std::string& note : model.wall_notes) text += line("walls", note);
   return text;
 }
 
 /// What `check` says of the steps of a body.
 std::string steps_text(const SphereSteps& steps, const RunClocks& clocks) {
-  std::string text =
-      fmt::format("  {:<12}limit {} s\n", "stability", number(steps.limit, 5)) +
-      fmt::format("  {:<12}{} s, {} of the limit, {} to a history row\n", steps.level.empty() ? "step" : "base step",
-                  number(steps.step, 5), number(steps.step / steps.limit, 3), clocks.steps_per_row);
+  std::string text = line("stability", fmt::format("limit {} s", number(steps.limit, 5))) +
+                     line(steps.level.empty() ? "step" : "base step",
+                          fmt::format("{} s, {} of the limit, {} to a history row", number(steps.step, 5),
+                                      number(steps.step / steps.limit, 3), clocks.steps_per_row));
   for (std::size_t level = 0; level < steps.count.size(); ++level)
-    text +=
-        fmt::format("  {:<12}{}: {}, {} s\n", level == 0 ? "levels" : "", level, cases::counted(steps.count[level], "spheres"),
-                    number(std::ldexp(steps.step, -static_cast<int>(level)), 5));
-  text += fmt::format("  {:<12}{} steps, {} particle-steps", "work", clocks.steps(),
-                      number(steps.particle_steps * static_cast<Real>(clocks.steps())));
-  if (steps.level.empty()) return text + "\n";
-  return text + fmt::format(" or so, {} of those that one step for all takes\n", number(steps.share_of_uniform, 2));
+    text += line(level == 0 ? "levels" : "", fmt::format("{}: {}, {} s", level, cases::counted(steps.count[level], "spheres"),
+                                                         number(std::ldexp(steps.step, -static_cast<int>(level)), 5)));
+  std::string work = fmt::format("{} steps, {} particle-steps", clocks.steps(),
+                                 number(steps.particle_steps * static_cast<Real>(clocks.steps())));
+  if (!steps.level.empty())
+    work += fmt::format(" or so, {} of those that one step for all takes", number(steps.share_of_uniform, 2));
+  return text + line("work", work);
 }
 
 std::string cost_text(const cases::SpheresCase& spheres, const SpheresModel& model, const RunClocks& clocks) {
@@ -155,15 +156,16 @@ std::string check_spheres(const cases::CaseFile& file) {
     largest = std::max(largest, place.radius);
   }
   return cases::explain(file.as<cases::SpheresCase>()) +
-         fmt::format("  {:<12}{} of radius {} to {} m, {} kg, {}\n", "body",
-                     cases::counted(static_cast<std::int64_t>(model.group.size()), "spheres"), number(smallest), number(largest),
-                     number(mass), cases::counted(static_cast<std::int64_t>(model.stepper->walls().walls().size()), "walls")) +
-         (model.clumps > 0 ? fmt::format("  {:<12}{} rigid, of {} m3 together\n", "clumps", model.clumps, number(volume)) : "") +
+         line("body", fmt::format("{} of radius {} to {} m, {} kg, {}",
+                                  cases::counted(static_cast<std::int64_t>(model.group.size()), "spheres"), number(smallest),
+                                  number(largest), number(mass),
+                                  cases::counted(static_cast<std::int64_t>(model.stepper->walls().walls().size()), "walls"))) +
+         (model.clumps > 0 ? line("clumps", fmt::format("{} rigid, of {} m3 together", model.clumps, number(volume))) : "") +
          (model.stepper->bodies().empty()
               ? ""
-              : fmt::format("  {:<12}{} bonded, their inertia within {} of that of their shapes\n", "bodies",
-                            model.stepper->bodies().count(), number(model.share_error, 2))) +
-         (model.bonds > 0 ? fmt::format("  {:<12}{} at the start\n", "bonds", model.bonds) : "") + notes_text(model) +
+              : line("bodies", fmt::format("{} bonded, their inertia within {} of that of their shapes",
+                                           model.stepper->bodies().count(), number(model.share_error, 2)))) +
+         (model.bonds > 0 ? line("bonds", fmt::format("{} at the start", model.bonds)) : "") + notes_text(model) +
          steps_text(model.steps, clocks) + cost_text(file.as<cases::SpheresCase>(), model, clocks) +
          (warning.empty() ? "" : "\n" + warning);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "sazare/cases/explanation.hpp"
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/geometry/tetrahedron.hpp"
 #include "sazare/methods/blocks/case/format.hpp"
@@ -25,17 +26,17 @@ namespace fs = std::filesystem;
 constexpr std::size_t limiting_shown = 10;
 constexpr int longest_bar = 40;
 
-std::string number(Real value) { return cases::short_number(value, 4); }
+using cases::line, cases::number;
 
 std::string body_text(const BlocksModel& model) {
   const auto elements = model.simulation->bodies().size();
   Real volume = 0;
   for (Index element = 0; element < elements; ++element) volume += geometry::volume(geometry::corners_of(model.mesh, element));
-  return fmt::format("  {:<12}{} elements, {} joints, {} m3, initially {}\n", "body", elements, model.joints->links().size(),
-                     number(volume),
-                     find_fragments(elements, *model.joints).count == 1
-                         ? "one piece"
-                         : fmt::format("{} pieces", find_fragments(elements, *model.joints).count));
+  return line("body",
+              fmt::format("{} elements, {} joints, {} m3, initially {}", elements, model.joints->links().size(), number(volume),
+                          find_fragments(elements, *model.joints).count == 1
+                              ? "one piece"
+                              : fmt::format("{} pieces", find_fragments(elements, *model.joints).count)));
 }
 
 std::string level_text(const BlocksModel& model) {
@@ -68,10 +69,10 @@ std::string limiting_text(const BlocksModel& model, const cases::Mesh& mesh) {
 std::string step_text(const BlocksModel& model, const RunClocks& clocks) {
   const Real base_step = model.simulation->levels().step(0), rate = evaluations_per_second(model);
   const Real smallest = stable_share * limiting_elements(model, 1).front().stable_step;
-  return fmt::format(
-      "  {:<12}base {} s ({} per history row), smallest stable step {} s\n"
-      "  {:<12}{} pair evaluations per second of simulated time, {} in total, as long as nothing breaks\n",
-      "steps", number(base_step), clocks.steps_per_row, number(smallest), "work", number(rate), number(rate * clocks.end));
+  return line("steps", fmt::format("base {} s ({} per history row), smallest stable step {} s", number(base_step),
+                                   clocks.steps_per_row, number(smallest))) +
+         line("work", fmt::format("{} pair evaluations per second of simulated time, {} in total, as long as nothing breaks",
+                                  number(rate), number(rate * clocks.end)));
 }
 
 std::string cost_text(const cases::BlocksCase& blocks, const BlocksModel& model, const RunClocks& clocks) {

@@ -10,6 +10,7 @@
 
 #include "sazare/cases/explanation.hpp"
 #include "sazare/cases/extent.hpp"
+#include "sazare/cases/format/units.hpp"
 #include "sazare/geometry/face_map.hpp"
 #include "sazare/methods/blocks/run/block_fragments.hpp"
 #include "sazare/methods/blocks/run/parts.hpp"
@@ -20,15 +21,13 @@ namespace {
 using cases::line;
 using cases::number;
 
-constexpr Real standard_gravity = 9.80665;  // m/s2
-
 /// Of ammonium nitrate and fuel oil: bulk density [kg/m3], and energy [J/kg] as 0.8 of that of TNT (4.184 MJ/kg).
 constexpr Real anfo_density = 840, anfo_energy = 0.8 * 4.184e6;
 
 std::string mass_text(const BlocksModel& model) {
   Real mass = 0;
   for (const auto& inertia : model.simulation->bodies().inertia) mass += inertia.mass;
-  return line("mass", fmt::format("{} kg, weight {} kN", number(mass), number(standard_gravity / 1e3 * mass)));
+  return line("mass", fmt::format("{} kg, weight {} kN", number(mass), number(cases::standard_gravity / 1e3 * mass)));
 }
 
 /// The wall of a hole, by the faces on which its blast acts.
