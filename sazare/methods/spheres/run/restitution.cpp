@@ -177,7 +177,8 @@ std::string warn_of_restitution(const cases::CaseFile& file, const SpheresModel&
   const Real holds = holds_up_to(*worst, law, fastest), shorter = shorter_step(*worst, law, fastest),
              share = model.steps.smallest() / model.steps.limit;
   const std::string what = fmt::format(
-      "between \"{}\" and \"{}\" it will be {} instead of {} at {}, which this case may reach; with this step it is right within "
+      "the restitution between \"{}\" and \"{}\" will be {} instead of {} at {}, which this case may reach; with this step it is "
+      "right within "
       "2 % {}",
       worst->one, worst->other, cases::short_number(found, 3), cases::short_number(worst->restitution, 3), expected.text(),
       holds > 0 ? fmt::format("up to {} m/s", cases::short_number(holds, 2)) : "at no speed");
