@@ -1,7 +1,8 @@
 #pragma once
 
-/// Vectors of three numbers of any kind, for laws that are written once: `VectorOf<Real>` is Vector3, and `VectorOf<Lanes>` has a
-/// vector in every lane. The products below give the same bits for each kind of number.
+/// Vectors of two or three numbers of any kind, for laws that are written once: `VectorOf<Real>` is Vector3, `VectorOf<Real, 2>`
+/// a vector of the plane, and `VectorOf<Lanes>` has a vector in every lane. The products below give the same bits for each kind
+/// of number.
 
 #include <array>
 #include <concepts>
@@ -13,24 +14,37 @@
 namespace sazare {
 
 /// A vector in every lane. Like a number it is not set unless it is told to: kernels have many of them.
-template <class Number>
+template <class Number, int D>
 struct PackVector {
-  std::array<Number, 3> part;
+  std::array<Number, D> part;
 
   Number& operator[](int axis) { return part[static_cast<std::size_t>(axis)]; }
   const Number& operator[](int axis) const { return part[static_cast<std::size_t>(axis)]; }
 
-  friend PackVector operator+(const PackVector& a, const PackVector& b) { return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}}; }
-  friend PackVector operator-(const PackVector& a, const PackVector& b) { return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}}; }
-  friend PackVector operator-(const PackVector& a) { return {{-a[0], -a[1], -a[2]}}; }
+  friend PackVector operator+(const PackVector& a, const PackVector& b) {
+    return made([&](int axis) { return a[axis] + b[axis]; });
+  }
+  friend PackVector operator-(const PackVector& a, const PackVector& b) {
+    return made([&](int axis) { return a[axis] - b[axis]; });
+  }
+  friend PackVector operator-(const PackVector& a) {
+    return made([&](int axis) { return -a[axis]; });
+  }
   friend PackVector operator*(const Number& factor, const PackVector& a) {
-    return {{factor * a[0], factor * a[1], factor * a[2]}};
+    return made([&](int axis) { return factor * a[axis]; });
+  }
+
+private:
+  static PackVector made(const auto& number_along) {
+    PackVector vector;
+    for (int axis = 0; axis < D; ++axis) vector[axis] = number_along(axis);
+    return vector;
   }
 };
 
 /// A vector of a law that is written for a type of numbers: `Real`, `Lanes` or `TwinLanes`.
-template <class Number>
-using VectorOf = std::conditional_t<std::is_same_v<Number, Real>, Vector3, PackVector<Number>>;
+template <class Number, int D = 3>
+using VectorOf = std::conditional_t<std::is_same_v<Number, Real>, Vector<D>, PackVector<Number, D>>;
 
 using LaneVector = VectorOf<Lanes>;
 

@@ -32,12 +32,11 @@
 /// the first element or of the wall; turned by the mean rotation the link does not feel a common rotation, and v is the same
 /// for all springs. Its (2.2) with (2.4) counts r theta twice; here it counts once.
 
-#include <array>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
 
-#include "sazare/core/lanes.hpp"
+#include "sazare/core/vector_of.hpp"
 
 namespace sazare::laws {
 
@@ -99,17 +98,17 @@ inline std::vector<Real> spring_places(SpringPlaces layout, int count) {
 /// Where two elements are and how they move; `T` is Real or Lanes.
 template <class T>
 struct FacePair {
-  std::array<T, 2> apart{};                      ///< x2 - x1 [m]
-  std::array<T, 2> approach{};                   ///< x1' - x2' [m/s]
-  T spin_sum{}, spin_difference{};               ///< theta_1' + theta_2', theta_1' - theta_2' [rad/s]
-  T turn{};                                      ///< theta_1 - theta_2 [rad]
-  std::array<T, 2> first_axis{}, second_axis{};  ///< n as each element has turned it; formula exact, and walls
+  VectorOf<T, 2> apart;                    ///< x2 - x1 [m]
+  VectorOf<T, 2> approach;                 ///< x1' - x2' [m/s]
+  T spin_sum{}, spin_difference{};         ///< theta_1' + theta_2', theta_1' - theta_2' [rad/s]
+  T turn{};                                ///< theta_1 - theta_2 [rad]
+  VectorOf<T, 2> first_axis, second_axis;  ///< n as each element has turned it; formula exact, and walls
 };
 
 /// What the springs of a link do, linear along the face, and the arms of their forces.
 template <class T>
 struct FaceMotion {
-  std::array<T, 2> normal{};       ///< n; s is (n_y, -n_x)
+  VectorOf<T, 2> normal;           ///< n; s is (n_y, -n_x)
   T closing{}, slope{};            ///< a, b [m]
   T closing_rate{}, slope_rate{};  ///< a', b' [m/s]
   T shear{};                       ///< v of formula exact [m]
@@ -178,7 +177,7 @@ FaceMotion<T> face_motion(const FacePair<T>& pair, const Face& face) {
 /// On the second element; on the first the opposite force.
 template <class T>
 struct FaceForce {
-  std::array<T, 2> force{};           ///< [N]
+  VectorOf<T, 2> force;               ///< [N]
   T first_moment{}, second_moment{};  ///< [N m]
 };
 

@@ -19,9 +19,7 @@
 /// second order in the strain: its torque is r x k u/2 instead of R_i r0 x (k u + S e)/2, and its pressure term (A10) has S e
 /// instead of S (e + (u - c e)/|r|), with S = V (lambda_i div_i + lambda_j div_j) d w/(n0 |r0|). Linearised they are the same.
 
-#include <array>
-
-#include "sazare/core/lanes.hpp"
+#include "sazare/core/vector_of.hpp"
 
 namespace sazare::laws {
 
@@ -33,36 +31,33 @@ inline Real link_weight(Real length, Real influence_radius) {
 /// What a link of a given direction of the lattice has whoever its particles are.
 template <int D>
 struct LinkDirection {
-  std::array<Real, D> start{};  ///< r0 [m]
-  Real spring = 0;              ///< k over the mean of the two mu [m; -] (4 d V w / (n0 |r0|^2))
-  Real divergence = 0;          ///< d w/(n0 |r0|) [1/m]
+  Vector<D> start;      ///< r0 [m]
+  Real spring = 0;      ///< k over the mean of the two mu [m; -] (4 d V w / (n0 |r0|^2))
+  Real divergence = 0;  ///< d w/(n0 |r0|) [1/m]
 };
 
 /// `T` is Real or Lanes.
 template <int D, class T>
-using Components = std::array<T, D>;
-
-template <int D, class T>
-T product(const Components<D, T>& a, const Components<D, T>& b) {
+T product(const VectorOf<T, D>& a, const VectorOf<T, D>& b) {
   T sum = a[0] * b[0];
-  for (std::size_t i = 1; i < D; ++i) sum += a[i] * b[i];
+  for (int i = 1; i < D; ++i) sum += a[i] * b[i];
   return sum;
 }
 
 template <int D, class T>
 struct LinkStrain {
-  Components<D, T> deformation{};  ///< u [m]
-  Components<D, T> direction{};    ///< e
-  T inverse_length{};              ///< 1/|r| [1/m]
-  T stretch{};                     ///< c [m]
+  VectorOf<T, D> deformation;  ///< u [m]
+  VectorOf<T, D> direction;    ///< e
+  T inverse_length{};          ///< 1/|r| [1/m]
+  T stretch{};                 ///< c [m]
 };
 
 /// `apart` is r, `turned` the mean of R_i r0 and R_j r0.
 template <int D, class T>
-LinkStrain<D, T> link_strain(const Components<D, T>& apart, const Components<D, T>& turned) {
+LinkStrain<D, T> link_strain(const VectorOf<T, D>& apart, const VectorOf<T, D>& turned) {
   LinkStrain<D, T> strain;
   strain.inverse_length = 1.0 / square_root(product<D, T>(apart, apart));
-  for (std::size_t i = 0; i < D; ++i) {
+  for (int i = 0; i < D; ++i) {
     strain.deformation[i] = apart[i] - turned[i];
     strain.direction[i] = strain.inverse_length * apart[i];
   }
@@ -72,8 +67,8 @@ LinkStrain<D, T> link_strain(const Components<D, T>& apart, const Components<D, 
 
 template <int D, class T>
 struct LinkForce {
-  Components<D, T> force{};    ///< on the first particle [N]; the other way on the second
-  Components<D, T> turning{};  ///< k u + S e [N]: the torque on a particle is R r0 x this / 2
+  VectorOf<T, D> force;    ///< on the first particle [N]; the other way on the second
+  VectorOf<T, D> turning;  ///< k u + S e [N]: the torque on a particle is R r0 x this / 2
 };
 
 /// `spring` is k [N/m], `pressure` is S [N].
@@ -81,7 +76,7 @@ template <int D, class T>
 LinkForce<D, T> link_force(const LinkStrain<D, T>& strain, T spring, T pressure) {
   LinkForce<D, T> result;
   const T slope = pressure * strain.inverse_length;
-  for (std::size_t i = 0; i < D; ++i) {
+  for (int i = 0; i < D; ++i) {
     result.turning[i] = spring * strain.deformation[i] + pressure * strain.direction[i];
     result.force[i] = result.turning[i] + slope * (strain.deformation[i] - strain.stretch * strain.direction[i]);
   }

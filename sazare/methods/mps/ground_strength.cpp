@@ -63,10 +63,7 @@ std::pair<Real, Real> extreme_stresses(const laws::Elasticity& elastic, const Ro
 template <int D>
 GroundStrength<D>::GroundStrength(const state::Particles<D>& particles, const LinkTable<D>& links,
                                   std::vector<StrengthOfGround> grounds, std::vector<Index> material)
-    : grounds_(std::move(grounds)),
-      material_(std::move(material)),
-      slip_(particles.padded(), 0),
-      flowed_(particles.padded(), 0) {
+    : grounds_(std::move(grounds)), material_(std::move(material)), slip_(particles.padded(), 0), flowed_(particles.padded(), 0) {
   for (auto* tensors : {&plastic_, &inverse_, &last_flow_})
     for (state::Column& column : *tensors) column.assign(particles.padded(), 0);
   for (Index i = 0; i < particles.count; ++i) measure(i, links);
@@ -77,7 +74,7 @@ void GroundStrength<D>::measure(Index particle, const LinkTable<D>& links) {
   Rotation<D> spread = Rotation<D>::Zero();
   for (std::size_t n = 0; n < links.directions.size(); ++n) {
     const laws::LinkDirection<D>& law = links.directions[n].law;
-    const Vector<D> start = Eigen::Map<const Vector<D>>(law.start.data());
+    const Vector<D>& start = law.start;
     spread += links.share(n, particle) * law.divergence / start.norm() * start * start.transpose();
   }
   const Eigen::SelfAdjointEigenSolver<Rotation<D>> solver(spread);  // the spread of a whole neighbourhood is 1 on every axis

@@ -7,30 +7,11 @@ namespace sazare::methods::mps {
 
 namespace {
 
-/// rotation x arm, from the rotations that follow D translations.
-std::array<Real, 2> turned(const Real* rotation, const std::array<Real, 2>& arm) {
-  return {-rotation[0] * arm[1], rotation[0] * arm[0]};
-}
-std::array<Real, 3> turned(const Real* rotation, const std::array<Real, 3>& arm) {
-  return {rotation[1] * arm[2] - rotation[2] * arm[1], rotation[2] * arm[0] - rotation[0] * arm[2],
-          rotation[0] * arm[1] - rotation[1] * arm[0]};
-}
-
-/// Adds factor * arm x force.
-void add_moment(Real* torque, Real factor, const std::array<Real, 2>& arm, const std::array<Real, 2>& force) {
-  torque[0] += factor * (arm[0] * force[1] - arm[1] * force[0]);
-}
-void add_moment(Real* torque, Real factor, const std::array<Real, 3>& arm, const std::array<Real, 3>& force) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t next = (i + 1) % 3, last = (i + 2) % 3;
-    torque[i] += factor * (arm[next] * force[last] - arm[last] * force[next]);
-  }
-}
-
-template <std::size_t D>
-Real along(const std::array<Real, D>& start, const std::array<Real, D>& vector) {
+/// The part of a vector along `start`.
+template <int D>
+Real along(const Vector<D>& start, const Vector<D>& vector) {
   Real square = 0, product = 0;
-  for (std::size_t i = 0; i < D; ++i) {
+  for (int i = 0; i < D; ++i) {
     square += start[i] * start[i];
     product += start[i] * vector[i];
   }
@@ -58,12 +39,12 @@ LinearStiffness<D>::LinearStiffness(const state::Particles<D>& particles, const 
 }
 
 template <int D>
-std::array<Real, D> LinearStiffness<D>::deformation(const laws::LinkDirection<D>& law, std::size_t i, std::size_t j) const {
+Vector<D> LinearStiffness<D>::deformation(const laws::LinkDirection<D>& law, std::size_t i, std::size_t j) const {
+  using Translation = Eigen::Map<const Vector<D>>;
+  using Turn = Eigen::Map<const Angular<D>>;
   const Real *own = &motion_[freedoms * i], *other = &motion_[freedoms * j];
-  const std::array<Real, D> first = turned(own + D, law.start), second = turned(other + D, law.start);
-  std::array<Real, D> u;
-  for (std::size_t axis = 0; axis < D; ++axis) u[axis] = other[axis] - own[axis] - 0.5 * (first[axis] + second[axis]);
-  return u;
+  const Vector<D> first = turned(Angular<D>(Turn(own + D)), law.start), second = turned(Angular<D>(Turn(other + D)), law.start);
+  return Translation(other) - Translation(own) - 0.5 * (first + second);
 }
 
 template <int D>
@@ -71,13 +52,10 @@ void LinearStiffness<D>::add_force(const laws::LinkDirection<D>& law, Real share
                                    std::span<Real> y) const {
   const Real spring = share * law.spring * 0.5 * (particles_.shear_modulus[i] + particles_.shear_modulus[j]);
   const Real push = share * law.divergence * (pressure_[i] + pressure_[j]);
-  std::array<Real, D> force = deformation(law, i, j);
-  Real length = 0;
-  for (std::size_t axis = 0; axis < D; ++axis) length += law.start[axis] * law.start[axis];
-  length = std::sqrt(length);
-  for (std::size_t axis = 0; axis < D; ++axis) force[axis] = spring * force[axis] + push * law.start[axis] / length;
-  for (std::size_t axis = 0; axis < D; ++axis) y[freedoms * i + axis] -= force[axis];
-  add_moment(&y[freedoms * i + D], -0.5, law.start, force);
+  const Real length = std::sqrt(laws::product<D, Real>(law.start, law.start));
+  const Vector<D> force = spring * deformation(law, i, j) + push * law.start / length;
+  Eigen::Map<Vector<D>>(&y[freedoms * i]) -= force;
+  Eigen::Map<Angular<D>>(&y[freedoms * i + D]) -= 0.5 * moment(law.start, force);
 }
 
 template <int D>
@@ -91,7 +69,7 @@ void LinearStiffness<D>::apply(std::span<const Real> x, std::span<Real> y) {
   };
   std::ranges::fill(pressure_, 0);
   each_link([&](const laws::LinkDirection<D>& law, Real share, std::size_t i, std::size_t j) {
-    pressure_[i] += share * law.divergence * along(law.start, deformation(law, i, j));
+    pressure_[i] += share * law.divergence * along<D>(law.start, deformation(law, i, j));
   });
   for (std::size_t i = 0; i < pressure_.size(); ++i) pressure_[i] *= particles_.volume() * particles_.lame[i];
   std::ranges::fill(y, 0);

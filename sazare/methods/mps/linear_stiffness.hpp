@@ -23,7 +23,7 @@ public:
 private:
   static constexpr std::size_t freedoms = state::particle_freedoms<D>;
 
-  std::array<Real, D> deformation(const laws::LinkDirection<D>& law, std::size_t i, std::size_t j) const;
+  Vector<D> deformation(const laws::LinkDirection<D>& law, std::size_t i, std::size_t j) const;
   void add_force(const laws::LinkDirection<D>& law, Real share, std::size_t i, std::size_t j, std::span<Real> y) const;
 
   const state::Particles<D>& particles_;

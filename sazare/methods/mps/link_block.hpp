@@ -15,9 +15,6 @@ enum class RotationRemoval {
   mean_angle,     ///< by the rotation of the mean angle, (11); 2-D only
 };
 
-template <int D>
-using LaneComponents = laws::Components<D, Lanes>;
-
 /// Numbers that a frame of D x D numbers takes by rows, or a rotation in 2-D its cosine and sine.
 template <std::size_t N>
 using Frames = std::array<state::Column, N>;
@@ -29,7 +26,7 @@ class LinkBlock {
 public:
   LinkBlock(const state::Particles<D>& particles, const Frames<N>& frames, std::size_t block)
       : particles_(particles), frames_(frames), begin_(block * lane_count) {
-    for (std::size_t i = 0; i < D; ++i) displacement_[i] = own(particles.displacement[i]);
+    for (int i = 0; i < D; ++i) displacement_[i] = own(particles.displacement[static_cast<std::size_t>(i)]);
     for (std::size_t i = 0; i < N; ++i) frame_[i] = own(frames[i]);
   }
 
@@ -58,30 +55,29 @@ public:
   }
 
   /// r, which a missing neighbour (the particle itself) leaves as it began.
-  LaneComponents<D> apart(const laws::LinkDirection<D>& law) const {
-    LaneComponents<D> result;
-    for (std::size_t i = 0; i < D; ++i) result[i] = law.start[i] + (others(particles_.displacement[i]) - displacement_[i]);
+  VectorOf<Lanes, D> apart(const laws::LinkDirection<D>& law) const {
+    VectorOf<Lanes, D> result;
+    for (int i = 0; i < D; ++i)
+      result[i] = law.start[i] + (others(particles_.displacement[static_cast<std::size_t>(i)]) - displacement_[i]);
     return result;
   }
 
   /// The link as it began in the particles' own frame where that is what turns it, else in the mean angle's.
   template <RotationRemoval removal>
-  LaneComponents<D> arm(const laws::LinkStrain<D, Lanes>& strain, const laws::LinkDirection<D>& law) const {
+  VectorOf<Lanes, D> arm(const laws::LinkStrain<D, Lanes>& strain, const laws::LinkDirection<D>& law) const {
     if constexpr (removal == RotationRemoval::mean_rotation) return turned(frame_, law);
-    LaneComponents<D> mean = apart(law);
-    for (std::size_t i = 0; i < D; ++i) mean[i] -= strain.deformation[i];
-    return mean;
+    return apart(law) - strain.deformation;
   }
 
 private:
-  static LaneComponents<D> turned(const std::array<Lanes, N>& frame, const laws::LinkDirection<D>& law) {
-    LaneComponents<D> arm{};
+  static VectorOf<Lanes, D> turned(const std::array<Lanes, N>& frame, const laws::LinkDirection<D>& law) {
+    VectorOf<Lanes, D> arm{};
     if constexpr (N == 2) {
       arm[0] = frame[0] * law.start[0] - frame[1] * law.start[1];
       arm[1] = frame[1] * law.start[0] + frame[0] * law.start[1];
     } else {
-      for (std::size_t i = 0; i < D; ++i)
-        for (std::size_t k = 0; k < D; ++k) arm[i] += frame[D * i + k] * law.start[k];
+      for (int i = 0; i < D; ++i)
+        for (int k = 0; k < D; ++k) arm[i] += frame[static_cast<std::size_t>(D * i + k)] * law.start[k];
     }
     return arm;
   }
@@ -89,18 +85,18 @@ private:
   const state::Particles<D>& particles_;
   const Frames<N>& frames_;
   std::size_t begin_;
-  LaneComponents<D> displacement_;
+  VectorOf<Lanes, D> displacement_;
   std::array<Lanes, N> frame_;
   bool in_a_row_ = false;
   std::size_t first_ = 0;
   const Index* places_ = nullptr;
 };
 
-inline Lanes lane_moment(const LaneComponents<2>& arm, const LaneComponents<2>& force, std::size_t) {
+inline Lanes lane_moment(const VectorOf<Lanes, 2>& arm, const VectorOf<Lanes, 2>& force, int) {
   return arm[0] * force[1] - arm[1] * force[0];
 }
-inline Lanes lane_moment(const LaneComponents<3>& arm, const LaneComponents<3>& force, std::size_t axis) {
-  const std::size_t next = (axis + 1) % 3, last = (axis + 2) % 3;
+inline Lanes lane_moment(const VectorOf<Lanes, 3>& arm, const VectorOf<Lanes, 3>& force, int axis) {
+  const int next = (axis + 1) % 3, last = (axis + 2) % 3;
   return arm[next] * force[last] - arm[last] * force[next];
 }
 

@@ -38,7 +38,7 @@ void block_stretch(const LinkTable<D>& links, const state::Particles<D>& particl
     at.look(direction);
     const Lanes share = links.patterns[static_cast<std::size_t>(direction.pattern[block])].lanes;
     const Lanes weight = share * (direction.law.divergence / length_of<D>(direction.law));
-    const LaneComponents<D> apart = at.apart(direction.law);
+    const VectorOf<Lanes, D> apart = at.apart(direction.law);
     for (std::size_t i = 0; i < D; ++i)
       for (std::size_t k = 0; k < D; ++k) sum[D * i + k] += weight * direction.law.start[k] * apart[i];
   }
@@ -62,7 +62,7 @@ void block_accelerations(const state::Particles<D>& particles, const Frames<N>& 
     const Lanes spring = share * direction.law.spring * 0.5 * (own_modulus + at.others(particles.shear_modulus));
     const Lanes push = share * direction.law.divergence * (own_pressure + at.others(pressure));
     const auto force = laws::link_force<D, Lanes>(strain, spring, push);
-    const LaneComponents<D> arm = at.template arm<removal>(strain, direction.law);
+    const VectorOf<Lanes, D> arm = at.template arm<removal>(strain, direction.law);
     for (std::size_t i = 0; i < D; ++i) sum[i] += force.force[i];
     for (std::size_t i = D; i < sum.size(); ++i) sum[i] += 0.5 * lane_moment(arm, force.turning, i - D);
     if (virial == nullptr) continue;

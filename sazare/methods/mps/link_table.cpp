@@ -40,7 +40,7 @@ laws::LinkDirection<D> make_direction(const Site<D>& offset, Real spacing, Real 
   laws::LinkDirection<D> law;
   const Real length = length_of<D>(offset) * spacing, weight = laws::link_weight(length_of<D>(offset), influence);
   const Real volume = std::pow(spacing, D);
-  for (std::size_t i = 0; i < D; ++i) law.start[i] = offset[i] * spacing;
+  for (int i = 0; i < D; ++i) law.start[i] = offset[static_cast<std::size_t>(i)] * spacing;
   law.spring = 4 * D * volume * weight / (number_density * length * length);
   law.divergence = D * weight / (number_density * length);
   return law;

@@ -42,12 +42,13 @@ private:
 
 /// `turned` makes of an element's rotation (cosine and sine) the direction n that it has turned.
 template <FaceFormula formula, class T, class Turned>
-laws::FacePair<T> pair_of(const state::Particles<2>& particles, const Reader<T>& reader, const std::array<T, 2>& rest,
+laws::FacePair<T> pair_of(const state::Particles<2>& particles, const Reader<T>& reader, const VectorOf<T, 2>& rest,
                           const Turned& turned, bool is_wall) {
   laws::FacePair<T> pair;
-  for (std::size_t i = 0; i < 2; ++i) {
-    pair.apart[i] = rest[i] + (reader.of_second(particles.displacement[i]) - reader.of_first(particles.displacement[i]));
-    pair.approach[i] = reader.of_first(particles.velocity[i]) - reader.of_second(particles.velocity[i]);
+  for (int i = 0; i < 2; ++i) {
+    const state::Column &displacement = particles.displacement[at(i)], &velocity = particles.velocity[at(i)];
+    pair.apart[i] = rest[i] + (reader.of_second(displacement) - reader.of_first(displacement));
+    pair.approach[i] = reader.of_first(velocity) - reader.of_second(velocity);
   }
   const T first_spin = reader.of_first(particles.velocity[2]), second_spin = reader.of_second(particles.velocity[2]);
   pair.spin_sum = first_spin + second_spin;
@@ -73,7 +74,7 @@ struct FaceLinks::LatticeFaces {
   }
   template <class T>
   auto turned_by(std::size_t) const {
-    return [this](const T& c, const T& s) { return axis == 0 ? std::array<T, 2>{c, s} : std::array<T, 2>{-s, c}; };
+    return [this](const T& c, const T& s) { return axis == 0 ? VectorOf<T, 2>{c, s} : VectorOf<T, 2>{-s, c}; };
   }
 };
 
@@ -104,7 +105,7 @@ struct FaceLinks::PackingFaces {
   template <class T>
   auto turned_by(std::size_t link) const {
     const T x = load<T>(columns.direction[0], link - begin), y = load<T>(columns.direction[1], link - begin);
-    return [x, y](const T& c, const T& s) { return std::array<T, 2>{c * x - s * y, s * x + c * y}; };
+    return [x, y](const T& c, const T& s) { return VectorOf<T, 2>{c * x - s * y, s * x + c * y}; };
   }
 
 private:
@@ -167,14 +168,14 @@ void FaceLinks::pad(Index kind, int axis, std::size_t begin) {
 
 /// Links of one lattice began alike but for round-off, which need not be read link by link.
 void FaceLinks::share_rest(Group& group) {
-  const std::array<Real, 2> common = {rest_[0][group.begin], rest_[1][group.begin]};
+  const Vector<2> common = {rest_[0][group.begin], rest_[1][group.begin]};
   const Real near = 1e-12 * std::hypot(common[0], common[1]);
   group.shares_rest = true;
   for (std::size_t i = group.begin; i < group.end && group.shares_rest; ++i)
     group.shares_rest = is_padding(static_cast<Index>(i)) ||
                         (std::abs(rest_[0][i] - common[0]) <= near && std::abs(rest_[1][i] - common[1]) <= near);
   for (std::size_t i = group.begin; i < group.end && group.shares_rest; ++i)
-    for (std::size_t axis = 0; axis < 2; ++axis) rest_[axis][i] = common[axis];
+    for (std::size_t axis = 0; axis < 2; ++axis) rest_[axis][i] = common[static_cast<int>(axis)];
 }
 
 void FaceLinks::make_face_table(std::size_t elements) {
@@ -226,7 +227,7 @@ bool FaceLinks::evaluate_whole(const state::Particles<2>& particles, const laws:
   const Real elapsed = part.elapsed;
   bool any_yields = false;
   Lanes loss{};
-  std::array<Lanes, 2> rest = {broadcast(rest_[0][part.begin]), broadcast(rest_[1][part.begin])};
+  VectorOf<Lanes, 2> rest = {broadcast(rest_[0][part.begin]), broadcast(rest_[1][part.begin])};
   for (std::size_t i = part.begin; i < part.end; i += lane_count) {
     if (whole_[i / lane_count] == 0) continue;
     const LaneMask active = mask_of(whole_[i / lane_count]);
@@ -289,7 +290,7 @@ void FaceLinks::damage(Index number) {
 laws::FaceMotion<Real> FaceLinks::motion_of(const state::Particles<2>& particles, std::size_t number) const {
   const FaceKind& kind = kinds_[at(links_[number].kind)];
   const Reader<Real> reader(&first_[number], &second_[number]);
-  const std::array<Real, 2> rest = {rest_[0][number], rest_[1][number]};
+  const Vector<2> rest = {rest_[0][number], rest_[1][number]};
   const auto by = [&]<FaceFormula formula>(const auto& faces) {
     const auto& springs = faces.template at<Real>(number);
     return laws::face_motion<formula>(

@@ -42,7 +42,7 @@ struct FacetLink {
   Index second = 0;
   Index kind = 0;
   int first_face = 0, second_face = 0;     ///< by the bits of geometry::Outline
-  std::array<Real, 2> direction{};         ///< n in the axes of both elements, from the first to the second
+  Vector<2> direction;                     ///< n in the axes of both elements, from the first to the second
   Real first_reach = 0, second_reach = 0;  ///< r1, r2 [m]
   Real first_shift = 0, second_shift = 0;  ///< e1, e2 [m]
   Real half_face = 0;                      ///< r [m]
@@ -79,7 +79,7 @@ public:
   void visit_links(Index element, Visit&& visit) const;
 
   /// Direction of a link in its elements' axes, and its springs, each.
-  std::array<Real, 2> direction_of(Index number) const;
+  Vector<2> direction_of(Index number) const;
   laws::Facet<Real> springs_of(Index number) const;
 
   bool is_open(Index number) const { return open_[static_cast<std::size_t>(number)] != 0; }
@@ -90,7 +90,7 @@ public:
   void evaluate(const state::Particles<2>& particles, Real elapsed);
 
   /// Force on the second element of a link when last evaluated [N].
-  std::array<Real, 2> force_of(Index number) const {
+  Vector<2> force_of(Index number) const {
     return {slots_.force_x[static_cast<std::size_t>(number)], slots_.force_y[static_cast<std::size_t>(number)]};
   }
 

@@ -15,10 +15,10 @@ void FaceLinks::add_facets(const std::vector<FacetLink>& facets) {
     const std::size_t begin = links_.size();
     for (const FacetLink& facet : list) links_.push_back({facet.first, facet.second, FaceLink::own_direction, kind, 0});
     pad(kind, FaceLink::own_direction, begin);
-    list.resize(links_.size() - begin, {.direction = {1, 0}, .distance = 1});
+    list.resize(links_.size() - begin, {.direction = Vector<2>(1, 0), .distance = 1});
     for (const FacetLink& facet : list) {
       const Real stiffness = facet.half_face / facet.distance;
-      for (std::size_t axis = 0; axis < 2; ++axis) facets_.direction[axis].push_back(facet.direction[axis]);
+      for (std::size_t axis = 0; axis < 2; ++axis) facets_.direction[axis].push_back(facet.direction[static_cast<int>(axis)]);
       facets_.first_reach.push_back(facet.first_reach);
       facets_.second_reach.push_back(facet.second_reach);
       facets_.first_shift.push_back(facet.first_shift);
@@ -39,7 +39,7 @@ int FaceLinks::second_face(Index number) const {
   return is_facet(at(number)) ? facets_.faces[at(number) - lattice_end_][1] : link(number).axis + 2;
 }
 
-std::array<Real, 2> FaceLinks::direction_of(Index number) const {
+Vector<2> FaceLinks::direction_of(Index number) const {
   if (!is_facet(at(number))) return {link(number).axis == 0 ? 1.0 : 0.0, link(number).axis == 0 ? 0.0 : 1.0};
   return {facets_.direction[0][at(number) - lattice_end_], facets_.direction[1][at(number) - lattice_end_]};
 }

@@ -24,7 +24,7 @@ FacetLink facet_on(const Side& side, const Vector2& apart, const std::array<Vect
   FacetLink facet;
   facet.distance = apart.norm();
   const Vector2 n = apart / facet.distance, s(n.y(), -n.x()), middle = 0.5 * (side.begin + side.end);
-  facet.direction = {n.x(), n.y()};
+  facet.direction = n;
   facet.first_reach = n.dot(middle - centres[0]);
   facet.second_reach = n.dot(centres[1] - middle);
   facet.first_shift = s.dot(middle - centres[0]);

@@ -25,9 +25,9 @@ void add_link(const state::Particles<2>& particles, const FaceLinks& links, Inde
   const FaceLink& link = links.link(number);
   const laws::Facet<Real> face = links.springs_of(number);
   const laws::FaceSprings& kind = links.kind_of(number).springs;
-  const auto [x, y] = links.direction_of(number);
+  const Vector2 direction = links.direction_of(number);
   const Real c = particles.rotation[0][at(link.first)], s = particles.rotation[1][at(link.first)];
-  const Vector2 n(c * x - s * y, s * x + c * y);
+  const Vector2 n(c * direction.x() - s * direction.y(), s * direction.x() + c * direction.y());
   const Real count = kind.count(), squares = kind.square_sum();
   springs.push_back({link.first,
                      link.second,
