@@ -4,6 +4,9 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -36,6 +39,14 @@ void add_case_options(CLI::App& command, command::CaseArguments& arguments) {
                   "number of threads (default: OMP_NUM_THREADS, or all processors; fewer for less than 4000 elements each)")
       ->check(CLI::Range(1, 4096))
       ->type_name("N");
+}
+
+/// The Python package, which draws it, has the last word; here a wrong ending is told before the case is looked at.
+std::string has_ending_of_picture(const std::string& file) {
+  std::string ending = std::filesystem::path(file).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  constexpr std::array endings{".png", ".pdf", ".svg", ".jpg"};
+  return std::ranges::find(endings, ending) != endings.end() ? "" : file + " must end in .png, .pdf, .svg or .jpg";
 }
 
 void describe_study(CLI::App& study, command::StudyArguments& arguments) {
@@ -129,6 +140,7 @@ void describe(CLI::App& app, Arguments& arguments) {
   check
       .add_option("--picture", arguments.check.picture,
                   "draw the model at t = 0 with its groups, boundaries, loads and gauges (.png, .pdf, .svg or .jpg)")
+      ->check(has_ending_of_picture)
       ->type_name("FILE");
   add_trust(check);
   auto& study = *app.add_subcommand("study", "families of cases: the stability limit of each, by bisection");
@@ -193,7 +205,7 @@ int run_command(const CLI::App& app, const Arguments& arguments, const parallel:
   } catch (const PhysicsError& error) {
     return fail("the physics failed", error.what(), PhysicsError::exit_code, true);
   } catch (const MachineError& error) {
-    return fail("the machine failed", error.what(), MachineError::exit_code);
+    return fail(sazare::command::stop_asked ? "stopped" : "the machine failed", error.what(), MachineError::exit_code);
   } catch (const std::bad_alloc&) {
     return fail("the machine failed", "not enough memory: use a coarser mesh, or a machine with more", MachineError::exit_code);
   } catch (const std::filesystem::filesystem_error& error) {

@@ -7,6 +7,7 @@
 #include "apps/sazare/signals.hpp"
 #include "sazare/cases/case_file.hpp"
 #include "sazare/cases/format/number_text.hpp"
+#include "sazare/cases/format/shell_word.hpp"
 #include "sazare/core/error.hpp"
 #include "sazare/parallel/processors.hpp"
 #include "sazare/parallel/threads.hpp"
@@ -47,21 +48,12 @@ std::optional<runs::OneSide> side_of(const RunArguments& arguments, const cases:
   return runs::OneSide{side, exchange, arguments.time_out};
 }
 
-/// A word as a shell reads it back.
-std::string quoted(const std::string& word) {
-  static constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./,:@%";
-  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
 std::string resume_text(const RunArguments& arguments, const fs::path& folder) {
-  std::string text =
-      fmt::format("sazare run {} --out {} --resume", quoted(arguments.of_case.file.string()), quoted(folder.string()));
+  std::string text = fmt::format("sazare run {} --out {} --resume", cases::shell_word(arguments.of_case.file.string()),
+                                 cases::shell_word(folder.string()));
   if (!arguments.side.empty()) text += fmt::format(" --side {}", arguments.side);
-  if (!arguments.exchange.empty()) text += fmt::format(" --exchange {}", quoted(arguments.exchange.string()));
-  for (const std::string& setting : arguments.of_case.settings) text += fmt::format(" --set {}", quoted(setting));
+  if (!arguments.exchange.empty()) text += fmt::format(" --exchange {}", cases::shell_word(arguments.exchange.string()));
+  for (const std::string& setting : arguments.of_case.settings) text += fmt::format(" --set {}", cases::shell_word(setting));
   return text;
 }
 

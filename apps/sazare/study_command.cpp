@@ -5,6 +5,7 @@
 
 #include "apps/sazare/commands.hpp"
 #include "apps/sazare/signals.hpp"
+#include "sazare/cases/format/shell_word.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "sazare/registry/registry.hpp"
 
@@ -22,7 +23,7 @@ int study(const StudyArguments& arguments) {
       registry::run_study(study, {folder, begin, arguments.quiet, parallel::threads(), &stop_asked});
   if (outcome.done < outcome.cases) {
     fmt::print(stderr, "stopped after {} of {} cases. To resume:\n  sazare study {} --out {} --resume\n", outcome.done,
-               outcome.cases, arguments.file.string(), folder.string());
+               outcome.cases, cases::shell_word(arguments.file.string()), cases::shell_word(folder.string()));
     return stopped;
   }
   if (!arguments.quiet) {

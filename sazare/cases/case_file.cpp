@@ -12,6 +12,7 @@
 #include "sazare/cases/case_format.hpp"
 #include "sazare/cases/checks.hpp"
 #include "sazare/cases/format/case_text.hpp"
+#include "sazare/cases/format/shell_word.hpp"
 #include "sazare/cases/format/structure_check.hpp"
 #include "sazare/cases/method_choice.hpp"
 #include "sazare/core/error.hpp"
@@ -60,6 +61,14 @@ std::vector<Table> all_tables(CaseFormats formats) {
   return all;
 }
 
+void refuse_study(const Value& root, const fs::path& path, Problems& problems) {
+  const Value* study = root.find("study");
+  if (study == nullptr || root.find("case") != nullptr) return;
+  problems.error(study->place, "this is a study, not a case",
+                 fmt::format("use it with: sazare study {}; its families name the cases", shell_word(path.string())));
+  problems.throw_if_errors();
+}
+
 /// The place of "joints.0.cohesion", or of as much of it as the file gives.
 Place find_place(const Value& root, std::string_view key) {
   const Value* at = &root;
@@ -95,6 +104,7 @@ CaseFile read_case_text(CaseFormats formats, const std::string& content, const f
   auto root = parse_document(content, source, problems, all_tables(formats));
   problems.throw_if_errors();
   text->root = std::move(*root);
+  refuse_study(text->root, path, problems);
   const bool has_sides = format_of(formats, method_name(text->root)).has_sides;
   for (const std::string& setting : overrides)
     if (!has_sides || !is_of_side(setting)) apply_override(text->root, setting, problems, side);

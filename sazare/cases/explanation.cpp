@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sazare/cases/fields.hpp"
+#include "sazare/cases/format/units.hpp"
 #include "sazare/cases/motion_peaks.hpp"
 
 namespace sazare::cases {
@@ -79,6 +80,22 @@ std::string explain_gravity(const Vector3& acceleration, std::string_view more) 
 std::string explain_waves(const std::string& material, Real p_wave, Real s_wave, Real size) {
   return line("waves", fmt::format("{}: P {} m/s, S {} m/s; S waves of {} Hz are ten times {} m long", material, number(p_wave),
                                    number(s_wave), number(s_wave / (10 * size)), number(size)));
+}
+
+std::string mass_text(Real mass) {
+  const Real weight = standard_gravity * mass;
+  const bool is_large = weight >= 1e6, is_small = weight < 1e3;
+  return fmt::format("{} kg, weight {} {}", number(mass),
+                     number(weight / (is_large   ? 1e6
+                                      : is_small ? 1
+                                                 : 1e3)),
+                     is_large   ? "MN"
+                     : is_small ? "N"
+                                : "kN");
+}
+
+std::string limit_text(Real limit, int digits) {
+  return std::isfinite(limit) ? fmt::format("limit {} s", number(limit, digits)) : "no limit, for no springs act at the start";
 }
 
 std::string stress_text(Real stress) {

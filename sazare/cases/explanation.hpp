@@ -44,6 +44,12 @@ std::string explain_gravity(const Vector3& acceleration, std::string_view more =
 /// size [m] long: shorter ones are not followed well.
 std::string explain_waves(const std::string& material, Real p_wave, Real s_wave, Real size);
 
+/// "9.17e4 kg, weight 899 kN", with N, kN or MN by its size.
+std::string mass_text(Real mass);
+
+/// "limit 1.2e-5 s"; says so where no springs act and any step is stable.
+std::string limit_text(Real limit, int digits = 4);
+
 /// "6.66e6 Pa (6.66 MPa)"; without brackets below a thousand pascals.
 std::string stress_text(Real stress);
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <vector>
+
 #include "sazare/cases/explanation.hpp"
 
 namespace sazare::cases {
@@ -20,6 +22,16 @@ Extent extent_of(std::span<const Vector3> points) {
     extent.high = extent.high.cwiseMax(point);
   }
   return extent;
+}
+
+Extent extent_of(std::size_t bodies, const std::function<Vector3(std::size_t)>& centre,
+                 const std::function<Vector3(std::size_t)>& reach) {
+  std::vector<Vector3> ends;
+  for (std::size_t i = 0; i < bodies; ++i) {
+    ends.emplace_back(centre(i) - reach(i));
+    ends.emplace_back(centre(i) + reach(i));
+  }
+  return extent_of(ends);
 }
 
 std::string explain_size(const Extent& extent) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 
@@ -16,11 +17,15 @@ struct Extent {
 
 Extent extent_of(std::span<const Vector3> points);
 
+/// The box around bodies, of which the centre and how far they reach from it along the axes [m] are given by number.
+Extent extent_of(std::size_t bodies, const std::function<Vector3(std::size_t)>& centre,
+                 const std::function<Vector3(std::size_t)>& reach);
+
 /// A line of `check` with the size of a model.
 std::string explain_size(const Extent& extent);
 
-/// Warns of a mesh that is longer than bodies of this field are, most likely because its coordinates are in millimetres; otherwise
-/// empty.
+/// Warns of a mesh that is longer than bodies of this field are, most likely because its coordinates are in millimetres;
+/// otherwise empty.
 std::string warn_of_size(const CaseSource& source, const Extent& extent);
 
 }  // namespace sazare::cases

@@ -57,26 +57,27 @@ void warn_of_end(const CheckContext& context, const Entry& entry, const Motion& 
       fmt::format("the record ends at {} s, before the run at {} s", short_number(duration), short_number(end)), then);
 }
 
-/// Records in gal or cm/s whose numbers are taken for m/s2 or m/s are a hundred times too strong.
+/// Motions in gal or cm/s whose numbers are taken for m/s2 or m/s are a hundred times too strong.
 void warn_of_peaks(const CheckContext& context, const Entry& entry, const Motion& motion, Real end) {
   constexpr MotionPeaks strongest{50, 8, 25};  // somewhat more than the strongest that was ever recorded near a fault
   const std::optional<MotionPeaks> peaks = peaks_of(motion, end);
   if (!peaks) return;
+  const bool is_record = motion.type == MotionShape::record;
+  const Place place = entry.place(is_record ? "file" : "amplitude");
   const auto warn = [&](const char* what, Real peak, const char* unit, Real factor, const char* small_unit) {
-    context.problems.warning(entry.place("file"),
-                             fmt::format("the motion of this record has a peak {} of {} {}, more than any earthquake had", what,
-                                         short_number(peak, 4), unit),
-                             fmt::format("check the unit that the file states and the amplitude; as {} it would be {} {}",
-                                         small_unit, short_number(factor * peak, 4), unit));
+    context.problems.warning(
+        place, fmt::format("this motion has a peak {} of {} {}, more than any earthquake had", what, short_number(peak, 4), unit),
+        fmt::format("check {}; as {} it would be {} {}",
+                    is_record ? "the unit that the file states and the amplitude" : "its unit", small_unit,
+                    short_number(factor * peak, 4), unit));
   };
   if (motion.quantity == laws::MotionQuantity::acceleration && peaks->acceleration > strongest.acceleration)
     warn("acceleration", peaks->acceleration, "m/s2", 0.01, "gal");
   else if (motion.quantity == laws::MotionQuantity::velocity && peaks->velocity > strongest.velocity)
     warn("velocity", peaks->velocity, "m/s", 0.01, "cm/s");
-  else if (motion.quantity != laws::MotionQuantity::displacement && peaks->displacement > strongest.displacement)
+  else if (is_record && motion.quantity != laws::MotionQuantity::displacement && peaks->displacement > strongest.displacement)
     context.problems.warning(
-        entry.place("file"),
-        fmt::format("this record moves by {} m, more than any earthquake did", short_number(peaks->displacement, 4)),
+        place, fmt::format("this record moves by {} m, more than any earthquake did", short_number(peaks->displacement, 4)),
         "records of accelerations drift: choose a baseline, or check the unit that the file states");
 }
 
@@ -129,6 +130,7 @@ void check_motions(const CheckContext& context, std::vector<Motion>& motions, Re
                                            short_number(motion.peak_time), short_number(1 / motion.frequency)),
                                "choose a peak_time of 1/frequency or more");
     }
+    if (motion.type != MotionShape::record) warn_of_peaks(context, entry, motion, end);
   }
 }
 

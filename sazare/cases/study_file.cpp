@@ -8,6 +8,7 @@
 #include "sazare/cases/checks.hpp"
 #include "sazare/cases/format/field_reader.hpp"
 #include "sazare/cases/format/number_text.hpp"
+#include "sazare/cases/format/shell_word.hpp"
 #include "sazare/cases/format/structure_check.hpp"
 #include "sazare/core/error.hpp"
 
@@ -92,6 +93,18 @@ std::vector<std::string> Study::overrides(std::size_t number) const {
   return settings;
 }
 
+namespace {
+
+void refuse_case(const Value& root, const std::filesystem::path& path, Problems& problems) {
+  const Value* found = root.find("case");
+  if (found == nullptr || root.find("study") != nullptr) return;
+  problems.error(found->place, "this is a case, not a study",
+                 fmt::format("use it with: sazare run {}", shell_word(path.string())));
+  problems.throw_if_errors();
+}
+
+}  // namespace
+
 Study read_study(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream text;
@@ -101,6 +114,7 @@ Study read_study(const std::filesystem::path& path) {
   const int source = problems.add_source(source_from_text(path.string(), text.str()));
   auto root = parse_document(text.str(), source, problems);
   problems.throw_if_errors();
+  refuse_case(*root, path, problems);
   check_structure(*root, study_schema(), problems);
   problems.throw_if_errors();
   const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();

@@ -12,17 +12,18 @@ namespace sazare::cases {
 namespace usual {
 
 inline constexpr UsualRange density{100, 25e3};             // [kg/m3]
-inline constexpr UsualRange elastic_modulus{1e4, 2e12};     // [Pa]
+inline constexpr UsualRange elastic_modulus{2e5, 2e12};     // [Pa]
+inline constexpr UsualRange rock_modulus{1e7, 2e12};        // [Pa]
 inline constexpr UsualRange strength{100, 10e9};            // [Pa]
 inline constexpr UsualRange stiffness_per_area{1e5, 1e16};  // [Pa/m]
 inline constexpr UsualRange fracture_energy{1e-3, 1e6};     // [N/m]
 inline constexpr UsualRange blast_pressure{1e4, 200e9};     // [Pa]
 inline constexpr UsualRange damping_ratio{0, 1};
 inline constexpr UsualRange weibull_modulus{1.5, 60};
-inline constexpr UsualRange friction_angle{2, 80};          // [deg]
-inline constexpr UsualRange wave_velocity{10, 15e3};        // [m/s]
-inline constexpr UsualRange delay{0, 30};                   // of a blast [s]
-inline constexpr UsualRange rise_time{0, 0.1};              // of its pressure [s]
+inline constexpr UsualRange friction_angle{2, 80};    // [deg]
+inline constexpr UsualRange wave_velocity{10, 15e3};  // [m/s]
+inline constexpr UsualRange delay{0, 30};             // of a blast [s]
+inline constexpr UsualRange rise_time{0, 0.1};        // of its pressure [s]
 
 }  // namespace usual
 

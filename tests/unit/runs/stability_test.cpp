@@ -78,6 +78,12 @@ TEST(Stability, AStrictCaseIsRefused) {
   EXPECT_NE(words.find("error: step above the stability limit"), std::string::npos) << words;
 }
 
+TEST(Stability, DampingBeyondMeasureIsRefused) {
+  const std::vector<std::string> settings = {"joints.0.joint_normal_damping=1e300", "time.limiter=none", "time.base_step=1e-8"};
+  const std::string words = test::words_of<UserError>([&] { warning_of(settings); });
+  EXPECT_NE(words.find("error: no step is stable: the stability limit of element "), std::string::npos) << words;
+}
+
 TEST(Check, SaysWhatTheCaseWillDo) {
   const std::string text = check_blocks(block_case());
   for (const char* words : {"Small block", "base ", "initial levels", "elements that limit the step", "one piece",

@@ -36,7 +36,7 @@ constexpr std::array material_keys{
         .type = Type::number,
         .unit = "Pa",
         .range = positive,
-        .usual = usual::elastic_modulus,
+        .usual = usual::rock_modulus,
         .note = with_poisson_ratio,
         .sentence =
             "Young's modulus. With it the springs of each face follow from the two elements beside it, and waves run at one "
@@ -144,8 +144,9 @@ constexpr std::array leading_joint_keys{
         .range = {.low = 1},
         .usual = usual::weibull_modulus,
         .note = "default: all faces have the same strength",
-        .sentence = "Lets strengths and fracture energies scatter from face to face by Weibull's distribution with this modulus about "
-                    "those given here, which are the means."},
+        .sentence =
+            "Lets strengths and fracture energies scatter from face to face by Weibull's distribution with this modulus about "
+            "those given here, which are the means."},
     Key{.name = "scatter_seed",
         .type = Type::integer,
         .range = {.low = 0, .high = 1e9},

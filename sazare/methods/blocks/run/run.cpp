@@ -1,13 +1,14 @@
 #include "sazare/methods/blocks/run/run.hpp"
 
+#include "sazare/cases/format/counted.hpp"
 #include "sazare/core/large_tables.hpp"
 #include "sazare/methods/blocks/case/format.hpp"
+#include "sazare/methods/blocks/run/check/stability.hpp"
 #include "sazare/methods/blocks/run/identity.hpp"
 #include "sazare/methods/blocks/run/mesh_source.hpp"
 #include "sazare/methods/blocks/run/motion_rows.hpp"
 #include "sazare/methods/blocks/run/rank_times.hpp"
 #include "sazare/methods/blocks/run/record.hpp"
-#include "sazare/methods/blocks/run/check/stability.hpp"
 #include "sazare/methods/blocks/run/state_hash.hpp"
 #include "sazare/observe/atomic_file.hpp"
 #include "sazare/runs/case_run.hpp"
@@ -70,7 +71,8 @@ struct BlocksWork final : WorkDefaults {
   static std::string method() { return "blocks"; }
   std::string warning() const override { return warn_of(file, model); }
   std::string words() const {
-    return fmt::format("{} elements, {} joints, base step {} s", simulation().bodies().size(), model.joints->links().size(),
+    return fmt::format("{}, {}, base step {} s", cases::counted(simulation().bodies().size(), "elements"),
+                       cases::counted(std::ssize(model.joints->links()), "joints"),
                        cases::short_number(simulation().levels().step(0), 4));
   }
   Real checkpoint_interval() const { return file.as<cases::BlocksCase>().output.checkpoint_interval; }
@@ -103,7 +105,9 @@ struct BlocksWork final : WorkDefaults {
 
   std::uint64_t state_hash() const { return runs::state_hash(model); }
   std::vector<levels::PartTime> part_times() const override { return simulation().part_times(); }
-  void write_case() const { observe::write_file(folder.case_file(), cases::write_resolved(file.as<cases::BlocksCase>(), folder.path())); }
+  void write_case() const {
+    observe::write_file(folder.case_file(), cases::write_resolved(file.as<cases::BlocksCase>(), folder.path()));
+  }
   void write_end() override { record.write_fragments(); }
   void write_rank_times() override { runs::write_rank_times(folder.ranks(), simulation()); }
 };

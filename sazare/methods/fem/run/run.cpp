@@ -4,6 +4,7 @@
 
 #include "sazare/cases/explanation.hpp"
 #include "sazare/cases/extent.hpp"
+#include "sazare/cases/format/counted.hpp"
 #include "sazare/methods/fem/case/format.hpp"
 #include "sazare/methods/fem/run/identity.hpp"
 #include "sazare/methods/fem/run/motion_rows.hpp"
@@ -42,7 +43,7 @@ struct FemWork final : WorkDefaults {
   const std::string& title() const { return file.as<cases::FemCase>().title; }
   static std::string method() { return "fem"; }
   std::string words() const {
-    return fmt::format("{} elements, {} degrees of freedom, step {} s", model.mesh().elements.size(),
+    return fmt::format("{}, {} degrees of freedom, step {} s", cases::counted(std::ssize(model.mesh().elements), "elements"),
                        model.stepper->free_freedoms(), number(model.step));
   }
   Real checkpoint_interval() const { return file.as<cases::FemCase>().output.checkpoint_interval; }
@@ -104,9 +105,10 @@ std::string check(const cases::CaseFile& file, const std::filesystem::path& fold
   const RunClocks clocks = make_clocks(file, file.as<cases::FemCase>().time, "step", model.step);
   const auto& body = model.stepper->body();
   return cases::explain(file.as<cases::FemCase>()) +
-         line("body",
-              fmt::format("{} nodes, {} elements, {} joints, mass {} {}", model.mesh().nodes.size(), model.mesh().elements.size(),
-                          body.joints().size(), number(body.total_mass(), 6), D == 2 ? "kg/m" : "kg")) +
+         line("body", fmt::format("{}, {}, {}, mass {} {}", cases::counted(std::ssize(model.mesh().nodes), "nodes"),
+                                  cases::counted(std::ssize(model.mesh().elements), "elements"),
+                                  cases::counted(std::ssize(body.joints()), "joints"), number(body.total_mass(), 6),
+                                  D == 2 ? "kg/m" : "kg")) +
          second_look(file.as<cases::FemCase>(), model.mesh()) +
          line("work", fmt::format("{} degrees of freedom, {} equations", model.stepper->free_freedoms(),
                                   body.is_symmetric() ? "symmetric" : "unsymmetric")) +

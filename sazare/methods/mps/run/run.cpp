@@ -205,8 +205,8 @@ std::string check(const cases::CaseFile& file) {
                           model.filling.sites.size(), number(model.number_density, 6), supports.held.size(),
                           supports.driven.size(), supports.dashpots.size())) +
          second_look<D>(file.as<cases::MpsCase>(), model.stepper->particles()) + side_lines(model) +
-         line("stability", fmt::format("limit {} s, predicted from the largest frequency, {} rad/s, and the damping",
-                                       number(limit, 5), number(model.limit.frequency, 6))) +
+         line("stability", fmt::format("{}, predicted from the largest frequency, {} rad/s, and the damping",
+                                       cases::limit_text(limit, 5), number(model.limit.frequency, 6))) +
          line("step", fmt::format("{} s, {} of the limit, {} per history row", number(model.step, 5),
                                   number(model.step / limit, 3), clocks.steps_per_row)) +
          line("work",

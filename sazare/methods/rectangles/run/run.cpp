@@ -1,6 +1,7 @@
 #include "sazare/methods/rectangles/run/run.hpp"
 
 #include "sazare/cases/explanation.hpp"
+#include "sazare/cases/extent.hpp"
 #include "sazare/cases/format/counted.hpp"
 #include "sazare/methods/rectangles/case/format.hpp"
 #include "sazare/methods/rectangles/run/identity.hpp"
@@ -80,14 +81,27 @@ std::unique_ptr<LiveRun> open_rectangles(const cases::CaseFile& file, const RunO
   return std::make_unique<CaseRun<RectanglesWork>>(file, options);
 }
 
+namespace {
+
+std::string size_text(const RectanglesModel& model) {
+  const state::Particles<2>& particles = model.stepper->particles();
+  return cases::explain_size(cases::extent_of(
+      static_cast<std::size_t>(model.elements),
+      [&](std::size_t i) { return Vector3(particles.position(0, i), particles.position(1, i), 0); },
+      [&](std::size_t i) { return Vector3(model.forces->outlines().spring_radius(i) * Vector3(1, 1, 0)); }));
+}
+
+}  // namespace
+
 std::string check_rectangles(const cases::CaseFile& file, std::optional<Real> window) {
   const RectanglesModel model = build_rectangles(file, window);
   gauge_elements(file, model);
   const RunClocks clocks = make_clocks(file, file.as<cases::RectanglesCase>().time, "step", model.step);
   const std::string paper = model.limit.paper > 0 ? fmt::format("; (26) of the paper: {} s", number(model.limit.paper)) : "";
   return cases::explain(file.as<cases::RectanglesCase>()) + line("body", cases::counted(model.elements, "elements")) +
-         line("stability", fmt::format("limit {} s, predicted from the largest frequency, {} rad/s, and the dashpots{}",
-                                       number(model.limit.limit), number(model.limit.largest_frequency), paper)) +
+         size_text(model) +
+         line("stability", fmt::format("{}, predicted from the largest frequency, {} rad/s, and the dashpots{}",
+                                       cases::limit_text(model.limit.limit), number(model.limit.largest_frequency), paper)) +
          line("step", fmt::format("{} s, {} of the limit, {} per history row", number(model.step, 5),
                                   number(model.step / model.limit.limit, 3), clocks.steps_per_row)) +
          line("work", fmt::format("{} steps, {} element-steps", clocks.steps(),

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sazare/cases/explanation.hpp"
+#include "sazare/cases/extent.hpp"
 #include "sazare/cases/format/counted.hpp"
 #include "sazare/core/large_tables.hpp"
 #include "sazare/methods/spheres/case/format.hpp"
@@ -112,9 +113,17 @@ std::string notes_text(const SpheresModel& model) {
   return text;
 }
 
+std::string size_text(const SpheresModel& model) {
+  if (model.group.empty()) return "";
+  const auto place = [&](std::size_t i) -> const state::SpherePlace& { return model.stepper->spheres().place[i]; };
+  return cases::explain_size(cases::extent_of(
+      model.group.size(), [&](std::size_t i) { return place(i).centre(); },
+      [&](std::size_t i) -> Vector3 { return Vector3::Constant(place(i).radius); }));
+}
+
 /// What `check` says of the steps of a body.
 std::string steps_text(const SphereSteps& steps, const RunClocks& clocks) {
-  std::string text = line("stability", fmt::format("limit {} s", number(steps.limit, 5))) +
+  std::string text = line("stability", cases::limit_text(steps.limit, 5)) +
                      line(steps.level.empty() ? "step" : "base step",
                           fmt::format("{} s, {} of the limit, {} to a history row", number(steps.step, 5),
                                       number(steps.step / steps.limit, 3), clocks.steps_per_row));
@@ -160,6 +169,7 @@ std::string check_spheres(const cases::CaseFile& file) {
                                   cases::counted(static_cast<std::int64_t>(model.group.size()), "spheres"), number(smallest),
                                   number(largest), number(mass),
                                   cases::counted(static_cast<std::int64_t>(model.stepper->walls().walls().size()), "walls"))) +
+         size_text(model) +
          (model.clumps > 0 ? line("clumps", fmt::format("{} rigid, of {} m3 together", model.clumps, number(volume))) : "") +
          (model.stepper->bodies().empty()
               ? ""

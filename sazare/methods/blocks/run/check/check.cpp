@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "sazare/cases/explanation.hpp"
+#include "sazare/cases/format/counted.hpp"
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/geometry/tetrahedron.hpp"
 #include "sazare/methods/blocks/case/format.hpp"
@@ -32,11 +33,11 @@ std::string body_text(const BlocksModel& model) {
   const auto elements = model.simulation->bodies().size();
   Real volume = 0;
   for (Index element = 0; element < elements; ++element) volume += geometry::volume(geometry::corners_of(model.mesh, element));
-  return line("body",
-              fmt::format("{} elements, {} joints, {} m3, initially {}", elements, model.joints->links().size(), number(volume),
-                          find_fragments(elements, *model.joints).count == 1
-                              ? "one piece"
-                              : fmt::format("{} pieces", find_fragments(elements, *model.joints).count)));
+  return line("body", fmt::format("{}, {}, {} m3, initially {}", cases::counted(elements, "elements"),
+                                  cases::counted(std::ssize(model.joints->links()), "joints"), number(volume),
+                                  find_fragments(elements, *model.joints).count == 1
+                                      ? "one piece"
+                                      : fmt::format("{} pieces", find_fragments(elements, *model.joints).count)));
 }
 
 std::string level_text(const BlocksModel& model) {

@@ -10,7 +10,7 @@
 
 #include "sazare/cases/explanation.hpp"
 #include "sazare/cases/extent.hpp"
-#include "sazare/cases/format/units.hpp"
+#include "sazare/cases/format/counted.hpp"
 #include "sazare/geometry/face_map.hpp"
 #include "sazare/methods/blocks/run/block_fragments.hpp"
 #include "sazare/methods/blocks/run/parts.hpp"
@@ -27,7 +27,7 @@ constexpr Real anfo_density = 840, anfo_energy = 0.8 * 4.184e6;
 std::string mass_text(const BlocksModel& model) {
   Real mass = 0;
   for (const auto& inertia : model.simulation->bodies().inertia) mass += inertia.mass;
-  return line("mass", fmt::format("{} kg, weight {} kN", number(mass), number(cases::standard_gravity / 1e3 * mass)));
+  return line("mass", cases::mass_text(mass));
 }
 
 /// The wall of a hole, by the faces on which its blast acts.
@@ -138,7 +138,7 @@ std::string held_text(const cases::BlocksCase& blocks, const BlocksModel& model,
   for (std::size_t i = 0; i < held.size(); ++i)
     if (held[i] != 0) holds.insert(pieces.of_element[i]);
   const auto free = pieces.count - static_cast<Index>(holds.size());
-  std::string text = fmt::format("{} elements by boundaries and constraints", count);
+  std::string text = cases::counted(count, "elements") + " by boundaries and constraints";
   const auto names = [&](int of) {
     std::string axis_names;
     for (int axis = 0; axis < 3; ++axis)

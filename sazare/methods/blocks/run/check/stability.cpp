@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "sazare/cases/extent.hpp"
 #include "sazare/cases/clocks.hpp"
+#include "sazare/cases/extent.hpp"
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/geometry/tetrahedron.hpp"
 #include "sazare/methods/blocks/case/case.hpp"
@@ -64,6 +64,11 @@ Real evaluations_per_second(const BlocksModel& model) {
 
 std::string check_stability(const cases::CaseFile& file, const BlocksModel& model) {
   const cases::Time& time = file.as<cases::BlocksCase>().time;
+  const LimitingElement shortest = limiting_elements(model, 1).front();
+  if (!(shortest.stable_step > 0))
+    refuse(file, "time",
+           fmt::format("no step is stable: the stability limit of {} is 0 s", element_text(model.mesh, shortest.element)),
+           "its springs or dashpots are beyond any measure: check stiffness, damping and density of its material and joints");
   const bool by_fraction = time.limiter == cases::Limiter::stability;
   const Real base_step = model.simulation->levels().step(0);
   if (by_fraction && time.stability_fraction <= stable_share) return {};
@@ -71,10 +76,9 @@ std::string check_stability(const cases::CaseFile& file, const BlocksModel& mode
     return (by_fraction ? time.stability_fraction * step : base_step) > stable_share * step;
   });
   if (above == 0) return {};
-  const LimitingElement smallest = limiting_elements(model, 1).front();
   const std::string who =
       fmt::format("{} of {} elements; the smallest stability limit, {}, is that of {}", above, model.stable_step.size(),
-                  seconds(stable_share * smallest.stable_step), element_text(model.mesh, smallest.element));
+                  seconds(stable_share * shortest.stable_step), element_text(model.mesh, shortest.element));
   const std::string key = by_fraction ? "time.stability_fraction" : "time.base_step";
   const std::string what = by_fraction ? fmt::format("step above the stability limit: stability_fraction = {} is above {}, {}",
                                                      cases::short_number(time.stability_fraction), stable_share,
@@ -84,7 +88,7 @@ std::string check_stability(const cases::CaseFile& file, const BlocksModel& mode
   const std::string help =
       by_fraction ? std::string("set stability_fraction = 0.5")
                   : fmt::format("set limiter = \"stability\", which gives every element its own step, or base_step = {}",
-                                cases::number_text(stable_base_step(time, smallest.stable_step)));
+                                cases::number_text(stable_base_step(time, shortest.stable_step)));
   if (time.strict) refuse(file, key, what, help);
   return warning(file, key, what, help);
 }
