@@ -1,11 +1,14 @@
 """Pictures of runs of method fem, from meshes and tables made here."""
 
+import subprocess
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 import pyvista
 
+import sazare
 from sazare.methods import fem
 from sazare.tables import Table
 
@@ -67,3 +70,13 @@ def test_nothing_is_drawn_without_data():
     empty = SimpleNamespace(history=Table({}), element_snapshots=[], gauge_table=Table({}), gauges={})
     for draw in (fem.displaced, fem.yielding, fem.forces, fem.joints, fem.displacements):
         assert draw(empty) is None
+
+
+def test_the_von_mises_stress_follows_from_the_components_of_the_stress(tmp_path):
+    root = Path(__file__).resolve().parents[2]
+    command = [root / "build/release/apps/sazare/sazare", "run", root / "cases/cantilever-fem/case.toml", "--out", tmp_path / "run", "--quiet"]
+    subprocess.run([*command, "--set", "time.end=0.03"], check=True, timeout=120)
+    cells = sazare.open(tmp_path / "run").element_snapshots[-1].elements.cell_data
+    (x, y, z), (xy, yz, zx) = np.asarray(cells["normal_stress"]).T, np.asarray(cells["shear_stress"]).T
+    expected = np.sqrt(0.5 * ((x - y) ** 2 + (y - z) ** 2 + (z - x) ** 2) + 3.0 * (xy**2 + yz**2 + zx**2))
+    assert np.asarray(cells["von_mises_stress"]) == pytest.approx(expected, rel=1e-12)

@@ -35,6 +35,7 @@ inline constexpr std::array nodes = {Column{"displacement", "m", "since the begi
 inline constexpr std::array elements = {Column{"normal_stress", "Pa", "xx, yy, zz; tension is positive"},
                                         Column{"shear_stress", "Pa", "xy in 2-D; xy, yz, zx in 3-D"},
                                         Column{"pressure", "Pa", "minus the mean of the normal stresses"},
+                                        Column{"von_mises_stress", "Pa", ""},
                                         Column{"plastic_shear_strain", "-", "equivalent plastic shear strain"},
                                         Column{"region", "-", "physical group in the mesh, counted from 0 as the file has them"}};
 

@@ -147,6 +147,12 @@ void FemRecord<D>::observe(std::int64_t step, Real wall_seconds) {
   if (clocks_.is_snapshot(step)) write_snapshot(time);
 }
 
+/// By normal stresses xx, yy, zz and shear stresses xy, yz, zx [Pa].
+Real von_mises_stress(const Vector3& normal, const Vector3& shear) {
+  const Vector3 deviator = normal.array() - normal.mean();
+  return std::sqrt(1.5 * deviator.squaredNorm() + 3 * shear.squaredNorm());
+}
+
 template <int D>
 void FemRecord<D>::write_snapshot(Real time) {
   const geometry::ElementMesh& mesh = model_->mesh();
@@ -158,7 +164,7 @@ void FemRecord<D>::write_snapshot(Real time) {
   }
   const std::vector<Vector3> velocity = vectors_of<D>(state.velocity), acceleration = vectors_of<D>(state.acceleration);
   std::vector<methods::fem::Voigt<D>> stress;
-  std::vector<Real> slip, pressure;
+  std::vector<Real> slip, pressure, von_mises;
   stepper().body().stresses(state.displacement, state.memory, stress, slip);
   std::vector<Vector3> normal, shear;
   for (const auto& one : stress) {
@@ -166,6 +172,7 @@ void FemRecord<D>::write_snapshot(Real time) {
     shear.push_back(Vector3::Zero());
     shear.back().template head<methods::fem::stress_size<D> - 3>() = one.template tail<methods::fem::stress_size<D> - 3>();
     pressure.push_back(-one.template head<3>().sum() / 3);
+    von_mises.push_back(von_mises_stress(normal.back(), shear.back()));
   }
   std::vector<std::int32_t> connectivity, region(mesh.region.begin(), mesh.region.end());
   std::vector<std::uint8_t> types;
@@ -175,7 +182,7 @@ void FemRecord<D>::write_snapshot(Real time) {
     types.push_back(geometry::facts(element.shape).vtk_type);
   }
   const auto of_points = observe::cell_data(columns::fem::nodes, moved, velocity, acceleration);
-  const auto of_cells = observe::cell_data(columns::fem::elements, normal, shear, pressure, slip, region);
+  const auto of_cells = observe::cell_data(columns::fem::elements, normal, shear, pressure, von_mises, slip, region);
   observe::Grid grid{observe::Grid::Cell::vertex, places, connectivity, of_cells, time};
   grid.point_data = of_points;
   grid.types = types;
