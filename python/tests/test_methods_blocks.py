@@ -80,10 +80,9 @@ def test_fragments_of_a_body_differ_from_all_they_touch(slab):
     assert all(one != other for one, other in zip(by_slice, by_slice[1:]))
 
 
-def mixed_mode_run(slab, tmp_path):
-    """The slab's run with the law mixed_mode, in which every second crack is sheared and pressed together."""
+def sheared_slab(slab, tmp_path):
+    """The slab's run, in which every second crack is made one that is sheared and pressed together."""
     copy = shutil.copytree(slab, tmp_path / "run")
-    (copy / "case.toml").write_text((copy / "case.toml").read_text() + '\n[[joints]]\nlaw = "mixed_mode"\n')
     for path in (copy / "snapshots").glob("joints_*.vtkhdf"):
         with h5py.File(path, "r+") as file:
             state, mode = file["VTKHDF/CellData/state"], file["VTKHDF/CellData/mode"]
@@ -95,7 +94,7 @@ def mixed_mode_run(slab, tmp_path):
 
 
 def test_sheared_joints_have_colors_and_counts_of_their_own(slab, tmp_path):
-    results = sazare.open(mixed_mode_run(slab, tmp_path))
+    results = sazare.open(sheared_slab(slab, tmp_path))
     body = Body(results.snapshots)
     labels = [axes.get_ylabel() for axes in blocks_maps.crack_pattern(body).axes]
     assert "sheared, faces pressed together: time of failure [µs]" in labels and "open: time of failure [µs]" in labels
@@ -104,9 +103,9 @@ def test_sheared_joints_have_colors_and_counts_of_their_own(slab, tmp_path):
     assert words == [f"opening, faces apart: {np.sum(states == 2)} joints", f"shear, faces pressed together: {np.sum(states == SHEARED)} joints"]
 
 
-def test_cracks_by_mode_are_drawn_for_the_law_that_has_modes(slab, tmp_path):
+def test_cracks_by_mode_are_drawn_where_joints_have_failed_in_shear(slab, tmp_path):
     assert "modes" not in [section.name for section in sections_of(sazare.open(slab))]
-    assert "modes" in [section.name for section in sections_of(sazare.open(mixed_mode_run(slab, tmp_path)))]
+    assert "modes" in [section.name for section in sections_of(sazare.open(sheared_slab(slab, tmp_path)))]
 
 
 @pytest.fixture(scope="module")

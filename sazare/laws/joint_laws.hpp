@@ -61,6 +61,7 @@ concept SoftensBySlip = ElasticJointLaw<Law> && requires(typename Law::template 
   { opening_dissipation(tension, number, number, number) } -> std::same_as<Lanes>;  // by both peaks, and damage before [J/m2]
   { shear_strength(shear, number, number) } -> std::same_as<Lanes>;                 // by normal stress and damage [Pa]
   slip_and_soften(shear, slip, number, number, number);                             // by normal stress, damage and path
+  { Law::shear_energy } -> std::convertible_to<std::string_view>;                   // the parameter that slip dissipates [J/m2]
 };
 
 template <class Law>

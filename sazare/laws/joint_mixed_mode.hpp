@@ -128,6 +128,7 @@ struct MixedMode {
                    .sentence = "Coefficient of friction of a joint of law mixed_mode without cohesion.",
                    .may_be_zero = true,
                    .may_be_absent = true}};
+  static constexpr std::string_view shear_energy = parameters[0].name;
 
   template <class P>
   using Tension = TensionParameters<P>;

@@ -2,8 +2,8 @@
 
 /// Lists of laws: std::tuple of types, of which a case chooses one by its word.
 ///
-/// A law of such a list has `word`, the word of the case that chooses it, and `parameters`, a std::array of LawParameter: what it takes
-/// beside what all laws of the list take. Both become keys of the case, with their checks and their page of the reference.
+/// A law of such a list has `word`, the word of the case that chooses it, and `parameters`, a std::array of LawParameter: what it
+/// takes beside what all laws of the list take. Both become keys of the case, with their checks and their page of the reference.
 
 #include <array>
 #include <cassert>
@@ -49,7 +49,8 @@ auto visit_law_at(std::size_t place, Visitor&& visit) {
 template <class Laws>
 inline constexpr auto words_of_laws = []<std::size_t... n>(std::index_sequence<n...>) {
   return std::array{std::tuple_element_t<n, Laws>::word...};
-}(std::make_index_sequence<std::tuple_size_v<Laws>>{});
+}
+(std::make_index_sequence<std::tuple_size_v<Laws>>{});
 
 namespace detail {
 
@@ -96,6 +97,14 @@ std::array<Value, Law::parameters.size()> own_parameters(const std::array<Value,
     for (std::size_t k = 0; k < own.size(); ++k)
       if (Law::parameters[k].name == parameters_of_laws<Laws>[n].name) own[k] = all[n];
   return own;
+}
+
+/// The value of one of the parameters of a list, by its name.
+template <class Laws, class Value>
+const Value& parameter_of(const std::array<Value, parameters_of_laws<Laws>.size()>& all, std::string_view name) {
+  std::size_t place = 0;
+  while (parameters_of_laws<Laws>[place].name != name) ++place;
+  return all[place];
 }
 
 }  // namespace sazare::laws

@@ -37,7 +37,7 @@ class Material(Part):
     elements of any size. [Pa] (with poisson_ratio, instead of the stiffnesses of joints) Greater than 0.
     """
     poisson_ratio: float | None = None
-    """Poisson's ratio. Rigid elements can have 0 to 0.45; for more, use method fem. (with youngs_modulus, instead of the
+    """Poisson's ratio. Rigid elements can have 0 to 0.45; for more, use finite elements. (with youngs_modulus, instead of the
     stiffnesses of joints) At least 0 and at most 0.45.
     """
 

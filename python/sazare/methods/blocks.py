@@ -39,7 +39,7 @@ def _body_sections(results):
             "first snapshot that shows them broken; joints that are sheared and whose faces are still pressed together in blue.",
             partial(blocks_maps.crack_pattern, body), "The run wrote no joints.",
         ),
-        *([_mode_section(body)] if 'law = "mixed_mode"' in results.case_text else []),
+        *([_mode_section(body)] if blocks_maps.has_shear_cracks(body) else []),
         Section(
             "shape", "Deformed shape",
             "Speed of the elements when half of the joints that break have broken, and at the end. Displacements are magnified where the "
@@ -58,7 +58,7 @@ def _body_sections(results):
 
 
 def _mode_section(body):
-    """The picture of a run in which joints may fail in shear."""
+    """The picture of a run in which joints have failed in shear."""
     from sazare.methods import blocks_maps
 
     return Section(

@@ -145,6 +145,12 @@ def crack_pattern(body, panels=4):
     return figure
 
 
+def has_shear_cracks(body):
+    """Whether joints have failed in shear by the last snapshot."""
+    joints = body.snapshots[-1].joints
+    return joints is not None and "mode" in joints.cell_data and bool(np.any(joints.cell_data["mode"] == SHEAR))
+
+
 @style.styled
 def crack_modes(body):
     """The cracks of the last snapshot by the mode that has dissipated more, opening or shear, and by whether their faces are apart;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "sazare/core/time.hpp"
 #include "sazare/parallel/threads.hpp"
 
 namespace sazare::methods::blocks {
@@ -67,7 +68,6 @@ FaceSprings face_springs(const JointRecord& joint, const ElasticJoint& kind, Ind
 
 std::vector<terms::Rates> joint_rates(std::span<const ElasticJoint> kinds, std::span<const JointFace> faces,
                                       const state::Bodies<3>& bodies) {
-  const auto at = [](Index index) { return static_cast<std::size_t>(index); };
   std::vector<BodyMatrices> matrices(at(bodies.size()));
   for (const JointFace& face : faces)
     for (const Index body : {face.master, face.slave}) {

@@ -65,6 +65,11 @@ struct Joint {
   std::optional<Real> weibull_modulus = std::nullopt;  // without it all faces have the same strength
   int scatter_seed = 1;
 
+  /// The value of a parameter of its law, by name.
+  const std::optional<Real>& law_parameter(std::string_view parameter) const {
+    return laws::parameter_of<laws::JointLaws>(law_parameters, parameter);
+  }
+
   /// Factors on the strength that its faces have, equally many of each.
   std::vector<Real> strength_factors() const;
   /// The largest of them.

@@ -52,6 +52,18 @@ void explain_body(Explanation& text, const BlocksCase& blocks) {
                                       fmt::join(material.regions, ", ")));
 }
 
+/// The law with what it takes beside the strengths; nothing of a law that takes no more.
+void explain_law(Explanation& text, const Joint& joint) {
+  laws::visit_joint_law(joint.law, [&]<class Law>(Law) {
+    std::vector<std::string> own;
+    for (const laws::LawParameter& parameter : Law::parameters)
+      if (const auto& value = joint.law_parameter(parameter.name))
+        own.push_back(
+            fmt::format("{} {}{}{}", parameter.name, number(*value), parameter.unit.empty() ? "" : " ", parameter.unit));
+    if (!own.empty()) text.more(fmt::format("law {}: {}", Law::word, fmt::join(own, ", ")));
+  });
+}
+
 void explain_joint(Explanation& text, const Joint& joint) {
   const std::string where =
       joint.on_surface() ? "on surface " + joint.surface : fmt::format("between {} and {}", joint.between[0], joint.between[1]);
@@ -71,11 +83,7 @@ void explain_joint(Explanation& text, const Joint& joint) {
     text.more(fmt::format("strengths and energies scatter: Weibull modulus {}, {} to {} times these, seed {}",
                           number(*joint.weibull_modulus), number(factors.front()), number(factors.back()), joint.scatter_seed));
   }
-  if (joint.law == JointLawName::mixed_mode)
-    text.more(fmt::format("law mixed_mode: cohesion is used up by a slip of {} m ({} J/m2), and friction {} remains",
-                          number(2 * joint.law_parameters[0].value_or(0) / joint.cohesion),
-                          number(joint.law_parameters[0].value_or(0)),
-                          number(joint.law_parameters[1].value_or(joint.friction_coefficient))));
+  explain_law(text, joint);
   const std::string springs = joint.has_stiffness() ? fmt::format("springs {} and {} Pa/m", number(*joint.normal_stiffness),
                                                                   number(*joint.shear_stiffness))
                                                     : std::string("springs of the elements beside each face");

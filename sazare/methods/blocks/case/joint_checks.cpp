@@ -106,22 +106,32 @@ void check_law_parameters(const CheckContext& context, const Entry& entry, const
   });
 }
 
-/// Slip must go on to soften beyond the elastic limit, 2 G_II / c >= c / k_s, take more energy than opening, and not gain friction.
-void check_shear_softening(const CheckContext& context, const Entry& entry, const Joint& joint) {
-  const Real energy = joint.law_parameters[0].value_or(0), residual = joint.law_parameters[1].value_or(joint.friction_coefficient);
-  const Real stiffness = joint.shear_stiffness.value_or(0) / joint.largest_factor(), needed = joint.cohesion * joint.cohesion / (2 * stiffness);
+/// What the numbers of a law must fulfil together; a law with no more conditions than its keys have is content with this one.
+template <class Law>
+void check_numbers_of(Law, const CheckContext&, const Entry&, const Joint&) {}
+
+/// Slip must go on to soften beyond the elastic limit, 2 G_II / c >= c / k_s, take more energy than opening, and not gain
+/// friction.
+void check_numbers_of(laws::MixedMode law, const CheckContext& context, const Entry& entry, const Joint& joint) {
+  const Real energy = joint.law_parameter(law.shear_energy).value_or(0),
+             residual = joint.law_parameter("residual_friction_coefficient").value_or(joint.friction_coefficient);
+  const Real stiffness = joint.shear_stiffness.value_or(0) / joint.largest_factor(),
+             needed = joint.cohesion * joint.cohesion / (2 * stiffness);
   const auto error = [&](std::string_view key, const std::string& what, const std::string& help) {
     context.problems.error(entry.place(key), what, help);
   };
   if (entry.gives("cohesion") && joint.cohesion == 0)
-    error("cohesion", "law mixed_mode needs a cohesion above 0, which slip uses up", "give a cohesion, or use law linear_softening");
+    error("cohesion", "law mixed_mode needs a cohesion above 0, which slip uses up",
+          "give a cohesion, or use law linear_softening");
   if (entry.gives("shear_fracture_energy") && entry.gives("joint_shear_stiffness") && energy < needed)
-    error("shear_fracture_energy",
-          fmt::format("shear_fracture_energy {} N/m is too small for this cohesion and joint_shear_stiffness", short_number(energy)),
-          fmt::format("cohesion would be used up at a slip of {} m, before it is reached at a shear displacement of {} m; the smallest "
-                      "shear_fracture_energy is cohesion^2 / (2 joint_shear_stiffness) = {} N/m",
-                      short_number(2 * energy / joint.cohesion, 4), short_number(joint.cohesion / stiffness, 4),
-                      short_number(needed, 4)));
+    error(
+        "shear_fracture_energy",
+        fmt::format("shear_fracture_energy {} N/m is too small for this cohesion and joint_shear_stiffness",
+                    short_number(energy)),
+        fmt::format(
+            "cohesion would be used up at a slip of {} m, before it is reached at a shear displacement of {} m; the smallest "
+            "shear_fracture_energy is cohesion^2 / (2 joint_shear_stiffness) = {} N/m",
+            short_number(2 * energy / joint.cohesion, 4), short_number(joint.cohesion / stiffness, 4), short_number(needed, 4)));
   if (entry.gives("shear_fracture_energy") && entry.gives("fracture_energy") && energy < joint.fracture_energy)
     error("shear_fracture_energy",
           fmt::format("shear_fracture_energy {} N/m is below the fracture_energy {} N/m", short_number(energy),
@@ -153,11 +163,12 @@ void check_stiffness(const CheckContext& context, const Entry& entry, const Join
   const bool inside = !joint.on_surface() && joint.between[0] == joint.between[1];
   if (given == 2) {
     if (inside && without == blocks.materials.end() && std::ranges::any_of(blocks.materials, is_beside))
-      context.problems.error(entry.place(stiffness_keys[0]),
-                             fmt::format("the stiffness of the material \"{}\" is given twice, by youngs_modulus and by this joint",
-                                         joint.between[0]),
-                             "remove joint_normal_stiffness and joint_shear_stiffness here, or youngs_modulus and poisson_ratio of the "
-                             "material");
+      context.problems.error(
+          entry.place(stiffness_keys[0]),
+          fmt::format("the stiffness of the material \"{}\" is given twice, by youngs_modulus and by this joint",
+                      joint.between[0]),
+          "remove joint_normal_stiffness and joint_shear_stiffness here, or youngs_modulus and poisson_ratio of the "
+          "material");
     return;
   }
   if (given == 0 && (without == blocks.materials.end() || some_have)) {
@@ -178,14 +189,16 @@ void check_stiffness(const CheckContext& context, const Entry& entry, const Join
   }
   for (std::string_view key : stiffness_keys)
     if (!entry.has(key))
-      check_missing_stiffness(context, entry, key, "Needed unless bonded = false or its materials have youngs_modulus and poisson_ratio.");
+      check_missing_stiffness(context, entry, key,
+                              "Needed unless bonded = false or its materials have youngs_modulus and poisson_ratio.");
 }
 
 void check_damping(const CheckContext& context, const Entry& entry) {
   for (std::string_view key : {"joint_normal_damping", "joint_shear_damping"})
     if (entry.has("damping_ratio") && entry.has(key))
-      context.problems.error(*entry.value->key_place(key), fmt::format("the joint has both damping_ratio and {}", key),
-                             "keep damping_ratio, which suits elements of any size, or joint_normal_damping and joint_shear_damping");
+      context.problems.error(
+          *entry.value->key_place(key), fmt::format("the joint has both damping_ratio and {}", key),
+          "keep damping_ratio, which suits elements of any size, or joint_normal_damping and joint_shear_damping");
 }
 
 void check_bonded(const CheckContext& context, const Entry& entry, const Joint& joint, const BlocksCase& blocks) {
@@ -206,7 +219,7 @@ void check_bonded(const CheckContext& context, const Entry& entry, const Joint& 
     context.problems.error(entry.place("scatter_seed"), "scatter_seed without weibull_modulus",
                            "add weibull_modulus, with which strengths scatter, or remove scatter_seed");
   if (entry.is_sound("law")) check_law_parameters(context, entry, joint);
-  if (joint.law == JointLawName::mixed_mode) check_shear_softening(context, entry, joint);
+  laws::visit_joint_law(joint.law, [&](auto law) { check_numbers_of(law, context, entry, joint); });
   if (entry.gives("tensile_strength") && entry.gives("fracture_energy") && entry.gives("joint_normal_stiffness"))
     check_strength(context, entry, joint);
 }

@@ -45,7 +45,7 @@ constexpr std::array material_keys{
         .type = Type::number,
         .range = {.low = 0, .high = laws::most_poisson_ratio},
         .note = with_young_modulus,
-        .sentence = "Poisson's ratio. Rigid elements can have 0 to 0.45; for more, use method fem."},
+        .sentence = "Poisson's ratio. Rigid elements can have 0 to 0.45; for more, use finite elements."},
 };
 
 constexpr std::array leading_joint_keys{

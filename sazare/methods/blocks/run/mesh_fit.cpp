@@ -82,10 +82,12 @@ void check_softening(const cases::CaseFile& file, const MeshFit& fit) {
     check_softening(file, n,
                     {"tensile_strength", "fracture_energy", joints[n].tensile_strength, joints[n].fracture_energy,
                      softest.normal_stiffness / strongest, softest.normal_distance});
-    if (joints[n].law == cases::JointLawName::mixed_mode)
-      check_softening(file, n,
-                      {"cohesion", "shear_fracture_energy", joints[n].cohesion, joints[n].law_parameters[0].value(),
-                       softest.shear_stiffness / strongest, softest.shear_distance});
+    laws::visit_joint_law(joints[n].law, [&]<class Law>(Law) {
+      if constexpr (laws::SoftensBySlip<Law>)
+        check_softening(file, n,
+                        {"cohesion", Law::shear_energy, joints[n].cohesion, joints[n].law_parameter(Law::shear_energy).value(),
+                         softest.shear_stiffness / strongest, softest.shear_distance});
+    });
   }
 }
 
