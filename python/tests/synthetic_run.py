@@ -18,7 +18,7 @@ ENERGIES = {
     "energy_release": 0.03,
     "energy_contact_dashpot": 0.08,
     "energy_friction": 0.07,
-    "energy_boundary": 0.10,
+    "energy_boundary_dashpot": 0.10,
 }
 
 CASE = """[case]
@@ -116,8 +116,8 @@ class SyntheticRun:
         displacement = velocity * time
         points = (self.points[self.elements] + displacement[:, None, :]).reshape(-1, 3)
         cells = np.arange(len(points)).reshape(-1, 4)
-        damage = np.zeros(len(self.elements))
-        np.add.at(damage, self.owners.ravel(), np.repeat(self.state(time) == 2, 2) / 4.0)
+        broken = np.zeros(len(self.elements))
+        np.add.at(broken, self.owners.ravel(), np.repeat(self.state(time) == 2, 2) / 4.0)
         speed = np.linalg.norm(velocity, axis=1)
         level = np.clip(6 - (self.radius / self.reach * 8.0).astype(np.int32), 0, 6)
         write_grid(
@@ -125,7 +125,7 @@ class SyntheticRun:
             {
                 "element": np.arange(len(cells)), "region": np.zeros(len(cells), np.int32),
                 "displacement": displacement, "velocity": velocity, "speed": speed, "level": level,
-                "step": 1e-6 / 2.0**level, "fragment": (damage > 0.5).astype(np.int32), "damage": damage,
+                "step": 1e-6 / 2.0**level, "fragment": (broken > 0.5).astype(np.int32), "broken_fraction": broken,
                 "material": np.zeros(len(cells), np.int32),
             },
         )

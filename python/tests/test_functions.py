@@ -110,8 +110,8 @@ def test_a_run_that_is_resumed_with_its_functions_has_the_bits_of_a_whole_one(tm
         sazare.run(case, tmp_path / "halved", progress=False, resume=True, functions=functions)
     resumed = sazare.run(case, tmp_path / "halved", progress=False, resume=True, functions=functions, forces=push)
     assert sazare.compare(whole, resumed).same_bits
-    assert whole.figures["energy_applied"] < 0.0
-    assert abs(whole.figures["energy_residual"]) < 1e-6 * abs(whole.figures["energy_prescribed"])
+    assert whole.figures["energy_work_applied"] < 0.0
+    assert abs(whole.figures["energy_residual"]) < 1e-6 * abs(whole.figures["energy_work_boundary"])
 
 
 def test_an_error_in_a_function_comes_out_as_it_is(tmp_path):

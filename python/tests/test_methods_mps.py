@@ -84,7 +84,7 @@ def slide(tmp_path):
             "support": (start[:, 1] < SPACING).astype(np.int32), "plastic_shear_strain": np.linalg.norm(way, axis=1), "broken_fraction": np.zeros(len(start)),
         })
     (tmp_path / "history.csv").write_text(
-        "time [s],energy_kinetic [J],energy_elastic [J],energy_gravity [J],energy_boundary [J],energy_plastic [J],energy_residual [J]\n"
+        "time [s],energy_kinetic [J],energy_elastic [J],energy_work_gravity [J],energy_work_viscous [J],energy_plastic [J],energy_residual [J]\n"
         "0,0,0,0,0,0,0\n1,2,1,5,-1,1,0.04\n2,1,2,10,-2,5,0.08\n")
     manifest = {"method": "mps", "status": "done", "case": "slide", "results": {"peak_displacement": 54.0, "final_displacement": 54.0}}
     (tmp_path / "manifest.json").write_text(json.dumps(manifest))

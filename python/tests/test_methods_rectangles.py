@@ -39,8 +39,8 @@ def test_supports_are_named_in_the_order_of_the_case(beam_run):
 
 def test_broken_faces_are_in_the_last_snapshot(beam_run):
     snapshots = open_run(beam_run).square_snapshots
-    assert not snapshots[0].elements.cell_data["broken"].any()
-    assert snapshots[-1].elements.cell_data["broken"].any()
+    assert not snapshots[0].elements.cell_data["broken_faces"].any()
+    assert snapshots[-1].elements.cell_data["broken_faces"].any()
 
 
 def test_report_has_all_pictures(beam_run):
@@ -85,7 +85,7 @@ def test_snapshots_hold_polygons_that_fill_the_beam(packing_run):
 def test_cracks_of_polygons_are_shared_by_both_sides(packing_run):
     """At the moment of breaking both faces of a facet still lie beside one another."""
     grid = open_run(packing_run).square_snapshots[-1].elements
-    cracks = rectangles._cracks(rectangles._corners(grid), np.asarray(grid.cell_data["kind"]), np.asarray(grid.cell_data["broken"]))
+    cracks = rectangles._cracks(rectangles._corners(grid), np.asarray(grid.cell_data["kind"]), np.asarray(grid.cell_data["broken_faces"]))
     assert cracks and len(cracks) % 2 == 0
     lengths = np.sort([np.linalg.norm(ends[1] - ends[0]) for ends in cracks])
     assert lengths[::2] == pytest.approx(lengths[1::2], abs=1e-6)

@@ -128,7 +128,7 @@ def walled_run(granular_run):
     for number, height in enumerate((1.0, 0.1)):
         write_grid(folder / f"particles_{number:05d}.vtkhdf", np.array([[0.0, 0.0, height]]), np.array([[0]]), 1, float(number), {
             "velocity": np.array([[0.0, 0.0, -1.0]]), "angular_velocity": np.zeros((1, 3)), "radius": np.array([0.1]),
-            "broken": np.zeros(1),
+            "broken_fraction": np.zeros(1),
         })
     corners = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, -1, 0], [1, 1, 0], [-1, 1, 0]], dtype=float)
     write_grid(folder / "walls_00000.vtkhdf", corners, np.arange(6).reshape(2, 3), 5, 0.0, {"wall": np.zeros(2, np.int32)})

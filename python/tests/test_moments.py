@@ -10,7 +10,7 @@ from sazare.moments import equal_shares, growth, moments, moments_of, movement
 
 def snapshots(places):
     """Snapshots of two points, one of which is at these places along x."""
-    return [SimpleNamespace(elements=SimpleNamespace(points=np.array([[0.0, 0.0, 0.0], [x, 0.0, 0.0]]), cell_data={"broken": [x, 0.0]}))
+    return [SimpleNamespace(elements=SimpleNamespace(points=np.array([[0.0, 0.0, 0.0], [x, 0.0, 0.0]]), cell_data={"broken_fraction": [x, 0.0]}))
             for x in places]
 
 
@@ -38,7 +38,7 @@ def test_of_a_long_series_some_snapshots_are_read():
 def test_change_is_the_mean_way_or_the_growth_of_a_field():
     first, before, after = (one.elements for one in snapshots([10.0, 1.0, 1.4]))
     assert movement(first)(before, after) == pytest.approx(0.2)
-    assert growth("broken")(before, after) == pytest.approx(0.4)
+    assert growth("broken_fraction")(before, after) == pytest.approx(0.4)
     assert growth("heat")(before, after) == 0.0
 
 

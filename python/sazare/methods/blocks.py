@@ -14,7 +14,7 @@ ENERGIES = {
     "energy_release": ("released at failure", style.RELEASE),
     "energy_contact_dashpot": ("contact dashpots", style.CONTACT_DASHPOT),
     "energy_friction": ("contact friction", style.FRICTION),
-    "energy_boundary": ("absorbed at boundaries", style.OUTSIDE),
+    "energy_boundary_dashpot": ("absorbed at boundaries", style.OUTSIDE),
 }
 
 
@@ -118,7 +118,7 @@ METHOD = Method(
     fields={
         "velocity": ("speed", "m/s"),
         "displacement": ("displacement", "m"),
-        "damage": ("share of broken joints", ""),
+        "broken_fraction": ("share of broken joints", ""),
         "level": ("time level", ""),
     },
 )

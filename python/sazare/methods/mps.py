@@ -18,7 +18,7 @@ ENERGIES = {
     "energy_contact": ("contacts and broken ground", style.CONTACT_DASHPOT),
 }
 # Causes of work, whose sum the energies above and the residual make up.
-WORKS = ("energy_gravity", "energy_boundary", "energy_prescribed", "energy_applied")
+WORKS = ("energy_work_gravity", "energy_work_viscous", "energy_work_boundary", "energy_work_applied")
 KINDS = (
     (0, "free", style.STONE_EDGE), (1, "held", "#b5302a"), (2, "prescribed motion", "#d98a1f"), (3, "viscous boundary", "#1f5f9c"),
 )

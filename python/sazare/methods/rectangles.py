@@ -61,7 +61,7 @@ def _draw(axes, grid, top, factor):
     drawn = axes.add_collection(PolyCollection([corners[i] for i in np.flatnonzero(filled)], array=moved[filled], cmap=style.SPEED,
                                                edgecolors=style.INK, linewidths=edge))
     drawn.set_clim(0.0, top)
-    cracks = _cracks(corners, kind, np.asarray(grid.cell_data["broken"]))
+    cracks = _cracks(corners, kind, np.asarray(grid.cell_data["broken_faces"]))
     axes.add_collection(LineCollection(cracks, colors=style.ACCENT, linewidths=2.0))
     for i in np.flatnonzero(kind == CIRCLE):
         radius = 0.5 * np.linalg.norm(corners[i][1] - corners[i][0])
@@ -187,6 +187,6 @@ METHOD = Method(
     fields={
         "velocity": ("speed", "m/s"),
         "displacement": ("displacement", "m"),
-        "broken": ("broken faces (bit mask)", ""),
+        "broken_faces": ("broken faces (bit mask)", ""),
     },
 )

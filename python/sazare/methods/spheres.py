@@ -39,8 +39,8 @@ def balls(cloud):
     points = pyvista.PolyData(np.asarray(cloud.points))
     points["radius"] = np.asarray(cloud.cell_data["radius"])
     points["speed"] = np.linalg.norm(cloud.cell_data["velocity"], axis=1)
-    if "broken" in cloud.cell_data:
-        points["broken"] = np.asarray(cloud.cell_data["broken"])
+    if "broken_fraction" in cloud.cell_data:
+        points["broken_fraction"] = np.asarray(cloud.cell_data["broken_fraction"])
     large = points["radius"] > LARGE * np.median(points["radius"])
     usual_corners = 16 if len(cloud.points) < FINE_BELOW else 7
     parts = [_glyphs(points, chosen, corners) for chosen, corners in ((~large, usual_corners), (large, 40)) if chosen.any()]
@@ -69,7 +69,7 @@ def pictures(results):
 @style.styled
 def damage(results):
     """The spheres at some times, coloured by their share of broken bonds [-]; None where no bond is broken."""
-    return _scenes(results, "broken", "share of broken bonds [-]", "YlOrRd", growth("broken")) if results.figures.get("broken_bonds", 0) > 0 else None
+    return _scenes(results, "broken_fraction", "share of broken bonds [-]", "YlOrRd", growth("broken_fraction")) if results.figures.get("broken_bonds", 0) > 0 else None
 
 
 def _box(cloud):
@@ -138,7 +138,7 @@ def _scenes(results, scalar, label, colors, change=None):
     chosen = moments(snapshots, MOST_PICTURES, change)
     clouds = [snapshots[index].elements for index in chosen]
     speeds = np.concatenate([np.linalg.norm(cloud.cell_data["velocity"], axis=1) for cloud in clouds])
-    top, clipped = (1.0, False) if scalar == "broken" else style.clipped_top(speeds)
+    top, clipped = (1.0, False) if scalar == "broken_fraction" else style.clipped_top(speeds)
     images, titles = [], []
     for index, cloud, spheres_frame in zip(chosen, clouds, frames(clouds)):
         time = snapshots[index].time
@@ -373,7 +373,7 @@ METHOD = Method(
     snapshots="particles",
     fields={
         "velocity": ("speed", "m/s"),
-        "broken": ("share of broken bonds", ""),
+        "broken_fraction": ("share of broken bonds", ""),
         "angular_velocity": ("angular velocity", "rad/s"),
     },
 )

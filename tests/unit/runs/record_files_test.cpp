@@ -83,7 +83,7 @@ TEST(RecordColumns, EveryTermOfTheEnergyBalanceHasItsColumn) {
   EXPECT_EQ(name(terms::EnergyKind::fracture), "energy_fracture");
   EXPECT_EQ(name(terms::EnergyKind::release), "energy_release");
   EXPECT_EQ(name(terms::EnergyKind::friction), "energy_friction");
-  EXPECT_EQ(name(terms::EnergyKind::boundary), "energy_boundary");
+  EXPECT_EQ(name(terms::EnergyKind::boundary), "energy_boundary_dashpot");
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ TEST_F(FinishedRun, ManifestHasTheNamesOfTheInterface) {
   EXPECT_EQ(keys_of(manifest["machine"]), (std::vector<std::string>{"cores", "cpu", "ranks", "threads"}));
   EXPECT_EQ(keys_of(manifest["results"]), (std::vector<std::string>{"broken_in_shear", "broken_joints",
                                                                     "elements",
-                                                                    "energy_boundary",
+                                                                    "energy_boundary_dashpot",
                                                                     "energy_contact_dashpot",
                                                                     "energy_elastic",
                                                                     "energy_fracture",
@@ -107,7 +107,7 @@ TEST_F(FinishedRun, TablesHaveUnitsInTheirHeadersAndARowForEveryInterval) {
   EXPECT_EQ(first_line(run() / "history.csv"),
             "time [s],broken_joints [-],fragments [-],energy_work [J],energy_kinetic [J],energy_elastic "
             "[J],energy_joint_dashpot [J],energy_slip [J],energy_fracture [J],energy_release [J],energy_contact_dashpot "
-            "[J],energy_friction [J],energy_boundary [J],energy_residual [J],smallest_step [s],pair_evaluations "
+            "[J],energy_friction [J],energy_boundary_dashpot [J],energy_residual [J],smallest_step [s],pair_evaluations "
             "[-],wall_seconds [s]");
   EXPECT_EQ(first_line(run() / "gauges.csv"),
             "time [s],G1.velocity_x [m/s],G1.velocity_y [m/s],G1.velocity_z [m/s],G2.velocity_x [m/s],G2.velocity_y "

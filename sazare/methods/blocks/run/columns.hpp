@@ -19,7 +19,7 @@ inline constexpr std::array energies = {Column{"energy_work", "J", "done by load
                                         Column{"energy_release", "J", "released by joints whose faces opened"},
                                         Column{"energy_contact_dashpot", "J", "dissipated by dashpots of contacts"},
                                         Column{"energy_friction", "J", "dissipated by friction of contacts"},
-                                        Column{"energy_boundary", "J", "dissipated by absorbing and fixed faces"}};
+                                        Column{"energy_boundary_dashpot", "J", "dissipated by absorbing and fixed faces"}};
 inline constexpr std::array progress = {Column{"energy_residual", "J", "residual of the energy balance"},
                                         Column{"smallest_step", "s", "of any element since the last row"},
                                         Column{"pair_evaluations", "-", "so far"}};
@@ -40,7 +40,7 @@ inline constexpr std::array elements = {
     Column{"level", "-", "0 is the base step, each level has half the step of the one before"},
     Column{"step", "s", "of the level"},
     Column{"fragment", "-", ""},
-    Column{"damage", "-", "share of its joints that are broken"}};
+    Column{"broken_fraction", "-", "share of its joints that are broken"}};
 inline constexpr std::array joints = {
     Column{"state", "-", "0 intact, 1 softening, 2 broken, 3 sheared: without strength, and pressed together"},
     Column{"mode", "-", "of a crack: 1 opening, 2 shear, whichever has dissipated more; else 0"},

@@ -13,10 +13,10 @@ inline constexpr std::array motion = {Column{"energy_kinetic", "J", ""}, Column{
                                       Column{"displacement_max", "m", "of any particle, since the beginning"},
                                       Column{"speed_max", "m/s", "of any particle"},
                                       Column{"acceleration_max", "m/s2", "of any particle"}};
-inline constexpr std::array energy_balance = {Column{"energy_gravity", "J", "work of gravity"},
-                                     Column{"energy_boundary", "J", "work of viscous boundaries and their incident waves"},
-                                     Column{"energy_prescribed", "J", "work of moving supports"},
-                                     Column{"energy_applied", "J", "work of forces given in Python"},
+inline constexpr std::array energy_balance = {Column{"energy_work_gravity", "J", "work of gravity"},
+                                     Column{"energy_work_viscous", "J", "work of viscous boundaries and their incident waves"},
+                                     Column{"energy_work_boundary", "J", "work of moving supports"},
+                                     Column{"energy_work_applied", "J", "work of forces given in Python"},
                                      Column{"energy_damping", "J", "dissipated by Rayleigh damping"},
                                      Column{"energy_residual", "J", "residual of the energy balance"}};
 inline constexpr std::array failure = {Column{"energy_plastic", "J", "dissipated by plastic flow"},

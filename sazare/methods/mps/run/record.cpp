@@ -210,10 +210,10 @@ std::vector<std::pair<std::string, observe::Figure>> MpsRecord<D>::results(std::
       {"peak_acceleration", largest_acceleration_}};
   results.emplace_back("final_displacement", displacement_);
   if (has_energy_balance())
-    results.insert(results.end(), {{"energy_gravity", work_.gravity},
-                                   {"energy_boundary", work_.boundary},
-                                   {"energy_prescribed", work_.prescribed},
-                                   {"energy_applied", work_.applied},
+    results.insert(results.end(), {{"energy_work_gravity", work_.gravity},
+                                   {"energy_work_viscous", work_.boundary},
+                                   {"energy_work_boundary", work_.prescribed},
+                                   {"energy_work_applied", work_.applied},
                                    {"energy_damping", -work_.damping},
                                    {"energy_residual", residual_}});
   if (file_->as<cases::MpsCase>().gravity.settle) results.emplace_back("settlement", settlement());

@@ -31,7 +31,7 @@ inline constexpr std::array elements = {Column{"displacement", "m", ""},
                                         Column{"rotation", "rad", ""},
                                         Column{"block", "-", "number in the case, or -1"},
                                         Column{"kind", "-", "outline: 0 rectangle, 1 circle, 2 wall, 3 polygon"},
-                                        Column{"broken", "-", "one bit for each face whose link has a broken spring"}};
+                                        Column{"broken_faces", "-", "one bit for each face whose link has a broken spring"}};
 
 /// In the manifest, `results` by name: an interface, which scripts of users read.
 inline constexpr std::array figures = {Column{"elements", "-", ""}, Column{"element_steps", "-", ""},

@@ -36,7 +36,7 @@ inline constexpr std::array particles = {Column{"velocity", "m/s", ""},
                                          Column{"group", "-", "number in the case"},
                                          Column{"material", "-", "number in the case"},
                                          Column{"body", "-", "its clump, or behind all clumps its bonded body, or -1"},
-                                         Column{"broken", "-", "share of its bonds that broke"}};
+                                         Column{"broken_fraction", "-", "share of its bonds that broke"}};
 
 inline constexpr std::array surfaces = {Column{"wall", "-", "number in the case"}};
 
