@@ -40,11 +40,10 @@ void FemStepper<D>::add_work(const Trial& trial, const NodalColumn& balance, con
     work.friction += taken.friction;
   }
   if (stage_ == Stage::relaxing) return;
-  const Real to = span.from + span.length;
   const bool brings = rules_.statics && span.from == 0;
   work.gravity += (brings && is_unloaded() ? 0.5 : 1) * dot(weight_, moved);
   for (const auto& load : supports_.loads)
-    work.loads += 0.5 * ((brings ? 0 : load.share(span.from)) + load.share(to)) * dot(load.force, moved);
+    work.loads += 0.5 * ((brings ? 0 : load.share(span.from)) + load.share(span.to)) * dot(load.force, moved);
   work.loads += rules_.statics ? mean_work(state_.carried, state_.applied, moved) : dot(state_.applied, moved);
   state_.carried = state_.applied;
   work.boundary += dot(rest_, moved);
@@ -52,7 +51,7 @@ void FemStepper<D>::add_work(const Trial& trial, const NodalColumn& balance, con
   if (inertia()) {
     add_work_of_damping(trial, span, moved);
     work.radiation += mean_work(product(viscous_, state_.velocity), product(viscous_, trial.velocity), moved);
-    work.waves += mean_work(incoming(span.from), incoming(to), moved);
+    work.waves += mean_work(incoming(span.from), incoming(span.to), moved);
     body_->mass().multiply(state_.acceleration, 1, before);
     body_->mass().multiply(trial.acceleration, 1, after);
   }
@@ -66,14 +65,13 @@ void FemStepper<D>::add_work(const Trial& trial, const NodalColumn& balance, con
 /// What damping does on the motion of the base is the work of the base.
 template <int D>
 void FemStepper<D>::add_work_of_damping(const Trial& trial, const Span& span, const NodalColumn& moved) {
-  const Real to = span.from + span.length;
   const auto force = [&](NodalColumn velocity, Real when) {
     add(velocity, -1, at_all_nodes(base_motion(when, &laws::MotionState::velocity)));
     return product(rayleigh_, velocity);
   };
-  const NodalColumn before = force(state_.velocity, span.from), after = force(trial.velocity, to);
+  const NodalColumn before = force(state_.velocity, span.from), after = force(trial.velocity, span.to);
   const Vector<D> way =
-      base_motion(to, &laws::MotionState::displacement) - base_motion(span.from, &laws::MotionState::displacement);
+      base_motion(span.to, &laws::MotionState::displacement) - base_motion(span.from, &laws::MotionState::displacement);
   const Real all = mean_work(before, after, moved), on_base = mean_work(before, after, at_all_nodes(way));
   state_.work.damping += all - on_base;
   state_.work.boundary -= on_base;

@@ -82,13 +82,6 @@ NodalColumn LinearSolver<D>::solve(const NodalColumn& right) const {
   return result;
 }
 
-template <int D>
-std::size_t LinearSolver<D>::factor_entries() const {
-  if (free_.empty()) return 0;
-  return static_cast<std::size_t>(symmetric_ ? Eigen::Index(cholesky_.matrixL().nestedExpression().nonZeros())
-                                             : Eigen::Index(lu_.nnzL() + lu_.nnzU()));
-}
-
 template class LinearSolver<2>;
 template class LinearSolver<3>;
 

@@ -32,7 +32,6 @@ public:
   const std::optional<Freedom>& singular() const { return singular_; }
 
   std::size_t freedoms() const { return free_.size(); }
-  std::size_t factor_entries() const;
 
 private:
   using Matrix = Eigen::SparseMatrix<Real>;

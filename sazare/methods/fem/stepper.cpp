@@ -62,7 +62,7 @@ template <int D>
 void FemStepper<D>::relax() {
   stage_ = Stage::relaxing;
   prepare_solver(true);
-  walk({0, 1}, rules_.most_cuts);
+  walk({0, 1, 1}, rules_.most_cuts);
   stage_ = Stage::running;
   initial_displacement_ = state_.displacement;
   for (const auto& boundary : supports_.viscous)
@@ -101,8 +101,7 @@ void FemStepper<D>::start() {
 
 template <int D>
 void FemStepper<D>::advance() {
-  const Real from = time();
-  walk({from, static_cast<Real>(state_.steps + 1) * rules_.step - from}, rules_.most_cuts);
+  walk({time(), static_cast<Real>(state_.steps + 1) * rules_.step, rules_.step}, rules_.most_cuts);
   ++state_.steps;
 }
 
@@ -123,16 +122,15 @@ void FemStepper<D>::walk(const Span& span, int cuts_left) {
   if (!saved || cuts_left == 0) give_up(span);
   restore(*saved);
   ++state_.cuts;
-  const Span first{span.from, 0.5 * span.length};
-  walk(first, cuts_left - 1);
-  walk({span.from + first.length, span.length - first.length}, cuts_left - 1);
+  walk(span.first_half(), cuts_left - 1);
+  walk(span.second_half(), cuts_left - 1);
 }
 
 template <int D>
 void FemStepper<D>::give_up(const Span& span) const {
   const std::string where = stage_ == Stage::relaxing
-                                ? fmt::format("there is no equilibrium under {:.4g} of gravity", span.from + span.length)
-                                : fmt::format("there is no equilibrium at t = {:.6g} s", span.from + span.length);
+                                ? fmt::format("there is no equilibrium under {:.4g} of gravity", span.to)
+                                : fmt::format("there is no equilibrium at t = {:.6g} s", span.to);
   throw PhysicsError(fmt::format(
       "{}: Newton's iteration does not converge\n"
       "  tried: {} iterations with line search in a step, and steps cut to 1/{} of that of the case; last: {}\n"
@@ -299,6 +297,7 @@ bool FemStepper<D>::factorize(const Factors& by) {
     for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i] = by.stiffness * (blocks[i] + by.damping * c[i]) + by.mass * m[i];
   }
   factorized_.reset();
+  ++factorizations_;
   if (!solver_->factorize(blocks)) return false;
   factorized_ = by;
   return true;

@@ -89,7 +89,7 @@ public:
   const methods::fem::Supports<D>& supports() const { return supports_; }
   const methods::fem::NodalColumn& initial_displacement() const { return initial_displacement_; }
   std::size_t free_freedoms() const { return solver_->freedoms(); }
-  std::size_t factor_entries() const { return solver_->factor_entries(); }
+  std::int64_t factorizations() const { return factorizations_; }  ///< of the matrix of a step, in this process
 
   /// Forces of supports on the nodes that they hold, 0 on all others [N].
   methods::fem::NodalColumn reactions() const;
@@ -108,8 +108,14 @@ public:
 
 private:
   enum class Stage { relaxing, running };
+  /// Of a step or a part of it [s]; while relaxing, shares of gravity. The length is the very same number in all steps, which the
+  /// difference of both ends is not: the matrix of the step and its factors follow from it.
   struct Span {
-    Real from = 0, length = 0;  ///< [s]; while relaxing, shares of gravity
+    Real from = 0, to = 0, length = 0;
+
+    Real middle() const { return from + 0.5 * length; }
+    Span first_half() const { return {from, middle(), 0.5 * length}; }
+    Span second_half() const { return {middle(), to, 0.5 * length}; }
   };
   /// Factors of the mass, damping and tangent in the matrix of a step.
   struct Factors {
@@ -162,6 +168,7 @@ private:
   Real elastic_at_start_ = 0;  ///< [J]
   std::unique_ptr<methods::fem::LinearSolver<D>> solver_;
   std::unique_ptr<methods::fem::LinearSolver<D>> mass_solver_;  ///< made when forces from outside first change
+  std::int64_t factorizations_ = 0;
   std::optional<Factors> factorized_;                           ///< of what the solver holds, while the tangent has not changed
   std::string last_failure_;                                    ///< of an attempt
 };

@@ -18,10 +18,10 @@ bool jumps(const laws::GroundMotion& history) { return is_sampled(history, laws:
 /// The acceleration of a support at the end of a step, which gives the nodes beside it their impulse. Where displacements are
 /// joined by straight lines the velocity jumps: half of the jump belongs to the step before the bend, the other half to the step
 /// after.
-Real acceleration_of(const laws::GroundMotion& history, Real from, Real length) {
-  const auto end = history.at(from + length);
+Real acceleration_of(const laws::GroundMotion& history, Real from, Real to) {
+  const auto end = history.at(to);
   if (!jumps(history) && !is_sampled(history, laws::MotionQuantity::displacement)) return end.acceleration;
-  return (end.velocity - history.at(from).velocity) / length;
+  return (end.velocity - history.at(from).velocity) / (to - from);
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ void FemStepper<D>::jump(const Span& span) {
   for (const Support& support : supports_.held) {
     if (support.motion == Support::no_motion || !jumps(supports_.motions[at(support.motion)])) continue;
     const std::size_t i = number<D>(support.node, support.axis);
-    change[i] = acceleration_of(supports_.motions[at(support.motion)], span.from, span.length) - state_.acceleration[i];
+    change[i] = acceleration_of(supports_.motions[at(support.motion)], span.from, span.to) - state_.acceleration[i];
   }
   if (is_zero(change)) return;
   add(state_.acceleration, 1, change);
@@ -83,8 +83,8 @@ NodalColumn FemStepper<D>::at_all_nodes(const Vector<D>& value) const {
 /// The beginning of an iteration: free nodes stay where they are, supports move as they must; `prescribed` is how far.
 template <int D>
 typename FemStepper<D>::Trial FemStepper<D>::predict(const Span& span, NodalColumn& prescribed) {
-  const Real to = span.from + span.length, dt = span.length;
-  Trial trial{state_.displacement, state_.velocity, state_.acceleration, state_.internal, external(to), state_.memory};
+  const Real dt = span.length;
+  Trial trial{state_.displacement, state_.velocity, state_.acceleration, state_.internal, external(span.to), state_.memory};
   if (inertia()) {
     const Real beta = 0.25 * (1 - rules_.alpha) * (1 - rules_.alpha), gamma = 0.5 - rules_.alpha;
     for (std::size_t i = 0; i < trial.velocity.size(); ++i) {
@@ -99,11 +99,11 @@ typename FemStepper<D>::Trial FemStepper<D>::predict(const Span& span, NodalColu
     trial.velocity[i] = trial.acceleration[i] = 0;
     if (support.motion == Support::no_motion || stage_ == Stage::relaxing) continue;
     const laws::GroundMotion& history = supports_.motions[at(support.motion)];
-    const auto motion = history.at(to);
+    const auto motion = history.at(span.to);
     prescribed[i] = initial_displacement_[i] + motion.displacement - state_.displacement[i];
     if (!inertia()) continue;
     trial.velocity[i] = motion.velocity;
-    trial.acceleration[i] = acceleration_of(history, span.from, dt);
+    trial.acceleration[i] = acceleration_of(history, span.from, span.to);
   }
   return trial;
 }

@@ -79,6 +79,13 @@ TEST(column, doubles_a_wave_at_its_surface_and_lets_it_go) {
   EXPECT_LT(surface_error(ElementShape::quadrilateral8, 20, 5e-4), 0.02);
 }
 
+TEST(column, of_linear_ground_factorizes_its_matrix_once) {
+  auto stepper = column(ElementShape::quadrilateral8, 4, 1e-3);
+  stepper.start();
+  for (int step = 0; step < 100; ++step) stepper.advance();
+  EXPECT_EQ(stepper.factorizations(), 1);
+}
+
 TEST(column, converges_with_the_second_order) {
   const Real coarse = surface_error(ElementShape::quadrilateral4, 40, 1e-3),
              fine = surface_error(ElementShape::quadrilateral4, 80, 5e-4);
