@@ -1,12 +1,13 @@
 /// Sphere-steps per second of method spheres: grains of 1 mm that settle under gravity on a floor, periodic sides, Hertz-Mindlin
 /// with history.
 ///
-///     spheres THREADS ACROSS [FILE [STEPS]]
+///     spheres THREADS ACROSS [FILE [STEPS [MODEL]]]
 ///
 /// prints `spheres,sphere_steps_per_second,contacts_per_sphere,bytes_per_sphere,resident,candidates,guests,searches` of STEPS
 /// steps, 1000 where none are given, after half as many that make the contacts; bytes per sphere at the largest (while pairs are
 /// sought) and at the end, and how many candidates and guests of blocks there are per sphere. Where FILE is given and not "-", it
-/// gets the start as rows of radius, x, y, z, vx, vy, vz, from which other codes can begin.
+/// gets the start as rows of radius, x, y, z, vx, vy, vz, from which other codes can begin. MODEL is that of contacts as in cases,
+/// hertz where none is given, or mindlin_deresiewicz.
 
 #include <chrono>
 #include <cstdio>
@@ -56,8 +57,9 @@ void write(const state::Spheres& spheres, const std::string& name) {
 int main(int count, char** arguments) {
   const int steps = count > 4 ? std::atoi(arguments[4]) : 1000;
   const int threads = count > 1 ? std::atoi(arguments[1]) : 0, across = count > 2 ? std::atoi(arguments[2]) : 0;
-  if (threads < 1 || across < 2 || steps < 2) {
-    std::fprintf(stderr, "usage: spheres THREADS ACROSS [FILE [STEPS]]\n");
+  const std::string model = count > 5 ? arguments[5] : "hertz";
+  if (threads < 1 || across < 2 || steps < 2 || (model != laws::Hertz::word && model != laws::MindlinDeresiewicz::word)) {
+    std::fprintf(stderr, "usage: spheres THREADS ACROSS [FILE [STEPS [hertz|mindlin_deresiewicz]]]\n");
     return 2;
   }
   give_back_large_tables();
@@ -66,7 +68,7 @@ int main(int count, char** arguments) {
   state::Spheres start = bed(across);
   if (count > 3 && std::string(arguments[3]) != "-") write(start, arguments[3]);
   const auto spheres = static_cast<Real>(start.size());
-  methods::spheres::ContactTable table(laws::ContactModel::hertz, 1);
+  methods::spheres::ContactTable table(model == laws::Hertz::word ? laws::model_of<laws::Hertz> : laws::model_of<laws::MindlinDeresiewicz>, 1);
   const laws::GrainElasticity grain{1e8, 0.3};
   table.set(0, 0, laws::hertz_constants(grain, grain, 0.7, {0.5}));
   methods::spheres::SphereStepper stepper(std::move(start), table, {{}}, {step, Vector3(0, 0, -9.81), 0.1 * 2 * radius, radius});

@@ -16,6 +16,8 @@
 /// over them, with spins that go against each other, stay below 1. That is 0.2 m/h along the normal and 0.03 m/h of a slider;
 /// contacts that last for more than some 10 steps have weaker dashpots along the normal anyway.
 ///
+/// Where a law slips in part, the slider of T is that of bands, see slip_bands.hpp.
+///
 /// The stretches lie in the plane of contact and turn with it: as n does, and about n as the two bodies do on average, each counted
 /// by its distance from the contact, so that a wall alone counts where there is one. Two bodies that turn as one thus keep
 /// their forces ([Luding2008], who counts both alike).
@@ -23,6 +25,7 @@
 #include "sazare/laws/contact_plane.hpp"
 #include "sazare/laws/granular/contact_laws.hpp"
 #include "sazare/laws/slider.hpp"
+#include "sazare/laws/slip_bands.hpp"
 
 namespace sazare::laws {
 
@@ -44,7 +47,7 @@ struct ContactMotion {
 /// Stretches of the sliders that a pair remembers until it parts, see `slide`.
 template <class Number>
 struct ContactMemory {
-  VectorOf<Number> sliding = zero_vector<Number>();  ///< [sqrt(J)]
+  VectorOf<Number> sliding = zero_vector<Number>();  ///< [sqrt(J)]; not used where there are bands, see `SlipBands`
   VectorOf<Number> rolling = zero_vector<Number>();  ///< [sqrt(J)]
   Number twisting{};       ///< [sqrt(J)]
 };
@@ -93,10 +96,11 @@ Dashpots<Number> dashpots(const ContactConstants<Number>& constants, const Numbe
       select(strong, bearable_damping(asked.tangential, tangential, most_tangential_damping, root, travel), asked.tangential)};
 }
 
-/// With `rolls` false the resistance to rolling and twisting is left out, with `tells_energies` false what springs hold.
+/// With `rolls` false the resistance to rolling and twisting is left out, with `tells_energies` false what springs hold. `bands` are
+/// those of a law that slips in part, and not there with others.
 template <class Law, bool rolls, bool tells_energies = true, class Number>
 ContactForce<Number> contact_force(const ContactConstants<Number>& constants, const ContactMotion<Number>& at,
-                                   ContactMemory<Number>& memory) {
+                                   ContactMemory<Number>& memory, [[maybe_unused]] SlipBands<Number>* bands = nullptr) {
   const Number width = Law::width(constants, at.overlap, at.radius);
   const Number root = root_of_quotient(Number(width * at.mass.product), at.mass.sum);
   const Number opening = dot(at.velocity, at.normal);
@@ -106,8 +110,16 @@ ContactForce<Number> contact_force(const ContactConstants<Number>& constants, co
                spring_root = square_root(Number(constants.tangential * width));
   const VectorOf<Number> sliding = subtract_product(opening, at.normal, at.velocity);
   const PlaneTurn<Number> turned(at.normal, at.tilt, at.turn);
-  memory.sliding = turned.carried(memory.sliding);
-  const auto slid = slide(spring_root, damping, Number(constants.friction * pressing), sliding, at.step, memory.sliding);
+  const auto slid = [&] {
+    const Number limit = constants.friction * pressing;
+    if constexpr (Law::slips_in_part) {
+      for (auto& stretch : bands->stretch) stretch = turned.carried(stretch);
+      return slide(constants.tangential, width, damping, limit, sliding, at.step, *bands);
+    } else {
+      memory.sliding = turned.carried(memory.sliding);
+      return slide(spring_root, damping, limit, sliding, at.step, memory.sliding);
+    }
+  }();
   ContactForce<Number> result{.normal = normal,
                               .friction = slid.force,
                               .rolling = zero_vector<Number>(),
@@ -118,7 +130,7 @@ ContactForce<Number> contact_force(const ContactConstants<Number>& constants, co
                               .sliding_power = Number{} - dot(slid.force, sliding)};
   if constexpr (tells_energies) {
     result.elastic_energy = Law::energy(constants, spring, width, at.overlap, at.radius);
-    result.sliding_energy = 0.5 * dot(slid.stretch, slid.stretch);
+    result.sliding_energy = energy_of(slid);
   }
   if constexpr (rolls) {
     memory.rolling = turned.carried(memory.rolling);

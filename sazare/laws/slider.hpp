@@ -25,6 +25,7 @@ struct SliderForce {
   Way stretch;  ///< z [sqrt(J)]
 };
 
+/// A number or a vector times itself.
 template <class Number>
 Number square_of(const Number& number) {
   return number * number;
@@ -32,6 +33,12 @@ Number square_of(const Number& number) {
 template <IsVectorOf Vector>
 NumberOf<Vector> square_of(const Vector& vector) {
   return dot(vector, vector);
+}
+
+/// Energy of the spring [J].
+template <class Way>
+auto energy_of(const SliderForce<Way>& slid) {
+  return 0.5 * square_of(slid.stretch);
 }
 
 /// `root` is sqrt(S).

@@ -28,18 +28,19 @@ class Material(Part):
     density: float
     """Mass per volume. [kg/m3] Greater than 0."""
     youngs_modulus: float | None = None
-    """Young's modulus. [Pa] (required for models hertz and jkr) Greater than 0."""
+    """Young's modulus. [Pa] (required for models hertz, jkr and mindlin_deresiewicz) Greater than 0."""
     poisson_ratio: float | None = None
-    """Poisson's ratio. (required for models hertz and jkr) At least 0 and at most 0.5."""
+    """Poisson's ratio. (required for models hertz, jkr and mindlin_deresiewicz) At least 0 and at most 0.5."""
 
 
 @dataclass(kw_only=True, eq=False)
 class Contact(Part):
     """How spheres touch."""
 
-    model: Literal["hertz", "linear", "jkr"] | None = None
-    """Hertz-Mindlin from the elasticity of the materials, linear springs, or the adhesion of Johnson, Kendall and Roberts between
-    elastic spheres. Default: "hertz".
+    model: Literal["hertz", "linear", "jkr", "mindlin_deresiewicz"] | None = None
+    """Hertz-Mindlin from the elasticity of the materials, linear springs, the adhesion of Johnson, Kendall and Roberts between
+    elastic spheres, or Hertz contacts with partial slip, after Mindlin and Deresiewicz: for oblique impacts below some 30
+    degrees to the normal and small cycles of shear, at a higher cost. Default: "hertz".
     """
     restitution: float
     """Speed after a central impact with one contact over the speed before. A rigid body that lands on several of its spheres at

@@ -16,10 +16,11 @@
 #include "sazare/laws/granular/hertz.hpp"
 #include "sazare/laws/granular/jkr.hpp"
 #include "sazare/laws/granular/linear.hpp"
+#include "sazare/laws/granular/mindlin_deresiewicz.hpp"
 
 namespace sazare::laws {
 
-using ContactLaws = std::tuple<Hertz, Linear, Jkr>;
+using ContactLaws = std::tuple<Hertz, Linear, Jkr, MindlinDeresiewicz>;
 
 /// Where a law stands in the list; only one that is in it compiles.
 template <class Law>
@@ -28,7 +29,12 @@ consteval int number_of_law() {
 }
 
 /// Names for the laws where none is known at compile time.
-enum class ContactModel { hertz = number_of_law<Hertz>(), linear = number_of_law<Linear>(), jkr = number_of_law<Jkr>() };
+enum class ContactModel {
+  hertz = number_of_law<Hertz>(),
+  linear = number_of_law<Linear>(),
+  jkr = number_of_law<Jkr>(),
+  mindlin_deresiewicz = number_of_law<MindlinDeresiewicz>()
+};
 
 template <class Law>
 inline constexpr ContactModel model_of = static_cast<ContactModel>(number_of_law<Law>());

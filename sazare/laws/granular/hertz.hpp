@@ -10,7 +10,7 @@
 /// E    1/E = sum (1 - nu^2)/E_i [Pa]                      G_   1/G_ = sum (2 - nu)/G_i [Pa]
 /// e    coefficient of restitution [-]
 ///
-/// [Hertz1881]; [Mindlin1953] without the slip history of partial unloading; dashpots [Tsuji1992] with the damping that gives the
+/// [Hertz1881]; [Mindlin1953] without slip at the edge of the contact, see mindlin_deresiewicz.hpp for that; dashpots [Tsuji1992] with the damping that gives the
 /// restitution e exactly and at any speed [Antypov2011], eq. (17): sqrt(5) b sqrt(K m) R^(1/4) d^(1/4) v_n. For that N may pull
 /// at the very end of a contact; friction never sees a negative N.
 
@@ -41,7 +41,7 @@ inline ContactConstants<Real> hertz_constants(const GrainElasticity& one, const 
 
 struct Hertz {
   static constexpr std::string_view word = "hertz";
-  static constexpr bool needs_elasticity = true, adheres = false;
+  static constexpr bool needs_elasticity = true, adheres = false, slips_in_part = false;
   static constexpr Real steepness = 1.5;  ///< dN/dd over K a, at most
   static constexpr std::array<LawParameter, 0> parameters{};
 

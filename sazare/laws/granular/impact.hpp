@@ -17,6 +17,7 @@ Real rebound(const ContactConstants<Real>& constants, const Reduced<Real>& radiu
     Real now = 0;
     if (apart < 0) {
       ContactMemory<Real> memory{};
+      SlipBands<Real> bands;
       ContactMotion<Real> at{.overlap = -apart,
                              .radius = radius,
                              .mass = Reduced<Real>::alone(mass),
@@ -27,7 +28,7 @@ Real rebound(const ContactConstants<Real>& constants, const Reduced<Real>& radiu
                              .step = step,
                              .tilt = {},
                              .turn = 0};
-      now = contact_force<Law, false>(constants, at, memory).normal / mass;
+      now = contact_force<Law, false>(constants, at, memory, &bands).normal / mass;
     }
     velocity += step * now;
     acceleration = now;

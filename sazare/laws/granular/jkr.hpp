@@ -38,7 +38,7 @@ namespace sazare::laws {
 
 struct Jkr {
   static constexpr std::string_view word = "jkr";
-  static constexpr bool needs_elasticity = true, adheres = true;
+  static constexpr bool needs_elasticity = true, adheres = true, slips_in_part = false;
   static constexpr Real steepness = 1.5;  // that of a contact whose radius stays
   static constexpr std::array parameters{
       LawParameter{.name = "surface_energy",

@@ -30,7 +30,7 @@ inline ContactConstants<Real> linear_constants(Real normal_stiffness, Real shear
 
 struct Linear {
   static constexpr std::string_view word = "linear";
-  static constexpr bool needs_elasticity = false, adheres = false;
+  static constexpr bool needs_elasticity = false, adheres = false, slips_in_part = false;
   static constexpr Real steepness = 1;
   static constexpr std::string_view required = "required for model linear, here or in every pair";
   static constexpr std::array parameters{

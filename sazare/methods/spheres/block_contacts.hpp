@@ -11,6 +11,7 @@
 #include "sazare/core/vector_of.hpp"
 #include "sazare/core/twin_lanes.hpp"
 #include "sazare/laws/granular_contact.hpp"
+#include "sazare/methods/spheres/contact_table.hpp"
 #include "sazare/methods/spheres/sphere_at.hpp"
 
 namespace sazare::methods::spheres {
@@ -29,25 +30,32 @@ public:
   const Contact& operator[](std::size_t contact) const { return contacts_[contact]; }
 
   /// Room for so many and some more.
-  void reserve(std::size_t count, bool rolls) {
+  void reserve(std::size_t count, const Remembered& remembered) {
     contacts_.reserve(count);
-    sliding_.reserve(groups_of(count));
-    if (!rolls) return;
+    if (remembered.bands)
+      bands_.reserve(groups_of(count));
+    else
+      sliding_.reserve(groups_of(count));
+    if (!remembered.rolls) return;
     rolling_.reserve(groups_of(count));
     twisting_.reserve(groups_of(count));
   }
 
   /// A contact that remembers nothing yet.
-  void add(const Contact& contact, bool rolls) {
+  void add(const Contact& contact, const Remembered& remembered) {
     const std::size_t n = contacts_.size();
-    if (n == contacts_.capacity()) reserve(n + n / 8 + spare, rolls);
+    if (n == contacts_.capacity()) reserve(n + n / 8 + spare, remembered);
     contacts_.push_back(contact);
-    sliding_.resize(groups_of(n + 1));
-    if (rolls) {
+    if (remembered.bands)
+      bands_.resize(groups_of(n + 1));
+    else
+      sliding_.resize(groups_of(n + 1));
+    if (remembered.rolls) {
       rolling_.resize(groups_of(n + 1));
       twisting_.resize(groups_of(n + 1));
     }
     remember(n, {});
+    if (remembered.bands) set_bands(n, {});
     if (rest_.empty()) return;
     rest_.resize(groups_of(n + 1));
     set_rest(n, 0);
@@ -56,6 +64,7 @@ public:
   void add_to(ComingLines& coming) const {
     coming.add_row(std::span(contacts_));
     coming.add_row(std::span(sliding_));
+    coming.add_row(std::span(bands_));
     coming.add_row(std::span(rolling_));
     coming.add_row(std::span(twisting_));
   }
@@ -63,6 +72,7 @@ public:
   void add_to(LargePages& pages) const {
     pages.add(contacts_);
     pages.add(sliding_);
+    pages.add(bands_);
     pages.add(rolling_);
     pages.add(twisting_);
   }
@@ -75,7 +85,12 @@ public:
     contacts_[contact] = contacts_[last];
     contacts_.pop_back();
     remember(contact, memory(last));
-    sliding_.resize(groups_of(last));
+    if (bands_.empty()) {
+      sliding_.resize(groups_of(last));
+    } else {
+      set_bands(contact, bands(last));
+      bands_.resize(groups_of(last));
+    }
     if (!rolling_.empty()) {
       rolling_.resize(groups_of(last));
       twisting_.resize(groups_of(last));
@@ -87,18 +102,34 @@ public:
 
   /// What the `at_once` contacts from a multiple of it on remember [m]; lanes beyond the last contact may hold anything.
   VectorOf<TwinLanes>& sliding_of(std::size_t contact) { return sliding_[contact / at_once]; }
+  laws::SlipBands<TwinLanes>& bands_of(std::size_t contact) { return bands_[contact / at_once]; }
   VectorOf<TwinLanes>& rolling_of(std::size_t contact) { return rolling_[contact / at_once]; }
   TwinLanes& twisting_of(std::size_t contact) { return twisting_[contact / at_once]; }
 
   laws::ContactMemory<Real> memory(std::size_t contact) const {
-    if (rolling_.empty()) return {get(sliding_, contact), Vector3::Zero(), 0};
-    return {get(sliding_, contact), get(rolling_, contact), twisting_[contact / at_once][lane_of(contact)]};
+    const Vector3 sliding = sliding_.empty() ? Vector3(Vector3::Zero()) : get(sliding_, contact);
+    if (rolling_.empty()) return {sliding, Vector3::Zero(), 0};
+    return {sliding, get(rolling_, contact), twisting_[contact / at_once][lane_of(contact)]};
   }
   void remember(std::size_t contact, const laws::ContactMemory<Real>& memory) {
-    put(sliding_, contact, memory.sliding);
+    if (!sliding_.empty()) put(sliding_, contact, memory.sliding);
     if (rolling_.empty()) return;
     put(rolling_, contact, memory.rolling);
     twisting_[contact / at_once].set(lane_of(contact), memory.twisting);
+  }
+
+  /// Those of a contact; without stretch where there are none.
+  laws::SlipBands<Real> bands(std::size_t contact) const {
+    laws::SlipBands<Real> alone;
+    if (bands_.empty()) return alone;
+    visit_numbers(bands_[contact / at_once], alone,
+                  [lane = lane_of(contact)](const TwinLanes& in_lanes, Real& number) { number = in_lanes[lane]; });
+    return alone;
+  }
+  /// Where there are bands.
+  void set_bands(std::size_t contact, const laws::SlipBands<Real>& bands) {
+    visit_numbers(bands_[contact / at_once], bands,
+                  [lane = lane_of(contact)](TwinLanes& in_lanes, const Real& number) { in_lanes.set(lane, number); });
   }
 
   /// Whether some contact has an overlap at rest, beyond which alone it pushes [m].
@@ -128,7 +159,8 @@ private:
   }
 
   std::vector<Contact> contacts_;
-  Memory sliding_;
+  Memory sliding_;                   ///< empty where there are bands
+  std::vector<laws::SlipBands<TwinLanes>> bands_;  ///< empty where friction does not slip in part
   Memory rolling_;                   ///< empty, like the next, where nothing resists rolling or twisting
   std::vector<TwinLanes> twisting_;  ///< beside it
   std::vector<TwinLanes> rest_;      ///< empty where none has an overlap at rest

@@ -206,13 +206,17 @@ private:
     laws::ContactMotion<TwinLanes>& at = group.at;
     at.step = step_;
     laws::ContactMemory<TwinLanes> memory;
-    memory.sliding = contacts_.sliding_of(begin);
+    laws::SlipBands<TwinLanes>* bands = nullptr;
+    if constexpr (Law::slips_in_part)
+      bands = &contacts_.bands_of(begin);
+    else
+      memory.sliding = contacts_.sliding_of(begin);
     if constexpr (rolls) {
       memory.rolling = contacts_.rolling_of(begin);
       memory.twisting = contacts_.twisting_of(begin);
     }
-    auto force = laws::contact_force<Law, rolls, tells_energies>(constants_, at, memory);
-    contacts_.sliding_of(begin) = memory.sliding;
+    auto force = laws::contact_force<Law, rolls, tells_energies>(constants_, at, memory, bands);
+    if constexpr (!Law::slips_in_part) contacts_.sliding_of(begin) = memory.sliding;
     if constexpr (rolls) {
       contacts_.rolling_of(begin) = memory.rolling;
       contacts_.twisting_of(begin) = memory.twisting;

@@ -12,6 +12,12 @@
 
 namespace sazare::methods::spheres {
 
+/// What contacts remember beside a stretch of sliding.
+struct Remembered {
+  bool rolls = false;  ///< stretches of rolling and twisting
+  bool bands = false;  ///< bands instead of the stretch of sliding
+};
+
 class ContactTable {
 public:
   ContactTable(laws::ContactModel with, Index material_count)
@@ -39,6 +45,12 @@ public:
   bool adheres() const {
     return laws::visit_law(model, []<class Law>(Law) { return Law::adheres; });
   }
+  /// Whether friction slips band by band, so that contacts remember bands.
+  bool slips_in_part() const {
+    return laws::visit_law(model, []<class Law>(Law) { return Law::slips_in_part; });
+  }
+  /// What contacts remember.
+  Remembered remembered() const { return {.rolls = rolls, .bands = slips_in_part()}; }
   /// The largest gap across which spheres of two materials that have touched go on doing so [m].
   Real neck(Index one, Index other, Real reduced_radius) const {
     return laws::visit_law(model, [&]<class Law>(Law) {

@@ -38,6 +38,7 @@ PairContacts::Touches PairContacts::take_touches(const std::vector<Index>& new_p
   Touches touches;
   touches.pairs.resize(first.back());
   if (table_.rolls) touches.turning.resize(first.back());
+  if (table_.slips_in_part()) touches.bands.resize(first.back());
   if (some_rest) touches.rest.resize(first.back());
   parallel::parallel_for(contacts_.size(), 2, [&](std::size_t begin, std::size_t end) {
     for (std::size_t block = begin; block < end; ++block)
@@ -48,10 +49,13 @@ PairContacts::Touches PairContacts::take_touches(const std::vector<Index>& new_p
         Touch& touch = touches.pairs[to];
         touch = {new_place[static_cast<std::size_t>(contact.first.place())],
                  new_place[static_cast<std::size_t>(contact.second.place())], memory.sliding};
+        if (!touches.bands.empty()) touches.bands[to] = contacts_[block].bands(n);
         if (touch.one > touch.other) {
           // Seen from the other sphere, sliding changes its sign; rolling and twisting do not.
           std::swap(touch.one, touch.other);
           touch.sliding = zero_vector<Real>() - touch.sliding;
+          if (!touches.bands.empty())
+            for (Vector3& stretch : touches.bands[to].stretch) stretch = -stretch;
         }
         if (table_.rolls) touches.turning[to] = {memory.rolling, memory.twisting};
         if (some_rest) touches.rest[to] = contacts_[block].rest(n);
@@ -95,14 +99,15 @@ void PairContacts::go_on(std::size_t block, const Touches& touches, std::span<co
   BlockContacts& contacts = contacts_[block];
   const std::size_t begin = pairs_.first[block * neighbors::block_size];
   const auto apart = std::ranges::count(touch_of.subspan(begin), -1);
-  contacts.reserve(touch_of.size() - begin - static_cast<std::size_t>(apart), table_.rolls);
+  contacts.reserve(touch_of.size() - begin - static_cast<std::size_t>(apart), table_.remembered());
   for (std::size_t p = begin; p < touch_of.size(); ++p) {
     if (touch_of[p] < 0) continue;
     const auto n = static_cast<std::size_t>(touch_of[p]);
     const Touch& touch = touches.pairs[n];
-    contacts.add({SphereAt::at(touch.one), SphereAt::at(touch.other), 0, static_cast<std::uint32_t>(p)}, table_.rolls);
+    contacts.add({SphereAt::at(touch.one), SphereAt::at(touch.other), 0, static_cast<std::uint32_t>(p)}, table_.remembered());
     const Turning turning = table_.rolls ? touches.turning[n] : Turning{};
     contacts.remember(contacts.size() - 1, {touch.sliding, turning.rolling, turning.twisting});
+    if (!touches.bands.empty()) contacts.set_bands(contacts.size() - 1, touches.bands[n]);
     if (!touches.rest.empty() && touches.rest[n] > 0) contacts.set_rest(contacts.size() - 1, touches.rest[n]);
     sleeps_until_[p] = in_contact;
   }
@@ -185,7 +190,7 @@ inline Lanes PairContacts::gaps(const state::Spheres& spheres, const BoxLanes<La
   const Index first = static_cast<Index>(loads.begin_of(block)) + owner_[pair], second = pairs_.other[pair];
   sleeps_until_[pair] = in_contact;
   contacts_[block].add({SphereAt::at(first), SphereAt::at(second), loads.slot(block, second), static_cast<std::uint32_t>(pair)},
-                       table_.rolls);
+                       table_.remembered());
 }
 
 template <class Law, bool rolls>
@@ -243,6 +248,7 @@ void PairContacts::columns(Archive& archive) {
   std::vector<Contact> contacts;
   std::vector<Vector3> sliding, rolling;
   std::vector<Real> twisting, rest;
+  std::vector<laws::SlipBands<Real>> bands;
   for (const BlockContacts& block : contacts_) {
     counts.push_back(block.size());
     for (std::size_t n = 0; n < block.size(); ++n) {
@@ -250,6 +256,7 @@ void PairContacts::columns(Archive& archive) {
       contacts.push_back(block[n]);
       sliding.push_back(memory.sliding);
       rest.push_back(block.rest(n));
+      if (table_.slips_in_part()) bands.push_back(block.bands(n));
       if (!table_.rolls) continue;
       rolling.push_back(memory.rolling);
       twisting.push_back(memory.twisting);
@@ -262,16 +269,18 @@ void PairContacts::columns(Archive& archive) {
   archive("rolling", rolling);
   archive("twisting", twisting);
   archive("rest_overlap", rest);
+  if (table_.slips_in_part()) archive("bands", bands);
   if (!archive.reading()) return;
   contacts_.assign(counts.size(), {});
   std::size_t next = 0;
   for (std::size_t block = 0; block < counts.size(); ++block) {
-    contacts_[block].reserve(counts[block], table_.rolls);
+    contacts_[block].reserve(counts[block], table_.remembered());
     for (std::size_t n = 0; n < counts[block]; ++n, ++next) {
-      contacts_[block].add(contacts[next], table_.rolls);
+      contacts_[block].add(contacts[next], table_.remembered());
       laws::ContactMemory<Real> memory{.sliding = sliding[next]};
       if (table_.rolls) memory.rolling = rolling[next], memory.twisting = twisting[next];
       contacts_[block].remember(n, memory);
+      if (!bands.empty()) contacts_[block].set_bands(n, bands[next]);
       if (!rest.empty() && rest[next] > 0) contacts_[block].set_rest(n, rest[next]);
     }
   }

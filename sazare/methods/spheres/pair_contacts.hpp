@@ -89,6 +89,7 @@ private:
   struct Touches {
     std::vector<Touch> pairs;
     std::vector<Turning> turning;  ///< by pair; empty where nothing resists rolling or twisting
+    std::vector<laws::SlipBands<Real>> bands;  ///< by pair; empty where friction does not slip in part
     std::vector<Real> rest;        ///< by pair [m]; empty where none has an overlap at rest
   };
 

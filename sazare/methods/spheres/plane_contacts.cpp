@@ -122,8 +122,13 @@ private:
       memory.rolling = row.turning(n).rolling;
       memory.twisting = row.turning(n).twisting;
     }
-    const auto force = laws::contact_force<Law, rolls>(constants_, meeting.at, memory);
-    row.group(n).sliding = where(meeting.touch, memory.sliding);
+    laws::SlipBands<Lanes>* bands = nullptr;
+    if constexpr (Law::slips_in_part) bands = &row.bands_of_group(n);
+    const auto force = laws::contact_force<Law, rolls>(constants_, meeting.at, memory, bands);
+    if constexpr (Law::slips_in_part)
+      keep_where(meeting.touch, *bands);
+    else
+      row.group(n).sliding = where(meeting.touch, memory.sliding);
     LaneVector turning{};
     if constexpr (rolls) {
       row.turning(n) = {where(meeting.touch, memory.rolling), where(meeting.touch, memory.twisting)};
@@ -161,8 +166,16 @@ private:
     row.touching(n) = where(touch, broadcast(1));
   }
 
+  /// What does not touch forgets its bands.
+  static void keep_where(const LaneMask& touch, laws::SlipBands<Lanes>& bands) {
+    for (LaneVector& stretch : bands.stretch) stretch = where(touch, stretch);
+    bands.width = where(touch, bands.width);
+    bands.inner = where(touch, bands.inner);
+  }
+
   static void forget(PlaneRow& row, std::size_t n) {
     row.group(n).sliding = {};
+    if constexpr (Law::slips_in_part) row.bands_of_group(n) = {};
     if constexpr (rolls) row.turning(n) = {};
   }
 
@@ -206,16 +219,16 @@ ContactSums evaluate_as(PlaneRow& row, const PlaneTask& task, WallLoad& on_plane
 }  // namespace
 
 ContactSums evaluate_plane(PlaneRow& row, const PlaneTask& task, WallLoad& on_plane) {
-  return visit_law(task.table, [&]<class Law, class Rolls>(Law, Rolls) {
-    return evaluate_as<Law, Rolls::value>(row, task, on_plane);
-  });
+  return visit_law(task.table,
+                   [&]<class Law, class Rolls>(Law, Rolls) { return evaluate_as<Law, Rolls::value>(row, task, on_plane); });
 }
 
-void PlaneRow::add(Index sphere, bool rolls, bool adheres) {
+void PlaneRow::add(Index sphere, const Remembered& remembered, bool adheres) {
   const std::size_t lane = size_ % lane_count;
   if (lane == 0) {
     groups_.emplace_back();
-    if (rolls) turning_.emplace_back();
+    if (remembered.rolls) turning_.emplace_back();
+    if (remembered.bands) bands_.emplace_back();
     if (adheres) touching_.emplace_back();
   }
   auto& spheres = groups_.back().sphere;
@@ -232,13 +245,22 @@ laws::ContactMemory<Real> PlaneRow::memory(std::size_t n) const {
   return {sliding, get(turning.rolling), turning.twisting[lane]};
 }
 
+laws::SlipBands<Real> PlaneRow::bands(std::size_t n) const {
+  laws::SlipBands<Real> alone;
+  if (bands_.empty()) return alone;
+  visit_numbers(bands_[n / lane_count], alone,
+                [lane = n % lane_count](const Lanes& in_lanes, Real& number) { number = in_lanes[lane]; });
+  return alone;
+}
+
 bool PlaneRow::remembers(std::size_t n) const {
   if (!touching_.empty()) return touching_[n / lane_count][static_cast<int>(n % lane_count)] > 0;
+  if (!bands_.empty()) return bands_[n / lane_count].width[static_cast<int>(n % lane_count)] > 0;
   const laws::ContactMemory<Real> memory = this->memory(n), nothing;
   return std::memcmp(&memory, &nothing, sizeof(memory)) != 0;
 }
 
-void PlaneRow::remember(Index sphere, const laws::ContactMemory<Real>& memory) {
+void PlaneRow::remember(Index sphere, const laws::ContactMemory<Real>& memory, const laws::SlipBands<Real>& bands) {
   const auto next = std::ranges::upper_bound(groups_, sphere, {}, [](const Group& group) { return group.sphere.front(); });
   if (next == groups_.begin()) return;
   Group& group = *(next - 1);
@@ -251,6 +273,8 @@ void PlaneRow::remember(Index sphere, const laws::ContactMemory<Real>& memory) {
   put(group.sliding, memory.sliding);
   const auto number = static_cast<std::size_t>(next - 1 - groups_.begin());
   if (!touching_.empty()) touching_[number][lane] = 1;
+  if (!bands_.empty())
+    visit_numbers(bands_[number], bands, [lane](Lanes& in_lanes, const Real& value) { in_lanes[lane] = value; });
   if (turning_.empty()) return;
   Turning& turning = turning_[number];
   put(turning.rolling, memory.rolling);

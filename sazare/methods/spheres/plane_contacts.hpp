@@ -31,16 +31,19 @@ public:
   Index operator[](std::size_t n) const { return groups_[n / lane_count].sphere[n % lane_count]; }
 
   /// A sphere beyond those that are there; it remembers nothing.
-  void add(Index sphere, bool rolls, bool adheres = false);
+  void add(Index sphere, const Remembered& remembered, bool adheres = false);
 
   laws::ContactMemory<Real> memory(std::size_t n) const;
+  /// Without stretch where there are none.
+  laws::SlipBands<Real> bands(std::size_t n) const;
   bool remembers(std::size_t n) const;
   /// Tells a sphere what it remembers, if it is in the row.
-  void remember(Index sphere, const laws::ContactMemory<Real>& memory);
+  void remember(Index sphere, const laws::ContactMemory<Real>& memory, const laws::SlipBands<Real>& bands = {});
 
   std::size_t group_count() const { return groups_.size(); }
   Group& group(std::size_t n) { return groups_[n]; }
   Turning& turning(std::size_t n) { return turning_[n]; }
+  laws::SlipBands<Lanes>& bands_of_group(std::size_t n) { return bands_[n]; }
   /// 1 for those that touch, else 0; there where the law adheres.
   Lanes& touching(std::size_t n) { return touching_[n]; }
 
@@ -48,6 +51,7 @@ private:
   std::size_t size_ = 0;
   std::vector<Group> groups_;
   std::vector<Turning> turning_;  ///< by group; empty where nothing resists rolling or twisting
+  std::vector<laws::SlipBands<Lanes>> bands_;  ///< by group; empty where friction does not slip in part
   std::vector<Lanes> touching_;   ///< by group; empty where the law does not adhere
 };
 

@@ -11,6 +11,12 @@ namespace {
 
 constexpr Real same_direction = 0.9;  // cosine between the normals of one contact at two steps
 
+/// Bands of which only a part of the stretch is left.
+laws::SlipBands<Real> shared(laws::SlipBands<Real> bands, Real part) {
+  for (Vector3& stretch : bands.stretch) stretch *= part;
+  return bands;
+}
+
 }  // namespace
 
 WallContacts::WallContacts(ContactTable table, std::vector<Wall> walls, Real reach)
@@ -123,6 +129,8 @@ template <class Law, bool rolls>
 ContactSums WallContacts::push(const state::Spheres& spheres, std::size_t begin, const Task& task, Block& block) const {
   const int count = static_cast<int>(std::min<std::size_t>(lane_count, block.points.size() - begin));
   InLanes<rolls> lanes;
+  std::optional<laws::SlipBands<Lanes>> bands;  // of a law that slips in part
+  if constexpr (Law::slips_in_part) bands.emplace();
   std::array<Ground, lane_count> grounds;
   for (int lane = 0; lane < lane_count; ++lane) {
     const std::size_t n = begin + static_cast<std::size_t>(lane < count ? lane : 0);
@@ -133,10 +141,12 @@ ContactSums WallContacts::push(const state::Spheres& spheres, std::size_t begin,
               table_.of(static_cast<Index>(spheres.spin[i].material), walls_[static_cast<std::size_t>(point.wall)].material),
               point, block.touches[n]);
     lanes.set(lane, spheres.place[i], spheres.spin[i].spin(), point, ground, task.step);
+    if constexpr (Law::slips_in_part)
+      visit_numbers(*bands, block.bands[n], [lane](Lanes& in_lanes, const Real& number) { in_lanes[lane] = number; });
   }
   lanes.at.radius.sum = lanes.at.mass.sum = broadcast(1);
   lanes.at.step = broadcast(task.step);
-  const auto forces = laws::contact_force<Law, rolls>(lanes.constants, lanes.at, lanes.memory);
+  const auto forces = laws::contact_force<Law, rolls>(lanes.constants, lanes.at, lanes.memory, bands ? &*bands : nullptr);
   const auto some = std::span(block.points).subspan(begin, static_cast<std::size_t>(count));
   Lanes spring{};
   if (std::ranges::any_of(some, [](const Point& point) { return point.count != point.share; }))
@@ -148,7 +158,10 @@ ContactSums WallContacts::push(const state::Spheres& spheres, std::size_t begin,
     Touch& touch = block.touches[n];
     const Point& point = block.points[n];
     const Vector3& normal = point.normal;
-    touch.sliding = lanes.get(lanes.memory.sliding, lane);
+    if constexpr (Law::slips_in_part)
+      visit_numbers(*bands, block.bands[n], [lane](const Lanes& in_lanes, Real& number) { number = in_lanes[lane]; });
+    else
+      touch.sliding = lanes.get(lanes.memory.sliding, lane);
     Vector3 force = point.share * (forces.normal[lane] * normal + lanes.get(forces.friction, lane));
     if (point.count != point.share) force += (point.count - point.share) * spring[lane] * normal;
     Vector3 turning = Vector3::Zero();
@@ -212,7 +225,9 @@ WallContacts::Push WallContacts::push_of_table() const {
 /// Where the spheres of a block touch surfaces, each with what it remembers.
 void WallContacts::touch_anew(const state::Spheres& spheres, Block& block) const {
   std::swap(block.before, block.touches);
+  std::swap(block.bands_before, block.bands);
   block.touches.clear();
+  block.bands.clear();
   block.points.clear();
   const bool repeats = spheres.box.repeats();
   const Vector3 inverse = spheres.box.inverse();
@@ -263,18 +278,21 @@ void WallContacts::take_points(Index sphere, std::size_t begin, std::span<Touch>
   thread_local std::vector<Real> shares;
   std::vector<Point>& points = block.points;
   add_up_shares(std::span(points).subspan(begin), shares);
+  const bool slips_in_part = table_.slips_in_part();
   std::size_t kept = begin;
   for (std::size_t n = begin; n < points.size(); ++n) {
     Point& point = points[n];
     Touch touch{.sphere = sphere, .wall = point.wall, .normal = point.normal};
+    const Touch* old = nullptr;
+    Real part = 1;
     point.before = point.normal;
     if (point.share > 0) {
       const Touch* const free = like(point, before, false);
-      const Touch* const old = free != nullptr ? free : like(point, before, true);
+      old = free != nullptr ? free : like(point, before, true);
       if (free == nullptr && !(point.overlap > 0)) continue;
       touch.share = shares[n - begin];
       if (old != nullptr) {
-        const Real part = old->share < touch.share ? old->share / touch.share : 1;
+        if (old->share < touch.share) part = old->share / touch.share;
         touch.sliding = part * old->sliding;
         touch.rolling = part * old->rolling;
         touch.twisting = part * old->twisting;
@@ -283,6 +301,9 @@ void WallContacts::take_points(Index sphere, std::size_t begin, std::span<Touch>
       if (free != nullptr) before[static_cast<std::size_t>(free - before.data())].wall = ~free->wall;  // goes on
     }
     block.touches.push_back(touch);
+    if (slips_in_part)
+      block.bands.push_back(
+          old == nullptr ? Bands{} : shared(block.bands_before[static_cast<std::size_t>(old - block.before.data())], part));
     block.points[kept++] = point;
   }
   block.points.resize(kept);
@@ -343,21 +364,24 @@ Real WallContacts::largest_speed(Real radius) const {
 }
 
 void WallContacts::columns(Archive& archive) {
-  std::vector<Touch> all = touches();
+  Kept all = kept();
   std::vector<std::uint64_t> counts;
   for (const auto& blocks : parts_)
-    for (const Block& block : blocks) counts.push_back(touches_of(block).size());
-  archive("touches", all);
+    for (const Block& block : blocks) counts.push_back(kept_by(block).touches.size());
+  archive("touches", all.touches);
   archive("counts", counts);
+  if (table_.slips_in_part()) archive("bands", all.bands);
   if (surface() != nullptr) archive.folder("surface", [&] { walls_[surface_].nodal.columns(archive); });
   if (!archive.reading()) return;
   // All in one part: `find`, which follows, hands out what is touched.
   parts_.assign(1, std::vector<Block>(counts.size()));
-  auto next = all.begin();
+  std::ptrdiff_t next = 0;
   for (std::size_t b = 0; b < counts.size(); ++b) {
-    parts_[0][b].loads.resize(walls_.size());
-    parts_[0][b].touches.assign(next, next + static_cast<std::ptrdiff_t>(counts[b]));
+    const std::ptrdiff_t begin = next;
     next += static_cast<std::ptrdiff_t>(counts[b]);
+    parts_[0][b].loads.resize(walls_.size());
+    parts_[0][b].touches.assign(all.touches.begin() + begin, all.touches.begin() + next);
+    if (table_.slips_in_part()) parts_[0][b].bands.assign(all.bands.begin() + begin, all.bands.begin() + next);
   }
 }
 

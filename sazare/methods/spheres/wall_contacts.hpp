@@ -100,13 +100,24 @@ public:
     Index sphere = 0;
     Index wall = 0;
     Vector3 normal = Vector3::Zero();   ///< from the wall to the sphere; not needed at a plane
-    Vector3 sliding = Vector3::Zero();  ///< [sqrt(J)], as the next two, see laws::ContactMemory
+    Vector3 sliding = Vector3::Zero();  ///< [sqrt(J)], as the next two, see laws::ContactMemory; not used where there are bands
     Vector3 rolling = Vector3::Zero();
     Real twisting = 0;
     Real share = 0;  ///< of all of the sphere that face this way, see FacetPoint; 0: remembers nothing
   };
 
 private:
+  using Bands = laws::SlipBands<Real>;
+  /// Touches with their bands, where there are any.
+  struct Kept {
+    std::vector<Touch> touches;
+    std::vector<Bands> bands;
+
+    void add(const Kept& more) {
+      touches.insert(touches.end(), more.touches.begin(), more.touches.end());
+      bands.insert(bands.end(), more.bands.begin(), more.bands.end());
+    }
+  };
   /// A triangle near a sphere.
   struct Near {
     Index sphere = 0, wall = 0;
@@ -129,8 +140,10 @@ private:
     std::vector<PlaneRow> planes;  ///< by wall; those of surfaces are empty
     std::vector<Near> near;        ///< by sphere
     std::vector<Touch> touches;    ///< of surfaces, by sphere
+    std::vector<Bands> bands;      ///< those of the touches; empty where friction does not slip in part
     std::vector<Point> points;     ///< those of the touches
     std::vector<Touch> before;  ///< of these, those that go on have the complement of their wall in the end
+    std::vector<Bands> bands_before;  ///< those of the touches before
     Real parting_loss = 0;      ///< of touches that ended [J]
     std::vector<WallLoad> loads;             ///< by wall
     std::vector<geometry::NodeForce> on_nodes;  ///< of the surface [N]
@@ -176,9 +189,9 @@ private:
   void add_up_shares(std::span<const Point> points, std::vector<Real>& shares) const;
   Index surface_of(Index wall) const { return surface_of_[static_cast<std::size_t>(wall)]; }
   void touch_anew(const state::Spheres& spheres, Block& block) const;
-  static std::vector<Touch> touches_of(const Block& block);
-  std::vector<Touch> touches() const;
-  void remember(const Touch& touch, Block& block) const;
+  Kept kept_by(const Block& block) const;
+  Kept kept() const;
+  void remember(const Touch& touch, const Bands* bands, Block& block) const;
   using Push = ContactSums (WallContacts::*)(const state::Spheres& spheres, std::size_t begin, const Task& task,
                                              Block& block) const;
   Push push_of_table() const;

@@ -1,6 +1,7 @@
 /// Which spheres are near walls, found anew in time, and whether one went through a surface meanwhile.
 
 #include <algorithm>
+#include <numeric>
 
 #include "sazare/methods/spheres/wall_contacts.hpp"
 #include "sazare/parallel/threads.hpp"
@@ -63,29 +64,27 @@ void WallContacts::find_surface(std::size_t wall, const state::Spheres& spheres,
 }
 
 /// Touches of a block: those of surfaces by sphere, then those of each plane by sphere.
-std::vector<WallContacts::Touch> WallContacts::touches_of(const Block& block) {
-  std::vector<Touch> all = block.touches;
+WallContacts::Kept WallContacts::kept_by(const Block& block) const {
+  Kept all{block.touches, block.bands};
   for (std::size_t w = 0; w < block.planes.size(); ++w)
     for (std::size_t n = 0; n < block.planes[w].size(); ++n) {
       if (!block.planes[w].remembers(n)) continue;
       const laws::ContactMemory<Real> memory = block.planes[w].memory(n);
-      all.push_back({.sphere = block.planes[w][n],
-                     .wall = static_cast<Index>(w),
-                     .sliding = memory.sliding,
-                     .rolling = memory.rolling,
-                     .twisting = memory.twisting});
+      all.touches.push_back({.sphere = block.planes[w][n],
+                             .wall = static_cast<Index>(w),
+                             .sliding = memory.sliding,
+                             .rolling = memory.rolling,
+                             .twisting = memory.twisting});
+      if (table_.slips_in_part()) all.bands.push_back(block.planes[w].bands(n));
     }
   return all;
 }
 
 /// Touches of all parts and blocks, one after the other.
-std::vector<WallContacts::Touch> WallContacts::touches() const {
-  std::vector<Touch> all;
+WallContacts::Kept WallContacts::kept() const {
+  Kept all;
   for (const auto& blocks : parts_)
-    for (const Block& block : blocks) {
-      const std::vector<Touch> more = touches_of(block);
-      all.insert(all.end(), more.begin(), more.end());
-    }
+    for (const Block& block : blocks) all.add(kept_by(block));
   return all;
 }
 
@@ -100,10 +99,12 @@ void WallContacts::find(const state::Spheres& spheres, Real time, Real margin, s
   std::vector<Index> place(places_before.size());
   for (std::size_t n = 0; n < place.size(); ++n) place[static_cast<std::size_t>(places_before[n])] = static_cast<Index>(n);
   if (have_surfaces()) look_back(spheres, place);
-  std::vector<Touch> kept = touches();
+  Kept before = kept();
+  std::vector<std::size_t> order(before.touches.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
   if (!place.empty()) {
-    for (Touch& touch : kept) touch.sphere = place[static_cast<std::size_t>(touch.sphere)];
-    std::ranges::stable_sort(kept, {}, &Touch::sphere);
+    for (Touch& touch : before.touches) touch.sphere = place[static_cast<std::size_t>(touch.sphere)];
+    std::ranges::stable_sort(order, {}, [&](std::size_t n) { return before.touches[n].sphere; });
   }
   const std::size_t block_count = (spheres.size() + neighbors::block_size - 1) / neighbors::block_size;
   Block empty;
@@ -118,7 +119,10 @@ void WallContacts::find(const state::Spheres& spheres, Real time, Real margin, s
     for (std::size_t i = begin * neighbors::block_size; i < std::min(end * neighbors::block_size, spheres.size()); ++i)
       find_near(spheres, i, margin, block_of(i));
   });
-  for (const Touch& touch : kept) remember(touch, block_of(static_cast<std::size_t>(touch.sphere)));
+  for (const std::size_t n : order) {
+    const Touch& touch = before.touches[n];
+    remember(touch, before.bands.empty() ? nullptr : &before.bands[n], block_of(static_cast<std::size_t>(touch.sphere)));
+  }
 }
 
 /// Adds a sphere to the rows of the planes, and to the triangles, that are near it.
@@ -133,17 +137,18 @@ void WallContacts::find_near(const state::Spheres& spheres, std::size_t sphere, 
     if (surface_of_[w] == lies_in_another) continue;
     const Vector3 centre = seen_by(w, spheres.box.wrapped(place.centre()));
     if ((centre - wall.point).dot(wall.normal) < place.radius + margin)
-      block.planes[w].add(static_cast<Index>(sphere), table_.rolls, table_.adheres());
+      block.planes[w].add(static_cast<Index>(sphere), table_.remembered(), table_.adheres());
   }
 }
 
 /// Hands a touch back to the block of its sphere, where near spheres are known.
-void WallContacts::remember(const Touch& touch, Block& block) const {
+void WallContacts::remember(const Touch& touch, const Bands* bands, Block& block) const {
   const auto w = static_cast<std::size_t>(touch.wall);
   if (walls_[w].is_plane())
-    block.planes[w].remember(touch.sphere, {touch.sliding, touch.rolling, touch.twisting});
-  else
-    block.touches.push_back(touch);
+    return block.planes[w].remember(touch.sphere, {touch.sliding, touch.rolling, touch.twisting},
+                                    bands == nullptr ? Bands{} : *bands);
+  block.touches.push_back(touch);
+  if (bands != nullptr) block.bands.push_back(*bands);
 }
 
 /// Whether spheres went through surfaces since they were last evaluated; `place` says where each stands that stood elsewhere.

@@ -75,7 +75,7 @@ private:
                            .step = step,
                            .tilt = tilt,
                            .turn = seconds * move.spin.dot(normal)};
-    force_ = contact_force<Law, true>(constants_, at, memory_);
+    force_ = contact_force<Law, true>(constants_, at, memory_, &bands_);
     const Real sliding_power = force_.sliding_power, power = sliding_power - force_.normal * move.opening;
     work_ += 0.5 * seconds * (power_ + power);
     sliding_work_ += 0.5 * seconds * (sliding_power_ + sliding_power);
@@ -87,6 +87,7 @@ private:
   ContactConstants<Real> constants_;
   Real overlap_;
   ContactMemory<Real> memory_{};
+  SlipBands<Real> bands_;
   ContactForce<Real> force_{};
   Move before_;
   Matrix3 frame_ = Matrix3::Identity();
@@ -144,6 +145,7 @@ TEST(contact_cycles, lose_work_in_any_order) {
   expect_loss_in_any_order<Hertz>();
   expect_loss_in_any_order<Linear>();
   expect_loss_in_any_order<Jkr>();
+  expect_loss_in_any_order<MindlinDeresiewicz>();
 }
 
 /// Pressed, sheared, pressed more, sheared back and unloaded, the contact is where it was.
@@ -179,10 +181,11 @@ TEST(contact_cycles, pressing_a_sheared_contact_fills_it_with_nothing) {
 }
 
 /// Friction that a rigid turn about any axis leaves as it was, seen from the two bodies.
-TEST(contact_cycles, bodies_that_turn_as_one_keep_their_forces) {
+template <class Law>
+void expect_same_forces_of_bodies_that_turn_as_one() {
   const Real seconds = steps_of_a_move * step, speed = 0.2 * deepest / seconds;
   for (const Vector3& axis : {Vector3(0, 0, 1), Vector3(1, 0, 0), Vector3(0.3, -0.5, 0.8), Vector3(0.6, 0.6, 0.1)}) {
-    LedContact<Hertz> still(constants_of<Hertz>(0.8, {0.4, 0.1, 0.1}), 0.5 * deepest), turning = still;
+    LedContact<Law> still(constants_of<Law>(0.8, {0.4, 0.1, 0.1}), 0.5 * deepest), turning = still;
     const Move shear{.sliding = {speed, 0.5 * speed, 0}, .rolling = {0.3 * speed, speed, 0}};
     Move turned = shear;
     turned.spin = 3 * axis.normalized() / seconds;
@@ -196,6 +199,11 @@ TEST(contact_cycles, bodies_that_turn_as_one_keep_their_forces) {
     EXPECT_LT((found - expected).norm(), angle_of_step * angle_of_step * expected.norm()) << axis.transpose();
     EXPECT_NEAR(turning.force().sliding_energy, still.force().sliding_energy, 1e-5 * still.force().sliding_energy);
   }
+}
+
+TEST(contact_cycles, bodies_that_turn_as_one_keep_their_forces) {
+  expect_same_forces_of_bodies_that_turn_as_one<Hertz>();
+  expect_same_forces_of_bodies_that_turn_as_one<MindlinDeresiewicz>();
 }
 
 /// However fast both turn, nothing is lengthened.

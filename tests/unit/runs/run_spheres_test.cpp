@@ -152,6 +152,14 @@ TEST_P(InParts, gives_the_bits_of_one_run) {
   expect_the_same_in_parts(folder, case_of(folder, GetParam()));
 }
 
+/// Bands of pairs, of planes and of spheres at several levels, which begin and end in any part.
+TEST(run_spheres, gives_the_bits_of_one_run_with_contacts_that_slip_in_part) {
+  for (const char* rest : {scattered, mixed}) {
+    const TemporaryFolder folder;
+    expect_the_same_in_parts(folder, case_of(folder, rest, {"contact.model=mindlin_deresiewicz"}));
+  }
+}
+
 /// A floor of strips that ends at the sides of the room, which grains cross in any part.
 TEST(run_spheres, gives_the_bits_of_one_run_on_a_wall_that_repeats_itself) {
   const TemporaryFolder folder;
@@ -173,7 +181,8 @@ TEST(run_spheres, gives_the_bits_of_one_run_on_a_wall_that_repeats_itself) {
 TEST(run_spheres, walls_of_one_material_and_one_motion_are_one_surface) {
   const TemporaryFolder folder;
   const auto wall = [](const std::string& name, const std::string& material, const std::string& more) {
-    return "[[walls]]\nname = \"" + name + "\"\nmaterial = \"" + material + "\"\npoint = [0.0, 0.0, -0.1]\nnormal = [0.0, 0.0, 1.0]\n" + more;
+    return "[[walls]]\nname = \"" + name + "\"\nmaterial = \"" + material +
+           "\"\npoint = [0.0, 0.0, -0.1]\nnormal = [0.0, 0.0, 1.0]\n" + more;
   };
   const std::string steel = R"([[materials]]
 name = "steel"

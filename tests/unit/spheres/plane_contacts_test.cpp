@@ -12,7 +12,7 @@
 namespace sazare::methods::spheres {
 namespace {
 
-using laws::Hertz, laws::Linear;
+using laws::Hertz, laws::Linear, laws::MindlinDeresiewicz;
 
 constexpr Real step = 2e-6, margin = 2e-3;
 constexpr std::size_t count = 3 * lane_count + 3;  // of spheres
@@ -95,13 +95,14 @@ struct OneContact {
 /// By the law for single numbers.
 template <class Law, bool rolls>
 OneContact alone(const state::Spheres& spheres, std::size_t i, const ContactTable& table, const Wall& wall, const WallPose& pose,
-                 laws::ContactMemory<Real>& memory) {
+                 laws::ContactMemory<Real>& memory, laws::SlipBands<Real>& bands) {
   const auto& place = spheres.place[i];
   const Vector3 centre = spheres.box.wrapped(place.centre()), spin = spheres.spin[i].spin(),
                 normal = pose.direction_out(wall.normal);
   const Real overlap = place.radius - (pose.into(centre) - wall.point).dot(wall.normal);
   if (!(overlap > 0)) {
     memory = {};
+    bands = {};
     return {};
   }
   const Real arm = place.radius - 0.5 * overlap;
@@ -117,7 +118,7 @@ OneContact alone(const state::Spheres& spheres, std::size_t i, const ContactTabl
                                    .tilt = step * pose.spin.cross(normal),
                                    .turn = step * pose.spin.dot(normal)};
   const auto& constants = table.of(static_cast<Index>(spheres.spin[i].material), wall.material);
-  const auto law = laws::contact_force<Law, rolls>(constants, motion, memory);
+  const auto law = laws::contact_force<Law, rolls>(constants, motion, memory, &bands);
   const Vector3 force = law.normal * normal + law.friction,
                 turning = -place.radius * (normal.cross(law.rolling) + law.twisting * normal),
                 foot = touched - pose.pivot - pose.shift;
@@ -141,6 +142,7 @@ void compare(const ContactTable& table, const Wall& wall, const state::PeriodicB
   WallContacts contacts(table, {wall}, 0.012 + margin);
   contacts.find(spheres, 0, margin, {}, {});
   std::vector<laws::ContactMemory<Real>> memory(count);
+  std::vector<laws::SlipBands<Real>> bands(count);
   std::int64_t most = 0, fewest = count;
   for (int n = 0; n < 300; ++n) {
     const Real time = n * step;
@@ -150,7 +152,7 @@ void compare(const ContactTable& table, const Wall& wall, const state::PeriodicB
     const ContactSums sums = contacts.evaluate(spheres, {0, step, loads.data()});
     OneContact all;
     for (std::size_t i = 0; i < count; ++i) {
-      const OneContact one = alone<Law, rolls>(spheres, i, table, wall, pose, memory[i]);
+      const OneContact one = alone<Law, rolls>(spheres, i, table, wall, pose, memory[i], bands[i]);
       expect_near(force_of(loads[i]), one.force, round_off);
       expect_near(moment_of(loads[i]), one.moment, 0.01 * round_off);
       all.on_plane += one.on_plane;
@@ -188,11 +190,13 @@ Wall still() {
 TEST(plane_contacts, in_lanes_are_those_of_single_spheres) {
   compare_on<Hertz>(still());
   compare_on<Linear>(still());
+  compare_on<MindlinDeresiewicz>(still());
 }
 
 TEST(plane_contacts, with_a_plane_that_moves_and_turns_are_those_of_single_spheres) {
   compare_on<Hertz>(leaning());
   compare_on<Linear>(leaning());
+  compare_on<MindlinDeresiewicz>(leaning());
 }
 
 TEST(plane_contacts, of_one_material_are_those_of_single_spheres) {
@@ -214,7 +218,7 @@ laws::ContactMemory<Real> some_memory(Real number) {
 
 TEST(plane_row, tells_each_sphere_its_own_memory) {
   PlaneRow row;
-  for (Index n = 0; n < 2 * lane_count + 3; ++n) row.add(3 * n + 1, true);
+  for (Index n = 0; n < 2 * lane_count + 3; ++n) row.add(3 * n + 1, {.rolls = true});
   for (Index n = 0; n < 2 * lane_count + 3; n += 2) row.remember(3 * n + 1, some_memory(10 * n));
   for (const Index missing : {0, 2, 3 * (2 * lane_count + 3) + 1}) row.remember(missing, some_memory(1));
   ASSERT_EQ(row.size(), 2 * lane_count + 3);
@@ -230,7 +234,7 @@ TEST(plane_row, tells_each_sphere_its_own_memory) {
 
 TEST(plane_row, without_rolling_remembers_sliding_alone) {
   PlaneRow row;
-  row.add(5, false);
+  row.add(5, {});
   row.remember(5, some_memory(1));
   EXPECT_EQ(row.memory(0).sliding[2], 3);
   EXPECT_EQ(row.memory(0).twisting, 0);

@@ -17,8 +17,14 @@ std::vector<Wall> box_walls() {
   return {floor, side, slope};
 }
 
-Rules rules() {
-  return {.restitution = 0.6, .friction = 0.4, .rolling = 0.05, .twisting = 0.02, .step = 1e-5, .gravity = {0, 0, -9.81}};
+Rules rules(laws::ContactModel model) {
+  return {.restitution = 0.6,
+          .friction = 0.4,
+          .rolling = 0.05,
+          .twisting = 0.02,
+          .step = 1e-5,
+          .gravity = {0, 0, -9.81},
+          .model = model};
 }
 
 test::MemoryArchive state_of(methods::spheres::SphereStepper& stepper) {
@@ -27,10 +33,12 @@ test::MemoryArchive state_of(methods::spheres::SphereStepper& stepper) {
   return archive;
 }
 
-TEST(spheres, give_the_same_bits_on_any_number_of_threads) {
+class OfModel : public testing::TestWithParam<laws::ContactModel> {};
+
+TEST_P(OfModel, spheres_give_the_same_bits_on_any_number_of_threads) {
   const auto run = [](int threads) {
     parallel::set_threads(threads);
-    auto stepper = make_stepper(heap(21, 0.5, 0.0195), rules(), box_walls());  // 9261 spheres: ten blocks
+    auto stepper = make_stepper(heap(21, 0.5, 0.0195), rules(GetParam()), box_walls());  // 9261 spheres: ten blocks
     stepper.start();
     advance(stepper, 150);
     EXPECT_GT(stepper.searches(), 2);
@@ -42,9 +50,9 @@ TEST(spheres, give_the_same_bits_on_any_number_of_threads) {
   for (const int threads : {2, 3, 7}) EXPECT_TRUE(run(threads) == alone) << threads;
 }
 
-TEST(spheres, go_on_from_a_checkpoint_as_if_nothing_had_been) {
-  auto through = make_stepper(heap(8, 0.5, 0.0195), rules(), box_walls()),
-       resumed = make_stepper(heap(8, 0.5, 0.0195), rules(), box_walls());
+TEST_P(OfModel, spheres_go_on_from_a_checkpoint_as_if_nothing_had_been) {
+  auto through = make_stepper(heap(8, 0.5, 0.0195), rules(GetParam()), box_walls()),
+       resumed = make_stepper(heap(8, 0.5, 0.0195), rules(GetParam()), box_walls());
   through.start();
   advance(through, 777);
   test::MemoryArchive checkpoint = state_of(through);
@@ -55,6 +63,8 @@ TEST(spheres, go_on_from_a_checkpoint_as_if_nothing_had_been) {
   EXPECT_GT(through.contacts(), 30);
   EXPECT_TRUE(state_of(through) == state_of(resumed));
 }
+
+INSTANTIATE_TEST_SUITE_P(same_bits, OfModel, testing::Values(laws::ContactModel::hertz, laws::ContactModel::mindlin_deresiewicz));
 
 }  // namespace
 }  // namespace sazare::methods::spheres

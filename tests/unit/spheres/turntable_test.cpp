@@ -31,7 +31,7 @@ std::array<Vector3, 3> legs(Floor on, const Vector3& beside) {
   return places;
 }
 
-SphereStepper on_turntable(Floor floor, const Vector3& beside, Real pushed) {
+SphereStepper on_turntable(Floor floor, const Vector3& beside, Real pushed, laws::ContactModel model) {
   const Vector3 spin(0, 0, rate);
   state::Spheres spheres;
   state::Clumps clumps;
@@ -51,7 +51,7 @@ SphereStepper on_turntable(Floor floor, const Vector3& beside, Real pushed) {
     spheres.place.back().mass = clump.mass;
   }
   clumps.clumps.push_back(clump);
-  const Rules rules{.restitution = 0.3, .friction = 0.5, .step = step, .gravity = {0, 0, -gravity}};
+  const Rules rules{.restitution = 0.3, .friction = 0.5, .step = step, .gravity = {0, 0, -gravity}, .model = model};
   std::vector<Wall> walls;
   if (floor == Floor::ball) {
     spheres.add({0, 0, -ball}, ball, density, 0, true);
@@ -74,9 +74,9 @@ SphereStepper on_turntable(Floor floor, const Vector3& beside, Real pushed) {
 Real azimuth(const Vector3& arm) { return std::atan2(arm.y(), arm.x()); }
 
 /// How far legs and centre have gone back or ahead on the table in some turns after they have come to rest on it [rad].
-std::pair<Real, Real> drift(Floor floor, const Vector3& beside, int turns) {
+std::pair<Real, Real> drift(Floor floor, const Vector3& beside, int turns, laws::ContactModel model) {
   // Pushed so that stretches remain, which is what a wrong frame would let creep.
-  auto stepper = on_turntable(floor, beside, 2e-3);
+  auto stepper = on_turntable(floor, beside, 2e-3, model);
   stepper.start();
   const auto look = [&] {
     return std::pair{azimuth(centre_of(stepper, 1) - centre_of(stepper, 0)), azimuth(stepper.clumps().clumps[0].centre)};
@@ -93,20 +93,25 @@ std::pair<Real, Real> drift(Floor floor, const Vector3& beside, int turns) {
   return {over(after.first - before.first - steps * turned), over(after.second - before.second - steps * carried)};
 }
 
-TEST(turntable, legs_in_the_middle_stay_where_they_stand) {
+class Turntable : public testing::TestWithParam<laws::ContactModel> {};
+
+TEST_P(Turntable, legs_in_the_middle_stay_where_they_stand) {
   for (const Floor floor : {Floor::plane, Floor::mesh, Floor::ball}) {
-    const auto [legs, centre] = drift(floor, Vector3::Zero(), 10);
+    const auto [legs, centre] = drift(floor, Vector3::Zero(), 10, GetParam());
     EXPECT_NEAR(legs, 0, 1e-9) << static_cast<int>(floor);
   }
 }
 
-TEST(turntable, legs_beside_the_axis_stay_where_they_stand) {
+TEST_P(Turntable, legs_beside_the_axis_stay_where_they_stand) {
   for (const Floor floor : {Floor::plane, Floor::mesh}) {
-    const auto [legs, centre] = drift(floor, Vector3(0.02, 0.01, 0), 10);
+    const auto [legs, centre] = drift(floor, Vector3(0.02, 0.01, 0), 10, GetParam());
     EXPECT_NEAR(legs, 0, 1e-9) << static_cast<int>(floor);
     EXPECT_NEAR(centre, 0, 1e-9) << static_cast<int>(floor);
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(turntable, Turntable,
+                         testing::Values(laws::ContactModel::hertz, laws::ContactModel::mindlin_deresiewicz));
 
 }  // namespace
 }  // namespace sazare::methods::spheres

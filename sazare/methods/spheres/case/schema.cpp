@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 3> level_choices{"automatic", "per_sphere
 constexpr std::array<std::string_view, 3> wall_shapes{"plane", "box", "mesh"};
 
 constexpr Range restitution_range{.low = 0, .high = 1, .low_open = true};
-constexpr std::string_view for_elasticity = "required for models hertz and jkr";
+constexpr std::string_view for_elasticity = "required for models hertz, jkr and mindlin_deresiewicz";
 constexpr std::string_view of_contact = "default: that of [contact]";
 constexpr std::string_view in_region = "required for lattice and random";
 
@@ -77,8 +77,9 @@ constexpr std::array leading_contact_keys{
     Key{.name = "model",
         .type = Type::choice,
         .default_text = "\"hertz\"",
-        .sentence = "Hertz-Mindlin from the elasticity of the materials, linear springs, or the adhesion of Johnson, Kendall and "
-                    "Roberts between elastic spheres.",
+        .sentence = "Hertz-Mindlin from the elasticity of the materials, linear springs, the adhesion of Johnson, Kendall and "
+                    "Roberts between elastic spheres, or Hertz contacts with partial slip, after Mindlin and Deresiewicz: for "
+                    "oblique impacts below some 30 degrees to the normal and small cycles of shear, at a higher cost.",
         .choices = laws::contact_law_words},
     Key{.name = "restitution",
         .type = Type::number,
