@@ -129,8 +129,8 @@ private:
     std::vector<PlaneRow> planes;  ///< by wall; those of surfaces are empty
     std::vector<Near> near;        ///< by sphere
     std::vector<Touch> touches;    ///< of surfaces, by sphere
-    std::vector<Point> points;     ///< those of the touches
-    std::vector<Touch> before;  ///< of these, those that go on have the complement of their wall in the end
+    std::vector<Point> points;     ///< at which the touches act
+    std::vector<Touch> before;     ///< touches of the last step; those that go on have the complement of their wall in the end
     Real parting_loss = 0;      ///< of touches that ended [J]
     std::vector<WallLoad> loads;             ///< by wall
     std::vector<geometry::NodeForce> on_nodes;  ///< of the surface [N]

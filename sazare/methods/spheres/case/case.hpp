@@ -26,7 +26,7 @@ struct SphereMaterial {
   std::string name;
   Real density = 0;         // kg/m3
   Real youngs_modulus = 0;  // Pa, where the contact law needs it
-  Real poisson_ratio = 0;   // the same
+  Real poisson_ratio = 0;   // where the contact law needs it
 };
 
 /// What pairs of materials have in common; what a [[pairs]] does not give is that of [contact].
