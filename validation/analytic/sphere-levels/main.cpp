@@ -167,7 +167,7 @@ Real distance(const std::vector<Vector3>& one, const std::vector<Vector3>& other
   return std::sqrt(sum);
 }
 
-/// Of a row or a bar.
+/// Observed order of convergence of a row or a bar.
 template <class Scene>
 Real observed_order(const Scene& scene, bool levels, Real end = 4e-3) {
   constexpr int coarse = 256, ticks = 8;
