@@ -386,9 +386,10 @@ friction_coefficient = 0.1
 }
 
 TEST(run_spheres, says_what_does_not_fit) {
-  EXPECT_NE(refused("[[spheres]]\nname = \"a\"\nmaterial = \"glass\"\ncentre = [0.0, 0.0, 0.1]\nradius = 0.03\n")
-                .find("error: the room is 0.08 m along the periodic axis x, and the largest sphere 0.06 m wide"),
-            std::string::npos);
+  EXPECT_NE(
+      refused("[[spheres]]\nname = \"a\"\nmaterial = \"glass\"\ncentre = [0.0, 0.0, 0.1]\nradius = 0.03\n")
+          .find("error: the domain is 0.08 m long along the periodic axis x, and the diameter of the largest sphere is 0.06 m"),
+      std::string::npos);
   const std::string overlap = refused(R"([[spheres]]
 name = "a"
 material = "glass"
@@ -406,7 +407,7 @@ radius = 0.005
             std::string::npos)
       << overlap;
   const std::string full = refused(scattered, {"spheres.0.count=20000"});
-  EXPECT_NE(full.find("error: no room for sphere"), std::string::npos) << full;
+  EXPECT_NE(full.find("error: there is no space for sphere"), std::string::npos) << full;
   const std::string beyond = refused(scattered, {"walls.0.point=[0.0, 0.0, 0.1]"});
   EXPECT_NE(beyond.find("spheres begin within the wall \"floor\""), std::string::npos) << beyond;
   const std::string step = refused(scattered, {"time.step=1e-3"});

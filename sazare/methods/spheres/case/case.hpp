@@ -91,7 +91,7 @@ struct WallRules {
   std::string material;
   WallShape shape = WallShape::plane;
   Vector3 point = Vector3::Zero();    // m, plane
-  Vector3 normal = Vector3::UnitZ();  // plane, into the room for spheres
+  Vector3 normal = Vector3::UnitZ();  // plane, towards the spheres
   Vector3 lower = Vector3::Zero();    // m, box
   Vector3 upper = Vector3::Zero();    // m, box
   std::filesystem::path file;         // mesh: .stl or .msh
