@@ -299,7 +299,7 @@ TEST(run_spheres, says_what_is_wrong_with_bonds_and_shapes) {
   const std::string cement = "[[bonds]]\nname = \"cement\"\nbond_normal_stiffness = 1e9\nbond_shear_stiffness = 1e9\n";
   const std::string apart_within = refused(shape("file", folder.write("two.txt", "0.1 0 0 0\n0.1 0.3 0 0\n").string()) + cement,
                                            {"shapes.0.bonds=\"cement\""});
-  EXPECT_NE(apart_within.find("error: the spheres of the shape \"s\" do not hang together by bonds"), std::string::npos)
+  EXPECT_NE(apart_within.find("error: the spheres of the shape \"s\" are not all connected by bonds"), std::string::npos)
       << apart_within;
   const std::string unused =
       refused(std::string(scattered) + cement + "[[shapes]]\nname = \"s\"\nheight = 0.1\nbonds = \"cement\"\n");

@@ -163,7 +163,7 @@ TEST(sphere_refusals, a_rigid_shape_of_spheres_that_do_not_touch) {
                                "\"\n" + sphere("a", "shape = \"two\"\ncentre = [0.04, 0.04, 0.03]\n"));
   };
   const std::string words = with("radius,x,y,z\n0.005,0,0,0\n0.005,0.01,0,0\n0.005,0.03,0,0\n");
-  EXPECT_SAYS(words, "error: the spheres of the rigid shape \"two\" do not all touch: that of two.csv:4 hangs on nothing");
+  EXPECT_SAYS(words, "error: the spheres of the rigid shape \"two\" do not all touch: that of two.csv:4 is not connected");
   EXPECT_SAYS(words, "spheres touch when their gap is at most 0.01 of the sum of their radii");
   EXPECT_EQ(with("0.005,0,0,0\n0.005,0.01005,0,0\n"), "");
 }

@@ -67,7 +67,7 @@ bool let_rain(const cases::SpheresCase& spheres, SpheresModel& model, const RunO
   if (!std::isfinite(end.unrest))
     throw PhysicsError(
         fmt::format("the falling spheres (rain = true) have diverged after {} steps of {} s\n"
-                    "  the step is too long for its contacts: give a smaller time.stability_fraction",
+                    "  the step is too long for their contacts: give a smaller time.stability_fraction",
                     end.steps, cases::short_number(model.steps.step, 3)));
   throw PhysicsError(
       fmt::format("the falling spheres (rain = true) do not come to rest: after {} steps they move {} times as much as at rest\n"
