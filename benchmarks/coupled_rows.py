@@ -28,7 +28,7 @@ def _run(bench, name, file, settings, *more):
 
 
 def _processor_seconds(commands):
-    """Of programs that run beside one another, until all have ended [s]."""
+    """Processor time of programs that run beside one another, until all have ended [s]."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     programs = [subprocess.Popen([str(word) for word in command], cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
                 for command in commands]

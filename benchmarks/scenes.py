@@ -16,15 +16,15 @@ class Scene:
     long: bool = False  # only when asked for
 
     def on(self, threads):
-        """The same on more threads."""
+        """This scene with a number of threads."""
         return replace(self, name=f"{self.name}-{threads}-threads", threads=threads)
 
     def on_ranks(self, ranks):
-        """The same as several processes."""
+        """This scene as several processes."""
         return replace(self, name=f"{self.name}-{ranks}-ranks", ranks=ranks)
 
     def with_settings(self, name, *settings, long=False):
-        """The same case, set otherwise."""
+        """This scene under another name, with more settings."""
         return replace(self, name=name, settings=self.settings + settings, long=long)
 
 

@@ -103,7 +103,7 @@ class Caisson:
         return values[self.surface]
 
     def _unbalance(self, force):
-        """Of the free nodes, with forces on those of the surface, but for their own acceleration."""
+        """Unbalanced forces on the nodes, with the given ones on the surface; inertia is left out."""
         load = self.weight.copy()
         load[self.surface] += force
         return load - self.damping @ self.velocity - self.stiffness @ self.displacement

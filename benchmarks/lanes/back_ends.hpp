@@ -27,7 +27,7 @@ enum class Extras {
 inline constexpr std::size_t width = 8;
 static_assert(lane_count == width, "this benchmark is for AVX-512");
 
-/// Those of the engine, and what the others share where intrinsics are allowed.
+/// The vectors of the engine; the other back ends take its operations where intrinsics are allowed.
 struct OwnOps {
   static constexpr const char* name = "core/lanes.hpp";
   using Vector = Lanes;

@@ -50,7 +50,7 @@ def moments(snapshots, most, change=None):
 
 
 def moments_of(series, most, change=None):
-    """The same of several series of the same times, such as the two sides of a run: what happens in each counts alike."""
+    """`moments` for several series of the same times, such as the two sides of a run: what happens in each counts alike."""
     last = min(map(len, series)) - 1
     if last < 1:
         return [0] * (last + 1)

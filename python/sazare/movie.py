@@ -16,7 +16,7 @@ MARGIN = 1.08
 
 @dataclass(frozen=True)
 class FixedView:
-    """The same view for every picture: `camera` of view3d."""
+    """A view that is the same for every picture: `camera` of view3d."""
 
     camera: dict
 

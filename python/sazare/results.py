@@ -137,7 +137,7 @@ class Results:
 
     @cached_property
     def particle_snapshots(self):
-        """The same of a run of method mps or spheres: points with velocity and more."""
+        """The snapshots of a run of method mps or spheres: points with velocity and more."""
         return self._snapshots("particles")
 
     @cached_property
@@ -147,7 +147,7 @@ class Results:
 
     @cached_property
     def square_snapshots(self):
-        """The same of a run of method rectangles: a polygon for each element and support."""
+        """The snapshots of a run of method rectangles: a polygon for each element and support."""
         return self._snapshots("rectangles")
 
     @cached_property
@@ -161,7 +161,9 @@ class Results:
 
     @cached_property
     def element_snapshots(self):
-        """The same of a run of method fem: the mesh with displacements of its points, stress and equivalent plastic shear strain of its elements."""
+        """The snapshots of a run of method fem: the mesh with displacements of its points, stress and equivalent plastic shear strain of its
+        elements.
+        """
         return self._snapshots("finite_elements")
 
     @cached_property

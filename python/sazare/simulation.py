@@ -28,11 +28,11 @@ class Source:
     name: str = "case"
 
     def with_settings(self, settings):
-        """The same with more keys overridden, each as `table.key=value`."""
+        """This source with more keys overridden, each as `table.key=value`."""
         return replace(self, overrides=[*self.overrides, *settings])
 
     def for_engine(self):
-        """The same as the engine takes it."""
+        """This source in the form that the engine takes."""
         return engine().CaseSource(self.text, self.path, self.overrides)
 
     def resolved(self):

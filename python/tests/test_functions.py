@@ -54,7 +54,7 @@ def shake(time):
 
 
 def as_table(folder, step, end, function, quantity, unit):
-    """The same history as a table in a file, with a row at every step."""
+    """The history of a function as a table in a file, with a row at every step."""
     times = step * np.arange(round(end / step) + 3)
     return sazare.write_table(folder / "history.csv", {"time [s]": times, f"{quantity} [{unit}]": [function(time) for time in times]})
 

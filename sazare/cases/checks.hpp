@@ -26,7 +26,7 @@ struct CheckContext {
   std::span<const Table> schema;
   std::filesystem::path shown_folder;  // the case file's folder as the user typed it, for messages
   Problems& problems;
-  std::filesystem::path folder = {};            // the same as it can be opened from anywhere
+  std::filesystem::path folder = {};            // the case file's folder, as it can be opened from anywhere
   std::span<const std::string> overrides = {};  // of the command line
   ReadSide read_side = {};
 

@@ -72,7 +72,7 @@ def mutant(files, seed, number):
 
 
 def limited():
-    """Of a program that is tried."""
+    """Sets the limits of a program that is tried."""
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 

@@ -25,7 +25,7 @@ class Sazare:
         return [str(PROGRAM), *map(str, arguments)]
 
     def ranks_command(self, ranks, *arguments):
-        """The same as so many processes."""
+        """The arguments that start the program as so many processes."""
         return ["mpirun", "--oversubscribe", "-n", str(ranks), *self.command(*arguments)]
 
     def on_ranks(self, ranks, *arguments):

@@ -32,7 +32,7 @@ def alone(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def long_alone(tmp_path_factory):
-    """The same, to a later end."""
+    """The run of one process to a later end."""
     return run_alone(tmp_path_factory.mktemp("long_alone") / "run", *LONG)
 
 

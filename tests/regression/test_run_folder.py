@@ -20,7 +20,7 @@ def clocks(end, row, table="time"):
 
 
 def sides(end, row):
-    """The same for both sides of a hybrid case."""
+    """`clocks` for both sides of a hybrid case."""
     return clocks(end, row, "continuum.time") + clocks(end, row, "bodies.time")
 
 

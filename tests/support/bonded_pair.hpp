@@ -24,7 +24,7 @@ public:
   ForceProbe<3>& probe() { return probe_; }
   state::Bodies<3>& bodies() { return bodies_; }
   methods::blocks::Joints& joints() { return joints_; }
-  /// Of the face, as its joint has it [m2].
+  /// Area of the common face, as its joint has it [m2].
   Real area() const { return methods::blocks::vertex_count * Real{joints_.record(0).vertex_area}; }
   const Vector3& start() const { return bodies_.start[1]; }
 

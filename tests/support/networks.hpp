@@ -165,7 +165,7 @@ std::unique_ptr<terms::Term<D>> watcher(Watch watch) {
   return std::make_unique<Watcher<D, Watch>>(std::move(watch));
 }
 
-/// The same network with someone who watches.
+/// A simulation of the network with a term that calls `watch` and gives no force.
 template <int D, class Watch>
 levels::Simulation<D> watched(const Network<D>& network, const levels::StepRules& rules, Watch watch) {
   levels::TermList<D> list;

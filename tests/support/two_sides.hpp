@@ -50,7 +50,7 @@ public:
   methods::fem::FemStepper<D>& fem() { return *fem_; }
   methods::spheres::SphereStepper& balls() { return *balls_; }
   methods::hybrid::ContinuumSide<D>& continuum() { return *continuum_; }
-  /// Of the finite elements, over the whole width [kg m/s].
+  /// Momentum of the finite elements over the whole width [kg m/s].
   Vector3 momentum() const;
   Real width() const { return width_; }
 

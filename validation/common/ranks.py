@@ -28,7 +28,7 @@ def run(case, folder, ranks, *options, settings=()):
 
 
 def processor_times(results):
-    """Of every rank, over the whole run [s]."""
+    """Processor time of every rank over the whole run [s]."""
     return last_of_each(results, "processor_time")
 
 

@@ -74,8 +74,8 @@ class Joint(Part):
     joint_shear_damping: float | None = None
     """Shear dashpot: shear stress per sliding velocity. [Pa s/m] Default: 0.0. At least 0."""
     damping_ratio: float | None = None
-    """Dashpots of each face as a share of the critical damping of the two elements beside it, which move against each other on
-    its springs. (instead of joint_normal_damping and joint_shear_damping) At least 0.
+    """Damping ratio of the two elements beside each face, which move against each other on its springs. (instead of
+    joint_normal_damping and joint_shear_damping) At least 0.
     """
     cohesion: float | None = None
     """Cohesion: shear strength at zero normal stress. [Pa] (required when bonded) At least 0."""
@@ -100,8 +100,7 @@ class Joint(Part):
     given here, which are the means. (default: all faces have the same strength) At least 1.
     """
     scatter_seed: int | None = None
-    """Another number gives other faces the strong and the weak places. (only with a weibull_modulus) Default: 1. At least 0 and
-    at most 1e+09.
+    """Seed of the random strength factors of the faces. (only with a weibull_modulus) Default: 1. At least 0 and at most 1e+09.
     """
     shear_fracture_energy: float | None = None
     """Fracture energy in shear, mode II: energy per area that cohesion dissipates, beside friction, when slip uses it up. [N/m]

@@ -9,10 +9,10 @@ from sazare.cases import Part
 
 @dataclass(kw_only=True, eq=False)
 class Domain(Part):
-    """The room, where it repeats itself."""
+    """The periodic domain."""
 
     periodic: list[Literal["x", "y", "z"]] | None = None
-    """Axes along which the room repeats itself: what leaves at one end comes in at the other. Default: []."""
+    """Axes along which the domain is periodic: what leaves at one end comes in at the other. Default: []."""
     lower: tuple[float, float, float] | None = None
     """Lower ends of the periodic axes; the other axes do not count. [m] (required where an axis is periodic)"""
     upper: tuple[float, float, float] | None = None
@@ -35,7 +35,7 @@ class Material(Part):
 
 @dataclass(kw_only=True, eq=False)
 class Contact(Part):
-    """How spheres touch."""
+    """The contact law of spheres and walls."""
 
     model: Literal["hertz", "linear", "jkr", "mindlin_deresiewicz"] | None = None
     """Hertz-Mindlin from the elasticity of the materials, linear springs, the adhesion of Johnson, Kendall and Roberts between
@@ -43,26 +43,32 @@ class Contact(Part):
     degrees to the normal and small cycles of shear, at a higher cost. Default: "hertz".
     """
     restitution: float
-    """Speed after a central impact with one contact over the speed before. A rigid body that lands on several of its spheres at
-    once loses more, and fast impacts lose less where the step is too long for them: a warning then says up to which speed the
-    step is right. Greater than 0 and at most 1.
+    """Coefficient of restitution: relative velocity after a central impact with one contact over that before. A rigid body that
+    lands on several of its spheres at once loses more, and fast impacts lose less where the step is too long for them: a
+    warning then says up to which speed the step is right. Greater than 0 and at most 1.
     """
     friction_coefficient: float | None = None
-    """Coulomb's coefficient of friction; 0.0 for contacts without friction. (exactly one of friction_coefficient and
-    friction_angle) At least 0.
+    """Coefficient of friction; 0.0 for contacts without friction. (exactly one of friction_coefficient and friction_angle) At
+    least 0.
     """
     friction_angle: float | None = None
     """Angle whose tangent is the coefficient of friction. [deg] (exactly one of friction_coefficient and friction_angle) At least
     0 and less than 90.
     """
     rolling_friction: float | None = None
-    """Largest moment against rolling over normal force and reduced radius. Default: 0.0. At least 0."""
+    """Coefficient of rolling friction: largest moment against rolling over normal force and reduced radius. Default: 0.0. At
+    least 0.
+    """
     twisting_friction: float | None = None
-    """Largest moment against turning about the normal over normal force and reduced radius. Default: 0.0. At least 0."""
+    """Coefficient of twisting friction: largest moment about the normal over normal force and reduced radius. Default: 0.0. At
+    least 0.
+    """
     contact_stiffness: float | None = None
-    """Spring along the normal. [N/m] (required for model linear, here or in every pair) Greater than 0."""
+    """Normal stiffness: normal force per overlap. [N/m] (required for model linear, here or in every pair) Greater than 0."""
     contact_shear_stiffness: float | None = None
-    """Spring across the normal. [N/m] (required for model linear, here or in every pair) Greater than 0."""
+    """Shear stiffness: tangential force per tangential displacement. [N/m] (required for model linear, here or in every pair)
+    Greater than 0.
+    """
     surface_energy: float | None = None
     """Work of adhesion w: energy per area that separates the two surfaces; for one material, twice the surface energy of a free
     surface. [J/m2] (required for model jkr, here or in every pair) At least 0.
@@ -70,14 +76,14 @@ class Contact(Part):
     overlap_limit: float | None = None
     """Largest overlap at the start over the smaller radius; more is refused. Default: 0.05. At least 0 and at most 1."""
     margin: float | None = None
-    """Spheres nearer than this, over the smallest diameter, are kept as pairs; it changes the speed only, and with levels also
-    what the step leaves. Default: 0.1. Greater than 0 and at most 10.
+    """Spheres nearer than this, over the smallest diameter, are kept as candidate pairs; it changes the computing time only, and
+    with levels also the error of the step. Default: 0.1. Greater than 0 and at most 10.
     """
 
 
 @dataclass(kw_only=True, eq=False)
 class Pair(Part):
-    """What is different between two materials."""
+    """Contact properties of two given materials, where they differ from [contact]."""
 
     between: tuple[str, str]
     """The two materials; the same twice for spheres of one."""
@@ -138,7 +144,8 @@ class Sphere(Part):
     than 0.
     """
     largest_radius: float | None = None
-    """Radii are equally likely between the two; the largest are placed first. [m] (random only; default: radius) Greater than 0.
+    """Largest radius: radii are distributed uniformly between the two, and the largest spheres are placed first. [m] (random
+    only; default: radius) Greater than 0.
     """
     file: str | None = None
     """Rows of radius, x, y, z in m, with blanks, commas or semicolons between them; titles in the first line must be those of the
@@ -156,7 +163,7 @@ class Sphere(Part):
     count: int | None = None
     """Number of spheres. (required for random) At least 1 and at most 5e+07."""
     seed: int | None = None
-    """Which random numbers are taken. Default: 1. At least 1 and at most 1e+06."""
+    """Seed of the random numbers. Default: 1. At least 1 and at most 1e+06."""
     velocity: tuple[float, float, float] | None = None
     """At the start. [m/s] Default: [0.0, 0.0, 0.0]."""
     angular_velocity: tuple[float, float, float] | None = None
@@ -164,7 +171,7 @@ class Sphere(Part):
     noise: float | None = None
     """Largest random velocity along each axis, beside the velocity. [m/s] Default: 0.0. At least 0."""
     held: bool | None = None
-    """Whether the spheres keep the velocity and the spin of the start, whatever pushes them. Default: false."""
+    """Whether the spheres keep their initial velocity and angular velocity, whatever forces act on them. Default: false."""
     lowered: bool | None = None
     """Whether each sphere or body in turn is lowered along gravity until it touches a plane or what was placed before, as units
     are placed on a quay; how high its place is does not count. Default: false.
@@ -180,7 +187,7 @@ class Sphere(Part):
     rotation: tuple[float, float, float] | None = None
     """Rotation vector of a shape at the start. [rad] Default: [0.0, 0.0, 0.0]."""
     random_rotation: bool | None = None
-    """Whether every body of a shape is turned by chance instead. Default: false."""
+    """Whether every body of a shape has a random orientation instead. Default: false."""
 
 
 @dataclass(kw_only=True, eq=False)
@@ -202,24 +209,28 @@ class Bond(Part):
     poisson_ratio: float | None = None
     """Poisson's ratio. (required with youngs_modulus) At least 0 and at most 0.5."""
     bond_normal_stiffness: float | None = None
-    """Tension per area and opening of a cemented contact; it resists bending as well. [Pa/m] (or youngs_modulus) Greater than 0.
-    """
-    bond_shear_stiffness: float | None = None
-    """Shear stress over sliding of a cemented contact; it resists twist as well. [Pa/m] (required with bond_normal_stiffness)
+    """Normal stiffness of a cemented contact: normal stress per opening; it resists bending as well. [Pa/m] (or youngs_modulus)
     Greater than 0.
     """
+    bond_shear_stiffness: float | None = None
+    """Shear stiffness of a cemented contact: shear stress per slip; it resists torsion as well. [Pa/m] (required with
+    bond_normal_stiffness) Greater than 0.
+    """
     damping_ratio: float | None = None
-    """Dashpots beside the bond over those that are critical for two spheres alone. Default: 0.0. At least 0."""
+    """Damping ratio of two spheres that a bond joins, without others. Default: 0.0. At least 0."""
     tensile_strength: float | None = None
-    """Tension at the rim, bending included, at which it begins to fail. [Pa] (none: not limited) Greater than 0."""
+    """Tensile strength: tensile stress at the rim, bending included, at which the bond begins to fail. [Pa] (none: not limited)
+    Greater than 0.
+    """
     cohesion: float | None = None
-    """Shear stress at the rim, twist included, at which it begins to fail without pressure. [Pa] (none: not limited) Greater than
-    0.
+    """Cohesion: shear stress at the rim, torsion included, at which the bond begins to fail without pressure. [Pa] (none: not
+    limited) Greater than 0.
     """
     friction_angle: float | None = None
-    """Angle whose tangent times the pressure is added to the cohesion. [deg] Default: 0.0. At least 0 and less than 90."""
+    """Friction angle: its tangent times the pressure is added to the cohesion. [deg] Default: 0.0. At least 0 and less than 90.
+    """
     fracture_energy: float | None = None
-    """Energy per area that softening takes in tension. [N/m] (none: brittle) Greater than 0."""
+    """Fracture energy: energy per area that softening dissipates in tension. [N/m] (none: brittle) Greater than 0."""
 
 
 @dataclass(kw_only=True, eq=False)
@@ -231,11 +242,13 @@ class Wall(Part):
     material: str
     """What it is made of."""
     shape: Literal["plane", "box", "mesh"] | None = None
-    """A plane with room on one side, the six planes of a box with room inside, or the triangles of a file. Default: "plane"."""
+    """A plane with spheres on one side, the six planes of a box with spheres inside, or the triangles of a file. Default:
+    "plane".
+    """
     point: tuple[float, float, float] | None = None
     """Any point of the plane. [m] (required for a plane)"""
     normal: tuple[float, float, float] | None = None
-    """Across the plane, into the room; of any length. (required for a plane)"""
+    """Normal of the plane, towards the spheres; of any length. (required for a plane)"""
     lower: tuple[float, float, float] | None = None
     """Corner with the smallest coordinates. [m] (required for a box)"""
     upper: tuple[float, float, float] | None = None
@@ -253,9 +266,9 @@ class Wall(Part):
     motion_z: str | None = None
     """Motion along z. (none: at rest)"""
     angular_velocity: tuple[float, float, float] | None = None
-    """Steady turn about the pivot. [rad/s] Default: [0.0, 0.0, 0.0]."""
+    """Constant angular velocity about the pivot. [rad/s] Default: [0.0, 0.0, 0.0]."""
     pivot: tuple[float, float, float] | None = None
-    """A point of the axis, at the start. [m] Default: [0.0, 0.0, 0.0]."""
+    """A point of the axis of rotation, at the start. [m] Default: [0.0, 0.0, 0.0]."""
 
 
 @dataclass(kw_only=True, eq=False)
@@ -320,17 +333,17 @@ class Time(Part):
     end: float
     """Time at which the run ends; it begins at 0. [s] Greater than 0."""
     step: float | None = None
-    """Step of all spheres; above the limit the case is refused. [s] (default: stability_fraction of the limit, or a little less)
-    Greater than 0.
+    """Time step of all spheres; above the stability limit the case is refused. [s] (default: stability_fraction of the limit, or
+    a little less) Greater than 0.
     """
     levels: Literal["automatic", "per_sphere", "uniform"] | None = None
-    """Whether every sphere, or every clump, has its own time level, or all take the step of the one that bears least. Automatic
-    takes levels where spheres then need less than half of the steps, no step is given, and nothing is coupled. Default:
-    "automatic".
+    """Whether every sphere, or every clump, has its own time level, or all take the smallest stable step of any. Automatic takes
+    levels where spheres then need less than half of the steps, no step is given, and nothing is coupled. Default: "automatic".
     """
     stability_fraction: float | None = None
-    """Step over the limit where no step is given: Rayleigh's time of the smallest sphere, or with linear springs 2/frequency of a
-    contact, or the limit of the bonds; with levels each sphere's own. Default: 0.2. Greater than 0 and less than 1.
+    """Ratio of the step to the stability limit where no step is given: the Rayleigh time step of the smallest sphere, or with
+    linear springs 2/frequency of a contact, or the limit of the bonds; with levels each sphere's own. Default: 0.2. Greater
+    than 0 and less than 1.
     """
     history_interval: float | None = None
     """Time between rows of the histories; the end is a whole multiple of it. [s] (default: about end/200) Greater than 0."""
@@ -372,13 +385,13 @@ class Case(AnyCase):
     }
 
     domain: Domain | None = None
-    """The room, where it repeats itself."""
+    """The periodic domain."""
     materials: list[Material]
     """What spheres and walls are made of."""
     contact: Contact
-    """How spheres touch."""
+    """The contact law of spheres and walls."""
     pairs: list[Pair] = field(default_factory=list)
-    """What is different between two materials."""
+    """Contact properties of two given materials, where they differ from [contact]."""
     shapes: list[Shape] = field(default_factory=list)
     """Bodies made of spheres, rigid or bonded."""
     spheres: list[Sphere]

@@ -23,7 +23,7 @@ MODULES = {
     "hybrid": "sazare.methods.hybrid",
     "study": "sazare.methods.study",  # a study of limit steps is written as a run is
 }
-# Of a folder that does not say its method: it tells what is missing.
+# A folder that does not say its method is taken for one of this method, whose module tells what is missing.
 USUAL = "blocks"
 
 

@@ -14,7 +14,7 @@ CRACK, SHEARED = 2, 3
 
 
 def _edges(mesh):
-    """Of every tetrahedron of its own four points: the numbers (n, 6) of its edges, alike where edges are at one place."""
+    """Numbers (n, 6) of the edges of every tetrahedron; edges at one place have one number, though no tetrahedra share points."""
     corners = np.asarray(mesh.cell_connectivity).reshape(-1, 4)
     places = np.asarray(mesh.points)
     grid = np.round(places / (1e-7 * max(np.ptp(places, axis=0).max(), 1e-30))).astype(np.int64)

@@ -79,7 +79,7 @@ def missing_balance_verdict(figures):
 
 
 def strict_balance_verdict(results, good=GOOD_BALANCE, bad=BAD_BALANCE, reference="work"):
-    """The same of a method whose time step governs the balance: three grades, and what to do about it."""
+    """The verdict by the energy balance for a method whose time step governs it: good, fair or bad, and what to do about it."""
     balance = energy_balance(results.figures)
     if balance is None:
         return missing_balance_verdict(results.figures)
@@ -120,7 +120,7 @@ def balance_words(balance, reference="work"):
 
 
 def share_note(part, whole):
-    """Of a figure that is part of another: a note such as `of 120, 25%`."""
+    """The note of a figure that is part of another one, such as `of 120, 25%`."""
 
     def note(figures):
         if not figures.get(whole) or figures.get(part) is None:
@@ -131,15 +131,15 @@ def share_note(part, whole):
 
 
 def said(words):
-    """Of a figure of which the same is always said: a note of these words."""
+    """The note of a figure whose note is always these words."""
     return lambda _: words
 
 
 def count_note(key, words):
-    """Of a figure beside a count: a note such as `120 elements`."""
+    """The note of a figure beside which a count stands, such as `120 elements`."""
     return lambda figures: f"{count(figures[key])} {words}" if figures.get(key) is not None else ""
 
 
 def quantity_note(key, before, unit):
-    """Of a figure beside another one: a note such as `X80 210 mm`."""
+    """The note of a figure beside which another quantity stands, such as `X80 210 mm`."""
     return lambda figures: f"{before}{quantity(figures[key], unit)}" if figures.get(key) is not None else ""

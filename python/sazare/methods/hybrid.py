@@ -42,7 +42,7 @@ def _is_body(grid):
 
 
 def _speed(grid):
-    """Of every body [m/s]."""
+    """Speed of every body [m/s]."""
     return np.linalg.norm(np.asarray(grid.cell_data["velocity"])[_is_body(grid)], axis=1)
 
 

@@ -347,14 +347,14 @@ def _step_note(figures):
 
 
 def verdict(results):
-    """The verdict of a run that is done: by its energy balance, and by how much of a stable step its contacts took."""
+    """The verdict of a run that is done: by its energy balance, and by how much its contacts loaded the step."""
     tone, words = common.strict_balance_verdict(results, GOOD_BALANCE, BAD_BALANCE, "reference energy")
     load = results.figures.get("step_load")
     if load is None or load <= 1.0:
         return tone, words
     return "bad" if tone == "bad" else "fair", (
-        f"{words} The contacts of a sphere took {load:.2g} of what a stable step bears, so the motion may have gained energy: use a "
-        f"smaller stability_fraction."
+        f"{words} The contacts of a sphere loaded the step {load:.2g} times as much as is stable, so the motion may have gained energy: use "
+        f"a smaller stability_fraction."
     )
 
 

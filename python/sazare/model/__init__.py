@@ -28,7 +28,7 @@ def draw_model(case, file=None, *, overrides=None, folder=None):
 
 
 def draw_source(source, file=None):
-    """The same of a `Source`."""
+    """Draws the model of a `Source` at t = 0 as `draw_model` does for a case."""
     if file is not None:
         _check_place(Path(file))
     refuse_after_fork()

@@ -275,7 +275,7 @@ def _ruler_edge(view, axis):
             ends.append((start, end))
     way = np.abs(view.place(np.eye(3)[[axis]])[0])
     across = 0 if way[1] > 2.0 * way[0] else 1
-    # Of edges that cover each other the one nearest to the eye.
+    # Where edges cover each other, the one nearest to the eye is taken.
     return min(ends, key=lambda edge: (round(float(view.place(np.mean(edge, axis=0)[None, :])[0][across]), 9), -float(np.mean(edge, axis=0) @ view.toward)))
 
 

@@ -68,7 +68,7 @@ class Shape:
 
     @property
     def force_unit(self):
-        """Of forces on nodes: per metre across a plane."""
+        """The unit of forces on nodes; in 2-D they are per metre of width."""
         return "N/m" if self.dimension == 2 else "N"
 
     def to_message(self):
@@ -78,7 +78,7 @@ class Shape:
 
     @classmethod
     def of(cls, message):
-        """That of a message."""
+        """The shape that a message brings."""
         dimension = int(message.details["dimension"])
         faces = message.table("faces", None, dimension, "1").astype(np.int32)
         nodes = message.table("nodes", None, dimension, "m")

@@ -43,7 +43,7 @@ class Presence:
 
     @classmethod
     def read(cls, path):
-        """That of a file; None where it is not there, or not whole."""
+        """The presence that a file holds; None where it is not there, or not whole."""
         try:
             lines = dict(read_entries(path.read_bytes(), str(path))[0])
             return cls(**{name: kind(lines[name]) for name, kind in cls.__annotations__.items()})
@@ -178,7 +178,7 @@ class FileExchange:
         raise Busy(f"{self.folder}: another program is the {self.side} in this folder. Wait for it, or choose another folder for the exchange")
 
     def _remove_from(self, sequence):
-        """Own messages that another life of this side has left: they are sent anew."""
+        """Removes own messages that an earlier program of this side has left: they are sent anew."""
         for path in self.folder.glob(f"{self.side}-*.message"):
             found = re.fullmatch(rf"{self.side}-(\d+)\.message", path.name)
             if found and int(found[1]) >= sequence:
@@ -187,7 +187,7 @@ class FileExchange:
                 self._oldest = min(self._oldest, int(found[1]))
 
     def _remove_before(self, sequence):
-        """That of the shape stays: a side that is resumed reads it again."""
+        """Removes own messages before a number. The message of the shape stays: a side that is resumed reads it again."""
         for number in range(self._oldest, sequence):
             (self.folder / file_name(self.side, number)).unlink(missing_ok=True)
         self._oldest = max(self._oldest, sequence)

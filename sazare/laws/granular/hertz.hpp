@@ -77,8 +77,8 @@ struct Hertz {
     return std::pow(energy / (0.4 * constants.normal * std::sqrt(reduced_radius)), 0.4);
   }
 
-  /// Rayleigh's time: in it a surface wave goes half around the sphere. One of a bonded body has less mass than one that stands
-  /// alone, so its contacts last less long [s].
+  /// Rayleigh time step: in it a surface wave goes half around the sphere. One of a bonded body has less mass than one that
+  /// stands alone, so its contacts last less long [s].
   static Real stable_step(const GrainInPack& grain) {
     const Real ratio = grain.elasticity.poisson_ratio, shear_modulus = 0.5 * grain.elasticity.youngs_modulus / (1 + ratio);
     const Real alone = std::numbers::pi * grain.radius * std::sqrt(grain.density / shear_modulus) / (0.1631 * ratio + 0.8766);

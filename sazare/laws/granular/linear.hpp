@@ -34,8 +34,14 @@ struct Linear {
   static constexpr Real steepness = 1;
   static constexpr std::string_view required = "required for model linear, here or in every pair";
   static constexpr std::array parameters{
-      LawParameter{.name = "contact_stiffness", .unit = "N/m", .note = required, .sentence = "Spring along the normal."},
-      LawParameter{.name = "contact_shear_stiffness", .unit = "N/m", .note = required, .sentence = "Spring across the normal."}};
+      LawParameter{.name = "contact_stiffness",
+                   .unit = "N/m",
+                   .note = required,
+                   .sentence = "Normal stiffness: normal force per overlap."},
+      LawParameter{.name = "contact_shear_stiffness",
+                   .unit = "N/m",
+                   .note = required,
+                   .sentence = "Shear stiffness: tangential force per tangential displacement."}};
 
   static ContactConstants<Real> constants(const MaterialsInContact& of, const std::array<Real, 2>& stiffness) {
     return linear_constants(stiffness[0], stiffness[1], of.restitution, of.friction);

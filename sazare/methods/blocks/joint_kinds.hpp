@@ -46,7 +46,7 @@ struct ElasticJoint : JointSprings {
   Real largest_opening = 0;  ///< beyond it the joint is not elastic any more [m]
   Real largest_stress = 0;   ///< at that opening [Pa]
 
-  /// The same on a face that has its own springs: its strength stays.
+  /// The elastic joint of this kind on a face that has its own springs: the strength of the kind stays.
   ElasticJoint with(const JointSprings& own) const { return {own, largest_stress / own.normal_stiffness, largest_stress}; }
 };
 

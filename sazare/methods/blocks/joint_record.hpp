@@ -59,12 +59,12 @@ std::array<Vector, 3> face_axes(const Vector& n, const Number& tilt) {
   return {n, Vector{{one + signed_x * xt, sign * xyt, -signed_x}}, Vector{{xyt, sign + n[1] * yt, -n[1]}}};
 }
 
-/// What a joint has taken for good.
+/// What a joint has dissipated.
 struct JointLosses {
-  Real slip_work = 0;  ///< [J]
+  Real slip_work = 0;  ///< by slip [J]
   Real released = 0;   ///< elastic energy when the face came apart [J]
-  Real opening = 0;    ///< fracture by opening, of a law that softens by slip [J]
-  Real shear = 0;      ///< fracture by slip, likewise [J]
+  Real opening = 0;    ///< by fracture in opening, where the law softens by slip [J]
+  Real shear = 0;      ///< by fracture in slip, where the law softens by slip [J]
 
   /// Whether slip has dissipated more of the fracture energy than opening.
   bool is_mostly_shear() const { return shear > opening; }

@@ -129,7 +129,7 @@ private:
     std::array<state::Column, 2> direction;
     state::Column first_reach, second_reach, first_shift, second_shift, half_face;  ///< [m]
     state::Column stiffness;  ///< half_face over distance: of the springs, over those of the kind
-    state::Column damping;    ///< the same of the dashpots: the root of stiffness times reduced mass [kg^1/2]
+    state::Column damping;    ///< of the dashpots, over those of the kind: the root of stiffness times reduced mass [kg^1/2]
     std::vector<std::array<int, 2>> faces;
   };
   /// Where the facets of a block of lanes of elements stand in `facet_table_`: rows in which they come first, then second.

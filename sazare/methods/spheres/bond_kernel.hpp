@@ -20,7 +20,7 @@ public:
         box_(spheres.box),
         step_(broadcast(task.step)) {}
 
-  /// As many links as there are lanes, from one on.
+  /// Evaluates as many links as there are lanes, beginning with `link`.
   void evaluate(std::size_t link) {
     std::array<const Real*, lane_count> place, other_place, turn, other_turn;
     for (std::size_t lane = 0; lane < lane_count; ++lane) {

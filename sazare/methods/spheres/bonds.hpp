@@ -67,7 +67,7 @@ private:
 /// Limits of the step by the bonds alone, by sphere [s]; infinite where it has none. A bond's limit is that of its own where its
 /// spheres share their masses and inertias among all their bonds, and so the least of them never above that of all together
 /// [Irons1971]. A bond of frequency w and damping rate g has w^2 h^2 + 4 g h = 4, where the step begins to swing from side to
-/// side, its dashpots at the velocity foreseen.
+/// side, its dashpots at the predicted velocity.
 std::vector<Real> stable_steps(std::span<const Bond> bonds, const state::Spheres& spheres);
 /// The least of them [s].
 Real stable_step(std::span<const Bond> bonds, const state::Spheres& spheres);

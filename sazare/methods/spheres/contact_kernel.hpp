@@ -287,7 +287,7 @@ private:
     }
   }
   void deliver(const Group& group, const Contact* contacts, Lanes TwinLanes::*half) {
-    // Their own copies: for all that the compiler knows, a load that is written to might be one of the members.
+    // Local copies of members: the compiler must assume that a load to which is written might be one of the members.
     state::SphereLoad* const own = own_ - block_begin_;
     const LoadTable::Slots slots = slots_;
     const LoadRows pushes(lanes_of(group.force, half), lanes_of(group.moment_by_arm, half));

@@ -123,7 +123,7 @@ private:
   /// Spheres of a block that move at one time.
   struct Flock {
     std::vector<PlaceRange> places;
-    std::vector<Guest> guests;  ///< those of them that are guests elsewhere
+    std::vector<Guest> guests;  ///< the spheres among these on which other blocks act
   };
 
   void send_home();

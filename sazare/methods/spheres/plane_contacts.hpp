@@ -17,7 +17,7 @@ namespace sazare::methods::spheres {
 /// adheres, the row remembers which of them touch it.
 class PlaneRow {
 public:
-  /// As many as there are lanes.
+  /// As many spheres as there are lanes.
   struct Group {
     std::array<Index, lane_count> sphere{};  ///< beyond the last one: the same once more
     LaneVector sliding{};                    ///< [m]

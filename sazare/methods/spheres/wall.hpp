@@ -1,6 +1,6 @@
 #pragma once
 
-/// Walls: planes, with room for spheres on one side, and surfaces of triangles, which both sides see. They move as rigid bodies,
+/// Walls: planes, with spheres on one side, and surfaces of triangles, which both sides see. They move as rigid bodies,
 /// or a surface with its nodes.
 
 #include <array>
@@ -63,9 +63,9 @@ struct Wall {
   std::string name;
   Index material = 0;
   Vector3 point = Vector3::Zero();            ///< of a plane, at the start [m]
-  Vector3 normal = Vector3::UnitZ();          ///< of a plane, into the room for spheres
+  Vector3 normal = Vector3::UnitZ();          ///< of a plane, towards the spheres
   std::vector<geometry::Triangle> triangles;  ///< at the start [m]; none: a plane, or a surface that moves with its nodes
-  state::PeriodicBox images;                  ///< of a surface: the axes along which it repeats itself, see `repeat_wall`
+  state::PeriodicBox images;                  ///< of a surface: the axes along which it has periodic images, see `repeat_wall`
   WallMotion motion;
   Index joined = -1;  ///< walls of one material and one motion that have the same number are one surface; -1: stands alone
   geometry::NodalSurface nodal;

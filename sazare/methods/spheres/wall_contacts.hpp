@@ -141,8 +141,8 @@ private:
     std::vector<Near> near;        ///< by sphere
     std::vector<Touch> touches;    ///< of surfaces, by sphere
     std::vector<Bands> bands;      ///< those of the touches; empty where friction does not slip in part
-    std::vector<Point> points;     ///< those of the touches
-    std::vector<Touch> before;  ///< of these, those that go on have the complement of their wall in the end
+    std::vector<Point> points;     ///< at which the touches act
+    std::vector<Touch> before;     ///< touches of the last step; those that go on have the complement of their wall in the end
     std::vector<Bands> bands_before;  ///< those of the touches before
     Real parting_loss = 0;      ///< of touches that ended [J]
     std::vector<WallLoad> loads;             ///< by wall

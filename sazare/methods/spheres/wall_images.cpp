@@ -50,15 +50,15 @@ bool turns_across(const WallMotion& motion, int axis) {
   return motion.spin.norm() > 0 && motion.spin.cross(Vector3::Unit(axis)).norm() > rounding * motion.spin.norm();
 }
 
-/// Whether a surface that turns, or moves, comes to a side of the room across an axis.
+/// Whether a surface that turns, or moves, comes to a side of the domain across an axis.
 bool comes_to_a_side(const Wall& wall, const state::PeriodicBox& box, int axis, Real reach) {
   if (std::ranges::any_of(wall.motion.histories, [&](const auto& history) { return history.first == axis; })) return true;
   const Range swept = swept_range(wall, axis);
   return swept.low < box.lower[axis] + reach || swept.high > box.lower[axis] + box.length[axis] - reach;
 }
 
-/// Adds the next images of triangles along an axis, as far as they come within the reach of the room: those after them would lie
-/// where a longer surface is already. Returns whether there are any.
+/// Adds the next images of triangles along an axis, as far as they come within the reach of the domain: those after them would
+/// lie where a longer surface is already. Returns whether there are any.
 bool add_images(std::vector<geometry::Triangle>& triangles, const state::PeriodicBox& box, int axis, Real reach) {
   const Real length = box.length[axis], low = box.lower[axis] - reach, high = box.lower[axis] + length + reach;
   const std::size_t count = triangles.size();

@@ -12,7 +12,7 @@ namespace {
 
 Vector3 middle_of(const geometry::Triangle& corners) { return (corners[0] + corners[1] + corners[2]) / 3; }
 
-/// Adds to places the same ones beyond those sides of a room that are within a margin of them.
+/// Adds to places the same ones beyond those sides of a domain that are within a margin of them.
 void add_beyond(const state::PeriodicBox& box, Real margin, std::vector<Vector3>& places) {
   for (int axis = 0; axis < 3; ++axis) {
     if (box.length[axis] <= 0) continue;
@@ -28,7 +28,7 @@ void add_beyond(const state::PeriodicBox& box, Real margin, std::vector<Vector3>
 
 }  // namespace
 
-/// A place of the room as a wall at the start would have it; one that repeats itself has it within its first image.
+/// A place of the domain as a wall at the start would have it; a wall with periodic images has it within its first image.
 Vector3 WallContacts::seen_by(std::size_t wall, const Vector3& place) const {
   const Vector3 at = poses_[wall].into(place);
   const state::PeriodicBox& images = walls_[wall].images;
@@ -179,7 +179,7 @@ bool WallContacts::went_through(Near& one, const geometry::Triangle& corners, co
   if (way.squaredNorm() < distance * distance) return false;
   if (box.repeats()) {
     const Matrix3& turn = poses_[static_cast<std::size_t>(one.wall)].turn;
-    way = turn.transpose() * box.nearest(turn * way);  // from the other side of the room
+    way = turn.transpose() * box.nearest(turn * way);  // from the other side of the domain
   }
   return geometry::leads_through(corners, centre - way, centre);
 }

@@ -68,7 +68,7 @@ void add(ContactBatch& batch, Rubble& rubble, Index pair) {
   for (SpherePair& spheres : rubble.spheres[static_cast<std::size_t>(pair)]) batch.add(spheres);
 }
 
-/// The same by the law for single numbers.
+/// Force of a pair by the law for single numbers, sphere by sphere.
 ContactForce one_by_one(Rubble& rubble, Index pair) {
   const ContactBody first = rubble.body(2 * pair), second = rubble.body(2 * pair + 1);
   std::vector<std::pair<SphereTouch, SpherePair*>> touching;

@@ -35,7 +35,7 @@ JointSprings springs_between(const cases::BlocksCase& blocks, Real of_size = siz
   return runs::build_blocks(blocks, test::two_blocks(of_size)).joints->elastic(0);
 }
 
-/// Of a centre from the face: a quarter of the height of a regular tetrahedron.
+/// Distance of a centre from the face: a quarter of the height of a regular tetrahedron.
 Real distance(Real of_size) { return of_size * std::sqrt(2.0 / 3) / 4; }
 
 TEST(element_springs, are_the_modulus_over_the_distance_of_the_centres) {

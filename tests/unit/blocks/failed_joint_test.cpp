@@ -59,7 +59,7 @@ Real gap(const runs::BlocksModel& model) {
   return (at.pose[1].position - at.pose[0].position).x() - 2 * 0.1 * std::sqrt(2.0 / 3) / 4;
 }
 
-/// The same two blocks, turned round to meet again with a glancing blow, each with the velocities of the first model.
+/// The two blocks of a model with their velocities reversed along x, so that they meet again, with a glancing blow.
 state::Bodies<3> turned_round(const runs::BlocksModel& model) {
   state::Bodies<3> bodies = model.simulation->bodies();
   for (auto& motion : bodies.motion) motion.velocity.x() *= -1;

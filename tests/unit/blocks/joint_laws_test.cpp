@@ -142,7 +142,7 @@ TEST(joint_laws, a_law_of_ones_own_has_forces_from_its_energy) {
           << body << " " << freedom;
 }
 
-/// Of every other face: those that have a law.
+/// The faces of one law, renumbered as if it were the only one.
 std::vector<JointFace> some_of(const std::vector<JointFace>& faces, Index law) {
   std::vector<JointFace> some;
   for (const JointFace& face : faces)

@@ -66,7 +66,7 @@ TEST(joint_rates, are_the_largest_eigenvalues_of_what_the_block_feels) {
   }
 }
 
-/// Of several processes only those that evaluate a joint know how far it has slipped, and all must find the same rates.
+/// All processes must find the same rates, but only those that evaluate a joint know how far it has slipped.
 TEST(joint_rates, are_those_of_the_beginning_however_far_a_joint_has_slipped) {
   BondedPair pair;
   JointRecord joint = pair.joints().record(0);

@@ -32,7 +32,7 @@ const char* two_triangles = R"(solid floor
 endsolid floor
 )";
 
-/// The same triangles in the binary format.
+/// Triangles as a binary STL file has them.
 std::string as_binary(const std::vector<Triangle>& triangles) {
   std::string bytes(84, ' ');
   const auto count = static_cast<std::uint32_t>(triangles.size());

@@ -47,7 +47,7 @@ public:
     archive.folder("stepper", [&] { stepper_->columns(archive); });
   }
 
-  /// Of the blocks [kg m/s].
+  /// Momentum of all elements of the rectangles [kg m/s].
   Vector3 momentum() const {
     Vector3 sum = Vector3::Zero();
     const auto velocity = stepper_->velocity();

@@ -49,11 +49,11 @@ public:
   }
 
   Real overlap() const { return overlap_; }
-  /// Taken by all since the beginning [J].
+  /// Work done on the contact since the beginning [J].
   Real work() const { return work_; }
-  /// Of this, by the sliders [J].
+  /// The part of the work that was done on the sliders [J].
   Real sliding_work() const { return sliding_work_; }
-  /// Of the work, what the contact does not hold [J].
+  /// The part of the work that is not stored in the contact [J].
   Real lost() const { return work_ - (force_.elastic_energy + force_.sliding_energy - stored_); }
   const ContactForce<Real>& force() const { return force_; }
   Vector3 friction_in_frame() const { return frame_.transpose() * force_.friction; }

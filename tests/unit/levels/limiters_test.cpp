@@ -16,8 +16,8 @@ TEST(limiters, both_together_it_is_the_root_of_the_formula) {
   EXPECT_NEAR(100 * h * h + 2 * 7 * h, 4, 1e-13);
 }
 
-/// Largest displacement of one mass after many steps of leapfrog with the dashpot's velocity foreseen by the mean of its last two
-/// forces.
+/// Largest displacement of one mass after many steps of leapfrog with the dashpot's velocity predicted by the mean of its last
+/// two forces.
 Real swing(Real stiffness, Real damping, Real h) {
   Real x = 1, v = 0, foreseen = 0, last = -stiffness, largest = 0;
   for (int step = 0; step < 2000; ++step) {

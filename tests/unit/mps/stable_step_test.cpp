@@ -83,7 +83,7 @@ TEST(linear_stiffness, is_the_slope_of_the_elastic_forces) {
   Noise noise;
   for (Real& value : x) value = noise();
   stiffness.apply(x, y);
-  // The same motion, small, through the forces themselves; rotations to first order.
+  // A small motion of the shape x, evaluated by the forces themselves; rotations to first order.
   constexpr Real small = 1e-7;
   state::FreedomColumns<3> acceleration;
   for (auto& column : acceleration) column.assign(particles.padded(), 0);

@@ -308,7 +308,7 @@ TEST(run_spheres, says_what_is_wrong_with_bonds_and_shapes) {
   const std::string cement = "[[bonds]]\nname = \"cement\"\nbond_normal_stiffness = 1e9\nbond_shear_stiffness = 1e9\n";
   const std::string apart_within = refused(shape("file", folder.write("two.txt", "0.1 0 0 0\n0.1 0.3 0 0\n").string()) + cement,
                                            {"shapes.0.bonds=\"cement\""});
-  EXPECT_NE(apart_within.find("error: the spheres of the shape \"s\" do not hang together by bonds"), std::string::npos)
+  EXPECT_NE(apart_within.find("error: the spheres of the shape \"s\" are not all connected by bonds"), std::string::npos)
       << apart_within;
   const std::string unused =
       refused(std::string(scattered) + cement + "[[shapes]]\nname = \"s\"\nheight = 0.1\nbonds = \"cement\"\n");
@@ -395,9 +395,10 @@ friction_coefficient = 0.1
 }
 
 TEST(run_spheres, says_what_does_not_fit) {
-  EXPECT_NE(refused("[[spheres]]\nname = \"a\"\nmaterial = \"glass\"\ncentre = [0.0, 0.0, 0.1]\nradius = 0.03\n")
-                .find("error: the room is 0.08 m along the periodic axis x, and the largest sphere 0.06 m wide"),
-            std::string::npos);
+  EXPECT_NE(
+      refused("[[spheres]]\nname = \"a\"\nmaterial = \"glass\"\ncentre = [0.0, 0.0, 0.1]\nradius = 0.03\n")
+          .find("error: the domain is 0.08 m long along the periodic axis x, and the diameter of the largest sphere is 0.06 m"),
+      std::string::npos);
   const std::string overlap = refused(R"([[spheres]]
 name = "a"
 material = "glass"
@@ -415,7 +416,7 @@ radius = 0.005
             std::string::npos)
       << overlap;
   const std::string full = refused(scattered, {"spheres.0.count=20000"});
-  EXPECT_NE(full.find("error: no room for sphere"), std::string::npos) << full;
+  EXPECT_NE(full.find("error: there is no space for sphere"), std::string::npos) << full;
   const std::string beyond = refused(scattered, {"walls.0.point=[0.0, 0.0, 0.1]"});
   EXPECT_NE(beyond.find("spheres begin within the wall \"floor\""), std::string::npos) << beyond;
   const std::string step = refused(scattered, {"time.step=1e-3"});

@@ -92,7 +92,7 @@ TEST(sphere_refusals, walls_that_do_not_repeat_themselves_in_a_periodic_room) {
   const TemporaryFolder folder;
   const std::string one = sphere("a", "radius = 0.005\ncentre = [0.04, 0.04, 0.02]\n");
   EXPECT_SAYS(refused(folder, one, {"walls.0.normal=[1.0, 0.0, 1.0]"}),
-              "the normal has a part along x, and the room repeats itself");
+              "the normal has a component along x, and the domain is periodic along x");
   EXPECT_SAYS(refused(folder, one + "[[walls]]\nname = \"box\"\nmaterial = \"glass\"\nshape = \"box\"\nlower = [0.0, 0.0, 0.0]\n"
                                     "upper = [0.08, 0.08, 0.2]\n"),
               "a box has walls across the periodic axis x");
@@ -128,7 +128,7 @@ TEST(sphere_refusals, rain_without_ground_ends_soon) {
   const auto file = case_of(folder, sphere("a", "radius = 0.005\ncentre = [0.04, 0.04, 0.02]\nrain = true\n"),
                             {"walls.0.normal=[0.0, 0.0, -1.0]", "walls.0.point=[0.0, 0.0, 1.0]"});
   const std::string words = words_of<PhysicsError>([&] { carry_out(file, folder / "run"); });
-  EXPECT_SAYS(words, "what rains does not come to rest");
+  EXPECT_SAYS(words, "the falling spheres (rain = true) do not come to rest");
 }
 
 TEST(sphere_refusals, rows_of_a_file_that_are_no_spheres) {
@@ -163,7 +163,7 @@ TEST(sphere_refusals, a_rigid_shape_of_spheres_that_do_not_touch) {
                                "\"\n" + sphere("a", "shape = \"two\"\ncentre = [0.04, 0.04, 0.03]\n"));
   };
   const std::string words = with("radius,x,y,z\n0.005,0,0,0\n0.005,0.01,0,0\n0.005,0.03,0,0\n");
-  EXPECT_SAYS(words, "error: the spheres of the rigid shape \"two\" do not all touch: that of two.csv:4 hangs on nothing");
+  EXPECT_SAYS(words, "error: the spheres of the rigid shape \"two\" do not all touch: that of two.csv:4 is not connected");
   EXPECT_SAYS(words, "spheres touch when their gap is at most 0.01 of the sum of their radii");
   EXPECT_EQ(with("0.005,0,0,0\n0.005,0.01005,0,0\n"), "");
 }
@@ -198,7 +198,7 @@ std::string facets(const std::vector<std::array<Vector3, 3>>& triangles) {
   return text + "endsolid s\n";
 }
 
-/// A mesh wall across the room of `sphere_cases`, between two places along x.
+/// A mesh wall across the domain of `sphere_cases`, between two places along x.
 std::string plate(const TemporaryFolder& folder, Real from, Real to, Real height, const std::string& rest = "") {
   const Vector3 a(from, -1, height), b(to, -1, height), c(to, 1, height), d(from, 1, height);
   return "[[walls]]\nname = \"plate\"\nmaterial = \"glass\"\nshape = \"mesh\"\n" + rest + "file = \"" +
@@ -218,9 +218,9 @@ TEST(sphere_refusals, check_tells_of_open_edges_and_of_walls_that_repeat_themsel
   const std::string one = sphere("a", "radius = 0.005\ncentre = [0.04, 0.04, 0.02]\n");
   const std::string words = registry::check_case(case_of(folder, one + plate(folder, 0, 0.078, 0.06)));
   EXPECT_SAYS(words, "\"plate\" has 4 open edges, of one triangle each: it ends there, or has holes");
-  EXPECT_SAYS(words, "\"plate\" repeats itself along x, with a gap of 0.002 m");
+  EXPECT_SAYS(words, "\"plate\" continues periodically along x, with a gap of 0.002 m");
   const std::string whole = registry::check_case(case_of(folder, one + plate(folder, 0, 0.08, 0.06)));
-  EXPECT_SAYS(whole, "\"plate\" repeats itself along x\n");
+  EXPECT_SAYS(whole, "\"plate\" continues periodically along x\n");
 }
 
 TEST(sphere_refusals, a_sphere_that_goes_through_a_wall_ends_the_run) {
@@ -285,7 +285,7 @@ TEST(sphere_refusals, a_step_that_the_contacts_do_not_bear_is_told_of) {
     return words_of<PhysicsError>([&] { carry_out(file, folder / ("run" + fraction)); });
   };
   EXPECT_EQ(words("0.2"), "");
-  EXPECT_SAYS(words("0.9"), "of what a stable step bears");
+  EXPECT_SAYS(words("0.9"), "times as much as is stable");
 }
 
 }  // namespace

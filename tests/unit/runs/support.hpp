@@ -20,7 +20,7 @@ using sazare::test::words_of;
 /// The small block of tests/regression, to 2e-4 s, with overrides.
 cases::CaseFile block_case(std::vector<std::string> settings = {});
 
-/// The same, its faces never bonded.
+/// The case of `block_case` whose faces are not bonded.
 cases::CaseFile loose_case();
 
 /// The case and mesh of the small block, loaded and built.

@@ -67,7 +67,7 @@ TEST(slot, keeps_the_force_before_from_the_first_one_on) {
   EXPECT_EQ(link.table[0].previous.as<Real>().moment, push(4).moment);
 }
 
-/// The same force in all lanes' numbers that `push` has for one, where the lane's is `force[lane]`.
+/// In every lane, the force that `push` returns for the number `force[lane]`.
 LanePairForce push(const Lanes& force) { return {{{force, 2 * force, 3 * force}}, {{force, Lanes{}, -force}}}; }
 
 bool are_same(const Slot<3, 1>& a, const Slot<3, 1>& b) {

@@ -28,7 +28,7 @@ geometry::TetraMesh box(const std::vector<std::pair<std::string, Real>>& paramet
   return mesh;
 }
 
-/// Of rock that cannot break.
+/// A case of rock that cannot break.
 cases::BlocksCase rock(Real poisson, bool slides_on_its_sides) {
   cases::BlocksCase blocks;
   blocks.materials = {{"rock", {"body"}, density, young, poisson}};
@@ -54,8 +54,8 @@ struct Body {
   }
 };
 
-/// Of a cube of 1 m: plane waves between sides that slide, and Lame's mode, which is pure shear and leaves all sides of a free
-/// cube without stress.
+/// Prints the wave velocities of a cube of 1 m: those of plane waves between sides that slide, and that of Lame's mode, which is
+/// pure shear and leaves all sides of a free cube without stress.
 void print_speeds(const geometry::TetraMesh& mesh, Real poisson, const std::string& name) {
   const laws::ElasticModuli rock_moduli{young, poisson};
   const Real p = 1 / Body{rock(poisson, true), mesh}.half_period([](const Vector3& at) {

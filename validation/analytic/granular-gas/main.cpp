@@ -18,7 +18,7 @@ Real random_part(std::uint64_t& seed) {
   return static_cast<Real>(seed >> 11) / 4503599627370496.0 - 1;
 }
 
-/// Smooth spheres at random velocities in a box that repeats itself on all sides, without total momentum.
+/// Smooth spheres at random velocities in a box that is periodic on all sides, without total momentum.
 state::Spheres gas() {
   const Real spacing = radius * std::cbrt(4 * std::numbers::pi / 3 / share);
   state::Spheres spheres;
@@ -37,7 +37,7 @@ state::Spheres gas() {
   return spheres;
 }
 
-/// Energy per freedom over the mass of a sphere [m2/s2].
+/// Energy per degree of freedom over the mass of a sphere [m2/s2].
 Real temperature(methods::spheres::SphereStepper& stepper) {
   stepper.evaluate_now();
   const auto& spheres = stepper.spheres();

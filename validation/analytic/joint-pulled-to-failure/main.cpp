@@ -23,7 +23,7 @@ void print_dynamic(Real area) {
   validation::print_row("energy-balance", balance[terms::EnergyKind::fracture], fracture_energy * area);
 }
 
-/// The same slowly: force times displacement, by the trapezoidal rule.
+/// The joint is opened in small steps: its work is force times displacement, by the trapezoidal rule.
 void print_static(Real area) {
   test::BondedPair pair;
   constexpr int steps = 20000;

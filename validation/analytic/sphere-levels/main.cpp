@@ -13,7 +13,7 @@ using namespace sazare;
 constexpr laws::GrainElasticity soft{1e8, 0.3};
 constexpr Real density = 2500, largest_radius = 8e-3;
 
-/// Rayleigh's time of a sphere [s].
+/// Rayleigh time step of a sphere [s].
 Real rayleigh(Real radius) {
   const Real shear_modulus = 0.5 * soft.youngs_modulus / (1 + soft.poisson_ratio);
   return 3.14159265358979 * radius * std::sqrt(density / shear_modulus) / (0.1631 * soft.poisson_ratio + 0.8766);
@@ -39,11 +39,11 @@ private:
   std::uint64_t state_ = 11;
 };
 
-/// A row of spheres in a room that repeats itself along it, pressed together so that all contacts stay closed.
+/// A row of spheres in a domain that is periodic along it, pressed together so that all contacts stay closed.
 struct Ring {
   std::vector<Real> radius;
   Real overlap = 2e-5;  ///< of the smallest contact; the others push as much [m]
-  Real speed = 5e-3;    ///< of the spheres along the row at the start, by chance [m/s]
+  Real speed = 5e-3;    ///< of the spheres along the row at the start, random [m/s]
   Real restitution = 1, friction = 0;
   bool sags = false;  ///< across, the first sphere being held: sliders begin from rest
 
@@ -83,7 +83,7 @@ struct Ring {
   }
 };
 
-/// A bar of bonded spheres that touch, pulled and whirled by chance; nothing touches but by bonds.
+/// A bar of bonded spheres that touch, pulled and whirled at random; nothing touches but by bonds.
 struct Bar {
   std::vector<Real> radius;
   Real damping = 0;  ///< share of the critical one of a bond
@@ -109,7 +109,7 @@ struct Bar {
             methods::spheres::Bonds(bonds, {{infinite, infinite, 0, 1}})};
   }
 
-  /// A fifth of what the spheres that bear most bear [s].
+  /// A fifth of the largest stability limit of any sphere [s].
   Real base_step() const {
     state::Spheres spheres;
     for (const Real one : radius) spheres.add({0, 0, 0}, one, density, 0);
@@ -167,7 +167,7 @@ Real distance(const std::vector<Vector3>& one, const std::vector<Vector3>& other
   return std::sqrt(sum);
 }
 
-/// Of a row or a bar.
+/// Observed order of convergence of a row or a bar.
 template <class Scene>
 Real observed_order(const Scene& scene, bool levels, Real end = 4e-3) {
   constexpr int coarse = 256, ticks = 8;
@@ -294,7 +294,7 @@ Real growth(methods::spheres::SphereStepper stepper) {
   return last / first;
 }
 
-/// Rows and bars by chance without any dashpot, each some hundred times to and fro: the largest growth.
+/// Random rows and bars without any dashpot, each some hundred times to and fro: the largest growth.
 void print_resonance() {
   constexpr int rows = 60;
   Random random;

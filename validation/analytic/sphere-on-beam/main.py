@@ -18,7 +18,7 @@ END, STEP, MODES = 1e-3, 2e-8, 40
 
 
 def frequencies():
-    """Of the modes 1, 3, 5 .. of Timoshenko's beam between two supports [rad/s]; those with a force in the middle."""
+    """Angular frequencies [rad/s] of modes 1, 3, 5 .. of Timoshenko's beam on two supports: those that a force in the middle excites."""
     area, inertia, shear = SIDE**2, SIDE**4 / 12, 5 / 6 * 0.5 * MODULUS
     found = []
     for number in range(1, 2 * MODES, 2):

@@ -13,7 +13,7 @@ constexpr int coarse_steps = 256;
 
 enum class Levels { one, mixed };
 
-/// Of the dashpot beside each spring, over its stiffness [s].
+/// Damping of the dashpot beside each spring, over the spring's stiffness [s].
 struct Damping {
   Real time = 0;
 };

@@ -88,7 +88,7 @@ void explain_joint(Explanation& text, const Joint& joint) {
                                                                   number(*joint.shear_stiffness))
                                                     : std::string("springs of the elements beside each face");
   const std::string dashpots =
-      joint.damping_ratio ? fmt::format("dashpots {} of critical damping", number(*joint.damping_ratio))
+      joint.damping_ratio ? fmt::format("damping ratio {}", number(*joint.damping_ratio))
                           : fmt::format("dashpots {} and {} Pa s/m", number(joint.normal_damping), number(joint.shear_damping));
   text.more(fmt::format("{}, {} (normal, shear)", springs, dashpots));
 }

@@ -102,9 +102,7 @@ constexpr std::array leading_joint_keys{
         .range = not_negative,
         .usual = usual::damping_ratio,
         .note = "instead of joint_normal_damping and joint_shear_damping",
-        .sentence =
-            "Dashpots of each face as a share of the critical damping of the two elements beside it, which move against each "
-            "other on its springs."},
+        .sentence = "Damping ratio of the two elements beside each face, which move against each other on its springs."},
     Key{.name = "cohesion",
         .type = Type::number,
         .unit = "Pa",
@@ -152,7 +150,7 @@ constexpr std::array leading_joint_keys{
         .range = {.low = 0, .high = 1e9},
         .default_text = "1",
         .note = "only with a weibull_modulus",
-        .sentence = "Another number gives other faces the strong and the weak places."},
+        .sentence = "Seed of the random strength factors of the faces."},
 };
 
 constexpr auto joint_keys = joined(leading_joint_keys, keys_of_laws<laws::JointLaws>());

@@ -23,7 +23,7 @@ struct MeshFit {
   std::vector<Index> faces_of_joint;                ///< by entry of [[joints]]
   std::vector<SoftestFaces> softest_of_joint = {};  ///< by entry of [[joints]]
   std::vector<Index> inner_of_blast;                ///< by entry of [[blasts]]: faces of its surface between two elements
-  std::vector<Index> inner_of_boundary;             ///< the same of [[boundaries]]
+  std::vector<Index> inner_of_boundary;             ///< by entry of [[boundaries]]: faces of its surface between two elements
 };
 
 MeshFit find_mesh_fit(const cases::BlocksCase& blocks, const MeshFaces& faces, const std::vector<Index>& material,

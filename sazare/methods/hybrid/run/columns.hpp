@@ -24,27 +24,27 @@ inline constexpr std::array history = {
     Column{"force_mismatch", "-", "difference of assumed and resulting force over the larger one"}};
 
 /// In the manifest, `results` by name: an interface, which scripts of users read.
-inline constexpr std::array figures = {Column{"windows", "-", ""},
-                                      Column{"window", "s", "its length"},
-                                      Column{"passes", "-", "through coupling windows"},
-                                      Column{"unsettled_windows", "-",
-                                             "in which the automatic scheme left more than a hundredth of the force"},
-                                      Column{"steps_per_window", "-", "of the bodies"},
-                                      Column{"step", "s", "of the bodies"},
-                                      Column{"elements", "-", ""},
-                                      Column{"degrees_of_freedom", "-", ""},
-                                      Column{"particles", "-", "where the bodies are spheres"},
-                                      Column{"particle_steps", "-", ""},
-                                      Column{"body_elements", "-", "where they are rectangles"},
-                                      Column{"body_element_steps", "-", ""},
-                                      Column{"blocks", "-", "where they are blocks"},
-                                      Column{"block_steps", "-", ""},
-                                      Column{"impulse_given", "N s", "by the bodies"},
-                                      Column{"impulse_pending", "N s", "that the continuum has not received"},
-                                      Column{"energy_work_on_nodes", "J", ""},
-                                      Column{"energy_coupling_error", "J", "added by the coupling"},
-                                      Column{"peak_force", "N", "of the bodies on the surface"},
-                                      Column{"peak_displacement", "m", "mean of the surface's nodes"}};
+inline constexpr std::array figures = {
+    Column{"windows", "-", ""},
+    Column{"window", "s", "length of a coupling window"},
+    Column{"passes", "-", "through coupling windows"},
+    Column{"unsettled_windows", "-", "in which the automatic scheme left a force mismatch above a hundredth"},
+    Column{"steps_per_window", "-", "of the bodies"},
+    Column{"step", "s", "of the bodies"},
+    Column{"elements", "-", ""},
+    Column{"degrees_of_freedom", "-", "free degrees of freedom"},
+    Column{"particles", "-", "where the bodies are spheres"},
+    Column{"particle_steps", "-", ""},
+    Column{"body_elements", "-", "where they are rectangles"},
+    Column{"body_element_steps", "-", ""},
+    Column{"blocks", "-", "where they are blocks"},
+    Column{"block_steps", "-", ""},
+    Column{"impulse_given", "N s", "by the bodies"},
+    Column{"impulse_pending", "N s", "that the continuum has not received"},
+    Column{"energy_work_on_nodes", "J", ""},
+    Column{"energy_coupling_error", "J", "added by the coupling"},
+    Column{"peak_force", "N", "of the bodies on the surface"},
+    Column{"peak_displacement", "m", "mean of the surface's nodes"}};
 
 /// Figures of a side of a hybrid case that runs in a program of its own.
 inline constexpr std::array exchange = {

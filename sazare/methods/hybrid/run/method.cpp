@@ -32,8 +32,8 @@ std::string hybrid_summary(const observe::Manifest& manifest) {
   std::string text;
   text += fmt::format("model           {} coupled with {}\n", counted(manifest, "elements", "finite elements"),
                       bodies_text(manifest));
-  text += fmt::format("coupling        {} of {} s, gone through {} times in all\n", counted(manifest, "windows", "windows"),
-                      number("window"), number("passes", 12));
+  text += fmt::format("coupling        {} of {} s, {} passes in all\n", counted(manifest, "windows", "windows"), number("window"),
+                      number("passes", 12));
   text += fmt::format("surface         force up to {} N, displacement up to {} m\n", number("peak_force"),
                       number("peak_displacement"));
   text += fmt::format("energy          {} J over the surface, {} J added by the coupling, residual {} J\n",

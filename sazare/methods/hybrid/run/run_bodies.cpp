@@ -14,7 +14,7 @@ namespace sazare::runs {
 
 namespace {
 
-/// Its steps are windows; those of the bodies are counted in the figures.
+/// The record of the bodies' side alone. The steps of such a run are windows; those of the bodies are counted in the figures.
 template <class Record>
 class BodiesRecord : public Record {
 public:

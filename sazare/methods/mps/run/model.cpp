@@ -226,7 +226,7 @@ private:
 void check_limit(const cases::CaseFile& file, Real limit) {
   if (std::isnan(limit))
     refuse(file, "materials",
-           "no stability limit follows from the materials and the spacing: a frequency of the ground is no number",
+           "no stability limit follows from the materials and the spacing: a frequency of the ground is not a number",
            "one of density, wave velocities, damping and spacing is too large or too small to be meant so: check their units");
 }
 

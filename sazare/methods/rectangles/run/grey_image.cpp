@@ -106,7 +106,7 @@ private:
     if (rest_.size() < size) fail_short();
     if (rest_.size() > size)
       fail(fmt::format(
-          "{} bytes follow after the {} x {} pixels of the image: one blank parts head and pixels, and nothing follows",
+          "{} bytes follow after the {} x {} pixels of the image: one blank separates header and pixels, and nothing follows",
           rest_.size() - size, image_.width, image_.height));
     image_.grey.reserve(size);
     for (const char grey : rest_) add(static_cast<unsigned char>(grey));

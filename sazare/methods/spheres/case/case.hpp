@@ -26,7 +26,7 @@ struct SphereMaterial {
   std::string name;
   Real density = 0;         // kg/m3
   Real youngs_modulus = 0;  // Pa, where the contact law needs it
-  Real poisson_ratio = 0;   // the same
+  Real poisson_ratio = 0;   // where the contact law needs it
 };
 
 /// What pairs of materials have in common; what a [[pairs]] does not give is that of [contact].
@@ -91,7 +91,7 @@ struct WallRules {
   std::string material;
   WallShape shape = WallShape::plane;
   Vector3 point = Vector3::Zero();    // m, plane
-  Vector3 normal = Vector3::UnitZ();  // plane, into the room for spheres
+  Vector3 normal = Vector3::UnitZ();  // plane, towards the spheres
   Vector3 lower = Vector3::Zero();    // m, box
   Vector3 upper = Vector3::Zero();    // m, box
   std::filesystem::path file;         // mesh: .stl or .msh

@@ -271,15 +271,15 @@ void check_bonds(const CheckContext& context, const SpheresCase& spheres) {
   }
 }
 
-/// A plane is the same in every image of a periodic room.
+/// A plane is the same in every image of a periodic domain.
 void check_plane_repeats(const CheckContext& context, const Entry& entry, const Domain& domain, const Vector3& normal) {
   constexpr Real along = 1e-9;
   for (int axis = 0; axis < 3; ++axis)
     if (domain.periodic[static_cast<std::size_t>(axis)] && std::abs(normal[axis]) > along * normal.norm())
       context.problems.error(
           entry.place("normal"),
-          fmt::format("the normal has a part along {}, and the room repeats itself along {}", "xyz"[axis], "xyz"[axis]),
-          "a plane in a periodic room goes along its periodic axes");
+          fmt::format("the normal has a component along {}, and the domain is periodic along {}", "xyz"[axis], "xyz"[axis]),
+          "a plane in a periodic domain has to be parallel to the periodic axes");
 }
 
 void check_walls(const CheckContext& context, const SpheresCase& spheres) {

@@ -55,7 +55,7 @@ std::string explain(const SpheresCase& spheres) {
   for (const SphereGroup& group : spheres.spheres)
     text += line("spheres", fmt::format("{}: {} of {}{}{}{}", group.name, word(group.source), group.material,
                                         group.shape.empty() ? "" : ", shape " + group.shape, group.held ? ", held" : "",
-                                        group.rain ? ", falls and rests before the start" : ""));
+                                        group.rain ? ", falls and comes to rest before the start" : ""));
   for (const BondRules& bond : spheres.bonds) text += line("bonds", bond_text(bond));
   text += explain_gravity(spheres.gravity.acceleration);
   text += explain_motions(spheres.motions, spheres.time.end);

@@ -24,7 +24,7 @@ constexpr std::array domain_keys{
     Key{.name = "periodic",
         .type = Type::axes,
         .default_text = "[]",
-        .sentence = "Axes along which the room repeats itself: what leaves at one end comes in at the other."},
+        .sentence = "Axes along which the domain is periodic: what leaves at one end comes in at the other."},
     Key{.name = "lower",
         .type = Type::vector,
         .unit = "m",
@@ -86,14 +86,15 @@ constexpr std::array leading_contact_keys{
         .range = restitution_range,
         .need = Need::required,
         .sentence =
-            "Speed after a central impact with one contact over the speed before. A rigid body that lands on several of its "
+            "Coefficient of restitution: relative velocity after a central impact with one contact over that before. A rigid "
+            "body that lands on several of its "
             "spheres at once loses more, and fast impacts lose less where the step is too long for them: a warning then says "
             "up to which speed the step is right."},
     Key{.name = "friction_coefficient",
         .type = Type::number,
         .range = not_negative,
         .note = "exactly one of friction_coefficient and friction_angle",
-        .sentence = "Coulomb's coefficient of friction; 0.0 for contacts without friction."},
+        .sentence = "Coefficient of friction; 0.0 for contacts without friction."},
     Key{.name = "friction_angle",
         .type = Type::number,
         .unit = "deg",
@@ -105,12 +106,12 @@ constexpr std::array leading_contact_keys{
         .type = Type::number,
         .range = not_negative,
         .default_text = "0.0",
-        .sentence = "Largest moment against rolling over normal force and reduced radius."},
+        .sentence = "Coefficient of rolling friction: largest moment against rolling over normal force and reduced radius."},
     Key{.name = "twisting_friction",
         .type = Type::number,
         .range = not_negative,
         .default_text = "0.0",
-        .sentence = "Largest moment against turning about the normal over normal force and reduced radius."},
+        .sentence = "Coefficient of twisting friction: largest moment about the normal over normal force and reduced radius."},
 };
 
 constexpr std::array closing_contact_keys{
@@ -123,8 +124,8 @@ constexpr std::array closing_contact_keys{
         .type = Type::number,
         .range = {.low = 0, .high = 10, .low_open = true},
         .default_text = "0.1",
-        .sentence = "Spheres nearer than this, over the smallest diameter, are kept as pairs; it changes the speed only, and "
-                    "with levels also what the step leaves."},
+        .sentence = "Spheres nearer than this, over the smallest diameter, are kept as candidate pairs; it changes the computing "
+                    "time only, and with levels also the error of the step."},
 };
 
 constexpr auto contact_keys = joined(leading_contact_keys, keys_of_laws<laws::ContactLaws>(), closing_contact_keys);
@@ -182,7 +183,7 @@ constexpr std::array sphere_keys{
         .unit = "m",
         .range = positive,
         .note = "random only; default: radius",
-        .sentence = "Radii are equally likely between the two; the largest are placed first."},
+        .sentence = "Largest radius: radii are distributed uniformly between the two, and the largest spheres are placed first."},
     Key{.name = "file",
         .type = Type::file,
         .note = "required for a file",
@@ -216,7 +217,7 @@ constexpr std::array sphere_keys{
         .type = Type::integer,
         .range = {.low = 1, .high = 1000000},
         .default_text = "1",
-        .sentence = "Which random numbers are taken."},
+        .sentence = "Seed of the random numbers."},
     Key{.name = "velocity", .type = Type::vector, .unit = "m/s", .default_text = "[0.0, 0.0, 0.0]", .sentence = "At the start."},
     Key{.name = "angular_velocity",
         .type = Type::vector,
@@ -232,7 +233,7 @@ constexpr std::array sphere_keys{
     Key{.name = "held",
         .type = Type::boolean,
         .default_text = "false",
-        .sentence = "Whether the spheres keep the velocity and the spin of the start, whatever pushes them."},
+        .sentence = "Whether the spheres keep their initial velocity and angular velocity, whatever forces act on them."},
     Key{.name = "lowered",
         .type = Type::boolean,
         .default_text = "false",
@@ -257,7 +258,7 @@ constexpr std::array sphere_keys{
     Key{.name = "random_rotation",
         .type = Type::boolean,
         .default_text = "false",
-        .sentence = "Whether every body of a shape is turned by chance instead."},
+        .sentence = "Whether every body of a shape has a random orientation instead."},
 };
 
 constexpr std::array wall_keys{
@@ -269,7 +270,7 @@ constexpr std::array wall_keys{
     Key{.name = "shape",
         .type = Type::choice,
         .default_text = "\"plane\"",
-        .sentence = "A plane with room on one side, the six planes of a box with room inside, or the triangles of a file.",
+        .sentence = "A plane with spheres on one side, the six planes of a box with spheres inside, or the triangles of a file.",
         .choices = wall_shapes},
     Key{.name = "point",
         .type = Type::vector,
@@ -279,7 +280,7 @@ constexpr std::array wall_keys{
     Key{.name = "normal",
         .type = Type::vector,
         .note = "required for a plane",
-        .sentence = "Across the plane, into the room; of any length."},
+        .sentence = "Normal of the plane, towards the spheres; of any length."},
     Key{.name = "lower",
         .type = Type::vector,
         .unit = "m",
@@ -310,12 +311,12 @@ constexpr std::array wall_keys{
         .type = Type::vector,
         .unit = "rad/s",
         .default_text = "[0.0, 0.0, 0.0]",
-        .sentence = "Steady turn about the pivot."},
+        .sentence = "Constant angular velocity about the pivot."},
     Key{.name = "pivot",
         .type = Type::vector,
         .unit = "m",
         .default_text = "[0.0, 0.0, 0.0]",
-        .sentence = "A point of the axis, at the start."},
+        .sentence = "A point of the axis of rotation, at the start."},
 };
 
 constexpr std::array gauge_keys{
@@ -333,19 +334,20 @@ constexpr std::array time_keys{
         .unit = "s",
         .range = positive,
         .note = "default: stability_fraction of the limit, or a little less",
-        .sentence = "Step of all spheres; above the limit the case is refused."},
+        .sentence = "Time step of all spheres; above the stability limit the case is refused."},
     Key{.name = "levels",
         .type = Type::choice,
         .default_text = "\"automatic\"",
-        .sentence = "Whether every sphere, or every clump, has its own time level, or all take the step of the one that bears "
-                    "least. Automatic takes levels where spheres then need less than half of the steps, no step is given, and "
+        .sentence = "Whether every sphere, or every clump, has its own time level, or all take the smallest stable step of any. "
+                    "Automatic takes levels where spheres then need less than half of the steps, no step is given, and "
                     "nothing is coupled.",
         .choices = level_choices},
     Key{.name = "stability_fraction",
         .type = Type::number,
         .range = stability_fraction_range,
         .default_text = "0.2",
-        .sentence = "Step over the limit where no step is given: Rayleigh's time of the smallest sphere, or with linear springs "
+        .sentence = "Ratio of the step to the stability limit where no step is given: the Rayleigh time step of the smallest "
+                    "sphere, or with linear springs "
                     "2/frequency of a contact, or the limit of the bonds; with levels each sphere's own."},
     history_interval_key,
     snapshot_interval_key,
@@ -354,10 +356,11 @@ constexpr std::array time_keys{
 
 constexpr std::array tables{
     case_table,
-    Table{"domain", false, Need::optional, "The room, where it repeats itself.", domain_keys},
+    Table{"domain", false, Need::optional, "The periodic domain.", domain_keys},
     Table{"materials", true, Need::required, "What spheres and walls are made of.", material_keys},
-    Table{"contact", false, Need::required, "How spheres touch.", contact_keys},
-    Table{"pairs", true, Need::optional, "What is different between two materials.", pair_keys},
+    Table{"contact", false, Need::required, "The contact law of spheres and walls.", contact_keys},
+    Table{"pairs", true, Need::optional, "Contact properties of two given materials, where they differ from [contact].",
+          pair_keys},
     Table{"shapes", true, Need::optional, "Bodies made of spheres, rigid or bonded.", shape_keys},
     Table{"spheres", true, Need::required, "Groups of spheres.", sphere_keys},
     Table{"bonds", true, Need::optional, "Which spheres are bonded, and how strongly.", bond_keys},

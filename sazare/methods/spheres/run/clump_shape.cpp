@@ -30,9 +30,8 @@ void check_touching(const cases::CaseFile& file, std::size_t number, std::span<c
   if (apart == static_cast<std::ptrdiff_t>(joined.size())) return;
   const cases::ClumpShape& shape = file.as<cases::SpheresCase>().shapes[number];
   refuse(file, fmt::format("shapes.{}.file", number),
-         fmt::format(
-             "the spheres of the rigid shape \"{}\" do not all touch: that of {}:{} hangs on nothing that hangs on the first",
-             shape.name, shape.file.filename().string(), rows[static_cast<std::size_t>(apart)].line),
+         fmt::format("the spheres of the rigid shape \"{}\" do not all touch: that of {}:{} is not connected with the first",
+                     shape.name, shape.file.filename().string(), rows[static_cast<std::size_t>(apart)].line),
          fmt::format(
              "spheres touch when their gap is at most {} of the sum of their radii: add some between, or make two shapes of it",
              no_gap));
@@ -117,7 +116,7 @@ void take_apart(const cases::CaseFile& file, std::size_t number, Shape& shape) {
   shape.neighbours = geometry::neighbouring_balls(shape.balls, entry->reach);
   const std::string key = fmt::format("shapes.{}.bonds", number), name = spheres.shapes[number].name;
   if (shape.balls.size() < 2 || !geometry::hang_together(shape.balls.size(), shape.neighbours))
-    refuse(file, key, fmt::format("the spheres of the shape \"{}\" do not hang together by bonds", name),
+    refuse(file, key, fmt::format("the spheres of the shape \"{}\" are not all connected by bonds", name),
            fmt::format("neighbours are bonded whose gap is at most reach = {} of the sum of their radii",
                        cases::short_number(entry->reach)));
   geometry::MassShares shares = geometry::share_mass(shape.balls, shape.volume, shape.inertia);

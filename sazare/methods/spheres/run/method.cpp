@@ -21,8 +21,8 @@ std::string spheres_summary(const observe::Manifest& manifest) {
   if (figure(manifest, "bodies") > 0)
     text += fmt::format("bodies          {} bonded, {} of them broken, in {} pieces\n", number("bodies", 12), number("broken_bodies", 12),
                number("fragments", 12));
-  text += fmt::format("energy          lost {} J, unaccounted {} J; peak speed {} m/s\n", number("energy_lost"),
-             number("energy_residual", 2), number("peak_speed"));
+  text += fmt::format("energy          lost {} J, residual {} J; peak speed {} m/s\n", number("energy_lost"),
+                      number("energy_residual", 2), number("peak_speed"));
   return text + wall_time_line(manifest, "particle_steps", "sphere-steps");
 }
 

@@ -290,8 +290,8 @@ private:
     for (std::size_t i = 0; i < placed; ++i) volume += 4.18879020478639098462 * std::pow(balls[i].radius, 3);
     const Real share = volume / (group.upper - group.lower).prod();
     refuse(file_, fmt::format("spheres.{}.count", number),
-           fmt::format("no room for sphere {} of {} of the group \"{}\": those before fill {} of the box", placed + 1,
-                       group.count, group.name, short_number(share, 3)),
+           fmt::format("there is no space for sphere {} of {} of the group \"{}\": the spheres before it fill {} of the box",
+                       placed + 1, group.count, group.name, short_number(share, 3)),
            "random places without overlap rarely fill more than 0.35: choose a larger box or fewer spheres, and let them settle "
            "under gravity");
   }
@@ -302,9 +302,9 @@ private:
       const Real length = result_.spheres.box.length[axis];
       if (length <= 0 || length > 2 * shape.reach) continue;
       refuse(file_, "domain.upper",
-             fmt::format("the room is {} m along the periodic axis {}, and a body of the shape \"{}\" may be {} m long",
+             fmt::format("the domain is {} m long along the periodic axis {}, and a body of the shape \"{}\" may be {} m long",
                          short_number(length, 4), "xyz"[axis], name, short_number(2 * shape.reach, 4)),
-             "it would meet itself on the other side: make the room longer than the body in any position");
+             "it would meet itself on the other side: make the domain longer than the body in any position");
     }
   }
 
@@ -316,8 +316,8 @@ private:
       const Real length = result_.spheres.box.length[axis];
       if (length <= 0 || length >= 2 * reach) continue;
       refuse(file_, "domain.upper",
-             fmt::format("the room is {} m along the periodic axis {}, and the largest sphere {} m wide", short_number(length),
-                         "xyz"[axis], short_number(2 * largest)),
+             fmt::format("the domain is {} m long along the periodic axis {}, and the diameter of the largest sphere is {} m",
+                         short_number(length), "xyz"[axis], short_number(2 * largest)),
              fmt::format("a sphere must not meet another one, or itself, on both sides: {} m or more are needed",
                          short_number(2 * reach, 4)));
     }

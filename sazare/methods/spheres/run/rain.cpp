@@ -66,12 +66,12 @@ bool let_rain(const cases::SpheresCase& spheres, SpheresModel& model, const RunO
   if (gains && (!end.goes_on || end.unrest <= 1)) return end.goes_on;
   if (!std::isfinite(end.unrest))
     throw PhysicsError(
-        fmt::format("what rains moves beyond all bounds after {} steps of {} s\n"
-                    "  the step is too long for its contacts: give a smaller time.stability_fraction",
+        fmt::format("the falling spheres (rain = true) have diverged after {} steps of {} s\n"
+                    "  the step is too long for their contacts: give a smaller time.stability_fraction",
                     end.steps, cases::short_number(model.steps.step, 3)));
   throw PhysicsError(
-      fmt::format("what rains does not come to rest: after {} steps it moves {} times as much as at rest\n"
-                  "  it finds no ground, or nothing brakes it: look at the walls below, at friction and at restitution",
+      fmt::format("the falling spheres (rain = true) do not come to rest: after {} steps they move {} times as much as at rest\n"
+                  "  there is no wall below them, or nothing dissipates their energy: check walls, friction and restitution",
                   end.steps, cases::short_number(end.unrest, 3)));
 }
 

@@ -204,22 +204,22 @@ void SpheresRecord::check_motion(Real time) const {
   }
   const Real smallest = model_->steps.smallest(), limit = model_->steps.limit;
   throw PhysicsError(
-      fmt::format("the motion of the spheres makes no sense any more at t = {} s: the largest speed is {} m/s, above {} m/s\n"
+      fmt::format("the motion of the spheres has diverged at t = {} s: the largest speed is {} m/s, above {} m/s\n"
                   "  the step of {} s is {} times the limit of {} s: set time.stability_fraction = 0.1, or look at spheres that "
                   "overlap at the start",
                   cases::short_number(time), cases::short_number(speed, 3), cases::short_number(senseless_speed, 3),
                   cases::short_number(smallest, 4), cases::short_number(smallest / limit, 3), cases::short_number(limit, 4)));
 }
 
-/// Whether the contacts that spheres have bear the step.
+/// Warns where the step is too long for the contacts that spheres have.
 void SpheresRecord::check_step(Real time) const {
   const methods::spheres::StepLoad& load = model_->stepper->step_load();
   if (load.load <= warned_load_) return;
   const cases::SpheresCase& spheres = file_->as<cases::SpheresCase>();
   const Real share = model_->steps.smallest() / model_->steps.limit;
   const std::string words = fmt::format(
-      "the contacts of sphere {} of \"{}\" take {} of what a stable step bears, at t = {} s or before: energy may come from "
-      "nothing\n  set time.stability_fraction = {} or less; the step of {} s is {} of the limit that spheres have alone",
+      "the contacts of sphere {} of \"{}\" load the step {} times as much as is stable, at t = {} s or before: the motion may "
+      "gain energy\n  set time.stability_fraction = {} or less; the step of {} s is {} of the stability limit of single spheres",
       load.sphere + 1, spheres.spheres[static_cast<std::size_t>(model_->group[static_cast<std::size_t>(load.sphere)])].name,
       cases::short_number(load.load, 3), cases::short_number(time, 4), cases::short_number(0.9 * share / std::sqrt(load.load), 2),
       cases::short_number(model_->steps.smallest(), 4), cases::short_number(share, 3));

@@ -22,7 +22,7 @@ public:
   /// Writes the pieces of bonded bodies; nothing where there are none.
   void write_fragments() const;
 
-  /// Throws PhysicsError when a velocity is no number or makes no sense any more, or a sphere went through a wall.
+  /// Throws PhysicsError when a velocity is not a number or the motion has diverged, or a sphere went through a wall.
   void check_motion(Real time) const;
 
   std::vector<std::pair<std::string, observe::Figure>> results(std::int64_t step, Real wall_seconds) const;

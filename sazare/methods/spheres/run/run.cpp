@@ -133,7 +133,7 @@ std::string steps_text(const SphereSteps& steps, const RunClocks& clocks) {
   std::string work = fmt::format("{} steps, {} particle-steps", clocks.steps(),
                                  number(steps.particle_steps * static_cast<Real>(clocks.steps())));
   if (!steps.level.empty())
-    work += fmt::format(" or so, {} of those that one step for all takes", number(steps.share_of_uniform, 2));
+    work += fmt::format(" or so, {} of those that a uniform step needs", number(steps.share_of_uniform, 2));
   return text + line("work", work);
 }
 

@@ -98,17 +98,17 @@ void repeat_walls(const cases::CaseFile& file, CaseWalls& made, const state::Sph
     for (int axis = 0; axis < 3; ++axis) {
       auto& of = sides[static_cast<std::size_t>(axis)] = methods::spheres::sides_of(wall, placed.box, axis, reach);
       if (of.can) continue;
-      refuse(
-          file, fmt::format("walls.{}.spin", made.entry[w]),
-          fmt::format("the wall \"{}\" turns across the periodic axis {}, ends at its sides, and comes within {} m of them",
-                      wall.name, "xyz"[axis], cases::short_number(reach, 4)),
-          "it cannot repeat itself there: let it turn about that axis, keep it away from the sides, or let it reach beyond both");
+      refuse(file, fmt::format("walls.{}.angular_velocity", made.entry[w]),
+             fmt::format("the wall \"{}\" turns across the periodic axis {}, ends at its sides, and comes within {} m of them",
+                         wall.name, "xyz"[axis], cases::short_number(reach, 4)),
+             "it cannot continue periodically there: let it turn about that axis, keep it away from the sides, or let it reach "
+             "beyond both");
     }
     const auto repeats = methods::spheres::repeat_wall(wall, placed.box, reach);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!repeats[axis]) continue;
       const Real gap = sides[axis].gap;
-      made.notes.push_back(fmt::format("\"{}\" repeats itself along {}{}", wall.name, "xyz"[axis],
+      made.notes.push_back(fmt::format("\"{}\" continues periodically along {}{}", wall.name, "xyz"[axis],
                                        gap > 1e-9 * placed.box.length[static_cast<int>(axis)]
                                            ? fmt::format(", with a gap of {} m", cases::short_number(gap, 4))
                                            : ""));
@@ -159,7 +159,7 @@ void check_walls(const cases::CaseFile& file, const CaseWalls& made, const Place
            fmt::format("{} spheres begin within the wall \"{}\", by {} of their radius or less: {}", beyond.size(), walls[w].name,
                        cases::short_number(deepest, 3), some_of(beyond, spheres, placement)),
            walls[w].is_plane()
-               ? "the normal of a plane points into the room for spheres; overlap_limit in [contact] says how much is allowed"
+               ? "the normal of a plane has to point towards the spheres; overlap_limit in [contact] says how much is allowed"
                : "a sphere's surface must not reach through the mesh; overlap_limit in [contact] says how much is allowed");
   }
 }

@@ -55,7 +55,7 @@ public:
   /// Sorts the spheres by pace and along a curve and finds all pairs nearer than the margin [m]; what touches goes on
   /// remembering. Returns the place before of each sphere. `arrange` is to follow.
   std::vector<Index> find(state::Spheres& spheres, Real margin, Together together);
-  /// As in PairContacts, in the level in which the pair is.
+  /// Suppresses contacts as PairContacts does, in the level to which the pair belongs.
   void rest_within(std::span<const Index> body);
   void rest(const state::Spheres& spheres, Index one, Index other);
   void wake(const state::Spheres& spheres, Index one, Index other, Real allowed);

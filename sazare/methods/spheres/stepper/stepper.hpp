@@ -29,7 +29,7 @@ struct SphereRules {
   Real step = 0;                        ///< h; with levels the base step [s]
   Vector3 gravity = Vector3::Zero();    ///< [m/s2]
   Real margin = 0;                      ///< spheres nearer than this are kept as pairs until they may have come closer [m]
-  Real wall_margin = 0;                 ///< the same for walls [m]; both are at least twice the longest neck of the contact law
+  Real wall_margin = 0;                 ///< of walls [m]; as `margin`, at least twice the longest neck of the contact law
   std::vector<std::int8_t> level = {};  ///< by number of the sphere; empty: all in one step. Those of a clump go by its finest
 };
 
@@ -214,8 +214,8 @@ private:
   bool settled_ = false;              ///< the forces at `time()` are kept, and the kick is still to come
   Vector3 drift_ = Vector3::Zero();   ///< mean velocity when pairs were last found [m/s]
   Real approach_ = 0;                 ///< how much nearer any two may have come since then [m]
-  std::vector<Real> block_approach_;  ///< the same of two that a block looks at; empty with several levels
-  Real wall_approach_ = 0;            ///< the same of spheres and walls [m]
+  std::vector<Real> block_approach_;  ///< by block, of its candidate pairs [m]; empty with several levels
+  Real wall_approach_ = 0;            ///< how much nearer a sphere and a wall may have come since then [m]
   Real margin_ = 0;                   ///< at which pairs were last found [m]
   bool missed_pairs_ = false;
   Real missed_way_ = 0;       ///< [m]

@@ -27,7 +27,7 @@ def reference():
 
 
 def ours(start):
-    """The same of the case, run to END on one thread from one of the starts; the first one is the case as it is."""
+    """Height and velocity, as in `reference`, of the case run to END on one thread from a start; the first start is the case as it is."""
     density = DENSITY * (1 + start * CHANGE)
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run(["build/release/apps/sazare/sazare", "run", "cases/penetration-25k/case.toml", "--out", folder, "--overwrite", "--threads", "1",

@@ -21,7 +21,8 @@ namespace {
 using cases::line;
 using cases::number;
 
-/// Of ammonium nitrate and fuel oil: bulk density [kg/m3], and energy [J/kg] as 0.8 of that of TNT (4.184 MJ/kg).
+/// Explosive of ammonium nitrate and fuel oil (ANFO): bulk density [kg/m3], and energy [J/kg] as 0.8 of that of TNT (4.184
+/// MJ/kg).
 constexpr Real anfo_density = 840, anfo_energy = 0.8 * 4.184e6;
 
 std::string mass_text(const BlocksModel& model) {

@@ -24,7 +24,7 @@ Speeds speeds_of(const laws::ElasticModuli& body, Real density) {
   return {std::sqrt(body.confined() / density), std::sqrt(body.shear() / density)};
 }
 
-/// Of a body of which every face were like this one.
+/// Wave velocities of a body all of whose faces are like this one.
 Speeds speeds_at(const BlocksModel& model, Index joint, Real density) {
   const auto& record = model.joints->record(joint);
   const auto& bodies = model.simulation->bodies();

@@ -13,7 +13,7 @@ Vector3 area_vector(const JointFace& face) {
   return 0.5 * (face.corners[1] - face.corners[0]).cross(face.corners[2] - face.corners[0]);
 }
 
-/// Of an element's centre from a face [m].
+/// Distance of the centre of an element from the plane of a face [m].
 Real distance_from(const JointFace& face, const Vector3& centre) {
   return std::abs(area_vector(face).normalized().dot(centre - face.corners[0]));
 }
@@ -23,7 +23,7 @@ Real distance_of_centres(const JointFace& face, const state::Bodies<3>& bodies) 
          distance_from(face, bodies.motion[at(face.slave)].position);
 }
 
-/// Of the elements beside a face, one after the other.
+/// Stiffness per area of the two elements beside a face in series.
 laws::SpringModuli stiffness_between(const cases::BlocksCase& blocks, const std::vector<Index>& material,
                                      const state::Bodies<3>& bodies, const JointFace& face) {
   laws::SpringModuli compliance;  // [m/Pa]

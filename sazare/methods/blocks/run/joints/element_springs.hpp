@@ -39,7 +39,7 @@ struct SoftestFaces {
   Real normal_stiffness = 0;  ///< smallest [Pa/m]
   Real normal_distance = 0;   ///< of the centres beside that face, along its normal [m]
   Real shear_stiffness = 0;   ///< smallest [Pa/m]
-  Real shear_distance = 0;    ///< likewise [m]
+  Real shear_distance = 0;    ///< of the centres beside the face of that smallest stiffness, along its normal [m]
 };
 
 /// By entry of [[joints]]; those that give their own stiffness are left out, with no faces.
