@@ -3,11 +3,11 @@
 ///
 ///     spheres THREADS ACROSS [FILE [STEPS [MODEL]]]
 ///
-/// prints `spheres,sphere_steps_per_second,contacts_per_sphere,bytes_per_sphere,resident,candidates,guests,searches` of STEPS
+/// prints `spheres,sphere_steps_per_second,contacts_per_sphere,bytes_per_sphere,resident,candidates,ghosts,searches` of STEPS
 /// steps, 1000 where none are given, after half as many that make the contacts; bytes per sphere at the largest (while pairs are
-/// sought) and at the end, and how many candidates and guests of blocks there are per sphere. Where FILE is given and not "-", it
-/// gets the start as rows of radius, x, y, z, vx, vy, vz, from which other codes can begin. MODEL is that of contacts as in cases,
-/// hertz where none is given, or mindlin_deresiewicz.
+/// sought) and at the end, and how many candidates and ghosts of tiles there are per sphere. Where FILE is given and not "-", it
+/// gets the start as rows of radius, x, y, z, vx, vy, vz, from which other codes can begin. MODEL is that of contacts as in
+/// cases, hertz where none is given, or mindlin_deresiewicz.
 
 #include <chrono>
 #include <cstdio>
@@ -82,5 +82,5 @@ int main(int count, char** arguments) {
   std::printf("%.0f,%.4g,%.3g,%.4g,%.4g,%.3g,%.3g,%lld\n", spheres, steps * spheres / seconds,
               static_cast<Real>(stepper.contacts()) / spheres, (largest - before) / spheres, (resident - before) / spheres,
               static_cast<Real>(stepper.levels().pairs(0).pairs().other.size()) / spheres,
-              static_cast<Real>(stepper.levels().loads(0).guests()) / spheres, static_cast<long long>(stepper.searches()));
+              static_cast<Real>(stepper.levels().loads(0).ghosts()) / spheres, static_cast<long long>(stepper.searches()));
 }

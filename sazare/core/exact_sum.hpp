@@ -25,10 +25,10 @@ public:
     return *this;
   }
   ExactSum& operator+=(const ExactSum& other) {
-    ExactSum settled = other;
-    settled.carry();
+    ExactSum carried = other;
+    carried.carry();
     carry();
-    for (std::size_t i = 0; i < piece_count; ++i) pieces_[i] += settled.pieces_[i];
+    for (std::size_t i = 0; i < piece_count; ++i) pieces_[i] += carried.pieces_[i];
     invalid_ = invalid_ || other.invalid_;
     return *this;
   }

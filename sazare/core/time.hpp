@@ -16,7 +16,7 @@ using Index = std::int32_t;
 constexpr std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
 /// A point in time, as every part of a step needs it.
-struct Moment {
+struct Instant {
   Tick tick = 0;
   Real tick_seconds = 0;  ///< length of a tick [s]
 

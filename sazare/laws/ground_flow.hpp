@@ -1,6 +1,7 @@
 #pragma once
 
-/// Stress of broken ground, which moves far: Mohr-Coulomb strength (laws/mohr_coulomb.hpp) in rates, on the present configuration.
+/// Stress of broken ground, which moves far: Mohr-Coulomb strength (laws/mohr_coulomb.hpp) in rates, on the present
+/// configuration.
 ///
 /// In a step the relative displacements of a neighbourhood have the gradient G about the configuration in the middle of the step:
 ///
@@ -9,15 +10,15 @@
 ///     s  = return of s' to the strength,  e_p = C^-1 (s' - s)                     plastic strain
 ///     W  = (Q s_old Q^T + s) : e_p / 2                                            dissipated per volume
 ///
-/// A rigid rotation of any size has e = 0 and turns the stress: Hughes and Winget, Int. J. Num. Meth. Eng. 15 (1980) 1862-1867. The
-/// elastic energy s C^-1 s/2 and W are together exactly (Q s_old Q^T + s) : e / 2, the work of the mean stress, as the energy balance
-/// of a leapfrog step counts it.
+/// A rigid rotation of any size has e = 0 and turns the stress: Hughes and Winget, Int. J. Num. Meth. Eng. 15 (1980) 1862-1867.
+/// The elastic energy s C^-1 s/2 and W are together exactly (Q s_old Q^T + s) : e / 2, the work of the mean stress, as the energy
+/// balance of a leapfrog step counts it.
 ///
 /// Ground without dilation that flows coaxially would slide on a plane with sin(phi), not tan(phi) (Davis 1968), since its stress
-/// turns until it agrees with the flow. Grains slide on both planes on which the strength is reached, tan(phi) on each, so the axes
-/// of flow may differ from those of stress by up to phi/2 (de Josselin de Jong, Geotechnique 21 (1971) 155-163). The plane that
-/// slides in simple shear is the one that does not turn with the ground: the stress is turned against the spin, in the plane of the largest and
-/// smallest trial stress and in the circle of Mohr, radii r' before and r after the return, by
+/// turns until it agrees with the flow. Grains slide on both planes on which the strength is reached, tan(phi) on each, so the
+/// axes of flow may differ from those of stress by up to phi/2 (de Josselin de Jong, Geotechnique 21 (1971) 155-163). The plane
+/// that slides in simple shear is the one that does not turn with the ground: the stress is turned against the rotation, in the
+/// plane of the largest and smallest trial stress and in the circle of Mohr, radii r' before and r after the return, by
 ///
 ///     a (w/g),  a = phi - asin(r sin(phi)/r'),     g the radius of the strain in this plane, |w/g| at most 1.
 ///
@@ -73,10 +74,10 @@ inline MohrCoulomb broken_strength(MohrCoulomb law) {
   return law;
 }
 
-/// The stress that a trial stress returns to in a step with this strain and spin.
+/// The stress that a trial stress returns to in a step with this strain and spin tensor.
 template <int D>
-Rotation<D> returned_stress(const MohrCoulomb& law, const Elasticity& elastic, const Rotation<D>& trial, const Rotation<D>& strained,
-                            const Rotation<D>& spin) {
+Rotation<D> returned_stress(const MohrCoulomb& law, const Elasticity& elastic, const Rotation<D>& trial,
+                            const Rotation<D>& strained, const Rotation<D>& spin_tensor) {
   constexpr int last = D - 1;
   Eigen::SelfAdjointEigenSolver<Rotation<D>> solver;
   solver.computeDirect(trial);
@@ -95,7 +96,7 @@ Rotation<D> returned_stress(const MohrCoulomb& law, const Elasticity& elastic, c
   if (radius > 0 && trial_radius > radius) {
     const Real friction = std::asin(law.sin_friction);
     const Real most = std::max(friction - std::asin(radius / trial_radius * law.sin_friction), Real{0});
-    const Rotation<D> in_axes = axes.transpose() * strained * axes, turned = axes.transpose() * spin * axes;
+    const Rotation<D> in_axes = axes.transpose() * strained * axes, turned = axes.transpose() * spin_tensor * axes;
     const Real sheared = std::hypot(0.5 * (in_axes(last, last) - in_axes(0, 0)), in_axes(0, last));
     const Real back = sheared > 0 ? 0.5 * most * std::clamp(turned(last, 0) / sheared, Real{-1}, Real{1}) : 0;
     const Real middle = 0.5 * (principal(0, 0) + principal(last, last));
@@ -106,11 +107,11 @@ Rotation<D> returned_stress(const MohrCoulomb& law, const Elasticity& elastic, c
   return axes * principal * axes.transpose();
 }
 
-/// `strain` is e, `spin` is w.
+/// `strain` is e, `spin_tensor` is w.
 template <int D>
 GroundStep<D> advance_ground(const MohrCoulomb& strength, const Elasticity& elastic, const Rotation<D>& strain,
-                             const Rotation<D>& spin, GroundState<D>& state) {
-  const Rotation<D> one = Rotation<D>::Identity(), half_spin = 0.5 * spin;
+                             const Rotation<D>& spin_tensor, GroundState<D>& state) {
+  const Rotation<D> one = Rotation<D>::Identity(), half_spin = 0.5 * spin_tensor;
   const Rotation<D> turn = (one - half_spin).inverse() * (one + half_spin);
   const Rotation<D> old = turn * state.stress * turn.transpose();
   GroundStep<D> step;
@@ -121,7 +122,7 @@ GroundStep<D> advance_ground(const MohrCoulomb& strength, const Elasticity& elas
     state.opening = std::max(opened, Real{0});
   }
   const Rotation<D> trial = old + elastic_stress<D>(elastic, share * strain);
-  if (share > 0) state.stress = returned_stress<D>(broken_strength(strength), elastic, trial, strain, spin);
+  if (share > 0) state.stress = returned_stress<D>(broken_strength(strength), elastic, trial, strain, spin_tensor);
   constexpr Real nothing = 1e-12;  // of the trial stress
   const bool separates = share > 0 && state.stress.norm() <= nothing * trial.norm();
   if (separates) state.stress.setZero();

@@ -299,7 +299,7 @@ template <int D>
 void LevelKeeper<D>::columns(Archive& archive) {
   std::vector<std::int8_t> active = active_levels_.levels();
   archive("level", level_);
-  archive("pace", active);
+  archive("active_level", active);
   archive("by_rates", by_rates_);
   archive("asked", asked_);
   archive("asking", asking_);
@@ -310,7 +310,7 @@ void LevelKeeper<D>::columns(Archive& archive) {
   for (std::size_t term = 0; term < clocks_.size(); ++term)
     archive.folder(std::string((*terms_)[term]->name()), [&] {
       clocks_[term].columns(archive);
-      archive("resting", inactive_[term]);
+      archive("inactive", inactive_[term]);
     });
   if (!archive.reading()) return;
   stale_ = stale != 0;

@@ -80,7 +80,7 @@ public:
   /// of it; the next call goes on from there. With several processes all ask at the same ticks.
   bool advance(const std::function<bool()>& pause = {});
 
-  Moment now() const { return now_; }
+  Instant now() const { return now_; }
   const state::Bodies<D>& bodies() const { return bodies_; }
   const LevelKeeper<D>& levels() const { return levels_; }
   const Counters& counters() const { return counters_; }
@@ -152,7 +152,7 @@ private:
   state::Bodies<D> bodies_;
   TermList<D> terms_;
   LevelKeeper<D> levels_;
-  Moment now_;
+  Instant now_;
   std::vector<Index> due_bodies_;
   std::vector<Index> due_elsewhere_;             ///< with several processes: those of others that are seen here
   std::vector<std::span<const Due>> due_links_;  ///< by term

@@ -55,10 +55,10 @@ struct SphereSizes {
     return 1;
   }
 
-  /// As wide as a block of spheres in a bed.
-  Real block_width() const {
+  /// As wide as a tile of spheres in a bed.
+  Real tile_width() const {
     constexpr Real ball = 4.0 / 3.0 * std::numbers::pi, solid_share = 0.6;
-    return mean * std::cbrt(static_cast<Real>(block_size) * ball / solid_share);
+    return mean * std::cbrt(static_cast<Real>(tile_size) * ball / solid_share);
   }
 };
 
@@ -130,7 +130,7 @@ private:
         width_[axis] = length / static_cast<Real>(count_[a]);
         lower_[axis] = box_.lower[axis];
       }
-      cube[a] = sizes.block_width() / width_[axis];
+      cube[a] = sizes.tile_width() / width_[axis];
     }
     return {count_, cube, longest()};
   }

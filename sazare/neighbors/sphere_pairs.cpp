@@ -84,16 +84,16 @@ public:
   }
 
   SpherePairs run() {
-    const std::size_t blocks = (spheres_.size() + block_size - 1) / block_size;
-    std::vector<Block> found(blocks);
-    parallel::parallel_for_uneven(blocks, 2, [&](std::size_t begin, std::size_t end) {
+    const std::size_t tiles = (spheres_.size() + tile_size - 1) / tile_size;
+    std::vector<Tile> found(tiles);
+    parallel::parallel_for_uneven(tiles, 2, [&](std::size_t begin, std::size_t end) {
       std::vector<Around> around(cells_.size());
-      for (std::size_t block = begin; block < end; ++block) look(block, around, found[block]);
+      for (std::size_t tile = begin; tile < end; ++tile) look(tile, around, found[tile]);
     });
     std::vector<std::pair<Index, Index>> mixed;  // pairs of two classes, by first sphere
-    for (Block& block : found) {
-      mixed.insert(mixed.end(), block.mixed.begin(), block.mixed.end());
-      block.mixed = {};
+    for (Tile& tile : found) {
+      mixed.insert(mixed.end(), tile.mixed.begin(), tile.mixed.end());
+      tile.mixed = {};
     }
     parallel::sort(mixed);
     cells_.clear();
@@ -101,50 +101,50 @@ public:
   }
 
 private:
-  struct Block {
+  struct Tile {
     std::vector<std::uint32_t> counts;
     std::vector<Index> other;
     std::vector<std::pair<Index, Index>> mixed;
   };
 
-  void look(std::size_t number, std::vector<Around>& around, Block& block) const {
+  void look(std::size_t number, std::vector<Around>& around, Tile& tile) const {
     std::vector<Index> near;
-    const std::size_t end = std::min((number + 1) * block_size, spheres_.size());
-    for (std::size_t i = number * block_size; i < end; ++i) {
+    const std::size_t end = std::min((number + 1) * tile_size, spheres_.size());
+    for (std::size_t i = number * tile_size; i < end; ++i) {
       const auto& own = spheres_.place[i];
       const auto sphere = static_cast<Index>(i);
-      const std::size_t before = block.other.size(), own_class = number_[class_[i]];
+      const std::size_t before = tile.other.size(), own_class = number_[class_[i]];
       for (std::size_t c = 0; c <= own_class; ++c) {
         around[c].move_to(cells_[c], own.centre(), cells_.size() == 1 && cells_[c].stands_in_order);
         const std::span found(near.data(), around[c].find_near(spheres_, box_, own, margin_, near));
         if (c == own_class)
-          std::ranges::copy_if(found, std::back_inserter(block.other), [&](Index j) { return j > sphere; });
+          std::ranges::copy_if(found, std::back_inserter(tile.other), [&](Index j) { return j > sphere; });
         else
-          for (const Index j : found) block.mixed.emplace_back(std::min(sphere, j), std::max(sphere, j));
+          for (const Index j : found) tile.mixed.emplace_back(std::min(sphere, j), std::max(sphere, j));
       }
-      block.counts.push_back(static_cast<std::uint32_t>(block.other.size() - before));
+      tile.counts.push_back(static_cast<std::uint32_t>(tile.other.size() - before));
     }
   }
 
-  /// One list of what the blocks have found, which is given up on the way.
-  SpherePairs join(std::vector<Block> found, const std::vector<std::pair<Index, Index>>& mixed) const {
+  /// One list of what the tiles have found, which is given up on the way.
+  SpherePairs join(std::vector<Tile> found, const std::vector<std::pair<Index, Index>>& mixed) const {
     SpherePairs pairs;
     pairs.first.reserve(spheres_.size() + 1);
     pairs.first.push_back(0);
     std::size_t total = mixed.size();
-    for (const Block& block : found) total += block.other.size();
+    for (const Tile& tile : found) total += tile.other.size();
     pairs.other.reserve(total);
     auto next = mixed.begin();
-    for (Block& block : found) {
-      auto from = block.other.begin();
-      for (const std::uint32_t count : block.counts) {
+    for (Tile& tile : found) {
+      auto from = tile.other.begin();
+      for (const std::uint32_t count : tile.counts) {
         const auto i = static_cast<Index>(pairs.first.size() - 1);
         pairs.other.insert(pairs.other.end(), from, from + count);
         from += count;
         for (; next != mixed.end() && next->first == i; ++next) pairs.other.push_back(next->second);
         pairs.first.push_back(static_cast<std::uint32_t>(pairs.other.size()));
       }
-      block = {};
+      tile = {};
     }
     return pairs;
   }

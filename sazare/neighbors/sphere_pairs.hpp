@@ -9,8 +9,8 @@
 
 namespace sazare::neighbors {
 
-/// Spheres are worked on by blocks of so many, whatever the number of threads.
-inline constexpr std::size_t block_size = 1024;
+/// Spheres are worked on by tiles of so many, whatever the number of threads.
+inline constexpr std::size_t tile_size = 1024;
 
 /// Pairs by their first sphere: those of sphere i are other[first[i]] .. other[first[i + 1] - 1], all beyond i.
 struct SpherePairs {

@@ -12,13 +12,13 @@ namespace sazare::particles {
 
 namespace {
 
-constexpr std::size_t serial_below = 128;  // blocks of lanes
+constexpr std::size_t serial_below = 128;  // packs
 constexpr std::size_t tile_size = 256;     // particles whose columns stay in the first cache from kick to drift
 constexpr std::size_t serial_tiles = 4;
 
-/// Calls f(begin, end) in parallel for ranges of whole blocks.
+/// Calls f(begin, end) in parallel for ranges of whole packs.
 template <class F>
-void for_blocks(std::size_t padded, F&& f) {
+void for_packs(std::size_t padded, F&& f) {
   parallel::parallel_for(padded / lane_count, serial_below,
                          [&](std::size_t begin, std::size_t end) { f(begin * lane_count, end * lane_count); });
 }
@@ -279,12 +279,12 @@ void UniformStepper<D>::kick_and_drift() {
 /// Euler's step.
 template <int D>
 void UniformStepper<D>::drift_and_kick() {
-  for_blocks(particles_.padded(), [&](std::size_t begin, std::size_t end) { drift(begin, end, rules_.step); });
+  for_packs(particles_.padded(), [&](std::size_t begin, std::size_t end) { drift(begin, end, rules_.step); });
   ++step_;
   drive();
   std::swap(elastic_, previous_);
   forces_->evaluate(particles_, elastic_);
-  for_blocks(particles_.padded(), [&](std::size_t begin, std::size_t end) {
+  for_packs(particles_.padded(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t freedom = 0; freedom < keep_.size(); ++freedom)
       for (std::size_t i = begin; i < end; ++i) {
         const Real before = previous_[freedom][i];
@@ -368,7 +368,8 @@ void UniformStepper<D>::columns(Archive& archive) {
     archive("previous" + std::to_string(freedom), previous_[freedom]);
     archive("load" + std::to_string(freedom), load_[freedom]);
   }
-  for (std::size_t axis = 0; axis < D; ++axis) archive("settled" + std::to_string(axis), initial_displacement_[axis]);
+  for (std::size_t axis = 0; axis < D; ++axis)
+    archive("initial_displacement" + std::to_string(axis), initial_displacement_[axis]);
   std::vector<Real> reactions;
   for (const particles::Dashpot& dashpot : supports_.dashpots) reactions.push_back(dashpot.reaction);
   archive("reactions", reactions);

@@ -71,7 +71,7 @@ Rotation<2> turn(const Angular<2>& spin, Real seconds) {
 namespace {
 
 /// Poses of `lane_count` bodies.
-[[gnu::flatten]] void poses_in_lanes(const LanePointers<const Motion<3>>& bodies, const Moment& now,
+[[gnu::flatten]] void poses_in_lanes(const LanePointers<const Motion<3>>& bodies, const Instant& now,
                                      const LanePointers<Pose<3>>& poses) {
   static_assert(offsetof(Motion<3>, velocity) == 18 * sizeof(Real) && offsetof(Motion<3>, spin) == 24 * sizeof(Real));
   Lanes seconds{};
@@ -86,7 +86,7 @@ namespace {
 
 }  // namespace
 
-void poses_at(std::span<const Motion<3>> motion, const Moment& now, std::span<Pose<3>> poses) {
+void poses_at(std::span<const Motion<3>> motion, const Instant& now, std::span<Pose<3>> poses) {
   LanePointers<const Motion<3>> bodies;
   LanePointers<Pose<3>> to;
   for (std::size_t first = 0; first < poses.size(); first += lane_count) {
@@ -99,7 +99,7 @@ void poses_at(std::span<const Motion<3>> motion, const Moment& now, std::span<Po
   }
 }
 
-void poses_at(std::span<const Motion<2>> motion, const Moment& now, std::span<Pose<2>> poses) {
+void poses_at(std::span<const Motion<2>> motion, const Instant& now, std::span<Pose<2>> poses) {
   for (std::size_t body = 0; body < poses.size(); ++body) poses[body] = pose_at(motion[body], now);
 }
 

@@ -128,12 +128,21 @@ def main():
                 print(f"the seed {name} is refused:\n{done.stderr}")
                 return 1
     names = sorted(corpus)
+    tried, findings = 0, 0
     with ThreadPoolExecutor(chosen.jobs) as pool:
         work = [pool.submit(attempt, names[n % len(names)], corpus[names[n % len(names)]], chosen.seed, n) for n in range(chosen.mutants)]
-        faults = [fault for fault in (one.result() for one in work) if fault]
-    print("\n".join(faults))
-    print(f"{chosen.mutants} mutants of {len(names)} cases, seed {chosen.seed}: {len(faults)} findings")
-    return 1 if faults else 0
+        try:
+            for one in work:
+                fault = one.result()
+                tried, findings = tried + 1, findings + bool(fault)
+                if fault:
+                    print(fault, flush=True)
+                if tried % 1000 == 0:
+                    print(f"{tried} of {chosen.mutants} tried", file=sys.stderr, flush=True)
+        except KeyboardInterrupt:
+            pool.shutdown(cancel_futures=True)
+    print(f"{tried} mutants of {len(names)} cases, seed {chosen.seed}: {findings} findings")
+    return 1 if findings else 0
 
 
 if __name__ == "__main__":

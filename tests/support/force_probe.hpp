@@ -15,7 +15,7 @@ public:
 
   /// Force on every body from the links given, and its moment about the body's centre; each call stands at a new tick.
   std::vector<state::Impulse<D>> forces(const std::vector<Index>& links) {
-    const Moment now{++tick_, 1.0};
+    const Instant now{++tick_, 1.0};
     std::vector<Due> due;
     for (const Index link : links) due.push_back({link, 1.0, 0.5});  // acts for a second: the impulse is the force
     std::vector<Index> all;
@@ -57,7 +57,7 @@ public:
   terms::Changes post_step() {
     terms::Changes changes;
     terms::Peers alone;
-    term_.post_step(Moment{tick_, 1.0}, bodies_, alone, changes);
+    term_.post_step(Instant{tick_, 1.0}, bodies_, alone, changes);
     return changes;
   }
 

@@ -145,10 +145,10 @@ public:
   std::span<const Link> links() const override { return {}; }
   bool joins_bodies() const override { return false; }
   std::vector<Index> first_links() const override { return {}; }
-  void evaluate(const Moment&, std::span<const Due>, const state::Bodies<D>&) override {}
-  void gather(const Moment&, std::span<const Index>, const state::Bodies<D>&, std::span<state::Impulse<D>>,
+  void evaluate(const Instant&, std::span<const Due>, const state::Bodies<D>&) override {}
+  void gather(const Instant&, std::span<const Index>, const state::Bodies<D>&, std::span<state::Impulse<D>>,
               terms::CauseImpulses<D>&) const override {}
-  void post_step(const Moment& now, const state::Bodies<D>& bodies, terms::Peers&, terms::Changes&) override {
+  void post_step(const Instant& now, const state::Bodies<D>& bodies, terms::Peers&, terms::Changes&) override {
     watch_(now, bodies);
   }
   terms::Rates rates(Index) const override { return {}; }

@@ -79,7 +79,7 @@ state::MeanMotion<D> kick(state::Motion<D>& motion, const state::Inertia<D>& ine
 }
 
 template <int D>
-void foresee(state::Motion<D>& motion, const state::Inertia<D>& inertia, state::Locks locks, state::Impulse<D> given) {
+void predict(state::Motion<D>& motion, const state::Inertia<D>& inertia, state::Locks locks, state::Impulse<D> given) {
   clear_locked(given, locks);
   motion.predicted_velocity = motion.velocity + (1 / inertia.mass) * given.linear_lead;
   motion.predicted_spin = spin_of(motion.rotation, inertia, locks, motion.angular_momentum + given.angular_lead);
@@ -106,7 +106,7 @@ void drift<2>(state::Motion<2>& motion, state::Inertia<2>& inertia, state::Locks
 }
 
 template <int D>
-void drift_back(state::Motion<D>& motion, state::Inertia<D>& inertia, const Moment& now) {
+void drift_back(state::Motion<D>& motion, state::Inertia<D>& inertia, const Instant& now) {
   const Real seconds = now.seconds_since(motion.due);
   motion.position += seconds * motion.velocity;
   rotate(motion, inertia, seconds);
@@ -119,11 +119,11 @@ void drift_back(state::Motion<D>& motion, state::Inertia<D>& inertia, const Mome
 
 template void clear_locked(state::Impulse<2>&, state::Locks);
 template void clear_locked(state::Impulse<3>&, state::Locks);
-template void drift_back(state::Motion<2>&, state::Inertia<2>&, const Moment&);
-template void drift_back(state::Motion<3>&, state::Inertia<3>&, const Moment&);
+template void drift_back(state::Motion<2>&, state::Inertia<2>&, const Instant&);
+template void drift_back(state::Motion<3>&, state::Inertia<3>&, const Instant&);
 template state::MeanMotion<2> kick(state::Motion<2>&, const state::Inertia<2>&, state::Locks, state::Impulse<2>);
 template state::MeanMotion<3> kick(state::Motion<3>&, const state::Inertia<3>&, state::Locks, state::Impulse<3>);
-template void foresee(state::Motion<2>&, const state::Inertia<2>&, state::Locks, state::Impulse<2>);
-template void foresee(state::Motion<3>&, const state::Inertia<3>&, state::Locks, state::Impulse<3>);
+template void predict(state::Motion<2>&, const state::Inertia<2>&, state::Locks, state::Impulse<2>);
+template void predict(state::Motion<3>&, const state::Inertia<3>&, state::Locks, state::Impulse<3>);
 
 }  // namespace sazare::motion

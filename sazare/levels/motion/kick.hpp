@@ -31,13 +31,13 @@ state::MeanMotion<D> kick(state::Motion<D>& motion, const state::Inertia<D>& ine
 template <int D>
 void drift(state::Motion<D>& motion, state::Inertia<D>& inertia, state::Locks locks, Tick due, Real seconds);
 
-/// Foresees the velocity at `due`, where the body stands, after the kick at which this was given.
+/// Predicts the velocity at `due`, where the body stands, after the kick at which this was given.
 template <int D>
-void foresee(state::Motion<D>& motion, const state::Inertia<D>& inertia, state::Locks locks, state::Impulse<D> given);
+void predict(state::Motion<D>& motion, const state::Inertia<D>& inertia, state::Locks locks, state::Impulse<D> given);
 
 /// Takes a body that a link needs before its time back from `due` to `now`, which becomes its own time.
 template <int D>
-void drift_back(state::Motion<D>& motion, state::Inertia<D>& inertia, const Moment& now);
+void drift_back(state::Motion<D>& motion, state::Inertia<D>& inertia, const Instant& now);
 
 /// What turns an angular momentum into the spin, where a body has this rotation.
 Matrix3 inverse_inertia(const Rotation<3>& rotation, const state::Inertia<3>& inertia, state::Locks locks);

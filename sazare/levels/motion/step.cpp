@@ -24,7 +24,7 @@ bool step_one(state::Bodies<D>& bodies, Index body, state::Impulse<D> given, con
   if ((motion.velocity + (1 / inertia.mass) * given.linear).squaredNorm() > stride.fastest_squared) return true;
   mean = kick(motion, inertia, bodies.locks[at(body)], given).at(-centre);
   drift(motion, inertia, bodies.locks[at(body)], stride.due, stride.seconds);
-  foresee(motion, inertia, bodies.locks[at(body)], given);
+  predict(motion, inertia, bodies.locks[at(body)], given);
   return false;
 }
 
@@ -82,7 +82,7 @@ void drift(LaneState& body, const LaneVector& own, Lanes seconds) {
   rotate(body, (0.5 * seconds) * body.spin);
 }
 
-void foresee(LaneState& body, const LaneImpulse& lead) {
+void predict(LaneState& body, const LaneImpulse& lead) {
   body.predicted_velocity = body.velocity + body.inverse_mass * lead.linear;
   const LaneVector own = transposed(body.rotation, body.angular_momentum + lead.angular);
   body.predicted_spin = body.rotation * spin_of(body, own);
@@ -196,7 +196,7 @@ template <class Places>
   store_row({mean_spin[1], mean_spin[2], Lanes{}, Lanes{}}, spans.mean, places, 4);
   load_orientation(body, inertias);
   drift(body, own, seconds);
-  foresee(body, load_impulse(spans.given, places, 8, centre, locked));
+  predict(body, load_impulse(spans.given, places, 8, centre, locked));
   store(body, now, due, motions, inertias);
   return too_fast;
 }

@@ -10,7 +10,7 @@
 
 namespace sazare::motion {
 
-/// Where and how fast bodies are at a moment.
+/// Where and how fast bodies are at an instant.
 template <int D, class VectorNow, class AngularNow>
 struct MotionNow {
   std::span<const state::Pose<D>> pose;
@@ -22,7 +22,7 @@ using MotionSeen = MotionNow<D, const Vector<D>, const Angular<D>>;
 template <int D>
 using MotionFound = MotionNow<D, Vector<D>, Angular<D>>;
 
-/// Finds velocities and momenta at a moment from those after the last kicks and from what links have given until then.
+/// Finds velocities and momenta at an instant from those after the last kicks and from what links have given until then.
 template <int D>
 void find_momenta(const state::Bodies<D>& bodies, std::size_t first, std::span<const state::Impulse<D>> given,
                   const MotionFound<D>& now);

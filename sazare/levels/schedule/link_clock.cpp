@@ -28,7 +28,7 @@ void LinkClock::set_level(Index link, int level) {
 
 /// Many are listed share by share, as many as there are threads, each with its part of every level: neighbours of all levels then
 /// stay with one thread.
-std::span<Due> LinkClock::collect(const Moment& now) {
+std::span<Due> LinkClock::collect(const Instant& now) {
   const int coarsest = coarsest_due(now.tick);
   std::size_t count = 0;
   buckets_.visit_from(coarsest, [&](int level) { count += buckets_.at(level).size(); });
@@ -52,7 +52,7 @@ std::span<Due> LinkClock::collect(const Moment& now) {
 }
 
 /// Forces of some links of a level act until the middle of its coming step, most of them from that of the last one.
-void LinkClock::give(std::span<const Index> links, int level, Moment now, Due* due) {
+void LinkClock::give(std::span<const Index> links, int level, Instant now, Due* due) {
   const Tick until = now.tick + stride(level) / 2;
   const auto window = [&](Index link, Tick before, Tick after) {
     return Due{link, static_cast<Real>(after - before) * now.tick_seconds,

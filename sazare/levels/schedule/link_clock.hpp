@@ -29,12 +29,12 @@ public:
 
   /// The links due at `now`, level by level, each with the time that its force acts, which is marked as given. The list stands
   /// until the next call.
-  std::span<Due> collect(const Moment& now);
+  std::span<Due> collect(const Instant& now);
 
   void columns(Archive& archive);
 
 private:
-  void give(std::span<const Index> links, int level, Moment now, Due* due);
+  void give(std::span<const Index> links, int level, Instant now, Due* due);
 
   Buckets buckets_;
   std::vector<Tick> given_;  ///< until when the link's force has acted

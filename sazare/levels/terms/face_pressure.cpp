@@ -34,7 +34,7 @@ std::vector<Index> FacePressure::first_links() const {
   return all;
 }
 
-void FacePressure::evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
+void FacePressure::evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
   pressures_.resize(loads_.size());
   std::ranges::transform(loads_, pressures_.begin(), [&](const PressureLoad& load) { return pressure_at(load, now.seconds()); });
   parallel::parallel_for(due.size(), 512, [&](std::size_t begin, std::size_t end) {
@@ -44,7 +44,7 @@ void FacePressure::evaluate(const Moment& now, std::span<const Due> due, const s
 }
 
 /// Evaluates as many faces as there are lanes, or fewer.
-[[gnu::flatten]] void FacePressure::evaluate_lanes(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
+[[gnu::flatten]] void FacePressure::evaluate_lanes(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
   const LaneDue in_lanes = terms::in_lanes(due);
   LanePointers<PressedFace> faces;
   LanePointers<const state::Motion<3>> motions;

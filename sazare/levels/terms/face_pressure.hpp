@@ -39,8 +39,8 @@ public:
   std::span<const Link> links() const override { return links_; }
   bool joins_bodies() const override { return false; }
   std::vector<Index> first_links() const override;
-  void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
-  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>&, std::span<Impulse<3>> sum,
+  void evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
+  void gather(const Instant& now, std::span<const Index> which, const state::Bodies<3>&, std::span<Impulse<3>> sum,
               CauseImpulses<3>& parts) const override {
     table_.gather(now, which, sum, parts);
   }
@@ -50,7 +50,7 @@ public:
   void columns(Archive& archive) override;
 
 private:
-  void evaluate_lanes(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies);
+  void evaluate_lanes(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies);
 
   std::vector<PressureLoad> loads_;
   std::vector<Real> pressures_;  ///< of the loads, at the last evaluation [Pa]

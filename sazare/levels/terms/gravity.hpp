@@ -30,11 +30,11 @@ public:
     return all;
   }
 
-  void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<D>&) override {
+  void evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<D>&) override {
     for (const Due& at : due) given_[static_cast<std::size_t>(at.link)] = {now.tick, at.acting, at.ahead};
   }
 
-  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<D>& bodies, std::span<Impulse<D>> sum,
+  void gather(const Instant& now, std::span<const Index> which, const state::Bodies<D>& bodies, std::span<Impulse<D>> sum,
               CauseImpulses<D>&) const override {
     for (std::size_t i = 0; i < which.size(); ++i) {
       const auto at = static_cast<std::size_t>(which[i]);

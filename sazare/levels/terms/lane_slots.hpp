@@ -43,7 +43,7 @@ void keep_total(Slot<3, Parts>& slot) {
 /// What `write` does for one slot, all but the parts. Where lanes have the same slot they must have the same force. A link that
 /// begins anew has no force before this one.
 template <int Parts>
-void write_total(const LanePointers<Slot<3, Parts>>& slots, const Moment& now, const LaneDue& due, const LanePairForce& total,
+void write_total(const LanePointers<Slot<3, Parts>>& slots, const Instant& now, const LaneDue& due, const LanePairForce& total,
                  const LaneMask& begins_anew) {
   using LaneSlot = Slot<3, Parts>;
   static_assert(sizeof(LaneSlot) == 16 * sizeof(Real) && offsetof(LaneSlot, evaluated) == 8 * sizeof(Real));
@@ -66,11 +66,11 @@ void write_total(const LanePointers<Slot<3, Parts>>& slots, const Moment& now, c
   }
 }
 
-inline void write(const LanePointers<Slot<3, 0>>& slots, const Moment& now, const LaneDue& due, const LanePairForce& total) {
+inline void write(const LanePointers<Slot<3, 0>>& slots, const Instant& now, const LaneDue& due, const LanePairForce& total) {
   write_total(slots, now, due, total, LaneMask{});
 }
 
-inline void write(const LanePointers<Slot<3, 1>>& slots, const Moment& now, const LaneDue& due, const LanePairForce& total,
+inline void write(const LanePointers<Slot<3, 1>>& slots, const Instant& now, const LaneDue& due, const LanePairForce& total,
                   const LanePairForce& part, const LaneMask& begins_anew = LaneMask{}) {
   using LaneSlot = Slot<3, 1>;
   static_assert(offsetof(LaneSlot, part) == 12 * sizeof(Real));

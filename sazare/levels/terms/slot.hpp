@@ -76,7 +76,7 @@ struct alignas(64) Slot {
 /// Writes what an evaluation has found. Velocities are predicted by the mean of a link's last two forces: a dashpot whose
 /// velocity is predicted by the last force alone is stable up to 1 / c, by this mean up to 2 / c, and both are of second order.
 template <int D, int Parts>
-void write(Slot<D, Parts>& slot, const Moment& now, const Due& due, const PairForce<D>& total,
+void write(Slot<D, Parts>& slot, const Instant& now, const Due& due, const PairForce<D>& total,
            const std::array<PairForce<D>, Parts>& part) {
   slot.previous = (slot.evaluated >= 0 ? slot.total : total).template as<float>();
   slot.total = total;

@@ -136,7 +136,7 @@ struct SlotTable {
   const Slot<D, Parts>& operator[](Index slot) const { return slots[static_cast<std::size_t>(slot)]; }
 
   /// Adds the slots of one body, which stands at a place of a chunk: those evaluated now give their impulses.
-  void gather_one(const Moment& now, Index body, std::size_t place, Impulse<D>& sum, CauseImpulses<D>& parts) const {
+  void gather_one(const Instant& now, Index body, std::size_t place, Impulse<D>& sum, CauseImpulses<D>& parts) const {
     const auto sides = incidence.of(body);
     if (sides.empty()) return;
     SlotSums<D, Parts> sums;
@@ -151,7 +151,7 @@ struct SlotTable {
       for (std::size_t p = 0; p < Parts; ++p) parts.add(causes[p], place, sums.part[p]);
   }
 
-  void gather(const Moment& now, std::span<const Index> which, std::span<Impulse<D>> sum, CauseImpulses<D>& parts) const {
+  void gather(const Instant& now, std::span<const Index> which, std::span<Impulse<D>> sum, CauseImpulses<D>& parts) const {
     if (is_large(slots))
       for (const Index body : which)
         for (const SlotSide side : incidence.of(body)) ask_for((*this)[side.slot]);

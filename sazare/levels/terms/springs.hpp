@@ -50,13 +50,13 @@ public:
     return all;
   }
 
-  void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<D>& bodies) override {
+  void evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<D>& bodies) override {
     parallel::parallel_for(due.size(), 256, [&](std::size_t begin, std::size_t end) {
       for (const Due& at : due.subspan(begin, end - begin)) evaluate_one(now, at, bodies);
     });
   }
 
-  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<D>&, std::span<Impulse<D>> sum,
+  void gather(const Instant& now, std::span<const Index> which, const state::Bodies<D>&, std::span<Impulse<D>> sum,
               CauseImpulses<D>& parts) const override {
     table_.gather(now, which, sum, parts);
   }
@@ -99,7 +99,7 @@ private:
     return at;
   }
 
-  void evaluate_one(const Moment& now, const Due& due, const state::Bodies<D>& bodies) {
+  void evaluate_one(const Instant& now, const Due& due, const state::Bodies<D>& bodies) {
     const Spring<D>& spring = springs_[static_cast<std::size_t>(due.link)];
     const auto body = [&](Index number) -> const state::Motion<D>& { return bodies.motion[static_cast<std::size_t>(number)]; };
     const Place at = place(spring, [&](Index number) { return state::Pose<D>{body(number).position, body(number).rotation}; });

@@ -74,18 +74,18 @@ public:
   /// Links that act from the beginning.
   virtual std::vector<Index> first_links() const = 0;
 
-  virtual void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<D>& bodies) = 0;
+  virtual void evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<D>& bodies) = 0;
 
   /// Adds to `sum`, body by body, what it receives; the impulses whose work is summed go into `parts` as well. A chunk of
   /// bodies at most.
-  virtual void gather(const Moment& now, std::span<const Index> which, const state::Bodies<D>& bodies, std::span<Impulse<D>> sum,
+  virtual void gather(const Instant& now, std::span<const Index> which, const state::Bodies<D>& bodies, std::span<Impulse<D>> sum,
                       CauseImpulses<D>& parts) const = 0;
 
   /// Work on one thread after a step. All processes of a run do it, and must come to the same changes.
-  virtual void post_step(const Moment&, const state::Bodies<D>&, Peers&, Changes&) {}
+  virtual void post_step(const Instant&, const state::Bodies<D>&, Peers&, Changes&) {}
 
   /// Work on one thread after a base step, when every body stands at the same time; by all processes, as above.
-  virtual void post_base_step(const Moment&, const state::Bodies<D>&, Peers&, Changes&) {}
+  virtual void post_base_step(const Instant&, const state::Bodies<D>&, Peers&, Changes&) {}
 
   virtual Rates rates(Index body) const = 0;
 

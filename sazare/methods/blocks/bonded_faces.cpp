@@ -93,7 +93,7 @@ void BondedFaces::note_sheared(terms::Peers& peers) {
   }
 }
 
-void BondedFaces::post_step(const Moment&, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) {
+void BondedFaces::post_step(const Instant&, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) {
   if (!paths_.empty()) note_sheared(peers);
   std::vector<Index> failed = failed_.take();
   peers.unite(failed);

@@ -17,11 +17,11 @@ public:
   std::string_view name() const override { return "joints"; }
   std::span<const Link> links() const override { return links_; }
   std::vector<Index> first_links() const override;
-  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>&, std::span<state::Impulse<3>> sum,
+  void gather(const Instant& now, std::span<const Index> which, const state::Bodies<3>&, std::span<state::Impulse<3>> sum,
               terms::CauseImpulses<3>& parts) const override {
     table_.gather(now, which, sum, parts);
   }
-  void post_step(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
+  void post_step(const Instant& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
   terms::Rates rates(Index body) const override { return rates_[static_cast<std::size_t>(body)]; }
   void carry(Index joint, Parcel& parcel) override;
   void columns(Archive& archive) override;

@@ -118,8 +118,8 @@ void ContactBatch::keep_if_touching(const Member& member, Real overlap) {
   SpherePair& spheres = *member.spheres;
   Pair& pair = pairs_[member.pair];
   pair.overlap = pair.overlap || overlap > 0;
-  if (overlap < spheres.rest) spheres.rest = std::max(overlap, Real{0});
-  if (!(overlap > spheres.rest)) {
+  if (overlap < spheres.initial_overlap) spheres.initial_overlap = std::max(overlap, Real{0});
+  if (!(overlap > spheres.initial_overlap)) {
     spheres.memory = {};
     return;
   }
@@ -130,7 +130,7 @@ void ContactBatch::keep_if_touching(const Member& member, Real overlap) {
 /// Forces of the members in the lanes, and what they remember.
 [[gnu::flatten]] void ContactBatch::push(const laws::SphereContact& law, const Vector3& pole, const InLanes& members,
                                          std::span<ContactForce> forces) const {
-  static_assert(offsetof(SpherePair, rest) == sizeof(Real) && offsetof(SpherePair, memory) == 3 * sizeof(Real));
+  static_assert(offsetof(SpherePair, initial_overlap) == sizeof(Real) && offsetof(SpherePair, memory) == 3 * sizeof(Real));
   LanePointers<const state::Inertia<3>> first_inertia, second_inertia;
   LanePointers<ContactForce> to;
   laws::SphereMotionOf<Lanes> shared;

@@ -17,7 +17,7 @@ public:
   struct Pair {
     Due due;
     ContactBody first, second;
-    bool overlap = false;         ///< two of its spheres overlap, be it less than at rest
+    bool overlap = false;         ///< two of its spheres overlap, be it less than their initial overlap
     std::size_t touching = 0;     ///< spheres that give a force
     std::size_t first_touch = 0;  ///< their place among those of all pairs
   };

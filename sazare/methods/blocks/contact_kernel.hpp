@@ -53,7 +53,7 @@ struct Clearance {
   Real good = 0;  ///< for so much motion [m]; 0 before the first time
   std::int8_t is_known = 0;
   std::int8_t is_distant = 0;    ///< too far apart to meet within two base steps, when last evaluated
-  std::int16_t rests = 0;        ///< evaluated at base steps only; no gap follows, for checkpoints have these records as they lie
+  std::int16_t is_inactive = 0;  ///< evaluated at base steps only; no gap follows, for checkpoints have these records as they lie
   Index near = 0;                ///< so many of the spheres, the first ones, may touch before it is measured anew
   std::int64_t evaluations = 0;  ///< since it was measured
   Vector3 apart = Vector3::Zero();

@@ -24,8 +24,8 @@ struct FreeFace {
 struct SpherePair {
   Index first = 0;  ///< sphere of the body with the smaller number
   Index second = 0;
-  Real rest = 0;  ///< overlap that they had when they met the first time; it gives no force until they part [m]
-  Real gap = 0;   ///< between them at the pair's clearance [m], negative when they overlap
+  Real initial_overlap = 0;  ///< overlap that they had when they met the first time; it gives no force until they part [m]
+  Real gap = 0;              ///< between them at the pair's clearance [m], negative when they overlap
   laws::SphereMemory memory;
 };
 

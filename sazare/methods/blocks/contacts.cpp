@@ -54,7 +54,7 @@ Contacts::Contacts(const laws::SphereContact& law, int edge_division, Joints& jo
   for (const FreeFace& face : free_faces) open_face(face, bodies);
   terms::Changes ignored;
   const std::vector<Index> all(surface_.bodies().begin(), surface_.bodies().end());
-  search(all, false, Moment{}, bodies, ignored);
+  search(all, false, Instant{}, bodies, ignored);
 }
 
 std::vector<Index> Contacts::first_links() const {
@@ -64,14 +64,14 @@ std::vector<Index> Contacts::first_links() const {
   return active;
 }
 
-void Contacts::evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
+void Contacts::evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
   parallel::parallel_for_uneven(due.size(), serial_below, [&](std::size_t begin, std::size_t end) {
     for (std::size_t first = begin; first < end; first += ContactBatch::most_pairs)
       evaluate_batch(now, due.subspan(first, std::min(ContactBatch::most_pairs, end - first)), bodies);
   });
 }
 
-void Contacts::evaluate_batch(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
+void Contacts::evaluate_batch(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
   thread_local ContactBatch batch;
   batch.clear();
   const auto body = [&](Index number) { return ContactBody{bodies.motion[at(number)], bodies.inertia[at(number)]}; };
@@ -95,7 +95,7 @@ void Contacts::evaluate_batch(const Moment& now, std::span<const Due> due, const
 }
 
 /// Writes what a batch has found of a pair.
-void Contacts::conclude(const Moment& now, const ContactBatch& batch, const ContactBatch::Pair& pair) {
+void Contacts::conclude(const Instant& now, const ContactBatch& batch, const ContactBatch::Pair& pair) {
   const Index number = pair.due.link;
   auto& slot = table_[number];
   if (!pair.overlap) clearance_[at(number)].is_known = 0;  // a gap has opened: once measured, it spares the spheres for a while
@@ -163,7 +163,7 @@ void Contacts::measure(std::vector<SpherePair>& spheres, const state::Pose<3>& f
   for (SpherePair& pair : spheres) {
     pair.gap = -touch(surface_.sphere(pair.first), surface_.sphere(pair.second), first, second).overlap;
     clearance.gap = std::min(clearance.gap, pair.gap);
-    if (pair.gap >= 0) pair.rest = 0;
+    if (pair.gap >= 0) pair.initial_overlap = 0;
     if (!is_near(pair)) pair.memory = {};
   }
   const auto far = std::ranges::stable_partition(spheres, is_near);
@@ -177,7 +177,7 @@ void Contacts::count_touching(const Link& link, int change) {
 }
 
 /// Few blocks touch others.
-void Contacts::gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>&, std::span<state::Impulse<3>> sum,
+void Contacts::gather(const Instant& now, std::span<const Index> which, const state::Bodies<3>&, std::span<state::Impulse<3>> sum,
                       terms::CauseImpulses<3>& parts) const {
   for (std::size_t i = 0; i < which.size(); ++i)
     if (touching_[at(which[i])] > 0) table_.gather_one(now, which[i], i, sum[i], parts);
@@ -187,7 +187,7 @@ void Contacts::open_face(const FreeFace& face, const state::Bodies<3>& bodies) {
   surface_.open(face, corners_.of(face.body), {bodies.start[at(face.body)], state::start_rotation(bodies, face.body)});
 }
 
-void Contacts::post_step(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) {
+void Contacts::post_step(const Instant& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) {
   for (const Index pair : ending_) links_[at(pair)] = {};
   idle_.insert(idle_.end(), ending_.begin(), ending_.end());
   ending_.clear();
@@ -211,8 +211,8 @@ void Contacts::post_step(const Moment& now, const state::Bodies<3>& bodies, term
   search(opened, false, now, bodies, changes);
 }
 
-void Contacts::post_base_step(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) {
-  rest_the_distant(now, peers, changes);
+void Contacts::post_base_step(const Instant& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) {
+  deactivate_the_distant(now, peers, changes);
   if (++base_steps_ % base_steps_between_searches != 0) return;
   peers.fetch(surface_.bodies());
   std::vector<Index> moved;
@@ -224,25 +224,25 @@ void Contacts::post_base_step(const Moment& now, const state::Bodies<3>& bodies,
   search(moved, true, now, bodies, changes);
 }
 
-/// Lets pairs rest that the evaluation of this base step has found too far apart to meet before the one after the next.
-void Contacts::rest_the_distant(const Moment& now, terms::Peers& peers, terms::Changes& changes) {
+/// Makes pairs inactive that the evaluation of this base step has found too far apart to meet before the one after the next.
+void Contacts::deactivate_the_distant(const Instant& now, terms::Peers& peers, terms::Changes& changes) {
   base_step_ = now.seconds_since(std::exchange(last_base_, now.tick));
   std::vector<Index> changed;
   for (Index pair = 0; pair < static_cast<Index>(links_.size()); ++pair) {
     const Clearance& clearance = clearance_[at(pair)];
-    if (clearance.is_distant == clearance.rests || is_idle(links_[at(pair)])) continue;
+    if (clearance.is_distant == clearance.is_inactive || is_idle(links_[at(pair)])) continue;
     if (peers.owns(links_[at(pair)].first)) changed.push_back(pair);
   }
   peers.unite(changed);
   for (const Index pair : changed) {
     Clearance& clearance = clearance_[at(pair)];
-    clearance.rests = !clearance.rests;
-    clearance.is_distant = clearance.rests;
-    (clearance.rests ? changes.inactive : changes.watching).push_back(pair);
+    clearance.is_inactive = !clearance.is_inactive;
+    clearance.is_distant = clearance.is_inactive;
+    (clearance.is_inactive ? changes.inactive : changes.watching).push_back(pair);
   }
 }
 
-void Contacts::search(std::span<const Index> which, bool may_end, const Moment& now, const state::Bodies<3>& bodies,
+void Contacts::search(std::span<const Index> which, bool may_end, const Instant& now, const state::Bodies<3>& bodies,
                       terms::Changes& changes) {
   const auto pose_of = [&](Index body) { return state::pose_at(bodies.motion[at(body)], now); };
   for (const Index body : which) surface_.place(body, pose_of(body));
@@ -278,7 +278,7 @@ void Contacts::merge(Index body, std::vector<NearPair> found, bool may_end, term
       for (const SpherePair& known : spheres_[at(pair)])
         if (known.first == sphere.first && known.second == sphere.second) sphere = known;
     spheres_[at(pair)] = std::move(near.spheres);
-    if (clearance_[at(pair)].rests) changes.watching.push_back(pair);  // its new spheres may be near
+    if (clearance_[at(pair)].is_inactive) changes.watching.push_back(pair);  // its new spheres may be near
     clearance_[at(pair)] = {};
   }
   if (!may_end) return;
@@ -353,8 +353,8 @@ void Contacts::add_energies(const terms::Synchronized<3>& at_time, terms::Energy
     for (const SpherePair& sphere : spheres_[pair]) {
       const SphereTouch touched = touch(surface_.sphere(sphere.first), surface_.sphere(sphere.second),
                                         at_time.pose_of(link.first), at_time.pose_of(link.second));
-      if (touched.overlap > sphere.rest)
-        energies[terms::EnergyKind::elastic] += laws::sphere_energy(law_, touched.overlap - sphere.rest);
+      if (touched.overlap > sphere.initial_overlap)
+        energies[terms::EnergyKind::elastic] += laws::sphere_energy(law_, touched.overlap - sphere.initial_overlap);
     }
   }
 }

@@ -25,11 +25,11 @@ public:
   std::string_view name() const override { return "contacts"; }
   std::span<const Link> links() const override { return links_; }
   std::vector<Index> first_links() const override;
-  void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
-  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies, std::span<state::Impulse<3>> sum,
+  void evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
+  void gather(const Instant& now, std::span<const Index> which, const state::Bodies<3>& bodies, std::span<state::Impulse<3>> sum,
               terms::CauseImpulses<3>& parts) const override;
-  void post_step(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
-  void post_base_step(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
+  void post_step(const Instant& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
+  void post_base_step(const Instant& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
   terms::Rates rates(Index body) const override;
   void add_energies(const terms::Synchronized<3>& at, terms::EnergySums& energies) const override;
   void carry(Index pair, Parcel& parcel) override;
@@ -43,18 +43,18 @@ public:
   Index pair_count() const { return static_cast<Index>(links_.size() - idle_.size()); }
 
 private:
-  void evaluate_batch(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies);
-  void conclude(const Moment& now, const ContactBatch& batch, const ContactBatch::Pair& pair);
+  void evaluate_batch(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies);
+  void conclude(const Instant& now, const ContactBatch& batch, const ContactBatch::Pair& pair);
   Real update_clearance(Index pair, const ContactBody& first, const ContactBody& second, const state::Bodies<3>& bodies);
   void fit_to_motion(Clearance& clearance) const;
   bool are_distant(const ContactBody& first, const ContactBody& second, const Link& link, Real room,
                    const state::Bodies<3>& bodies) const;
-  void rest_the_distant(const Moment& now, terms::Peers& peers, terms::Changes& changes);
+  void deactivate_the_distant(const Instant& now, terms::Peers& peers, terms::Changes& changes);
   void measure(std::vector<SpherePair>& spheres, const state::Pose<3>& first, const state::Pose<3>& second,
                Clearance& clearance) const;
   void count_touching(const Link& link, int change);
   void open_face(const FreeFace& face, const state::Bodies<3>& bodies);
-  void search(std::span<const Index> which, bool may_end, const Moment& now, const state::Bodies<3>& bodies,
+  void search(std::span<const Index> which, bool may_end, const Instant& now, const state::Bodies<3>& bodies,
               terms::Changes& changes);
   void merge(Index body, std::vector<NearPair> found, bool may_end, terms::Changes& changes);
   Index pair_of(Index first, Index second) const;

@@ -30,7 +30,7 @@ JointsOf<Laws>::JointsOf(const std::vector<Kind>& kinds, std::span<const JointFa
 }
 
 template <class Laws>
-void JointsOf<Laws>::evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
+void JointsOf<Laws>::evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
   kinds_.visit_laws([&](const auto& kinds, std::size_t law) {
     std::vector<Due> some;
     if (!kinds_.has_one_law()) some = those_of(law, due);
@@ -67,7 +67,7 @@ void JointsOf<Laws>::ask_for_some(std::span<const Due> due, const state::Bodies<
 /// Evaluates as many joints as there are lanes, or fewer: idle lanes repeat the first.
 template <class Laws>
 template <class Law>
-[[gnu::flatten]] void JointsOf<Laws>::evaluate_lanes(const KindsOfLaw<Law>& kinds, const Moment& now, std::span<const Due> due,
+[[gnu::flatten]] void JointsOf<Laws>::evaluate_lanes(const KindsOfLaw<Law>& kinds, const Instant& now, std::span<const Due> due,
                                                      const state::Bodies<3>& bodies) {
   const terms::LaneDue in_lanes = terms::in_lanes(due);
   LanePointers<JointRecord> records;

@@ -22,7 +22,7 @@ public:
   JointsOf(const std::vector<Kind>& kinds, std::span<const JointFace> faces, std::vector<terms::Rates> rates,
            const state::Bodies<3>& bodies);
 
-  void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
+  void evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
   void add_energies(const terms::Synchronized<3>& at, terms::EnergySums& energies) const override;
 
 private:
@@ -33,7 +33,7 @@ private:
   std::vector<Due> those_of(std::size_t law, std::span<const Due> due) const;
   void ask_for_some(std::span<const Due> due, const state::Bodies<3>& bodies) const;
   template <class Law>
-  void evaluate_lanes(const KindsOfLaw<Law>& kinds, const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies);
+  void evaluate_lanes(const KindsOfLaw<Law>& kinds, const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies);
   template <class Law, class Record, class JointOfLane>
   const JointParameters<Law, Lanes>& parameters(const KindsOfLaw<Law>& kinds, const LanePointers<Record>& records,
                                                 const JointOfLane& joint_of) const;

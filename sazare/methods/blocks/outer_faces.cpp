@@ -39,7 +39,7 @@ std::vector<Index> OuterFaces::first_links() const {
   return all;
 }
 
-void OuterFaces::evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
+void OuterFaces::evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
   parallel::parallel_for(due.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (const Due& at : due.subspan(begin, end - begin)) {
       const OuterFace& face = faces_[static_cast<std::size_t>(at.link)];

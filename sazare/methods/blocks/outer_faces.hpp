@@ -29,8 +29,8 @@ public:
   std::span<const Link> links() const override { return links_; }
   bool joins_bodies() const override { return false; }
   std::vector<Index> first_links() const override;
-  void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
-  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>&, std::span<state::Impulse<3>> sum,
+  void evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
+  void gather(const Instant& now, std::span<const Index> which, const state::Bodies<3>&, std::span<state::Impulse<3>> sum,
               terms::CauseImpulses<3>& parts) const override {
     table_.gather(now, which, sum, parts);
   }

@@ -58,7 +58,7 @@ void SurfaceContacts::add_ahead(std::vector<Vector3>& impulse, Real sign) const 
         impulse[at(push.nodes[k])] += sign * table_.slots[link].ahead * push.shares[k] * push.total;
 }
 
-void SurfaceContacts::lead(const Moment& now, std::vector<Vector3> from, std::vector<Vector3> with) {
+void SurfaceContacts::lead(const Instant& now, std::vector<Vector3> from, std::vector<Vector3> with) {
   const Work before = work_ahead();
   surface_.lead(0, 0, std::move(from), std::move(with));
   const Work after = work_ahead();
@@ -84,7 +84,7 @@ std::vector<Vector3> SurfaceContacts::force() const {
   return sum;
 }
 
-void SurfaceContacts::evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
+void SurfaceContacts::evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
   parallel::parallel_for(due.size(), serial_below, [&](std::size_t begin, std::size_t end) {
     for (const Due& given : due.subspan(begin, end - begin)) evaluate_one(now, given, bodies);
   });
@@ -110,7 +110,8 @@ Real SurfaceContacts::find_near(const ContactSphere& sphere, const Vector3& cent
   return deepest;
 }
 
-/// Where the spheres of a block press into the surface deeper than they rest, as spheres that are smaller by as much.
+/// Where the spheres of a block press into the surface by more than their initial overlap, as spheres that are smaller by as
+/// much.
 void SurfaceContacts::find_met(const ContactBody& body, Near& near, Real seconds, std::vector<Met>& met) const {
   thread_local std::vector<geometry::NearFacet> faces;
   thread_local geometry::FacetPoints found;
@@ -119,9 +120,9 @@ void SurfaceContacts::find_met(const ContactBody& body, Near& near, Real seconds
     const ContactSphere& sphere = contacts_->surface().sphere(one.number);
     const Vector3 centre = body.motion.position + body.motion.rotation * sphere.centre;
     const Real deepest = find_near(sphere, centre, near.faces, seconds, faces);
-    one.rest = one.is_known != 0 ? std::min(one.rest, deepest) : deepest;
+    one.initial_overlap = one.is_known != 0 ? std::min(one.initial_overlap, deepest) : deepest;
     one.is_known = 1;
-    const Real radius = sphere.radius - one.rest;
+    const Real radius = sphere.radius - one.initial_overlap;
     std::erase_if(faces, [&](const geometry::NearFacet& face) { return !(face.distance < radius); });
     if (faces.empty()) continue;
     found.find(
@@ -190,7 +191,7 @@ Vector3 SurfaceContacts::push_by_slope(const Met& met, Near& near) const {
   return force;
 }
 
-void SurfaceContacts::evaluate_one(const Moment& now, const Due& due, const state::Bodies<3>& bodies) {
+void SurfaceContacts::evaluate_one(const Instant& now, const Due& due, const state::Bodies<3>& bodies) {
   const Index number = links_[at(due.link)].first;
   const ContactBody body{bodies.motion[at(number)], bodies.inertia[at(number)]};
   Near& near = near_[at(due.link)];
@@ -220,7 +221,7 @@ void SurfaceContacts::evaluate_one(const Moment& now, const Due& due, const stat
     terms::write<3, 2>(slot, now, due, force.total, {force.dashpot, force.friction});
 }
 
-void SurfaceContacts::gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>&,
+void SurfaceContacts::gather(const Instant& now, std::span<const Index> which, const state::Bodies<3>&,
                              std::span<state::Impulse<3>> sum, terms::CauseImpulses<3>& parts) const {
   for (std::size_t i = 0; i < which.size(); ++i)
     if (const Index link = link_of_[at(which[i])]; link >= 0 && table_[link].evaluated >= 0)
@@ -228,11 +229,11 @@ void SurfaceContacts::gather(const Moment& now, std::span<const Index> which, co
 }
 
 /// Faces that have opened may touch at once.
-void SurfaceContacts::post_step(const Moment& now, const state::Bodies<3>& bodies, terms::Peers&, terms::Changes& changes) {
+void SurfaceContacts::post_step(const Instant& now, const state::Bodies<3>& bodies, terms::Peers&, terms::Changes& changes) {
   if (surface_.exists() && contacts_->surface().sphere_count() != known_spheres_) search(now, bodies, changes);
 }
 
-void SurfaceContacts::post_base_step(const Moment& now, const state::Bodies<3>& bodies, terms::Peers&, terms::Changes& changes) {
+void SurfaceContacts::post_base_step(const Instant& now, const state::Bodies<3>& bodies, terms::Peers&, terms::Changes& changes) {
   const Real step = now.seconds_since(std::exchange(last_base_, now.tick));
   if (!surface_.exists()) return;
   Real fastest = 0;
@@ -246,7 +247,7 @@ void SurfaceContacts::post_base_step(const Moment& now, const state::Bodies<3>& 
 }
 
 /// Which spheres of which blocks are nearer to the surface than the skin.
-void SurfaceContacts::search(const Moment& now, const state::Bodies<3>& bodies, terms::Changes& changes) {
+void SurfaceContacts::search(const Instant& now, const state::Bodies<3>& bodies, terms::Changes& changes) {
   travel_ = 0;
   known_spheres_ = contacts_->surface().sphere_count();
   neighbors::SphereGrid grid;

@@ -27,7 +27,7 @@ public:
   void attach(std::vector<Vector3> nodes, std::vector<std::array<Index, 3>> faces);
 
   /// At a base step: from now on the nodes go from these places with these velocities [m; m/s].
-  void lead(const Moment& now, std::vector<Vector3> from, std::vector<Vector3> with);
+  void lead(const Instant& now, std::vector<Vector3> from, std::vector<Vector3> with);
 
   /// On the nodes since the last `lead`, without what acts later [N s].
   std::vector<Vector3> impulse() const;
@@ -38,11 +38,11 @@ public:
   std::span<const Link> links() const override { return links_; }
   bool joins_bodies() const override { return false; }
   std::vector<Index> first_links() const override { return {}; }
-  void evaluate(const Moment& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
-  void gather(const Moment& now, std::span<const Index> which, const state::Bodies<3>& bodies, std::span<state::Impulse<3>> sum,
+  void evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
+  void gather(const Instant& now, std::span<const Index> which, const state::Bodies<3>& bodies, std::span<state::Impulse<3>> sum,
               terms::CauseImpulses<3>& parts) const override;
-  void post_step(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
-  void post_base_step(const Moment& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
+  void post_step(const Instant& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
+  void post_base_step(const Instant& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
   terms::Rates rates(Index body) const override;
   void add_energies(const terms::Synchronized<3>& at, terms::EnergySums& energies) const override;
   void carry(Index link, Parcel& parcel) override { parcel(table_[link]); }
@@ -52,8 +52,8 @@ private:
   /// A sphere near the surface.
   struct Sphere {
     Index number = 0;
-    Index is_known = 0;  ///< its rest is
-    Real rest = 0;       ///< overlap when it met the surface, as far as they have not parted since [m]
+    Index is_known = 0;        ///< whether its initial overlap is known
+    Real initial_overlap = 0;  ///< overlap when it met the surface, as far as they have not parted since [m]
   };
   /// What a touching point remembers.
   struct Touch {
@@ -80,7 +80,7 @@ private:
   /// A sphere in a point where it presses.
   struct Met {
     geometry::FacetPoint point;
-    Real overlap = 0;  ///< beyond its rest [m]
+    Real overlap = 0;  ///< beyond its initial overlap [m]
     Index sphere = 0;
     Vector3 centre;    ///< of the sphere [m]
   };
@@ -90,12 +90,12 @@ private:
     void add(Real seconds, const Push& push, const Vector3& velocity);
   };
 
-  Real time(const Moment& now) const { return now.seconds_since(led_); }
-  void search(const Moment& now, const state::Bodies<3>& bodies, terms::Changes& changes);
+  Real time(const Instant& now) const { return now.seconds_since(led_); }
+  void search(const Instant& now, const state::Bodies<3>& bodies, terms::Changes& changes);
   Near near_to(Index body, const state::Pose<3>& pose, const neighbors::SphereGrid& grid,
                std::span<const geometry::Triangle> triangles) const;
   void take_over(Index body, Near found, terms::Changes& changes);
-  void evaluate_one(const Moment& now, const Due& due, const state::Bodies<3>& bodies);
+  void evaluate_one(const Instant& now, const Due& due, const state::Bodies<3>& bodies);
   void find_met(const ContactBody& body, Near& near, Real seconds, std::vector<Met>& met) const;
   static Touch& touch_of(const Met& met, Near& near);
   const Push& push(const ContactBody& body, const Met& met, Real seconds, laws::SphereMotion shared, Near& near) const;

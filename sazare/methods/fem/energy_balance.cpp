@@ -46,7 +46,7 @@ void FemStepper<D>::add_work(const Trial& trial, const NodalColumn& balance, con
     work.loads += 0.5 * ((brings ? 0 : load.share(span.from)) + load.share(span.to)) * dot(load.force, moved);
   work.loads += rules_.statics ? mean_work(state_.carried, state_.applied, moved) : dot(state_.applied, moved);
   state_.carried = state_.applied;
-  work.boundary += dot(rest_, moved);
+  work.boundary += dot(reaction_, moved);
   NodalColumn before = state_.balance, after = balance;
   if (inertia()) {
     add_work_of_damping(trial, span, moved);

@@ -21,7 +21,7 @@ FemStepper<D>::FemStepper(std::unique_ptr<methods::fem::Body<D>> body, methods::
       state_(body_->pattern()) {
   const NodalColumn none(body_->freedoms(), 0);
   state_.displacement = state_.velocity = state_.acceleration = state_.internal = state_.balance = none;
-  rest_ = initial_displacement_ = state_.applied = state_.carried = weight_ = none;
+  reaction_ = initial_displacement_ = state_.applied = state_.carried = weight_ = none;
   NodalColumn fall = none;
   for (std::size_t i = 0; i < fall.size(); ++i) fall[i] = supports_.gravity[static_cast<int>(i % D)];
   weight_ = product(body_->mass(), fall);
@@ -69,7 +69,7 @@ void FemStepper<D>::relax() {
     for (const Index node : boundary.nodes)
       for (int axis = 0; axis < D; ++axis) {
         const std::size_t i = number<D>(node, axis);
-        rest_[i] = state_.internal[i] - weight_[i];
+        reaction_[i] = state_.internal[i] - weight_[i];
       }
   prepare_solver(false);
 }
@@ -156,7 +156,7 @@ NodalColumn FemStepper<D>::external(Real now) const {
   }
   for (const auto& load : supports_.loads) add(force, load.share(now), load.force);
   add(force, 1, state_.applied);
-  add(force, 1, rest_);
+  add(force, 1, reaction_);
   if (!inertia()) return force;
   add(force, 1, incoming(now));
   if (const Vector<D> base = base_motion(now, &laws::MotionState::velocity); !base.isZero())
@@ -169,7 +169,7 @@ template <int D>
 NodalColumn FemStepper<D>::carried_at_start() const {
   if (is_unloaded()) return NodalColumn(body_->freedoms(), 0);
   NodalColumn force = weight_;
-  add(force, 1, rest_);
+  add(force, 1, reaction_);
   return force;
 }
 
@@ -275,17 +275,18 @@ NodalColumn FemStepper<D>::balance_of(const Trial& trial) const {
 /// The unbalanced forces of a trial, 0 where a support takes them; `scale` is the size of the forces in play.
 template <int D>
 NodalColumn FemStepper<D>::unbalance(const Trial& trial, Real& scale) const {
-  NodalColumn rest = balance_of(trial);
+  NodalColumn residual = balance_of(trial);
   scale = std::max(norm(trial.internal), norm(trial.external));
   if (inertia()) {
-    for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = (1 + rules_.alpha) * rest[i] - rules_.alpha * state_.balance[i];
+    for (std::size_t i = 0; i < residual.size(); ++i)
+      residual[i] = (1 + rules_.alpha) * residual[i] - rules_.alpha * state_.balance[i];
     const NodalColumn inertial = product(body_->mass(), trial.acceleration);
     scale = std::max(scale, norm(inertial));
-    add(rest, 1, inertial);
+    add(residual, 1, inertial);
   }
-  for (std::size_t i = 0; i < rest.size(); ++i)
-    if (!is_free_[i]) rest[i] = 0;
-  return rest;
+  for (std::size_t i = 0; i < residual.size(); ++i)
+    if (!is_free_[i]) residual[i] = 0;
+  return residual;
 }
 
 template <int D>
@@ -338,7 +339,7 @@ Vector<D> FemStepper<D>::viscous_force(std::size_t boundary) const {
         for (Eigen::Index row = 0; row < face.impedance.rows(); ++row)
           sum[static_cast<int>(row % D)] += face.impedance(row, column) * relative;
       }
-    for (const Index node : one.nodes) sum[axis] += rest_[number<D>(node, axis)];
+    for (const Index node : one.nodes) sum[axis] += reaction_[number<D>(node, axis)];
   }
   return sum;
 }
@@ -358,8 +359,8 @@ void FemStepper<D>::columns(Archive& archive) {
   archive("plastic", state_.memory.solids);
   archive("slip", state_.memory.joints);
   archive("tangent", state_.tangent.values());
-  archive("settled", initial_displacement_);
-  archive("rest", rest_);
+  archive("initial_displacement", initial_displacement_);
+  archive("reaction", reaction_);
   archive("elastic_at_start", elastic_at_start_);
   std::vector<FemWork> work = {state_.work};
   archive("work", work);

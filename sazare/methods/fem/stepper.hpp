@@ -156,12 +156,12 @@ private:
   std::unique_ptr<methods::fem::Body<D>> body_;
   methods::fem::Supports<D> supports_;
   FemRules rules_;
-  methods::fem::BlockMatrix<D> rayleigh_;  ///< C of the body
-  methods::fem::BlockMatrix<D> viscous_;   ///< C of the viscous boundaries
-  methods::fem::BlockMatrix<D> damping_;   ///< both
-  methods::fem::NodalColumn weight_;       ///< M g [N]
-  methods::fem::NodalColumn rest_;         ///< what viscous boundaries carry at rest [N]
-  methods::fem::NodalColumn initial_displacement_;      ///< displacements at the beginning [m]
+  methods::fem::BlockMatrix<D> rayleigh_;           ///< C of the body
+  methods::fem::BlockMatrix<D> viscous_;            ///< C of the viscous boundaries
+  methods::fem::BlockMatrix<D> damping_;            ///< both
+  methods::fem::NodalColumn weight_;                ///< M g [N]
+  methods::fem::NodalColumn reaction_;              ///< what viscous boundaries carry at rest [N]
+  methods::fem::NodalColumn initial_displacement_;  ///< displacements at the beginning [m]
   std::vector<char> is_free_;
   Stage stage_ = Stage::running;
   FemState<D> state_;

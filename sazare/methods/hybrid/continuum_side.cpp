@@ -99,23 +99,23 @@ void ContinuumSide<D>::repeat(coupling::ContinuumChannel& channel) {
     if (pass > 0) stepper_->restore(saved);
     applied = sum_of(tried, carry_);
     force_ = try_window(channel, applied, pass);
-    return has_settled(tried, gap);
+    return has_converged(tried, gap);
   };
-  bool settled = false;
+  bool converged = false;
   for (std::int32_t pass = 0; pass < rules_.most_passes; ++pass) {
-    settled = attempt(pass);
-    if (settled) break;
+    converged = attempt(pass);
+    if (converged) break;
     if (disagreement_ < least) {
       least = disagreement_;
       best = tried;
     }
     tried = agreement.next(tried, force_.mean);
   }
-  if (!settled) {
+  if (!converged) {
     if (rules_.scheme == CouplingScheme::iterative || best.empty()) give_up();
     tried = best;
     attempt(rules_.most_passes);
-    ++totals_.unsettled;
+    ++totals_.unconverged;
   }
   add_work(applied, before);
   carry_ = gap;
@@ -123,7 +123,7 @@ void ContinuumSide<D>::repeat(coupling::ContinuumChannel& channel) {
 
 /// Whether the force with which the continuum moved is near enough to the one that came of it; `gap` is what lies between them.
 template <int D>
-bool ContinuumSide<D>::has_settled(const std::vector<Real>& tried, std::vector<Real>& gap) {
+bool ContinuumSide<D>::has_converged(const std::vector<Real>& tried, std::vector<Real>& gap) {
   constexpr Real small_share = 1e-2;
   gap = difference(force_.mean, tried);
   const Real scale = std::max(norm(force_.mean), norm(tried));
@@ -174,7 +174,7 @@ void ContinuumSide<D>::columns(Archive& archive) {
   archive("carry", carry_);
   archive("disagreement", disagreement_);
   std::vector<CouplingTotals> totals = {totals_};
-  archive("ledger", totals);
+  archive("energy_balance", totals);
   totals_ = totals.at(0);
 }
 

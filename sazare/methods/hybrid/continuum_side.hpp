@@ -39,7 +39,7 @@ struct CouplingTotals {
   Real energy_work_on_nodes = 0;           ///< of the forces with which the continuum has moved [J]
   Real energy_work_on_bodies = 0;          ///< of the moving surface [J]
   std::int64_t windows = 0, passes = 0;
-  std::int64_t unsettled = 0;  ///< windows of the automatic scheme that kept more than its share of the force
+  std::int64_t unconverged = 0;  ///< windows of the automatic scheme that kept more than its share of the force
 
   Vector3 under_way() const { return given - taken; }
   /// Energy added by the coupling: the sum of the works on both sides [J].
@@ -80,7 +80,7 @@ private:
   coupling::SurfaceMotion motion(std::int32_t pass) const;
   coupling::SurfaceForce try_window(coupling::ContinuumChannel& channel, const std::vector<Real>& force, std::int32_t pass);
   void repeat(coupling::ContinuumChannel& channel);
-  bool has_settled(const std::vector<Real>& tried, std::vector<Real>& gap);
+  bool has_converged(const std::vector<Real>& tried, std::vector<Real>& gap);
   [[noreturn]] void give_up() const;
   void add_work(const std::vector<Real>& applied, const std::vector<Real>& displacement_before);
   Vector3 sum(const std::vector<Real>& values) const;

@@ -109,15 +109,15 @@ void FailingForces<D>::add_work_of_flow(const state::Particles<D>& particles) {
   }
 }
 
-/// Energy of all blocks that have one of these particles or a particle that is linked with one.
+/// Energy of all packs that have one of these particles or a particle that is linked with one.
 template <int D>
 Real FailingForces<D>::energy_around(const state::Particles<D>& particles, std::span<const Index> broken) const {
-  std::set<std::size_t> blocks;
+  std::set<std::size_t> packs;
   for (const Index particle : broken)
     for (const auto& direction : links_.directions)
-      for (const Index one : {particle, direction.neighbor[at(particle)]}) blocks.insert(at(one) / lane_count);
+      for (const Index one : {particle, direction.neighbor[at(particle)]}) packs.insert(at(one) / lane_count);
   Real total = 0;
-  for (const std::size_t block : blocks) total += energy_of_block(links_, particles, frames_, block);
+  for (const std::size_t pack : packs) total += energy_of_pack(links_, particles, frames_, pack);
   return total;
 }
 

@@ -3,7 +3,7 @@
 /// The forces of all links, whatever the frames of the particles are. Each particle evaluates all its own links, in the order of
 /// the table, in two passes: volume strains, then forces. Results do not depend on the number of threads.
 
-#include "sazare/methods/mps/link_block.hpp"
+#include "sazare/methods/mps/link_pack.hpp"
 
 namespace sazare::methods::mps {
 
@@ -23,9 +23,9 @@ void evaluate_links(const LinkTable<D>& links, RotationRemoval removal, const st
 template <int D>
 void measure_stretch(const LinkTable<D>& links, const state::Particles<D>& particles, Tensors<D>& stretch);
 
-/// Energy of the links of a block of particles, half of each, and of their volume strains [J; J/m in 2-D].
+/// Energy of the links of a pack of particles, half of each, and of their volume strains [J; J/m in 2-D].
 template <int D, std::size_t N>
-Real energy_of_block(const LinkTable<D>& links, const state::Particles<D>& particles, const Frames<N>& frames, std::size_t block);
+Real energy_of_pack(const LinkTable<D>& links, const state::Particles<D>& particles, const Frames<N>& frames, std::size_t pack);
 
 /// Energy stored in all links [J; J/m in 2-D].
 template <int D, std::size_t N>

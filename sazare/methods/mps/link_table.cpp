@@ -46,16 +46,16 @@ laws::LinkDirection<D> make_direction(const Site<D>& offset, Real spacing, Real 
   return law;
 }
 
-/// Finds where the neighbours of a block stand in a row.
+/// Finds where the neighbours of a pack stand in a row.
 template <class Direction>
 void find_rows(Direction& direction) {
-  const std::size_t blocks = direction.neighbor.size() / lane_count;
-  direction.first.assign(blocks, -1);
-  for (std::size_t block = 0; block < blocks; ++block) {
-    const Index* neighbors = &direction.neighbor[block * lane_count];
+  const std::size_t packs = direction.neighbor.size() / lane_count;
+  direction.first.assign(packs, -1);
+  for (std::size_t pack = 0; pack < packs; ++pack) {
+    const Index* neighbors = &direction.neighbor[pack * lane_count];
     bool in_a_row = true;
     for (int lane = 0; lane < lane_count; ++lane) in_a_row = in_a_row && neighbors[lane] == neighbors[0] + lane;
-    if (in_a_row) direction.first[block] = neighbors[0];
+    if (in_a_row) direction.first[pack] = neighbors[0];
   }
 }
 

@@ -24,11 +24,11 @@ struct LinkTable {
     Site<D> offset{};
     laws::LinkDirection<D> law;
     std::vector<Index> neighbor;  ///< by particle, padded; the particle itself where there is none
-    std::vector<Index> pattern;   ///< by block of `lane_count` particles: which of `patterns` its links have
-    std::vector<Index> first;     ///< by block: first of neighbours that stand in a row; -1 where they do not
+    std::vector<Index> pattern;   ///< by pack of `lane_count` particles: which of `patterns` its links have
+    std::vector<Index> first;     ///< by pack: first of neighbours that stand in a row; -1 where they do not
   };
 
-  /// Share of each link of a block: 1, 0 where there is none, 1/2 where half of it lies beyond a boundary. The first has none.
+  /// Share of each link of a pack: 1, 0 where there is none, 1/2 where half of it lies beyond a boundary. The first has none.
   struct Pattern {
     std::array<Real, lane_count> share{};
     Lanes lanes{};

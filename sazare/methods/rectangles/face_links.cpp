@@ -16,7 +16,7 @@ namespace {
 
 using laws::FaceFormula;
 using laws::FaceMotion;
-constexpr std::size_t band_blocks = 64;            // blocks of lanes of a group that are evaluated together
+constexpr std::size_t band_packs = 64;             // packs of a group that are evaluated together
 constexpr std::size_t serial_below = 4;            // bands
 constexpr std::size_t serial_damaged_below = 512;  // links
 
@@ -42,12 +42,12 @@ private:
 
 /// `turned` makes of an element's rotation (cosine and sine) the direction n that it has turned.
 template <FaceFormula formula, class T, class Turned>
-laws::FacePair<T> pair_of(const state::Particles<2>& particles, const Reader<T>& reader, const VectorOf<T, 2>& rest,
+laws::FacePair<T> pair_of(const state::Particles<2>& particles, const Reader<T>& reader, const VectorOf<T, 2>& start_offset,
                           const Turned& turned, bool is_wall) {
   laws::FacePair<T> pair;
   for (int i = 0; i < 2; ++i) {
     const state::Column &displacement = particles.displacement[at(i)], &velocity = particles.velocity[at(i)];
-    pair.apart[i] = rest[i] + (reader.of_second(displacement) - reader.of_first(displacement));
+    pair.apart[i] = start_offset[i] + (reader.of_second(displacement) - reader.of_first(displacement));
     pair.approach[i] = reader.of_first(velocity) - reader.of_second(velocity);
   }
   const T first_spin = reader.of_first(particles.velocity[2]), second_spin = reader.of_second(particles.velocity[2]);
@@ -130,12 +130,12 @@ FaceLinks::FaceLinks(const state::Particles<2>& particles, std::vector<FaceKind>
     second_.push_back(link.second);
     slip_.push_back(link.slip);
     for (std::size_t axis = 0; axis < 2; ++axis)
-      rest_[axis].push_back(particles.start[axis][at(link.second)] - particles.start[axis][at(link.first)]);
+      start_offset_[axis].push_back(particles.start[axis][at(link.second)] - particles.start[axis][at(link.first)]);
   }
-  for (Group& group : groups_) share_rest(group);
-  std::size_t blocks = 0;
-  for (const Group& group : groups_) blocks = std::max(blocks, (group.end - group.begin) / lane_count);
-  bands_ = (blocks + band_blocks - 1) / band_blocks;
+  for (Group& group : groups_) share_start_offset(group);
+  std::size_t packs = 0;
+  for (const Group& group : groups_) packs = std::max(packs, (group.end - group.begin) / lane_count);
+  bands_ = (packs + band_packs - 1) / band_packs;
   dashpot_loss_.assign(bands_ * groups_.size() * lane_count, 0);
   for (state::Column& column : last_rate_) column.assign(n, 0);
   for (state::Column* column : {&slots_.force_x, &slots_.force_y, &slots_.first_moment, &slots_.second_moment})
@@ -167,15 +167,15 @@ void FaceLinks::pad(Index kind, int axis, std::size_t begin) {
 }
 
 /// Links of one lattice began alike but for round-off, which need not be read link by link.
-void FaceLinks::share_rest(Group& group) {
-  const Vector<2> common = {rest_[0][group.begin], rest_[1][group.begin]};
+void FaceLinks::share_start_offset(Group& group) {
+  const Vector<2> common = {start_offset_[0][group.begin], start_offset_[1][group.begin]};
   const Real near = 1e-12 * std::hypot(common[0], common[1]);
-  group.shares_rest = true;
-  for (std::size_t i = group.begin; i < group.end && group.shares_rest; ++i)
-    group.shares_rest = is_padding(static_cast<Index>(i)) ||
-                        (std::abs(rest_[0][i] - common[0]) <= near && std::abs(rest_[1][i] - common[1]) <= near);
-  for (std::size_t i = group.begin; i < group.end && group.shares_rest; ++i)
-    for (std::size_t axis = 0; axis < 2; ++axis) rest_[axis][i] = common[static_cast<int>(axis)];
+  group.shares_start_offset = true;
+  for (std::size_t i = group.begin; i < group.end && group.shares_start_offset; ++i)
+    group.shares_start_offset = is_padding(static_cast<Index>(i)) || (std::abs(start_offset_[0][i] - common[0]) <= near &&
+                                                                      std::abs(start_offset_[1][i] - common[1]) <= near);
+  for (std::size_t i = group.begin; i < group.end && group.shares_start_offset; ++i)
+    for (std::size_t axis = 0; axis < 2; ++axis) start_offset_[axis][i] = common[static_cast<int>(axis)];
 }
 
 void FaceLinks::make_face_table(std::size_t elements) {
@@ -204,9 +204,9 @@ void FaceLinks::evaluate(const state::Particles<2>& particles, Real elapsed) {
 bool FaceLinks::evaluate_whole(const state::Particles<2>& particles, std::size_t number, std::size_t band, Real elapsed) {
   const Group& group = groups_[number];
   const FaceKind& kind = kinds_[at(group.kind)];
-  const std::size_t blocks = (group.end - group.begin) / lane_count;
-  const Part part{group.begin + blocks * band / bands_ * lane_count, group.begin + blocks * (band + 1) / bands_ * lane_count,
-                  &dashpot_loss_[(band * groups_.size() + number) * lane_count], elapsed, group.shares_rest};
+  const std::size_t packs = (group.end - group.begin) / lane_count;
+  const Part part{group.begin + packs * band / bands_ * lane_count, group.begin + packs * (band + 1) / bands_ * lane_count,
+                  &dashpot_loss_[(band * groups_.size() + number) * lane_count], elapsed, group.shares_start_offset};
   if (group.axis == FaceLink::own_direction)
     return evaluate_whole<FaceFormula::exact>(particles, kind.springs, PackingFaces{facets_, kind.springs, lattice_end_}, part);
   const LatticeFaces faces{kind.springs, group.axis};
@@ -227,13 +227,13 @@ bool FaceLinks::evaluate_whole(const state::Particles<2>& particles, const laws:
   const Real elapsed = part.elapsed;
   bool any_yields = false;
   Lanes loss{};
-  VectorOf<Lanes, 2> rest = {broadcast(rest_[0][part.begin]), broadcast(rest_[1][part.begin])};
+  VectorOf<Lanes, 2> start_offset = {broadcast(start_offset_[0][part.begin]), broadcast(start_offset_[1][part.begin])};
   for (std::size_t i = part.begin; i < part.end; i += lane_count) {
     if (whole_[i / lane_count] == 0) continue;
     const LaneMask active = mask_of(whole_[i / lane_count]);
-    if (!part.shares_rest) rest = {load_lanes(&rest_[0][i]), load_lanes(&rest_[1][i])};
+    if (!part.shares_start_offset) start_offset = {load_lanes(&start_offset_[0][i]), load_lanes(&start_offset_[1][i])};
     const auto& springs = faces.template at<Lanes>(i);
-    const auto pair = pair_of<formula>(particles, Reader<Lanes>(&first_[i], &second_[i]), rest,
+    const auto pair = pair_of<formula>(particles, Reader<Lanes>(&first_[i], &second_[i]), start_offset,
                                        faces.template turned_by<Lanes>(i), springs.is_wall());
     const auto motion = laws::face_motion<formula>(pair, springs);
     const Lanes slip = load_lanes(&slip_[i]);
@@ -290,11 +290,11 @@ void FaceLinks::damage(Index number) {
 laws::FaceMotion<Real> FaceLinks::motion_of(const state::Particles<2>& particles, std::size_t number) const {
   const FaceKind& kind = kinds_[at(links_[number].kind)];
   const Reader<Real> reader(&first_[number], &second_[number]);
-  const Vector<2> rest = {rest_[0][number], rest_[1][number]};
+  const Vector<2> start_offset = {start_offset_[0][number], start_offset_[1][number]};
   const auto by = [&]<FaceFormula formula>(const auto& faces) {
     const auto& springs = faces.template at<Real>(number);
     return laws::face_motion<formula>(
-        pair_of<formula>(particles, reader, rest, faces.template turned_by<Real>(number), springs.is_wall()), springs);
+        pair_of<formula>(particles, reader, start_offset, faces.template turned_by<Real>(number), springs.is_wall()), springs);
   };
   if (is_facet(number)) return by.template operator()<FaceFormula::exact>(PackingFaces{facets_, kind.springs, lattice_end_});
   const LatticeFaces faces{kind.springs, links_[number].axis};
@@ -373,7 +373,7 @@ laws::Facet<Real> FaceLinks::springs_of(Index number) const {
       of.tension_limit, of.cohesion_limit, of.friction};
 }
 
-void FaceLinks::gather(std::size_t block, std::array<Lanes, 3>& sum) const {
+void FaceLinks::gather(std::size_t pack, std::array<Lanes, 3>& sum) const {
   const auto take = [&](const Index* links, bool comes_first) {
     const LanePlaces slots(links);
     const Lanes x = slots.of(slots_.force_x.data()), y = slots.of(slots_.force_y.data());
@@ -387,9 +387,9 @@ void FaceLinks::gather(std::size_t block, std::array<Lanes, 3>& sum) const {
       sum[2] += slots.of(slots_.second_moment.data());
     }
   };
-  for (std::size_t face = 0; face < 4 && lattice_end_ > 0; ++face) take(&face_[face][block * lane_count], face < 2);
+  for (std::size_t face = 0; face < 4 && lattice_end_ > 0; ++face) take(&face_[face][pack * lane_count], face < 2);
   if (facet_rows_.empty()) return;
-  const FacetRows& rows = facet_rows_[block];
+  const FacetRows& rows = facet_rows_[pack];
   const Index* const table = &facet_table_[rows.begin];
   for (std::size_t row = 0; row < rows.first + rows.second; ++row) take(table + row * lane_count, row < rows.first);
 }

@@ -97,8 +97,8 @@ public:
   /// Links that have opened in the last evaluation, in order.
   std::span<const Index> opened() const { return opened_; }
 
-  /// Adds the force [N] and moment [N m] of all links of a block of lanes of elements.
-  void gather(std::size_t block, std::array<Lanes, 3>& sum) const;
+  /// Adds the force [N] and moment [N m] of all links of a pack of elements.
+  void gather(std::size_t pack, std::array<Lanes, 3>& sum) const;
 
   Real elastic_energy(const state::Particles<2>& particles) const;
   SpringLosses losses() const;
@@ -113,14 +113,14 @@ private:
     Index kind = 0;
     int axis = 0;
     std::size_t begin = 0, end = 0;
-    bool shares_rest = false;  ///< `rest_` is the same for all of them
+    bool shares_start_offset = false;  ///< `start_offset_` is the same for all of them
   };
   /// Links of a group that are evaluated together, and where the loss of their dashpots is summed up.
   struct Part {
     std::size_t begin = 0, end = 0;
     Real* loss = nullptr;
     Real elapsed = 0;
-    bool shares_rest = false;
+    bool shares_start_offset = false;
   };
   struct LatticeFaces;
   struct PackingFaces;
@@ -132,7 +132,7 @@ private:
     state::Column damping;    ///< of the dashpots, over those of the kind: the root of stiffness times reduced mass [kg^1/2]
     std::vector<std::array<int, 2>> faces;
   };
-  /// Where the facets of a block of lanes of elements stand in `facet_table_`: rows in which they come first, then second.
+  /// Where the facets of a pack of elements stand in `facet_table_`: rows in which they come first, then second.
   struct FacetRows {
     std::size_t begin = 0, first = 0, second = 0;
   };
@@ -158,7 +158,7 @@ private:
   void add_lattice(const std::vector<FaceLink>& links);
   void add_facets(const std::vector<FacetLink>& facets);
   void pad(Index kind, int axis, std::size_t begin);
-  void share_rest(Group& group);
+  void share_start_offset(Group& group);
   bool is_whole(std::size_t number) const { return (whole_[number / lane_count] >> number % lane_count & 1) != 0; }
   void make_face_table(std::size_t elements);
   void make_facet_table(std::size_t elements);
@@ -169,15 +169,15 @@ private:
   std::array<std::vector<Index>, 4> face_;  ///< by face and element, padded: its link, or the one after the last
   std::size_t lattice_end_ = 0;             ///< from here on links are facets
   FacetColumns facets_;
-  std::vector<FacetRows> facet_rows_;  ///< by block of lanes of elements; empty without facets
+  std::vector<FacetRows> facet_rows_;  ///< by pack of elements; empty without facets
   std::vector<Index> facet_table_;     ///< rows of one link for each lane, or the one after the last
   std::vector<Index> first_, second_;
-  std::array<state::Column, 2> rest_;       ///< x2 - x1 at the beginning [m]
-  state::Column slip_;                      ///< of whole links, see laws::SpringState
-  std::vector<LaneBits> whole_;             ///< by block of lanes: which of its links are whole
-  std::size_t bands_ = 0;                   ///< into which every group is cut
-  state::Column dashpot_loss_;              ///< of whole links so far, by band, group and lane [J]
-  std::array<state::Column, 3> last_rate_;  ///< of whole links when their dashpots were last evaluated: a', b', v' [m/s]
+  std::array<state::Column, 2> start_offset_;  ///< x2 - x1 at the beginning [m]
+  state::Column slip_;                         ///< of whole links, see laws::SpringState
+  std::vector<LaneBits> whole_;                ///< by pack: which of its links are whole
+  std::size_t bands_ = 0;                      ///< into which every group is cut
+  state::Column dashpot_loss_;                 ///< of whole links so far, by band, group and lane [J]
+  std::array<state::Column, 3> last_rate_;     ///< of whole links when their dashpots were last evaluated: a', b', v' [m/s]
   std::vector<char> yields_;
   std::vector<char> open_;
   Slots slots_;

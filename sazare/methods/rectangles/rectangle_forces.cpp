@@ -9,7 +9,7 @@ namespace sazare::methods::rectangles {
 
 namespace {
 
-constexpr std::size_t serial_below = 256;  // blocks of lanes
+constexpr std::size_t serial_below = 256;  // packs
 
 geometry::Faces face_bit(int face) { return geometry::Faces{1} << face; }
 
@@ -64,27 +64,27 @@ void RectangleForces::evaluate(const state::Particles<2>& particles, state::Free
 
 void RectangleForces::gather(const state::Particles<2>& particles, state::FreedomColumns<2>& acceleration) {
   parallel::parallel_for(particles.padded() / lane_count, serial_below, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t block = begin; block < end; ++block) {
+    for (std::size_t pack = begin; pack < end; ++pack) {
       std::array<Lanes, 3> sum{};
-      links_.gather(block, sum);
+      links_.gather(pack, sum);
       for (std::size_t lane = 0; lane < lane_count; ++lane) {
-        const std::size_t i = block * lane_count + lane;
+        const std::size_t i = pack * lane_count + lane;
         if (i >= outlines_.size() || !is_touched(i)) continue;
         std::array<Real, 3> own{};
         contacts_.add_to(i, own);
         if (surface_ && surface_->has(i)) surface_->add_to(i, own);
         for (std::size_t freedom = 0; freedom < 3; ++freedom) sum[freedom][lane] += own[freedom];
       }
-      if (base_friction_.coefficient > 0) add_base_friction(particles, block, sum);
+      if (base_friction_.coefficient > 0) add_base_friction(particles, pack, sum);
       for (std::size_t freedom = 0; freedom < 3; ++freedom)
-        store_lanes(&acceleration[freedom][block * lane_count],
-                    sum[freedom] * load_lanes(&particles.inverse_inertia_of(freedom)[block * lane_count]));
+        store_lanes(&acceleration[freedom][pack * lane_count],
+                    sum[freedom] * load_lanes(&particles.inverse_inertia_of(freedom)[pack * lane_count]));
     }
   });
 }
 
-void RectangleForces::add_base_friction(const state::Particles<2>& particles, std::size_t block, std::array<Lanes, 3>& sum) {
-  const std::size_t i = block * lane_count;
+void RectangleForces::add_base_friction(const state::Particles<2>& particles, std::size_t pack, std::array<Lanes, 3>& sum) {
+  const std::size_t i = pack * lane_count;
   const Lanes radius = load_lanes(&radius_[i]), inverse_mass = load_lanes(&particles.inverse_mass[i]);
   const Lanes x = load_lanes(&particles.velocity[0][i]) - base_friction_.velocity.x();
   const Lanes y = load_lanes(&particles.velocity[1][i]) - base_friction_.velocity.y();

@@ -73,7 +73,7 @@ public:
 private:
   bool is_touched(std::size_t element) const { return contacts_.has_pairs(element) || (surface_ && surface_->has(element)); }
   void gather(const state::Particles<2>& particles, state::FreedomColumns<2>& acceleration);
-  void add_base_friction(const state::Particles<2>& particles, std::size_t block, std::array<Lanes, 3>& sum);
+  void add_base_friction(const state::Particles<2>& particles, std::size_t pack, std::array<Lanes, 3>& sum);
   void sum_up_supports(const state::Particles<2>& particles);
 
   state::Outlines outlines_;

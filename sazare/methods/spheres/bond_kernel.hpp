@@ -16,7 +16,7 @@ public:
         kinds_(kinds),
         spheres_(spheres),
         task_(task),
-        begin_(task.loads.begin_of(task.block)),
+        begin_(task.loads.begin_of(task.tile)),
         box_(spheres.box),
         step_(broadcast(task.step)) {}
 
@@ -105,7 +105,8 @@ private:
   };
 
   /// The contact begins with the overlap at which it holds what the bond held in compression, and at most with what came since
-  /// the start; it pushes beyond the rest alone. What it holds is taken off what breaking has cost, which so is never below 0.
+  /// the start; it pushes beyond this initial overlap alone. What it holds is taken off what breaking has cost, which so is never
+  /// below 0.
   void note_broken(std::size_t link, LaneMask breaks_now, const LaneVector& apart, const Ends& ends) {
     for (int lane = 0; lane < lane_count; ++lane) {
       if (breaks_now[lane] == 0) continue;
@@ -122,7 +123,7 @@ private:
       const Real begins = std::min(std::max(since_start, Real{0}),
                                    laws::overlap_of_energy(model, constants, ends.compression[lane], reduced_radius));
       contact_energy_ += laws::normal_energy(model, constants, begins, reduced_radius);
-      bonds_.broken[task_.block].push_back({at, std::max(overlap - begins, Real{0})});
+      bonds_.broken[task_.tile].push_back({at, std::max(overlap - begins, Real{0})});
       ++broken_;
     }
   }

@@ -27,13 +27,12 @@ void BondLinks::append(const Placed& at, const Bond& bond, const Traits& traits,
   turning.push_back(share * bond.damping.turning);
 }
 
-void BondLinks::lay_out(std::span<const Placed> placed, const std::vector<Bond>& bonds, const Traits& traits,
-                        std::size_t blocks) {
+void BondLinks::lay_out(std::span<const Placed> placed, const std::vector<Bond>& bonds, const Traits& traits, std::size_t tiles) {
   *this = {};
   ends.begin.assign(1, 0);
   auto next = placed.begin();
-  for (std::size_t block = 0; block < blocks; ++block) {
-    const auto end = static_cast<Index>((block + 1) * neighbors::block_size);
+  for (std::size_t tile = 0; tile < tiles; ++tile) {
+    const auto end = static_cast<Index>((tile + 1) * neighbors::tile_size);
     const Placed* last = nullptr;
     const auto add = [&](bool is_filler) { append(*last, bonds[static_cast<std::size_t>(last->bond)], traits, is_filler); };
     for (; next != placed.end() && next->first < end; ++next) {
@@ -43,7 +42,7 @@ void BondLinks::lay_out(std::span<const Placed> placed, const std::vector<Bond>&
     while (last != nullptr && first.size() % lane_count != 0) add(true);
     ends.begin.push_back(first.size());
   }
-  broken.assign(blocks, {});
+  broken.assign(tiles, {});
 }
 
 }  // namespace sazare::methods::spheres

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The bonds of one time level in columns that lanes read, by the block of the first sphere.
+/// The bonds of one time level in columns that lanes read, by the tile of the first sphere.
 
 #include <span>
 #include <vector>
@@ -29,17 +29,17 @@ struct BrokenLink {
   Real allowed_overlap = 0;
 };
 
-/// A block's bonds are filled up to whole lanes by bonds that do nothing. Columns by link but for the last.
+/// A tile's bonds are filled up to whole lanes by bonds that do nothing. Columns by link but for the last.
 struct BondLinks {
   static constexpr Index filler = -1;
 
-  BlockLinks ends;                  ///< second spheres, by place
+  TileLinks ends;                   ///< second spheres, by place
   std::vector<Index> first;         ///< spheres, by place
   std::vector<Index> kind, source;  ///< `source`: number of the bond, or `filler`
   std::vector<Real> length, stretch, shear, bend, twist, direction_x, direction_y, direction_z;
   std::vector<Real> radius, largest_use, energy_before;  ///< where bonds break
   std::vector<Real> along, across, turning;              ///< where they have dashpots
-  std::vector<std::vector<BrokenLink>> broken;           ///< by block, at the last evaluation
+  std::vector<std::vector<BrokenLink>> broken;           ///< by tile, at the last evaluation
 
   /// Which of the columns are filled.
   struct Traits {
@@ -51,8 +51,8 @@ struct BondLinks {
     Index first = 0, second = 0, bond = 0;
   };
 
-  /// Lays out the bonds `placed`, which are sorted, for so many blocks of spheres.
-  void lay_out(std::span<const Placed> placed, const std::vector<Bond>& bonds, const Traits& traits, std::size_t blocks);
+  /// Lays out the bonds `placed`, which are sorted, for so many tiles of spheres.
+  void lay_out(std::span<const Placed> placed, const std::vector<Bond>& bonds, const Traits& traits, std::size_t tiles);
 
 private:
   void append(const Placed& at, const Bond& bond, const Traits& traits, bool is_filler);

@@ -77,13 +77,13 @@ void Bonds::arrange(std::span<const Index> place, const Levels& levels) {
     }
     placed[std::max(level_of(bond.first), level_of(bond.second))].push_back({i, j, static_cast<Index>(n)});
   }
-  const std::size_t blocks = (place.size() + neighbors::block_size - 1) / neighbors::block_size;
+  const std::size_t tiles = (place.size() + neighbors::tile_size - 1) / neighbors::tile_size;
   levels_.resize(levels.count);
   for (std::size_t level = 0; level < levels.count; ++level) {
     std::ranges::sort(placed[level], {}, [](const BondLinks::Placed& one) {
       return std::array{one.first, one.second, one.bond};
     });
-    levels_[level].lay_out(placed[level], bonds_, traits_, blocks);
+    levels_[level].lay_out(placed[level], bonds_, traits_, tiles);
   }
 }
 
@@ -91,13 +91,13 @@ template <bool breaks, bool damped>
 ContactSums Bonds::evaluate_with(const state::Spheres& spheres, const Task& task) {
   BondLinks& links = levels_[task.level];
   BondKernel<breaks, damped> kernel(links, kinds_, spheres, task);
-  for (std::size_t link = links.ends.begin[task.block]; link < links.ends.begin[task.block + 1]; link += lane_count)
+  for (std::size_t link = links.ends.begin[task.tile]; link < links.ends.begin[task.tile + 1]; link += lane_count)
     kernel.evaluate(link);
   return kernel.sums();
 }
 
 ContactSums Bonds::evaluate(const state::Spheres& spheres, const Task& task) {
-  levels_[task.level].broken[task.block].clear();
+  levels_[task.level].broken[task.tile].clear();
   const auto [breaks, damped] = traits_;
   if (breaks) return damped ? evaluate_with<true, true>(spheres, task) : evaluate_with<true, false>(spheres, task);
   return damped ? evaluate_with<false, true>(spheres, task) : evaluate_with<false, false>(spheres, task);

@@ -38,15 +38,15 @@ public:
   const BondLinks& links(std::size_t level) const { return levels_[level]; }
 
   struct Task {
-    std::size_t block = 0;
+    std::size_t tile = 0;
     Real step = 0;                 ///< [s]
     const ContactTable& contacts;  ///< what spheres are to each other when their bond has broken
     LoadTable& loads;
-    state::SphereLoad* own;  ///< the loads of the block's spheres
+    state::SphereLoad* own;  ///< the loads of the tile's spheres
     std::size_t level = 0;
   };
 
-  /// Adds the forces of a block's bonds of a level to the loads.
+  /// Adds the forces of a tile's bonds of a level to the loads.
   ContactSums evaluate(const state::Spheres& spheres, const Task& task);
 
   /// To be called for each link of a level that has broken.

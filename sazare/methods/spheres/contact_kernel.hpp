@@ -15,22 +15,22 @@
 
 namespace sazare::methods::spheres {
 
-/// `rests`: contacts may have an overlap at rest, beyond which alone they push. It shrinks with the overlap and never grows, so
-/// that spheres which come apart meet as others do.
-template <class Law, bool rolls, bool rests>
+/// `has_initial_overlap`: contacts may have an initial overlap, beyond which alone they push. It shrinks with the overlap and
+/// never grows, so that spheres which come apart meet as others do.
+template <class Law, bool rolls, bool has_initial_overlap>
 class ContactKernel {
-  static constexpr std::size_t groups_at_once = 2, in_group = BlockContacts::at_once;
+  static constexpr std::size_t groups_at_once = 2, in_group = TileContacts::at_once;
 
 public:
   static constexpr std::size_t at_once = groups_at_once * in_group;
 
   ContactKernel(PairContacts& contacts, const state::Spheres& spheres, const PairContacts::Task& task)
       : pairs_(contacts),
-        contacts_(contacts.contacts_[task.block]),
+        contacts_(contacts.contacts_[task.tile]),
         spheres_(spheres),
         own_(task.own),
         slots_(task.loads.slots(task.own)),
-        block_begin_(static_cast<Index>(task.loads.begin_of(task.block))),
+        tile_begin_(static_cast<Index>(task.loads.begin_of(task.tile))),
         approach_(task.approach),
         step_(task.step),
         box_(spheres.box),
@@ -148,11 +148,11 @@ private:
                     gap = add_product(square, inverse_distance, -at.radius.sum);
     group.inverse_distance = inverse_distance;
     at.normal = inverse_distance * apart;
-    TwinLanes beyond = -gap, rest{};
-    if constexpr (rests) {
-      TwinLanes& before = contacts_.rest_of(group.begin);
-      before = rest = maximum(minimum(before, beyond), TwinLanes{});
-      beyond -= rest;
+    TwinLanes beyond = -gap, initial_overlap{};
+    if constexpr (has_initial_overlap) {
+      TwinLanes& before = contacts_.initial_overlap_of(group.begin);
+      before = initial_overlap = maximum(minimum(before, beyond), TwinLanes{});
+      beyond -= initial_overlap;
     }
     at.overlap = maximum(beyond, TwinLanes(tiny));
     TwinMask holds;
@@ -162,7 +162,7 @@ private:
       at.overlap = select(holds, beyond, TwinLanes(tiny));
     }
     TwinLanes deep = 0.5 * at.overlap;
-    if constexpr (rests) deep += 0.5 * rest;
+    if constexpr (has_initial_overlap) deep += 0.5 * initial_overlap;
     group.first_arm = radius - deep;
     group.second_arm = second_radius - deep;
     at.velocity = twins(one.velocity, two.velocity);
@@ -237,7 +237,7 @@ private:
     for (auto* part : {&force.friction, &force.rolling}) *part = select(touches, *part, VectorOf<TwinLanes>{});
   }
 
-  /// Tells the lanes that push. Pairs that do not sleep, where there is a gap, for as long as it lasts. Called, like `look_up`,
+  /// Tells the lanes that push. Pairs across a gap become inactive for as long as it lasts. Called, like `look_up`,
   /// where the kernel has nothing in registers: as a part of it the seldom one would cost the others theirs.
   [[gnu::noinline]] void leave_alone(Group& group, const TwinMask& touches, const TwinLanes& gap) {
     if (group.all_touch) group.touches = {mask_of(all_lanes), mask_of(all_lanes)};
@@ -247,7 +247,7 @@ private:
     for (int lane = 0; lane < group.count; ++lane) {
       if (touches[lane] || gap[lane] < 0) continue;
       const std::size_t contact = group.begin + static_cast<std::size_t>(lane);
-      pairs_.sleep_on(contacts_[contact].pair, approach_ + gap[lane]);
+      pairs_.stay_inactive(contacts_[contact].pair, approach_ + gap[lane]);
       parted_.push_back(contact);
       if constexpr (Law::adheres)
         parting_loss_ += pairs_.table_.parting_loss(material_of(contacts_[contact].first), material_of(contacts_[contact].second),
@@ -288,7 +288,7 @@ private:
   }
   void deliver(const Group& group, const Contact* contacts, Lanes TwinLanes::*half) {
     // Local copies of members: the compiler must assume that a load to which is written might be one of the members.
-    state::SphereLoad* const own = own_ - block_begin_;
+    state::SphereLoad* const own = own_ - tile_begin_;
     const LoadTable::Slots slots = slots_;
     const LoadRows pushes(lanes_of(group.force, half), lanes_of(group.moment_by_arm, half));
     const auto* const first_arm = reinterpret_cast<const Real*>(&(group.first_arm.*half));
@@ -326,11 +326,11 @@ private:
   }
 
   PairContacts& pairs_;
-  BlockContacts& contacts_;
+  TileContacts& contacts_;
   const state::Spheres& spheres_;
   state::SphereLoad* own_;
   LoadTable::Slots slots_;
-  Index block_begin_;
+  Index tile_begin_;
   Real approach_;
   TwinLanes step_;
   BoxLanes<TwinLanes> box_;

@@ -12,144 +12,144 @@ namespace sazare::methods::spheres {
 namespace {
 
 /// Collects those of some second spheres that stand at `last` or beyond, each once.
-void collect_guests(std::span<const Index> seconds, Index last, std::vector<Index>& guests) {
-  std::ranges::copy_if(seconds, std::back_inserter(guests), [&](Index other) { return other >= last; });
-  std::ranges::sort(guests);
-  guests.erase(std::unique(guests.begin(), guests.end()), guests.end());
+void collect_ghosts(std::span<const Index> seconds, Index last, std::vector<Index>& ghosts) {
+  std::ranges::copy_if(seconds, std::back_inserter(ghosts), [&](Index other) { return other >= last; });
+  std::ranges::sort(ghosts);
+  ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
 }
 
 }  // namespace
 
-void LoadTable::arrange(const neighbors::SpherePairs& pairs, const BlockLinks& bonds) {
+void LoadTable::arrange(const neighbors::SpherePairs& pairs, const TileLinks& bonds) {
   spheres_ = pairs.first.size() - 1;
-  blocks_ = (spheres_ + neighbors::block_size - 1) / neighbors::block_size;
+  tiles_ = (spheres_ + neighbors::tile_size - 1) / neighbors::tile_size;
   forget();
-  std::vector<std::vector<Index>> guests(blocks_);
-  parallel::parallel_for(blocks_, 2, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t block = begin; block < end; ++block) {
-      const auto last = static_cast<Index>(end_of(block));
-      const std::size_t first_pair = pairs.first[begin_of(block)], last_pair = pairs.first[end_of(block)];
-      collect_guests(std::span(pairs.other).subspan(first_pair, last_pair - first_pair), last, guests[block]);
+  std::vector<std::vector<Index>> ghosts(tiles_);
+  parallel::parallel_for(tiles_, 2, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t tile = begin; tile < end; ++tile) {
+      const auto last = static_cast<Index>(end_of(tile));
+      const std::size_t first_pair = pairs.first[begin_of(tile)], last_pair = pairs.first[end_of(tile)];
+      collect_ghosts(std::span(pairs.other).subspan(first_pair, last_pair - first_pair), last, ghosts[tile]);
       if (!bonds.begin.empty())
-        collect_guests(std::span(bonds.second).subspan(bonds.begin[block], bonds.begin[block + 1] - bonds.begin[block]), last,
-                       guests[block]);
+        collect_ghosts(std::span(bonds.second).subspan(bonds.begin[tile], bonds.begin[tile + 1] - bonds.begin[tile]), last,
+                       ghosts[tile]);
     }
   });
-  guest_begin_.assign(1, 0);
-  for (const auto& list : guests) guest_begin_.push_back(guest_begin_.back() + list.size());
-  guest_.clear();
-  guest_.reserve(guest_begin_.back());
-  for (const auto& list : guests) guest_.insert(guest_.end(), list.begin(), list.end());
-  visited_.assign(blocks_, {});
-  for (std::size_t block = 0; block < blocks_; ++block)
-    for (const Index guest : guests[block])
-      if (const Index home = guest / static_cast<Index>(neighbors::block_size);
-          visited_[block].empty() || visited_[block].back() != home)
-        visited_[block].push_back(home);
+  ghost_begin_.assign(1, 0);
+  for (const auto& list : ghosts) ghost_begin_.push_back(ghost_begin_.back() + list.size());
+  ghost_.clear();
+  ghost_.reserve(ghost_begin_.back());
+  for (const auto& list : ghosts) ghost_.insert(ghost_.end(), list.begin(), list.end());
+  visited_.assign(tiles_, {});
+  for (std::size_t tile = 0; tile < tiles_; ++tile)
+    for (const Index ghost : ghosts[tile])
+      if (const Index home = ghost / static_cast<Index>(neighbors::tile_size);
+          visited_[tile].empty() || visited_[tile].back() != home)
+        visited_[tile].push_back(home);
   bond_slot_.resize(bonds.second.size());
-  for (std::size_t block = 0; block + 1 < bonds.begin.size(); ++block)
-    for (std::size_t bond = bonds.begin[block]; bond < bonds.begin[block + 1]; ++bond)
-      bond_slot_[bond] = slot(block, bonds.second[bond]);
-  share_out({0, blocks_});
+  for (std::size_t tile = 0; tile + 1 < bonds.begin.size(); ++tile)
+    for (std::size_t bond = bonds.begin[tile]; bond < bonds.begin[tile + 1]; ++bond)
+      bond_slot_[bond] = slot(tile, bonds.second[bond]);
+  share_out({0, tiles_});
 }
 
-Index LoadTable::slot(std::size_t block, Index sphere) const {
-  if (static_cast<std::size_t>(sphere) < end_of(block)) return sphere - static_cast<Index>(begin_of(block));
-  const auto begin = guest_.begin() + static_cast<std::ptrdiff_t>(guest_begin_[block]),
-             end = guest_.begin() + static_cast<std::ptrdiff_t>(guest_begin_[block + 1]);
-  return -1 - static_cast<Index>(std::lower_bound(begin, end, sphere) - guest_.begin());
+Index LoadTable::slot(std::size_t tile, Index sphere) const {
+  if (static_cast<std::size_t>(sphere) < end_of(tile)) return sphere - static_cast<Index>(begin_of(tile));
+  const auto begin = ghost_.begin() + static_cast<std::ptrdiff_t>(ghost_begin_[tile]),
+             end = ghost_.begin() + static_cast<std::ptrdiff_t>(ghost_begin_[tile + 1]);
+  return -1 - static_cast<Index>(std::lower_bound(begin, end, sphere) - ghost_.begin());
 }
 
 void LoadTable::share_out(std::vector<std::size_t> cuts) {
   cuts_ = std::move(cuts);
   send_home();
-  late_.assign(blocks_, {});
-  late_loads_.assign(blocks_, {});
-  late_blocks_.assign(cuts_.size() - 1, {});
-  for (std::size_t share = 1; share < late_blocks_.size(); ++share) {
-    for (std::size_t block = cuts_[share]; block < cuts_[share + 1]; ++block) part_late(block, share);
-    std::ranges::stable_sort(late_blocks_[share], {}, &LateBlock::after);
+  deferred_.assign(tiles_, {});
+  deferred_loads_.assign(tiles_, {});
+  deferred_tiles_.assign(cuts_.size() - 1, {});
+  for (std::size_t share = 1; share < deferred_tiles_.size(); ++share) {
+    for (std::size_t tile = cuts_[share]; tile < cuts_[share + 1]; ++tile) part_deferred(tile, share);
+    std::ranges::stable_sort(deferred_tiles_[share], {}, &DeferredTile::after);
   }
 }
 
-/// Room for the loads of guests, and where they belong.
+/// Room for the loads of ghosts, and where they belong.
 void LoadTable::send_home() {
-  guests_.assign(guest_.size(), {});
-  in_time_.assign(blocks_, {});
-  for (std::size_t block = 0; block < blocks_; ++block) in_time_[block].places = {{0, end_of(block) - begin_of(block)}};
-  for (std::size_t block = 0; block < blocks_; ++block)
-    for (std::size_t n = guest_begin_[block]; n < guest_begin_[block + 1]; ++n) {
-      const std::size_t home = static_cast<std::size_t>(guest_[n]) / neighbors::block_size;
-      in_time_[home].guests.push_back({guest_[n] - static_cast<Index>(begin_of(home)), static_cast<Index>(n)});
+  ghosts_.assign(ghost_.size(), {});
+  in_time_.assign(tiles_, {});
+  for (std::size_t tile = 0; tile < tiles_; ++tile) in_time_[tile].places = {{0, end_of(tile) - begin_of(tile)}};
+  for (std::size_t tile = 0; tile < tiles_; ++tile)
+    for (std::size_t n = ghost_begin_[tile]; n < ghost_begin_[tile + 1]; ++n) {
+      const std::size_t home = static_cast<std::size_t>(ghost_[n]) / neighbors::tile_size;
+      in_time_[home].ghosts.push_back({ghost_[n] - static_cast<Index>(begin_of(home)), static_cast<Index>(n)});
     }
 }
 
-/// Tells the late spheres of a block from the others.
-void LoadTable::part_late(std::size_t block, std::size_t share) {
-  const std::size_t count = end_of(block) - begin_of(block);
-  std::vector<std::uint8_t> is_late((count + together - 1) / together, 0);
-  const std::vector<Guest> guests = std::move(in_time_[block].guests);
-  const auto late_of = [&](const Guest& guest) -> std::uint8_t& {
-    return is_late[static_cast<std::size_t>(guest.local) / together];
+/// Tells the deferred spheres of a tile from the others.
+void LoadTable::part_deferred(std::size_t tile, std::size_t share) {
+  const std::size_t count = end_of(tile) - begin_of(tile);
+  std::vector<std::uint8_t> is_deferred((count + together - 1) / together, 0);
+  const std::vector<Ghost> ghosts = std::move(in_time_[tile].ghosts);
+  const auto deferred_of = [&](const Ghost& ghost) -> std::uint8_t& {
+    return is_deferred[static_cast<std::size_t>(ghost.local) / together];
   };
   std::size_t after = 0;
-  for (const Guest& guest : guests) {
-    const auto load = static_cast<std::size_t>(guest.load);
-    if (load >= guest_begin_[cuts_[share]]) break;  // guests stand in the order of the blocks that they visit
-    late_of(guest) = 1;
-    while (guest_begin_[after] <= load) ++after;
+  for (const Ghost& ghost : ghosts) {
+    const auto load = static_cast<std::size_t>(ghost.load);
+    if (load >= ghost_begin_[cuts_[share]]) break;  // ghosts stand in the order of the tiles that they visit
+    deferred_of(ghost) = 1;
+    while (ghost_begin_[after] <= load) ++after;
   }
-  in_time_[block] = {};
-  for (const Guest& guest : guests) (late_of(guest) != 0 ? late_ : in_time_)[block].guests.push_back(guest);
+  in_time_[tile] = {};
+  for (const Ghost& ghost : ghosts) (deferred_of(ghost) != 0 ? deferred_ : in_time_)[tile].ghosts.push_back(ghost);
   for (std::size_t begin = 0; begin < count; begin += together) {
-    auto& places = (is_late[begin / together] != 0 ? late_ : in_time_)[block].places;
+    auto& places = (is_deferred[begin / together] != 0 ? deferred_ : in_time_)[tile].places;
     const std::size_t end = std::min(begin + together, count);
     if (!places.empty() && places.back().end == begin)
       places.back().end = end;
     else
       places.push_back({begin, end});
   }
-  if (late_[block].places.empty()) return;
-  late_blocks_[share].push_back({block, after});
-  std::size_t late_count = 0;
-  for (const PlaceRange& range : late_[block].places) late_count += range.end - range.begin;
-  late_loads_[block].resize(late_count);
+  if (deferred_[tile].places.empty()) return;
+  deferred_tiles_[share].push_back({tile, after});
+  std::size_t deferred_count = 0;
+  for (const PlaceRange& range : deferred_[tile].places) deferred_count += range.end - range.begin;
+  deferred_loads_[tile].resize(deferred_count);
 }
 
-void LoadTable::clear_guests(std::size_t block) {
-  std::fill(guests_.end() - static_cast<std::ptrdiff_t>(guest_begin_[block + 1]),
-            guests_.end() - static_cast<std::ptrdiff_t>(guest_begin_[block]), state::SphereLoad{});
+void LoadTable::clear_ghosts(std::size_t tile) {
+  std::fill(ghosts_.end() - static_cast<std::ptrdiff_t>(ghost_begin_[tile + 1]),
+            ghosts_.end() - static_cast<std::ptrdiff_t>(ghost_begin_[tile]), state::SphereLoad{});
 }
 
-void LoadTable::add(const std::vector<Guest>& guests, state::SphereLoad* own) const {
-  if (guests.empty()) return;
-  constexpr std::size_t ahead = 16;  // guests come from many blocks: what they bring is on its way so many before
-  const state::SphereLoad* const first = guests_.data() + guests_.size() - 1;
-  for (std::size_t n = 0; n < guests.size(); ++n) {
-    if (n + ahead < guests.size()) __builtin_prefetch(first - guests[n + ahead].load);
-    const Guest& guest = guests[n];
-    Real* const load = &own[guest.local].fx;
-    (Octet::load(load) + Octet::load(&(first - guest.load)->fx)).store(load);
+void LoadTable::add(const std::vector<Ghost>& ghosts, state::SphereLoad* own) const {
+  if (ghosts.empty()) return;
+  constexpr std::size_t ahead = 16;  // ghosts come from many tiles: what they bring is on its way so many before
+  const state::SphereLoad* const first = ghosts_.data() + ghosts_.size() - 1;
+  for (std::size_t n = 0; n < ghosts.size(); ++n) {
+    if (n + ahead < ghosts.size()) __builtin_prefetch(first - ghosts[n + ahead].load);
+    const Ghost& ghost = ghosts[n];
+    Real* const load = &own[ghost.local].fx;
+    (Octet::load(load) + Octet::load(&(first - ghost.load)->fx)).store(load);
   }
 }
 
-void LoadTable::gather_in_time(std::size_t block, state::SphereLoad* own) {
-  auto kept = late_loads_[block].begin();
-  for (const PlaceRange& range : late_[block].places) {
+void LoadTable::gather_in_time(std::size_t tile, state::SphereLoad* own) {
+  auto kept = deferred_loads_[tile].begin();
+  for (const PlaceRange& range : deferred_[tile].places) {
     kept = std::copy(own + range.begin, own + range.end, kept);
     std::fill(own + range.begin, own + range.end, state::SphereLoad{});
   }
-  add(in_time_[block].guests, own);
+  add(in_time_[tile].ghosts, own);
 }
 
-void LoadTable::gather_late(std::size_t block, state::SphereLoad* own) const {
-  auto kept = late_loads_[block].begin();
-  for (const PlaceRange& range : late_[block].places) {
+void LoadTable::gather_deferred(std::size_t tile, state::SphereLoad* own) const {
+  auto kept = deferred_loads_[tile].begin();
+  for (const PlaceRange& range : deferred_[tile].places) {
     const auto last = kept + static_cast<std::ptrdiff_t>(range.end - range.begin);
     std::copy(kept, last, own + range.begin);
     kept = last;
   }
-  add(late_[block].guests, own);
+  add(deferred_[tile].ghosts, own);
 }
 
 void LoadTable::columns(Archive& archive) {
@@ -157,9 +157,9 @@ void LoadTable::columns(Archive& archive) {
   for (const auto& loads : kept_) all.insert(all.end(), loads.begin(), loads.end());
   archive("loads", all);
   if (!archive.reading()) return;
-  for (std::size_t block = 0; block < blocks_; ++block)
-    std::copy(all.begin() + static_cast<std::ptrdiff_t>(begin_of(block)),
-              all.begin() + static_cast<std::ptrdiff_t>(end_of(block)), kept(block).begin());
+  for (std::size_t tile = 0; tile < tiles_; ++tile)
+    std::copy(all.begin() + static_cast<std::ptrdiff_t>(begin_of(tile)), all.begin() + static_cast<std::ptrdiff_t>(end_of(tile)),
+              kept(tile).begin());
 }
 
 }  // namespace sazare::methods::spheres

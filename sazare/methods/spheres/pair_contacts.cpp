@@ -29,27 +29,27 @@ void PairContacts::go_over(neighbors::SpherePairs pairs, const std::vector<Index
 
 /// The contacts by the new places of their spheres. All that is kept by pair is given up before new pairs are sought.
 PairContacts::Touches PairContacts::take_touches(const std::vector<Index>& new_place) {
-  std::vector<std::size_t> first{0};  // touch of each block
-  bool some_rest = false;
-  for (const BlockContacts& block : contacts_) {
-    first.push_back(first.back() + block.size());
-    some_rest = some_rest || block.rests();
+  std::vector<std::size_t> first{0};  // touch of each tile
+  bool some_initial_overlap = false;
+  for (const TileContacts& tile : contacts_) {
+    first.push_back(first.back() + tile.size());
+    some_initial_overlap = some_initial_overlap || tile.has_initial_overlap();
   }
   Touches touches;
   touches.pairs.resize(first.back());
   if (table_.rolls) touches.turning.resize(first.back());
   if (table_.slips_in_part()) touches.bands.resize(first.back());
-  if (some_rest) touches.rest.resize(first.back());
+  if (some_initial_overlap) touches.initial_overlap.resize(first.back());
   parallel::parallel_for(contacts_.size(), 2, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t block = begin; block < end; ++block)
-      for (std::size_t n = 0; n < contacts_[block].size(); ++n) {
-        const std::size_t to = first[block] + n;
-        const Contact& contact = contacts_[block][n];
-        const laws::ContactMemory<Real> memory = contacts_[block].memory(n);
+    for (std::size_t tile = begin; tile < end; ++tile)
+      for (std::size_t n = 0; n < contacts_[tile].size(); ++n) {
+        const std::size_t to = first[tile] + n;
+        const Contact& contact = contacts_[tile][n];
+        const laws::ContactMemory<Real> memory = contacts_[tile].memory(n);
         Touch& touch = touches.pairs[to];
         touch = {new_place[static_cast<std::size_t>(contact.first.place())],
                  new_place[static_cast<std::size_t>(contact.second.place())], memory.sliding};
-        if (!touches.bands.empty()) touches.bands[to] = contacts_[block].bands(n);
+        if (!touches.bands.empty()) touches.bands[to] = contacts_[tile].bands(n);
         if (touch.one > touch.other) {
           // Seen from the other sphere, sliding changes its sign; rolling and twisting do not.
           std::swap(touch.one, touch.other);
@@ -58,12 +58,12 @@ PairContacts::Touches PairContacts::take_touches(const std::vector<Index>& new_p
             for (Vector3& stretch : touches.bands[to].stretch) stretch = -stretch;
         }
         if (table_.rolls) touches.turning[to] = {memory.rolling, memory.twisting};
-        if (some_rest) touches.rest[to] = contacts_[block].rest(n);
+        if (some_initial_overlap) touches.initial_overlap[to] = contacts_[tile].initial_overlap(n);
       }
   });
   pairs_ = {};
   owner_ = {};
-  sleeps_until_ = {};
+  inactive_until_ = {};
   contacts_ = {};
   return touches;
 }
@@ -74,14 +74,14 @@ void PairContacts::lay_out() {
   owner_.resize(count);
   for (std::size_t i = 0; i + 1 < pairs_.first.size(); ++i)
     std::fill(owner_.begin() + pairs_.first[i], owner_.begin() + pairs_.first[i + 1],
-              static_cast<std::uint16_t>(i % neighbors::block_size));
-  sleeps_until_.assign(count, looked_at_next);
+              static_cast<std::uint16_t>(i % neighbors::tile_size));
+  inactive_until_.assign(count, looked_at_next);
 }
 
-/// The contacts of each block, by pair.
+/// The contacts of each tile, by pair.
 void PairContacts::go_on(const Touches& touches) {
   const std::size_t spheres = pairs_.first.size() - 1;
-  contacts_.resize((spheres + neighbors::block_size - 1) / neighbors::block_size);
+  contacts_.resize((spheres + neighbors::tile_size - 1) / neighbors::tile_size);
   std::vector<Index> touch_of(pairs_.other.size(), -1);
   parallel::parallel_for(touches.pairs.size(), 10000, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n)
@@ -89,15 +89,15 @@ void PairContacts::go_on(const Touches& touches) {
         touch_of[pair] = static_cast<Index>(n);
   });
   parallel::parallel_for(contacts_.size(), 2, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t block = begin; block < end; ++block)
-      go_on(block, touches, std::span(touch_of).first(pairs_.first[std::min((block + 1) * neighbors::block_size, spheres)]));
+    for (std::size_t tile = begin; tile < end; ++tile)
+      go_on(tile, touches, std::span(touch_of).first(pairs_.first[std::min((tile + 1) * neighbors::tile_size, spheres)]));
   });
 }
 
-/// The contacts of a block. `touch_of`: by pair, to the last one of the block, which touch it had; below 0 where none.
-void PairContacts::go_on(std::size_t block, const Touches& touches, std::span<const Index> touch_of) {
-  BlockContacts& contacts = contacts_[block];
-  const std::size_t begin = pairs_.first[block * neighbors::block_size];
+/// The contacts of a tile. `touch_of`: by pair, to the last one of the tile, which touch it had; below 0 where none.
+void PairContacts::go_on(std::size_t tile, const Touches& touches, std::span<const Index> touch_of) {
+  TileContacts& contacts = contacts_[tile];
+  const std::size_t begin = pairs_.first[tile * neighbors::tile_size];
   const auto apart = std::ranges::count(touch_of.subspan(begin), -1);
   contacts.reserve(touch_of.size() - begin - static_cast<std::size_t>(apart), table_.remembered());
   for (std::size_t p = begin; p < touch_of.size(); ++p) {
@@ -108,16 +108,17 @@ void PairContacts::go_on(std::size_t block, const Touches& touches, std::span<co
     const Turning turning = table_.rolls ? touches.turning[n] : Turning{};
     contacts.remember(contacts.size() - 1, {touch.sliding, turning.rolling, turning.twisting});
     if (!touches.bands.empty()) contacts.set_bands(contacts.size() - 1, touches.bands[n]);
-    if (!touches.rest.empty() && touches.rest[n] > 0) contacts.set_rest(contacts.size() - 1, touches.rest[n]);
-    sleeps_until_[p] = in_contact;
+    if (!touches.initial_overlap.empty() && touches.initial_overlap[n] > 0)
+      contacts.set_initial_overlap(contacts.size() - 1, touches.initial_overlap[n]);
+    inactive_until_[p] = in_contact;
   }
 }
 
 void PairContacts::write_to(const LoadTable& loads) {
   parallel::parallel_for(contacts_.size(), 2, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t block = begin; block < end; ++block)
-      for (std::size_t n = 0; n < contacts_[block].size(); ++n)
-        contacts_[block].set_slot(n, loads.slot(block, contacts_[block][n].second.place()));
+    for (std::size_t tile = begin; tile < end; ++tile)
+      for (std::size_t n = 0; n < contacts_[tile].size(); ++n)
+        contacts_[tile].set_slot(n, loads.slot(tile, contacts_[tile][n].second.place()));
   });
 }
 
@@ -129,37 +130,37 @@ std::size_t PairContacts::pair_of(Index one, Index other) const {
   return pairs_.other.size();
 }
 
-void PairContacts::set_sleep(Index one, Index other, float until) {
-  if (const std::size_t pair = pair_of(one, other); pair < sleeps_until_.size()) sleeps_until_[pair] = until;
+void PairContacts::set_inactive(Index one, Index other, float until) {
+  if (const std::size_t pair = pair_of(one, other); pair < inactive_until_.size()) inactive_until_[pair] = until;
 }
 
-void PairContacts::wake(Index one, Index other, Real allowed, const LoadTable& loads) {
+void PairContacts::activate(Index one, Index other, Real allowed, const LoadTable& loads) {
   const std::size_t pair = pair_of(one, other);
-  if (pair >= sleeps_until_.size() || sleeps_until_[pair] != at_rest) return;
-  sleeps_until_[pair] = looked_at_next;
+  if (pair >= inactive_until_.size() || inactive_until_[pair] != suppressed) return;
+  inactive_until_[pair] = looked_at_next;
   if (!(allowed > 0)) return;
-  const std::size_t block = static_cast<std::size_t>(std::min(one, other)) / neighbors::block_size;
-  begin_contact(block, pair, loads);
-  contacts_[block].set_rest(contacts_[block].size() - 1, allowed);
+  const std::size_t tile = static_cast<std::size_t>(std::min(one, other)) / neighbors::tile_size;
+  begin_contact(tile, pair, loads);
+  contacts_[tile].set_initial_overlap(contacts_[tile].size() - 1, allowed);
 }
 
-void PairContacts::rest_within(std::span<const Index> body) {
+void PairContacts::suppress_within(std::span<const Index> body) {
   for (std::size_t i = 0; i + 1 < pairs_.first.size(); ++i)
     for (std::size_t p = pairs_.first[i]; p < pairs_.first[i + 1]; ++p)
-      if (body[i] >= 0 && body[i] == body[static_cast<std::size_t>(pairs_.other[p])] && sleeps_until_[p] != in_contact)
-        sleeps_until_[p] = at_rest;
+      if (body[i] >= 0 && body[i] == body[static_cast<std::size_t>(pairs_.other[p])] && inactive_until_[p] != in_contact)
+        inactive_until_[p] = suppressed;
 }
 
-/// Looks at the pairs of a block that may touch by now: those that do become contacts, the others sleep on.
-[[gnu::flatten]] void PairContacts::wake_those_due(const state::Spheres& spheres, const Task& task) {
+/// Looks at the pairs of a tile that may touch by now: those that do become contacts, the others stay inactive.
+[[gnu::flatten]] void PairContacts::activate_those_due(const state::Spheres& spheres, const Task& task) {
   constexpr std::size_t at_once = 256;
   std::array<std::uint32_t, at_once + choice_spare> due;
   const auto now = static_cast<float>(task.approach);
   const BoxLanes<Lanes> box(spheres.box);
-  const std::size_t last = pairs_.first[task.loads.end_of(task.block)];
-  for (std::size_t begin = pairs_.first[task.loads.begin_of(task.block)]; begin < last; begin += at_once) {
-    const std::span some_sleeps = std::span(sleeps_until_).subspan(begin, std::min(at_once, last - begin));
-    const std::size_t count = choose_up_to(now, some_sleeps, static_cast<std::uint32_t>(begin), due);
+  const std::size_t last = pairs_.first[task.loads.end_of(task.tile)];
+  for (std::size_t begin = pairs_.first[task.loads.begin_of(task.tile)]; begin < last; begin += at_once) {
+    const std::span some_inactive = std::span(inactive_until_).subspan(begin, std::min(at_once, last - begin));
+    const std::size_t count = choose_up_to(now, some_inactive, static_cast<std::uint32_t>(begin), due);
     std::fill_n(due.begin() + static_cast<std::ptrdiff_t>(count), lane_count,
                 due[count > 0 ? count - 1 : 0]);  // what is too much repeats one
     for (std::size_t n = 0; n < count; n += lane_count) {
@@ -167,18 +168,18 @@ void PairContacts::rest_within(std::span<const Index> body) {
       const Lanes gap = gaps(spheres, box, task, some);
       const auto until = rounded_down * single(task.approach + gap);
       const std::size_t lanes = std::min<std::size_t>(lane_count, count - n);
-      for (std::size_t lane = 0; lane < lane_count; ++lane) sleeps_until_[some[lane]] = until[lane];
+      for (std::size_t lane = 0; lane < lane_count; ++lane) inactive_until_[some[lane]] = until[lane];
       if (!any(gap < 0.0)) continue;
       for (std::size_t lane = 0; lane < lanes; ++lane)
-        if (gap[lane] < 0) begin_contact(task.block, some[lane], task.loads);
+        if (gap[lane] < 0) begin_contact(task.tile, some[lane], task.loads);
     }
   }
 }
 
-/// Gaps of as many pairs of a block as there are lanes [m].
+/// Gaps of as many pairs of a tile as there are lanes [m].
 inline Lanes PairContacts::gaps(const state::Spheres& spheres, const BoxLanes<Lanes>& box, const Task& task,
                                 std::span<const std::uint32_t, lane_count> pairs) const {
-  const state::SpherePlace* const own = &spheres.place[task.loads.begin_of(task.block)];
+  const state::SpherePlace* const own = &spheres.place[task.loads.begin_of(task.tile)];
   const auto first = load_quads([&](std::size_t lane) { return &own[owner_[pairs[lane]]].x; });
   const auto second =
       load_quads([&](std::size_t lane) { return &spheres.place[static_cast<std::size_t>(pairs_.other[pairs[lane]])].x; });
@@ -186,23 +187,23 @@ inline Lanes PairContacts::gaps(const state::Spheres& spheres, const BoxLanes<La
   return square_root(box.square_of_nearest(apart)) - (first[3] + second[3]);
 }
 
-[[gnu::noinline]] void PairContacts::begin_contact(std::size_t block, std::size_t pair, const LoadTable& loads) {
-  const Index first = static_cast<Index>(loads.begin_of(block)) + owner_[pair], second = pairs_.other[pair];
-  sleeps_until_[pair] = in_contact;
-  contacts_[block].add({SphereAt::at(first), SphereAt::at(second), loads.slot(block, second), static_cast<std::uint32_t>(pair)},
-                       table_.remembered());
+[[gnu::noinline]] void PairContacts::begin_contact(std::size_t tile, std::size_t pair, const LoadTable& loads) {
+  const Index first = static_cast<Index>(loads.begin_of(tile)) + owner_[pair], second = pairs_.other[pair];
+  inactive_until_[pair] = in_contact;
+  contacts_[tile].add({SphereAt::at(first), SphereAt::at(second), loads.slot(tile, second), static_cast<std::uint32_t>(pair)},
+                      table_.remembered());
 }
 
 template <class Law, bool rolls>
 ContactSums PairContacts::evaluate_with(const state::Spheres& spheres, Task& task) {
-  return contacts_[task.block].rests() ? evaluate_those<Law, rolls, true>(spheres, task)
-                                       : evaluate_those<Law, rolls, false>(spheres, task);
+  return contacts_[task.tile].has_initial_overlap() ? evaluate_those<Law, rolls, true>(spheres, task)
+                                                    : evaluate_those<Law, rolls, false>(spheres, task);
 }
 
-template <class Law, bool rolls, bool rests>
+template <class Law, bool rolls, bool has_initial_overlap>
 ContactSums PairContacts::evaluate_those(const state::Spheres& spheres, Task& task) {
-  BlockContacts& contacts = contacts_[task.block];
-  ContactKernel<Law, rolls, rests> kernel(*this, spheres, task);
+  TileContacts& contacts = contacts_[task.tile];
+  ContactKernel<Law, rolls, has_initial_overlap> kernel(*this, spheres, task);
   const std::size_t lines_at_once = 1 + task.coming.lines() * contacts.at_once / std::max<std::size_t>(contacts.size(), 1);
   for (std::size_t next = 0; next < contacts.size(); next += kernel.at_once) kernel.evaluate(next, task.coming, lines_at_once);
   kernel.part();
@@ -210,78 +211,78 @@ ContactSums PairContacts::evaluate_those(const state::Spheres& spheres, Task& ta
 }
 
 ContactSums PairContacts::evaluate(const state::Spheres& spheres, Task task) {
-  wake_those_due(spheres, task);
+  activate_those_due(spheres, task);
   return visit_law(table_, [&]<class Law, class Rolls>(Law, Rolls) { return evaluate_with<Law, Rolls::value>(spheres, task); });
 }
 
-ComingLines PairContacts::coming(const state::Spheres& spheres, const LoadTable& loads, std::size_t block) const {
+ComingLines PairContacts::coming(const state::Spheres& spheres, const LoadTable& loads, std::size_t tile) const {
   const std::span place(spheres.place);
   const std::span spin(spheres.spin);
-  const std::size_t begin = loads.begin_of(block), end = loads.end_of(block), first = pairs_.first[begin],
+  const std::size_t begin = loads.begin_of(tile), end = loads.end_of(tile), first = pairs_.first[begin],
                     count = pairs_.first[end] - first;
   ComingLines coming;
-  coming.add(place, loads.guests(block));
-  coming.add(spin, loads.guests(block));
-  coming.add_row(loads.loads_of_guests(block));
+  coming.add(place, loads.ghosts(tile));
+  coming.add(spin, loads.ghosts(tile));
+  coming.add_row(loads.loads_of_ghosts(tile));
   coming.add_row(place.subspan(begin, end - begin));
   coming.add_row(spin.subspan(begin, end - begin));
-  coming.add_row(std::span(sleeps_until_).subspan(first, count));
+  coming.add_row(std::span(inactive_until_).subspan(first, count));
   coming.add_row(std::span(owner_).subspan(first, count));
   coming.add_row(std::span(pairs_.other).subspan(first, count));
-  contacts_[block].add_to(coming);
+  contacts_[tile].add_to(coming);
   return coming;
 }
 
 void PairContacts::add_to(LargePages& pages) const {
-  pages.add(sleeps_until_);
+  pages.add(inactive_until_);
   pages.add(owner_);
   pages.add(pairs_.other);
-  for (const BlockContacts& block : contacts_) block.add_to(pages);
+  for (const TileContacts& tile : contacts_) tile.add_to(pages);
 }
 
 void PairContacts::columns(Archive& archive) {
   archive("first", pairs_.first);
   archive("other", pairs_.other);
   archive("owner", owner_);
-  archive("sleeps_until", sleeps_until_);
+  archive("inactive_until", inactive_until_);
   std::vector<std::uint64_t> counts;
   std::vector<Contact> contacts;
   std::vector<Vector3> sliding, rolling;
-  std::vector<Real> twisting, rest;
+  std::vector<Real> twisting, initial_overlap;
   std::vector<laws::SlipBands<Real>> bands;
-  for (const BlockContacts& block : contacts_) {
-    counts.push_back(block.size());
-    for (std::size_t n = 0; n < block.size(); ++n) {
-      const laws::ContactMemory<Real> memory = block.memory(n);
-      contacts.push_back(block[n]);
+  for (const TileContacts& tile : contacts_) {
+    counts.push_back(tile.size());
+    for (std::size_t n = 0; n < tile.size(); ++n) {
+      const laws::ContactMemory<Real> memory = tile.memory(n);
+      contacts.push_back(tile[n]);
       sliding.push_back(memory.sliding);
-      rest.push_back(block.rest(n));
-      if (table_.slips_in_part()) bands.push_back(block.bands(n));
+      initial_overlap.push_back(tile.initial_overlap(n));
+      if (table_.slips_in_part()) bands.push_back(tile.bands(n));
       if (!table_.rolls) continue;
       rolling.push_back(memory.rolling);
       twisting.push_back(memory.twisting);
     }
   }
-  if (std::ranges::all_of(rest, [](Real overlap) { return overlap == 0; })) rest.clear();
-  archive("contacts_of_blocks", counts);
+  if (std::ranges::all_of(initial_overlap, [](Real overlap) { return overlap == 0; })) initial_overlap.clear();
+  archive("contacts_of_tiles", counts);
   archive("contact_records", contacts);
   archive("sliding", sliding);
   archive("rolling", rolling);
   archive("twisting", twisting);
-  archive("rest_overlap", rest);
+  archive("initial_overlap", initial_overlap);
   if (table_.slips_in_part()) archive("bands", bands);
   if (!archive.reading()) return;
   contacts_.assign(counts.size(), {});
   std::size_t next = 0;
-  for (std::size_t block = 0; block < counts.size(); ++block) {
-    contacts_[block].reserve(counts[block], table_.remembered());
-    for (std::size_t n = 0; n < counts[block]; ++n, ++next) {
-      contacts_[block].add(contacts[next], table_.remembered());
+  for (std::size_t tile = 0; tile < counts.size(); ++tile) {
+    contacts_[tile].reserve(counts[tile], table_.remembered());
+    for (std::size_t n = 0; n < counts[tile]; ++n, ++next) {
+      contacts_[tile].add(contacts[next], table_.remembered());
       laws::ContactMemory<Real> memory{.sliding = sliding[next]};
       if (table_.rolls) memory.rolling = rolling[next], memory.twisting = twisting[next];
-      contacts_[block].remember(n, memory);
-      if (!bands.empty()) contacts_[block].set_bands(n, bands[next]);
-      if (!rest.empty() && rest[next] > 0) contacts_[block].set_rest(n, rest[next]);
+      contacts_[tile].remember(n, memory);
+      if (!bands.empty()) contacts_[tile].set_bands(n, bands[next]);
+      if (!initial_overlap.empty() && initial_overlap[next] > 0) contacts_[tile].set_initial_overlap(n, initial_overlap[next]);
     }
   }
 }

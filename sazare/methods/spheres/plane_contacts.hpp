@@ -13,7 +13,7 @@
 
 namespace sazare::methods::spheres {
 
-/// The spheres of a block that are near a plane. Those that do not touch it remember nothing: zero in every bit. Where the law
+/// The spheres of a tile that are near a plane. Those that do not touch it remember nothing: zero in every bit. Where the law
 /// adheres, the row remembers which of them touch it.
 class PlaneRow {
 public:
@@ -62,7 +62,7 @@ struct PlaneTask {
   const Wall& wall;
   const WallPose& pose;
   Real step = 0;              ///< [s]
-  state::SphereLoad* own;     ///< the loads of the block's spheres
+  state::SphereLoad* own;     ///< the loads of the tile's spheres
   std::size_t own_begin = 0;  ///< where the first of them stands
 };
 

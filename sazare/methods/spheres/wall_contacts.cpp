@@ -43,8 +43,8 @@ Real WallContacts::lead(Real time, Real step, std::vector<Vector3> from, std::ve
 void WallContacts::add_work_of_surface(Real step) {
   if (surface() == nullptr) return;
   std::vector<geometry::NodeForce> forces;
-  for (const auto& blocks : parts_)
-    for (const Block& block : blocks) forces.insert(forces.end(), block.on_nodes.begin(), block.on_nodes.end());
+  for (const auto& tiles : parts_)
+    for (const Tile& tile : tiles) forces.insert(forces.end(), tile.on_nodes.begin(), tile.on_nodes.end());
   walls_[surface_].nodal.add_work(forces, step);
 }
 
@@ -126,28 +126,28 @@ struct WallContacts::InLanes {
 
 /// Forces at as many points as there are lanes, or fewer, from one on; what is too much repeats the first and does not count.
 template <class Law, bool rolls>
-ContactSums WallContacts::push(const state::Spheres& spheres, std::size_t begin, const Task& task, Block& block) const {
-  const int count = static_cast<int>(std::min<std::size_t>(lane_count, block.points.size() - begin));
+ContactSums WallContacts::push(const state::Spheres& spheres, std::size_t begin, const Task& task, Tile& tile) const {
+  const int count = static_cast<int>(std::min<std::size_t>(lane_count, tile.points.size() - begin));
   InLanes<rolls> lanes;
   std::optional<laws::SlipBands<Lanes>> bands;  // of a law that slips in part
   if constexpr (Law::slips_in_part) bands.emplace();
   std::array<Ground, lane_count> grounds;
   for (int lane = 0; lane < lane_count; ++lane) {
     const std::size_t n = begin + static_cast<std::size_t>(lane < count ? lane : 0);
-    const Point& point = block.points[n];
-    const auto i = static_cast<std::size_t>(block.touches[n].sphere);
+    const Point& point = tile.points[n];
+    const auto i = static_cast<std::size_t>(tile.touches[n].sphere);
     Ground& ground = grounds[static_cast<std::size_t>(lane)] = ground_at(point, spheres.place[i].radius);
     lanes.set(lane,
               table_.of(static_cast<Index>(spheres.spin[i].material), walls_[static_cast<std::size_t>(point.wall)].material),
-              point, block.touches[n]);
+              point, tile.touches[n]);
     lanes.set(lane, spheres.place[i], spheres.spin[i].spin(), point, ground, task.step);
     if constexpr (Law::slips_in_part)
-      visit_numbers(*bands, block.bands[n], [lane](Lanes& in_lanes, const Real& number) { in_lanes[lane] = number; });
+      visit_numbers(*bands, tile.bands[n], [lane](Lanes& in_lanes, const Real& number) { in_lanes[lane] = number; });
   }
   lanes.at.radius.sum = lanes.at.mass.sum = broadcast(1);
   lanes.at.step = broadcast(task.step);
   const auto forces = laws::contact_force<Law, rolls>(lanes.constants, lanes.at, lanes.memory, bands ? &*bands : nullptr);
-  const auto some = std::span(block.points).subspan(begin, static_cast<std::size_t>(count));
+  const auto some = std::span(tile.points).subspan(begin, static_cast<std::size_t>(count));
   Lanes spring{};
   if (std::ranges::any_of(some, [](const Point& point) { return point.count != point.share; }))
     spring = Law::force(lanes.constants, Law::width(lanes.constants, lanes.at.overlap, lanes.at.radius), lanes.at.overlap,
@@ -155,11 +155,11 @@ ContactSums WallContacts::push(const state::Spheres& spheres, std::size_t begin,
   ContactSums sums;
   for (int lane = 0; lane < count; ++lane) {
     const std::size_t n = begin + static_cast<std::size_t>(lane);
-    Touch& touch = block.touches[n];
-    const Point& point = block.points[n];
+    Touch& touch = tile.touches[n];
+    const Point& point = tile.points[n];
     const Vector3& normal = point.normal;
     if constexpr (Law::slips_in_part)
-      visit_numbers(*bands, block.bands[n], [lane](const Lanes& in_lanes, Real& number) { number = in_lanes[lane]; });
+      visit_numbers(*bands, tile.bands[n], [lane](const Lanes& in_lanes, Real& number) { number = in_lanes[lane]; });
     else
       touch.sliding = lanes.get(lanes.memory.sliding, lane);
     Vector3 force = point.share * (forces.normal[lane] * normal + lanes.get(forces.friction, lane));
@@ -171,9 +171,9 @@ ContactSums WallContacts::push(const state::Spheres& spheres, std::size_t begin,
       turning = -point.share * spheres.place[static_cast<std::size_t>(touch.sphere)].radius *
                 (normal.cross(lanes.get(forces.rolling, lane)) + forces.twisting[lane] * normal);
     }
-    deliver(n, grounds[static_cast<std::size_t>(lane)], force, turning, task, block);
+    deliver(n, grounds[static_cast<std::size_t>(lane)], force, turning, task, tile);
     if (!point.slope.isZero(0))
-      deliver_at_centre(n, grounds[static_cast<std::size_t>(lane)], -forces.elastic_energy[lane] * point.slope, task, block);
+      deliver_at_centre(n, grounds[static_cast<std::size_t>(lane)], -forces.elastic_energy[lane] * point.slope, task, tile);
     sums += {point.count * forces.elastic_energy[lane], point.share * forces.sliding_energy[lane],
              task.step * point.share * forces.dashpot_power[lane], task.step * point.share * forces.sliding_power[lane],
              point.share > 0 ? 1 : 0};
@@ -183,11 +183,11 @@ ContactSums WallContacts::push(const state::Spheres& spheres, std::size_t begin,
 
 /// A force and the moment that resists turning at a point, to its sphere and back to its wall.
 void WallContacts::deliver(std::size_t n, const Ground& ground, const Vector3& force, const Vector3& turning, const Task& task,
-                           Block& block) const {
-  const Point& point = block.points[n];
+                           Tile& tile) const {
+  const Point& point = tile.points[n];
   const auto w = static_cast<std::size_t>(point.wall);
   const Vector3 moment = -ground.arm * point.normal.cross(force) - turning;
-  state::SphereLoad& load = task.own[static_cast<std::size_t>(block.touches[n].sphere) - task.block * neighbors::block_size];
+  state::SphereLoad& load = task.own[static_cast<std::size_t>(tile.touches[n].sphere) - task.tile * neighbors::tile_size];
   load.fx += force.x();
   load.fy += force.y();
   load.fz += force.z();
@@ -195,55 +195,55 @@ void WallContacts::deliver(std::size_t n, const Ground& ground, const Vector3& f
   load.my += moment.y();
   load.mz += moment.z();
   const Vector3 foot = ground.place - poses_[w].pivot - poses_[w].shift;
-  block.loads[w] += {-force, turning - foot.cross(force), task.step * (force.dot(ground.velocity) - turning.dot(ground.spin))};
+  tile.loads[w] += {-force, turning - foot.cross(force), task.step * (force.dot(ground.velocity) - turning.dot(ground.spin))};
   if (!ground.face) return;
   const auto forces = ground.face->on_corners(-force, turning);
-  for (std::size_t k = 0; k < 3; ++k) block.on_nodes.push_back({ground.face->nodes[k], forces[k]});
+  for (std::size_t k = 0; k < 3; ++k) tile.on_nodes.push_back({ground.face->nodes[k], forces[k]});
 }
 
 /// A force that does not turn the sphere, and back to its wall.
 void WallContacts::deliver_at_centre(std::size_t n, const Ground& ground, const Vector3& force, const Task& task,
-                                     Block& block) const {
-  const Point& point = block.points[n];
+                                     Tile& tile) const {
+  const Point& point = tile.points[n];
   const auto w = static_cast<std::size_t>(point.wall);
-  state::SphereLoad& load = task.own[static_cast<std::size_t>(block.touches[n].sphere) - task.block * neighbors::block_size];
+  state::SphereLoad& load = task.own[static_cast<std::size_t>(tile.touches[n].sphere) - task.tile * neighbors::tile_size];
   load.fx += force.x();
   load.fy += force.y();
   load.fz += force.z();
   const Vector3 arm = point.centre - ground.place, moment = arm.cross(force);
-  block.loads[w] += {-force, -(point.centre - poses_[w].pivot - poses_[w].shift).cross(force),
-                     task.step * (force.dot(ground.velocity) + moment.dot(ground.spin))};
+  tile.loads[w] += {-force, -(point.centre - poses_[w].pivot - poses_[w].shift).cross(force),
+                    task.step * (force.dot(ground.velocity) + moment.dot(ground.spin))};
   if (!ground.face) return;
   const auto forces = ground.face->on_corners(-force, -moment);
-  for (std::size_t k = 0; k < 3; ++k) block.on_nodes.push_back({ground.face->nodes[k], forces[k]});
+  for (std::size_t k = 0; k < 3; ++k) tile.on_nodes.push_back({ground.face->nodes[k], forces[k]});
 }
 
 WallContacts::Push WallContacts::push_of_table() const {
   return visit_law(table_, []<class Law, class Rolls>(Law, Rolls) -> Push { return &WallContacts::push<Law, Rolls::value>; });
 }
 
-/// Where the spheres of a block touch surfaces, each with what it remembers.
-void WallContacts::touch_anew(const state::Spheres& spheres, Block& block) const {
-  std::swap(block.before, block.touches);
-  std::swap(block.bands_before, block.bands);
-  block.touches.clear();
-  block.bands.clear();
-  block.points.clear();
+/// Where the spheres of a tile touch surfaces, each with what it remembers.
+void WallContacts::touch_anew(const state::Spheres& spheres, Tile& tile) const {
+  std::swap(tile.before, tile.touches);
+  std::swap(tile.bands_before, tile.bands);
+  tile.touches.clear();
+  tile.bands.clear();
+  tile.points.clear();
   const bool repeats = spheres.box.repeats();
   const Vector3 inverse = spheres.box.inverse();
-  auto remembered = block.before.begin();
-  for (auto from = block.near.begin(); from != block.near.end();) {
+  auto remembered = tile.before.begin();
+  for (auto from = tile.near.begin(); from != tile.near.end();) {
     const Index sphere = from->sphere;
-    const auto to = std::find_if(from, block.near.end(), [&](const Near& one) { return one.sphere != sphere; });
+    const auto to = std::find_if(from, tile.near.end(), [&](const Near& one) { return one.sphere != sphere; });
     const state::SpherePlace& place = spheres.place[static_cast<std::size_t>(sphere)];
-    const std::size_t begin = block.points.size();
-    find_points(spheres, repeats ? spheres.box.wrapped(place.centre(), inverse) : place.centre(), {from, to}, block);
+    const std::size_t begin = tile.points.size();
+    find_points(spheres, repeats ? spheres.box.wrapped(place.centre(), inverse) : place.centre(), {from, to}, tile);
     from = to;
-    while (remembered != block.before.end() && remembered->sphere < sphere) ++remembered;
-    const auto others = std::find_if(remembered, block.before.end(), [&](const Touch& old) { return old.sphere != sphere; });
-    take_points(sphere, begin, {remembered, others}, block);
+    while (remembered != tile.before.end() && remembered->sphere < sphere) ++remembered;
+    const auto others = std::find_if(remembered, tile.before.end(), [&](const Touch& old) { return old.sphere != sphere; });
+    take_points(sphere, begin, {remembered, others}, tile);
   }
-  if (table_.adheres()) note_parted(spheres, block);
+  if (table_.adheres()) note_parted(spheres, tile);
 }
 
 /// The touch before that faces most nearly as a point does; `again`: also one that goes on in another point.
@@ -274,9 +274,9 @@ void WallContacts::add_up_shares(std::span<const Point> points, std::vector<Real
 /// The points of a sphere from a number on become touches, with what those `before` remember. One that begins beside another
 /// remembers the same, since it takes over from it; where more of them share a load than did, each remembers less. Across a gap
 /// only a touch that was there before remains.
-void WallContacts::take_points(Index sphere, std::size_t begin, std::span<Touch> before, Block& block) const {
+void WallContacts::take_points(Index sphere, std::size_t begin, std::span<Touch> before, Tile& tile) const {
   thread_local std::vector<Real> shares;
-  std::vector<Point>& points = block.points;
+  std::vector<Point>& points = tile.points;
   add_up_shares(std::span(points).subspan(begin), shares);
   const bool slips_in_part = table_.slips_in_part();
   std::size_t kept = begin;
@@ -300,50 +300,50 @@ void WallContacts::take_points(Index sphere, std::size_t begin, std::span<Touch>
       }
       if (free != nullptr) before[static_cast<std::size_t>(free - before.data())].wall = ~free->wall;  // goes on
     }
-    block.touches.push_back(touch);
+    tile.touches.push_back(touch);
     if (slips_in_part)
-      block.bands.push_back(
-          old == nullptr ? Bands{} : shared(block.bands_before[static_cast<std::size_t>(old - block.before.data())], part));
-    block.points[kept++] = point;
+      tile.bands.push_back(old == nullptr ? Bands{}
+                                          : shared(tile.bands_before[static_cast<std::size_t>(old - tile.before.data())], part));
+    tile.points[kept++] = point;
   }
-  block.points.resize(kept);
+  tile.points.resize(kept);
 }
 
 /// Adds up the energy dissipated by touches that have ended. One that merges with a deeper one nearby counts the same.
-void WallContacts::note_parted(const state::Spheres& spheres, Block& block) const {
-  for (const Touch& old : block.before) {
+void WallContacts::note_parted(const state::Spheres& spheres, Tile& tile) const {
+  for (const Touch& old : tile.before) {
     if (old.wall < 0 || !(old.share > 0)) continue;
     const auto sphere = static_cast<std::size_t>(old.sphere);
-    block.parting_loss += table_.parting_loss(static_cast<Index>(spheres.spin[sphere].material),
-                                              walls_[static_cast<std::size_t>(old.wall)].material, spheres.place[sphere].radius);
+    tile.parting_loss += table_.parting_loss(static_cast<Index>(spheres.spin[sphere].material),
+                                             walls_[static_cast<std::size_t>(old.wall)].material, spheres.place[sphere].radius);
   }
 }
 
 ContactSums WallContacts::evaluate(const state::Spheres& spheres, const Task& task) {
-  Block& block = parts_[task.part][task.block];
-  std::fill(block.loads.begin(), block.loads.end(), WallLoad{});
-  block.on_nodes.clear();
-  block.passage.reset();
-  block.parting_loss = 0;
+  Tile& tile = parts_[task.part][task.tile];
+  std::fill(tile.loads.begin(), tile.loads.end(), WallLoad{});
+  tile.on_nodes.clear();
+  tile.passage.reset();
+  tile.parting_loss = 0;
   ContactSums sums;
-  const std::size_t begin_of_block = task.block * neighbors::block_size;
-  for (std::size_t w = 0; w < block.planes.size(); ++w)
-    if (block.planes[w].size() > 0)
-      sums += evaluate_plane(block.planes[w], {spheres, table_, walls_[w], poses_[w], task.step, task.own, begin_of_block},
-                             block.loads[w]);
-  touch_anew(spheres, block);
+  const std::size_t begin_of_tile = task.tile * neighbors::tile_size;
+  for (std::size_t w = 0; w < tile.planes.size(); ++w)
+    if (tile.planes[w].size() > 0)
+      sums += evaluate_plane(tile.planes[w], {spheres, table_, walls_[w], poses_[w], task.step, task.own, begin_of_tile},
+                             tile.loads[w]);
+  touch_anew(spheres, tile);
   const Push push_some = push_of_table();
-  for (std::size_t begin = 0; begin < block.points.size(); begin += lane_count)
-    sums += (this->*push_some)(spheres, begin, task, block);
-  sums.dashpot_work += block.parting_loss;
+  for (std::size_t begin = 0; begin < tile.points.size(); begin += lane_count)
+    sums += (this->*push_some)(spheres, begin, task, tile);
+  sums.dashpot_work += tile.parting_loss;
   return sums;
 }
 
 std::vector<WallLoad> WallContacts::loads(std::size_t part) const {
   std::vector<WallLoad> total(walls_.size());
   if (part >= parts_.size()) return total;
-  for (const Block& block : parts_[part])
-    for (std::size_t w = 0; w < total.size(); ++w) total[w] += block.loads[w];
+  for (const Tile& tile : parts_[part])
+    for (std::size_t w = 0; w < total.size(); ++w) total[w] += tile.loads[w];
   return total;
 }
 
@@ -366,15 +366,15 @@ Real WallContacts::largest_speed(Real radius) const {
 void WallContacts::columns(Archive& archive) {
   Kept all = kept();
   std::vector<std::uint64_t> counts;
-  for (const auto& blocks : parts_)
-    for (const Block& block : blocks) counts.push_back(kept_by(block).touches.size());
+  for (const auto& tiles : parts_)
+    for (const Tile& tile : tiles) counts.push_back(kept_by(tile).touches.size());
   archive("touches", all.touches);
   archive("counts", counts);
   if (table_.slips_in_part()) archive("bands", all.bands);
   if (surface() != nullptr) archive.folder("surface", [&] { walls_[surface_].nodal.columns(archive); });
   if (!archive.reading()) return;
   // All in one part: `find`, which follows, hands out what is touched.
-  parts_.assign(1, std::vector<Block>(counts.size()));
+  parts_.assign(1, std::vector<Tile>(counts.size()));
   std::ptrdiff_t next = 0;
   for (std::size_t b = 0; b < counts.size(); ++b) {
     const std::ptrdiff_t begin = next;

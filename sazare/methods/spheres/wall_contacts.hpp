@@ -38,10 +38,10 @@ public:
   /// Whether walls stand still from the next `move` on: where they were at the last one, and without velocity.
   void stand_still(bool still) { stand_still_ = still; }
 
-  /// To be called once before the blocks of a step.
+  /// To be called once before the tiles of a step.
   void move(Real time);
 
-  /// To be called after the blocks of a part: whether a sphere went through a surface.
+  /// To be called after the tiles of a part: whether a sphere went through a surface.
   void note_passages(std::size_t part);
   /// The first sphere whose centre went through a surface, between two evaluations or two searches; nothing where none did.
   const std::optional<Passage>& passage() const { return passage_; }
@@ -52,14 +52,14 @@ public:
   /// The wall that moves with its nodes; nullptr where there is none.
   const geometry::NodalSurface* surface() const { return surface_ < walls_.size() ? &walls_[surface_].nodal : nullptr; }
   Real lead(Real time, Real step, std::vector<Vector3> from, std::vector<Vector3> with);
-  /// To be called once after the blocks of a step: what its nodes have got.
+  /// To be called once after the tiles of a step: what its nodes have got.
   void add_work_of_surface(Real step);
 
-  /// The spheres of a part in a block.
+  /// The spheres of a part in a tile.
   struct Task {
-    std::size_t block = 0;
+    std::size_t tile = 0;
     Real step = 0;           ///< [s]
-    state::SphereLoad* own;  ///< the loads of the block's spheres
+    state::SphereLoad* own;  ///< the loads of the tile's spheres
     std::size_t part = 0;
   };
 
@@ -71,17 +71,17 @@ public:
   template <class Visit>
   void visit_contacts(const state::Spheres& spheres, std::size_t part, Visit&& visit) const {
     if (part >= parts_.size()) return;
-    for (const Block& block : parts_[part]) {
-      for (std::size_t w = 0; w < block.planes.size(); ++w)
-        for (std::size_t n = 0; n < block.planes[w].size(); ++n) {
-          const state::SpherePlace& place = spheres.place[static_cast<std::size_t>(block.planes[w][n])];
+    for (const Tile& tile : parts_[part]) {
+      for (std::size_t w = 0; w < tile.planes.size(); ++w)
+        for (std::size_t n = 0; n < tile.planes[w].size(); ++n) {
+          const state::SpherePlace& place = spheres.place[static_cast<std::size_t>(tile.planes[w][n])];
           const Vector3 centre = seen_by(w, spheres.box.wrapped(place.centre()));
           const Real overlap = place.radius - (centre - walls_[w].point).dot(walls_[w].normal);
-          if (overlap > 0) visit(block.planes[w][n], walls_[w].material, -poses_[w].direction_out(walls_[w].normal), overlap);
+          if (overlap > 0) visit(tile.planes[w][n], walls_[w].material, -poses_[w].direction_out(walls_[w].normal), overlap);
         }
-      for (std::size_t n = 0; n < block.points.size(); ++n)
-        if (const Point& point = block.points[n]; point.overlap > 0)
-          visit(block.touches[n].sphere, walls_[static_cast<std::size_t>(point.wall)].material, -point.normal, point.overlap);
+      for (std::size_t n = 0; n < tile.points.size(); ++n)
+        if (const Point& point = tile.points[n]; point.overlap > 0)
+          visit(tile.touches[n].sphere, walls_[static_cast<std::size_t>(point.wall)].material, -point.normal, point.overlap);
     }
   }
 
@@ -136,7 +136,7 @@ private:
     Vector3 slope = Vector3::Zero();   ///< of the count, as the centre moves [1/m]
     Vector3 before = Vector3::Zero();  ///< the normal at the last step; what begins to touch has this one
   };
-  struct Block {
+  struct Tile {
     std::vector<PlaneRow> planes;  ///< by wall; those of surfaces are empty
     std::vector<Near> near;        ///< by sphere
     std::vector<Touch> touches;    ///< of surfaces, by sphere
@@ -171,16 +171,16 @@ private:
   Vector3 seen_by(std::size_t wall, const Vector3& place) const;
   void places_seen_by(std::size_t wall, const state::SpherePlace& place, const state::PeriodicBox& box, Real margin,
                       std::vector<Vector3>& places) const;
-  void find_near(const state::Spheres& spheres, std::size_t sphere, Real margin, Block& block) const;
+  void find_near(const state::Spheres& spheres, std::size_t sphere, Real margin, Tile& tile) const;
   void find_surface(std::size_t wall, const state::Spheres& spheres, std::size_t sphere, Real margin,
                     std::vector<Near>& near) const;
   void look_back(const state::Spheres& spheres, std::span<const Index> place);
   bool went_through(Near& one, const geometry::Triangle& corners, const Vector3& centre, Real distance,
                     const state::PeriodicBox& box) const;
   Ground ground_at(const Point& point, Real radius) const;
-  void find_points(const state::Spheres& spheres, const Vector3& place, std::span<Near> near, Block& block) const;
-  void take_points(Index sphere, std::size_t begin, std::span<Touch> before, Block& block) const;
-  void note_parted(const state::Spheres& spheres, Block& block) const;
+  void find_points(const state::Spheres& spheres, const Vector3& place, std::span<Near> near, Tile& tile) const;
+  void take_points(Index sphere, std::size_t begin, std::span<Touch> before, Tile& tile) const;
+  void note_parted(const state::Spheres& spheres, Tile& tile) const;
   void add_points(Index surface, const Vector3& place, Real radius, Real reach, std::span<const geometry::NearFacet> facets,
                   std::vector<Point>& points) const;
   void join_walls();
@@ -188,20 +188,20 @@ private:
   const Touch* like(const Point& point, std::span<const Touch> before, bool again) const;
   void add_up_shares(std::span<const Point> points, std::vector<Real>& shares) const;
   Index surface_of(Index wall) const { return surface_of_[static_cast<std::size_t>(wall)]; }
-  void touch_anew(const state::Spheres& spheres, Block& block) const;
-  Kept kept_by(const Block& block) const;
+  void touch_anew(const state::Spheres& spheres, Tile& tile) const;
+  Kept kept_by(const Tile& tile) const;
   Kept kept() const;
-  void remember(const Touch& touch, const Bands* bands, Block& block) const;
+  void remember(const Touch& touch, const Bands* bands, Tile& tile) const;
   using Push = ContactSums (WallContacts::*)(const state::Spheres& spheres, std::size_t begin, const Task& task,
-                                             Block& block) const;
+                                             Tile& tile) const;
   Push push_of_table() const;
   template <bool rolls>
   struct InLanes;
   template <class Law, bool rolls>
-  ContactSums push(const state::Spheres& spheres, std::size_t begin, const Task& task, Block& block) const;
+  ContactSums push(const state::Spheres& spheres, std::size_t begin, const Task& task, Tile& tile) const;
   void deliver(std::size_t n, const Ground& ground, const Vector3& force, const Vector3& turning, const Task& task,
-               Block& block) const;
-  void deliver_at_centre(std::size_t n, const Ground& ground, const Vector3& force, const Task& task, Block& block) const;
+               Tile& tile) const;
+  void deliver_at_centre(std::size_t n, const Ground& ground, const Vector3& force, const Task& task, Tile& tile) const;
 
   ContactTable table_;
   std::vector<Wall> walls_;
@@ -214,7 +214,7 @@ private:
   Real reach_ = 0;
   Real time_ = 0;                                       ///< of the last `move` [s]
   std::size_t surface_ = static_cast<std::size_t>(-1);  ///< which of the walls moves with its nodes
-  std::vector<std::vector<Block>> parts_;               ///< by part and block
+  std::vector<std::vector<Tile>> parts_;                ///< by part and tile
   std::optional<Passage> passage_;
 };
 

@@ -63,28 +63,28 @@ void WallContacts::find_surface(std::size_t wall, const state::Spheres& spheres,
   near.erase(twice.begin(), twice.end());
 }
 
-/// Touches of a block: those of surfaces by sphere, then those of each plane by sphere.
-WallContacts::Kept WallContacts::kept_by(const Block& block) const {
-  Kept all{block.touches, block.bands};
-  for (std::size_t w = 0; w < block.planes.size(); ++w)
-    for (std::size_t n = 0; n < block.planes[w].size(); ++n) {
-      if (!block.planes[w].remembers(n)) continue;
-      const laws::ContactMemory<Real> memory = block.planes[w].memory(n);
-      all.touches.push_back({.sphere = block.planes[w][n],
+/// Touches of a tile: those of surfaces by sphere, then those of each plane by sphere.
+WallContacts::Kept WallContacts::kept_by(const Tile& tile) const {
+  Kept all{tile.touches, tile.bands};
+  for (std::size_t w = 0; w < tile.planes.size(); ++w)
+    for (std::size_t n = 0; n < tile.planes[w].size(); ++n) {
+      if (!tile.planes[w].remembers(n)) continue;
+      const laws::ContactMemory<Real> memory = tile.planes[w].memory(n);
+      all.touches.push_back({.sphere = tile.planes[w][n],
                              .wall = static_cast<Index>(w),
                              .sliding = memory.sliding,
                              .rolling = memory.rolling,
                              .twisting = memory.twisting});
-      if (table_.slips_in_part()) all.bands.push_back(block.planes[w].bands(n));
+      if (table_.slips_in_part()) all.bands.push_back(tile.planes[w].bands(n));
     }
   return all;
 }
 
-/// Touches of all parts and blocks, one after the other.
+/// Touches of all parts and tiles, one after the other.
 WallContacts::Kept WallContacts::kept() const {
   Kept all;
-  for (const auto& blocks : parts_)
-    for (const Block& block : blocks) all.add(kept_by(block));
+  for (const auto& tiles : parts_)
+    for (const Tile& tile : tiles) all.add(kept_by(tile));
   return all;
 }
 
@@ -106,63 +106,63 @@ void WallContacts::find(const state::Spheres& spheres, Real time, Real margin, s
     for (Touch& touch : before.touches) touch.sphere = place[static_cast<std::size_t>(touch.sphere)];
     std::ranges::stable_sort(order, {}, [&](std::size_t n) { return before.touches[n].sphere; });
   }
-  const std::size_t block_count = (spheres.size() + neighbors::block_size - 1) / neighbors::block_size;
-  Block empty;
+  const std::size_t tile_count = (spheres.size() + neighbors::tile_size - 1) / neighbors::tile_size;
+  Tile empty;
   empty.planes.resize(walls_.size());
   empty.loads.resize(walls_.size());
-  parts_.assign(parts.count, std::vector<Block>(block_count, empty));
-  const auto block_of = [&](std::size_t sphere) -> Block& {
+  parts_.assign(parts.count, std::vector<Tile>(tile_count, empty));
+  const auto tile_of = [&](std::size_t sphere) -> Tile& {
     const std::size_t part = parts.of.empty() ? 0 : static_cast<std::size_t>(parts.of[sphere]);
-    return parts_[part][sphere / neighbors::block_size];
+    return parts_[part][sphere / neighbors::tile_size];
   };
-  parallel::parallel_for(block_count, 2, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin * neighbors::block_size; i < std::min(end * neighbors::block_size, spheres.size()); ++i)
-      find_near(spheres, i, margin, block_of(i));
+  parallel::parallel_for(tile_count, 2, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin * neighbors::tile_size; i < std::min(end * neighbors::tile_size, spheres.size()); ++i)
+      find_near(spheres, i, margin, tile_of(i));
   });
   for (const std::size_t n : order) {
     const Touch& touch = before.touches[n];
-    remember(touch, before.bands.empty() ? nullptr : &before.bands[n], block_of(static_cast<std::size_t>(touch.sphere)));
+    remember(touch, before.bands.empty() ? nullptr : &before.bands[n], tile_of(static_cast<std::size_t>(touch.sphere)));
   }
 }
 
 /// Adds a sphere to the rows of the planes, and to the triangles, that are near it.
-void WallContacts::find_near(const state::Spheres& spheres, std::size_t sphere, Real margin, Block& block) const {
+void WallContacts::find_near(const state::Spheres& spheres, std::size_t sphere, Real margin, Tile& tile) const {
   const state::SpherePlace& place = spheres.place[sphere];
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     const Wall& wall = walls_[w];
     if (wall.is_surface()) {
-      find_surface(w, spheres, sphere, margin, block.near);
+      find_surface(w, spheres, sphere, margin, tile.near);
       continue;
     }
     if (surface_of_[w] == lies_in_another) continue;
     const Vector3 centre = seen_by(w, spheres.box.wrapped(place.centre()));
     if ((centre - wall.point).dot(wall.normal) < place.radius + margin)
-      block.planes[w].add(static_cast<Index>(sphere), table_.remembered(), table_.adheres());
+      tile.planes[w].add(static_cast<Index>(sphere), table_.remembered(), table_.adheres());
   }
 }
 
-/// Hands a touch back to the block of its sphere, where near spheres are known.
-void WallContacts::remember(const Touch& touch, const Bands* bands, Block& block) const {
+/// Hands a touch back to the tile of its sphere, where near spheres are known.
+void WallContacts::remember(const Touch& touch, const Bands* bands, Tile& tile) const {
   const auto w = static_cast<std::size_t>(touch.wall);
   if (walls_[w].is_plane())
-    return block.planes[w].remember(touch.sphere, {touch.sliding, touch.rolling, touch.twisting},
-                                    bands == nullptr ? Bands{} : *bands);
-  block.touches.push_back(touch);
-  if (bands != nullptr) block.bands.push_back(*bands);
+    return tile.planes[w].remember(touch.sphere, {touch.sliding, touch.rolling, touch.twisting},
+                                   bands == nullptr ? Bands{} : *bands);
+  tile.touches.push_back(touch);
+  if (bands != nullptr) tile.bands.push_back(*bands);
 }
 
 /// Whether spheres went through surfaces since they were last evaluated; `place` says where each stands that stood elsewhere.
 void WallContacts::look_back(const state::Spheres& spheres, std::span<const Index> place) {
   for (std::size_t part = 0; part < parts_.size(); ++part) {
     parallel::parallel_for(parts_[part].size(), 2, [&](std::size_t begin, std::size_t end) {
-      for (Block& block : std::span(parts_[part]).subspan(begin, end - begin))
-        for (Near& one : block.near) {
+      for (Tile& tile : std::span(parts_[part]).subspan(begin, end - begin))
+        for (Near& one : tile.near) {
           const auto w = static_cast<std::size_t>(one.wall);
           const auto before = static_cast<std::size_t>(one.sphere);
           const std::size_t sphere = place.empty() ? before : static_cast<std::size_t>(place[before]);
           const Vector3 centre = spheres.box.wrapped(spheres.place[sphere].centre());
-          if (went_through(one, triangle(w, one.triangle), seen_by(w, centre), 0, spheres.box) && !block.passage)
-            block.passage = {spheres.number[sphere], one.wall, centre, time_};
+          if (went_through(one, triangle(w, one.triangle), seen_by(w, centre), 0, spheres.box) && !tile.passage)
+            tile.passage = {spheres.number[sphere], one.wall, centre, time_};
         }
     });
     note_passages(part);
@@ -186,8 +186,8 @@ bool WallContacts::went_through(Near& one, const geometry::Triangle& corners, co
 
 void WallContacts::note_passages(std::size_t part) {
   if (part >= parts_.size()) return;
-  for (const Block& block : parts_[part])
-    if (block.passage && !passage_) passage_ = block.passage;
+  for (const Tile& tile : parts_[part])
+    if (tile.passage && !passage_) passage_ = tile.passage;
 }
 
 bool WallContacts::have_surfaces() const { return std::ranges::any_of(walls_, &Wall::is_surface); }

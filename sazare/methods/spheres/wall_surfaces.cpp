@@ -70,7 +70,7 @@ void WallContacts::build(Surface& surface, std::span<const Index> planes) {
 }
 
 /// Adds the points where the sphere touches surfaces to which `near` belongs, and sees whether it went through a surface.
-void WallContacts::find_points(const state::Spheres& spheres, const Vector3& place, std::span<Near> near, Block& block) const {
+void WallContacts::find_points(const state::Spheres& spheres, const Vector3& place, std::span<Near> near, Tile& tile) const {
   thread_local std::vector<Reached> reached;
   thread_local std::vector<geometry::NearFacet> facets;
   reached.clear();
@@ -86,8 +86,8 @@ void WallContacts::find_points(const state::Spheres& spheres, const Vector3& pla
     const Vector3 centre = seen_by(w, place);
     const geometry::TrianglePoint point = geometry::nearest_on(corners, centre);
     const Real distance = (centre - point.place).norm();
-    if (went_through(one, corners, centre, distance, spheres.box) && !block.passage)
-      block.passage = {spheres.number[sphere], one.wall, place, time_};
+    if (went_through(one, corners, centre, distance, spheres.box) && !tile.passage)
+      tile.passage = {spheres.number[sphere], one.wall, place, time_};
     if (!(distance < reach_to(one.wall)) || !(distance > 0)) return;
     const Surface& surface = surfaces_[static_cast<std::size_t>(surface_of_[w])];
     const auto among = static_cast<std::size_t>(std::ranges::find(surface.walls, one.wall) - surface.walls.begin());
@@ -108,7 +108,7 @@ void WallContacts::find_points(const state::Spheres& spheres, const Vector3& pla
     const Index surface = from->surface;
     facets.clear();
     for (; from != reached.end() && from->surface == surface; ++from) facets.push_back(from->facet);
-    add_points(surface, place, radius, reach_to(surfaces_[static_cast<std::size_t>(surface)].walls.front()), facets, block.points);
+    add_points(surface, place, radius, reach_to(surfaces_[static_cast<std::size_t>(surface)].walls.front()), facets, tile.points);
   }
 }
 

@@ -75,7 +75,7 @@ ContactForce one_by_one(Rubble& rubble, Index pair) {
   for (SpherePair& spheres : rubble.spheres[static_cast<std::size_t>(pair)]) {
     const auto at =
         touch(rubble.surface.sphere(spheres.first), rubble.surface.sphere(spheres.second), first.pose(), second.pose());
-    if (at.overlap > spheres.rest) touching.emplace_back(at, &spheres);
+    if (at.overlap > spheres.initial_overlap) touching.emplace_back(at, &spheres);
   }
   laws::SphereMotion shared;
   shared.contacts = static_cast<Real>(touching.size());
@@ -84,7 +84,7 @@ ContactForce one_by_one(Rubble& rubble, Index pair) {
   ContactForce sum;
   for (const auto& [at, spheres] : touching) {
     const Vector3 arm = at.point - first.motion.position, other_arm = at.point - second.motion.position;
-    shared.overlap = at.overlap - spheres->rest;
+    shared.overlap = at.overlap - spheres->initial_overlap;
     const Vector3 opening = second.motion.velocity_at(other_arm) - first.motion.velocity_at(arm);
     turn_with_spheres(spheres->memory, at.normal, opening, at.arm, at.other_arm, first.motion.predicted_spin,
                       second.motion.predicted_spin, shared.elapsed);
@@ -152,7 +152,7 @@ TEST(contact_batch, spheres_that_have_parted_forget_and_need_not_overlap_as_at_r
   batch.evaluate(rough, rubble.surface, pole);
   EXPECT_EQ(batch.pairs()[0].touching, 0U);
   EXPECT_FALSE(batch.pairs()[0].overlap);
-  EXPECT_EQ(near[0].rest, 0);
+  EXPECT_EQ(near[0].initial_overlap, 0);
   EXPECT_EQ(near[0].memory.dashpot, 0);
   EXPECT_EQ(near[0].memory.friction, Vector3::Zero());
 }

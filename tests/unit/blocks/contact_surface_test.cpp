@@ -102,7 +102,7 @@ int expect_as_brute_force(const Crowd& crowd, const ContactSurface& surface, Ind
     for (std::size_t i = 0; i < std::min(near.spheres.size(), next->second.size()); ++i) {
       EXPECT_EQ(near.spheres[i].first, next->second[i].first);
       EXPECT_EQ(near.spheres[i].second, next->second[i].second);
-      EXPECT_NEAR(near.spheres[i].rest, next->second[i].rest, 1e-14);
+      EXPECT_NEAR(near.spheres[i].initial_overlap, next->second[i].initial_overlap, 1e-14);
       ++pairs;
     }
     ++next;
@@ -133,8 +133,8 @@ TEST(contact_surface, overlaps_are_those_of_the_present_places) {
       for (const SpherePair& pair : near.spheres)
         for (const SpherePair& same : expected.at(near.first == body ? near.second : near.first))
           if (same.first == pair.first && same.second == pair.second) {
-            EXPECT_NEAR(pair.rest, same.rest, 1e-14);
-            overlapping += pair.rest > 0;
+            EXPECT_NEAR(pair.initial_overlap, same.initial_overlap, 1e-14);
+            overlapping += pair.initial_overlap > 0;
           }
   }
   EXPECT_GT(overlapping, 10);

@@ -157,7 +157,7 @@ TEST(surface, the_automatic_scheme_goes_on_with_the_best_pass) {
   const Vector3 before = sides.balls().momentum();
   sides.advance(12);
   const auto& totals = sides.continuum().totals();
-  EXPECT_GT(totals.unsettled, 0);
+  EXPECT_GT(totals.unconverged, 0);
   EXPECT_EQ(totals.windows, 12);
   Vector3 lost = before - sides.balls().momentum();
   lost.z() = 0;  // held by the plane strain

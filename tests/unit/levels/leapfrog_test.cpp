@@ -70,7 +70,7 @@ std::vector<state::Impulse<D>> impulses(const test::Network<D>& network, Real ac
                             const terms::PairForce<D>& before) {
     add_product_to(sum.linear, sign * acting, force.linear);
     add_product_to(sum.angular, sign * acting, force.moment);
-    add_product_to(sum.linear_lead, sign * (h / 4), before.linear);  // the mean of both forces is foreseen for h / 2
+    add_product_to(sum.linear_lead, sign * (h / 4), before.linear);  // the mean of both forces is predicted for h / 2
     add_product_to(sum.angular_lead, sign * (h / 4), before.moment);
     add_product_to(sum.linear_lead, sign * (h / 2 - h / 4), force.linear);
     add_product_to(sum.angular_lead, sign * (h / 2 - h / 4), force.moment);

@@ -82,7 +82,7 @@ TEST(levels, by_travel_follow_the_speed_up_and_down) {
   StepRules rules{.base_step = 0.05, .stability = false, .travel_length = 0.01};
   Real longest = 0;
   int turning = schedule::deepest_level, middle = 0;
-  auto simulation = test::watched(network, rules, [&](const Moment& now, const state::Bodies<2>& bodies) {
+  auto simulation = test::watched(network, rules, [&](const Instant& now, const state::Bodies<2>& bodies) {
     const auto& motion = bodies.motion[0];
     if (motion.last_kick == now.tick)
       longest = std::max(longest, motion.velocity.norm() * static_cast<Real>(motion.due - motion.last_kick) * now.tick_seconds);

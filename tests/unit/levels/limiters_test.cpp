@@ -19,11 +19,11 @@ TEST(limiters, both_together_it_is_the_root_of_the_formula) {
 /// Largest displacement of one mass after many steps of leapfrog with the dashpot's velocity predicted by the mean of its last
 /// two forces.
 Real swing(Real stiffness, Real damping, Real h) {
-  Real x = 1, v = 0, foreseen = 0, last = -stiffness, largest = 0;
+  Real x = 1, v = 0, predicted = 0, last = -stiffness, largest = 0;
   for (int step = 0; step < 2000; ++step) {
-    const Real acceleration = -stiffness * x - damping * foreseen;
+    const Real acceleration = -stiffness * x - damping * predicted;
     v += (step == 0 ? h / 2 : h) * acceleration;
-    foreseen = v + h / 4 * (acceleration + last);
+    predicted = v + h / 4 * (acceleration + last);
     last = acceleration;
     x += h * v;
     if (step > 1000) largest = std::max(largest, std::abs(x));

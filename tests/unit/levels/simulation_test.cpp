@@ -45,7 +45,7 @@ TEST(simulation, where_the_pole_lies_changes_nothing) {
   expect_same_motion_about<3>(Vector<3>(3, -2, 1), 0, 1e-12);
 }
 
-TEST(simulation, where_the_pole_lies_changes_velocities_foreseen_by_single_precision_at_most) {
+TEST(simulation, where_the_pole_lies_changes_velocities_predicted_by_single_precision_at_most) {
   expect_same_motion_about<2>(Vector<2>(3, -2), 0.1, 1e-9);
   expect_same_motion_about<3>(Vector<3>(3, -2, 1), 0.1, 1e-9);
 }

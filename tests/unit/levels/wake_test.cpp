@@ -35,7 +35,7 @@ Seen collide(const test::Network<2>& network, const StepRules& step_rules, Real 
   Seen seen;
   std::vector<Vector<2>> at_kick(network.bodies.motion.size(), Vector<2>::Zero());
   std::vector<Tick> kicked(network.bodies.motion.size(), -1);
-  auto simulation = test::watched(network, step_rules, [&](const Moment& now, const state::Bodies<2>& bodies) {
+  auto simulation = test::watched(network, step_rules, [&](const Instant& now, const state::Bodies<2>& bodies) {
     for (std::size_t body = 0; body < bodies.motion.size(); ++body) {
       const auto& motion = bodies.motion[body];
       if (motion.last_kick == kicked[body]) continue;

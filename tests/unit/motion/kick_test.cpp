@@ -61,31 +61,31 @@ TEST(kick, in_the_plane_too) {
   EXPECT_NEAR(energy(bodies) - before, work, 1e-14);
 }
 
-TEST(foresee, the_velocity_follows_what_the_momentum_gains) {
+TEST(predict, the_velocity_follows_what_the_momentum_gains) {
   auto bodies = moving_body();
   auto& motion = bodies.motion[0];
   state::Impulse<3> given;
   given.linear_lead = {1, 2, 4};
-  foresee<3>(motion, bodies.inertia[0], {}, given);
+  predict<3>(motion, bodies.inertia[0], {}, given);
   EXPECT_LT((motion.predicted_velocity - (motion.velocity + Vector3(0.5, 1, 2))).norm(), 1e-15);  // mass 2 kg
 }
 
-TEST(foresee, the_spin_follows_likewise) {
+TEST(predict, the_spin_follows_likewise) {
   auto bodies = moving_body();
   auto& motion = bodies.motion[0];
   const Vector3 spin = spin_of(motion.rotation, bodies.inertia[0], {}, motion.angular_momentum);
   const Vector3 torque = motion.rotation * Vector3(0, 4, 0);  // about the second principal axis, 2 kg m2
   state::Impulse<3> given;
   given.angular_lead = 0.3 * torque;
-  foresee<3>(motion, bodies.inertia[0], {}, given);
+  predict<3>(motion, bodies.inertia[0], {}, given);
   EXPECT_LT((motion.predicted_spin - (spin + 0.3 * 0.5 * torque)).norm(), 1e-15);
 }
 
-TEST(foresee, nothing_changes_along_locked_axes) {
+TEST(predict, nothing_changes_along_locked_axes) {
   auto bodies = moving_body();
   state::Impulse<3> given;
   given.linear_lead = {1, 2, 4};
-  foresee<3>(bodies.motion[0], bodies.inertia[0], {0b100, 0}, given);
+  predict<3>(bodies.motion[0], bodies.inertia[0], {0b100, 0}, given);
   EXPECT_EQ(bodies.motion[0].predicted_velocity.z(), bodies.motion[0].velocity.z());
   EXPECT_GT(bodies.motion[0].predicted_velocity.x(), bodies.motion[0].velocity.x());
 }
@@ -94,7 +94,7 @@ TEST(drift, back_to_an_earlier_moment_is_where_the_body_was_then) {
   auto bodies = moving_body();
   auto& motion = bodies.motion[0];
   drift<3>(motion, bodies.inertia[0], {}, 16, 4.0);
-  const Moment now{5, 0.25};
+  const Instant now{5, 0.25};
   const auto expected = state::pose_at(motion, now);
   drift_back<3>(motion, bodies.inertia[0], now);
   EXPECT_EQ(motion.due, 5);
@@ -104,13 +104,13 @@ TEST(drift, back_to_an_earlier_moment_is_where_the_body_was_then) {
   EXPECT_LT((bodies.inertia[0].orientation.toRotationMatrix() - motion.rotation).norm(), 1e-14);
 }
 
-TEST(drift, back_takes_what_is_foreseen_along) {
+TEST(drift, back_takes_what_is_predicted_along) {
   auto bodies = moving_body();
   auto& motion = bodies.motion[0];
   drift<3>(motion, bodies.inertia[0], {}, 16, 4.0);
   motion.predicted_velocity = motion.velocity + Vector3(1, 0, 0);  // at tick 16; at tick 8 the mean is reached
   motion.predicted_spin = motion.spin + Vector3(0, 2, 0);
-  drift_back<3>(motion, bodies.inertia[0], Moment{12, 0.25});
+  drift_back<3>(motion, bodies.inertia[0], Instant{12, 0.25});
   EXPECT_LT((motion.predicted_velocity - motion.velocity - Vector3(0.5, 0, 0)).norm(), 1e-15);
   EXPECT_LT((motion.predicted_spin - motion.spin - Vector3(0, 1, 0)).norm(), 1e-15);
 }
@@ -121,7 +121,7 @@ TEST(drift, there_and_back_is_the_beginning) {
   const auto before = motion;
   drift<3>(motion, bodies.inertia[0], {}, 16, 4.0);
   EXPECT_GT((motion.rotation - before.rotation).norm(), 0.1);
-  drift_back<3>(motion, bodies.inertia[0], Moment{0, 0.25});
+  drift_back<3>(motion, bodies.inertia[0], Instant{0, 0.25});
   EXPECT_LT((motion.position - before.position).norm(), 1e-15);
   EXPECT_LT((motion.rotation - before.rotation).norm(), 1e-14);
 }

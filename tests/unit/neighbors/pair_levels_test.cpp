@@ -61,7 +61,7 @@ TEST(pair_levels, are_all_pairs_once_each_at_the_finer_level_of_its_spheres) {
   EXPECT_EQ(found, expected);
 }
 
-TEST(pair_levels, put_the_spheres_of_a_pace_or_a_finer_one_first) {
+TEST(pair_levels, put_the_spheres_of_an_active_level_or_a_finer_one_first) {
   const Scene scene(400);
   const SpherePairs all = find_pairs(scene.spheres, margin);
   std::vector<std::int8_t> active = scene.level;

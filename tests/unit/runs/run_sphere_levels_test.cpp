@@ -130,7 +130,7 @@ TEST(run_sphere_levels, are_told_by_check) {
   const std::string text = registry::check_case(case_of(folder, mixed));
   EXPECT_NE(text.find("levels      0: 101 spheres, "), std::string::npos) << text;
   EXPECT_NE(text.find("            3: 8 spheres, "), std::string::npos) << text;
-  EXPECT_NE(text.find("of those that one step for all takes"), std::string::npos) << text;
+  EXPECT_NE(text.find("of those that a uniform step needs"), std::string::npos) << text;
 }
 
 TEST(run_sphere_levels, stop_where_spheres_may_have_met_unseen) {

@@ -9,7 +9,7 @@ namespace sazare::schedule {
 namespace {
 
 /// Ticks of one second, so that all times are whole numbers and sums are exact.
-Moment at(Tick tick) { return {tick, 1.0}; }
+Instant at(Tick tick) { return {tick, 1.0}; }
 
 std::vector<Due> collect(LinkClock& clock, Tick tick) {
   const std::span<const Due> due = clock.collect(at(tick));

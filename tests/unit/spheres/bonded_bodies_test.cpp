@@ -324,7 +324,7 @@ TEST(bonded_bodies, give_the_same_bits_on_any_number_of_threads) {
   const auto run = [](int threads, bool levels) {
     parallel::set_threads(threads);
     auto stepper =
-        levels ? two_sizes(7, falling(), {Wall{}}) : cloud(7).stepper(falling(), {Wall{}});  // 3087 spheres: four blocks
+        levels ? two_sizes(7, falling(), {Wall{}}) : cloud(7).stepper(falling(), {Wall{}});  // 3087 spheres: four tiles
     stepper.start();
     advance(stepper, 1500);
     EXPECT_GT(stepper.searches(), 2);

@@ -240,7 +240,7 @@ test::MemoryArchive state_of(methods::spheres::SphereStepper& stepper) {
   return archive;
 }
 
-/// A bar of three blocks that whirls, breaks and is sorted anew.
+/// A bar of three tiles that whirls, breaks and is sorted anew.
 methods::spheres::SphereStepper whirl() {
   return lattice(14, 14, 14, 0,
                  {.strength = {2e4, 2e4, 0.3, 1.5},

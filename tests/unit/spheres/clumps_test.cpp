@@ -224,7 +224,7 @@ TEST(clumps, of_several_levels_balance_energy_as_the_finest_step_does) {
 TEST(clumps, give_the_same_bits_on_any_number_of_threads) {
   const auto run = [](int threads, bool levels) {
     parallel::set_threads(threads);
-    auto stepper = two_sizes(9, 3, falling(), levels, {Wall{}});  // 2916 spheres: three blocks
+    auto stepper = two_sizes(9, 3, falling(), levels, {Wall{}});  // 2916 spheres: three tiles
     stepper.start();
     advance(stepper, 400);
     EXPECT_GT(stepper.searches(), 2);

@@ -166,9 +166,9 @@ std::int64_t touching(const state::Spheres& spheres) {
   return count;
 }
 
-/// How long a pair sleeps follows from the speeds near it: blocks away from the fast sphere look at theirs more seldom.
+/// How long a pair is inactive follows from the speeds near it: tiles away from the fast sphere look at theirs more seldom.
 TEST(sphere_stepper, finds_every_contact_of_a_fast_sphere_in_a_slow_bed) {
-  std::vector<Grain> grains = heap(14, 0.3, 0.0203);  // 2744 spheres: three blocks
+  std::vector<Grain> grains = heap(14, 0.3, 0.0203);  // 2744 spheres: three tiles
   grains.push_back({.centre = {-0.03, 0.15, 0.15}, .radius = 0.015, .velocity = {4, 0.2, 0.1}});
   auto stepper = make_stepper(grains, {.restitution = 0.7, .friction = 0.3, .step = 1e-5});
   stepper.start();

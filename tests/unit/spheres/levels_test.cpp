@@ -239,7 +239,7 @@ test::MemoryArchive state_of(methods::spheres::SphereStepper& stepper) {
 TEST(sphere_levels, give_the_same_bits_on_any_number_of_threads) {
   const auto run = [](int threads) {
     parallel::set_threads(threads);
-    auto stepper = leveled(three_sizes(16, 0.5), falling(), floor_and_slope());  // four blocks
+    auto stepper = leveled(three_sizes(16, 0.5), falling(), floor_and_slope());  // four tiles
     stepper.start();
     advance(stepper, 60);
     EXPECT_GT(stepper.searches(), 2);

@@ -38,7 +38,7 @@ class OfModel : public testing::TestWithParam<laws::ContactModel> {};
 TEST_P(OfModel, spheres_give_the_same_bits_on_any_number_of_threads) {
   const auto run = [](int threads) {
     parallel::set_threads(threads);
-    auto stepper = make_stepper(heap(21, 0.5, 0.0195), rules(GetParam()), box_walls());  // 9261 spheres: ten blocks
+    auto stepper = make_stepper(heap(21, 0.5, 0.0195), rules(GetParam()), box_walls());  // 9261 spheres: ten tiles
     stepper.start();
     advance(stepper, 150);
     EXPECT_GT(stepper.searches(), 2);

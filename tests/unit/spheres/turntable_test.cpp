@@ -87,7 +87,7 @@ std::pair<Real, Real> drift(Floor floor, const Vector3& beside, int turns, laws:
   for (int n = 0; n < steps; ++n) stepper.advance();
   const auto after = look();
   // What is carried at the speed of the table goes by an angle a in a step: sin a (1 + 2 sin^2(a/2)) = w h, for the velocity
-  // that is foreseen lags behind by a part of second order.
+  // that is predicted lags behind by a part of second order.
   const Real turned = rate * step, carried = turned * (1 - turned * turned / 3);
   const auto over = [](Real angle) { return std::remainder(angle, 2 * std::numbers::pi); };
   return {over(after.first - before.first - steps * turned), over(after.second - before.second - steps * carried)};

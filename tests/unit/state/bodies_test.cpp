@@ -70,11 +70,11 @@ TEST(bodies, between_its_times_a_body_is_found_by_drifting_back) {
   motion.spin = {0, 0, 0.2};
   motion.last_kick = 0;
   motion.due = 8;
-  const Moment now{2, 0.25};  // 1.5 s before it is due
+  const Instant now{2, 0.25};  // 1.5 s before it is due
   const auto pose = pose_at(motion, now);
   EXPECT_LT((pose.position - Vector3(-0.5, 3.5, 2.25)).norm(), 1e-15);
   EXPECT_LT((pose.rotation - turn(motion.spin, -1.5)).norm(), 1e-15);
-  EXPECT_EQ(pose_at(motion, Moment{8, 0.25}).position, motion.position);
+  EXPECT_EQ(pose_at(motion, Instant{8, 0.25}).position, motion.position);
 }
 
 TEST(bodies, several_are_found_where_each_one_is) {
@@ -85,7 +85,7 @@ TEST(bodies, several_are_found_where_each_one_is) {
     bodies.motion.back().spin = {0.1 * body, 0.3, -0.2};
     bodies.motion.back().due = body;
   }
-  const Moment now{2, 0.25};
+  const Instant now{2, 0.25};
   std::vector<Pose<3>> poses(bodies.motion.size());
   poses_at(bodies.motion, now, poses);
   for (std::size_t body = 0; body < poses.size(); ++body) {
@@ -96,7 +96,7 @@ TEST(bodies, several_are_found_where_each_one_is) {
 }
 
 TEST(moments, seconds_come_from_ticks) {
-  const Moment now{12, 0.25};
+  const Instant now{12, 0.25};
   EXPECT_EQ(now.seconds(), 3.0);
   EXPECT_EQ(now.seconds_since(8), 1.0);
   EXPECT_EQ(now.seconds_since(16), -1.0);

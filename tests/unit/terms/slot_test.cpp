@@ -14,7 +14,7 @@ PairForce<3> push(Real force) { return {Vector3(force, 2 * force, 3 * force), Ve
 /// One link between two bodies, evaluated at the ticks given.
 struct OneLink {
   SlotTable<3, 1, FixedIncidence> table;
-  Moment now{0, 0.1};
+  Instant now{0, 0.1};
 
   OneLink() {
     const std::vector<Link> links = {{0, 1}};
@@ -91,9 +91,9 @@ TEST(slot, lanes_write_what_is_written_for_one) {
     for (std::size_t n = 0; n < 3; ++n) {
       if (tick == 5 && n == 1) in_lanes[n] = one_by_one[n] = {};
       const Real one = static_cast<Real>(tick) * force[static_cast<int>(n)];
-      write<3, 1>(one_by_one[n], Moment{tick, 0.1}, due[n], push(one), {push(0.5 * one)});
+      write<3, 1>(one_by_one[n], Instant{tick, 0.1}, due[n], push(one), {push(0.5 * one)});
     }
-    write(slots, Moment{tick, 0.1}, due, push(static_cast<Real>(tick) * force), push(0.5 * static_cast<Real>(tick) * force));
+    write(slots, Instant{tick, 0.1}, due, push(static_cast<Real>(tick) * force), push(0.5 * static_cast<Real>(tick) * force));
     for (std::size_t n = 0; n < 3; ++n) EXPECT_TRUE(are_same(in_lanes[n], one_by_one[n])) << tick << ' ' << n;
   }
 }
@@ -108,8 +108,8 @@ TEST(slot, a_link_that_begins_anew_in_a_lane_has_no_force_before) {
   }
   LaneMask anew{};
   anew[2] = -1;
-  write(slots, Moment{0, 0.1}, due, push(broadcast(8)), push(broadcast(1)));
-  write(slots, Moment{2, 0.1}, due, push(broadcast(4)), push(broadcast(1)), anew);
+  write(slots, Instant{0, 0.1}, due, push(broadcast(8)), push(broadcast(1)));
+  write(slots, Instant{2, 0.1}, due, push(broadcast(4)), push(broadcast(1)), anew);
   EXPECT_EQ(table[1].previous.as<Real>().linear, push(8.0).linear);
   EXPECT_EQ(table[2].previous.as<Real>().linear, push(4.0).linear);
   EXPECT_EQ(table[2].previous.as<Real>().moment, push(4.0).moment);
@@ -123,7 +123,7 @@ TEST(slot, what_was_given_beyond_now_is_taken_back_with_the_force_itself) {
   EXPECT_LT(link.gathered(1, 0.1).linear_lead.norm(), 1e-15);  // given until then
 }
 
-TEST(slot, what_no_force_was_given_for_is_foreseen_with_the_mean) {
+TEST(slot, what_no_force_was_given_for_is_predicted_with_the_mean) {
   OneLink link;
   link.evaluate(0, 8, 0.1, 0.1);
   link.evaluate(2, 4, 0.2, 0.1);
@@ -134,7 +134,7 @@ TEST(slot, what_no_force_was_given_for_is_foreseen_with_the_mean) {
   EXPECT_LT((first.angular_lead + 0.1 * push(6).moment).norm(), 1e-15);
 }
 
-TEST(slot, a_constant_force_is_foreseen_as_it_is) {
+TEST(slot, a_constant_force_is_predicted_as_it_is) {
   OneLink link;
   for (const Tick tick : {0, 2, 4}) link.evaluate(tick, 8, 0.2, 0.1);
   const auto sum = link.gathered(1, 0.2);
@@ -149,7 +149,7 @@ TEST(slot, lanes_find_the_work_after_now_that_the_table_finds_for_one) {
   LanePointers<const state::MeanMotion<3>> firsts, seconds;
   for (Index n = 0; n < lane_count; ++n) {
     const Real x = 0.25 * (n + 1);
-    write<3, 1>(table[n], Moment{4, 0.1}, Due{n, 0.2, 0.1 * x}, push(x), {push(3 - x)});
+    write<3, 1>(table[n], Instant{4, 0.1}, Due{n, 0.2, 0.1 * x}, push(x), {push(3 - x)});
     ahead.push_back({{x, -2 * x, 1}, {0.5, x * x, -x}});
     ahead.push_back({{-x, 1 - x, x}, {x, -0.5, 2.6 * x}});
   }

@@ -28,7 +28,7 @@ inline constexpr std::array figures = {
     Column{"windows", "-", ""},
     Column{"window", "s", "length of a coupling window"},
     Column{"passes", "-", "through coupling windows"},
-    Column{"unsettled_windows", "-", "in which the automatic scheme left a force mismatch above a hundredth"},
+    Column{"unconverged_windows", "-", "in which the automatic scheme left a force mismatch above a hundredth"},
     Column{"steps_per_window", "-", "of the bodies"},
     Column{"step", "s", "of the bodies"},
     Column{"elements", "-", ""},

@@ -104,7 +104,7 @@ std::vector<std::pair<std::string, observe::Figure>> HybridRecord<D, Bodies>::re
   return {{"windows", step},
           {"window", parts_.continuum.step},
           {"passes", totals.passes},
-          {"unsettled_windows", totals.unsettled},
+          {"unconverged_windows", totals.unconverged},
           {"steps_per_window", parts_.steps_per_window},
           {"step", parts_.bodies.step()},
           {"elements", static_cast<std::int64_t>(parts_.continuum.mesh().elements.size())},

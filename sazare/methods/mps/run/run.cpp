@@ -23,8 +23,8 @@ namespace {
 
 constexpr int particles_per_thread = 4000;  // with fewer a second thread takes more time than it saves
 constexpr std::int64_t motion_check_steps = 32;
-constexpr std::int64_t settling_check_steps = 50;
-constexpr Real settled_share = 1e-5;  // of gravity
+constexpr std::int64_t relaxation_check_steps = 50;
+constexpr Real relaxed_share = 1e-5;  // of gravity
 
 using cases::line, cases::number;
 
@@ -80,7 +80,7 @@ struct MpsWork final : WorkDefaults {
 
   /// False when asked to stop before the equilibrium under gravity is reached.
   bool relax() {
-    const Real tolerance = settled_share * file.as<cases::MpsCase>().gravity.acceleration.norm();
+    const Real tolerance = relaxed_share * file.as<cases::MpsCase>().gravity.acceleration.norm();
     if (!options.quiet) fmt::print("finding the equilibrium under gravity\n");
     std::map<Index, Vector<D>> broke_at;
     std::optional<Index> slides;
@@ -95,7 +95,7 @@ struct MpsWork final : WorkDefaults {
         progress.show(
             {std::log(first / left) / std::log(first / tolerance), 0, done * particles(), model.step, -1, "particle-steps"});
       asked = options.stop_asked != nullptr && options.stop_asked->load(std::memory_order_relaxed);
-      if (done % settling_check_steps == 0) slides = find_slide(broke_at);
+      if (done % relaxation_check_steps == 0) slides = find_slide(broke_at);
       return !asked && !slides;
     };
     const Real left = model.stepper->relax({tolerance, file.as<cases::MpsCase>().gravity.max_settling_steps, goes_on});

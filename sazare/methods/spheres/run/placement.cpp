@@ -138,7 +138,7 @@ private:
     const Shape shape = make_shape(file_, static_cast<std::size_t>(found - spheres_.shapes.begin()));
     group.radius = shape.reach;
     group.largest_radius.reset();
-    check_room(shape, group.shape);
+    check_domain(shape, group.shape);
     check_count(file_, number, group, shape.balls.size());
     note_fill(group.shape, shape);
     if (!shape.shares.empty()) result_.share_error = std::max(result_.share_error, shape.share_error);
@@ -297,7 +297,7 @@ private:
   }
 
   /// A body must not meet itself through a periodic side, however it turns.
-  void check_room(const Shape& shape, const std::string& name) const {
+  void check_domain(const Shape& shape, const std::string& name) const {
     for (int axis = 0; axis < 3; ++axis) {
       const Real length = result_.spheres.box.length[axis];
       if (length <= 0 || length > 2 * shape.reach) continue;

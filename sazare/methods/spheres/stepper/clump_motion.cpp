@@ -44,8 +44,8 @@ ClumpImpulse gather(state::Clump& clump, std::span<const state::ClumpMember> mem
     }
     given.linear = given.linear + level.given * force;
     given.turning = given.turning + level.given * moment;
-    clump.impulse_ahead = clump.impulse_ahead + level.foreseen * force;
-    clump.turning_ahead = clump.turning_ahead + level.foreseen * moment;
+    clump.impulse_ahead = clump.impulse_ahead + level.predicted * force;
+    clump.turning_ahead = clump.turning_ahead + level.predicted * moment;
   }
   return given;
 }

@@ -13,7 +13,7 @@ namespace sazare::methods::spheres {
 /// Loads of one time level on all spheres of a clump, and for how long they act; see TimedLoads.
 struct TimedTable {
   const methods::spheres::LoadTable* loads = nullptr;
-  Real given = 0, foreseen = 0;  ///< [s]
+  Real given = 0, predicted = 0;  ///< [s]
 };
 
 /// What a kick gives a clump.
@@ -22,7 +22,7 @@ struct ClumpImpulse {
   Vector3 turning = Vector3::Zero();  ///< about its centre [N m s]
 };
 
-/// Adds up what pushes the spheres of a clump: returns what a kick gives, and keeps what is foreseen besides, of gravity half
+/// Adds up what pushes the spheres of a clump: returns what a kick gives, and keeps what is predicted besides, of gravity half
 /// a step. `place` says by number where a sphere stands.
 ClumpImpulse gather(state::Clump& clump, std::span<const state::ClumpMember> members, std::span<const TimedTable> loads,
                     const SphereFlight& flight, std::span<const Index> place);
@@ -34,7 +34,7 @@ void kick(state::Clump& clump, const ClumpImpulse& impulse);
 /// angular momentum stays to the last bit.
 void drift(state::Clump& clump, Real step);
 
-/// Places, velocities and spins of a clump's spheres, from its foreseen motion.
+/// Places, velocities and spins of a clump's spheres, from its predicted motion.
 void place_members(const state::Clump& clump, std::span<const state::ClumpMember> members, std::span<const Index> place,
                    state::Spheres& spheres);
 

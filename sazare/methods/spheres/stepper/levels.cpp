@@ -12,8 +12,8 @@ namespace sazare::methods::spheres {
 
 namespace {
 
-/// From how many blocks on threads share the work on so many spheres: the finest levels are small, and often due.
-std::size_t serial_below(std::size_t spheres) { return spheres > neighbors::block_size ? 2 : static_cast<std::size_t>(-1); }
+/// From how many tiles on threads share the work on so many spheres: the finest levels are small, and often due.
+std::size_t serial_below(std::size_t spheres) { return spheres > neighbors::tile_size ? 2 : static_cast<std::size_t>(-1); }
 
 void add(state::SphereLoad& to, Real share, const state::SphereLoad& load) {
   to.fx += share * load.fx;
@@ -37,10 +37,10 @@ std::size_t SphereLevels::coarsest_due(std::int64_t tick) const {
   return tick == 0 ? 0 : count() - 1 - static_cast<std::size_t>(std::countr_zero(static_cast<std::uint64_t>(tick)));
 }
 
-std::size_t SphereLevels::pace(std::size_t sphere) const {
-  std::size_t pace = count() - 1;
-  while (sphere >= levels_[pace].spheres) --pace;
-  return pace;
+std::size_t SphereLevels::active_level(std::size_t sphere) const {
+  std::size_t active_level = count() - 1;
+  while (sphere >= levels_[active_level].spheres) --active_level;
+  return active_level;
 }
 
 std::vector<std::int8_t> SphereLevels::by_place(const state::Spheres& spheres) const {
@@ -67,72 +67,72 @@ SphereLevels::Level& SphereLevels::level_of(const state::Spheres& spheres, Index
   return levels_[static_cast<std::size_t>(std::max(own(one), own(other)))];
 }
 
-void SphereLevels::rest_within(std::span<const Index> body) {
-  for (Level& level : levels_) level.pairs.rest_within(body);
+void SphereLevels::suppress_within(std::span<const Index> body) {
+  for (Level& level : levels_) level.pairs.suppress_within(body);
 }
 
-void SphereLevels::rest(const state::Spheres& spheres, Index one, Index other) {
-  level_of(spheres, one, other).pairs.rest(one, other);
+void SphereLevels::suppress(const state::Spheres& spheres, Index one, Index other) {
+  level_of(spheres, one, other).pairs.suppress(one, other);
 }
 
-void SphereLevels::wake(const state::Spheres& spheres, Index one, Index other, Real allowed) {
+void SphereLevels::activate(const state::Spheres& spheres, Index one, Index other, Real allowed) {
   Level& level = level_of(spheres, one, other);
-  level.pairs.wake(one, other, allowed, level.loads);
+  level.pairs.activate(one, other, allowed, level.loads);
 }
 
 void SphereLevels::arrange(const methods::spheres::Bonds& bonds) {
-  blocks_.clear();
-  flocks_.clear();
-  blocks_until_.resize(levels_.size());
-  flocks_until_.resize(levels_.size());
+  tiles_.clear();
+  batches_.clear();
+  tiles_until_.resize(levels_.size());
+  batches_until_.resize(levels_.size());
   std::size_t begin = 0;
   for (std::size_t l = levels_.size(); l-- > 0;) {
     Level& level = levels_[l];
     level.spheres = level.pairs.pairs().first.size() - 1;
-    level.loads.arrange(level.pairs.pairs(), bonds.empty() ? methods::spheres::BlockLinks{} : bonds.links(l).ends);
+    level.loads.arrange(level.pairs.pairs(), bonds.empty() ? methods::spheres::TileLinks{} : bonds.links(l).ends);
     level.pairs.write_to(level.loads);
-    for (std::size_t block = 0; block < level.loads.blocks(); ++block) blocks_.push_back({l, block});
+    for (std::size_t tile = 0; tile < level.loads.tiles(); ++tile) tiles_.push_back({l, tile});
     while (begin < level.spheres) {
-      const std::size_t end = std::min((begin / neighbors::block_size + 1) * neighbors::block_size, level.spheres);
-      flocks_.push_back({l, begin, end});
+      const std::size_t end = std::min((begin / neighbors::tile_size + 1) * neighbors::tile_size, level.spheres);
+      batches_.push_back({l, begin, end});
       begin = end;
     }
-    blocks_until_[l] = blocks_.size();
-    flocks_until_[l] = flocks_.size();
+    tiles_until_[l] = tiles_.size();
+    batches_until_[l] = batches_.size();
   }
-  sums_.resize(blocks_.size());
-  speeds_.resize(flocks_.size());
-  driven_work_.resize(flocks_.size());
+  sums_.resize(tiles_.size());
+  speeds_.resize(batches_.size());
+  driven_work_.resize(batches_.size());
 }
 
 ComingLines SphereLevels::coming(const state::Spheres& spheres, std::size_t n) const {
-  const Level& level = levels_[blocks_[n].level];
-  return level.pairs.coming(spheres, level.loads, blocks_[n].block);
+  const Level& level = levels_[tiles_[n].level];
+  return level.pairs.coming(spheres, level.loads, tiles_[n].tile);
 }
 
-void SphereLevels::evaluate_block(std::size_t n, const Scene& scene, state::SphereLoad* own, const ComingLines& next) {
-  const auto [number, block] = blocks_[n];
+void SphereLevels::evaluate_tile(std::size_t n, const Scene& scene, state::SphereLoad* own, const ComingLines& next) {
+  const auto [number, tile] = tiles_[n];
   Level& level = levels_[number];
-  level.loads.clear_guests(block);
+  level.loads.clear_ghosts(tile);
   sums_[n] = level.pairs.evaluate(scene.spheres,
-                                  {block, scene.approach_of(block), level.step, level.loads, own, next, scene.tells_energies});
-  if (!scene.walls.walls().empty()) sums_[n] += scene.walls.evaluate(scene.spheres, {block, level.step, own, number});
+                                  {tile, scene.approach_of(tile), level.step, level.loads, own, next, scene.tells_energies});
+  if (!scene.walls.walls().empty()) sums_[n] += scene.walls.evaluate(scene.spheres, {tile, level.step, own, number});
   if (!scene.bonds.empty())
-    sums_[n] += scene.bonds.evaluate(scene.spheres, {block, level.step, level.pairs.table(), level.loads, own, number});
+    sums_[n] += scene.bonds.evaluate(scene.spheres, {tile, level.step, level.pairs.table(), level.loads, own, number});
 }
 
 void SphereLevels::evaluate(std::int64_t tick, const Scene& scene) {
-  const std::size_t coarsest = coarsest_due(tick), count = blocks_until_[coarsest],
+  const std::size_t coarsest = coarsest_due(tick), count = tiles_until_[coarsest],
                     alone_below = serial_below(levels_[coarsest].spheres);
-  const auto kept = [&](std::size_t n) { return levels_[blocks_[n].level].loads.kept(blocks_[n].block); };
+  const auto kept = [&](std::size_t n) { return levels_[tiles_[n].level].loads.kept(tiles_[n].tile); };
   parallel::parallel_for(count, alone_below, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       std::ranges::fill(kept(n), state::SphereLoad{});
-      evaluate_block(n, scene, kept(n).data(), n + 1 < end ? coming(scene.spheres, n + 1) : ComingLines{});
+      evaluate_tile(n, scene, kept(n).data(), n + 1 < end ? coming(scene.spheres, n + 1) : ComingLines{});
     }
   });
   parallel::parallel_for(count, alone_below, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) levels_[blocks_[n].level].loads.gather(blocks_[n].block, kept(n).data());
+    for (std::size_t n = begin; n < end; ++n) levels_[tiles_[n].level].loads.gather(tiles_[n].tile, kept(n).data());
   });
   add_up(tick);
 }
@@ -140,7 +140,7 @@ void SphereLevels::evaluate(std::int64_t tick, const Scene& scene) {
 void SphereLevels::add_up(std::int64_t tick) {
   const std::size_t coarsest = coarsest_due(tick);
   for (std::size_t l = coarsest; l < levels_.size(); ++l) levels_[l].sums = {};
-  for (std::size_t n = 0; n < blocks_until_[coarsest]; ++n) levels_[blocks_[n].level].sums += sums_[n];
+  for (std::size_t n = 0; n < tiles_until_[coarsest]; ++n) levels_[tiles_[n].level].sums += sums_[n];
   for (std::size_t l = coarsest; l < levels_.size(); ++l) counts_.evaluations += levels_[l].sums.contacts;
   if (tick == 0)
     for (const Level& level : levels_) counts_.uniform_evaluations += ticks() * level.sums.contacts;
@@ -162,11 +162,11 @@ std::int64_t SphereLevels::add_work(std::int64_t tick, methods::spheres::Contact
   return due.broken;
 }
 
-std::vector<TimedTable> SphereLevels::acting(std::size_t pace, std::int64_t tick) const {
+std::vector<TimedTable> SphereLevels::acting(std::size_t active_level, std::int64_t tick) const {
   const auto stride = [&](std::size_t level) { return std::int64_t{1} << (levels_.size() - 1 - level); };
-  const std::int64_t next = tick + stride(pace);
+  const std::int64_t next = tick + stride(active_level);
   std::vector<TimedTable> tables;
-  for (std::size_t l = 0; l <= pace; ++l) {
+  for (std::size_t l = 0; l <= active_level; ++l) {
     const std::int64_t evaluated = tick - tick % stride(l);
     const Real halves = static_cast<Real>(2 * (next - evaluated) - stride(l));
     tables.push_back({&levels_[l].loads, evaluated == tick ? levels_[l].step : 0, 0.5 * tick_seconds() * halves});
@@ -174,33 +174,34 @@ std::vector<TimedTable> SphereLevels::acting(std::size_t pace, std::int64_t tick
   return tables;
 }
 
-std::vector<TimedTable> SphereLevels::acting_until_now(std::size_t pace) const {
+std::vector<TimedTable> SphereLevels::acting_until_now(std::size_t active_level) const {
   std::vector<TimedTable> tables;
-  for (std::size_t l = 0; l <= pace; ++l) tables.push_back({&levels_[l].loads, 0, 0.5 * levels_[l].step});
+  for (std::size_t l = 0; l <= active_level; ++l) tables.push_back({&levels_[l].loads, 0, 0.5 * levels_[l].step});
   return tables;
 }
 
 Real SphereLevels::kick(std::int64_t tick, state::Spheres& spheres, const Kick& rules) {
-  const std::size_t coarsest = coarsest_due(tick), count = flocks_until_[coarsest];
+  const std::size_t coarsest = coarsest_due(tick), count = batches_until_[coarsest];
   parallel::parallel_for(count, serial_below(levels_[coarsest].spheres), [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) fly(n, tick, spheres, rules);
   });
   for (std::size_t l = coarsest; l < levels_.size(); ++l) levels_[l].speeds = {};
   Real driven_work = 0;
   for (std::size_t n = 0; n < count; ++n) {
-    levels_[flocks_[n].pace].speeds.take(speeds_[n]);
+    levels_[batches_[n].active_level].speeds.take(speeds_[n]);
     driven_work += driven_work_[n];
   }
   count_kicks(levels_[coarsest].spheres);
   return driven_work;
 }
 
-/// Kicks and moves a flock.
+/// Kicks and moves a batch.
 void SphereLevels::fly(std::size_t n, std::int64_t tick, state::Spheres& spheres, const Kick& rules) {
-  const auto [pace, begin, end] = flocks_[n];
-  const Real step = levels_[pace].step;
+  const auto [active_level, begin, end] = batches_[n];
+  const Real step = levels_[active_level].step;
   std::vector<TimedLoads> loads;
-  for (const TimedTable& level : acting(pace, tick)) loads.push_back({&level.loads->of(begin), level.given, level.foreseen});
+  for (const TimedTable& level : acting(active_level, tick))
+    loads.push_back({&level.loads->of(begin), level.given, level.predicted});
   speeds_[n] = kick_and_drift(spheres, begin, end, loads, {step, rules.gravity, rules.drift});
   if (!spheres.turn.empty()) turn(spheres, begin, end, step);
   driven_work_[n] = 0;
@@ -217,13 +218,13 @@ SphereSpeeds SphereLevels::speeds() const {
 
 state::SphereLoad SphereLevels::load(std::size_t sphere) const {
   state::SphereLoad load;
-  for (std::size_t l = 0; l <= pace(sphere); ++l) add(load, 1, levels_[l].loads.of(sphere));
+  for (std::size_t l = 0; l <= active_level(sphere); ++l) add(load, 1, levels_[l].loads.of(sphere));
   return load;
 }
 
 state::SphereLoad SphereLevels::half_impulse(std::size_t sphere) const {
   state::SphereLoad impulse;
-  for (std::size_t l = 0; l <= pace(sphere); ++l) add(impulse, 0.5 * levels_[l].step, levels_[l].loads.of(sphere));
+  for (std::size_t l = 0; l <= active_level(sphere); ++l) add(impulse, 0.5 * levels_[l].step, levels_[l].loads.of(sphere));
   return impulse;
 }
 

@@ -3,10 +3,10 @@
 /// Spheres at time levels: the contacts and bonds of each level, and who is kicked when. All in one step are at one level.
 ///
 /// A sphere at level k could step base / 2^k. A contact or a bond has the finer level of its two spheres, or that of the one that
-/// touches a wall, and is evaluated at its own steps. A sphere is kicked whenever one of them may be evaluated: its pace is the
-/// finest level among its own and those of the spheres it is bonded to or may touch until pairs are found anew; spheres of a
-/// clump have one level and one pace. So both spheres of a contact stand at the tick at which it is evaluated, with the
-/// velocities foreseen for it, and force and reaction act at one point: an asynchronous variational integrator, as of blocks
+/// touches a wall, and is evaluated at its own steps. A sphere is kicked whenever one of them may be evaluated: its active level
+/// is the finest level among its own and those of the spheres it is bonded to or may touch until pairs are found anew; spheres of
+/// a clump have one level and one active level. So both spheres of a contact stand at the tick at which it is evaluated, with the
+/// velocities predicted for it, and force and reaction act at one point: an asynchronous variational integrator, as of blocks
 /// (docs/theory/time-levels.md).
 ///
 /// Levels stay with their spheres; in phase are all at base steps alone, where pairs are found.
@@ -43,8 +43,8 @@ public:
   const std::vector<std::int8_t>& by_number() const { return level_; }
   /// By place; empty where all are at one.
   std::vector<std::int8_t> by_place(const state::Spheres& spheres) const;
-  std::size_t pace(std::size_t sphere) const;
-  /// The step of a pace or a level [s].
+  std::size_t active_level(std::size_t sphere) const;
+  /// The step of an active level or a level [s].
   Real step(std::size_t level) const { return levels_[level].step; }
 
   /// Which spheres belong together, by their present places: see neighbors::LevelsByPlace.
@@ -52,13 +52,13 @@ public:
     std::vector<neighbors::LevelsByPlace::Bonded> bonded;
     std::vector<Index> body;
   };
-  /// Sorts the spheres by pace and along a curve and finds all pairs nearer than the margin [m]; what touches goes on
+  /// Sorts the spheres by active level and along a curve and finds all pairs nearer than the margin [m]; what touches goes on
   /// remembering. Returns the place before of each sphere. `arrange` is to follow.
   std::vector<Index> find(state::Spheres& spheres, Real margin, Together together);
   /// Suppresses contacts as PairContacts does, in the level to which the pair belongs.
-  void rest_within(std::span<const Index> body);
-  void rest(const state::Spheres& spheres, Index one, Index other);
-  void wake(const state::Spheres& spheres, Index one, Index other, Real allowed);
+  void suppress_within(std::span<const Index> body);
+  void suppress(const state::Spheres& spheres, Index one, Index other);
+  void activate(const state::Spheres& spheres, Index one, Index other, Real allowed);
   /// Loads and lists of what is worked on together, from the pairs and from the bonds, which are laid out.
   void arrange(const methods::spheres::Bonds& bonds);
 
@@ -80,19 +80,19 @@ public:
     const state::Spheres& spheres;
     methods::spheres::WallContacts& walls;
     methods::spheres::Bonds& bonds;
-    std::span<const Real> approach;  ///< how much nearer spheres may have come since pairs were found: of all, or by block [m]
+    std::span<const Real> approach;  ///< how much nearer spheres may have come since pairs were found: of all, or by tile [m]
     bool tells_energies = true;      ///< whether somebody may ask what contacts hold at this time
 
-    Real approach_of(std::size_t block) const { return approach[approach.size() > 1 ? block : 0]; }
+    Real approach_of(std::size_t tile) const { return approach[approach.size() > 1 ? tile : 0]; }
   };
   /// Evaluates all that is due at a tick of a base step, and keeps the loads.
   void evaluate(std::int64_t tick, const Scene& scene);
-  /// Evaluates block number `n` of the finest level; its loads add up in `own`, which is zero, and `next` comes to the cache
+  /// Evaluates tile number `n` of the finest level; its loads add up in `own`, which is zero, and `next` comes to the cache
   /// meanwhile.
-  void evaluate_block(std::size_t n, const Scene& scene, state::SphereLoad* own, const ComingLines& next);
-  /// Adds up what the blocks due at a tick have given, after all of them; `evaluate` has done so.
+  void evaluate_tile(std::size_t n, const Scene& scene, state::SphereLoad* own, const ComingLines& next);
+  /// Adds up what the tiles due at a tick have given, after all of them; `evaluate` has done so.
   void add_up(std::int64_t tick);
-  /// What the evaluation of a block will read.
+  /// What the evaluation of a tile will read.
   ComingLines coming(const state::Spheres& spheres, std::size_t n) const;
 
   /// Adds what the levels due have taken at a tick to the works of `sums`; at a base step also sets what contacts and bonds hold.
@@ -111,17 +111,17 @@ public:
   Real kick(std::int64_t tick, state::Spheres& spheres, const Kick& rules);
   /// Counts the kicks of one step of all spheres, which did not go by `kick`.
   void count_kicks(std::size_t spheres) { counts_.kicks += static_cast<std::int64_t>(spheres); }
-  /// Further speeds of bodies of a pace, after their kick.
-  void take(std::size_t pace, const SphereSpeeds& speeds) { levels_[pace].speeds.take(speeds); }
+  /// Further speeds of bodies of an active level, after their kick.
+  void take(std::size_t active_level, const SphereSpeeds& speeds) { levels_[active_level].speeds.take(speeds); }
   /// The largest speeds of all spheres, each since its last kick.
   SphereSpeeds speeds() const;
 
-  /// The loads of all levels on a body of a pace which is kicked at a tick. A load evaluated at t acts from half a step of its
-  /// level before t to half a step after it.
-  std::vector<TimedTable> acting(std::size_t pace, std::int64_t tick) const;
+  /// The loads of all levels on a body of an active level which is kicked at a tick. A load evaluated at t acts from half a step
+  /// of its level before t to half a step after it.
+  std::vector<TimedTable> acting(std::size_t active_level, std::int64_t tick) const;
   /// The loads where forces are kept and the kick of this base step is still to come: nothing given yet, half a step of each
   /// level ahead.
-  std::vector<TimedTable> acting_until_now(std::size_t pace) const;
+  std::vector<TimedTable> acting_until_now(std::size_t active_level) const;
 
   /// At a base step whose forces are kept: the load on a sphere, and what its momenta lack.
   state::SphereLoad load(std::size_t sphere) const;
@@ -144,18 +144,18 @@ private:
   struct Level {
     Real step = 0;  ///< [s]
     methods::spheres::PairContacts pairs;
-    methods::spheres::LoadTable loads;  ///< of the spheres that have this pace or a finer one
+    methods::spheres::LoadTable loads;  ///< of the spheres that have this active level or a finer one
     std::size_t spheres = 0;            ///< so many: they stand before all others
     methods::spheres::ContactSums sums;
-    SphereSpeeds speeds;  ///< of the bodies of this very pace since their last kick
+    SphereSpeeds speeds;  ///< of the bodies of this very active level since their last kick
   };
-  /// A block of a level, to be evaluated together.
-  struct Block {
-    std::size_t level = 0, block = 0;
+  /// A tile of a level, to be evaluated together.
+  struct Tile {
+    std::size_t level = 0, tile = 0;
   };
-  /// Spheres of one pace in a block, to be kicked together.
-  struct Flock {
-    std::size_t pace = 0, begin = 0, end = 0;
+  /// Spheres of one active level in a tile, to be kicked together.
+  struct Batch {
+    std::size_t active_level = 0, begin = 0, end = 0;
   };
 
   Level& level_of(const state::Spheres& spheres, Index one, Index other);
@@ -163,12 +163,12 @@ private:
 
   std::vector<std::int8_t> level_;  ///< by number of the sphere; empty where all are at one
   std::vector<Level> levels_;
-  std::vector<Block> blocks_;                             ///< finest level first
-  std::vector<Flock> flocks_;                             ///< finest pace first
-  std::vector<std::size_t> blocks_until_, flocks_until_;  ///< by level: so many are of it or of finer ones
-  std::vector<methods::spheres::ContactSums> sums_;       ///< by block
-  std::vector<SphereSpeeds> speeds_;                      ///< by flock
-  std::vector<Real> driven_work_;                         ///< by flock, of the last kick [J]
+  std::vector<Tile> tiles_;                               ///< finest level first
+  std::vector<Batch> batches_;                            ///< finest active level first
+  std::vector<std::size_t> tiles_until_, batches_until_;  ///< by level: so many are of it or of finer ones
+  std::vector<methods::spheres::ContactSums> sums_;       ///< by tile
+  std::vector<SphereSpeeds> speeds_;                      ///< by batch
+  std::vector<Real> driven_work_;                         ///< by batch, of the last kick [J]
   Counts counts_;
 };
 

@@ -18,11 +18,11 @@ void SphereStepper::look_at_step() {
 void SphereStepper::visit_contacts(const std::function<void(const methods::spheres::ContactPoint&)>& visit) const {
   for (std::size_t level = 0; level < levels_.count(); ++level) {
     const Real step = levels_.step(level);
-    levels_.pairs(level).visit_contacts([&](Index one, Index other, Real rest) {
+    levels_.pairs(level).visit_contacts([&](Index one, Index other, Real initial_overlap) {
       const auto first = static_cast<std::size_t>(one), second = static_cast<std::size_t>(other);
       const auto &a = spheres_.place[first], &b = spheres_.place[second];
       const Vector3 apart = spheres_.box.nearest(b.centre() - a.centre());
-      const Real distance = apart.norm(), overlap = a.radius + b.radius - distance - rest;
+      const Real distance = apart.norm(), overlap = a.radius + b.radius - distance - initial_overlap;
       if (overlap > 0) visit({first, second, {}, apart / distance, overlap, step});
     });
     walls_.visit_contacts(spheres_, level, [&](Index sphere, Index material, const Vector3& normal, Real overlap) {

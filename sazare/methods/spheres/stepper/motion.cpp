@@ -53,7 +53,7 @@ private:
   Lanes sum_{};  // tells what is no number, which comparisons lose
 };
 
-/// What loads give a sphere in a kick, force and moment, and what is foreseen besides for its next time.
+/// What loads give a sphere in a kick, force and moment, and what is predicted besides for its next time.
 struct Impulses {
   Octet given, ahead;
 };
@@ -70,10 +70,10 @@ public:
   void fly(state::SphereKick& kick, state::SpherePlace& place, state::SphereSpin& spin, const Impulses& impulses) const {
     const Octet before = Octet::load(&kick.vx), inverse = before.numbers(), gravity = falls_.where_above_zero(inverse);
     const Octet moves = add_product(inverse, impulses.given, before + gravity);
-    const Octet foreseen = add_product(inverse, impulses.ahead, add_product(half_, gravity, moves));
+    const Octet predicted = add_product(inverse, impulses.ahead, add_product(half_, gravity, moves));
     moves.store(&kick.vx);
-    add_product(way_, firsts(moves, foreseen), Octet::load(&place.x).without_second_vector()).store(&place.x);
-    store_half(&spin.x, with_number_of(load_half(&spin.x), foreseen.second()));
+    add_product(way_, firsts(moves, predicted), Octet::load(&place.x).without_second_vector()).store(&place.x);
+    store_half(&spin.x, with_number_of(load_half(&spin.x), predicted.second()));
   }
 
 private:
@@ -114,7 +114,7 @@ SphereSpeeds kick_and_drift(state::Spheres& spheres, std::size_t begin, std::siz
                             const SphereFlight& flight) {
   const auto by_level = [=](const TimedLoads& level, std::size_t i) {
     const Octet load = Octet::load(&level.loads[i - begin].fx);
-    return Impulses{level.given * load, level.foreseen * load};
+    return Impulses{level.given * load, level.predicted * load};
   };
   return fly(spheres, begin, end, flight, [&](std::size_t i) {
     Impulses all = by_level(loads.front(), i);

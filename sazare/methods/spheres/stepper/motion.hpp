@@ -23,7 +23,7 @@ struct SphereSpeeds {
   }
 };
 
-/// The flight of spheres of one pace.
+/// The flight of spheres of one active level.
 struct SphereFlight {
   Real step = 0;                      ///< [s]
   Vector3 gravity = Vector3::Zero();  ///< [m/s2]
@@ -31,18 +31,18 @@ struct SphereFlight {
 };
 
 /// Kicks spheres begin .. end - 1 by their loads, of which the first belongs to `begin` and which become zero, moves them and
-/// foresees their velocities.
+/// predicts their velocities.
 SphereSpeeds kick_and_drift(state::Spheres& spheres, std::size_t begin, std::size_t end, state::SphereLoad* loads,
                             const SphereFlight& flight);
 
-/// Loads of one time level on spheres of one pace, and for how long they act.
+/// Loads of one time level on spheres of one active level, and for how long they act.
 struct TimedLoads {
   const state::SphereLoad* loads = nullptr;  ///< of the first of the spheres and those behind it
   Real given = 0;                            ///< by this kick; 0 where the level is not due [s]
-  Real foreseen = 0;                         ///< given besides until the next kick; below 0 what they have too much [s]
+  Real predicted = 0;                        ///< given besides until the next kick; below 0 what they have too much [s]
 };
 
-/// Kicks and drifts spheres of one pace whose loads are those of several levels, which stay.
+/// Kicks and drifts spheres of one active level whose loads are those of several levels, which stay.
 SphereSpeeds kick_and_drift(state::Spheres& spheres, std::size_t begin, std::size_t end, std::span<const TimedLoads> loads,
                             const SphereFlight& flight);
 
@@ -50,8 +50,8 @@ SphereSpeeds kick_and_drift(state::Spheres& spheres, std::size_t begin, std::siz
 /// order and, for spheres, the exact course of a kinetic energy a little different, so that the step stays symplectic.
 void turn(state::Spheres& spheres, std::size_t begin, std::size_t end, Real step);
 
-/// What held spheres that move bring in in a step, against the loads on them [J]. Added up by so many as are late together, so
-/// that the sums of parts which are cut between these add up to the same bits.
+/// What held spheres that move bring in in a step, against the loads on them [J]. Added up by so many as are deferred together,
+/// so that the sums of parts which are cut between these add up to the same bits.
 Real work_of_driven(const state::Spheres& spheres, std::size_t begin, std::size_t end, const state::SphereLoad* loads, Real step);
 
 }  // namespace sazare::methods::spheres

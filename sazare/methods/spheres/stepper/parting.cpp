@@ -12,13 +12,13 @@ void SphereStepper::part_broken(std::size_t coarsest) {
   std::vector<Index> torn;
   for (std::size_t level = coarsest; level < levels_.count(); ++level) {
     const auto& links = bonds_.links(level);
-    for (const auto& block : links.broken)
-      for (const auto& [link, allowed_overlap] : block) {
+    for (const auto& tile : links.broken)
+      for (const auto& [link, allowed_overlap] : tile) {
         bonds_.note_broken(level, link);
         const Index first = links.first[link], second = links.ends.second[link];
         const Index body = bodies_.empty() ? -1 : bodies_.of(spheres_.number[static_cast<std::size_t>(first)]);
         if (body >= 0 && body == bodies_.of(spheres_.number[static_cast<std::size_t>(second)])) torn.push_back(body);
-        levels_.wake(spheres_, first, second, allowed_overlap);
+        levels_.activate(spheres_, first, second, allowed_overlap);
       }
   }
   std::ranges::sort(torn);
@@ -40,9 +40,9 @@ void SphereStepper::part_pieces(Index body) {
       if (bodies_.of(other) != body || was_in(sphere) != was_in(other) || bodies_.piece(sphere) == bodies_.piece(other)) return;
       const state::SpherePlace &one = spheres_.place[i], &next = spheres_.place[static_cast<std::size_t>(j)];
       const Real overlap = one.radius + next.radius - spheres_.box.nearest(next.centre() - one.centre()).norm();
-      levels_.wake(spheres_, static_cast<Index>(i), j, overlap);
+      levels_.activate(spheres_, static_cast<Index>(i), j, overlap);
     };
-    for (std::size_t level = 0; level <= levels_.pace(i); ++level) {
+    for (std::size_t level = 0; level <= levels_.active_level(i); ++level) {
       const auto& pairs = levels_.pairs(level).pairs();
       for (std::size_t p = pairs.first[i]; p < pairs.first[i + 1]; ++p) part_from(pairs.other[p]);
     }

@@ -69,7 +69,7 @@ RainEnd SphereStepper::rain(const RainRules& rules) {
     if (rules.rains[number] != 0) stop(kick);
     spheres_.set_motion(i, {kick.vx, kick.vy, kick.vz}, {kick.wx, kick.wy, kick.wz});
   }
-  settled_ = false;
+  evaluated_ = false;
   return end;
 }
 

@@ -19,8 +19,8 @@ constexpr std::int64_t steps_between_looks = 128;
 
 }  // namespace
 
-/// Paces follow from pairs, so with several levels these are found where all spheres are in phase, and early enough to last for
-/// the next base step. Returns whether pairs were found.
+/// Active levels follow from pairs, so with several levels these are found where all spheres are in phase, and early enough to
+/// last for the next base step. Returns whether pairs were found.
 bool SphereStepper::seek_in_time(const SphereSpeeds& speeds) {
   const bool is_one = levels_.is_one(), has_walls = !walls_.walls().empty();
   missed_pairs_ = missed_pairs_ || (!is_one && (approach_ > margin_ || (has_walls && wall_approach_ > rules_.wall_margin)));
@@ -46,18 +46,18 @@ void SphereStepper::find_pairs() {
   margin_ = margin_for_step();
   const std::vector<Index> places_before = levels_.find(spheres_, margin_, together());
   find_places();
-  rest_bodies();
+  suppress_within_bodies();
   bonds_.drop_broken();
   arrange();
   for (std::size_t level = 0; level < levels_.count() && !bonds_.empty(); ++level) {
     const auto& links = bonds_.links(level);
     for (std::size_t link = 0; link < links.first.size(); ++link)
-      levels_.rest(spheres_, links.first[link], links.ends.second[link]);
+      levels_.suppress(spheres_, links.first[link], links.ends.second[link]);
   }
   wake_broken_within_pieces();
   find_walls(places_before);
   approach_ = 0;
-  block_approach_.assign(levels_.is_one() ? levels_.loads(0).blocks() : 0, 0);
+  tile_approach_.assign(levels_.is_one() ? levels_.loads(0).tiles() : 0, 0);
   ++searches_;
   ask_for_large_pages();
 }
@@ -77,11 +77,11 @@ void SphereStepper::arrange() {
   if (!bonds_.empty()) bonds_.arrange(place_, {levels_.count(), levels_.by_number()});
   levels_.arrange(bonds_);
   share_out();
-  clumps_at_pace_.assign(levels_.count(), {});
+  clumps_at_active_level_.assign(levels_.count(), {});
   for (std::size_t c = 0; c < clumps_.clumps.size(); ++c) {
     const Index member = clumps_.members_of(c).front().sphere;
     const auto place = static_cast<std::size_t>(place_[static_cast<std::size_t>(member)]);
-    clumps_at_pace_[levels_.pace(place)].push_back(static_cast<Index>(c));
+    clumps_at_active_level_[levels_.active_level(place)].push_back(static_cast<Index>(c));
   }
 }
 
@@ -111,7 +111,7 @@ void SphereStepper::find_places() {
   for (std::size_t i = 0; i < place_.size(); ++i) place_[static_cast<std::size_t>(spheres_.number[i])] = static_cast<Index>(i);
 }
 
-/// Which spheres have paces that go together.
+/// Which spheres have active levels that go together.
 SphereLevels::Together SphereStepper::together() {
   SphereLevels::Together together;
   if (levels_.is_one()) return together;
@@ -124,9 +124,9 @@ SphereLevels::Together SphereStepper::together() {
 }
 
 /// Spheres of one clump never touch, nor do those of one piece of a bonded body.
-void SphereStepper::rest_bodies() {
-  if (!bodies_.empty()) levels_.rest_within(by_place([&](Index number) { return bodies_.piece(number); }));
-  if (!clumps_.empty()) levels_.rest_within(by_place([&](Index number) { return body_[static_cast<std::size_t>(number)]; }));
+void SphereStepper::suppress_within_bodies() {
+  if (!bodies_.empty()) levels_.suppress_within(by_place([&](Index number) { return bodies_.piece(number); }));
+  if (!clumps_.empty()) levels_.suppress_within(by_place([&](Index number) { return body_[static_cast<std::size_t>(number)]; }));
 }
 
 /// A bond that has broken where others still join its spheres leaves a contact.
@@ -134,7 +134,7 @@ void SphereStepper::wake_broken_within_pieces() {
   if (bodies_.empty()) return;
   for (const auto& bond : bonds_.bonds()) {
     if (bond.gone == 0 || bodies_.piece(bond.first) < 0 || bodies_.piece(bond.first) != bodies_.piece(bond.second)) continue;
-    levels_.wake(spheres_, place_[static_cast<std::size_t>(bond.first)], place_[static_cast<std::size_t>(bond.second)], 0);
+    levels_.activate(spheres_, place_[static_cast<std::size_t>(bond.first)], place_[static_cast<std::size_t>(bond.second)], 0);
   }
 }
 

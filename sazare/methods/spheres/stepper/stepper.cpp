@@ -110,18 +110,18 @@ void SphereStepper::add_work(std::int64_t tick) {
 }
 
 void SphereStepper::evaluate_now() {
-  if (settled_) return;
+  if (evaluated_) return;
   evaluate(0);
   hold_clumps();
-  settled_ = true;
+  evaluated_ = true;
 }
 
 /// What the momenta of clumps lack at a base step whose forces are kept.
 void SphereStepper::hold_clumps() {
-  for (std::size_t pace = 0; pace < clumps_at_pace_.size(); ++pace) {
-    const auto loads = levels_.acting_until_now(pace);
-    const SphereFlight flight{levels_.step(pace), rules_.gravity, drift_};
-    for (const Index clump : clumps_at_pace_[pace]) {
+  for (std::size_t active_level = 0; active_level < clumps_at_active_level_.size(); ++active_level) {
+    const auto loads = levels_.acting_until_now(active_level);
+    const SphereFlight flight{levels_.step(active_level), rules_.gravity, drift_};
+    for (const Index clump : clumps_at_active_level_[active_level]) {
       const auto c = static_cast<std::size_t>(clump);
       gather(clumps_.clumps[c], clumps_.members_of(c), loads, flight, place_);
     }
@@ -131,15 +131,16 @@ void SphereStepper::hold_clumps() {
 /// Kicks all that are due at a tick, and moves them. Returns the speeds of all.
 SphereSpeeds SphereStepper::kick(std::int64_t tick) {
   wall_work_ += levels_.kick(tick, spheres_, {rules_.gravity, drift_, drives_});
-  for (std::size_t pace = levels_.coarsest_due(tick); pace < clumps_at_pace_.size(); ++pace) kick_clumps(pace, tick);
+  for (std::size_t active_level = levels_.coarsest_due(tick); active_level < clumps_at_active_level_.size(); ++active_level)
+    kick_clumps(active_level, tick);
   return levels_.speeds();
 }
 
-/// The clumps of a pace with their spheres.
-void SphereStepper::kick_clumps(std::size_t pace, std::int64_t tick) {
-  const std::vector<Index>& which = clumps_at_pace_[pace];
-  const auto loads = levels_.acting(pace, tick);
-  const SphereFlight flight{levels_.step(pace), rules_.gravity, drift_};
+/// The clumps of an active level with their spheres.
+void SphereStepper::kick_clumps(std::size_t active_level, std::int64_t tick) {
+  const std::vector<Index>& which = clumps_at_active_level_[active_level];
+  const auto loads = levels_.acting(active_level, tick);
+  const SphereFlight flight{levels_.step(active_level), rules_.gravity, drift_};
   parallel::parallel_for(which.size(), serial_below_clumps, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       const auto c = static_cast<std::size_t>(which[n]);
@@ -157,7 +158,7 @@ void SphereStepper::kick_clumps(std::size_t pace, std::int64_t tick) {
     const Vector3& moves = clump.velocity;
     speeds.take({(moves - drift_).norm() + turning, 0, moves.norm() + turning});
   }
-  levels_.take(pace, speeds);
+  levels_.take(active_level, speeds);
 }
 
 /// How fast all went in the last tick, and how much nearer they may have come.
@@ -173,12 +174,12 @@ void SphereStepper::measure(const SphereSpeeds& speeds) {
     missed_way_ = std::max(missed_way_, way);
 }
 
-/// How much nearer spheres may have come in the last walk that one block looks at: the fast ones are elsewhere for most.
-void SphereStepper::measure_blocks() {
-  for (std::size_t block = 0; block < block_approach_.size(); ++block) {
-    SphereSpeeds speeds = speeds_[block];
-    for (const Index visited : levels_.loads(0).visited_by(block)) speeds.take(speeds_[static_cast<std::size_t>(visited)]);
-    block_approach_[block] += rules_.step * (speeds.first + speeds.second);
+/// How much nearer spheres may have come in the last walk that one tile looks at: the fast ones are elsewhere for most.
+void SphereStepper::measure_tiles() {
+  for (std::size_t tile = 0; tile < tile_approach_.size(); ++tile) {
+    SphereSpeeds speeds = speeds_[tile];
+    for (const Index visited : levels_.loads(0).visited_by(tile)) speeds.take(speeds_[static_cast<std::size_t>(visited)]);
+    tile_approach_[tile] += rules_.step * (speeds.first + speeds.second);
   }
 }
 
@@ -193,25 +194,25 @@ void SphereStepper::advance() {
   if (can_walk()) {
     speeds = walk();
     measure(speeds);
-    measure_blocks();
+    measure_tiles();
   } else {
     for (std::int64_t tick = 0; tick < levels_.ticks(); ++tick) {
-      if (tick > 0 || !settled_) evaluate(tick);
+      if (tick > 0 || !evaluated_) evaluate(tick);
       speeds = kick(tick);
       measure(speeds);
-      for (Real& approach : block_approach_) approach += levels_.tick_seconds() * (speeds.first + speeds.second);
+      for (Real& approach : tile_approach_) approach += levels_.tick_seconds() * (speeds.first + speeds.second);
     }
   }
-  settled_ = false;
+  evaluated_ = false;
   ++step_;
   if (!seek_in_time(speeds) && step_ % steps_between_cuts == 0) balance();
 }
 
 void SphereStepper::columns(Archive& archive) {
   archive("steps", step_);
-  int settled = settled_ ? 1 : 0;
-  archive("settled", settled);
-  settled_ = settled != 0;
+  int evaluated = evaluated_ ? 1 : 0;
+  archive("evaluated", evaluated);
+  evaluated_ = evaluated != 0;
   archive("searches", searches_);
   archive.folder("spheres", [&] { spheres_.columns(archive); });
   levels_.columns(archive);
@@ -223,12 +224,12 @@ void SphereStepper::columns(Archive& archive) {
     arrange();
     ask_for_large_pages();
   }
-  if (settled_) levels_.load_columns(archive);
+  if (evaluated_) levels_.load_columns(archive);
   archive.folder("walls", [&] { walls_.columns(archive); });
   if (archive.reading()) find_walls({});
   for (int axis = 0; axis < 3; ++axis) archive("drift" + std::to_string(axis), drift_[axis]);
   archive("approach", approach_);
-  archive("block_approach", block_approach_);
+  archive("tile_approach", tile_approach_);
   archive("margin", margin_);
   archive("largest_speed", largest_speed_);
   archive("contacts", sums_.contacts);

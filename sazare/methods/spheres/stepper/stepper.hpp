@@ -1,12 +1,12 @@
 #pragma once
 
-/// Walks spheres in equal steps: leapfrog, with contacts evaluated at the velocity foreseen for their time.
+/// Walks spheres in equal steps: leapfrog, with contacts evaluated at the velocity predicted for their time.
 ///
-///     v(k+1/2) = v(k-1/2) + h a(k)     x(k+1) = x(k) + h v(k+1/2)     foreseen v(k+1) = v(k+1/2) + h a(k)/2
+///     v(k+1/2) = v(k-1/2) + h a(k)     x(k+1) = x(k) + h v(k+1/2)     predicted v(k+1) = v(k+1/2) + h a(k)/2
 ///
 /// so the step is of second order with dashpots too. The spheres stand in memory along a curve, sorted anew whenever pairs are.
 /// Where spheres have time levels, a step is a base step, in which each takes as many steps as its level asks for. Where all
-/// take one step, and no clump waits for the forces on all its spheres, blocks are evaluated and kicked in one walk.
+/// take one step, and no clump waits for the forces on all its spheres, tiles are evaluated and kicked in one walk.
 
 #include <atomic>
 #include <functional>
@@ -17,8 +17,8 @@
 #include "sazare/methods/spheres/bonded_bodies.hpp"
 #include "sazare/methods/spheres/pair_contacts.hpp"
 #include "sazare/methods/spheres/step_load.hpp"
-#include "sazare/methods/spheres/stepper/block_shares.hpp"
 #include "sazare/methods/spheres/stepper/levels.hpp"
+#include "sazare/methods/spheres/stepper/tile_shares.hpp"
 #include "sazare/methods/spheres/wall_contacts.hpp"
 #include "sazare/parallel/progress.hpp"
 #include "sazare/state/clumps.hpp"
@@ -148,28 +148,28 @@ private:
 
   SphereLevels::Scene scene() {
     const std::span<const Real> all(&approach_, 1);
-    return {spheres_, walls_, bonds_, block_approach_.empty() ? all : block_approach_};
+    return {spheres_, walls_, bonds_, tile_approach_.empty() ? all : tile_approach_};
   }
   void evaluate(std::int64_t tick);
   void add_work(std::int64_t tick);
   SphereSpeeds kick(std::int64_t tick);
   void hold_clumps();
-  void kick_clumps(std::size_t pace, std::int64_t tick);
+  void kick_clumps(std::size_t active_level, std::int64_t tick);
   void measure(const SphereSpeeds& speeds);
-  void measure_blocks();
+  void measure_tiles();
   Real wall_approach_in(Real seconds, const SphereSpeeds& speeds) const;
 
   bool can_walk() const;
   SphereSpeeds walk();
   void walk(std::size_t share, parallel::Progress& progress);
-  SphereSpeeds move(std::size_t block, std::span<const methods::spheres::PlaceRange> places, state::SphereLoad* loads);
+  SphereSpeeds move(std::size_t tile, std::span<const methods::spheres::PlaceRange> places, state::SphereLoad* loads);
   void add_work_of_driven(std::size_t begin, std::size_t end, const state::SphereLoad* loads);
   Real driven_work() const;
-  ComingLines coming(std::size_t block) const;
-  void ask_for_late(std::size_t block) const;
-  /// Which late block of each share is the next one to be taken.
-  using NextLate = std::vector<std::atomic<std::size_t>>;
-  void kick_late(std::size_t share, const parallel::Progress& progress, NextLate& next_late);
+  ComingLines coming(std::size_t tile) const;
+  void ask_for_deferred(std::size_t tile) const;
+  /// Which deferred tile of each share is the next one to be taken.
+  using NextDeferred = std::vector<std::atomic<std::size_t>>;
+  void kick_deferred(std::size_t share, const parallel::Progress& progress, NextDeferred& next_deferred);
   void share_out();
   void balance();
 
@@ -183,7 +183,7 @@ private:
   void find_places();
   void ask_for_large_pages() const;
   SphereLevels::Together together();
-  void rest_bodies();
+  void suppress_within_bodies();
   void wake_broken_within_pieces();
   void find_walls(std::span<const Index> places_before);
   /// What `of_number` says of a sphere, by place.
@@ -206,17 +206,17 @@ private:
   methods::spheres::BondedBodies bodies_;
   std::vector<Index> body_;   ///< by number of the sphere: its clump, below 0 where none; empty without clumps
   std::vector<Index> place_;  ///< by number, where the spheres stand; empty without bodies and bonds
-  std::vector<std::vector<Index>> clumps_at_pace_;
+  std::vector<std::vector<Index>> clumps_at_active_level_;
   SphereRules rules_;
   SphereLevels levels_;
   std::int64_t step_ = 0, searches_ = 0;
-  bool drives_ = false;               ///< some held sphere moves
-  bool settled_ = false;              ///< the forces at `time()` are kept, and the kick is still to come
-  Vector3 drift_ = Vector3::Zero();   ///< mean velocity when pairs were last found [m/s]
-  Real approach_ = 0;                 ///< how much nearer any two may have come since then [m]
-  std::vector<Real> block_approach_;  ///< by block, of its candidate pairs [m]; empty with several levels
-  Real wall_approach_ = 0;            ///< how much nearer a sphere and a wall may have come since then [m]
-  Real margin_ = 0;                   ///< at which pairs were last found [m]
+  bool drives_ = false;              ///< some held sphere moves
+  bool evaluated_ = false;           ///< the forces at `time()` are kept, and the kick is still to come
+  Vector3 drift_ = Vector3::Zero();  ///< mean velocity when pairs were last found [m/s]
+  Real approach_ = 0;                ///< how much nearer any two may have come since then [m]
+  std::vector<Real> tile_approach_;  ///< by tile, of its candidate pairs [m]; empty with several levels
+  Real wall_approach_ = 0;           ///< how much nearer a sphere and a wall may have come since then [m]
+  Real margin_ = 0;                  ///< at which pairs were last found [m]
   bool missed_pairs_ = false;
   Real missed_way_ = 0;       ///< [m]
   Real smallest_radius_ = 0;  ///< [m]
@@ -227,12 +227,12 @@ private:
   methods::spheres::StepLoad step_load_;
   std::int64_t looked_at_step_ = -1;  ///< when `look_at_step` did so last
 
-  // Results of a walk over the blocks.
-  std::vector<SphereSpeeds> speeds_;  ///< by block
-  std::vector<Real> driven_work_;  ///< by spheres that are late together: of driven ones in the last step [J]; empty without them
-  std::vector<std::size_t> cuts_;  ///< of the blocks into shares, see LoadTable
-  std::vector<Real> share_seconds_;  ///< by share of the blocks: processor time since costs were learnt [s]
-  BlockCosts block_costs_;
+  // Results of a walk over the tiles.
+  std::vector<SphereSpeeds> speeds_;  ///< by tile
+  std::vector<Real> driven_work_;     ///< by deferred group: work of driven spheres in the last step [J]; empty without them
+  std::vector<std::size_t> cuts_;     ///< of the tiles into shares, see LoadTable
+  std::vector<Real> share_seconds_;   ///< by share of the tiles: processor time since costs were learnt [s]
+  TileCosts tile_costs_;
 };
 
 }  // namespace sazare::methods::spheres

@@ -15,7 +15,7 @@ Vector3 SphereStepper::half_kick(std::size_t sphere) const {
   const state::SphereLoad impulse = levels_.half_impulse(sphere);
   const Real inverse = spheres_.kick[sphere].inverse_mass;
   return inverse * Vector3(impulse.fx, impulse.fy, impulse.fz) +
-         (inverse > 0 ? 0.5 * levels_.step(levels_.pace(sphere)) * rules_.gravity : Vector3(Vector3::Zero()));
+         (inverse > 0 ? 0.5 * levels_.step(levels_.active_level(sphere)) * rules_.gravity : Vector3(Vector3::Zero()));
 }
 
 Vector3 SphereStepper::half_turning_kick(std::size_t sphere) const {

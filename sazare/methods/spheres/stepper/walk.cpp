@@ -1,4 +1,4 @@
-/// A step of spheres that all take one, block by block on several threads, each of which has a share of the blocks that stand one
+/// A step of spheres that all take one, tile by tile on several threads, each of which has a share of the tiles that stand one
 /// after the other.
 
 #include <algorithm>
@@ -12,21 +12,21 @@ namespace sazare::methods::spheres {
 
 /// A clump waits for the forces on all its spheres; and where a body parts, its pieces push beyond the overlap that they had when
 /// forces were evaluated, before any sphere moved.
-bool SphereStepper::can_walk() const { return levels_.is_one() && clumps_.empty() && bodies_.empty() && !settled_; }
+bool SphereStepper::can_walk() const { return levels_.is_one() && clumps_.empty() && bodies_.empty() && !evaluated_; }
 
 /// Forces and kicks of all spheres. Returns their speeds.
 SphereSpeeds SphereStepper::walk() {
-  const std::size_t blocks = levels_.loads(0).blocks();
-  speeds_.resize(blocks);
+  const std::size_t tiles = levels_.loads(0).tiles();
+  speeds_.resize(tiles);
   if (drives_) driven_work_.resize(spheres_.size() / methods::spheres::LoadTable::together + 1);
   walls_.move(time());
   const std::size_t shares = share_seconds_.size();
   parallel::Progress progress(shares);
-  NextLate next_late(shares);
+  NextDeferred next_deferred(shares);
   parallel::parallel_for(shares, 2, [&](std::size_t begin, std::size_t end) {
     try {
       for (std::size_t share = begin; share < end; ++share) walk(share, progress);
-      for (std::size_t n = 0; n < shares; ++n) kick_late((begin + n) % shares, progress, next_late);
+      for (std::size_t n = 0; n < shares; ++n) kick_deferred((begin + n) % shares, progress, next_deferred);
     } catch (...) {
       progress.give_up();
       throw;
@@ -41,11 +41,11 @@ SphereSpeeds SphereStepper::walk() {
   return all;
 }
 
-/// Moves the spheres at some places of a block.
-SphereSpeeds SphereStepper::move(std::size_t block, std::span<const methods::spheres::PlaceRange> places,
+/// Moves the spheres at some places of a tile.
+SphereSpeeds SphereStepper::move(std::size_t tile, std::span<const methods::spheres::PlaceRange> places,
                                  state::SphereLoad* loads) {
   SphereSpeeds speeds;
-  const std::size_t first = levels_.loads(0).begin_of(block);
+  const std::size_t first = levels_.loads(0).begin_of(tile);
   for (const auto& range : places) {
     const std::size_t begin = first + range.begin, end = first + range.end;
     if (drives_) add_work_of_driven(begin, end, loads + range.begin);
@@ -55,7 +55,7 @@ SphereSpeeds SphereStepper::move(std::size_t block, std::span<const methods::sph
   return speeds;
 }
 
-/// Adds up the work on driven spheres in groups whose sums are the same however blocks are cut.
+/// Adds up the work on driven spheres in groups whose sums are the same however tiles are cut.
 void SphereStepper::add_work_of_driven(std::size_t begin, std::size_t end, const state::SphereLoad* loads) {
   constexpr std::size_t together = methods::spheres::LoadTable::together;
   for (std::size_t first = begin; first < end; first += together)
@@ -63,50 +63,50 @@ void SphereStepper::add_work_of_driven(std::size_t begin, std::size_t end, const
         work_of_driven(spheres_, first, std::min(first + together, end), loads + (first - begin), rules_.step);
 }
 
-/// Work of the last walk on driven spheres, added up block by block [J].
+/// Work of the last walk on driven spheres, added up tile by tile [J].
 Real SphereStepper::driven_work() const {
-  constexpr std::size_t of_block = neighbors::block_size / methods::spheres::LoadTable::together;
+  constexpr std::size_t of_tile = neighbors::tile_size / methods::spheres::LoadTable::together;
   Real all = 0;
-  for (std::size_t begin = 0; begin < driven_work_.size(); begin += of_block) {
+  for (std::size_t begin = 0; begin < driven_work_.size(); begin += of_tile) {
     const auto first = driven_work_.begin() + static_cast<std::ptrdiff_t>(begin);
-    all += std::accumulate(first, first + static_cast<std::ptrdiff_t>(std::min(of_block, driven_work_.size() - begin)), Real{0});
+    all += std::accumulate(first, first + static_cast<std::ptrdiff_t>(std::min(of_tile, driven_work_.size() - begin)), Real{0});
   }
   return all;
 }
 
-/// What a block's contacts and its kick will need.
-ComingLines SphereStepper::coming(std::size_t block) const {
+/// What a tile's contacts and its kick will need.
+ComingLines SphereStepper::coming(std::size_t tile) const {
   const auto& loads = levels_.loads(0);
-  const std::size_t begin = loads.begin_of(block), count = loads.end_of(block) - begin;
-  ComingLines coming = levels_.coming(spheres_, block);
+  const std::size_t begin = loads.begin_of(tile), count = loads.end_of(tile) - begin;
+  ComingLines coming = levels_.coming(spheres_, tile);
   coming.add_row(std::span(spheres_.kick).subspan(begin, count));
   return coming;
 }
 
-/// Forces and kicks of a share's blocks, each while it is in the cache.
+/// Forces and kicks of a share's tiles, each while it is in the cache.
 void SphereStepper::walk(std::size_t share, parallel::Progress& progress) {
   const Real began = parallel::processor_seconds();
   progress.begin(share);
-  std::vector<state::SphereLoad> loads(neighbors::block_size);
+  std::vector<state::SphereLoad> loads(neighbors::tile_size);
   methods::spheres::LoadTable& table = levels_.loads(0);
   SphereLevels::Scene scene = this->scene();
-  scene.tells_energies = false;  // who asks settles first
+  scene.tells_energies = false;  // whoever asks evaluates first
   const std::size_t end = cuts_[share + 1];
-  for (std::size_t block = cuts_[share]; block < end; ++block) {
-    levels_.evaluate_block(block, scene, loads.data(), block + 1 < end ? coming(block + 1) : ComingLines{});
-    progress.set(share, block + 1);
-    table.gather_in_time(block, loads.data());
-    speeds_[block] = move(block, table.places_in_time(block), loads.data());
+  for (std::size_t tile = cuts_[share]; tile < end; ++tile) {
+    levels_.evaluate_tile(tile, scene, loads.data(), tile + 1 < end ? coming(tile + 1) : ComingLines{});
+    progress.set(share, tile + 1);
+    table.gather_in_time(tile, loads.data());
+    speeds_[tile] = move(tile, table.places_in_time(tile), loads.data());
   }
   progress.set(share, end + 1);  // and has moved its spheres
   share_seconds_[share] += parallel::processor_seconds() - began;
 }
 
-/// Late spheres have left the cache since their block was evaluated: they are asked for while those before them are kicked.
-void SphereStepper::ask_for_late(std::size_t block) const {
+/// Deferred spheres have left the cache since their tile was evaluated: they are asked for while those before them are kicked.
+void SphereStepper::ask_for_deferred(std::size_t tile) const {
   const auto& table = levels_.loads(0);
-  for (const auto& range : table.late_places(block)) {
-    const std::size_t begin = table.begin_of(block) + range.begin, count = range.end - range.begin;
+  for (const auto& range : table.deferred_places(tile)) {
+    const std::size_t begin = table.begin_of(tile) + range.begin, count = range.end - range.begin;
     ComingLines lines;
     lines.add(std::span(spheres_.place).subspan(begin, count));
     lines.add(std::span(spheres_.spin).subspan(begin, count));
@@ -115,28 +115,28 @@ void SphereStepper::ask_for_late(std::size_t block) const {
   }
 }
 
-/// Late blocks of a share that has moved its other spheres, each as soon as those that look at it are evaluated. All threads that
-/// have done their own shares come and take what is next. A share that nobody has begun is left to who will: it may be a thread
-/// that waits for this one to end, where there are fewer than shares.
-void SphereStepper::kick_late(std::size_t share, const parallel::Progress& progress, NextLate& next_late) {
+/// Deferred tiles of a share that has moved its other spheres, each as soon as those that look at it are evaluated. All threads
+/// that have done their own shares come and take what is next. A share that nobody has begun is left to who will: it may be a
+/// thread that waits for this one to end, where there are fewer than shares.
+void SphereStepper::kick_deferred(std::size_t share, const parallel::Progress& progress, NextDeferred& next_deferred) {
   const auto& table = levels_.loads(0);
-  const auto blocks = table.late_blocks(share);
+  const auto tiles = table.deferred_tiles(share);
   const auto take = [&] {
-    const std::size_t n = next_late[share]++;
-    if (n < blocks.size()) ask_for_late(blocks[n].block);
+    const std::size_t n = next_deferred[share]++;
+    if (n < tiles.size()) ask_for_deferred(tiles[n].tile);
     return n;
   };
-  if (blocks.empty() || !progress.has_begun(share) || !progress.wait(share, cuts_[share + 1] + 1)) return;
+  if (tiles.empty() || !progress.has_begun(share) || !progress.wait(share, cuts_[share + 1] + 1)) return;
   std::size_t n = take();
-  if (n >= blocks.size()) return;
-  std::vector<state::SphereLoad> loads(neighbors::block_size);
-  for (std::size_t following; n < blocks.size(); n = following) {
+  if (n >= tiles.size()) return;
+  std::vector<state::SphereLoad> loads(neighbors::tile_size);
+  for (std::size_t following; n < tiles.size(); n = following) {
     following = take();
-    const auto [block, after] = blocks[n];
+    const auto [tile, after] = tiles[n];
     for (std::size_t earlier = 0; earlier < share; ++earlier)
       if (!progress.wait(earlier, std::min(after, cuts_[earlier + 1]))) return;
-    table.gather_late(block, loads.data());
-    speeds_[block].take(move(block, table.late_places(block), loads.data()));
+    table.gather_deferred(tile, loads.data());
+    speeds_[tile].take(move(tile, table.deferred_places(tile), loads.data()));
   }
 }
 
@@ -144,7 +144,7 @@ void SphereStepper::kick_late(std::size_t share, const parallel::Progress& progr
 /// no one walks, and nothing is cut.
 void SphereStepper::share_out() {
   if (!levels_.is_one()) return;
-  std::vector<std::size_t> even = even_cuts(levels_.loads(0).blocks(), static_cast<std::size_t>(parallel::threads()));
+  std::vector<std::size_t> even = even_cuts(levels_.loads(0).tiles(), static_cast<std::size_t>(parallel::threads()));
   if (cuts_.size() != even.size()) cuts_ = std::move(even);
   levels_.loads(0).share_out(cuts_);
   share_seconds_.assign(cuts_.size() - 1, 0);
@@ -153,8 +153,8 @@ void SphereStepper::share_out() {
 /// Cuts anew where threads have not as much work.
 void SphereStepper::balance() {
   if (!levels_.is_one()) return;
-  block_costs_.learn(cuts_, share_seconds_);
-  std::vector<std::size_t> cuts = block_costs_.improved(cuts_);
+  tile_costs_.learn(cuts_, share_seconds_);
+  std::vector<std::size_t> cuts = tile_costs_.improved(cuts_);
   if (cuts != cuts_) levels_.loads(0).share_out(cuts_ = std::move(cuts));
   std::ranges::fill(share_seconds_, 0);
 }

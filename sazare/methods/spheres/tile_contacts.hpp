@@ -1,6 +1,6 @@
 #pragma once
 
-/// The contacts of a block of spheres: the pairs that touch, one after the other in memory, with what they remember in lanes.
+/// The contacts of a tile of spheres: the pairs that touch, one after the other in memory, with what they remember in lanes.
 
 #include <cstdint>
 #include <vector>
@@ -22,7 +22,7 @@ struct Contact {
   std::uint32_t pair = 0;  ///< its number among the candidates
 };
 
-class BlockContacts {
+class TileContacts {
 public:
   static constexpr std::size_t at_once = TwinLanes::count;  ///< contacts that are evaluated together
 
@@ -56,9 +56,9 @@ public:
     }
     remember(n, {});
     if (remembered.bands) set_bands(n, {});
-    if (rest_.empty()) return;
-    rest_.resize(groups_of(n + 1));
-    set_rest(n, 0);
+    if (initial_overlap_.empty()) return;
+    initial_overlap_.resize(groups_of(n + 1));
+    set_initial_overlap(n, 0);
   }
 
   void add_to(ComingLines& coming) const {
@@ -95,9 +95,9 @@ public:
       rolling_.resize(groups_of(last));
       twisting_.resize(groups_of(last));
     }
-    if (rest_.empty()) return;
-    set_rest(contact, rest(last));
-    rest_.resize(groups_of(last));
+    if (initial_overlap_.empty()) return;
+    set_initial_overlap(contact, initial_overlap(last));
+    initial_overlap_.resize(groups_of(last));
   }
 
   /// What the `at_once` contacts from a multiple of it on remember [m]; lanes beyond the last contact may hold anything.
@@ -132,13 +132,15 @@ public:
                   [lane = lane_of(contact)](TwinLanes& in_lanes, const Real& number) { in_lanes.set(lane, number); });
   }
 
-  /// Whether some contact has an overlap at rest, beyond which alone it pushes [m].
-  bool rests() const { return !rest_.empty(); }
-  TwinLanes& rest_of(std::size_t contact) { return rest_[contact / at_once]; }
-  Real rest(std::size_t contact) const { return rest_.empty() ? 0 : rest_[contact / at_once][lane_of(contact)]; }
-  void set_rest(std::size_t contact, Real overlap) {
-    if (rest_.empty()) rest_.resize(groups_of(contacts_.size()));
-    rest_[contact / at_once].set(lane_of(contact), overlap);
+  /// Whether some contact has an initial overlap, beyond which alone it pushes [m].
+  bool has_initial_overlap() const { return !initial_overlap_.empty(); }
+  TwinLanes& initial_overlap_of(std::size_t contact) { return initial_overlap_[contact / at_once]; }
+  Real initial_overlap(std::size_t contact) const {
+    return initial_overlap_.empty() ? 0 : initial_overlap_[contact / at_once][lane_of(contact)];
+  }
+  void set_initial_overlap(std::size_t contact, Real overlap) {
+    if (initial_overlap_.empty()) initial_overlap_.resize(groups_of(contacts_.size()));
+    initial_overlap_[contact / at_once].set(lane_of(contact), overlap);
   }
 
 private:
@@ -159,11 +161,11 @@ private:
   }
 
   std::vector<Contact> contacts_;
-  Memory sliding_;                   ///< empty where there are bands
+  Memory sliding_;                                 ///< empty where there are bands
   std::vector<laws::SlipBands<TwinLanes>> bands_;  ///< empty where friction does not slip in part
-  Memory rolling_;                   ///< empty, like the next, where nothing resists rolling or twisting
-  std::vector<TwinLanes> twisting_;  ///< beside it
-  std::vector<TwinLanes> rest_;      ///< empty where none has an overlap at rest
+  Memory rolling_;                                 ///< empty, like the next, where nothing resists rolling or twisting
+  std::vector<TwinLanes> twisting_;                ///< beside it
+  std::vector<TwinLanes> initial_overlap_;         ///< empty where none has an initial overlap
 };
 
 }  // namespace sazare::methods::spheres

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What the links of a block of particles are like now: several particles at a time, one direction of the lattice after the
+/// What the links of a pack of particles are like now: several particles at a time, one direction of the lattice after the
 /// other.
 
 #include "sazare/core/lane_math.hpp"
@@ -19,13 +19,13 @@ enum class RotationRemoval {
 template <std::size_t N>
 using Frames = std::array<state::Column, N>;
 
-/// The particles of a block and their neighbours in one direction. A particle's frame turns (and, where it has flowed, stretches)
+/// The particles of a pack and their neighbours in one direction. A particle's frame turns (and, where it has flowed, stretches)
 /// the links as they began.
 template <int D, std::size_t N>
-class LinkBlock {
+class LinkPack {
 public:
-  LinkBlock(const state::Particles<D>& particles, const Frames<N>& frames, std::size_t block)
-      : particles_(particles), frames_(frames), begin_(block * lane_count) {
+  LinkPack(const state::Particles<D>& particles, const Frames<N>& frames, std::size_t pack)
+      : particles_(particles), frames_(frames), begin_(pack * lane_count) {
     for (int i = 0; i < D; ++i) displacement_[i] = own(particles.displacement[static_cast<std::size_t>(i)]);
     for (std::size_t i = 0; i < N; ++i) frame_[i] = own(frames[i]);
   }

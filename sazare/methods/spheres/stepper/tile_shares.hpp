@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where blocks are cut into shares of threads: share s has the blocks cuts[s] .. cuts[s + 1] - 1.
+/// Where tiles are cut into shares of threads: share s has the tiles cuts[s] .. cuts[s + 1] - 1.
 
 #include <algorithm>
 #include <cstddef>
@@ -12,46 +12,46 @@
 
 namespace sazare::methods::spheres {
 
-/// As many blocks for each, but one.
-inline std::vector<std::size_t> even_cuts(std::size_t blocks, std::size_t shares) {
-  shares = std::clamp<std::size_t>(shares, 1, std::max<std::size_t>(blocks, 1));
+/// As many tiles for each, but one.
+inline std::vector<std::size_t> even_cuts(std::size_t tiles, std::size_t shares) {
+  shares = std::clamp<std::size_t>(shares, 1, std::max<std::size_t>(tiles, 1));
   std::vector<std::size_t> cuts;
-  for (std::size_t share = 0; share <= shares; ++share) cuts.push_back(blocks * share / shares);
+  for (std::size_t share = 0; share <= shares; ++share) cuts.push_back(tiles * share / shares);
   return cuts;
 }
 
-/// As much work for each, where every block costs so much.
+/// As much work for each, where every tile costs so much.
 inline std::vector<std::size_t> balanced_cuts(std::span<const Real> costs, std::size_t shares) {
   std::vector<std::size_t> cuts = even_cuts(costs.size(), shares);
   const Real all = std::accumulate(costs.begin(), costs.end(), Real{0});
   if (!(all > 0)) return cuts;
   Real passed = 0;
   std::size_t next = 1;
-  for (std::size_t block = 0; block < costs.size(); ++block) {
-    passed += costs[block];
-    for (; next < shares && passed - 0.5 * costs[block] > all * static_cast<Real>(next) / static_cast<Real>(shares); ++next)
-      cuts[next] = block;
+  for (std::size_t tile = 0; tile < costs.size(); ++tile) {
+    passed += costs[tile];
+    for (; next < shares && passed - 0.5 * costs[tile] > all * static_cast<Real>(next) / static_cast<Real>(shares); ++next)
+      cuts[next] = tile;
   }
   for (; next < shares; ++next) cuts[next] = costs.size();
-  for (std::size_t n = 1; n < shares; ++n)  // no share without a block
+  for (std::size_t n = 1; n < shares; ++n)  // no share without a tile
     cuts[n] = std::clamp(cuts[n], cuts[n - 1] + 1, costs.size() - (shares - n));
   return cuts;
 }
 
-/// What blocks cost, learnt from what shares take. Single measurements differ by more than shares should, so that each counts
+/// What tiles cost, learnt from what shares take. Single measurements differ by more than shares should, so that each counts
 /// for a part alone.
-class BlockCosts {
+class TileCosts {
 public:
-  std::size_t blocks() const { return costs_.size(); }
+  std::size_t tiles() const { return costs_.size(); }
 
   /// Shares cut like this took so many seconds.
   void learn(const std::vector<std::size_t>& cuts, std::span<const Real> seconds) {
-    const bool is_first = blocks() != cuts.back();
+    const bool is_first = tiles() != cuts.back();
     if (is_first) costs_.assign(cuts.back(), 0);
     const Real weight = is_first ? 1 : 0.5;
     for (std::size_t share = 0; share < seconds.size(); ++share) {
       const Real each = seconds[share] / static_cast<Real>(std::max<std::size_t>(cuts[share + 1] - cuts[share], 1));
-      for (std::size_t block = cuts[share]; block < cuts[share + 1]; ++block) costs_[block] += weight * (each - costs_[block]);
+      for (std::size_t tile = cuts[share]; tile < cuts[share + 1]; ++tile) costs_[tile] += weight * (each - costs_[tile]);
     }
   }
 
@@ -71,7 +71,7 @@ private:
     return most;
   }
 
-  std::vector<Real> costs_;  ///< by block, of some steps [s]
+  std::vector<Real> costs_;  ///< by tile, of some steps [s]
 };
 
 }  // namespace sazare::methods::spheres

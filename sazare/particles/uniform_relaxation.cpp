@@ -1,4 +1,4 @@
-/// How UniformStepper finds the rest before the beginning.
+/// How UniformStepper finds equilibrium before the beginning.
 
 #include <algorithm>
 #include <cmath>
