@@ -11,6 +11,13 @@ void append(std::string& bytes, const T& value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
+/// True faces that are as stiff as the joints were.
+void touch_by_faces(cases::BlocksCase& blocks) {
+  blocks.contact.shape = cases::ContactShape::faces;
+  blocks.contact.face_stiffness = *blocks.joints[0].normal_stiffness;
+  blocks.contact.face_damping = blocks.joints[0].normal_damping;
+}
+
 /// Rock of which Young's modulus and Poisson's ratio are given.
 void take_springs_from_elements(cases::BlocksCase& blocks) {
   blocks.materials[0].youngs_modulus = 20e9;
@@ -32,6 +39,7 @@ runs::BlocksModel slab(const SlabRules& rules) {
   blocks.blasts[0].pressure = cases::PressureTable{{}, {0, 1e-3}, {1.5e9, 1.5e9}};
   blocks.time.limiter = rules.limiter;
   blocks.time.levels = rules.levels;
+  if (rules.contact == cases::ContactShape::faces) touch_by_faces(blocks);
   if (rules.takes_springs_from_elements) take_springs_from_elements(blocks);
   if (rules.limiter == cases::Limiter::travel) {
     blocks.time.base_step = 2e-8;

@@ -14,6 +14,7 @@ struct SlabRules {
   cases::Limiter limiter = cases::Limiter::stability;
   cases::Levels levels = cases::Levels::per_element;
   bool takes_springs_from_elements = false;  ///< by Young's modulus and Poisson's ratio, with joints that soften by slip as well
+  cases::ContactShape contact = cases::ContactShape::spheres;
 };
 
 /// Not started. The mesh is that of the case.

@@ -35,6 +35,12 @@ TEST(threads, give_the_same_bits_with_springs_of_the_elements) {
   expect_same_bits({cases::Limiter::stability, cases::Levels::per_element, true}, 100, 40);
 }
 
+TEST(threads, give_the_same_bits_where_true_faces_touch) {
+  test::SlabRules rules;
+  rules.contact = cases::ContactShape::faces;
+  expect_same_bits(rules, 100, 40);
+}
+
 TEST(threads, a_difference_of_one_bit_would_show) {
   parallel::set_threads(1);
   auto model = test::slab(), other = test::slab();

@@ -70,6 +70,16 @@ def test_springs_of_the_elements_give_the_same_bits_on_ranks(sazare, tmp_path, r
     assert_same_results(tmp_path / "alone", tmp_path / "many")
 
 
+@pytest.mark.parametrize("ranks", [2, 3])
+def test_true_faces_give_the_same_bits_on_ranks(sazare, tmp_path, ranks):
+    faces = ("--set", 'contact.contact_shape="faces"', "--set", "contact.face_contact_stiffness=450e9")
+    alone = run_alone(tmp_path / "alone", *faces)
+    assert manifest(alone)["results"]["broken_joints"] > 0
+    many = sazare.on_ranks(ranks, *block_run(sazare, tmp_path / "many", *faces))
+    assert many.returncode == DONE, many.stderr
+    assert_same_results(alone, tmp_path / "many")
+
+
 @pytest.mark.parametrize(
     ("ranks", "threads", "options"),
     [

@@ -116,10 +116,24 @@ class Joint(Part):
 class Contact(Part):
     """Contact between free faces and between faces whose joint is broken."""
 
-    contact_stiffness: float
-    """Normal stiffness of a pair of contact spheres: force per overlap. [N/m] Greater than 0."""
+    contact_shape: Literal["spheres", "faces"] | None = None
+    """What touches: spheres behind the faces, which is fast, but bumpy where faces slide; or the true faces, which slide over
+    each other as planes and keep the energy. Default: "spheres".
+    """
+    contact_stiffness: float | None = None
+    """Normal stiffness of a pair of contact spheres: force per overlap. [N/m] (required for spheres; with faces for a coupled run
+    alone, whose surface spheres touch) Greater than 0.
+    """
     contact_damping: float | None = None
     """Normal dashpot of a pair: force per approach velocity; never attractive. [N s/m] Default: 0.0. At least 0."""
+    face_contact_stiffness: float | None = None
+    """Normal stiffness of two faces that touch: pressure per overlap. [Pa/m] (required with contact_shape = "faces") Greater than
+    0.
+    """
+    face_contact_damping: float | None = None
+    """Normal dashpot of two faces that touch: pressure per approach velocity; never attractive. [Pa s/m] (with contact_shape =
+    "faces") Default: 0.0. At least 0.
+    """
     friction_coefficient: float | None = None
     """Coefficient of friction: largest tangential force per normal force. (exactly one of friction_coefficient and
     friction_angle) At least 0.

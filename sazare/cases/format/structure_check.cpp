@@ -46,7 +46,7 @@ private:
     for (const Key& key : table.keys)
       if (key.need == Need::required) keys += (keys.empty() ? "" : ", ") + std::string(key.name);
     problems_.error({}, fmt::format("the case has no {}", table_header(table)),
-                    fmt::format("add {} with {}: {}", table_header(table), keys, table.sentence));
+                    fmt::format("add {}{}: {}", table_header(table), keys.empty() ? "" : " with " + keys, table.sentence));
   }
 
   void check_member(Member& member) {

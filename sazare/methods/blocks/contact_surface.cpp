@@ -6,10 +6,20 @@
 namespace sazare::methods::blocks {
 
 namespace {
+
+ContactSphere sphere_around_face(const geometry::Tetrahedron& corners, int face) {
+  ContactSphere bound{Vector3::Zero(), 0};
+  const auto& numbers = geometry::tetrahedron_faces[static_cast<std::size_t>(face)];
+  const auto corner = [&](int number) -> const Vector3& { return corners[static_cast<std::size_t>(number)]; };
+  for (const int number : numbers) bound.centre += corner(number) / 3;
+  for (const int number : numbers) bound.radius = std::max(bound.radius, (corner(number) - bound.centre).norm());
+  return bound;
+}
+
 }  // namespace
 
-ContactSurface::ContactSurface(Index bodies, int edge_division, Real skin)
-    : edge_division_(edge_division), skin_(skin), open_of_(at(bodies), -1) {}
+ContactSurface::ContactSurface(Index bodies, int edge_division, Real skin, ContactShape shape)
+    : edge_division_(edge_division), skin_(skin), shape_(shape), open_of_(at(bodies), -1) {}
 
 void ContactSurface::open(const FreeFace& face, const geometry::Tetrahedron& corners, const state::Pose<3>& start) {
   Index& open = open_of_[at(face.body)];
@@ -24,8 +34,8 @@ void ContactSurface::open(const FreeFace& face, const geometry::Tetrahedron& cor
     own[corner] = start.rotation.transpose() * (corners[corner] - start.position);
   const auto spheres = contact_spheres(own, face.face, edge_division_);
   patches_of_[at(open)][at(face.face)] = static_cast<Index>(patches_.size());
-  patches_.push_back(
-      {face.body, static_cast<Index>(spheres_.size()), static_cast<Index>(spheres.size()), bounding_sphere(spheres)});
+  const ContactSphere bound = shape_ == ContactShape::faces ? sphere_around_face(own, face.face) : bounding_sphere(spheres);
+  patches_.push_back({face.body, static_cast<Index>(spheres_.size()), static_cast<Index>(spheres.size()), bound});
   spheres_.insert(spheres_.end(), spheres.begin(), spheres.end());
 }
 

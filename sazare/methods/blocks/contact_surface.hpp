@@ -14,6 +14,9 @@
 
 namespace sazare::methods::blocks {
 
+/// What of a block touches others: the spheres behind its faces, or the faces themselves.
+enum class ContactShape { spheres, faces };
+
 /// A free face of a block.
 struct FreeFace {
   Index body = 0;
@@ -38,12 +41,14 @@ struct NearPair {
 
 class ContactSurface {
 public:
-  ContactSurface(Index bodies, int edge_division, Real skin);
+  ContactSurface(Index bodies, int edge_division, Real skin, ContactShape shape = ContactShape::spheres);
 
   /// Opens a face of a block whose corners are given as it stood at the beginning [m].
   void open(const FreeFace& face, const geometry::Tetrahedron& corners, const state::Pose<3>& start);
 
   const ContactSphere& sphere(Index number) const { return spheres_[static_cast<std::size_t>(number)]; }
+  /// Place of a body among those with open faces, or -1.
+  Index place_of(Index body) const { return open_of_[at(body)]; }
   std::int64_t sphere_count() const { return static_cast<std::int64_t>(spheres_.size()); }
   Real skin() const { return skin_; }
 
@@ -81,7 +86,7 @@ private:
     Index body = 0;
     Index first_sphere = 0;
     Index count = 0;
-    ContactSphere bound;  ///< in the body frame
+    ContactSphere bound;  ///< around what touches, in the body frame
   };
 
   void place_patch(Index patch);
@@ -92,6 +97,7 @@ private:
 
   int edge_division_;
   Real skin_;
+  ContactShape shape_;
   std::vector<ContactSphere> spheres_;  ///< in the body frames
   std::vector<Patch> patches_;
   std::vector<std::array<Index, 4>> patches_of_;  ///< by open body; -1 for none

@@ -1,8 +1,6 @@
 #include "sazare/methods/blocks/contacts.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <cmath>
 #include <utility>
 
 #include "sazare/parallel/threads.hpp"
@@ -11,57 +9,14 @@ namespace sazare::methods::blocks {
 
 namespace {
 
-constexpr std::size_t serial_below = 64;         // a pair takes some 100 ns, waking a thread some microseconds
-constexpr std::size_t searched_alone_below = 4;  // bodies; a search takes some microseconds
-constexpr int base_steps_between_searches = 8;
-constexpr Real skin_of_radius = 0.15;  // of the median inscribed radius: few false neighbours, few searches (measured)
-
-// A clearance is good for so much of the skin. The less, the fewer spheres are looked at that do not touch, and the more often it
-// is measured anew, which takes longer than many evaluations.
-constexpr Real largest_move = 1.0 / 32, smallest_move = 1.0 / 1024;
-constexpr Real usual_evaluations = 80;  // between two measurements
-
-Real inscribed_radius(const geometry::Tetrahedron& corners) {
-  Real area = 0;
-  for (int face = 0; face < 4; ++face) area += geometry::face_area(corners, face);
-  return 3 * geometry::volume(corners) / area;
-}
-
-Real choose_skin(const geometry::ElementCorners& corners) {
-  std::vector<Real> radii;
-  for (std::size_t body = 0; body < corners.tetrahedra.size(); ++body)
-    radii.push_back(inscribed_radius(corners.of(static_cast<Index>(body))));
-  if (radii.empty()) return 0;
-  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
-  std::nth_element(radii.begin(), middle, radii.end());
-  return skin_of_radius * *middle;
-}
+constexpr std::size_t serial_below = 64;  // a pair takes some 100 ns, waking a thread some microseconds
 
 }  // namespace
 
 Contacts::Contacts(const laws::SphereContact& law, int edge_division, Joints& joints, const geometry::ElementCorners& corners,
                    std::span<const FreeFace> free_faces, const state::Bodies<3>& bodies)
-    : law_(law), joints_(&joints), corners_(corners), surface_(bodies.size(), edge_division, choose_skin(corners_)) {
-  table_.causes = {terms::Cause::contact_dashpot, terms::Cause::friction};
-  table_.incidence = terms::ChangingIncidence(bodies.size());
-  touching_.assign(bodies.inertia.size(), 0);
-  softness_.reserve(bodies.inertia.size());
-  for (std::size_t body = 0; body < bodies.inertia.size(); ++body) {
-    const auto& inertia = bodies.inertia[body];
-    const Real reach = bodies.reach[body];
-    softness_.push_back(static_cast<float>(1 / inertia.mass + reach * reach * inertia.inverse_moments.maxCoeff()));
-  }
-  for (const FreeFace& face : free_faces) open_face(face, bodies);
-  terms::Changes ignored;
-  const std::vector<Index> all(surface_.bodies().begin(), surface_.bodies().end());
-  search(all, false, Instant{}, bodies, ignored);
-}
-
-std::vector<Index> Contacts::first_links() const {
-  std::vector<Index> active;
-  for (std::size_t pair = 0; pair < links_.size(); ++pair)
-    if (!is_idle(links_[pair])) active.push_back(static_cast<Index>(pair));
-  return active;
+    : BlockContacts(ContactShape::spheres, edge_division, joints, corners, bodies), law_(law) {
+  open_first(free_faces, bodies);
 }
 
 void Contacts::evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
@@ -74,16 +29,13 @@ void Contacts::evaluate(const Instant& now, std::span<const Due> due, const stat
 void Contacts::evaluate_batch(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
   thread_local ContactBatch batch;
   batch.clear();
-  const auto body = [&](Index number) { return ContactBody{bodies.motion[at(number)], bodies.inertia[at(number)]}; };
   for (const Due& each : due) {
     const Link& link = links_[at(each.link)];
-    const ContactBody first = body(link.first), second = body(link.second);
+    const ContactBody first = body(link.first, bodies), second = body(link.second, bodies);
     const Real moved = update_clearance(each.link, first, second, bodies);
-    const Clearance& clearance = clearance_[at(each.link)];
-    const bool were_apart = table_[each.link].evaluated < 0;
-    if (were_apart && moved < clearance.gap) continue;
+    if (stays_apart(each.link, moved)) continue;
     batch.begin_pair(each, first, second);
-    for (SpherePair& spheres : std::span(spheres_[at(each.link)]).first(at(clearance.near))) {
+    for (SpherePair& spheres : std::span(spheres_[at(each.link)]).first(at(clearance_[at(each.link)].near))) {
       if (moved < spheres.gap)
         spheres.memory = {};
       else
@@ -91,264 +43,54 @@ void Contacts::evaluate_batch(const Instant& now, std::span<const Due> due, cons
     }
   }
   batch.evaluate(law_, surface_, bodies.pole);
-  for (const ContactBatch::Pair& pair : batch.pairs()) conclude(now, batch, pair);
+  for (const ContactBatch::Pair& pair : batch.pairs())
+    conclude(now, pair.due, pair.overlap, pair.touching > 0, pair.touching > 0 ? batch.force(pair) : ContactForce{});
 }
 
-/// Writes what a batch has found of a pair.
-void Contacts::conclude(const Instant& now, const ContactBatch& batch, const ContactBatch::Pair& pair) {
-  const Index number = pair.due.link;
-  auto& slot = table_[number];
-  if (!pair.overlap) clearance_[at(number)].is_known = 0;  // a gap has opened: once measured, it spares the spheres for a while
-  const bool did_touch = slot.evaluated >= 0, touches = pair.touching > 0;
-  count_touching(links_[at(number)], static_cast<int>(touches) - static_cast<int>(did_touch));
-  if (!touches) {
-    slot = {};
-    return;
-  }
-  const ContactForce force = batch.force(pair);
-  terms::write<3, 2>(slot, now, pair.due, force.total, {force.dashpot, force.friction});
+std::vector<NearPair> Contacts::find_near(Index body, const PoseOf& pose_of) const {
+  return surface_.search(
+      body, [&](Index partner) { return joints_->bonded(body, partner); }, pose_of);
 }
 
-/// Measures the clearance of a pair anew where what has moved since then has used it up; returns how far the two have moved
-/// since it was measured, at most [m].
-Real Contacts::update_clearance(Index pair, const ContactBody& first, const ContactBody& second, const state::Bodies<3>& bodies) {
-  const Link& link = links_[at(pair)];
-  Clearance& clearance = clearance_[at(pair)];
-  const state::Pose<3> first_pose = first.pose(), second_pose = second.pose();
-  Real moved = 0;
-  if (clearance.is_known)
-    moved = clearance.moved(first_pose, second_pose, bodies.reach[at(link.first)], bodies.reach[at(link.second)]);
-  ++clearance.evaluations;
-  const bool is_used_up = clearance.is_known && moved > clearance.good;
-  const bool gap_is_used_up = table_[pair].evaluated < 0 && clearance.gap > 0 && moved >= clearance.gap;
-  if (is_used_up) fit_to_motion(clearance);
-  if (!clearance.is_known || gap_is_used_up || is_used_up) {
-    measure(spheres_[at(pair)], first_pose, second_pose, clearance);
-    moved = 0;
-  }
-  clearance.is_distant = are_distant(first, second, link, clearance.gap - moved, bodies);
-  return moved;
+void Contacts::begin(Index pair, NearPair near, const PoseOf&) {
+  if (spheres_.size() <= at(pair)) spheres_.resize(at(pair) + 1);
+  spheres_[at(pair)] = std::move(near.spheres);
 }
 
-/// The faster two bodies move against each other, the more their clearance is to be good for.
-void Contacts::fit_to_motion(Clearance& clearance) const {
-  const Real fitting = clearance.good * usual_evaluations / static_cast<Real>(clearance.evaluations);
-  clearance.good = std::clamp(fitting, smallest_move * surface_.skin(), largest_move * surface_.skin());
+void Contacts::renew(Index pair, NearPair near) {
+  for (SpherePair& sphere : near.spheres)  // known spheres keep their memory
+    for (const SpherePair& known : spheres_[at(pair)])
+      if (known.first == sphere.first && known.second == sphere.second) sphere = known;
+  spheres_[at(pair)] = std::move(near.spheres);
 }
 
-/// Whether two bodies, which may still come nearer by `room`, cannot meet within two base steps; their speeds may change by as
-/// much as they are, or by a little from rest.
-bool Contacts::are_distant(const ContactBody& first, const ContactBody& second, const Link& link, Real room,
-                           const state::Bodies<3>& bodies) const {
-  if (!(room > surface_.skin() / 1000)) return false;
-  const Real closing = (second.motion.velocity - first.motion.velocity).norm() +
-                       bodies.reach[at(link.first)] * first.motion.spin.norm() +
-                       bodies.reach[at(link.second)] * second.motion.spin.norm();
-  const Real change = surface_.skin() / 1000 + 2 * base_step_ * (first.motion.velocity.norm() + second.motion.velocity.norm());
-  return room > 2 * base_step_ * closing + std::min(surface_.skin() / 100, change);
-}
-
-/// Clearance of a pair where it stands, with the gaps of its spheres. Those come first that may touch until the next time; the
-/// others forget.
-void Contacts::measure(std::vector<SpherePair>& spheres, const state::Pose<3>& first, const state::Pose<3>& second,
-                       Clearance& clearance) const {
-  clearance.gap = surface_.skin();
-  clearance.is_known = 1;
-  clearance.evaluations = 0;
-  if (clearance.good == 0) clearance.good = smallest_move * surface_.skin();
-  clearance.apart = second.position - first.position;
-  clearance.first = first.rotation;
-  clearance.second = second.rotation;
-  const auto is_near = [&](const SpherePair& pair) { return pair.gap <= clearance.good; };
-  for (SpherePair& pair : spheres) {
-    pair.gap = -touch(surface_.sphere(pair.first), surface_.sphere(pair.second), first, second).overlap;
-    clearance.gap = std::min(clearance.gap, pair.gap);
-    if (pair.gap >= 0) pair.initial_overlap = 0;
-    if (!is_near(pair)) pair.memory = {};
+/// With the gaps of all spheres. Those come first that may touch until the next time; the others forget.
+Real Contacts::find_gap(Index pair, const state::Pose<3>& first, const state::Pose<3>& second, Clearance& clearance) {
+  std::vector<SpherePair>& spheres = spheres_[at(pair)];
+  Real gap = surface_.skin();
+  const auto is_near = [&](const SpherePair& each) { return each.gap <= clearance.good; };
+  for (SpherePair& each : spheres) {
+    each.gap = -touch(surface_.sphere(each.first), surface_.sphere(each.second), first, second).overlap;
+    gap = std::min(gap, each.gap);
+    if (each.gap >= 0) each.initial_overlap = 0;
+    if (!is_near(each)) each.memory = {};
   }
   const auto far = std::ranges::stable_partition(spheres, is_near);
   clearance.near = static_cast<Index>(spheres.size() - far.size());
-}
-
-void Contacts::count_touching(const Link& link, int change) {
-  if (change == 0) return;
-  for (const Index body : {link.first, link.second})
-    std::atomic_ref(touching_[at(body)]).fetch_add(change, std::memory_order_relaxed);
-}
-
-/// Few blocks touch others.
-void Contacts::gather(const Instant& now, std::span<const Index> which, const state::Bodies<3>&, std::span<state::Impulse<3>> sum,
-                      terms::CauseImpulses<3>& parts) const {
-  for (std::size_t i = 0; i < which.size(); ++i)
-    if (touching_[at(which[i])] > 0) table_.gather_one(now, which[i], i, sum[i], parts);
-}
-
-void Contacts::open_face(const FreeFace& face, const state::Bodies<3>& bodies) {
-  surface_.open(face, corners_.of(face.body), {bodies.start[at(face.body)], state::start_rotation(bodies, face.body)});
-}
-
-void Contacts::post_step(const Instant& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) {
-  for (const Index pair : ending_) links_[at(pair)] = {};
-  idle_.insert(idle_.end(), ending_.begin(), ending_.end());
-  ending_.clear();
-  const std::vector<Index> broken = joints_->take_broken();
-  if (broken.empty()) return;
-  std::vector<Index> opened;
-  for (const Index number : broken) {
-    const Link& joint = joints_->links()[at(number)];
-    for (const Index body : {joint.first, joint.second}) {
-      opened.push_back(body);
-      for (int face = 0; face < 4; ++face)
-        if (joints_->joint_at(body, face) == number) open_face({body, face}, bodies);
-    }
-  }
-  std::ranges::sort(opened);
-  opened.erase(std::unique(opened.begin(), opened.end()), opened.end());
-  if (!peers.alone()) {
-    peers.fetch(opened);
-    peers.fetch(surface_.candidates(opened, [&](Index body) { return state::pose_at(bodies.motion[at(body)], now); }));
-  }
-  search(opened, false, now, bodies, changes);
-}
-
-void Contacts::post_base_step(const Instant& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) {
-  deactivate_the_distant(now, peers, changes);
-  if (++base_steps_ % base_steps_between_searches != 0) return;
-  peers.fetch(surface_.bodies());
-  std::vector<Index> moved;
-  for (const Index body : surface_.bodies())
-    if (surface_.moved(body, state::pose_at(bodies.motion[at(body)], now), bodies.reach[at(body)]) > surface_.skin() / 3)
-      moved.push_back(body);
-  if (moved.empty()) return;
-  std::ranges::sort(moved);
-  search(moved, true, now, bodies, changes);
-}
-
-/// Makes pairs inactive that the evaluation of this base step has found too far apart to meet before the one after the next.
-void Contacts::deactivate_the_distant(const Instant& now, terms::Peers& peers, terms::Changes& changes) {
-  base_step_ = now.seconds_since(std::exchange(last_base_, now.tick));
-  std::vector<Index> changed;
-  for (Index pair = 0; pair < static_cast<Index>(links_.size()); ++pair) {
-    const Clearance& clearance = clearance_[at(pair)];
-    if (clearance.is_distant == clearance.is_inactive || is_idle(links_[at(pair)])) continue;
-    if (peers.owns(links_[at(pair)].first)) changed.push_back(pair);
-  }
-  peers.unite(changed);
-  for (const Index pair : changed) {
-    Clearance& clearance = clearance_[at(pair)];
-    clearance.is_inactive = !clearance.is_inactive;
-    clearance.is_distant = clearance.is_inactive;
-    (clearance.is_inactive ? changes.inactive : changes.watching).push_back(pair);
-  }
-}
-
-void Contacts::search(std::span<const Index> which, bool may_end, const Instant& now, const state::Bodies<3>& bodies,
-                      terms::Changes& changes) {
-  const auto pose_of = [&](Index body) { return state::pose_at(bodies.motion[at(body)], now); };
-  for (const Index body : which) surface_.place(body, pose_of(body));
-  std::vector<std::vector<NearPair>> found(which.size());
-  parallel::parallel_for_uneven(which.size(), searched_alone_below, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n)
-      found[n] = surface_.search(
-          which[n], [&](Index partner) { return joints_->bonded(which[n], partner); }, pose_of);
-  });
-  for (std::size_t n = 0; n < which.size(); ++n) merge(which[n], std::move(found[n]), may_end, changes);
-}
-
-/// Brings the pairs of a body up to what has been found near it; both lists rise by partner.
-void Contacts::merge(Index body, std::vector<NearPair> found, bool may_end, terms::Changes& changes) {
-  const auto listed = table_.incidence.of(body);
-  std::vector<Index> gone;
-  for (const terms::SlotSide side : listed) {
-    const Link& link = links_[at(side.slot)];
-    const auto near =
-        std::ranges::find_if(found, [&](const NearPair& pair) { return pair.first == link.first && pair.second == link.second; });
-    if (near == found.end())
-      gone.push_back(side.slot);
-    else
-      changes.stiffer.insert(changes.stiffer.end(), {link.first, link.second});
-  }
-  for (NearPair& near : found) {
-    const Index pair = pair_of(near.first, near.second);
-    if (pair < 0) {
-      begin_pair(std::move(near), changes);
-      continue;
-    }
-    for (SpherePair& sphere : near.spheres)  // known spheres keep their memory
-      for (const SpherePair& known : spheres_[at(pair)])
-        if (known.first == sphere.first && known.second == sphere.second) sphere = known;
-    spheres_[at(pair)] = std::move(near.spheres);
-    if (clearance_[at(pair)].is_inactive) changes.watching.push_back(pair);  // its new spheres may be near
-    clearance_[at(pair)] = {};
-  }
-  if (!may_end) return;
-  for (const Index pair : gone) end_pair(pair, changes);
-}
-
-Index Contacts::pair_of(Index first, Index second) const {
-  for (const terms::SlotSide side : table_.incidence.of(first)) {
-    const Link& link = links_[at(side.slot)];
-    if (link.first == first && link.second == second) return side.slot;
-  }
-  return -1;
-}
-
-void Contacts::list_side(Index body, terms::SlotSide side) {
-  auto& list = table_.incidence.list(body);
-  const auto partner = [&](const terms::SlotSide& of) {
-    const Link& link = links_[at(of.slot)];
-    return of.side == 0 ? link.second : link.first;
-  };
-  list.insert(std::ranges::lower_bound(list, partner(side), {}, partner), side);
-}
-
-void Contacts::begin_pair(NearPair near, terms::Changes& changes) {
-  Index pair = static_cast<Index>(links_.size());
-  if (idle_.empty()) {
-    links_.emplace_back();
-    spheres_.emplace_back();
-    clearance_.emplace_back();
-    table_.slots.emplace_back();
-  } else {
-    pair = idle_.back();
-    idle_.pop_back();
-    table_[pair] = {};
-  }
-  links_[at(pair)] = {near.first, near.second};
-  spheres_[at(pair)] = std::move(near.spheres);
-  clearance_[at(pair)] = {};
-  list_side(near.first, {pair, 0});
-  list_side(near.second, {pair, 1});
-  changes.new_links.push_back(pair);
-  changes.stiffer.insert(changes.stiffer.end(), {near.first, near.second});
-}
-
-void Contacts::end_pair(Index pair, terms::Changes& changes) {
-  const Link link = links_[at(pair)];
-  for (const Index body : {link.first, link.second}) {
-    std::erase_if(table_.incidence.list(body), [&](const terms::SlotSide& side) { return side.slot == pair; });
-    changes.softer.push_back(body);
-  }
-  if (table_[pair].evaluated >= 0) count_touching(link, -1);
-  table_[pair] = {};
-  spheres_[at(pair)].clear();
-  changes.ended_links.push_back(pair);
-  ending_.push_back(pair);
+  return gap;
 }
 
 terms::Rates Contacts::rates(Index body) const {
   terms::Rates sum;
-  for (const terms::SlotSide side : table_.incidence.of(body)) {
+  for (const terms::SlotSide side : table_.incidence.of(body))
     sum += contact_rates(law_, static_cast<Real>(spheres_[at(side.slot)].size()), softness_[at(body)]);
-  }
   return sum;
 }
 
 void Contacts::add_energies(const terms::Synchronized<3>& at_time, terms::EnergySums& energies) const {
   for (std::size_t pair = 0; pair < links_.size(); ++pair) {
+    if (!has_energy(pair, at_time)) continue;
     const Link& link = links_[pair];
-    if (is_idle(link) || !at_time.counts(link)) continue;
-    if (table_.slots[pair].evaluated < 0) continue;  // apart when last evaluated, and far from meeting where that was earlier
     table_.take_back(static_cast<Index>(pair), link, at_time, energies);
     for (const SpherePair& sphere : spheres_[pair]) {
       const SphereTouch touched = touch(surface_.sphere(sphere.first), surface_.sphere(sphere.second),
@@ -361,14 +103,7 @@ void Contacts::add_energies(const terms::Synchronized<3>& at_time, terms::Energy
 
 void Contacts::carry(Index pair, Parcel& parcel) {
   parcel(spheres_[at(pair)]);
-  parcel(clearance_[at(pair)]);
-  parcel(table_[pair]);
-}
-
-void Contacts::carried() {
-  std::ranges::fill(touching_, 0);
-  for (std::size_t pair = 0; pair < links_.size(); ++pair)
-    if (!is_idle(links_[pair]) && table_.slots[pair].evaluated >= 0) count_touching(links_[pair], 1);
+  BlockContacts::carry(pair, parcel);
 }
 
 void Contacts::columns(Archive& archive) {
@@ -378,30 +113,15 @@ void Contacts::columns(Archive& archive) {
     flat.insert(flat.end(), pairs.begin(), pairs.end());
     counts.push_back(static_cast<Index>(pairs.size()));
   }
-  archive("links", links_);
   archive("spheres", flat);
   archive("counts", counts);
-  archive("idle", idle_);
-  archive("ending", ending_);
-  archive("slots", table_.slots);
-  archive("base_steps", base_steps_);
-  archive("touching", touching_);
-  archive("clearance", clearance_);
-  archive("last_base", last_base_);
-  archive("base_step", base_step_);
-  archive.folder("surface", [&] { surface_.columns(archive); });
+  BlockContacts::columns(archive);
   if (!archive.reading()) return;
   spheres_.assign(counts.size(), {});
   auto next = flat.begin();
   for (std::size_t pair = 0; pair < counts.size(); ++pair) {
     spheres_[pair].assign(next, next + counts[pair]);
     next += counts[pair];
-  }
-  table_.incidence = terms::ChangingIncidence(static_cast<Index>(softness_.size()));
-  for (Index pair = 0; pair < static_cast<Index>(links_.size()); ++pair) {
-    if (is_idle(links_[at(pair)]) || std::ranges::find(ending_, pair) != ending_.end()) continue;
-    list_side(links_[at(pair)].first, {pair, 0});
-    list_side(links_[at(pair)].second, {pair, 1});
   }
 }
 

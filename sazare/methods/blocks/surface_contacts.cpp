@@ -16,7 +16,7 @@ constexpr Real same_direction = 0.7;  // cosine: beyond it a point is another on
 
 }  // namespace
 
-SurfaceContacts::SurfaceContacts(const laws::SphereContact& law, const Contacts& contacts, const state::Bodies<3>& bodies)
+SurfaceContacts::SurfaceContacts(const laws::SphereContact& law, const BlockContacts& contacts, const state::Bodies<3>& bodies)
     : law_(law), contacts_(&contacts), reach_(bodies.reach), link_of_(at(bodies.size()), -1) {
   table_.causes = {terms::Cause::contact_dashpot, terms::Cause::friction};
   table_.incidence = terms::ChangingIncidence(bodies.size());

@@ -13,7 +13,7 @@
 #include "sazare/geometry/facets/points.hpp"
 #include "sazare/geometry/nodal_surface.hpp"
 #include "sazare/methods/blocks/contact_kernel.hpp"
-#include "sazare/methods/blocks/contacts.hpp"
+#include "sazare/methods/blocks/block_contacts.hpp"
 #include "sazare/neighbors/sphere_grid.hpp"
 
 namespace sazare::methods::blocks {
@@ -21,7 +21,7 @@ namespace sazare::methods::blocks {
 class SurfaceContacts final : public terms::Term<3> {
 public:
   /// `contacts` have the open faces, come before this term and must outlive it.
-  SurfaceContacts(const laws::SphereContact& law, const Contacts& contacts, const state::Bodies<3>& bodies);
+  SurfaceContacts(const laws::SphereContact& law, const BlockContacts& contacts, const state::Bodies<3>& bodies);
 
   /// The surface, before the first step or a resume [m]; until then there is none.
   void attach(std::vector<Vector3> nodes, std::vector<std::array<Index, 3>> faces);
@@ -107,7 +107,7 @@ private:
   void add_ahead(std::vector<Vector3>& impulse, Real sign) const;
 
   laws::SphereContact law_;
-  const Contacts* contacts_;
+  const BlockContacts* contacts_;
   geometry::NodalSurface surface_;
   geometry::FacetComplex complex_;
   Tick led_ = 0;                ///< when the nodes were led last

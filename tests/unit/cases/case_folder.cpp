@@ -119,6 +119,9 @@ contact_damping = 3.08e6
 friction_angle = 31.5
 damping_cap = "critical"
 edge_division = 6
+contact_shape = "faces"
+face_contact_stiffness = 450e9
+face_contact_damping = 1e6
 
 [[blasts]]
 name = "hole 1"

@@ -126,7 +126,7 @@ TEST(Reader, KeepsPlacesForWhatTheEngineFindsOut) {
   const CaseFolder folder;
   const CaseFile file = folder.read(full_case());
   const std::string text = warning(file, "gauges.0.point", "the gauge is outside", "move it");
-  EXPECT_NE(text.find("case.toml:100:9: warning: the gauge is outside"), std::string::npos) << text;
+  EXPECT_NE(text.find("case.toml:103:9: warning: the gauge is outside"), std::string::npos) << text;
   try {
     refuse(file, "time.no_such_key", "bad", "help");
   } catch (const UserError& failure) {

@@ -5,6 +5,7 @@
 #include "sazare/core/error.hpp"
 #include "sazare/geometry/tetrahedron.hpp"
 #include "sazare/levels/terms/gravity.hpp"
+#include "sazare/methods/blocks/contacts.hpp"
 #include "sazare/methods/hybrid/block_side.hpp"
 #include "sazare/parallel/threads.hpp"
 #include "tests/support/two_sides.hpp"

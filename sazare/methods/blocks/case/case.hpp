@@ -25,6 +25,9 @@ using laws::JointLawName;
 /// How a contact dashpot that is stiffer than the step allows is limited.
 enum class DampingCap { literal, critical, step };
 
+/// What touches of blocks that are not joined.
+enum class ContactShape { spheres, faces };
+
 /// Who takes its own time level: every element, or all together the finest that any asks for.
 enum class Levels { per_element, uniform };
 
@@ -84,8 +87,11 @@ struct Joint {
 };
 
 struct Contact {
-  Real normal_stiffness = 0;  // N/m, per pair of contact spheres
+  ContactShape shape = ContactShape::spheres;
+  Real normal_stiffness = 0;  // N/m, per pair of contact spheres; 0: not given
   Real normal_damping = 0;    // N s/m
+  Real face_stiffness = 0;    // Pa/m, of true faces
+  Real face_damping = 0;      // Pa s/m
   Real friction_coefficient = 0;
   DampingCap damping_cap = DampingCap::step;
   int edge_division = 5;

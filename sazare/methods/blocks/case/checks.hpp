@@ -8,7 +8,7 @@ namespace sazare::cases {
 
 void check_names(const CheckContext& context, const BlocksCase& blocks);
 void check_joints(const CheckContext& context, const BlocksCase& blocks);
-void check_contact(const CheckContext& context);
+void check_contact(const CheckContext& context, const BlocksCase& blocks);
 void check_constraints(const CheckContext& context, const BlocksCase& blocks);
 
 /// Checks the blasts and reads their pressure tables.

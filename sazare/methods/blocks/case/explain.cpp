@@ -94,6 +94,12 @@ void explain_joint(Explanation& text, const Joint& joint) {
 }
 
 void explain_contact(Explanation& text, const Contact& contact) {
+  if (contact.shape == ContactShape::faces) {
+    text.add("contact", "true faces; the surface of a coupled run is touched by spheres behind them");
+    text.more(fmt::format("spring {} Pa/m, dashpot {} Pa s/m (cap: {}), friction {}", number(contact.face_stiffness),
+                          number(contact.face_damping), word(contact.damping_cap), number(contact.friction_coefficient)));
+    return;
+  }
   const int spheres = (contact.edge_division - 1) * (contact.edge_division - 2) / 2;
   text.add("contact", fmt::format("{} spheres on each free face (edge_division {})", spheres, contact.edge_division));
   text.more(fmt::format("spring {} N/m, dashpot {} N s/m (cap: {}), friction {}", number(contact.normal_stiffness),

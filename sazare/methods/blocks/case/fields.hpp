@@ -17,6 +17,11 @@ struct EnumWords<DampingCap> {
 };
 
 template <>
+struct EnumWords<ContactShape> {
+  static constexpr std::array<std::string_view, 2> words{"spheres", "faces"};
+};
+
+template <>
 struct EnumWords<Levels> {
   static constexpr std::array<std::string_view, 2> words{"per_element", "uniform"};
 };
@@ -71,8 +76,12 @@ void visit_fields(Visitor& visit, Joint& joint) {
 
 template <class Visitor>
 void visit_fields(Visitor& visit, Contact& contact) {
-  visit("contact_stiffness", contact.normal_stiffness);
+  visit("contact_shape", contact.shape);
+  const bool by_faces = contact.shape == ContactShape::faces;
+  if (visit.has("contact_stiffness", contact.normal_stiffness > 0)) visit("contact_stiffness", contact.normal_stiffness);
   visit("contact_damping", contact.normal_damping);
+  if (visit.has("face_contact_stiffness", by_faces)) visit("face_contact_stiffness", contact.face_stiffness);
+  if (visit.has("face_contact_damping", by_faces)) visit("face_contact_damping", contact.face_damping);
   visit.friction(contact.friction_coefficient);
   visit("damping_cap", contact.damping_cap);
   visit("edge_division", contact.edge_division);

@@ -37,7 +37,7 @@ void read(const CheckContext& context, CaseFile& file) {
   check_mesh_file(context, blocks.mesh);
   check_names(context, blocks);
   check_joints(context, blocks);
-  check_contact(context);
+  check_contact(context, blocks);
   check_blasts(context, blocks);
   check_constraints(context, blocks);
   resolve_clocks(context, blocks.time);

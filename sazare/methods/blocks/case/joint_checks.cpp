@@ -264,9 +264,15 @@ void check_joints(const CheckContext& context, const BlocksCase& blocks) {
   check_order(context, list, blocks);
 }
 
-void check_contact(const CheckContext& context) {
+void check_contact(const CheckContext& context, const BlocksCase& blocks) {
   const Entry entry = context.entries_of("contact").front();
-  if (entry.exists()) check_friction(context, entry);
+  if (!entry.exists()) return;
+  check_friction(context, entry);
+  if (!entry.is_sound("contact_shape")) return;
+  if (blocks.contact.shape == ContactShape::faces)
+    check_keys(context, entry, "contact_shape faces", {"face_contact_stiffness"}, {});
+  else
+    check_keys(context, entry, "contact_shape spheres", {"contact_stiffness"}, {"face_contact_stiffness", "face_contact_damping"});
 }
 
 }  // namespace sazare::cases

@@ -10,6 +10,7 @@ namespace sazare::cases {
 namespace {
 
 constexpr std::array<std::string_view, 3> damping_caps{"literal", "critical", "step"};
+constexpr std::array<std::string_view, 2> contact_shapes{"spheres", "faces"};
 constexpr std::array<std::string_view, 3> boundary_kinds{"fixed", "frictionless", "absorbing"};
 constexpr std::array<std::string_view, 2> level_choices{"per_element", "uniform"};
 constexpr std::array<std::string_view, 3> limiters{"stability", "travel", "none"};
@@ -156,11 +157,17 @@ constexpr std::array leading_joint_keys{
 constexpr auto joint_keys = joined(leading_joint_keys, keys_of_laws<laws::JointLaws>());
 
 constexpr std::array contact_keys{
+    Key{.name = "contact_shape",
+        .type = Type::choice,
+        .default_text = "\"spheres\"",
+        .sentence = "What touches: spheres behind the faces, which is fast, but bumpy where faces slide; or the true faces, which "
+                    "slide over each other as planes and keep the energy.",
+        .choices = contact_shapes},
     Key{.name = "contact_stiffness",
         .type = Type::number,
         .unit = "N/m",
         .range = positive,
-        .need = Need::required,
+        .note = "required for spheres; with faces for a coupled run alone, whose surface spheres touch",
         .sentence = "Normal stiffness of a pair of contact spheres: force per overlap."},
     Key{.name = "contact_damping",
         .type = Type::number,
@@ -168,6 +175,19 @@ constexpr std::array contact_keys{
         .range = not_negative,
         .default_text = "0.0",
         .sentence = "Normal dashpot of a pair: force per approach velocity; never attractive."},
+    Key{.name = "face_contact_stiffness",
+        .type = Type::number,
+        .unit = "Pa/m",
+        .range = positive,
+        .note = "required with contact_shape = \"faces\"",
+        .sentence = "Normal stiffness of two faces that touch: pressure per overlap."},
+    Key{.name = "face_contact_damping",
+        .type = Type::number,
+        .unit = "Pa s/m",
+        .range = not_negative,
+        .default_text = "0.0",
+        .note = "with contact_shape = \"faces\"",
+        .sentence = "Normal dashpot of two faces that touch: pressure per approach velocity; never attractive."},
     Key{.name = "friction_coefficient",
         .type = Type::number,
         .range = not_negative,

@@ -2,8 +2,11 @@
 
 #include <utility>
 
+#include "sazare/core/error.hpp"
 #include "sazare/levels/terms/gravity.hpp"
+#include "sazare/methods/blocks/contacts.hpp"
 #include "sazare/methods/blocks/coupled_rates.hpp"
+#include "sazare/methods/blocks/face_contacts.hpp"
 #include "sazare/methods/blocks/run/base_step.hpp"
 #include "sazare/methods/blocks/run/joints/element_springs.hpp"
 #include "sazare/methods/blocks/run/parts.hpp"
@@ -22,10 +25,17 @@ T* keep(Terms& terms, std::unique_ptr<T> term) {
   return view;
 }
 
-laws::SphereContact contact_law(const cases::Contact& contact) {
+laws::DampingCap damping_cap(const cases::Contact& contact) {
   constexpr std::array caps = {laws::DampingCap::literal, laws::DampingCap::critical, laws::DampingCap::step};
-  return {contact.normal_stiffness, contact.normal_damping, contact.friction_coefficient,
-          caps[static_cast<std::size_t>(contact.damping_cap)]};
+  return caps[static_cast<std::size_t>(contact.damping_cap)];
+}
+
+laws::SphereContact contact_law(const cases::Contact& contact) {
+  return {contact.normal_stiffness, contact.normal_damping, contact.friction_coefficient, damping_cap(contact)};
+}
+
+laws::FaceOverlap face_law(const cases::Contact& contact) {
+  return {contact.face_stiffness, contact.face_damping, contact.friction_coefficient, damping_cap(contact)};
 }
 
 /// Which part of w^2 h^2 + 2 c h = 4 is the larger one.
@@ -64,10 +74,11 @@ public:
     const std::vector<Index> joint_of_face = joint_by_face(blocks_, faces, model_.material);
     model_.fit = find_mesh_fit(blocks_, faces, model_.material, joint_of_face);
     make_joints(make_joint_faces(blocks_, faces, joint_of_face), window.value_or(blocks_.time.history_interval));
-    model_.contacts = keep(terms_, std::make_unique<methods::blocks::Contacts>(
-                                       contact_law(blocks_.contact), blocks_.contact.edge_division, *model_.joints,
-                                       geometry::ElementCorners{model_.mesh.nodes, model_.mesh.tetrahedra},
-                                       make_free_faces(blocks_, faces, joint_of_face), bodies_));
+    make_contacts(make_free_faces(blocks_, faces, joint_of_face));
+    if (window && blocks_.contact.normal_stiffness == 0)
+      throw UserError(
+          "[contact] of a coupled run has no contact_stiffness: spheres behind the faces touch its surface, whatever contact_shape "
+          "says; add contact_stiffness = ... (N/m)");
     if (window)
       model_.surface = keep(
           terms_, std::make_unique<methods::blocks::SurfaceContacts>(contact_law(blocks_.contact), *model_.contacts, bodies_));
@@ -99,6 +110,17 @@ private:
     if (blocks_.time.limiter == cases::Limiter::stability) sort_by_level(joint_faces, steps, base_step_);
     model_.joints =
         keep(terms_, std::make_unique<methods::blocks::Joints>(kinds, joint_faces, std::move(joint_rates), bodies_));
+  }
+
+  void make_contacts(const std::vector<methods::blocks::FreeFace>& free_faces) {
+    const cases::Contact& contact = blocks_.contact;
+    const geometry::ElementCorners corners{model_.mesh.nodes, model_.mesh.tetrahedra};
+    if (contact.shape == cases::ContactShape::faces)
+      model_.contacts = keep(terms_, std::make_unique<methods::blocks::FaceContacts>(face_law(contact), contact.edge_division,
+                                                                                     *model_.joints, corners, free_faces, bodies_));
+    else
+      model_.contacts = keep(terms_, std::make_unique<methods::blocks::Contacts>(contact_law(contact), contact.edge_division,
+                                                                                 *model_.joints, corners, free_faces, bodies_));
   }
 
   const cases::BlocksCase& blocks_;

@@ -9,11 +9,11 @@
 #include "sazare/geometry/face_map.hpp"
 #include "sazare/levels/simulation.hpp"
 #include "sazare/methods/blocks/case/case.hpp"
-#include "sazare/methods/blocks/contacts.hpp"
 #include "sazare/methods/blocks/joints.hpp"
-#include "sazare/methods/blocks/run/mesh_fit.hpp"
 #include "sazare/methods/blocks/run/joints/strength_scatter.hpp"
+#include "sazare/methods/blocks/run/mesh_fit.hpp"
 #include "sazare/methods/blocks/surface_contacts.hpp"
+#include "sazare/methods/blocks/block_contacts.hpp"
 #include "sazare/runs/run_clocks.hpp"
 
 namespace sazare::runs {
@@ -28,7 +28,7 @@ struct BlocksModel {
   std::vector<bool> is_bound_by_dashpots;  ///< by element: what the larger part of that step's bound comes from
   std::unique_ptr<levels::Simulation<3>> simulation;
   methods::blocks::Joints* joints = nullptr;            ///< owned by the simulation
-  methods::blocks::Contacts* contacts = nullptr;        ///< owned by the simulation
+  methods::blocks::BlockContacts* contacts = nullptr;   ///< owned by the simulation
   methods::blocks::SurfaceContacts* surface = nullptr;  ///< of a coupling; owned by the simulation
 };
 
