@@ -67,7 +67,7 @@ inline constexpr Real span = [] {
   return product;
 }();
 
-/// Of all but the outermost band, over where that begins.
+/// Where a band begins and how wide it is, over where the outermost band begins; for all bands but that one.
 struct Extent {
   Real inner = 0, width = 0, root_of_width = 0;
 };

@@ -16,7 +16,7 @@ constexpr Real degree = std::numbers::pi / 180;
 
 Real moment_of_inertia(const ObliqueImpact& impact) { return 0.4 * impact.mass() * impact.radius * impact.radius; }
 
-/// Of a central impact without damping [s].
+/// How long a central impact without damping lasts [s].
 Real duration(const ObliqueImpact& impact) {
   const Real modulus = 0.75 * impact.constants().normal, mass = impact.mass();
   return 2.868265 * std::pow(mass * mass / (impact.radius * modulus * modulus * impact.normal_speed()), 0.2);

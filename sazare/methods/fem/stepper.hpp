@@ -108,8 +108,8 @@ public:
 
 private:
   enum class Stage { relaxing, running };
-  /// Of a step or a part of it [s]; while relaxing, shares of gravity. The length is the very same number in all steps, which the
-  /// difference of both ends is not: the matrix of the step and its factors follow from it.
+  /// The time of a step or of a part of it [s]; while relaxing, shares of gravity. The length is the very same number in all steps,
+  /// which the difference of both ends is not: the matrix of the step and its factors follow from it.
   struct Span {
     Real from = 0, to = 0, length = 0;
 

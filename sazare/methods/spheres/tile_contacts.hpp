@@ -118,7 +118,7 @@ public:
     twisting_[contact / at_once].set(lane_of(contact), memory.twisting);
   }
 
-  /// Those of a contact; without stretch where there are none.
+  /// The slip bands of a contact; without stretch where the law has none.
   laws::SlipBands<Real> bands(std::size_t contact) const {
     laws::SlipBands<Real> alone;
     if (bands_.empty()) return alone;

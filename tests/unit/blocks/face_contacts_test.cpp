@@ -188,7 +188,7 @@ struct Mean {
   Vector3 velocity = Vector3::Zero(), moved = Vector3::Zero();
 };
 
-/// Of all blocks of the cube.
+/// Mean motion of all blocks of the cube.
 Mean mean_of_cube(const runs::BlocksModel& model) {
   const auto snapshot = model.simulation->snapshot();
   const auto& bodies = model.simulation->bodies();
