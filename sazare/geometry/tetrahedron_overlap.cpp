@@ -56,14 +56,14 @@ void cut(Polygon& polygon, Function&& value) {
     some_out = some_out || values[i] < 0;
   }
   if (!some_out) return;
-  Polygon rest;
+  Polygon inside;
   for (std::size_t i = 0; i < polygon.count; ++i) {
     const std::size_t next = i + 1 < polygon.count ? i + 1 : 0;
-    if (values[i] >= 0) rest.add(polygon.places[i]);
+    if (values[i] >= 0) inside.add(polygon.places[i]);
     if ((values[i] >= 0) != (values[next] >= 0))
-      rest.add(between(polygon.places[i], polygon.places[next], values[i] / (values[i] - values[next])));
+      inside.add(between(polygon.places[i], polygon.places[next], values[i] / (values[i] - values[next])));
   }
-  polygon = rest;
+  polygon = inside;
 }
 
 void cut_to_inside(Polygon& polygon) {

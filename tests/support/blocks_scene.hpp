@@ -7,6 +7,27 @@
 
 namespace sazare::test {
 
+inline void run(runs::BlocksModel& model, int base_steps) {
+  for (int step = 0; step < base_steps; ++step) model.simulation->advance();
+}
+
+/// Momentum [kg m/s] and moment of momentum about the origin [kg m2/s] of all bodies.
+struct Momenta {
+  Vector3 linear = Vector3::Zero(), angular = Vector3::Zero();
+};
+
+inline Momenta momenta_of(const runs::BlocksModel& model) {
+  const auto& bodies = model.simulation->bodies();
+  Momenta sum;
+  for (std::size_t body = 0; body < bodies.motion.size(); ++body) {
+    const auto& motion = bodies.motion[body];
+    const Vector3 own = bodies.inertia[body].mass * motion.velocity;
+    sum.linear += own;
+    sum.angular += motion.angular_momentum + state::pose_at(motion, model.simulation->now()).position.cross(own);
+  }
+  return sum;
+}
+
 /// Two tetrahedra, mirror images in the plane x = 0, that share the triangle in it. Element 0 lies at x < 0.
 inline geometry::TetraMesh two_blocks(Real size = 0.1) {
   geometry::TetraMesh mesh;

@@ -67,7 +67,7 @@ def pictures(results):
 
 
 @style.styled
-def damage(results):
+def broken_bonds(results):
     """The spheres at some times, coloured by their share of broken bonds [-]; None where no bond is broken."""
     return _scenes(results, "broken_fraction", "share of broken bonds [-]", "YlOrRd", growth("broken_fraction")) if results.figures.get("broken_bonds", 0) > 0 else None
 
@@ -287,7 +287,7 @@ def sections(results):
     """The pictures of a run."""
     bonded = [
         Section(
-            "damage", "Broken bonds", "Spheres coloured by their share of broken bonds, at times between which equally many bonds break.", partial(damage, results), "No bond is broken.",
+            "broken_bonds", "Broken bonds", "Spheres coloured by their share of broken bonds, at times between which equally many bonds break.", partial(broken_bonds, results), "No bond is broken.",
         )
     ] if results.figures.get("bonds", 0) > 0 else []
     return [

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "sazare/geometry/tetrahedron_overlap.hpp"
 #include "sazare/parallel/threads.hpp"
 
 namespace sazare::methods::blocks {
@@ -20,16 +21,10 @@ constexpr Real skin_of_radius = 0.15;  // of the median inscribed radius: few fa
 constexpr Real largest_move = 1.0 / 32, smallest_move = 1.0 / 1024;
 constexpr Real usual_evaluations = 80;  // between two measurements
 
-Real inscribed_radius(const geometry::Tetrahedron& corners) {
-  Real area = 0;
-  for (int face = 0; face < 4; ++face) area += geometry::face_area(corners, face);
-  return 3 * geometry::volume(corners) / area;
-}
-
 Real choose_skin(const geometry::ElementCorners& corners) {
   std::vector<Real> radii;
   for (std::size_t body = 0; body < corners.tetrahedra.size(); ++body)
-    radii.push_back(inscribed_radius(corners.of(static_cast<Index>(body))));
+    radii.push_back(geometry::solid_tetrahedron(corners.of(static_cast<Index>(body))).radius);
   if (radii.empty()) return 0;
   const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
   std::nth_element(radii.begin(), middle, radii.end());

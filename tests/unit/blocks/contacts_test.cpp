@@ -8,15 +8,11 @@
 namespace sazare::methods::blocks {
 namespace {
 
-using terms::EnergyKind;
+using terms::EnergyKind, test::run;
 
 constexpr Real mass_of_block = 2390 * 0.1 * 0.1 * 0.1 / (6 * std::numbers::sqrt2);  // edge of 0.1 m
 
 Vector3 velocity(const runs::BlocksModel& model, std::size_t body) { return model.simulation->snapshot().velocity[body]; }
-
-void run(runs::BlocksModel& model, int base_steps) {
-  for (int step = 0; step < base_steps; ++step) model.simulation->advance();
-}
 
 cases::BlocksCase head_on(Real speed) {
   auto blocks = test::two_block_case(false);
@@ -101,21 +97,11 @@ TEST(contacts, action_equals_reaction_through_a_rough_collision) {
   test::move(blocks, "right", {-1, -0.3, 0.2});
   blocks.time.limiter = cases::Limiter::stability;
   auto model = started(blocks);
-  const auto momentum = [&] {
-    const auto& bodies = model.simulation->bodies();
-    Vector3 linear = Vector3::Zero(), angular = Vector3::Zero();
-    for (std::size_t body = 0; body < 2; ++body) {
-      const auto& motion = bodies.motion[body];
-      const Vector3 own = bodies.inertia[body].mass * motion.velocity;
-      linear += own;
-      angular += motion.angular_momentum + state::pose_at(motion, model.simulation->now()).position.cross(own);
-    }
-    return std::pair(linear, angular);
-  };
-  const auto [linear, angular] = momentum();
+  const test::Momenta before = test::momenta_of(model);
   run(model, 1200);
-  EXPECT_LT((momentum().first - linear).norm(), 1e-13 * mass_of_block);
-  EXPECT_LT((momentum().second - angular).norm(), 1e-13 * mass_of_block);
+  const test::Momenta after = test::momenta_of(model);
+  EXPECT_LT((after.linear - before.linear).norm(), 1e-13 * mass_of_block);
+  EXPECT_LT((after.angular - before.angular).norm(), 1e-13 * mass_of_block);
   EXPECT_GT(velocity(model, 1).x(), 0);
 }
 

@@ -12,11 +12,7 @@
 namespace sazare::methods::blocks {
 namespace {
 
-using terms::EnergyKind;
-
-void run(runs::BlocksModel& model, int base_steps) {
-  for (int step = 0; step < base_steps; ++step) model.simulation->advance();
-}
+using terms::EnergyKind, test::run;
 
 runs::BlocksModel started(const cases::BlocksCase& blocks, geometry::TetraMesh mesh) {
   auto model = runs::build_blocks(blocks, std::move(mesh));
@@ -101,22 +97,12 @@ TEST(face_contacts, action_equals_reaction_through_a_rough_collision) {
   auto model = runs::build_blocks(blocks, blocks_apart({0.005, 0, 0}, {0.3, 0.2, 0.5}));
   const Real given = kinetic_at_start(model);
   model.simulation->start();
-  const auto momentum = [&] {
-    const auto& bodies = model.simulation->bodies();
-    Vector3 linear = Vector3::Zero(), angular = Vector3::Zero();
-    for (std::size_t body = 0; body < 2; ++body) {
-      const auto& motion = bodies.motion[body];
-      const Vector3 own = bodies.inertia[body].mass * motion.velocity;
-      linear += own;
-      angular += motion.angular_momentum + state::pose_at(motion, model.simulation->now()).position.cross(own);
-    }
-    return std::pair(linear, angular);
-  };
-  const auto [linear, angular] = momentum();
+  const test::Momenta before = test::momenta_of(model);
   run(model, 8000);
   const auto balance = model.simulation->energy_balance();
-  EXPECT_LT((momentum().first - linear).norm(), 1e-14);
-  EXPECT_LT((momentum().second - angular).norm(), 1e-14);
+  const test::Momenta after = test::momenta_of(model);
+  EXPECT_LT((after.linear - before.linear).norm(), 1e-14);
+  EXPECT_LT((after.angular - before.angular).norm(), 1e-14);
   EXPECT_GT(balance[EnergyKind::friction], 1e-3);
   EXPECT_GT(balance[EnergyKind::contact_dashpot], 1e-3);
   EXPECT_LT(std::abs(balance.residual()), 1e-5 * given);

@@ -10,6 +10,8 @@
 namespace sazare::methods::blocks {
 namespace {
 
+using test::run;
+
 /// A checkpoint whose bodies can be exchanged for those of another one.
 class ExchangedBodies final : public Archive {
 public:
@@ -48,10 +50,6 @@ runs::BlocksModel parting(bool bonded) {
   auto model = runs::build_blocks(blocks, test::two_blocks());
   model.simulation->start();
   return model;
-}
-
-void run(runs::BlocksModel& model, int base_steps) {
-  for (int step = 0; step < base_steps; ++step) model.simulation->advance();
 }
 
 Real gap(const runs::BlocksModel& model) {
