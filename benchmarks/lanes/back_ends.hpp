@@ -255,6 +255,8 @@ struct Twins {
   }
   friend Twins maximum(const Twins& a, const Twins& b) { return {maximum(a.first, b.first), maximum(a.second, b.second)}; }
   friend Twins inverse_square_root(const Twins& a) { return {inverse_square_root(a.first), inverse_square_root(a.second)}; }
+  /// By the reciprocal root, as the engine takes it of two vectors.
+  friend Twins square_root(const Twins& a) { return select(a > 0, a * inverse_square_root(a), a); }
   friend Twins root_of_quotient(const Twins& a, const Twins& b) {
     return {root_of_quotient(a.first, b.first), root_of_quotient(a.second, b.second)};
   }

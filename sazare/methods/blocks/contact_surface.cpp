@@ -77,7 +77,7 @@ void ContactSurface::match(const Patch& mine, const state::Pose<3>& pose, const 
 /// Calls visit(own patch, its centre, another body's patch) for all patches that may be near those of a body.
 template <class Visit>
 void ContactSurface::visit_near(Index body, const state::Pose<3>& pose, Visit&& visit) const {
-  for (const Index number : patches_of_[at(open_of_[at(body)])]) {
+  for (const Index number : patches_of(body)) {
     if (number < 0) continue;
     const Patch& mine = patches_[at(number)];
     const Vector3 centre = pose.position + pose.rotation * mine.bound.centre;
@@ -95,6 +95,19 @@ std::vector<Index> ContactSurface::candidates(std::span<const Index> searched,
   std::ranges::sort(near);
   near.erase(std::unique(near.begin(), near.end()), near.end());
   return near;
+}
+
+bool ContactSurface::are_near(Index body, const state::Pose<3>& pose, Index partner, const state::Pose<3>& other) const {
+  const auto centre = [&](Index patch, const state::Pose<3>& at_pose) -> Vector3 {
+    return at_pose.position + at_pose.rotation * patches_[at(patch)].bound.centre;
+  };
+  for (const Index mine : patches_of(body))
+    for (const Index theirs : patches_of(partner)) {
+      if (mine < 0 || theirs < 0) continue;
+      const Real reach = patches_[at(mine)].bound.radius + patches_[at(theirs)].bound.radius + skin_;
+      if ((centre(theirs, other) - centre(mine, pose)).squaredNorm() < reach * reach) return true;
+    }
+  return false;
 }
 
 std::vector<NearPair> ContactSurface::search(Index body, const std::function<bool(Index)>& skip,

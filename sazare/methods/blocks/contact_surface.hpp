@@ -55,7 +55,7 @@ public:
   /// Calls visit(number) for every sphere of a body with open faces.
   template <class Visit>
   void visit_spheres(Index body, Visit&& visit) const {
-    for (const Index number : patches_of_[static_cast<std::size_t>(open_of_[static_cast<std::size_t>(body)])]) {
+    for (const Index number : patches_of(body)) {
       if (number < 0) continue;
       const Patch& patch = patches_[static_cast<std::size_t>(number)];
       for (Index sphere = patch.first_sphere; sphere < patch.first_sphere + patch.count; ++sphere) visit(sphere);
@@ -74,6 +74,9 @@ public:
   /// Bodies, rising, that a search of these may look at, which must be known where they are.
   std::vector<Index> candidates(std::span<const Index> searched, const std::function<state::Pose<3>(Index)>& pose_of) const;
 
+  /// Whether the spheres around two open faces of two bodies come within the skin; the same seen from either body.
+  bool are_near(Index body, const state::Pose<3>& pose, Index partner, const state::Pose<3>& other) const;
+
   /// Near pairs of a body with all others, rising by partner; pairs for which `skip(partner)` are left out. `pose_of` says
   /// where bodies are: partners may have moved by a third of the skin since they were placed.
   std::vector<NearPair> search(Index body, const std::function<bool(Index)>& skip,
@@ -89,6 +92,7 @@ private:
     ContactSphere bound;  ///< around what touches, in the body frame
   };
 
+  const std::array<Index, 4>& patches_of(Index body) const { return patches_of_[at(open_of_[at(body)])]; }
   void place_patch(Index patch);
   template <class Visit>
   void visit_near(Index body, const state::Pose<3>& pose, Visit&& visit) const;

@@ -47,10 +47,13 @@ void FaceContacts::add_loosened(Index joint, std::vector<Index>& loosened) const
 }
 
 std::vector<NearPair> FaceContacts::find_near(Index body, const PoseOf& pose_of) const {
-  const geometry::SolidTetrahedron own = placed(body, pose_of(body));
+  const state::Pose<3> pose = pose_of(body);
+  const geometry::SolidTetrahedron own = placed(body, pose);
   std::vector<NearPair> found;
   for (const Index partner : surface_.candidates(std::span(&body, 1), pose_of)) {
-    if (!(geometry::gap(own, placed(partner, pose_of(partner))) < surface_.skin())) continue;
+    const state::Pose<3> other = pose_of(partner);
+    if (!surface_.are_near(body, pose, partner, other)) continue;
+    if (!(geometry::gap(own, placed(partner, other)) < surface_.skin())) continue;
     if (!stars_.hold_together(body, partner)) found.push_back({std::min(body, partner), std::max(body, partner), {}});
   }
   return found;

@@ -225,6 +225,25 @@ TEST(face_contacts, friction_brakes_a_cube_as_coulomb_says) {
   EXPECT_LT(std::abs(balance.residual()), 1e-3 * balance[EnergyKind::friction]);
 }
 
+/// Blocks that are near each other seen from the one and not from the other would begin and end a pair in the same step.
+TEST(face_contacts, bodies_that_fly_together_keep_what_is_near) {
+  auto blocks = sliding(2);
+  blocks.gravity.acceleration = Vector3::Zero();
+  blocks.constraints.clear();
+  test::move(blocks, "floor", {2, 0, 0});
+  geometry::TetraMesh mesh;
+  test::add_box(mesh, {"floor", {0, 0, -0.1}, {4, 4, 4}, 0.025});
+  test::add_box(mesh, {"cube", {0.03, 0.04, 1e-3}, {3, 3, 3}, 0.02});
+  auto model = started(blocks, mesh);
+  const Index near = model.contacts->pair_count();
+  EXPECT_GT(near, 0);
+  for (int round = 0; round < 20; ++round) {
+    run(model, 100);
+    EXPECT_NEAR(static_cast<Real>(model.contacts->pair_count()), static_cast<Real>(near), 3);
+  }
+  for (const Vector3& velocity : model.simulation->snapshot().velocity) EXPECT_LT((velocity - Vector3(2, 0, 0)).norm(), 1e-9);
+}
+
 TEST(face_contacts, the_surface_of_a_coupled_run_needs_spheres) {
   auto blocks = towards(Vector3::Zero(), 1e9);
   EXPECT_THROW(runs::build_blocks(blocks, blocks_apart(Vector3::Zero()), {}, 1e-3), UserError);

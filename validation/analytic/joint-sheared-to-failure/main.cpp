@@ -64,8 +64,8 @@ void print_dynamic(Real area) {
 /// Opening and slip in a fixed proportion, without friction: what each dissipates until the joint has no strength left.
 void print_mixed(Real share, const std::string& name) {
   cases::Joint joint = mixed_joint();
-  joint.normal_stiffness *= 1e4;
-  joint.shear_stiffness *= 1e4;
+  *joint.normal_stiffness *= 1e4;
+  *joint.shear_stiffness *= 1e4;
   joint.friction_coefficient = 0;
   joint.law_parameters[1] = 0;
   test::BondedPair pair(joint);

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "sazare/cases/case_file.hpp"
 #include "sazare/methods/spheres/case/case.hpp"
@@ -30,9 +31,9 @@ Heap heap(int threads) {
   heap.bodies = stepper.clumps().clumps;
   const auto count = static_cast<Real>(heap.bodies.size());
   Vector3 centre = Vector3::Zero();
-  for (const state::Clump& body : heap.bodies) centre += vector(body.centre) / count;
+  for (const state::Clump& body : heap.bodies) centre += body.centre / count;
   Real square = 0;
-  for (const state::Clump& body : heap.bodies) square += (vector(body.centre) - centre).head<2>().squaredNorm() / count;
+  for (const state::Clump& body : heap.bodies) square += (body.centre - centre).head<2>().squaredNorm() / count;
   // A cone of height H and radius R has its mean height at H/4 and a mean square radius of 3/10 R^2.
   heap.angle = std::atan(4 * centre.z() / std::sqrt(square / 0.3)) * 180 / std::numbers::pi;
   const methods::spheres::SphereEnergies energies = stepper.energies();
@@ -48,6 +49,6 @@ int main() {
   validation::print_row("at-rest", one.restlessness);
   Real differences = 0;
   for (std::size_t n = 0; n < one.bodies.size(); ++n)
-    differences += one.bodies[n].centre.x != two.bodies[n].centre.x || one.bodies[n].turn.w != two.bodies[n].turn.w ? 1 : 0;
+    differences += one.bodies[n].centre != two.bodies[n].centre || one.bodies[n].turn.w != two.bodies[n].turn.w ? 1 : 0;
   validation::print_row("same-bits", differences);
 }
