@@ -13,13 +13,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> files_beside(const fs::path& file) {
+/// Files of the same kind in the folder of a file, as a case writes them that names the file as `written`.
+std::vector<std::string> files_beside(const fs::path& file, const fs::path& written) {
   std::vector<std::string> names;
   std::error_code failure;
   for (auto entry = fs::directory_iterator(file.parent_path(), failure); !failure && entry != fs::directory_iterator();
        entry.increment(failure)) {
     const bool same_kind = entry->path().extension() == file.extension();
-    if (same_kind && entry->is_regular_file(failure)) names.push_back(entry->path().filename());
+    if (same_kind && entry->is_regular_file(failure)) names.push_back(written.parent_path() / entry->path().filename());
   }
   std::ranges::sort(names);
   return names;
@@ -33,9 +34,8 @@ void report_missing_file(const CheckContext& context, const Place& place, std::s
     return;
   }
   const auto shown = (context.shown_folder / as_written).lexically_normal().string();
-  const auto others = files_beside(file);
-  const std::string other_files =
-      others.empty() ? "" : fmt::format("; {}", suggestion(file.filename().string(), others, "files there"));
+  const auto others = files_beside(file, as_written);
+  const std::string other_files = others.empty() ? "" : fmt::format("; {}", suggestion(as_written, others, "files there"));
   context.problems.error(place, fmt::format("{} not found: {}", what, as_written),
                          fmt::format("paths are relative to the case file; looked for {}{}", shown, other_files));
 }

@@ -65,10 +65,14 @@ std::string message_of(const fs::path& path) {
   }
 }
 
+/// By subject, as `subject/name`.
 std::vector<std::string> case_names() {
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(SAZARE_MESSAGES_FOLDER))
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem());
+  for (const auto& subject : fs::directory_iterator(SAZARE_MESSAGES_FOLDER)) {
+    if (!subject.is_directory()) continue;
+    for (const auto& entry : fs::directory_iterator(subject))
+      if (entry.path().extension() == ".toml") names.push_back(subject.path().filename() / entry.path().stem());
+  }
   std::ranges::sort(names);
   return names;
 }
@@ -76,15 +80,20 @@ std::vector<std::string> case_names() {
 class Messages : public testing::TestWithParam<std::string> {};
 
 TEST_P(Messages, AreExactly) {
-  fs::current_path(SAZARE_MESSAGES_FOLDER);  // so that messages show the file name alone
-  const fs::path path = GetParam() + ".toml";
+  const fs::path place = fs::path(SAZARE_MESSAGES_FOLDER) / (GetParam() + ".toml");
+  fs::current_path(place.parent_path());  // so that messages show the file name alone
+  const fs::path path = place.filename();
   const std::string message = message_of(path);
   const fs::path expected = fs::path(path).replace_extension(".txt");
   if (std::getenv("SAZARE_WRITE_MESSAGES") != nullptr) std::ofstream(expected, std::ios::binary) << message;
   EXPECT_EQ(message, read_file(expected));
 }
 
-INSTANTIATE_TEST_SUITE_P(Case, Messages, testing::ValuesIn(case_names()), [](const auto& tested) { return tested.param; });
+INSTANTIATE_TEST_SUITE_P(Case, Messages, testing::ValuesIn(case_names()), [](const auto& tested) {
+  std::string name = tested.param;
+  std::ranges::replace(name, '/', '_');
+  return name;
+});
 
 }  // namespace
 }  // namespace sazare::cases

@@ -28,7 +28,7 @@ def main():
             up, level = ("y", "x") if name in WIDTH else ("z", "xy")
             force = math.hypot(*(results.history[f"surface.force_{axis}"][-1] for axis in level))
             print(f"{row}surface,{-results.history[f'surface.force_{up}'][-1]},{weight}")
-            print(f"{row}bottom,{WIDTH.get(name, 1.0) * bottom[f'force.bottom_{up}'][-1]},{weight}")
+            print(f"{row}bottom,{WIDTH.get(name, 1.0) * bottom[f'bottom.force_{up}'][-1]},{weight}")
             print(f"{row}level,{force / weight}")
 
 
