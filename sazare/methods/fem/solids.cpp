@@ -5,23 +5,13 @@
 #include "sazare/core/error.hpp"
 
 namespace sazare::methods::fem {
-namespace {
-
-template <int D>
-Eigen::Matrix<Real, Eigen::Dynamic, D, 0, most_nodes, D> places_of(const geometry::ElementMesh& mesh,
-                                                                   const geometry::MeshElement& element) {
-  Eigen::Matrix<Real, Eigen::Dynamic, D, 0, most_nodes, D> places(element.node_list().size(), D);
-  for (std::size_t i = 0; i < element.node_list().size(); ++i)
-    places.row(static_cast<Eigen::Index>(i)) = mesh.nodes[at(element.nodes[i])].template head<D>().transpose();
-  return places;
-}
-
-}  // namespace
 
 template <int D>
 SolidPoint<D> solid_point(const geometry::ElementMesh& mesh, const geometry::MeshElement& element, const QuadraturePoint& point) {
   const NodeGradients by_reference = shape_gradients(element.shape, point.place);
-  const Eigen::Matrix<Real, D, D> jacobian = places_of<D>(mesh, element).transpose() * by_reference.template leftCols<D>();
+  Eigen::Matrix<Real, D, D> jacobian = Eigen::Matrix<Real, D, D>::Zero();
+  for (Eigen::Index i = 0; i < by_reference.rows(); ++i)
+    jacobian += mesh.nodes[at(element.nodes[at(i)])].template head<D>() * by_reference.row(i).template head<D>();
   const Real volume = jacobian.determinant();
   if (!(volume > 0)) {
     const Vector3& place = mesh.nodes[at(element.nodes[0])];
@@ -30,7 +20,11 @@ SolidPoint<D> solid_point(const geometry::ElementMesh& mesh, const geometry::Mes
                     "sides may need smaller elements",
                     element.tag, facts(element.shape).name, place.x(), place.y(), place.z()));
   }
-  return {volume * point.weight, by_reference.template leftCols<D>() * jacobian.inverse()};
+  // Node by node: of a product of whole tables, which products and sums are rounded once depends on where in memory it stands.
+  const Eigen::Matrix<Real, D, D> inverse = jacobian.inverse();
+  Gradients<D> gradients(by_reference.rows(), D);
+  for (Eigen::Index i = 0; i < by_reference.rows(); ++i) gradients.row(i) = by_reference.row(i).template head<D>() * inverse;
+  return {volume * point.weight, gradients};
 }
 
 template <int D>

@@ -87,6 +87,26 @@ TEST(stiffness, has_the_rigid_body_modes_and_no_other) {
   });
 }
 
+/// The stiffness of the first element of a mesh, found with the stack moved by a multiple of the smallest alignment.
+template <int D>
+Eigen::MatrixXd stiffness_with_the_stack_moved(const ElementMesh& mesh, std::size_t bytes) {
+  volatile char* moved = static_cast<char*>(__builtin_alloca(bytes));
+  moved[0] = 0;
+  return element_stiffness<D>(mesh, mesh.elements[0], SolidMaterial::elastic_of(1, ratio, 1), Integration::full);
+}
+
+/// Addresses differ from run to run and from thread to thread.
+TEST(stiffness, has_the_same_bits_wherever_in_memory_it_is_found) {
+  for_every_shape([]<int D>(ElementShape shape, std::integral_constant<int, D>) {
+    const auto mesh = test::box(shape, {{1, 1.2, 0.9}, {2, 2, 2}, 0.3});
+    const Eigen::MatrixXd first = stiffness_with_the_stack_moved<D>(mesh, 16);
+    for (const std::size_t bytes : {32, 48, 64}) {
+      const Eigen::MatrixXd other = stiffness_with_the_stack_moved<D>(mesh, bytes);
+      EXPECT_TRUE((first.array() == other.array()).all()) << name_of(shape);
+    }
+  });
+}
+
 TEST(mass, sums_to_density_times_volume_and_keeps_the_centre) {
   for (const MassMatrix kind : {MassMatrix::consistent, MassMatrix::lumped})
     for_every_shape([kind]<int D>(ElementShape shape, std::integral_constant<int, D>) {
