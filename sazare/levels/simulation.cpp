@@ -45,10 +45,10 @@ Simulation<D>::Simulation(state::Bodies<D> bodies, TermList<D> terms, const Step
     motion.predicted_velocity = motion.velocity;
     motion.predicted_spin = motion.spin;
   }
-  terms::EnergySums start;
   std::vector<state::MeanMotion<D>> ahead;
-  sum_body_energies(snapshot(), nullptr, ahead, start);
-  kinetic_at_start_ = start[terms::EnergyKind::kinetic].value();
+  const terms::EnergyBalance start = energy_sums(snapshot(), nullptr, ahead).balance();
+  kinetic_at_start_ = start[terms::EnergyKind::kinetic];
+  elastic_at_start_ = start[terms::EnergyKind::elastic];
 }
 
 /// Returns the time now, where it is measured.

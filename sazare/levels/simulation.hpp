@@ -164,7 +164,7 @@ private:
   std::int64_t counts_for_ = 0;  ///< so many ticks like the present one: 0 where it is not measured
   bool ticks_are_long_ = false;  ///< the last one that was measured; all are measured then
   int finest_seen_ = 0;
-  Real kinetic_at_start_ = 0;
+  Real kinetic_at_start_ = 0, elastic_at_start_ = 0;
 
   terms::Peers alone_;
   std::unique_ptr<distribute::Replicas<D>> replicas_;  ///< none when alone

@@ -106,11 +106,12 @@ terms::EnergySums Simulation<D>::energy_sums(const Snapshot<D>& at_now, const di
   return sums;
 }
 
-/// The kinetic energy counts from the beginning.
+/// The kinetic and the elastic energy count from the beginning.
 template <int D>
 terms::EnergyBalance Simulation<D>::close(const terms::EnergySums& sums) const {
   terms::EnergyBalance balance = sums.balance();
   balance[terms::EnergyKind::kinetic] -= kinetic_at_start_;
+  balance[terms::EnergyKind::elastic] -= elastic_at_start_;
   return balance;
 }
 

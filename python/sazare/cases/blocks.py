@@ -191,6 +191,30 @@ class Gravity(Part):
 
 
 @dataclass(kw_only=True, eq=False)
+class InitialStress(Part):
+    """Stress in the body at the beginning, which bonded joints and boundaries carry."""
+
+    normal_stress: tuple[float, float, float] | None = None
+    """Stresses xx, yy, zz at the datum. [Pa] (instead of k0; tension positive) Default: [0.0, 0.0, 0.0]."""
+    shear_stress: tuple[float, float, float] | None = None
+    """Stresses xy, yz, zx at the datum. [Pa] (instead of k0; tension positive) Default: [0.0, 0.0, 0.0]."""
+    normal_stress_per_depth: tuple[float, float, float] | None = None
+    """What is added to xx, yy, zz per metre of depth below the datum. [Pa/m] (instead of k0; tension positive) Default: [0.0,
+    0.0, 0.0].
+    """
+    shear_stress_per_depth: tuple[float, float, float] | None = None
+    """What is added to xy, yz, zx per metre of depth below the datum. [Pa/m] (instead of k0; tension positive) Default: [0.0,
+    0.0, 0.0].
+    """
+    k0: float | None = None
+    """Ratio of horizontal to vertical stress; the vertical stress is the weight of the ground between a place and the datum, its
+    surface. (instead of the stresses; needs gravity along an axis) At least 0.
+    """
+    datum: float | None = None
+    """Height from which depth is measured, against gravity; without gravity along z. [m] Default: 0.0."""
+
+
+@dataclass(kw_only=True, eq=False)
 class Boundary(Part):
     """Boundary conditions of outer faces; all others are free."""
 
@@ -288,6 +312,7 @@ class Case(AnyCase):
         "contact": Contact,
         "blasts": Blast,
         "gravity": Gravity,
+        "initial_stress": InitialStress,
         "boundaries": Boundary,
         "constraints": Constraint,
         "initial_velocities": InitialVelocity,
@@ -308,6 +333,8 @@ class Case(AnyCase):
     """Pressure on the walls of holes: a pulse, a table from a CSV file, or a function given in Python."""
     gravity: Gravity | None = None
     """Body force."""
+    initial_stress: InitialStress | None = None
+    """Stress in the body at the beginning, which bonded joints and boundaries carry."""
     boundaries: list[Boundary] = field(default_factory=list)
     """Boundary conditions of outer faces; all others are free."""
     constraints: list[Constraint] = field(default_factory=list)

@@ -13,7 +13,7 @@ namespace sazare::terms {
 enum class EnergyKind {
   work,     ///< done on the bodies by loads and by gravity
   kinetic,  ///< increase since the beginning
-  elastic,  ///< stored in joints, contacts and boundaries
+  elastic,  ///< stored in joints, contacts and boundaries, beyond what was stored at the beginning
   joint_dashpot,
   slip,  ///< of bonded joints on the Coulomb line
   fracture,

@@ -25,6 +25,19 @@ std::array<float, 3> spread_of(const JointRecord& joint) {
   return {static_cast<float>(sums[0]), static_cast<float>(sums[1]), static_cast<float>(sums[2])};
 }
 
+/// Moves the corners on the master so that the springs carry the initial tractions. The area of the record is rounded; the force
+/// is that over the whole face.
+void preload(JointRecord& joint, const JointFace& face, const ElasticJoint& kind, const Matrix3& to_master, Real vertex_area) {
+  const auto axes = face_axes(joint.normal, joint.tilt);
+  const Real whole = vertex_area / Real{joint.vertex_area};
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    const Vector3 traction = whole * (to_master * face.traction[v]);
+    if (traction.isZero(0)) continue;
+    joint.vertex[v].corner[0] -= axes[0].dot(traction) / kind.normal_stiffness;
+    for (int along : {1, 2}) joint.vertex[v].corner[along] -= axes[at(along)].dot(traction) / kind.shear_stiffness;
+  }
+}
+
 JointRecord make_joint(const JointFace& face, const ElasticJoint& kind, const state::Bodies<3>& bodies) {
   const auto &master = bodies.motion[at(face.master)], &slave = bodies.motion[at(face.slave)];
   const auto& c = face.corners;
@@ -46,6 +59,7 @@ JointRecord make_joint(const JointFace& face, const ElasticJoint& kind, const st
   joint.master = face.master;
   joint.slave = face.slave;
   joint.kind = static_cast<std::int16_t>(face.kind);
+  preload(joint, face, kind, master.rotation.transpose(), across.norm() / 6);
   return joint;
 }
 

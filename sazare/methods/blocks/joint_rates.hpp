@@ -25,6 +25,7 @@ struct JointFace {
   int slave_face = 0;
   std::array<Vector3, 3> corners;                  ///< counter-clockwise seen from outside the master [m]
   std::optional<JointSprings> own = std::nullopt;  ///< instead of the springs and dashpots of its kind
+  std::array<Vector3, 3> traction = {Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};  ///< initial, on the master [Pa]
 };
 
 /// What a face is before anything has happened to it.

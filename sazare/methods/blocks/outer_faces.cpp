@@ -54,7 +54,7 @@ void OuterFaces::evaluate(const Instant& now, std::span<const Due> due, const st
         const Vector3 dashpot = area * stress(face.normal, springs.normal_damping, springs.shear_damping, body.velocity_at(arm));
         const Vector3 point = body.position - bodies.pole + arm;
         dashpots.add_at(point, dashpot);  // the ground is the second body
-        total.add_at(point, spring + dashpot);
+        total.add_at(point, spring + dashpot - area * face.traction[corner]);
       }
       terms::write<3, 1>(table_[at.link], now, at, total, {dashpots});
     }
@@ -70,8 +70,9 @@ void OuterFaces::add_energies(const terms::Synchronized<3>& at, terms::EnergySum
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const Vector3 moved = body.position + body.rotation * face.springs.corners[corner] - face.place[corner];
       energies[terms::EnergyKind::elastic] +=
-          0.5 * face.springs.corner_area *
-          moved.dot(stress(face.normal, face.springs.normal_stiffness, face.springs.shear_stiffness, moved));
+          face.springs.corner_area *
+          (0.5 * moved.dot(stress(face.normal, face.springs.normal_stiffness, face.springs.shear_stiffness, moved)) -
+           face.traction[corner].dot(moved));
     }
   }
 }

@@ -5,7 +5,8 @@
 ///     f = -A (k_n u_n + c_n v_n) n - A (k_s u_t + c_s v_t)     at each of the three corners, A a third of the face
 ///
 /// fixed: as if bonded to unbreakable ground; frictionless: the normal part alone; absorbing: c_n = rho c_P, c_s = rho c_S
-/// (Lysmer and Kuhlemeyer 1969) with the wave speeds that the joints imply over the block's own height.
+/// (Lysmer and Kuhlemeyer 1969) with the wave speeds that the joints imply over the block's own height. Initial tractions of the
+/// ground act beside them, unchanged; their work counts as energy of the ground.
 
 #include <vector>
 
@@ -19,6 +20,7 @@ struct OuterFace {
   FaceSprings springs;           ///< corners in the body frame
   std::array<Vector3, 3> place;  ///< of the corners at the beginning [m]
   Vector3 normal;                ///< outward, at the beginning
+  std::array<Vector3, 3> traction = {Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};  ///< initial, on the corners [Pa]
 };
 
 class OuterFaces final : public terms::Term<3> {

@@ -102,7 +102,7 @@ residual_friction_coefficient = 0.4
 name = "seam"
 between = ["rock", "clay"]
 joint_normal_stiffness = 1e9
-joint_shear_stiffness = 0
+joint_shear_stiffness = 1e8
 cohesion = 0
 friction_coefficient = 0.3
 tensile_strength = 1e3
@@ -142,6 +142,13 @@ function = true
 
 [gravity]
 acceleration = [0, 0.1, -9.81]
+
+[initial_stress]
+normal_stress = [-3e6, -1e6, -2e6]
+shear_stress = [0, 2e5, 0]
+normal_stress_per_depth = [-1e4, -1e4, -26487]
+shear_stress_per_depth = [0, 0, 100]
+datum = 12.5
 
 [[boundaries]]
 surface = "left"

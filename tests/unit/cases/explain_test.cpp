@@ -15,7 +15,10 @@ TEST(Explain, SaysWhatFollowsFromTheNumbers) {
            "elastic to 6.66e6 Pa (6.66 MPa) at an opening of 14.8e-6 m, broken at 29.93e-6 m",
            "friction angle 30 deg",
            "slit: on surface slit, never bonded",
-           "true faces; the surface of a coupled run is touched by spheres behind them",
+           "true faces\n",
+           "contact_stiffness and contact_damping are of spheres behind the faces, which touch the surface of a coupled run "
+           "alone",
+           "stress xx yy zz (-3e6, -1e6, -2e6) Pa, xy yz zx (0, 200000, 0) Pa",
            "hole 1: on surface hole_1 from 100e-6 s: 575e6 Pa (575 MPa) after 133e-6 s, zero again after 498.8e-6 s",
            "ends on a face once its displacement is 0.005 m",
            "hole_2: on surface hole_2 from 0 s: 3 rows of pressure.csv, to 500e-6 s",

@@ -50,6 +50,11 @@ TEST(Reader, TakesEveryKeyThatIsGiven) {
   EXPECT_EQ(blocks.blasts.at(0).cut_distance, 0.005);
   EXPECT_EQ(std::get<PressurePulse>(blocks.blasts.at(0).pressure).decay_ratio, 2.75);
   EXPECT_EQ(blocks.gravity.acceleration, Vector3(0, 0.1, -9.81));
+  EXPECT_EQ(blocks.initial_stress.normal, Vector3(-3e6, -1e6, -2e6));
+  EXPECT_EQ(blocks.initial_stress.shear, Vector3(0, 2e5, 0));
+  EXPECT_EQ(blocks.initial_stress.normal_per_depth, Vector3(-1e4, -1e4, -26487));
+  EXPECT_EQ(blocks.initial_stress.shear_per_depth, Vector3(0, 0, 100));
+  EXPECT_EQ(blocks.initial_stress.datum, 12.5);
   EXPECT_EQ(blocks.boundaries.at(1).kind, BoundaryKind::frictionless);
   EXPECT_EQ(blocks.constraints.at(0).translation, (std::array<bool, 3>{true, false, true}));
   EXPECT_EQ(blocks.constraints.at(0).rotation, (std::array<bool, 3>{false, true, false}));
@@ -126,7 +131,7 @@ TEST(Reader, KeepsPlacesForWhatTheEngineFindsOut) {
   const CaseFolder folder;
   const CaseFile file = folder.read(full_case());
   const std::string text = warning(file, "gauges.0.point", "the gauge is outside", "move it");
-  EXPECT_NE(text.find("case.toml:103:9: warning: the gauge is outside"), std::string::npos) << text;
+  EXPECT_NE(text.find("case.toml:110:9: warning: the gauge is outside"), std::string::npos) << text;
   try {
     refuse(file, "time.no_such_key", "bad", "help");
   } catch (const UserError& failure) {

@@ -40,9 +40,10 @@ TEST(Resolved, NamesFilesRelativeToItsFolder) {
 }
 
 /// Keys that stand for others, which the full case gives: a friction angle is written as its coefficient, and elasticity and damping
-/// are given by the stiffnesses and dashpots of joints.
+/// are given by the stiffnesses and dashpots of joints, and k0 by stresses that grow with depth.
 bool is_other_way(std::string_view key) {
-  return key == "friction_angle" || key == "youngs_modulus" || key == "poisson_ratio" || key == "damping_ratio";
+  return key == "friction_angle" || key == "youngs_modulus" || key == "poisson_ratio" || key == "damping_ratio" ||
+         key == "k0";
 }
 
 /// What a run writes in its folder is read again by `--resume`, so that it must be a case for the other way as well.
@@ -54,6 +55,7 @@ TEST(Resolved, ReadsBackWithElasticityAndDampingByTheOtherWay) {
     text.erase(begin, text.find('\n', begin) + 1 - begin);
   }
   expect_round_trip(folder, replaced(text, "cohesion = ", "damping_ratio = 0.02\ncohesion = "));
+  expect_round_trip(folder, text + "\n[gravity]\nacceleration = [0, 0, -9.81]\n\n[initial_stress]\nk0 = 0.5\ndatum = 3\n");
 }
 
 TEST(Resolved, HoldsEveryKey) {

@@ -13,6 +13,7 @@
 #include "sazare/cases/tables.hpp"
 #include "sazare/laws/block_elasticity.hpp"
 #include "sazare/laws/joint_laws.hpp"
+#include "sazare/laws/linear_stress.hpp"
 #include "sazare/laws/pressure_table.hpp"
 
 /// A checked case of method blocks, as plain data. All values in SI units; friction always as a coefficient;
@@ -136,6 +137,18 @@ struct Constraint {
   std::array<bool, 3> rotation{false, false, false};
 };
 
+/// Stress in the ground before anything is done to it, tension positive.
+struct InitialStress {
+  Vector3 normal = Vector3::Zero();            // Pa: xx, yy, zz at the datum
+  Vector3 shear = Vector3::Zero();             // Pa: xy, yz, zx at the datum
+  Vector3 normal_per_depth = Vector3::Zero();  // Pa/m
+  Vector3 shear_per_depth = Vector3::Zero();   // Pa/m
+  std::optional<Real> k0;                      // instead of these: from the weight of the ground above
+  Real datum = 0;                              // m
+
+  bool is_zero() const;
+};
+
 struct InitialVelocity {
   std::vector<std::string> regions;
   Vector3 velocity = Vector3::Zero();  // m/s
@@ -162,12 +175,16 @@ struct BlocksCase {
   Contact contact;
   std::vector<Blast> blasts;
   Gravity gravity;
+  InitialStress initial_stress;
   std::vector<Boundary> boundaries;
   std::vector<Constraint> constraints;
   std::vector<InitialVelocity> initial_velocities;
   std::vector<Gauge> gauges;
   Time time;
   Output output;
+
+  /// The initial stress with the weight of the ground where it is given by k0.
+  laws::LinearStress stress_at_start() const;
 };
 
 }  // namespace sazare::cases

@@ -95,9 +95,13 @@ void explain_joint(Explanation& text, const Joint& joint) {
 
 void explain_contact(Explanation& text, const Contact& contact) {
   if (contact.shape == ContactShape::faces) {
-    text.add("contact", "true faces; the surface of a coupled run is touched by spheres behind them");
+    text.add("contact", "true faces");
     text.more(fmt::format("spring {} Pa/m, dashpot {} Pa s/m (cap: {}), friction {}", number(contact.face_stiffness),
                           number(contact.face_damping), word(contact.damping_cap), number(contact.friction_coefficient)));
+    if (contact.normal_stiffness > 0)
+      text.more(
+          "contact_stiffness and contact_damping are of spheres behind the faces, which touch the surface of a coupled run "
+          "alone");
     return;
   }
   const int spheres = (contact.edge_division - 1) * (contact.edge_division - 2) / 2;
@@ -124,9 +128,24 @@ void explain_blast(Explanation& text, const Blast& blast) {
     text.more(fmt::format("ends on a face once its displacement is {} m", number(blast.cut_distance)));
 }
 
+void explain_initial_stress(Explanation& text, const InitialStress& stress) {
+  if (stress.is_zero()) return;
+  if (stress.k0) {
+    text.add("initial", fmt::format("weight of the ground below {} m, horizontal stress {} of the vertical", number(stress.datum),
+                                    number(*stress.k0)));
+    return;
+  }
+  text.add("initial",
+           fmt::format("stress xx yy zz {} Pa, xy yz zx {} Pa", vector_text(stress.normal), vector_text(stress.shear)));
+  if (!stress.normal_per_depth.isZero(0) || !stress.shear_per_depth.isZero(0))
+    text.more(fmt::format("and per metre below {} m {} Pa, {} Pa", number(stress.datum), vector_text(stress.normal_per_depth),
+                          vector_text(stress.shear_per_depth)));
+}
+
 void explain_conditions(Explanation& text, const BlocksCase& blocks) {
   for (const Blast& blast : blocks.blasts) explain_blast(text, blast);
   if (!blocks.gravity.acceleration.isZero()) text.add("gravity", vector_text(blocks.gravity.acceleration) + " m/s2");
+  explain_initial_stress(text, blocks.initial_stress);
   for (const Boundary& boundary : blocks.boundaries)
     text.add("boundaries", fmt::format("{}: {}", boundary.surface, word(boundary.kind)));
   for (const Constraint& constraint : blocks.constraints)

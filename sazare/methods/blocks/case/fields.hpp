@@ -125,6 +125,19 @@ void visit_fields(Visitor& visit, Constraint& constraint) {
 }
 
 template <class Visitor>
+void visit_fields(Visitor& visit, InitialStress& stress) {
+  if (visit.has("k0", stress.k0.has_value())) {
+    visit("k0", stress.k0);
+  } else {
+    visit("normal_stress", stress.normal);
+    visit("shear_stress", stress.shear);
+    visit("normal_stress_per_depth", stress.normal_per_depth);
+    visit("shear_stress_per_depth", stress.shear_per_depth);
+  }
+  visit("datum", stress.datum);
+}
+
+template <class Visitor>
 void visit_fields(Visitor& visit, InitialVelocity& velocity) {
   visit("regions", velocity.regions);
   visit("velocity", velocity.velocity);
@@ -152,6 +165,7 @@ void visit_tables(Visitor& visit, BlocksCase& blocks) {
   visit.one("contact", blocks.contact);
   visit.list("blasts", blocks.blasts);
   visit.one("gravity", blocks.gravity);
+  visit.one("initial_stress", blocks.initial_stress);
   visit.list("boundaries", blocks.boundaries);
   visit.list("constraints", blocks.constraints);
   visit.list("initial_velocities", blocks.initial_velocities);

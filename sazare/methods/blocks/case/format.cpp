@@ -40,6 +40,7 @@ void read(const CheckContext& context, CaseFile& file) {
   check_contact(context, blocks);
   check_blasts(context, blocks);
   check_constraints(context, blocks);
+  check_initial_stress(context, blocks);
   resolve_clocks(context, blocks.time);
   if (blocks.time.strict) context.problems.turn_warnings_into_errors();
   file.histories = outside_pressures(blocks);

@@ -123,7 +123,10 @@ void check_numbers_of(laws::MixedMode law, const CheckContext& context, const En
   if (entry.gives("cohesion") && joint.cohesion == 0)
     error("cohesion", "law mixed_mode needs a cohesion above 0, which slip uses up",
           "give a cohesion, or use law linear_softening");
-  if (entry.gives("shear_fracture_energy") && entry.gives("joint_shear_stiffness") && energy < needed)
+  if (entry.gives("joint_shear_stiffness") && joint.shear_stiffness == Real{0})
+    error("joint_shear_stiffness", "law mixed_mode needs a joint_shear_stiffness above 0: without it no slip loads the joint",
+          "give a joint_shear_stiffness, or use law linear_softening");
+  else if (entry.gives("shear_fracture_energy") && entry.gives("joint_shear_stiffness") && energy < needed)
     error(
         "shear_fracture_energy",
         fmt::format("shear_fracture_energy {} N/m is too small for this cohesion and joint_shear_stiffness",
@@ -272,7 +275,8 @@ void check_contact(const CheckContext& context, const BlocksCase& blocks) {
   if (blocks.contact.shape == ContactShape::faces)
     check_keys(context, entry, "contact_shape faces", {"face_contact_stiffness"}, {});
   else
-    check_keys(context, entry, "contact_shape spheres", {"contact_stiffness"}, {"face_contact_stiffness", "face_contact_damping"});
+    check_keys(context, entry, "contact_shape spheres", {"contact_stiffness"},
+               {"face_contact_stiffness", "face_contact_damping"});
 }
 
 }  // namespace sazare::cases

@@ -118,7 +118,7 @@ private:
     }
   }
 
-  /// An absorbing face has dashpots alone: under gravity it yields for ever.
+  /// An absorbing face has dashpots alone: under gravity it yields for ever, unless it carries an initial stress.
   void check_that_gravity_is_carried() {
     const auto absorbs = [](const Boundary& boundary) { return boundary.kind == BoundaryKind::absorbing; };
     const auto found = std::ranges::find_if(blocks_.boundaries, absorbs);
@@ -128,13 +128,14 @@ private:
         if (constraint.translation[static_cast<std::size_t>(axis)] && blocks_.gravity.acceleration[axis] != 0) return true;
       return false;
     };
-    if (blocks_.gravity.acceleration.isZero() || found == blocks_.boundaries.end() ||
+    if (blocks_.gravity.acceleration.isZero() || !blocks_.initial_stress.is_zero() || found == blocks_.boundaries.end() ||
         std::ranges::any_of(blocks_.boundaries, carries) || std::ranges::any_of(blocks_.constraints, holds))
       return;
     const auto entry = context_.entries_of("boundaries")[static_cast<std::size_t>(found - blocks_.boundaries.begin())];
     context_.problems.error(
         entry.place("kind"), "under gravity an absorbing boundary yields without limit, and nothing else holds the body",
-        "make the boundary beneath the body \"fixed\" or \"frictionless\", hold a region with [[constraints]], or remove [gravity]");
+        "make the boundary beneath the body \"fixed\" or \"frictionless\", hold a region with [[constraints]], give the ground its "
+        "[initial_stress], which absorbing boundaries carry, or remove [gravity]");
   }
 
   /// Whether a boundary has springs against gravity.

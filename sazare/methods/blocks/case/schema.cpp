@@ -263,6 +263,46 @@ constexpr std::array blast_keys{
         .sentence = "Displacement of a face at which its pressure ends for good; inf: never."},
 };
 
+constexpr std::string_view instead_of_k0 = "instead of k0; tension positive";
+
+constexpr std::array initial_stress_keys{
+    Key{.name = "normal_stress",
+        .type = Type::vector,
+        .unit = "Pa",
+        .default_text = "[0.0, 0.0, 0.0]",
+        .note = instead_of_k0,
+        .sentence = "Stresses xx, yy, zz at the datum."},
+    Key{.name = "shear_stress",
+        .type = Type::vector,
+        .unit = "Pa",
+        .default_text = "[0.0, 0.0, 0.0]",
+        .note = instead_of_k0,
+        .sentence = "Stresses xy, yz, zx at the datum."},
+    Key{.name = "normal_stress_per_depth",
+        .type = Type::vector,
+        .unit = "Pa/m",
+        .default_text = "[0.0, 0.0, 0.0]",
+        .note = instead_of_k0,
+        .sentence = "What is added to xx, yy, zz per metre of depth below the datum."},
+    Key{.name = "shear_stress_per_depth",
+        .type = Type::vector,
+        .unit = "Pa/m",
+        .default_text = "[0.0, 0.0, 0.0]",
+        .note = instead_of_k0,
+        .sentence = "What is added to xy, yz, zx per metre of depth below the datum."},
+    Key{.name = "k0",
+        .type = Type::number,
+        .range = not_negative,
+        .note = "instead of the stresses; needs gravity along an axis",
+        .sentence = "Ratio of horizontal to vertical stress; the vertical stress is the weight of the ground between a place and "
+                    "the datum, its surface."},
+    Key{.name = "datum",
+        .type = Type::number,
+        .unit = "m",
+        .default_text = "0.0",
+        .sentence = "Height from which depth is measured, against gravity; without gravity along z."},
+};
+
 constexpr std::array boundary_keys{
     Key{.name = "surface",
         .type = Type::text,
@@ -359,6 +399,8 @@ constexpr std::array tables{
     Table{"blasts", true, Need::optional,
           "Pressure on the walls of holes: a pulse, a table from a CSV file, or a function given in Python.", blast_keys},
     gravity_table,
+    Table{"initial_stress", false, Need::optional,
+          "Stress in the body at the beginning, which bonded joints and boundaries carry.", initial_stress_keys},
     Table{"boundaries", true, Need::optional, "Boundary conditions of outer faces; all others are free.", boundary_keys},
     Table{"constraints", true, Need::optional, "Axes along or about which whole volumes cannot move or turn.", constraint_keys},
     Table{"initial_velocities", true, Need::optional, "Initial velocities of volumes.", initial_velocity_keys},

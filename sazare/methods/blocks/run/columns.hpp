@@ -12,7 +12,7 @@ using observe::Column;
 inline constexpr std::array pieces = {Column{"broken_joints", "-", "so far"}, Column{"fragments", "-", "now"}};
 inline constexpr std::array energies = {Column{"energy_work", "J", "done by loads and gravity"},
                                         Column{"energy_kinetic", "J", "increase since the beginning"},
-                                        Column{"energy_elastic", "J", "stored in joints, contacts and boundaries"},
+                                        Column{"energy_elastic", "J", "stored in joints, contacts and boundaries since the beginning"},
                                         Column{"energy_joint_dashpot", "J", "dissipated by dashpots of joints"},
                                         Column{"energy_slip", "J", "dissipated by slip of joints before they break"},
                                         Column{"energy_fracture", "J", "dissipated by softening of joints"},

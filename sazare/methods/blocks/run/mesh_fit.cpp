@@ -55,6 +55,7 @@ constexpr Real edge_per_distance = 2.45;  // a regular tetrahedron's edge over t
 struct SofteningCheck {
   std::string_view strength_key, energy_key;
   Real strength, energy, stiffness, distance;
+  Real strongest = 1;  ///< factor of the strength of the strongest faces
 };
 
 void check_softening(const cases::CaseFile& file, std::size_t joint, const SofteningCheck& of) {
@@ -62,15 +63,19 @@ void check_softening(const cases::CaseFile& file, std::size_t joint, const Softe
   if (of.stiffness >= needed) return;
   const auto number = [](Real value) { return cases::short_number(value, 3); };
   const Real largest = of.distance * of.stiffness / needed;
-  refuse(file, fmt::format("joints.{}.{}", joint, of.strength_key),
-         fmt::format("elements are too large for this {} and {}: centres on both sides of a face are {} m apart", of.strength_key,
-                     of.energy_key, number(of.distance)),
-         fmt::format(
-             "a joint would be broken before it softens; the largest distance of centres that does is {} m, edges of some {} m; "
-             "with this mesh {} must be at least {} N/m, or {} at most {} Pa",
-             number(largest), number(edge_per_distance * largest), of.energy_key,
-             number(of.strength * of.strength / (2 * of.stiffness)), of.strength_key,
-             number(std::sqrt(2 * of.energy * of.stiffness))));
+  refuse(
+      file, fmt::format("joints.{}.{}", joint, of.strength_key),
+      fmt::format(
+          "elements are too large for this {} and {}{}: centres on both sides of a face are {} m apart", of.strength_key,
+          of.energy_key,
+          of.strongest > 1 ? fmt::format(" where they are {} times the mean, at the strongest faces", number(of.strongest)) : "",
+          number(of.distance)),
+      fmt::format(
+          "a joint would be broken before it softens; the largest distance of centres that does is {} m, edges of some {} m; "
+          "with this mesh {} must be at least {} N/m, or {} at most {} Pa",
+          number(largest), number(edge_per_distance * largest), of.energy_key,
+          number(of.strength * of.strength / (2 * of.stiffness)), of.strength_key,
+          number(std::sqrt(2 * of.energy * of.stiffness))));
 }
 
 void check_softening(const cases::CaseFile& file, const MeshFit& fit) {
@@ -81,12 +86,12 @@ void check_softening(const cases::CaseFile& file, const MeshFit& fit) {
     const Real strongest = joints[n].largest_factor();
     check_softening(file, n,
                     {"tensile_strength", "fracture_energy", joints[n].tensile_strength, joints[n].fracture_energy,
-                     softest.normal_stiffness / strongest, softest.normal_distance});
+                     softest.normal_stiffness / strongest, softest.normal_distance, strongest});
     laws::visit_joint_law(joints[n].law, [&]<class Law>(Law) {
       if constexpr (laws::SoftensBySlip<Law>)
         check_softening(file, n,
                         {"cohesion", Law::shear_energy, joints[n].cohesion, joints[n].law_parameter(Law::shear_energy).value(),
-                         softest.shear_stiffness / strongest, softest.shear_distance});
+                         softest.shear_stiffness / strongest, softest.shear_distance, strongest});
     });
   }
 }
@@ -122,7 +127,8 @@ std::string warn_of_mesh_fit(const cases::CaseFile& file, const MeshFit& fit) {
       all += warning(file, fmt::format("joints.{}", joint),
                      fmt::format("the joint \"{}\" applies to no face of the mesh", blocks.joints[joint].name),
                      "remove it, or check whether its materials share faces and whether a later entry applies to the same faces");
-  return all + warn_of_inner_faces(file, "blasts", fit.inner_of_blast, "no pressure acts on them") +
+  return all + warn_of_initial_stress(file, fit.overstressed, fit.start_balance) +
+         warn_of_inner_faces(file, "blasts", fit.inner_of_blast, "no pressure acts on them") +
          warn_of_inner_faces(file, "boundaries", fit.inner_of_boundary, "the boundary does not apply to them");
 }
 

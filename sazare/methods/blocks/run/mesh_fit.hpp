@@ -8,6 +8,7 @@
 #include "sazare/cases/case_file.hpp"
 #include "sazare/methods/blocks/case/case.hpp"
 #include "sazare/methods/blocks/run/joints/element_springs.hpp"
+#include "sazare/methods/blocks/run/joints/initial_stress.hpp"
 #include "sazare/methods/blocks/run/parts.hpp"
 
 namespace sazare::runs {
@@ -22,6 +23,8 @@ struct MeshFit {
   std::vector<UnjoinedFaces> unjoined;
   std::vector<Index> faces_of_joint;                ///< by entry of [[joints]]
   std::vector<SoftestFaces> softest_of_joint = {};  ///< by entry of [[joints]]
+  std::vector<OverstressedFaces> overstressed = {};  ///< by entry of [[joints]], at the beginning
+  StartBalance start_balance = {};
   std::vector<Index> inner_of_blast;                ///< by entry of [[blasts]]: faces of its surface between two elements
   std::vector<Index> inner_of_boundary;             ///< by entry of [[boundaries]]: faces of its surface between two elements
 };

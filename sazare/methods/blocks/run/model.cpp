@@ -82,7 +82,9 @@ public:
     if (window)
       model_.surface = keep(
           terms_, std::make_unique<methods::blocks::SurfaceContacts>(contact_law(blocks_.contact), *model_.contacts, bodies_));
-    if (auto boundaries = make_boundaries(blocks_, faces, model_.material, bodies_); !boundaries.empty())
+    auto boundaries = make_boundaries(blocks_, faces, model_.material, bodies_);
+    model_.fit.start_balance = find_balance(blocks_, faces, bodies_, boundaries);
+    if (!boundaries.empty())
       keep(terms_, std::make_unique<methods::blocks::OuterFaces>(std::move(boundaries), bodies_));
     if (!blocks_.blasts.empty())
       keep(terms_,
@@ -99,6 +101,7 @@ private:
     add_own_springs(blocks_, model_.material, bodies_, joint_faces);
     model_.fit.softest_of_joint = find_softest_faces(blocks_, bodies_, joint_faces);
     model_.kinds = scatter_strengths(blocks_, model_.mesh, joint_faces);
+    model_.fit.overstressed = find_overstressed(blocks_, model_.kinds, joint_faces);
     const auto& kinds = model_.kinds.kinds;
     const auto elastic = methods::blocks::elastic_joints(kinds);
     auto joint_rates = methods::blocks::joint_rates(elastic, joint_faces, bodies_);

@@ -141,6 +141,7 @@ methods::blocks::JointKind make_joint_kind(const cases::Joint& joint) {
 std::vector<methods::blocks::JointFace> make_joint_faces(const cases::BlocksCase& blocks, const MeshFaces& faces,
                                                          const std::vector<Index>& joint_of_face) {
   std::vector<methods::blocks::JointFace> made;
+  const laws::LinearStress stress = blocks.stress_at_start();
   for (std::size_t face = 0; face < joint_of_face.size(); ++face) {
     const Index entry = joint_of_face[face];
     if (entry < 0 || !blocks.joints[at(entry)].bonded) continue;
@@ -153,6 +154,8 @@ std::vector<methods::blocks::JointFace> make_joint_faces(const cases::BlocksCase
       std::swap(bonded.master_face, bonded.slave_face);
       std::swap(bonded.corners[1], bonded.corners[2]);  // counter-clockwise from the other side
     }
+    if (!stress.is_zero())
+      bonded.traction = laws::corner_tractions(stress, bonded.corners, area_vector(bonded.corners).normalized());
     made.push_back(bonded);
   }
   return made;
@@ -171,11 +174,21 @@ const cases::Joint& own_joint(const cases::BlocksCase& blocks, Index material) {
   return *own;
 }
 
+/// What the ground behind an outer face carries at the beginning; a face without friction carries no shear.
+std::array<Vector3, 3> ground_tractions(const laws::LinearStress& stress, cases::BoundaryKind kind,
+                                        const methods::blocks::OuterFace& face) {
+  std::array<Vector3, 3> tractions = laws::corner_tractions(stress, face.place, face.normal);
+  if (kind == cases::BoundaryKind::frictionless)
+    for (Vector3& traction : tractions) traction = face.normal.dot(traction) * face.normal;
+  return tractions;
+}
+
 }  // namespace
 
 std::vector<methods::blocks::OuterFace> make_boundaries(const cases::BlocksCase& blocks, const MeshFaces& faces,
                                                         const std::vector<Index>& material, const state::Bodies<3>& bodies) {
   std::vector<methods::blocks::OuterFace> made;
+  const laws::LinearStress stress = blocks.stress_at_start();
   for (const cases::Boundary& boundary : blocks.boundaries)
     for (const geometry::OuterFace& outer : faces.outer(boundary.surface)) {
       const auto& motion = bodies.motion[at(outer.element)];
@@ -191,6 +204,7 @@ std::vector<methods::blocks::OuterFace> make_boundaries(const cases::BlocksCase&
       face.springs.corner_area = area.norm() / 3;
       for (std::size_t corner = 0; corner < 3; ++corner)
         face.springs.corners[corner] = motion.rotation.transpose() * (face.place[corner] - motion.position);
+      if (!stress.is_zero()) face.traction = ground_tractions(stress, boundary.kind, face);
       made.push_back(face);
     }
   return made;

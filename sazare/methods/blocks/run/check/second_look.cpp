@@ -93,7 +93,7 @@ std::string hole_text(const cases::Blast& blast, const HoleWall& wall) {
   constexpr Real mostly_closed = 0.05, few_faces = 7.5;
   const Real peak = peak_of(blast), open = wall.open.norm() / wall.area;
   if (open > mostly_closed || !(wall.volume > 0))
-    return line("holes",
+    return line("loads",
                 fmt::format("{}: {} m2 that do not close around a hole: the pressure pushes the body with the resultant of "
                             "{} % of its faces{}",
                             blast.name, number(wall.area), cases::short_number(100 * open, 2),
@@ -166,7 +166,7 @@ std::string second_look(const cases::BlocksCase& blocks, const BlocksModel& mode
   std::string text = cases::explain_size(cases::extent_of(model.mesh.nodes)) + mass_text(model);
   for (const cases::Blast& blast : blocks.blasts)
     if (const auto wall = faces.outer(blast.surface); !wall.empty()) text += hole_text(blast, measure_wall(model.mesh, wall));
-  return text + held_text(blocks, model, faces);
+  return text + explain_initial_stress(blocks, model.mesh, model.fit.start_balance) + held_text(blocks, model, faces);
 }
 
 }  // namespace sazare::runs
