@@ -62,9 +62,10 @@ class PlaneView:
         return PlaneView(self.axis, self.position, np.array([lowest, highest]))
 
     def cut(self, mesh):
-        """The mesh in the plane: polygons of a solid, lines of a surface, with the data of their cells."""
+        """The mesh in the plane: polygons of a solid, lines of a surface, with the data of their cells. The plane lies a millionth of the
+        mesh beside its position, since cells whose nodes lie in a plane are cut wrongly."""
         origin = np.zeros(3)
-        origin[self.axis] = self.position
+        origin[self.axis] = self.position + 1e-6 * mesh.length
         normal = np.zeros(3)
         normal[self.axis] = 1.0
         return mesh.slice(normal=normal, origin=origin, generate_triangles=False)

@@ -220,6 +220,19 @@ def test_a_view_holds_what_has_moved_out_of_the_body_up_to_a_quarter_of_its_size
     np.testing.assert_allclose(view.holding(near, splinter).window, [[0.0, -0.2 - margin], [5.0, 2.0]])
 
 
+def test_a_cut_through_nodes_covers_the_whole_section():
+    """Tetrahedra of a Delaunay mesh of two layers, whose nodes lie in the plane between them to round-off, each with nodes of its own."""
+    random = np.random.default_rng(1)
+    points = np.array([[x, y, z] for x in range(7) for y in range(7) for z in range(3)], dtype=float)
+    inside = (points[:, :2] % 6 != 0).all(axis=1)
+    points[inside, :2] += random.uniform(-0.3, 0.3, (inside.sum(), 2))
+    mesh = pyvista.PolyData(points).delaunay_3d().explode(0.0)
+    mesh.points = mesh.points.astype(float)
+    mesh.points[:, 2] *= 1 + 2.3e-16 * random.integers(-1, 2, mesh.n_points)
+    cut = PlaneView(2, 1.0, np.array([[0.0, 0.0], [6.0, 6.0]])).cut(mesh)
+    assert cut.compute_cell_sizes()["Area"].sum() == pytest.approx(36.0, rel=1e-3)
+
+
 @pytest.mark.parametrize("wrong", [["--interval", "-1"], ["--interval", "nan"], ["--interval", "1e9"], ["--enlarge", "inf"], ["--enlarge", "-2"]])
 def test_a_movie_of_senseless_times_or_factors_is_refused(tmp_path, capsys, wrong):
     with pytest.raises(SystemExit) as ended:

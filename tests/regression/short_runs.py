@@ -49,6 +49,7 @@ RUNS = {
                                             "bodies.blocks.0.upper=[6.684678751731762, 3.9594010767585, 0]",
                                             "bodies.gauges.0.point=[6.4, 3.1, 0]")),
     "bonded-beam": Run(),
+    "borehole-under-stress": Run(until(4.8e-4, "time.snapshot_interval=8e-5")),
     "caisson-pushover": Run(),
     "cantilever-fem": Run(),
     "column-collapse-mps": Run(),

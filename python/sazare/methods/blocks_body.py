@@ -152,7 +152,7 @@ class Body:
         if broken is None or broken.n_cells == 0:
             return self.plane_view()
         middle = np.median(broken.cell_centers().points, axis=0)
-        views = [self.plane_view(axis, float(middle[axis]) + 1e-6 * self.extents[axis]) for axis in range(3)]
+        views = [self.plane_view(axis, float(middle[axis])) for axis in range(3)]
         return max(views, key=lambda view: view.cut(broken).length)
 
     def solid_view(self):
