@@ -13,6 +13,10 @@ namespace sazare::methods::hybrid {
 
 namespace {
 
+/// What a window of the automatic scheme hands on of the force that it owes. All at once would extrapolate the force: its changes
+/// from window to window would then grow, until windows have to be repeated.
+constexpr Real carried_in_a_window = 0.1;
+
 /// Values of the surface's nodes, out of those of all.
 template <int D>
 std::vector<Real> of_surface(const geometry::LinearSurface& surface, const NodalColumn& all) {
@@ -29,6 +33,11 @@ std::vector<Real> difference(std::vector<Real> values, const std::vector<Real>& 
 
 std::vector<Real> sum_of(std::vector<Real> values, const std::vector<Real>& others) {
   for (std::size_t i = 0; i < values.size(); ++i) values[i] += others[i];
+  return values;
+}
+
+std::vector<Real> part_of(std::vector<Real> values, Real share) {
+  for (Real& value : values) value *= share;
   return values;
 }
 
@@ -92,12 +101,13 @@ template <int D>
 void ContinuumSide<D>::repeat(coupling::ContinuumChannel& channel) {
   const ContinuumState<D> saved = stepper_->state();
   const std::vector<Real> before = of_surface<D>(surface_, saved.displacement);
+  const Real share = rules_.scheme == CouplingScheme::automatic ? carried_in_a_window : 1;
   Agreement agreement;
   std::vector<Real> tried = force_.mean, applied, gap, best;
   Real least = std::numeric_limits<Real>::infinity();
   const auto attempt = [&](std::int32_t pass) {
     if (pass > 0) stepper_->restore(saved);
-    applied = sum_of(tried, carry_);
+    applied = sum_of(tried, part_of(carry_, share));
     force_ = try_window(channel, applied, pass);
     return has_converged(tried, gap);
   };
@@ -118,7 +128,7 @@ void ContinuumSide<D>::repeat(coupling::ContinuumChannel& channel) {
     ++totals_.unconverged;
   }
   add_work(applied, before);
-  carry_ = gap;
+  carry_ = sum_of(gap, part_of(carry_, 1 - share));
 }
 
 /// Whether the force with which the continuum moved is near enough to the one that came of it; `gap` is what lies between them.

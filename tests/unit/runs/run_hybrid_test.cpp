@@ -202,6 +202,18 @@ TEST(run_hybrid, a_stiff_contact_on_softer_ground_gains_no_energy) {
   EXPECT_LT(results["unconverged_windows"].get<Real>(), 0.01 * results["windows"].get<Real>());
 }
 
+/// What windows leave of the force must not build up to a rattle that never ends.
+TEST(run_hybrid, a_body_at_rest_stays_at_rest) {
+  const TemporaryFolder folder;
+  run_quietly(registry::read_case("validation/analytic/block-on-fem-ground/rectangle.toml"), folder / "run");
+  const std::string table = read_text(folder / "run/history.csv");
+  constexpr Real square = 2500 * 9.81 * 0.2 * 0.2 * 0.25;
+  EXPECT_NEAR(last_of(table, "surface.force_y [N]"), -square, 1e-6 * square);
+  EXPECT_LT(last_of(table, "force_mismatch [-]"), 1e-6);
+  const nlohmann::json results = read_manifest(folder / "run")["results"];
+  EXPECT_LT(results["passes"].get<Real>(), 1.1 * results["windows"].get<Real>());
+}
+
 /// A case with an end and rows of its own.
 cases::CaseFile shortened(const std::string& name, const std::string& end, const std::string& interval,
                           std::vector<std::string> settings = {}) {
