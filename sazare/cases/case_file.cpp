@@ -112,7 +112,7 @@ CaseFile read_case_text(CaseFormats formats, const std::string& content, const f
   if (format.has_sides && !side.empty()) {
     problems.error(find_place(text->root, "case.method"),
                    fmt::format("a side of a hybrid case is of method {} itself", format.method),
-                   "give it the method of that side, one that has no sides itself");
+                   "give [case] the method with which this side is solved");
     problems.throw_if_errors();
   }
   check_structure(text->root, TablesWithChoice(formats, format.tables).tables(), problems);

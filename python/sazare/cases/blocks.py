@@ -211,7 +211,7 @@ class InitialStress(Part):
     surface. (instead of the stresses; needs gravity along an axis) At least 0.
     """
     datum: float | None = None
-    """Height from which depth is measured, against gravity; without gravity along z. [m] Default: 0.0."""
+    """Height of the plane from which depth is measured: along z, or against gravity where there is gravity. [m] Default: 0.0."""
 
 
 @dataclass(kw_only=True, eq=False)

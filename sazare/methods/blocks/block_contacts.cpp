@@ -235,7 +235,7 @@ void BlockContacts::merge(Index body, std::vector<NearPair> found, bool may_end,
     clearance_[at(pair)] = {};
   }
   if (!may_end) return;
-  for (const Index pair : gone)  // what the other body has just begun goes on: round-off may tell the two views apart
+  for (const Index pair : gone)  // one that the search around the other body has just begun stays: they may differ by round-off
     if (std::ranges::find(changes.new_links, pair) == changes.new_links.end()) end_pair(pair, changes);
 }
 

@@ -20,7 +20,7 @@ SolidPoint<D> solid_point(const geometry::ElementMesh& mesh, const geometry::Mes
                     "sides may need smaller elements",
                     element.tag, facts(element.shape).name, place.x(), place.y(), place.z()));
   }
-  // Node by node: of a product of whole tables, which products and sums are rounded once depends on where in memory it stands.
+  // Node by node, because Eigen rounds a product of whole tables differently depending on where in memory the result stands.
   const Eigen::Matrix<Real, D, D> inverse = jacobian.inverse();
   Gradients<D> gradients(by_reference.rows(), D);
   for (Eigen::Index i = 0; i < by_reference.rows(); ++i) gradients.row(i) = by_reference.row(i).template head<D>() * inverse;

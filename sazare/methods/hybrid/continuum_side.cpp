@@ -13,9 +13,9 @@ namespace sazare::methods::hybrid {
 
 namespace {
 
-/// What a window of the automatic scheme pays of the force that is owed, where the first pass is to be enough. All at once would
+/// Share of the force carried over from earlier windows that the first pass of the automatic scheme applies. All of it would
 /// extrapolate the force: its changes from window to window would then grow, until windows have to be repeated.
-constexpr Real paid_at_first = 0.1;
+constexpr Real first_share = 0.1;
 
 /// Values of the surface's nodes, out of those of all.
 template <int D>
@@ -101,13 +101,15 @@ template <int D>
 void ContinuumSide<D>::repeat(coupling::ContinuumChannel& channel) {
   const ContinuumState<D> saved = stepper_->state();
   const std::vector<Real> before = of_surface<D>(surface_, saved.displacement);
-  Real share = rules_.scheme == CouplingScheme::automatic ? paid_at_first : 1;
+  Real share = rules_.scheme == CouplingScheme::automatic ? first_share : 1;
   Agreement agreement;
   std::vector<Real> tried = force_.mean, applied, gap, best;
   Real least = std::numeric_limits<Real>::infinity();
   const auto attempt = [&](std::int32_t pass) {
-    if (pass > 0) stepper_->restore(saved);
-    if (pass > 0) share = 1;  // the force is sought anew, with the whole debt
+    if (pass > 0) {
+      stepper_->restore(saved);
+      share = 1;  // the force is sought anew
+    }
     applied = sum_of(tried, part_of(carry_, share));
     force_ = try_window(channel, applied, pass);
     return has_converged(tried, gap);

@@ -8,8 +8,9 @@
 ///     impulse    the mean force of the window before: nothing of the bodies' impulse is lost, it comes a window later
 ///     iterative  windows are gone through again until the force with which the continuum moved is the mean of what it brings
 ///                about; what is left between the two goes into the next window
-///     automatic  the same, but a window counts as soon as what is left is a small share of the force, most often at once, and
-///                what is left is paid back over some windows, or in the next that is repeated; after the last pass the one counts that left least
+///     automatic  the same, but a window counts as soon as what is left is a small share of the force, most often at once; the
+///                first pass applies a part of what earlier windows left, further ones all of it; after the last pass the one
+///                counts that left least
 ///
 /// A force that lags behind feeds on itself where the contact is stiffer than the surface is in a window, or the bodies are heavier
 /// than what of the continuum moves in one: what a window leaves then comes back larger in the next. Such windows are those that the

@@ -300,7 +300,7 @@ constexpr std::array initial_stress_keys{
         .type = Type::number,
         .unit = "m",
         .default_text = "0.0",
-        .sentence = "Height from which depth is measured, against gravity; without gravity along z."},
+        .sentence = "Height of the plane from which depth is measured: along z, or against gravity where there is gravity."},
 };
 
 constexpr std::array boundary_keys{

@@ -8,7 +8,7 @@
 #include "sazare/cases/case_file.hpp"
 #include "sazare/methods/blocks/case/case.hpp"
 #include "sazare/methods/blocks/run/joints/element_springs.hpp"
-#include "sazare/methods/blocks/run/joints/initial_stress.hpp"
+#include "sazare/methods/blocks/run/check/initial_stress.hpp"
 #include "sazare/methods/blocks/run/parts.hpp"
 
 namespace sazare::runs {

@@ -38,13 +38,13 @@ void add_tetrahedron(state::Bodies<3>& bodies, const geometry::Tetrahedron& corn
                   reach_of(corners, centre));
 }
 
+}  // namespace
+
 std::array<Vector3, 3> face_corners(const geometry::TetraMesh& mesh, const std::array<std::int32_t, 3>& nodes) {
   return {mesh.nodes[at(nodes[0])], mesh.nodes[at(nodes[1])], mesh.nodes[at(nodes[2])]};
 }
 
 Vector3 area_vector(const std::array<Vector3, 3>& c) { return 0.5 * (c[1] - c[0]).cross(c[2] - c[0]); }
-
-}  // namespace
 
 std::vector<geometry::OuterFace> MeshFaces::outer(const std::string& surface) const {
   std::vector<geometry::OuterFace> found;

@@ -23,6 +23,11 @@ struct MeshFaces {
   std::vector<geometry::OuterFace> outer(const std::string& surface) const;
 };
 
+std::array<Vector3, 3> face_corners(const geometry::TetraMesh& mesh, const std::array<std::int32_t, 3>& nodes);
+
+/// Area of a triangle times its normal [m2].
+Vector3 area_vector(const std::array<Vector3, 3>& corners);
+
 /// Material of every element by its region.
 std::vector<Index> materials_by_element(const cases::BlocksCase& blocks, const geometry::TetraMesh& mesh);
 

@@ -1,4 +1,4 @@
-#include "sazare/methods/blocks/run/joints/initial_stress.hpp"
+#include "sazare/methods/blocks/run/check/initial_stress.hpp"
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ constexpr Real beyond_round_off = 1 + 1e-6;
 
 /// Stress over strength at the corners of a face, the worst.
 Real overstress(const cases::Joint& joint, const methods::blocks::JointFace& face) {
-  const Vector3 normal = (face.corners[1] - face.corners[0]).cross(face.corners[2] - face.corners[0]).normalized();
+  const Vector3 normal = area_vector(face.corners).normalized();
   Real worst = 0;
   for (const Vector3& traction : face.traction) {
     const Real across = normal.dot(traction), along = (traction - across * normal).norm();
@@ -74,10 +74,8 @@ StartBalance find_balance(const cases::BlocksCase& blocks, const MeshFaces& face
     for (const geometry::OuterFace& outer : faces.outer(boundary.surface)) carried.insert({outer.element, outer.face});
   for (const geometry::OuterFace& outer : faces.map.outer) {
     if (carried.contains({outer.element, outer.face})) continue;
-    std::array<Vector3, 3> corners;
-    for (std::size_t k = 0; k < 3; ++k) corners[k] = faces.mesh.nodes[at(outer.nodes[k])];
-    const Vector3 area = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-    const Real traction = (stress.at((corners[0] + corners[1] + corners[2]) / 3) * area.normalized()).norm();
+    const auto corners = face_corners(faces.mesh, outer.nodes);
+    const Real traction = (stress.at((corners[0] + corners[1] + corners[2]) / 3) * area_vector(corners).normalized()).norm();
     if (traction > 0) ++balance.unloaded;
     balance.unloaded_stress = std::max(balance.unloaded_stress, traction);
   }
