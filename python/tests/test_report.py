@@ -211,6 +211,13 @@ def test_a_movie_has_a_frame_for_every_snapshot_and_moves(slab, tmp_path, capsys
     assert "there are: speed, displacement" in capsys.readouterr().err
 
 
+def test_the_balance_counts_what_was_stored_or_in_motion_and_is_set_free():
+    figures = {"energy_work": -10.0, "energy_residual": 2.0, "energy_elastic": -80.0, "energy_kinetic": 70.0}
+    assert energy_balance(figures) == pytest.approx(2.0 / 90.0)
+    assert energy_balance({**figures, "energy_work": 0.0, "energy_kinetic": -120.0}) == pytest.approx(2.0 / 200.0)
+    assert energy_balance({"energy_work": 0.0, "energy_residual": 0.0}) is None
+
+
 def test_a_view_holds_what_has_moved_out_of_the_body_up_to_a_quarter_of_its_size():
     view = PlaneView(2, 0.5, np.array([[0.0, 0.0], [4.0, 2.0]]))
     near = pyvista.Box((1.0, 4.4, -0.2, 1.0, 0.0, 1.0))

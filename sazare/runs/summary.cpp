@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "sazare/cases/format/number_text.hpp"
@@ -18,20 +19,38 @@ std::string figure_text(const observe::Manifest& manifest, std::string_view name
   return cases::short_number(figure(manifest, name), digits);
 }
 
+namespace {
+
+/// Energy that loads have brought in and that the body had stored or in motion at the beginning and has given away.
+Real energy_brought_in(const observe::Manifest& manifest) {
+  const auto given_away = [&](std::string_view name) { return std::max(Real{0}, -figure(manifest, name)); };
+  return std::abs(figure(manifest, "energy_work")) + given_away("energy_elastic") + given_away("energy_kinetic");
+}
+
+/// What a residual is a share of, in words.
+std::string_view reference(const observe::Manifest& manifest) {
+  return energy_brought_in(manifest) > std::abs(figure(manifest, "energy_work")) ? "the work and the energy set free"
+                                                                                 : "the work";
+}
+
+}  // namespace
+
 std::string balance_text(const observe::Manifest& manifest) {
-  const Real work = figure(manifest, "energy_work"), residual = figure(manifest, "energy_residual");
-  const std::string share = work != 0 ? fmt::format(" ({:.1e} of the work)", std::abs(residual / work)) : "";
+  const Real work = figure(manifest, "energy_work"), residual = figure(manifest, "energy_residual"),
+             whole = energy_brought_in(manifest);
+  const std::string share = whole > 0 ? fmt::format(" ({:.1e} of {})", std::abs(residual / whole), reference(manifest)) : "";
   return fmt::format("work {} J, residual {} J{}", cases::short_number(work, 4), cases::short_number(residual, 2), share);
 }
 
 std::string balance_warning(const observe::Manifest& manifest) {
   constexpr Real warned_of = 0.01;
-  const Real work = figure(manifest, "energy_work"), share = std::abs(figure(manifest, "energy_residual") / work);
-  if (work == 0 || share <= warned_of) return "";
-  return fmt::format("warning: the energy balance misses {} % of the work, so that motion may have gained or lost energy by itself\n"
-                     "      help: a smaller time.stability_fraction, or a smaller step, should bring it below 1 %; the report of the "
-                     "run says more\n",
-                     cases::short_number(100 * share, 2));
+  const Real whole = energy_brought_in(manifest), share = std::abs(figure(manifest, "energy_residual") / whole);
+  if (whole == 0 || share <= warned_of) return "";
+  return fmt::format(
+      "warning: the energy balance misses {} % of {}, so that motion may have gained or lost energy by itself\n"
+      "      help: a smaller time.stability_fraction, or a smaller step, should bring it below 1 %; the report of the "
+      "run says more\n",
+      cases::short_number(100 * share, 2), reference(manifest));
 }
 
 std::string wall_time_line(const observe::Manifest& manifest, std::string_view steps, std::string_view step_name) {

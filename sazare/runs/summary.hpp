@@ -17,7 +17,7 @@ std::string figure_text(const observe::Manifest& manifest, std::string_view name
 /// Work and residual of the energy balance.
 std::string balance_text(const observe::Manifest& manifest);
 
-/// A warning where the energy balance misses more than a hundredth of the work; otherwise empty. The report has the verdict.
+/// A warning where the energy balance misses more than a hundredth of the work and of the energy set free; otherwise empty. The report has the verdict.
 std::string balance_warning(const observe::Manifest& manifest);
 
 /// Seconds, threads, and where `steps` names a figure, how many of those steps were done in a second.

@@ -57,10 +57,18 @@ def enlargement(displacement, extent, largest, shown):
     return 1.0 if size <= 0.0 or size > largest * extent else round_factor(shown * extent / size)
 
 
+def set_free(figures):
+    """Energy that was stored or in motion at the beginning and is not any more [J]."""
+    return sum(max(0.0, -(figures.get(name) or 0.0)) for name in ("energy_elastic", "energy_kinetic"))
+
+
 def energy_balance(figures):
-    """The energy residual as a share of the work; None where it cannot be computed."""
+    """The energy residual as a share of the work and of the energy set free; None where it cannot be computed."""
     work, residual = figures.get("energy_work"), figures.get("energy_residual")
-    return abs(residual / work) if work and residual is not None else None
+    if work is None or residual is None:
+        return None
+    whole = abs(work) + set_free(figures)
+    return abs(residual) / whole if whole else None
 
 
 def balance_verdict(results, reference="work"):
@@ -83,7 +91,7 @@ def strict_balance_verdict(results, good=GOOD_BALANCE, bad=BAD_BALANCE, referenc
     balance = energy_balance(results.figures)
     if balance is None:
         return missing_balance_verdict(results.figures)
-    words = balance_words(balance, reference)
+    words = balance_words(balance, f"{reference} and of the energy set free" if set_free(results.figures) > 0 else reference)
     if balance <= good:
         return "good", words
     if balance <= bad:

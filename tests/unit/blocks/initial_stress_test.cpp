@@ -70,7 +70,8 @@ TEST(initial_stress, any_stress_stays_at_rest_between_boundaries_that_carry_it) 
     run(model, 300);
     EXPECT_LT(fastest(model), rest_speed(30e6));
     EXPECT_EQ(model.joints->broken_count(), 0);
-    EXPECT_LT(model.fit.start_balance.resultant.norm(), 1e-9 * model.fit.start_balance.largest);
+    EXPECT_LT(model.fit.start_balance.unbalanced.norm(), 1e-9 * model.fit.start_balance.largest);
+    EXPECT_EQ(model.fit.start_balance.unloaded, 0);
   }
 }
 
@@ -83,8 +84,12 @@ TEST(initial_stress, ground_under_its_own_weight_stays_at_rest_on_absorbing_boun
     blocks.initial_stress.datum = size;
     blocks.boundaries = {{"sides", cases::BoundaryKind::absorbing}};
     auto model = runs::build_blocks(blocks, cube());
-    EXPECT_LT(model.fit.start_balance.resultant.norm(), 1e-9 * model.fit.start_balance.largest);
+    EXPECT_LT(model.fit.start_balance.unbalanced.norm(), 1e-9 * model.fit.start_balance.largest);
     EXPECT_LT(model.fit.start_balance.unloaded_stress, 1e-6);
+    EXPECT_TRUE(model.fit.start_balance.is_in_equilibrium());
+    blocks.initial_stress.datum = size - 0.1;
+    EXPECT_NEAR(runs::build_blocks(blocks, cube()).fit.start_balance.above_datum, 0.1, 1e-12);
+    blocks.initial_stress.datum = size;
     model.simulation->start();
     run(model, 300);
     EXPECT_LT(fastest(model), rest_speed(density * gravity * size)) << k0;
@@ -200,9 +205,31 @@ TEST(initial_stress, without_boundaries_to_carry_it_leaves_a_resultant) {
   blocks.initial_stress.normal = {0, 0, -2e6};
   blocks.boundaries = {{"sides", cases::BoundaryKind::fixed}};
   const auto model = runs::build_blocks(blocks, cube());
-  EXPECT_NEAR(model.fit.start_balance.resultant.z(), 2e6 * size * size, 1e-6 * 2e6 * size * size);
+  EXPECT_NEAR(model.fit.start_balance.lost.z(), -2e6 * size * size, 1e-6 * 2e6 * size * size);
+  EXPECT_LT(model.fit.start_balance.unbalanced.norm(), 1e-9 * model.fit.start_balance.largest);
+  EXPECT_FALSE(model.fit.start_balance.is_in_equilibrium());
   EXPECT_EQ(model.fit.start_balance.unloaded, 18);
   EXPECT_NEAR(model.fit.start_balance.unloaded_stress, 2e6, 1e-6 * 2e6);
+}
+
+/// However large the stress is: a stress that does not grow with depth does not carry the weight.
+TEST(initial_stress, that_does_not_grow_with_depth_is_not_in_equilibrium_with_the_weight) {
+  auto blocks = rock();
+  blocks.gravity.acceleration = {0, 0, -gravity};
+  blocks.initial_stress.normal = {-1e8, -1e8, -1e8};
+  blocks.boundaries = {{"sides", cases::BoundaryKind::absorbing}, {"top", cases::BoundaryKind::absorbing}};
+  EXPECT_FALSE(runs::build_blocks(blocks, cube()).fit.start_balance.is_in_equilibrium());
+  blocks.initial_stress.normal_per_depth = {0, 0, -density * gravity};
+  EXPECT_TRUE(runs::build_blocks(blocks, cube()).fit.start_balance.is_in_equilibrium());
+}
+
+TEST(initial_stress, that_is_not_carried_by_frictionless_faces_is_counted) {
+  auto blocks = rock();
+  blocks.initial_stress.shear = {1e6, 0, 0};
+  blocks.boundaries = {{"sides", cases::BoundaryKind::frictionless}, {"top", cases::BoundaryKind::frictionless}};
+  const auto model = runs::build_blocks(blocks, cube());
+  EXPECT_EQ(model.fit.start_balance.unloaded, 72);  // those whose normals lie along x or y
+  EXPECT_NEAR(model.fit.start_balance.unloaded_stress, 1e6, 1);
 }
 
 }  // namespace

@@ -21,5 +21,18 @@ TEST(summary, warns_of_energy_that_is_not_accounted_for) {
   EXPECT_EQ(balance_warning({}), "");
 }
 
+/// A body that was stressed or in motion at the beginning gives energy without any work.
+TEST(summary, measures_the_energy_that_is_missing_by_what_was_set_free_as_well) {
+  observe::Manifest manifest = with_balance(10, 2);
+  manifest.results.emplace_back("energy_elastic", -700.0);
+  manifest.results.emplace_back("energy_kinetic", 500.0);
+  EXPECT_EQ(balance_warning(manifest), "");
+  EXPECT_NE(balance_text(manifest).find("2.8e-03 of the work and the energy set free"), std::string::npos);
+  manifest.results[1].second = 71.0;
+  EXPECT_NE(balance_warning(manifest).find("misses 10 % of the work and the energy set free"), std::string::npos);
+  manifest.results[0].second = 0.0;
+  EXPECT_NE(balance_warning(manifest).find("misses 10 %"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace sazare::runs

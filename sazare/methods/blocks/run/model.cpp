@@ -74,7 +74,9 @@ public:
     const std::vector<Index> joint_of_face = joint_by_face(blocks_, faces, model_.material);
     model_.fit = find_mesh_fit(blocks_, faces, model_.material, joint_of_face);
     make_joints(make_joint_faces(blocks_, faces, joint_of_face), window.value_or(blocks_.time.history_interval));
-    make_contacts(make_free_faces(blocks_, faces, joint_of_face));
+    const auto free_faces = make_free_faces(blocks_, faces, joint_of_face);
+    model_.fit.start_balance = find_balance(blocks_, faces, bodies_, free_faces);
+    make_contacts(free_faces);
     if (window && blocks_.contact.normal_stiffness == 0)
       throw UserError(
           "[contact] of a coupled run has no contact_stiffness: spheres behind the faces touch its surface, whatever contact_shape "
@@ -82,9 +84,7 @@ public:
     if (window)
       model_.surface = keep(
           terms_, std::make_unique<methods::blocks::SurfaceContacts>(contact_law(blocks_.contact), *model_.contacts, bodies_));
-    auto boundaries = make_boundaries(blocks_, faces, model_.material, bodies_);
-    model_.fit.start_balance = find_balance(blocks_, faces, bodies_, boundaries);
-    if (!boundaries.empty())
+    if (auto boundaries = make_boundaries(blocks_, faces, model_.material, bodies_); !boundaries.empty())
       keep(terms_, std::make_unique<methods::blocks::OuterFaces>(std::move(boundaries), bodies_));
     if (!blocks_.blasts.empty())
       keep(terms_,

@@ -44,6 +44,10 @@ std::array<Vector3, 3> face_corners(const geometry::TetraMesh& mesh, const std::
   return {mesh.nodes[at(nodes[0])], mesh.nodes[at(nodes[1])], mesh.nodes[at(nodes[2])]};
 }
 
+Vector3 carried(cases::BoundaryKind kind, const Vector3& normal, const Vector3& traction) {
+  return kind == cases::BoundaryKind::frictionless ? Vector3(normal.dot(traction) * normal) : traction;
+}
+
 Vector3 area_vector(const std::array<Vector3, 3>& c) { return 0.5 * (c[1] - c[0]).cross(c[2] - c[0]); }
 
 std::vector<geometry::OuterFace> MeshFaces::outer(const std::string& surface) const {
@@ -174,12 +178,11 @@ const cases::Joint& own_joint(const cases::BlocksCase& blocks, Index material) {
   return *own;
 }
 
-/// What the ground behind an outer face carries at the beginning; a face without friction carries no shear.
+/// What the ground behind an outer face carries at the beginning.
 std::array<Vector3, 3> ground_tractions(const laws::LinearStress& stress, cases::BoundaryKind kind,
                                         const methods::blocks::OuterFace& face) {
   std::array<Vector3, 3> tractions = laws::corner_tractions(stress, face.place, face.normal);
-  if (kind == cases::BoundaryKind::frictionless)
-    for (Vector3& traction : tractions) traction = face.normal.dot(traction) * face.normal;
+  for (Vector3& traction : tractions) traction = carried(kind, face.normal, traction);
   return tractions;
 }
 

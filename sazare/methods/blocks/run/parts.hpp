@@ -28,6 +28,9 @@ std::array<Vector3, 3> face_corners(const geometry::TetraMesh& mesh, const std::
 /// Area of a triangle times its normal [m2].
 Vector3 area_vector(const std::array<Vector3, 3>& corners);
 
+/// What a boundary carries of an initial traction; one without friction carries no shear.
+Vector3 carried(cases::BoundaryKind kind, const Vector3& normal, const Vector3& traction);
+
 /// Material of every element by its region.
 std::vector<Index> materials_by_element(const cases::BlocksCase& blocks, const geometry::TetraMesh& mesh);
 

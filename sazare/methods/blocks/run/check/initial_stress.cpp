@@ -4,18 +4,21 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "sazare/cases/explanation.hpp"
 #include "sazare/cases/format/counted.hpp"
 #include "sazare/cases/format/number_text.hpp"
+#include "sazare/geometry/tetrahedron.hpp"
 
 namespace sazare::runs {
 
 namespace {
 
-constexpr Real beyond_round_off = 1 + 1e-6;
+constexpr Real round_off = 1e-6;
 
 /// Stress over strength at the corners of a face, the worst.
 Real overstress(const cases::Joint& joint, const methods::blocks::JointFace& face) {
@@ -28,6 +31,11 @@ Real overstress(const cases::Joint& joint, const methods::blocks::JointFace& fac
     if (along > 0) worst = std::max(worst, shear_strength > 0 ? along / shear_strength : std::numeric_limits<Real>::infinity());
   }
   return worst;
+}
+
+/// A force in words, without what of it is round-off.
+std::string force_text(const Vector3& force, Real largest) {
+  return cases::vector_text((force.array().abs() > 1e-9 * largest).select(force, Vector3::Zero()));
 }
 
 /// A principal stress at the place of the mesh where it is largest, and one where it is smallest [Pa].
@@ -50,62 +58,84 @@ std::vector<OverstressedFaces> find_overstressed(const cases::BlocksCase& blocks
   for (const methods::blocks::JointFace& face : faces) {
     const std::size_t entry = at(kinds.entry[at(face.kind)]);
     const Real worst = overstress(blocks.joints[entry].scaled(kinds.factor[at(face.kind)]), face);
-    if (worst < beyond_round_off) continue;
+    if (worst < 1 + round_off) continue;
     ++found[entry].faces;
     found[entry].worst = std::max(found[entry].worst, worst);
   }
   return found;
 }
 
+bool StartBalance::is_in_equilibrium() const {
+  constexpr Real noticeable = 0.01;
+  const bool balances = unbalanced.norm() <= noticeable * (weight > 0 ? weight : largest);
+  return balances && lost.norm() <= noticeable * largest;
+}
+
 StartBalance find_balance(const cases::BlocksCase& blocks, const MeshFaces& faces, const state::Bodies<3>& bodies,
-                          const std::vector<methods::blocks::OuterFace>& boundaries) {
+                          const std::vector<methods::blocks::FreeFace>& free_faces) {
   StartBalance balance;
   const laws::LinearStress stress = blocks.stress_at_start();
   if (stress.is_zero()) return balance;
-  const auto add = [&](const Vector3& force) {
-    balance.resultant += force;
-    balance.largest += force.norm();
-  };
-  for (const methods::blocks::OuterFace& face : boundaries)
-    add(face.springs.corner_area * (face.traction[0] + face.traction[1] + face.traction[2]));
-  for (const auto& inertia : bodies.inertia) add(inertia.mass * blocks.gravity.acceleration);
-  std::set<std::pair<Index, int>> carried;
+  for (const auto& inertia : bodies.inertia) balance.unbalanced += inertia.mass * blocks.gravity.acceleration;
+  balance.weight = balance.unbalanced.norm();
+  std::map<std::pair<Index, int>, cases::BoundaryKind> boundaries;
   for (const cases::Boundary& boundary : blocks.boundaries)
-    for (const geometry::OuterFace& outer : faces.outer(boundary.surface)) carried.insert({outer.element, outer.face});
-  for (const geometry::OuterFace& outer : faces.map.outer) {
-    if (carried.contains({outer.element, outer.face})) continue;
-    const auto corners = face_corners(faces.mesh, outer.nodes);
-    const Real traction = (stress.at((corners[0] + corners[1] + corners[2]) / 3) * area_vector(corners).normalized()).norm();
-    if (traction > 0) ++balance.unloaded;
-    balance.unloaded_stress = std::max(balance.unloaded_stress, traction);
+    for (const geometry::OuterFace& outer : faces.outer(boundary.surface))
+      boundaries[{outer.element, outer.face}] = boundary.kind;
+  std::set<std::pair<Index, int>> outer_faces;
+  for (const geometry::OuterFace& outer : faces.map.outer) outer_faces.insert({outer.element, outer.face});
+  for (const methods::blocks::FreeFace& face : free_faces) {
+    const auto corners = geometry::corners_of(faces.mesh, face.body);
+    const auto& [a, b, c] = geometry::tetrahedron_faces[at(face.face)];
+    const std::array<Vector3, 3> own = {corners[at(a)], corners[at(b)], corners[at(c)]};
+    const Vector3 area = area_vector(own), normal = area.normalized();
+    const Vector3 traction = stress.at((own[0] + own[1] + own[2]) / 3) * normal;
+    if (outer_faces.contains({face.body, face.face})) {
+      balance.unbalanced += area.norm() * traction;
+      balance.largest += area.norm() * traction.norm();
+    }
+    const auto boundary = boundaries.find({face.body, face.face});
+    const Vector3 lost =
+        boundary == boundaries.end() ? traction : Vector3(traction - carried(boundary->second, normal, traction));
+    if (lost.norm() <= round_off * traction.norm()) continue;
+    ++balance.unloaded;
+    balance.lost += area.norm() * lost;
+    balance.unloaded_stress = std::max(balance.unloaded_stress, lost.norm());
   }
+  if (blocks.initial_stress.k0)
+    for (const Vector3& node : faces.mesh.nodes) balance.above_datum = std::max(balance.above_datum, -stress.depth(node));
   return balance;
 }
 
 std::string warn_of_initial_stress(const cases::CaseFile& file, const std::vector<OverstressedFaces>& overstressed,
                                    const StartBalance& balance) {
-  constexpr Real noticeable = 0.01;
   const cases::BlocksCase& blocks = file.as<cases::BlocksCase>();
   std::string all;
   for (std::size_t joint = 0; joint < overstressed.size(); ++joint)
     if (const auto& [faces, worst] = overstressed[joint]; faces > 0)
       all += warning(
           file, "initial_stress",
-          fmt::format("the initial stress is beyond the strength of {} faces of the joint \"{}\", by a factor of up to {}: "
-                      "they open or slip at once",
-                      faces, blocks.joints[joint].name, cases::short_number(worst, 3)),
+          fmt::format("the initial stress is beyond the strength of {} faces of the joint \"{}\"{}: they open or slip at once",
+                      faces, blocks.joints[joint].name,
+                      std::isfinite(worst) ? fmt::format(", by a factor of up to {}", cases::short_number(worst, 3)) : ""),
           "lower the stress, or give the joint the strength of ground that has carried it");
+  if (balance.above_datum > 0)
+    all += warning(
+        file, "initial_stress.k0",
+        fmt::format("the body reaches {} m above the datum, and begins in tension there", cases::number(balance.above_datum)),
+        "set datum to the height of the surface of the ground");
   const bool is_held = std::ranges::any_of(blocks.constraints, [](const cases::Constraint& constraint) {
     return std::ranges::any_of(constraint.translation, [](bool locked) { return locked; });
   });
-  if (!is_held && balance.resultant.norm() > noticeable * balance.largest)
+  if (!is_held && !balance.is_in_equilibrium())
     all += warning(
         file, "initial_stress",
-        fmt::format("the initial stress is not in equilibrium: what boundaries and gravity do to the body leaves a force of {} N",
-                    cases::vector_text(balance.resultant)),
-        "give the outer faces that cut through stressed ground a boundary, and let the stress grow with depth as the weight "
-        "does: "
-        "k0, or a vertical normal_stress_per_depth of minus density times gravity");
+        fmt::format(
+            "the initial stress is not in equilibrium: stress and weight leave a force of {} N, and {} N act on faces without a "
+            "boundary that carries them",
+            force_text(balance.unbalanced, balance.largest), force_text(balance.lost, balance.largest)),
+        "let the stress grow with depth as the weight does, by k0 or a vertical normal_stress_per_depth of minus density times "
+        "gravity, and give outer faces that cut through stressed ground a boundary");
   return all;
 }
 
@@ -116,8 +146,8 @@ std::string explain_initial_stress(const cases::BlocksCase& blocks, const geomet
   std::string text = cases::line(
       "stress", fmt::format("at the beginning {} to {} Pa, tension positive", cases::number(lowest), cases::number(highest)));
   if (balance.unloaded > 0)
-    text += cases::line("", fmt::format("{} are free and lose it at once, up to {} Pa",
-                                        cases::counted(balance.unloaded, "outer faces"), cases::number(balance.unloaded_stress)));
+    text += cases::line("", fmt::format("{} that nothing carries lose it at once, up to {} Pa",
+                                        cases::counted(balance.unloaded, "faces"), cases::number(balance.unloaded_stress)));
   return text;
 }
 

@@ -20,16 +20,23 @@ struct OverstressedFaces {
 std::vector<OverstressedFaces> find_overstressed(const cases::BlocksCase& blocks, const CaseKinds& kinds,
                                                  const std::vector<methods::blocks::JointFace>& faces);
 
-/// How the tractions of boundaries and the weight of the body fit together at the beginning.
+/// Forces at the beginning that nothing balances.
 struct StartBalance {
-  Vector3 resultant = Vector3::Zero();  ///< of both; 0 where they are in equilibrium [N]
-  Real largest = 0;                     ///< sum of their sizes [N]
-  Index unloaded = 0;                   ///< outer faces without a boundary on which the stress is not 0
-  Real unloaded_stress = 0;             ///< largest traction on one of them [Pa]
+  Vector3 unbalanced =
+      Vector3::Zero();             ///< of the stress on all outer faces and of the weight: 0 where they are in equilibrium [N]
+  Vector3 lost = Vector3::Zero();  ///< of the stress that no boundary carries, which an opening in equilibrium has not [N]
+  Real largest = 0;                ///< sum of the forces of the stress on all outer faces [N]
+  Real weight = 0;                 ///< [N]
+  Index unloaded = 0;              ///< faces on which a stress that is not 0 is not carried
+  Real unloaded_stress = 0;        ///< largest traction that is not carried [Pa]
+  Real above_datum = 0;            ///< how far the body reaches above the datum of k0, where it begins in tension [m]
+
+  bool is_in_equilibrium() const;
 };
 
+/// `free_faces` are those that no joint holds.
 StartBalance find_balance(const cases::BlocksCase& blocks, const MeshFaces& faces, const state::Bodies<3>& bodies,
-                          const std::vector<methods::blocks::OuterFace>& boundaries);
+                          const std::vector<methods::blocks::FreeFace>& free_faces);
 
 /// Warnings at their lines of the case.
 std::string warn_of_initial_stress(const cases::CaseFile& file, const std::vector<OverstressedFaces>& overstressed,

@@ -154,7 +154,11 @@ std::string held_text(const cases::BlocksCase& blocks, const BlocksModel& model,
   text += pieces.count == 1 ? std::string("; nothing holds the body")
                             : fmt::format("; nothing holds {} of {} pieces, such as that of the element at {} m", free,
                                           pieces.count, cases::vector_text(model.simulation->bodies().start[first]));
-  if (fall > 0) text += fmt::format(", which falls {} m in the time of the run where it meets nothing", number(fall));
+  const bool rests = pieces.count == 1 && !blocks.initial_stress.is_zero() && model.fit.start_balance.is_in_equilibrium();
+  if (rests)
+    text += "; its initial stress is in equilibrium";
+  else if (fall > 0)
+    text += fmt::format(", which falls {} m in the time of the run where it meets nothing", number(fall));
   return line("held", text);
 }
 
