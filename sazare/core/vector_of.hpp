@@ -117,13 +117,14 @@ struct LaneMatrix {
   friend LaneMatrix operator*(const LaneMatrix& a, const LaneMatrix& b) { return {{a * b[0], a * b[1], a * b[2]}}; }
 };
 
-/// Rotations by quaternions; `twice` is 2 over their squared length.
-inline LaneMatrix rotation_of(Lanes twice, Lanes x, Lanes y, Lanes z, Lanes w) {
-  const Lanes x2 = twice * x, y2 = twice * y, z2 = twice * z;
-  const Lanes xx = x2 * x, yy = y2 * y, zz = z2 * z, xy = x2 * y, xz = x2 * z, yz = y2 * z;
-  const Lanes wx = x2 * w, wy = y2 * w, wz = z2 * w;
-  return {{LaneVector{{1.0 - yy - zz, xy + wz, xz - wy}}, LaneVector{{xy - wz, 1.0 - xx - zz, yz + wx}},
-           LaneVector{{xz + wy, yz - wx, 1.0 - xx - yy}}}};
+/// The columns of a rotation by a quaternion; `twice` is 2 over its squared length.
+template <class Number>
+std::array<VectorOf<Number>, 3> rotation_of(Number twice, Number x, Number y, Number z, Number w) {
+  const Number x2 = twice * x, y2 = twice * y, z2 = twice * z;
+  const Number xx = x2 * x, yy = y2 * y, zz = z2 * z, xy = x2 * y, xz = x2 * z, yz = y2 * z;
+  const Number wx = x2 * w, wy = y2 * w, wz = z2 * w;
+  return {VectorOf<Number>{1.0 - yy - zz, xy + wz, xz - wy}, VectorOf<Number>{xy - wz, 1.0 - xx - zz, yz + wx},
+          VectorOf<Number>{xz + wy, yz - wx, 1.0 - xx - yy}};
 }
 
 /// c + m v, each sum begun with c.

@@ -1,11 +1,9 @@
 #include "sazare/state/bodies.hpp"
 
-#include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 
-#include "sazare/core/lane_records.hpp"
+#include "sazare/core/vector_of.hpp"
 
 namespace sazare::state {
 
@@ -58,7 +56,10 @@ Vector3 middle(const Bodies<3>& bodies) {
 
 Rotation<3> turn(const Vector3& spin, Real seconds) {
   const Vector3 half = 0.5 * seconds * spin;
-  return Quaternion(1, half.x(), half.y(), half.z()).normalized().toRotationMatrix();
+  const auto column = rotation_of<Real>(2 / (1 + dot(half, half)), half[0], half[1], half[2], 1);
+  Rotation<3> rotation;
+  for (int i = 0; i < 3; ++i) rotation.col(i) = column[static_cast<std::size_t>(i)];
+  return rotation;
 }
 
 Rotation<2> turn(const Angular<2>& spin, Real seconds) {
@@ -68,39 +69,24 @@ Rotation<2> turn(const Angular<2>& spin, Real seconds) {
   return rotation;
 }
 
-namespace {
-
-/// Poses of `lane_count` bodies.
-[[gnu::flatten]] void poses_in_lanes(const LanePointers<const Motion<3>>& bodies, const Instant& now,
-                                     const LanePointers<Pose<3>>& poses) {
-  static_assert(offsetof(Motion<3>, velocity) == 18 * sizeof(Real) && offsetof(Motion<3>, spin) == 24 * sizeof(Real));
-  Lanes seconds{};
-  for (std::size_t lane = 0; lane < lane_count; ++lane) seconds[static_cast<int>(lane)] = now.seconds_since(bodies[lane]->due);
-  const auto n = load_records<28>(bodies);
-  const LaneMatrix rotation{{LaneVector{{n[3], n[4], n[5]}}, LaneVector{{n[6], n[7], n[8]}}, LaneVector{{n[9], n[10], n[11]}}}};
-  const LaneVector position = add_product(seconds, LaneVector{{n[18], n[19], n[20]}}, {{n[0], n[1], n[2]}});
-  const LaneVector half = (0.5 * seconds) * LaneVector{{n[24], n[25], n[26]}};
-  const LaneMatrix r = rotation_of(2.0 / (1.0 + dot(half, half)), half[0], half[1], half[2], broadcast(1)) * rotation;
-  store_records(std::bit_cast<std::array<Lanes, 12>>(std::array{position, r[0], r[1], r[2]}), poses);
-}
-
-}  // namespace
-
-void poses_at(std::span<const Motion<3>> motion, const Instant& now, std::span<Pose<3>> poses) {
-  LanePointers<const Motion<3>> bodies;
-  LanePointers<Pose<3>> to;
-  for (std::size_t first = 0; first < poses.size(); first += lane_count) {
-    for (std::size_t lane = 0; lane < lane_count; ++lane) {
-      const std::size_t body = std::min(first + lane, poses.size() - 1);
-      bodies[lane] = &motion[body];
-      to[lane] = &poses[body];
-    }
-    poses_in_lanes(bodies, now, to);
+Pose<3> pose_at(const Motion<3>& motion, const Instant& now) {
+  if (motion.due == now.tick) return {motion.position, motion.rotation};
+  const Real seconds = now.seconds_since(motion.due);
+  const Rotation<3> turned = turn(motion.spin, seconds);
+  const Vector3 x = turned.col(0), y = turned.col(1), z = turned.col(2);
+  Pose<3> pose;
+  pose.position = add_product(seconds, motion.velocity, motion.position);
+  for (int i = 0; i < 3; ++i) {
+    const Vector3 axis = motion.rotation.col(i);
+    pose.rotation.col(i) = add_product(axis[2], z, add_product(axis[1], y, Vector3(axis[0] * x)));
   }
+  return pose;
 }
 
-void poses_at(std::span<const Motion<2>> motion, const Instant& now, std::span<Pose<2>> poses) {
-  for (std::size_t body = 0; body < poses.size(); ++body) poses[body] = pose_at(motion[body], now);
+Pose<2> pose_at(const Motion<2>& motion, const Instant& now) {
+  if (motion.due == now.tick) return {motion.position, motion.rotation};
+  const Real seconds = now.seconds_since(motion.due);
+  return {motion.position + seconds * motion.velocity, turn(motion.spin, seconds) * motion.rotation};
 }
 
 }  // namespace sazare::state

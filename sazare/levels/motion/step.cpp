@@ -50,7 +50,7 @@ void rotate(LaneState& body, const LaneVector& half) {
   const LaneVector u = add_cross(half, v, add_product(body.w, half, v));
   const Lanes scale = inverse_square_root(add_product(w, w, dot(u, u)));
   body.w = w * scale, body.x = u[0] * scale, body.y = u[1] * scale, body.z = u[2] * scale;
-  body.rotation = rotation_of(broadcast(2), body.x, body.y, body.z, body.w);
+  body.rotation = {rotation_of(broadcast(2), body.x, body.y, body.z, body.w)};
 }
 
 /// An impulse that bodies receive, or what their momenta gain by their next time.
