@@ -21,6 +21,7 @@ WIDTH = 900  # pixels
 PICTURES = {
     "free-face-blast": "cracks",
     "direct-shear": "cracks",
+    "uniaxial-compression": "cracks",
     "borehole-under-stress": "cracks",
     "spalling-bar": "cracks",
     "column-ricker": "accelerations",

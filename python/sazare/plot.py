@@ -6,6 +6,7 @@ from matplotlib.ticker import NullFormatter
 from sazare import style
 
 MOST_GAUGES = 6
+MOST_FORCES = 6
 
 
 def time_axis(table):
@@ -87,6 +88,33 @@ def gauges(results):
         axes.margins(x=0)
     rows[0].legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=4, borderaxespad=0.2)
     rows[-1].set_xlabel(f"time [{prefix}s]")
+    return figure
+
+
+def force_columns(history):
+    """Names of the columns of a history that are forces of boundaries which are not zero throughout."""
+    return [name for name in history if name[:-2].endswith(".force") and np.any(history[name] != 0.0)]
+
+
+@style.styled
+def boundary_forces(results):
+    """Forces [N] of the boundaries on the body against time, those that vary most."""
+    history = results.history
+    names = force_columns(history)
+    if not names or history.rows < 2:
+        return None
+    time, time_label = time_axis(history)
+    names = sorted(names, key=lambda name: -np.ptp(history[name]))[:MOST_FORCES]
+    factor, prefix = style.prefix_for(max(np.abs(history[name]).max() for name in names))
+    figure = style.figure(6.2, 3.6)
+    axes = figure.subplots()
+    for name in names:
+        group, axis = name[:-2].removesuffix(".force"), name[-1]
+        axes.plot(time, history[name] / factor, linewidth=1.1, label=f"{group} along {axis}")
+    axes.set_xlabel(time_label)
+    axes.set_ylabel(f"force on the body [{prefix}N]")
+    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3)
+    axes.margins(x=0)
     return figure
 
 

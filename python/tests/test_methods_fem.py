@@ -9,6 +9,7 @@ import pytest
 import pyvista
 
 import sazare
+from sazare import plot
 from sazare.methods import fem
 from sazare.tables import Table
 
@@ -52,7 +53,7 @@ def test_the_outline_of_a_quadratic_cell_goes_round():
 def test_forces_that_are_never_there_are_left_out():
     time = np.linspace(0.0, 1.0, 5)
     history = Table({"time": time, "foot of it.force_x": 2.0 * time, "side.force_y": 0.0 * time})
-    figure = fem.forces(SimpleNamespace(history=history))
+    figure = plot.boundary_forces(SimpleNamespace(history=history))
     (line,) = figure.axes[0].get_lines()
     assert line.get_label() == "foot of it along x"
 
@@ -68,7 +69,7 @@ def test_the_verdict_reads_the_energy_balance_of_the_whole_run(residual, tone):
 
 def test_nothing_is_drawn_without_data():
     empty = SimpleNamespace(history=Table({}), element_snapshots=[], gauge_table=Table({}), gauges={})
-    for draw in (fem.displaced, fem.yielding, fem.forces, fem.joints, fem.displacements):
+    for draw in (fem.displaced, fem.yielding, plot.boundary_forces, fem.joints, fem.displacements):
         assert draw(empty) is None
 
 

@@ -215,15 +215,58 @@ class InitialStress(Part):
 
 
 @dataclass(kw_only=True, eq=False)
+class Motion(Part):
+    """Ground motions: wavelets, sines, records and functions of time."""
+
+    name: str
+    """Name by which boundaries refer to it."""
+    type: Literal["ricker", "sine", "record", "function"]
+    """A Ricker wavelet, a sine from t = 0, a record from a file, or a function that the caller gives in Python."""
+    quantity: Literal["displacement", "velocity", "acceleration"] | None = None
+    """What the formula describes; the other two follow by integration from rest or differentiation. Displacements count from
+    where things stand at t = 0. After the end of a formula, a record or a function, what was given is the last displacement,
+    no velocity or no acceleration; velocity that a record of accelerations leaves goes on. (not for a record, whose file
+    states it) Default: "acceleration".
+    """
+    amplitude: float | None = None
+    """Amplitude of the formula, in m, m/s or m/s2 according to the quantity; for a record or a function, a dimensionless factor.
+    Default: 1.0.
+    """
+    frequency: float | None = None
+    """Frequency of the sine, central frequency of the wavelet. [Hz] (required for a wavelet and a sine) Greater than 0."""
+    peak_time: float | None = None
+    """Time of the wavelet's peak; at least 1/frequency, so that the wavelet begins at rest. [s] (required for a wavelet) Greater
+    than 0.
+    """
+    cycles: float | None = None
+    """Number of periods of the sine; 0: unlimited. Default: 0.0. At least 0."""
+    file: str | None = None
+    """CSV with a header that states the unit, such as "time [s],acceleration [gal]" (m/s2, g, gal or cm/s2, m/s, cm/s, m, cm),
+    PEER .AT2, or K-NET ASCII (.EW .NS .UD). (required for a record)
+    """
+    baseline: Literal["none", "constant", "linear"] | None = None
+    """Baseline correction: what is subtracted from a record so that its integral has no trend: nothing, a constant or a straight
+    line. It is fitted to the whole record by least squares, so that a small velocity may be left at its end, which check
+    tells. Default: "none".
+    """
+
+
+@dataclass(kw_only=True, eq=False)
 class Boundary(Part):
     """Boundary conditions of outer faces; all others are free."""
 
     surface: str
     """Physical surface group on the outside of the body."""
-    kind: Literal["fixed", "frictionless", "absorbing"]
+    kind: Literal["fixed", "frictionless", "absorbing", "prescribed"]
     """fixed: joined to immobile ground of the same material by springs and dashpots of its own joint; frictionless: slides in the
-    plane of each face; absorbing: dashpots that let waves leave.
+    plane of each face; absorbing: dashpots that let waves leave; prescribed: like fixed, on ground that moves.
     """
+    motion_x: str | None = None
+    """Motion of the ground along x; along an axis without one it stands still. (kinds prescribed and frictionless only)"""
+    motion_y: str | None = None
+    """Motion of the ground along y. (kinds prescribed and frictionless only)"""
+    motion_z: str | None = None
+    """Motion of the ground along z. (kinds prescribed and frictionless only)"""
 
 
 @dataclass(kw_only=True, eq=False)
@@ -313,6 +356,7 @@ class Case(AnyCase):
         "blasts": Blast,
         "gravity": Gravity,
         "initial_stress": InitialStress,
+        "motions": Motion,
         "boundaries": Boundary,
         "constraints": Constraint,
         "initial_velocities": InitialVelocity,
@@ -335,6 +379,8 @@ class Case(AnyCase):
     """Body force."""
     initial_stress: InitialStress | None = None
     """Stress in the body at the beginning, which bonded joints and boundaries carry."""
+    motions: list[Motion] = field(default_factory=list)
+    """Ground motions: wavelets, sines, records and functions of time."""
     boundaries: list[Boundary] = field(default_factory=list)
     """Boundary conditions of outer faces; all others are free."""
     constraints: list[Constraint] = field(default_factory=list)

@@ -85,6 +85,7 @@ def _curve_sections(results):
             "gauges", "Gauges", "Velocity at the gauges; dots mark the peak particle velocity.",
             partial(plot.gauges, results), common.NO_GAUGES,
         ),
+        *([common.boundary_force_section(results)] if plot.force_columns(results.history) else []),
         Section(
             "smallest_step", "Smallest step", "Smallest time step of any element.",
             partial(blocks_curves.smallest_step, results), "The run wrote no time steps.", wide=False,

@@ -34,6 +34,13 @@ def timing_section(results, whole="the run"):
     )
 
 
+def boundary_force_section(results):
+    return Section(
+        "forces", "Boundary forces", "Force of each boundary on the body; the components that vary most.",
+        partial(plot.boundary_forces, results), "The case has no boundaries.", wide=False,
+    )
+
+
 def shaking_sections(results):
     """Acceleration at the gauges over time, and its spectra."""
     return [

@@ -17,7 +17,7 @@ ENERGIES = {
     "energy_damping": ("Rayleigh damping", style.DASHPOT),
     "energy_radiation": ("radiation at boundaries", style.OUTSIDE),
 }
-MOST_FORCES = 6
+MOST_JOINTS = 6
 MOST_PANELS = 2
 # Points of a cell around its outline, by VTK's number of its type.
 OUTLINES = {5: (0, 1, 2), 22: (0, 3, 1, 4, 2, 5), 9: (0, 1, 2, 3), 23: (0, 4, 1, 5, 2, 6, 3, 7), 28: (0, 4, 1, 5, 2, 6, 3, 7)}
@@ -132,28 +132,6 @@ def yielding(results):
 
 
 @style.styled
-def forces(results):
-    """Forces [N] of the boundaries on the body against time, those that vary most."""
-    history = results.history
-    names = [name for name in history if name[:-2].endswith(".force") and np.any(history[name] != 0.0)]
-    if not names or history.rows < 2:
-        return None
-    time, time_label = plot.time_axis(history)
-    names = sorted(names, key=lambda name: -np.ptp(history[name]))[:MOST_FORCES]
-    factor, prefix = style.prefix_for(max(np.abs(history[name]).max() for name in names))
-    figure = style.figure(6.2, 3.6)
-    axes = figure.subplots()
-    for name in names:
-        group, axis = name[:-2].removesuffix(".force"), name[-1]
-        axes.plot(time, history[name] / factor, linewidth=1.1, label=f"{group} along {axis}")
-    axes.set_xlabel(time_label)
-    axes.set_ylabel(f"force on the body [{prefix}N]")
-    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3)
-    axes.margins(x=0)
-    return figure
-
-
-@style.styled
 def joints(results):
     """Share of the area of each joint that is open and that slips [-], and its maximum slip [m], against time."""
     history = results.history
@@ -191,7 +169,7 @@ def displacements(results):
     factor, prefix = style.prefix_for(max(peaks))
     figure = style.figure(6.2, 3.4)
     axes = figure.subplots()
-    for name in names[:MOST_FORCES]:
+    for name in names[:MOST_JOINTS]:
         axes.plot(time, table[f"{name}.displacement_{axis}"] / factor, linewidth=1.1, label=name)
     axes.set_xlabel(time_label)
     axes.set_ylabel(f"displacement along {axis} [{prefix}m]")
@@ -210,10 +188,7 @@ def sections(results):
             partial(displaced, results), common.NO_SNAPSHOTS,
         ),
         Section("yielding", "Yielding", "Equivalent plastic shear strain of the elements at the end.", partial(yielding, results), "No element has yielded."),
-        Section(
-            "forces", "Boundary forces", "Force of each boundary on the body; the components that vary most.",
-            partial(forces, results), "The case has no boundaries.", wide=False,
-        ),
+        common.boundary_force_section(results),
         Section(
             "displacements", "Displacements", "Displacement at the gauges along the axis of the largest one.",
             partial(displacements, results), common.NO_GAUGES, wide=False,

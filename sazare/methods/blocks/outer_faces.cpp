@@ -1,7 +1,9 @@
 #include "sazare/methods/blocks/outer_faces.hpp"
 
+#include <algorithm>
 #include <map>
 #include <numeric>
+#include <utility>
 
 #include "sazare/parallel/threads.hpp"
 
@@ -15,10 +17,33 @@ Vector3 stress(const Vector3& normal, Real across, Real along, const Vector3& mo
   return across * normal_part + along * (motion - normal_part);
 }
 
+/// What a corner of a face does to the ground.
+struct CornerForce {
+  Vector3 arm;              ///< of the corner from the body's centre [m]
+  Vector3 spring, dashpot;  ///< [N]
+};
+
+CornerForce corner_force(const OuterFace& face, std::size_t corner, const BodyMotion& body, const GroundState& ground) {
+  const FaceSprings& springs = face.springs;
+  const Vector3 arm = body.pose.rotation * springs.corners[corner];
+  const Vector3 moved = body.pose.position + arm - face.place[corner] - ground.displacement;
+  const Vector3 velocity = body.velocity + body.spin.cross(arm) - ground.velocity;
+  return {arm, springs.corner_area * stress(face.normal, springs.normal_stiffness, springs.shear_stiffness, moved),
+          springs.corner_area * stress(face.normal, springs.normal_damping, springs.shear_damping, velocity)};
+}
+
+bool moves(const MovingGround& ground) {
+  return std::ranges::any_of(ground, [](const auto& along) { return along.has_value(); });
+}
+
 }  // namespace
 
-OuterFaces::OuterFaces(std::vector<OuterFace> faces, const state::Bodies<3>& bodies)
-    : faces_(std::move(faces)), rates_(static_cast<std::size_t>(bodies.size())) {
+OuterFaces::OuterFaces(std::vector<OuterFace> faces, std::vector<MovingGround> ground, const state::Bodies<3>& bodies)
+    : ground_(std::move(ground)),
+      ground_now_(ground_.size(), {Vector3::Zero(), Vector3::Zero()}),
+      faces_(std::move(faces)),
+      rates_(static_cast<std::size_t>(bodies.size())) {
+  if (std::ranges::any_of(ground_, moves)) ground_work_.resize(faces_.size(), {Vector3::Zero(), 0, 0});
   std::map<Index, BodyMatrices> matrices;
   for (const OuterFace& face : faces_) {
     links_.push_back({face.body, Link::outside});
@@ -39,26 +64,51 @@ std::vector<Index> OuterFaces::first_links() const {
   return all;
 }
 
+GroundState OuterFaces::ground_at(Index boundary, Real time) const {
+  GroundState state{Vector3::Zero(), Vector3::Zero()};
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto& along = ground_[static_cast<std::size_t>(boundary)][static_cast<std::size_t>(axis)];
+    if (!along) continue;
+    const laws::MotionState motion = along->at(time);
+    state.displacement[axis] = motion.displacement;
+    state.velocity[axis] = motion.velocity;
+  }
+  return state;
+}
+
 void OuterFaces::evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
+  for (std::size_t boundary = 0; boundary < ground_.size(); ++boundary)
+    ground_now_[boundary] = ground_at(static_cast<Index>(boundary), now.seconds());
   parallel::parallel_for(due.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (const Due& at : due.subspan(begin, end - begin)) {
       const OuterFace& face = faces_[static_cast<std::size_t>(at.link)];
-      const FaceSprings& springs = face.springs;
-      const auto& body = bodies.motion[static_cast<std::size_t>(face.body)];
+      const auto& motion = bodies.motion[static_cast<std::size_t>(face.body)];
+      const BodyMotion body{{motion.position, motion.rotation}, motion.predicted_velocity, motion.predicted_spin};
+      const GroundState& ground = ground_now_[static_cast<std::size_t>(face.boundary)];
       terms::PairForce<3> total, dashpots;
       for (std::size_t corner = 0; corner < 3; ++corner) {
-        const Vector3 arm = body.rotation * springs.corners[corner];
-        const Vector3 moved = body.position + arm - face.place[corner];
-        const Real area = springs.corner_area;
-        const Vector3 spring = area * stress(face.normal, springs.normal_stiffness, springs.shear_stiffness, moved);
-        const Vector3 dashpot = area * stress(face.normal, springs.normal_damping, springs.shear_damping, body.velocity_at(arm));
-        const Vector3 point = body.position - bodies.pole + arm;
-        dashpots.add_at(point, dashpot);  // the ground is the second body
-        total.add_at(point, spring + dashpot - area * face.traction[corner]);
+        const CornerForce force = corner_force(face, corner, body, ground);
+        const Vector3 point = motion.position - bodies.pole + force.arm;
+        dashpots.add_at(point, force.dashpot);  // the ground is the second body
+        total.add_at(point, force.spring + force.dashpot - face.springs.corner_area * face.traction[corner]);
       }
       terms::write<3, 1>(table_[at.link], now, at, total, {dashpots});
+      if (!ground_work_.empty()) count_work(at, now, ground);
     }
   });
+}
+
+/// The force of a face is given until `ahead` seconds after its evaluation, and begins where the one before has ended.
+void OuterFaces::count_work(const Due& due, const Instant& now, const GroundState& ground_now) {
+  const Index boundary = faces_[static_cast<std::size_t>(due.link)].boundary;
+  if (!moves(ground_[static_cast<std::size_t>(boundary)])) return;
+  GroundWork& done = ground_work_[static_cast<std::size_t>(due.link)];
+  const Vector3 until = due.ahead == 0 ? ground_now.displacement : ground_at(boundary, now.seconds() + due.ahead).displacement;
+  const Vector3 moved = until - done.given_until;
+  const auto& slot = table_[due.link];
+  done.work -= slot.total.linear.dot(moved);
+  done.dissipated -= slot.part[0].linear.cast<Real>().dot(moved);
+  done.given_until = until;
 }
 
 void OuterFaces::add_energies(const terms::Synchronized<3>& at, terms::EnergySums& energies) const {
@@ -66,15 +116,50 @@ void OuterFaces::add_energies(const terms::Synchronized<3>& at, terms::EnergySum
     if (!at.counts(links_[i])) continue;
     const OuterFace& face = faces_[i];
     const auto& body = at.pose_of(face.body);
+    const GroundState& ground = ground_now_[static_cast<std::size_t>(face.boundary)];
     table_.take_back(static_cast<Index>(i), links_[i], at, energies);
+    if (!ground_work_.empty()) {
+      const auto& slot = table_[static_cast<Index>(i)];
+      const Vector3 ahead = ground_work_[i].given_until - ground.displacement;  // by what is given beyond now
+      energies[terms::EnergyKind::work] += ground_work_[i].work + slot.total.linear.dot(ahead);
+      energies[terms::EnergyKind::boundary] += ground_work_[i].dissipated + slot.part[0].linear.cast<Real>().dot(ahead);
+    }
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      const Vector3 moved = body.position + body.rotation * face.springs.corners[corner] - face.place[corner];
+      const Vector3 moved =
+          body.position + body.rotation * face.springs.corners[corner] - face.place[corner] - ground.displacement;
       energies[terms::EnergyKind::elastic] +=
           face.springs.corner_area *
           (0.5 * moved.dot(stress(face.normal, face.springs.normal_stiffness, face.springs.shear_stiffness, moved)) -
            face.traction[corner].dot(moved));
     }
   }
+}
+
+std::vector<Vector3> OuterFaces::forces(Real time, const std::function<BodyMotion(Index)>& motion_of) const {
+  std::vector<Vector3> sums(ground_.size(), Vector3::Zero());
+  std::vector<GroundState> ground;
+  for (std::size_t boundary = 0; boundary < ground_.size(); ++boundary)
+    ground.push_back(ground_at(static_cast<Index>(boundary), time));
+  for (const OuterFace& face : faces_) {
+    const auto boundary = static_cast<std::size_t>(face.boundary);
+    const BodyMotion body = motion_of(face.body);
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const CornerForce force = corner_force(face, corner, body, ground[boundary]);
+      sums[boundary] -= force.spring + force.dashpot - face.springs.corner_area * face.traction[corner];
+    }
+  }
+  return sums;
+}
+
+void OuterFaces::carry(Index link, Parcel& parcel) {
+  parcel(table_[link]);
+  if (!ground_work_.empty()) parcel(ground_work_[static_cast<std::size_t>(link)]);
+}
+
+void OuterFaces::columns(Archive& archive) {
+  archive("slots", table_.slots);
+  if (!ground_work_.empty()) archive("ground_work", ground_work_);
+  if (!ground_work_.empty()) archive("ground_now", ground_now_);
 }
 
 }  // namespace sazare::methods::blocks

@@ -1,31 +1,55 @@
 #pragma once
 
-/// Springs and dashpots between the outer faces of blocks and fixed ground: held, frictionless and absorbing boundaries.
+/// Springs and dashpots between the outer faces of blocks and the ground: held, driven, frictionless and absorbing boundaries.
 ///
-///     f = -A (k_n u_n + c_n v_n) n - A (k_s u_t + c_s v_t)     at each of the three corners, A a third of the face
+///     f = -A (k_n u_n + c_n v_n) n - A (k_s u_t + c_s v_t)     at each of the three corners, A a third of the face,
+///                                                              u and v relative to the ground
 ///
 /// fixed: as if bonded to unbreakable ground; frictionless: the normal part alone; absorbing: c_n = rho c_P, c_s = rho c_S
 /// (Lysmer and Kuhlemeyer 1969) with the wave speeds that the joints imply over the block's own height. Initial tractions of the
 /// ground act beside them, unchanged; their work counts as energy of the ground.
+///
+/// Ground that moves does work on the blocks: the force of a face times the displacement of the ground over the time for which
+/// the force is given. Its share in what moves the dashpots is dissipated there.
 
+#include <array>
+#include <functional>
+#include <optional>
 #include <vector>
 
+#include "sazare/laws/ground_motion.hpp"
 #include "sazare/levels/terms/slot_table.hpp"
 #include "sazare/methods/blocks/joint_rates.hpp"
 
 namespace sazare::methods::blocks {
 
+/// Ground by its motion along each axis; it stands still along the others.
+using MovingGround = std::array<std::optional<laws::GroundMotion>, 3>;
+
 struct OuterFace {
   Index body = 0;
+  Index boundary = 0;            ///< which of the boundaries it belongs to
   FaceSprings springs;           ///< corners in the body frame
   std::array<Vector3, 3> place;  ///< of the corners at the beginning [m]
   Vector3 normal;                ///< outward, at the beginning
   std::array<Vector3, 3> traction = {Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};  ///< initial, on the corners [Pa]
 };
 
+/// Where a body is and how it moves.
+struct BodyMotion {
+  state::Pose<3> pose;
+  Vector3 velocity, spin;  ///< [m/s], [rad/s]
+};
+
+/// How far the ground has moved [m], and its velocity [m/s].
+struct GroundState {
+  Vector3 displacement, velocity;
+};
+
 class OuterFaces final : public terms::Term<3> {
 public:
-  OuterFaces(std::vector<OuterFace> faces, const state::Bodies<3>& bodies);
+  /// The ground of every boundary that the faces name.
+  OuterFaces(std::vector<OuterFace> faces, std::vector<MovingGround> ground, const state::Bodies<3>& bodies);
 
   std::string_view name() const override { return "boundaries"; }
   std::span<const Link> links() const override { return links_; }
@@ -38,10 +62,25 @@ public:
   }
   terms::Rates rates(Index body) const override { return rates_[static_cast<std::size_t>(body)]; }
   void add_energies(const terms::Synchronized<3>& at, terms::EnergySums& energies) const override;
-  void carry(Index link, Parcel& parcel) override { parcel(table_[link]); }
-  void columns(Archive& archive) override { archive("slots", table_.slots); }
+  void carry(Index link, Parcel& parcel) override;
+  void columns(Archive& archive) override;
+
+  /// Force of each boundary on the bodies at a time [s] at which they move so [N].
+  std::vector<Vector3> forces(Real time, const std::function<BodyMotion(Index)>& motion_of) const;
 
 private:
+  /// What the ground has done through a face.
+  struct GroundWork {
+    Vector3 given_until;  ///< displacement of the ground at the end of the time for which the force is given [m]
+    Real work;            ///< on the bodies and their springs [J]
+    Real dissipated;      ///< part of it that goes into the dashpots [J]
+  };
+  GroundState ground_at(Index boundary, Real time) const;
+  void count_work(const Due& due, const Instant& now, const GroundState& ground_now);
+
+  std::vector<MovingGround> ground_;     ///< by boundary
+  std::vector<GroundState> ground_now_;  ///< by boundary, at the last evaluation
+  std::vector<GroundWork> ground_work_;  ///< by face; empty where all ground stands still
   std::vector<OuterFace> faces_;
   std::vector<Link> links_;
   std::vector<terms::Rates> rates_;

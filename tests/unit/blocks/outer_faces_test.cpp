@@ -15,7 +15,8 @@ using terms::EnergyKind;
 
 /// One block whose face in the plane x = 0 leans on the ground.
 struct Leaning {
-  explicit Leaning(FaceSprings springs) : bodies(one_block()), faces({face(springs, bodies)}, bodies), probe(faces, bodies) {}
+  explicit Leaning(FaceSprings springs)
+      : bodies(one_block()), faces({face(springs, bodies)}, {MovingGround()}, bodies), probe(faces, bodies) {}
 
   static state::Bodies<3> one_block() {
     state::Bodies<3> made;

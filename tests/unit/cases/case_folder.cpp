@@ -11,6 +11,7 @@ CaseFolder::CaseFolder() {
   write("slab.msh", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n");
   write("block.geo", "// an empty geometry\n");
   write("pressure.csv", "time [s],pressure [Pa]\r\n0,0\r\n1.33e-4, 5.75e8\r\n5e-4,0\r\n");
+  write("shake.csv", "time [s],velocity [m/s]\r\n0,0\r\n1e-3,0.1\r\n2e-3,0.2\r\n");
 }
 
 CaseFile CaseFolder::read(const std::string& text, const std::vector<std::string>& overrides) const {
@@ -185,6 +186,33 @@ strict = true
 
 [output]
 checkpoint_interval = 30
+
+[[motions]]
+name = "shake"
+type = "sine"
+quantity = "velocity"
+amplitude = 0.1
+frequency = 20
+cycles = 2
+
+[[motions]]
+name = "wavelet"
+type = "ricker"
+frequency = 1000
+peak_time = 1e-3
+
+[[motions]]
+name = "record"
+type = "record"
+file = "shake.csv"
+baseline = "linear"
+
+[[boundaries]]
+surface = "top"
+kind = "prescribed"
+motion_x = "shake"
+motion_y = "wavelet"
+motion_z = "record"
 )";
 }
 

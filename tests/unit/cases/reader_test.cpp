@@ -56,6 +56,9 @@ TEST(Reader, TakesEveryKeyThatIsGiven) {
   EXPECT_EQ(blocks.initial_stress.shear_per_depth, Vector3(0, 0, 100));
   EXPECT_EQ(blocks.initial_stress.datum, 12.5);
   EXPECT_EQ(blocks.boundaries.at(1).kind, BoundaryKind::frictionless);
+  EXPECT_EQ(blocks.boundaries.at(2).kind, BoundaryKind::prescribed);
+  EXPECT_EQ(blocks.boundaries.at(2).motion, (std::array<std::string, 3>{"shake", "wavelet", "record"}));
+  EXPECT_EQ(blocks.motions.at(0).frequency, 20);
   EXPECT_EQ(blocks.constraints.at(0).translation, (std::array<bool, 3>{true, false, true}));
   EXPECT_EQ(blocks.constraints.at(0).rotation, (std::array<bool, 3>{false, true, false}));
   EXPECT_EQ(blocks.initial_velocities.at(0).velocity, Vector3(0.1, 0, -1e-3));

@@ -35,7 +35,7 @@ enum class Levels { per_element, uniform };
 /// What sets the step of an element.
 enum class Limiter { stability, travel, none };
 
-enum class BoundaryKind { fixed, frictionless, absorbing };
+enum class BoundaryKind { fixed, frictionless, absorbing, prescribed };
 
 struct Material {
   std::string name;
@@ -128,6 +128,12 @@ struct Blast {
 struct Boundary {
   std::string surface;
   BoundaryKind kind = BoundaryKind::fixed;
+  std::array<std::string, 3> motion = {};  // names of motions of the ground by axis, or empty
+
+  /// Whether it carries loads along every axis.
+  bool holds_all_axes() const { return kind == BoundaryKind::fixed || kind == BoundaryKind::prescribed; }
+  /// Whether its ground may be given a motion.
+  bool can_move() const { return kind == BoundaryKind::prescribed || kind == BoundaryKind::frictionless; }
 };
 
 /// Axes x, y, z that are locked.
@@ -176,6 +182,7 @@ struct BlocksCase {
   std::vector<Blast> blasts;
   Gravity gravity;
   InitialStress initial_stress;
+  std::vector<Motion> motions;
   std::vector<Boundary> boundaries;
   std::vector<Constraint> constraints;
   std::vector<InitialVelocity> initial_velocities;

@@ -27,6 +27,8 @@ public:
     out_ += fmt::format("  {:<12}{}\n", topic == last_ ? "" : topic, line);
     last_ = topic;
   }
+  /// Lines that have their topics.
+  void add(const std::string& lines) { out_ += lines; }
   void more(const std::string& line) { out_ += fmt::format("  {:<12}  {}\n", "", line); }
   std::string take(const std::string& title) { return title + "\n" + out_; }
 
@@ -146,8 +148,9 @@ void explain_conditions(Explanation& text, const BlocksCase& blocks) {
   for (const Blast& blast : blocks.blasts) explain_blast(text, blast);
   if (!blocks.gravity.acceleration.isZero()) text.add("gravity", vector_text(blocks.gravity.acceleration) + " m/s2");
   explain_initial_stress(text, blocks.initial_stress);
+  text.add(explain_motions(blocks.motions, blocks.time.end));
   for (const Boundary& boundary : blocks.boundaries)
-    text.add("boundaries", fmt::format("{}: {}", boundary.surface, word(boundary.kind)));
+    text.add("boundaries", fmt::format("{}: {}{}", boundary.surface, word(boundary.kind), motion_names_text(boundary.motion)));
   for (const Constraint& constraint : blocks.constraints)
     text.add("locked", fmt::format("{}: translation {}, rotation {}", fmt::join(constraint.regions, ", "),
                                    axes_text(constraint.translation), axes_text(constraint.rotation)));

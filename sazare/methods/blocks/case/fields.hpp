@@ -33,7 +33,7 @@ struct EnumWords<Limiter> {
 
 template <>
 struct EnumWords<BoundaryKind> {
-  static constexpr std::array<std::string_view, 3> words{"fixed", "frictionless", "absorbing"};
+  static constexpr std::array<std::string_view, 4> words{"fixed", "frictionless", "absorbing", "prescribed"};
 };
 
 template <class Visitor>
@@ -113,8 +113,12 @@ void visit_fields(Visitor& visit, Blast& blast) {
 
 template <class Visitor>
 void visit_fields(Visitor& visit, Boundary& boundary) {
+  constexpr std::array<std::string_view, 3> keys{"motion_x", "motion_y", "motion_z"};
   visit("surface", boundary.surface);
   visit("kind", boundary.kind);
+  if (!boundary.can_move()) return;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (visit.has(keys[axis], !boundary.motion[axis].empty())) visit(keys[axis], boundary.motion[axis]);
 }
 
 template <class Visitor>
@@ -166,6 +170,7 @@ void visit_tables(Visitor& visit, BlocksCase& blocks) {
   visit.list("blasts", blocks.blasts);
   visit.one("gravity", blocks.gravity);
   visit.one("initial_stress", blocks.initial_stress);
+  visit.list("motions", blocks.motions);
   visit.list("boundaries", blocks.boundaries);
   visit.list("constraints", blocks.constraints);
   visit.list("initial_velocities", blocks.initial_velocities);

@@ -6,15 +6,16 @@
 
 #include "sazare/cases/case_reader.hpp"
 #include "sazare/cases/case_writer.hpp"
+#include "sazare/cases/outside_history.hpp"
 #include "sazare/methods/blocks/case/checks.hpp"
 #include "sazare/methods/blocks/case/fields.hpp"
 
 namespace sazare::cases {
 namespace {
 
-/// Pressures of blasts that only the caller of the engine knows.
-std::vector<OutsideHistory> outside_pressures(const BlocksCase& blocks) {
-  std::vector<OutsideHistory> found;
+/// Pressures of blasts and motions that only the caller of the engine knows.
+std::vector<OutsideHistory> outside_histories(const BlocksCase& blocks) {
+  std::vector<OutsideHistory> found = outside_motions(blocks.motions);
   for (std::size_t i = 0; i < blocks.blasts.size(); ++i)
     if (const auto* function = std::get_if<PressureFunction>(&blocks.blasts[i].pressure))
       found.push_back({blocks.blasts[i].name, fmt::format("blasts.{}.function", i), "pressure of the blast",
@@ -41,9 +42,10 @@ void read(const CheckContext& context, CaseFile& file) {
   check_blasts(context, blocks);
   check_constraints(context, blocks);
   check_initial_stress(context, blocks);
+  check_motions(context, blocks.motions, blocks.time.end);
   resolve_clocks(context, blocks.time);
   if (blocks.time.strict) context.problems.turn_warnings_into_errors();
-  file.histories = outside_pressures(blocks);
+  file.histories = outside_histories(blocks);
   file.content = std::move(blocks);
 }
 

@@ -140,7 +140,7 @@ private:
 
   /// Whether a boundary has springs against gravity.
   bool carries(const Boundary& boundary) const {
-    if (boundary.kind != BoundaryKind::frictionless) return boundary.kind == BoundaryKind::fixed;
+    if (boundary.kind != BoundaryKind::frictionless) return boundary.holds_all_axes();
     const auto surface = std::ranges::find(groups_.surfaces, boundary.surface, &MeshSurface::name);
     if (surface == groups_.surfaces.end()) return false;
     const Vector3& gravity = blocks_.gravity.acceleration;

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "sazare/cases/explanation.hpp"
 #include "sazare/cases/format/structure_check.hpp"
 #include "sazare/cases/format/suggest.hpp"
 #include "sazare/cases/seen_names.hpp"
 #include "sazare/methods/blocks/case/checks.hpp"
+#include "sazare/methods/blocks/case/fields.hpp"
 
 namespace sazare::cases {
 namespace {
@@ -63,6 +65,23 @@ void check_boundaries(const CheckContext& context, const BlocksCase& blocks) {
   }
 }
 
+void check_boundary_motions(const CheckContext& context, const BlocksCase& blocks) {
+  std::vector<std::string> names;
+  for (const Motion& motion : blocks.motions) names.push_back(motion.name);
+  const auto list = context.entries_of("boundaries");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Boundary& boundary = blocks.boundaries[i];
+    if (!list[i].exists() || !list[i].is_sound("kind")) continue;
+    if (!boundary.can_move())
+      check_keys(context, list[i], fmt::format("kind {}", word(boundary.kind)), {}, {"motion_x", "motion_y", "motion_z"});
+    check_motion_names(context, list[i], boundary.motion, names);
+    const auto is_empty = [](const std::string& name) { return name.empty(); };
+    if (boundary.kind == BoundaryKind::prescribed && std::ranges::all_of(boundary.motion, is_empty))
+      context.problems.error(list[i].place("kind"), "a prescribed boundary has no motion",
+                             "add motion_x, motion_y or motion_z with the name of one of [[motions]], or make it \"fixed\"");
+  }
+}
+
 void check_initial_velocities(const CheckContext& context, const BlocksCase& blocks) {
   SeenNames seen;
   const auto list = context.entries_of("initial_velocities");
@@ -83,11 +102,13 @@ void check_names(const CheckContext& context, const BlocksCase& blocks) {
   check_unique(context, "materials", blocks.materials);
   check_unique(context, "joints", blocks.joints);
   check_unique(context, "blasts", blocks.blasts);
+  check_unique(context, "motions", blocks.motions);
   check_unique(context, "gauges", blocks.gauges);
   check_materials(context, blocks);
   check_moduli(context);
   check_joined_materials(context, blocks);
   check_boundaries(context, blocks);
+  check_boundary_motions(context, blocks);
   check_initial_velocities(context, blocks);
 }
 

@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::array<std::string_view, 3> damping_caps{"literal", "critical", "step"};
 constexpr std::array<std::string_view, 2> contact_shapes{"spheres", "faces"};
-constexpr std::array<std::string_view, 3> boundary_kinds{"fixed", "frictionless", "absorbing"};
+constexpr std::array<std::string_view, 4> boundary_kinds{"fixed", "frictionless", "absorbing", "prescribed"};
+constexpr std::string_view with_motion = "kinds prescribed and frictionless only";
 constexpr std::array<std::string_view, 2> level_choices{"per_element", "uniform"};
 constexpr std::array<std::string_view, 3> limiters{"stability", "travel", "none"};
 
@@ -312,8 +313,15 @@ constexpr std::array boundary_keys{
         .type = Type::choice,
         .need = Need::required,
         .sentence = "fixed: joined to immobile ground of the same material by springs and dashpots of its own joint; "
-                    "frictionless: slides in the plane of each face; absorbing: dashpots that let waves leave.",
+                    "frictionless: slides in the plane of each face; absorbing: dashpots that let waves leave; prescribed: "
+                    "like fixed, on ground that moves.",
         .choices = boundary_kinds},
+    Key{.name = "motion_x",
+        .type = Type::text,
+        .note = with_motion,
+        .sentence = "Motion of the ground along x; along an axis without one it stands still."},
+    Key{.name = "motion_y", .type = Type::text, .note = with_motion, .sentence = "Motion of the ground along y."},
+    Key{.name = "motion_z", .type = Type::text, .note = with_motion, .sentence = "Motion of the ground along z."},
 };
 
 constexpr std::array constraint_keys{
@@ -401,6 +409,7 @@ constexpr std::array tables{
     gravity_table,
     Table{"initial_stress", false, Need::optional,
           "Stress in the body at the beginning, which bonded joints and boundaries carry.", initial_stress_keys},
+    motions_table,
     Table{"boundaries", true, Need::optional, "Boundary conditions of outer faces; all others are free.", boundary_keys},
     Table{"constraints", true, Need::optional, "Axes along or about which whole volumes cannot move or turn.", constraint_keys},
     Table{"initial_velocities", true, Need::optional, "Initial velocities of volumes.", initial_velocity_keys},

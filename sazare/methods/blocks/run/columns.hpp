@@ -10,19 +10,21 @@ namespace sazare::runs::columns::blocks {
 using observe::Column;
 
 inline constexpr std::array pieces = {Column{"broken_joints", "-", "so far"}, Column{"fragments", "-", "now"}};
-inline constexpr std::array energies = {Column{"energy_work", "J", "done by loads and gravity"},
-                                        Column{"energy_kinetic", "J", "increase since the beginning"},
-                                        Column{"energy_elastic", "J", "stored in joints, contacts and boundaries since the beginning"},
-                                        Column{"energy_joint_dashpot", "J", "dissipated by dashpots of joints"},
-                                        Column{"energy_slip", "J", "dissipated by slip of joints before they break"},
-                                        Column{"energy_fracture", "J", "dissipated by softening of joints"},
-                                        Column{"energy_release", "J", "released by joints whose faces opened"},
-                                        Column{"energy_contact_dashpot", "J", "dissipated by dashpots of contacts"},
-                                        Column{"energy_friction", "J", "dissipated by friction of contacts"},
-                                        Column{"energy_boundary_dashpot", "J", "dissipated by absorbing and fixed faces"}};
+inline constexpr std::array energies = {
+    Column{"energy_work", "J", "done by loads, gravity and moving boundaries"},
+    Column{"energy_kinetic", "J", "increase since the beginning"},
+    Column{"energy_elastic", "J", "stored in joints, contacts and boundaries since the beginning"},
+    Column{"energy_joint_dashpot", "J", "dissipated by dashpots of joints"},
+    Column{"energy_slip", "J", "dissipated by slip of joints before they break"},
+    Column{"energy_fracture", "J", "dissipated by softening of joints"},
+    Column{"energy_release", "J", "released by joints whose faces opened"},
+    Column{"energy_contact_dashpot", "J", "dissipated by dashpots of contacts"},
+    Column{"energy_friction", "J", "dissipated by friction of contacts"},
+    Column{"energy_boundary_dashpot", "J", "dissipated by absorbing and fixed faces"}};
 inline constexpr std::array progress = {Column{"energy_residual", "J", "residual of the energy balance"},
                                         Column{"smallest_step", "s", "of any element since the last row"},
                                         Column{"pair_evaluations", "-", "so far"}};
+inline constexpr std::array boundary = {Column{"NAME.force", "N", "of a boundary on the body", 3}};
 inline constexpr std::array gauge = {Column{"NAME.velocity", "m/s", "of the point", 3}};
 inline constexpr std::array ranks = {Column{"time", "s", "end of an interval between two distributions of the work"},
                                      Column{"rank", "-", ""},

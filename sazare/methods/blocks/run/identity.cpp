@@ -50,7 +50,11 @@ std::string tables_hash(const cases::BlocksCase& blocks) {
 }  // namespace
 
 RunIdentity identify(const cases::BlocksCase& blocks, const geometry::TetraMesh& mesh) {
-  return {text_of(blocks), mesh_hash(mesh), tables_hash(blocks), program_text()};
+  std::vector<cases::Motion> motions = blocks.motions;
+  const std::string records = records_hash(motions);  // and takes the folders out of their files
+  cases::BlocksCase plain = blocks;
+  plain.motions = std::move(motions);
+  return {text_of(plain), mesh_hash(mesh), tables_hash(blocks) + records, program_text()};
 }
 
 }  // namespace sazare::runs

@@ -85,7 +85,8 @@ public:
       model_.surface = keep(
           terms_, std::make_unique<methods::blocks::SurfaceContacts>(contact_law(blocks_.contact), *model_.contacts, bodies_));
     if (auto boundaries = make_boundaries(blocks_, faces, model_.material, bodies_); !boundaries.empty())
-      keep(terms_, std::make_unique<methods::blocks::OuterFaces>(std::move(boundaries), bodies_));
+      model_.boundaries =
+          keep(terms_, std::make_unique<methods::blocks::OuterFaces>(std::move(boundaries), make_ground(blocks_), bodies_));
     if (!blocks_.blasts.empty())
       keep(terms_,
            std::make_unique<terms::FacePressure>(make_loads(blocks_), make_pressed_faces(blocks_, faces, bodies_), bodies_));

@@ -8,12 +8,13 @@
 
 #include "sazare/geometry/face_map.hpp"
 #include "sazare/levels/simulation.hpp"
+#include "sazare/methods/blocks/block_contacts.hpp"
 #include "sazare/methods/blocks/case/case.hpp"
 #include "sazare/methods/blocks/joints.hpp"
+#include "sazare/methods/blocks/outer_faces.hpp"
 #include "sazare/methods/blocks/run/joints/strength_scatter.hpp"
 #include "sazare/methods/blocks/run/mesh_fit.hpp"
 #include "sazare/methods/blocks/surface_contacts.hpp"
-#include "sazare/methods/blocks/block_contacts.hpp"
 #include "sazare/runs/run_clocks.hpp"
 
 namespace sazare::runs {
@@ -29,6 +30,7 @@ struct BlocksModel {
   std::unique_ptr<levels::Simulation<3>> simulation;
   methods::blocks::Joints* joints = nullptr;            ///< owned by the simulation
   methods::blocks::BlockContacts* contacts = nullptr;   ///< owned by the simulation
+  methods::blocks::OuterFaces* boundaries = nullptr;    ///< none where no face has a boundary; owned by the simulation
   methods::blocks::SurfaceContacts* surface = nullptr;  ///< of a coupling; owned by the simulation
 };
 

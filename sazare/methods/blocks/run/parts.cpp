@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "sazare/cases/motion_of_case.hpp"
 #include "sazare/geometry/tetrahedron.hpp"
 #include "sazare/methods/blocks/run/joints/element_springs.hpp"
 
@@ -192,12 +193,14 @@ std::vector<methods::blocks::OuterFace> make_boundaries(const cases::BlocksCase&
                                                         const std::vector<Index>& material, const state::Bodies<3>& bodies) {
   std::vector<methods::blocks::OuterFace> made;
   const laws::LinearStress stress = blocks.stress_at_start();
-  for (const cases::Boundary& boundary : blocks.boundaries)
+  for (std::size_t number = 0; number < blocks.boundaries.size(); ++number) {
+    const cases::Boundary& boundary = blocks.boundaries[number];
     for (const geometry::OuterFace& outer : faces.outer(boundary.surface)) {
       const auto& motion = bodies.motion[at(outer.element)];
       const Index own = material[at(outer.element)];
       methods::blocks::OuterFace face;
       face.body = outer.element;
+      face.boundary = static_cast<Index>(number);
       face.place = face_corners(faces.mesh, outer.nodes);
       const Vector3 area = area_vector(face.place);
       face.normal = area.normalized();
@@ -210,6 +213,19 @@ std::vector<methods::blocks::OuterFace> make_boundaries(const cases::BlocksCase&
       if (!stress.is_zero()) face.traction = ground_tractions(stress, boundary.kind, face);
       made.push_back(face);
     }
+  }
+  return made;
+}
+
+std::vector<methods::blocks::MovingGround> make_ground(const cases::BlocksCase& blocks) {
+  std::vector<methods::blocks::MovingGround> made;
+  for (const cases::Boundary& boundary : blocks.boundaries) {
+    methods::blocks::MovingGround& ground = made.emplace_back();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto motion = std::ranges::find(blocks.motions, boundary.motion[axis], &cases::Motion::name);
+      if (motion != blocks.motions.end()) ground[axis] = cases::motion_of_case(*motion);
+    }
+  }
   return made;
 }
 

@@ -48,6 +48,9 @@ std::vector<methods::blocks::JointFace> make_joint_faces(const cases::BlocksCase
 std::vector<methods::blocks::OuterFace> make_boundaries(const cases::BlocksCase& blocks, const MeshFaces& faces,
                                                         const std::vector<Index>& material, const state::Bodies<3>& bodies);
 
+/// The ground of every boundary of the case.
+std::vector<methods::blocks::MovingGround> make_ground(const cases::BlocksCase& blocks);
+
 /// Faces that no joint holds from the beginning: the outer ones, and both sides of those that were never bonded.
 std::vector<methods::blocks::FreeFace> make_free_faces(const cases::BlocksCase& blocks, const MeshFaces& faces,
                                                        const std::vector<Index>& joint_of_face);

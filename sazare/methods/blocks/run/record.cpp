@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sazare/core/error.hpp"
+#include "sazare/levels/motion/kick.hpp"
 #include "sazare/methods/blocks/run/columns.hpp"
 #include "sazare/methods/blocks/run/failure.hpp"
 #include "sazare/methods/blocks/run/state_hash.hpp"
@@ -16,12 +17,14 @@ namespace {
 
 static_assert(columns::blocks::energies.size() == terms::energy_kind_count, "a column for each account, in their order");
 
-std::vector<std::string> history_titles() {
+/// Columns of a case with these boundaries.
+std::vector<std::string> history_titles(const std::vector<cases::Boundary>& boundaries) {
   std::vector<std::string> titles;
   observe::add_titles(titles, columns::time);
   observe::add_titles(titles, columns::blocks::pieces);
   observe::add_titles(titles, columns::blocks::energies);
   observe::add_titles(titles, columns::blocks::progress);
+  for (const cases::Boundary& boundary : boundaries) observe::add_titles(titles, columns::blocks::boundary, boundary.surface, 3);
   observe::add_titles(titles, columns::clock);
   return titles;
 }
@@ -39,7 +42,7 @@ RunRecord::RunRecord(const RunFolder& folder, const cases::CaseFile& file, Block
 std::uint64_t RunRecord::state_hash() const { return runs::state_hash(*model_); }
 
 std::vector<RecordFiles::Table> RunRecord::tables() const {
-  return {{folder_->history(), history_titles()}, {folder_->gauges(), gauges_.titles()}};
+  return {{folder_->history(), history_titles(file_->as<cases::BlocksCase>().boundaries)}, {folder_->gauges(), gauges_.titles()}};
 }
 
 void RunRecord::begin() { files_.begin(tables()); }
@@ -68,13 +71,14 @@ void RunRecord::observe(std::int64_t step, Real wall_seconds) {
   for (const Vector3& velocity : now.velocity) fastest_squared = std::max(fastest_squared, velocity.squaredNorm());
   peak_speed_ = std::max(peak_speed_, std::sqrt(fastest_squared));
   files_.add_row(1, gauges_.sample(time, model_->simulation->bodies(), now));
-  add_history_row(time, former_survey_.energy, wall_seconds);
+  add_history_row(time, wall_seconds);
   if (!clocks_.is_snapshot(step)) return;
   snapshots_.write(time, std::move(now), fragments());
   ++snapshot_count_;
 }
 
-void RunRecord::add_history_row(Real time, const terms::EnergyBalance& balance, Real wall_seconds) {
+void RunRecord::add_history_row(Real time, Real wall_seconds) {
+  const terms::EnergyBalance& balance = former_survey_.energy;
   latest_smallest_step_ = model_->simulation->take_smallest_step();
   smallest_step_ = smallest_step_ > 0 ? std::min(smallest_step_, latest_smallest_step_) : latest_smallest_step_;
   std::vector<Real> row = {time, static_cast<Real>(model_->joints->broken_count()), static_cast<Real>(fragments().count)};
@@ -83,8 +87,22 @@ void RunRecord::add_history_row(Real time, const terms::EnergyBalance& balance, 
   row.push_back(energy_residual_);
   row.push_back(latest_smallest_step_);
   row.push_back(static_cast<Real>(model_->simulation->counters().pair_evaluations));
+  for (const Vector3& force : boundary_forces(time)) row.insert(row.end(), force.begin(), force.end());
   row.push_back(wall_seconds);
   files_.add_row(0, row);
+}
+
+/// Forces of the boundaries of the case on the body at the row that is written [N].
+std::vector<Vector3> RunRecord::boundary_forces(Real time) const {
+  const std::size_t count = file_->as<cases::BlocksCase>().boundaries.size();
+  if (model_->boundaries == nullptr) return std::vector<Vector3>(count, Vector3::Zero());
+  const state::Bodies<3>& bodies = model_->simulation->bodies();
+  const levels::Snapshot<3>& now = former_survey_.bodies;
+  return model_->boundaries->forces(time, [&](Index body) -> methods::blocks::BodyMotion {
+    const state::Pose<3>& pose = now.pose[at(body)];
+    return {pose, now.velocity[at(body)],
+            motion::spin_of(pose.rotation, bodies.inertia[at(body)], bodies.locks[at(body)], now.angular_momentum[at(body)])};
+  });
 }
 
 const FragmentMap& RunRecord::fragments() {

@@ -57,7 +57,8 @@ public:
 private:
   std::vector<RecordFiles::Table> tables() const;
   const FragmentMap& fragments();
-  void add_history_row(Real time, const terms::EnergyBalance& balance, Real wall_seconds);
+  void add_history_row(Real time, Real wall_seconds);
+  std::vector<Vector3> boundary_forces(Real time) const;
 
   const RunFolder* folder_;
   const cases::CaseFile* file_;

@@ -122,7 +122,7 @@ std::vector<int> held_axes(const cases::BlocksCase& blocks, const BlocksModel& m
       const auto corner = [&](std::size_t k) { return model.mesh.nodes[at(face.nodes[k])]; };
       Eigen::Index axis = 0;
       (corner(1) - corner(0)).cross(corner(2) - corner(0)).cwiseAbs().maxCoeff(&axis);
-      held[at(face.element)] |= boundary.kind == cases::BoundaryKind::fixed ? 7 : 1 << axis;
+      held[at(face.element)] |= boundary.holds_all_axes() ? 7 : 1 << axis;
     }
   }
   return held;
