@@ -259,14 +259,17 @@ class Boundary(Part):
     """Physical surface group on the outside of the body."""
     kind: Literal["fixed", "frictionless", "absorbing", "prescribed"]
     """fixed: joined to immobile ground of the same material by springs and dashpots of its own joint; frictionless: slides in the
-    plane of each face; absorbing: dashpots that let waves leave; prescribed: like fixed, on ground that moves.
+    plane of each face; absorbing: dashpots that let waves leave and an incident wave (E) enter; prescribed: like fixed, on
+    ground that moves.
     """
     motion_x: str | None = None
-    """Motion of the ground along x; along an axis without one it stands still. (kinds prescribed and frictionless only)"""
+    """Motion of the ground, or of the incident wave, along x; along an axis without one the ground stands still. (not for kind
+    fixed)
+    """
     motion_y: str | None = None
-    """Motion of the ground along y. (kinds prescribed and frictionless only)"""
+    """Motion of the ground or the incident wave along y. (not for kind fixed)"""
     motion_z: str | None = None
-    """Motion of the ground along z. (kinds prescribed and frictionless only)"""
+    """Motion of the ground or the incident wave along z. (not for kind fixed)"""
 
 
 @dataclass(kw_only=True, eq=False)

@@ -6,7 +6,8 @@
 ///                                                              u and v relative to the ground
 ///
 /// fixed: as if bonded to unbreakable ground; frictionless: the normal part alone; absorbing: c_n = rho c_P, c_s = rho c_S
-/// (Lysmer and Kuhlemeyer 1969) with the wave speeds that the joints imply over the block's own height. Initial tractions of the
+/// (Lysmer and Kuhlemeyer 1969) with the wave speeds that the joints imply over the block's own height; an incident wave v_in enters
+/// through them as ground that moves with 2 v_in, which makes f = -A c (v - 2 v_in). Initial tractions of the
 /// ground act beside them, unchanged; their work counts as energy of the ground.
 ///
 /// Ground that moves does work on the blocks: the force of a face times the displacement of the ground over the time for which

@@ -189,5 +189,39 @@ TEST(moving_ground, carries_a_body_along_with_it) {
   }
 }
 
+TEST(moving_ground, lets_an_incident_wave_enter_and_leave) {
+  auto blocks = rock();
+  const int high = 60;
+  const Real peak = 0.1, length = high * side / 2, duration = 4e-4;
+  std::vector<Real> velocities;
+  for (int i = 0; i <= 40; ++i) velocities.push_back(0.5 * peak * (1 - std::cos(2 * std::numbers::pi * i / 40)));
+  blocks.motions = {motion("pulse", laws::MotionQuantity::velocity, velocities, duration / 40)};
+  blocks.boundaries = {moving("bottom", cases::BoundaryKind::absorbing, {"", "", "pulse"})};
+  cases::Constraint wide;  // as if in a body that is wide across the wave
+  wide.regions = {"rock"};
+  wide.translation = {true, true, false};
+  wide.rotation = {true, true, true};
+  blocks.constraints = {wide};
+  auto model = runs::build_blocks(blocks, column(high));
+  Real inside = 0, largest = 0, most = 0;
+  model.simulation->start();
+  const auto& bodies = model.simulation->bodies();
+  while (model.simulation->now().seconds() < 3.2e-3) {
+    model.simulation->advance();
+    const Real time = model.simulation->now().seconds();
+    for (std::size_t body = 0; body < bodies.motion.size(); ++body) {
+      const Real speed = std::abs(bodies.motion[body].predicted_velocity.z()), height = bodies.start[body].z();
+      if (height > 0.4 * length && height < 0.5 * length && time < 1e-3) inside = std::max(inside, speed);
+      if (height > 0.99 * length) largest = std::max(largest, speed);
+    }
+    most = std::max(most, model.simulation->energy_balance()[EnergyKind::kinetic]);
+  }
+  EXPECT_NEAR(inside, peak, 0.05 * peak);
+  EXPECT_NEAR(largest, 2 * peak, 0.05 * 2 * peak);
+  const auto balance = model.simulation->energy_balance();
+  EXPECT_LT(balance[EnergyKind::kinetic] + balance[EnergyKind::elastic], 0.01 * most);
+  EXPECT_LT(std::abs(balance.residual()), 1e-3 * balance[EnergyKind::work]);
+}
+
 }  // namespace
 }  // namespace sazare::methods::blocks

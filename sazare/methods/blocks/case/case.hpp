@@ -132,8 +132,8 @@ struct Boundary {
 
   /// Whether it carries loads along every axis.
   bool holds_all_axes() const { return kind == BoundaryKind::fixed || kind == BoundaryKind::prescribed; }
-  /// Whether its ground may be given a motion.
-  bool can_move() const { return kind == BoundaryKind::prescribed || kind == BoundaryKind::frictionless; }
+  /// Whether its ground may be given a motion; the one behind an absorbing boundary is that of the incident wave.
+  bool can_move() const { return kind != BoundaryKind::fixed; }
 };
 
 /// Axes x, y, z that are locked.

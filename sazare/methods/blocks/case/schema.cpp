@@ -12,7 +12,7 @@ namespace {
 constexpr std::array<std::string_view, 3> damping_caps{"literal", "critical", "step"};
 constexpr std::array<std::string_view, 2> contact_shapes{"spheres", "faces"};
 constexpr std::array<std::string_view, 4> boundary_kinds{"fixed", "frictionless", "absorbing", "prescribed"};
-constexpr std::string_view with_motion = "kinds prescribed and frictionless only";
+constexpr std::string_view with_motion = "not for kind fixed";
 constexpr std::array<std::string_view, 2> level_choices{"per_element", "uniform"};
 constexpr std::array<std::string_view, 3> limiters{"stability", "travel", "none"};
 
@@ -313,15 +313,15 @@ constexpr std::array boundary_keys{
         .type = Type::choice,
         .need = Need::required,
         .sentence = "fixed: joined to immobile ground of the same material by springs and dashpots of its own joint; "
-                    "frictionless: slides in the plane of each face; absorbing: dashpots that let waves leave; prescribed: "
-                    "like fixed, on ground that moves.",
+                    "frictionless: slides in the plane of each face; absorbing: dashpots that let waves leave and an incident "
+                    "wave (E) enter; prescribed: like fixed, on ground that moves.",
         .choices = boundary_kinds},
     Key{.name = "motion_x",
         .type = Type::text,
         .note = with_motion,
-        .sentence = "Motion of the ground along x; along an axis without one it stands still."},
-    Key{.name = "motion_y", .type = Type::text, .note = with_motion, .sentence = "Motion of the ground along y."},
-    Key{.name = "motion_z", .type = Type::text, .note = with_motion, .sentence = "Motion of the ground along z."},
+        .sentence = "Motion of the ground, or of the incident wave, along x; along an axis without one the ground stands still."},
+    Key{.name = "motion_y", .type = Type::text, .note = with_motion, .sentence = "Motion of the ground or the incident wave along y."},
+    Key{.name = "motion_z", .type = Type::text, .note = with_motion, .sentence = "Motion of the ground or the incident wave along z."},
 };
 
 constexpr std::array constraint_keys{

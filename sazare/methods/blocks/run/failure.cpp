@@ -85,8 +85,8 @@ std::string likely_reason(const BlocksModel& model, const cases::CaseFile& file,
   if (file.as<cases::BlocksCase>().contact.damping_cap == cases::DampingCap::literal)
     return "its step is stable for its joints; the dashpot of its contacts is not capped and may be too stiff for the step: set "
            "contact.damping_cap = \"step\"";
-  return "its step is stable for its joints and boundaries; check the loads on it (pressures, gravity) and the stiffness of its "
-         "contacts";
+  return "its step is stable for its joints and boundaries; check the loads on it (pressures, gravity, moving boundaries) and the "
+         "stiffness of its contacts";
 }
 
 }  // namespace
