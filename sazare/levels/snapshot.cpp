@@ -52,8 +52,7 @@ void Simulation<D>::take_snapshot(Index begin, Index end, Snapshot<D>& at_now) c
   at_now.angular_momentum.resize(at_now.pose.size());
   gather(begin, end, 0, [&](std::size_t first, std::span<const state::Impulse<D>> given) {
     const auto some = [&](auto& column) { return std::span(column).subspan(first, given.size()); };
-    std::ranges::transform(some(bodies_.motion), some(at_now.pose).begin(),
-                           [&](const state::Motion<D>& motion) { return state::pose_at(motion, now_); });
+    state::poses_at(some(bodies_.motion), now_, some(at_now.pose));
     motion::find_momenta<D>(bodies_, first, given, {some(at_now.pose), some(at_now.velocity), some(at_now.angular_momentum)});
   });
 }

@@ -1,5 +1,6 @@
 #include "sazare/state/bodies.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -56,10 +57,7 @@ Vector3 middle(const Bodies<3>& bodies) {
 
 Rotation<3> turn(const Vector3& spin, Real seconds) {
   const Vector3 half = 0.5 * seconds * spin;
-  const auto column = rotation_of<Real>(2 / (1 + dot(half, half)), half[0], half[1], half[2], 1);
-  Rotation<3> rotation;
-  for (int i = 0; i < 3; ++i) rotation.col(i) = column[static_cast<std::size_t>(i)];
-  return rotation;
+  return Quaternion(1, half.x(), half.y(), half.z()).normalized().toRotationMatrix();
 }
 
 Rotation<2> turn(const Angular<2>& spin, Real seconds) {
@@ -69,24 +67,30 @@ Rotation<2> turn(const Angular<2>& spin, Real seconds) {
   return rotation;
 }
 
-Pose<3> pose_at(const Motion<3>& motion, const Instant& now) {
-  if (motion.due == now.tick) return {motion.position, motion.rotation};
-  const Real seconds = now.seconds_since(motion.due);
-  const Rotation<3> turned = turn(motion.spin, seconds);
-  const Vector3 x = turned.col(0), y = turned.col(1), z = turned.col(2);
-  Pose<3> pose;
-  pose.position = add_product(seconds, motion.velocity, motion.position);
-  for (int i = 0; i < 3; ++i) {
-    const Vector3 axis = motion.rotation.col(i);
-    pose.rotation.col(i) = add_product(axis[2], z, add_product(axis[1], y, Vector3(axis[0] * x)));
-  }
-  return pose;
+namespace {
+
+/// a b, where both are given by their columns.
+Rotation<3> product(const std::array<Vector3, 3>& a, const Rotation<3>& b) {
+  Rotation<3> result;
+  for (int i = 0; i < 3; ++i) result.col(i) = add_product(b(2, i), a[2], add_product(b(1, i), a[1], Vector3(b(0, i) * a[0])));
+  return result;
 }
 
-Pose<2> pose_at(const Motion<2>& motion, const Instant& now) {
-  if (motion.due == now.tick) return {motion.position, motion.rotation};
-  const Real seconds = now.seconds_since(motion.due);
-  return {motion.position + seconds * motion.velocity, turn(motion.spin, seconds) * motion.rotation};
+Pose<3> rounded_pose(const Motion<3>& motion, Real seconds) {
+  const Vector3 half = 0.5 * seconds * motion.spin;
+  const auto turned = rotation_of<Real>(2 / (1 + dot(half, half)), half[0], half[1], half[2], 1);
+  return {add_product(seconds, motion.velocity, motion.position), product(turned, motion.rotation)};
+}
+
+}  // namespace
+
+void poses_at(std::span<const Motion<3>> motion, const Instant& now, std::span<Pose<3>> poses) {
+  for (std::size_t body = 0; body < poses.size(); ++body)
+    poses[body] = rounded_pose(motion[body], now.seconds_since(motion[body].due));
+}
+
+void poses_at(std::span<const Motion<2>> motion, const Instant& now, std::span<Pose<2>> poses) {
+  for (std::size_t body = 0; body < poses.size(); ++body) poses[body] = pose_at(motion[body], now);
 }
 
 }  // namespace sazare::state

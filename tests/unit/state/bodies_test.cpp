@@ -77,6 +77,24 @@ TEST(bodies, between_its_times_a_body_is_found_by_drifting_back) {
   EXPECT_EQ(pose_at(motion, Instant{8, 0.25}).position, motion.position);
 }
 
+TEST(bodies, several_are_found_where_each_one_is) {
+  Bodies<3> bodies;
+  for (int body = 0; body < 11; ++body) {  // each with its own time
+    add_body(bodies, 1.0, {1.0 * body, 2, 3}, {1, 2, 3}, Quaternion(1, 0.1 * body, 0.2, -0.3).normalized(), 1);
+    bodies.motion.back().velocity = {1, -0.5 * body, 0.5};
+    bodies.motion.back().spin = {0.1 * body, 0.3, -0.2};
+    bodies.motion.back().due = body;
+  }
+  const Instant now{2, 0.25};
+  std::vector<Pose<3>> poses(bodies.motion.size());
+  poses_at(bodies.motion, now, poses);
+  for (std::size_t body = 0; body < poses.size(); ++body) {
+    const auto expected = pose_at(bodies.motion[body], now);
+    EXPECT_LT((poses[body].position - expected.position).norm(), 1e-14);
+    EXPECT_LT((poses[body].rotation - expected.rotation).norm(), 1e-14);
+  }
+}
+
 TEST(moments, seconds_come_from_ticks) {
   const Instant now{12, 0.25};
   EXPECT_EQ(now.seconds(), 3.0);
