@@ -41,6 +41,16 @@ void visit_fields(Visitor& visit, Damping& damping) {
   visit("relative_to_base", damping.relative_to_base);
 }
 
+/// Keys of what follows motions along its axes.
+inline constexpr std::array<std::string_view, 3> motion_name_keys{"motion_x", "motion_y", "motion_z"};
+
+/// Names of motions by axis, empty where there is none.
+template <class Visitor, std::size_t Axes>
+void visit_motion_names(Visitor& visit, std::array<std::string, Axes>& names) {
+  for (std::size_t axis = 0; axis < Axes; ++axis)
+    if (visit.has(motion_name_keys[axis], !names[axis].empty())) visit(motion_name_keys[axis], names[axis]);
+}
+
 template <class Visitor>
 void visit_fields(Visitor& visit, Motion& motion) {
   visit("name", motion.name);

@@ -1,5 +1,7 @@
 #include "sazare/cases/motion_of_case.hpp"
 
+#include <algorithm>
+
 namespace sazare::cases {
 
 laws::GroundMotion motion_of_case(const Motion& motion) {
@@ -14,6 +16,12 @@ laws::GroundMotion motion_of_case(const Motion& motion) {
   return result;
 }
 static_assert(static_cast<int>(laws::GroundMotion::Shape::function) == static_cast<int>(MotionShape::function));
+
+std::optional<laws::GroundMotion> motion_named(std::span<const Motion> motions, const std::string& name) {
+  const auto found = std::ranges::find(motions, name, &Motion::name);
+  if (name.empty() || found == motions.end()) return std::nullopt;
+  return motion_of_case(*found);
+}
 
 laws::GroundMotion constant_velocity(Real velocity, Real end) {
   laws::GroundMotion result;

@@ -70,6 +70,21 @@ inline cases::BlocksCase two_block_case(bool bonded) {
   return blocks;
 }
 
+/// Rock by its moduli, of the region "rock", that cannot break and has no dashpots.
+inline cases::BlocksCase elastic_rock(Real density, Real youngs_modulus, Real poisson_ratio) {
+  cases::BlocksCase blocks;
+  blocks.materials = {{"rock", {"rock"}, density, youngs_modulus, poisson_ratio}};
+  cases::Joint joint = concrete_joint("rock", "rock");
+  joint.normal_stiffness = joint.shear_stiffness = std::nullopt;
+  joint.normal_damping = joint.shear_damping = 0;
+  joint.cohesion = joint.tensile_strength = 1e9;
+  joint.fracture_energy = 1e7;
+  blocks.joints = {joint};
+  blocks.contact.normal_stiffness = 1e9;
+  blocks.time.history_interval = 1e-5;
+  return blocks;
+}
+
 inline void move(cases::BlocksCase& blocks, const std::string& region, const Vector3& velocity) {
   blocks.initial_velocities.push_back({{region}, velocity});
 }

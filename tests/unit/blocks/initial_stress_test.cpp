@@ -32,19 +32,7 @@ geometry::TetraMesh cube(Real askew = 0.01) {
   return mesh;
 }
 
-cases::BlocksCase rock(Real poisson_ratio = 0.2) {
-  cases::BlocksCase blocks;
-  blocks.materials = {{"rock", {"rock"}, density, youngs_modulus, poisson_ratio}};
-  cases::Joint joint = test::concrete_joint("rock", "rock");
-  joint.normal_stiffness = joint.shear_stiffness = std::nullopt;
-  joint.normal_damping = joint.shear_damping = 0;
-  joint.cohesion = joint.tensile_strength = 1e9;
-  joint.fracture_energy = 1e7;
-  blocks.joints = {joint};
-  blocks.contact.normal_stiffness = 1e9;
-  blocks.time.history_interval = 1e-5;
-  return blocks;
-}
+cases::BlocksCase rock(Real poisson_ratio = 0.2) { return test::elastic_rock(density, youngs_modulus, poisson_ratio); }
 
 Real fastest(const runs::BlocksModel& model) {
   Real speed = 0;

@@ -48,19 +48,7 @@ geometry::TetraMesh column(int high, int across = 2) {
   return mesh;
 }
 
-cases::BlocksCase rock() {
-  cases::BlocksCase blocks;
-  blocks.materials = {{"rock", {"rock"}, density, youngs_modulus, poisson_ratio}};
-  cases::Joint joint = test::concrete_joint("rock", "rock");
-  joint.normal_stiffness = joint.shear_stiffness = std::nullopt;
-  joint.normal_damping = joint.shear_damping = 0;
-  joint.cohesion = joint.tensile_strength = 1e9;
-  joint.fracture_energy = 1e7;
-  blocks.joints = {joint};
-  blocks.contact.normal_stiffness = 1e9;
-  blocks.time.history_interval = 1e-5;
-  return blocks;
-}
+cases::BlocksCase rock() { return test::elastic_rock(density, youngs_modulus, poisson_ratio); }
 
 cases::Boundary moving(const std::string& surface, cases::BoundaryKind kind, const std::array<std::string, 3>& motion) {
   cases::Boundary boundary{surface, kind};

@@ -113,12 +113,10 @@ void visit_fields(Visitor& visit, Blast& blast) {
 
 template <class Visitor>
 void visit_fields(Visitor& visit, Boundary& boundary) {
-  constexpr std::array<std::string_view, 3> keys{"motion_x", "motion_y", "motion_z"};
   visit("surface", boundary.surface);
   visit("kind", boundary.kind);
   if (!boundary.can_move()) return;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (visit.has(keys[axis], !boundary.motion[axis].empty())) visit(keys[axis], boundary.motion[axis]);
+  visit_motion_names(visit, boundary.motion);
 }
 
 template <class Visitor>

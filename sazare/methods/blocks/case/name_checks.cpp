@@ -73,7 +73,8 @@ void check_boundary_motions(const CheckContext& context, const BlocksCase& block
     const Boundary& boundary = blocks.boundaries[i];
     if (!list[i].exists() || !list[i].is_sound("kind")) continue;
     if (!boundary.can_move())
-      check_keys(context, list[i], fmt::format("kind {}", word(boundary.kind)), {}, {"motion_x", "motion_y", "motion_z"});
+      check_keys(context, list[i], fmt::format("kind {}", word(boundary.kind)), {},
+                 {motion_name_keys.begin(), motion_name_keys.end()});
     check_motion_names(context, list[i], boundary.motion, names);
     const auto is_empty = [](const std::string& name) { return name.empty(); };
     if (boundary.kind == BoundaryKind::prescribed && std::ranges::all_of(boundary.motion, is_empty))

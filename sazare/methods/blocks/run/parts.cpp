@@ -222,10 +222,8 @@ std::vector<methods::blocks::MovingGround> make_ground(const cases::BlocksCase& 
   for (const cases::Boundary& boundary : blocks.boundaries) {
     methods::blocks::MovingGround& ground = made.emplace_back();
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto motion = std::ranges::find(blocks.motions, boundary.motion[axis], &cases::Motion::name);
-      if (motion == blocks.motions.end()) continue;
-      ground[axis] = cases::motion_of_case(*motion);
-      if (boundary.kind == cases::BoundaryKind::absorbing) ground[axis]->amplitude *= 2;  // see outer_faces.hpp
+      ground[axis] = cases::motion_named(blocks.motions, boundary.motion[axis]);
+      if (ground[axis] && boundary.kind == cases::BoundaryKind::absorbing) ground[axis]->amplitude *= 2;  // see outer_faces.hpp
     }
   }
   return made;

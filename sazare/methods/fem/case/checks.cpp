@@ -53,7 +53,8 @@ void check_boundaries(const CheckContext& context, const FemCase& fem) {
     if (!entry.gives("group") || !entry.gives("kind")) continue;
     const bool moves = boundary.kind == GroupKind::prescribed || boundary.kind == GroupKind::viscous;
     const bool takes_axes = boundary.kind == GroupKind::roller || boundary.kind == GroupKind::prescribed;
-    if (!moves) check_keys(context, entry, "kind " + word(boundary.kind), {}, {"motion_x", "motion_y", "motion_z"});
+    if (!moves)
+      check_keys(context, entry, "kind " + word(boundary.kind), {}, {motion_name_keys.begin(), motion_name_keys.end()});
     check_keys(context, entry, "kind " + word(boundary.kind),
                boundary.kind == GroupKind::roller ? std::vector<std::string_view>{"axes"} : std::vector<std::string_view>{},
                takes_axes ? std::vector<std::string_view>{} : std::vector<std::string_view>{"axes"});

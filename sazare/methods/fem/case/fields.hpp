@@ -66,13 +66,11 @@ void visit_fields(Visitor& visit, FemJoint& joint) {
 
 template <class Visitor>
 void visit_fields(Visitor& visit, GroupBoundary& boundary) {
-  constexpr std::array<std::string_view, 3> keys{"motion_x", "motion_y", "motion_z"};
   visit("group", boundary.group);
   visit("kind", boundary.kind);
   if (boundary.kind == GroupKind::roller || boundary.kind == GroupKind::prescribed) visit("axes", boundary.axes);
   if (boundary.kind != GroupKind::prescribed && boundary.kind != GroupKind::viscous) return;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (visit.has(keys[axis], !boundary.motion[axis].empty())) visit(keys[axis], boundary.motion[axis]);
+  visit_motion_names(visit, boundary.motion);
 }
 
 template <class Visitor>

@@ -170,7 +170,7 @@ void check_boundaries(const CheckContext& context, const MpsCase& mps) {
     if (!entry.gives("side") || !entry.gives("kind")) continue;
     const bool moves = boundary.kind == SideKind::prescribed || boundary.kind == SideKind::viscous;
     check_keys(context, entry, "kind " + word(boundary.kind), {},
-               moves ? std::vector<std::string_view>{"axes"} : std::vector<std::string_view>{"motion_x", "motion_y", "motion_z"});
+               moves ? std::vector<std::string_view>{"axes"} : std::vector<std::string_view>(motion_name_keys.begin(), motion_name_keys.end()));
     if (mps.particles.dimension == 2 &&
         (boundary.side == Side::front || boundary.side == Side::back || !boundary.motion[2].empty()))
       context.problems.error(entry.place("side"), "there is no front, back or motion_z in 2-D",

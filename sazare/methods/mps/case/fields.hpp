@@ -85,15 +85,13 @@ void visit_fields(Visitor& visit, Ground& ground) {
 
 template <class Visitor>
 void visit_fields(Visitor& visit, SideBoundary& boundary) {
-  constexpr std::array<std::string_view, 3> keys{"motion_x", "motion_y", "motion_z"};
   visit("side", boundary.side);
   visit("extent", boundary.extent);
   if (visit.has("region", !boundary.region.empty())) visit("region", boundary.region);
   visit("kind", boundary.kind);
   if (boundary.kind == SideKind::roller) visit("axes", boundary.axes);
   if (boundary.kind != SideKind::prescribed && boundary.kind != SideKind::viscous) return;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (visit.has(keys[axis], !boundary.motion[axis].empty())) visit(keys[axis], boundary.motion[axis]);
+  visit_motion_names(visit, boundary.motion);
 }
 
 template <class Visitor>

@@ -82,8 +82,7 @@ void visit_fields(Visitor& visit, SquareContact& contact) {
 template <class Visitor>
 void visit_fields(Visitor& visit, SupportMotion& moves) {
   visit("velocity", moves.velocity);
-  if (visit.has("motion_x", !moves.motion[0].empty())) visit("motion_x", moves.motion[0]);
-  if (visit.has("motion_y", !moves.motion[1].empty())) visit("motion_y", moves.motion[1]);
+  visit_motion_names(visit, moves.motion);
 }
 
 template <class Visitor>

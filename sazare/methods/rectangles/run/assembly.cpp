@@ -248,10 +248,9 @@ private:
     ++result_.parts.supports;
     result_.supports.held.push_back({own, 2});
     for (int axis = 0; axis < 2; ++axis) {
-      const std::string& name = moves.motion[static_cast<std::size_t>(axis)];
       auto& motions = result_.supports.motions;
-      if (!name.empty())
-        motions.push_back(cases::motion_of_case(*std::ranges::find(case_.motions, name, &cases::Motion::name)));
+      if (const auto motion = cases::motion_named(case_.motions, moves.motion[static_cast<std::size_t>(axis)]))
+        motions.push_back(*motion);
       else if (moves.velocity[axis] != 0)
         motions.push_back(cases::constant_velocity(moves.velocity[axis], case_.time.end));
       else {

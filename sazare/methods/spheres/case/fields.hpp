@@ -121,7 +121,6 @@ void visit_fields(Visitor& visit, SphereGroup& group) {
 
 template <class Visitor>
 void visit_fields(Visitor& visit, WallRules& wall) {
-  constexpr std::array<std::string_view, 3> keys{"motion_x", "motion_y", "motion_z"};
   visit("name", wall.name);
   visit("material", wall.material);
   visit("shape", wall.shape);
@@ -136,8 +135,7 @@ void visit_fields(Visitor& visit, WallRules& wall) {
     if (visit.has("group", !wall.group.empty())) visit("group", wall.group);
     visit("scale", wall.scale);
   }
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (visit.has(keys[axis], !wall.motion[axis].empty())) visit(keys[axis], wall.motion[axis]);
+  visit_motion_names(visit, wall.motion);
   visit("angular_velocity", wall.spin);
   visit("pivot", wall.pivot);
 }

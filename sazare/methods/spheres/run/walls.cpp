@@ -71,9 +71,8 @@ void add_walls(const SpheresCase& spheres, CaseWalls& made) {
       wall.motion.pivot = rules.pivot;
       wall.motion.spin = rules.spin;
       for (int axis = 0; axis < 3; ++axis)
-        for (const cases::Motion& motion : spheres.motions)
-          if (!motion.name.empty() && motion.name == rules.motion[static_cast<std::size_t>(axis)])
-            wall.motion.histories.emplace_back(axis, cases::motion_of_case(motion));
+        if (const auto motion = cases::motion_named(spheres.motions, rules.motion[static_cast<std::size_t>(axis)]))
+          wall.motion.histories.emplace_back(axis, *motion);
       wall.joined = static_cast<Index>(joined_with(spheres.walls, i));
       made.walls.push_back(std::move(wall));
       made.entry.push_back(static_cast<Index>(i));
