@@ -7,6 +7,7 @@ from sazare import style
 
 MOST_GAUGES = 6
 MOST_FORCES = 6
+LEAST_FORCE = 1e-3  # of the one that varies most
 
 
 def time_axis(table):
@@ -104,7 +105,8 @@ def boundary_forces(results):
     if not names or history.rows < 2:
         return None
     time, time_label = time_axis(history)
-    names = sorted(names, key=lambda name: -np.ptp(history[name]))[:MOST_FORCES]
+    ranges = {name: np.ptp(history[name]) for name in names}
+    names = sorted((name for name in names if ranges[name] > LEAST_FORCE * max(ranges.values())), key=lambda name: -ranges[name])[:MOST_FORCES]
     factor, prefix = style.prefix_for(max(np.abs(history[name]).max() for name in names))
     figure = style.figure(6.2, 3.6)
     axes = figure.subplots()

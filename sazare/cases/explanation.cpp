@@ -51,10 +51,13 @@ std::string vector_text(const Vector3& value) {
 
 std::string line(std::string_view topic, std::string_view text) { return fmt::format("  {:<12}{}\n", topic, text); }
 
-std::string motion_names_text(std::span<const std::string> motion) {
+std::string motion_names_text(std::span<const std::string> motion, bool is_incident_wave) {
   std::string text;
-  for (std::size_t axis = 0; axis < motion.size(); ++axis)
-    if (!motion[axis].empty()) text += fmt::format(", {} moves as {}", "xyz"[axis], motion[axis]);
+  for (std::size_t axis = 0; axis < motion.size(); ++axis) {
+    if (motion[axis].empty()) continue;
+    text += is_incident_wave ? fmt::format(", {} enters along {}", motion[axis], "xyz"[axis])
+                             : fmt::format(", {} moves as {}", "xyz"[axis], motion[axis]);
+  }
   return text;
 }
 

@@ -28,8 +28,8 @@ std::string_view word(Enum value) {
 /// A line of the explanation: what it is about, and the text.
 std::string line(std::string_view topic, std::string_view text);
 
-/// ", x moves as base" for each axis along which a motion is given.
-std::string motion_names_text(std::span<const std::string> motion);
+/// ", x moves as base" for each axis along which a motion is given; of an incident wave ", wave enters along x".
+std::string motion_names_text(std::span<const std::string> motion, bool is_incident_wave = false);
 
 /// Lines of all motions with their peaks in SI units and in those of records [gal, cm/s, cm].
 std::string explain_motions(const std::vector<Motion>& motions, Real end);

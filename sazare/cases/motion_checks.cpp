@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "sazare/cases/checks.hpp"
+#include "sazare/cases/fields.hpp"
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/cases/format/structure_check.hpp"
 #include "sazare/cases/format/suggest.hpp"
@@ -107,10 +108,31 @@ void check_record(const CheckContext& context, const Entry& entry, Motion& motio
   warn_of_record(context, entry, motion, end);
 }
 
+/// Names of motions that anything of the case follows.
+std::vector<std::string> followed_motions(const CheckContext& context) {
+  std::vector<std::string> names;
+  for (const Table& table : context.schema)
+    for (const Entry& entry : context.entries_of(table.name))
+      for (const std::string_view key : motion_name_keys)
+        if (entry.exists() && find_key(table, key) != nullptr && entry.gives(key))
+          if (const auto* name = entry.value->find(key)->text()) names.push_back(*name);
+  return names;
+}
+
+void warn_of_unused(const CheckContext& context, const std::vector<Motion>& motions) {
+  const std::vector<std::string> followed = followed_motions(context);
+  const auto list = context.entries_of("motions");
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (list[i].gives("name") && std::ranges::find(followed, motions[i].name) == followed.end())
+      context.problems.warning(list[i].place("name"), fmt::format("nothing follows the motion \"{}\"", motions[i].name),
+                               "give its name as motion_x, motion_y or motion_z of what it is to move, or remove it");
+}
+
 }  // namespace
 
 void check_motions(const CheckContext& context, std::vector<Motion>& motions, Real end) {
   const auto list = context.entries_of("motions");
+  warn_of_unused(context, motions);
   for (std::size_t i = 0; i < list.size(); ++i) {
     const Entry& entry = list[i];
     Motion& motion = motions[i];
@@ -163,7 +185,7 @@ void check_motion_names(const CheckContext& context, const Entry& entry, const s
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::string& name = motion[axis];
     if (name.empty() || std::ranges::find(names, name) != names.end()) continue;
-    context.problems.error(entry.place(std::string("motion_") + "xyz"[axis]), fmt::format("there is no motion \"{}\"", name),
+    context.problems.error(entry.place(motion_name_keys[axis]), fmt::format("there is no motion \"{}\"", name),
                            full_suggestion(name, names, "motions"));
   }
 }

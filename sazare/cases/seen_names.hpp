@@ -24,6 +24,7 @@ private:
 
 /// Where the other one is, for the help of a message.
 inline std::string other_line(const Place& place) {
+  if (place.source > 0) return "the other one is given on the command line";
   return place.line > 0 ? fmt::format("the other one is in line {}", place.line) : "";
 }
 

@@ -102,7 +102,7 @@ terms::EnergySums Simulation<D>::energy_sums(const Snapshot<D>& at_now, const di
                                   std::vector<state::MeanMotion<D>>& ahead) const {
   terms::EnergySums sums;
   sum_body_energies(at_now, shared, ahead, sums);
-  for (const auto& term : terms_) term->add_energies({at_now.pose, ahead, shared}, sums);
+  for (const auto& term : terms_) term->add_energies({at_now.pose, ahead, now_.seconds(), shared}, sums);
   return sums;
 }
 

@@ -44,7 +44,12 @@ std::string balance_text(const observe::Manifest& manifest) {
 
 std::string balance_warning(const observe::Manifest& manifest) {
   constexpr Real warned_of = 0.01;
-  const Real whole = energy_brought_in(manifest), share = std::abs(figure(manifest, "energy_residual") / whole);
+  const Real whole = energy_brought_in(manifest), residual = std::abs(figure(manifest, "energy_residual")), share = residual / whole;
+  const Real held = std::abs(figure(manifest, "energy_kinetic")) + std::abs(figure(manifest, "energy_elastic"));
+  if (whole == 0 && residual > warned_of * held)
+    return fmt::format("warning: the bodies have an energy of {} J, though no work was done on them\n"
+                       "      help: a load or a motion may have jumped within one step; let it grow over several\n",
+                       cases::short_number(residual, 2));
   if (whole == 0 || share <= warned_of) return "";
   return fmt::format(
       "warning: the energy balance misses {} % of {}, so that motion may have gained or lost energy by itself\n"

@@ -49,6 +49,9 @@ Instructions read_instructions(const fs::path& path) {
       words >> surface.name >> surface.outer_faces >> surface.inner_faces;
       while (words >> word) surface.regions.push_back(word);
       result.groups.surfaces.push_back(surface);
+    } else if (word == "normal") {  // of the last surface
+      words >> word;
+      result.groups.surfaces.back().area[word.front() - 'x'] = 1;
     }
   }
   return result;

@@ -80,6 +80,19 @@ def test_true_faces_give_the_same_bits_on_ranks(sazare, tmp_path, ranks):
     assert_same_results(alone, tmp_path / "many")
 
 
+def test_work_of_moving_ground_is_the_same_where_faces_change_their_rank(sazare, tmp_path):
+    case = sazare.block.parents[3] / "cases/uniaxial-compression/case.toml"
+    short = ("--threads", 1, "--set", "mesh.parameters.size=0.02", "--set", "time.end=2e-4")
+    alone = sazare("run", case, "--out", tmp_path / "alone", *short)
+    assert alone.returncode == DONE, alone.stderr
+    rows = len((tmp_path / "alone/history.csv").read_text(encoding="utf-8").splitlines()) - 2
+    steps = manifest(tmp_path / "alone")["results"]["steps"] // rows
+    often = ("--balance", "measured", "--balance-interval", steps)  # work is distributed anew at each row
+    many = sazare.on_ranks(3, "run", case, "--out", tmp_path / "many", *short, *often)
+    assert many.returncode == DONE, many.stderr
+    assert rows_without_wall_time(tmp_path / "alone/history.csv") == rows_without_wall_time(tmp_path / "many/history.csv")
+
+
 @pytest.mark.parametrize(
     ("ranks", "threads", "options"),
     [

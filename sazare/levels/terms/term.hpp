@@ -51,6 +51,7 @@ template <int D>
 struct Synchronized {
   std::span<const state::Pose<D>> pose;  ///< per body
   std::span<const MeanMotion<D>> ahead;  ///< mean motion over the part that was taken back, per body
+  Real time = 0;                         ///< [s]
   const Peers* peers = nullptr;          ///< who shares the bodies with this process; none: all are its own
 
   const state::Pose<D>& pose_of(Index body) const { return pose[static_cast<std::size_t>(body)]; }

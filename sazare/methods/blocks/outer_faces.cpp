@@ -40,7 +40,6 @@ bool moves(const MovingGround& ground) {
 
 OuterFaces::OuterFaces(std::vector<OuterFace> faces, std::vector<MovingGround> ground, const state::Bodies<3>& bodies)
     : ground_(std::move(ground)),
-      ground_now_(ground_.size(), {Vector3::Zero(), Vector3::Zero()}),
       faces_(std::move(faces)),
       rates_(static_cast<std::size_t>(bodies.size())) {
   if (std::ranges::any_of(ground_, moves)) ground_work_.resize(faces_.size(), {Vector3::Zero(), 0, 0});
@@ -76,15 +75,21 @@ GroundState OuterFaces::ground_at(Index boundary, Real time) const {
   return state;
 }
 
-void OuterFaces::evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
+std::vector<GroundState> OuterFaces::ground_at(Real time) const {
+  std::vector<GroundState> states;
   for (std::size_t boundary = 0; boundary < ground_.size(); ++boundary)
-    ground_now_[boundary] = ground_at(static_cast<Index>(boundary), now.seconds());
+    states.push_back(ground_at(static_cast<Index>(boundary), time));
+  return states;
+}
+
+void OuterFaces::evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
+  const std::vector<GroundState> ground_now = ground_at(now.seconds());
   parallel::parallel_for(due.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (const Due& at : due.subspan(begin, end - begin)) {
       const OuterFace& face = faces_[static_cast<std::size_t>(at.link)];
       const auto& motion = bodies.motion[static_cast<std::size_t>(face.body)];
       const BodyMotion body{{motion.position, motion.rotation}, motion.predicted_velocity, motion.predicted_spin};
-      const GroundState& ground = ground_now_[static_cast<std::size_t>(face.boundary)];
+      const GroundState& ground = ground_now[static_cast<std::size_t>(face.boundary)];
       terms::PairForce<3> total, dashpots;
       for (std::size_t corner = 0; corner < 3; ++corner) {
         const CornerForce force = corner_force(face, corner, body, ground);
@@ -112,11 +117,12 @@ void OuterFaces::count_work(const Due& due, const Instant& now, const GroundStat
 }
 
 void OuterFaces::add_energies(const terms::Synchronized<3>& at, terms::EnergySums& energies) const {
+  const std::vector<GroundState> ground_now = ground_at(at.time);
   for (std::size_t i = 0; i < faces_.size(); ++i) {
     if (!at.counts(links_[i])) continue;
     const OuterFace& face = faces_[i];
     const auto& body = at.pose_of(face.body);
-    const GroundState& ground = ground_now_[static_cast<std::size_t>(face.boundary)];
+    const GroundState& ground = ground_now[static_cast<std::size_t>(face.boundary)];
     table_.take_back(static_cast<Index>(i), links_[i], at, energies);
     if (!ground_work_.empty()) {
       const auto& slot = table_[static_cast<Index>(i)];
@@ -137,9 +143,7 @@ void OuterFaces::add_energies(const terms::Synchronized<3>& at, terms::EnergySum
 
 std::vector<Vector3> OuterFaces::forces(Real time, const std::function<BodyMotion(Index)>& motion_of) const {
   std::vector<Vector3> sums(ground_.size(), Vector3::Zero());
-  std::vector<GroundState> ground;
-  for (std::size_t boundary = 0; boundary < ground_.size(); ++boundary)
-    ground.push_back(ground_at(static_cast<Index>(boundary), time));
+  const std::vector<GroundState> ground = ground_at(time);
   for (const OuterFace& face : faces_) {
     const auto boundary = static_cast<std::size_t>(face.boundary);
     const BodyMotion body = motion_of(face.body);
@@ -159,7 +163,6 @@ void OuterFaces::carry(Index link, Parcel& parcel) {
 void OuterFaces::columns(Archive& archive) {
   archive("slots", table_.slots);
   if (!ground_work_.empty()) archive("ground_work", ground_work_);
-  if (!ground_work_.empty()) archive("ground_now", ground_now_);
 }
 
 }  // namespace sazare::methods::blocks

@@ -77,10 +77,10 @@ private:
     Real dissipated;      ///< part of it that goes into the dashpots [J]
   };
   GroundState ground_at(Index boundary, Real time) const;
+  std::vector<GroundState> ground_at(Real time) const;
   void count_work(const Due& due, const Instant& now, const GroundState& ground_now);
 
   std::vector<MovingGround> ground_;     ///< by boundary
-  std::vector<GroundState> ground_now_;  ///< by boundary, at the last evaluation
   std::vector<GroundWork> ground_work_;  ///< by face; empty where all ground stands still
   std::vector<OuterFace> faces_;
   std::vector<Link> links_;

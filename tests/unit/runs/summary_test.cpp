@@ -18,6 +18,11 @@ TEST(summary, warns_of_energy_that_is_not_accounted_for) {
             std::string::npos);
   EXPECT_EQ(balance_warning(with_balance(200, -1)), "");
   EXPECT_EQ(balance_warning(with_balance(0, 0)), "");
+  observe::Manifest jumped = with_balance(0, -240);
+  jumped.results.emplace_back("energy_kinetic", 200.0);
+  EXPECT_NE(balance_warning(jumped).find("an energy of 240 J, though no work was done"), std::string::npos);
+  jumped.results[1].second = 1e-9;
+  EXPECT_EQ(balance_warning(jumped), "");
   EXPECT_EQ(balance_warning({}), "");
 }
 

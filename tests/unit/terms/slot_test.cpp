@@ -161,7 +161,7 @@ TEST(slot, lanes_find_the_work_after_now_that_the_table_finds_for_one) {
   const Lanes work = work_after(slots, firsts, seconds);
   const std::vector<state::Pose<3>> nowhere;
   for (Index n = 0; n < lane_count; ++n) {
-    const Real expected = table.work_after(n, Link{2 * n, 2 * n + 1}, Synchronized<3>{nowhere, ahead})[0];
+    const Real expected = table.work_after(n, Link{2 * n, 2 * n + 1}, Synchronized<3>{nowhere, ahead, 0})[0];
     EXPECT_NE(expected, 0);
     EXPECT_NEAR(work[n], expected, 1e-14 * std::abs(expected));
   }

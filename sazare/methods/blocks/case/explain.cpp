@@ -150,7 +150,7 @@ void explain_conditions(Explanation& text, const BlocksCase& blocks) {
   explain_initial_stress(text, blocks.initial_stress);
   text.add(explain_motions(blocks.motions, blocks.time.end));
   for (const Boundary& boundary : blocks.boundaries)
-    text.add("boundaries", fmt::format("{}: {}{}", boundary.surface, word(boundary.kind), motion_names_text(boundary.motion)));
+    text.add("boundaries", fmt::format("{}: {}{}", boundary.surface, word(boundary.kind), motion_names_text(boundary.motion, boundary.kind == BoundaryKind::absorbing)));
   for (const Constraint& constraint : blocks.constraints)
     text.add("locked", fmt::format("{}: translation {}, rotation {}", fmt::join(constraint.regions, ", "),
                                    axes_text(constraint.translation), axes_text(constraint.rotation)));

@@ -7,6 +7,7 @@
 #include "sazare/cases/format/case_text.hpp"
 #include "sazare/cases/format/suggest.hpp"
 #include "sazare/methods/blocks/case/checks.hpp"
+#include "sazare/methods/blocks/case/fields.hpp"
 #include "sazare/methods/blocks/case/format.hpp"
 
 namespace sazare::cases {
@@ -98,7 +99,21 @@ private:
     const auto list = context_.entries_of("boundaries");
     for (std::size_t i = 0; i < list.size(); ++i)
       for (const MeshSurface& surface : groups_.surfaces)
-        if (surface.name == blocks_.boundaries[i].surface) check_ground(list[i], surface);
+        if (surface.name == blocks_.boundaries[i].surface) {
+          check_ground(list[i], surface);
+          check_that_motions_act(list[i], blocks_.boundaries[i], surface);
+        }
+  }
+
+  /// A frictionless face follows the part of a motion along its normal alone.
+  void check_that_motions_act(const Entry& entry, const Boundary& boundary, const MeshSurface& surface) {
+    if (boundary.kind != BoundaryKind::frictionless) return;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (boundary.motion[axis].empty() || surface.area[static_cast<int>(axis)] >= 1e-6 * surface.area.norm()) continue;
+      context_.problems.error(entry.place(motion_name_keys[axis]),
+                              fmt::format("frictionless faces along {} do not follow this motion", "xyz"[axis]),
+                              "make the boundary \"prescribed\", or let it move along its normal");
+    }
   }
 
   void check_ground(const Entry& entry, const MeshSurface& surface) {

@@ -24,7 +24,7 @@ std::string boundary_text(const GroupBoundary& boundary) {
   std::string text = fmt::format("{}: {}", boundary.group, word(boundary.kind));
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (boundary.axes[axis]) text += fmt::format(" {}", "xyz"[axis]);
-  return text + motion_names_text(boundary.motion);
+  return text + motion_names_text(boundary.motion, boundary.kind == GroupKind::viscous);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ std::string boundary_text(const SideBoundary& boundary) {
   std::string text = fmt::format("{}: {}", word(boundary.side), word(boundary.kind));
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (boundary.axes[axis]) text += fmt::format(" {}", "xyz"[axis]);
-  return text + motion_names_text(boundary.motion);
+  return text + motion_names_text(boundary.motion, boundary.kind == SideKind::viscous);
 }
 
 }  // namespace

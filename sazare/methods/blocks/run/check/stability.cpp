@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "sazare/cases/clocks.hpp"
@@ -93,9 +94,33 @@ std::string check_stability(const cases::CaseFile& file, const BlocksModel& mode
   return warning(file, key, what, help);
 }
 
+namespace {
+
+/// The time in which a motion changes: a twentieth of a period, or the step of a record [s].
+Real time_of_change(const cases::Motion& motion) {
+  if (motion.type == cases::MotionShape::record) return motion.record.step;
+  return motion.type == cases::MotionShape::function ? std::numeric_limits<Real>::infinity() : 0.05 / motion.frequency;
+}
+
+std::string warn_of_fast_motions(const cases::CaseFile& file, Real base_step) {
+  std::string all;
+  const auto& motions = file.as<cases::BlocksCase>().motions;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const Real shortest = time_of_change(motions[i]);
+    if (base_step <= shortest) continue;
+    all += warning(file, fmt::format("motions.{}.name", i),
+                   fmt::format("the motion \"{}\" changes within {}, faster than the base step of {}", motions[i].name,
+                               seconds(shortest), seconds(base_step)),
+                   fmt::format("set time.base_step = {} or less, or give a slower motion", cases::short_number(shortest)));
+  }
+  return all;
+}
+
+}  // namespace
+
 std::string warn_of(const cases::CaseFile& file, const BlocksModel& model) {
   return cases::warn_of_size(file, cases::extent_of(model.mesh.nodes)) + warn_of_mesh_fit(file, model.fit) +
-         check_stability(file, model);
+         check_stability(file, model) + warn_of_fast_motions(file, model.simulation->levels().step(0));
 }
 
 }  // namespace sazare::runs
