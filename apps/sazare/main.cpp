@@ -80,6 +80,7 @@ const std::vector<std::pair<std::string, std::string>> python_commands = {
     {"plot", "selected figures of a run's report as files"},
     {"movie", "an animation of a run's snapshots"},
     {"compare", "results and histories of two runs side by side"},
+    {"lab", "laboratory tests of a rock of method blocks: strength, elasticity, envelope, calibration"},
 };
 
 /// An error of the user, or nothing: a number of seconds after which waiting ends.

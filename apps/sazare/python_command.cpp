@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <string_view>
 #include <system_error>
@@ -39,6 +40,26 @@ void add_package_path() {
   setenv("PYTHONPATH", path.c_str(), 1);
 }
 
+/// Starts a program on which Ctrl-C acts as usual, though this one leaves it to that program from now on: so its last words come before the prompt.
+pid_t start(const std::string& program, char* const* arguments) {
+  std::signal(SIGINT, SIG_IGN);
+  posix_spawnattr_t rules;
+  sigset_t as_usual;
+  posix_spawnattr_init(&rules);
+  sigemptyset(&as_usual);
+  sigaddset(&as_usual, SIGINT);
+  posix_spawnattr_setsigdefault(&rules, &as_usual);
+  posix_spawnattr_setflags(&rules, POSIX_SPAWN_SETSIGDEF);
+  pid_t child = 0;
+  const int error = posix_spawnp(&child, program.c_str(), nullptr, &rules, arguments, environ);
+  posix_spawnattr_destroy(&rules);
+  if (error != 0)
+    throw MachineError(
+        fmt::format("{}: cannot be started: {}. Reports and pictures are made by Python: run make setup, or install python3",
+                    program, std::generic_category().message(error)));
+  return child;
+}
+
 }  // namespace
 
 int in_python(std::vector<std::string> arguments) {
@@ -48,11 +69,7 @@ int in_python(std::vector<std::string> arguments) {
   for (std::string& argument : arguments) list.push_back(argument.data());
   list.push_back(nullptr);
   add_package_path();
-  pid_t child = 0;
-  if (const int error = posix_spawnp(&child, program.c_str(), nullptr, nullptr, list.data(), environ); error != 0)
-    throw MachineError(
-        fmt::format("{}: cannot be started: {}. Reports and pictures are made by Python: run make setup, or install python3",
-                    program, std::generic_category().message(error)));
+  const pid_t child = start(program, list.data());
   int status = 0;
   while (waitpid(child, &status, 0) < 0)
     if (errno != EINTR) throw MachineError(fmt::format("{}: was lost: {}", program, std::generic_category().message(errno)));

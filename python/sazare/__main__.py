@@ -8,6 +8,7 @@ import traceback
 from pathlib import Path
 
 from sazare.comparison import compare
+from sazare.lab import command
 from sazare.results import open_run
 from sazare.summary import terminal_text
 from sazare.tables import NotARun
@@ -91,12 +92,12 @@ def parser():
     commands = top.add_subparsers(dest="command", required=True)
 
     def add(name, words, function):
-        command = commands.add_parser(name, help=words, description=words)
-        command.add_argument("folder", metavar="DIR", help="the folder of a run")
-        command.set_defaults(
+        reading = commands.add_parser(name, help=words, description=words)
+        reading.add_argument("folder", metavar="DIR", help="the folder of a run")
+        reading.set_defaults(
             function=function, blame="{folder}: the files of this run do not fit together", advice="If sazare wrote them as they are, please report it",
         )
-        return command
+        return reading
 
     add("report", "write DIR/report.html and its pictures", report)
     add("summary", "print the headline figures", summary)
@@ -114,15 +115,19 @@ def parser():
     drawn.add_argument("picture", metavar="FILE", help="a .png, .pdf, .svg or .jpg")
     drawn.add_argument("--set", metavar="KEY=VALUE", action="append", default=[], help="override a key of the case")
     drawn.set_defaults(function=model, blame="{case}: the model of this case cannot be drawn", advice="Please report it")
+    command.add_to(commands)
     return top
 
 
 def main(arguments=None):
-    """Runs the command; returns its exit code: 0 done, 2 an error of the user, 4 the machine."""
+    """Runs the command; returns its exit code: 0 done, 2 an error of the user, 4 the machine, or Ctrl-C."""
     chosen = parser().parse_args(arguments)
     try:
         chosen.function(chosen)
         sys.stdout.flush()
+    except KeyboardInterrupt:
+        print("stopped", file=sys.stderr)
+        return MACHINE_ERROR
     except (NotARun, ValueError) as error:
         words = str(error)
         print(words if ": error: " in words else f"error: {words}", file=sys.stderr)

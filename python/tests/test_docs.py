@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 import sazare
+from sazare.lab.trials import TITLES
 
 ROOT = Path(__file__).resolve().parents[2]
 COMMAND = ROOT / "build/release/apps/sazare/sazare"
@@ -88,6 +89,8 @@ def test_the_options_of_the_pages_are_options_of_the_command():
     known = set(re.findall(r"--[a-z-]+", subprocess.run([COMMAND, "--help-all"], capture_output=True, text=True, check=True).stdout))
     for name in ("plot", "movie", "compare"):
         known |= set(re.findall(r"--[a-z-]+", subprocess.run([COMMAND, name, "--help"], capture_output=True, text=True, check=True).stdout))
+    for test in (*TITLES, "calibrate"):
+        known |= set(re.findall(r"--[a-z-]+", subprocess.run([COMMAND, "lab", test, "--help"], capture_output=True, text=True, check=True).stdout))
     for page in PAGES:
         for line in commands(page):
             unknown = {part.partition("=")[0] for part in line if part.startswith("--")} - known

@@ -200,6 +200,22 @@ TEST(initial_stress, without_boundaries_to_carry_it_leaves_a_resultant) {
   EXPECT_NEAR(model.fit.start_balance.unloaded_stress, 2e6, 1e-6 * 2e6);
 }
 
+TEST(initial_stress, is_carried_by_a_pressure_that_is_there_from_the_beginning) {
+  auto blocks = rock();
+  blocks.time.levels = cases::Levels::uniform;
+  blocks.initial_stress.normal = {-1e6, -1e6, -2e6};
+  blocks.boundaries = {{"sides", cases::BoundaryKind::fixed}};
+  blocks.blasts = {{.name = "jack", .surface = "top", .pressure = cases::PressureTable{"", {0, 1}, {2e6, 2e6}}}};
+  auto model = runs::build_blocks(blocks, cube());
+  EXPECT_EQ(model.fit.start_balance.unloaded, 0);
+  EXPECT_TRUE(model.fit.start_balance.is_in_equilibrium());
+  model.simulation->start();
+  run(model, 300);
+  EXPECT_LT(fastest(model), rest_speed(2e6));
+  blocks.blasts.front().delay = 1e-3;
+  EXPECT_EQ(runs::build_blocks(blocks, cube()).fit.start_balance.unloaded, 18);
+}
+
 /// However large the stress is: a stress that does not grow with depth does not carry the weight.
 TEST(initial_stress, that_does_not_grow_with_depth_is_not_in_equilibrium_with_the_weight) {
   auto blocks = rock();

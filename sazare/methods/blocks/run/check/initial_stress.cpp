@@ -13,6 +13,7 @@
 #include "sazare/cases/format/counted.hpp"
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/geometry/tetrahedron.hpp"
+#include "sazare/laws/pressure_table.hpp"
 
 namespace sazare::runs {
 
@@ -36,6 +37,21 @@ Real overstress(const cases::Joint& joint, const methods::blocks::JointFace& fac
 /// A force in words, without what of it is round-off.
 std::string force_text(const Vector3& force, Real largest) {
   return cases::vector_text((force.array().abs() > 1e-9 * largest).select(force, Vector3::Zero()));
+}
+
+/// What presses on a surface when the run begins [Pa]: a table that does not start at 0.
+Real pressure_at_start(const cases::Blast& blast) {
+  const auto* table = std::get_if<cases::PressureTable>(&blast.pressure);
+  return table ? laws::table_pressure({table->time, table->pressure}, -blast.delay) : 0;
+}
+
+/// Pressures on outer faces when the run begins [Pa].
+std::map<std::pair<Index, int>, Real> pressures_at_start(const cases::BlocksCase& blocks, const MeshFaces& faces) {
+  std::map<std::pair<Index, int>, Real> found;
+  for (const cases::Blast& blast : blocks.blasts)
+    if (const Real pressure = pressure_at_start(blast); pressure != 0)
+      for (const geometry::OuterFace& outer : faces.outer(blast.surface)) found[{outer.element, outer.face}] += pressure;
+  return found;
 }
 
 /// A principal stress at the place of the mesh where it is largest, and one where it is smallest [Pa].
@@ -84,6 +100,7 @@ StartBalance find_balance(const cases::BlocksCase& blocks, const MeshFaces& face
       boundaries[{outer.element, outer.face}] = boundary.kind;
   std::set<std::pair<Index, int>> outer_faces;
   for (const geometry::OuterFace& outer : faces.map.outer) outer_faces.insert({outer.element, outer.face});
+  const auto pressures = pressures_at_start(blocks, faces);
   for (const methods::blocks::FreeFace& face : free_faces) {
     const auto corners = geometry::corners_of(faces.mesh, face.body);
     const auto& [a, b, c] = geometry::tetrahedron_faces[at(face.face)];
@@ -95,8 +112,9 @@ StartBalance find_balance(const cases::BlocksCase& blocks, const MeshFaces& face
       balance.largest += area.norm() * traction.norm();
     }
     const auto boundary = boundaries.find({face.body, face.face});
-    const Vector3 lost =
-        boundary == boundaries.end() ? traction : Vector3(traction - carried(boundary->second, normal, traction));
+    const auto pressure = pressures.find({face.body, face.face});
+    const Vector3 left = pressure == pressures.end() ? traction : Vector3(traction + pressure->second * normal);
+    const Vector3 lost = boundary == boundaries.end() ? left : Vector3(left - carried(boundary->second, normal, left));
     if (lost.norm() <= round_off * traction.norm()) continue;
     ++balance.unloaded;
     balance.lost += area.norm() * lost;
