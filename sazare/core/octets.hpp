@@ -26,7 +26,11 @@ public:
   static Octet halves(Real first, Real second) {
     return Octet(_mm512_mask_broadcastsd_pd(_mm512_set1_pd(first), 0xF0, _mm_set_sd(second)));
   }
-  static Octet load(const Real* from) { return Octet(*reinterpret_cast<const RegisterOf<8>::InMemory*>(from)); }
+  static Octet load(const Real* from) {
+    // Copied here, since a reference would promise that the numbers are aligned.
+    const RegisterOf<8>::Reals all = *reinterpret_cast<const RegisterOf<8>::InMemory*>(from);
+    return Octet(all);
+  }
   void store(Real* to) const { *reinterpret_cast<RegisterOf<8>::InMemory*>(to) = all_; }
 
   Quad second() const { return _mm512_extractf64x4_pd(all_, 1); }

@@ -13,7 +13,7 @@
 #include "sazare/cases/format/counted.hpp"
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/geometry/tetrahedron.hpp"
-#include "sazare/laws/pressure_table.hpp"
+#include "sazare/levels/terms/face_pressure.hpp"
 
 namespace sazare::runs {
 
