@@ -14,7 +14,7 @@ import pytest
 import sazare
 import sazare.lab as lab
 from sazare.__main__ import main
-from sazare.lab import figures, measure, specimens
+from sazare.lab import command, figures, folders, measure, specimens
 from sazare.lab.calibrate import Targets
 
 CASE = Path(__file__).parents[2] / "cases/uniaxial-compression/case.toml"
@@ -80,7 +80,7 @@ def test_platen_reaches_its_speed_smoothly_and_keeps_it(rock):
 def test_extensometer_reads_a_uniform_strain_whatever_the_body_does_besides():
     positions = np.random.default_rng(1).uniform(0.0, 1.0, (200, 3))
     strain = np.diag([2e-3, 4e-3, -9e-3]) + 1e-3 * np.array([[0, 1, 0], [-1, 0, 2], [0, -2, 0]])
-    read = measure.Extensometer(positions, axis=2).read(positions + positions @ strain.T + [0.1, -0.2, 0.3])
+    read = measure.Extensometer(positions, axis=2, length=1.0).read(positions + positions @ strain.T + [0.1, -0.2, 0.3])
     assert read == pytest.approx((-9e-3, 3e-3), abs=1e-12)
 
 
@@ -183,8 +183,55 @@ def test_command_writes_tables_and_pictures(tmp_path, capsys):
 def test_command_replaces_only_tests(tmp_path, capsys):
     (tmp_path / "thesis.txt").write_text("years of work")
     assert main(["lab", "brazilian", str(CASE), "--out", str(tmp_path), "--overwrite", "--quiet"]) == 4
-    assert "not the folder of a test" in capsys.readouterr().err
+    assert "no test" in capsys.readouterr().err
     assert [path.name for path in tmp_path.iterdir()] == ["thesis.txt"]
+
+
+def test_folder_of_a_test_is_replaced_by_the_same_test_alone(tmp_path):
+    folders.claim(tmp_path / "series", "triaxial", [0.0, 5e6])
+    (tmp_path / "series/envelope.png").write_text("old")
+    (tmp_path / "series/notes.txt").write_text("mine")
+    with pytest.raises(FileExistsError, match="--overwrite replaces it"):
+        folders.claim(tmp_path / "series", "triaxial", [0.0, 5e6])
+    for test, pressures in (("triaxial", [5e6]), ("uniaxial", [0.0])):
+        with pytest.raises(FileExistsError, match="another test in it .triaxial at 5 MPa"):
+            folders.claim(tmp_path / "series", test, pressures, overwrite=True)
+    folders.claim(tmp_path / "series", "triaxial", [0.0, 5e6], overwrite=True)
+    assert {path.name for path in (tmp_path / "series").iterdir()} == {"lab.json", "notes.txt"}
+    (tmp_path / "file").write_text("")
+    with pytest.raises(FileExistsError, match="a folder is wanted"):
+        folders.claim(tmp_path / "file", "uniaxial", overwrite=True)
+
+
+@pytest.mark.parametrize(
+    ("test", "options", "words"),
+    [
+        ("uniaxial", {"elements": 1}, "2 elements"),
+        ("brazilian", {"contact_angle": 180.0}, "jaws cannot bear on an arc of 180 degrees"),
+        ("brazilian", {"contact_angle": 0.001}, "jaws cannot bear"),
+        ("point-load", {"tip_radius": 0.025}, "points cannot press"),
+        ("uniaxial", {"scatter_seed": 7}, "no weibull_modulus"),
+        ("uniaxial", {"strain_rate": 1e6}, "before a wave has passed the specimen"),
+        ("uniaxial", {"strain": 1e-12}, "has not reached its speed"),
+    ],
+)
+def test_specimens_and_rates_that_make_no_sense_are_refused(rock, test, options, words):
+    with pytest.raises(ValueError, match=words):
+        lab.trial_of(test, rock, lab.Options(**options))
+
+
+def test_envelope_leaves_out_specimens_that_did_not_fail(rock, tmp_path, capsys):
+    def tested(pressure, peak, failed):
+        trial = lab.trial_of("triaxial", rock, COARSE, pressure)
+        return lab.Tested(trial, tmp_path, {"platen_strain": np.arange(2.0), "stress": np.arange(2.0)}, {"peak_stress": peak, "failed": failed})
+
+    command._write_envelope("triaxial", [tested(0.0, 100e6, True), tested(5e6, 130e6, True), tested(10e6, 20e6, False)], tmp_path)
+    said = capsys.readouterr().out
+    straight = lab.mohr_coulomb([0.0, 5e6], [100e6, 130e6])
+    assert "did not fail are left out" in said
+    assert f"cohesion {1e-6 * straight.cohesion:.4g} MPa" in said
+    assert "Hoek-Brown: none: an envelope needs 3 different pressures" in said
+    assert (tmp_path / "envelope.png").exists()
 
 
 @pytest.mark.parametrize(

@@ -103,8 +103,9 @@ def calibrate(rock, targets, options, folder, *, meshes=3, say=lambda *_: None, 
     _write(folder / "calibration.csv", [trial["row"] for trial in search.done])
     found = search.rock_at(best["factors"])
     scatter = [{"mesh": options.seed, **{name: value for name, value in best["row"].items() if name != "trial"}}]
+    scatters = rock.joint.weibull_modulus is not None
     for seed in range(options.seed + 1, options.seed + meshes):
-        ratios, row = search.test(found, replace(options, seed=seed, scatter_seed=seed), folder / f"mesh-{seed}")
+        ratios, row = search.test(found, replace(options, seed=seed, scatter_seed=seed if scatters else None), folder / f"mesh-{seed}")
         scatter.append({"mesh": seed, **row})
         say(f"mesh {seed}", found, row, ratios)
     _write(folder / "scatter.csv", scatter)

@@ -9,6 +9,7 @@ from pathlib import Path
 from sazare.lab import words
 from sazare.lab.calibrate import MOST_TRIALS, TOLERANCE, Targets, calibrate
 from sazare.lab.envelope import coulomb, hoek_brown, mohr_coulomb
+from sazare.lab.folders import claim
 from sazare.lab.machine import carry_out
 from sazare.lab.rock import rock_from
 from sazare.lab.trials import Options, Platens, trial_of
@@ -60,6 +61,13 @@ def whole(text):
     return int(text)
 
 
+def scatter_seed(text):
+    """A seed as cases have it."""
+    if not (text.isdigit() and int(text) <= 1_000_000_000):
+        raise argparse.ArgumentTypeError(f"must be a whole number from 0 to 1e9, found {text}")
+    return int(text)
+
+
 def _add_common(command):
     command.add_argument("case", metavar="CASE", help="a case of method blocks (TOML)")
     command.add_argument("--material", metavar="NAME", help="the material to be tested; not needed where the case has one")
@@ -71,7 +79,7 @@ def _add_common(command):
     command.add_argument("--diameter", metavar="M", type=positive, default=Options.diameter, help="diameter, or side of a prism [m] (default %(default)g)")
     command.add_argument("--elements", metavar="N", type=whole, default=Options.elements, help="elements over the diameter (default %(default)d)")
     command.add_argument("--seed", metavar="N", type=whole, default=1, help="seed of the mesh: another one makes another mesh of the same size (default 1)")
-    command.add_argument("--scatter-seed", metavar="N", type=whole, help="seed of the scatter of strength, for a rock with weibull_modulus")
+    command.add_argument("--scatter-seed", metavar="N", type=scatter_seed, help="seed of the scatter of strength, for a rock with weibull_modulus")
     command.set_defaults(function=carry_out_command, blame="{case}: the laboratory cannot test it", advice="Please report it")
 
 
@@ -133,7 +141,7 @@ def _rock(chosen):
 
 
 def _folder(chosen, rock):
-    name = re.sub(r"[^\w.-]+", "-", rock.name).strip("-.") or "rock"
+    name = re.sub(r"[^\w.-]+", "-", rock.name).strip("-.")[:60] or "rock"
     return Path(chosen.out or Path("runs") / f"lab-{chosen.test}-{name}")
 
 
@@ -147,10 +155,10 @@ def _carry_out(chosen, trial, folder):
         print(*words.before(trial), sep="\n")
     with _errors_of_the_command():
         tested = carry_out(trial, folder, threads=chosen.threads, overwrite=chosen.overwrite, progress=not chosen.quiet)
+    print(*words.after(tested), sep="\n", flush=True)
     style.save(pictures.curve(tested), folder / "curve.png")
     names = [section.name for section in sections_of(tested.results) if section.name in ("cracks", "modes")]
     list(write_pictures(tested.folder / "run", names, folder))
-    print(*words.after(tested), sep="\n")
     return tested
 
 
@@ -163,33 +171,49 @@ def carry_out_command(chosen):
         tested = _carry_out(chosen, trial_of(chosen.test, rock, options, pressures[0]), folder)
         print(f"{folder}: curve.csv, figures.json, curve.png, cracks.png; the run is in {tested.folder / 'run'}")
         return
-    series = [_carry_out(chosen, trial_of(chosen.test, rock, options, value), folder / f"{1e-6 * value:g}-MPa") for value in pressures]
+    places = {f"{1e-6 * value:.9g}-MPa": trial_of(chosen.test, rock, options, value) for value in pressures}
+    claim(folder, chosen.test, [trial.pressure for trial in places.values()], chosen.overwrite)
+    series = [_carry_out(chosen, trial, folder / name) for name, trial in places.items()]
     _write_envelope(chosen.test, series, folder)
 
 
 def _write_envelope(test, series, folder):
+    """Writes what a series of pressures gives, and prints the envelopes of those specimens that failed."""
     from sazare import style
     from sazare.lab import pictures
 
-    pressures = [tested.trial.pressure for tested in series]
-    peaks = [tested.figures["peak_stress"] for tested in series]
+    names = ["peak_stress", *(["residual_stress"] if test == "direct-shear" else [])]
+    pressure_name = "normal_stress" if test == "direct-shear" else "confinement"
+    columns = {f"{pressure_name} [Pa]": [tested.trial.pressure for tested in series]}
+    columns |= {f"{name} [Pa]": [tested.figures[name] for tested in series] for name in names}
+    write_table(folder / "envelope.csv", columns | {"failed [-]": [tested.figures["failed"] for tested in series]})
     style.save(pictures.curves(series), folder / "curves.png")
+    failed = [tested for tested in series if tested.figures["failed"]]
+    if len(failed) < len(series):
+        print("warning: specimens that did not fail are left out of the envelope")
+    lines = _fits(test, failed)
+    print(*words.envelopes(lines), sep="\n")
+    found = {name: line for name, line in lines.items() if not isinstance(line, str)}
+    if test == "direct-shear" and len(found) == 2:
+        style.save(pictures.shear_envelope(failed, found["peak"], found["residual"]), folder / "envelope.png")
+    if "Mohr-Coulomb" in found:
+        style.save(pictures.envelope(failed, found["Mohr-Coulomb"], found.get("Hoek-Brown")), folder / "envelope.png")
+    print(f"{folder}: envelope.csv, curves.png" + (", envelope.png" if (folder / "envelope.png").exists() else ""))
+
+
+def _fits(test, failed):
+    """Envelopes by name; in place of one that there is not, why."""
+    pressures = [tested.trial.pressure for tested in failed]
+
+    def fitted(law, name):
+        try:
+            return law(pressures, [tested.figures[name] for tested in failed])
+        except ValueError as error:
+            return str(error)
+
     if test == "direct-shear":
-        residuals = [tested.figures["residual_stress"] for tested in series]
-        write_table(folder / "envelope.csv", {"normal_stress [Pa]": pressures, "peak_stress [Pa]": peaks, "residual_stress [Pa]": residuals})
-        peak, residual = coulomb(pressures, peaks), coulomb(pressures, residuals)
-        style.save(pictures.shear_envelope(series, peak, residual), folder / "envelope.png")
-        for name, line in (("peak", peak), ("residual", residual)):
-            print(f"{name} envelope: cohesion {1e-6 * line.cohesion:.4g} MPa, friction angle {line.friction_angle:.3g} degrees")
-    else:
-        write_table(folder / "envelope.csv", {"confinement [Pa]": pressures, "peak_stress [Pa]": peaks})
-        straight = mohr_coulomb(pressures, peaks)
-        curved = hoek_brown(pressures, peaks) if len(pressures) > 2 else None
-        style.save(pictures.envelope(series, straight, curved), folder / "envelope.png")
-        print(f"Mohr-Coulomb: cohesion {1e-6 * straight.cohesion:.4g} MPa, friction angle {straight.friction_angle:.3g} degrees")
-        if curved:
-            print(f"Hoek-Brown: strength {1e-6 * curved.uniaxial_strength:.4g} MPa, m {curved.m:.3g}")
-    print(f"{folder}: envelope.csv, envelope.png, curves.png")
+        return {"peak": fitted(coulomb, "peak_stress"), "residual": fitted(coulomb, "residual_stress")}
+    return {"Mohr-Coulomb": fitted(mohr_coulomb, "peak_stress"), "Hoek-Brown": fitted(hoek_brown, "peak_stress")}
 
 
 def calibrate_command(chosen):
@@ -198,6 +222,7 @@ def calibrate_command(chosen):
         raise ValueError("--triaxial and --confinement go together: an axial stress at failure, and the confinement under which it was measured")
     rock, options = _rock(chosen), _options(chosen)
     folder = _folder(chosen, rock)
+    claim(folder, "calibrate", [], chosen.overwrite)
     targets = Targets(chosen.uniaxial, chosen.tensile, chosen.tensile_test, chosen.triaxial, chosen.confinement or 0.0)
 
     def say(number, rock, row, ratios):

@@ -45,9 +45,9 @@ def figures_of(trial, curve):
 def _elasticity(trial, curve, peak):
     added = curve["stress"][: peak + 1] - trial.pressure
     chosen = (added >= LOWER * added[peak]) & (added <= UPPER * added[peak])
-    if chosen.sum() < 3:
-        return {}
     axial, lateral = (curve[name][: peak + 1][chosen] for name in ("axial_strain", "lateral_strain"))
+    if chosen.sum() < 3 or not np.isfinite(axial).all() or np.ptp(axial) == 0.0:
+        return {}
     modulus = np.polyfit(axial, added[chosen], 1)[0]
     ratio = -trial.sense * np.polyfit(axial, lateral, 1)[0]
     return {"youngs_modulus": float(modulus), "poisson_ratio": float(ratio)}

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from sazare.lab.figures import figures_of
+from sazare.lab.folders import claim
 from sazare.lab.measure import Watch, write_curve
 from sazare.lab.trials import ROWS, Trial
 from sazare.results import Results, open_run
@@ -32,10 +33,10 @@ class Tested:
 def carry_out(trial, folder, *, threads=0, overwrite=False, progress=True):
     """Tests a specimen, with all files in `folder`: the case and what it names, the run, curve.csv and figures.json.
 
-    Raises FileExistsError where the folder holds something and `overwrite` is false. After Ctrl-C curve.csv holds what was measured until then.
+    Raises FileExistsError where the folder holds something else, or this test and `overwrite` is false. After Ctrl-C curve.csv holds what was measured until then.
     """
     folder = Path(folder)
-    _prepare(folder, overwrite)
+    claim(folder, trial.test, [trial.pressure], overwrite)
     (folder / "specimen.geo").write_text(trial.specimen.geometry, encoding="utf-8")
     write_table(folder / "platen.csv", trial.platen_rows())
     if trial.pressure:
@@ -55,15 +56,3 @@ def carry_out(trial, folder, *, threads=0, overwrite=False, progress=True):
         figures["energy_residual"] = float(history["energy_residual"][-1] / history["energy_work"][-1])
     (folder / FIGURES).write_text(json.dumps(figures, indent=2) + "\n", encoding="utf-8")
     return Tested(trial, folder, curve, figures)
-
-
-def _prepare(folder, overwrite):
-    """An empty folder, or one in which an earlier test lies that may be replaced."""
-    if folder.is_dir() and any(folder.iterdir()):
-        if not overwrite:
-            raise FileExistsError(f"{folder}: there is something in it; --overwrite replaces a test, --out takes another folder")
-        if not (folder / CASE).exists() or not (folder / "specimen.geo").exists():
-            raise FileExistsError(f"{folder}: not the folder of a test, so it is not replaced: take another folder with --out")
-        for name in (CURVE, FIGURES):
-            (folder / name).unlink(missing_ok=True)
-    folder.mkdir(parents=True, exist_ok=True)

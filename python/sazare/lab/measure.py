@@ -2,20 +2,21 @@
 
 import numpy as np
 
+from sazare.lab.trials import PICTURES, ROWS
 from sazare.tables import write_table
 
 BROKEN = 0.5  # share of the largest stress at which a specimen counts as broken
+STEADY = 4  # rows for which the stress must have stayed below that
 LOADED = 0.3  # share of the expected stress below which nothing has broken yet
-LOOKS = 8  # rows between two looks at the stress
+LOOKS = ROWS // PICTURES  # rows between two looks at the stress: the last one has a snapshot
 
 
 class Extensometer:
-    """Mean strains of the middle half of a specimen, from displacements of its blocks: the linear displacement field that fits them best."""
+    """Mean strains of the middle half of a specimen that stands on 0, from displacements of its blocks: the linear displacement field that fits
+    them best."""
 
-    def __init__(self, positions, axis):
-        heights = positions[:, axis]
-        low, high = heights.min(), heights.max()
-        self._inside = np.abs(heights - 0.5 * (low + high)) <= 0.25 * (high - low)
+    def __init__(self, positions, axis, length):
+        self._inside = np.abs(positions[:, axis] - 0.5 * length) <= 0.25 * length
         self._first = positions[self._inside].copy()
         middle = self._first.mean(axis=0)
         self._fit = np.linalg.pinv(np.column_stack([np.ones(len(self._first)), self._first - middle]))
@@ -33,7 +34,7 @@ class Watch:
 
     def __init__(self, trial, simulation):
         self._trial = trial
-        self._extensometer = Extensometer(simulation.positions, trial.specimen.axis) if trial.measures_strain else None
+        self._extensometer = Extensometer(simulation.positions, trial.specimen.axis, trial.specimen.length) if trial.measures_strain else None
         self._rows = 0
         self.strains = {0.0: (0.0, 0.0)}
 
@@ -46,7 +47,7 @@ class Watch:
             return False
         stress = stress_of(self._trial, simulation.results.history) - self._trial.pressure
         largest = stress.max(initial=0.0)
-        return bool(largest > LOADED * (self._trial.expected_stress - self._trial.pressure) and (stress[-LOOKS // 2 :] < BROKEN * largest).all())
+        return bool(largest > LOADED * (self._trial.expected_stress - self._trial.pressure) and (stress[-STEADY:] < BROKEN * largest).all())
 
 
 def force_of(trial, history, surfaces):

@@ -35,9 +35,9 @@ def curve(tested):
             ("axial_strain", "axial, middle of the specimen", style.SECOND), ("lateral_strain", "lateral", "#7a9a3f"), ("volumetric_strain", "volumetric", "#8069c0"),
         ):
             axes.plot(1e3 * columns[name][: peak + 1], stress[: peak + 1], color=colour, linewidth=1.5, label=words)
-        axes.legend(loc="upper left")
+        axes.legend(loc="best")
     axes.plot(across[peak], stress[peak], "o", color=style.INK, markersize=5)
-    axes.annotate(f"{stress[peak]:.4g} MPa", (across[peak], stress[peak]), xytext=(6, 5), textcoords="offset points")
+    axes.annotate(f"{stress[peak]:.4g} MPa", (across[peak], stress[peak]), xytext=(-6, 5), textcoords="offset points", ha="right")
     axes.set_ylim(bottom=min(0.0, stress.min()), top=1.12 * stress.max())
     axes.set_xlabel(label)
     axes.set_ylabel(f"{STRESSES[trial.test]} [MPa]")

@@ -31,7 +31,7 @@ class Specimen:
     size: float  # of its elements [m]
     length: float  # between the platens, or of the plane that is sheared [m]
     area: float  # by which a force is divided for the stress that the test measures [m2]
-    width: float  # its smallest dimension [m]
+    width: float  # over which the elements are counted [m]
     axis: int = 2  # along which the platens move
     top: tuple[str, ...] = ("top",)  # surfaces that the moving platen holds
     bottom: tuple[str, ...] = ("bottom",)  # surfaces that the platen at rest holds
@@ -42,8 +42,8 @@ def millimetres(*lengths):
     return " x ".join(f"{1e3 * length:.4g}" for length in lengths) + " mm"
 
 
-def _circle(first, radius, size):
-    """Four arcs about the axis with points and lines from number `first` on; the loop has that number as well.
+def _circle(first, radius, size, centre=1, height=0.0):
+    """Four arcs about point `centre` with points and lines from number `first` on; the loop has that number as well.
 
     A mesh has a polygon in place of the circle: its corners lie so far outside that both have the same area. Elements there are as long as the polygon's
     sides, and a little more, so that Gmsh does not add a side. Sections between the ends of a cylinder have more corners, and are up to 1 % larger with
@@ -53,8 +53,8 @@ def _circle(first, radius, size):
     radius = float(radius * np.sqrt(2.0 * np.pi / (sides * np.sin(2.0 * np.pi / sides))))
     length = 1.001 * 2.0 * np.pi * radius / sides
     corners = [(radius, 0), (0, radius), (-radius, 0), (0, -radius)]
-    points = [f"Point({first + 1 + i}) = {{{x!r}, {y!r}, 0, {length!r}}};" for i, (x, y) in enumerate(corners)]
-    arcs = [f"Circle({first + i}) = {{{first + 1 + i}, 1, {first + 1 + (i + 1) % 4}}};" for i in range(4)]
+    points = [f"Point({first + 1 + i}) = {{{x!r}, {y!r}, {height!r}, {length!r}}};" for i, (x, y) in enumerate(corners)]
+    arcs = [f"Circle({first + i}) = {{{first + 1 + i}, {centre}, {first + 1 + (i + 1) % 4}}};" for i in range(4)]
     return [*points, *arcs, f"Curve Loop({first}) = {{{first}:{first + 3}}};"]
 
 
@@ -90,17 +90,21 @@ def disc(diameter, thickness, size, seed=1, contact_angle=10.0):
         'Physical Volume("rock", 1) = {rock[1]};', 'Physical Surface("top", 2) = {rock[3]};', 'Physical Surface("bottom", 3) = {rock[6]};',
     ]
     words = f"disc of {millimetres(diameter, thickness)}, loaded over {contact_angle:g} degrees"
-    return Specimen(words, _text(body, size, seed), size, diameter, 0.5 * np.pi * diameter * thickness, min(diameter, thickness), axis=1)
+    return Specimen(words, _text(body, size, seed), size, diameter, 0.5 * np.pi * diameter * thickness, diameter, axis=1)
 
 
 def core(diameter, height, size, seed=1, tip_radius=0.0025):
     """A core that two points press along its axis, each over a circle of `tip_radius`. The area is the square of the equivalent diameter, 4 D H/pi."""
-    tip = min(size, tip_radius)
-    body = [
-        "Point(1) = {0, 0, 0, size};", *_circle(10, tip_radius, tip), *_circle(20, 0.5 * diameter, size),
-        "Plane Surface(1) = {10};", "Plane Surface(2) = {20, 10};",
-        f"inner[] = Extrude {{0, 0, {height!r}}} {{ Surface{{1}}; }};", f"outer[] = Extrude {{0, 0, {height!r}}} {{ Surface{{2}}; }};",
-        'Physical Volume("rock", 1) = {inner[1], outer[1]};', 'Physical Surface("bottom", 2) = {1};', 'Physical Surface("top", 3) = {inner[0]};',
+    tip, radius = min(size, tip_radius), 0.5 * diameter
+    body = ["Point(1) = {0, 0, 0, size};", f"Point(2) = {{0, 0, {height!r}, size}};"]
+    body += [*_circle(10, tip_radius, tip), *_circle(20, radius, size), *_circle(30, tip_radius, tip, 2, height), *_circle(40, radius, size, 2, height)]
+    body += [f"Line({50 + i}) = {{{21 + i}, {41 + i}}};" for i in range(4)]
+    for i in range(4):
+        body += [f"Curve Loop({60 + i}) = {{{20 + i}, {50 + (i + 1) % 4}, {-40 - i}, {-50 - i}}};", f"Surface({60 + i}) = {{{60 + i}}};"]
+    body += [
+        "Plane Surface(1) = {10};", "Plane Surface(2) = {20, 10};", "Plane Surface(3) = {30};", "Plane Surface(4) = {40, 30};",
+        "Surface Loop(1) = {1:4, 60:63};", "Volume(1) = {1};",
+        'Physical Volume("rock", 1) = {1};', 'Physical Surface("bottom", 2) = {1};', 'Physical Surface("top", 3) = {3};',
     ]
     words = f"core of {millimetres(diameter, height)}, pressed over circles of {millimetres(2 * tip_radius)}"
     return Specimen(words, _text(body, size, seed), size, height, 4.0 * diameter * height / np.pi, min(diameter, height))

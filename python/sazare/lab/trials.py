@@ -19,6 +19,8 @@ DAMPING = 0.2  # least damping ratio of joints in a quasi-static test
 RAMP = 0.1  # share of the expected time to failure in which the platen reaches its speed
 ROWS = 400  # of the history
 PICTURES = 20  # snapshots
+SHORTEST_ARC, WIDEST_ARC = 0.2, 60.0  # on which a jaw bears: in elements, and in degrees
+SMALLEST_TIP, WIDEST_TIP = 0.1, 0.25  # radius of the circle on which a point presses: in elements, and over the diameter
 FEWEST_ACROSS = 6  # elements over the smallest dimension of a specimen
 
 
@@ -47,6 +49,10 @@ class Options:
     seed: int = 1  # of the mesh
     scatter_seed: int | None = None  # of the strengths of faces, where they scatter
 
+    def __post_init__(self):
+        if self.elements < 2:
+            raise ValueError("a specimen needs 2 elements over its diameter or more")
+
     @property
     def size(self):
         """Size of the elements [m]."""
@@ -71,6 +77,18 @@ class Trial:
     stressed: tuple[float, float, float] = (0.0, 0.0, 0.0)  # at the start, over the pressure
     measures_strain: bool = False  # whether the middle of the specimen is strained uniformly
     ends_when_broken: bool = True
+
+    def __post_init__(self):
+        if self.options.scatter_seed is not None and self.rock.joint.weibull_modulus is None:
+            raise ValueError("strengths of this rock do not scatter, so there is no seed of their scatter: its joint has no weibull_modulus")
+        fastest = self.expected_strain * self.rock.wave_speed / self.specimen.length
+        if self.strain_rate > fastest:
+            raise ValueError(
+                f"at a strain rate of {self.strain_rate:g} per s the rock fails before a wave has passed the specimen, so there is no stress of the "
+                f"specimen: it may be {fastest:.3g} per s at most"
+            )
+        if self.options.strain is not None and self.options.strain < RAMP * self.expected_strain:
+            raise ValueError(f"at a strain of {self.options.strain:g} the platen has not reached its speed: --strain {RAMP * self.expected_strain:.2g} or more")
 
     @property
     def title(self):
@@ -232,6 +250,11 @@ def direct_tension(rock, options):
 def brazilian(rock, options):
     """A disc pressed over its diameter between two jaws; half as thick as wide."""
     _refuse_platens("brazilian", options, (Platens.HELD, Platens.FRICTIONLESS))
+    least = np.degrees(2.0 * SHORTEST_ARC * options.size / options.diameter)
+    if not least <= options.contact_angle <= WIDEST_ARC:
+        raise ValueError(
+            f"jaws cannot bear on an arc of {options.contact_angle:g} degrees: with elements of this size it may be {least:.3g} to {WIDEST_ARC:g} degrees"
+        )
     disc = specimens.disc(options.diameter, options.height or 0.5 * options.diameter, options.size, options.seed, options.contact_angle)
     stress = rock.joint.tensile_strength
     return Trial(
@@ -242,6 +265,9 @@ def brazilian(rock, options):
 def point_load(rock, options):
     """A core pressed along its axis by two points; 0.8 times as high as wide."""
     _refuse_platens("point-load", options, (Platens.HELD,))
+    least, most = SMALLEST_TIP * options.size, WIDEST_TIP * options.diameter
+    if not least <= options.tip_radius <= most:
+        raise ValueError(f"points cannot press over circles of radius {options.tip_radius:g} m: with this specimen it may be {least:.3g} to {most:.3g} m")
     core = specimens.core(options.diameter, options.height or 0.8 * options.diameter, options.size, options.seed, options.tip_radius)
     stress = rock.joint.tensile_strength
     strain = stress * core.area / (rock.youngs_modulus * options.tip_radius * core.length)

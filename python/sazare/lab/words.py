@@ -2,6 +2,7 @@
 
 import math
 
+from sazare.lab.envelope import HoekBrown
 from sazare.lab.trials import FEWEST_ACROSS, PASSES
 
 UNCALM = 0.05  # difference of the forces of the platens, over the peak, above which a test is not quasi-static
@@ -43,6 +44,17 @@ def after(tested):
     lines.append(f"  {'cracks at the end':<28}{figures['cracks'] - shear} by opening, {shear} by shear; {figures['cracks_at_peak']} at the peak")
     lines += [f"  warning: {words}" for words in doubts(tested)]
     return lines
+
+
+def envelopes(lines):
+    """A line about each envelope, or why there is none."""
+    for name, line in lines.items():
+        if isinstance(line, str):
+            yield f"{name}: none: {line}"
+        elif isinstance(line, HoekBrown):
+            yield f"{name}: strength {1e-6 * line.uniaxial_strength:.4g} MPa, m {line.m:.3g}"
+        else:
+            yield f"{name}: cohesion {1e-6 * line.cohesion:.4g} MPa, friction angle {line.friction_angle:.3g} degrees"
 
 
 def doubts(tested):
