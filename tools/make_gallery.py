@@ -22,6 +22,7 @@ PICTURES = {
     "free-face-blast": "cracks",
     "direct-shear": "cracks",
     "uniaxial-compression": "cracks",
+    "brazilian-disc": "cracks",
     "borehole-under-stress": "cracks",
     "spalling-bar": "cracks",
     "column-ricker": "accelerations",

@@ -55,6 +55,7 @@ RUNS = {
     "column-collapse-mps": Run(),
     "column-ricker": Run(),
     "direct-shear": Run(),
+    "brazilian-disc": Run(until(2e-4, "mesh.parameters.size=0.0083")),
     "uniaxial-compression": Run(until(2e-4, "mesh.parameters.size=0.012")),
     "free-face-blast": Run(),
     "free-face-blast-full": Run(until(1e-4)),
