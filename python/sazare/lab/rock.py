@@ -5,7 +5,7 @@ import math
 from dataclasses import dataclass
 from pathlib import Path
 
-from sazare.cases import case_from_text
+from sazare.cases import blocks, case_from_text
 from sazare.simulation import source_of
 
 
@@ -73,7 +73,7 @@ def rock_of(case, material=None, overrides=None, folder=None):
 def rock_from(source, material=None):
     """The rock of a case given as a Source; errors as for `rock_of`."""
     read = case_from_text(source.resolved(), folder=Path(source.path).parent)
-    if read.method != "blocks":
+    if not isinstance(read, blocks.Case):
         raise ValueError(f"the laboratory tests materials of method blocks, and this case is of method {read.method}")
     materials = {item.name: item for item in read.materials}
     if material is not None and material not in materials:
