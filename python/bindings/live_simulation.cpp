@@ -50,8 +50,10 @@ private:
 };
 
 LiveSimulation::LiveSimulation(const CaseSource& source, const std::filesystem::path& folder, const std::string& begin,
-                               int threads)
-    : file_(read(source, threads)), run_(registry::open_case(file_, {folder, begin_named(begin), true})), began_(nanoseconds()) {
+                               int threads, bool warns)
+    : file_(read(source, threads)),
+      run_(registry::open_case(file_, {.folder = folder, .begin = begin_named(begin), .quiet = true, .warns = warns})),
+      began_(nanoseconds()) {
   status_.title = run_->title();
   status_.words = run_->words();
   status_.end = run_->clocks().end;

@@ -34,8 +34,9 @@ struct Status {
 
 class LiveSimulation {
 public:
-  /// Reads, checks and builds; makes the folder. Throws like `runs::open_case`.
-  LiveSimulation(const CaseSource& source, const std::filesystem::path& folder, const std::string& begin, int threads);
+  /// Reads, checks and builds; makes the folder; `warns` of what is unusual, as a run does. Throws like `runs::open_case`.
+  LiveSimulation(const CaseSource& source, const std::filesystem::path& folder, const std::string& begin, int threads,
+                 bool warns = true);
 
   void begin();
   /// Steps until so many are done, or for some seconds of wall-clock time; the rows that Python looks at are brought up to date.

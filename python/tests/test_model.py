@@ -241,6 +241,12 @@ def test_the_command_checks_and_draws(tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["model.png"]
 
 
+def test_the_command_warns_once(tmp_path):
+    words = [COMMAND, "check", CASES / "brazilian-disc/case.toml", "--set", "mesh.parameters.size=0.0125", "--set", "initial_stress.shear_stress=[40e6, 0, 0]"]
+    done = subprocess.run([*words, "--picture", tmp_path / "disc.png"], capture_output=True, text=True, check=True)
+    assert (done.stdout + done.stderr).count("warning: the initial stress is beyond the strength") == 1
+
+
 def test_a_mesh_in_text_and_in_binary_has_the_same_groups(tmp_path):
     geometry = CASES / "caisson-pushover/caisson.geo"
     found = []

@@ -34,7 +34,7 @@ public:
     manifest_.case_title = work_.title();
     manifest_.method = work_.method();
     if (options.sharing.ranks != nullptr) manifest_.machine.ranks = options.sharing.ranks->size();
-    if (is_writer(options)) fmt::print(stderr, "{}", work_.warning());
+    if (options.warns && is_writer(options)) fmt::print(stderr, "{}", work_.warning());
     work_.times.add(RunTimes::Part::setup, work_.times.now());
   }
 

@@ -27,6 +27,7 @@ struct RunOptions {
   const std::atomic<bool>* stop_asked = nullptr;  ///< looked at after every base step
   levels::Sharing sharing = {};                   ///< with several processes: all carry out the same, the first one writes
   std::optional<OneSide> one_side = {};           ///< of a hybrid case; else both in this program
+  bool warns = true;                              ///< of what is unusual in the case
 };
 
 struct RunOutcome {

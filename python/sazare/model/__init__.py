@@ -67,7 +67,7 @@ def _without_preparation(source, case, folder):
 
 def _write_first_snapshot(source, place):
     """Writes the snapshot at t = 0 into a folder; returns the title of the case with its method and size."""
-    live = engine().LiveSimulation(source.for_engine(), place, "fresh", 0)
+    live = engine().LiveSimulation(source.for_engine(), place, "fresh", 0, warns=False)
     # Functions of the caller have no say at t = 0.
     for history in histories_of(live, {name: lambda _: 0.0 for name, _ in live.functions}):
         history.sample(live, 0)
