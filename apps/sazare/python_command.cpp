@@ -40,7 +40,8 @@ void add_package_path() {
   setenv("PYTHONPATH", path.c_str(), 1);
 }
 
-/// Starts a program on which Ctrl-C acts as usual, though this one leaves it to that program from now on: so its last words come before the prompt.
+/// Starts a program on which Ctrl-C acts as usual, though this one leaves it to that program from now on: so its last words come
+/// before the prompt.
 pid_t start(const std::string& program, char* const* arguments) {
   std::signal(SIGINT, SIG_IGN);
   posix_spawnattr_t rules;

@@ -69,8 +69,8 @@ void add_errors(nb::module_& module) {
 
 void add_simulation(nb::module_& module) {
   nb::class_<LiveSimulation>(module, "LiveSimulation", "A running case; users see it as sazare.Simulation.")
-      .def(nb::init<const CaseSource&, const std::filesystem::path&, const std::string&, int, bool>(), "source"_a,
-           "folder"_a, "begin"_a, "threads"_a, "warns"_a = true, ReleaseLock())
+      .def(nb::init<const CaseSource&, const std::filesystem::path&, const std::string&, int, bool>(), "source"_a, "folder"_a,
+           "begin"_a, "threads"_a, "warns"_a = true, ReleaseLock())
       .def("begin", &LiveSimulation::begin, ReleaseLock())
       .def("walk", &LiveSimulation::walk, "until"_a, "seconds"_a, ReleaseLock())
       .def("finish", &LiveSimulation::finish, ReleaseLock())
