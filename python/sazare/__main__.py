@@ -1,12 +1,12 @@
 """The command `python -m sazare`, to which `sazare report`, `plot`, `movie`, `compare` and `check --picture` hand over."""
 
 import argparse
-import math
 import sys
 import time
 import traceback
 from pathlib import Path
 
+from sazare.arguments import not_negative
 from sazare.comparison import compare
 from sazare.lab import command
 from sazare.results import open_run
@@ -78,14 +78,6 @@ def seconds_per_frame(text):
     return value
 
 
-def magnification(text):
-    """A finite factor of 0 or more."""
-    value = float(text)
-    if not (math.isfinite(value) and value >= 0.0):
-        raise argparse.ArgumentTypeError(f"a factor is finite and 0 or more, found {text}")
-    return value
-
-
 def parser():
     """What the command line may say."""
     top = argparse.ArgumentParser(prog="sazare", description="Read, draw and report the folder of a run.")
@@ -107,7 +99,7 @@ def parser():
     moving = add("movie", "write the snapshots as an animation", movie)
     moving.add_argument("--out", metavar="FILE", help="a .gif or .webp (default: DIR/movie.gif)")
     moving.add_argument("--field", metavar="NAME", help="the field shown in colour, such as speed or displacement")
-    moving.add_argument("--enlarge", metavar="FACTOR", type=magnification, help="magnification of displacements")
+    moving.add_argument("--enlarge", metavar="FACTOR", type=not_negative, help="magnification of displacements")
     moving.add_argument("--interval", metavar="SECONDS", type=seconds_per_frame, default=0.15, help="time for which each frame is shown [s]")
     add("compare", "compare figures and histories of two runs", comparison).add_argument("other", metavar="OTHER")
     drawn = commands.add_parser("model", help="draw a case before it runs, as sazare check --picture does")

@@ -239,7 +239,7 @@ def test_envelope_leaves_out_specimens_that_did_not_fail(rock, tmp_path, capsys)
     [
         (["brazilian", "--platens", "steel"], "invalid choice: 'steel'"),
         (["triaxial"], "--confinement"),
-        (["triaxial", "--confinement", "-5"], "must be a finite pressure"),
+        (["triaxial", "--confinement", "-5"], "a finite number of 0 or more"),
         (["uniaxial", "--diameter", "0"], "above 0"),
         (["uniaxial", "--elements", "2.5"], "whole number"),
         (["calibrate", "--uniaxial", "1e8"], "--tensile"),

@@ -1,11 +1,10 @@
 """The command `sazare lab`: its arguments, and what it writes and prints."""
 
-import argparse
-import math
 import re
 from contextlib import contextmanager
 from pathlib import Path
 
+from sazare.arguments import not_negative, positive, whole
 from sazare.lab import words
 from sazare.lab.calibrate import MOST_TRIALS, TOLERANCE, Targets, calibrate
 from sazare.lab.envelope import coulomb, hoek_brown, mohr_coulomb
@@ -23,6 +22,7 @@ HELP = {
     "direct-shear": "push the upper half of a prism over the lower one under one or more normal stresses: peak, residual, envelope",
     "point-load": "press a core between two points: point load index",
 }
+COUNT = whole(1, 1_000_000)
 PRESSURES = {"triaxial": "--confinement", "direct-shear": "--normal-stress"}
 
 
@@ -38,48 +38,18 @@ def add_to(commands):
     _add_calibrate(tests)
 
 
-def positive(text):
-    """A finite number above 0."""
-    value = float(text)
-    if not (math.isfinite(value) and value > 0.0):
-        raise argparse.ArgumentTypeError(f"must be a finite number above 0, found {text}")
-    return value
-
-
-def pressure(text):
-    """A finite number of 0 or more."""
-    value = float(text)
-    if not (math.isfinite(value) and value >= 0.0):
-        raise argparse.ArgumentTypeError(f"must be a finite pressure of 0 or more (Pa), found {text}")
-    return value
-
-
-def whole(text):
-    """A whole number from 1 on."""
-    if not (text.isdigit() and 1 <= int(text) <= 1_000_000):
-        raise argparse.ArgumentTypeError(f"must be a whole number from 1 to 1e6, found {text}")
-    return int(text)
-
-
-def scatter_seed(text):
-    """A seed as cases have it."""
-    if not (text.isdigit() and int(text) <= 1_000_000_000):
-        raise argparse.ArgumentTypeError(f"must be a whole number from 0 to 1e9, found {text}")
-    return int(text)
-
-
 def _add_common(command):
     command.add_argument("case", metavar="CASE", help="a case of method blocks (TOML)")
     command.add_argument("--material", metavar="NAME", help="the material to be tested; not needed where the case has one")
     command.add_argument("--set", metavar="KEY=VALUE", action="append", default=[], help="override a key of the case, such as joints.0.cohesion=5e6")
     command.add_argument("--out", metavar="DIR", help="folder of the test (default: runs/lab-TEST-MATERIAL)")
     command.add_argument("--overwrite", action="store_true", help="replace the test that is in the folder")
-    command.add_argument("--threads", metavar="N", type=whole, default=0, help="threads (default: all processors)")
+    command.add_argument("--threads", metavar="N", type=COUNT, default=0, help="threads (default: all processors)")
     command.add_argument("--quiet", action="store_true", help="print results and warnings only")
     command.add_argument("--diameter", metavar="M", type=positive, default=Options.diameter, help="diameter, or side of a prism [m] (default %(default)g)")
-    command.add_argument("--elements", metavar="N", type=whole, default=Options.elements, help="elements over the diameter (default %(default)d)")
-    command.add_argument("--seed", metavar="N", type=whole, default=1, help="seed of the mesh: another one makes another mesh of the same size (default 1)")
-    command.add_argument("--scatter-seed", metavar="N", type=scatter_seed, help="seed of the scatter of strength, for a rock with weibull_modulus")
+    command.add_argument("--elements", metavar="N", type=COUNT, default=Options.elements, help="elements over the diameter (default %(default)d)")
+    command.add_argument("--seed", metavar="N", type=COUNT, default=1, help="seed of the mesh: another one makes another mesh of the same size (default 1)")
+    command.add_argument("--scatter-seed", metavar="N", type=whole(0, 1_000_000_000), help="seed of the scatter of strength, for a rock with weibull_modulus")
     command.set_defaults(function=carry_out_command, blame="{case}: the laboratory cannot test it", advice="Please report it")
 
 
@@ -91,14 +61,14 @@ def _add_test(tests, name, text):
     command.add_argument("--strain", metavar="E", type=positive, help="displacement over the length at which the test ends")
     if name in ("uniaxial", "triaxial"):
         command.add_argument("--platens", choices=Platens.ALL, help="ends that slide freely, are held, or rub on steel (default: frictionless)")
-        command.add_argument("--platen-friction", metavar="F", type=pressure, default=Options.platen_friction, help="friction of steel platens (default %(default)g)")
+        command.add_argument("--platen-friction", metavar="F", type=not_negative, default=Options.platen_friction, help="friction of steel platens (default %(default)g)")
     if name == "brazilian":
         command.add_argument("--platens", choices=(Platens.HELD, Platens.FRICTIONLESS), help="jaws that hold the disc or let it slide (default: held)")
         command.add_argument("--contact-angle", metavar="DEG", type=positive, default=Options.contact_angle, help="arc on which a jaw bears [deg] (default %(default)g)")
     if name == "point-load":
         command.add_argument("--tip-radius", metavar="M", type=positive, default=Options.tip_radius, help="radius of the circles that press [m] (default %(default)g)")
     if name in PRESSURES:
-        command.add_argument(PRESSURES[name], dest="pressures", metavar="PA", type=pressure, nargs="+", required=True, help="one or more [Pa]; several give an envelope")
+        command.add_argument(PRESSURES[name], dest="pressures", metavar="PA", type=not_negative, nargs="+", required=True, help="one or more [Pa]; several give an envelope")
 
 
 def _add_calibrate(tests):
@@ -110,7 +80,7 @@ def _add_calibrate(tests):
     command.add_argument("--tensile-test", choices=("brazilian", "direct-tension"), default="brazilian", help="test that gave it (default: brazilian)")
     command.add_argument("--triaxial", metavar="PA", type=positive, help="measured axial stress at failure under --confinement [Pa]; then friction is sought too")
     command.add_argument("--confinement", metavar="PA", type=positive, help="confinement of that test [Pa]")
-    command.add_argument("--meshes", metavar="N", type=whole, default=3, help="meshes with which the result is tested at the end (default 3)")
+    command.add_argument("--meshes", metavar="N", type=COUNT, default=3, help="meshes with which the result is tested at the end (default 3)")
     command.add_argument("--platens", choices=Platens.ALL, help="platens of the compressed cylinders (default: frictionless)")
     command.set_defaults(function=calibrate_command)
 

@@ -21,7 +21,7 @@ ROWS = 400  # of the history
 PICTURES = 20  # snapshots
 SHORTEST_ARC, WIDEST_ARC = 0.2, 60.0  # on which a jaw bears: in elements, and in degrees
 SMALLEST_TIP, WIDEST_TIP = 0.1, 0.25  # radius of the circle on which a point presses: in elements, and over the diameter
-FEWEST_ACROSS = 6  # elements over the smallest dimension of a specimen
+FEWEST_ACROSS = 6  # elements over the width of a specimen
 
 
 class Platens:
@@ -119,7 +119,7 @@ class Trial:
 
     @property
     def elements_across(self):
-        """Elements over the smallest dimension of the specimen."""
+        """Elements over the width of the specimen."""
         return self.specimen.width / self.specimen.size
 
     def displacement(self, times):

@@ -63,7 +63,7 @@ def doubts(tested):
     if trial.elements_across < FEWEST_ACROSS:
         enough = math.ceil(trial.options.elements * FEWEST_ACROSS / trial.elements_across - 1e-9)
         yield (
-            f"{trial.elements_across:.2g} elements over the smallest dimension of the specimen, so strength follows the mesh; from {FEWEST_ACROSS} on it "
+            f"{trial.elements_across:.2g} elements over the width of the specimen, so strength follows the mesh; from {FEWEST_ACROSS} on it "
             f"does less: --elements {enough}"
         )
     if not figures["failed"]:
