@@ -183,6 +183,71 @@ class Blast(Part):
 
 
 @dataclass(kw_only=True, eq=False)
+class Charge(Part):
+    """Explosive in holes: the detonation runs along it, and its gas presses on the wall until it has expanded."""
+
+    name: str | None = None
+    """Name of the charge in results and messages. (default: the surface's name)"""
+    surface: str
+    """Physical surface group of the hole's wall. Several charges (decks) may stand in one hole."""
+    collar: tuple[float, float, float]
+    """Where the axis of the hole begins; depths along the hole count from here. [m]"""
+    toe: tuple[float, float, float]
+    """Where the axis of the hole ends. [m]"""
+    diameter: float
+    """Diameter of the hole. [m] Greater than 0."""
+    charge_diameter: float | None = None
+    """Diameter of the explosive. A smaller one leaves an annulus of air (decoupling) into which the gas expands first. [m]
+    (default: that of the hole) Greater than 0.
+    """
+    top: float | None = None
+    """Depth at which the explosive begins. Above it stands the stemming, which the gas does not enter. [m] Default: 0.0. At least
+    0.
+    """
+    bottom: float | None = None
+    """Depth at which the explosive ends. [m] (default: the toe) Greater than 0."""
+    primer: float | None = None
+    """Depth of the primer, from which the detonation runs in both directions. [m] (default: the bottom of the charge) At least 0.
+    """
+    explosive: Literal["ANFO", "C-4", "composition B", "pentolite", "PETN 1.26", "PETN 1.50", "PETN 1.77", "TNT", "custom"]
+    """An explosive of the table, with its density, velocity, energy and gas; custom: one whose constants are given here."""
+    density: float | None = None
+    """Density of the explosive. [kg/m3] (required with explosive = "custom", else not given) Greater than 0."""
+    detonation_velocity: float | None = None
+    """Velocity of the detonation along the hole, such as a measured one. [m/s] (required with explosive = "custom"; default: that
+    of the explosive) Greater than 0.
+    """
+    explosive_energy: float | None = None
+    """Energy of the explosive per mass (heat of explosion). [J/kg] (required with explosive = "custom", else not given) Greater
+    than 0.
+    """
+    gas_exponent: float | None = None
+    """Exponent of a gas whose pressure falls as its volume to the power of minus this. (with explosive = "custom": this, or the
+    five constants of JWL) Greater than 1 and at most 5.
+    """
+    jwl_a: float | None = None
+    """Constant A of the equation of state of Jones, Wilkins and Lee. [Pa] (with explosive = "custom": all five, or gas_exponent)
+    At least 0.
+    """
+    jwl_b: float | None = None
+    """Constant B. [Pa] (with explosive = "custom": all five, or gas_exponent) At least 0."""
+    jwl_r1: float | None = None
+    """Constant R1. (with explosive = "custom": all five, or gas_exponent) Greater than 0."""
+    jwl_r2: float | None = None
+    """Constant R2. (with explosive = "custom": all five, or gas_exponent) Greater than 0."""
+    jwl_omega: float | None = None
+    """Constant omega. (with explosive = "custom": all five, or gas_exponent) Greater than 0."""
+    delay: float | None = None
+    """Time at which the primer fires. [s] Default: 0.0. At least 0."""
+    delay_scatter: float | None = None
+    """Standard deviation of that time, normally distributed, as of pyrotechnic detonators. [s] Default: 0.0. At least 0."""
+    scatter_seed: int | None = None
+    """Seed of the scatter of the delay. Default: 1. At least 0 and at most 1e+09."""
+    cut_distance: float | None = None
+    """Displacement of a face at which the gas leaves it for good; inf: never. [m] Default: inf. Greater than 0."""
+
+
+@dataclass(kw_only=True, eq=False)
 class Gravity(Part):
     """Body force."""
 
@@ -357,6 +422,7 @@ class Case(AnyCase):
         "joints": Joint,
         "contact": Contact,
         "blasts": Blast,
+        "charges": Charge,
         "gravity": Gravity,
         "initial_stress": InitialStress,
         "motions": Motion,
@@ -378,6 +444,8 @@ class Case(AnyCase):
     """Contact between free faces and between faces whose joint is broken."""
     blasts: list[Blast] = field(default_factory=list)
     """Pressure on the walls of holes: a pulse, a table from a CSV file, or a function given in Python."""
+    charges: list[Charge] = field(default_factory=list)
+    """Explosive in holes: the detonation runs along it, and its gas presses on the wall until it has expanded."""
     gravity: Gravity | None = None
     """Body force."""
     initial_stress: InitialStress | None = None

@@ -24,6 +24,10 @@ inline constexpr UsualRange friction_angle{2, 80};    // [deg]
 inline constexpr UsualRange wave_velocity{10, 15e3};  // [m/s]
 inline constexpr UsualRange delay{0, 30};             // of a blast [s]
 inline constexpr UsualRange rise_time{0, 0.1};        // of its pressure [s]
+inline constexpr UsualRange explosive_density{300, 2200};     // [kg/m3]
+inline constexpr UsualRange detonation_velocity{1000, 10e3};  // [m/s]
+inline constexpr UsualRange explosive_energy{0.5e6, 10e6};    // [J/kg]
+inline constexpr UsualRange hole_diameter{1e-3, 2};           // [m]
 
 }  // namespace usual
 

@@ -95,6 +95,11 @@ void Replicas<D>::unite(std::vector<Index>& list) const {
 }
 
 template <int D>
+std::vector<std::byte> Replicas<D>::gather(std::span<const std::byte> own) const {
+  return ranks_->gather(own).bytes;
+}
+
+template <int D>
 void Replicas<D>::fetch(std::span<const Index> bodies) {
   Parcel own;
   for (const Index body : bodies)

@@ -49,6 +49,7 @@ public:
   void exchange(std::span<const Index> kicked, std::span<const Index> kicked_elsewhere);
 
   void unite(std::vector<Index>& list) const override;
+  std::vector<std::byte> gather(std::span<const std::byte> own) const override;
   void fetch(std::span<const Index> bodies) override;
 
   void fetch_all();

@@ -2,6 +2,7 @@
 
 /// What a term may ask of the other processes that compute the same run. Alone there is nobody to ask.
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,9 @@ public:
 
   /// Makes lists of all processes one, rising, each number once.
   virtual void unite(std::vector<Index>& list) const;
+
+  /// Records of all processes, one process after the other.
+  virtual std::vector<std::byte> gather(std::span<const std::byte> own) const { return {own.begin(), own.end()}; }
 
   /// Makes the motion of these bodies known here. The same list everywhere.
   virtual void fetch(std::span<const Index>) {}

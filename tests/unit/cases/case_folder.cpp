@@ -213,6 +213,50 @@ kind = "prescribed"
 motion_x = "shake"
 motion_y = "wavelet"
 motion_z = "record"
+
+[[charges]]
+name = "upper deck"
+surface = "hole_4"
+collar = [0, 0, 1]
+toe = [0, 0, -9]
+diameter = 0.089
+charge_diameter = 0.065
+top = 2.5
+bottom = 5
+primer = 4.5
+explosive = "ANFO"
+detonation_velocity = 3900
+delay = 0.025
+delay_scatter = 0.001
+scatter_seed = 7
+cut_distance = 0.5
+
+[[charges]]
+name = "lower deck"
+surface = "hole_4"
+collar = [0, 0, 1]
+toe = [0, 0, -9]
+diameter = 0.089
+top = 6
+explosive = "custom"
+density = 1150
+detonation_velocity = 5000
+gas_exponent = 3
+
+[[charges]]
+surface = "hole_5"
+collar = [3, 0, 1]
+toe = [3, 0, -9]
+diameter = 0.089
+explosive = "custom"
+density = 1630
+detonation_velocity = 6930
+explosive_energy = 4.294e6
+jwl_a = 371.2e9
+jwl_b = 3.231e9
+jwl_r1 = 4.15
+jwl_r2 = 0.95
+jwl_omega = 0.3
 )";
 }
 

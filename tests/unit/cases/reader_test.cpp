@@ -68,6 +68,41 @@ TEST(Reader, TakesEveryKeyThatIsGiven) {
   EXPECT_TRUE(blocks.time.strict);
 }
 
+TEST(Reader, TakesCharges) {
+  const CaseFolder folder;
+  const std::vector<Charge> charges = folder.read(full_case()).as<cases::BlocksCase>().charges;
+  const Charge &upper = charges.at(0), &lower = charges.at(1), &other = charges.at(2);
+  EXPECT_EQ(upper.filling().velocity, 3900);
+  EXPECT_EQ(upper.filling().density, laws::explosives[0].density);
+  EXPECT_NEAR(upper.volume(), std::numbers::pi / 4 * 0.065 * 0.065 * 2.5, 1e-12);
+  EXPECT_EQ(upper.primer_depth(), 4.5);
+  EXPECT_NEAR(upper.firing_time(0), 0.025, 0.005);
+  EXPECT_NE(upper.firing_time(0), upper.firing_time(1));
+  EXPECT_EQ(lower.bottom_depth(), 10);
+  EXPECT_EQ(lower.primer_depth(), 10);
+  EXPECT_EQ(lower.explosive_diameter(), 0.089);
+  EXPECT_NEAR(lower.filling().energy, 1150 * 5000.0 * 5000.0 / 16, 1);
+  EXPECT_EQ(other.name, "hole_5");
+  EXPECT_NEAR(other.filling().energy, 7e9, 1e-3 * 7e9);
+  EXPECT_EQ(other.filling().gas.r2, 0.95);
+}
+
+/// A thousand detonators scatter as they are said to.
+TEST(Reader, DelaysScatterNormally) {
+  Charge charge;
+  charge.delay = 1;
+  charge.delay_scatter = 0.01;
+  Real sum = 0, squares = 0;
+  constexpr int count = 1000;
+  for (int i = 0; i < count; ++i) {
+    const Real off = charge.firing_time(static_cast<std::size_t>(i)) - 1;
+    sum += off / count;
+    squares += off * off / count;
+  }
+  EXPECT_NEAR(sum, 0, 1e-3);
+  EXPECT_NEAR(std::sqrt(squares), 0.01, 1e-3);
+}
+
 TEST(Reader, ReadsThePressureTable) {
   const CaseFolder folder;
   const Blast blast = folder.read(full_case()).as<cases::BlocksCase>().blasts.at(1);

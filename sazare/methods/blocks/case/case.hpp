@@ -12,6 +12,7 @@
 
 #include "sazare/cases/tables.hpp"
 #include "sazare/laws/block_elasticity.hpp"
+#include "sazare/laws/explosives.hpp"
 #include "sazare/laws/joint_laws.hpp"
 #include "sazare/laws/linear_stress.hpp"
 #include "sazare/laws/pressure_table.hpp"
@@ -125,6 +126,44 @@ struct Blast {
   Real cut_distance = std::numeric_limits<Real>::infinity();  // m
 };
 
+/// Which explosive a charge has: a row of laws::explosives, or the one after the last, whose constants the case gives itself.
+enum class ExplosiveName {};
+inline constexpr ExplosiveName custom_explosive{static_cast<int>(laws::explosives.size())};
+
+/// A charge in a hole; depths are distances from the collar along the hole.
+struct Charge {
+  std::string name;
+  std::string surface;
+  Vector3 collar = Vector3::Zero();                    // m
+  Vector3 toe = Vector3::Zero();                       // m
+  Real diameter = 0;                                   // m, of the hole
+  std::optional<Real> charge_diameter = std::nullopt;  // m; none: it fills the hole
+  Real top = 0;                                        // m
+  std::optional<Real> bottom = std::nullopt;           // m; none: at the toe
+  std::optional<Real> primer = std::nullopt;           // m; none: at the bottom
+  ExplosiveName explosive = custom_explosive;
+  std::optional<Real> density = std::nullopt;              // kg/m3
+  std::optional<Real> detonation_velocity = std::nullopt;  // m/s; may replace that of the table
+  std::optional<Real> energy = std::nullopt;               // J/kg
+  std::optional<Real> gas_exponent = std::nullopt;
+  std::array<std::optional<Real>, 5> jwl = {};  // A, B [Pa], R1, R2, omega
+  Real delay = 0;                               // s
+  Real delay_scatter = 0;                       // s
+  int scatter_seed = 1;
+  Real cut_distance = std::numeric_limits<Real>::infinity();  // m
+
+  bool is_custom() const { return explosive == custom_explosive; }
+  Real hole_length() const { return (toe - collar).norm(); }
+  Real bottom_depth() const { return bottom.value_or(hole_length()); }
+  Real primer_depth() const { return primer.value_or(bottom_depth()); }
+  Real explosive_diameter() const { return charge_diameter.value_or(diameter); }
+  /// The explosive with its constants, from the table or the case.
+  laws::Explosive filling() const;
+  Real volume() const;  // of the explosive, m3
+  /// When the primer fires, with its scatter [s]. Charges of one case differ by their place in it.
+  Real firing_time(std::size_t place) const;
+};
+
 struct Boundary {
   std::string surface;
   BoundaryKind kind = BoundaryKind::fixed;
@@ -180,6 +219,7 @@ struct BlocksCase {
   std::vector<Joint> joints;
   Contact contact;
   std::vector<Blast> blasts;
+  std::vector<Charge> charges;
   Gravity gravity;
   InitialStress initial_stress;
   std::vector<Motion> motions;

@@ -15,4 +15,6 @@ void check_initial_stress(const CheckContext& context, const BlocksCase& blocks)
 /// Checks the blasts and reads their pressure tables.
 void check_blasts(const CheckContext& context, BlocksCase& blocks);
 
+void check_charges(const CheckContext& context, const BlocksCase& blocks);
+
 }  // namespace sazare::cases

@@ -7,6 +7,7 @@
 #include "sazare/cases/clocks.hpp"
 #include "sazare/cases/explanation.hpp"
 #include "sazare/cases/fields.hpp"
+#include "sazare/methods/blocks/case/explain_charge.hpp"
 #include "sazare/methods/blocks/case/fields.hpp"
 #include "sazare/methods/blocks/case/format.hpp"
 
@@ -130,6 +131,16 @@ void explain_blast(Explanation& text, const Blast& blast) {
     text.more(fmt::format("ends on a face once its displacement is {} m", number(blast.cut_distance)));
 }
 
+void explain_charges(Explanation& text, const std::vector<Charge>& charges) {
+  for (std::size_t i = 0; i < charges.size(); ++i) {
+    const std::vector<std::string> lines = charge_lines(charges[i], i);
+    text.add("charges", lines.front());
+    for (std::size_t line = 1; line < lines.size(); ++line) text.more(lines[line]);
+    if (std::isfinite(charges[i].cut_distance))
+      text.more(fmt::format("the gas leaves a face once its displacement is {} m", number(charges[i].cut_distance)));
+  }
+}
+
 void explain_initial_stress(Explanation& text, const InitialStress& stress) {
   if (stress.is_zero()) return;
   if (stress.k0) {
@@ -146,6 +157,7 @@ void explain_initial_stress(Explanation& text, const InitialStress& stress) {
 
 void explain_conditions(Explanation& text, const BlocksCase& blocks) {
   for (const Blast& blast : blocks.blasts) explain_blast(text, blast);
+  explain_charges(text, blocks.charges);
   if (!blocks.gravity.acceleration.isZero()) text.add("gravity", vector_text(blocks.gravity.acceleration) + " m/s2");
   explain_initial_stress(text, blocks.initial_stress);
   text.add(explain_motions(blocks.motions, blocks.time.end));

@@ -36,6 +36,19 @@ struct EnumWords<BoundaryKind> {
   static constexpr std::array<std::string_view, 4> words{"fixed", "frictionless", "absorbing", "prescribed"};
 };
 
+template <>
+struct EnumWords<ExplosiveName> {
+  static constexpr auto words = [] {
+    std::array<std::string_view, laws::explosives.size() + 1> all{};
+    for (std::size_t i = 0; i < laws::explosives.size(); ++i) all[i] = laws::explosives[i].name;
+    all.back() = "custom";
+    return all;
+  }();
+};
+
+/// Keys of the constants of a JWL gas.
+inline constexpr std::array<std::string_view, 5> jwl_keys{"jwl_a", "jwl_b", "jwl_r1", "jwl_r2", "jwl_omega"};
+
 template <class Visitor>
 void visit_fields(Visitor& visit, Material& material) {
   visit("name", material.name);
@@ -112,6 +125,32 @@ void visit_fields(Visitor& visit, Blast& blast) {
 }
 
 template <class Visitor>
+void visit_fields(Visitor& visit, Charge& charge) {
+  visit("surface", charge.surface);
+  if (visit.has("name", true))
+    visit("name", charge.name);
+  else
+    charge.name = charge.surface;
+  visit("collar", charge.collar);
+  visit("toe", charge.toe);
+  visit("diameter", charge.diameter);
+  visit("charge_diameter", charge.charge_diameter);
+  visit("top", charge.top);
+  visit("bottom", charge.bottom);
+  visit("primer", charge.primer);
+  visit("explosive", charge.explosive);
+  visit("density", charge.density);
+  visit("detonation_velocity", charge.detonation_velocity);
+  visit("explosive_energy", charge.energy);
+  visit("gas_exponent", charge.gas_exponent);
+  for (std::size_t i = 0; i < jwl_keys.size(); ++i) visit(jwl_keys[i], charge.jwl[i]);
+  visit("delay", charge.delay);
+  visit("delay_scatter", charge.delay_scatter);
+  visit("scatter_seed", charge.scatter_seed);
+  visit("cut_distance", charge.cut_distance);
+}
+
+template <class Visitor>
 void visit_fields(Visitor& visit, Boundary& boundary) {
   visit("surface", boundary.surface);
   visit("kind", boundary.kind);
@@ -166,6 +205,7 @@ void visit_tables(Visitor& visit, BlocksCase& blocks) {
   visit.list("joints", blocks.joints);
   visit.one("contact", blocks.contact);
   visit.list("blasts", blocks.blasts);
+  visit.list("charges", blocks.charges);
   visit.one("gravity", blocks.gravity);
   visit.one("initial_stress", blocks.initial_stress);
   visit.list("motions", blocks.motions);

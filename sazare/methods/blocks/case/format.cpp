@@ -40,6 +40,7 @@ void read(const CheckContext& context, CaseFile& file) {
   check_joints(context, blocks);
   check_contact(context, blocks);
   check_blasts(context, blocks);
+  check_charges(context, blocks);
   check_constraints(context, blocks);
   check_initial_stress(context, blocks);
   check_motions(context, blocks.motions, blocks.time.end);

@@ -27,6 +27,7 @@ public:
     check_every_region_has_material();
     check_joints();
     check_outer_surfaces("blasts", blocks_.blasts, "pressure acts on the outside of the body");
+    check_outer_surfaces("charges", blocks_.charges, "gas presses on the outside of the body, the wall of a hole");
     check_outer_surfaces("boundaries", blocks_.boundaries, "boundaries are on the outside of the body");
     check_grounds();
     check_that_gravity_is_carried();

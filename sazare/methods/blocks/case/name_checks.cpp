@@ -103,6 +103,7 @@ void check_names(const CheckContext& context, const BlocksCase& blocks) {
   check_unique(context, "materials", blocks.materials);
   check_unique(context, "joints", blocks.joints);
   check_unique(context, "blasts", blocks.blasts);
+  check_unique(context, "charges", blocks.charges);
   check_unique(context, "motions", blocks.motions);
   check_unique(context, "gauges", blocks.gauges);
   check_materials(context, blocks);

@@ -4,6 +4,7 @@
 #include "sazare/cases/format/usual_values.hpp"
 #include "sazare/cases/law_keys.hpp"
 #include "sazare/laws/joint_laws.hpp"
+#include "sazare/methods/blocks/case/charge_keys.hpp"
 #include "sazare/methods/blocks/case/format.hpp"
 
 namespace sazare::cases {
@@ -406,6 +407,9 @@ constexpr std::array tables{
     Table{"contact", false, Need::required, "Contact between free faces and between faces whose joint is broken.", contact_keys},
     Table{"blasts", true, Need::optional,
           "Pressure on the walls of holes: a pulse, a table from a CSV file, or a function given in Python.", blast_keys},
+    Table{"charges", true, Need::optional,
+          "Explosive in holes: the detonation runs along it, and its gas presses on the wall until it has expanded.",
+          charge_keys},
     gravity_table,
     Table{"initial_stress", false, Need::optional,
           "Stress in the body at the beginning, which bonded joints and boundaries carry.", initial_stress_keys},

@@ -25,6 +25,10 @@ inline constexpr std::array progress = {Column{"energy_residual", "J", "residual
                                         Column{"smallest_step", "s", "of any element since the last row"},
                                         Column{"pair_evaluations", "-", "so far"}};
 inline constexpr std::array boundary = {Column{"NAME.force", "N", "of a boundary on the body", 3}};
+inline constexpr std::array charge = {Column{"NAME.pressure", "Pa", "of the gas of a charge"},
+                                      Column{"NAME.volume", "m3", "of the gas of a charge"},
+                                      Column{"NAME.released", "J", "energy of what has detonated of a charge"},
+                                      Column{"NAME.work", "J", "done by the gas of a charge on the wall of its hole"}};
 inline constexpr std::array gauge = {Column{"NAME.velocity", "m/s", "of the point", 3}};
 inline constexpr std::array ranks = {Column{"time", "s", "end of an interval between two distributions of the work"},
                                      Column{"rank", "-", ""},
@@ -55,6 +59,8 @@ inline constexpr std::array joints = {
 inline constexpr std::array figures = {
     Column{"elements", "-", ""},
     Column{"joints", "-", ""},
+    Column{"explosive_released", "J", "energy of what has detonated; where there are charges"},
+    Column{"explosive_work", "J", "done by the gas of charges; where there are charges"},
     Column{"broken_joints", "-", "cracks, also those whose faces are pressed together"},
     Column{"broken_in_shear", "-", "of these, the ones in which slip has dissipated more than opening"},
     Column{"fragments", "-", ""},

@@ -105,6 +105,7 @@ MeshFit find_mesh_fit(const cases::BlocksCase& blocks, const MeshFaces& faces, c
   fit.faces_of_joint.resize(blocks.joints.size(), 0);
   for (const Index joint : joint_of_face)
     if (joint >= 0) ++fit.faces_of_joint[at(joint)];
+  fit.charges = find_charge_fits(blocks, faces);
   fit.inner_of_blast = inner_faces(blocks.blasts, faces);
   fit.inner_of_boundary = inner_faces(blocks.boundaries, faces);
   return fit;
@@ -127,7 +128,7 @@ std::string warn_of_mesh_fit(const cases::CaseFile& file, const MeshFit& fit) {
       all += warning(file, fmt::format("joints.{}", joint),
                      fmt::format("the joint \"{}\" applies to no face of the mesh", blocks.joints[joint].name),
                      "remove it, or check whether its materials share faces and whether a later entry applies to the same faces");
-  return all + warn_of_initial_stress(file, fit.overstressed, fit.start_balance) +
+  return all + warn_of_initial_stress(file, fit.overstressed, fit.start_balance) + warn_of_charges(file, fit.charges) +
          warn_of_inner_faces(file, "blasts", fit.inner_of_blast, "no pressure acts on them") +
          warn_of_inner_faces(file, "boundaries", fit.inner_of_boundary, "the boundary does not apply to them");
 }

@@ -7,8 +7,9 @@
 
 #include "sazare/cases/case_file.hpp"
 #include "sazare/methods/blocks/case/case.hpp"
-#include "sazare/methods/blocks/run/joints/element_springs.hpp"
+#include "sazare/methods/blocks/run/blasting/charge_fit.hpp"
 #include "sazare/methods/blocks/run/check/initial_stress.hpp"
+#include "sazare/methods/blocks/run/joints/element_springs.hpp"
 #include "sazare/methods/blocks/run/parts.hpp"
 
 namespace sazare::runs {
@@ -25,6 +26,7 @@ struct MeshFit {
   std::vector<SoftestFaces> softest_of_joint = {};  ///< by entry of [[joints]]
   std::vector<OverstressedFaces> overstressed = {};  ///< by entry of [[joints]], at the beginning
   StartBalance start_balance = {};
+  std::vector<ChargeFit> charges;                   ///< by entry of [[charges]]
   std::vector<Index> inner_of_blast;                ///< by entry of [[blasts]]: faces of its surface between two elements
   std::vector<Index> inner_of_boundary;             ///< by entry of [[boundaries]]: faces of its surface between two elements
 };

@@ -8,6 +8,7 @@
 #include "sazare/methods/blocks/coupled_rates.hpp"
 #include "sazare/methods/blocks/face_contacts.hpp"
 #include "sazare/methods/blocks/run/base_step.hpp"
+#include "sazare/methods/blocks/run/blasting/charges.hpp"
 #include "sazare/methods/blocks/run/joints/element_springs.hpp"
 #include "sazare/methods/blocks/run/parts.hpp"
 
@@ -90,6 +91,9 @@ public:
     if (!blocks_.blasts.empty())
       keep(terms_,
            std::make_unique<terms::FacePressure>(make_loads(blocks_), make_pressed_faces(blocks_, faces, bodies_), bodies_));
+    if (auto charged = make_charged_faces(blocks_, faces, bodies_); !charged.empty())
+      model_.charges =
+          keep(terms_, std::make_unique<methods::blocks::ChargeGas>(make_charges(blocks_), std::move(charged), bodies_));
     if (!blocks_.gravity.acceleration.isZero())
       keep(terms_, std::make_unique<terms::Gravity<3>>(blocks_.gravity.acceleration, bodies_));
     return std::move(terms_);

@@ -10,6 +10,7 @@
 #include "sazare/levels/simulation.hpp"
 #include "sazare/methods/blocks/block_contacts.hpp"
 #include "sazare/methods/blocks/case/case.hpp"
+#include "sazare/methods/blocks/charges/charge_gas.hpp"
 #include "sazare/methods/blocks/joints.hpp"
 #include "sazare/methods/blocks/outer_faces.hpp"
 #include "sazare/methods/blocks/run/joints/strength_scatter.hpp"
@@ -31,6 +32,7 @@ struct BlocksModel {
   methods::blocks::Joints* joints = nullptr;            ///< owned by the simulation
   methods::blocks::BlockContacts* contacts = nullptr;   ///< owned by the simulation
   methods::blocks::OuterFaces* boundaries = nullptr;    ///< none where no face has a boundary; owned by the simulation
+  methods::blocks::ChargeGas* charges = nullptr;        ///< none where no charge stands at a face; owned by the simulation
   methods::blocks::SurfaceContacts* surface = nullptr;  ///< of a coupling; owned by the simulation
 };
 

@@ -17,14 +17,15 @@ namespace {
 
 static_assert(columns::blocks::energies.size() == terms::energy_kind_count, "a column for each account, in their order");
 
-/// Columns of a case with these boundaries.
-std::vector<std::string> history_titles(const std::vector<cases::Boundary>& boundaries) {
+std::vector<std::string> history_titles(const cases::BlocksCase& blocks) {
   std::vector<std::string> titles;
   observe::add_titles(titles, columns::time);
   observe::add_titles(titles, columns::blocks::pieces);
   observe::add_titles(titles, columns::blocks::energies);
   observe::add_titles(titles, columns::blocks::progress);
-  for (const cases::Boundary& boundary : boundaries) observe::add_titles(titles, columns::blocks::boundary, boundary.surface, 3);
+  for (const cases::Boundary& boundary : blocks.boundaries)
+    observe::add_titles(titles, columns::blocks::boundary, boundary.surface, 3);
+  for (const cases::Charge& charge : blocks.charges) observe::add_titles(titles, columns::blocks::charge, charge.name);
   observe::add_titles(titles, columns::clock);
   return titles;
 }
@@ -42,7 +43,7 @@ RunRecord::RunRecord(const RunFolder& folder, const cases::CaseFile& file, Block
 std::uint64_t RunRecord::state_hash() const { return runs::state_hash(*model_); }
 
 std::vector<RecordFiles::Table> RunRecord::tables() const {
-  return {{folder_->history(), history_titles(file_->as<cases::BlocksCase>().boundaries)}, {folder_->gauges(), gauges_.titles()}};
+  return {{folder_->history(), history_titles(file_->as<cases::BlocksCase>())}, {folder_->gauges(), gauges_.titles()}};
 }
 
 void RunRecord::begin() { files_.begin(tables()); }
@@ -88,6 +89,8 @@ void RunRecord::add_history_row(Real time, Real wall_seconds) {
   row.push_back(latest_smallest_step_);
   row.push_back(static_cast<Real>(model_->simulation->counters().pair_evaluations));
   for (const Vector3& force : boundary_forces(time)) row.insert(row.end(), force.begin(), force.end());
+  for (const methods::blocks::ChargeState& charge : charge_states(time))
+    row.insert(row.end(), {charge.pressure, charge.volume, charge.released, charge.work});
   row.push_back(wall_seconds);
   files_.add_row(0, row);
 }
@@ -103,6 +106,12 @@ std::vector<Vector3> RunRecord::boundary_forces(Real time) const {
     return {pose, now.velocity[at(body)],
             motion::spin_of(pose.rotation, bodies.inertia[at(body)], bodies.locks[at(body)], now.angular_momentum[at(body)])};
   });
+}
+
+/// What the charges of the case have become by a time [s].
+std::vector<methods::blocks::ChargeState> RunRecord::charge_states(Real time) const {
+  if (model_->charges == nullptr) return std::vector<methods::blocks::ChargeState>(file_->as<cases::BlocksCase>().charges.size());
+  return model_->charges->states(time);
 }
 
 const FragmentMap& RunRecord::fragments() {
@@ -159,6 +168,15 @@ std::vector<std::pair<std::string, observe::Figure>> RunRecord::results(std::int
   for (std::size_t i = 0; i < balance.joules.size(); ++i)
     results.emplace_back(columns::blocks::energies[i].name, balance.joules[i]);
   results.emplace_back("energy_residual", balance.residual());
+  if (model_->charges != nullptr) {
+    Real released = 0, work = 0;
+    for (const methods::blocks::ChargeState& charge : charge_states(clocks_.time(step))) {
+      released += charge.released;
+      work += charge.work;
+    }
+    results.emplace_back("explosive_released", released);
+    results.emplace_back("explosive_work", work);
+  }
   results.emplace_back("x50", passing_size(pieces, 0.5));
   results.emplace_back("x80", passing_size(pieces, 0.8));
   results.emplace_back("largest_fragment_volume", pieces.empty() ? 0 : pieces.front().volume);

@@ -59,6 +59,7 @@ private:
   const FragmentMap& fragments();
   void add_history_row(Real time, Real wall_seconds);
   std::vector<Vector3> boundary_forces(Real time) const;
+  std::vector<methods::blocks::ChargeState> charge_states(Real time) const;
 
   const RunFolder* folder_;
   const cases::CaseFile* file_;

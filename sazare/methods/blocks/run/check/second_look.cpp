@@ -2,17 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <set>
 
 #include "sazare/cases/explanation.hpp"
 #include "sazare/cases/extent.hpp"
 #include "sazare/cases/format/counted.hpp"
 #include "sazare/geometry/face_map.hpp"
+#include "sazare/geometry/tetrahedron.hpp"
 #include "sazare/methods/blocks/run/block_fragments.hpp"
+#include "sazare/methods/blocks/run/check/hole_wall.hpp"
 #include "sazare/methods/blocks/run/parts.hpp"
 
 namespace sazare::runs {
@@ -31,57 +30,6 @@ std::string mass_text(const BlocksModel& model) {
   return line("mass", cases::mass_text(mass));
 }
 
-/// The wall of a hole, by the faces on which its blast acts.
-struct HoleWall {
-  Real area = 0;                   ///< [m2]
-  Vector3 open = Vector3::Zero();  ///< sum of the faces' area vectors: 0 where the wall closes around the hole [m2]
-  Vector3 axis = Vector3::Zero();  ///< 0 for a hole that is no cylinder
-  Real length = 0, diameter = 0;   ///< along and across the axis; a hole without axis has the diameter of a like sphere [m]
-  Real around = 0;                 ///< faces on a circumference
-  Real volume = 0;                 ///< [m3]
-};
-
-HoleWall measure_wall(const geometry::TetraMesh& mesh, const std::vector<geometry::OuterFace>& faces) {
-  constexpr Real cylinder = 0.02;  // largest mean square of the axial part of the normals
-  HoleWall wall;
-  Matrix3 normals = Matrix3::Zero();
-  Vector3 centre = Vector3::Zero();
-  const auto corners = [&](const geometry::OuterFace& face, std::size_t k) { return mesh.nodes[at(face.nodes[k])]; };
-  const auto area_of = [&](const geometry::OuterFace& face) {
-    return Vector3(0.5 * (corners(face, 1) - corners(face, 0)).cross(corners(face, 2) - corners(face, 0)));
-  };
-  for (const auto& face : faces) {
-    const Vector3 area = area_of(face);
-    wall.area += area.norm();
-    wall.open += area;
-    normals += area * area.normalized().transpose();
-    centre += area.norm() * (corners(face, 0) + corners(face, 1) + corners(face, 2)) / 3;
-  }
-  centre /= wall.area;
-  const Eigen::SelfAdjointEigenSolver<Matrix3> spread(normals / wall.area);
-  const bool has_axis = spread.eigenvalues()[0] < cylinder;
-  if (has_axis) wall.axis = spread.eigenvectors().col(0);
-  Real low = 0, high = 0, widths = 0;
-  for (const auto& face : faces) {
-    const Vector3 area = area_of(face), across = wall.axis.cross(area).normalized();
-    std::array<Real, 3> along{}, around{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      along[k] = (corners(face, k) - centre).dot(wall.axis);
-      around[k] = corners(face, k).dot(across);
-      low = std::min(low, along[k]);
-      high = std::max(high, along[k]);
-    }
-    widths += std::ranges::max(around) - std::ranges::min(around);
-    const Vector3 radius = (corners(face, 0) + corners(face, 1) + corners(face, 2)) / 3 - centre;
-    wall.volume -= (radius - radius.dot(wall.axis) * wall.axis).dot(area) / (has_axis ? 2 : 3);
-  }
-  wall.length = high - low;
-  wall.diameter =
-      has_axis ? std::sqrt(4 * wall.volume / (std::numbers::pi * wall.length)) : std::cbrt(6 * wall.volume / std::numbers::pi);
-  wall.around = std::numbers::pi * wall.diameter * static_cast<Real>(faces.size()) / widths;
-  return wall;
-}
-
 /// The largest pressure of a blast; 0 where it is a function, which only its caller knows [Pa].
 Real peak_of(const cases::Blast& blast) {
   if (const auto* pulse = std::get_if<cases::PressurePulse>(&blast.pressure)) return pulse->peak_pressure;
@@ -90,24 +38,37 @@ Real peak_of(const cases::Blast& blast) {
 }
 
 std::string hole_text(const cases::Blast& blast, const HoleWall& wall) {
-  constexpr Real mostly_closed = 0.05, few_faces = 7.5;
   const Real peak = peak_of(blast), open = wall.open.norm() / wall.area;
-  if (open > mostly_closed || !(wall.volume > 0))
+  if (!wall.is_hole())
     return line("loads",
                 fmt::format("{}: {} m2 that do not close around a hole: the pressure pushes the body with the resultant of "
                             "{} % of its faces{}",
                             blast.name, number(wall.area), cases::short_number(100 * open, 2),
                             peak > 0 ? fmt::format(", {} N at its peak", number(peak * wall.open.norm())) : ""));
-  const bool has_axis = !wall.axis.isZero();
-  std::string text = line("holes", fmt::format("{}: {} m across{}, {}{}", blast.name, number(wall.diameter),
-                                               has_axis ? fmt::format(", {} m long", number(wall.length)) : "",
-                                               has_axis ? fmt::format("about {:.0f} faces around", wall.around) : "no cylinder",
-                                               has_axis && wall.around < few_faces ? ", which are few for a round hole" : ""));
+  std::string text = line("holes", fmt::format("{}: {}", blast.name, size_text(wall)));
   if (peak > 0)
     text += line("", fmt::format("  peak pressure times volume {} J; filled with ANFO of {} kg/m3, {} kg would give {} J",
                                  number(peak * wall.volume), number(anfo_density), number(anfo_density * wall.volume),
                                  number(anfo_density * anfo_energy * wall.volume)));
   return text;
+}
+
+/// The holes of the charges, and how much explosive there is for the rock.
+std::string charges_text(const cases::BlocksCase& blocks, const BlocksModel& model, const MeshFaces& faces) {
+  if (blocks.charges.empty()) return "";
+  std::string text;
+  std::set<std::string> seen;
+  Real explosive = 0, rock = 0;
+  for (const cases::Charge& charge : blocks.charges) {
+    explosive += charge.filling().density * charge.volume();
+    if (seen.insert(charge.surface).second)
+      text +=
+          line("holes", fmt::format("{}: {}", charge.surface, size_text(measure_wall(model.mesh, faces.outer(charge.surface)))));
+  }
+  for (Index element = 0; element < static_cast<Index>(model.mesh.tetrahedra.size()); ++element)
+    rock += geometry::volume(geometry::corners_of(model.mesh, element));
+  return text +
+         line("explosive", fmt::format("{} kg in all, {} kg per m3 of the mesh", number(explosive), number(explosive / rock)));
 }
 
 /// Axes along which boundaries and constraints hold each element, a bit per axis. Absorbing faces carry nothing at rest; of faces
@@ -170,6 +131,7 @@ std::string second_look(const cases::BlocksCase& blocks, const BlocksModel& mode
   std::string text = cases::explain_size(cases::extent_of(model.mesh.nodes)) + mass_text(model);
   for (const cases::Blast& blast : blocks.blasts)
     if (const auto wall = faces.outer(blast.surface); !wall.empty()) text += hole_text(blast, measure_wall(model.mesh, wall));
+  text += charges_text(blocks, model, faces);
   return text + explain_initial_stress(blocks, model.mesh, model.fit.start_balance) + held_text(blocks, model, faces);
 }
 

@@ -3,24 +3,17 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "sazare/core/mixed_hash.hpp"
 #include "sazare/methods/blocks/run/parts.hpp"
 
 namespace sazare::runs {
 namespace {
 
-/// Mixes a number into a hash so that every bit of it matters (the finalizer of SplitMix64).
-std::uint64_t mixed(std::uint64_t hash, std::uint64_t number) {
-  hash += number + 0x9E3779B97F4A7C15ULL;
-  hash = (hash ^ (hash >> 30)) * 0xBF58476D1CE4E5B9ULL;
-  hash = (hash ^ (hash >> 27)) * 0x94D049BB133111EBULL;
-  return hash ^ (hash >> 31);
-}
-
 /// A class for a face, each as likely as the others.
 Index class_of(const methods::blocks::JointFace& face, const geometry::TetraMesh& mesh, int seed, std::size_t classes) {
   const auto [lower, higher] = std::minmax({geometry::element_tag(mesh, face.master), geometry::element_tag(mesh, face.slave)});
-  std::uint64_t hash = mixed(0, static_cast<std::uint64_t>(seed));
-  hash = mixed(mixed(hash, static_cast<std::uint64_t>(lower)), static_cast<std::uint64_t>(higher));
+  std::uint64_t hash = mixed_hash(0, static_cast<std::uint64_t>(seed));
+  hash = mixed_hash(mixed_hash(hash, static_cast<std::uint64_t>(lower)), static_cast<std::uint64_t>(higher));
   return static_cast<Index>((hash >> 11) % classes);
 }
 

@@ -1,0 +1,132 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sazare/cases/explanation.hpp"
+#include "sazare/cases/format/number_text.hpp"
+#include "sazare/methods/blocks/case/checks.hpp"
+#include "sazare/methods/blocks/case/fields.hpp"
+
+namespace sazare::cases {
+namespace {
+
+/// Constants that do not belong together give the gas too much pressure or too little.
+void check_detonation(const CheckContext& context, const Entry& entry, const laws::Explosive& explosive) {
+  constexpr Real most = 0.1;
+  const Real off = laws::detonation_mismatch(explosive);
+  if (off <= most) return;
+  context.problems.warning(
+      entry.place("explosive"),
+      fmt::format("these constants miss the laws of a steady detonation by {} %", short_number(100 * off, 2)),
+      "density, velocity, energy and the constants of the gas are to be of one explosive at one density; are they in SI units?");
+}
+
+/// The constants of a custom explosive are all there; one of the table has none of its own but its velocity.
+void check_explosive(const CheckContext& context, const Entry& entry, const Charge& charge) {
+  if (!entry.gives("explosive")) return;
+  if (!charge.is_custom()) {
+    std::vector<std::string_view> foreign{"density", "explosive_energy", "gas_exponent"};
+    foreign.insert(foreign.end(), jwl_keys.begin(), jwl_keys.end());
+    check_keys(context, entry, fmt::format("explosive {}", word(charge.explosive)), {}, foreign);
+    return;
+  }
+  std::vector<std::string_view> needed{"density", "detonation_velocity"};
+  const bool has_jwl = std::ranges::any_of(jwl_keys, [&](std::string_view key) { return entry.has(key); });
+  if (has_jwl) {
+    needed.push_back("explosive_energy");
+    needed.insert(needed.end(), jwl_keys.begin(), jwl_keys.end());
+  }
+  check_keys(context, entry, "explosive custom", needed, {});
+  if (has_jwl && entry.has("gas_exponent"))
+    context.problems.error(*entry.value->key_place("gas_exponent"), "the charge has both a gas_exponent and constants of JWL",
+                           "keep one of the two");
+  if (!has_jwl && !entry.has("gas_exponent"))
+    context.problems.error(
+        entry.place("explosive"), "nothing says how the gas of this explosive expands",
+        "add gas_exponent = ... (3 is usual for the dense gas of commercial explosives) or jwl_a, jwl_b, jwl_r1, "
+        "jwl_r2 and jwl_omega");
+  const bool is_whole = std::ranges::all_of(needed, [&](std::string_view key) { return entry.gives(key); });
+  if (is_whole && has_jwl != entry.gives("gas_exponent")) check_detonation(context, entry, charge.filling());
+}
+
+/// The charge lies in its hole, and the primer in the charge. Whether there is more to check.
+bool check_depths(const CheckContext& context, const Entry& entry, const Charge& charge) {
+  for (const std::string_view key : {"collar", "toe", "top", "bottom", "primer", "diameter", "charge_diameter"})
+    if (entry.has(key) && !entry.is_sound(key)) return false;
+  if (!entry.gives("collar") || !entry.gives("toe")) return false;
+  const Real length = charge.hole_length();
+  if (!(length > 0)) {
+    context.problems.error(entry.place("toe"), "the hole has no length: its toe is at its collar",
+                           "collar and toe are the two ends of the hole's axis");
+    return false;
+  }
+  const auto depth = [](Real value) { return short_number(value, 6); };
+  if (charge.bottom_depth() > length * (1 + 1e-9))
+    context.problems.error(
+        entry.place("bottom"),
+        fmt::format("the charge ends at {} m, beyond the toe of its hole at {} m", depth(charge.bottom_depth()), depth(length)),
+        "depths count along the hole from its collar; leave bottom out for a charge that reaches the toe");
+  if (!(charge.top < charge.bottom_depth()))
+    context.problems.error(entry.place("top"),
+                           fmt::format("the charge has no length: it begins at {} m and ends at {} m", depth(charge.top),
+                                       depth(charge.bottom_depth())),
+                           "top is the depth at which the explosive begins (the length of the stemming), bottom where it ends");
+  else if (charge.primer_depth() < charge.top || charge.primer_depth() > charge.bottom_depth())
+    context.problems.error(entry.place("primer"),
+                           fmt::format("the primer at {} m lies outside the charge, which reaches from {} to {} m",
+                                       depth(charge.primer_depth()), depth(charge.top), depth(charge.bottom_depth())),
+                           "put it between top and bottom of the charge");
+  if (charge.explosive_diameter() > charge.diameter)
+    context.problems.error(entry.place("charge_diameter"),
+                           fmt::format("the explosive is thicker ({} m) than its hole ({} m)", depth(charge.explosive_diameter()),
+                                       depth(charge.diameter)),
+                           "charge_diameter is that of the explosive, diameter that of the hole");
+  return true;
+}
+
+/// Two charges of one hole stand apart.
+void check_decks(const CheckContext& context, const Entry& entry, const Charge& charge, const Charge& other) {
+  if (charge.surface.empty() || charge.surface != other.surface) return;
+  if ((charge.collar - other.collar).norm() + (charge.toe - other.toe).norm() > 1e-9 * charge.hole_length()) {
+    context.problems.error(entry.place("collar"),
+                           fmt::format("the charges \"{}\" and \"{}\" have one wall and different axes", other.name, charge.name),
+                           "give each hole a physical group of its own, or the decks of one hole the same collar and toe");
+    return;
+  }
+  if (std::max(charge.top, other.top) < std::min(charge.bottom_depth(), other.bottom_depth()))
+    context.problems.error(entry.place("top"),
+                           fmt::format("the charges \"{}\" and \"{}\" of one hole overlap", other.name, charge.name),
+                           "decks stand one above the other, with stemming between them");
+}
+
+void check_delay(const CheckContext& context, const Entry& entry, const Charge& charge, Real end) {
+  if (!(end > 0) || !entry.gives("delay") || charge.delay < end) return;
+  context.problems.warning(
+      entry.place("delay"),
+      fmt::format("the charge fires at {} s, after the end of the run at {} s", short_number(charge.delay), short_number(end)),
+      "choose a later end in [time], or remove the charge");
+}
+
+}  // namespace
+
+void check_charges(const CheckContext& context, const BlocksCase& blocks) {
+  const auto list = context.entries_of("charges");
+  std::vector<bool> is_placed;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    is_placed.push_back(false);
+    if (!list[i].exists()) continue;
+    const Charge& charge = blocks.charges[i];
+    check_explosive(context, list[i], charge);
+    is_placed[i] = check_depths(context, list[i], charge);
+    for (std::size_t other = 0; is_placed[i] && other < i; ++other)
+      if (is_placed[other]) check_decks(context, list[i], charge, blocks.charges[other]);
+    check_delay(context, list[i], charge, blocks.time.end);
+    for (const Blast& blast : blocks.blasts)
+      if (list[i].gives("surface") && blast.surface == charge.surface)
+        context.problems.warning(list[i].place("surface"),
+                                 fmt::format("a blast acts on the surface \"{}\" too: pressure and gas add up", charge.surface),
+                                 "keep the charge or the blast, if that is not meant");
+  }
+}
+
+}  // namespace sazare::cases

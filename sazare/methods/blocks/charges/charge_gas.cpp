@@ -1,0 +1,159 @@
+#include "sazare/methods/blocks/charges/charge_gas.hpp"
+
+#include <cstring>
+#include <numeric>
+#include <utility>
+
+#include "sazare/parallel/threads.hpp"
+
+namespace sazare::methods::blocks {
+
+namespace {
+
+/// The share of a part that another one covers; a part without length is covered as a whole or not at all.
+Real covered(const AxialPart& part, const AxialPart& by) {
+  if (part.length() == 0) return by.length() > 0 && by.from <= part.from && part.from <= by.to ? 1 : 0;
+  return AxialPart{std::max(part.from, by.from), std::min(part.to, by.to)}.length() / part.length();
+}
+
+}  // namespace
+
+ChargeGas::ChargeGas(std::vector<Charge> charges, std::vector<ChargedFace> faces, const state::Bodies<3>& bodies)
+    : charges_(std::move(charges)),
+      faces_(std::move(faces)),
+      rates_(static_cast<std::size_t>(bodies.size())),
+      told_(faces_.size()),
+      first_delay_(std::numeric_limits<Real>::infinity()) {
+  for (const ChargedFace& face : faces_) {
+    links_.push_back({face.body, Link::outside});
+    wetted_.push_back({.place = face.start});
+  }
+  for (const Charge& charge : charges_) first_delay_ = std::min(first_delay_, charge.delay);
+  find_rates(bodies);
+  sum_up();
+  table_.causes = {terms::Cause::load};
+  table_.slots.resize(faces_.size());
+  table_.incidence = terms::FixedIncidence(bodies.size(), links_);
+}
+
+/// Gas is a spring between the faces of its hole: where all of them move outwards by u, the pressure falls by n p A u/V. No way
+/// of moving is stiffer, and the gas is never stiffer than right after its detonation.
+void ChargeGas::find_rates(const state::Bodies<3>& bodies) {
+  std::vector<Real> walls(charges_.size(), 0);
+  for (const ChargedFace& face : faces_) walls[at(face.charge)] += face.area.norm();
+  for (const ChargedFace& face : faces_) {
+    const Charge& charge = charges_[at(face.charge)];
+    const Real relative = charge.hole_area / charge.area;
+    const Real pressure = laws::jwl_pressure(charge.gas, relative, charge.energy);
+    const Real softening = laws::jwl_exponent(charge.gas, relative, charge.energy) * pressure /
+                           (charge.hole_area * charge.filled.length());  // -dp/dV [Pa/m3]
+    rates_[at(face.body)].stiffness += softening * walls[at(face.charge)] * face.area.norm() / bodies.inertia[at(face.body)].mass;
+  }
+}
+
+std::vector<Index> ChargeGas::first_links() const {
+  std::vector<Index> all(links_.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+void ChargeGas::evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
+  now_ = states(now.seconds());
+  news_.resize(due.size());
+  parallel::parallel_for(due.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) news_[i] = {due[i].link, move(due[i], now, bodies)};
+  });
+}
+
+/// Takes a face to where it is now, and writes its force.
+ChargeGas::Told ChargeGas::move(const Due& due, const Instant& now, const state::Bodies<3>& bodies) {
+  const ChargedFace& face = faces_[at(due.link)];
+  const Charge& charge = charges_[at(face.charge)];
+  Wetted& wetted = wetted_[at(due.link)];
+  const auto& motion = bodies.motion[at(face.body)];
+  const Vector3 arm = motion.rotation * face.centre, place = motion.position + arm;
+  if ((place - face.start).squaredNorm() > charge.cut_distance * charge.cut_distance) wetted.acts = 0;
+  const Real pressure = now_[at(face.charge)].pressure;
+  const Vector3 area = wetted.acts * covered(face.part, charge.burnt(now.seconds())) * (motion.rotation * face.area);
+  const Vector3 moved = place - wetted.place;
+  wetted.room -= 0.5 * (wetted.area + area).dot(moved);
+  wetted.work -= 0.5 * (wetted.pressure * wetted.area + pressure * area).dot(moved);
+  wetted.place = place;
+  wetted.area = area;
+  wetted.pressure = pressure;
+  terms::PairForce<3> total;
+  total.add_at(motion.position - bodies.pole + arm, pressure * area);  // on the outside, the second body
+  terms::write<3, 0>(table_[due.link], now, due, total, {});
+  const Real rate = -area.dot(motion.velocity_at(arm));
+  return {LinearGrowth::at(now.seconds(), wetted.room, rate), LinearGrowth::at(now.seconds(), wetted.work, pressure * rate)};
+}
+
+/// All processes hear what the faces have told.
+void ChargeGas::post_step(const Instant& now, const state::Bodies<3>&, terms::Peers& peers, terms::Changes&) {
+  if (now.seconds() < first_delay_) return news_.clear();
+  if (peers.alone()) {
+    for (const ToldBy& news : news_) take(news);
+  } else {
+    const std::vector<std::byte> all = peers.gather(std::as_bytes(std::span(news_)));
+    for (std::size_t place = 0; place < all.size(); place += sizeof(ToldBy)) {
+      ToldBy news;
+      std::memcpy(&news, all.data() + place, sizeof news);
+      take(news);
+    }
+  }
+  news_.clear();
+}
+
+void ChargeGas::take(const ToldBy& news) {
+  Sums& sums = sums_[at(faces_[at(news.face)].charge)];
+  Told& told = told_[at(news.face)];
+  const auto replace = [](ExactSum& constant, ExactSum& rate, const LinearGrowth& old, const LinearGrowth& now) {
+    constant -= old.constant;
+    rate -= old.rate;
+    constant += now.constant;
+    rate += now.rate;
+  };
+  replace(sums.room, sums.room_rate, told.room, news.told.room);
+  replace(sums.work, sums.work_rate, told.work, news.told.work);
+  told = news.told;
+}
+
+void ChargeGas::sum_up() {
+  sums_.assign(charges_.size(), {});
+  for (std::size_t face = 0; face < faces_.size(); ++face) {
+    Sums& sums = sums_[at(faces_[face].charge)];
+    sums.room += told_[face].room.constant;
+    sums.room_rate += told_[face].room.rate;
+    sums.work += told_[face].work.constant;
+    sums.work_rate += told_[face].work.rate;
+  }
+}
+
+std::vector<ChargeState> ChargeGas::states(Real time) const {
+  std::vector<ChargeState> found;
+  for (std::size_t charge = 0; charge < charges_.size(); ++charge) {
+    const Sums& sums = sums_[charge];
+    found.push_back(charge_state(charges_[charge], time, sums.room.value() + sums.room_rate.value() * time,
+                                 sums.work.value() + sums.work_rate.value() * time));
+  }
+  return found;
+}
+
+void ChargeGas::add_energies(const terms::Synchronized<3>& at, terms::EnergySums& energies) const {
+  for (std::size_t face = 0; face < faces_.size(); ++face)
+    if (at.counts(links_[face])) table_.take_back(static_cast<Index>(face), links_[face], at, energies);
+}
+
+void ChargeGas::carry(Index link, Parcel& parcel) {
+  parcel(wetted_[at(link)]);
+  parcel(table_[link]);
+}
+
+void ChargeGas::columns(Archive& archive) {
+  archive("wetted", wetted_);
+  archive("told", told_);
+  archive("slots", table_.slots);
+  if (archive.reading()) sum_up();
+}
+
+}  // namespace sazare::methods::blocks

@@ -1,0 +1,105 @@
+#pragma once
+
+/// Gas of detonated charges on the walls of their holes.
+///
+/// The gas presses on a face as soon as the front has reached it, on the share of it that the front has passed. It follows its
+/// face as a pressure does: the normal turns with the body, the area stays. What a face has swept is room for the gas, and the
+/// work on it is taken from the energy of the gas, so that all work together cannot exceed what the explosive holds.
+///
+/// Faces stand at several time levels, and the gas meets all of them. Each tells, when it is evaluated, the room that it has
+/// made, its rate, and the same of its work; between its own times both are continued by their rates. Sums are exact, so they
+/// depend neither on the order of the faces nor on who evaluates them.
+
+#include <array>
+#include <vector>
+
+#include "sazare/core/exact_sum.hpp"
+#include "sazare/levels/terms/slot_table.hpp"
+#include "sazare/methods/blocks/charges/charge.hpp"
+
+namespace sazare::methods::blocks {
+
+/// A face of the wall of a hole.
+struct ChargedFace {
+  Vector3 area;    ///< outward vector with the length of the area, in the body frame [m2]
+  Vector3 centre;  ///< in the body frame [m]
+  Vector3 start;   ///< place of the centre at the beginning [m]
+  Index body = 0;
+  Index charge = 0;
+  AxialPart part;  ///< of the hole's axis that it stands along
+};
+
+/// A quantity that grows at a constant rate: constant + rate * time.
+struct LinearGrowth {
+  Real constant = 0;  ///< [its unit]
+  Real rate = 0;      ///< [its unit per s]
+
+  /// A value at a time, and how fast it grows there.
+  static LinearGrowth at(Real time, Real value, Real rate) { return {value - rate * time, rate}; }
+};
+
+class ChargeGas final : public terms::Term<3> {
+public:
+  ChargeGas(std::vector<Charge> charges, std::vector<ChargedFace> faces, const state::Bodies<3>& bodies);
+
+  std::string_view name() const override { return "charges"; }
+  std::span<const Link> links() const override { return links_; }
+  bool joins_bodies() const override { return false; }
+  std::vector<Index> first_links() const override;
+  void evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
+  void gather(const Instant& now, std::span<const Index> which, const state::Bodies<3>&, std::span<terms::Impulse<3>> sum,
+              terms::CauseImpulses<3>& parts) const override {
+    table_.gather(now, which, sum, parts);
+  }
+  void post_step(const Instant& now, const state::Bodies<3>&, terms::Peers& peers, terms::Changes&) override;
+  terms::Rates rates(Index body) const override { return rates_[static_cast<std::size_t>(body)]; }
+  void add_energies(const terms::Synchronized<3>& at, terms::EnergySums& energies) const override;
+  void carry(Index link, Parcel& parcel) override;
+  void columns(Archive& archive) override;
+
+  /// What every charge has become by a time [s]. In a run of several processes all know it.
+  std::vector<ChargeState> states(Real time) const;
+
+private:
+  /// What a face remembers of its last evaluation.
+  struct Wetted {
+    Vector3 place = Vector3::Zero();  ///< of its centre [m]
+    Vector3 area = Vector3::Zero();   ///< its vector, times the share that gas touches [m2]
+    Real pressure = 0;                ///< [Pa]
+    Real room = 0;                    ///< made so far [m3]
+    Real work = 0;                    ///< taken so far [J]
+    Real acts = 1;                    ///< 0 once it is cut off
+  };
+  /// What a face tells the gas.
+  struct Told {
+    LinearGrowth room, work;
+  };
+  /// On its way to other processes.
+  struct ToldBy {
+    Index face = 0;
+    Told told;
+  };
+  /// Sums over the faces of a charge.
+  struct Sums {
+    ExactSum room, room_rate, work, work_rate;
+  };
+
+  void find_rates(const state::Bodies<3>& bodies);
+  Told move(const Due& due, const Instant& now, const state::Bodies<3>& bodies);
+  void take(const ToldBy& news);
+  void sum_up();
+
+  std::vector<Charge> charges_;
+  std::vector<ChargedFace> faces_;
+  std::vector<Link> links_;
+  std::vector<terms::Rates> rates_;  ///< by body
+  std::vector<ChargeState> now_;     ///< of the charges, at the last evaluation
+  std::vector<Wetted> wetted_;
+  std::vector<Told> told_;    ///< of the faces, as it is in the sums
+  std::vector<ToldBy> news_;  ///< of the faces evaluated since the last step
+  std::vector<Sums> sums_;
+  Real first_delay_ = 0;  ///< [s]
+  terms::SlotTable<3, 0, terms::FixedIncidence> table_;
+};
+
+}  // namespace sazare::methods::blocks

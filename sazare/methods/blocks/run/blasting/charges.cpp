@@ -1,0 +1,72 @@
+#include "sazare/methods/blocks/run/blasting/charges.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace sazare::runs {
+
+namespace {
+
+Real circle(Real diameter) { return std::numbers::pi / 4 * diameter * diameter; }
+
+methods::blocks::AxialPart filled_part(const cases::Charge& charge) { return {charge.top, charge.bottom_depth()}; }
+
+/// The part of the axis of a hole that a face stands along.
+methods::blocks::AxialPart axial_part(const cases::Charge& charge, const std::array<Vector3, 3>& corners) {
+  const Vector3 axis = (charge.toe - charge.collar).normalized();
+  std::array<Real, 3> depths;
+  for (std::size_t k = 0; k < 3; ++k) depths[k] = axis.dot(corners[k] - charge.collar);
+  const auto [least, most] = std::ranges::minmax(depths);
+  const Real flat = 1e-9 * charge.hole_length();
+  return most - least > flat ? methods::blocks::AxialPart{least, most} : methods::blocks::AxialPart{least, least};
+}
+
+/// Whether a part has something in common with another one that has a length; the end of a hole counts as its face.
+bool touches(const methods::blocks::AxialPart& face, const methods::blocks::AxialPart& filled) {
+  const Real near = 1e-6 * filled.length();
+  if (face.length() == 0) return filled.from - near <= face.from && face.from <= filled.to + near;
+  return std::min(face.to, filled.to) - std::max(face.from, filled.from) > 0;
+}
+
+}  // namespace
+
+bool stands_along(const cases::Charge& charge, const std::array<Vector3, 3>& corners) {
+  return touches(axial_part(charge, corners), filled_part(charge));
+}
+
+std::vector<methods::blocks::Charge> make_charges(const cases::BlocksCase& blocks) {
+  std::vector<methods::blocks::Charge> made;
+  for (std::size_t place = 0; place < blocks.charges.size(); ++place) {
+    const cases::Charge& charge = blocks.charges[place];
+    const laws::Explosive filling = charge.filling();
+    made.push_back({filling.gas, filling.energy, filling.velocity, circle(charge.explosive_diameter()), circle(charge.diameter),
+                    filled_part(charge), charge.primer_depth(), charge.firing_time(place), charge.cut_distance});
+  }
+  return made;
+}
+
+std::vector<methods::blocks::ChargedFace> make_charged_faces(const cases::BlocksCase& blocks, const MeshFaces& faces,
+                                                             const state::Bodies<3>& bodies) {
+  std::vector<methods::blocks::ChargedFace> made;
+  for (std::size_t number = 0; number < blocks.charges.size(); ++number) {
+    const cases::Charge& charge = blocks.charges[number];
+    const methods::blocks::AxialPart filled = filled_part(charge);
+    for (const geometry::OuterFace& outer : faces.outer(charge.surface)) {
+      const auto corners = face_corners(faces.mesh, outer.nodes);
+      methods::blocks::ChargedFace face;
+      face.part = axial_part(charge, corners);
+      if (!stands_along(charge, corners)) continue;
+      if (face.part.length() == 0) face.part.from = face.part.to = std::clamp(face.part.from, filled.from, filled.to);
+      const auto& motion = bodies.motion[at(outer.element)];
+      face.start = (corners[0] + corners[1] + corners[2]) / 3;
+      face.area = motion.rotation.transpose() * area_vector(corners);
+      face.centre = motion.rotation.transpose() * (face.start - motion.position);
+      face.body = outer.element;
+      face.charge = static_cast<Index>(number);
+      made.push_back(face);
+    }
+  }
+  return made;
+}
+
+}  // namespace sazare::runs

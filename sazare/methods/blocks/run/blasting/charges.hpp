@@ -1,0 +1,21 @@
+#pragma once
+
+/// The charges of a case, and the faces that their gas may press on.
+
+#include <vector>
+
+#include "sazare/methods/blocks/charges/charge_gas.hpp"
+#include "sazare/methods/blocks/run/parts.hpp"
+
+namespace sazare::runs {
+
+std::vector<methods::blocks::Charge> make_charges(const cases::BlocksCase& blocks);
+
+/// Whether a face of the wall of its hole, given by its corners, has explosive of the charge beside it.
+bool stands_along(const cases::Charge& charge, const std::array<Vector3, 3>& corners);
+
+/// Faces of the walls of holes that stand beside the explosive of a charge; one between two decks is a face of both.
+std::vector<methods::blocks::ChargedFace> make_charged_faces(const cases::BlocksCase& blocks, const MeshFaces& faces,
+                                                             const state::Bodies<3>& bodies);
+
+}  // namespace sazare::runs

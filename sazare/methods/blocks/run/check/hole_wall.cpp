@@ -1,0 +1,64 @@
+#include "sazare/methods/blocks/run/check/hole_wall.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sazare/cases/explanation.hpp"
+#include "sazare/core/time.hpp"
+
+namespace sazare::runs {
+
+HoleWall measure_wall(const geometry::TetraMesh& mesh, const std::vector<geometry::OuterFace>& faces) {
+  constexpr Real cylinder = 0.02;  // largest mean square of the axial part of the normals
+  HoleWall wall;
+  Matrix3 normals = Matrix3::Zero();
+  Vector3 centre = Vector3::Zero();
+  const auto corners = [&](const geometry::OuterFace& face, std::size_t k) { return mesh.nodes[at(face.nodes[k])]; };
+  const auto area_of = [&](const geometry::OuterFace& face) {
+    return Vector3(0.5 * (corners(face, 1) - corners(face, 0)).cross(corners(face, 2) - corners(face, 0)));
+  };
+  for (const auto& face : faces) {
+    const Vector3 area = area_of(face);
+    wall.area += area.norm();
+    wall.open += area;
+    normals += area * area.normalized().transpose();
+    centre += area.norm() * (corners(face, 0) + corners(face, 1) + corners(face, 2)) / 3;
+  }
+  centre /= wall.area;
+  const Eigen::SelfAdjointEigenSolver<Matrix3> spread(normals / wall.area);
+  const bool has_axis = spread.eigenvalues()[0] < cylinder;
+  if (has_axis) wall.axis = spread.eigenvectors().col(0);
+  Real low = 0, high = 0, widths = 0;
+  for (const auto& face : faces) {
+    const Vector3 area = area_of(face), across = wall.axis.cross(area).normalized();
+    std::array<Real, 3> along{}, around{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      along[k] = (corners(face, k) - centre).dot(wall.axis);
+      around[k] = corners(face, k).dot(across);
+      low = std::min(low, along[k]);
+      high = std::max(high, along[k]);
+    }
+    widths += std::ranges::max(around) - std::ranges::min(around);
+    const Vector3 radius = (corners(face, 0) + corners(face, 1) + corners(face, 2)) / 3 - centre;
+    wall.volume -= (radius - radius.dot(wall.axis) * wall.axis).dot(area) / (has_axis ? 2 : 3);
+  }
+  wall.length = high - low;
+  wall.diameter =
+      has_axis ? std::sqrt(4 * wall.volume / (std::numbers::pi * wall.length)) : std::cbrt(6 * wall.volume / std::numbers::pi);
+  wall.around = std::numbers::pi * wall.diameter * static_cast<Real>(faces.size()) / widths;
+  return wall;
+}
+
+std::string size_text(const HoleWall& wall) {
+  using cases::number;
+  return fmt::format("{} m across{}, {}{}", number(wall.diameter),
+                     wall.has_axis() ? fmt::format(", {} m long", number(wall.length)) : "",
+                     wall.has_axis() ? fmt::format("about {:.0f} faces around", wall.around) : "no cylinder",
+                     wall.is_coarse() ? ", which are few for a round hole" : "");
+}
+
+}  // namespace sazare::runs

@@ -1,0 +1,31 @@
+#pragma once
+
+/// The wall of a hole, measured on the faces of its mesh.
+
+#include <vector>
+
+#include "sazare/geometry/face_map.hpp"
+#include "sazare/geometry/tetra_mesh.hpp"
+
+namespace sazare::runs {
+
+struct HoleWall {
+  Real area = 0;                   ///< [m2]
+  Vector3 open = Vector3::Zero();  ///< sum of the faces' area vectors: 0 where the wall closes around the hole [m2]
+  Vector3 axis = Vector3::Zero();  ///< 0 for a hole that is no cylinder
+  Real length = 0, diameter = 0;   ///< along and across the axis; a hole without axis has the diameter of a like sphere [m]
+  Real around = 0;                 ///< faces on a circumference
+  Real volume = 0;                 ///< [m3]
+
+  bool has_axis() const { return !axis.isZero(); }
+  /// Whether they close around a hole; else they are an open surface.
+  bool is_hole() const { return open.norm() <= 0.05 * area && volume > 0; }
+  bool is_coarse() const { return has_axis() && around < 7.5; }
+};
+
+HoleWall measure_wall(const geometry::TetraMesh& mesh, const std::vector<geometry::OuterFace>& faces);
+
+/// Its size in words: "0.1 m across, 2 m long, about 12 faces around".
+std::string size_text(const HoleWall& wall);
+
+}  // namespace sazare::runs
