@@ -23,6 +23,7 @@ PICTURES = {
     "direct-shear": "cracks",
     "uniaxial-compression": "cracks",
     "brazilian-disc": "cracks",
+    "cylinder-blast": "cracks",
     "borehole-under-stress": "cracks",
     "spalling-bar": "cracks",
     "column-ricker": "accelerations",

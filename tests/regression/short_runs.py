@@ -56,6 +56,7 @@ RUNS = {
     "column-ricker": Run(),
     "direct-shear": Run(),
     "brazilian-disc": Run(until(2e-4, "mesh.parameters.size=0.0083")),
+    "cylinder-blast": Run(until(4e-5, "mesh.parameters.size=0.018")),
     "uniaxial-compression": Run(until(2e-4, "mesh.parameters.size=0.012")),
     "free-face-blast": Run(),
     "free-face-blast-full": Run(until(1e-4)),

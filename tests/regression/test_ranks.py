@@ -93,6 +93,18 @@ def test_work_of_moving_ground_is_the_same_where_faces_change_their_rank(sazare,
     assert rows_without_wall_time(tmp_path / "alone/history.csv") == rows_without_wall_time(tmp_path / "many/history.csv")
 
 
+def test_gas_of_a_charge_is_the_same_where_faces_change_their_rank(sazare, tmp_path):
+    case = sazare.block.parents[3] / "cases/cylinder-blast/case.toml"
+    short = ("--threads", 1, "--set", "mesh.parameters.size=0.02", "--set", "time.end=4e-5")
+    alone = sazare("run", case, "--out", tmp_path / "alone", *short)
+    assert alone.returncode == DONE, alone.stderr
+    assert manifest(tmp_path / "alone")["results"]["explosive_work"] > 0
+    often = ("--balance", "measured", "--balance-interval", 14)
+    many = sazare.on_ranks(3, "run", case, "--out", tmp_path / "many", *short, *often)
+    assert many.returncode == DONE, many.stderr
+    assert_same_results(tmp_path / "alone", tmp_path / "many")
+
+
 @pytest.mark.parametrize(
     ("ranks", "threads", "options"),
     [

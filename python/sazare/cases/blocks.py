@@ -200,6 +200,10 @@ class Charge(Part):
     """Diameter of the explosive. A smaller one leaves an annulus of air (decoupling) into which the gas expands first. [m]
     (default: that of the hole) Greater than 0.
     """
+    share: float | None = None
+    """Share of the hole that the mesh has: 0.5 where a plane of symmetry runs along its axis, 0.25 with two. Default: 1.0.
+    Greater than 0 and at most 1.
+    """
     top: float | None = None
     """Depth at which the explosive begins. Above it stands the stemming, which the gas does not enter. [m] Default: 0.0. At least
     0.
@@ -218,8 +222,8 @@ class Charge(Part):
     of the explosive) Greater than 0.
     """
     explosive_energy: float | None = None
-    """Energy of the explosive per mass (heat of explosion). [J/kg] (required with explosive = "custom", else not given) Greater
-    than 0.
+    """Energy of the explosive per mass. [J/kg] (required with the constants of JWL; with gas_exponent the default follows from
+    the velocity) Greater than 0.
     """
     gas_exponent: float | None = None
     """Exponent of a gas whose pressure falls as its volume to the power of minus this. (with explosive = "custom": this, or the
@@ -230,13 +234,13 @@ class Charge(Part):
     At least 0.
     """
     jwl_b: float | None = None
-    """Constant B. [Pa] (with explosive = "custom": all five, or gas_exponent) At least 0."""
+    """Constant B of the same equation. [Pa] (with explosive = "custom": all five, or gas_exponent) At least 0."""
     jwl_r1: float | None = None
-    """Constant R1. (with explosive = "custom": all five, or gas_exponent) Greater than 0."""
+    """Constant R1 of the same equation. (with explosive = "custom": all five, or gas_exponent) Greater than 0."""
     jwl_r2: float | None = None
-    """Constant R2. (with explosive = "custom": all five, or gas_exponent) Greater than 0."""
+    """Constant R2 of the same equation. (with explosive = "custom": all five, or gas_exponent) Greater than 0."""
     jwl_omega: float | None = None
-    """Constant omega. (with explosive = "custom": all five, or gas_exponent) Greater than 0."""
+    """Constant omega of the same equation. (with explosive = "custom": all five, or gas_exponent) Greater than 0."""
     delay: float | None = None
     """Time at which the primer fires. [s] Default: 0.0. At least 0."""
     delay_scatter: float | None = None

@@ -3,7 +3,7 @@
 from functools import partial
 
 from sazare import plot, style
-from sazare.methods import Figure, Method, Section, blocks_curves, common
+from sazare.methods import Figure, Method, Section, blocks_charges, blocks_curves, common
 
 ENERGIES = {
     "energy_kinetic": ("kinetic", style.KINETIC),
@@ -73,6 +73,7 @@ def _curve_sections(results):
     ranks = [_rank_section(results)] if results.ranks.rows > 0 else []
     return [
         common.energy_section(results, ENERGIES),
+        *([_charge_section(results)] if blocks_charges.names(results) else []),
         Section(
             "fragment_curve", "Fragment size distribution", "Cumulative volume passing; 50 % of the volume is in fragments smaller than X50.",
             partial(plot.fragment_curve, results), "The run wrote no fragments.", wide=False,
@@ -93,6 +94,16 @@ def _curve_sections(results):
         common.timing_section(results, "the step"),
         *ranks,
     ]
+
+
+def _charge_section(results):
+    """The picture of a run with charges."""
+    return Section(
+        "charges", "Charges",
+        "Pressure of the gas in the hole of each charge, and the energy of all charges: what the detonation has released, and what of it "
+        "the gas has given to the walls. The rest is left in the gas.",
+        partial(blocks_charges.charges, results), "No charge fired in the time of the run.",
+    )
 
 
 def _rank_section(results):

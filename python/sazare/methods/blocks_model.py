@@ -1,4 +1,4 @@
-"""The model of a case of method blocks at t = 0: materials, blasts, boundaries, joints along surfaces, constraints."""
+"""The model of a case of method blocks at t = 0: materials, blasts, charges, boundaries, joints along surfaces, constraints."""
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from sazare.model.parts import (
 def model(opened):
     """What is drawn of the case."""
     return Model(
-        3, [*_regions(opened), *_joints(opened), *_boundaries(opened), *_blasts(opened)], gauges_at_points(opened), _velocities(opened), opened.gravity,
+        3, [*_regions(opened), *_joints(opened), *_boundaries(opened), *_blasts(opened), *_charges(opened)], gauges_at_points(opened), _velocities(opened), opened.gravity,
         _constraints(opened),
     )
 
@@ -55,6 +55,16 @@ def _blasts(opened):
     titles = [_blast_title(entry) for entry in entries]
     label = f"blast pressure{_peak(entries)}: {listed(entry.get('name', entry['surface']) for entry in entries)}"
     yield surface_part(opened, surfaces, 3, label, COLORS["load"], LOAD, titles)
+
+
+def _charges(opened):
+    """Walls of holes with explosives; decks of one hole share its wall."""
+    for explosive, entries in grouped(opened.all("charges"), lambda entry: entry["explosive"]).items():
+        titles = {}
+        for entry in entries:
+            titles.setdefault(entry["surface"], []).append(_blast_title(entry))
+        label = f"charge of {explosive}: {listed(entry.get('name', entry['surface']) for entry in entries)}"
+        yield surface_part(opened, list(titles), 3, label, COLORS["load"], LOAD, ["; ".join(of) for of in titles.values()])
 
 
 def _blast_title(entry):

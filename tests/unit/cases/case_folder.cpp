@@ -221,6 +221,7 @@ collar = [0, 0, 1]
 toe = [0, 0, -9]
 diameter = 0.089
 charge_diameter = 0.065
+share = 0.5
 top = 2.5
 bottom = 5
 primer = 4.5

@@ -74,7 +74,7 @@ TEST(Reader, TakesCharges) {
   const Charge &upper = charges.at(0), &lower = charges.at(1), &other = charges.at(2);
   EXPECT_EQ(upper.filling().velocity, 3900);
   EXPECT_EQ(upper.filling().density, laws::explosives[0].density);
-  EXPECT_NEAR(upper.volume(), std::numbers::pi / 4 * 0.065 * 0.065 * 2.5, 1e-12);
+  EXPECT_NEAR(upper.volume(), 0.5 * std::numbers::pi / 4 * 0.065 * 0.065 * 2.5, 1e-12);
   EXPECT_EQ(upper.primer_depth(), 4.5);
   EXPECT_NEAR(upper.firing_time(0), 0.025, 0.005);
   EXPECT_NE(upper.firing_time(0), upper.firing_time(1));

@@ -138,6 +138,7 @@ struct Charge {
   Vector3 toe = Vector3::Zero();                       // m
   Real diameter = 0;                                   // m, of the hole
   std::optional<Real> charge_diameter = std::nullopt;  // m; none: it fills the hole
+  Real share = 1;                                      // of the hole that the mesh has
   Real top = 0;                                        // m
   std::optional<Real> bottom = std::nullopt;           // m; none: at the toe
   std::optional<Real> primer = std::nullopt;           // m; none: at the bottom
@@ -159,7 +160,7 @@ struct Charge {
   Real explosive_diameter() const { return charge_diameter.value_or(diameter); }
   /// The explosive with its constants, from the table or the case.
   laws::Explosive filling() const;
-  Real volume() const;  // of the explosive, m3
+  Real volume() const;  // of the explosive in the mesh, m3
   /// When the primer fires, with its scatter [s]. Charges of one case differ by their place in it.
   Real firing_time(std::size_t place) const;
 };

@@ -35,7 +35,7 @@ laws::Explosive Charge::filling() const {
 }
 
 Real Charge::volume() const {
-  return std::numbers::pi / 4 * explosive_diameter() * explosive_diameter() * (bottom_depth() - top);
+  return share * std::numbers::pi / 4 * explosive_diameter() * explosive_diameter() * (bottom_depth() - top);
 }
 
 Real Charge::firing_time(std::size_t place) const {

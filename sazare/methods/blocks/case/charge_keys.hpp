@@ -42,6 +42,11 @@ inline constexpr std::array charge_keys{
         .note = "default: that of the hole",
         .sentence =
             "Diameter of the explosive. A smaller one leaves an annulus of air (decoupling) into which the gas expands first."},
+    Key{.name = "share",
+        .type = Type::number,
+        .range = {.low = 0, .high = 1, .low_open = true},
+        .default_text = "1.0",
+        .sentence = "Share of the hole that the mesh has: 0.5 where a plane of symmetry runs along its axis, 0.25 with two."},
     Key{.name = "top",
         .type = Type::number,
         .unit = "m",

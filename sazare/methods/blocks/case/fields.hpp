@@ -135,6 +135,7 @@ void visit_fields(Visitor& visit, Charge& charge) {
   visit("toe", charge.toe);
   visit("diameter", charge.diameter);
   visit("charge_diameter", charge.charge_diameter);
+  visit("share", charge.share);
   visit("top", charge.top);
   visit("bottom", charge.bottom);
   visit("primer", charge.primer);

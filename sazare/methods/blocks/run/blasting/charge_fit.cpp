@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/methods/blocks/run/blasting/charges.hpp"
@@ -46,8 +47,9 @@ std::string warn_of_charges(const cases::CaseFile& file, const std::vector<Charg
                      fmt::format("the corners of the wall are {} m from the axis of the hole, whose radius is {} m",
                                  number(fits[i].distance), number(radius)),
                      "the gas presses on the wall of the mesh and has the room of the diameter: make the two agree");
-    if (fits[i].wall.is_coarse())
-      all += warning(file, key + ".surface", fmt::format("the hole has about {:.0f} faces around", fits[i].wall.around),
+    const Real around = std::numbers::pi * charge.diameter / fits[i].wall.width;
+    if (fits[i].wall.has_axis() && around < HoleWall::few_faces)
+      all += warning(file, key + ".surface", fmt::format("the hole has about {:.0f} faces around", around),
                      "use eight or more, so that the gas presses evenly: mesh the wall of the hole more finely");
   }
   return all;

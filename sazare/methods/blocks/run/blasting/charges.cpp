@@ -39,8 +39,9 @@ std::vector<methods::blocks::Charge> make_charges(const cases::BlocksCase& block
   for (std::size_t place = 0; place < blocks.charges.size(); ++place) {
     const cases::Charge& charge = blocks.charges[place];
     const laws::Explosive filling = charge.filling();
-    made.push_back({filling.gas, filling.energy, filling.velocity, circle(charge.explosive_diameter()), circle(charge.diameter),
-                    filled_part(charge), charge.primer_depth(), charge.firing_time(place), charge.cut_distance});
+    made.push_back({filling.gas, filling.energy, filling.velocity, charge.share * circle(charge.explosive_diameter()),
+                    charge.share * circle(charge.diameter), filled_part(charge), charge.primer_depth(), charge.firing_time(place),
+                    charge.cut_distance});
   }
   return made;
 }

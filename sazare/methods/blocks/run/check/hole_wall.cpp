@@ -49,7 +49,7 @@ HoleWall measure_wall(const geometry::TetraMesh& mesh, const std::vector<geometr
   wall.length = high - low;
   wall.diameter =
       has_axis ? std::sqrt(4 * wall.volume / (std::numbers::pi * wall.length)) : std::cbrt(6 * wall.volume / std::numbers::pi);
-  wall.around = std::numbers::pi * wall.diameter * static_cast<Real>(faces.size()) / widths;
+  wall.width = widths / static_cast<Real>(faces.size());
   return wall;
 }
 
@@ -57,7 +57,7 @@ std::string size_text(const HoleWall& wall) {
   using cases::number;
   return fmt::format("{} m across{}, {}{}", number(wall.diameter),
                      wall.has_axis() ? fmt::format(", {} m long", number(wall.length)) : "",
-                     wall.has_axis() ? fmt::format("about {:.0f} faces around", wall.around) : "no cylinder",
+                     wall.has_axis() ? fmt::format("about {:.0f} faces around", wall.around()) : "no cylinder",
                      wall.is_coarse() ? ", which are few for a round hole" : "");
 }
 

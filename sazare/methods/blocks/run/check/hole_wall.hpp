@@ -2,6 +2,7 @@
 
 /// The wall of a hole, measured on the faces of its mesh.
 
+#include <numbers>
 #include <vector>
 
 #include "sazare/geometry/face_map.hpp"
@@ -14,13 +15,16 @@ struct HoleWall {
   Vector3 open = Vector3::Zero();  ///< sum of the faces' area vectors: 0 where the wall closes around the hole [m2]
   Vector3 axis = Vector3::Zero();  ///< 0 for a hole that is no cylinder
   Real length = 0, diameter = 0;   ///< along and across the axis; a hole without axis has the diameter of a like sphere [m]
-  Real around = 0;                 ///< faces on a circumference
+  Real width = 0;                  ///< of a face around the axis, the mean [m]
   Real volume = 0;                 ///< [m3]
 
   bool has_axis() const { return !axis.isZero(); }
   /// Whether they close around a hole; else they are an open surface.
   bool is_hole() const { return open.norm() <= 0.05 * area && volume > 0; }
-  bool is_coarse() const { return has_axis() && around < 7.5; }
+  Real around() const { return std::numbers::pi * diameter / width; }  ///< faces on a circumference
+  bool is_coarse() const { return has_axis() && around() < few_faces; }
+
+  static constexpr Real few_faces = 7.5;
 };
 
 HoleWall measure_wall(const geometry::TetraMesh& mesh, const std::vector<geometry::OuterFace>& faces);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
 #include <set>
 
 #include "sazare/cases/explanation.hpp"
@@ -54,16 +55,19 @@ std::string hole_text(const cases::Blast& blast, const HoleWall& wall) {
 }
 
 /// The holes of the charges, and how much explosive there is for the rock.
-std::string charges_text(const cases::BlocksCase& blocks, const BlocksModel& model, const MeshFaces& faces) {
+std::string charges_text(const cases::BlocksCase& blocks, const BlocksModel& model) {
   if (blocks.charges.empty()) return "";
   std::string text;
   std::set<std::string> seen;
   Real explosive = 0, rock = 0;
-  for (const cases::Charge& charge : blocks.charges) {
+  for (std::size_t i = 0; i < blocks.charges.size(); ++i) {
+    const cases::Charge& charge = blocks.charges[i];
+    const HoleWall& wall = model.fit.charges[i].wall;
     explosive += charge.filling().density * charge.volume();
     if (seen.insert(charge.surface).second)
-      text +=
-          line("holes", fmt::format("{}: {}", charge.surface, size_text(measure_wall(model.mesh, faces.outer(charge.surface)))));
+      text += line("holes",
+                   fmt::format("{}: {} m across, {} m of wall, about {:.0f} faces around", charge.surface,
+                               number(charge.diameter), number(wall.length), std::numbers::pi * charge.diameter / wall.width));
   }
   for (Index element = 0; element < static_cast<Index>(model.mesh.tetrahedra.size()); ++element)
     rock += geometry::volume(geometry::corners_of(model.mesh, element));
@@ -131,7 +135,7 @@ std::string second_look(const cases::BlocksCase& blocks, const BlocksModel& mode
   std::string text = cases::explain_size(cases::extent_of(model.mesh.nodes)) + mass_text(model);
   for (const cases::Blast& blast : blocks.blasts)
     if (const auto wall = faces.outer(blast.surface); !wall.empty()) text += hole_text(blast, measure_wall(model.mesh, wall));
-  text += charges_text(blocks, model, faces);
+  text += charges_text(blocks, model);
   return text + explain_initial_stress(blocks, model.mesh, model.fit.start_balance) + held_text(blocks, model, faces);
 }
 
