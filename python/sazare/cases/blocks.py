@@ -205,14 +205,20 @@ class Charge(Part):
     Greater than 0 and at most 1.
     """
     top: float | None = None
-    """Depth at which the explosive begins. Above it stands the stemming, which the gas does not enter. [m] Default: 0.0. At least
-    0.
-    """
+    """Depth at which the explosive begins. Above it stands the stemming. [m] Default: 0.0. At least 0."""
     bottom: float | None = None
     """Depth at which the explosive ends. [m] (default: the toe) Greater than 0."""
     primer: float | None = None
     """Depth of the primer, from which the detonation runs in both directions. [m] (default: the bottom of the charge) At least 0.
     """
+    vents: bool | None = None
+    """The gas pushes the stemming out of the hole, and then leaves through the collar, at once where there is no stemming. False:
+    the collar is closed for ever. Default: false.
+    """
+    stemming_density: float | None = None
+    """Density of the stemming, which its inertia follows from where the collar vents. [kg/m3] Default: 1600.0. Greater than 0."""
+    stemming_resistance: float | None = None
+    """Shear stress between the wall of the hole and stemming that slides. [Pa] Default: 0.0. At least 0."""
     explosive: Literal["ANFO", "C-4", "composition B", "pentolite", "PETN 1.26", "PETN 1.50", "PETN 1.77", "TNT", "custom"]
     """An explosive of the table, with its density, velocity, energy and gas; custom: one whose constants are given here."""
     density: float | None = None

@@ -43,13 +43,15 @@ def charges(results):
     left.set_ylabel(f"pressure of the gas [{prefix}Pa]")
     if len(found) > 1:
         left.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=4)
-    released, work = (sum(history[f"{name}.{what}"] for name in found) for what in ("released", "work"))
+    released, work, lost = (sum(history[f"{name}.{what}"] for name in found) for what in ("released", "work", "lost"))
     factor, prefix = style.prefix_for(released.max())
     right.plot(time, released / factor, color=style.ACCENT, label="released by detonation")
     right.plot(time, work / factor, color=style.SECOND, label="work on the walls")
-    right.fill_between(time, work / factor, released / factor, facecolor=style.STONE, edgecolor=style.STONE_EDGE, label="left in the gas")
+    if np.any(lost > 0.0):
+        right.plot(time, (work + lost) / factor, color=style.OUTSIDE, label="work and loss at the collar")
+    right.fill_between(time, (work + lost) / factor, released / factor, facecolor=style.STONE, edgecolor=style.STONE_EDGE, label="left in the gas")
     right.set_ylabel(f"energy [{prefix}J]")
-    right.legend(loc="center")
+    right.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=2)
     for axes in (left, right):
         axes.set_xlabel(label)
         axes.set_xlim(time[0], time[-1])

@@ -26,6 +26,8 @@ struct Ring {
   Real cut_distance = std::numeric_limits<Real>::infinity();
   Real primer = 0;
   Real delay = 0;
+  bool vents = false;
+  Real stemming = 0;
 };
 
 /// A simulation of a ring, with its gas.
@@ -67,8 +69,17 @@ Blown blow(const Ring& ring, Real base_step, bool uniform = true) {
     }
   Blown made;
   const Real hole = std::numbers::pi * radius * radius;
-  made.charge = {laws::explosives[0].gas, laws::explosives[0].energy,        ring.velocity, ring.charge_share * hole, hole,
-                 {0, ring.rows * row_height}, ring.primer, ring.delay, ring.cut_distance};
+  made.charge = {.gas = laws::explosives[0].gas,
+                 .energy = laws::explosives[0].energy,
+                 .density = laws::explosives[0].density,
+                 .velocity = ring.velocity,
+                 .area = ring.charge_share * hole,
+                 .hole_area = hole,
+                 .collar = {ring.vents, hole, 2 * radius, ring.stemming, 1600, 0},
+                 .filled = {0, ring.rows * row_height},
+                 .primer = ring.primer,
+                 .delay = ring.delay,
+                 .cut_distance = ring.cut_distance};
   auto gas = std::make_unique<ChargeGas>(std::vector{made.charge}, faces, bodies);
   made.gas = gas.get();
   levels::TermList<3> terms;
@@ -203,6 +214,29 @@ TEST(charge_gas, leaves_a_face_for_good_once_it_is_far_out) {
   EXPECT_GT(blown.moved(0), 0.002);
   EXPECT_EQ(blown.simulation->snapshot().velocity[0], first);
   EXPECT_NEAR(blown.state().work, work, 1e-9 * work);
+}
+
+TEST(charge_gas, leaves_through_an_open_collar_once_the_detonation_is_there) {
+  const Ring ring{.rows = 4, .mass = 1e6, .velocity = 4000, .primer = 0.4, .vents = true};
+  Blown blown = blow(ring, 1e-7);
+  blown.run_until(9.9e-5);
+  EXPECT_EQ(blown.state().lost, 0);
+  blown.run_until(2e-4);
+  const ChargeState state = blown.state();
+  EXPECT_GT(state.lost, 0.05 * state.released);
+  EXPECT_LT(state.mass, 0.95 * blown.charge.density * blown.charge.area * 0.4);
+  EXPECT_NEAR(state.energy(), state.released - state.work - state.lost, 1e-9 * state.released);
+}
+
+TEST(charge_gas, pushes_its_stemming_out_before_it_leaves) {
+  const Ring ring{.rows = 4, .mass = 1e6, .primer = 0.4, .vents = true, .stemming = 0.3};
+  Blown blown = blow(ring, 1e-6);
+  const Real full = blown.charge.density * blown.charge.area * 0.4;
+  blown.run_until(1e-4);
+  EXPECT_GT(blown.state().lost, 0);
+  EXPECT_NEAR(blown.state().mass, full, 1e-9 * full);
+  blown.run_until(2e-3);
+  EXPECT_LT(blown.state().mass, 0.9 * full);
 }
 
 }  // namespace

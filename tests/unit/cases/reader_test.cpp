@@ -78,6 +78,10 @@ TEST(Reader, TakesCharges) {
   EXPECT_EQ(upper.primer_depth(), 4.5);
   EXPECT_NEAR(upper.firing_time(0), 0.025, 0.005);
   EXPECT_NE(upper.firing_time(0), upper.firing_time(1));
+  EXPECT_TRUE(upper.vents);
+  EXPECT_EQ(upper.stemming_density, 1700);
+  EXPECT_EQ(upper.stemming_resistance, 1e5);
+  EXPECT_EQ(lower.stemming_density, 1600);
   EXPECT_EQ(lower.bottom_depth(), 10);
   EXPECT_EQ(lower.primer_depth(), 10);
   EXPECT_EQ(lower.explosive_diameter(), 0.089);

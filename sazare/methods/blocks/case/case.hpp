@@ -142,6 +142,9 @@ struct Charge {
   Real top = 0;                                        // m
   std::optional<Real> bottom = std::nullopt;           // m; none: at the toe
   std::optional<Real> primer = std::nullopt;           // m; none: at the bottom
+  bool vents = false;
+  Real stemming_density = 0;     // kg/m3
+  Real stemming_resistance = 0;  // Pa
   ExplosiveName explosive = custom_explosive;
   std::optional<Real> density = std::nullopt;              // kg/m3
   std::optional<Real> detonation_velocity = std::nullopt;  // m/s; may replace that of the table

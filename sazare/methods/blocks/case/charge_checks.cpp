@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 #include "sazare/cases/explanation.hpp"
 #include "sazare/cases/format/number_text.hpp"
@@ -99,6 +100,17 @@ void check_decks(const CheckContext& context, const Entry& entry, const Charge& 
                            "decks stand one above the other, with stemming between them");
 }
 
+/// Only the uppermost charge of a hole stands beneath its collar.
+void check_collar(const CheckContext& context, const Entry& entry, const Charge& charge, std::span<const Charge> charges) {
+  if (!charge.vents || !entry.gives("vents")) return;
+  for (const Charge& other : charges)
+    if (other.surface == charge.surface && other.top < charge.top)
+      context.problems.error(
+          entry.place("vents"),
+          fmt::format("the charge \"{}\" does not stand beneath the collar: \"{}\" is above it", charge.name, other.name),
+          "give vents = true to the uppermost charge of the hole");
+}
+
 void check_delay(const CheckContext& context, const Entry& entry, const Charge& charge, Real end) {
   if (!(end > 0) || !entry.gives("delay") || charge.delay < end) return;
   context.problems.warning(
@@ -120,6 +132,7 @@ void check_charges(const CheckContext& context, const BlocksCase& blocks) {
     is_placed[i] = check_depths(context, list[i], charge);
     for (std::size_t other = 0; is_placed[i] && other < i; ++other)
       if (is_placed[other]) check_decks(context, list[i], charge, blocks.charges[other]);
+    check_collar(context, list[i], charge, blocks.charges);
     check_delay(context, list[i], charge, blocks.time.end);
     for (const Blast& blast : blocks.blasts)
       if (list[i].gives("surface") && blast.surface == charge.surface)

@@ -26,6 +26,11 @@ std::vector<std::string> charge_lines(const Charge& charge, std::size_t place) {
                               number(reach / filling.velocity)));
   lines.push_back(fmt::format("pressure on the wall before it yields {}",
                               stress_text(laws::jwl_pressure(filling.gas, ratio * ratio, filling.energy))));
+  if (charge.vents)
+    lines.push_back(charge.top > 0
+                        ? fmt::format("pushes {} m of stemming of {} kg/m3 out of the hole, then leaves through the collar",
+                                      number(charge.top), number(charge.stemming_density))
+                        : std::string("leaves through the collar"));
   return lines;
 }
 

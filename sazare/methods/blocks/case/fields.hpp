@@ -139,6 +139,9 @@ void visit_fields(Visitor& visit, Charge& charge) {
   visit("top", charge.top);
   visit("bottom", charge.bottom);
   visit("primer", charge.primer);
+  visit("vents", charge.vents);
+  visit("stemming_density", charge.stemming_density);
+  visit("stemming_resistance", charge.stemming_resistance);
   visit("explosive", charge.explosive);
   visit("density", charge.density);
   visit("detonation_velocity", charge.detonation_velocity);

@@ -11,6 +11,7 @@
 
 #include "sazare/core/time.hpp"
 #include "sazare/laws/jwl.hpp"
+#include "sazare/methods/blocks/charges/collar.hpp"
 
 namespace sazare::methods::blocks {
 
@@ -24,9 +25,11 @@ struct AxialPart {
 struct Charge {
   laws::Jwl gas;
   Real energy = 0;                                            ///< of the explosive per volume [J/m3]
+  Real density = 0;                                           ///< of the explosive [kg/m3]
   Real velocity = 0;                                          ///< of the detonation [m/s]
   Real area = 0;                                              ///< of the explosive, across the hole [m2]
   Real hole_area = 0;                                         ///< of the hole [m2]
+  Collar collar = {};
   AxialPart filled;                                           ///< with explosive
   Real primer = 0;                                            ///< distance from the collar [m]
   Real delay = 0;                                             ///< when the primer fires [s]
@@ -38,7 +41,8 @@ struct Charge {
     if (run <= 0) return {primer, primer};
     return {std::max(filled.from, primer - run), std::min(filled.to, primer + run)};
   }
-  Real released(Real time) const { return energy * area * burnt(time).length(); }  ///< energy [J]
+  /// Whether the gas stands beneath the collar.
+  bool reaches_collar(Real time) const { return burnt(time).length() > 0 && burnt(time).from <= filled.from; }
 };
 
 /// What a charge has become.
@@ -47,16 +51,24 @@ struct ChargeState {
   Real volume = 0;    ///< of the gas [m3]
   Real released = 0;  ///< energy of what has detonated [J]
   Real work = 0;      ///< done by the gas on the walls [J]
+  Real lost = 0;      ///< energy that has left through the collar, and that of the stemming [J]
+  Real mass = 0;      ///< of the gas [kg]
+
+  Real energy() const { return std::max<Real>(0, released - work - lost); }  ///< of the gas [J]
 };
 
-/// The state of a charge whose walls have made so much room and taken so much work.
-inline ChargeState charge_state(const Charge& charge, Real time, Real room, Real work) {
-  const Real length = charge.burnt(time).length();
-  const Real explosive = charge.area * length;
-  ChargeState state{0, charge.hole_area * length + room, charge.energy * explosive, work};
+/// The state of a charge at a time, whose walls have made so much room [m3] and taken so much work [J].
+inline ChargeState charge_state(const Charge& charge, const CollarState& collar, Real room, Real work) {
+  const Real length = charge.burnt(collar.time).length();
+  ChargeState state;
+  state.volume = charge.hole_area * (length + std::min(collar.moved, charge.collar.length)) + room;
+  state.released = charge.energy * charge.area * length;
+  state.work = work;
+  state.lost = collar.lost_energy;
+  state.mass = std::max<Real>(0, charge.density * charge.area * length - collar.lost_mass);
+  const Real explosive = state.mass / charge.density;  // that the gas was [m3]
   if (explosive > 0 && state.volume > 0)
-    state.pressure =
-        std::max<Real>(0, laws::jwl_pressure(charge.gas, state.volume / explosive, (state.released - work) / explosive));
+    state.pressure = std::max<Real>(0, laws::jwl_pressure(charge.gas, state.volume / explosive, state.energy() / explosive));
   return state;
 }
 

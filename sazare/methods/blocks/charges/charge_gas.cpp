@@ -29,6 +29,7 @@ ChargeGas::ChargeGas(std::vector<Charge> charges, std::vector<ChargedFace> faces
     wetted_.push_back({.place = face.start});
   }
   for (const Charge& charge : charges_) first_delay_ = std::min(first_delay_, charge.delay);
+  collars_.resize(charges_.size());
   find_rates(bodies);
   sum_up();
   table_.causes = {terms::Cause::load};
@@ -102,6 +103,20 @@ void ChargeGas::post_step(const Instant& now, const state::Bodies<3>&, terms::Pe
     }
   }
   news_.clear();
+  step_collars(now.seconds());
+}
+
+void ChargeGas::step_collars(Real time) {
+  for (std::size_t i = 0; i < charges_.size(); ++i) {
+    const Charge& charge = charges_[i];
+    if (!charge.collar.vents) continue;
+    if (!charge.reaches_collar(time)) {
+      collars_[i].time = time;
+      continue;
+    }
+    const ChargeState gas = state(i, time);
+    step(charge.collar, collars_[i], {gas.pressure, gas.volume, gas.energy(), gas.mass, 1 + charge.gas.omega}, time);
+  }
 }
 
 void ChargeGas::take(const ToldBy& news) {
@@ -129,13 +144,15 @@ void ChargeGas::sum_up() {
   }
 }
 
+ChargeState ChargeGas::state(std::size_t charge, Real time) const {
+  const Sums& sums = sums_[charge];
+  return charge_state(charges_[charge], collars_[charge].at(time), sums.room.value() + sums.room_rate.value() * time,
+                      sums.work.value() + sums.work_rate.value() * time);
+}
+
 std::vector<ChargeState> ChargeGas::states(Real time) const {
   std::vector<ChargeState> found;
-  for (std::size_t charge = 0; charge < charges_.size(); ++charge) {
-    const Sums& sums = sums_[charge];
-    found.push_back(charge_state(charges_[charge], time, sums.room.value() + sums.room_rate.value() * time,
-                                 sums.work.value() + sums.work_rate.value() * time));
-  }
+  for (std::size_t charge = 0; charge < charges_.size(); ++charge) found.push_back(state(charge, time));
   return found;
 }
 
@@ -152,6 +169,7 @@ void ChargeGas::carry(Index link, Parcel& parcel) {
 void ChargeGas::columns(Archive& archive) {
   archive("wetted", wetted_);
   archive("told", told_);
+  archive("collars", collars_);
   archive("slots", table_.slots);
   if (archive.reading()) sum_up();
 }

@@ -87,6 +87,8 @@ private:
   void find_rates(const state::Bodies<3>& bodies);
   Told move(const Due& due, const Instant& now, const state::Bodies<3>& bodies);
   void take(const ToldBy& news);
+  void step_collars(Real time);
+  ChargeState state(std::size_t charge, Real time) const;
   void sum_up();
 
   std::vector<Charge> charges_;
@@ -98,6 +100,7 @@ private:
   std::vector<Told> told_;    ///< of the faces, as it is in the sums
   std::vector<ToldBy> news_;  ///< of the faces evaluated since the last step
   std::vector<Sums> sums_;
+  std::vector<CollarState> collars_;  ///< of the charges
   Real first_delay_ = 0;  ///< [s]
   terms::SlotTable<3, 0, terms::FixedIncidence> table_;
 };

@@ -25,10 +25,11 @@ inline constexpr std::array progress = {Column{"energy_residual", "J", "residual
                                         Column{"smallest_step", "s", "of any element since the last row"},
                                         Column{"pair_evaluations", "-", "so far"}};
 inline constexpr std::array boundary = {Column{"NAME.force", "N", "of a boundary on the body", 3}};
-inline constexpr std::array charge = {Column{"NAME.pressure", "Pa", "of the gas of a charge"},
-                                      Column{"NAME.volume", "m3", "of the gas of a charge"},
-                                      Column{"NAME.released", "J", "energy of what has detonated of a charge"},
-                                      Column{"NAME.work", "J", "done by the gas of a charge on the wall of its hole"}};
+inline constexpr std::array charge = {
+    Column{"NAME.pressure", "Pa", "of the gas of a charge"}, Column{"NAME.volume", "m3", "of the gas of a charge"},
+    Column{"NAME.released", "J", "energy of what has detonated of a charge"},
+    Column{"NAME.work", "J", "done by the gas of a charge on the wall of its hole"},
+    Column{"NAME.lost", "J", "energy of a charge that has left through the collar, and that of its stemming"}};
 inline constexpr std::array gauge = {Column{"NAME.velocity", "m/s", "of the point", 3}};
 inline constexpr std::array ranks = {Column{"time", "s", "end of an interval between two distributions of the work"},
                                      Column{"rank", "-", ""},

@@ -90,7 +90,7 @@ void RunRecord::add_history_row(Real time, Real wall_seconds) {
   row.push_back(static_cast<Real>(model_->simulation->counters().pair_evaluations));
   for (const Vector3& force : boundary_forces(time)) row.insert(row.end(), force.begin(), force.end());
   for (const methods::blocks::ChargeState& charge : charge_states(time))
-    row.insert(row.end(), {charge.pressure, charge.volume, charge.released, charge.work});
+    row.insert(row.end(), {charge.pressure, charge.volume, charge.released, charge.work, charge.lost});
   row.push_back(wall_seconds);
   files_.add_row(0, row);
 }

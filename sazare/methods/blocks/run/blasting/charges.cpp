@@ -39,9 +39,19 @@ std::vector<methods::blocks::Charge> make_charges(const cases::BlocksCase& block
   for (std::size_t place = 0; place < blocks.charges.size(); ++place) {
     const cases::Charge& charge = blocks.charges[place];
     const laws::Explosive filling = charge.filling();
-    made.push_back({filling.gas, filling.energy, filling.velocity, charge.share * circle(charge.explosive_diameter()),
-                    charge.share * circle(charge.diameter), filled_part(charge), charge.primer_depth(), charge.firing_time(place),
-                    charge.cut_distance});
+    const Real hole = charge.share * circle(charge.diameter);
+    made.push_back(
+        {.gas = filling.gas,
+         .energy = filling.energy,
+         .density = filling.density,
+         .velocity = filling.velocity,
+         .area = charge.share * circle(charge.explosive_diameter()),
+         .hole_area = hole,
+         .collar = {charge.vents, hole, charge.diameter, charge.top, charge.stemming_density, charge.stemming_resistance},
+         .filled = filled_part(charge),
+         .primer = charge.primer_depth(),
+         .delay = charge.firing_time(place),
+         .cut_distance = charge.cut_distance});
   }
   return made;
 }
