@@ -81,6 +81,7 @@ const std::vector<std::pair<std::string, std::string>> python_commands = {
     {"movie", "an animation of a run's snapshots"},
     {"compare", "results and histories of two runs side by side"},
     {"lab", "laboratory tests of a rock of method blocks: strength, elasticity, envelope, calibration"},
+    {"motion", "a record of ground motion: figures, response spectra, correction, scaling, deconvolution"},
 };
 
 /// An error of the user, or nothing: a number of seconds after which waiting ends.

@@ -10,6 +10,7 @@
 
 #include "python/bindings/live_simulation.hpp"
 #include "python/bindings/mesh_file.hpp"
+#include "python/bindings/motion_file.hpp"
 #include "sazare/cases/case_file.hpp"
 #include "sazare/cases/format/schema.hpp"
 #include "sazare/core/error.hpp"
@@ -107,6 +108,7 @@ NB_MODULE(_engine, module) {
           "text"_a.none(), "path"_a, "overrides"_a = std::vector<std::string>());
   add_simulation(module);
   add_mesh_file(module);
+  add_motion_file(module);
   module.def("resolved", &resolved, "source"_a, ReleaseLock(), "The case as TOML with every key and default written out.");
   module.def("check", &check, "source"_a, ReleaseLock(), "What the case will do, in words.");
   module.def("schema_json", &registry::schema_json, "The schema of the case file, as JSON.");

@@ -8,7 +8,8 @@ from pathlib import Path
 
 from sazare.arguments import not_negative
 from sazare.comparison import compare
-from sazare.lab import command
+from sazare.ground_motion import command as motion_command
+from sazare.lab import command as lab_command
 from sazare.results import open_run
 from sazare.summary import terminal_text
 from sazare.tables import NotARun
@@ -107,7 +108,8 @@ def parser():
     drawn.add_argument("picture", metavar="FILE", help="a .png, .pdf, .svg or .jpg")
     drawn.add_argument("--set", metavar="KEY=VALUE", action="append", default=[], help="override a key of the case")
     drawn.set_defaults(function=model, blame="{case}: the model of this case cannot be drawn", advice="Please report it")
-    command.add_to(commands)
+    lab_command.add_to(commands)
+    motion_command.add_to(commands)
     return top
 
 

@@ -9,7 +9,7 @@ from sazare import style, view3d
 from sazare.methods import method_of
 from sazare.results import open_run
 from sazare.summary import headlines, verdict
-from sazare.tables import NotARun
+from sazare.tables import NotARun, write_table
 
 MOST_FRAGMENTS = 10
 
@@ -114,7 +114,7 @@ def _own(path):
 
 
 def write_report(path):
-    """Writes DIR/report.html and the pictures in DIR/report/; returns the page's path.
+    """Writes DIR/report.html, the pictures in DIR/report/ and the method's tables beside them; returns the page's path.
 
     Raises NotARun where DIR is no run, or where it has links in the places of the report.
     """
@@ -124,5 +124,9 @@ def write_report(path):
     for old in folder.glob("*.png"):
         old.unlink()
     sections = [_drawn(section, folder) for section in sections_of(results)]
+    for name, columns in method_of(results).tables(results).items():
+        target = _own(results.path / name)
+        if columns:
+            write_table(target, columns)
     page.write_text(_page(results, sections), encoding="utf-8")
     return page

@@ -1,8 +1,15 @@
 """Motion at the gauges of a run under an earthquake or another load in time. Each picture is a Figure, or None without data."""
 
+import warnings
+
 import numpy as np
 
 from sazare import style
+from sazare.ground_motion.gauges import base_of, gauge_motions, residual, stacks, tilt, up_axis
+from sazare.ground_motion.intensity import arias_intensity, husid
+from sazare.ground_motion.pictures import COLOURS, add_gal
+from sazare.ground_motion.record import GAL
+from sazare.ground_motion.spectra import response_spectrum, usual_periods
 
 MOST_GAUGES = 8
 AXES = "xyz"
@@ -34,7 +41,7 @@ def accelerations(results):
         peak = int(np.argmax(np.abs(values)))
         axes.plot(time, values, color=style.SECOND, linewidth=1.0)
         axes.plot(time[peak], values[peak], "o", color=style.ACCENT, markersize=4)
-        axes.set_title(f"{name}: {values[peak]:.3g} m/s² at {time[peak]:.3g} s")
+        axes.set_title(f"{name}: {values[peak]:.3g} m/s² ({values[peak] / GAL:.3g} gal) at {time[peak]:.3g} s")
         axes.margins(x=0)
     rows[len(rows) // 2].set_ylabel(f"acceleration along {AXES[axis]} [m/s²]")
     rows[-1].set_xlabel("time [s]")
@@ -66,3 +73,119 @@ def spectra(results):
     for axes in (left, right):
         axes.set_xlabel("frequency [Hz]")
     return figure
+
+
+def _coloured(motions):
+    """Gauges, as many as can be told apart, each with its colour."""
+    return list(zip(motions[:MOST_GAUGES], COLOURS * 2))
+
+
+@style.styled
+def response_spectra(results):
+    """Pseudo acceleration spectra [m/s2] with 5 % damping at the gauges, and their ratio to the lowest one [-]."""
+    motions = gauge_motions(results)
+    if not motions:
+        return None
+    base, axis = base_of(results, motions), main_axis(results)
+    rows = motions[0].record(axis)
+    periods = usual_periods(max(0.02, 2.0 * rows.step), max(0.04, 4.0 * rows.step, min(10.0, rows.duration)))
+    figure = style.figure(9.0, 3.6)
+    left, right = figure.subplots(1, 2)
+
+    def spectrum_of(motion):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", UserWarning)  # a run is as long as it is
+            return response_spectrum(motion.record(axis), periods).pseudo_acceleration
+
+    below = spectrum_of(base)
+    strong = below > 1e-3 * below.max()  # elsewhere the ratio says nothing
+    for motion, colour in _coloured(motions):
+        own = spectrum_of(motion)
+        left.semilogx(periods, own, color=colour, linewidth=1.1, label=motion.name)
+        if motion is not base:
+            right.semilogx(periods[strong], own[strong] / below[strong], color=colour, linewidth=1.1)
+    left.set_ylabel(f"pseudo acceleration along {AXES[axis]} [m/s²]")
+    left.set_ylim(bottom=0.0)
+    left.legend()
+    add_gal(left)
+    right.set_ylabel(f"ratio to {base.name} [-]")
+    right.set_ylim(bottom=0.0)
+    for axes in (left, right):
+        axes.set_xlabel("period [s]")
+    return figure
+
+
+@style.styled
+def husid_curves(results):
+    """Arias intensity [m/s] that has come by a time, at every gauge."""
+    motions = gauge_motions(results)
+    if not motions:
+        return None
+    axis = main_axis(results)
+    figure = style.figure(6.2, 3.4)
+    axes = figure.subplots()
+    for motion, colour in _coloured(motions):
+        record = motion.record(axis)
+        whole = arias_intensity(record)
+        axes.plot(motion.time, whole * husid(record), color=colour, linewidth=1.2, label=f"{motion.name}: {whole:.3g} m/s")
+    axes.set(xlabel="time [s]", ylabel=f"Arias intensity along {AXES[axis]} [m/s]")
+    axes.set_ylim(bottom=0.0)
+    axes.margins(x=0)
+    axes.legend()
+    return figure
+
+
+@style.styled
+def profiles(results):
+    """Peak acceleration [m/s2], velocity [m/s] and displacement [m] of gauges above each other, against their height [m]."""
+    motions = gauge_motions(results)
+    found = stacks(results, motions) if motions else []
+    if not found:
+        return None
+    axis, up = main_axis(results), up_axis(results, motions)
+    figure = style.figure(9.0, 4.2)
+    panels = figure.subplots(1, 3, sharey=True)
+    for stack, colour in zip(found, COLOURS):
+        heights = [motion.point[up] for motion in stack]
+        label = f"{stack[0].name} to {stack[-1].name}"
+        for axes, quantity in zip(panels, ("acceleration", "velocity", "displacement")):
+            peaks = [np.abs(getattr(motion, quantity)[:, axis]).max() for motion in stack]
+            axes.plot(peaks, heights, "o-", color=colour, linewidth=1.2, markersize=4, label=label)
+    for axes, words in zip(panels, ("acceleration [m/s²]", "velocity [m/s]", "displacement [m]")):
+        axes.set_xlabel(f"peak {words}, along {AXES[axis]}")
+        axes.set_xlim(left=0.0)
+    beside = panels[0].secondary_xaxis("top", functions=(lambda value: value / GAL, lambda value: GAL * value))
+    beside.set_xlabel("[gal]")
+    panels[0].set_ylabel(f"{AXES[up]} [m]")
+    if len(found) > 1:
+        panels[-1].legend()
+    return figure
+
+
+@style.styled
+def relative_displacements(results):
+    """Displacement of the gauges less that of the lowest one [m], along the axis of the strongest motion."""
+    motions = gauge_motions(results)
+    if len(motions) < 2:
+        return None
+    base, axis = base_of(results, motions), main_axis(results)
+    others = [motion for motion in motions if motion is not base]
+    moved = [motion.displacement[:, axis] - base.displacement[:, axis] for motion in others]
+    factor, prefix = style.prefix_of(*moved[:MOST_GAUGES])
+    figure = style.figure(9.0, 3.6)
+    axes = figure.subplots()
+    for (motion, colour), values in zip(_coloured(others), moved):
+        axes.plot(motion.time, values / factor, color=colour, linewidth=1.0, label=f"{motion.name}: {_remains(motion, base, axis)}")
+    axes.set(xlabel="time [s]", ylabel=f"displacement along {AXES[axis]} less that of {base.name} [{prefix}m]")
+    axes.margins(x=0)
+    axes.legend()
+    return figure
+
+
+def _remains(motion, base, axis):
+    """What remains of the displacement against the base, in words."""
+    moved, turned = residual(motion, base), tilt(motion, base)
+    if moved is None:
+        return "not at rest at the end"
+    words = f"{style.quantity(float(moved[axis]), 'm')} remain"
+    return words if turned is None else f"{words}, turned by {style.quantity(turned, 'rad')}"

@@ -85,13 +85,15 @@ def read_table(path):
 
 
 def write_table(path, columns):
-    """Writes a CSV file that cases can name, such as {"time [s]": times, "pressure [Pa]": pressures}; returns its path.
+    """Writes a CSV file that cases can name, such as {"time [s]": times, "pressure [Pa]": pressures}; returns its path. Words stand as they are.
 
     Raises ValueError where the columns differ in length.
     """
     rows = zip(*columns.values(), strict=True)
-    lines = [",".join(columns), *(",".join(repr(float(value)) for value in row) for row in rows)]
-    Path(path).write_text("\n".join(lines) + "\n", encoding="utf-8")
+    with Path(path).open("w", newline="", encoding="utf-8") as file:
+        lines = csv.writer(file, lineterminator="\n")
+        lines.writerow(columns)
+        lines.writerows([value if isinstance(value, str) else repr(float(value)) for value in row] for row in rows)
     return Path(path)
 
 

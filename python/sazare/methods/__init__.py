@@ -85,6 +85,8 @@ class Method:
     fields: cell data of the snapshots that the 3-D view and the movie colour, the first one by default: name in the file ->
         (name in words, unit). Of vectors the magnitude is shown.
     colors: the colour map of the fields (matplotlib).
+    tables: a function of Results that returns the tables written beside the report: name of the file -> columns, as `write_table` takes them;
+        one without columns is not written.
     """
 
     sections: Callable[[Any], list[Section]]
@@ -94,6 +96,7 @@ class Method:
     snapshots: str | None = None
     fields: dict[str, tuple[str, str]] = field(default_factory=dict)
     colors: Any = field(default_factory=lambda: style.SPEED)
+    tables: Callable[[Any], dict[str, dict]] = lambda _: {}
 
 
 def method_named(name):

@@ -5,6 +5,7 @@ from functools import partial
 import numpy as np
 
 from sazare import plot, shaking
+from sazare.ground_motion.gauges import gauge_table
 from sazare.methods import Section
 from sazare.style import count, quantity, round_factor
 
@@ -15,6 +16,7 @@ USELESS_BALANCE = 0.1  # of a method whose time step alone does not govern the b
 NO_SNAPSHOTS = "The run wrote no snapshots."
 NO_GAUGES = "The case has no gauges."
 NO_HISTORY = "The run wrote no history."
+NO_ACCELERATIONS = "The case has no gauges, or fewer than 16 rows of their accelerations."
 
 
 def energy_section(results, terms, work="the external work"):
@@ -52,7 +54,29 @@ def shaking_sections(results):
             "spectra", "Spectra", "Fourier amplitude spectra at the first and last gauge, and their ratio.",
             partial(shaking.spectra, results), "There are fewer than two gauges.",
         ),
+        Section(
+            "response_spectra", "Response spectra",
+            "Pseudo acceleration of oscillators with 5 % damping at the gauges, in m/s² and gal, and its ratio to that at the lowest gauge.",
+            partial(shaking.response_spectra, results), NO_ACCELERATIONS,
+        ),
+        Section(
+            "husid", "Arias intensity", "Growth of the Arias intensity at the gauges along the axis of strongest motion.",
+            partial(shaking.husid_curves, results), NO_ACCELERATIONS,
+        ),
+        Section(
+            "profiles", "Peaks over height", "Largest acceleration, velocity and displacement of gauges that stand above each other.",
+            partial(shaking.profiles, results), "No two gauges with accelerations stand above each other, or the case does not tell where they are.",
+        ),
+        Section(
+            "relative", "Motion relative to the base", "Displacement of the gauges less that of the lowest one; the legend gives what remains at the end.",
+            partial(shaking.relative_displacements, results), "There are fewer than two gauges with accelerations.",
+        ),
     ]
+
+
+def shaking_tables(results):
+    """Figures of the motion at the gauges, beside the report."""
+    return {"ground_motion.csv": gauge_table(results)}
 
 
 def enlargement(displacement, extent, largest, shown):

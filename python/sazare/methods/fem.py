@@ -226,4 +226,5 @@ METHOD = Method(
         Figure("newton_iterations", "Newton iterations", note=common.count_note("steps", "steps")),
     ),
     snapshots="finite_elements",
+    tables=common.shaking_tables,
 )

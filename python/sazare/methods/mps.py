@@ -307,4 +307,5 @@ METHOD = Method(
         "broken_fraction": ("share of broken links", ""),
         "acceleration": ("acceleration", "m/s²"),
     },
+    tables=common.shaking_tables,
 )
