@@ -153,7 +153,7 @@ def profiles(results):
             axes.plot(peaks, heights, "o-", color=colour, linewidth=1.2, markersize=4, label=label)
     for axes, words in zip(panels, ("acceleration [m/s²]", "velocity [m/s]", "displacement [m]")):
         axes.set_xlabel(f"peak {words}, along {AXES[axis]}")
-        axes.set_xlim(left=0.0)
+        axes.set_xlim(0.0, 1.08 * axes.dataLim.x1)
     beside = panels[0].secondary_xaxis("top", functions=(lambda value: value / GAL, lambda value: GAL * value))
     beside.set_xlabel("[gal]")
     panels[0].set_ylabel(f"{AXES[up]} [m]")

@@ -47,7 +47,10 @@ def test_spectral_ratio_is_that_of_the_gauges(ground_run):
 def test_report_of_a_run_has_its_pictures_and_says_what_is_missing(ground_run):
     page = write_report(ground_run).read_text()
     assert "0.50 of the predicted stability limit" in page
-    assert sorted(path.stem for path in (ground_run / "report").glob("*.png")) == ["accelerations", "energies", "spectra"]
+    assert sorted(path.stem for path in (ground_run / "report").glob("*.png")) == [
+        "accelerations", "energies", "husid", "relative", "response_spectra", "spectra",
+    ]
+    assert "No two gauges with accelerations stand above each other" in page
     assert "The run wrote no snapshots." in page
 
 

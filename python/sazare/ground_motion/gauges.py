@@ -12,7 +12,7 @@ from sazare.ground_motion.record import GAL, Record
 AXES = "xyz"
 STILL = 0.01  # of the largest relative velocity, below which a gauge has come to rest against the base
 END = 0.02  # of the run, over which it must
-SMALL = 1e-6  # of the largest acceleration of all gauges, below which nothing moves along an axis
+SMALL = 0.01  # of the largest acceleration of all gauges, below which motion along an axis does not count
 
 
 @dataclass(frozen=True, eq=False)

@@ -3,7 +3,7 @@
 import numpy as np
 
 from sazare import style
-from sazare.ground_motion.intensity import arias_intensity, husid
+from sazare.ground_motion.intensity import arias_intensity, husid, peak_acceleration, peak_displacement, peak_velocity
 from sazare.ground_motion.record import GAL
 
 COLOURS = (style.ACCENT, style.SECOND, "#7a9a3f", "#8069c0", "#8a5a34", "#d1b13c")
@@ -17,12 +17,12 @@ def add_gal(axes, label="gal"):
     return beside
 
 
-def _history(axes, record, values, label, unit):
-    """One quantity over time with its peak."""
+def _history(axes, record, values, largest, label, unit):
+    """One quantity over time, with its largest magnitude."""
     peak = int(np.argmax(np.abs(values)))
     axes.plot(record.time, values, color=style.SECOND, linewidth=0.9)
     axes.plot(record.time[peak], values[peak], "o", color=style.ACCENT, markersize=4)
-    axes.set_title(f"{label}: {values[peak]:.4g} {unit} at {record.time[peak]:.4g} s")
+    axes.set_title(f"{label}: up to {largest:.4g} {unit}, at {record.time[peak]:.4g} s")
     axes.set_ylabel(f"[{unit}]")
     axes.margins(x=0)
 
@@ -32,7 +32,7 @@ def _husid(axes, record):
     axes.plot(record.time, share, color=style.INK, linewidth=1.2)
     for level in (5.0, 75.0, 95.0):
         axes.axhline(level, color=style.STONE_EDGE, linewidth=0.8, linestyle="--")
-    axes.set_yticks([0, 5, 50, 75, 95])
+    axes.set_yticks([5, 50, 75, 95])
     axes.set_title(f"Husid curve; Arias intensity {arias_intensity(record):.4g} m/s")
     axes.set_ylabel("[%]")
     axes.set_xlabel("time [s]")
@@ -45,10 +45,10 @@ def motion(record, spectra, target=None):
     figure = style.figure(11.5, 7.2)
     left, right = figure.subfigures(1, 2, width_ratios=(1.15, 1.0))
     rows = left.subplots(4, 1, sharex=True)
-    _history(rows[0], record, record.acceleration, "acceleration", "m/s²")
+    _history(rows[0], record, record.acceleration, peak_acceleration(record), "acceleration", "m/s²")
     add_gal(rows[0])
-    _history(rows[1], record, record.velocity, "velocity", "m/s")
-    _history(rows[2], record, record.displacement, "displacement", "m")
+    _history(rows[1], record, record.velocity, peak_velocity(record), "velocity", "m/s")
+    _history(rows[2], record, record.displacement, peak_displacement(record), "displacement", "m")
     _husid(rows[3], record)
     upper, lower = right.subplots(2, 1, sharex=True)
     for spectrum, colour in zip(spectra, COLOURS * len(spectra)):

@@ -111,7 +111,7 @@ def _peaks(record, periods, damping):
         steps = _propagators(np.full(len(times), w), damping, times)
         steps[:, :, 3] /= w
         begins = np.concatenate([states[:-1, number], ground], axis=1)
-        own = np.concatenate([states[:, number], (begins @ steps.transpose(0, 2, 1)).reshape(-1, 2)])
+        own = np.concatenate([states[:, number], np.einsum("nj,tij->tni", begins, steps).reshape(-1, 2)])
         acceleration = w * (own[:, 0] + 2.0 * damping * own[:, 1])
         found[:, number] = np.abs(own[:, 0]).max() / w, np.abs(own[:, 1]).max(), np.abs(acceleration).max()
     return found

@@ -16,7 +16,7 @@ NAMES = {
     "mean_period": "mean period",
     "predominant_period": "predominant period",
 }
-IN_CENTIMETRES = {"m": "cm", "m/s": "cm/s"}
+IN_CENTIMETRES = ("peak_velocity", "peak_displacement", "spectrum_intensity", "si_value")
 
 
 def acceleration(value):
@@ -28,7 +28,7 @@ def _value(name, value):
     unit = FIGURES[name][0]
     if unit == "m/s2":
         return acceleration(value)
-    beside = f" ({100.0 * value:.4g} {IN_CENTIMETRES[unit]})" if unit in IN_CENTIMETRES and name != "arias_intensity" else ""
+    beside = f" ({100.0 * value:.4g} c{unit})" if name in IN_CENTIMETRES else ""
     return f"{value:.4g} {unit}{beside}"
 
 
