@@ -31,9 +31,10 @@ nb::tuple motion_file(const std::filesystem::path& path) {
 }  // namespace
 
 void add_motion_file(nb::module_& module) {
-  module.def("motion_file", &motion_file, "path"_a,
-             "A record as a case reads it (CSV, PEER, K-NET): its quantity (acceleration, velocity or displacement), the step [s] and "
-             "its samples in SI units. Raises UserError.");
+  module.def(
+      "motion_file", &motion_file, "path"_a,
+      "A record as a case reads it (CSV, PEER, K-NET): its quantity (acceleration, velocity or displacement), the step [s] and "
+      "its samples in SI units. Raises UserError.");
 }
 
 }  // namespace sazare::python

@@ -128,7 +128,7 @@ def test_shorter_steps_on_the_same_lines_change_nothing(centro):
 
 @pytest.mark.parametrize(
     "periods, damping, words",
-    [([1.0], -0.05, "damping ratio"), ([1.0], np.nan, "damping ratio"), ([0.0], 0.05, "above 0 s"), ([[1.0]], 0.05, "in one row"), ([np.inf], 0.05, "finite")],
+    [([1.0], -0.05, "damping ratio"), ([1.0], np.nan, "damping ratio"), ([0.0], 0.05, "above 0 s"), ([[1.0]], 0.05, "in one row"), ([np.inf], 0.05, "finite"), ([1e-6], 0.05, "rigid")],
 )
 def test_senseless_oscillators_are_refused(centro, periods, damping, words):
     with pytest.raises(ValueError, match=words):
@@ -300,6 +300,7 @@ def test_a_senseless_target_is_refused(centro, period, target, limits, words):
     "change, words",
     [(lambda r: ground_motion.butterworth(r), "needs a lower or an upper"), (lambda r: ground_motion.butterworth(r, 5.0, 1.0), "below the upper"),
      (lambda r: ground_motion.butterworth(r, high=25.0), "below half"), (lambda r: ground_motion.butterworth(r, 1.0, order=0), "order"),
+     (lambda r: ground_motion.butterworth(r, 1e-9), "too short for a corner"), (lambda r: ground_motion.resample(r, 1e-12), "more than 50000000"),
      (lambda r: ground_motion.resample(r, 0.0), "above 0"), (lambda r: ground_motion.resample(r, 20.0), "quarter"),
      (lambda r: ground_motion.take_off_baseline(r, 6), "degree"), (lambda r: ground_motion.take_off_baseline(Record(0.1, [1.0, 2.0]), 1), "too few"),
      (lambda r: ground_motion.significant_duration(r, 0.9, 0.1), "rise"), (lambda r: ground_motion.usual_periods(1.0, 0.5), "longer one")],

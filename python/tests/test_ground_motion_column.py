@@ -117,6 +117,11 @@ def test_places_that_are_not_there_are_refused():
         Place(0, "inside")
 
 
+def test_a_column_that_no_wave_passes_is_refused():
+    with pytest.raises(ValueError, match="check thicknesses and velocities"):
+        Column([Layer(1e12, 1800.0, 200.0), Layer(math.inf, 2200.0, 800.0)]).carry(Record(0.01, np.ones(100)))
+
+
 def test_motion_that_grows_without_bound_is_refused_or_cut():
     deep = Column([Layer(5000.0, 1800.0, 100.0, 0.2), Layer(math.inf, 2200.0, 800.0)])
     record = Record(0.005, np.random.default_rng(1).normal(size=2000))

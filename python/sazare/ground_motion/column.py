@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sazare.ground_motion.correction import butterworth
+from sazare.ground_motion.correction import MOST_SAMPLES, butterworth
 from sazare.ground_motion.record import Record
 
 WITHIN, OUTCROP = "within", "outcrop"
@@ -114,6 +114,8 @@ class Column:
         """
         record = record if highest is None else butterworth(record, high=highest)
         before = round(self.lead(record) / record.step)
+        if before > MOST_SAMPLES:
+            raise ValueError(f"a wave takes {self.travel_time:.4g} s from the half-space to the surface: check thicknesses and velocities")
         samples = np.pad(record.acceleration, before)
         count = 2 * len(samples)
         frequency = np.fft.rfftfreq(count, record.step)

@@ -8,6 +8,8 @@ from sazare.ground_motion.spectra import response_spectrum
 
 MOST_DEGREE = 5  # of a baseline
 PAD = 1.5  # zeros before and behind a record in a filter of both directions [periods of its lowest corner times its order]
+SLOWEST = 0.1  # lowest corner of a filter [1/duration]
+MOST_SAMPLES = 50_000_000  # of a record
 PASSED = 0.4  # of the new sampling frequency that passes when a record gets longer steps
 
 
@@ -45,7 +47,8 @@ def butterworth(record, low=None, high=None, order=4, causal=False):
     The filter runs forwards and backwards, so that it moves no phase, reduces the amplitude at a corner to 1/2 and has twice the `order`; with
     `causal` it runs forwards alone, with 1/sqrt(2) at a corner. Zeros stand before and behind the record while it is filtered.
 
-    Raises ValueError for corners that are not above 0, not below half of the sampling frequency, or not in order, and an order that is none.
+    Raises ValueError for corners that are not above 0, not below half of the sampling frequency, so low that a record is shorter than a tenth of a period,
+    or not in order, and an order that is none.
     """
     from scipy import signal  # takes a second to load
 
@@ -56,6 +59,8 @@ def butterworth(record, low=None, high=None, order=4, causal=False):
     for corner in corners:
         if not 0.0 < corner < nyquist:
             raise ValueError(f"a corner frequency lies above 0 and below half of the sampling frequency, {nyquist:.4g} Hz, found {corner:g} Hz")
+        if corner * record.duration < SLOWEST:
+            raise ValueError(f"{record.name} lasts {record.duration:.4g} s, too short for a corner at {corner:g} Hz")
     if len(corners) == 2 and low >= high:
         raise ValueError(f"the lower corner must be below the upper one, found {low:g} and {high:g} Hz")
     if not 1 <= order <= 10:
@@ -77,6 +82,8 @@ def resample(record, step):
     """
     if not 0.0 < step <= 0.25 * record.duration:
         raise ValueError(f"a step lies above 0 and up to a quarter of the record, {0.25 * record.duration:.4g} s, found {step:g} s")
+    if record.duration / step > MOST_SAMPLES:
+        raise ValueError(f"a step of {step:g} s gives more than {MOST_SAMPLES} samples")
     smooth = butterworth(record, high=PASSED / step, order=8) if step > record.step * (1.0 + 1e-9) else record
     time = step * np.arange(int(np.floor(record.duration / step * (1.0 + 1e-12))) + 1)
     return Record(step, np.interp(time, record.time, smooth.acceleration), record.name)

@@ -10,6 +10,8 @@ from scipy.linalg import expm
 POINTS = 40  # times within a period at which the response is looked at: a peak is missed by 0.3 % at most
 FEWEST = 4  # times within a step at which it is looked at, since the ground bends the velocity there, however slow the oscillator
 STATES = 4_000_000  # samples times oscillators that are held at once
+MOST = 2000  # times within a step at which it is looked at; oscillators that need more are rigid
+SHORTEST = 1e-4  # period [steps]
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,10 +52,12 @@ def response_spectrum(record, periods=None, damping=0.05):
     The response is exact for straight lines between the samples [Nigam1969], and looked at POINTS times in a period and FEWEST times in a step.
     After its last sample a record is not followed. A record that is shorter than the longest period is warned of (UserWarning).
 
-    Raises ValueError for a damping ratio below 0 or a period that is not above 0.
+    Raises ValueError for a damping ratio below 0, or a period that is not above 0 or below 1e-4 of the step.
     """
     periods = np.atleast_1d(usual_periods() if periods is None else np.asarray(periods, dtype=float))
     _check(periods, damping)
+    if periods.min(initial=np.inf) < SHORTEST * record.step:
+        raise ValueError(f"periods below {SHORTEST:g} of the step, {SHORTEST * record.step:.4g} s, are those of rigid oscillators, found {periods.min():g} s")
     if periods.max(initial=0.0) > record.duration:
         warnings.warn(
             f"{record.name} lasts {record.duration:.4g} s, less than the longest period of {periods.max():.4g} s: its spectrum is too low there",
@@ -103,17 +107,18 @@ def _peaks(record, periods, damping):
     """Largest relative displacement [m], relative velocity [m/s] and absolute acceleration [m/s2] of each period: (3, n)."""
     frequency = 2.0 * np.pi / periods
     states = _states(record, frequency, damping)
-    found = np.empty((3, len(periods)))
+    found = np.zeros((3, len(periods)))
     ground = np.stack([record.acceleration[:-1], np.diff(record.acceleration) / record.step], axis=1)
     for number, w in enumerate(frequency):
-        between = max(FEWEST, math.ceil(POINTS * record.step / periods[number]))
+        between = min(MOST, max(FEWEST, math.ceil(POINTS * record.step / periods[number])))
         times = record.step * np.arange(1, between) / between
         steps = _propagators(np.full(len(times), w), damping, times)
         steps[:, :, 3] /= w
         begins = np.concatenate([states[:-1, number], ground], axis=1)
-        own = np.concatenate([states[:, number], np.einsum("nj,tij->tni", begins, steps).reshape(-1, 2)])
-        acceleration = w * (own[:, 0] + 2.0 * damping * own[:, 1])
-        found[:, number] = np.abs(own[:, 0]).max() / w, np.abs(own[:, 1]).max(), np.abs(acceleration).max()
+        parts = np.array_split(begins, math.ceil(len(begins) * between / STATES))
+        for own in (states[:, number], *(np.einsum("nj,tij->tni", part, steps).reshape(-1, 2) for part in parts)):
+            total = own[:, 0] + 2.0 * damping * own[:, 1]
+            found[:, number] = np.maximum(found[:, number], [np.abs(own[:, 0]).max() / w, np.abs(own[:, 1]).max(), w * np.abs(total).max()])
     return found
 
 
