@@ -41,6 +41,14 @@ struct Snapshot {
   std::vector<Angular<D>> angular_momentum;
 };
 
+/// One body of a snapshot.
+template <int D>
+struct BodyNow {
+  state::Pose<D> pose;
+  Vector<D> velocity;
+  Angular<D> angular_momentum;
+};
+
 /// What a row of a history tells of.
 template <int D>
 struct Survey {
@@ -107,6 +115,10 @@ public:
     take_snapshot(0, bodies_.size(), now);
     return now;
   }
+  /// One body of it; with several processes, one that this process works for.
+  BodyNow<D> body_now(Index body) const;
+  /// Work on a body so far by cause [J]; with several processes, one that this process works for.
+  const terms::CauseWork& work_on(Index body) const { return work_[at(body)]; }
   /// Forces on all bodies as last evaluated [N].
   std::vector<Vector<D>> forces() const;
   terms::EnergyBalance energy_balance() const { return energy_balance(snapshot()); }

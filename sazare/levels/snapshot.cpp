@@ -57,6 +57,17 @@ void Simulation<D>::take_snapshot(Index begin, Index end, Snapshot<D>& at_now) c
   });
 }
 
+template <int D>
+BodyNow<D> Simulation<D>::body_now(Index body) const {
+  BodyNow<D> now;
+  gather(body, body + 1, 0, [&](std::size_t first, std::span<const state::Impulse<D>> given) {
+    state::poses_at(std::span(bodies_.motion).subspan(first, 1), now_, std::span(&now.pose, 1));
+    motion::find_momenta<D>(bodies_, first, given,
+                            {std::span(&now.pose, 1), std::span(&now.velocity, 1), std::span(&now.angular_momentum, 1)});
+  });
+  return now;
+}
+
 /// A body's kick does not sum its forces. They are the slope of what is taken back with them: over a second so long ago that
 /// every force has been given beyond it.
 template <int D>
@@ -138,6 +149,8 @@ Survey<D> Simulation<D>::survey(Survey<D> former) const {
 
 template void Simulation<2>::take_snapshot(Index, Index, Snapshot<2>&) const;
 template void Simulation<3>::take_snapshot(Index, Index, Snapshot<3>&) const;
+template BodyNow<2> Simulation<2>::body_now(Index) const;
+template BodyNow<3> Simulation<3>::body_now(Index) const;
 template terms::EnergyBalance Simulation<2>::close(const terms::EnergySums&) const;
 template terms::EnergyBalance Simulation<3>::close(const terms::EnergySums&) const;
 template Survey<2> Simulation<2>::survey(Survey<2>) const;

@@ -23,6 +23,8 @@ All output of a run, in SI units. A column's name ends with its unit, as in `tim
 | `manifest.json` | what was run, on what, and the headline figures |
 | `history.csv` | one row per `history_interval`: energies and extreme values of the whole body |
 | `gauges.csv` | one row per `history_interval`: motion at each of `[[gauges]]` |
+| `gauge_peaks.csv` | method `blocks`: the strongest motion of each gauge, of all base steps |
+| `holes.csv` | method `blocks`: the axes of the holes of `[[blasts]]` |
 | `walls.csv` | method `spheres`: forces and moments on walls |
 | `fragments.csv` | method `blocks`: the fragments at the end; `spheres`: the pieces of bonded bodies |
 | `timing.csv`, `ranks.csv` | timing by part of a step; with several processes, by rank |
@@ -115,10 +117,10 @@ std::string folder_markdown(std::span<const FolderTables> methods) {
   add_table(page, "method", "column", joined({{"all", {columns::time, columns::clock}}}, methods, &FolderTables::history));
   page += "\n## gauges.csv, walls.csv\n";
   add_table(page, "file", "column", joined({{"both", {columns::time}}}, methods, &FolderTables::gauges));
-  page += "\n## fragments.csv, timing.csv, ranks.csv\n";
-  add_table(
-      page, "file", "column",
-      joined({{"`fragments.csv`", {columns::fragments}}, {"`timing.csv`", {columns::timing}}}, methods, &FolderTables::files));
+  page += "\n## fragments.csv, timing.csv and others\n";
+  add_table(page, "file", "column",
+            joined({{"`fragments.csv`", {columns::fragments, columns::stays}}, {"`timing.csv`", {columns::timing}}}, methods,
+                   &FolderTables::files));
   page += ground_motion;
   page += snapshots_head;
   add_table(page, "series", "field", joined({}, methods, &FolderTables::snapshots));

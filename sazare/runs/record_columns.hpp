@@ -26,6 +26,9 @@ inline constexpr std::array fragments = {
     Column{"velocity", "m/s", "of the centre", 3},
     Column{"throw", "m", "displacement of the centre; of bonded bodies: from the position given by the group"}};
 
+inline constexpr std::array stays = {
+    Column{"stays", "-", "method `blocks`: 1 where the fragment remains in place and no size distribution counts it"}};
+
 inline constexpr std::array timing = {Column{"part", "", "of a step, or of the run"}, Column{"seconds", "s", ""},
                                       Column{"share", "-", "of the run"}};
 

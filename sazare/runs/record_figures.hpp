@@ -10,9 +10,9 @@ namespace sazare::runs::figures {
 
 using observe::Column;
 
-inline constexpr std::array of_all = {Column{"wall_seconds", "s", "wall-clock time"},
-                                      Column{"energy_residual", "J", "residual of the energy balance"},
-                                      Column{"ppv", "m/s", "peak particle velocity by gauge, at the rows of the history"}};
+inline constexpr std::array of_all = {
+    Column{"wall_seconds", "s", "wall-clock time"}, Column{"energy_residual", "J", "residual of the energy balance"},
+    Column{"ppv", "m/s", "peak particle velocity by gauge, at the rows of the history; of `blocks`, at every base step"}};
 
 inline constexpr std::array of_steps = {
     Column{"steps", "-", ""}, Column{"step", "s", ""},

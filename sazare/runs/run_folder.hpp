@@ -36,8 +36,10 @@ public:
   std::filesystem::path manifest() const { return path_ / "manifest.json"; }
   std::filesystem::path history() const { return path_ / "history.csv"; }
   std::filesystem::path gauges() const { return path_ / "gauges.csv"; }
+  std::filesystem::path gauge_peaks() const { return path_ / "gauge_peaks.csv"; }
   std::filesystem::path walls() const { return path_ / "walls.csv"; }
   std::filesystem::path fragments() const { return path_ / "fragments.csv"; }
+  std::filesystem::path holes() const { return path_ / "holes.csv"; }
   std::filesystem::path ranks() const { return path_ / "ranks.csv"; }
   std::filesystem::path timing() const { return path_ / "timing.csv"; }
   /// The mesh that is made for the run; until the run begins it stands beside what is there.

@@ -44,7 +44,7 @@ def assert_same_results(one, many):
     second["results"].pop("wall_seconds")
     assert first["results"] == second["results"]
     assert rows_without_wall_time(one / "history.csv") == rows_without_wall_time(many / "history.csv")
-    for name in ("gauges.csv", "fragments.csv"):
+    for name in ("gauges.csv", "gauge_peaks.csv", "fragments.csv"):
         assert (one / name).read_bytes() == (many / name).read_bytes()
 
 

@@ -125,10 +125,9 @@ void OuterFaces::add_energies(const terms::Synchronized<3>& at, terms::EnergySum
     const GroundState& ground = ground_now[static_cast<std::size_t>(face.boundary)];
     table_.take_back(static_cast<Index>(i), links_[i], at, energies);
     if (!ground_work_.empty()) {
-      const auto& slot = table_[static_cast<Index>(i)];
-      const Vector3 ahead = ground_work_[i].given_until - ground.displacement;  // by what is given beyond now
-      energies[terms::EnergyKind::work] += ground_work_[i].work + slot.total.linear.dot(ahead);
-      energies[terms::EnergyKind::boundary] += ground_work_[i].dissipated + slot.part[0].linear.cast<Real>().dot(ahead);
+      const Vector3 ahead = displacement_ahead(i, ground);
+      energies[terms::EnergyKind::work] += ground_work_[i].work + table_[static_cast<Index>(i)].total.linear.dot(ahead);
+      energies[terms::EnergyKind::boundary] += dissipated_by_ground(i, ground);
     }
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const Vector3 moved =
@@ -138,6 +137,28 @@ void OuterFaces::add_energies(const terms::Synchronized<3>& at, terms::EnergySum
           (0.5 * moved.dot(stress(face.normal, face.springs.normal_stiffness, face.springs.shear_stiffness, moved)) -
            face.traction[corner].dot(moved));
     }
+  }
+}
+
+/// Work of moving ground that goes into the dashpots of a face [J].
+Real OuterFaces::dissipated_by_ground(std::size_t face, const GroundState& ground) const {
+  const auto& slot = table_[static_cast<Index>(face)];
+  return ground_work_[face].dissipated + slot.part[0].linear.cast<Real>().dot(displacement_ahead(face, ground));
+}
+
+void OuterFaces::add_dissipated(const terms::Synchronized<3>& at, const std::function<bool(Index)>& owns,
+                                const std::function<Real(Index)>& work_on, std::span<ExactSum> by_boundary) const {
+  std::map<Index, Real> area;
+  for (const OuterFace& face : faces_)
+    if (owns(face.body)) area[face.body] += face.springs.corner_area;
+  const std::vector<GroundState> ground_now = ground_at(at.time);
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    const OuterFace& face = faces_[i];
+    if (!owns(face.body)) continue;
+    const auto boundary = static_cast<std::size_t>(face.boundary);
+    by_boundary[boundary] -= work_on(face.body) * (face.springs.corner_area / area[face.body]);
+    by_boundary[boundary] += table_.work_after(static_cast<Index>(i), links_[i], at)[0];
+    if (!ground_work_.empty()) by_boundary[boundary] += dissipated_by_ground(i, ground_now[boundary]);
   }
 }
 

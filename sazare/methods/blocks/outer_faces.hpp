@@ -66,6 +66,13 @@ public:
   void carry(Index link, Parcel& parcel) override;
   void columns(Archive& archive) override;
 
+  std::span<const OuterFace> faces() const { return faces_; }
+
+  /// Adds what the dashpots of each boundary have dissipated, as the energy balance counts it, of the bodies that `owns` names;
+  /// `work_on` is their work by boundaries so far [J]. A body with faces on several boundaries divides it by their areas.
+  void add_dissipated(const terms::Synchronized<3>& at, const std::function<bool(Index)>& owns,
+                      const std::function<Real(Index)>& work_on, std::span<ExactSum> by_boundary) const;
+
   /// Force of each boundary on the bodies at a time [s] at which they move so [N].
   std::vector<Vector3> forces(Real time, const std::function<BodyMotion(Index)>& motion_of) const;
 
@@ -78,6 +85,10 @@ private:
   };
   GroundState ground_at(Index boundary, Real time) const;
   std::vector<GroundState> ground_at(Real time) const;
+  Vector3 displacement_ahead(std::size_t face, const GroundState& ground) const {
+    return ground_work_[face].given_until - ground.displacement;  // by what is given beyond now
+  }
+  Real dissipated_by_ground(std::size_t face, const GroundState& ground) const;
   void count_work(const Due& due, const Instant& now, const GroundState& ground_now);
 
   std::vector<MovingGround> ground_;     ///< by boundary

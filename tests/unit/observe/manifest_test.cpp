@@ -26,7 +26,7 @@ Manifest example() {
   manifest.finished = "2026-01-31T12:00:03Z";
   manifest.machine = {"A processor", 2, 1};
   manifest.state_hash = 0xabcULL;
-  manifest.results = {{"broken_joints", std::int64_t{418}}, {"energy_work", 0.1}, {"x50", std::nan("")}};
+  manifest.results = {{"broken_joints", std::int64_t{418}}, {"energy_work", 0.1}, {"p50", std::nan("")}};
   manifest.peak_particle_velocity = {{"G1", 1.5}, {"G2", 2.5}};
   return manifest;
 }
@@ -65,7 +65,7 @@ TEST(manifest, number_that_is_not_finite_is_null) {
   const TemporaryFolder folder;
   write_manifest(folder.path() / "manifest.json", example());
   const auto json = nlohmann::json::parse(test::read_text(folder.path() / "manifest.json"));
-  EXPECT_TRUE(json.at("results").at("x50").is_null());
+  EXPECT_TRUE(json.at("results").at("p50").is_null());
 }
 
 TEST(manifest, title_that_is_no_utf8_is_no_obstacle) {

@@ -44,6 +44,43 @@ TEST(Gauges, GiveTheVelocityOfTheirMaterialPoint) {
   EXPECT_NEAR(gauges.peaks()[0].second, expected.norm(), 1e-12);
 }
 
+TEST(Gauges, AreWatchedWithTheVelocityOfARow) {
+  const cases::CaseFile file = test::block_case();
+  BlocksModel model = test::block_model(file);
+  Gauges by_row(file, model.mesh), watched(file, model.mesh);
+  model.simulation->start();
+  for (int step = 0; step < 40; ++step) model.simulation->advance();
+  by_row.sample(1e-3, model.simulation->bodies(), model.simulation->snapshot());
+  watched.watch(1e-3, *model.simulation);
+  EXPECT_GT(watched.peaks()[0].second, 0);
+  EXPECT_EQ(watched.peaks(), by_row.peaks());
+}
+
+TEST(GaugePeak, HasTheLargestSpeedAndTheLargestOfEachComponent) {
+  GaugePeak peak;
+  peak.raise(1, Vector3(3, -4, 0));
+  peak.raise(2, Vector3(-3.5, 0, 1));
+  EXPECT_EQ(peak.speed, 5);
+  EXPECT_EQ(peak.time, 1);
+  EXPECT_EQ(peak.components, (std::array<Real, 3>{3.5, 4, 1}));
+}
+
+TEST(GaugePeak, OfTwoProcessesIsThatOfBoth) {
+  GaugePeak first, second, both;
+  first.raise(1, Vector3(3, -4, 0));
+  second.raise(2, Vector3(-5, 1, 1));
+  both.raise(1, Vector3(3, -4, 0));
+  both.raise(2, Vector3(-5, 1, 1));
+  GaugePeak united = second;
+  united.raise(first);
+  first.raise(second);
+  for (const GaugePeak& one : {united, first}) {
+    EXPECT_EQ(one.speed, both.speed);
+    EXPECT_EQ(one.time, both.time);
+    EXPECT_EQ(one.components, both.components);
+  }
+}
+
 TEST(Gauges, OutsideTheBodyAreRefusedWithTheNearestElement) {
   const cases::CaseFile file = test::block_case({"gauges.1.point=[5, 0, 0]"});
   const BlocksModel model = test::block_model(file);

@@ -54,7 +54,7 @@ TEST(Resume, InManyPartsGivesTheBitsOfOneRun) {
     }
   EXPECT_EQ(test::without_last_column(read_text(folder / "whole/history.csv")),
             test::without_last_column(read_text(folder / "parts/history.csv")));
-  for (const char* table : {"gauges.csv", "fragments.csv"})
+  for (const char* table : {"gauges.csv", "gauge_peaks.csv", "fragments.csv"})
     EXPECT_EQ(read_text(folder / "whole" / table), read_text(folder / "parts" / table)) << table;
   EXPECT_EQ(read_text(folder / "whole/snapshots/elements.vtkhdf.series"),
             read_text(folder / "parts/snapshots/elements.vtkhdf.series"));

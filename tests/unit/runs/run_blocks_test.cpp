@@ -57,7 +57,10 @@ TEST_F(FinishedRun, ManifestHasTheNamesOfTheInterface) {
   EXPECT_EQ(keys_of(manifest), (std::vector<std::string>{"case", "commit", "finished", "machine", "method", "results", "sazare",
                                                          "started", "state_hash", "status"}));
   EXPECT_EQ(keys_of(manifest["machine"]), (std::vector<std::string>{"cores", "cpu", "ranks", "threads"}));
-  EXPECT_EQ(keys_of(manifest["results"]), (std::vector<std::string>{"broken_in_shear", "broken_joints",
+  EXPECT_EQ(keys_of(manifest["results"]), (std::vector<std::string>{"broken_in_shear",
+                                                                    "broken_joints",
+                                                                    "detached_fragments",
+                                                                    "detached_volume",
                                                                     "elements",
                                                                     "energy_boundary_dashpot",
                                                                     "energy_contact_dashpot",
@@ -73,6 +76,9 @@ TEST_F(FinishedRun, ManifestHasTheNamesOfTheInterface) {
                                                                     "fragments",
                                                                     "joints",
                                                                     "largest_fragment_volume",
+                                                                    "p20",
+                                                                    "p50",
+                                                                    "p80",
                                                                     "pair_evaluations",
                                                                     "peak_speed",
                                                                     "ppv",
@@ -82,9 +88,7 @@ TEST_F(FinishedRun, ManifestHasTheNamesOfTheInterface) {
                                                                     "uniform_evaluations",
                                                                     "update_times",
                                                                     "updates",
-                                                                    "wall_seconds",
-                                                                    "x50",
-                                                                    "x80"}));
+                                                                    "wall_seconds"}));
   EXPECT_EQ(keys_of(manifest["results"]["ppv"]), (std::vector<std::string>{"G1", "G2"}));
   EXPECT_EQ(manifest["status"], "done");
   EXPECT_EQ(manifest["case"], "Small block");
@@ -98,8 +102,11 @@ TEST_F(FinishedRun, FiguresBelongToABlockThatBreaks) {
   EXPECT_LT(std::abs(results["energy_residual"].get<Real>()), 1e-2 * results["energy_work"].get<Real>());
   EXPECT_GT(results["ppv"]["G1"], 0);
   EXPECT_GE(results["peak_speed"], results["ppv"]["G1"]);
-  EXPECT_GT(results["x80"], 0);
-  EXPECT_GE(results["x80"], results["x50"]);
+  EXPECT_GT(results["p20"], 0);
+  EXPECT_GE(results["p50"], results["p20"]);
+  EXPECT_GE(results["p80"], results["p50"]);
+  EXPECT_GT(results["detached_volume"], 0);
+  EXPECT_LE(results["detached_fragments"], results["fragments"]);
   EXPECT_GT(results["steps"], 0);
 }
 
@@ -114,7 +121,13 @@ TEST_F(FinishedRun, TablesHaveUnitsInTheirHeadersAndARowForEveryInterval) {
             "[m/s],G2.velocity_z [m/s]");
   EXPECT_EQ(first_line(run() / "fragments.csv"),
             "fragment [-],elements [-],volume [m3],mass [kg],size [m],center_x [m],center_y [m],center_z [m],velocity_x "
-            "[m/s],velocity_y [m/s],velocity_z [m/s],throw [m]");
+            "[m/s],velocity_y [m/s],velocity_z [m/s],throw [m],stays [-]");
+  EXPECT_EQ(first_line(run() / "gauge_peaks.csv"),
+            "gauge,point_x [m],point_y [m],point_z [m],ppv [m/s],time [s],peak_x [m/s],peak_y [m/s],peak_z [m/s]");
+  EXPECT_EQ(first_line(run() / "holes.csv"),
+            "hole,delay [s],first_x [m],first_y [m],first_z [m],last_x [m],last_y [m],last_z [m],diameter [m]");
+  EXPECT_EQ(lines_of(run() / "gauge_peaks.csv"), 3u);
+  EXPECT_EQ(lines_of(run() / "holes.csv"), 1u);  // the pressure acts on a flat face
   EXPECT_EQ(first_line(run() / "timing.csv"), "part,seconds [s],share [-]");
   EXPECT_EQ(lines_of(run() / "history.csv"), 102u);
   EXPECT_EQ(lines_of(run() / "gauges.csv"), 102u);
@@ -140,6 +153,7 @@ TEST_F(FinishedRun, IsTheSameOnAnyNumberOfThreads) {
     const TemporaryFolder other;
     parallel::set_threads(threads);
     EXPECT_EQ(run_quietly(block_case(), other / "run").manifest.state_hash, outcome->manifest.state_hash) << threads;
+    EXPECT_EQ(read_text(other / "run/gauge_peaks.csv"), read_text(run() / "gauge_peaks.csv")) << threads;
   }
   parallel::set_threads(0);
 }
@@ -151,6 +165,8 @@ TEST_F(FinishedRun, IsNotDisturbedByBeingObserved) {
   const auto seldom =
       run_quietly(block_case({base_step, "time.history_interval=2e-5", "output.checkpoint_interval=0.01"}), other / "seldom");
   EXPECT_EQ(often.manifest.state_hash, seldom.manifest.state_hash);
+  EXPECT_EQ(often.manifest.peak_particle_velocity, seldom.manifest.peak_particle_velocity);
+  EXPECT_EQ(read_text(other / "often/gauge_peaks.csv"), read_text(other / "seldom/gauge_peaks.csv"));
 }
 
 TEST(RunBlocks, WalkedInPartsAndLookedAtItHasTheBitsOfOneRun) {

@@ -1,6 +1,7 @@
 #include "sazare/methods/blocks/run/block_fragments.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 #include "sazare/geometry/tetrahedron.hpp"
@@ -51,6 +52,41 @@ FragmentMap find_fragments(Index elements, const methods::blocks::Joints& joints
     map.of_element.push_back(root == element ? map.count++ : map.of_element[at(root)]);
   }
   return map;
+}
+
+std::vector<Index> anchored_elements(const cases::BlocksCase& blocks, const methods::blocks::OuterFaces* faces,
+                                     const state::Bodies<3>& bodies) {
+  constexpr int all_axes = 7;
+  std::vector<Index> anchored;
+  for (Index element = 0; element < bodies.size(); ++element)
+    if (bodies.locks[at(element)].translation == all_axes) anchored.push_back(element);
+  if (faces != nullptr)
+    for (const methods::blocks::OuterFace& face : faces->faces())
+      if (blocks.boundaries[at(face.boundary)].kind != cases::BoundaryKind::frictionless) anchored.push_back(face.body);
+  std::ranges::sort(anchored);
+  anchored.erase(std::ranges::unique(anchored).begin(), anchored.end());
+  return anchored;
+}
+
+void mark_staying(const FragmentMap& map, std::span<const Index> anchored, std::vector<Fragment>& largest_first) {
+  constexpr Real hardly = 0.5;  // of the mean throw of the others
+  std::vector<bool> holds(at(map.count), false);
+  for (const Index element : anchored) holds[at(map.of_element[at(element)])] = true;
+  for (Fragment& fragment : largest_first) fragment.stays = holds[at(fragment.number)];
+  if (largest_first.empty()) return;
+  Real mass = 0, thrown = 0;
+  for (const Fragment& fragment : std::span(largest_first).subspan(1)) {
+    mass += fragment.mass;
+    thrown += fragment.mass * fragment.throw_distance;
+  }
+  Fragment& largest = largest_first.front();
+  if (mass == 0 || largest.throw_distance < hardly * thrown / mass) largest.stays = true;
+}
+
+std::vector<Fragment> detached(std::span<const Fragment> fragments) {
+  std::vector<Fragment> those;
+  std::ranges::copy_if(fragments, std::back_inserter(those), [](const Fragment& fragment) { return !fragment.stays; });
+  return those;
 }
 
 std::vector<Fragment> measure_fragments(const FragmentMap& map, const geometry::TetraMesh& mesh, const state::Bodies<3>& bodies,

@@ -24,13 +24,27 @@ inline constexpr std::array energies = {
 inline constexpr std::array progress = {Column{"energy_residual", "J", "residual of the energy balance"},
                                         Column{"smallest_step", "s", "of any element since the last row"},
                                         Column{"pair_evaluations", "-", "so far"}};
-inline constexpr std::array boundary = {Column{"NAME.force", "N", "of a boundary on the body", 3}};
+inline constexpr std::array boundary = {
+    Column{"NAME.force", "N", "of a boundary on the body", 3},
+    Column{"NAME.absorbed", "J",
+           "dissipated by dashpots of the boundary; of an absorbing one, what waves have carried through it"}};
 inline constexpr std::array charge = {
     Column{"NAME.pressure", "Pa", "of the gas of a charge"}, Column{"NAME.volume", "m3", "of the gas of a charge"},
     Column{"NAME.released", "J", "energy of what has detonated of a charge"},
     Column{"NAME.work", "J", "done by the gas of a charge on the wall of its hole"},
     Column{"NAME.lost", "J", "energy of a charge that has left through the collar, and that of its stemming"}};
 inline constexpr std::array gauge = {Column{"NAME.velocity", "m/s", "of the point", 3}};
+inline constexpr std::array gauge_peaks = {
+    Column{"gauge", "", "its name"}, Column{"point", "m", "at the beginning", 3},
+    Column{"ppv", "m/s", "largest magnitude of the velocity at any base step"}, Column{"time", "s", "at which that was"},
+    Column{"peak", "m/s", "largest magnitude of each component of the velocity at any base step", 3}};
+inline constexpr std::array holes = {
+    Column{"hole", "", "name of the charge or of the blast"},
+    Column{"delay", "s", "when it fires"},
+    Column{"first", "m", "end of the charge nearer to the collar; of a blast, where the wall under pressure begins or ends", 3},
+    Column{"last", "m", "the other end; the same point for a hole that is no cylinder", 3},
+    Column{"diameter", "m", "of the hole; of a blast, that of the cylinder, or else the sphere, of the same volume"},
+    Column{"mass", "kg", "of the explosive; 0 for a blast, which does not tell it"}};
 inline constexpr std::array ranks = {Column{"time", "s", "end of an interval between two distributions of the work"},
                                      Column{"rank", "-", ""},
                                      Column{"processor_time", "s", "of the rank so far"},
@@ -66,8 +80,11 @@ inline constexpr std::array figures = {
     Column{"broken_in_shear", "-", "of these, the ones in which slip has dissipated more than opening"},
     Column{"fragments", "-", ""},
     Column{"largest_fragment_volume", "m3", ""},
-    Column{"x50", "m", "size below which half of the volume lies"},
-    Column{"x80", "m", "size below which 80 % of the volume lies"},
+    Column{"detached_fragments", "-", "without those that stay, see `stays` of fragments.csv"},
+    Column{"detached_volume", "m3", "of these"},
+    Column{"p20", "m", "size that 20 % of their mass passes; diameter of the sphere of equal volume"},
+    Column{"p50", "m", "size that 50 % of their mass passes"},
+    Column{"p80", "m", "size that 80 % of their mass passes"},
     Column{"throw_max", "m", "largest displacement of a fragment's centre"},
     Column{"peak_speed", "m/s", "largest of any element, at the rows of the history"},
     Column{"steps", "-", "base steps"},

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "sazare/cases/format/number_text.hpp"
@@ -10,6 +12,7 @@
 #include "sazare/methods/blocks/case/case.hpp"
 #include "sazare/methods/blocks/run/columns.hpp"
 #include "sazare/methods/blocks/run/material_points.hpp"
+#include "sazare/observe/csv_writer.hpp"
 #include "sazare/runs/record_columns.hpp"
 
 namespace sazare::runs {
@@ -49,6 +52,23 @@ std::string point_text(const Vector3& point) {
 
 }  // namespace
 
+void GaugePeak::raise(Real now, const Vector3& velocity) {
+  if (velocity.norm() > speed) {
+    speed = velocity.norm();
+    time = now;
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    components[axis] = std::max(components[axis], std::abs(velocity[static_cast<Eigen::Index>(axis)]));
+}
+
+void GaugePeak::raise(const GaugePeak& other) {
+  if (other.speed > speed || (other.speed == speed && other.time < time)) {
+    speed = other.speed;
+    time = other.time;
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) components[axis] = std::max(components[axis], other.components[axis]);
+}
+
 Index element_at(const geometry::TetraMesh& mesh, const Vector3& point) {
   for (Index element = 0; element < static_cast<Index>(mesh.tetrahedra.size()); ++element)
     if (depth_in(geometry::corners_of(mesh, element), point) >= -on_surface) return element;
@@ -70,7 +90,7 @@ Gauges::Gauges(const cases::CaseFile& file, const geometry::TetraMesh& mesh) {
     points_.push_back(gauge.point);
     elements_.push_back(element);
   }
-  peaks_.resize(names_.size(), 0);
+  peaks_.resize(names_.size());
 }
 
 std::vector<std::string> Gauges::titles() const {
@@ -83,17 +103,48 @@ std::vector<std::string> Gauges::titles() const {
 std::vector<Real> Gauges::sample(Real time, const state::Bodies<3>& bodies, const levels::Snapshot<3>& now) {
   std::vector<Real> row = {time};
   for (std::size_t i = 0; i < names_.size(); ++i) {
-    const Vector3 velocity = point_velocity(bodies, now, elements_[i], points_[i]);
+    const std::size_t element = at(elements_[i]);
+    const levels::BodyNow<3> body{now.pose[element], now.velocity[element], now.angular_momentum[element]};
+    const Vector3 velocity = point_velocity(bodies, body, elements_[i], points_[i]);
     row.insert(row.end(), velocity.begin(), velocity.end());
-    peaks_[i] = std::max(peaks_[i], velocity.norm());
+    peaks_[i].raise(time, velocity);
   }
   return row;
 }
 
+void Gauges::watch(Real time, const levels::Simulation<3>& simulation) {
+  for (std::size_t i = 0; i < names_.size(); ++i)
+    if (simulation.owns(elements_[i]))
+      peaks_[i].raise(time, point_velocity(simulation.bodies(), simulation.body_now(elements_[i]), elements_[i], points_[i]));
+}
+
+void Gauges::unite(const parallel::Ranks& ranks) {
+  const parallel::Gathered all = ranks.gather(std::as_bytes(std::span(peaks_)));
+  std::vector<GaugePeak> others(peaks_.size());
+  for (int rank = 0; rank < ranks.size(); ++rank) {
+    if (peaks_.empty()) return;
+    std::memcpy(static_cast<void*>(others.data()), all.of(rank).data(), all.of(rank).size());
+    for (std::size_t i = 0; i < peaks_.size(); ++i) peaks_[i].raise(others[i]);
+  }
+}
+
 std::vector<std::pair<std::string, Real>> Gauges::peaks() const {
   std::vector<std::pair<std::string, Real>> peaks;
-  for (std::size_t i = 0; i < names_.size(); ++i) peaks.emplace_back(names_[i], peaks_[i]);
+  for (std::size_t i = 0; i < names_.size(); ++i) peaks.emplace_back(names_[i], peaks_[i].speed);
   return peaks;
+}
+
+void Gauges::write_peaks(const std::filesystem::path& file) const {
+  std::vector<std::string> titles;
+  observe::add_titles(titles, columns::blocks::gauge_peaks);
+  std::vector<std::vector<observe::CsvField>> rows;
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    auto& row = rows.emplace_back(std::vector<observe::CsvField>{names_[i]});
+    row.insert(row.end(), points_[i].begin(), points_[i].end());
+    row.insert(row.end(), {peaks_[i].speed, peaks_[i].time});
+    row.insert(row.end(), peaks_[i].components.begin(), peaks_[i].components.end());
+  }
+  observe::write_csv(file, titles, rows);
 }
 
 }  // namespace sazare::runs

@@ -9,7 +9,10 @@ namespace sazare::runs {
 /// An element at a moment, to follow points of it.
 class PlacedElement {
 public:
-  PlacedElement(const state::Bodies<3>& bodies, const levels::Snapshot<3>& now, Index element);
+  /// At a pose that outlives it.
+  PlacedElement(const state::Bodies<3>& bodies, const state::Pose<3>& now, Index element);
+  PlacedElement(const state::Bodies<3>& bodies, const levels::Snapshot<3>& now, Index element)
+      : PlacedElement(bodies, now.pose[at(element)], element) {}
 
   /// Where a point that was at `start` is now, as a point of this element [m].
   Vector3 moved(const Vector3& start) const { return pose_->position + arm(start); }
@@ -27,6 +30,6 @@ private:
 };
 
 /// Velocity [m/s] of a point that was at `start`, as a point of this element.
-Vector3 point_velocity(const state::Bodies<3>& bodies, const levels::Snapshot<3>& now, Index element, const Vector3& start);
+Vector3 point_velocity(const state::Bodies<3>& bodies, const levels::BodyNow<3>& now, Index element, const Vector3& start);
 
 }  // namespace sazare::runs

@@ -17,8 +17,11 @@ std::string blocks_summary(const observe::Manifest& manifest) {
   const auto number = [&](std::string_view name, int digits = 4) { return figure_text(manifest, name, digits); };
   std::string text;
   text += fmt::format("broken joints   {} of {}\n", number("broken_joints", 12), number("joints", 12));
-  text += fmt::format("fragments       {} of {} elements, X50 {} m, X80 {} m\n", number("fragments", 12), number("elements", 12),
-             number("x50", 3), number("x80", 3));
+  text += fmt::format("fragments       {} of {} elements, {} of them detached: {} m3\n", number("fragments", 12),
+                      number("elements", 12), number("detached_fragments", 12), number("detached_volume", 3));
+  if (figure(manifest, "detached_fragments") > 0)
+    text += fmt::format("sizes           P20 {} m, P50 {} m, P80 {} m of the detached mass\n", number("p20", 3), number("p50", 3),
+                        number("p80", 3));
   text += fmt::format("largest throw   {} m, peak speed {} m/s\n", number("throw_max"), number("peak_speed"));
   text += fmt::format("energy          {}\n", balance_text(manifest));
   text += fmt::format("wall-clock time {:.2f} s, {} pair evaluations, {} thread{}\n", figure(manifest, "wall_seconds"),
@@ -27,14 +30,17 @@ std::string blocks_summary(const observe::Manifest& manifest) {
 }
 
 FolderTables tables_of_blocks() {
-  return {.figures = {{"`blocks`", {columns::blocks::figures}}},
-          .history = {{"`blocks`",
-                       {columns::blocks::pieces, columns::blocks::energies, columns::blocks::progress, columns::blocks::boundary,
-                        columns::blocks::charge}}},
-          .gauges = {{"`gauges.csv` of `blocks`", {columns::blocks::gauge}}},
-          .files = {{"`ranks.csv`, a row per rank and interval", {columns::blocks::ranks}}},
-          .snapshots = {{"`elements` of `blocks`", {columns::blocks::elements}},
-                        {"`joints` of `blocks`", {columns::blocks::joints}}}};
+  return {
+      .figures = {{"`blocks`", {columns::blocks::figures}}},
+      .history = {{"`blocks`",
+                   {columns::blocks::pieces, columns::blocks::energies, columns::blocks::progress, columns::blocks::boundary,
+                     columns::blocks::charge}}},
+      .gauges = {{"`gauges.csv` of `blocks`", {columns::blocks::gauge}}},
+      .files = {{"`gauge_peaks.csv`", {columns::blocks::gauge_peaks}},
+                {"`holes.csv`", {columns::blocks::holes}},
+                {"`ranks.csv`, a row per rank and interval", {columns::blocks::ranks}}},
+      .snapshots = {{"`elements` of `blocks`", {columns::blocks::elements}},
+                    {"`joints` of `blocks`", {columns::blocks::joints}}}};
 }
 
 }  // namespace

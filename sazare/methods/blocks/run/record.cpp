@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include "sazare/core/error.hpp"
@@ -57,15 +58,16 @@ void RunRecord::check_motion(Real time) const {
   if (find_failed_element(*model_) >= 0) throw PhysicsError(describe_failure(*model_, *file_, time));
 }
 
-void RunRecord::survey(std::int64_t step) {
+void RunRecord::survey(std::int64_t step, const parallel::Ranks* ranks) {
   survey_ = model_->simulation->survey(std::move(former_survey_));
+  sum_absorbed(clocks_.time(step), ranks);
   if (clocks_.is_snapshot(step)) model_->simulation->collect();
 }
 
 void RunRecord::observe(std::int64_t step, Real wall_seconds) {
   if (!clocks_.is_row(step)) return;
   const Real time = clocks_.time(step);
-  if (!survey_) survey(step);
+  if (!survey_) survey(step, nullptr);
   former_survey_ = *std::exchange(survey_, std::nullopt);
   levels::Snapshot<3>& now = former_survey_.bodies;
   Real fastest_squared = 0;
@@ -88,7 +90,11 @@ void RunRecord::add_history_row(Real time, Real wall_seconds) {
   row.push_back(energy_residual_);
   row.push_back(latest_smallest_step_);
   row.push_back(static_cast<Real>(model_->simulation->counters().pair_evaluations));
-  for (const Vector3& force : boundary_forces(time)) row.insert(row.end(), force.begin(), force.end());
+  const std::vector<Vector3> forces = boundary_forces(time);
+  for (std::size_t boundary = 0; boundary < forces.size(); ++boundary) {
+    row.insert(row.end(), forces[boundary].begin(), forces[boundary].end());
+    row.push_back(absorbed_[boundary].value());
+  }
   for (const methods::blocks::ChargeState& charge : charge_states(time))
     row.insert(row.end(), {charge.pressure, charge.volume, charge.released, charge.work, charge.lost});
   row.push_back(wall_seconds);
@@ -114,6 +120,25 @@ std::vector<methods::blocks::ChargeState> RunRecord::charge_states(Real time) co
   return model_->charges->states(time);
 }
 
+/// Each process sums over its own elements, and the first one over the processes.
+void RunRecord::sum_absorbed(Real time, const parallel::Ranks* ranks) {
+  absorbed_.assign(file_->as<cases::BlocksCase>().boundaries.size(), {});
+  if (model_->boundaries == nullptr) return;
+  const levels::Simulation<3>& simulation = *model_->simulation;
+  model_->boundaries->add_dissipated(
+      {survey_->bodies.pose, survey_->ahead, time}, [&](Index body) { return simulation.owns(body); },
+      [&](Index body) { return simulation.work_on(body)[static_cast<std::size_t>(terms::Cause::boundary)]; }, absorbed_);
+  if (ranks == nullptr) return;
+  const parallel::Gathered all = ranks->gather(std::as_bytes(std::span(absorbed_)), parallel::To::first);
+  if (!ranks->is_first()) return;
+  std::vector<ExactSum> part(absorbed_.size());
+  absorbed_.assign(part.size(), {});
+  for (int rank = 0; rank < ranks->size(); ++rank) {
+    std::memcpy(static_cast<void*>(part.data()), all.of(rank).data(), all.of(rank).size());
+    for (std::size_t boundary = 0; boundary < part.size(); ++boundary) absorbed_[boundary] += part[boundary];
+  }
+}
+
 const FragmentMap& RunRecord::fragments() {
   const Index broken = model_->joints->broken_count();
   if (fragments_at_broken_ != broken) fragments_ = find_fragments(model_->simulation->bodies().size(), *model_->joints);
@@ -128,12 +153,25 @@ void RunRecord::flush(bool to_disk) {
   former_survey_ = {};  // a checkpoint, which comes next, takes as much
 }
 
+/// Largest first, those that stay marked.
+std::vector<Fragment> RunRecord::measured_fragments(const levels::Snapshot<3>& now) {
+  const state::Bodies<3>& bodies = model_->simulation->bodies();
+  std::vector<Fragment> measured = measure_fragments(fragments(), model_->mesh, bodies, now);
+  mark_staying(fragments(), anchored_elements(file_->as<cases::BlocksCase>(), model_->boundaries, bodies), measured);
+  return measured;
+}
+
 void RunRecord::write_fragments() {
-  runs::write_fragments(folder_->fragments(), measure_fragments(fragments(), model_->mesh, model_->simulation->bodies(),
-                                                                model_->simulation->snapshot()));
+  runs::write_fragments(folder_->fragments(), measured_fragments(model_->simulation->snapshot()), FragmentTable::with_stays);
 }
 
 namespace {
+
+Real volume_of(std::span<const Fragment> fragments) {
+  Real volume = 0;
+  for (const Fragment& fragment : fragments) volume += fragment.volume;
+  return volume;
+}
 
 std::int64_t broken_in_shear(const methods::blocks::Joints& joints) {
   std::int64_t count = 0;
@@ -149,7 +187,7 @@ std::vector<std::pair<std::string, observe::Figure>> RunRecord::results(std::int
   const levels::Counters& counters = simulation.counters();
   const levels::Snapshot<3> now = simulation.snapshot();
   const terms::EnergyBalance balance = simulation.energy_balance(now);
-  const auto pieces = measure_fragments(fragments(), model_->mesh, simulation.bodies(), now);
+  const std::vector<Fragment> pieces = measured_fragments(now), loose = detached(pieces);
   Real farthest = 0;
   for (const Fragment& piece : pieces) farthest = std::max(farthest, piece.throw_distance);
   std::vector<std::pair<std::string, observe::Figure>> results = {
@@ -157,6 +195,7 @@ std::vector<std::pair<std::string, observe::Figure>> RunRecord::results(std::int
       {"broken_in_shear", broken_in_shear(*model_->joints)},
       {"joints", static_cast<std::int64_t>(model_->joints->links().size())},
       {"fragments", std::int64_t{fragments().count}},
+      {"detached_fragments", static_cast<std::int64_t>(loose.size())},
       {"elements", std::int64_t{simulation.bodies().size()}},
       {"pair_evaluations", counters.pair_evaluations},
       {"uniform_evaluations", counters.uniform_evaluations},
@@ -177,8 +216,10 @@ std::vector<std::pair<std::string, observe::Figure>> RunRecord::results(std::int
     results.emplace_back("explosive_released", released);
     results.emplace_back("explosive_work", work);
   }
-  results.emplace_back("x50", passing_size(pieces, 0.5));
-  results.emplace_back("x80", passing_size(pieces, 0.8));
+  results.emplace_back("detached_volume", volume_of(loose));
+  results.emplace_back("p20", passing_size(loose, 0.2));
+  results.emplace_back("p50", passing_size(loose, 0.5));
+  results.emplace_back("p80", passing_size(loose, 0.8));
   results.emplace_back("largest_fragment_volume", pieces.empty() ? 0 : pieces.front().volume);
   results.emplace_back("throw_max", farthest);
   results.emplace_back("peak_speed", peak_speed_);

@@ -25,9 +25,15 @@ public:
   /// Goes on with the tables and snapshots of an earlier run, of which `columns` has read how far they count.
   void resume();
 
+  /// Looks at the gauges at a base step.
+  void watch(std::int64_t step) { gauges_.watch(clocks_.time(step), *model_->simulation); }
+
+  /// With several processes, what each has seen of the gauges becomes known to all. All call it.
+  void unite(const parallel::Ranks& ranks) { gauges_.unite(ranks); }
+
   /// Looks at what is to be written at a base step: for several processes of a run, which all call it before the first one
   /// writes.
-  void survey(std::int64_t step);
+  void survey(std::int64_t step, const parallel::Ranks* ranks);
 
   /// Writes what is due at a base step.
   void observe(std::int64_t step, Real wall_seconds);
@@ -40,6 +46,9 @@ public:
 
   /// Writes fragments.csv.
   void write_fragments();
+
+  /// Writes gauge_peaks.csv.
+  void write_gauge_peaks() const { gauges_.write_peaks(folder_->gauge_peaks()); }
 
   /// Headline figures by name: an interface, see the reference of the run folder.
   std::vector<std::pair<std::string, observe::Figure>> results(std::int64_t step, Real wall_seconds);
@@ -57,9 +66,11 @@ public:
 private:
   std::vector<RecordFiles::Table> tables() const;
   const FragmentMap& fragments();
+  std::vector<Fragment> measured_fragments(const levels::Snapshot<3>& now);
   void add_history_row(Real time, Real wall_seconds);
   std::vector<Vector3> boundary_forces(Real time) const;
   std::vector<methods::blocks::ChargeState> charge_states(Real time) const;
+  void sum_absorbed(Real time, const parallel::Ranks* ranks);
 
   const RunFolder* folder_;
   const cases::CaseFile* file_;
@@ -70,6 +81,7 @@ private:
   RecordFiles files_;
   std::optional<levels::Survey<3>> survey_;  ///< of the row that comes
   levels::Survey<3> former_survey_;          ///< its memory is used again
+  std::vector<ExactSum> absorbed_;           ///< by boundary, at the row that comes [J]
   FragmentMap fragments_;
   Index fragments_at_broken_ = -1;  ///< number of broken joints for which `fragments_` holds
   Real smallest_step_ = 0;          ///< of the run so far; 0 before the first row [s]

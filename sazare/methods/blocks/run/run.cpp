@@ -4,6 +4,7 @@
 #include "sazare/core/large_tables.hpp"
 #include "sazare/methods/blocks/case/format.hpp"
 #include "sazare/methods/blocks/run/check/stability.hpp"
+#include "sazare/methods/blocks/run/blasting/holes_file.hpp"
 #include "sazare/methods/blocks/run/identity.hpp"
 #include "sazare/methods/blocks/run/mesh_source.hpp"
 #include "sazare/methods/blocks/run/motion_rows.hpp"
@@ -79,21 +80,27 @@ struct BlocksWork final : WorkDefaults {
 
   bool start() {
     simulation().start();
+    record.watch(step());
     return true;
   }
   bool advance(const Pause& pause) {
-    return simulation().advance([&] {
+    const bool is_there = simulation().advance([&] {
       if (simulation().counters().ticks % motion_check_ticks == 0) record.check_motion(simulation().now().seconds());
       return options.sharing.ranks == nullptr && pause();
     });
+    if (is_there) record.watch(step());
+    return is_there;
   }
   std::int64_t step() const { return simulation().now().tick / schedule::base_stride; }
   bool must_check() const override {
     const bool mixed = simulation().levels().finest() > 0;  // then a base step is many
     return mixed || step() % motion_check_steps == 0;
   }
-  void collect() override { simulation().collect(); }
-  void survey() override { record.survey(step()); }
+  void collect() override {
+    simulation().collect();
+    if (options.sharing.ranks != nullptr) record.unite(*options.sharing.ranks);
+  }
+  void survey() override { record.survey(step(), options.sharing.ranks); }
   void read_motion(MotionTable& table) const { read_bodies(simulation(), table); }
 
   ProgressState progress(Real share, Real time) const {
@@ -108,7 +115,12 @@ struct BlocksWork final : WorkDefaults {
   void write_case() const {
     observe::write_file(folder.case_file(), cases::write_resolved(file.as<cases::BlocksCase>(), folder.path()));
   }
-  void write_end() override { record.write_fragments(); }
+  void write_end() override {
+    const auto& blocks = file.as<cases::BlocksCase>();
+    if (!blocks.blasts.empty() || !blocks.charges.empty()) write_holes(folder.holes(), blocks, model.mesh);
+    record.write_fragments();
+    record.write_gauge_peaks();
+  }
   void write_rank_times() override { runs::write_rank_times(folder.ranks(), simulation()); }
 };
 

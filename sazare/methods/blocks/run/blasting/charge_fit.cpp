@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/methods/blocks/run/blasting/charges.hpp"
@@ -47,7 +46,7 @@ std::string warn_of_charges(const cases::CaseFile& file, const std::vector<Charg
                      fmt::format("the corners of the wall are {} m from the axis of the hole, whose radius is {} m",
                                  number(fits[i].distance), number(radius)),
                      "the gas presses on the wall of the mesh and has the room of the diameter: make the two agree");
-    const Real around = std::numbers::pi * charge.diameter / fits[i].wall.width;
+    const Real around = fits[i].wall.around(charge.diameter);
     if (fits[i].wall.has_axis() && around < HoleWall::few_faces)
       all += warning(file, key + ".surface", fmt::format("the hole has about {:.0f} faces around", around),
                      "use eight or more, so that the gas presses evenly: mesh the wall of the hole more finely");

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sazare/cases/case_file.hpp"
-#include "sazare/methods/blocks/run/check/hole_wall.hpp"
+#include "sazare/methods/blocks/run/blasting/hole_wall.hpp"
 #include "sazare/methods/blocks/run/parts.hpp"
 
 namespace sazare::runs {

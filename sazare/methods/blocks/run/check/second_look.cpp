@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 #include <set>
 
 #include "sazare/cases/explanation.hpp"
@@ -12,7 +11,7 @@
 #include "sazare/geometry/face_map.hpp"
 #include "sazare/geometry/tetrahedron.hpp"
 #include "sazare/methods/blocks/run/block_fragments.hpp"
-#include "sazare/methods/blocks/run/check/hole_wall.hpp"
+#include "sazare/methods/blocks/run/blasting/hole_wall.hpp"
 #include "sazare/methods/blocks/run/parts.hpp"
 
 namespace sazare::runs {
@@ -39,12 +38,12 @@ Real peak_of(const cases::Blast& blast) {
 }
 
 std::string hole_text(const cases::Blast& blast, const HoleWall& wall) {
-  const Real peak = peak_of(blast), open = wall.open.norm() / wall.area;
-  if (!wall.is_hole())
+  const Real peak = peak_of(blast);
+  if (!wall.closes())
     return line("loads",
                 fmt::format("{}: {} m2 that do not close around a hole: the pressure pushes the body with the resultant of "
                             "{} % of its faces{}",
-                            blast.name, number(wall.area), cases::short_number(100 * open, 2),
+                            blast.name, number(wall.area), cases::short_number(100 * wall.open.norm() / wall.area, 2),
                             peak > 0 ? fmt::format(", {} N at its peak", number(peak * wall.open.norm())) : ""));
   std::string text = line("holes", fmt::format("{}: {}", blast.name, size_text(wall)));
   if (peak > 0)
@@ -67,7 +66,7 @@ std::string charges_text(const cases::BlocksCase& blocks, const BlocksModel& mod
     if (seen.insert(charge.surface).second)
       text += line("holes",
                    fmt::format("{}: {} m across, {} m of wall, about {:.0f} faces around", charge.surface,
-                               number(charge.diameter), number(wall.length), std::numbers::pi * charge.diameter / wall.width));
+                               number(charge.diameter), number(wall.length), wall.around(charge.diameter)));
   }
   for (Index element = 0; element < static_cast<Index>(model.mesh.tetrahedra.size()); ++element)
     rock += geometry::volume(geometry::corners_of(model.mesh, element));

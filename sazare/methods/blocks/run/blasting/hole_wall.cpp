@@ -1,4 +1,4 @@
-#include "sazare/methods/blocks/run/check/hole_wall.hpp"
+#include "sazare/methods/blocks/run/blasting/hole_wall.hpp"
 
 #include <fmt/format.h>
 
@@ -11,6 +11,17 @@
 #include "sazare/core/time.hpp"
 
 namespace sazare::runs {
+
+namespace {
+
+/// Of both directions of an axis the one whose largest component is positive.
+Vector3 directed(const Vector3& axis) {
+  Eigen::Index largest = 0;
+  axis.cwiseAbs().maxCoeff(&largest);
+  return axis[largest] < 0 ? Vector3(-axis) : axis;
+}
+
+}  // namespace
 
 HoleWall measure_wall(const geometry::TetraMesh& mesh, const std::vector<geometry::OuterFace>& faces) {
   constexpr Real cylinder = 0.02;  // largest mean square of the axial part of the normals
@@ -31,7 +42,7 @@ HoleWall measure_wall(const geometry::TetraMesh& mesh, const std::vector<geometr
   centre /= wall.area;
   const Eigen::SelfAdjointEigenSolver<Matrix3> spread(normals / wall.area);
   const bool has_axis = spread.eigenvalues()[0] < cylinder;
-  if (has_axis) wall.axis = spread.eigenvectors().col(0);
+  if (has_axis) wall.axis = directed(spread.eigenvectors().col(0));
   Real low = 0, high = 0, widths = 0;
   for (const auto& face : faces) {
     const Vector3 area = area_of(face), across = wall.axis.cross(area).normalized();
@@ -46,6 +57,8 @@ HoleWall measure_wall(const geometry::TetraMesh& mesh, const std::vector<geometr
     const Vector3 radius = (corners(face, 0) + corners(face, 1) + corners(face, 2)) / 3 - centre;
     wall.volume -= (radius - radius.dot(wall.axis) * wall.axis).dot(area) / (has_axis ? 2 : 3);
   }
+  wall.first = centre + low * wall.axis;
+  wall.last = centre + high * wall.axis;
   wall.length = high - low;
   wall.diameter =
       has_axis ? std::sqrt(4 * wall.volume / (std::numbers::pi * wall.length)) : std::cbrt(6 * wall.volume / std::numbers::pi);
@@ -55,10 +68,10 @@ HoleWall measure_wall(const geometry::TetraMesh& mesh, const std::vector<geometr
 
 std::string size_text(const HoleWall& wall) {
   using cases::number;
-  return fmt::format("{} m across{}, {}{}", number(wall.diameter),
-                     wall.has_axis() ? fmt::format(", {} m long", number(wall.length)) : "",
-                     wall.has_axis() ? fmt::format("about {:.0f} faces around", wall.around()) : "no cylinder",
-                     wall.is_coarse() ? ", which are few for a round hole" : "");
+  if (!wall.has_axis()) return number(wall.diameter) + " m across, no cylinder";
+  const Real around = wall.around(wall.diameter);
+  return fmt::format("{} m across, {} m long, about {:.0f} faces around{}", number(wall.diameter), number(wall.length), around,
+                     around < HoleWall::few_faces ? ", which are few for a round hole" : "");
 }
 
 }  // namespace sazare::runs
