@@ -80,6 +80,7 @@ const std::vector<std::pair<std::string, std::string>> python_commands = {
     {"plot", "selected figures of a run's report as files"},
     {"movie", "an animation of a run's snapshots"},
     {"compare", "results and histories of two runs side by side"},
+    {"blast", "numbers of a blast: sizes of fragments, vibration, damage, energy, as tables and pictures"},
     {"lab", "laboratory tests of a rock of method blocks: strength, elasticity, envelope, calibration"},
     {"motion", "a record of ground motion: figures, response spectra, correction, scaling, deconvolution"},
 };

@@ -7,6 +7,7 @@ import traceback
 from pathlib import Path
 
 from sazare.arguments import not_negative
+from sazare.blast import command as blast_command
 from sazare.comparison import compare
 from sazare.ground_motion import command as motion_command
 from sazare.lab import command as lab_command
@@ -110,6 +111,7 @@ def parser():
     drawn.set_defaults(function=model, blame="{case}: the model of this case cannot be drawn", advice="Please report it")
     lab_command.add_to(commands)
     motion_command.add_to(commands)
+    blast_command.add_to(commands)
     return top
 
 

@@ -129,14 +129,14 @@ def passing(sizes, volumes):
 
 @style.styled
 def fragment_curve(results):
-    """Cumulative volume passing [%] against fragment size [m], with X50 and X80."""
+    """Cumulative volume passing [%] against fragment size [m], with P50 and P80."""
     fragments = results.fragments
     if fragments.rows < 1:
         return None
     sizes, share = passing(fragments["size"], fragments["volume"])
     figure = style.figure(6.2, 3.6)
     axes = figure.subplots()
-    # Straight in size, as X50 and X80 are read from it; on an axis of logarithms that is curved.
+    # Straight in size, as P50 and P80 are read from it; on an axis of logarithms that is curved.
     between = np.unique(np.concatenate([sizes, np.linspace(sizes[0], sizes[-1], 2000), np.geomspace(max(sizes[0], 1e-12), sizes[-1], 500)]))
     axes.plot(between, 100.0 * np.interp(between, sizes, share), color=style.SECOND, linewidth=1.8)
     axes.plot(sizes, 100.0 * share, "o", color=style.SECOND, markersize=2.5)
@@ -147,14 +147,12 @@ def fragment_curve(results):
     axes.set_ylim(0, 104)
     axes.set_xlabel("fragment size: equivalent sphere diameter [m]")
     axes.set_ylabel("cumulative volume passing [%]")
-    for name, level in (("x50", 50.0), ("x80", 80.0)):
-        size = results.figures.get(name)
-        if size:
-            axes.plot([size, size, sizes[0]], [0.0, level, level], color=style.ACCENT, linewidth=1.0, linestyle="--")
-            axes.annotate(
-                f"{name.upper()} = {style.quantity(size, 'm')}", (sizes[0], level), xytext=(2, 3), textcoords="offset points",
-                color=style.ACCENT,
-            )
+    for level in (50.0, 80.0):
+        size = float(np.interp(0.01 * level, share, sizes))
+        axes.plot([size, size, sizes[0]], [0.0, level, level], color=style.ACCENT, linewidth=1.0, linestyle="--")
+        axes.annotate(
+            f"P{level:.0f} = {style.quantity(size, 'm')}", (sizes[0], level), xytext=(2, 3), textcoords="offset points", color=style.ACCENT,
+        )
     return figure
 
 

@@ -62,6 +62,8 @@ def _largest_fragments(results):
 
 def _page(results, sections):
     view = view3d.packed_view(results)
+    sheets = method_of(results).sheets(results)
+    gauges = [] if any(sheet.name == "peak_velocities" for sheet in sheets) else results.gauges.values()
     loader = jinja2.FileSystemLoader(Path(__file__).with_name("templates"))
     template = jinja2.Environment(loader=loader, autoescape=True, trim_blocks=True, lstrip_blocks=True).get_template("report.html")
     tone, sentence = verdict(results)
@@ -74,7 +76,8 @@ def _page(results, sections):
         without_data=[section for section in sections if not section["image"] and section["missing"]],
         facts=_facts(results),
         fragments=_largest_fragments(results),
-        gauges=[(gauge.name, style.quantity(gauge.ppv, "m/s")) for gauge in results.gauges.values()],
+        gauges=[(gauge.name, style.quantity(gauge.ppv, "m/s")) for gauge in gauges],
+        sheets=sheets,
         case_text=results.case_text,
         view=view,
         viewer=view3d.viewer_script() if view else "",

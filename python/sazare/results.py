@@ -13,11 +13,13 @@ from sazare.tables import NotARun, Table, read_table
 
 @dataclass(frozen=True)
 class Gauge:
-    """The velocity history at one point: time [s] (n,), velocity [m/s] (n, 3)."""
+    """The velocity history at one point: time [s] (n,), velocity [m/s] (n, 3); and the largest speed between its rows [m/s], where the run has
+    told it."""
 
     name: str
     time: np.ndarray
     velocity: np.ndarray
+    peak: float = 0.0
 
     @property
     def speed(self):
@@ -26,8 +28,8 @@ class Gauge:
 
     @property
     def ppv(self):
-        """Peak particle velocity [m/s]: the largest magnitude of the history; 0 without samples."""
-        return float(self.speed.max(initial=0.0))
+        """Peak particle velocity [m/s]: the largest magnitude of the history, or that of the run, which may look more often; 0 without samples."""
+        return float(self.speed.max(initial=self.peak))
 
 
 class Results:
@@ -80,7 +82,7 @@ class Results:
 
     @cached_property
     def fragments(self):
-        """fragments.csv, largest first: fragment, elements, volume, mass, size, center_*, velocity_*, throw."""
+        """fragments.csv, largest first: fragment, elements, volume, mass, size, center_*, velocity_*, throw; of some methods also stays."""
         return self._table("fragments.csv")
 
     @cached_property
@@ -98,6 +100,16 @@ class Results:
     def gauge_table(self):
         """gauges.csv: time, and for every gauge its velocity; method mps also writes displacement and acceleration, spheres the position."""
         return self._table("gauges.csv")
+
+    @cached_property
+    def gauge_peaks(self):
+        """gauge_peaks.csv, where a run has looked at its gauges at every step: gauge, point_*, ppv, time, peak_*."""
+        return self._table("gauge_peaks.csv")
+
+    @cached_property
+    def holes(self):
+        """holes.csv, where a run has blasts in holes: hole, delay, first_*, last_*, diameter."""
+        return self._table("holes.csv")
 
     @cached_property
     def wall_table(self):
@@ -125,8 +137,9 @@ class Results:
         table = self.gauge_table
         ending = ".velocity_x"
         names = [column.removesuffix(ending) for column in table if column.endswith(ending)]
+        peaks = self.figures.get("ppv") or {}
         return {
-            name: Gauge(name, table["time"], np.stack([table[f"{name}.velocity_{axis}"] for axis in "xyz"], axis=1))
+            name: Gauge(name, table["time"], np.stack([table[f"{name}.velocity_{axis}"] for axis in "xyz"], axis=1), peaks.get(name) or 0.0)
             for name in names
         }
 

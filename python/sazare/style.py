@@ -33,6 +33,7 @@ BREAK_TIME = LinearSegmentedColormap.from_list("break_time", ["#3b0f2b", "#8c1d4
 SHEAR_TIME = LinearSegmentedColormap.from_list("shear_time", ["#10204d", "#1f4e9c", "#3f8fd6", "#8fd0f2"])
 SPEED = LinearSegmentedColormap.from_list("speed", [STONE, "#efb273", "#d1452b", "#7d1d4a", "#2a0f36"])
 LEVEL = "YlGnBu"
+SIZE = "viridis"
 
 # Energies: what is stored in cold colours, what is dissipated in warm ones.
 KINETIC, ELASTIC, DASHPOT, SLIP, RUPTURE, RELEASE = "#35618f", "#6fa3c7", "#c9a66b", "#a8763e", "#b5472f", "#e08a76"
@@ -148,10 +149,10 @@ def round_factor(most):
 
 
 def quantity(value, unit="", digits=3):
-    """A number with its unit in words for people: 0.00216, "m" gives `2.16 mm`."""
+    """A number with its unit in words for people: 0.00216, "m" gives `2.16 mm`; areas and volumes keep their unit, and have powers of ten."""
     if value is None:
         return "not known"
-    factor, prefix = prefix_for(value) if unit else (1.0, "")
+    factor, prefix = prefix_for(value) if unit and unit[-1] not in "²³" else (1.0, "")
     return f"{value / factor:.{digits}g} {prefix}{unit}".strip()
 
 

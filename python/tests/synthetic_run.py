@@ -196,7 +196,7 @@ class SyntheticRun:
             "broken_joints": broken, "joints": len(self.faces), "fragments": 41, "elements": len(self.elements),
             "pair_evaluations": 4000000, "wall_seconds": 3.1, "steps": 123456, "smallest_step": 6.25e-8,
             "energy_work": 49663.0, **{name: share * 49663.0 for name, share in ENERGIES.items()},
-            "energy_residual": 1.49, "x50": 0.12, "x80": 0.21, "largest_fragment_volume": 0.01, "throw_max": 2.16e-3,
+            "energy_residual": 1.49, "p20": 0.06, "p50": 0.12, "p80": 0.21, "detached_fragments": 39, "detached_volume": 0.0123, "largest_fragment_volume": 0.01, "throw_max": 2.16e-3,
             "peak_speed": 9.3, "ppv": {"G1": 3.1, "G2": 1.2},
         }
         return {

@@ -64,9 +64,9 @@ def test_a_method_is_found_by_the_manifest_then_by_the_case(empty):
 
 
 def test_a_figure_becomes_words():
-    figure = Figure("x50", "X50", "m", lambda figures: f"of {len(figures)}")
-    assert figure.headline({"x50": 0.12}) == Headline("X50", "120 mm", "of 1")
-    assert figure.headline({"x50": None}) is None
+    figure = Figure("p50", "P50", "m", lambda figures: f"of {len(figures)}")
+    assert figure.headline({"p50": 0.12}) == Headline("P50", "120 mm", "of 1")
+    assert figure.headline({"p50": None}) is None
 
 
 def test_shared_files_name_no_method():

@@ -58,7 +58,7 @@ def test_the_page_has_title_verdict_figures_and_case(reported):
     _, page = reported
     for words in (
         "<h1>A synthetic blast</h1>", 'class="verdict good"', "The energy residual is 3.0e-05 of the work.",
-        "2.16 mm", "X80 210 mm", "state hash", "0123456789abcdef", "method = &#34;blocks&#34;", "Largest fragments", "<td>G2</td>",
+        "2.16 mm", "P20 60 mm, P80 210 mm", "state hash", "0123456789abcdef", "method = &#34;blocks&#34;", "Largest fragments", "<td>G2</td>",
     ):
         assert words in page
 
@@ -66,7 +66,7 @@ def test_the_page_has_title_verdict_figures_and_case(reported):
 def test_a_solid_is_shown_from_a_corner_and_in_a_cut(solid, tmp_path):
     copy = shutil.copytree(solid, tmp_path / "run")
     write_report(copy)
-    assert {path.stem for path in (copy / "report").iterdir()} == PICTURES
+    assert {path.stem for path in (copy / "report").iterdir()} == PICTURES | {"slices"}
 
 
 def test_a_run_with_nothing_but_its_manifest_is_reported(tmp_path):
@@ -114,7 +114,7 @@ def test_old_pictures_do_not_stay(reported):
     assert not (folder / "report" / "old.png").exists()
 
 
-def test_the_size_distribution_passes_through_x50(slab):
+def test_the_size_distribution_passes_through_p50(slab):
     run = sazare.open(slab)
     sizes, share = plot.passing(run.fragments["size"], run.fragments["volume"])
     curve = plot.fragment_curve(run).axes[0].lines[0]

@@ -45,6 +45,18 @@ class Section:
 
 
 @dataclass(frozen=True)
+class Sheet:
+    """A table of the report: file-like name, heading, titles of its columns, rows of words, and one sentence below it."""
+
+    name: str
+    heading: str
+    titles: tuple[str, ...]
+    rows: list[tuple[str, ...]]
+    caption: str = ""
+    wide: bool = False
+
+
+@dataclass(frozen=True)
 class Headline:
     """One figure in words: its name, its value, and a smaller line below it."""
 
@@ -81,6 +93,7 @@ class Method:
     verdict: a function of Results of a run that is done: ("good", "fair" or "bad", sentence).
     headlines: the figures at the top, in their order.
     measured: a function of Results that returns more of them (list of Headline), which are read from the snapshots.
+    sheets: a function of Results that returns tables of the report (list of Sheet), in their order.
     snapshots: the kind of its snapshots, with which the names of their files begin; None where it writes none of its own.
     fields: cell data of the snapshots that the 3-D view and the movie colour, the first one by default: name in the file ->
         (name in words, unit). Of vectors the magnitude is shown.
@@ -93,6 +106,7 @@ class Method:
     verdict: Callable[[Any], tuple[str, str]]
     headlines: tuple[Figure, ...] = ()
     measured: Callable[[Any], list[Headline]] = lambda _: []
+    sheets: Callable[[Any], list[Sheet]] = lambda _: []
     snapshots: str | None = None
     fields: dict[str, tuple[str, str]] = field(default_factory=dict)
     colors: Any = field(default_factory=lambda: style.SPEED)

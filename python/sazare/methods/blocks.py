@@ -3,7 +3,7 @@
 from functools import partial
 
 from sazare import plot, style
-from sazare.methods import Figure, Method, Section, blocks_charges, blocks_curves, common
+from sazare.methods import Figure, Method, Section, blocks_blast, blocks_charges, blocks_curves, common
 
 ENERGIES = {
     "energy_kinetic": ("kinetic", style.KINETIC),
@@ -21,14 +21,14 @@ ENERGIES = {
 def sections(results):
     """The pictures of the body, where there are snapshots, then the curves."""
     if len(results.snapshots):
-        return [*_body_sections(results), *_curve_sections(results)]
+        return [*_body_sections(results), *blocks_blast.sections(results), *_curve_sections(results)]
     nothing = Section("cracks", "Crack pattern, deformed shape, time levels, fragments", "", lambda: None, common.NO_SNAPSHOTS)
-    return [nothing, *_curve_sections(results)]
+    return [nothing, *blocks_blast.sections(results), *_curve_sections(results)]
 
 
 def _body_sections(results):
     # VTK takes a second to load, and a summary does without.
-    from sazare.methods import blocks_maps
+    from sazare.methods import blocks_maps, blocks_views
     from sazare.methods.blocks_body import Body
 
     body = Body(results.snapshots)
@@ -43,7 +43,7 @@ def _body_sections(results):
         Section(
             "shape", "Deformed shape",
             "Speed of the elements when half of the joints that break have broken, and at the end. Displacements are magnified where the "
-            "title says so.",
+            "title says so, so that those of the rock that has not come loose can be seen; elements that fly out of the frame then are left out.",
             partial(blocks_maps.displaced_shape, body), "",
         ),
         Section(
@@ -54,7 +54,30 @@ def _body_sections(results):
             "fragments", "Fragments", "Elements that are still connected share a colour, and neighbouring fragments have different ones; the largest fragment is pale.",
             partial(blocks_maps.fragment_map, body), "", wide=not body.is_slab,
         ),
+        *([_size_section(body, results)] if blocks_views.has_loose_fragments(results) else []),
+        *([] if body.is_slab else [_slice_section(body)]),
     ]
+
+
+def _size_section(body, results):
+    """The picture of a run from whose rock something has come loose."""
+    from sazare.methods import blocks_views
+
+    return Section(
+        "fragment_sizes", "Fragments by size",
+        "The fragments that have come loose by the end, where they were at the beginning, coloured by the smallest square opening that they pass.",
+        partial(blocks_views.fragments_by_size, body, results), "No snapshot shows the fragments of the end.", wide=not body.is_slab,
+    )
+
+
+def _slice_section(body):
+    """The picture of cracks inside a solid."""
+    from sazare.methods import blocks_views
+
+    return Section(
+        "slices", "Cracks in slices", "Cracks at the end in four parallel planes, coloured by the time of the first snapshot that shows them broken.",
+        partial(blocks_views.crack_slices, body), "No joint has broken.",
+    )
 
 
 def _mode_section(body):
@@ -74,10 +97,6 @@ def _curve_sections(results):
     return [
         common.energy_section(results, ENERGIES),
         *([_charge_section(results)] if blocks_charges.names(results) else []),
-        Section(
-            "fragment_curve", "Fragment size distribution", "Cumulative volume passing; 50 % of the volume is in fragments smaller than X50.",
-            partial(plot.fragment_curve, results), "The run wrote no fragments.", wide=False,
-        ),
         Section(
             "broken_joints", "Broken joints", "Number of broken joints and of fragments over time.",
             partial(blocks_curves.broken_joints, results), common.NO_HISTORY, wide=False,
@@ -121,11 +140,14 @@ METHOD = Method(
     headlines=(
         Figure("broken_joints", "broken joints", note=common.share_note("broken_joints", "joints")),
         Figure("fragments", "fragments", note=common.count_note("elements", "elements")),
-        Figure("x50", "X50", "m", common.quantity_note("x80", "X80 ", "m")),
+        Figure("detached_volume", "detached rock", "m³", common.count_note("detached_fragments", "fragments")),
+        Figure("p50", "P50", "m", blocks_blast.sizes_note),
         Figure("throw_max", "maximum throw", "m"),
         Figure("peak_speed", "peak speed", "m/s", common.said("of any element")),
         Figure("energy_work", "external work", "J"),
+        Figure("energy_joint_dashpot", "joint dashpots", "J", blocks_blast.dashpot_note),
     ),
+    sheets=blocks_blast.sheets,
     snapshots="elements",
     fields={
         "velocity": ("speed", "m/s"),

@@ -1,5 +1,7 @@
 """The body of a run of method blocks: its extent, its broken joints in every snapshot, and the views that suit it."""
 
+from functools import cached_property
+
 import numpy as np
 
 from sazare import style
@@ -8,6 +10,11 @@ from sazare.scenes import MARGIN, PlaneView, SolidView
 
 # A body is a slab where its smallest extent is under this part of the next one.
 SLAB_RATIO = 0.35
+
+# What flies off, as shares of the body's extent: how far magnified displacements may carry all but a fiftieth of its volume, and from where on an
+# element is left out of a picture.
+MOST_SPREAD, OUT_OF_FRAME = 0.15, 0.3
+MOST_DISTORTION = 0.3  # of the length of an edge, in a picture
 
 # From this `state` of a joint on, it is a crack: broken, or sheared and pressed together.
 CRACK, SHEARED = 2, 3
@@ -41,6 +48,23 @@ def colors_of_neighbors(group, edges, colors):
         chosen[one] = np.lexsort((used, near))[0]
         used[chosen[one]] += 1
     return chosen
+
+
+def _exceeded(values, weights, share):
+    """The value [>0] that a share of the weight exceeds, of values (n,) with weights (n,)."""
+    order = np.argsort(values)[::-1]
+    value = values[order][np.searchsorted(np.cumsum(weights[order]), share * weights.sum())]
+    return max(float(value), 1e-30)
+
+
+def _magnified(first, now, factor):
+    """Points (4 n, 3) of elements whose corners (n, 4, 3) have moved from the first places to those of now, with the displacements times a factor: of every
+    corner, or of the centre alone where an edge would change by more than a part of its length."""
+    corners = first + factor * (now - first)
+    before, after = (np.linalg.norm(points - np.roll(points, 1, axis=1), axis=2) for points in (first, corners))
+    turned = np.any(np.abs(after - before) > MOST_DISTORTION * before, axis=1)
+    corners[turned] = now[turned] + (factor - 1.0) * (now[turned] - first[turned]).mean(axis=1, keepdims=True)
+    return corners.reshape(-1, 3)
 
 
 class Body:
@@ -120,22 +144,38 @@ class Body:
         """The outer surface at the start."""
         return self.first.clean(tolerance=1e-9).extract_surface()
 
+    @cached_property
+    def volumes(self):
+        """Volumes of the elements [m3] (n,)."""
+        corners = np.asarray(self.first.points)[np.asarray(self.first.cell_connectivity).reshape(-1, 4)]
+        edges = corners[:, 1:] - corners[:, :1]
+        return np.abs(np.linalg.det(edges)) / 6.0
+
     def exaggeration(self, snapshot, share=0.04):
-        """A round factor that makes the typical large displacement of a snapshot a visible share of the body; at least 1."""
+        """A round factor that makes displacements of the rock that has not come loose a visible share of the body, and does not fill the frame
+        with what flies; at least 1.
+
+        By the displacement that a tenth of the largest fragment's volume exceeds. A fiftieth of the volume of all elements may be carried farther
+        than the largest share of the extent, not more.
+        """
         displacement = np.linalg.norm(snapshot.elements.cell_data["displacement"], axis=1)
-        large = np.percentile(displacement, 90) if len(displacement) else 0.0
-        if large <= 0.0:
+        if len(displacement) != self.first.n_cells or not np.any(displacement):
             return 1.0
-        return max(style.round_factor(share * self.extents.max() / large), 1.0)
+        _, fragment = np.unique(snapshot.elements.cell_data["fragment"], return_inverse=True)
+        rock = fragment == np.argmax(np.bincount(fragment, weights=self.volumes))
+        extent = self.extents.max()
+        limits = [share * extent / _exceeded(displacement[rock], self.volumes[rock], 0.1), MOST_SPREAD * extent / _exceeded(displacement, self.volumes, 0.02)]
+        return max(style.round_factor(min(limits)), 1.0)
 
     def displaced(self, snapshot, factor):
-        """The elements of a snapshot with their displacement multiplied by a factor."""
-        mesh = snapshot.elements
-        if factor == 1.0 or mesh.n_points != self.first.n_points:
-            return mesh
-        mesh = mesh.copy()
-        mesh.points = self.first.points + factor * (mesh.points - self.first.points)
-        return mesh
+        """The elements of a snapshot with their displacement multiplied by a factor, without those that are then out of the frame; and the numbers of
+        those that are left (n,). Elements that have turned so far that the factor would distort them keep their shape."""
+        mesh = snapshot.elements.copy()
+        if mesh.n_points != self.first.n_points:
+            return mesh, np.arange(mesh.n_cells)
+        mesh.points = _magnified(np.asarray(self.first.points).reshape(-1, 4, 3), np.asarray(mesh.points).reshape(-1, 4, 3), factor)
+        near = np.flatnonzero(factor * np.linalg.norm(mesh.cell_data["displacement"], axis=1) <= OUT_OF_FRAME * self.extents.max())
+        return mesh.extract_cells(near), near
 
     def plane_view(self, axis=None, position=None):
         """The view along an axis, the thin one by default, onto the plane at a position, the middle by default."""

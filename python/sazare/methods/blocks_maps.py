@@ -36,7 +36,7 @@ def _panel(axes, view, layers, title):
     axes.tick_params(length=2)
 
 
-def _sheet(panels):
+def sheet(panels):
     """A figure with one axes per (view, layers, title), two in a row; all are drawn. Returns it with its axes."""
     columns = min(2, len(panels))
     rows = -(-len(panels) // columns)
@@ -52,7 +52,7 @@ def _sheet(panels):
     return figure, list(grid)
 
 
-def _bar(figure, axes, colors, norm, label, **options):
+def bar(figure, axes, colors, norm, label, **options):
     figure.colorbar(ScalarMappable(norm, colors), ax=axes, label=label, shrink=0.8, aspect=30, pad=0.02, **options)
 
 
@@ -70,13 +70,14 @@ def _wide(view, *meshes):
     return view.holding(*meshes) if isinstance(view, PlaneView) else view
 
 
-def _title(body, view, snapshot, factor=1.0):
+def panel_title(body, view, snapshot, factor=1.0, gone=0):
     words = [style.quantity(snapshot.time, "s")]
     if not body.is_slab:
         words.append(view.words)
-    if factor != 1.0:
-        words.append(f"displacements × {factor:g}")
-    return ", ".join(words)
+    magnified = [f"displacements × {factor:g}"] if factor != 1.0 else []
+    if gone:
+        magnified.append(f"{style.count(gone)} elements out of the frame")
+    return ", ".join(words) + ("\n" if gone else ", " if magnified else "") + ", ".join(magnified)
 
 
 def _pressed(cracks):
@@ -84,7 +85,7 @@ def _pressed(cracks):
     return np.asarray(cracks.cell_data["state"]) == SHEARED if cracks.n_cells else np.zeros(0, dtype=bool)
 
 
-def _crack_layers(body, view, snapshot, norm, hull):
+def crack_layers(body, view, snapshot, norm, hull):
     broken, softening = body.broken(snapshot), body.softening(snapshot)
     pressed = _pressed(broken)
     parts = [(broken.extract_cells(np.flatnonzero(pressed)), style.SHEAR_TIME), (broken.extract_cells(np.flatnonzero(~pressed)), style.BREAK_TIME)]
@@ -96,11 +97,18 @@ def _crack_layers(body, view, snapshot, norm, hull):
             Layer(_lift(view, view.cut(softening), 1), {"color": style.SOFTENING, **lines, "line_width": 2.5}),
             *(Layer(_lift(view, view.cut(mesh), 2 + place), {**lines, **options}) for place, (mesh, options) in enumerate(colored)),
         ]
-    outline = hull.extract_feature_edges(25.0, boundary_edges=False, non_manifold_edges=False, manifold_edges=False)
+    return [
+        *outline_layers(hull),
+        *(Layer(mesh, {**options, "ambient": 0.35, "show_edges": False}) for mesh, options in colored),
+    ]
+
+
+def outline_layers(hull):
+    """The outer surface of a body, through which one sees, and its edges."""
+    edges = hull.extract_feature_edges(25.0, boundary_edges=False, non_manifold_edges=False, manifold_edges=False)
     return [
         Layer(hull, {"color": style.STONE, "opacity": 0.25, "show_edges": False}),
-        Layer(outline, {"color": style.OLD_CRACK, "line_width": 2.0, "lighting": False}),
-        *(Layer(mesh, {**options, "ambient": 0.35, "show_edges": False}) for mesh, options in colored),
+        Layer(edges, {"color": style.OLD_CRACK, "line_width": 2.0, "lighting": False}),
     ]
 
 
@@ -109,6 +117,13 @@ def _lift(view, mesh, height):
     right, up = view.in_plane
     along = np.cross(np.eye(3)[right], np.eye(3)[up])
     return mesh.translate(along * height * 1e-3 * np.ptp(view.window), inplace=False) if mesh.n_cells else mesh
+
+
+def crack_norm(body):
+    """The scale of the times at which joints have broken [s]."""
+    latest = body.latest_break() or body.snapshots.times.max() or 1.0
+    first = body.first_break() or 0.0
+    return Normalize(first if first < latest else 0.0, latest)
 
 
 @style.styled
@@ -120,22 +135,20 @@ def crack_pattern(body, panels=4):
     if body.snapshots[-1].joints is None:
         return None
     snapshots = body.moments(panels)
-    latest = body.latest_break() or body.snapshots.times.max() or 1.0
-    factor, prefix = style.prefix_for(latest)
-    first = body.first_break() or 0.0
-    norm = Normalize(first if first < latest else 0.0, latest)
+    norm = crack_norm(body)
+    factor, prefix = style.prefix_for(norm.vmax)
     hull = None if body.is_slab else body.hull()
     drawn = [
-        (view, _crack_layers(body, view, snapshot, norm, hull), _title(body, view, snapshot))
+        (view, crack_layers(body, view, snapshot, norm, hull), panel_title(body, view, snapshot))
         for view, snapshot in _views(body, snapshots)
     ]
-    figure, axes = _sheet(drawn)
+    figure, axes = sheet(drawn)
     scale = Normalize(norm.vmin / factor, norm.vmax / factor)
     if any(_pressed(body.broken(snapshot)).any() for snapshot in snapshots):
-        _bar(figure, axes, style.SHEAR_TIME, scale, f"sheared, faces pressed together: time of failure [{prefix}s]")
-        _bar(figure, axes, style.BREAK_TIME, scale, f"open: time of failure [{prefix}s]")
+        bar(figure, axes, style.SHEAR_TIME, scale, f"sheared, faces pressed together: time of failure [{prefix}s]")
+        bar(figure, axes, style.BREAK_TIME, scale, f"open: time of failure [{prefix}s]")
     else:
-        _bar(figure, axes, style.BREAK_TIME, scale, f"time of failure [{prefix}s]")
+        bar(figure, axes, style.BREAK_TIME, scale, f"time of failure [{prefix}s]")
     if isinstance(drawn[0][0], PlaneView):
         keys = [
             Line2D([], [], color=style.ACCENT, linewidth=2.5, label="broken joint"),
@@ -170,7 +183,7 @@ def crack_modes(body):
             return [Layer(view.cut(body.first), STONE), Layer(_lift(view, view.cut(broken), 1), lines)]
         return [Layer(hull, {"color": style.STONE, "opacity": 0.25, "show_edges": False}), Layer(broken, {**colors, "show_edges": False})]
 
-    figure, _ = _sheet([(view, layers(view), _title(body, view, snapshot)) for view, _ in _views(body, [snapshot])])
+    figure, _ = sheet([(view, layers(view), panel_title(body, view, snapshot)) for view, _ in _views(body, [snapshot])])
     counts = np.bincount(kind, minlength=len(KINDS))
     keys = [
         Line2D([], [], color=color, linewidth=3.0, label=f"{words}: {style.count(number)} joint{'s' if number != 1 else ''}")
@@ -197,12 +210,12 @@ def time_levels(body, panels=2):
     low, high = int(min(map(np.min, levels))), int(max(map(np.max, levels)))
     options = {"scalars": "level", "cmap": style.LEVEL, "clim": (low - 0.5, high + 0.5), "n_colors": high - low + 1}
     panels = [
-        (view, _field_layers(body, view, snapshot.elements, options), _title(body, view, snapshot))
+        (view, _field_layers(body, view, snapshot.elements, options), panel_title(body, view, snapshot))
         for view, snapshot in _views(body, snapshots)
     ]
-    figure, axes = _sheet(panels)
+    figure, axes = sheet(panels)
     bounds = np.arange(low - 0.5, high + 1.0)
-    _bar(
+    bar(
         figure, axes, colormaps[style.LEVEL].resampled(high - low + 1), BoundaryNorm(bounds, len(bounds) - 1),
         "time level (darker: smaller time step)", ticks=np.arange(low, high + 1),
     )
@@ -223,16 +236,16 @@ def displaced_shape(body, panels=2):
     shapes = {snapshot.time: body.displaced(snapshot, factor) for snapshot in snapshots}
     panels = [
         (
-            _wide(view, *shapes.values()),
-            _field_layers(body, view, shapes[snapshot.time], options),
-            _title(body, view, snapshot, factor),
+            _wide(view, *(mesh for mesh, _ in shapes.values())),
+            _field_layers(body, view, shapes[snapshot.time][0], options),
+            panel_title(body, view, snapshot, factor, snapshot.elements.n_cells - len(shapes[snapshot.time][1])),
         )
         for view, snapshot in _views(body, snapshots)
     ]
-    figure, axes = _sheet(panels)
+    figure, axes = sheet(panels)
     extend = "max" if speeds.max() > top else "neither"
     words = ", clipped at the 99th percentile" if speeds.max() > top else ""
-    _bar(figure, axes, style.SPEED, Normalize(0.0, top), f"speed [m/s]{words}", extend=extend)
+    bar(figure, axes, style.SPEED, Normalize(0.0, top), f"speed [m/s]{words}", extend=extend)
     return figure
 
 
@@ -243,13 +256,13 @@ def fragment_map(body):
     color, group = body.fragment_colors(snapshot.elements.cell_data["fragment"], style.RUBBLE.N)
     color = np.where(group == np.argmax(np.bincount(group)), 0, 1 + color)
     factor = body.exaggeration(snapshot)
-    mesh = body.displaced(snapshot, factor).copy()
-    mesh.cell_data["color"] = color
+    mesh, shown = body.displaced(snapshot, factor)
+    mesh.cell_data["color"] = color[shown]
     table = [style.STONE, *style.RUBBLE.colors]
     options = {"scalars": "color", "cmap": table, "clim": (-0.5, len(table) - 0.5)}
     panels = [
-        (_wide(view, mesh), _field_layers(body, view, mesh, options), _title(body, view, snapshot, factor))
+        (_wide(view, mesh), _field_layers(body, view, mesh, options), panel_title(body, view, snapshot, factor, len(color) - len(shown)))
         for view, _ in _views(body, [snapshot])
     ]
-    figure, _ = _sheet(panels)
+    figure, _ = sheet(panels)
     return figure

@@ -180,5 +180,5 @@ def count_note(key, words):
 
 
 def quantity_note(key, before, unit):
-    """The note of a figure beside which another quantity stands, such as `X80 210 mm`."""
+    """The note of a figure beside which another quantity stands, such as `P80 210 mm`."""
     return lambda figures: f"{before}{quantity(figures[key], unit)}" if figures.get(key) is not None else ""

@@ -328,7 +328,7 @@ def _piece_sections(results):
     return [
         Section(
             "fragment_curve", "Fragment size distribution",
-            "Cumulative volume passing of all bonded bodies; 50 % of the volume is in pieces smaller than X50.",
+            "Cumulative volume passing of all bonded bodies; 50 % of the volume is in pieces smaller than P50.",
             partial(plot.fragment_curve, results), "The run is not complete.", wide=False,
         ),
         Section(

@@ -51,7 +51,7 @@ public:
   /// Writes gauge_peaks.csv.
   void write_peaks(const std::filesystem::path& file) const;
 
-  void columns(Archive& archive) { archive("peaks", peaks_); }
+  void columns(Archive& archive) { archive("strongest", peaks_); }
 
 private:
   std::vector<std::string> names_;

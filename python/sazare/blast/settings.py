@@ -1,0 +1,53 @@
+"""What a user has said of a blast beside its case: the size above which fragments are too large, and the masses of charges."""
+
+import json
+import math
+from dataclasses import dataclass
+
+from sazare.tables import NotARun
+
+FILE = "settings.json"
+
+
+@dataclass(frozen=True)
+class Settings:
+    """oversize: the size [m] above which a fragment is too large, None where nobody said it. charges: masses [kg], one for all holes or one for each in the
+    order of the case; empty where nobody said them."""
+
+    oversize: float | None = None
+    charges: tuple[float, ...] = ()
+
+
+def own(path):
+    """A path to write to. Raises NotARun where it is a link: a folder may come from anyone, and what it leads to is not the run's."""
+    if path.is_symlink():
+        raise NotARun(f"{path}: a link; numbers are written into the run's own folder: remove the link")
+    return path
+
+
+def folder_of(results):
+    """The folder of a run's numbers of the blast. Raises NotARun where it is a link."""
+    return own(results.path / "blast")
+
+
+def read_settings(results):
+    """The Settings that `sazare blast` was last given for a run; those of nobody where it was not used. Raises NotARun for a damaged file."""
+    path = folder_of(results) / FILE
+    if not own(path).is_file():
+        return Settings()
+    try:
+        found = json.loads(path.read_text(encoding="utf-8"))
+        settings = Settings(found["oversize"], tuple(found["charges"]))
+    except (ValueError, KeyError, TypeError, RecursionError) as error:
+        raise NotARun(f"{path}: not what sazare blast writes: {error}") from error
+    numbers = [*settings.charges, *([] if settings.oversize is None else [settings.oversize])]
+    if not all(isinstance(number, int | float) and math.isfinite(number) and number > 0.0 for number in numbers):
+        raise NotARun(f"{path}: sizes and masses must be numbers above 0")
+    return settings
+
+
+def write_settings(results, settings):
+    """Keeps Settings beside the numbers, so that the report uses them too."""
+    folder = folder_of(results)
+    folder.mkdir(exist_ok=True)
+    own(folder / FILE).write_text(json.dumps({"oversize": settings.oversize, "charges": list(settings.charges)}, indent=2) + "\n", encoding="utf-8")
