@@ -115,9 +115,9 @@ def _attenuation_panel(axes, known, distances, label, symbol):
     ppv = [one.ppv for one in known]
     axes.set_xlim(0.75 * min(distances), 1.6 * max(distances))
     axes.set_ylim(0.3 * min(ppv), 4.0 * max(ppv))
-    for axis in (axes.xaxis, axes.yaxis):
+    for axis, values in ((axes.xaxis, distances), (axes.yaxis, ppv)):
         axis.set_major_formatter("{x:g}")
-        axis.set_minor_formatter("{x:g}" if axis is axes.xaxis and max(distances) < 10.0 * min(distances) else "")
+        axis.set_minor_formatter("{x:g}" if max(values) < 3.0 * min(values) else FuncFormatter(_two_and_five))
     axes.set_xlabel(label)
     axes.set_ylabel("peak particle velocity [m/s]")
     if axes.get_legend_handles_labels()[0]:
@@ -134,12 +134,16 @@ def limit_curves(shaken):
     axes = figure.subplots()
     top = 1.5 * max(100.0, *(one.frequency for one in known))
     for limit, color in zip(LIMITS, LIMIT_COLORS):
-        named = np.geomspace(limit.frequencies[0], limit.frequencies[-1], 300)
-        axes.loglog(named, 1e3 * limit.at(named), color=color, linewidth=1.6, label=f"{limit.name}: {limit.words}")
+        told = np.geomspace(limit.frequencies[0], limit.frequencies[-1], 300)
+        axes.loglog(told, 1e3 * limit.at(told), color=color, linewidth=1.6, label=f"{limit.name}: {limit.words}")
         axes.loglog([limit.frequencies[-1], top], 1e3 * limit.at([limit.frequencies[-1]] * 2), color=color, linewidth=1.0, linestyle=":")
-    for one in known:
-        axes.plot(one.frequency, 1e3 * one.peaks[one.axis], "o", color=style.ACCENT, markersize=6)
-        axes.annotate(one.name, (one.frequency, 1e3 * one.peaks[one.axis]), xytext=(6, 4), textcoords="offset points", fontsize=8, color="#555555")
+    named = []
+    for one in sorted(known, key=lambda one: -one.ppv):
+        place = np.array([one.frequency, 1e3 * one.peaks[one.axis]])
+        axes.plot(*place, "o", color=style.ACCENT, markersize=6)
+        if all(np.abs(np.log(place / other)).max() > 0.4 for other in named):  # names that would lie on each other are left out
+            axes.annotate(one.name, place, xytext=(6, 4), textcoords="offset points", fontsize=8, color="#555555")
+            named.append(place)
     handles, labels = axes.get_legend_handles_labels()
     handles.append(Line2D([], [], color=style.ACCENT, marker="o", linestyle=""))
     axes.legend(handles, [*labels, "gauge: strongest component"], loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8)
