@@ -19,8 +19,8 @@ constexpr Real never = 1e9;  // a velocity with which all detonates at once [m/s
 
 struct Ring {
   int around = 12, rows = 1;
-  Real mass = 0.5;       // of a piece [kg]
-  Real light_mass = 0;   // of every second piece, 0: the same
+  Real mass = 0.5;      // of a piece [kg]
+  Real light_mass = 0;  // of every second piece, 0: the same
   Real velocity = never;
   Real charge_share = 1;  // of the area of the hole
   Real cut_distance = std::numeric_limits<Real>::infinity();
@@ -36,7 +36,8 @@ struct Blown {
   ChargeGas* gas = nullptr;
   Charge charge;
 
-  void run_until(Real time, const std::function<void()>& each = [] {}) {
+  void run_until(
+      Real time, const std::function<void()>& each = [] {}) {
     while (simulation->now().seconds() < time * (1 - 1e-12)) {
       simulation->advance();
       each();

@@ -24,11 +24,11 @@ struct AxialPart {
 
 struct Charge {
   laws::Jwl gas;
-  Real energy = 0;                                            ///< of the explosive per volume [J/m3]
-  Real density = 0;                                           ///< of the explosive [kg/m3]
-  Real velocity = 0;                                          ///< of the detonation [m/s]
-  Real area = 0;                                              ///< of the explosive, across the hole [m2]
-  Real hole_area = 0;                                         ///< of the hole [m2]
+  Real energy = 0;     ///< of the explosive per volume [J/m3]
+  Real density = 0;    ///< of the explosive [kg/m3]
+  Real velocity = 0;   ///< of the detonation [m/s]
+  Real area = 0;       ///< of the explosive, across the hole [m2]
+  Real hole_area = 0;  ///< of the hole [m2]
   Collar collar = {};
   AxialPart filled;                                           ///< with explosive
   Real primer = 0;                                            ///< distance from the collar [m]

@@ -101,7 +101,7 @@ private:
   std::vector<ToldBy> news_;  ///< of the faces evaluated since the last step
   std::vector<Sums> sums_;
   std::vector<CollarState> collars_;  ///< of the charges
-  Real first_delay_ = 0;  ///< [s]
+  Real first_delay_ = 0;              ///< [s]
   terms::SlotTable<3, 0, terms::FixedIncidence> table_;
 };
 

@@ -30,17 +30,16 @@ std::string blocks_summary(const observe::Manifest& manifest) {
 }
 
 FolderTables tables_of_blocks() {
-  return {
-      .figures = {{"`blocks`", {columns::blocks::figures}}},
-      .history = {{"`blocks`",
-                   {columns::blocks::pieces, columns::blocks::energies, columns::blocks::progress, columns::blocks::boundary,
-                     columns::blocks::charge}}},
-      .gauges = {{"`gauges.csv` of `blocks`", {columns::blocks::gauge}}},
-      .files = {{"`gauge_peaks.csv`", {columns::blocks::gauge_peaks}},
-                {"`holes.csv`", {columns::blocks::holes}},
-                {"`ranks.csv`, a row per rank and interval", {columns::blocks::ranks}}},
-      .snapshots = {{"`elements` of `blocks`", {columns::blocks::elements}},
-                    {"`joints` of `blocks`", {columns::blocks::joints}}}};
+  return {.figures = {{"`blocks`", {columns::blocks::figures}}},
+          .history = {{"`blocks`",
+                       {columns::blocks::pieces, columns::blocks::energies, columns::blocks::progress, columns::blocks::boundary,
+                        columns::blocks::charge}}},
+          .gauges = {{"`gauges.csv` of `blocks`", {columns::blocks::gauge}}},
+          .files = {{"`gauge_peaks.csv`", {columns::blocks::gauge_peaks}},
+                    {"`holes.csv`", {columns::blocks::holes}},
+                    {"`ranks.csv`, a row per rank and interval", {columns::blocks::ranks}}},
+          .snapshots = {{"`elements` of `blocks`", {columns::blocks::elements}},
+                        {"`joints` of `blocks`", {columns::blocks::joints}}}};
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 #include "sazare/cases/format/counted.hpp"
 #include "sazare/geometry/face_map.hpp"
 #include "sazare/geometry/tetrahedron.hpp"
-#include "sazare/methods/blocks/run/block_fragments.hpp"
 #include "sazare/methods/blocks/run/blasting/hole_wall.hpp"
+#include "sazare/methods/blocks/run/block_fragments.hpp"
 #include "sazare/methods/blocks/run/parts.hpp"
 
 namespace sazare::runs {
@@ -64,9 +64,8 @@ std::string charges_text(const cases::BlocksCase& blocks, const BlocksModel& mod
     const HoleWall& wall = model.fit.charges[i].wall;
     explosive += charge.filling().density * charge.volume();
     if (seen.insert(charge.surface).second)
-      text += line("holes",
-                   fmt::format("{}: {} m across, {} m of wall, about {:.0f} faces around", charge.surface,
-                               number(charge.diameter), number(wall.length), wall.around(charge.diameter)));
+      text += line("holes", fmt::format("{}: {} m across, {} m of wall, about {:.0f} faces around", charge.surface,
+                                        number(charge.diameter), number(wall.length), wall.around(charge.diameter)));
   }
   for (Index element = 0; element < static_cast<Index>(model.mesh.tetrahedra.size()); ++element)
     rock += geometry::volume(geometry::corners_of(model.mesh, element));
