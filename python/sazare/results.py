@@ -108,7 +108,7 @@ class Results:
 
     @cached_property
     def holes(self):
-        """holes.csv, where a run has blasts in holes: hole, delay, first_*, last_*, diameter."""
+        """holes.csv, where a run has charges, or blasts in holes: hole, delay, first_*, last_*, diameter, mass."""
         return self._table("holes.csv")
 
     @cached_property

@@ -12,6 +12,7 @@ import sazare
 from sazare.__main__ import main
 from sazare.blast import BlastNumbers, Settings, read_settings
 from sazare.blast.energies import MEANINGS, absorbed_by_boundary, parts_of
+from sazare.blast.holes import holes_of
 from sazare.blast.sizes import by_sieve, by_sphere, sieve_sizes
 from sazare.methods import blocks_views
 from sazare.methods.blocks_body import Body
@@ -53,6 +54,17 @@ def test_sizes_are_those_of_what_has_come_loose(blasted):
     assert len(by_sphere(run).sizes) == 1
     assert by_sphere(run).size_at(0.5) == pytest.approx(run.fragments["size"][1])
     assert by_sieve(run).size_at(0.5) == pytest.approx(sieve_sizes(run.snapshots[-1].elements, np.array([1]))[0])
+
+
+def test_masses_are_those_of_the_charges_unless_they_are_given(blasted):
+    table = blasted / "holes.csv"
+    titles, row = table.read_text(encoding="utf-8").splitlines()
+    assert holes_of(sazare.open(blasted))[0].charge is None
+    table.write_text(f"{titles},mass [kg]\n{row},12.5\n", encoding="utf-8")
+    assert holes_of(sazare.open(blasted))[0].charge == 12.5
+    assert holes_of(sazare.open(blasted), (3.0,))[0].charge == 3.0
+    table.write_text(f"{titles},mass [kg]\n{row},0\n", encoding="utf-8")
+    assert holes_of(sazare.open(blasted))[0].charge is None
 
 
 def test_fragments_that_no_snapshot_shows_have_no_sieve_size(blasted):

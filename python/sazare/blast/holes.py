@@ -32,7 +32,7 @@ class Hole:
 def holes_of(results, charges=()):
     """The holes of a run, in the order of its case; none where it wrote no holes.csv.
 
-    charges: masses [kg], one for each hole, or one for all. Raises ValueError where there are as many as neither.
+    charges: masses [kg], one for each hole, or one for all; without them those of holes.csv, which charges of a case have. Raises ValueError where there are as many as neither.
     """
     table = results.holes
     if charges and len(charges) not in (1, table.rows):
@@ -42,11 +42,17 @@ def holes_of(results, charges=()):
     first, last = (np.stack([table[f"{end}_{axis}"] for axis in "xyz"], axis=1) for end in ("first", "last"))
     # A column of names that are all numbers reads as one of numbers.
     names = [f"{name:g}" if isinstance(name, float) else str(name) for name in table["hole"]]
-    masses = np.broadcast_to(charges, table.rows) if charges else [None] * table.rows
+    masses = np.broadcast_to(charges, table.rows) if charges else _masses(table)
     return [
         Hole(names[number], float(table["delay"][number]), first[number], last[number], float(table["diameter"][number]), masses[number])
         for number in range(table.rows)
     ]
+
+
+def _masses(table):
+    """Masses of the charges that a run knows [kg]; None for each hole where it does not know all of them."""
+    known = "mass" in table and bool(np.all(table["mass"] > 0.0))
+    return [float(mass) for mass in table["mass"]] if known else [None] * table.rows
 
 
 def nearest(holes, points):
