@@ -230,8 +230,8 @@ stemming_density = 1700
 stemming_resistance = 1e5
 explosive = "ANFO"
 detonation_velocity = 3900
-delay = 0.025
-delay_scatter = 0.001
+delay = 2.5e-4
+delay_scatter = 1e-5
 scatter_seed = 7
 cut_distance = 0.5
 

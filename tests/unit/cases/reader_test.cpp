@@ -76,7 +76,7 @@ TEST(Reader, TakesCharges) {
   EXPECT_EQ(upper.filling().density, laws::explosives[0].density);
   EXPECT_NEAR(upper.volume(), 0.5 * std::numbers::pi / 4 * 0.065 * 0.065 * 2.5, 1e-12);
   EXPECT_EQ(upper.primer_depth(), 4.5);
-  EXPECT_NEAR(upper.firing_time(0), 0.025, 0.005);
+  EXPECT_NEAR(upper.firing_time(0), 2.5e-4, 5e-5);
   EXPECT_NE(upper.firing_time(0), upper.firing_time(1));
   EXPECT_TRUE(upper.vents);
   EXPECT_EQ(upper.stemming_density, 1700);
