@@ -4,7 +4,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.optimize import isotonic_regression
 
 from sazare.blast.holes import nearest
 
@@ -32,6 +31,8 @@ class Damage:
         """Distances from the axis [m] (n,), ascending, and at each the broken share of the joint area (n,), 0 to 1, as a curve that never rises with the
         distance: the one that fits all joints best by least squares with their areas as weights (isotonic regression; Barlow, Bartholomew, Bremner and
         Brunk, 1972, Statistical Inference under Order Restrictions)."""
+        from scipy.optimize import isotonic_regression  # here, since it takes long to load
+
         order = np.argsort(self.distances, kind="stable")
         fitted = isotonic_regression(self.broken[order].astype(float), weights=self.areas[order], increasing=False)
         return self.distances[order], fitted.x

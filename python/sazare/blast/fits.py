@@ -4,8 +4,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import curve_fit
-from scipy.stats import t as student
 
 POINTS = 30  # of the curve to which size distributions are fitted, equally spaced in the logarithm of the size
 LEAST_SIZES = 5
@@ -62,6 +60,8 @@ def size_fits(distribution):
 
 def _fit(name, law, unknowns, sizes, shares):
     """The SizeFit of a law; unknowns: name -> (first guess, least, most)."""
+    from scipy.optimize import curve_fit  # here, since it takes long to load
+
     guess, least, most = zip(*unknowns.values())
     found, _ = curve_fit(law, sizes, shares, p0=guess, bounds=(least, most), max_nfev=10000)
     off = law(sizes, *found) - shares
@@ -97,8 +97,10 @@ class PowerLaw:
         return self._band(x, level, 1.0)
 
     def _band(self, x, level, of_a_point):
+        from scipy.special import stdtrit  # here, since it takes long to load
+
         away = (np.log(x) - self.mean_log) ** 2 / self.spread_log
-        half = student.ppf(0.5 + 0.5 * level, self.points - 2) * self.deviation * np.sqrt(of_a_point + 1.0 / self.points + away)
+        half = stdtrit(self.points - 2, 0.5 + 0.5 * level) * self.deviation * np.sqrt(of_a_point + 1.0 / self.points + away)
         return self.at(x) * np.exp(-half), self.at(x) * np.exp(half)
 
 

@@ -5,8 +5,6 @@ from functools import cached_property
 
 import numpy as np
 
-from sazare.blast.boxes import sieve_size
-
 SHARES = (0.2, 0.5, 0.8)
 
 
@@ -81,6 +79,8 @@ def by_sieve(results):
 
 def sieve_sizes(mesh, fragments):
     """Sieve sizes [m] (n,) of fragments by their numbers (n,) in a snapshot's elements; None where the snapshot does not know one of them."""
+    from sazare.blast.boxes import sieve_size  # here, since convex hulls take long to load
+
     number = np.asarray(mesh.cell_data["fragment"])
     order = np.argsort(number, kind="stable")
     begin, end = (np.searchsorted(number[order], fragments, side) for side in ("left", "right"))
