@@ -15,6 +15,7 @@
 #include "sazare/cases/format/schema.hpp"
 #include "sazare/core/error.hpp"
 #include "sazare/core/version.hpp"
+#include "sazare/laws/explosives.hpp"
 #include "sazare/methods/blocks/case/format.hpp"
 #include "sazare/registry/registry.hpp"
 
@@ -52,6 +53,15 @@ void apply(LiveSimulation& self, const Rows& forces) {
 
 std::string resolved(const CaseSource& source) {
   return registry::write_resolved(source.read());
+}
+
+/// The explosives that a charge may name: density [kg/m3], velocity of the detonation [m/s], energy [J/kg].
+nb::dict explosives() {
+  nb::dict found;
+  for (const laws::Explosive& explosive : laws::explosives)
+    found[std::string(explosive.name).c_str()] =
+        nb::make_tuple(explosive.density, explosive.velocity, explosive.energy / explosive.density);
+  return found;
 }
 
 std::string check(const CaseSource& source) {
@@ -111,6 +121,8 @@ NB_MODULE(_engine, module) {
   add_motion_file(module);
   module.def("resolved", &resolved, "source"_a, ReleaseLock(), "The case as TOML with every key and default written out.");
   module.def("check", &check, "source"_a, ReleaseLock(), "What the case will do, in words.");
+  module.def("explosives", &explosives,
+             "Density [kg/m3], velocity [m/s] and energy [J/kg] of every explosive of the table, by name.");
   module.def("schema_json", &registry::schema_json, "The schema of the case file, as JSON.");
 }
 

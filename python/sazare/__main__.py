@@ -8,6 +8,7 @@ from pathlib import Path
 
 from sazare.arguments import not_negative
 from sazare.blast import command as blast_command
+from sazare.blast_model import command as blast_model_command
 from sazare.comparison import compare
 from sazare.ground_motion import command as motion_command
 from sazare.lab import command as lab_command
@@ -112,6 +113,7 @@ def parser():
     lab_command.add_to(commands)
     motion_command.add_to(commands)
     blast_command.add_to(commands)
+    blast_model_command.add_to(commands)
     return top
 
 

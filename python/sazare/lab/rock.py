@@ -48,14 +48,30 @@ class Rock:
 
     def with_joint(self, **keys):
         """This rock with other keys of its joint."""
-        joint = copy.copy(self.joint)
-        for key, value in keys.items():
-            setattr(joint, key, value)
-        return Rock(self.name, self.material, joint, self.contact)
+        return Rock(self.name, self.material, with_keys(self.joint, **keys), self.contact)
 
     def with_friction(self, coefficient):
         """This rock with another coefficient of friction of its joints."""
         return self.with_joint(friction_coefficient=coefficient, friction_angle=None)
+
+    def contact_for(self, size):
+        """The friction of the rock's contact, with springs that suit elements of a size [m]: an eighth of E per size, critically damped."""
+        modulus = self.youngs_modulus
+        mass = 0.12 * self.material.density * size**3
+        contact = with_keys(self.contact, contact_stiffness=0.125 * modulus * size)
+        contact.contact_damping = 2.0 * math.sqrt(contact.contact_stiffness * mass)
+        if contact.contact_shape == "faces":
+            contact.face_contact_stiffness = modulus / size
+            contact.face_contact_damping = 2.0 * math.sqrt(contact.face_contact_stiffness * mass) / size
+        return contact
+
+
+def with_keys(part, **keys):
+    """A copy of a table of a case with other keys."""
+    found = copy.copy(part)
+    for key, value in keys.items():
+        setattr(found, key, value)
+    return found
 
 
 def rock_of(case, material=None, overrides=None, folder=None):

@@ -11,7 +11,7 @@ import numpy as np
 
 from sazare.cases import blocks
 from sazare.lab import specimens
-from sazare.lab.rock import Rock
+from sazare.lab.rock import Rock, with_keys
 from sazare.lab.specimens import STEEL, Specimen
 
 PASSES = 80.0  # of a P-wave from platen to platen until failure, in a quasi-static test
@@ -139,7 +139,7 @@ class Trial:
     def case(self):
         """The case, which names `specimen.geo`, `platen.csv` and, under pressure, `pressure.csv` in its folder."""
         steel = self.platens == Platens.STEEL
-        materials, joints = [_with(self.rock.material, name="rock", regions=["rock"])], [self._joint()]
+        materials, joints = [with_keys(self.rock.material, name="rock", regions=["rock"])], [self._joint()]
         if steel:
             materials.append(blocks.Material(name="steel", regions=list(STEEL), density=7850.0, youngs_modulus=200e9, poisson_ratio=0.3))
             joints += _steel_joints(self.options.platen_friction)
@@ -148,7 +148,7 @@ class Trial:
             mesh=blocks.Mesh(file="specimen.geo"),
             materials=materials,
             joints=joints,
-            contact=self._contact(),
+            contact=self.rock.contact_for(self.specimen.size),
             motions=[blocks.Motion(name="platen", type="record", file="platen.csv")],
             boundaries=self._boundaries(),
             initial_stress=self._initial_stress(),
@@ -157,24 +157,13 @@ class Trial:
         )
 
     def _joint(self):
-        joint = _with(self.rock.joint, name="rock", between=("rock", "rock"))
+        joint = with_keys(self.rock.joint, name="rock", between=("rock", "rock"))
         if not self.is_dynamic and joint.joint_normal_damping in (None, 0.0) and joint.joint_shear_damping in (None, 0.0):
             joint.damping_ratio = max(joint.damping_ratio or 0.0, DAMPING)
             joint.joint_normal_damping = joint.joint_shear_damping = None
         if self.options.scatter_seed is not None and joint.weibull_modulus is not None:
             joint.scatter_seed = self.options.scatter_seed
         return joint
-
-    def _contact(self):
-        """The friction of the case's contact, with springs that suit elements of this size: an eighth of E per size, critically damped."""
-        size, modulus = self.specimen.size, self.rock.youngs_modulus
-        mass = 0.12 * self.rock.material.density * size**3
-        contact = _with(self.rock.contact, contact_stiffness=0.125 * modulus * size)
-        contact.contact_damping = 2.0 * math.sqrt(contact.contact_stiffness * mass)
-        if contact.contact_shape == "faces":
-            contact.face_contact_stiffness = modulus / size
-            contact.face_contact_damping = 2.0 * math.sqrt(contact.face_contact_stiffness * mass) / size
-        return contact
 
     def _boundaries(self):
         sliding = self.platens == Platens.FRICTIONLESS
@@ -187,12 +176,6 @@ class Trial:
         if not self.pressure:
             return None
         return blocks.InitialStress(normal_stress=tuple(-self.pressure * share for share in self.stressed))
-
-
-def _with(part, **keys):
-    """A copy of a table of a case with other keys."""
-    given = {name: getattr(part, name) for name in part.__dataclass_fields__}
-    return type(part)(**{**given, **keys})
 
 
 def _steel_joints(friction):

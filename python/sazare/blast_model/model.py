@@ -1,0 +1,127 @@
+"""The case of a blast, and the folder in which it is written with its geometry."""
+
+import math
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+
+from sazare.blast_model import words
+from sazare.blast_model.geometry import geometry
+from sazare.blast_model.layout import Layout
+from sazare.blast_model.rock import softening_in
+from sazare.cases import blocks
+from sazare.lab.rock import Rock, with_keys
+
+ROWS, PICTURES = 1000, 20  # of the history, and snapshots
+WEAKER = 0.1  # strength of existing joints over that of the rock
+FILES = ("model.geo", "case.toml", "model.md")
+
+
+@dataclass(frozen=True)
+class BlastModel:
+    """A blast that can be written as a case."""
+
+    layout: Layout
+    rock_given: Rock
+    discs: list = field(default_factory=list)  # joints in axes of the pattern
+    rock_words: str = "a granite, since no --rock CASE was given"
+
+    @cached_property
+    def _softened(self):
+        return softening_in(self.rock_given, self.layout.far)
+
+    @property
+    def rock(self):
+        """The rock with the fracture energies of the case."""
+        return self._softened[0]
+
+    @property
+    def end(self):
+        """End of the run [s]: the last charge has detonated, and an S-wave has passed the model along its diagonal."""
+        last = max(deck.delay + 3.0 * deck.keys.get("delay_scatter", 0.0) + (deck.bottom - deck.top) / deck.velocity for deck in self.layout.pattern.decks)
+        diagonal = np.linalg.norm(self.layout.upper - self.layout.lower)
+        return float(f"{last + diagonal / math.sqrt(self.rock.shear_modulus / self.rock.material.density):.2g}")
+
+    @property
+    def assumptions(self):
+        """What was assumed, in sentences without a point at the end."""
+        return [f"rock: {self.rock_words}", *self._softened[1], *words.assumptions(self)]
+
+    def geometry(self):
+        """The text of the .geo file."""
+        return geometry(self.layout, [disc.placed(self.layout.frame) for disc in self.discs])
+
+    def case(self):
+        """The case, which names `model.geo` in its folder."""
+        end = self.end
+        near = min(self.layout.near(hole) for hole in self.layout.holes)
+        return blocks.Case(
+            title=f"Blast of {self.layout.pattern.path.stem}",
+            mesh=blocks.Mesh(file="model.geo"),
+            materials=[with_keys(self.rock.material, name="rock", regions=["rock"])],
+            joints=self._joints(),
+            contact=self.rock.contact_for(near),
+            charges=self._charges(),
+            boundaries=[blocks.Boundary(surface=name, kind="absorbing") for name in ("sides", "base")],
+            gauges=self._gauges(),
+            time=blocks.Time(end=end, history_interval=end / ROWS, snapshot_interval=end / PICTURES),
+        )
+
+    def _joints(self):
+        joints = [with_keys(self.rock.joint, name="rock", between=("rock", "rock"))]
+        if self.discs:
+            weaker = {key: WEAKER * getattr(self.rock.joint, key) for key in ("cohesion", "tensile_strength", "fracture_energy")}
+            if self.rock.joint.shear_fracture_energy is not None:
+                weaker["shear_fracture_energy"] = WEAKER * self.rock.joint.shear_fracture_energy
+            joints.append(with_keys(self.rock.joint, name="joints", between=None, surface="joints", **weaker))
+        return joints
+
+    def _charges(self):
+        charges, placed = [], {hole.name: hole for hole in self.layout.holes}
+        for deck in self.layout.pattern.decks:
+            hole, decks = placed[deck.hole.name], self.layout.pattern.decks_of(deck.hole)
+            name = hole.name if len(decks) == 1 else f"{hole.name} deck {decks.index(deck) + 1}"
+            charges.append(
+                blocks.Charge(name=name, surface=hole.surface, collar=_triple(hole.collar), toe=_triple(hole.toe), diameter=hole.diameter, **deck.keys)
+            )
+        return charges
+
+    def _gauges(self):
+        """Points just below the surface, behind the holes or, without a bench, beside them; and in the middle of a free face."""
+        layout, inset = self.layout, 0.25 * self.layout.far
+        collars = np.array([hole.collar for hole in layout.holes])
+        middle = float(collars[:, 1].mean())
+        start, sense, where = (collars[:, 0].min(), -1.0, "behind") if layout.bench else (collars[:, 0].max(), 1.0, "beside")
+        gauges = []
+        for share in (0.25, 0.5, 0.75):
+            away = float(f"{share * layout.margin:.2g}")
+            gauges.append(blocks.Gauge(name=f"{away:g} m {where}", point=_triple((start + sense * away, middle, -inset))))
+        if layout.bench:
+            face = 0.5 * (layout.bench.crest + layout.bench.toe)
+            gauges.append(blocks.Gauge(name="free face", point=_triple((face - inset, middle, -0.5 * layout.bench.height))))
+        return gauges
+
+
+def _triple(values):
+    return tuple(round(float(value), 9) for value in values)
+
+
+def write_model(model, folder, overwrite=False, command=""):
+    """Writes geometry, case and model.md into a folder, and returns the path of the case.
+
+    command: the line by which a user makes the folder again, for model.md. Raises FileExistsError where one of the files is there and `overwrite` is false.
+    """
+    folder = Path(folder)
+    if folder.exists() and not folder.is_dir():
+        raise FileExistsError(f"{folder}: a file, and a folder is wanted: --out DIR takes another one")
+    there = [name for name in FILES if (folder / name).exists() or (folder / name).is_symlink()]
+    if there and not overwrite:
+        raise FileExistsError(f"{folder}: it holds {', '.join(there)} already: --overwrite replaces them, --out DIR takes another folder")
+    folder.mkdir(parents=True, exist_ok=True)
+    texts = (model.geometry(), model.case().to_toml(), words.page(model, command))
+    for name, text in zip(FILES, texts):
+        (folder / name).unlink(missing_ok=True)
+        (folder / name).write_text(text, encoding="utf-8")
+    return folder / "case.toml"
