@@ -42,6 +42,8 @@ def sides_until(end, *more):
 # By the name of the case: its folder, or the folder and the file where there is more than one case in it.
 RUNS = {
     "base-friction": Run(),
+    # The holes are fired sooner after each other.
+    "bench-blast": Run(until(3e-4, "charges.1.delay=1e-4", "charges.2.delay=2e-4", "time.snapshot_interval=1e-4")),
     "block": Run(),  # tests/regression/block
     "block-on-slope": Run(),
     # The block begins 2.8 m further down the slope, and so trips at its foot within the first second.
