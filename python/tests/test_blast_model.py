@@ -233,6 +233,16 @@ def test_units_of_the_first_line_count(written):
     assert (read.holes[0].diameter, read.decks[1].delay) == pytest.approx((0.17, 1e-3))
 
 
+def test_energy_of_a_custom_explosive(written):
+    columns = f"{HEAD},density,detonation_velocity,gas_exponent,explosive_energy [MJ/kg]"
+    rows = [GOOD.replace("ANFO", "custom") + ",800,3000,3,", GOOD.replace("1,0,0,0,0,0", "2,0,3,0,0,3").replace("ANFO", "custom") + ",800,3000,3,2.5"]
+    decks = blast_model.read_pattern(written("\n".join([columns, *rows]))).decks
+    mass = 800 * 0.25 * np.pi * 0.1**2 * 4.0
+    assert [deck.mass for deck in decks] == pytest.approx([mass, mass])
+    # D^2/(2 (n^2 - 1)) of a steady detonation, or what is given.
+    assert [words.energy_of(deck) for deck in decks] == pytest.approx([mass * 3000.0**2 / 16.0, mass * 2.5e6])
+
+
 def test_delays_out_of_order_are_told(written):
     notes = blast_model.read_pattern(written(LEANING)).notes
     assert len(notes) == 1
@@ -251,7 +261,7 @@ GOOD = "1,0,0,0,0,0,-5,100,ANFO,1,0"
         (["1,0,0,0,0,0,nan,100,ANFO,1,0"], r"toe_z is 'nan', which is no number"),
         (["1,0,0,0,0,0,-5,,ANFO,1,0"], r"diameter is empty"),
         (["1,0,0,0,0,0,-5,100,anfo,1,0"], r"no explosive 'anfo' is known; did you mean ANFO\?\n.*ANFO, C-4, .*, TNT, custom"),
-        (["1,0,0,0,0,0,-5,100,custom,1,0"], r"a custom explosive needs a density"),
+        (["1,0,0,0,0,0,-5,100,custom,1,0"], r"a custom explosive needs density"),
         (["1,0,0,0,0,0,-5,100,ANFO,6,0"], r"begins 6 m below the collar and ends at 5 m"),
         (["1,0,0,0,0,0,-5,100,ANFO,-1,0"], r"begins 1 m above the collar"),
         (["1,0,0,0,0,0,-5,0,ANFO,1,0"], r"the diameter of hole 1 is 0 m"),
@@ -281,11 +291,14 @@ def test_wrong_rows_are_told_with_their_line(rows, message, written):
         ("depth", "1", "there is no column 'depth' in such a table"),
         ("primer [kg]", "1", r"primer cannot have the unit \[kg\]\n      help: its unit is \[m\] or \[mm\]"),
         ("diameter", "0.1", "the column diameter stands there twice"),
+        ("density,detonation_velocity", "800,3000", "a custom explosive needs gas_exponent greater than 0\n.*3 is usual"),
+        ("density,detonation_velocity,jwl_a [GPa]", "800,3000,50", "a custom explosive needs explosive_energy greater than 0"),
     ],
 )
 def test_wrong_columns_are_told(columns, values, message, written):
     with pytest.raises(ValueError, match=message):
-        blast_model.read_pattern(written(f"{HEAD},{columns}\n{GOOD},{values}\n"))
+        good = GOOD.replace("ANFO", "custom") if "density" in columns else GOOD
+        blast_model.read_pattern(written(f"{HEAD},{columns}\n{good},{values}\n"))
 
 
 @pytest.mark.parametrize(("text", "message"), [("", "the file is empty"), ("hole,explosive\n1,ANFO\n", "there is no column collar_x"), (HEAD.replace(",", ";"), "separated by commas")])

@@ -20,6 +20,7 @@ UNITS_OF_KEYS = {
 }
 KEYS = [key.name for key in fields(blocks.Charge) if key.name not in OF_THE_HOLE]
 UNITS = {"hole": "", **dict.fromkeys((*AXES, "diameter", "stemming"), "m"), **{key: UNITS_OF_KEYS.get(key, "-") for key in KEYS}}
+JWL = [key for key in KEYS if key.startswith("jwl_")]
 WIDEST, LONGEST = 0.6, 100.0  # diameter and length [m] of the largest blast holes; beyond them a unit is wrong
 CLEAR = 1.5  # least distance of the axes of two holes, over the sum of their radii
 
@@ -184,9 +185,10 @@ def _deck(row, hole, problems):
         meant = next((f"; did you mean {name}?" for name in known if near and name.lower() == near[0]), "")
         problems.error(row.line, f"no explosive {keys['explosive']!r} is known{meant}", f"explosives are {', '.join(known)}; custom has its own density, detonation_velocity and gas_exponent")
     elif keys["explosive"] == "custom":
-        for name in ("density", "detonation_velocity"):
+        gas = ("explosive_energy", *JWL) if any(name in keys for name in JWL) else ("gas_exponent",)
+        for name in ("density", "detonation_velocity", *gas):
             if not keys.get(name, 0.0) > 0.0:
-                problems.error(row.line, f"a custom explosive needs a {name} greater than 0", f"fill in the column {name}")
+                problems.error(row.line, f"a custom explosive needs {name} greater than 0", f"fill in the column {name}{'; 3 is usual for the dense gas of commercial explosives' if name == 'gas_exponent' else ''}")
     return Deck(hole, keys, row.line)
 
 

@@ -63,6 +63,8 @@ def _lines(path):
         with path.open(newline="", encoding="utf-8-sig") as file:
             reader = csv.reader(file)
             lines = [(reader.line_num, [cell.strip() for cell in cells]) for cells in reader if any(cell.strip() for cell in cells)]
+    except OSError as error:
+        raise OSError(f"{path}: cannot be read: {error.strerror}") from error
     except (csv.Error, UnicodeDecodeError) as error:
         raise ValueError(f"{path}: error: this is not a table of text: {error}\n      help: save it as CSV with commas, in UTF-8") from error
     lines = [(line, cells) for line, cells in lines if not cells[0].startswith("#")]
