@@ -67,5 +67,8 @@ def refuse_outside(path, discs, layout):
     for disc in discs:
         corners = disc.placed(layout.frame).polygon()
         if np.any(corners.max(axis=0) <= layout.lower) or np.any(corners.min(axis=0) >= layout.upper):
-            problems.error(disc.line, "this joint does not reach into the rock of the model", "its centre is in the coordinates of the pattern; remove it, or give more rock around the holes by --margin")
+            problems.error(
+                disc.line, "this joint does not reach into the rock of the model",
+                "its centre is in the coordinates of the pattern; remove it, or give more rock around the holes by --margin",
+            )
     problems.tell()

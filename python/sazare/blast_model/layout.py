@@ -215,12 +215,14 @@ def _check_collars(pattern, frame, block):
         if abs(height) > hole.diameter:
             where = "the free surface of the model, a plane" if block else "the top of the bench, which is level"
             raise ValueError(
-                f"{pattern.path}:{hole.line}: error: the collar of hole {hole.name} is {abs(height):.4g} m {'above' if height > 0.0 else 'below'} that of hole {pattern.holes[0].name}\n"
+                f"{pattern.path}:{hole.line}: error: the collar of hole {hole.name} is {abs(height):.4g} m {'above' if height > 0.0 else 'below'} that of hole "
+                f"{pattern.holes[0].name}\n"
                 f"      help: all holes begin in {where}: move the collars along their holes to one level, and give top and bottom from there"
             )
         if down < 0.2:
             raise ValueError(
-                f"{pattern.path}:{hole.line}: error: hole {hole.name} does not go into the rock: it runs {math.degrees(math.asin(-down)):.3g} degrees above the surface in which it begins\n"
+                f"{pattern.path}:{hole.line}: error: hole {hole.name} does not go into the rock: its direction is {math.degrees(math.asin(down)):.3g} degrees below the "
+                "surface in which it begins\n"
                 "      help: toes lie in the rock, at least 12 degrees from the surface; --block is for holes that are not those of a bench"
             )
 

@@ -149,7 +149,8 @@ def _hole(row, holes, problems):
         problems.error(row.line, f"the diameter of hole {hole.name} is {hole.diameter:g} m", "a diameter is greater than 0")
     elif hole.diameter > WIDEST:
         problems.error(
-            row.line, f"hole {hole.name} would be {hole.diameter:g} m wide", "lengths without a unit are in metres: write diameter [mm] or [in] in the first line, if that is meant"
+            row.line, f"hole {hole.name} would be {hole.diameter:g} m wide",
+            "lengths without a unit are in metres: write diameter [mm] or [in] in the first line, if that is meant",
         )
     if hole.length == 0.0:
         problems.error(row.line, f"hole {hole.name} has no length: its toe is at its collar", "collar and toe are the two ends of its axis")
@@ -183,12 +184,16 @@ def _deck(row, hole, problems):
     if keys["explosive"] not in known:
         near = difflib.get_close_matches(keys["explosive"].lower(), [name.lower() for name in known], 1)
         meant = next((f"; did you mean {name}?" for name in known if near and name.lower() == near[0]), "")
-        problems.error(row.line, f"no explosive {keys['explosive']!r} is known{meant}", f"explosives are {', '.join(known)}; custom has its own density, detonation_velocity and gas_exponent")
+        problems.error(
+            row.line, f"no explosive {keys['explosive']!r} is known{meant}",
+            f"explosives are {', '.join(known)}; custom has its own density, detonation_velocity and gas_exponent",
+        )
     elif keys["explosive"] == "custom":
         gas = ("explosive_energy", *JWL) if any(name in keys for name in JWL) else ("gas_exponent",)
         for name in ("density", "detonation_velocity", *gas):
             if not keys.get(name, 0.0) > 0.0:
-                problems.error(row.line, f"a custom explosive needs {name} greater than 0", f"fill in the column {name}{'; 3 is usual for the dense gas of commercial explosives' if name == 'gas_exponent' else ''}")
+                usual = "; 3 is usual for the dense gas of commercial explosives" if name == "gas_exponent" else ""
+                problems.error(row.line, f"a custom explosive needs {name} greater than 0", f"fill in the column {name}{usual}")
     return Deck(hole, keys, row.line)
 
 
@@ -198,7 +203,10 @@ def _check_names(pattern, problems):
     for hole in pattern.holes:
         other = groups.setdefault(hole.surface, hole)
         if other is not hole:
-            problems.error(hole.line, f"the holes {other.name!r} and {hole.name!r} would both be the group {hole.surface}", "use letters and digits that tell them apart")
+            problems.error(
+                hole.line, f"the holes {other.name!r} and {hole.name!r} would both be the group {hole.surface}",
+                "use letters and digits that tell them apart",
+            )
 
 
 def _check_distances(pattern, problems):
@@ -234,11 +242,13 @@ def _check_decks(pattern, problems):
             problems.error(deck.line, f"the charge of hole {name} begins {-deck.top:g} m above the collar", "depths count from the collar")
         elif deck.top >= deck.bottom:
             problems.error(
-                deck.line, f"the charge of hole {name} begins {deck.top:.6g} m below the collar and ends at {deck.bottom:.6g} m", "the stemming is shorter than the hole, and top less than bottom"
+                deck.line, f"the charge of hole {name} begins {deck.top:.6g} m below the collar and ends at {deck.bottom:.6g} m",
+                "the stemming is shorter than the hole, and top less than bottom"
             )
         elif deck.bottom > length * (1.0 + 1e-9):
             problems.error(
-                deck.line, f"the charge of hole {name} reaches to {deck.bottom:.6g} m, and the hole is {length:.6g} m long", "leave bottom empty for a charge that reaches the toe"
+                deck.line, f"the charge of hole {name} reaches to {deck.bottom:.6g} m, and the hole is {length:.6g} m long",
+                "leave bottom empty for a charge that reaches the toe"
             )
         elif not deck.top <= deck.primer <= deck.bottom:
             problems.error(

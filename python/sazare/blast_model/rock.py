@@ -30,7 +30,8 @@ def softening_in(rock, size):
         needed["shear_fracture_energy"] = 0.5 * joint.cohesion**2 * reach / rock.shear_modulus
     raised = {key: _rounded_up(value) for key, value in needed.items() if value > getattr(joint, key)}
     notes = [
-        f"{key.replace('_', ' ')} {value:g} N/m, not the {getattr(joint, key):g} N/m of the rock: elements of {size:.3g} m would break without softening below that (smaller ones: --size)"
+        f"{key.replace('_', ' ')} {value:g} N/m, not the {getattr(joint, key):g} N/m of the rock: "
+        f"elements of {size:.3g} m would break without softening below that (smaller ones: --size)"
         for key, value in raised.items()
     ]
     return rock.with_joint(**raised), notes

@@ -37,7 +37,8 @@ def summary(layout):
     size = " x ".join(f"{length:.4g}" for length in layout.upper - layout.lower)
     lines = [f"{_counted(len(pattern.holes), 'hole')}, {_counted(len(pattern.decks), 'charge')}, {mass:.4g} kg of explosive with {1e-6 * energy:.4g} MJ"]
     if bench:
-        lines.append(f"bench {bench.height:.4g} m high, free face {_angle(layout):.4g} degrees steep, looking to {azimuth(layout):.4g} degrees; {_counted(len(layout.rows), 'row')}; rock of {size} m")
+        face = f"free face {_angle(layout):.4g} degrees steep, looking to {azimuth(layout):.4g} degrees"
+        lines.append(f"bench {bench.height:.4g} m high, {face}; {_counted(len(layout.rows), 'row')}; rock of {size} m")
     else:
         lines.append(f"block of {size} m with one free surface, no bench")
     broken = layout.rock_broken
@@ -92,7 +93,8 @@ def assumptions(model):
 def page(model, command):
     """model.md of the folder."""
     layout = model.layout
-    lines = [f"# Blast of {layout.pattern.path.stem}", "", *([f"Made by `{command}`.", ""] if command else []), "```", *summary(layout), "", *table(layout), "```", "", "## Assumed", ""]
+    made = [f"Made by `{command}`.", ""] if command else []
+    lines = [f"# Blast of {layout.pattern.path.stem}", "", *made, "```", *summary(layout), "", *table(layout), "```", "", "## Assumed", ""]
     lines += [f"- {line[0].upper()}{line[1:]}." for line in model.assumptions]
     axes = "; ".join(f"{name} = ({', '.join(f'{value:.6g}' for value in axis)})" for name, axis in zip("xyz", layout.frame.axes + 0.0))
     origin = ", ".join(f"{value:.10g}" for value in layout.frame.origin)
