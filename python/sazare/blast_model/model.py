@@ -66,7 +66,7 @@ class BlastModel:
             charges=self._charges(),
             boundaries=[blocks.Boundary(surface=name, kind="absorbing") for name in ("sides", "base")],
             gauges=self._gauges(),
-            time=blocks.Time(end=end, history_interval=end / ROWS, snapshot_interval=end / PICTURES),
+            time=blocks.Time(end=end, history_interval=float(f"{end / ROWS:.6g}"), snapshot_interval=float(f"{end / PICTURES:.6g}")),
         )
 
     def _joints(self):
