@@ -125,7 +125,7 @@ TEST_F(FinishedRun, TablesHaveUnitsInTheirHeadersAndARowForEveryInterval) {
   EXPECT_EQ(first_line(run() / "gauge_peaks.csv"),
             "gauge,point_x [m],point_y [m],point_z [m],ppv [m/s],time [s],peak_x [m/s],peak_y [m/s],peak_z [m/s]");
   EXPECT_EQ(first_line(run() / "holes.csv"),
-            "hole,delay [s],first_x [m],first_y [m],first_z [m],last_x [m],last_y [m],last_z [m],diameter [m]");
+            "hole,delay [s],first_x [m],first_y [m],first_z [m],last_x [m],last_y [m],last_z [m],diameter [m],mass [kg]");
   EXPECT_EQ(lines_of(run() / "gauge_peaks.csv"), 3u);
   EXPECT_EQ(lines_of(run() / "holes.csv"), 1u);  // the pressure acts on a flat face
   EXPECT_EQ(first_line(run() / "timing.csv"), "part,seconds [s],share [-]");
