@@ -213,7 +213,7 @@ def test_distance_of_axes_is_the_least_of_all_points():
         ends = random.uniform(-1.0, 1.0, (4, 3))
         first, second = ends[0] + share * (ends[1] - ends[0]), ends[2] + share * (ends[3] - ends[2])
         least = np.linalg.norm(first[:, None] - second[None], axis=2).min()
-        found = pattern.distance(blast.Hole("a", ends[0], ends[1], 0.1), blast.Hole("b", ends[2], ends[3], 0.1))
+        found = pattern.distance(blast_model.Hole("a", ends[0], ends[1], 0.1), blast_model.Hole("b", ends[2], ends[3], 0.1))
         assert least - 0.012 < found <= least + 1e-12
 
 
@@ -231,6 +231,14 @@ def test_units_of_the_first_line_count(written):
     read = blast_model.read_pattern(written(BENCH.replace("collar_x [m]", "collar_x [ft]").replace("1,0,0,0,0,0,", "1,10,0,0,3.048,0,")))
     assert read.holes[0].collar[0] == pytest.approx(3.048)
     assert (read.holes[0].diameter, read.decks[1].delay) == pytest.approx((0.17, 1e-3))
+
+
+def test_gas_of_a_hole_may_leave_through_its_collar(written):
+    read = blast_model.read_pattern(written(f"{HEAD},vents,stemming_density [g/cm3]\n{GOOD},yes,1.7\n"))
+    assert read.decks[0].keys["vents"] is True
+    assert read.decks[0].keys["stemming_density"] == pytest.approx(1700.0)
+    with pytest.raises(ValueError, match="pattern.csv:2: error: vents is 'perhaps', which is neither true nor false"):
+        blast_model.read_pattern(written(f"{HEAD},vents\n{GOOD},perhaps\n"))
 
 
 def test_energy_of_a_custom_explosive(written):

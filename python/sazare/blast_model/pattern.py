@@ -15,11 +15,12 @@ AXES = ("collar_x", "collar_y", "collar_z", "toe_x", "toe_y", "toe_z")
 NEEDED = ("hole", *AXES, "diameter", "explosive")
 OF_THE_HOLE = ("name", "surface", "collar", "toe", "diameter")  # keys of a charge that the hole decides
 UNITS_OF_KEYS = {
-    "charge_diameter": "m", "top": "m", "bottom": "m", "primer": "m", "explosive": "", "density": "kg/m3", "detonation_velocity": "m/s",
-    "explosive_energy": "J/kg", "jwl_a": "Pa", "jwl_b": "Pa", "delay": "s", "delay_scatter": "s", "cut_distance": "m",
+    "charge_diameter": "m", "top": "m", "bottom": "m", "primer": "m", "vents": "", "stemming_density": "kg/m3", "stemming_resistance": "Pa", "explosive": "",
+    "density": "kg/m3", "detonation_velocity": "m/s", "explosive_energy": "J/kg", "jwl_a": "Pa", "jwl_b": "Pa", "delay": "s", "delay_scatter": "s", "cut_distance": "m",
 }
 KEYS = [key.name for key in fields(blocks.Charge) if key.name not in OF_THE_HOLE]
 UNITS = {"hole": "", **dict.fromkeys((*AXES, "diameter", "stemming"), "m"), **{key: UNITS_OF_KEYS.get(key, "-") for key in KEYS}}
+TRUTH = {"true": True, "yes": True, "false": False, "no": False}
 JWL = [key for key in KEYS if key.startswith("jwl_")]
 WIDEST, LONGEST = 0.6, 100.0  # diameter and length [m] of the largest blast holes; beyond them a unit is wrong
 CLEAR = 1.5  # least distance of the axes of two holes, over the sum of their radii
@@ -180,6 +181,12 @@ def _deck(row, hole, problems):
         keys["top"] = row.cells["stemming"]
     if "scatter_seed" in keys:
         keys["scatter_seed"] = int(keys["scatter_seed"])
+    if "vents" in keys:
+        word = keys.pop("vents")
+        if word.lower() in TRUTH:
+            keys["vents"] = TRUTH[word.lower()]
+        else:
+            problems.error(row.line, f"vents is {word!r}, which is neither true nor false", "true lets the gas push the stemming out and leave through the collar")
     known = [*engine().explosives(), "custom"]
     if keys["explosive"] not in known:
         near = difflib.get_close_matches(keys["explosive"].lower(), [name.lower() for name in known], 1)

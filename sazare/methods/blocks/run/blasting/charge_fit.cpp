@@ -2,28 +2,50 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/methods/blocks/run/blasting/charges.hpp"
 
 namespace sazare::runs {
 
+namespace {
+
+/// How far a face reaches around an axis [m]; 0 for one across it, at the end of a hole.
+Real width_around(const Vector3& axis, const std::array<Vector3, 3>& corners) {
+  const Vector3 area = area_vector(corners), across = axis.cross(area);
+  if (across.norm() < 0.5 * area.norm()) return 0;
+  std::array<Real, 3> along;
+  for (std::size_t k = 0; k < 3; ++k) along[k] = corners[k].dot(across.normalized());
+  return std::ranges::max(along) - std::ranges::min(along);
+}
+
+ChargeFit fit_of(const cases::Charge& charge, const MeshFaces& faces) {
+  ChargeFit fit;
+  const Vector3 axis = (charge.toe - charge.collar).normalized();
+  Real widths = 0;
+  Index of_mantle = 0;
+  for (const geometry::OuterFace& face : faces.outer(charge.surface)) {
+    const auto corners = face_corners(faces.mesh, face.nodes);
+    if (!stands_along(charge, corners)) continue;
+    ++fit.faces;
+    for (const Vector3& corner : corners) fit.distance += axis.cross(corner - charge.collar).norm() / 3;
+    const Real width = width_around(axis, corners);
+    widths += width;
+    if (width > 0) ++of_mantle;
+  }
+  if (fit.faces > 0) fit.distance /= fit.faces;
+  if (widths > 0) fit.around = std::numbers::pi * charge.diameter * of_mantle / widths;
+  return fit;
+}
+
+}  // namespace
+
 std::vector<ChargeFit> find_charge_fits(const cases::BlocksCase& blocks, const MeshFaces& faces) {
   std::vector<ChargeFit> fits;
-  for (const cases::Charge& charge : blocks.charges) {
-    ChargeFit& fit = fits.emplace_back();
-    const auto outer = faces.outer(charge.surface);
-    if (!outer.empty()) fit.wall = measure_wall(faces.mesh, outer);
-    const Vector3 axis = (charge.toe - charge.collar).normalized();
-    for (const geometry::OuterFace& face : outer) {
-      const auto corners = face_corners(faces.mesh, face.nodes);
-      if (!stands_along(charge, corners)) continue;
-      ++fit.faces;
-      for (const Vector3& corner : corners) fit.distance += axis.cross(corner - charge.collar).norm() / 3;
-    }
-    if (fit.faces > 0) fit.distance /= fit.faces;
-  }
+  for (const cases::Charge& charge : blocks.charges) fits.push_back(fit_of(charge, faces));
   return fits;
 }
 
@@ -46,9 +68,8 @@ std::string warn_of_charges(const cases::CaseFile& file, const std::vector<Charg
                      fmt::format("the corners of the wall are {} m from the axis of the hole, whose radius is {} m",
                                  number(fits[i].distance), number(radius)),
                      "the gas presses on the wall of the mesh and has the room of the diameter: make the two agree");
-    const Real around = fits[i].wall.around(charge.diameter);
-    if (fits[i].wall.has_axis() && around < HoleWall::few_faces)
-      all += warning(file, key + ".surface", fmt::format("the hole has about {:.0f} faces around", around),
+    if (fits[i].is_coarse())
+      all += warning(file, key + ".surface", fmt::format("the hole has about {:.0f} faces around", fits[i].around),
                      "use eight or more, so that the gas presses evenly: mesh the wall of the hole more finely");
   }
   return all;

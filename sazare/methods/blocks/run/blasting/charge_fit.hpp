@@ -12,9 +12,11 @@
 namespace sazare::runs {
 
 struct ChargeFit {
-  Index faces = 0;     ///< of the wall, beside the explosive
-  Real distance = 0;   ///< of their corners from the axis of the hole, the mean [m]
-  HoleWall wall = {};  ///< of the hole as a whole
+  Index faces = 0;    ///< of the wall, beside the explosive
+  Real distance = 0;  ///< of their corners from the axis of the hole, the mean [m]
+  Real around = 0;    ///< faces on a circumference
+
+  bool is_coarse() const { return around > 0 && around < HoleWall::few_faces; }
 };
 
 /// By entry of [[charges]].

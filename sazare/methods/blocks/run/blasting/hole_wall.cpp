@@ -69,7 +69,7 @@ HoleWall measure_wall(const geometry::TetraMesh& mesh, const std::vector<geometr
 std::string size_text(const HoleWall& wall) {
   using cases::number;
   if (!wall.has_axis()) return number(wall.diameter) + " m across, no cylinder";
-  const Real around = wall.around(wall.diameter);
+  const Real around = wall.around();
   return fmt::format("{} m across, {} m long, about {:.0f} faces around{}", number(wall.diameter), number(wall.length), around,
                      around < HoleWall::few_faces ? ", which are few for a round hole" : "");
 }

@@ -24,8 +24,7 @@ struct HoleWall {
   bool has_axis() const { return !axis.isZero(); }
   /// Whether it is that of a hole: on other faces the pressure pushes the body as a whole.
   bool closes() const { return open.norm() <= 0.05 * area && volume > 0; }
-  /// Faces on a circumference of a diameter [m].
-  Real around(Real of_diameter) const { return std::numbers::pi * of_diameter / width; }
+  Real around() const { return std::numbers::pi * diameter / width; }  ///< faces on a circumference
 
   static constexpr Real few_faces = 7.5;  ///< around
 };

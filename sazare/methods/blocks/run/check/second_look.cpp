@@ -61,11 +61,10 @@ std::string charges_text(const cases::BlocksCase& blocks, const BlocksModel& mod
   Real explosive = 0, rock = 0;
   for (std::size_t i = 0; i < blocks.charges.size(); ++i) {
     const cases::Charge& charge = blocks.charges[i];
-    const HoleWall& wall = model.fit.charges[i].wall;
     explosive += charge.filling().density * charge.volume();
     if (seen.insert(charge.surface).second)
-      text += line("holes", fmt::format("{}: {} m across, {} m of wall, about {:.0f} faces around", charge.surface,
-                                        number(charge.diameter), number(wall.length), wall.around(charge.diameter)));
+      text += line("holes", fmt::format("{}: {} m across, {} m long, about {:.0f} faces around", charge.surface,
+                                        number(charge.diameter), number(charge.hole_length()), model.fit.charges[i].around));
   }
   for (Index element = 0; element < static_cast<Index>(model.mesh.tetrahedra.size()); ++element)
     rock += geometry::volume(geometry::corners_of(model.mesh, element));
