@@ -109,5 +109,29 @@ TEST(MeshFit, ElementsThatAreTooLargeForTheShearStrengthAreRefused) {
   EXPECT_TRUE(has(words, "with this mesh shear_fracture_energy must be at least 410 N/m")) << words;
 }
 
+/// A charge along z in a hole of which the mesh has the one outer face at z = 0.
+std::string charge(const std::string& bottom, const std::string& diameter) {
+  return "[[charges]]\nname = \"shot\"\nsurface = \"hole\"\ncollar = [0.0, 0.0, -1.0]\ntoe = [0.0, 0.0, 1.0]\nexplosive = "
+         "\"ANFO\"\nbottom = " +
+         bottom + "\ndiameter = " + diameter + "\n";
+}
+
+TEST(MeshFit, AChargeThatStandsAtNoFaceIsRefused) {
+  try {
+    warnings_of(joint("both", "hard", "soft") + charge("0.5", "1.3"));
+    FAIL();
+  } catch (const UserError& error) {
+    EXPECT_TRUE(has(error.what(), "no face of \"hole\" stands beside the explosive, 0 to 0.5 m below the collar"))
+        << error.what();
+  }
+}
+
+TEST(MeshFit, AHoleOfAnotherDiameterThanThatOfTheMeshIsWarnedOf) {
+  const std::string words = warnings_of(joint("both", "hard", "soft") + charge("1.5", "0.3"));
+  EXPECT_TRUE(has(words, "the corners of the wall are 0.6667 m from the axis of the hole, whose radius is 0.15 m")) << words;
+  EXPECT_TRUE(has(words, "1 faces of this surface lie between two elements: no gas presses on them")) << words;
+  EXPECT_FALSE(has(warnings_of(joint("both", "hard", "soft") + charge("1.5", "1.33")), "from the axis of the hole"));
+}
+
 }  // namespace
 }  // namespace sazare::runs

@@ -28,6 +28,7 @@ struct MeshFit {
   StartBalance start_balance = {};
   std::vector<ChargeFit> charges;                   ///< by entry of [[charges]]
   std::vector<Index> inner_of_blast;                ///< by entry of [[blasts]]: faces of its surface between two elements
+  std::vector<Index> inner_of_charge;               ///< by entry of [[charges]]: faces of its surface between two elements
   std::vector<Index> inner_of_boundary;             ///< by entry of [[boundaries]]: faces of its surface between two elements
 };
 
