@@ -136,7 +136,7 @@ def test_case_is_read_back_and_passes_the_check_without_a_warning(written, tmp_p
         around = next(line for line in said.splitlines() if f"{hole}: 0." in line)
         assert float(around.split(":")[1].split()[0]) == pytest.approx(0.17, rel=2e-3)
         assert int(around.split("about")[1].split()[0]) >= 8
-    with pytest.raises(FileExistsError, match="--overwrite"):
+    with pytest.raises(ValueError, match="--overwrite"):
         blast_model.write_model(model, tmp_path / "model")
 
 
@@ -222,6 +222,7 @@ def test_columns_have_the_units_of_the_keys():
     of_blocks = next(method for method in schema["oneOf"] if "charges" in method["properties"])
     keys = of_blocks["properties"]["charges"]["items"]["properties"]
     assert {key.name for key in fields(blocks.Charge)} == set(keys)
+    assert "share" not in pattern.UNITS
     for name in pattern.KEYS:
         unit = pattern.UNITS[name]
         assert (f"[{unit}]" in keys[name]["description"]) if unit not in ("", "-") else "[" not in keys[name]["description"], name

@@ -131,3 +131,11 @@ def test_a_damaged_record_is_refused(motion, tmp_path, text, words):
     (tmp_path / "bad.csv").write_text(text)
     code, _, told = motion(file="bad.csv")
     assert code == 2 and words in told and "bad.csv" in told
+
+
+@pytest.mark.parametrize("value", [0.0, 1e-320])
+def test_a_record_without_motion_is_refused(motion, tmp_path, value):
+    (tmp_path / "still.csv").write_text("time [s],acceleration [m/s2]\n" + "".join(f"{0.01 * n:.2f},{value}\n" for n in range(200)))
+    code, told, error = motion(file=tmp_path / "still.csv")
+    assert code == 2 and "there is no motion in this record" in error
+    assert not (tmp_path / "runs").exists()

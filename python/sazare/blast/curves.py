@@ -84,7 +84,7 @@ def attenuation_curve(shaken):
     known = [one for one in shaken if one.distance and one.ppv > 0.0]
     if not known:
         return None
-    ways = [("distance from the nearest hole [m]", "R", [one.distance for one in known])]
+    ways = [("distance from the nearest charge [m]", "R", [one.distance for one in known])]
     if known[0].charge is not None:
         ways = [
             ("scaled distance R / √W [m/√kg]", "(R/√W)", [one.scaled_distance(0.5) for one in known]),

@@ -7,7 +7,8 @@ import numpy as np
 
 POINTS = 30  # of the curve to which size distributions are fitted, equally spaced in the logarithm of the size
 LEAST_SIZES = 5
-LEAST_SPAN = 2.0  # largest over smallest size
+LEAST_SPAN = 2.0  # largest over smallest
+MOST_LARGEST = 3.0  # x_max of Swebrec over the largest fragment; a curve that is far from its end would have any
 
 
 @dataclass(frozen=True)
@@ -52,7 +53,7 @@ def size_fits(distribution):
         _fit("Rosin-Rammler", rosin_rammler, {"x_c": (median, 0.0, np.inf), "n": (1.0, 0.05, 20.0)}, sizes, shares),
         _fit(
             "Swebrec", swebrec,
-            {"x_max": (1.2 * largest, largest, 20.0 * largest), "x_50": (min(median, 0.9 * largest), 0.0, 0.999 * largest), "b": (2.0, 0.2, 20.0)},
+            {"x_max": (1.2 * largest, largest, MOST_LARGEST * largest), "x_50": (min(median, 0.9 * largest), 0.0, 0.999 * largest), "b": (2.0, 0.2, 20.0)},
             sizes, shares,
         ),
     ]

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sazare.blast.fits import power_law
+from sazare.blast.fits import LEAST_SPAN, power_law
 
 STILL_RISING = 0.95  # of the peak at the end of the run
 QUIET = 0.01  # of the peak: what is less counts as rest
@@ -108,10 +108,11 @@ def _places(holes, point):
 
 def attenuation(shaken, distances):
     """The PowerLaw of the peak particle velocity [m/s] over distances (n,) of Shakings, some of them None; None where it cannot be fitted, or where the peaks
-    do not decrease with the distance, so that gauges differ in more than it.
+    do not decrease with the distance, so that gauges differ in more than it, or where the farthest gauge is less than twice as far as the nearest.
 
     Gauges whose peak still rises are left out, and those that have not moved.
     """
     chosen = [(distance, one.ppv) for one, distance in zip(shaken, distances) if distance and one.ppv > 0.0 and not one.rises]
-    law = power_law(*zip(*chosen)) if len(chosen) >= 3 else None
+    far = [distance for distance, _ in chosen]
+    law = power_law(*zip(*chosen)) if len(chosen) >= 3 and max(far) >= LEAST_SPAN * min(far) else None
     return law if law is not None and law.exponent < 0.0 else None

@@ -42,7 +42,7 @@ def _vibration(numbers):
     for one in numbers.shaken:
         words = [quantity(one.ppv, "m/s") + (", rising at the end" if one.rises else "")]
         words += [f"{quantity(one.frequency, 'Hz')}"] if one.frequency is not None else []
-        words += [f"{quantity(one.distance, 'm')} from the nearest hole"] if one.distance is not None else []
+        words += [f"{quantity(one.distance, 'm')} from the nearest charge"] if one.distance is not None else []
         words += [f"R/W^(1/2) {one.scaled_distance(0.5):.3g}"] if one.charge is not None else []
         lines.append(f"  {one.name:<18}{', '.join(words)}")
     for over, law in numbers.laws.items():

@@ -42,7 +42,9 @@ class BlastModel:
         """End of the run [s]: the last charge has detonated, and an S-wave has passed the model along its diagonal."""
         last = max(deck.delay + 3.0 * deck.keys.get("delay_scatter", 0.0) + (deck.bottom - deck.top) / deck.velocity for deck in self.layout.pattern.decks)
         diagonal = np.linalg.norm(self.layout.upper - self.layout.lower)
-        return float(f"{last + diagonal / math.sqrt(self.rock.shear_modulus / self.rock.material.density):.2g}")
+        end = last + diagonal / math.sqrt(self.rock.shear_modulus / self.rock.material.density)
+        digit = 10.0 ** (math.floor(math.log10(end)) - 2)  # the third, to which it is rounded up
+        return float(f"{digit * math.ceil(end / digit):.3g}")
 
     @property
     def assumptions(self):
@@ -111,14 +113,14 @@ def _triple(values):
 def write_model(model, folder, overwrite=False, command=""):
     """Writes geometry, case and model.md into a folder, and returns the path of the case.
 
-    command: the line by which a user makes the folder again, for model.md. Raises FileExistsError where one of the files is there and `overwrite` is false.
+    command: the line by which a user makes the folder again, for model.md. Raises ValueError where one of the files is there and `overwrite` is false.
     """
     folder = Path(folder)
     if folder.exists() and not folder.is_dir():
-        raise FileExistsError(f"{folder}: a file, and a folder is wanted: --out DIR takes another one")
+        raise ValueError(f"{folder}: a file, and a folder is wanted: --out DIR takes another one")
     there = [name for name in FILES if (folder / name).exists() or (folder / name).is_symlink()]
     if there and not overwrite:
-        raise FileExistsError(f"{folder}: it holds {', '.join(there)} already: --overwrite replaces them, --out DIR takes another folder")
+        raise ValueError(f"{folder}: it holds {', '.join(there)} already: --overwrite replaces them, --out DIR takes another folder")
     folder.mkdir(parents=True, exist_ok=True)
     texts = (model.geometry(), model.case().to_toml(), words.page(model, command))
     for name, text in zip(FILES, texts):

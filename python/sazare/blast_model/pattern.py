@@ -13,7 +13,7 @@ from sazare.engine import engine
 
 AXES = ("collar_x", "collar_y", "collar_z", "toe_x", "toe_y", "toe_z")
 NEEDED = ("hole", *AXES, "diameter", "explosive")
-OF_THE_HOLE = ("name", "surface", "collar", "toe", "diameter")  # keys of a charge that the hole decides
+OF_THE_HOLE = ("name", "surface", "collar", "toe", "diameter", "share")  # keys of a charge that the hole decides, which the model has as a whole
 UNITS_OF_KEYS = {
     "charge_diameter": "m", "top": "m", "bottom": "m", "primer": "m", "vents": "", "stemming_density": "kg/m3", "stemming_resistance": "Pa", "explosive": "",
     "density": "kg/m3", "detonation_velocity": "m/s", "explosive_energy": "J/kg", "jwl_a": "Pa", "jwl_b": "Pa", "delay": "s", "delay_scatter": "s", "cut_distance": "m",

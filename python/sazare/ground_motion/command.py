@@ -119,6 +119,8 @@ def motion_command(chosen):
         warnings.simplefilter("always", UserWarning)
         record = _scaled(_prepared(read_record(chosen.file), chosen), chosen, target)
         found = figures(record)
+        if not all(math.isfinite(value) for value in found.values()):
+            raise ValueError(f"{chosen.file}: there is no motion in this record\nhelp: are its values in the unit of its header?")
         spectra = [response_spectrum(record, periods, damping) for damping in dict.fromkeys(chosen.damping)]
     print(*words.lines(record, found), sep="\n")
     for doubt in dict.fromkeys(str(warning.message) for warning in doubts):

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "sazare/cases/explanation.hpp"
 #include "sazare/cases/format/number_text.hpp"
+#include "sazare/cases/format/usual_values.hpp"
 #include "sazare/methods/blocks/case/checks.hpp"
 #include "sazare/methods/blocks/case/fields.hpp"
 
@@ -14,12 +16,30 @@ namespace {
 /// Constants that do not belong together give the gas too much pressure or too little.
 void check_detonation(const CheckContext& context, const Entry& entry, const laws::Explosive& explosive) {
   constexpr Real most = 0.1;
+  const Real pressure = laws::jwl_pressure(explosive.gas, 1, explosive.energy);
+  if (!std::isfinite(pressure) || pressure <= 0) {
+    context.problems.error(entry.place("explosive"), "the gas of this explosive has no pressure that is a finite number above 0",
+                           "check the constants of its gas");
+    return;
+  }
   const Real off = laws::detonation_mismatch(explosive);
   if (off <= most) return;
   context.problems.warning(
       entry.place("explosive"),
       fmt::format("these constants miss the laws of a steady detonation by {} %", short_number(100 * off, 2)),
       "density, velocity, energy and the constants of the gas are to be of one explosive at one density; are they in SI units?");
+}
+
+/// A gas of an exponent near to 1 needs much energy to detonate as fast as it does.
+void check_energy(const CheckContext& context, const Entry& entry, const Charge& charge) {
+  if (entry.has("explosive_energy")) return;
+  const Real energy = charge.filling().energy / charge.density.value();
+  if (energy >= usual::explosive_energy.low && energy <= usual::explosive_energy.high) return;
+  context.problems.warning(
+      entry.place("gas_exponent"),
+      fmt::format("by its velocity this explosive has {} J/kg, explosives usually {} to {}", short_number(energy),
+                  short_number(usual::explosive_energy.low), short_number(usual::explosive_energy.high)),
+      "give its explosive_energy, or another gas_exponent: 3 is usual for the dense gas of commercial explosives");
 }
 
 /// The constants of a custom explosive are all there; one of the table has none of its own but its velocity.
@@ -47,7 +67,9 @@ void check_explosive(const CheckContext& context, const Entry& entry, const Char
         "add gas_exponent = ... (3 is usual for the dense gas of commercial explosives) or jwl_a, jwl_b, jwl_r1, "
         "jwl_r2 and jwl_omega");
   const bool is_whole = std::ranges::all_of(needed, [&](std::string_view key) { return entry.gives(key); });
-  if (is_whole && has_jwl != entry.gives("gas_exponent")) check_detonation(context, entry, charge.filling());
+  if (!is_whole || has_jwl == entry.gives("gas_exponent")) return;
+  check_detonation(context, entry, charge.filling());
+  if (!has_jwl) check_energy(context, entry, charge);
 }
 
 /// The charge lies in its hole, and the primer in the charge. Whether there is more to check.
@@ -97,7 +119,7 @@ void check_decks(const CheckContext& context, const Entry& entry, const Charge& 
   if (std::max(charge.top, other.top) < std::min(charge.bottom_depth(), other.bottom_depth()))
     context.problems.error(entry.place("top"),
                            fmt::format("the charges \"{}\" and \"{}\" of one hole overlap", other.name, charge.name),
-                           "decks stand one above the other, with stemming between them");
+                           "decks stand one above the other");
 }
 
 /// Only the uppermost charge of a hole stands beneath its collar.

@@ -20,6 +20,11 @@ struct AxialPart {
   Real from = 0, to = 0;
 
   Real length() const { return std::max<Real>(0, to - from); }
+  /// The share of it that another part covers; a part without length is covered as a whole or not at all.
+  Real covered_by(const AxialPart& other) const {
+    if (length() == 0) return other.length() > 0 && other.from <= from && from <= other.to ? 1 : 0;
+    return AxialPart{std::max(from, other.from), std::min(to, other.to)}.length() / length();
+  }
 };
 
 struct Charge {

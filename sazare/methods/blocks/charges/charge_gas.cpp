@@ -8,16 +8,6 @@
 
 namespace sazare::methods::blocks {
 
-namespace {
-
-/// The share of a part that another one covers; a part without length is covered as a whole or not at all.
-Real covered(const AxialPart& part, const AxialPart& by) {
-  if (part.length() == 0) return by.length() > 0 && by.from <= part.from && part.from <= by.to ? 1 : 0;
-  return AxialPart{std::max(part.from, by.from), std::min(part.to, by.to)}.length() / part.length();
-}
-
-}  // namespace
-
 ChargeGas::ChargeGas(std::vector<Charge> charges, std::vector<ChargedFace> faces, const state::Bodies<3>& bodies)
     : charges_(std::move(charges)),
       faces_(std::move(faces)),
@@ -75,7 +65,7 @@ ChargeGas::Told ChargeGas::move(const Due& due, const Instant& now, const state:
   const Vector3 arm = motion.rotation * face.centre, place = motion.position + arm;
   if ((place - face.start).squaredNorm() > charge.cut_distance * charge.cut_distance) wetted.acts = 0;
   const Real pressure = now_[at(face.charge)].pressure;
-  const Vector3 area = wetted.acts * covered(face.part, charge.burnt(now.seconds())) * (motion.rotation * face.area);
+  const Vector3 area = wetted.acts * face.part.covered_by(charge.burnt(now.seconds())) * (motion.rotation * face.area);
   const Vector3 moved = place - wetted.place;
   wetted.room -= 0.5 * (wetted.area + area).dot(moved);
   wetted.work -= 0.5 * (wetted.pressure * wetted.area + pressure * area).dot(moved);

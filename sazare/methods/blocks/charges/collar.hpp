@@ -86,7 +86,7 @@ inline void step(const Collar& collar, CollarState& state, const CollarGas& gas,
     state.velocity = std::max<Real>(0, former + span * acceleration(collar, state, mean));
     const Real forward = 0.5 * span * (former + state.velocity);
     state.moved += forward;
-    state.lost_energy += mean * collar.area * forward;
+    state.lost_energy += std::min(mean * collar.area * forward, gas.energy);
     state.energy_rate = gas.pressure * collar.area * state.velocity;
     return;
   }

@@ -34,7 +34,9 @@ ChargeFit fit_of(const cases::Charge& charge, const MeshFaces& faces) {
     for (const Vector3& corner : corners) fit.distance += axis.cross(corner - charge.collar).norm() / 3;
     const Real width = width_around(axis, corners);
     widths += width;
-    if (width > 0) ++of_mantle;
+    if (width == 0) continue;
+    ++of_mantle;
+    fit.area += covered_share(charge, corners) * area_vector(corners).norm();
   }
   if (fit.faces > 0) fit.distance /= fit.faces;
   if (widths > 0) fit.around = std::numbers::pi * charge.diameter * of_mantle / widths;
@@ -68,6 +70,13 @@ std::string warn_of_charges(const cases::CaseFile& file, const std::vector<Charg
                      fmt::format("the corners of the wall are {} m from the axis of the hole, whose radius is {} m",
                                  number(fits[i].distance), number(radius)),
                      "the gas presses on the wall of the mesh and has the room of the diameter: make the two agree");
+    const Real area = std::numbers::pi * charge.diameter * (charge.bottom_depth() - charge.top) * charge.share;
+    if (std::abs(fits[i].area - area) > most_off * area)
+      all += warning(
+          file, key + ".surface",
+          fmt::format("the mesh has {} m2 of wall around the explosive, where a hole of this diameter and length has {} m2",
+                      number(fits[i].area), number(area)),
+          "does the charge reach beyond the hole of the mesh, or has the mesh but a part of the hole, which share tells?");
     if (fits[i].is_coarse())
       all += warning(file, key + ".surface", fmt::format("the hole has about {:.0f} faces around", fits[i].around),
                      "use eight or more, so that the gas presses evenly: mesh the wall of the hole more finely");

@@ -15,6 +15,7 @@ struct ChargeFit {
   Index faces = 0;    ///< of the wall, beside the explosive
   Real distance = 0;  ///< of their corners from the axis of the hole, the mean [m]
   Real around = 0;    ///< faces on a circumference
+  Real area = 0;      ///< of the wall around the explosive, ends left out [m2]
 
   bool is_coarse() const { return around > 0 && around < HoleWall::few_faces; }
 };

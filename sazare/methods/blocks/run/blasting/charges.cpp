@@ -34,6 +34,10 @@ bool stands_along(const cases::Charge& charge, const std::array<Vector3, 3>& cor
   return touches(axial_part(charge, corners), filled_part(charge));
 }
 
+Real covered_share(const cases::Charge& charge, const std::array<Vector3, 3>& corners) {
+  return axial_part(charge, corners).covered_by(filled_part(charge));
+}
+
 std::vector<methods::blocks::Charge> make_charges(const cases::BlocksCase& blocks) {
   std::vector<methods::blocks::Charge> made;
   for (std::size_t place = 0; place < blocks.charges.size(); ++place) {

@@ -14,6 +14,9 @@ std::vector<methods::blocks::Charge> make_charges(const cases::BlocksCase& block
 /// Whether a face of the wall of its hole, given by its corners, has explosive of the charge beside it.
 bool stands_along(const cases::Charge& charge, const std::array<Vector3, 3>& corners);
 
+/// The share of the length of such a face along the hole that has explosive beside it.
+Real covered_share(const cases::Charge& charge, const std::array<Vector3, 3>& corners);
+
 /// Faces of the walls of holes that stand beside the explosive of a charge; one between two decks is a face of both.
 std::vector<methods::blocks::ChargedFace> make_charged_faces(const cases::BlocksCase& blocks, const MeshFaces& faces,
                                                              const state::Bodies<3>& bodies);
