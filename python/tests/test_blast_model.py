@@ -356,7 +356,7 @@ def test_command_prints_the_table_and_writes_the_folder(written, tmp_path, capsy
         assert part in said
     assert "warning:" not in said
     assert "rock: rock of" in (folder / "model.md").read_text().lower()
-    assert main(line) == 4
+    assert main(line) == 2
     assert "--overwrite replaces them" in capsys.readouterr().err
     (folder / "notes.txt").write_text("mine")
     assert main([*line, "--overwrite"]) == 0
