@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sazare/core/vector.hpp"
+#include "sazare/geometry/tetrahedron.hpp"
 
 namespace sazare::geometry {
 
@@ -49,6 +50,14 @@ struct ElementCorners {
 /// The corners of an element [m].
 inline std::array<Vector3, 4> corners_of(const TetraMesh& mesh, std::int32_t element) {
   return ElementCorners{mesh.nodes, mesh.tetrahedra}.of(element);
+}
+
+/// The volume of all elements [m3].
+inline Real volume(const TetraMesh& mesh) {
+  Real sum = 0;
+  for (std::size_t element = 0; element < mesh.tetrahedra.size(); ++element)
+    sum += volume(corners_of(mesh, static_cast<std::int32_t>(element)));
+  return sum;
 }
 
 }  // namespace sazare::geometry

@@ -3,7 +3,6 @@
 import math
 from dataclasses import dataclass, field
 from functools import cached_property
-from pathlib import Path
 
 import numpy as np
 
@@ -12,6 +11,7 @@ from sazare.blast_model.geometry import geometry
 from sazare.blast_model.layout import Layout
 from sazare.blast_model.rock import softening_in
 from sazare.cases import blocks
+from sazare.folders import require_room
 from sazare.lab.rock import Rock, with_keys
 
 ROWS, PICTURES = 1000, 20  # of the history, and snapshots
@@ -113,17 +113,11 @@ def _triple(values):
 def write_model(model, folder, overwrite=False, command=""):
     """Writes geometry, case and model.md into a folder, and returns the path of the case.
 
-    command: the line by which a user makes the folder again, for model.md. Raises ValueError where one of the files is there and `overwrite` is false.
+    command: the line by which a user makes the folder again, for model.md. Raises Occupied as `require_room`.
     """
-    folder = Path(folder)
-    if folder.exists() and not folder.is_dir():
-        raise ValueError(f"{folder}: a file, and a folder is wanted: --out DIR takes another one")
-    there = [name for name in FILES if (folder / name).exists() or (folder / name).is_symlink()]
-    if there and not overwrite:
-        raise ValueError(f"{folder}: it holds {', '.join(there)} already: --overwrite replaces them, --out DIR takes another folder")
+    folder = require_room(folder, FILES, overwrite)
     folder.mkdir(parents=True, exist_ok=True)
     texts = (model.geometry(), model.case().to_toml(), words.page(model, command))
     for name, text in zip(FILES, texts):
-        (folder / name).unlink(missing_ok=True)
         (folder / name).write_text(text, encoding="utf-8")
     return folder / "case.toml"

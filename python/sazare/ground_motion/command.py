@@ -6,6 +6,7 @@ import warnings
 from pathlib import Path
 
 from sazare.arguments import not_negative, positive, whole
+from sazare.folders import require_room
 from sazare.ground_motion import words
 from sazare.ground_motion.column import BASE_OUTCROP, BASE_WITHIN, SURFACE
 from sazare.ground_motion.correction import (
@@ -93,19 +94,6 @@ def _scaled(record, chosen, target):
     return record
 
 
-def _folder(chosen):
-    """The folder of the results, in which nothing is replaced that was not asked for."""
-    folder = Path(chosen.out or Path("runs") / f"motion-{Path(chosen.file).stem}")
-    if folder.exists() and not folder.is_dir():
-        raise ValueError(f"{folder}: a file, and a folder is wanted: --out DIR takes another one")
-    there = [name for name in WRITTEN if (folder / name).exists() or (folder / name).is_symlink()]
-    if any((folder / name).is_symlink() for name in there):
-        raise ValueError(f"{folder}: {', '.join(there)} lead elsewhere: remove the links, or --out DIR takes another folder")
-    if there and not chosen.overwrite:
-        raise ValueError(f"{folder}: {', '.join(there)} are there already: --overwrite replaces them, --out DIR takes another folder")
-    return folder
-
-
 def motion_command(chosen):
     """Carries out the command."""
     from sazare import style
@@ -113,7 +101,8 @@ def motion_command(chosen):
 
     if (chosen.from_period or chosen.to_period) and chosen.target is None:
         raise ValueError("--from-period and --to-period go with --target, whose range they choose")
-    folder, periods = _folder(chosen), usual_periods(chosen.shortest_period, chosen.longest_period)
+    folder = require_room(chosen.out or Path("runs") / f"motion-{Path(chosen.file).stem}", WRITTEN, chosen.overwrite)
+    periods = usual_periods(chosen.shortest_period, chosen.longest_period)
     target = None if chosen.target is None else read_target_spectrum(chosen.target)
     with warnings.catch_warnings(record=True) as doubts:
         warnings.simplefilter("always", UserWarning)

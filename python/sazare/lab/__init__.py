@@ -31,7 +31,7 @@ def test(
     pressure: confinement of a triaxial test, normal stress of direct shear [Pa].
     options: fields of Options, such as diameter=0.05 [m], elements=10, platens="steel", strain_rate=10.0 [1/s].
 
-    Raises ValueError for a test that cannot be made, UserError, PhysicsError or MachineError as `sazare.run`, FileExistsError where `out`
+    Raises ValueError for a test that cannot be made, UserError, PhysicsError or MachineError as `sazare.run`, Occupied where `out`
     holds something and `overwrite` is false.
     """
     trial = trial_of(kind, rock_of(case, material, overrides), Options(**options), pressure)

@@ -1,7 +1,8 @@
 """Folders of tests: whose they are, and what of an earlier test must go."""
 
 import json
-from pathlib import Path
+
+from sazare.folders import Occupied, require_folder
 
 MARK = "lab.json"  # says which test a folder is of
 WRITTEN = (
@@ -13,20 +14,18 @@ WRITTEN = (
 def claim(folder, test, pressures=(), overwrite=False):
     """An empty folder for a test, or that of the same test before, whose tables and pictures are deleted.
 
-    Raises FileExistsError where something else is in the folder, or where the test is there and `overwrite` is false.
+    Raises Occupied where something else is in the folder, or where the test is there and `overwrite` is false.
     """
-    folder = Path(folder)
+    folder = require_folder(folder)
     mark = {"test": test, "pressures": [float(value) for value in pressures]}
-    if folder.exists() and not folder.is_dir():
-        raise FileExistsError(f"{folder}: a file, and a folder is wanted: --out DIR takes another one")
     if folder.is_dir() and any(folder.iterdir()):
         found = _mark_of(folder)
         if found is None:
-            raise FileExistsError(f"{folder}: there are files in it that are no test, so nothing is written there: --out DIR takes another folder")
+            raise Occupied(f"{folder}: there are files in it that are no test, so nothing is written there: --out DIR takes another folder")
         if found != mark:
-            raise FileExistsError(f"{folder}: there is another test in it ({_words(found)}): --out DIR takes another folder, or delete this one")
+            raise Occupied(f"{folder}: there is another test in it ({_words(found)}): --out DIR takes another folder, or delete this one")
         if not overwrite:
-            raise FileExistsError(f"{folder}: this test is in it already: --overwrite replaces it, --out DIR takes another folder")
+            raise Occupied(f"{folder}: this test is in it already: --overwrite replaces it, --out DIR takes another folder")
         for name in WRITTEN:
             (folder / name).unlink(missing_ok=True)
     folder.mkdir(parents=True, exist_ok=True)

@@ -33,7 +33,7 @@ class Tested:
 def carry_out(trial, folder, *, threads=0, overwrite=False, progress=True):
     """Tests a specimen, with all files in `folder`: the case and what it names, the run, curve.csv and figures.json.
 
-    Raises FileExistsError where the folder holds something else, or this test and `overwrite` is false. After Ctrl-C curve.csv holds what was measured until then.
+    Raises Occupied where the folder holds something else, or this test and `overwrite` is false. After Ctrl-C curve.csv holds what was measured until then.
     """
     folder = Path(folder)
     claim(folder, trial.test, [trial.pressure], overwrite)

@@ -243,6 +243,12 @@ std::vector<methods::blocks::FreeFace> make_free_faces(const cases::BlocksCase& 
   return made;
 }
 
+CarriedFace carried_face(const state::Bodies<3>& bodies, Index body, const std::array<Vector3, 3>& corners) {
+  const auto& motion = bodies.motion[at(body)];
+  const Vector3 start = (corners[0] + corners[1] + corners[2]) / 3;
+  return {motion.rotation.transpose() * area_vector(corners), motion.rotation.transpose() * (start - motion.position), start};
+}
+
 std::vector<terms::PressureLoad> make_loads(const cases::BlocksCase& blocks) {
   std::vector<terms::PressureLoad> loads;
   for (const cases::Blast& blast : blocks.blasts) {
@@ -263,15 +269,13 @@ std::vector<terms::PressedFace> make_pressed_faces(const cases::BlocksCase& bloc
   std::vector<terms::PressedFace> made;
   for (std::size_t load = 0; load < blocks.blasts.size(); ++load)
     for (const geometry::OuterFace& outer : faces.outer(blocks.blasts[load].surface)) {
-      const auto& motion = bodies.motion[at(outer.element)];
-      const auto corners = face_corners(faces.mesh, outer.nodes);
-      const Vector3 centre = (corners[0] + corners[1] + corners[2]) / 3;
+      const CarriedFace carried = carried_face(bodies, outer.element, face_corners(faces.mesh, outer.nodes));
       terms::PressedFace face;
       face.body = outer.element;
       face.load = static_cast<Index>(load);
-      face.area = motion.rotation.transpose() * area_vector(corners);
-      face.centre = motion.rotation.transpose() * (centre - motion.position);
-      face.start = centre;
+      face.area = carried.area;
+      face.centre = carried.centre;
+      face.start = carried.start;
       made.push_back(face);
     }
   return made;

@@ -55,6 +55,14 @@ std::vector<methods::blocks::MovingGround> make_ground(const cases::BlocksCase& 
 std::vector<methods::blocks::FreeFace> make_free_faces(const cases::BlocksCase& blocks, const MeshFaces& faces,
                                                        const std::vector<Index>& joint_of_face);
 
+/// An outer face as its body carries it.
+struct CarriedFace {
+  Vector3 area;    ///< outward vector with the length of the area, in the body frame [m2]
+  Vector3 centre;  ///< in the body frame [m]
+  Vector3 start;   ///< place of the centre at the beginning [m]
+};
+CarriedFace carried_face(const state::Bodies<3>& bodies, Index body, const std::array<Vector3, 3>& corners);
+
 std::vector<terms::PressureLoad> make_loads(const cases::BlocksCase& blocks);
 std::vector<terms::PressedFace> make_pressed_faces(const cases::BlocksCase& blocks, const MeshFaces& faces,
                                                    const state::Bodies<3>& bodies);

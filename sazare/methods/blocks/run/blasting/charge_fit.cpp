@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -13,14 +12,8 @@ namespace sazare::runs {
 
 namespace {
 
-/// How far a face reaches around an axis [m]; 0 for one across it, at the end of a hole.
-Real width_around(const Vector3& axis, const std::array<Vector3, 3>& corners) {
-  const Vector3 area = area_vector(corners), across = axis.cross(area);
-  if (across.norm() < 0.5 * area.norm()) return 0;
-  std::array<Real, 3> along;
-  for (std::size_t k = 0; k < 3; ++k) along[k] = corners[k].dot(across.normalized());
-  return std::ranges::max(along) - std::ranges::min(along);
-}
+/// Whether a face stands across the axis of a hole, at its end.
+bool is_end(const Vector3& axis, const Vector3& area) { return axis.cross(area).norm() < 0.5 * area.norm(); }
 
 ChargeFit fit_of(const cases::Charge& charge, const MeshFaces& faces) {
   ChargeFit fit;
@@ -32,9 +25,8 @@ ChargeFit fit_of(const cases::Charge& charge, const MeshFaces& faces) {
     if (!stands_along(charge, corners)) continue;
     ++fit.faces;
     for (const Vector3& corner : corners) fit.distance += axis.cross(corner - charge.collar).norm() / 3;
-    const Real width = width_around(axis, corners);
-    widths += width;
-    if (width == 0) continue;
+    if (is_end(axis, area_vector(corners))) continue;
+    widths += width_around(axis, corners);
     ++of_mantle;
     fit.area += covered_share(charge, corners) * area_vector(corners).norm();
   }

@@ -72,10 +72,10 @@ std::vector<methods::blocks::ChargedFace> make_charged_faces(const cases::Blocks
       face.part = axial_part(charge, corners);
       if (!stands_along(charge, corners)) continue;
       if (face.part.length() == 0) face.part.from = face.part.to = std::clamp(face.part.from, filled.from, filled.to);
-      const auto& motion = bodies.motion[at(outer.element)];
-      face.start = (corners[0] + corners[1] + corners[2]) / 3;
-      face.area = motion.rotation.transpose() * area_vector(corners);
-      face.centre = motion.rotation.transpose() * (face.start - motion.position);
+      const CarriedFace carried = carried_face(bodies, outer.element, corners);
+      face.area = carried.area;
+      face.centre = carried.centre;
+      face.start = carried.start;
       face.body = outer.element;
       face.charge = static_cast<Index>(number);
       made.push_back(face);

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "sazare/cases/explanation.hpp"
-#include "sazare/core/time.hpp"
+#include "sazare/methods/blocks/run/parts.hpp"
 
 namespace sazare::runs {
 
@@ -23,21 +23,24 @@ Vector3 directed(const Vector3& axis) {
 
 }  // namespace
 
+Real width_around(const Vector3& axis, const std::array<Vector3, 3>& corners) {
+  const Vector3 around = axis.cross(area_vector(corners)).normalized();
+  const auto [least, most] = std::minmax({corners[0].dot(around), corners[1].dot(around), corners[2].dot(around)});
+  return most - least;
+}
+
 HoleWall measure_wall(const geometry::TetraMesh& mesh, const std::vector<geometry::OuterFace>& faces) {
   constexpr Real cylinder = 0.02;  // largest mean square of the axial part of the normals
   HoleWall wall;
   Matrix3 normals = Matrix3::Zero();
   Vector3 centre = Vector3::Zero();
-  const auto corners = [&](const geometry::OuterFace& face, std::size_t k) { return mesh.nodes[at(face.nodes[k])]; };
-  const auto area_of = [&](const geometry::OuterFace& face) {
-    return Vector3(0.5 * (corners(face, 1) - corners(face, 0)).cross(corners(face, 2) - corners(face, 0)));
-  };
   for (const auto& face : faces) {
-    const Vector3 area = area_of(face);
+    const auto corners = face_corners(mesh, face.nodes);
+    const Vector3 area = area_vector(corners);
     wall.area += area.norm();
     wall.open += area;
     normals += area * area.normalized().transpose();
-    centre += area.norm() * (corners(face, 0) + corners(face, 1) + corners(face, 2)) / 3;
+    centre += area.norm() * (corners[0] + corners[1] + corners[2]) / 3;
   }
   centre /= wall.area;
   const Eigen::SelfAdjointEigenSolver<Matrix3> spread(normals / wall.area);
@@ -45,16 +48,15 @@ HoleWall measure_wall(const geometry::TetraMesh& mesh, const std::vector<geometr
   if (has_axis) wall.axis = directed(spread.eigenvectors().col(0));
   Real low = 0, high = 0, widths = 0;
   for (const auto& face : faces) {
-    const Vector3 area = area_of(face), across = wall.axis.cross(area).normalized();
-    std::array<Real, 3> along{}, around{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      along[k] = (corners(face, k) - centre).dot(wall.axis);
-      around[k] = corners(face, k).dot(across);
-      low = std::min(low, along[k]);
-      high = std::max(high, along[k]);
+    const auto corners = face_corners(mesh, face.nodes);
+    const Vector3 area = area_vector(corners);
+    for (const Vector3& corner : corners) {
+      const Real along = (corner - centre).dot(wall.axis);
+      low = std::min(low, along);
+      high = std::max(high, along);
     }
-    widths += std::ranges::max(around) - std::ranges::min(around);
-    const Vector3 radius = (corners(face, 0) + corners(face, 1) + corners(face, 2)) / 3 - centre;
+    widths += width_around(wall.axis, corners);
+    const Vector3 radius = (corners[0] + corners[1] + corners[2]) / 3 - centre;
     wall.volume -= (radius - radius.dot(wall.axis) * wall.axis).dot(area) / (has_axis ? 2 : 3);
   }
   wall.first = centre + low * wall.axis;

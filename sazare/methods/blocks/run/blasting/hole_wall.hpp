@@ -2,6 +2,7 @@
 
 /// The wall of a hole, measured on the faces of its mesh.
 
+#include <array>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -28,6 +29,9 @@ struct HoleWall {
 
   static constexpr Real few_faces = 7.5;  ///< around
 };
+
+/// How far a face reaches around an axis [m].
+Real width_around(const Vector3& axis, const std::array<Vector3, 3>& corners);
 
 HoleWall measure_wall(const geometry::TetraMesh& mesh, const std::vector<geometry::OuterFace>& faces);
 

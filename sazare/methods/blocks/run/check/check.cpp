@@ -6,7 +6,6 @@
 #include "sazare/cases/explanation.hpp"
 #include "sazare/cases/format/counted.hpp"
 #include "sazare/cases/format/number_text.hpp"
-#include "sazare/geometry/tetrahedron.hpp"
 #include "sazare/methods/blocks/case/format.hpp"
 #include "sazare/methods/blocks/run/block_fragments.hpp"
 #include "sazare/methods/blocks/run/check/second_look.hpp"
@@ -31,13 +30,12 @@ using cases::line, cases::number;
 
 std::string body_text(const BlocksModel& model) {
   const auto elements = model.simulation->bodies().size();
-  Real volume = 0;
-  for (Index element = 0; element < elements; ++element) volume += geometry::volume(geometry::corners_of(model.mesh, element));
-  return line("body", fmt::format("{}, {}, {} m3, initially {}", cases::counted(elements, "elements"),
-                                  cases::counted(std::ssize(model.joints->links()), "joints"), number(volume),
-                                  find_fragments(elements, *model.joints).count == 1
-                                      ? "one piece"
-                                      : fmt::format("{} pieces", find_fragments(elements, *model.joints).count)));
+  return line("body",
+              fmt::format("{}, {}, {} m3, initially {}", cases::counted(elements, "elements"),
+                          cases::counted(std::ssize(model.joints->links()), "joints"), number(geometry::volume(model.mesh)),
+                          find_fragments(elements, *model.joints).count == 1
+                              ? "one piece"
+                              : fmt::format("{} pieces", find_fragments(elements, *model.joints).count)));
 }
 
 std::string level_text(const BlocksModel& model) {

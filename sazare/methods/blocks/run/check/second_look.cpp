@@ -9,7 +9,6 @@
 #include "sazare/cases/extent.hpp"
 #include "sazare/cases/format/counted.hpp"
 #include "sazare/geometry/face_map.hpp"
-#include "sazare/geometry/tetrahedron.hpp"
 #include "sazare/methods/blocks/run/blasting/hole_wall.hpp"
 #include "sazare/methods/blocks/run/block_fragments.hpp"
 #include "sazare/methods/blocks/run/parts.hpp"
@@ -58,7 +57,7 @@ std::string charges_text(const cases::BlocksCase& blocks, const BlocksModel& mod
   if (blocks.charges.empty()) return "";
   std::string text;
   std::set<std::string> seen;
-  Real explosive = 0, rock = 0;
+  Real explosive = 0;
   for (std::size_t i = 0; i < blocks.charges.size(); ++i) {
     const cases::Charge& charge = blocks.charges[i];
     explosive += charge.filling().density * charge.volume();
@@ -66,10 +65,8 @@ std::string charges_text(const cases::BlocksCase& blocks, const BlocksModel& mod
       text += line("holes", fmt::format("{}: {} m across, {} m long, about {:.0f} faces around", charge.surface,
                                         number(charge.diameter), number(charge.hole_length()), model.fit.charges[i].around));
   }
-  for (Index element = 0; element < static_cast<Index>(model.mesh.tetrahedra.size()); ++element)
-    rock += geometry::volume(geometry::corners_of(model.mesh, element));
-  return text +
-         line("explosive", fmt::format("{} kg in all, {} kg per m3 of the mesh", number(explosive), number(explosive / rock)));
+  return text + line("explosive", fmt::format("{} kg in all, {} kg per m3 of the mesh", number(explosive),
+                                              number(explosive / geometry::volume(model.mesh))));
 }
 
 /// Axes along which boundaries and constraints hold each element, a bit per axis. Absorbing faces carry nothing at rest; of faces
