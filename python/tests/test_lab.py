@@ -176,13 +176,13 @@ def test_command_writes_tables_and_pictures(tmp_path, capsys):
     assert main(words) == 0
     assert {path.name for path in out.iterdir()} >= {"case.toml", "specimen.geo", "platen.csv", "curve.csv", "figures.json", "curve.png", "cracks.png", "run"}
     assert "peak stress" in capsys.readouterr().out
-    assert main(words) == 4
+    assert main(words) == 2
     assert "--overwrite" in capsys.readouterr().err
 
 
 def test_command_replaces_only_tests(tmp_path, capsys):
     (tmp_path / "thesis.txt").write_text("years of work")
-    assert main(["lab", "brazilian", str(CASE), "--out", str(tmp_path), "--overwrite", "--quiet"]) == 4
+    assert main(["lab", "brazilian", str(CASE), "--out", str(tmp_path), "--overwrite", "--quiet"]) == 2
     assert "no test" in capsys.readouterr().err
     assert [path.name for path in tmp_path.iterdir()] == ["thesis.txt"]
 
