@@ -2,11 +2,10 @@
 
 /// Explosives whose constants are published: density, velocity of the detonation, energy, and the gas that they turn into.
 ///
-/// Those of the pure explosives are of [Dobratz1985]; those of ANFO, a mixture of ammonium nitrate and fuel
-/// oil, come from [Lee1968] (laws/jwl.hpp) and are what hydrocodes have in their libraries. Each row was tested against the laws
-/// of detonation: the gas behind the front, whose pressure follows from density, velocity and energy, lies on the expansion of
-/// its equation of state, which there is as steep as the line of Rayleigh (Chapman and Jouguet). Rows that fail by more than 2 %
-/// are not in the table.
+/// Constants are those commonly quoted from [Lee1968] (laws/jwl.hpp) for ANFO, a mixture of ammonium nitrate and fuel oil, and
+/// from [Dobratz1985] for the others. A test holds each row to the laws of detonation: the gas behind the front, whose pressure
+/// follows from density, velocity and energy, lies on the expansion of its equation of state, which there is as steep as the line
+/// of Rayleigh (Chapman and Jouguet). Rows that fail by more than 2 % are not in the table.
 ///
 /// Commercial explosives do not burn completely in thin holes: their velocity depends on diameter and confinement, so give the
 /// measured one.
@@ -42,6 +41,8 @@ inline constexpr std::array explosives{
     Explosive{"PETN 1.77", 1770, 8300, 10.1e9, {617.0e9, 16.926e9, 4.4, 1.2, 0.25}},
     Explosive{"TNT", 1630, 6930, 7.0e9, {371.2e9, 3.231e9, 4.15, 0.95, 0.30}},
 };
+
+inline constexpr const Explosive& anfo = explosives[0];
 
 /// How far an explosive is from the laws of a steady detonation, 0 for one that fulfils them. The gas behind the front has the
 /// volume V, the pressure P = density D^2 (1 - V) and the energy E + P (1 - V)/2, and its expansion touches the line of Rayleigh

@@ -76,22 +76,17 @@ ChargeGas::Told ChargeGas::move(const Due& due, const Instant& now, const state:
   total.add_at(motion.position - bodies.pole + arm, pressure * area);  // on the outside, the second body
   terms::write<3, 0>(table_[due.link], now, due, total, {});
   const Real rate = -area.dot(motion.velocity_at(arm));
-  return {LinearGrowth::at(now.seconds(), wetted.room, rate), LinearGrowth::at(now.seconds(), wetted.work, pressure * rate)};
+  return {LinearGrowth::through(now.seconds(), wetted.room, rate),
+          LinearGrowth::through(now.seconds(), wetted.work, pressure * rate)};
 }
 
 /// All processes hear what the faces have told.
 void ChargeGas::post_step(const Instant& now, const state::Bodies<3>&, terms::Peers& peers, terms::Changes&) {
   if (now.seconds() < first_delay_) return news_.clear();
-  if (peers.alone()) {
-    for (const ToldBy& news : news_) take(news);
-  } else {
-    const std::vector<std::byte> all = peers.gather(std::as_bytes(std::span(news_)));
-    for (std::size_t place = 0; place < all.size(); place += sizeof(ToldBy)) {
-      ToldBy news;
-      std::memcpy(&news, all.data() + place, sizeof news);
-      take(news);
-    }
-  }
+  const std::vector<std::byte> all = peers.gather(std::as_bytes(std::span(news_)));
+  news_.resize(all.size() / sizeof(ToldBy));
+  if (!news_.empty()) std::memcpy(news_.data(), all.data(), all.size());
+  take(news_);
   news_.clear();
   step_collars(now.seconds());
 }
@@ -109,35 +104,32 @@ void ChargeGas::step_collars(Real time) {
   }
 }
 
-void ChargeGas::take(const ToldBy& news) {
-  Sums& sums = sums_[at(faces_[at(news.face)].charge)];
-  Told& told = told_[at(news.face)];
-  const auto replace = [](ExactSum& constant, ExactSum& rate, const LinearGrowth& old, const LinearGrowth& now) {
-    constant -= old.constant;
-    rate -= old.rate;
-    constant += now.constant;
-    rate += now.rate;
-  };
-  replace(sums.room, sums.room_rate, told.room, news.told.room);
-  replace(sums.work, sums.work_rate, told.work, news.told.work);
-  told = news.told;
+void ChargeGas::take(std::span<const ToldBy> news) {
+  std::vector<bool> changed(charges_.size(), false);
+  for (const ToldBy& of : news) {
+    const std::size_t charge = at(faces_[at(of.face)].charge);
+    Told& told = told_[at(of.face)];
+    sums_[charge].exact_room.replace(told.room, of.told.room);
+    sums_[charge].exact_work.replace(told.work, of.told.work);
+    told = of.told;
+    changed[charge] = true;
+  }
+  for (std::size_t charge = 0; charge < charges_.size(); ++charge)
+    if (changed[charge]) sums_[charge].find_values();
 }
 
 void ChargeGas::sum_up() {
   sums_.assign(charges_.size(), {});
   for (std::size_t face = 0; face < faces_.size(); ++face) {
     Sums& sums = sums_[at(faces_[face].charge)];
-    sums.room += told_[face].room.constant;
-    sums.room_rate += told_[face].room.rate;
-    sums.work += told_[face].work.constant;
-    sums.work_rate += told_[face].work.rate;
+    sums.exact_room.replace({}, told_[face].room);
+    sums.exact_work.replace({}, told_[face].work);
   }
+  for (Sums& sums : sums_) sums.find_values();
 }
 
 ChargeState ChargeGas::state(std::size_t charge, Real time) const {
-  const Sums& sums = sums_[charge];
-  return charge_state(charges_[charge], collars_[charge].at(time), sums.room.value() + sums.room_rate.value() * time,
-                      sums.work.value() + sums.work_rate.value() * time);
+  return charge_state(charges_[charge], collars_[charge].at(time), sums_[charge].room.at(time), sums_[charge].work.at(time));
 }
 
 std::vector<ChargeState> ChargeGas::states(Real time) const {

@@ -34,8 +34,24 @@ struct LinearGrowth {
   Real constant = 0;  ///< [its unit]
   Real rate = 0;      ///< [its unit per s]
 
-  /// A value at a time, and how fast it grows there.
-  static LinearGrowth at(Real time, Real value, Real rate) { return {value - rate * time, rate}; }
+  /// One that has a value at a time, and grows there so fast.
+  static LinearGrowth through(Real time, Real value, Real rate) { return {value - rate * time, rate}; }
+  Real at(Real time) const { return constant + rate * time; }
+};
+
+/// An exact sum of such quantities.
+class GrowthSum {
+public:
+  void replace(const LinearGrowth& old, const LinearGrowth& now) {
+    constant_ -= old.constant;
+    constant_ += now.constant;
+    rate_ -= old.rate;
+    rate_ += now.rate;
+  }
+  LinearGrowth value() const { return {constant_.value(), rate_.value()}; }
+
+private:
+  ExactSum constant_, rate_;
 };
 
 class ChargeGas final : public terms::Term<3> {
@@ -79,14 +95,20 @@ private:
     Index face = 0;
     Told told;
   };
-  /// Sums over the faces of a charge.
+  /// Over the faces of a charge. Values are found anew where a face has told something: they take as long as many faces.
   struct Sums {
-    ExactSum room, room_rate, work, work_rate;
+    GrowthSum exact_room, exact_work;
+    LinearGrowth room, work;
+
+    void find_values() {
+      room = exact_room.value();
+      work = exact_work.value();
+    }
   };
 
   void find_rates(const state::Bodies<3>& bodies);
   Told move(const Due& due, const Instant& now, const state::Bodies<3>& bodies);
-  void take(const ToldBy& news);
+  void take(std::span<const ToldBy> news);
   void step_collars(Real time);
   ChargeState state(std::size_t charge, Real time) const;
   void sum_up();

@@ -19,10 +19,6 @@ namespace {
 using cases::line;
 using cases::number;
 
-/// Explosive of ammonium nitrate and fuel oil (ANFO): bulk density [kg/m3], and energy [J/kg] as 0.8 of that of TNT (4.184
-/// MJ/kg).
-constexpr Real anfo_density = 840, anfo_energy = 0.8 * 4.184e6;
-
 std::string mass_text(const BlocksModel& model) {
   Real mass = 0;
   for (const auto& inertia : model.simulation->bodies().inertia) mass += inertia.mass;
@@ -47,8 +43,8 @@ std::string hole_text(const cases::Blast& blast, const HoleWall& wall) {
   std::string text = line("holes", fmt::format("{}: {}", blast.name, size_text(wall)));
   if (peak > 0)
     text += line("", fmt::format("  peak pressure times volume {} J; filled with ANFO of {} kg/m3, {} kg would give {} J",
-                                 number(peak * wall.volume), number(anfo_density), number(anfo_density * wall.volume),
-                                 number(anfo_density * anfo_energy * wall.volume)));
+                                 number(peak * wall.volume), number(laws::anfo.density), number(laws::anfo.density * wall.volume),
+                                 number(laws::anfo.energy * wall.volume)));
   return text;
 }
 
