@@ -60,7 +60,7 @@ def _damage_section(numbers):
 def _attenuation_section(numbers):
     return Section(
         "attenuation", "Peak particle velocity over distance",
-        "Largest magnitude of the velocity at any step; the line is fitted to logarithms. Gauges in broken rock tell of throw as well as of vibration.",
+        "Largest magnitude of the velocity at any base step; the line is fitted to logarithms. Gauges in broken rock tell of throw as well as of vibration.",
         lambda: curves.attenuation_curve(numbers.shaken), common.NO_GAUGES,
     )
 
