@@ -17,6 +17,7 @@ def history(peaks, end=1e-3):
         columns |= {
             f"hole {n}.pressure": peak * np.exp(-time / (0.2 * end)), f"hole {n}.volume": np.ones(50),
             f"hole {n}.released": np.full(50, 1e6), f"hole {n}.work": 3e5 * (1.0 - np.exp(-time / end)), f"hole {n}.lost": np.zeros(50),
+            f"hole {n}.in_cracks": np.zeros(50),
         }
     return SimpleNamespace(history=Table(columns))
 
@@ -42,6 +43,17 @@ def test_what_left_at_the_collar_is_drawn_on_top_of_the_work():
     right = blocks_charges.charges(results).axes[1]
     assert len(right.lines) == 3
     assert right.lines[2].get_ydata()[-1] - right.lines[1].get_ydata()[-1] == pytest.approx(0.2)
+
+
+def test_gas_in_cracks_is_a_band_between_what_has_left_and_what_is_in_the_holes():
+    results = history([1e9])
+    results.history["hole 0.in_cracks"][:] = 1e5
+    right = blocks_charges.charges(results).axes[1]
+    bands = {band.get_label(): band.get_paths()[0].get_extents() for band in right.collections}
+    assert list(bands) == ["gas in cracks", "gas in the holes"]
+    end = 0.3 * (1.0 - np.exp(-1.0))
+    assert (bands["gas in cracks"].y0, bands["gas in cracks"].y1) == pytest.approx((0.0, end + 0.1))
+    assert bands["gas in the holes"].y1 == pytest.approx(1.0)
 
 
 def test_only_the_strongest_of_many_have_curves():

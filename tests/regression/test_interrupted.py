@@ -95,6 +95,35 @@ def test_stopped_by_a_signal(sazare, tmp_path, whole, number):
     assert_same_results(whole, parts)
 
 
+def test_stopped_with_gas_in_cracks(sazare, tmp_path):
+    short = ["--threads", 1, "--set", "mesh.parameters.size=0.02", "--set", "time.end=4e-5", "--set", OFTEN]
+    case = ROOT / "cases/cylinder-blast/case.toml"
+    done = sazare("run", case, "--out", tmp_path / "whole", *short)
+    assert done.returncode == DONE, done.stderr
+    parts = tmp_path / "parts"
+    process = sazare.start("run", case, "--out", parts, *short)
+    wait_for(parts / "history.csv")
+    while rows_with_gas_in_cracks(parts / "history.csv") < 3:
+        time.sleep(0.02)
+    process.send_signal(signal.SIGTERM)
+    process.communicate(timeout=60)
+    assert process.returncode == MACHINE_FAILED
+    resumed = sazare("run", case, "--out", parts, *short, "--resume")
+    assert resumed.returncode == DONE, resumed.stderr
+    assert_same_results(tmp_path / "whole", parts)
+
+
+def rows_with_gas_in_cracks(history):
+    """How many whole rows of a table that is being written have some."""
+    lines = history.read_text(encoding="utf-8").splitlines()
+    if not lines:
+        return 0
+    titles, *rows = lines
+    column = titles.split(",").index("cord.in_cracks [J]")
+    cells = [row.split(",") for row in rows]
+    return sum(float(row[column]) > 0.0 for row in cells if len(row) == titles.count(",") + 1 and row[-1])
+
+
 def test_stopped_before_the_ground_has_come_to_rest(sazare, tmp_path):
     process = sazare.start("run", ROOT / "cases/slope-el-centro/case.toml", "--out", tmp_path / "run", "--threads", 1)
     assert "Slopes" in process.stdout.readline()

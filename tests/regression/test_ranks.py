@@ -93,9 +93,11 @@ def test_work_of_moving_ground_is_the_same_where_faces_change_their_rank(sazare,
     assert rows_without_wall_time(tmp_path / "alone/history.csv") == rows_without_wall_time(tmp_path / "many/history.csv")
 
 
-def test_gas_of_a_charge_is_the_same_where_faces_change_their_rank(sazare, tmp_path):
+@pytest.mark.parametrize("cracks", ["none", "flow"])
+def test_gas_of_a_charge_is_the_same_where_faces_change_their_rank(sazare, tmp_path, cracks):
     case = sazare.block.parents[3] / "cases/cylinder-blast/case.toml"
     short = ("--threads", 1, "--set", "mesh.parameters.size=0.02", "--set", "time.end=4e-5")
+    short += ("--set", f"charges.0.gas_in_cracks={cracks}")
     alone = sazare("run", case, "--out", tmp_path / "alone", *short)
     assert alone.returncode == DONE, alone.stderr
     assert manifest(tmp_path / "alone")["results"]["explosive_work"] > 0

@@ -16,10 +16,12 @@ NEEDED = ("hole", *AXES, "diameter", "explosive")
 OF_THE_HOLE = ("name", "surface", "collar", "toe", "diameter", "share")  # keys of a charge that the hole decides, which the model has as a whole
 UNITS_OF_KEYS = {
     "charge_diameter": "m", "top": "m", "bottom": "m", "primer": "m", "vents": "", "stemming_density": "kg/m3", "stemming_resistance": "Pa", "explosive": "",
+    "gas_in_cracks": "", "crack_aperture": "m",
     "density": "kg/m3", "detonation_velocity": "m/s", "explosive_energy": "J/kg", "jwl_a": "Pa", "jwl_b": "Pa", "delay": "s", "delay_scatter": "s", "cut_distance": "m",
 }
 KEYS = [key.name for key in fields(blocks.Charge) if key.name not in OF_THE_HOLE]
 UNITS = {"hole": "", **dict.fromkeys((*AXES, "diameter", "stemming"), "m"), **{key: UNITS_OF_KEYS.get(key, "-") for key in KEYS}}
+GAS_IN_CRACKS = ("none", "share", "flow")
 TRUTH = {"true": True, "yes": True, "false": False, "no": False}
 JWL = [key for key in KEYS if key.startswith("jwl_")]
 WIDEST, LONGEST = 0.6, 100.0  # diameter and length [m] of the largest blast holes; beyond them a unit is wrong
@@ -187,6 +189,8 @@ def _deck(row, hole, problems):
             keys["vents"] = TRUTH[word.lower()]
         else:
             problems.error(row.line, f"vents is {word!r}, which is neither true nor false", "true lets the gas push the stemming out and leave through the collar")
+    if keys.get("gas_in_cracks", "none") not in GAS_IN_CRACKS:
+        problems.error(row.line, f"gas_in_cracks is {keys['gas_in_cracks']!r}", f"it is one of {', '.join(GAS_IN_CRACKS)}")
     known = [*engine().explosives(), "custom"]
     if keys["explosive"] not in known:
         near = difflib.get_close_matches(keys["explosive"].lower(), [name.lower() for name in known], 1)

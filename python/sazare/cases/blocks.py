@@ -219,6 +219,22 @@ class Charge(Part):
     """Density of the stemming, which its inertia follows from where the collar vents. [kg/m3] Default: 1600.0. Greater than 0."""
     stemming_resistance: float | None = None
     """Shear stress between the wall of the hole and stemming that slides. [Pa] Default: 0.0. At least 0."""
+    gas_in_cracks: Literal["none", "share", "flow"] | None = None
+    """What the gas does in faces that have come apart and are connected with the hole. none: it stays in the hole; share: it acts
+    in them at once, with a share of the pressure of the hole; flow: it flows through them, and leaves at free faces. Default:
+    "none".
+    """
+    crack_pressure_share: float | None = None
+    """Pressure in cracks over that in the hole. (with gas_in_cracks = "share") Default: 1.0. Greater than 0 and at most 1."""
+    crack_aperture: float | None = None
+    """Width that a crack has for gas even where its faces touch, because they are rough. It adds to what they are apart. The
+    smaller it is, the shorter the steps of the elements beside it. [m] (with gas_in_cracks = "share" or "flow") Default: 5e-5.
+    Greater than 0.
+    """
+    crack_discharge: float | None = None
+    """Coefficient of discharge of the openings between cracks. (with gas_in_cracks = "flow") Default: 0.6. Greater than 0 and at
+    most 1.
+    """
     explosive: Literal["ANFO", "C-4", "composition B", "pentolite", "PETN 1.26", "PETN 1.50", "PETN 1.77", "TNT", "custom"]
     """An explosive of the table, with its density, velocity, energy and gas; custom: one whose constants are given here."""
     density: float | None = None

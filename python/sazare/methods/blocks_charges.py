@@ -43,13 +43,19 @@ def charges(results):
     left.set_ylabel(f"pressure of the gas [{prefix}Pa]")
     if len(found) > 1:
         left.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=4)
-    released, work, lost = (sum(history[f"{name}.{what}"] for name in found) for what in ("released", "work", "lost"))
+    released, work, lost, in_cracks = (sum(history[f"{name}.{what}"] for name in found) for what in ("released", "work", "lost", "in_cracks"))
     factor, prefix = style.prefix_for(released.max())
     right.plot(time, released / factor, color=style.ACCENT, label="released by detonation")
-    right.plot(time, work / factor, color=style.SECOND, label="work on the walls")
+    right.plot(time, work / factor, color=style.SECOND, label="work on the rock")
     if np.any(lost > 0.0):
-        right.plot(time, (work + lost) / factor, color=style.OUTSIDE, label="work and loss at the collar")
-    right.fill_between(time, (work + lost) / factor, released / factor, facecolor=style.STONE, edgecolor=style.STONE_EDGE, label="left in the gas")
+        right.plot(time, (work + lost) / factor, color=style.OUTSIDE, label="work, and gas that has left")
+    if np.any(in_cracks > 0.0):
+        right.fill_between(
+            time, (work + lost) / factor, (work + lost + in_cracks) / factor, facecolor=style.GROUND[0], linewidth=0, label="gas in cracks"
+        )
+    right.fill_between(
+        time, (work + lost + in_cracks) / factor, released / factor, facecolor=style.STONE, edgecolor=style.STONE_EDGE, label="gas in the holes"
+    )
     right.set_ylabel(f"energy [{prefix}J]")
     right.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=2)
     for axes in (left, right):

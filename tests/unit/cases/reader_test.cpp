@@ -81,6 +81,12 @@ TEST(Reader, TakesCharges) {
   EXPECT_TRUE(upper.vents);
   EXPECT_EQ(upper.stemming_density, 1700);
   EXPECT_EQ(upper.stemming_resistance, 1e5);
+  EXPECT_EQ(upper.gas_in_cracks, GasInCracks::flow);
+  EXPECT_EQ(upper.crack_aperture, 2e-4);
+  EXPECT_EQ(upper.crack_discharge, 0.7);
+  EXPECT_EQ(lower.gas_in_cracks, GasInCracks::share);
+  EXPECT_EQ(lower.crack_pressure_share, 0.5);
+  EXPECT_EQ(lower.crack_aperture, 5e-5);
   EXPECT_EQ(lower.stemming_density, 1600);
   EXPECT_EQ(lower.bottom_depth(), 10);
   EXPECT_EQ(lower.primer_depth(), 10);

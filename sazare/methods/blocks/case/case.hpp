@@ -131,6 +131,9 @@ enum class ExplosiveName {};
 inline constexpr ExplosiveName custom_explosive{static_cast<int>(laws::explosives.size())};
 
 /// A charge in a hole; depths are distances from the collar along the hole.
+/// What the gas of a charge does where rock has cracked.
+enum class GasInCracks { none, share, flow };
+
 struct Charge {
   std::string name;
   std::string surface;
@@ -145,6 +148,10 @@ struct Charge {
   bool vents = false;
   Real stemming_density = 0;     // kg/m3
   Real stemming_resistance = 0;  // Pa
+  GasInCracks gas_in_cracks = GasInCracks::none;
+  Real crack_pressure_share = 1;  // of the pressure in the hole
+  Real crack_aperture = 0;        // m
+  Real crack_discharge = 1;
   ExplosiveName explosive = custom_explosive;
   std::optional<Real> density = std::nullopt;              // kg/m3
   std::optional<Real> detonation_velocity = std::nullopt;  // m/s; may replace that of the table

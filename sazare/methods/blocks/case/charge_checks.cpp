@@ -133,6 +133,15 @@ void check_collar(const CheckContext& context, const Entry& entry, const Charge&
           "give vents = true to the uppermost charge of the hole");
 }
 
+/// Keys of cracks are given where they mean something.
+void check_cracks(const CheckContext& context, const Entry& entry, const Charge& charge) {
+  std::vector<std::string_view> foreign;
+  if (charge.gas_in_cracks != GasInCracks::share) foreign.push_back("crack_pressure_share");
+  if (charge.gas_in_cracks != GasInCracks::flow) foreign.push_back("crack_discharge");
+  if (charge.gas_in_cracks == GasInCracks::none) foreign.push_back("crack_aperture");
+  check_keys(context, entry, fmt::format("gas_in_cracks {}", word(charge.gas_in_cracks)), {}, foreign);
+}
+
 void check_delay(const CheckContext& context, const Entry& entry, const Charge& charge, Real end) {
   if (!(end > 0) || !entry.gives("delay") || charge.delay < end) return;
   context.problems.warning(
@@ -155,6 +164,7 @@ void check_charges(const CheckContext& context, const BlocksCase& blocks) {
     for (std::size_t other = 0; is_placed[i] && other < i; ++other)
       if (is_placed[other]) check_decks(context, list[i], charge, blocks.charges[other]);
     check_collar(context, list[i], charge, blocks.charges);
+    check_cracks(context, list[i], charge);
     check_delay(context, list[i], charge, blocks.time.end);
     for (const Blast& blast : blocks.blasts)
       if (list[i].gives("surface") && blast.surface == charge.surface)

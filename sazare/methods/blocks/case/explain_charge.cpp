@@ -31,6 +31,11 @@ std::vector<std::string> charge_lines(const Charge& charge, std::size_t place) {
                         ? fmt::format("pushes {} m of stemming of {} kg/m3 out of the hole, then leaves through the collar",
                                       number(charge.top), number(charge.stemming_density))
                         : std::string("leaves through the collar"));
+  if (charge.gas_in_cracks == GasInCracks::share)
+    lines.push_back(fmt::format("acts in connected cracks with {} of its pressure", number(charge.crack_pressure_share)));
+  if (charge.gas_in_cracks == GasInCracks::flow)
+    lines.push_back(
+        fmt::format("flows into connected cracks, {} m wider than their faces are apart", number(charge.crack_aperture)));
   return lines;
 }
 

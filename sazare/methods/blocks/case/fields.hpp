@@ -37,6 +37,11 @@ struct EnumWords<BoundaryKind> {
 };
 
 template <>
+struct EnumWords<GasInCracks> {
+  static constexpr std::array<std::string_view, 3> words{"none", "share", "flow"};
+};
+
+template <>
 struct EnumWords<ExplosiveName> {
   static constexpr auto words = [] {
     std::array<std::string_view, laws::explosives.size() + 1> all{};
@@ -142,6 +147,10 @@ void visit_fields(Visitor& visit, Charge& charge) {
   visit("vents", charge.vents);
   visit("stemming_density", charge.stemming_density);
   visit("stemming_resistance", charge.stemming_resistance);
+  visit("gas_in_cracks", charge.gas_in_cracks);
+  if (charge.gas_in_cracks != GasInCracks::none) visit("crack_aperture", charge.crack_aperture);
+  if (charge.gas_in_cracks == GasInCracks::share) visit("crack_pressure_share", charge.crack_pressure_share);
+  if (charge.gas_in_cracks == GasInCracks::flow) visit("crack_discharge", charge.crack_discharge);
   visit("explosive", charge.explosive);
   visit("density", charge.density);
   visit("detonation_velocity", charge.detonation_velocity);

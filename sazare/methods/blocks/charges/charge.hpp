@@ -27,6 +27,20 @@ struct AxialPart {
   }
 };
 
+/// What the gas does where rock has cracked.
+enum class GasInCracks {
+  none,   ///< it stays in its hole
+  share,  ///< it acts in connected cracks at once, with a share of the pressure of the hole
+  flow,   ///< it flows, see crack_flow.hpp
+};
+
+struct CrackRules {
+  GasInCracks gas = GasInCracks::none;
+  Real share = 1;      ///< of the pressure of the hole
+  Real aperture = 0;   ///< that a crack has more than its faces are apart, also where it is closed [m]
+  Real discharge = 1;  ///< of openings, see FlowingGas
+};
+
 struct Charge {
   laws::Jwl gas;
   Real energy = 0;     ///< of the explosive per volume [J/m3]
@@ -35,6 +49,7 @@ struct Charge {
   Real area = 0;       ///< of the explosive, across the hole [m2]
   Real hole_area = 0;  ///< of the hole [m2]
   Collar collar = {};
+  CrackRules cracks = {};
   AxialPart filled;                                           ///< with explosive
   Real primer = 0;                                            ///< distance from the collar [m]
   Real delay = 0;                                             ///< when the primer fires [s]
@@ -50,27 +65,39 @@ struct Charge {
   bool reaches_collar(Real time) const { return burnt(time).length() > 0 && burnt(time).from <= filled.from; }
 };
 
+/// What of a charge is in cracks, or was.
+struct TakenByCracks {
+  Real mass = 0;  ///< that has gone into them [kg]
+  Real held = 0;  ///< energy of the gas in them [J]
+  Real work = 0;  ///< done on them [J]
+  Real lost = 0;  ///< energy that has left through them [J]
+  Real room = 0;  ///< that they add to the hole, where gas does not flow [m3]
+};
+
 /// What a charge has become.
 struct ChargeState {
   Real pressure = 0;  ///< [Pa]
-  Real volume = 0;    ///< of the gas [m3]
+  Real volume = 0;    ///< of the gas in the hole [m3]
   Real released = 0;  ///< energy of what has detonated [J]
-  Real work = 0;      ///< done by the gas on the walls [J]
-  Real lost = 0;      ///< energy that has left through the collar, and that of the stemming [J]
-  Real mass = 0;      ///< of the gas [kg]
+  Real work = 0;      ///< done by the gas on the walls and in cracks [J]
+  Real lost = 0;      ///< energy that has left through the collar and through cracks, and that of the stemming [J]
+  Real in_cracks = 0;  ///< energy of the gas in cracks [J]
+  Real mass = 0;       ///< of the gas in the hole [kg]
 
-  Real energy() const { return std::max<Real>(0, released - work - lost); }  ///< of the gas [J]
+  Real energy() const { return std::max<Real>(0, released - work - lost - in_cracks); }  ///< of the gas in the hole [J]
 };
 
 /// The state of a charge at a time, whose walls have made so much room [m3] and taken so much work [J].
-inline ChargeState charge_state(const Charge& charge, const CollarState& collar, Real room, Real work) {
+inline ChargeState charge_state(const Charge& charge, const CollarState& collar, const TakenByCracks& cracks, Real room,
+                                Real work) {
   const Real length = charge.burnt(collar.time).length();
   ChargeState state;
-  state.volume = charge.hole_area * (length + std::min(collar.moved, charge.collar.length)) + room;
+  state.volume = charge.hole_area * (length + std::min(collar.moved, charge.collar.length)) + room + cracks.room;
   state.released = charge.energy * charge.area * length;
-  state.work = work;
-  state.lost = collar.lost_energy;
-  state.mass = std::max<Real>(0, charge.density * charge.area * length - collar.lost_mass);
+  state.work = work + cracks.work;
+  state.lost = collar.lost_energy + cracks.lost;
+  state.in_cracks = cracks.held;
+  state.mass = std::max<Real>(0, charge.density * charge.area * length - collar.lost_mass - cracks.mass);
   const Real explosive = state.mass / charge.density;  // that the gas was [m3]
   if (explosive > 0 && state.volume > 0)
     state.pressure = std::max<Real>(0, laws::jwl_pressure(charge.gas, state.volume / explosive, state.energy() / explosive));

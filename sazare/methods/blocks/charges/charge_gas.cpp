@@ -20,6 +20,7 @@ ChargeGas::ChargeGas(std::vector<Charge> charges, std::vector<ChargedFace> faces
   }
   for (const Charge& charge : charges_) first_delay_ = std::min(first_delay_, charge.delay);
   collars_.resize(charges_.size());
+  taken_.resize(charges_.size());
   find_rates(bodies);
   sum_up();
   table_.causes = {terms::Cause::load};
@@ -129,7 +130,8 @@ void ChargeGas::sum_up() {
 }
 
 ChargeState ChargeGas::state(std::size_t charge, Real time) const {
-  return charge_state(charges_[charge], collars_[charge].at(time), sums_[charge].room.at(time), sums_[charge].work.at(time));
+  return charge_state(charges_[charge], collars_[charge].at(time), taken_[charge], sums_[charge].room.at(time),
+                      sums_[charge].work.at(time));
 }
 
 std::vector<ChargeState> ChargeGas::states(Real time) const {

@@ -73,8 +73,14 @@ public:
   void carry(Index link, Parcel& parcel) override;
   void columns(Archive& archive) override;
 
+  std::span<const Charge> charges() const { return charges_; }
+  std::span<const ChargedFace> faces() const { return faces_; }
+
   /// What every charge has become by a time [s]. In a run of several processes all know it.
   std::vector<ChargeState> states(Real time) const;
+
+  /// What of a charge is in cracks from now on.
+  void set_taken(std::size_t charge, const TakenByCracks& taken) { taken_[charge] = taken; }
 
 private:
   /// What a face remembers of its last evaluation.
@@ -123,6 +129,7 @@ private:
   std::vector<ToldBy> news_;  ///< of the faces evaluated since the last step
   std::vector<Sums> sums_;
   std::vector<CollarState> collars_;  ///< of the charges
+  std::vector<TakenByCracks> taken_;  ///< of the charges
   Real first_delay_ = 0;              ///< [s]
   terms::SlotTable<3, 0, terms::FixedIncidence> table_;
 };

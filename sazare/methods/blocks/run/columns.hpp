@@ -29,10 +29,12 @@ inline constexpr std::array boundary = {
     Column{"NAME.absorbed", "J",
            "dissipated by dashpots of the boundary; of an absorbing one, what waves have carried through it"}};
 inline constexpr std::array charge = {
-    Column{"NAME.pressure", "Pa", "of the gas of a charge"}, Column{"NAME.volume", "m3", "of the gas of a charge"},
+    Column{"NAME.pressure", "Pa", "of the gas of a charge"},
+    Column{"NAME.volume", "m3", "of the gas of a charge"},
     Column{"NAME.released", "J", "energy of what has detonated of a charge"},
-    Column{"NAME.work", "J", "done by the gas of a charge on the wall of its hole"},
-    Column{"NAME.lost", "J", "energy of a charge that has left through the collar, and that of its stemming"}};
+    Column{"NAME.work", "J", "done by the gas of a charge on the wall of its hole, and in cracks"},
+    Column{"NAME.lost", "J", "energy of a charge that has left through the collar or through cracks, and that of its stemming"},
+    Column{"NAME.in_cracks", "J", "energy of the gas of a charge in cracks"}};
 inline constexpr std::array gauge = {Column{"NAME.velocity", "m/s", "of the point", 3}};
 inline constexpr std::array gauge_peaks = {
     Column{"gauge", "", "its name"}, Column{"point", "m", "at the beginning", 3},

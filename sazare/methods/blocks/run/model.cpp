@@ -94,6 +94,9 @@ public:
     if (auto charged = make_charged_faces(blocks_, faces, bodies_); !charged.empty())
       model_.charges =
           keep(terms_, std::make_unique<methods::blocks::ChargeGas>(make_charges(blocks_), std::move(charged), bodies_));
+    if (model_.charges != nullptr && has_gas_in_cracks(blocks_))
+      keep(terms_,
+           std::make_unique<methods::blocks::CrackGas>(*model_.charges, *model_.joints, make_gas_faces(blocks_, faces), bodies_));
     if (!blocks_.gravity.acceleration.isZero())
       keep(terms_, std::make_unique<terms::Gravity<3>>(blocks_.gravity.acceleration, bodies_));
     return std::move(terms_);

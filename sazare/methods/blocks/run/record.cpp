@@ -96,7 +96,7 @@ void RunRecord::add_history_row(Real time, Real wall_seconds) {
     row.push_back(absorbed_[boundary].value());
   }
   for (const methods::blocks::ChargeState& charge : charge_states(time))
-    row.insert(row.end(), {charge.pressure, charge.volume, charge.released, charge.work, charge.lost});
+    row.insert(row.end(), {charge.pressure, charge.volume, charge.released, charge.work, charge.lost, charge.in_cracks});
   row.push_back(wall_seconds);
   files_.add_row(0, row);
 }

@@ -28,6 +28,20 @@ bool touches(const methods::blocks::AxialPart& face, const methods::blocks::Axia
   return std::min(face.to, filled.to) - std::max(face.from, filled.from) > 0;
 }
 
+/// A face of the mesh beside the explosive of a charge.
+struct ChargedPlace {
+  std::size_t charge;
+  geometry::OuterFace face;
+};
+
+std::vector<ChargedPlace> charged_places(const cases::BlocksCase& blocks, const MeshFaces& faces) {
+  std::vector<ChargedPlace> found;
+  for (std::size_t charge = 0; charge < blocks.charges.size(); ++charge)
+    for (const geometry::OuterFace& face : faces.outer(blocks.charges[charge].surface))
+      if (stands_along(blocks.charges[charge], face_corners(faces.mesh, face.nodes))) found.push_back({charge, face});
+  return found;
+}
+
 }  // namespace
 
 bool stands_along(const cases::Charge& charge, const std::array<Vector3, 3>& corners) {
@@ -52,6 +66,8 @@ std::vector<methods::blocks::Charge> make_charges(const cases::BlocksCase& block
          .area = charge.share * circle(charge.explosive_diameter()),
          .hole_area = hole,
          .collar = {charge.vents, hole, charge.diameter, charge.top, charge.stemming_density, charge.stemming_resistance},
+         .cracks = {static_cast<methods::blocks::GasInCracks>(charge.gas_in_cracks), charge.crack_pressure_share,
+                    charge.crack_aperture, charge.crack_discharge},
          .filled = filled_part(charge),
          .primer = charge.primer_depth(),
          .delay = charge.firing_time(place),
@@ -63,24 +79,42 @@ std::vector<methods::blocks::Charge> make_charges(const cases::BlocksCase& block
 std::vector<methods::blocks::ChargedFace> make_charged_faces(const cases::BlocksCase& blocks, const MeshFaces& faces,
                                                              const state::Bodies<3>& bodies) {
   std::vector<methods::blocks::ChargedFace> made;
-  for (std::size_t number = 0; number < blocks.charges.size(); ++number) {
-    const cases::Charge& charge = blocks.charges[number];
+  for (const ChargedPlace& place : charged_places(blocks, faces)) {
+    const cases::Charge& charge = blocks.charges[place.charge];
     const methods::blocks::AxialPart filled = filled_part(charge);
-    for (const geometry::OuterFace& outer : faces.outer(charge.surface)) {
-      const auto corners = face_corners(faces.mesh, outer.nodes);
-      methods::blocks::ChargedFace face;
-      face.part = axial_part(charge, corners);
-      if (!stands_along(charge, corners)) continue;
-      if (face.part.length() == 0) face.part.from = face.part.to = std::clamp(face.part.from, filled.from, filled.to);
-      const CarriedFace carried = carried_face(bodies, outer.element, corners);
-      face.area = carried.area;
-      face.centre = carried.centre;
-      face.start = carried.start;
-      face.body = outer.element;
-      face.charge = static_cast<Index>(number);
-      made.push_back(face);
-    }
+    const auto corners = face_corners(faces.mesh, place.face.nodes);
+    methods::blocks::ChargedFace face;
+    face.part = axial_part(charge, corners);
+    if (face.part.length() == 0) face.part.from = face.part.to = std::clamp(face.part.from, filled.from, filled.to);
+    const CarriedFace carried = carried_face(bodies, place.face.element, corners);
+    face.area = carried.area;
+    face.centre = carried.centre;
+    face.start = carried.start;
+    face.body = place.face.element;
+    face.charge = static_cast<Index>(place.charge);
+    made.push_back(face);
   }
+  return made;
+}
+
+bool has_gas_in_cracks(const cases::BlocksCase& blocks) {
+  return std::ranges::any_of(blocks.charges,
+                             [](const cases::Charge& charge) { return charge.gas_in_cracks != cases::GasInCracks::none; });
+}
+
+methods::blocks::GasFaces make_gas_faces(const cases::BlocksCase& blocks, const MeshFaces& faces) {
+  methods::blocks::GasFaces made{faces.mesh.nodes, faces.map.interior, {}};
+  std::vector<bool> is_free(faces.map.outer.size(), true);
+  for (std::size_t surface = 0; surface < faces.surfaces.size(); ++surface) {
+    const std::string& name = faces.mesh.surfaces[surface].name;
+    const auto stands_on = [&](const auto& entry) { return entry.surface == name; };
+    if (std::ranges::any_of(blocks.charges, stands_on) || std::ranges::any_of(blocks.boundaries, stands_on))
+      for (const Index face : faces.surfaces[surface].outer) is_free[at(face)] = false;
+  }
+  for (std::size_t face = 0; face < is_free.size(); ++face)
+    if (is_free[face]) made.outer.push_back({faces.map.outer[face].nodes});
+  Index number = 0;
+  for (const ChargedPlace& place : charged_places(blocks, faces)) made.outer.push_back({place.face.nodes, number++});
   return made;
 }
 

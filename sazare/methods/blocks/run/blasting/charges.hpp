@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "sazare/methods/blocks/charges/charge_gas.hpp"
+#include "sazare/methods/blocks/charges/crack_gas.hpp"
 #include "sazare/methods/blocks/run/parts.hpp"
 
 namespace sazare::runs {
@@ -20,5 +20,12 @@ Real covered_share(const cases::Charge& charge, const std::array<Vector3, 3>& co
 /// Faces of the walls of holes that stand beside the explosive of a charge; one between two decks is a face of both.
 std::vector<methods::blocks::ChargedFace> make_charged_faces(const cases::BlocksCase& blocks, const MeshFaces& faces,
                                                              const state::Bodies<3>& bodies);
+
+/// Whether the gas of any charge goes into cracks.
+bool has_gas_in_cracks(const cases::BlocksCase& blocks);
+
+/// The faces that gas may come to. It leaves through outer faces without a boundary; a plane of symmetry and ground that goes on
+/// are closed.
+methods::blocks::GasFaces make_gas_faces(const cases::BlocksCase& blocks, const MeshFaces& faces);
 
 }  // namespace sazare::runs

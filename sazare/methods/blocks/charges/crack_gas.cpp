@@ -1,0 +1,215 @@
+#include "sazare/methods/blocks/charges/crack_gas.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "sazare/parallel/threads.hpp"
+
+namespace sazare::methods::blocks {
+
+CrackGas::CrackGas(ChargeGas& charges, const BondedFaces& joints, GasFaces faces, const state::Bodies<3>& bodies)
+    : charges_(&charges), joints_(&joints), network_(charges, std::move(faces)), rates_(at(bodies.size()), 0) {
+  table_.causes = {terms::Cause::load};
+  table_.incidence = terms::ChangingIncidence(bodies.size());
+  for (std::size_t body = 0; body < rates_.size(); ++body) {
+    const auto& inertia = bodies.inertia[body];
+    softness_.push_back(1 / inertia.mass + bodies.reach[body] * bodies.reach[body] * inertia.inverse_moments.maxCoeff());
+  }
+}
+
+std::vector<Index> CrackGas::first_links() const {
+  std::vector<Index> all;
+  for (Index number = 0; number < static_cast<Index>(links_.size()); ++number)
+    if (network_.crack(number).has_gas != 0) all.push_back(number);
+  return all;
+}
+
+CrackGas::Faces CrackGas::faces_of(const GasCrack& crack, const state::Bodies<3>& bodies) const {
+  const geometry::InteriorFace& face = network_.face_of(crack);
+  const auto corners = network_.corners_of(crack);
+  const Vector3 area = 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  const Vector3 centre = (corners[0] + corners[1] + corners[2]) / 3;
+  const Matrix3 first = state::start_rotation(bodies, face.element_i).transpose(),
+                second = state::start_rotation(bodies, face.element_j).transpose();
+  return {first * area, second * area, first * (centre - bodies.start[at(face.element_i)]),
+          second * (centre - bodies.start[at(face.element_j)])};
+}
+
+CrackGas::Place CrackGas::place_of(const GasCrack& crack, const Faces& faces, const state::Bodies<3>& bodies) const {
+  const geometry::InteriorFace& face = network_.face_of(crack);
+  const auto &first = bodies.motion[at(face.element_i)], &second = bodies.motion[at(face.element_j)];
+  Place place;
+  place.first = first.position + first.rotation * faces.first_centre;
+  place.second = second.position + second.rotation * faces.second_centre;
+  const Vector3 normal = (first.rotation * faces.first_area + second.rotation * faces.second_area).normalized();
+  place.push = faces.first_area.norm() * normal;
+  place.width = charges_->charges()[at(crack.charge)].cracks.aperture + std::max<Real>(0, normal.dot(place.second - place.first));
+  return place;
+}
+
+void CrackGas::evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
+  parallel::parallel_for(due.size(), 128, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) move(due[i], now, bodies);
+  });
+}
+
+/// Takes a crack to where its faces are now, and writes its force. The point where it was moves with both bodies: that is the
+/// work, with the mean of the force before and now.
+void CrackGas::move(const Due& due, const Instant& now, const state::Bodies<3>& bodies) {
+  const GasCrack& crack = network_.crack(due.link);
+  const Link& link = links_[at(due.link)];
+  Pushed& pushed = pushed_[at(due.link)];
+  const auto &first = bodies.motion[at(link.first)], &second = bodies.motion[at(link.second)];
+  const Place place = place_of(crack, faces_[at(due.link)], bodies);
+  const Vector3 parted = (second.position + second.rotation * pushed.second) - (first.position + first.rotation * pushed.first);
+  const Real soon = network_.pressure(crack, place.volume(), pushed.work + pushed.force.dot(parted));
+  pushed.work += 0.5 * (pushed.force + soon * place.push).dot(parted);
+  pushed.force = network_.pressure(crack, place.volume(), pushed.work) * place.push;
+  pushed.first = first.rotation.transpose() * (place.middle() - first.position);
+  pushed.second = second.rotation.transpose() * (place.middle() - second.position);
+  pushed.width = place.width;
+  terms::PairForce<3> total;
+  total.add_at(place.middle() - bodies.pole, pushed.force);
+  terms::write<3, 0>(table_[due.link], now, due, total, {});
+}
+
+void CrackGas::post_base_step(const Instant& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) {
+  const Real span = now.seconds_since(std::exchange(last_base_, now.tick));
+  exchange_news(peers);
+  leave_wide_ones(changes);
+  const auto tell = [&] {
+    for (std::size_t charge = 0; charge < charges_->charges().size(); ++charge)
+      charges_->set_taken(charge, network_.taken(charge));
+  };
+  tell();
+  open_new(now, bodies, peers, changes);
+  if (links_.empty()) return;
+  network_.spread(charges_->states(now.seconds()), now.seconds(), span);
+  tell();
+  find_rates(changes);
+}
+
+/// Every crack that has gas was evaluated at this base step: who speaks for its first body tells the others.
+void CrackGas::exchange_news(terms::Peers& peers) {
+  std::vector<Told> news;
+  for (const Index number : first_links()) {
+    const Pushed& pushed = pushed_[at(number)];
+    if (peers.owns(links_[at(number)].first)) news.push_back({number, 0, pushed.work, pushed.width});
+  }
+  const std::vector<std::byte> all = peers.gather(std::as_bytes(std::span(news)));
+  news.resize(all.size() / sizeof(Told));
+  if (!news.empty()) std::memcpy(news.data(), all.data(), all.size());
+  std::ranges::sort(news, {}, &Told::crack);
+  for (const Told& of : news) {
+    network_.change(of.crack, of.work, of.width * faces_[at(of.crack)].first_area.norm(), of.width);
+    pushed_[at(of.crack)].work = 0;
+  }
+}
+
+void CrackGas::leave_wide_ones(terms::Changes& changes) {
+  for (const Index number : first_links()) {
+    const GasCrack& crack = network_.crack(number);
+    const Real widest =
+        std::min(charges_->charges()[at(crack.charge)].cut_distance, std::sqrt(faces_[at(number)].first_area.norm()));
+    if (crack.width <= widest) continue;
+    network_.leave(number);
+    table_[number] = {};
+    for (const Index body : {links_[at(number)].first, links_[at(number)].second})
+      std::erase_if(table_.incidence.list(body), [&](const terms::SlotSide& side) { return side.slot == number; });
+    changes.ended_links.push_back(number);
+  }
+}
+
+bool CrackGas::is_apart(Index number) const {
+  const geometry::InteriorFace& face = network_.face(number);
+  const Index joint = joints_->joint_at(face.element_i, face.face_i);
+  return joint < 0 || joints_->state(joint) == JointState::broken;
+}
+
+void CrackGas::open_new(const Instant& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) {
+  const Real time = now.seconds();
+  const auto opening = network_.opening(charges_->states(time), time, [&](Index face) { return is_apart(face); });
+  if (opening.empty()) return;
+  std::vector<Index> beside;
+  for (const OpeningFace& of : opening)
+    for (const Index body : {network_.face(of.face).element_i, network_.face(of.face).element_j}) beside.push_back(body);
+  std::ranges::sort(beside);
+  beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
+  peers.fetch(beside);
+  for (const OpeningFace& of : opening) {
+    const GasCrack crack{.face = of.face, .charge = of.charge};
+    const Faces faces = faces_of(crack, bodies);
+    const Place place = place_of(crack, faces, bodies);
+    network_.add(of, place.volume(), place.width);
+    changes.new_links.push_back(static_cast<Index>(links_.size()));
+    add_link(crack);
+    faces_.push_back(faces);
+    const auto &first = bodies.motion[at(links_.back().first)], &second = bodies.motion[at(links_.back().second)];
+    pushed_.push_back({.first = first.rotation.transpose() * (place.middle() - first.position),
+                       .second = second.rotation.transpose() * (place.middle() - second.position),
+                       .width = place.width});
+    table_.slots.emplace_back();
+  }
+}
+
+void CrackGas::add_link(const GasCrack& crack) {
+  const geometry::InteriorFace& face = network_.face_of(crack);
+  const auto number = static_cast<Index>(links_.size());
+  links_.push_back({face.element_i, face.element_j});
+  if (crack.has_gas == 0) return;
+  table_.incidence.list(face.element_i).push_back({number, 0});
+  table_.incidence.list(face.element_j).push_back({number, 1});
+}
+
+/// The gas of a crack is a spring between its faces: where they part by u, its pressure falls by m (c/V)^2 A u. What is told is
+/// up to a quarter more, so that it seldom changes.
+void CrackGas::find_rates(terms::Changes& changes) {
+  std::vector<Index> bodies;
+  for (const Link& link : links_) bodies.insert(bodies.end(), {link.first, link.second});
+  std::ranges::sort(bodies);
+  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+  for (const Index body : bodies) {
+    Real stiffness = 0;
+    for (const terms::SlotSide side : table_.incidence.of(body)) {
+      const GasCrack& crack = network_.crack(side.slot);
+      if (crack.mass > 0)
+        stiffness += crack.mass * crack.sound * crack.sound * faces_[at(side.slot)].first_area.squaredNorm() /
+                     (crack.volume * crack.volume) * softness_[at(body)];
+    }
+    Real& told = rates_[at(body)];
+    if (stiffness > told) {
+      told = 1.25 * stiffness;
+      changes.stiffer.push_back(body);
+    } else if (stiffness < 0.5 * told) {
+      told = 1.25 * stiffness;
+      changes.softer.push_back(body);
+    }
+  }
+}
+
+void CrackGas::add_energies(const terms::Synchronized<3>& at, terms::EnergySums& energies) const {
+  for (std::size_t crack = 0; crack < links_.size(); ++crack)
+    if (at.counts(links_[crack])) table_.take_back(static_cast<Index>(crack), links_[crack], at, energies);
+}
+
+void CrackGas::carry(Index link, Parcel& parcel) {
+  parcel(pushed_[at(link)]);
+  parcel(table_[link]);
+}
+
+void CrackGas::columns(Archive& archive) {
+  archive.folder("network", [&] { network_.columns(archive); });
+  archive("pushed", pushed_);
+  archive("faces", faces_);
+  archive("slots", table_.slots);
+  archive("rates", rates_);
+  archive("last_base", last_base_);
+  if (!archive.reading()) return;
+  links_.clear();
+  table_.incidence = terms::ChangingIncidence(static_cast<Index>(rates_.size()));
+  for (const GasCrack& crack : network_.cracks()) add_link(crack);
+  for (std::size_t charge = 0; charge < charges_->charges().size(); ++charge) charges_->set_taken(charge, network_.taken(charge));
+}
+
+}  // namespace sazare::methods::blocks
