@@ -135,13 +135,15 @@ class Sphere(Part):
     """Name of the group, for gauges and messages."""
     material: str
     """What it is made of."""
-    source: Literal["one", "file", "lattice", "random"] | None = None
-    """One sphere, a file of them, a cubic lattice in a box, or random places in a box without overlap. Default: "one"."""
+    source: Literal["one", "file", "lattice", "random", "bodies"] | None = None
+    """One sphere, a file of them, a cubic lattice in a box, random places in a box without overlap, or rigid bodies, each with
+    its own spheres, from two files. Default: "one".
+    """
     centre: tuple[float, float, float] | None = None
     """Where the sphere is at the start. [m] (required for one)"""
     radius: float | None = None
-    """Radius; of random spheres the smallest, where largest_radius is given. [m] (required except for a file or a shape) Greater
-    than 0.
+    """Radius; of random spheres the smallest, where largest_radius is given. [m] (required except for a file, bodies or a shape)
+    Greater than 0.
     """
     largest_radius: float | None = None
     """Largest radius: radii are distributed uniformly between the two, and the largest spheres are placed first. [m] (random
@@ -150,7 +152,13 @@ class Sphere(Part):
     file: str | None = None
     """Rows of radius, x, y, z in m, with blanks, commas or semicolons between them; titles in the first line must be those of the
     columns, and lines that begin with # are skipped. Of a shape: rows of x, y, z in m and its rotation vector rx, ry, rz in
-    rad. (required for a file)
+    rad. Of bodies: rows of the number of a body, and radius, x, y, z of one of its spheres. (required for a file and for
+    bodies)
+    """
+    bodies_file: str | None = None
+    """Rows of body, volume, x, y, z, vx, vy, vz, wx, wy, wz, ixx, iyy, izz, ixy, iyz, izx: its number, volume in m3, centre of
+    mass in m, velocity in m/s, angular velocity in rad/s, and the matrix of its inertia about that centre over its density in
+    m5. (required for bodies)
     """
     lower: tuple[float, float, float] | None = None
     """Corner of the box with the smallest coordinates. [m] (required for lattice and random)"""

@@ -11,7 +11,7 @@ using laws::ContactModel;
 /// By parameter of the contact laws; those of other laws than the chosen one are not given.
 using LawParameters = std::array<std::optional<Real>, laws::law_parameters.size()>;
 
-enum class SphereSource { one, file, lattice, random };
+enum class SphereSource { one, file, lattice, random, bodies };
 enum class WallShape { plane, box, mesh };
 enum class ClumpSource { tetrapod, file, mesh };
 enum class SphereLevels { automatic, per_sphere, uniform };
@@ -69,7 +69,8 @@ struct SphereGroup {
   Vector3 centre = Vector3::Zero();    // m, one
   Real radius = 0;                     // m, one, lattice, random
   std::optional<Real> largest_radius;  // m, random
-  std::filesystem::path file;          // rows of radius, x, y, z in m
+  std::filesystem::path file;          // rows of radius, x, y, z in m; of bodies with the body's number before them
+  std::filesystem::path bodies_file;   // bodies
   Vector3 lower = Vector3::Zero();     // m, lattice, random
   Vector3 upper = Vector3::Zero();     // m, lattice, random
   std::optional<Real> spacing;         // m, lattice

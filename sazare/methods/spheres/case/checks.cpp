@@ -139,7 +139,7 @@ void check_body_group(const CheckContext& context, const Entry& entry, const Sph
     return;
   }
   check_keys(context, entry, "single spheres", {}, {"rotation", "random_rotation"});
-  if (group.source != SphereSource::file)
+  if (group.source != SphereSource::file && group.source != SphereSource::bodies)
     check_keys(context, entry,
                group.source == SphereSource::one       ? "one sphere"
                : group.source == SphereSource::lattice ? "a lattice"
@@ -184,16 +184,24 @@ void check_groups(const CheckContext& context, const SpheresCase& spheres) {
     check_rain(context, entry, spheres, group);
     switch (group.source) {
       case SphereSource::one:
-        check_keys(context, entry, "one sphere", {"centre"}, {"file", "lower", "upper", "spacing", "count", "largest_radius"});
+        check_keys(context, entry, "one sphere", {"centre"},
+                   {"file", "bodies_file", "lower", "upper", "spacing", "count", "largest_radius"});
+        break;
+      case SphereSource::bodies:
+        check_keys(context, entry, "bodies", {"file", "bodies_file"},
+                   {"shape", "centre", "radius", "lower", "upper", "spacing", "count", "largest_radius", "velocity",
+                    "angular_velocity", "noise", "held", "lowered", "rain"});
+        for (const auto& [key, file] : {std::pair("file", group.file), std::pair("bodies_file", group.bodies_file)})
+          if (entry.gives(key)) check_file(context, entry.place(key), "file of bodies", file, *entry.value->find(key)->text());
         break;
       case SphereSource::file:
         check_keys(context, entry, "a file", {"file"},
-                   {"centre", "radius", "lower", "upper", "spacing", "count", "largest_radius"});
+                   {"centre", "radius", "bodies_file", "lower", "upper", "spacing", "count", "largest_radius"});
         if (entry.gives("file"))
           check_file(context, entry.place("file"), "file of spheres", group.file, *entry.value->find("file")->text());
         break;
       case SphereSource::lattice:
-        check_keys(context, entry, "a lattice", {"lower", "upper"}, {"centre", "file", "count", "largest_radius"});
+        check_keys(context, entry, "a lattice", {"lower", "upper"}, {"centre", "file", "bodies_file", "count", "largest_radius"});
         if (entry.gives("spacing") && entry.gives("radius") && *group.spacing < 2 * group.radius * (1 - 1e-9))
           context.problems.error(entry.place("spacing"),
                                  fmt::format("spacing {} m is below the diameter, {} m", short_number(*group.spacing),
@@ -201,7 +209,7 @@ void check_groups(const CheckContext& context, const SpheresCase& spheres) {
                                  "neighbours on the lattice would overlap");
         break;
       case SphereSource::random:
-        check_keys(context, entry, "random places", {"lower", "upper", "count"}, {"centre", "file", "spacing"});
+        check_keys(context, entry, "random places", {"lower", "upper", "count"}, {"centre", "file", "bodies_file", "spacing"});
         if (entry.gives("largest_radius") && entry.gives("radius") && *group.largest_radius < group.radius)
           context.problems.error(entry.place("largest_radius"), "largest_radius must be at least radius",
                                  "radius is the smallest of the two");

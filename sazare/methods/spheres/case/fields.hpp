@@ -12,7 +12,7 @@ struct EnumWords<ContactModel> {
 };
 template <>
 struct EnumWords<SphereSource> {
-  static constexpr std::array<std::string_view, 4> words{"one", "file", "lattice", "random"};
+  static constexpr std::array<std::string_view, 5> words{"one", "file", "lattice", "random", "bodies"};
 };
 template <>
 struct EnumWords<SphereLevels> {
@@ -91,8 +91,9 @@ void visit_fields(Visitor& visit, SphereGroup& group) {
   visit("name", group.name);
   visit("material", group.material);
   visit("source", group.source);
-  if (group.source == SphereSource::file) {
+  if (group.source == SphereSource::file || group.source == SphereSource::bodies) {
     visit("file", group.file);
+    if (group.source == SphereSource::bodies) visit("bodies_file", group.bodies_file);
   } else if (visit.has("radius", group.shape.empty())) {
     visit("radius", group.radius);
   }

@@ -11,7 +11,7 @@
 namespace sazare::cases {
 namespace {
 
-constexpr std::array<std::string_view, 4> sources{"one", "file", "lattice", "random"};
+constexpr std::array<std::string_view, 5> sources{"one", "file", "lattice", "random", "bodies"};
 constexpr std::array<std::string_view, 3> level_choices{"automatic", "per_sphere", "uniform"};
 constexpr std::array<std::string_view, 3> wall_shapes{"plane", "box", "mesh"};
 
@@ -165,7 +165,9 @@ constexpr std::array sphere_keys{
     Key{.name = "source",
         .type = Type::choice,
         .default_text = "\"one\"",
-        .sentence = "One sphere, a file of them, a cubic lattice in a box, or random places in a box without overlap.",
+        .sentence =
+            "One sphere, a file of them, a cubic lattice in a box, random places in a box without overlap, or rigid bodies, "
+            "each with its own spheres, from two files.",
         .choices = sources},
     Key{.name = "centre",
         .type = Type::vector,
@@ -176,7 +178,7 @@ constexpr std::array sphere_keys{
         .type = Type::number,
         .unit = "m",
         .range = positive,
-        .note = "required except for a file or a shape",
+        .note = "required except for a file, bodies or a shape",
         .sentence = "Radius; of random spheres the smallest, where largest_radius is given."},
     Key{.name = "largest_radius",
         .type = Type::number,
@@ -186,12 +188,19 @@ constexpr std::array sphere_keys{
         .sentence = "Largest radius: radii are distributed uniformly between the two, and the largest spheres are placed first."},
     Key{.name = "file",
         .type = Type::file,
-        .note = "required for a file",
+        .note = "required for a file and for bodies",
         .sentence = "Rows of radius, x, y, z in m, with blanks, commas or semicolons between them; titles in the first line must "
                     "be those of "
                     "the columns, and lines that begin with # are skipped. Of a shape: rows of x, y, z in m and its rotation "
                     "vector rx, ry, rz "
-                    "in rad."},
+                    "in rad. Of bodies: rows of the number of a body, and radius, x, y, z of one of its spheres."},
+    Key{.name = "bodies_file",
+        .type = Type::file,
+        .note = "required for bodies",
+        .sentence =
+            "Rows of body, volume, x, y, z, vx, vy, vz, wx, wy, wz, ixx, iyy, izz, ixy, iyz, izx: its number, volume in m3, "
+            "centre of mass in m, velocity in m/s, angular velocity in rad/s, and the matrix of its inertia about that "
+            "centre over its density in m5."},
     Key{.name = "lower",
         .type = Type::vector,
         .unit = "m",

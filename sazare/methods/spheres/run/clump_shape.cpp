@@ -129,6 +129,18 @@ void take_apart(const cases::CaseFile& file, std::size_t number, Shape& shape) {
 
 }  // namespace
 
+Shape along_principal_axes(Shape shape, const Vector3& centre, const Matrix3& inertia) {
+  const Eigen::SelfAdjointEigenSolver<Matrix3> principal(inertia);
+  shape.axes = principal.eigenvectors();
+  if (shape.axes.determinant() < 0) shape.axes.col(0) = -shape.axes.col(0);
+  shape.inertia = principal.eigenvalues();
+  for (geometry::Ball& ball : shape.balls) {
+    ball.centre = shape.axes.transpose() * (ball.centre - centre);
+    shape.reach = std::max(shape.reach, ball.centre.norm() + ball.radius);
+  }
+  return shape;
+}
+
 Shape make_shape(const cases::CaseFile& file, std::size_t number) {
   Shape shape;
   Body body = body_of(file, number);
@@ -138,17 +150,9 @@ Shape make_shape(const cases::CaseFile& file, std::size_t number) {
     refuse(file, fmt::format("shapes.{}", number),
            fmt::format("the shape \"{}\" has no sphere", file.as<cases::SpheresCase>().shapes[number].name),
            "its file holds no row of radius, x, y and z, or its surface is too flat for a sphere within");
-  const geometry::UnionProperties& of = body.of;
-  const Eigen::SelfAdjointEigenSolver<Matrix3> principal(of.inertia);
-  shape.axes = principal.eigenvectors();
-  if (shape.axes.determinant() < 0) shape.axes.col(0) = -shape.axes.col(0);
-  shape.volume = of.volume;
-  shape.inertia = principal.eigenvalues();
-  shape.error = of.error;
-  for (geometry::Ball& ball : shape.balls) {
-    ball.centre = shape.axes.transpose() * (ball.centre - of.centre);
-    shape.reach = std::max(shape.reach, ball.centre.norm() + ball.radius);
-  }
+  shape.volume = body.of.volume;
+  shape.error = body.of.error;
+  shape = along_principal_axes(std::move(shape), body.of.centre, body.of.inertia);
   if (!file.as<cases::SpheresCase>().shapes[number].bonds.empty()) take_apart(file, number, shape);
   return shape;
 }

@@ -27,6 +27,9 @@ struct Shape {
   Index bonds = -1;                                 ///< entry of [[bonds]]
 };
 
+/// A shape whose balls stood in other axes, with its centre of mass there and its inertia about that [m; m5].
+Shape along_principal_axes(Shape shape, const Vector3& centre, const Matrix3& inertia);
+
 /// Throws UserError when a shape has no ball, its surface has holes or triangles that are turned inside out, or its balls do not
 /// hang together: by bonds, or as a rigid body by touching.
 Shape make_shape(const cases::CaseFile& file, std::size_t shape);

@@ -12,6 +12,7 @@
 #include "sazare/core/error.hpp"
 #include "sazare/core/random.hpp"
 #include "sazare/methods/spheres/case/case.hpp"
+#include "sazare/methods/spheres/run/bodies_file.hpp"
 #include "sazare/methods/spheres/run/clump_shape.hpp"
 #include "sazare/methods/spheres/run/file.hpp"
 #include "sazare/methods/spheres/run/lattice.hpp"
@@ -53,6 +54,7 @@ private:
   void add(std::size_t number) {
     const SphereGroup& group = spheres_.spheres[number];
     if (!group.shape.empty()) return add_bodies(number);
+    if (group.source == SphereSource::bodies) return add_bodies_of_file(number);
     std::vector<Ball> balls;
     if (group.source == SphereSource::one) balls = {{group.centre, group.radius}};
     check_count(file_, number, group, 1);
@@ -164,8 +166,26 @@ private:
         places[n].centre += lower(number, *lowering, balls);
       }
       const Vector3 velocity = velocity_of(group, random);
-      shape.shares.empty() ? add_body(number, shape, places[n].centre, rotation, velocity)
+      shape.shares.empty() ? add_body(number, shape, {places[n].centre, rotation, velocity, group.spin})
                            : add_bonded_body(number, shape, places[n].centre, rotation, velocity);
+    }
+  }
+
+  /// Rigid bodies, each with its own spheres and motion.
+  void add_bodies_of_file(std::size_t number) {
+    const SphereGroup& group = spheres_.spheres[number];
+    const std::vector<FileBody> bodies = read_bodies(group.bodies_file, group.file);
+    if (bodies.empty()) refuse_empty(number);
+    std::size_t count = 0;
+    for (const FileBody& body : bodies) count += body.balls.size();
+    check_count(file_, number, group, count);
+    for (const FileBody& body : bodies) {
+      Shape shape;
+      shape.balls = body.balls;
+      shape.volume = body.volume;
+      shape = along_principal_axes(std::move(shape), body.centre, body.inertia);
+      check_domain(shape, group.name);
+      add_body(number, shape, {body.centre, Eigen::Quaternion<Real>::Identity(), body.velocity, body.spin});
     }
   }
 
@@ -175,25 +195,30 @@ private:
     return balls;
   }
 
-  void add_body(std::size_t number, const Shape& shape, const Vector3& centre, const Eigen::Quaternion<Real>& rotation,
-                const Vector3& velocity) {
+  struct Start {
+    Vector3 centre;
+    Eigen::Quaternion<Real> rotation;
+    Vector3 velocity, spin;
+  };
+
+  void add_body(std::size_t number, const Shape& shape, const Start& start) {
     const SphereGroup& group = spheres_.spheres[number];
     const Index material = material_of(group);
     const Real density = density_of(material);
-    const Eigen::Quaternion<Real> turn = rotation * Eigen::Quaternion<Real>(shape.axes);
+    const Eigen::Quaternion<Real> turn = start.rotation * Eigen::Quaternion<Real>(shape.axes);
     state::Clump clump;
-    clump.centre = centre;
-    clump.velocity = velocity;
+    clump.centre = start.centre;
+    clump.velocity = start.velocity;
     clump.turn = {turn.w(), turn.x(), turn.y(), turn.z()};
     clump.mass = density * shape.volume;
     clump.inertia = density * shape.inertia;
     clump.volume = shape.volume;
     clump.first_member = static_cast<std::int64_t>(result_.clumps.members.size());
-    const Vector3 own = (turn.conjugate() * group.spin).cwiseProduct(density * shape.inertia);
+    const Vector3 own = (turn.conjugate() * start.spin).cwiseProduct(density * shape.inertia);
     clump.angular_momentum = turn * own;
     for (const Ball& ball : shape.balls) {
       result_.clumps.members.push_back({static_cast<Index>(result_.spheres.size()), 0, ball.centre});
-      result_.spheres.add(centre + turn * ball.centre, ball.radius, density, material, true);
+      result_.spheres.add(start.centre + turn * ball.centre, ball.radius, density, material, true);
       result_.spheres.place.back().mass = clump.mass;
       result_.group.push_back(static_cast<Index>(number));
       result_.body.push_back(static_cast<Index>(result_.clumps.clumps.size()));
