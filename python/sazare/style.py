@@ -34,6 +34,7 @@ SHEAR_TIME = LinearSegmentedColormap.from_list("shear_time", ["#10204d", "#1f4e9
 SPEED = LinearSegmentedColormap.from_list("speed", [STONE, "#efb273", "#d1452b", "#7d1d4a", "#2a0f36"])
 LEVEL = "YlGnBu"
 SIZE = "viridis"
+STRESS = "RdBu_r"
 
 # Energies: what is stored in cold colours, what is dissipated in warm ones.
 KINETIC, ELASTIC, DASHPOT, SLIP, RUPTURE, RELEASE = "#35618f", "#6fa3c7", "#c9a66b", "#a8763e", "#b5472f", "#e08a76"

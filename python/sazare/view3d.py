@@ -136,9 +136,9 @@ def _magnitude(values):
 
 
 def _range(values):
-    """The colour range: from 0 or the minimum to the largest 99th percentile of any frame."""
+    """The colour range: from 0, or the lowest 1st percentile of any frame, to the largest 99th percentile."""
     finite = np.where(np.isfinite(values), values, 0.0)
-    return float(min(finite.min(), 0.0)), float(np.percentile(finite, 99, axis=1).max() or finite.max())
+    return float(min(np.percentile(finite, 1, axis=1).min(), 0.0)), float(np.percentile(finite, 99, axis=1).max() or finite.max())
 
 
 def _chosen_times(count, bytes_each):

@@ -126,7 +126,7 @@ class SyntheticRun:
                 "element": np.arange(len(cells)), "region": np.zeros(len(cells), np.int32),
                 "displacement": displacement, "velocity": velocity, "speed": speed, "level": level,
                 "step": 1e-6 / 2.0**level, "fragment": (broken > 0.5).astype(np.int32), "broken_fraction": broken,
-                "material": np.zeros(len(cells), np.int32),
+                "material": np.zeros(len(cells), np.int32), **stress_of(1e6 * speed),
             },
         )
         count = len(self.faces)
@@ -221,6 +221,15 @@ class SyntheticRun:
         (run / "case.toml").write_text(CASE.format(title=title))
         (run / "manifest.json").write_text(json.dumps(self.manifest(title), indent=2))
         return run
+
+
+def stress_of(radial):
+    """Stress of elements that are pressed along x by these pressures [Pa] (n,), and pulled along y by half of them."""
+    normal = np.stack([-radial, 0.5 * radial, np.zeros_like(radial)], axis=1)
+    return {
+        "normal_stress": normal, "shear_stress": np.zeros_like(normal), "von_mises_stress": np.sqrt(1.75) * radial,
+        "largest_principal_stress": normal.max(axis=1), "smallest_principal_stress": normal.min(axis=1),
+    }
 
 
 def slab_run(run, **settings):

@@ -24,6 +24,19 @@ def test_a_slab_is_known_by_its_thin_axis(slab, solid):
     assert not Body(sazare.open(solid).snapshots).is_slab
 
 
+def test_stresses_of_elements_are_consistent_and_drawn(slab, solid):
+    for folder in (slab, solid):
+        body = Body(sazare.open(folder).snapshots)
+        elements = body.snapshots[-1].elements.cell_data
+        normal, largest, smallest = (np.asarray(elements[name]) for name in ("normal_stress", "largest_principal_stress", "smallest_principal_stress"))
+        assert np.any(normal)
+        assert np.all(largest >= normal.max(axis=1) - 1e-6 * np.abs(normal).max()) and np.all(smallest <= normal.min(axis=1) + 1e-6 * np.abs(normal).max())
+        assert blocks_maps.has_stress(body)
+        figure = blocks_maps.principal_stresses(body)
+        assert [axes.get_title(loc="left").split(",")[0] for axes in figure.axes[:2]] == ["largest principal stress", "smallest principal stress"]
+        assert "tension positive" in figure.axes[2].get_ylabel()
+
+
 def test_joints_carry_the_time_of_the_first_snapshot_that_shows_them_broken(slab):
     run = sazare.open(slab)
     body = Body(run.snapshots)

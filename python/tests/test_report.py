@@ -22,7 +22,7 @@ from sazare.style import count, quantity
 from sazare.summary import terminal_text, verdict
 
 PICTURES = {
-    "cracks", "shape", "levels", "fragments", "energy", "broken_joints", "fragment_curve", "gauges", "smallest_step", "timing",
+    "cracks", "shape", "stress", "levels", "fragments", "energy", "broken_joints", "fragment_curve", "gauges", "smallest_step", "timing",
 }
 
 

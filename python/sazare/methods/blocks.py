@@ -46,6 +46,7 @@ def _body_sections(results):
             "title says so, so that those of the rock that has not come loose can be seen; elements that fly out of the frame then are left out.",
             partial(blocks_maps.displaced_shape, body), "",
         ),
+        *([_stress_section(body)] if blocks_maps.has_stress(body) else []),
         Section(
             "levels", "Time levels", "An element at level k is advanced in steps of the base step / 2^k.",
             partial(blocks_maps.time_levels, body), "",
@@ -57,6 +58,17 @@ def _body_sections(results):
         *([_size_section(body, results)] if blocks_views.has_loose_fragments(results) else []),
         *([] if body.is_slab else [_slice_section(body)]),
     ]
+
+
+def _stress_section(body):
+    from sazare.methods import blocks_maps
+
+    return Section(
+        "stress", "Principal stresses",
+        "The largest and the smallest principal stress of the elements when half of the joints that break have broken, or at the end where none does. "
+        "They are means over the elements, from the forces of their joints; elements that have lost their joints carry none.",
+        partial(blocks_maps.principal_stresses, body), "",
+    )
 
 
 def _size_section(body, results):
@@ -153,6 +165,8 @@ METHOD = Method(
         "velocity": ("speed", "m/s"),
         "displacement": ("displacement", "m"),
         "broken_fraction": ("share of broken joints", ""),
+        "largest_principal_stress": ("largest principal stress", "Pa"),
+        "smallest_principal_stress": ("smallest principal stress", "Pa"),
         "level": ("time level", ""),
     },
 )

@@ -222,6 +222,31 @@ def time_levels(body, panels=2):
     return figure
 
 
+def has_stress(body):
+    """Whether the run wrote the stress of its elements, and there is any."""
+    return any(np.any(snapshot.elements.cell_data["von_mises_stress"]) for snapshot in body.snapshots if "von_mises_stress" in snapshot.elements.cell_data)
+
+
+@style.styled
+def principal_stresses(body):
+    """The largest and the smallest principal stress of every element when half of the joints that break have broken, tension positive."""
+    snapshot = body.moments(2)[0]
+    view = [view for view, _ in _views(body, [snapshot])][-1]  # of a solid the cut
+    values = {name: np.asarray(snapshot.elements.cell_data[f"{name}_principal_stress"]) for name in ("largest", "smallest")}
+    top = max(float(np.percentile(np.abs(stress), 98.0)) for stress in values.values()) or 1.0
+    factor, prefix = style.prefix_for(top)
+    panels = [
+        (
+            view, _field_layers(body, view, snapshot.elements, {"scalars": f"{name}_principal_stress", "cmap": style.STRESS, "clim": (-top, top)}),
+            f"{name} principal stress, {panel_title(body, view, snapshot)}",
+        )
+        for name in values
+    ]
+    figure, axes = sheet(panels)
+    bar(figure, axes, colormaps[style.STRESS], Normalize(-top / factor, top / factor), f"stress [{prefix}Pa], tension positive", extend="both")
+    return figure
+
+
 @style.styled
 def displaced_shape(body, panels=2):
     """The body with magnified displacements, coloured by speed."""

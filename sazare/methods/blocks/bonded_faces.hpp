@@ -34,6 +34,8 @@ public:
     return own_springs_.empty() ? kind : kind.with(own_springs_[static_cast<std::size_t>(joint)]);
   }
   JointState state(Index joint) const { return record(joint).state; }
+  /// On the second body as last evaluated, dashpots included [N].
+  Vector3 force(Index joint) const { return table_[joint].total.linear; }
 
   /// Joint on a body's local face, or -1.
   Index joint_at(Index body, int face) const { return at_face_[static_cast<std::size_t>(body)][static_cast<std::size_t>(face)]; }

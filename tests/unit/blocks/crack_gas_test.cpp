@@ -141,6 +141,18 @@ TEST(crack_paths, know_what_stands_around_every_edge) {
   EXPECT_EQ(free, 1);  // from node 1 to node 4
 }
 
+/// The push is the derivative of the room, at any opening.
+TEST(crack_gas, has_room_that_grows_as_it_pushes) {
+  constexpr Real aperture = 1e-4, step = 1e-8;
+  for (const Real opening : {-1e-2, -3e-4, -1e-4, -1e-5, 0.0, 1e-5, 1e-3}) {
+    const CrackRoom room = crack_room(aperture, opening);
+    const Real rate = (crack_room(aperture, opening + step).width - crack_room(aperture, opening - step).width) / (2 * step);
+    EXPECT_NEAR(room.rate, rate, 1e-4);
+    EXPECT_GE(room.width, 0.5 * aperture);
+  }
+  EXPECT_EQ(crack_room(aperture, 0).width, aperture);
+}
+
 TEST(crack_gas, fills_faces_that_are_open_beside_its_hole) {
   const auto blown = blow({.density = 1e12});
   EXPECT_TRUE(blown->cracks->network().cracks().empty());

@@ -77,7 +77,8 @@ void FlowingGas::settle(GasVessel& vessel) const {
   vessel.sound = 0;
   if (vessel.pressure <= 0) return;
   const Real explosive = vessel.mass / density;
-  const Real stiffness = laws::jwl_exponent(law, vessel.volume / explosive, vessel.energy / explosive);
+  // Gas that has lost its energy by work would have none that is above 0; no gas is softer than at a constant temperature.
+  const Real stiffness = std::max<Real>(1, laws::jwl_exponent(law, vessel.volume / explosive, vessel.energy / explosive));
   vessel.sound = std::sqrt(stiffness * vessel.pressure * vessel.volume / vessel.mass);
 }
 

@@ -1,7 +1,9 @@
 #include "sazare/methods/blocks/charges/crack_gas.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 #include "sazare/parallel/threads.hpp"
@@ -42,9 +44,14 @@ CrackGas::Place CrackGas::place_of(const GasCrack& crack, const Faces& faces, co
   Place place;
   place.first = first.position + first.rotation * faces.first_centre;
   place.second = second.position + second.rotation * faces.second_centre;
-  const Vector3 normal = (first.rotation * faces.first_area + second.rotation * faces.second_area).normalized();
-  place.push = faces.first_area.norm() * normal;
-  place.width = charges_->charges()[at(crack.charge)].cracks.aperture + std::max<Real>(0, normal.dot(place.second - place.first));
+  const Vector3 first_area = first.rotation * faces.first_area, second_area = second.rotation * faces.second_area;
+  const Vector3 normal = (first_area + second_area).normalized(), between = place.second - place.first;
+  const bool face_each_other = first_area.dot(second_area) > 0.5 * first_area.squaredNorm();
+  place.apart = face_each_other ? between.norm() : std::numeric_limits<Real>::infinity();
+  const CrackRoom room = crack_room(charges_->charges()[at(crack.charge)].cracks.aperture, normal.dot(between));
+  place.width = room.width;
+  place.push = room.rate * first_area.norm() * normal;
+  place.volume = room.width * first_area.norm();
   return place;
 }
 
@@ -63,12 +70,13 @@ void CrackGas::move(const Due& due, const Instant& now, const state::Bodies<3>& 
   const auto &first = bodies.motion[at(link.first)], &second = bodies.motion[at(link.second)];
   const Place place = place_of(crack, faces_[at(due.link)], bodies);
   const Vector3 parted = (second.position + second.rotation * pushed.second) - (first.position + first.rotation * pushed.first);
-  const Real soon = network_.pressure(crack, place.volume(), pushed.work + pushed.force.dot(parted));
+  const Real soon = network_.pressure(crack, place.volume, pushed.work + pushed.force.dot(parted));
   pushed.work += 0.5 * (pushed.force + soon * place.push).dot(parted);
-  pushed.force = network_.pressure(crack, place.volume(), pushed.work) * place.push;
+  pushed.force = network_.pressure(crack, place.volume, pushed.work) * place.push;
   pushed.first = first.rotation.transpose() * (place.middle() - first.position);
   pushed.second = second.rotation.transpose() * (place.middle() - second.position);
   pushed.width = place.width;
+  pushed.apart = place.apart;
   terms::PairForce<3> total;
   total.add_at(place.middle() - bodies.pole, pushed.force);
   terms::write<3, 0>(table_[due.link], now, due, total, {});
@@ -95,14 +103,14 @@ void CrackGas::exchange_news(terms::Peers& peers) {
   std::vector<Told> news;
   for (const Index number : first_links()) {
     const Pushed& pushed = pushed_[at(number)];
-    if (peers.owns(links_[at(number)].first)) news.push_back({number, 0, pushed.work, pushed.width});
+    if (peers.owns(links_[at(number)].first)) news.push_back({number, 0, pushed.work, pushed.width, pushed.apart});
   }
   const std::vector<std::byte> all = peers.gather(std::as_bytes(std::span(news)));
   news.resize(all.size() / sizeof(Told));
   if (!news.empty()) std::memcpy(news.data(), all.data(), all.size());
   std::ranges::sort(news, {}, &Told::crack);
   for (const Told& of : news) {
-    network_.change(of.crack, of.work, of.width * faces_[at(of.crack)].first_area.norm(), of.width);
+    network_.change(of.crack, of.work, of.width * faces_[at(of.crack)].first_area.norm(), of.width, of.apart);
     pushed_[at(of.crack)].work = 0;
   }
 }
@@ -112,7 +120,7 @@ void CrackGas::leave_wide_ones(terms::Changes& changes) {
     const GasCrack& crack = network_.crack(number);
     const Real widest =
         std::min(charges_->charges()[at(crack.charge)].cut_distance, std::sqrt(faces_[at(number)].first_area.norm()));
-    if (crack.width <= widest) continue;
+    if (crack.apart <= widest) continue;
     network_.leave(number);
     table_[number] = {};
     for (const Index body : {links_[at(number)].first, links_[at(number)].second})
@@ -141,14 +149,15 @@ void CrackGas::open_new(const Instant& now, const state::Bodies<3>& bodies, term
     const GasCrack crack{.face = of.face, .charge = of.charge};
     const Faces faces = faces_of(crack, bodies);
     const Place place = place_of(crack, faces, bodies);
-    network_.add(of, place.volume(), place.width);
+    network_.add(of, place.volume, place.width);
     changes.new_links.push_back(static_cast<Index>(links_.size()));
     add_link(crack);
     faces_.push_back(faces);
     const auto &first = bodies.motion[at(links_.back().first)], &second = bodies.motion[at(links_.back().second)];
     pushed_.push_back({.first = first.rotation.transpose() * (place.middle() - first.position),
                        .second = second.rotation.transpose() * (place.middle() - second.position),
-                       .width = place.width});
+                       .width = place.width,
+                       .apart = place.apart});
     table_.slots.emplace_back();
   }
 }

@@ -5,14 +5,31 @@
 /// A face between two elements that has come apart takes gas once it shares an edge with the wall of a hole that the front has
 /// reached, or with a crack that has gas. The gas pushes both faces apart, with one force and its reaction in the middle between
 /// them. Between base steps the gas of a crack expands by itself, and its work is taken from its energy. At base steps it flows,
-/// and cracks that have come apart since then join (crack_network.hpp). A crack that gapes as wide as its faces are is none any
-/// more, and gives its gas to the air; so does one wider than the cut distance of its charge.
+/// and cracks that have come apart since then join (crack_network.hpp). A crack whose faces are apart as far as they are
+/// wide, or have turned away from each other, is none any more, and gives its gas to the air; so does one wider than the cut
+/// distance of its charge.
+
+#include <cmath>
 
 #include "sazare/levels/terms/slot_table.hpp"
 #include "sazare/methods/blocks/bonded_faces.hpp"
 #include "sazare/methods/blocks/charges/crack_network.hpp"
 
 namespace sazare::methods::blocks {
+
+/// The width that a crack has for gas, and how much it grows per opening.
+struct CrackRoom {
+  Real width = 0;  ///< [m]
+  Real rate = 0;   ///< [-]
+};
+
+/// Faces that are apart have their distance and the aperture [m] between them. Where they are pressed into each other by more and
+/// more, half of the aperture is left and the gas pushes no more: its room then is the same wherever they go.
+inline CrackRoom crack_room(Real aperture, Real opening) {
+  if (opening >= 0) return {aperture + opening, 1};
+  const Real left = std::exp(2 * opening / aperture);
+  return {0.5 * aperture * (1 + left), left};
+}
 
 class CrackGas final : public terms::Term<3> {
 public:
@@ -47,20 +64,22 @@ private:
     Vector3 force = Vector3::Zero();  ///< on the second body [N]
     Real work = 0;                    ///< since the last base step [J]
     Real width = 0;                   ///< [m]
+    Real apart = 0;                   ///< [m]
   };
   /// On its way to other processes.
   struct Told {
     Index crack = 0, unused = 0;
-    Real work = 0, width = 0;
+    Real work = 0, width = 0, apart = 0;
   };
   /// Where a crack is.
   struct Place {
     Vector3 first, second;  ///< centres of its faces [m]
-    Vector3 push;           ///< area times the normal, to the second body [m2]
-    Real width = 0;         ///< with the aperture [m]
+    Vector3 push;           ///< what a pressure of 1 gives, to the second body [m2]
+    Real width = 0;         ///< for gas [m]
+    Real volume = 0;        ///< [m3]
+    Real apart = 0;         ///< distance of the centres; infinite once the faces have turned away from each other [m]
 
     Vector3 middle() const { return 0.5 * (first + second); }
-    Real volume() const { return width * push.norm(); }
   };
 
   Faces faces_of(const GasCrack& crack, const state::Bodies<3>& bodies) const;

@@ -39,7 +39,7 @@ Real CrackNetwork::pressure(const GasCrack& crack, Real volume, Real work) const
   return gas_pressure(gases_[at(crack.charge)], volume, crack.mass, crack.energy - work);
 }
 
-void CrackNetwork::change(Index number, Real work, Real volume, Real width) {
+void CrackNetwork::change(Index number, Real work, Real volume, Real width, Real apart) {
   GasCrack& crack = cracks_[at(number)];
   taken_[at(crack.charge)].work += work;
   if (charges_->charges()[at(crack.charge)].cracks.gas == GasInCracks::flow) {
@@ -48,6 +48,7 @@ void CrackNetwork::change(Index number, Real work, Real volume, Real width) {
   }
   crack.volume = volume;
   crack.width = width;
+  crack.apart = apart;
 }
 
 void CrackNetwork::leave(Index number) {

@@ -30,7 +30,8 @@ struct GasCrack {
   Real mass = 0;      ///< of the gas [kg]
   Real energy = 0;    ///< of the gas [J]
   Real volume = 0;    ///< [m3]
-  Real width = 0;     ///< [m]
+  Real width = 0;     ///< for gas [m]
+  Real apart = 0;     ///< distance of its faces, see crack_gas.hpp [m]
   Real pressure = 0;  ///< [Pa]
   Real sound = 0;     ///< its velocity [m/s]
   Real has_gas = 1;   ///< 0 once it gapes
@@ -55,8 +56,9 @@ public:
   /// Pressure of the gas of a crack in a volume [m3], after so much work since the last base step [J].
   Real pressure(const GasCrack& crack, Real volume, Real work) const;
 
-  /// What has happened to a crack since the last base step: its gas has done so much work, and it has become so wide.
-  void change(Index crack, Real work, Real volume, Real width);
+  /// What has happened to a crack since the last base step: its gas has done so much work [J], and it has become so wide
+  /// [m3; m; m].
+  void change(Index crack, Real work, Real volume, Real width, Real apart);
   /// Ends a crack, whose gas goes into the air.
   void leave(Index crack);
 

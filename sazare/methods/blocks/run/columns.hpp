@@ -63,7 +63,12 @@ inline constexpr std::array elements = {
     Column{"level", "-", "0 is the base step, each level has half the step of the one before"},
     Column{"step", "s", "of the level"},
     Column{"fragment", "-", ""},
-    Column{"broken_fraction", "-", "share of its joints that are broken"}};
+    Column{"broken_fraction", "-", "share of its joints that are broken"},
+    Column{"normal_stress", "Pa", "xx, yy, zz, the mean over the element; tension is positive"},
+    Column{"shear_stress", "Pa", "xy, yz, zx"},
+    Column{"von_mises_stress", "Pa", ""},
+    Column{"largest_principal_stress", "Pa", "tension is positive"},
+    Column{"smallest_principal_stress", "Pa", ""}};
 inline constexpr std::array joints = {
     Column{"state", "-", "0 intact, 1 softening, 2 broken, 3 sheared: without strength, and pressed together"},
     Column{"mode", "-", "of a crack: 1 opening, 2 shear, whichever has dissipated more; else 0"},

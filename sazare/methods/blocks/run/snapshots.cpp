@@ -7,6 +7,7 @@
 #include "sazare/core/large_tables.hpp"
 #include "sazare/geometry/tetrahedron.hpp"
 #include "sazare/methods/blocks/run/columns.hpp"
+#include "sazare/methods/blocks/run/joints/element_stress.hpp"
 #include "sazare/methods/blocks/run/material_points.hpp"
 #include "sazare/runs/record_columns.hpp"
 
@@ -106,6 +107,7 @@ struct Snapshots::Picture {
   std::vector<std::int32_t> fragment;  ///< by element
   std::vector<JointState> state;       ///< by joint
   std::vector<std::int8_t> mode;       ///< by joint, see mode_of
+  ElementStresses stress;
 };
 
 Snapshots::Snapshots(const std::filesystem::path& folder, const BlocksModel& model)
@@ -129,7 +131,8 @@ void Snapshots::resume(std::size_t count) {
 void Snapshots::write(Real time, levels::Snapshot<3> now, const FragmentMap& fragments) {
   finish_writing();
   release(now.angular_momentum);
-  Picture taken{time, std::move(now), {}, fragments.of_element, {}, {}};
+  Picture taken{time, std::move(now), {}, fragments.of_element, {}, {}, {}};
+  taken.stress = element_stresses(*model_, taken.now);
   const Index elements = model_->simulation->bodies().size(), joints = model_->joints->count();
   taken.level.reserve(at(elements));
   taken.state.reserve(at(joints));
@@ -171,8 +174,10 @@ void Snapshots::write_elements(const Picture& picture) {
   const auto damage = made<Real>(count, [&](Index element) { return damage_of(*model_->joints, picture.state, element); });
   observe::Grid grid{observe::Grid::Cell::tetrahedron, {}, {}, {}, picture.time};
   grid.own_points = points;
-  grid.cell_data = observe::cell_data(columns::blocks::elements, tag, mesh.region, model_->material, displacement,
-                                      picture.now.velocity, speed, level, step, picture.fragment, damage);
+  grid.cell_data =
+      observe::cell_data(columns::blocks::elements, tag, mesh.region, model_->material, displacement, picture.now.velocity, speed,
+                         level, step, picture.fragment, damage, picture.stress.normal, picture.stress.shear,
+                         picture.stress.von_mises, picture.stress.largest, picture.stress.smallest);
   elements_.write(grid);
 }
 
