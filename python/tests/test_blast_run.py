@@ -104,6 +104,14 @@ def test_the_command_writes_tables_pictures_and_what_it_was_given(blasted, tmp_p
     assert read_settings(sazare.open(run)) == Settings(0.2, (4.0,))
 
 
+def test_a_run_that_was_stopped_is_told(blasted, tmp_path, capsys):
+    run = shutil.copytree(blasted, tmp_path / "run")
+    manifest = json.loads((run / "manifest.json").read_text())
+    (run / "manifest.json").write_text(json.dumps(manifest | {"status": "stopped"}))
+    assert main(["blast", str(run)]) == 0
+    assert capsys.readouterr().out.startswith("the run has not come to its end (status stopped)")
+
+
 def test_the_report_uses_what_the_command_was_given(blasted, tmp_path, capsys):
     run = shutil.copytree(blasted, tmp_path / "run")
     page = write_report(run).read_text()

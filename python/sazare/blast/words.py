@@ -8,8 +8,13 @@ from sazare.style import quantity
 
 def text_of(numbers):
     """What there is of sizes, vibration, damage and energy of BlastNumbers, in lines."""
-    parts = [_sizes(numbers), _vibration(numbers), _damage(numbers), _energy(numbers.results)]
+    parts = [_ending(numbers.results), _sizes(numbers), _vibration(numbers), _damage(numbers), _energy(numbers.results)]
     return "\n".join(line for lines in parts for line in lines)
+
+
+def _ending(results):
+    status = results.manifest.get("status", "done")
+    return [] if status == "done" else [f"the run has not come to its end (status {status}): this is what it had until then"]
 
 
 def _sizes(numbers):

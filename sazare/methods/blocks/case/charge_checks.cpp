@@ -142,6 +142,14 @@ void check_cracks(const CheckContext& context, const Entry& entry, const Charge&
   check_keys(context, entry, fmt::format("gas_in_cracks {}", word(charge.gas_in_cracks)), {}, foreign);
 }
 
+/// A detonator cannot fire before the run begins.
+void check_scatter(const CheckContext& context, const Entry& entry, const Charge& charge, std::size_t place) {
+  if (!entry.gives("delay_scatter") || !(charge.delay_scatter > 0) || charge.firing_time(place) > 0) return;
+  context.problems.warning(
+      entry.place("delay_scatter"), "by its scatter the charge would fire before the run begins, and fires at 0 s",
+      "give all charges a delay of three times the scatter more, or choose another scatter_seed");
+}
+
 void check_delay(const CheckContext& context, const Entry& entry, const Charge& charge, Real end) {
   if (!(end > 0) || !entry.gives("delay") || charge.delay < end) return;
   context.problems.warning(
@@ -165,6 +173,7 @@ void check_charges(const CheckContext& context, const BlocksCase& blocks) {
       if (is_placed[other]) check_decks(context, list[i], charge, blocks.charges[other]);
     check_collar(context, list[i], charge, blocks.charges);
     check_cracks(context, list[i], charge);
+    check_scatter(context, list[i], charge, i);
     check_delay(context, list[i], charge, blocks.time.end);
     for (const Blast& blast : blocks.blasts)
       if (list[i].gives("surface") && blast.surface == charge.surface)
