@@ -16,9 +16,9 @@ namespace {
 constexpr Real exponent = 1.4;
 
 FlowingGas ideal_gas(Real discharge = 1) {
-  FlowingGas gas{{}, 1000, discharge};
-  gas.law.omega = exponent - 1;
-  return gas;
+  laws::Jwl law;
+  law.omega = exponent - 1;
+  return {law, 1000, discharge};
 }
 
 /// A hole with gas of 100 MPa.

@@ -84,9 +84,8 @@ void FlowingGas::settle(GasVessel& vessel) const {
 
 Real mass_rate(const FlowingGas& gas, const GasVessel& from, Real pressure, Real area) {
   if (!(from.pressure > pressure)) return 0;
-  const Real k = gas.exponent();
-  const Real ratio = std::max(pressure / from.pressure, std::pow(2 / (k + 1), k / (k - 1)));
-  const Real drive = std::pow(ratio, 2 / k) - std::pow(ratio, (k + 1) / k);
+  const Real k = gas.exponent(), ratio = pressure / from.pressure;
+  const Real drive = ratio > gas.critical_ratio ? gas.drive(ratio) : gas.choked_drive;
   return gas.discharge * area * std::sqrt(2 * k / (k - 1) * from.pressure * from.mass / from.volume * drive);
 }
 

@@ -12,6 +12,7 @@
 /// every opening of a vessel its part: so the flow is stable whatever the step, and mass and energy are kept.
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "sazare/core/time.hpp"
@@ -53,6 +54,13 @@ struct FlowingGas {
   Real discharge = 1;  ///< C [-]
 
   Real exponent() const { return 1 + law.omega; }
+  /// r below which the flow is choked, and what then stands in brackets above.
+  Real critical_ratio = std::pow(2 / (exponent() + 1), exponent() / (exponent() - 1));
+  Real choked_drive = drive(critical_ratio);
+  Real drive(Real ratio) const {
+    const Real root = std::pow(ratio, 1 / exponent());
+    return root * root - ratio * root;
+  }
   /// Finds the pressure of a vessel, and how fast sound is in it, from the rest of it.
   void settle(GasVessel& vessel) const;
 };

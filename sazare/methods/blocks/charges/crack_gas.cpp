@@ -14,8 +14,13 @@ CrackGas::CrackGas(ChargeGas& charges, const BondedFaces& joints, GasFaces faces
     : charges_(&charges), joints_(&joints), network_(charges, std::move(faces)), rates_(at(bodies.size()), 0) {
   table_.causes = {terms::Cause::load};
   table_.incidence = terms::ChangingIncidence(bodies.size());
+  for (Index number = 0; number < network_.face_count(); ++number) {
+    const geometry::InteriorFace& face = network_.face(number);
+    joint_of_.push_back(joints.joint_at(face.element_i, face.face_i));
+  }
   for (std::size_t body = 0; body < rates_.size(); ++body) {
     const auto& inertia = bodies.inertia[body];
+    has_crack_.push_back(0);
     softness_.push_back(1 / inertia.mass + bodies.reach[body] * bodies.reach[body] * inertia.inverse_moments.maxCoeff());
   }
 }
@@ -53,6 +58,13 @@ CrackGas::Place CrackGas::place_of(const GasCrack& crack, const Faces& faces, co
   place.push = room.rate * first_area.norm() * normal;
   place.volume = room.width * first_area.norm();
   return place;
+}
+
+/// Few elements have cracks.
+void CrackGas::gather(const Instant& now, std::span<const Index> which, const state::Bodies<3>&, std::span<terms::Impulse<3>> sum,
+                      terms::CauseImpulses<3>& parts) const {
+  for (std::size_t i = 0; i < which.size(); ++i)
+    if (has_crack_[at(which[i])] != 0) table_.gather_one(now, which[i], i, sum[i], parts);
 }
 
 void CrackGas::evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
@@ -130,8 +142,7 @@ void CrackGas::leave_wide_ones(terms::Changes& changes) {
 }
 
 bool CrackGas::is_apart(Index number) const {
-  const geometry::InteriorFace& face = network_.face(number);
-  const Index joint = joints_->joint_at(face.element_i, face.face_i);
+  const Index joint = joint_of_[at(number)];
   return joint < 0 || joints_->state(joint) == JointState::broken;
 }
 
@@ -169,6 +180,7 @@ void CrackGas::add_link(const GasCrack& crack) {
   if (crack.has_gas == 0) return;
   table_.incidence.list(face.element_i).push_back({number, 0});
   table_.incidence.list(face.element_j).push_back({number, 1});
+  has_crack_[at(face.element_i)] = has_crack_[at(face.element_j)] = 1;
 }
 
 /// The gas of a crack is a spring between its faces: where they part by u, its pressure falls by m (c/V)^2 A u. What is told is

@@ -41,9 +41,7 @@ public:
   std::vector<Index> first_links() const override;
   void evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) override;
   void gather(const Instant& now, std::span<const Index> which, const state::Bodies<3>&, std::span<terms::Impulse<3>> sum,
-              terms::CauseImpulses<3>& parts) const override {
-    if (!links_.empty()) table_.gather(now, which, sum, parts);
-  }
+              terms::CauseImpulses<3>& parts) const override;
   void post_base_step(const Instant& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
   terms::Rates rates(Index body) const override { return {rates_[at(body)], 0}; }
   void add_energies(const terms::Synchronized<3>& at, terms::EnergySums& energies) const override;
@@ -96,8 +94,10 @@ private:
   ChargeGas* charges_;
   const BondedFaces* joints_;
   CrackNetwork network_;
-  std::vector<Real> softness_;  ///< of bodies, at most [1/kg]
-  std::vector<Real> rates_;     ///< stiffness by body [1/s2]
+  std::vector<Index> joint_of_;          ///< by face between elements; below 0 where none
+  std::vector<Real> softness_;           ///< of bodies, at most [1/kg]
+  std::vector<Real> rates_;              ///< stiffness by body [1/s2]
+  std::vector<std::uint8_t> has_crack_;  ///< by body: whether it has or had one
   Tick last_base_ = 0;
 
   // By crack:

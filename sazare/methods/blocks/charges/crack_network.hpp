@@ -48,6 +48,7 @@ public:
 
   std::span<const GasCrack> cracks() const { return cracks_; }
   const GasCrack& crack(Index number) const { return cracks_[at(number)]; }
+  Index face_count() const { return static_cast<Index>(faces_.between.size()); }
   const geometry::InteriorFace& face(Index number) const { return faces_.between[at(number)]; }
   const geometry::InteriorFace& face_of(const GasCrack& crack) const { return face(crack.face); }
   std::array<Vector3, 3> corners_of(const GasCrack& crack) const;
