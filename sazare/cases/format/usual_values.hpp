@@ -21,6 +21,7 @@ inline constexpr UsualRange blast_pressure{1e4, 200e9};     // [Pa]
 inline constexpr UsualRange damping_ratio{0, 1};
 inline constexpr UsualRange weibull_modulus{1.5, 60};
 inline constexpr UsualRange friction_angle{2, 80};    // [deg]
+inline constexpr UsualRange reference_strain{1e-5, 0.1};
 inline constexpr UsualRange wave_velocity{10, 15e3};  // [m/s]
 inline constexpr UsualRange delay{0, 30};             // of a blast [s]
 inline constexpr UsualRange rise_time{0, 0.1};        // of its pressure [s]

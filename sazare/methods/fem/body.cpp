@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <tuple>
 
 #include "sazare/parallel/threads.hpp"
 
@@ -27,7 +26,7 @@ Body<D>::Body(BodyDescription description)
     const SolidMaterial& material = description_.materials[at(description_.material[e])];
     const auto nodes = mesh.elements[e].node_list();
     mass_.add(nodes, element_mass<D>(mesh, mesh.elements[e], material.density, description_.mass));
-    if (!material.strength) linear_.add(nodes, element_stiffness<D>(mesh, mesh.elements[e], material, description_.integration));
+    if (material.is_elastic()) linear_.add(nodes, element_stiffness<D>(mesh, mesh.elements[e], material, description_.integration));
   }
 }
 
@@ -144,14 +143,12 @@ typename Body<D>::Energies Body<D>::energies(const NodalColumn& displacement_bef
 }
 
 template <int D>
-void Body<D>::stresses(const NodalColumn& displacement, const Memory& memory, std::vector<Voigt<D>>& stress,
-                       std::vector<Real>& slip) const {
+std::vector<SolidMean<D>> Body<D>::means(const NodalColumn& displacement, const Memory& memory) const {
   const geometry::ElementMesh& mesh = description_.mesh;
-  stress.assign(mesh.elements.size(), Voigt<D>::Zero());
-  slip.assign(mesh.elements.size(), 0);
+  std::vector<SolidMean<D>> means(mesh.elements.size());
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     const SolidMaterial& material = description_.materials[at(description_.material[e])];
-    if (material.strength) continue;
+    if (!material.is_elastic()) continue;
     const ElementColumn<D> moved = displacements_of<D>(mesh.elements[e], displacement);
     Voigt<D> strain = Voigt<D>::Zero();
     Real volume = 0;
@@ -160,10 +157,11 @@ void Body<D>::stresses(const NodalColumn& displacement, const Memory& memory, st
       strain += point.weight * (strain_matrix<D>(point.gradients) * moved);
       volume += point.weight;
     }
-    stress[e] = fem::elastic_stiffness<D>(material.elastic) * (strain / volume);
+    means[e].stress = fem::elastic_stiffness<D>(material.elastic) * (strain / volume);
   }
   for (std::size_t i = 0; i < yielding_.size(); ++i)
-    std::tie(stress[at(yielding_.element(i))], slip[at(yielding_.element(i))]) = yielding_.mean(i, displacement, memory.solids);
+    means[at(yielding_.element(i))] = yielding_.mean(i, displacement, memory.solids);
+  return means;
 }
 
 template class Body<2>;

@@ -20,7 +20,7 @@ struct BodyDescription {
 
 /// What the points of integration remember.
 struct Memory {
-  std::vector<Real> solids;  ///< plastic strains and slips
+  std::vector<Real> solids;  ///< plastic strains, slips and what else their laws remember
   std::vector<Real> joints;  ///< slips
 };
 
@@ -67,9 +67,8 @@ public:
   Energies energies(const NodalColumn& displacement_before, const NodalColumn& displacement, const Memory& before,
                     const Memory& after) const;
 
-  /// Mean stress of every element, and its mean plastic slip.
-  void stresses(const NodalColumn& displacement, const Memory& memory, std::vector<Voigt<D>>& stress,
-                std::vector<Real>& slip) const;
+  /// Stress, plastic slip and largest shear strain of every element.
+  std::vector<SolidMean<D>> means(const NodalColumn& displacement, const Memory& memory) const;
 
   const Joints<D>& joints() const { return joints_; }
 

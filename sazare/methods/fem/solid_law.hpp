@@ -1,10 +1,13 @@
 #pragma once
 
-/// A material at a point: elastic, or with a Mohr-Coulomb strength.
+/// A material at a point: elastic, with a Mohr-Coulomb strength, or soil that degrades with strain.
 
 #include <optional>
+#include <span>
 #include <string>
+#include <variant>
 
+#include "sazare/laws/overlay_plasticity.hpp"
 #include "sazare/laws/principal_return.hpp"
 #include "sazare/methods/fem/voigt.hpp"
 
@@ -18,6 +21,7 @@ struct SolidMaterial {
   Real density = 0;        ///< [kg/m3]
   Real damping_ratio = 0;  ///< of Rayleigh damping [-]
   std::optional<laws::MohrCoulomb> strength;
+  std::optional<laws::BackboneCurve> backbone;  ///< its shear modulus is that of `elastic`
 
   static SolidMaterial elastic_of(Real youngs_modulus, Real poisson_ratio, Real density_) {
     SolidMaterial material;
@@ -26,6 +30,8 @@ struct SolidMaterial {
     material.density = density_;
     return material;
   }
+  /// Whether its stress is the elastic one of its strain, always.
+  bool is_elastic() const { return !strength && !backbone; }
   /// Whether the tangent is symmetric.
   bool is_associated() const { return !strength || strength->sin_friction == strength->sin_dilation; }
   Real p_wave_velocity() const { return std::sqrt((elastic.lame + 2 * elastic.shear_modulus) / density); }
@@ -85,6 +91,54 @@ SolidResponse<D> respond(const laws::PrincipalReturnMapping& mapping, const Voig
   }
   *tangent = units * c * units.transpose();
   return response;
+}
+
+/// Energies at a point [J/m3]: what is stored, and what plastic flow has dissipated since another state.
+using PointEnergies = laws::OverlayEnergies;
+
+/// Mohr-Coulomb strength with its memory: the plastic strain, and the plastic slip that it has added up.
+template <int D>
+class StrengthAtPoint {
+public:
+  StrengthAtPoint(const laws::MohrCoulomb& strength, const laws::Elasticity& elastic)
+      : mapping_(strength, elastic), stiffness_(elastic_stiffness<D>(elastic)) {}
+
+  std::size_t memory_size() const { return stress_size<D> + 1; }
+  Real slip(std::span<const Real> memory) const { return memory[stress_size<D>]; }
+  Real peak(std::span<const Real>) const { return 0; }
+
+  Voigt<D> respond(const Voigt<D>& strain, std::span<const Real> before, std::span<Real> after, VoigtMatrix<D>* tangent) const {
+    const SolidResponse<D> response = fem::respond<D>(mapping_, elastic(strain, before), tangent);
+    Eigen::Map<Voigt<D>>(after.data()) = plastic(before) + response.plastic;
+    const Eigen::SelfAdjointEigenSolver<Matrix3> parts(strain_tensor<D>(response.plastic), Eigen::EigenvaluesOnly);
+    after[stress_size<D>] = slip(before) + (response.yields ? parts.eigenvalues()[2] - parts.eigenvalues()[0] : 0);
+    return response.stress;
+  }
+
+  Voigt<D> stress(const Voigt<D>& strain, std::span<const Real> memory) const { return stiffness_ * elastic(strain, memory); }
+
+  PointEnergies energies(const Voigt<D>& strain_before, const Voigt<D>& strain, std::span<const Real> before,
+                         std::span<const Real> after) const {
+    const Voigt<D> now = elastic(strain, after), old = elastic(strain_before, before), flow = plastic(after) - plastic(before);
+    return {0.5 * now.dot(stiffness_ * now), 0.5 * flow.dot(stiffness_ * (now + old))};
+  }
+
+private:
+  static Eigen::Map<const Voigt<D>> plastic(std::span<const Real> memory) { return Eigen::Map<const Voigt<D>>(memory.data()); }
+  static Voigt<D> elastic(const Voigt<D>& strain, std::span<const Real> memory) { return strain - plastic(memory); }
+
+  laws::PrincipalReturnMapping mapping_;
+  VoigtMatrix<D> stiffness_;
+};
+
+/// What a material that is not elastic does at a point.
+template <int D>
+using PointLaw = std::variant<StrengthAtPoint<D>, laws::OverlayModel<stress_size<D>>>;
+
+template <int D>
+PointLaw<D> point_law(const SolidMaterial& material) {
+  if (material.backbone) return laws::OverlayModel<stress_size<D>>(material.elastic, *material.backbone);
+  return StrengthAtPoint<D>(material.strength.value_or(laws::MohrCoulomb{}), material.elastic);
 }
 
 }  // namespace sazare::methods::fem

@@ -86,27 +86,22 @@ template <int D>
 YieldingSolids<D>::YieldingSolids(const geometry::ElementMesh& mesh, const std::vector<SolidMaterial>& materials,
                                   const std::vector<Index>& material, Integration integration)
     : mesh_(&mesh), first_point_{0} {
-  for (const SolidMaterial& one : materials) {
-    law_.emplace_back(one.strength.value_or(laws::MohrCoulomb{}), one.elastic);
-    stiffness_.push_back(elastic_stiffness<D>(one.elastic));
-  }
+  for (const SolidMaterial& one : materials) law_.push_back(point_law<D>(one));
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    if (!materials[at(material[e])].strength) continue;
+    if (materials[at(material[e])].is_elastic()) continue;
     element_.push_back(static_cast<Index>(e));
     material_.push_back(material[e]);
-    for (const QuadraturePoint& place : stiffness_points(mesh.elements[e].shape, integration))
-      point_.push_back(solid_point<D>(mesh, mesh.elements[e], place));
+    const std::size_t by_point = std::visit([](const auto& one) { return one.memory_size(); }, law_[at(material[e])]);
+    for (const QuadraturePoint& place : stiffness_points(mesh.elements[e].shape, integration)) {
+      point_.push_back({solid_point<D>(mesh, mesh.elements[e], place), memory_size_});
+      memory_size_ += by_point;
+    }
     first_point_.push_back(point_.size());
   }
 }
 
 template <int D>
-Voigt<D> YieldingSolids<D>::elastic_strain(std::size_t point, const ElementColumn<D>& moved, std::span<const Real> memory) const {
-  return strain_matrix<D>(point_[point].gradients) * moved - Memory(memory.data() + point * (stress_size<D> + 1));
-}
-
-template <int D>
-bool YieldingSolids<D>::evaluate(std::size_t number, const NodalColumn& displacement, std::span<const Real> before,
+void YieldingSolids<D>::evaluate(std::size_t number, const NodalColumn& displacement, std::span<const Real> before,
                                  std::span<Real> after, std::span<Real> force, std::span<Real> tangent) const {
   const geometry::MeshElement& element = mesh_->elements[at(element_[number])];
   const ElementColumn<D> moved = displacements_of<D>(element, displacement);
@@ -115,23 +110,18 @@ bool YieldingSolids<D>::evaluate(std::size_t number, const NodalColumn& displace
   Eigen::Map<RowMatrix> k(tangent.data(), tangent.empty() ? 0 : moved.size(), tangent.empty() ? 0 : moved.size());
   f.setZero();
   k.setZero();
-  bool yields = false;
-  for (std::size_t p = first_point_[number]; p < first_point_[number + 1]; ++p) {
-    const StrainMatrix<D> b = strain_matrix<D>(point_[p].gradients);
-    const Real* old = before.data() + p * (stress_size<D> + 1);
-    VoigtMatrix<D> c;
-    const Voigt<D> strain = b * moved - Memory(old);
-    const SolidResponse<D> response = respond<D>(law_[at(material_[number])], strain, tangent.empty() ? nullptr : &c);
-    yields = yields || response.yields;
-    Real* next = after.data() + p * (stress_size<D> + 1);
-    Eigen::Map<Voigt<D>> flowed(next);
-    flowed = Memory(old) + response.plastic;
-    const Eigen::SelfAdjointEigenSolver<Matrix3> parts(strain_tensor<D>(response.plastic), Eigen::EigenvaluesOnly);
-    next[stress_size<D>] = old[stress_size<D>] + (response.yields ? parts.eigenvalues()[2] - parts.eigenvalues()[0] : 0);
-    f.noalias() += point_[p].weight * (b.transpose() * response.stress);
-    if (!tangent.empty()) k.noalias() += point_[p].weight * (b.transpose() * (c * b));
-  }
-  return yields;
+  std::visit(
+      [&](const auto& law) {
+        for (const Point& point : points(number)) {
+          const StrainMatrix<D> b = strain_matrix<D>(point.gradients);
+          VoigtMatrix<D> c;
+          const Voigt<D> stress = law.respond(b * moved, before.subspan(point.memory), after.subspan(point.memory),
+                                              tangent.empty() ? nullptr : &c);
+          f.noalias() += point.weight * (b.transpose() * stress);
+          if (!tangent.empty()) k.noalias() += point.weight * (b.transpose() * (c * b));
+        }
+      },
+      law(number));
 }
 
 template <int D>
@@ -141,29 +131,38 @@ typename YieldingSolids<D>::Energies YieldingSolids<D>::energies(std::size_t num
   const geometry::MeshElement& element = mesh_->elements[at(element_[number])];
   const ElementColumn<D> old = displacements_of<D>(element, displacement_before),
                          now = displacements_of<D>(element, displacement);
-  const VoigtMatrix<D>& c = stiffness_[at(material_[number])];
   Energies result;
-  for (std::size_t p = first_point_[number]; p < first_point_[number + 1]; ++p) {
-    const Voigt<D> strain = elastic_strain(p, now, after), strain_before = elastic_strain(p, old, before);
-    const Voigt<D> flow = Memory(after.data() + p * (stress_size<D> + 1)) - Memory(before.data() + p * (stress_size<D> + 1));
-    result.elastic += 0.5 * point_[p].weight * strain.dot(c * strain);
-    result.plastic += 0.5 * point_[p].weight * flow.dot(c * (strain + strain_before));
-  }
+  std::visit(
+      [&](const auto& law) {
+        for (const Point& point : points(number)) {
+          const StrainMatrix<D> b = strain_matrix<D>(point.gradients);
+          const PointEnergies part =
+              law.energies(b * old, b * now, before.subspan(point.memory), after.subspan(point.memory));
+          result.elastic += point.weight * part.elastic;
+          result.plastic += point.weight * part.plastic;
+        }
+      },
+      law(number));
   return result;
 }
 
 template <int D>
-std::pair<Voigt<D>, Real> YieldingSolids<D>::mean(std::size_t number, const NodalColumn& displacement,
-                                                  std::span<const Real> memory) const {
+SolidMean<D> YieldingSolids<D>::mean(std::size_t number, const NodalColumn& displacement, std::span<const Real> memory) const {
   const ElementColumn<D> moved = displacements_of<D>(mesh_->elements[at(element_[number])], displacement);
-  Voigt<D> stress = Voigt<D>::Zero();
-  Real slip = 0, volume = 0;
-  for (std::size_t p = first_point_[number]; p < first_point_[number + 1]; ++p) {
-    stress += point_[p].weight * (stiffness_[at(material_[number])] * elastic_strain(p, moved, memory));
-    slip += point_[p].weight * memory[p * (stress_size<D> + 1) + stress_size<D>];
-    volume += point_[p].weight;
-  }
-  return {stress / volume, slip / volume};
+  SolidMean<D> mean;
+  Real volume = 0;
+  std::visit(
+      [&](const auto& law) {
+        for (const Point& point : points(number)) {
+          const auto own = memory.subspan(point.memory);
+          mean.stress += point.weight * law.stress(strain_matrix<D>(point.gradients) * moved, own);
+          mean.slip += point.weight * law.slip(own);
+          mean.peak += point.weight * law.peak(own);
+          volume += point.weight;
+        }
+      },
+      law(number));
+  return {mean.stress / volume, mean.slip / volume, mean.peak / volume};
 }
 
 template SolidPoint<2> solid_point<2>(const geometry::ElementMesh&, const geometry::MeshElement&, const QuadraturePoint&);

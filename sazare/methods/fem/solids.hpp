@@ -50,6 +50,14 @@ template <int D>
 Eigen::MatrixXd element_mass(const geometry::ElementMesh& mesh, const geometry::MeshElement& element, Real density,
                              MassMatrix kind);
 
+/// Means over an element.
+template <int D>
+struct SolidMean {
+  Voigt<D> stress = Voigt<D>::Zero();  ///< [Pa]
+  Real slip = 0;                       ///< plastic shear strain [-]
+  Real peak = 0;                       ///< largest shear strain so far, of soil that degrades with strain [-]
+};
+
 /// Elements whose stress must be found point by point, with their memory.
 template <int D>
 class YieldingSolids {
@@ -59,14 +67,13 @@ public:
 
   std::size_t size() const { return element_.size(); }
   Index element(std::size_t number) const { return element_[number]; }
-  std::size_t points() const { return point_.size(); }
 
-  /// Numbers of memory: the plastic strain of every point, and the plastic slip it has added up.
-  std::size_t memory_size() const { return points() * (stress_size<D> + 1); }
+  /// Numbers of memory of all points, as their laws have them.
+  std::size_t memory_size() const { return memory_size_; }
 
   /// Stress and memory of an element from the displacements and the memory before; its force and, where asked for, its tangent by
-  /// rows. Returns whether a point yields.
-  bool evaluate(std::size_t number, const NodalColumn& displacement, std::span<const Real> before, std::span<Real> after,
+  /// rows.
+  void evaluate(std::size_t number, const NodalColumn& displacement, std::span<const Real> before, std::span<Real> after,
                 std::span<Real> force, std::span<Real> tangent) const;
 
   struct Energies {
@@ -78,20 +85,26 @@ public:
   Energies energies(std::size_t number, const NodalColumn& displacement_before, const NodalColumn& displacement,
                     std::span<const Real> before, std::span<const Real> after) const;
 
-  /// Mean stress and plastic slip of an element.
-  std::pair<Voigt<D>, Real> mean(std::size_t number, const NodalColumn& displacement, std::span<const Real> memory) const;
+  SolidMean<D> mean(std::size_t number, const NodalColumn& displacement, std::span<const Real> memory) const;
 
 private:
-  using Memory = Eigen::Map<const Voigt<D>>;
-  Voigt<D> elastic_strain(std::size_t point, const ElementColumn<D>& moved, std::span<const Real> memory) const;
+  /// A point of integration, and where its memory stands.
+  struct Point : SolidPoint<D> {
+    std::size_t memory = 0;
+  };
+
+  const PointLaw<D>& law(std::size_t number) const { return law_[at(material_[number])]; }
+  std::span<const Point> points(std::size_t number) const {
+    return std::span(point_).subspan(first_point_[number], first_point_[number + 1] - first_point_[number]);
+  }
 
   const geometry::ElementMesh* mesh_;
   std::vector<Index> element_;
   std::vector<std::size_t> first_point_;  ///< by element, and one beyond
-  std::vector<SolidPoint<D>> point_;
-  std::vector<laws::PrincipalReturnMapping> law_;  ///< by material
-  std::vector<VoigtMatrix<D>> stiffness_;          ///< by material
-  std::vector<Index> material_;                    ///< by number
+  std::vector<Point> point_;
+  std::vector<PointLaw<D>> law_;  ///< by material
+  std::vector<Index> material_;   ///< by number
+  std::size_t memory_size_ = 0;
 };
 
 extern template class YieldingSolids<2>;

@@ -87,6 +87,7 @@ TEST(Schema, ChoicesAreInTheOrderOfTheEnums) {
   expect_same_words<IntegrationKind>("elements", "integration", fem_schema());
   expect_same_words<GroupKind>("boundaries", "kind", fem_schema());
   expect_same_words<Analysis>("time", "analysis", fem_schema());
+  expect_same_words<BackboneKind>("materials", "backbone", fem_schema());
 }
 
 TEST(Schema, JsonIsValidAndClosed) {

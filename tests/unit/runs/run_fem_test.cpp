@@ -24,6 +24,9 @@ cases::CaseFile beam(std::vector<std::string> settings = {}) {
 /// A beam that yields.
 cases::CaseFile weak_beam() { return beam({"materials.0.cohesion=2e6", "materials.0.friction_angle=20"}); }
 
+/// A beam of soil that degrades with strain.
+cases::CaseFile soft_beam() { return beam({"materials.0.backbone=hyperbolic", "materials.0.reference_strain=2e-4"}); }
+
 RunOutcome run_quietly(const cases::CaseFile& file, const fs::path& folder, Begin begin = Begin::fresh,
                        const std::atomic<bool>* stop = nullptr) {
   return registry::run_case(file, {folder, begin, true, stop});
@@ -43,9 +46,9 @@ TEST(run_fem, writes_its_folder_and_its_figures) {
   EXPECT_TRUE(read_text(folder / "run/gauges.csv").starts_with("time [s],tip.displacement_x [m],"));
 }
 
-TEST(run_fem, in_many_parts_gives_the_bits_of_one_run) {
+void check_parts(const cases::CaseFile& file) {
   const TemporaryFolder folder;
-  run_quietly(weak_beam(), folder / "whole");
+  run_quietly(file, folder / "whole");
   int parts = 1;
   for (;; ++parts) {
     std::atomic<bool> stop = false;
@@ -55,7 +58,7 @@ TEST(run_fem, in_many_parts_gives_the_bits_of_one_run) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
       stop = true;
     });
-    if (!run_quietly(weak_beam(), folder / "parts", Begin::resume, &stop).stopped) break;
+    if (!run_quietly(file, folder / "parts", Begin::resume, &stop).stopped) break;
   }
   EXPECT_GT(parts, 1);
   const nlohmann::json one = read_manifest(folder / "whole"), many = read_manifest(folder / "parts");
@@ -65,6 +68,10 @@ TEST(run_fem, in_many_parts_gives_the_bits_of_one_run) {
   EXPECT_EQ(test::without_last_column(read_text(folder / "whole/history.csv")),
             test::without_last_column(read_text(folder / "parts/history.csv")));
 }
+
+TEST(run_fem, in_many_parts_gives_the_bits_of_one_run) { check_parts(weak_beam()); }
+
+TEST(run_fem, of_soil_in_many_parts_gives_the_bits_of_one_run) { check_parts(soft_beam()); }
 
 std::string refused(const std::vector<std::string>& settings) {
   return words_of<UserError>([&] { registry::check_case(beam(settings)); });

@@ -9,6 +9,7 @@ enum class MassKind { consistent, lumped };
 enum class IntegrationKind { full, reduced };
 enum class GroupKind { fixed, roller, prescribed, viscous };
 enum class Analysis { dynamic, statics };
+enum class BackboneKind { hyperbolic, ramberg_osgood, table };
 
 struct FemMesh : Mesh {
   int dimension = 2;
@@ -17,6 +18,13 @@ struct FemMesh : Mesh {
 struct FemElements {
   MassKind mass = MassKind::consistent;
   IntegrationKind integration = IntegrationKind::full;
+};
+
+/// Rows of a table of G/G0 over shear strain.
+struct ModulusReduction {
+  std::vector<Real> strain;   // of shear, as a plain number
+  std::vector<Real> ratio;    // G/G0
+  std::vector<Real> damping;  // damping ratio as a plain number, or empty: only to compare with
 };
 
 struct FemMaterial {
@@ -31,6 +39,16 @@ struct FemMaterial {
   Real friction_angle = 0;               // degrees
   Real dilation_angle = 0;               // degrees
   std::optional<Real> tensile_strength;  // Pa; without it the tip of the strength
+  bool degrades = false;                 // whether its stiffness falls with the shear strain
+  BackboneKind backbone = BackboneKind::hyperbolic;
+  std::optional<Real> reference_strain;  // of shear, where G/G0 = 0.5
+  std::optional<Real> shear_strength;    // Pa
+  Real ramberg_osgood_exponent = 0;
+  std::filesystem::path modulus_reduction;  // of a table
+  int yield_surfaces = 0;
+  ModulusReduction reduction;  // what the file holds
+
+  Real shear_modulus() const { return youngs_modulus / (2 * (1 + poisson_ratio)); }  // Pa
 };
 
 /// A joint without thickness, between two regions or on a group of faces inside the body.

@@ -15,15 +15,16 @@ std::string word(Enum value) {
   return std::string(EnumWords<Enum>::words.at(static_cast<std::size_t>(value)));
 }
 
-void check_materials(const CheckContext& context, const FemCase& fem) {
+void check_materials(const CheckContext& context, FemCase& fem) {
   std::map<std::string, Place> seen;
   const auto list = context.entries_of("materials");
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const FemMaterial& material = fem.materials[i];
+    FemMaterial& material = fem.materials[i];
     for (std::size_t k = 0; list[i].gives("regions") && k < material.regions.size(); ++k)
       if (const Place place = list[i].place("regions", k); !seen.try_emplace(material.regions[k], place).second)
         context.problems.error(place, fmt::format("region \"{}\" has two materials", material.regions[k]),
                                "name each region once");
+    check_soil(context, list[i], material);
     if (!material.yields) {
       check_keys(context, list[i], "a material without cohesion", {}, {"friction_angle", "dilation_angle", "tensile_strength"});
       continue;

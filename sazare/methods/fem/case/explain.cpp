@@ -5,6 +5,7 @@
 #include "sazare/cases/explanation.hpp"
 #include "sazare/methods/fem/case/fields.hpp"
 #include "sazare/methods/fem/case/format.hpp"
+#include "sazare/methods/fem/case/soil.hpp"
 
 namespace sazare::cases {
 namespace {
@@ -17,6 +18,7 @@ std::string material_text(const FemMaterial& material) {
     text += fmt::format("\n  {:<12}  yields: cohesion {} Pa, friction angle {} deg, dilation angle {} deg, tension cut-off {}", "",
                         number(material.cohesion), number(material.friction_angle), number(material.dilation_angle),
                         cut_off_text(material.tensile_strength));
+  if (material.degrades) text += soil_text(material);
   return text;
 }
 

@@ -23,6 +23,11 @@ struct EnumWords<Analysis> {
   static constexpr std::array<std::string_view, 2> words{"dynamic", "static"};
 };
 
+template <>
+struct EnumWords<BackboneKind> {
+  static constexpr std::array<std::string_view, 3> words{"hyperbolic", "ramberg_osgood", "table"};
+};
+
 template <class Visitor>
 void visit_fields(Visitor& visit, FemMesh& mesh) {
   visit_fields(visit, static_cast<Mesh&>(mesh));
@@ -36,6 +41,21 @@ void visit_fields(Visitor& visit, FemElements& elements) {
 }
 
 template <class Visitor>
+void visit_backbone(Visitor& visit, FemMaterial& material) {
+  material.degrades = visit.has("backbone", material.degrades);
+  if (!material.degrades) return;
+  visit("backbone", material.backbone);
+  visit("shear_strength", material.shear_strength);
+  if (material.backbone == BackboneKind::table) {
+    visit("modulus_reduction", material.modulus_reduction);
+    return;
+  }
+  visit("reference_strain", material.reference_strain);
+  if (material.backbone == BackboneKind::ramberg_osgood) visit("ramberg_osgood_exponent", material.ramberg_osgood_exponent);
+  visit("yield_surfaces", material.yield_surfaces);
+}
+
+template <class Visitor>
 void visit_fields(Visitor& visit, FemMaterial& material) {
   visit("name", material.name);
   visit("regions", material.regions);
@@ -43,6 +63,7 @@ void visit_fields(Visitor& visit, FemMaterial& material) {
   visit("youngs_modulus", material.youngs_modulus);
   visit("poisson_ratio", material.poisson_ratio);
   visit("damping_ratio", material.damping_ratio);
+  visit_backbone(visit, material);
   material.yields = visit.has("cohesion", material.yields);
   if (!material.yields) return;
   visit("cohesion", material.cohesion);

@@ -15,6 +15,9 @@ CaseFormat fem_format();
 /// All checks of a case after types and ranges; reads the files that it names.
 void check_fem(const CheckContext& context, FemCase& fem);
 
+/// Checks of materials that degrade with strain; reads their tables.
+void check_soil(const CheckContext& context, const Entry& entry, FemMaterial& material);
+
 /// The case as TOML with every key and default written out and its unit beside it; reading it gives the same case. Files are
 /// written relative to `folder`, where the text will be saved, or as full paths when it is empty.
 std::string write_resolved(const FemCase& fem, const std::filesystem::path& folder = {});

@@ -39,6 +39,9 @@ inline constexpr std::array elements = {Column{"normal_stress", "Pa", "xx, yy, z
                                         Column{"plastic_shear_strain", "-", "equivalent plastic shear strain"},
                                         Column{"region", "-", "physical group in the mesh, counted from 0 as the file has them"}};
 
+inline constexpr std::array soil = {
+    Column{"shear_strain_max", "-", "largest shear strain so far, of soil with a backbone; only where there is any"}};
+
 /// In the manifest, `results` by name: an interface, which scripts of users read.
 inline constexpr std::array figures = {Column{"nodes", "-", ""},
                                    Column{"elements", "-", ""},

@@ -14,6 +14,7 @@
 #include "sazare/geometry/gmsh/mesher.hpp"
 #include "sazare/methods/fem/boundary_faces.hpp"
 #include "sazare/methods/fem/case/case.hpp"
+#include "sazare/methods/fem/case/soil.hpp"
 #include "sazare/observe/hash.hpp"
 
 namespace sazare::runs {
@@ -69,6 +70,7 @@ fem::SolidMaterial material_of(const cases::FemMaterial& given) {
   auto material = fem::SolidMaterial::elastic_of(given.youngs_modulus, given.poisson_ratio, given.density);
   material.name = given.name;
   material.damping_ratio = given.damping_ratio;
+  if (given.degrades) material.backbone = cases::backbone_of(given);
   if (!given.yields) return material;
   material.strength = laws::MohrCoulomb::make(given.cohesion, given.friction_angle * degree, given.dilation_angle * degree,
                                               given.tensile_strength);

@@ -163,15 +163,15 @@ void FemRecord<D>::write_snapshot(Real time) {
     places[node] += vector_of<D>(state.displacement, node);
   }
   const std::vector<Vector3> velocity = vectors_of<D>(state.velocity), acceleration = vectors_of<D>(state.acceleration);
-  std::vector<methods::fem::Voigt<D>> stress;
-  std::vector<Real> slip, pressure, von_mises;
-  stepper().body().stresses(state.displacement, state.memory, stress, slip);
+  std::vector<Real> slip, peak, pressure, von_mises;
   std::vector<Vector3> normal, shear;
-  for (const auto& one : stress) {
-    normal.push_back(one.template head<3>());
+  for (const auto& one : stepper().body().means(state.displacement, state.memory)) {
+    normal.push_back(one.stress.template head<3>());
     shear.push_back(Vector3::Zero());
-    shear.back().template head<methods::fem::stress_size<D> - 3>() = one.template tail<methods::fem::stress_size<D> - 3>();
-    pressure.push_back(-one.template head<3>().sum() / 3);
+    shear.back().template head<methods::fem::stress_size<D> - 3>() = one.stress.template tail<methods::fem::stress_size<D> - 3>();
+    pressure.push_back(-one.stress.template head<3>().sum() / 3);
+    slip.push_back(one.slip);
+    peak.push_back(one.peak);
     von_mises.push_back(von_mises_stress(normal.back(), shear.back()));
   }
   std::vector<std::int32_t> connectivity, region(mesh.region.begin(), mesh.region.end());
@@ -182,7 +182,10 @@ void FemRecord<D>::write_snapshot(Real time) {
     types.push_back(geometry::facts(element.shape).vtk_type);
   }
   const auto of_points = observe::cell_data(columns::fem::nodes, moved, velocity, acceleration);
-  const auto of_cells = observe::cell_data(columns::fem::elements, normal, shear, pressure, von_mises, slip, region);
+  auto of_cells = observe::cell_data(columns::fem::elements, normal, shear, pressure, von_mises, slip, region);
+  const auto has_backbone = [](const auto& material) { return material.backbone.has_value(); };
+  if (std::ranges::any_of(stepper().body().description().materials, has_backbone))
+    of_cells.push_back(observe::cell_data(columns::fem::soil[0].name, peak));
   observe::Grid grid{observe::Grid::Cell::vertex, places, connectivity, of_cells, time};
   grid.point_data = of_points;
   grid.types = types;

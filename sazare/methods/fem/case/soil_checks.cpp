@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include "sazare/cases/format/number_text.hpp"
+#include "sazare/methods/fem/case/format.hpp"
+#include "sazare/methods/fem/case/soil.hpp"
+
+namespace sazare::cases {
+namespace {
+
+void check_backbone_keys(const CheckContext& context, const Entry& entry, const FemMaterial& material) {
+  if (!material.degrades)
+    return check_keys(context, entry, "a material without backbone", {},
+                      {"reference_strain", "shear_strength", "ramberg_osgood_exponent", "modulus_reduction", "yield_surfaces"});
+  switch (material.backbone) {
+    case BackboneKind::hyperbolic:
+      check_keys(context, entry, "a hyperbolic backbone", {}, {"ramberg_osgood_exponent", "modulus_reduction"});
+      if (!entry.has("reference_strain") && !entry.has("shear_strength"))
+        context.problems.error(entry.place("backbone"), "a hyperbolic backbone has neither reference_strain nor shear_strength",
+                               "give the shear strain at which G/G0 = 0.5, or the shear strength; each follows from the other");
+      break;
+    case BackboneKind::ramberg_osgood:
+      check_keys(context, entry, "a backbone of Ramberg and Osgood",
+                 {"reference_strain", "ramberg_osgood_exponent", "shear_strength"}, {"modulus_reduction"});
+      break;
+    case BackboneKind::table:
+      check_keys(context, entry, "a backbone from a table", {"modulus_reduction"},
+                 {"reference_strain", "ramberg_osgood_exponent", "yield_surfaces"});
+      break;
+  }
+}
+
+/// The strength of a curve by its formula lies between the stress at the reference strain and, of a hyperbola, its limit.
+void check_strength_of_formula(const CheckContext& context, const Entry& entry, const FemMaterial& material) {
+  if (!entry.gives("reference_strain") || !entry.gives("shear_strength") || !entry.gives("youngs_modulus") ||
+      !entry.gives("poisson_ratio"))
+    return;
+  const Real limit = material.shear_modulus() * *material.reference_strain, given = *material.shear_strength;
+  if (given < 0.5 * limit)
+    context.problems.error(entry.place("shear_strength"),
+                           fmt::format("shear_strength must be at least G0 reference_strain/2 = {} Pa, found {}",
+                                       short_number(0.5 * limit), short_number(given)),
+                           "this is the stress at the reference strain, where G/G0 = 0.5; lower the reference strain");
+  if (material.backbone == BackboneKind::hyperbolic && given > limit * (1 + 1e-9))
+    context.problems.error(entry.place("shear_strength"),
+                           fmt::format("shear_strength must be at most G0 reference_strain = {} Pa, found {}",
+                                       short_number(limit), short_number(given)),
+                           "the hyperbola ends there; raise the reference strain, or give one of the two alone");
+}
+
+void check_strength_of_table(const CheckContext& context, const Entry& entry, const FemMaterial& material) {
+  if (!entry.gives("shear_strength") || !entry.gives("youngs_modulus") || !entry.gives("poisson_ratio")) return;
+  const auto points = points_of(material.reduction, material.shear_modulus());
+  const Real last = points.back().stress, given = *material.shear_strength;
+  if (given < last * (1 - 1e-9))
+    context.problems.error(entry.place("shear_strength"),
+                           fmt::format("shear_strength must be at least the stress of the table's last row, {} Pa, found {}",
+                                       short_number(last), short_number(given)),
+                           "remove the rows beyond the strength, or leave shear_strength out: the stress then stays that of the "
+                           "last row");
+  if (given > last * (1 + 1e-9) && points[points.size() - 2].stress >= last)
+    context.problems.error(entry.place("shear_strength"),
+                           fmt::format("the stress of the table has ended at {} Pa, below shear_strength", short_number(last)),
+                           "leave shear_strength out, or correct the last rows, over which G/G0 times strain does not grow");
+}
+
+void check_table(const CheckContext& context, const Entry& entry, FemMaterial& material) {
+  if (!entry.gives("modulus_reduction")) return;
+  const std::string as_written = *entry.value->find("modulus_reduction")->text();
+  const Place place = entry.place("modulus_reduction");
+  if (!check_file(context, place, "table of G/G0", material.modulus_reduction, as_written)) return;
+  read_modulus_reduction(material, (context.shown_folder / as_written).lexically_normal().string(), place, context.problems);
+  if (!material.reduction.strain.empty()) check_strength_of_table(context, entry, material);
+}
+
+}  // namespace
+
+void check_soil(const CheckContext& context, const Entry& entry, FemMaterial& material) {
+  check_backbone_keys(context, entry, material);
+  if (!material.degrades) return;
+  if (material.yields)
+    context.problems.error(entry.place("cohesion"), "the material has both a backbone and a cohesion",
+                           "keep one of them: a backbone ends in its own shear_strength");
+  if (material.backbone == BackboneKind::table)
+    check_table(context, entry, material);
+  else
+    check_strength_of_formula(context, entry, material);
+}
+
+}  // namespace sazare::cases
