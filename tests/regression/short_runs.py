@@ -55,6 +55,7 @@ RUNS = {
     "caisson-pushover": Run(),
     "cantilever-fem": Run(),
     "column-collapse-mps": Run(),
+    "column-nonlinear": Run(until(6.2)),
     "column-ricker": Run(),
     "direct-shear": Run(),
     "brazilian-disc": Run(until(2e-4, "mesh.parameters.size=0.0083")),

@@ -1,0 +1,132 @@
+"""A wave in a column of soil that degrades with strain, by finite elements and by finite differences of its own."""
+
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+import sazare
+from sazare.ground_motion.column import Column, Layer
+
+HERE = Path(__file__).resolve().parent
+PROGRAM = HERE.parents[2] / "build/release/apps/sazare/sazare"
+HEIGHT, DENSITY, MODULUS, REFERENCE = 20.0, 1800.0, 40.5e6, 1e-3  # m, kg/m3, Pa, -
+ROCK_DENSITY, ROCK_MODULUS, ROCK_HEIGHT = 2200.0, 0.891e9, 2.0  # kg/m3, Pa, m
+ROCK_VELOCITY = np.sqrt(ROCK_MODULUS / ROCK_DENSITY)  # m/s
+AMPLITUDE, FREQUENCY, CYCLES = 0.6, 1.2, 4  # m/s2, Hz, -
+
+
+def wave(time, amplitude=AMPLITUDE, frequency=FREQUENCY, cycles=CYCLES):
+    """Velocity [m/s] of a sine in acceleration."""
+    omega = 2.0 * np.pi * frequency
+    return amplitude / omega * (1.0 - np.cos(omega * np.clip(time, 0.0, cycles / frequency)))
+
+
+class Parts:
+    """Springs in parallel that slide: tangents of the hyperbola, far more than the engine takes. Iwan, J. Appl. Mech. 34 (1967) 612-617."""
+
+    def __init__(self, cells, count=240):
+        at = np.geomspace(2e-3, 100.0, count) * REFERENCE
+        slope = np.r_[MODULUS, MODULUS / (1.0 + at / REFERENCE) ** 2, 0.0]
+        stress = MODULUS * at / (1.0 + at / REFERENCE)
+        zero = np.r_[0.0, stress - slope[1:-1] * at, MODULUS * REFERENCE]
+        self.modulus = -np.diff(slope)[:, None]
+        self.most = np.diff(zero)[:, None]
+        self.stress = np.zeros((count + 1, cells))
+
+    def shear(self, change):
+        """Total stress [Pa] (cells,) after a change of strain (cells,)."""
+        self.stress += self.modulus * change
+        np.clip(self.stress, -self.most, self.most, out=self.stress)
+        return self.stress.sum(axis=0)
+
+
+def differences(cells, step, end):
+    """Central differences: times [s] (n,), surface less foot [m] (n,), peak strains (cells,), dissipated energy [J/m2]."""
+    parts, width = Parts(cells), HEIGHT / cells
+    mass = np.full(cells + 1, DENSITY * width)
+    mass[[0, -1]] *= 0.5
+    moved, velocity = np.zeros(cells + 1), np.zeros(cells + 1)
+    stress, peak, work = np.zeros(cells), np.zeros(cells), 0.0
+    impedance = ROCK_DENSITY * ROCK_VELOCITY
+    count = round(end / step)
+    behind = np.zeros(count + 1)
+    for number in range(count):
+        force = np.zeros(cells + 1)
+        force[:-1] += stress
+        force[1:] -= stress
+        foot = velocity[0]
+        velocity += step / mass * force
+        incoming = 2.0 * impedance * wave(number * step - ROCK_HEIGHT / ROCK_VELOCITY)
+        velocity[0] = (mass[0] / step * foot + force[0] + incoming - 0.5 * impedance * foot) / (mass[0] / step + 0.5 * impedance)
+        moved += step * velocity
+        change = step * np.diff(velocity) / width
+        before = stress
+        stress = parts.shear(change)
+        work += width * np.sum(0.5 * (stress + before) * change)
+        peak = np.maximum(peak, np.abs(np.diff(moved)) / width)
+        behind[number + 1] = moved[-1] - moved[0]
+    stored = 0.5 * width * np.sum(parts.stress**2 / parts.modulus)
+    return step * np.arange(count + 1), behind, peak, work - stored
+
+
+def run(folder, **settings):
+    command = [PROGRAM, "run", HERE / "case.toml", "--out", folder, "--overwrite", "--quiet"]
+    command += [word for key, value in settings.items() for word in ("--set", f"{key.replace('__', '.')}={value}")]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        sys.exit(done.stderr)
+    return sazare.open(folder)
+
+
+def peak_strains(results):
+    """By element of the soil, from below (cells,)."""
+    mesh = results.element_snapshots[-1].mesh
+    places, strains = mesh.cell_centers().points[:, 1], np.asarray(mesh.cell_data["shear_strain_max"])
+    order = np.argsort(places)
+    return strains[order][places[order] > ROCK_HEIGHT]
+
+
+def strong(folder):
+    results = run(folder)
+    table = results.gauge_table
+    behind = np.asarray(table["top.displacement_x"]) - np.asarray(table["foot.displacement_x"])
+    time, exact, peak, dissipated = differences(cells=200, step=2.5e-4, end=5.0)
+    error = np.interp(np.asarray(table["time"]), time, exact) - behind
+    print(f"surface,{np.max(np.abs(error)) / np.max(np.abs(exact))}")
+    found = peak_strains(results)
+    wanted = peak.reshape(len(found), -1).mean(axis=1)
+    print(f"peak-strain,{found.max() / wanted.max()}")
+    print(f"profile,{np.max(np.abs(found - wanted)) / wanted.max()}")
+    figures = results.figures
+    print(f"dissipated,{figures['energy_plastic'] / 0.5 / dissipated}")
+    print(f"energy-balance,{abs(figures['energy_residual']) / figures['energy_work']}")
+    print(f"degraded,{wanted.max() / REFERENCE}")
+
+
+def weak(folder):
+    """The transfer function of the elastic column, from the incoming wave to the surface."""
+    amplitude, frequency, cycles, end, step = 1e-5, 6.0, 1, 8.0, 2e-3
+    results = run(folder, motions__0__amplitude=amplitude, motions__0__frequency=frequency, motions__0__cycles=cycles, time__end=end,
+                  time__step=step, time__history_interval=step, time__snapshot_interval=end, solver__tolerance=1e-5)  # the motion dies out
+    surface = np.asarray(results.gauge_table["top.velocity_x"])
+    incoming = wave(step * np.arange(len(surface)), amplitude, frequency, cycles)
+    at = np.fft.rfftfreq(len(surface), step)
+    ratio = np.abs(np.fft.rfft(surface) / np.fft.rfft(incoming))
+    speed = np.sqrt(MODULUS / DENSITY)
+    exact = 2.0 * np.abs(Column([Layer(HEIGHT, DENSITY, speed), Layer(np.inf, ROCK_DENSITY, ROCK_VELOCITY)]).transfer(at))
+    band = (at >= 0.5) & (at <= 8.0)
+    print(f"transfer,{np.max(np.abs(ratio - exact)[band]) / np.max(exact[band])}")
+    print(f"weak-dissipated,{results.figures['energy_plastic']}")
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        strong(Path(folder) / "strong")
+        weak(Path(folder) / "weak")
+
+
+if __name__ == "__main__":
+    main()
