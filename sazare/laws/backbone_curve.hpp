@@ -7,17 +7,17 @@
 ///     g   engineering's shear strain [-]     G0  shear modulus at small strain [Pa]
 ///     t   shear stress [Pa]                  S   shear strength [Pa]
 ///
-/// The lines between go through neighbouring points of the curve. The first and the last of them are extended to the line of G0 and
-/// to that of the strength, so that the polygon passes through all points, begins with G0 and ends at S.
+/// The lines between go through neighbouring points of the curve. The first and the last of them are extended to the line of G0
+/// and to that of the strength, so that the polygon passes through all points, begins with G0 and ends at S.
 ///
 /// Curves, both with G/G0 = t/(G0 g) = 1/2 at the reference strain g_r:
 ///
-///     hyperbolic      t = G0 g/(1 + g/g_r), S = G0 g_r         Hardin and Drnevich, J. Soil Mech. Found. Div. ASCE 98 (1972) 667-692
-///     Ramberg-Osgood  g = t/G0 (1 + (2 t/(G0 g_r))^(r - 1))    Ramberg and Osgood, NACA Technical Note 902 (1943)
+///     hyperbolic      t = G0 g/(1 + g/g_r), S = G0 g_r         Hardin and Drnevich, J. Soil Mech. Found. Div. ASCE 98 (1972)
+///     667-692 Ramberg-Osgood  g = t/G0 (1 + (2 t/(G0 g_r))^(r - 1))    Ramberg and Osgood, NACA Technical Note 902 (1943)
 ///
-/// Masing's rules: after a reversal the curve is the backbone at twice its size from there. Of a closed cycle between -g and g they
-/// give the damping ratio D = dW/(4 pi W) = 2/pi (2 A/(g t) - 1) with A, the area under the backbone up to g, and W = g t/2. Masing,
-/// Proc. 2nd Int. Congress of Applied Mechanics (1926) 332-335.
+/// Masing's rules: after a reversal the curve is the backbone at twice its size from there. Of a closed cycle between -g and g
+/// they give the damping ratio D = dW/(4 pi W) = 2/pi (2 A/(g t) - 1) with A, the area under the backbone up to g, and W = g t/2.
+/// Masing, Proc. 2nd Int. Congress of Applied Mechanics (1926) 332-335.
 
 #include <algorithm>
 #include <cmath>
@@ -135,13 +135,15 @@ inline std::vector<Real> spaced_strains(Real first, Real last, int count) {
 /// Strains at which curves are taken, over the reference strain.
 inline constexpr Real first_curve_strain = 0.02, last_curve_strain = 50;
 
-/// A polygon of so many corners through points of a smooth curve, cut off at a strength that the curve has at `strain_at_strength`.
+/// A polygon of so many corners through points of a smooth curve, cut off at a strength that the curve has at
+/// `strain_at_strength`.
 template <class Stress>
 BackboneCurve curve_through(Real shear_modulus, Real reference_strain, int corners, Real strength, Real strain_at_strength,
                             Stress&& stress_at) {
   const Real last = std::min(last_curve_strain * reference_strain, strain_at_strength);
   std::vector<CurvePoint> points;
-  for (const Real strain : spaced_strains(std::min(first_curve_strain * reference_strain, first_curve_strain * last), last, corners))
+  for (const Real strain :
+       spaced_strains(std::min(first_curve_strain * reference_strain, first_curve_strain * last), last, corners))
     points.push_back({strain, std::min(stress_at(strain), strength)});
   return {shear_modulus, points, strength};
 }
@@ -149,7 +151,8 @@ BackboneCurve curve_through(Real shear_modulus, Real reference_strain, int corne
 /// The hyperbola; `strength`, at most G0 g_r, cuts it off.
 inline BackboneCurve hyperbolic_curve(Real shear_modulus, Real reference_strain, Real strength, int corners) {
   const Real limit = shear_modulus * reference_strain;
-  const Real reached = strength < limit ? strength / (shear_modulus * (1 - strength / limit)) : last_curve_strain * reference_strain;
+  const Real reached =
+      strength < limit ? strength / (shear_modulus * (1 - strength / limit)) : last_curve_strain * reference_strain;
   return curve_through(shear_modulus, reference_strain, corners, strength, reached,
                        [&](Real strain) { return shear_modulus * strain / (1 + strain / reference_strain); });
 }

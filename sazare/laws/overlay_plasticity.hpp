@@ -9,12 +9,13 @@
 ///     s   stress [Pa]           K    bulk modulus [Pa]            G_i  shear modulus of a part [Pa]
 ///     e   strain, e' its deviator [-]     p_i  plastic strain [-]     g_i  shear strain at which a part yields [-]
 ///
-/// G_i are the changes of slope of a backbone curve (backbone_curve.hpp) at its corners g_i: the sum of the parts is that polygon in
-/// a first loading, and follows Masing's rules afterwards. Each part dissipates 2 G_i (e' - p_i):dp_i, never less than 0, also with
-/// the mean of the stresses before and after; no closed path of strain gains energy, from whatever state. Iwan, J. Appl. Mech. 34 (1967) 612-617; in
-/// space, each part is that of von Mises: Besseling, J. Appl. Mech. 25 (1958) 529-536.
+/// G_i are the changes of slope of a backbone curve (backbone_curve.hpp) at its corners g_i: the sum of the parts is that polygon
+/// in a first loading, and follows Masing's rules afterwards. Each part dissipates 2 G_i (e' - p_i):dp_i, never less than 0, also
+/// with the mean of the stresses before and after; no closed path of strain gains energy, from whatever state. Iwan, J. Appl.
+/// Mech. 34 (1967) 612-617; in space, each part is that of von Mises: Besseling, J. Appl. Mech. 25 (1958) 529-536.
 ///
-/// Columns of strain: xx, yy, zz, xy and with N = 6 also yz, zx, shear strains engineering's; of stress the same with tensor's parts.
+/// Columns of strain: xx, yy, zz, xy and with N = 6 also yz, zx, shear strains engineering's; of stress the same with tensor's
+/// parts.
 
 #include <span>
 
@@ -59,7 +60,8 @@ public:
   /// Largest shear strain |e'| so far [-].
   Real peak(std::span<const Real> memory) const { return memory[parts_.size() * N + 1]; }
 
-  /// Stress of a strain, and the memory that it leaves; `tangent`, where asked for, is that of the stress by the strain, symmetric.
+  /// Stress of a strain, and the memory that it leaves; `tangent`, where asked for, is that of the stress by the strain,
+  /// symmetric.
   Column respond(const Column& strain, std::span<const Real> before, std::span<Real> after, Square* tangent) const {
     const Column deviator = deviator_of(strain);
     Column sum = Column::Zero(), flow = Column::Zero();

@@ -26,7 +26,8 @@ Body<D>::Body(BodyDescription description)
     const SolidMaterial& material = description_.materials[at(description_.material[e])];
     const auto nodes = mesh.elements[e].node_list();
     mass_.add(nodes, element_mass<D>(mesh, mesh.elements[e], material.density, description_.mass));
-    if (material.is_elastic()) linear_.add(nodes, element_stiffness<D>(mesh, mesh.elements[e], material, description_.integration));
+    if (material.is_elastic())
+      linear_.add(nodes, element_stiffness<D>(mesh, mesh.elements[e], material, description_.integration));
   }
 }
 

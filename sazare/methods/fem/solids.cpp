@@ -115,8 +115,8 @@ void YieldingSolids<D>::evaluate(std::size_t number, const NodalColumn& displace
         for (const Point& point : points(number)) {
           const StrainMatrix<D> b = strain_matrix<D>(point.gradients);
           VoigtMatrix<D> c;
-          const Voigt<D> stress = law.respond(b * moved, before.subspan(point.memory), after.subspan(point.memory),
-                                              tangent.empty() ? nullptr : &c);
+          const Voigt<D> stress =
+              law.respond(b * moved, before.subspan(point.memory), after.subspan(point.memory), tangent.empty() ? nullptr : &c);
           f.noalias() += point.weight * (b.transpose() * stress);
           if (!tangent.empty()) k.noalias() += point.weight * (b.transpose() * (c * b));
         }
@@ -136,8 +136,7 @@ typename YieldingSolids<D>::Energies YieldingSolids<D>::energies(std::size_t num
       [&](const auto& law) {
         for (const Point& point : points(number)) {
           const StrainMatrix<D> b = strain_matrix<D>(point.gradients);
-          const PointEnergies part =
-              law.energies(b * old, b * now, before.subspan(point.memory), after.subspan(point.memory));
+          const PointEnergies part = law.energies(b * old, b * now, before.subspan(point.memory), after.subspan(point.memory));
           result.elastic += point.weight * part.elastic;
           result.plastic += point.weight * part.plastic;
         }

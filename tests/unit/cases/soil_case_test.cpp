@@ -23,14 +23,16 @@ regions = ["rock"]
 density = 1800
 youngs_modulus = 1e8
 poisson_ratio = 0.25
-)" + keys + R"(
+)" + keys +
+         R"(
 [time]
 end = 1
 step = 0.1
 )";
 }
 
-constexpr const char* table = "shear_strain [%],modulus_ratio [-],damping_ratio [%]\n0.001,1,1\n0.01,0.9,2\n0.1,0.5,10\n1,0.1,20\n";
+constexpr const char* table =
+    "shear_strain [%],modulus_ratio [-],damping_ratio [%]\n0.001,1,1\n0.01,0.9,2\n0.1,0.5,10\n1,0.1,20\n";
 
 laws::BackboneCurve curve_of(const CaseFolder& folder, const std::string& keys) {
   return backbone_of(folder.read(soil_case(keys)).as<FemCase>().materials[0]);

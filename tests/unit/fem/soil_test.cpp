@@ -134,7 +134,8 @@ TEST(soil, under_a_small_push_is_elastic) {
   soft.start();
   SolidMaterial elastic = soil();
   elastic.backbone.reset();
-  FemStepper<2> linear(std::make_unique<Body<2>>(test::of_one_material(soft.body().mesh(), elastic)), soft.supports(), soft.rules());
+  FemStepper<2> linear(std::make_unique<Body<2>>(test::of_one_material(soft.body().mesh(), elastic)), soft.supports(),
+                       soft.rules());
   linear.start();
   Real most = 0, worst = 0;
   for (int step = 0; step < 100; ++step) {

@@ -64,8 +64,7 @@ TEST(backbone_curve, has_the_damping_of_ramberg_and_osgood) {
   constexpr Real exponent = 2.6;
   const BackboneCurve curve = ramberg_osgood_curve(modulus, reference, exponent, 10 * strength, 200);
   for (Real x = 0.3; x < 10; x *= 1.3) {
-    const Real exact =
-        2 / std::numbers::pi * (exponent - 1) / (exponent + 1) * (1 - curve.modulus_ratio(x * reference));
+    const Real exact = 2 / std::numbers::pi * (exponent - 1) / (exponent + 1) * (1 - curve.modulus_ratio(x * reference));
     EXPECT_NEAR(curve.masing_damping(x * reference), exact, 2e-3 * exact) << x;
   }
 }

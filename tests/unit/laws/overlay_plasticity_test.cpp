@@ -82,7 +82,8 @@ TEST(overlay_model, is_elastic_at_small_strain) {
   sample.move_to(strain);
   const Real volume = strain.head<3>().sum();
   for (int i = 0; i < 6; ++i)
-    EXPECT_NEAR(sample.stress[i], i < 3 ? 2 * modulus * strain[i] + elastic.lame * volume : modulus * strain[i], 1e-12 * modulus * 1e-7);
+    EXPECT_NEAR(sample.stress[i], i < 3 ? 2 * modulus * strain[i] + elastic.lame * volume : modulus * strain[i],
+                1e-12 * modulus * 1e-7);
   EXPECT_EQ(sample.law.slip(sample.memory), 0);
 }
 

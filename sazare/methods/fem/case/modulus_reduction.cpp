@@ -39,7 +39,8 @@ private:
   };
 
   static std::string help_for_header() {
-    return "the first line is \"shear_strain [-],modulus_ratio [-]\", and may go on with \",damping_ratio [-]\"; strains and damping "
+    return "the first line is \"shear_strain [-],modulus_ratio [-]\", and may go on with \",damping_ratio [-]\"; strains and "
+           "damping "
            "ratios may be in % instead";
   }
 
@@ -81,7 +82,8 @@ private:
     Real strain = 0, ratio = 0, damping = 0;
     const bool good_strain = read_number(line, fields[0], "shear strain", strain) && check_strain(line, fields[0], strain);
     bool good = read_number(line, fields[1], "G/G0", ratio) && good_strain;
-    if (columns_ == 3) good = read_number(line, fields[2], "damping ratio", damping) && check_damping(line, fields[2], damping) && good;
+    if (columns_ == 3)
+      good = read_number(line, fields[2], "damping ratio", damping) && check_damping(line, fields[2], damping) && good;
     strain *= strain_factor_;
     if (!good) is_first_ = false;
     if (!good || !check_ratio(line, fields[1], strain, ratio)) return;

@@ -103,9 +103,10 @@ constexpr std::array material_keys{
     Key{.name = "backbone",
         .type = Type::choice,
         .note = "default: the stiffness does not depend on the strain; not with a cohesion",
-        .sentence = "Soil that degrades with shear strain and dissipates by Masing's rules: stress of a first loading in shear, a "
-                    "hyperbola, the curve of Ramberg and Osgood, or a table of G/G0. G0 follows from Young's modulus and Poisson's "
-                    "ratio.",
+        .sentence =
+            "Soil that degrades with shear strain and dissipates by Masing's rules: stress of a first loading in shear, a "
+            "hyperbola, the curve of Ramberg and Osgood, or a table of G/G0. G0 follows from Young's modulus and Poisson's "
+            "ratio.",
         .choices = backbones},
     Key{.name = "reference_strain",
         .type = Type::number,
@@ -118,8 +119,9 @@ constexpr std::array material_keys{
         .unit = "Pa",
         .range = positive,
         .usual = usual::strength,
-        .note = "with a backbone; required for ramberg_osgood; default of hyperbolic: G0 reference_strain, of a table: the stress of "
-                "its last row",
+        .note =
+            "with a backbone; required for ramberg_osgood; default of hyperbolic: G0 reference_strain, of a table: the stress of "
+            "its last row",
         .sentence = "Shear strength, at which the backbone ends."},
     Key{.name = "ramberg_osgood_exponent",
         .type = Type::number,
@@ -129,14 +131,16 @@ constexpr std::array material_keys{
     Key{.name = "modulus_reduction",
         .type = Type::file,
         .note = "required for a table",
-        .sentence = "CSV with the header \"shear_strain [-],modulus_ratio [-]\", strains in - or %: G/G0 falls from 1. A third column "
-                    "\"damping_ratio [-]\" (or %) is only compared with what Masing's rules give."},
+        .sentence =
+            "CSV with the header \"shear_strain [-],modulus_ratio [-]\", strains in - or %: G/G0 falls from 1. A third column "
+            "\"damping_ratio [-]\" (or %) is only compared with what Masing's rules give."},
     Key{.name = "yield_surfaces",
         .type = Type::integer,
         .range = {.low = 3, .high = 200},
         .default_text = "30",
         .note = "hyperbolic and ramberg_osgood",
-        .sentence = "Number of elastic-perfectly plastic parts, which are the corners of the backbone; a table has one for each row."},
+        .sentence =
+            "Number of elastic-perfectly plastic parts, which are the corners of the backbone; a table has one for each row."},
 };
 
 constexpr std::array joint_keys{

@@ -74,8 +74,8 @@ laws::BackboneCurve backbone_of(const FemMaterial& material) {
 
 std::string soil_text(const FemMaterial& material) {
   const laws::BackboneCurve curve = backbone_of(material);
-  std::string text = fmt::format("\n  {:<12}  backbone {}: G0 {} Pa, shear strength {} Pa, G/G0 = 0.5 at a shear strain of {}", "",
-                                 word(material.backbone), number(curve.shear_modulus()), number(curve.strength()),
+  std::string text = fmt::format("\n  {:<12}  backbone {}: G0 {} Pa, shear strength {} Pa, G/G0 = 0.5 at a shear strain of {}",
+                                 "", word(material.backbone), number(curve.shear_modulus()), number(curve.strength()),
                                  number(curve.strain_at_ratio(0.5)));
   text += fmt::format("\n  {:<12}  {}", "", damping_text(material, curve));
   if (material.backbone != BackboneKind::table) return text;

@@ -26,8 +26,8 @@ std::vector<Real> lifts_of(const ModulusReduction& table);
 /// What `sazare check` says of the backbone of a material.
 std::string soil_text(const FemMaterial& material);
 
-/// Reads `material.modulus_reduction`. Problems are shown in that file under the name `shown_name` and listed where the case names
-/// the file.
+/// Reads `material.modulus_reduction`. Problems are shown in that file under the name `shown_name` and listed where the case
+/// names the file.
 void read_modulus_reduction(FemMaterial& material, const std::string& shown_name, const Place& named_at, Problems& problems);
 
 }  // namespace sazare::cases

@@ -14,7 +14,8 @@ std::string curves_hash(std::vector<cases::FemMaterial>& materials) {
     if (material.modulus_reduction.empty()) continue;
     any = true;
     material.modulus_reduction = material.modulus_reduction.filename();
-    for (const auto* column : {&material.reduction.strain, &material.reduction.ratio}) hash.add(std::as_bytes(std::span(*column)));
+    for (const auto* column : {&material.reduction.strain, &material.reduction.ratio})
+      hash.add(std::as_bytes(std::span(*column)));
   }
   return any ? observe::to_hex(hash.value()) : "";
 }

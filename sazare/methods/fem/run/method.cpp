@@ -33,7 +33,8 @@ FolderTables tables_of_fem() {
                         columns::fem::joint_set, columns::fem::newton}}},
           .gauges = {{"`gauges.csv` of `fem`", {columns::place_motion}}},
           .files = {},
-          .snapshots = {{"`finite_elements` of `fem`, points", {columns::fem::nodes}}, {"cells", {columns::fem::elements, columns::fem::soil}}}};
+          .snapshots = {{"`finite_elements` of `fem`, points", {columns::fem::nodes}},
+                        {"cells", {columns::fem::elements, columns::fem::soil}}}};
 }
 
 }  // namespace
