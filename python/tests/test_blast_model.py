@@ -52,7 +52,7 @@ def written(tmp_path):
 
 def meshed(layout, folder, discs=()):
     """The groups of the mesh that Gmsh makes of a layout."""
-    case = blast_model.write_model(blast_model.BlastModel(layout, GRANITE, list(discs)), folder)
+    case = blast_model.write_model(blast_model.BlastModel(layout, GRANITE, joints=blast_model.JointField(list(discs))), folder)
     mesh = folder / "model.msh"
     subprocess.run(["gmsh", "-3", "-format", "msh41", "-v", "1", case.parent / "model.geo", "-o", mesh], check=True, timeout=300)
     return MeshGroups(mesh)

@@ -7,10 +7,16 @@
     sazare.run(case)
 """
 
+from sazare.blast_model.joint_field import JointField, joint_field
+from sazare.blast_model.joint_sets import JointSet, Scatter, read_joint_sets
 from sazare.blast_model.joints import Disc, read_discs
 from sazare.blast_model.layout import Layout, Options, layout_of
 from sazare.blast_model.model import BlastModel, write_model
 from sazare.blast_model.pattern import Deck, Hole, Pattern, read_pattern
 from sazare.blast_model.rock import GRANITE
+from sazare.blast_model.sizes import SizeLaw
 
-__all__ = ["BlastModel", "Deck", "Disc", "GRANITE", "Hole", "Layout", "Options", "Pattern", "layout_of", "read_discs", "read_pattern", "write_model"]
+__all__ = [
+    "BlastModel", "Deck", "Disc", "GRANITE", "Hole", "JointField", "JointSet", "Layout", "Options", "Pattern", "Scatter", "SizeLaw", "joint_field", "layout_of",
+    "read_discs", "read_joint_sets", "read_pattern", "write_model",
+]

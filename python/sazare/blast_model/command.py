@@ -7,8 +7,11 @@ from pathlib import Path
 
 from sazare.arguments import positive, whole
 from sazare.blast_model import words
+from sazare.blast_model.joint_field import joint_field
+from sazare.blast_model.joint_sets import read_joint_sets, refuse_unused
 from sazare.blast_model.joints import read_discs, refuse_outside
 from sazare.blast_model.layout import FEWEST_AROUND, Options, layout_of
+from sazare.blast_model.mesh_quality import checked
 from sazare.blast_model.model import BlastModel, write_model
 from sazare.blast_model.pattern import read_pattern
 from sazare.blast_model.rock import GRANITE
@@ -45,7 +48,8 @@ def add_to(commands):
     command.add_argument("--margin", metavar="M", type=positive, help="rock around the holes [m] (default: two burdens; of a block the length of a hole)")
     command.add_argument("--size", metavar="M", type=positive, help="size of elements far from the holes [m] (default: a quarter of the burden or the margin)")
     command.add_argument("--around", metavar="N", type=whole(4, 64), default=FEWEST_AROUND, help="faces around a hole (default %(default)d)")
-    command.add_argument("--joints", metavar="CSV", help="existing joints: discs with x, y, z, dip, dip_direction, radius")
+    command.add_argument("--joints", metavar="CSV", help="existing joints: discs with x, y, z, dip, dip_direction, radius, set")
+    command.add_argument("--joint-sets", metavar="CSV", help="sets of joints: discs drawn by direction, size and P32, and the law of each set")
     command.add_argument("--rock", metavar="CASE", help="a case of method blocks whose rock it is (default: a granite)")
     command.add_argument("--material", metavar="NAME", help="the material of that case; not needed where it has one")
     command.add_argument("--out", metavar="DIR", help="folder of the model (default: PATTERN-model, beside the pattern)")
@@ -62,38 +66,50 @@ def write(chosen):
     path = Path(chosen.pattern)
     pattern = read_pattern(path)
     layout = layout_of(pattern, Options(**{name: getattr(chosen, name) for name in Options.__dataclass_fields__}))
-    discs = read_discs(chosen.joints) if chosen.joints else []
-    refuse_outside(chosen.joints, discs, layout)
-    model = BlastModel(layout, *_rock(chosen, discs))
+    joints, sets = _joints(chosen, layout)
+    model = BlastModel(layout, *_rock(chosen), joints, sets)
     print(*words.summary(layout), "", *words.table(layout), "", sep="\n")
+    if joints.rows:
+        print(*words.aligned(joints.table), "", sep="\n")
     print(*(f"note: {note}" for note in [*pattern.notes, *model.assumptions]), sep="\n")
     case = write_model(model, chosen.out or path.with_name(f"{path.stem}-model"), chosen.overwrite, _line(chosen))
     print(f"\n{case.parent}: {case.name}, model.geo, model.md", flush=True)
-    print(*_checked(case), sep="\n")
+    try:
+        print(*_checked(case, layout), sep="\n")
+    except (ValueError, OSError) as error:
+        raise type(error)(f"{error}\n      help: {case.parent} keeps what was written, to look at model.geo with gmsh; --overwrite replaces it") from error
     print(f"\nsazare run {case} runs it")
 
 
-def _rock(chosen, discs):
-    """Rock, discs and words for the rock, in the order of the fields of BlastModel."""
+def _joints(chosen, layout):
+    """The joints of the model, and the sets of their laws."""
+    given = read_discs(chosen.joints) if chosen.joints else []
+    refuse_outside(chosen.joints, given, layout)
+    sets = read_joint_sets(chosen.joint_sets) if chosen.joint_sets else []
+    refuse_unused(chosen.joint_sets, sets, given)
+    return joint_field(layout, given, sets, chosen.joint_sets, chosen.joints), sets
+
+
+def _rock(chosen):
+    """The rock, and words for it."""
     from sazare.lab.rock import rock_from
     from sazare.simulation import source_of
 
     if not chosen.rock:
-        return GRANITE, discs
+        return GRANITE, BlastModel.rock_words
     rock = _engine_errors(lambda: rock_from(source_of(Path(chosen.rock)), chosen.material))
-    return rock, discs, f"{rock.name} of {chosen.rock}"
+    return rock, f"{rock.name} of {chosen.rock}"
 
 
-def _checked(case):
-    """What `sazare check` says of the size and the cost of the run, and all that it warns of."""
-    from sazare.simulation import check
-
-    found = _engine_errors(lambda: check(case)).splitlines()
-    told = False
+def _checked(case, layout):
+    """What `sazare check` says of the size and the cost of the run, the quality of its elements, and all that it warns of."""
+    said, quality = _engine_errors(lambda: checked(case, layout))
+    found, told = said.splitlines(), False
     for line in found:
         told = line[2:].split(" ")[0] in TOLD if line[:2] == "  " and line[2:3] != " " else told and line[:3] == "   "
         if told:
             yield line
+    yield from quality.words()
     place = next((number for number, line in enumerate(found) if "warning:" in line), len(found))
     yield from found[place:]
 
@@ -112,8 +128,8 @@ def _engine_errors(step):
 
 def _line(chosen):
     """The command that makes the model again."""
-    names = ("burden", "height", "azimuth", "margin", "size", "joints", "rock", "material")
-    given = [f"--{name} {shlex.quote(str(getattr(chosen, name)))}" for name in names if getattr(chosen, name) is not None]
+    names = ("burden", "height", "azimuth", "margin", "size", "joints", "joint_sets", "rock", "material")
+    given = [f"--{name.replace('_', '-')} {shlex.quote(str(getattr(chosen, name)))}" for name in names if getattr(chosen, name) is not None]
     given += [f"--face-angle {chosen.face_angle:g}"] if chosen.face_angle != Options.face_angle else []
     given += [f"--around {chosen.around}"] if chosen.around != FEWEST_AROUND else []
     return " ".join(["sazare blast-model", shlex.quote(chosen.pattern), *given, *(["--block"] if chosen.block else [])])

@@ -42,7 +42,7 @@ def geometry(layout, discs=()):
     )
     parts = [*_rock(layout), *(line for hole in layout.holes for line in _bore(hole, layout.options.around))]
     parts += ["", "rock() = BooleanDifference{ Volume{1}; Delete; }{ Volume{bores()}; Delete; };"]
-    parts += [*_joints(discs), *_groups(layout, bool(discs)), *_fields(layout)]
+    parts += [*_joints(discs), *_groups(layout, discs), *_fields(layout)]
     return head + "\n".join(parts)
 
 
@@ -100,11 +100,11 @@ def _joints(discs):
     ]
 
 
-def _groups(layout, has_joints):
+def _groups(layout, discs):
     """Groups by where their surfaces lie: what lies in a box and is of no group yet."""
     lines = ["", 'Physical Volume("rock") = Volume{:};']
-    if has_joints:
-        lines += ["rest() = Abs(CombinedBoundary{ Volume{:}; });", "joints() = Surface{:};", "joints() -= rest();", 'Physical Surface("joints") = joints();']
+    if discs:
+        lines += ["rest() = Abs(CombinedBoundary{ Volume{:}; });", "joints() = Surface{:};", "joints() -= rest();", *_joint_groups(discs)]
     else:
         lines += ["rest() = Surface{:};"]
     for name, low, high in [*_hole_boxes(layout), *_face_boxes(layout)]:
@@ -112,6 +112,27 @@ def _groups(layout, has_joints):
         lines += [f"box() = Surface In BoundingBox{{{corners}}};", "others() = rest();", "others() -= box();", "rest() -= others();"]
         lines += [f'Physical Surface("{name}") = rest();', f"{name}() = rest();", "rest() = others();"]
     return [*lines, 'Physical Surface("sides") = rest();']
+
+
+def _joint_groups(discs):
+    """A group for each set of joints: a piece is of the disc in whose plane its centre lies, and whose box holds it."""
+    surfaces = list(dict.fromkeys(disc.surface for disc in discs))
+    if len(surfaces) == 1:
+        return [f'Physical Surface("{surfaces[0]}") = joints();']
+    planes = [(*disc.normal, disc.normal @ disc.centre) for disc in discs]
+    boxes = [(*disc.polygon().min(axis=0), *disc.polygon().max(axis=0)) for disc in discs]
+    lines = ["", "// Which set a piece is of: that of the disc in whose plane its centre lies, and in whose box."]
+    lines += [f"plane_{name}() = {_list(column)};" for name, column in zip("xyzd", np.transpose(planes))]
+    lines += [f"box_{i}() = {_list(column)};" for i, column in enumerate(np.transpose(boxes))]
+    lines += [f"set_of() = {{{', '.join(str(surfaces.index(disc.surface)) for disc in discs)}}};", *(f"set_{i}() = {{}};" for i in range(len(surfaces)))]
+    inside = " && ".join([f"b({i}) > box_{i}(d) - e" for i in range(3)] + [f"b({i}) < box_{i}(d) + e" for i in range(3, 6)])
+    return [
+        *lines, "For i In {0 : #joints() - 1}", "  c() = CenterOfMass Surface{joints(i)};", "  b() = BoundingBox Surface{joints(i)};", "  least = e;", "  found = -1;",
+        f"  For d In {{0 : {len(discs) - 1}}}", "    off = Fabs(plane_x(d) * c(0) + plane_y(d) * c(1) + plane_z(d) * c(2) - plane_d(d));",
+        f"    If (off < least && {inside})", "      least = off;", "      found = set_of(d);", "    EndIf", "  EndFor",
+        *(line for i in range(len(surfaces)) for line in (f"  If (found == {i})", f"    set_{i}() += joints(i);", "  EndIf")), "EndFor",
+        *(f'Physical Surface("{name}") = set_{i}();' for i, name in enumerate(surfaces)), "",
+    ]
 
 
 def _hole_boxes(layout):

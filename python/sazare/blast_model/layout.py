@@ -42,6 +42,10 @@ class Frame:
         found = self.axes @ (np.asarray(point) - self.origin)
         return np.where(np.abs(found) < 1e-9, 0.0, found)
 
+    def back(self, point):
+        """A point of the model in axes of the pattern [m]."""
+        return self.origin + self.axes.T @ np.asarray(point)
+
 
 @dataclass(frozen=True)
 class Bench:
@@ -106,12 +110,27 @@ class Layout:
         return [(x0, z0), (x1, z0), (x1, floor), (self.bench.toe, floor), (self.bench.crest, z1), (x0, z1)]
 
     @property
+    def convex_parts(self):
+        """The rock, with its holes, as convex bodies side by side, each by the planes (k, 4) around it: n, d with n . x <= d in the body."""
+        low, high = self.lower, self.upper
+        box = np.concatenate([np.column_stack([np.eye(3), high]), np.column_stack([-np.eye(3), -low])])
+        if self.bench is None:
+            return [box]
+        floor, run = -self.bench.height, self.bench.toe - self.bench.crest
+        slope = np.array([self.bench.height, 0.0, run, self.bench.crest * self.bench.height])
+        return [np.concatenate([box, [[0.0, 0.0, 1.0, floor]]]), np.concatenate([box, [[0.0, 0.0, -1.0, -floor], slope]])]
+
+    @property
     def volume(self):
         """Volume of the rock without the holes [m3]; as exact as the mesh, whose holes are prisms of the section of their circles."""
         x, z = np.array(self.profile).T
         section = 0.5 * abs(x @ np.roll(z, -1) - z @ np.roll(x, -1))
-        holes = sum(0.25 * np.pi * hole.diameter**2 * (hole.toe[2] / hole.direction[2]) for hole in self.holes)
-        return float(section * (self.upper[1] - self.lower[1]) - holes)
+        return float(section * (self.upper[1] - self.lower[1]) - self.volume_of_holes)
+
+    @property
+    def volume_of_holes(self):
+        """Volume of the holes [m3]."""
+        return float(sum(0.25 * np.pi * hole.diameter**2 * (hole.toe[2] / hole.direction[2]) for hole in self.holes))
 
     @property
     def burdens(self):

@@ -8,6 +8,8 @@ import numpy as np
 
 from sazare.blast_model import words
 from sazare.blast_model.geometry import geometry
+from sazare.blast_model.joint_field import JointField
+from sazare.blast_model.joint_laws import joint_entries
 from sazare.blast_model.layout import Layout
 from sazare.blast_model.rock import softening_in
 from sazare.cases import blocks
@@ -15,7 +17,6 @@ from sazare.folders import require_room
 from sazare.lab.rock import Rock, with_keys
 
 ROWS, PICTURES = 1000, 20  # of the history, and snapshots
-WEAKER = 0.1  # strength of existing joints over that of the rock
 FILES = ("model.geo", "case.toml", "model.md")
 
 
@@ -25,8 +26,9 @@ class BlastModel:
 
     layout: Layout
     rock_given: Rock
-    discs: list = field(default_factory=list)  # joints in axes of the pattern
     rock_words: str = "a granite, since no --rock CASE was given"
+    joints: JointField = field(default_factory=JointField)
+    sets: list = field(default_factory=list)  # of joints (`joint_sets.JointSet`), whose laws the discs have
 
     @cached_property
     def _softened(self):
@@ -36,6 +38,15 @@ class BlastModel:
     def rock(self):
         """The rock with the fracture energies of the case."""
         return self._softened[0]
+
+    @cached_property
+    def _laws(self):
+        return joint_entries(self.rock, self.joints.discs, self.sets, self.layout.far)
+
+    @property
+    def joint_laws(self):
+        """Entries of [[joints]]: the rock, and each set of existing joints."""
+        return self._laws[0]
 
     @property
     def end(self):
@@ -49,11 +60,11 @@ class BlastModel:
     @property
     def assumptions(self):
         """What was assumed, in sentences without a point at the end."""
-        return [f"rock: {self.rock_words}", *self._softened[1], *words.assumptions(self)]
+        return [f"rock: {self.rock_words}", *self._softened[1], *self._laws[1], *self.joints.notes, *words.assumptions(self)]
 
     def geometry(self):
         """The text of the .geo file."""
-        return geometry(self.layout, [disc.placed(self.layout.frame) for disc in self.discs])
+        return geometry(self.layout, [disc.placed(self.layout.frame) for disc in self.joints.discs])
 
     def case(self):
         """The case, which names `model.geo` in its folder."""
@@ -63,22 +74,13 @@ class BlastModel:
             title=f"Blast of {self.layout.pattern.path.stem}",
             mesh=blocks.Mesh(file="model.geo"),
             materials=[with_keys(self.rock.material, name="rock", regions=["rock"])],
-            joints=self._joints(),
+            joints=self.joint_laws,
             contact=self.rock.contact_for(near),
             charges=self._charges(),
             boundaries=[blocks.Boundary(surface=name, kind="absorbing") for name in ("sides", "base")],
             gauges=self._gauges(),
             time=blocks.Time(end=end, history_interval=float(f"{end / ROWS:.6g}"), snapshot_interval=float(f"{end / PICTURES:.6g}")),
         )
-
-    def _joints(self):
-        joints = [with_keys(self.rock.joint, name="rock", between=("rock", "rock"))]
-        if self.discs:
-            weaker = {key: WEAKER * getattr(self.rock.joint, key) for key in ("cohesion", "tensile_strength", "fracture_energy")}
-            if self.rock.joint.shear_fracture_energy is not None:
-                weaker["shear_fracture_energy"] = WEAKER * self.rock.joint.shear_fracture_energy
-            joints.append(with_keys(self.rock.joint, name="joints", between=None, surface="joints", **weaker))
-        return joints
 
     def _charges(self):
         charges, placed = [], {hole.name: hole for hole in self.layout.holes}

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from sazare.blast_model.sheet import Problems, read_sheet
+from sazare.blast_model.sheet import Problems, read_sheet, truth
 from sazare.cases import blocks
 from sazare.engine import engine
 
@@ -22,7 +22,6 @@ UNITS_OF_KEYS = {
 KEYS = [key.name for key in fields(blocks.Charge) if key.name not in OF_THE_HOLE]
 UNITS = {"hole": "", **dict.fromkeys((*AXES, "diameter", "stemming"), "m"), **{key: UNITS_OF_KEYS.get(key, "-") for key in KEYS}}
 GAS_IN_CRACKS = ("none", "share", "flow")
-TRUTH = {"true": True, "yes": True, "false": False, "no": False}
 JWL = [key for key in KEYS if key.startswith("jwl_")]
 WIDEST, LONGEST = 0.6, 100.0  # diameter and length [m] of the largest blast holes; beyond them a unit is wrong
 CLEAR = 1.5  # least distance of the axes of two holes, over the sum of their radii
@@ -184,11 +183,7 @@ def _deck(row, hole, problems):
     if "scatter_seed" in keys:
         keys["scatter_seed"] = int(keys["scatter_seed"])
     if "vents" in keys:
-        word = keys.pop("vents")
-        if word.lower() in TRUTH:
-            keys["vents"] = TRUTH[word.lower()]
-        else:
-            problems.error(row.line, f"vents is {word!r}, which is neither true nor false", "true lets the gas push the stemming out and leave through the collar")
+        keys["vents"] = truth(row, "vents", problems, "true lets the gas push the stemming out and leave through the collar")
     if keys.get("gas_in_cracks", "none") not in GAS_IN_CRACKS:
         problems.error(row.line, f"gas_in_cracks is {keys['gas_in_cracks']!r}", f"it is one of {', '.join(GAS_IN_CRACKS)}")
     known = [*engine().explosives(), "custom"]

@@ -3,7 +3,7 @@
 import math
 
 from sazare.cases import blocks
-from sazare.lab.rock import Rock
+from sazare.lab.rock import Rock, with_keys
 
 REACH = 0.8  # largest distance of the centres of two elements, over their size
 
@@ -19,22 +19,28 @@ GRANITE = Rock(
 
 
 def softening_in(rock, size):
-    """The rock with fracture energies that are at least what its strengths need in elements of a size [m], and notes about what was raised.
+    """The rock with fracture energies that are at least what its strengths need in elements of a size [m], and notes about what was raised."""
+    joint, notes = energies_raised(rock, rock.joint, size, "of the rock")
+    return Rock(rock.name, rock.material, joint, rock.contact), notes
+
+
+def energies_raised(rock, joint, size, whose):
+    """A joint of a rock with fracture energies that are at least what its strengths need in elements of a size [m], and notes about what was raised.
 
     A joint must take more energy than its two elements hold at its strength: s^2 H/(2 K), with the strength s, the distance H of their centres and the stiffness
     K, which is at least E across a face and the shear modulus along it.
     """
-    joint, reach = rock.joint, REACH * size
+    reach = REACH * size
     needed = {"fracture_energy": 0.5 * joint.tensile_strength**2 * reach / rock.youngs_modulus}
     if joint.shear_fracture_energy is not None:
         needed["shear_fracture_energy"] = 0.5 * joint.cohesion**2 * reach / rock.shear_modulus
     raised = {key: _rounded_up(value) for key, value in needed.items() if value > getattr(joint, key)}
     notes = [
-        f"{key.replace('_', ' ')} {value:g} N/m, not the {getattr(joint, key):g} N/m of the rock: "
+        f"{key.replace('_', ' ')} {value:g} N/m, not the {getattr(joint, key):g} N/m {whose}: "
         f"elements of {size:.3g} m would break without softening below that (smaller ones: --size)"
         for key, value in raised.items()
     ]
-    return rock.with_joint(**raised), notes
+    return with_keys(joint, **raised), notes
 
 
 def _rounded_up(value):

@@ -11,6 +11,8 @@ IN_SI = {
     "g/cm3": ("kg/m3", 1e3), "t/m3": ("kg/m3", 1e3), "km/s": ("m/s", 1e3), "MJ/kg": ("J/kg", 1e6), "kJ/kg": ("J/kg", 1e3), "GPa": ("Pa", 1e9), "MPa": ("Pa", 1e6),
 }  # units that a header may have in place of those of SI, and their size
 
+TRUTH = {"true": True, "yes": True, "false": False, "no": False}
+
 
 @dataclass
 class Problems:
@@ -115,6 +117,14 @@ def _row(line, cells, columns, units, needed, problems):
         else:
             found[name] = value if units[name] == "" else value * factor
     return Row(line, found)
+
+
+def truth(row, name, problems, help_):
+    """Whether a cell of words says yes or no; None, and a problem told, for one that says neither."""
+    word = row.cells[name].lower()
+    if word not in TRUTH:
+        problems.error(row.line, f"{name} is {row.cells[name]!r}, which is neither true nor false", help_)
+    return TRUTH.get(word)
 
 
 def _number(text):

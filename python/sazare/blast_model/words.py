@@ -2,6 +2,7 @@
 
 import math
 
+from sazare.blast_model.joint_laws import law_in_words
 from sazare.engine import engine
 
 COLUMNS = (("hole", ""), ("burden", "m"), ("spacing", "m"), ("length", "m"), ("charged", "m"), ("explosive", ""), ("mass", "kg"), ("delay", "ms"), ("fires", ""))
@@ -18,7 +19,12 @@ def table(layout):
             deck.hole.name, span(layout.burdens[place]), "-" if layout.spacings[place] is None else f"{layout.spacings[place]:.2f}", f"{deck.hole.length:.2f}",
             f"{deck.top:.2f} to {deck.bottom:.2f}", deck.keys["explosive"], f"{deck.mass:.4g}", f"{1e3 * deck.delay:g}", str(delays.index(deck.delay) + 1),
         ])
-    widths = [max(len(row[i]) for row in rows) for i in range(len(COLUMNS))]
+    return aligned(rows)
+
+
+def aligned(rows):
+    """Lines of a table of words, each column as wide as it must be."""
+    widths = [max(len(cell) for cell in column) for column in zip(*rows)]
     return ["  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows]
 
 
@@ -85,8 +91,9 @@ def assumptions(model):
         yield f"elements of {layout.far:.3g} m far from the holes (--size)"
     yield "sides and base absorb waves; all other surfaces are free, and the stemming is empty hole"
     yield f"no gravity and no stress at the beginning: until {1e3 * model.end:.3g} ms the weight would change velocities by {9.81 * model.end:.2g} m/s"
-    if model.discs:
-        yield f"{_counted(len(model.discs), 'joint')} of one kind with a tenth of the strengths and fracture energies of the rock: see [[joints]] of case.toml"
+    for entry in model.joint_laws[1:]:
+        rest = "" if entry.bonded is False else "; what no table says of them is a tenth of the rock's strengths and fracture energies"
+        yield f"{_counted(sum(disc.surface == entry.surface for disc in model.joints.discs), 'disc')} of {entry.surface}: {law_in_words(entry)}{rest}"
     yield f"the run ends at {1e3 * model.end:.3g} ms, when P- and S-waves of the last charge have passed the model; throw takes longer (time.end)"
 
 
@@ -94,7 +101,7 @@ def page(model, command):
     """model.md of the folder."""
     layout = model.layout
     made = [f"Made by `{command}`.", ""] if command else []
-    lines = [f"# Blast of {layout.pattern.path.stem}", "", *made, "```", *summary(layout), "", *table(layout), "```", "", "## Assumed", ""]
+    lines = [f"# Blast of {layout.pattern.path.stem}", "", *made, "```", *summary(layout), "", *table(layout), *(["", *aligned(model.joints.table)] if model.joints.rows else []), "```", "", "## Assumed", ""]
     lines += [f"- {line[0].upper()}{line[1:]}." for line in model.assumptions]
     axes = "; ".join(f"{name} = ({', '.join(f'{value:.6g}' for value in axis)})" for name, axis in zip("xyz", layout.frame.axes + 0.0))
     origin = ", ".join(f"{value:.10g}" for value in layout.frame.origin)
