@@ -328,6 +328,11 @@ def test_what_is_no_table_is_told(text, message, written):
         (BENCH, ["--burden", "1", "--material", "rock"], "--material is one of a case"),
         (BENCH, ["--burden", "1", "--rock", str(ROOT / "cases/column-ricker/case.toml")], "of method mps"),
         (BENCH, ["--burden", "1", "--margin", "0.1"], "are too few"),
+        (BENCH, ["--burden", "1", "--k0", "0.5"], "--k0 is of the stress that goes with weight: add --gravity"),
+        (BENCH, ["--burden", "1", "--gravity", "--horizontal-stress", "2", "5"], "the larger one comes first"),
+        (BENCH, ["--burden", "1", "--gravity", "--horizontal-stress", "5", "2", "--k0", "1"], "keep one of them"),
+        (BENCH, ["--burden", "1", "--gravity", "--depth", "30"], "a bench has none"),
+        (BENCH, ["--burden", "1", "--gravity", "--stress-azimuth", "30"], "--horizontal-stress LARGER SMALLER"),
     ],
 )
 def test_command_refuses_what_does_not_go_together(text, words_, message, written, tmp_path, capsys):
@@ -361,3 +366,57 @@ def test_command_prints_the_table_and_writes_the_folder(written, tmp_path, capsy
     (folder / "notes.txt").write_text("mine")
     assert main([*line, "--overwrite"]) == 0
     assert (folder / "notes.txt").read_text() == "mine"
+
+
+def stress_of(case, point, density=2600.0):
+    """Stress [Pa] (3, 3), tension positive, that a case has at a point [m], as docs/theory/blocks.md says."""
+    stress, up = case.initial_stress, -np.array(case.gravity.acceleration) / 9.81
+    depth = stress.datum - up @ point
+    if stress.k0 is not None:
+        vertical = -density * 9.81 * depth
+        return vertical * (np.outer(up, up) + stress.k0 * (np.eye(3) - np.outer(up, up)))
+    xx, yy, zz = np.array(stress.normal_stress) + depth * np.array(stress.normal_stress_per_depth)
+    xy, yz, zx = stress.shear_stress
+    return np.array([[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]])
+
+
+@pytest.mark.parametrize("name", ["inclined", "tunnel"])
+def test_stress_of_the_ground_is_that_of_the_weight_and_of_the_given_directions(name, written):
+    text, options, _ = GEOMETRIES[name]
+    layout = blast_model.layout_of(blast_model.read_pattern(written(text)), blast_model.Options(**options))
+    point = layout.frame.origin + np.array([0.7, 1.1, -3.0])  # 3 m below the first collar
+    vertical = 2600.0 * 9.81 * 203.0
+    for ground, horizontal in (
+        (blast_model.Ground(200.0, 0.8), 0.8 * vertical * np.diag([1.0, 1.0, 0.0])),
+        # 12 MPa to the north-east, 5 MPa to the north-west.
+        (blast_model.Ground(200.0, None, (12e6, 5e6), 45.0), np.array([[8.5e6, 3.5e6, 0], [3.5e6, 8.5e6, 0], [0, 0, 0.0]])),
+    ):
+        case = blast_model.BlastModel(layout, GRANITE, ground=ground).case()
+        axes = layout.frame.axes
+        assert axes.T @ np.array(case.gravity.acceleration) == pytest.approx([0.0, 0.0, -9.81])
+        found = axes.T @ stress_of(case, layout.frame.place(point)) @ axes
+        assert found == pytest.approx(-horizontal - np.diag([0.0, 0.0, vertical]), abs=1.0)
+
+
+def test_ground_without_k0_cannot_widen(written):
+    layout = blast_model.layout_of(blast_model.read_pattern(written(BENCH)), blast_model.Options(**COARSE))
+    case = blast_model.BlastModel(layout, GRANITE, ground=blast_model.Ground()).case()
+    assert case.initial_stress.k0 == pytest.approx(0.25 / 0.75)
+
+
+@pytest.mark.parametrize(
+    ("text", "extra"),
+    [
+        (BENCH, ["--burden", "1", "--height", "2", "--margin", "1.2", "--k0", "1.5"]),
+        (BENCH, ["--burden", "1", "--height", "2", "--margin", "1.2", "--horizontal-stress", "2", "1", "--stress-azimuth", "20"]),
+        (CUT, ["--block", "--depth", "300", "--horizontal-stress", "12", "8"]),
+    ],
+)
+def test_stress_inside_is_balanced_and_what_is_cut_is_told(text, extra, written, tmp_path, capsys):
+    assert main(["blast-model", str(written(text)), "--size", "0.5", "--gravity", *extra, "--out", str(tmp_path / "model")]) == 0
+    said = capsys.readouterr().out
+    assert "stress at the deepest toe" in said and "lose their stress then" in said
+    # Inside, stress and weight leave nothing; what is left is that of the free faces.
+    assert said.count("warning:") == 1 and "stress and weight leave a force of (0, 0, 0) N" in said
+    page = (tmp_path / "model/model.md").read_text()
+    assert "--gravity" in page and all(word in page for word in extra)

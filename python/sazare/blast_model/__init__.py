@@ -7,6 +7,7 @@
     sazare.run(case)
 """
 
+from sazare.blast_model.ground import Ground
 from sazare.blast_model.joint_field import JointField, joint_field
 from sazare.blast_model.joint_sets import JointSet, Scatter, read_joint_sets
 from sazare.blast_model.joints import Disc, read_discs
@@ -17,6 +18,6 @@ from sazare.blast_model.rock import GRANITE
 from sazare.blast_model.sizes import SizeLaw
 
 __all__ = [
-    "BlastModel", "Deck", "Disc", "GRANITE", "Hole", "JointField", "JointSet", "Layout", "Options", "Pattern", "Scatter", "SizeLaw", "joint_field", "layout_of",
+    "BlastModel", "Deck", "Disc", "GRANITE", "Ground", "Hole", "JointField", "JointSet", "Layout", "Options", "Pattern", "Scatter", "SizeLaw", "joint_field", "layout_of",
     "read_discs", "read_joint_sets", "read_pattern", "write_model",
 ]

@@ -5,8 +5,9 @@ import math
 import shlex
 from pathlib import Path
 
-from sazare.arguments import positive, whole
+from sazare.arguments import not_negative, positive, whole
 from sazare.blast_model import words
+from sazare.blast_model.ground import Ground
 from sazare.blast_model.joint_field import joint_field
 from sazare.blast_model.joint_sets import read_joint_sets, refuse_unused
 from sazare.blast_model.joints import read_discs, refuse_outside
@@ -50,6 +51,11 @@ def add_to(commands):
     command.add_argument("--around", metavar="N", type=whole(4, 64), default=FEWEST_AROUND, help="faces around a hole (default %(default)d)")
     command.add_argument("--joints", metavar="CSV", help="existing joints: discs with x, y, z, dip, dip_direction, radius, set")
     command.add_argument("--joint-sets", metavar="CSV", help="sets of joints: discs drawn by direction, size and P32, and the law of each set")
+    command.add_argument("--gravity", action="store_true", help="weight, and the stress at the beginning that it makes")
+    command.add_argument("--depth", metavar="M", type=not_negative, help="ground above the collar of the first hole of a --block [m]; with --gravity (default: 0)")
+    command.add_argument("--k0", metavar="K", type=not_negative, help="horizontal over vertical stress (default: nu/(1 - nu) of the rock)")
+    command.add_argument("--horizontal-stress", metavar=("LARGER", "SMALLER"), nargs=2, type=not_negative, help="horizontal stresses [MPa], compression positive, instead of --k0")
+    command.add_argument("--stress-azimuth", metavar="DEG", type=direction, help="direction of the larger horizontal stress, from y to x [deg] (default: 0, north)")
     command.add_argument("--rock", metavar="CASE", help="a case of method blocks whose rock it is (default: a granite)")
     command.add_argument("--material", metavar="NAME", help="the material of that case; not needed where it has one")
     command.add_argument("--out", metavar="DIR", help="folder of the model (default: PATTERN-model, beside the pattern)")
@@ -63,11 +69,12 @@ def write(chosen):
         raise ValueError("--block has no bench, so --burden, --height, --face-angle and --azimuth go without it")
     if chosen.material and not chosen.rock:
         raise ValueError("--material is one of a case: --rock CASE")
+    ground = _ground(chosen)
     path = Path(chosen.pattern)
     pattern = read_pattern(path)
     layout = layout_of(pattern, Options(**{name: getattr(chosen, name) for name in Options.__dataclass_fields__}))
     joints, sets = _joints(chosen, layout)
-    model = BlastModel(layout, *_rock(chosen), joints, sets)
+    model = BlastModel(layout, *_rock(chosen), joints, sets, ground)
     print(*words.summary(layout), "", *words.table(layout), "", sep="\n")
     if joints.rows:
         print(*words.aligned(joints.table), "", sep="\n")
@@ -88,6 +95,27 @@ def _joints(chosen, layout):
     sets = read_joint_sets(chosen.joint_sets) if chosen.joint_sets else []
     refuse_unused(chosen.joint_sets, sets, given)
     return joint_field(layout, given, sets, chosen.joint_sets, chosen.joints), sets
+
+
+def _ground(chosen):
+    """Weight and stress; None where none are asked for."""
+    given = [f"--{name}" for name in ("depth", "k0", "horizontal-stress", "stress-azimuth") if getattr(chosen, name.replace("-", "_")) is not None]
+    if given and not chosen.gravity:
+        raise ValueError(f"{given[0]} is of the stress that goes with weight: add --gravity")
+    if not chosen.gravity:
+        return None
+    if chosen.depth and not chosen.block:
+        raise ValueError("--depth is ground above the collars, and a bench has none: leave it out, or --block for holes under ground")
+    if chosen.horizontal_stress is None:
+        if chosen.stress_azimuth is not None:
+            raise ValueError("--stress-azimuth is the direction of the larger of two horizontal stresses: give them by --horizontal-stress LARGER SMALLER")
+        return Ground(chosen.depth or 0.0, chosen.k0)
+    larger, smaller = chosen.horizontal_stress
+    if chosen.k0 is not None:
+        raise ValueError("--k0 and --horizontal-stress are two ways to say the same: keep one of them")
+    if larger < smaller:
+        raise ValueError(f"--horizontal-stress {larger:g} {smaller:g}: the larger one comes first, whose direction is --stress-azimuth")
+    return Ground(chosen.depth or 0.0, None, (1e6 * larger, 1e6 * smaller), chosen.stress_azimuth or 0.0)
 
 
 def _rock(chosen):
@@ -128,8 +156,10 @@ def _engine_errors(step):
 
 def _line(chosen):
     """The command that makes the model again."""
-    names = ("burden", "height", "azimuth", "margin", "size", "joints", "joint_sets", "rock", "material")
+    names = ("burden", "height", "azimuth", "margin", "size", "joints", "joint_sets", "rock", "material", "depth", "k0", "stress_azimuth")
     given = [f"--{name.replace('_', '-')} {shlex.quote(str(getattr(chosen, name)))}" for name in names if getattr(chosen, name) is not None]
     given += [f"--face-angle {chosen.face_angle:g}"] if chosen.face_angle != Options.face_angle else []
+    given += ["--gravity"] if chosen.gravity else []
+    given += ["--horizontal-stress {:g} {:g}".format(*chosen.horizontal_stress)] if chosen.horizontal_stress else []
     given += [f"--around {chosen.around}"] if chosen.around != FEWEST_AROUND else []
     return " ".join(["sazare blast-model", shlex.quote(chosen.pattern), *given, *(["--block"] if chosen.block else [])])

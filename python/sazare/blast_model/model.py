@@ -8,6 +8,7 @@ import numpy as np
 
 from sazare.blast_model import words
 from sazare.blast_model.geometry import geometry
+from sazare.blast_model.ground import Ground
 from sazare.blast_model.joint_field import JointField
 from sazare.blast_model.joint_laws import joint_entries
 from sazare.blast_model.layout import Layout
@@ -29,6 +30,7 @@ class BlastModel:
     rock_words: str = "a granite, since no --rock CASE was given"
     joints: JointField = field(default_factory=JointField)
     sets: list = field(default_factory=list)  # of joints (`joint_sets.JointSet`), whose laws the discs have
+    ground: Ground | None = None  # None: no weight and no stress
 
     @cached_property
     def _softened(self):
@@ -77,6 +79,8 @@ class BlastModel:
             joints=self.joint_laws,
             contact=self.rock.contact_for(near),
             charges=self._charges(),
+            gravity=self.ground and self.ground.gravity(self.layout.frame),
+            initial_stress=self.ground and self.ground.initial_stress(self.layout.frame, self.rock),
             boundaries=[blocks.Boundary(surface=name, kind="absorbing") for name in ("sides", "base")],
             gauges=self._gauges(),
             time=blocks.Time(end=end, history_interval=float(f"{end / ROWS:.6g}"), snapshot_interval=float(f"{end / PICTURES:.6g}")),

@@ -90,10 +90,17 @@ def assumptions(model):
     if options.size is None:
         yield f"elements of {layout.far:.3g} m far from the holes (--size)"
     yield "sides and base absorb waves; all other surfaces are free, and the stemming is empty hole"
-    yield f"no gravity and no stress at the beginning: until {1e3 * model.end:.3g} ms the weight would change velocities by {9.81 * model.end:.2g} m/s"
+    if model.ground:
+        yield from model.ground.words(layout, model.rock)
+        if any(entry.bonded is False for entry in model.joint_laws):
+            yield "joints that are not bonded carry no stress at the beginning: they close then, and move the rock beside them; bonded ones with a small strength do not"
+    else:
+        yield f"no gravity and no stress at the beginning (--gravity): until {1e3 * model.end:.3g} ms the weight would change velocities by {9.81 * model.end:.2g} m/s"
     for entry in model.joint_laws[1:]:
         rest = "" if entry.bonded is False else "; what no table says of them is a tenth of the rock's strengths and fracture energies"
         yield f"{_counted(sum(disc.surface == entry.surface for disc in model.joints.discs), 'disc')} of {entry.surface}: {law_in_words(entry)}{rest}"
+    if not any("cut_distance" in deck.keys for deck in layout.pattern.decks):
+        yield "the gas presses on a wall however far it moves, which throws too fast: a column cut_distance ends that (no measured value is known; docs/guide/charges.md)"
     yield f"the run ends at {1e3 * model.end:.3g} ms, when P- and S-waves of the last charge have passed the model; throw takes longer (time.end)"
 
 
