@@ -282,6 +282,8 @@ GOOD = "1,0,0,0,0,0,-5,100,ANFO,1,0"
         ([GOOD, "2,1,0,0,-1,0,-5,100,ANFO,1,0"], r"hole 2 touches hole 1"),
         ([GOOD, GOOD], r"this charge of hole 1 overlaps that of line 2"),
         ([GOOD, "1,0,3,0,0,3,-5,100,ANFO,1,0"], r"hole 1 has another collar, toe or diameter in line 2"),
+        (['"a,1",0,0,0,0,0,-5,100,ANFO,1,0'], r"pattern.csv:2: error: a hole cannot be called 'a,1': ',' cannot stand in the name of a column"),
+        ([GOOD, "a\"b,0,3,0,0,3,-5,100,ANFO,1,0"], r"pattern.csv:3: error: a hole cannot be called"),
         (["a-1,0,0,0,0,0,-5,100,ANFO,1,0", "a/1,0,3,0,0,3,-5,100,ANFO,1,0"], r"would both be the group hole_a_1"),
     ],
 )
@@ -420,3 +422,24 @@ def test_stress_inside_is_balanced_and_what_is_cut_is_told(text, extra, written,
     assert said.count("warning:") == 1 and "stress and weight leave a force of (0, 0, 0) N" in said
     page = (tmp_path / "model/model.md").read_text()
     assert "--gravity" in page and all(word in page for word in extra)
+
+
+@pytest.mark.parametrize("name", GEOMETRIES)
+def test_gauges_are_spread_away_from_the_charges(name, written):
+    text, options, _ = GEOMETRIES[name]
+    layout = blast_model.layout_of(blast_model.read_pattern(written(text)), blast_model.Options(**options))
+    model = blast_model.BlastModel(layout, GRANITE)
+    points = {gauge.name: np.array(gauge.point) for gauge in model.case().gauges}
+    line = [point for gauge, point in points.items() if gauge.endswith("at depth")]
+    assert len(points) == len({tuple(point) for point in points.values()}) >= 9
+
+    def away(point):
+        ends = [(hole.collar + hole.direction * deck.top, hole.collar + hole.direction * deck.bottom) for hole, deck in zip(layout.holes, layout.pattern.decks)]
+        return min(pattern.distance(blast_model.Hole("g", point, point + [0, 0, 1e-9], 0.1), blast_model.Hole("h", *pair, 0.1)) for pair in ends)
+
+    distances = [away(point) for point in line]
+    assert len(line) == 6 and np.all(np.diff(distances) > 0.0)
+    assert distances[-1] / distances[0] > 2.0
+    assert distances[0] > 2.0 * max(hole.diameter for hole in layout.holes)
+    for point in points.values():
+        assert np.all(point > layout.lower) and np.all(point < layout.upper)

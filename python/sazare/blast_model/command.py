@@ -7,17 +7,21 @@ from pathlib import Path
 
 from sazare.arguments import not_negative, positive, whole
 from sazare.blast_model import words
+from sazare.blast_model.drawing import UNITS
+from sazare.blast_model.drawn import tables_of
 from sazare.blast_model.ground import Ground
 from sazare.blast_model.joint_field import joint_field
 from sazare.blast_model.joint_sets import read_joint_sets, refuse_unused
 from sazare.blast_model.joints import read_discs, refuse_outside
 from sazare.blast_model.layout import FEWEST_AROUND, Options, layout_of
 from sazare.blast_model.mesh_quality import checked
-from sazare.blast_model.model import BlastModel, write_model
+from sazare.blast_model.model import FILES, BlastModel, write_model
 from sazare.blast_model.pattern import read_pattern
 from sazare.blast_model.rock import GRANITE
+from sazare.folders import require_room
 
 TOLD = ("body", "holes", "explosive", "waves", "steps", "work", "cost")  # lines of the check that are printed
+LAYERS = ("layer-holes", "layer-names", "layer-crest", "layer-toe", "layer-joints")
 
 
 def face_angle(text):
@@ -40,7 +44,14 @@ def add_to(commands):
     """Adds the command to the commands of a parser."""
     text = "write the geometry and the case of a blast from its drill pattern"
     command = commands.add_parser("blast-model", help=text, description=text[0].upper() + text[1:] + ".")
-    command.add_argument("pattern", metavar="PATTERN", help="a table of charges and their holes (CSV)")
+    command.add_argument("pattern", metavar="PATTERN", help="a table of charges and their holes (CSV), or a drawing of the holes (DXF)")
+    command.add_argument("--layer-holes", metavar="NAME", help="of a drawing: the layer of the holes, lines from collar to toe")
+    command.add_argument("--charges", metavar="CSV", help="of a drawing: a table of charges by hole, without coordinates; the hole * is all that have no row")
+    command.add_argument("--layer-names", metavar="NAME", help="of a drawing: the layer of the texts that name the holes (default: that of the holes)")
+    command.add_argument("--layer-crest", metavar="NAME", help="of a drawing: the layer of the crest, from which burden and azimuth follow")
+    command.add_argument("--layer-toe", metavar="NAME", help="of a drawing: the layer of the lower edge of the face, from which its height and angle follow")
+    command.add_argument("--layer-joints", metavar="NAME", nargs="+", help="of a drawing: layers of joints, circles and 3-D faces; each of several is a set")
+    command.add_argument("--dxf-unit", metavar="UNIT", choices=list(UNITS), help="of a drawing: the unit of its coordinates, mm, cm, m, in or ft (default: that of its header)")
     command.add_argument("--burden", metavar="M", type=positive, help="from the collars of the front row to the crest of the bench [m] (default: the distance of the rows)")
     command.add_argument("--height", metavar="M", type=positive, help="height of the bench [m] (default: the depth of the shallowest toe)")
     command.add_argument("--face-angle", metavar="DEG", type=face_angle, default=Options.face_angle, help="angle of the free face from the horizontal [deg] (default %(default)g)")
@@ -69,23 +80,56 @@ def write(chosen):
         raise ValueError("--block has no bench, so --burden, --height, --face-angle and --azimuth go without it")
     if chosen.material and not chosen.rock:
         raise ValueError("--material is one of a case: --rock CASE")
-    ground = _ground(chosen)
-    path = Path(chosen.pattern)
-    pattern = read_pattern(path)
-    layout = layout_of(pattern, Options(**{name: getattr(chosen, name) for name in Options.__dataclass_fields__}))
+    ground, path, line = _ground(chosen), Path(chosen.pattern), _line(chosen)
+    folder = Path(chosen.out or path.with_name(f"{path.stem}-model"))
+    options = {name: getattr(chosen, name) for name in Options.__dataclass_fields__}
+    table, notes = path, []
+    if _is_drawing(chosen):
+        table, chosen.joints, bench, notes = _from_drawing(chosen, folder)
+        options |= {name: value for name, value in bench.items() if options[name] in (None, getattr(Options, name))}
+    pattern = read_pattern(table)
+    layout = layout_of(pattern, Options(**options))
     joints, sets = _joints(chosen, layout)
     model = BlastModel(layout, *_rock(chosen), joints, sets, ground)
     print(*words.summary(layout), "", *words.table(layout), "", sep="\n")
     if joints.rows:
         print(*words.aligned(joints.table), "", sep="\n")
-    print(*(f"note: {note}" for note in [*pattern.notes, *model.assumptions]), sep="\n")
-    case = write_model(model, chosen.out or path.with_name(f"{path.stem}-model"), chosen.overwrite, _line(chosen))
+    print(*(f"note: {note}" for note in [*notes, *pattern.notes, *model.assumptions]), sep="\n")
+    case = write_model(model, folder, chosen.overwrite, line)
     print(f"\n{case.parent}: {case.name}, model.geo, model.md", flush=True)
     try:
         print(*_checked(case, layout), sep="\n")
     except (ValueError, OSError) as error:
         raise type(error)(f"{error}\n      help: {case.parent} keeps what was written, to look at model.geo with gmsh; --overwrite replaces it") from error
     print(f"\nsazare run {case} runs it")
+
+
+def _is_drawing(chosen):
+    """Whether the pattern is a drawing; raises ValueError where what is given does not go with that."""
+    of_drawings = [f"--{name}" for name in (*LAYERS, "charges", "dxf-unit") if getattr(chosen, name.replace("-", "_")) is not None]
+    if Path(chosen.pattern).suffix.lower() != ".dxf":
+        if of_drawings:
+            raise ValueError(f"{of_drawings[0]} is of drawings, and {chosen.pattern} is none: its name does not end in .dxf")
+        return False
+    for name, what in (("layer_holes", "--layer-holes NAME says on which layer the holes are"), ("charges", "--charges CSV has diameter, explosive, stemming and delay of the holes")):
+        if getattr(chosen, name) is None:
+            raise ValueError(f"{chosen.pattern}: a drawing has lines only: {what}")
+    if chosen.layer_toe and not chosen.layer_crest:
+        raise ValueError("--layer-toe is the lower edge of the face below the crest: --layer-crest NAME")
+    if chosen.layer_joints and chosen.joints:
+        raise ValueError("--joints and --layer-joints both have the joints: keep one of them")
+    if chosen.block and chosen.layer_crest:
+        raise ValueError("--block has no bench, so --layer-crest goes without it")
+    return True
+
+
+def _from_drawing(chosen, folder):
+    """The tables of a drawing, written into the folder of the model: paths of pattern and joints, options of the bench, notes."""
+    stem = Path(chosen.pattern).stem
+    require_room(folder, (*FILES, f"{stem}.csv", f"{stem}-joints.csv"), chosen.overwrite)
+    layers = {name.removeprefix("layer-"): getattr(chosen, name.replace("-", "_")) for name in LAYERS}
+    table, joints, bench, notes = tables_of(chosen.pattern, chosen.dxf_unit, layers, chosen.charges, folder)
+    return table, joints or chosen.joints, bench, [*notes, f"{table} has the holes of the drawing and their charges"]
 
 
 def _joints(chosen, layout):
@@ -156,9 +200,10 @@ def _engine_errors(step):
 
 def _line(chosen):
     """The command that makes the model again."""
-    names = ("burden", "height", "azimuth", "margin", "size", "joints", "joint_sets", "rock", "material", "depth", "k0", "stress_azimuth")
+    names = ("layer_holes", "layer_names", "layer_crest", "layer_toe", "charges", "dxf_unit", "burden", "height", "azimuth", "margin", "size", "joints", "joint_sets", "rock", "material", "depth", "k0", "stress_azimuth")
     given = [f"--{name.replace('_', '-')} {shlex.quote(str(getattr(chosen, name)))}" for name in names if getattr(chosen, name) is not None]
     given += [f"--face-angle {chosen.face_angle:g}"] if chosen.face_angle != Options.face_angle else []
+    given += [f"--layer-joints {' '.join(map(shlex.quote, chosen.layer_joints))}"] if chosen.layer_joints else []
     given += ["--gravity"] if chosen.gravity else []
     given += ["--horizontal-stress {:g} {:g}".format(*chosen.horizontal_stress)] if chosen.horizontal_stress else []
     given += [f"--around {chosen.around}"] if chosen.around != FEWEST_AROUND else []

@@ -18,6 +18,7 @@ from sazare.folders import require_room
 from sazare.lab.rock import Rock, with_keys
 
 ROWS, PICTURES = 1000, 20  # of the history, and snapshots
+LINE, NEAREST, FURTHEST = 6, 5.0, 0.9  # gauges at depth; where they begin, in diameters of the hole, if there is room, and end, in shares of the margin
 FILES = ("model.geo", "case.toml", "model.md")
 
 
@@ -96,8 +97,22 @@ class BlastModel:
             )
         return charges
 
+    def line_at_depth(self):
+        """Distances [m] and places (3,) of gauges away from the middle of the charges of one hole, each further by the same factor: a spread for the attenuation."""
+        layout, sense = self.layout, -1.0 if self.layout.bench else 1.0
+        edge = max(sense * hole.collar[0] for hole in layout.holes)
+        row = [place for place, hole in enumerate(layout.holes) if sense * hole.collar[0] > edge - hole.diameter]
+        middle = np.mean([hole.collar[1] for hole in layout.holes])
+        place = min(row, key=lambda number: abs(layout.holes[number].collar[1] - middle))
+        hole, decks = layout.holes[place], layout.pattern.decks_of(layout.pattern.holes[place])
+        start = hole.collar + hole.direction * 0.5 * (min(deck.top for deck in decks) + max(deck.bottom for deck in decks))
+        furthest = FURTHEST * layout.margin
+        nearest = min(max(NEAREST * hole.diameter, furthest / 8.0), 0.4 * furthest)
+        distances = [float(f"{nearest * (furthest / nearest) ** (i / (LINE - 1)):.2g}") for i in range(LINE)]
+        return [(away, start + [sense * away, 0.0, 0.0]) for away in distances]
+
     def _gauges(self):
-        """Points just below the surface, behind the holes or, without a bench, beside them; and in the middle of a free face."""
+        """Points just below the surface, behind the holes or, without a bench, beside them; a line at the depth of the charges; the middle of a free face."""
         layout, inset = self.layout, 0.25 * self.layout.far
         collars = np.array([hole.collar for hole in layout.holes])
         middle = float(collars[:, 1].mean())
@@ -106,6 +121,7 @@ class BlastModel:
         for share in (0.25, 0.5, 0.75):
             away = float(f"{share * layout.margin:.2g}")
             gauges.append(blocks.Gauge(name=f"{away:g} m {where}", point=_triple((start + sense * away, middle, -inset))))
+        gauges += [blocks.Gauge(name=f"{away:g} m {where} at depth", point=_triple(point)) for away, point in self.line_at_depth()]
         if layout.bench:
             face = 0.5 * (layout.bench.crest + layout.bench.toe)
             gauges.append(blocks.Gauge(name="free face", point=_triple((face - inset, middle, -0.5 * layout.bench.height))))
@@ -122,8 +138,8 @@ def write_model(model, folder, overwrite=False, command=""):
     command: the line by which a user makes the folder again, for model.md. Raises Occupied as `require_room`.
     """
     folder = require_room(folder, FILES, overwrite)
-    folder.mkdir(parents=True, exist_ok=True)
     texts = (model.geometry(), model.case().to_toml(), words.page(model, command))
+    folder.mkdir(parents=True, exist_ok=True)
     for name, text in zip(FILES, texts):
         (folder / name).write_text(text, encoding="utf-8")
     return folder / "case.toml"

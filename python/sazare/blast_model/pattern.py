@@ -23,6 +23,7 @@ KEYS = [key.name for key in fields(blocks.Charge) if key.name not in OF_THE_HOLE
 UNITS = {"hole": "", **dict.fromkeys((*AXES, "diameter", "stemming"), "m"), **{key: UNITS_OF_KEYS.get(key, "-") for key in KEYS}}
 GAS_IN_CRACKS = ("none", "share", "flow")
 JWL = [key for key in KEYS if key.startswith("jwl_")]
+SIGNS = " -_./#+()"  # in names of holes, beside letters and digits
 WIDEST, LONGEST = 0.6, 100.0  # diameter and length [m] of the largest blast holes; beyond them a unit is wrong
 CLEAR = 1.5  # least distance of the axes of two holes, over the sum of their radii
 
@@ -147,6 +148,9 @@ def _hole(row, holes, problems):
     collar, toe = np.array([cells[name] for name in AXES[:3]]), np.array([cells[name] for name in AXES[3:]])
     hole = Hole(cells["hole"], collar, toe, cells["diameter"], row.line)
     before = len(problems.found)
+    odd = next((sign for sign in hole.name if not (sign.isalnum() or sign in SIGNS)), None)
+    if odd is not None:
+        problems.error(row.line, f"a hole cannot be called {hole.name!r}: {odd!r} cannot stand in the name of a column", f"use letters, digits and {' '.join(SIGNS.strip())}")
     if hole.diameter <= 0.0:
         problems.error(row.line, f"the diameter of hole {hole.name} is {hole.diameter:g} m", "a diameter is greater than 0")
     elif hole.diameter > WIDEST:

@@ -99,6 +99,12 @@ def assumptions(model):
     for entry in model.joint_laws[1:]:
         rest = "" if entry.bonded is False else "; what no table says of them is a tenth of the rock's strengths and fracture energies"
         yield f"{_counted(sum(disc.surface == entry.surface for disc in model.joints.discs), 'disc')} of {entry.surface}: {law_in_words(entry)}{rest}"
+    ends = [away for away, _ in model.line_at_depth()]
+    largest = max(sum(other.mass for other in layout.pattern.decks if other.delay == deck.delay) for deck in layout.pattern.decks)
+    yield (
+        f"gauges just below the surface, and {len(ends)} at the depth of the charges, {ends[0]:g} to {ends[-1]:g} m away: scaled distances of "
+        f"{ends[0] / math.sqrt(largest):.2g} to {ends[-1] / math.sqrt(largest):.2g} m/kg^(1/2) with {largest:.4g} kg, the most that fire at once (--margin for longer ones)"
+    )
     if not any("cut_distance" in deck.keys for deck in layout.pattern.decks):
         yield "the gas presses on a wall however far it moves, which throws too fast: a column cut_distance ends that (no measured value is known; docs/guide/charges.md)"
     yield f"the run ends at {1e3 * model.end:.3g} ms, when P- and S-waves of the last charge have passed the model; throw takes longer (time.end)"
