@@ -11,6 +11,7 @@ from sazare.blast_model.drawing import Drawing
 from sazare.blast_model.drawn import bench_options, joints_text, pattern_text
 
 ezdxf = pytest.importorskip("ezdxf", reason="reading drawings takes ezdxf, which is optional")
+TextEntityAlignment = pytest.importorskip("ezdxf.enums").TextEntityAlignment
 CHARGES = """hole,diameter [mm],explosive,stemming [m],delay [ms]
 *,170,ANFO,1,0
 B2,170,ANFO,1.2,25
@@ -35,7 +36,8 @@ def drawn(tmp_path):
             else:
                 space.add_line(at(collar), at(toe), dxfattribs={"layer": "DRILL"})
             if names:
-                space.add_text(label, dxfattribs={"layer": "DRILL", "insert": at((collar[0] + 0.2, collar[1] + 0.1, 0.0))})
+                text = space.add_text(label, dxfattribs={"layer": "DRILL"})
+                text.set_placement(at((collar[0] + 0.2, collar[1] + 0.1, 0.0)), align=TextEntityAlignment.MIDDLE_CENTER if number else TextEntityAlignment.LEFT)
         space.add_polyline3d([at((102.0, 40.0, 30.0)), at((102.0, 60.0, 30.0))], dxfattribs={"layer": "CREST"})
         space.add_lwpolyline([at((102.5, 40.0)), at((102.5, 60.0))], dxfattribs={"layer": "TOE", "elevation": 28.0 / metre})
         # A face that dips by 60 degrees to the east, and an upright circle that looks to the north.
@@ -125,6 +127,9 @@ def test_command_makes_a_model_of_a_drawing(drawn, charges, tmp_path, capsys):
     # The table is the pattern from then on.
     assert main(["blast-model", str(folder / "plan.csv"), "--burden", "2", "--height", "2", "--margin", "1.5", "--size", "0.5", "--out", str(tmp_path / "again")]) == 0
     assert "--layer-joints JOINTS" in (folder / "model.md").read_text()
+    assert main([*line, "--margin", "1.5", "--size", "0.5", "--burden", "1.8", "--out", str(tmp_path / "nearer")]) == 0
+    rows = [text.split() for text in capsys.readouterr().out.splitlines() if text.split()[:1] == ["B1"]]
+    assert rows[-1][1] == "1.75"  # 1.8 m sin 75.96 degrees
     assert main([*line, "--margin", "1.5"]) == 2
     assert "--overwrite" in capsys.readouterr().err
 

@@ -160,6 +160,21 @@ def test_area_inside_is_that_of_what_lies_in_the_rock(wide):
     assert square(upright) * width == pytest.approx(wide.volume + wide.volume_of_holes)
 
 
+def test_area_inside_a_block(written):
+    pattern = blast_model.read_pattern(written(PATTERN, "pattern.csv"))
+    block = blast_model.layout_of(pattern, blast_model.Options(block=True, margin=2.0, size=0.5))
+    low, high = block.lower, block.upper
+    tilted = np.array([[low[0] - 9, low[1] - 9, -1.0], [high[0] + 9, low[1] - 9, -1.0], [high[0] + 9, high[1] + 9, -1.0], [low[0] - 9, high[1] + 9, -1.0]])
+    tilted[:, 2] += 0.1 * tilted[:, 0]
+    assert scatter.area_inside(tilted, block) == pytest.approx((high[0] - low[0]) * (high[1] - low[1]) * np.hypot(1.0, 0.1))
+
+
+def test_short_run_with_sets_keeps_its_energy(jointed, tmp_path):
+    results = sazare.run(jointed / "case.toml", tmp_path / "run", overrides={"time.end": 3e-4, "time.history_interval": 1e-5, "time.snapshot_interval": 3e-4}, threads=1, progress=False)
+    assert results.figures["explosive_released"] > 0.0
+    assert abs(results.figures["energy_residual"]) < 0.02 * results.figures["explosive_work"]
+
+
 def test_gaps_are_the_least_distances():
     random = np.random.default_rng(5)
     share = np.linspace(0.0, 1.0, 201)

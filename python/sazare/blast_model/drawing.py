@@ -135,7 +135,7 @@ class Drawing:
             self.notes.append(f"{self.path}: holes have no text beside them, and are numbered in the order of the file")
             return [str(number + 1) for number in range(len(ends))]
         words = [(item.plain_text() if item.dxftype() == "MTEXT" else item.dxf.text).strip() for item in texts]
-        places = np.array([tuple(item.dxf.insert) for item in texts], dtype=float)[:, :2] * self._scale
+        places = np.array([tuple(item.get_placement()[1] if item.dxftype() == "TEXT" else item.dxf.insert) for item in texts], dtype=float)[:, :2] * self._scale
         nearest = [int(np.argmin(np.linalg.norm(places - collar[:2], axis=1))) for collar, _ in ends]
         for place, text in enumerate(nearest):
             if text in nearest[:place]:
