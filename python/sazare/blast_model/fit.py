@@ -4,7 +4,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from sazare.blast_model.clearance import Polygons, corner_gaps, crossings, edge_gaps, end_gaps
+from sazare.blast_model.clearance import Polygons, corner_gaps, crossings, edge_gaps, end_gaps, segment_gaps
 from sazare.blast_model.geometry import prism
 from sazare.blast_model.joints import CORNERS
 from sazare.blast_model.layout import GROWTH
@@ -14,7 +14,7 @@ CLEAR = 0.2  # least distance of corners and edges that do not meet, over the si
 LEAST_ANGLE = 15.0  # at which two discs, or a disc and a surface, cross [deg]
 SIDE = 0.5  # wanted length of the sides of a polygon over the size of elements there
 FEWEST_CORNERS = 6
-ROUND_OFF = 1e-9  # m
+ROUND_OFF, MEET = 1e-9, 1e-7  # m; segments that come nearer than the second meet
 TRIES = 80  # places at which a disc is tried, of which the first few only turn its polygon
 TURNS = 3
 FURTHEST = 0.8  # of its own, over the size of elements there
@@ -105,10 +105,11 @@ class _Scene:
     def __init__(self, layout):
         self._layout = layout
         rings = [*_outer_faces(layout), *(face for hole in layout.holes for face in _walls(hole, layout.options.around))]
+        self._holes_from = len(_outer_faces(layout))  # walls of holes begin here
         self._rings, self._normals = rings, [_normal(ring) for ring in rings]
         self._fixed = len(rings)
         self._segments = [[] for _ in rings]
-        self._edges = np.concatenate([np.stack([ring, np.roll(ring, -1, axis=0)], axis=1) for ring in map(np.array, rings)])
+        self._edges = np.concatenate([_edges(ring) for ring in rings])
         self._refresh()
 
     def _refresh(self):
@@ -131,7 +132,7 @@ class _Scene:
             if np.any(np.abs(others.normals[meets] @ disc.normal) > np.cos(np.radians(LEAST_ANGLE))):
                 return False
             segments = [(int(other), segment) for other, segment in zip(near[meets], ends[meets])]
-            if not self._segments_clear(segments):
+            if not self._segments_clear(segments, ring):
                 return False
         for other, segment in segments:
             self._segments[other].append(segment)
@@ -159,7 +160,7 @@ class _Scene:
         repeated = Polygons(np.repeat(one.corners, len(others.corners), axis=0), np.repeat(one.normals, len(others.corners), axis=0))
         return not self._too_near(corner_gaps(others.corners, repeated), others.corners)
 
-    def _segments_clear(self, segments):
+    def _segments_clear(self, segments, ring):
         """Whether the new segments keep clear of each other on the disc, but for those of the surface and of holes, and of older ones on what they cross."""
         lines = np.array([segment for _, segment in segments]).reshape(-1, 2, 3)
         fixed = np.array([other < self._fixed for other, _ in segments], dtype=bool)
@@ -172,10 +173,24 @@ class _Scene:
             paired = np.triu(np.ones((len(lines), len(lines)), dtype=bool), 1) & ~(fixed[:, None] & fixed[None])
             if self._too_near(gaps[paired], places[paired]):
                 return False
-        for other, segment in segments:
-            if self._segments[other] and self._too_near(*end_gaps(segment[None], np.array(self._segments[other]))):
+            if self._thin(lines[:, None], lines[None], paired):
                 return False
-        return True
+        for other, segment in segments:
+            on_other = np.array(self._segments[other]).reshape(-1, 2, 3)
+            if len(on_other) and (self._too_near(*end_gaps(segment[None], on_other)) or self._thin(segment[None], on_other)):
+                return False
+            if not self._holes_from <= other < self._fixed and self._thin(segment[None], _edges(self._rings[other])):
+                return False
+        return not len(lines) or not self._thin(lines[:, None], _edges(ring)[None])
+
+    def _thin(self, lines, others, which=True):
+        """Whether two segments (..., 2, 3) in one plane meet in the rock under a small angle, between which elements would be thin."""
+        d, e = lines[..., 1, :] - lines[..., 0, :], others[..., 1, :] - others[..., 0, :]
+        gaps, places = segment_gaps(lines[..., 0, :], d, others[..., 0, :], e)
+        lengths = np.linalg.norm(d, axis=-1) * np.linalg.norm(e, axis=-1)
+        sines = np.linalg.norm(np.cross(d, e), axis=-1) / np.maximum(lengths, ROUND_OFF**2)
+        thin = (gaps < MEET) & (sines < np.sin(np.radians(LEAST_ANGLE))) & which
+        return bool(np.any(self._inside(places[thin], ROUND_OFF)))
 
     def _surface_clear(self, lines):
         """Whether what lies in the rock of the segments of two discs is long enough, and keeps clear of the edges of the surface and of holes."""
@@ -195,6 +210,11 @@ class _Scene:
 
     def _inside(self, places, beyond):
         return np.any([np.all(places @ planes[:, :3].T <= planes[:, 3] + beyond * np.linalg.norm(planes[:, :3], axis=1), axis=-1) for planes in self._layout.convex_parts], axis=0)
+
+
+def _edges(ring):
+    """Edges (n, 2, 3) of a polygon."""
+    return np.stack([ring, np.roll(ring, -1, axis=0)], axis=1)
 
 
 def _piece(line, planes):

@@ -34,7 +34,7 @@ class Quality:
             f"              shortest edge {self.shortest:.3g} m; over the size that is wanted there the least is {self.share:.2g}, at ({place}) m",
         ]
         if self.share < WANTED:
-            lines.append(f"  warning: an edge is shorter than {WANTED:g} of the size that is wanted there: joints, holes or surfaces come close to each other without meeting")
+            lines.append(f"  warning: an edge is shorter than {WANTED:g} of the size that is wanted there: where holes or surfaces come close to each other, or a joint crosses a hole under a small angle; the steps there are small")
         return lines
 
 
