@@ -188,7 +188,8 @@ def _deck(row, hole, problems):
         keys["scatter_seed"] = int(keys["scatter_seed"])
     if "vents" in keys:
         keys["vents"] = truth(row, "vents", problems, "true lets the gas push the stemming out and leave through the collar")
-    if keys.get("gas_in_cracks", "none") not in GAS_IN_CRACKS:
+    keys.setdefault("gas_in_cracks", "flow")
+    if keys["gas_in_cracks"] not in GAS_IN_CRACKS:
         problems.error(row.line, f"gas_in_cracks is {keys['gas_in_cracks']!r}", f"it is one of {', '.join(GAS_IN_CRACKS)}")
     known = [*engine().explosives(), "custom"]
     if keys["explosive"] not in known:

@@ -105,8 +105,8 @@ def assumptions(model):
         f"gauges just below the surface, and {len(ends)} at the depth of the charges, {ends[0]:g} to {ends[-1]:g} m away: scaled distances of "
         f"{ends[0] / math.sqrt(largest):.2g} to {ends[-1] / math.sqrt(largest):.2g} m/kg^(1/2) with {largest:.4g} kg, the most that fire at once (--margin for longer ones)"
     )
-    if not any("cut_distance" in deck.keys for deck in layout.pattern.decks):
-        yield "the gas presses on a wall however far it moves, which throws too fast: a column cut_distance ends that (no measured value is known; docs/guide/charges.md)"
+    if any(deck.keys["gas_in_cracks"] == "none" and "cut_distance" not in deck.keys for deck in layout.pattern.decks):
+        yield "where gas_in_cracks is none the gas presses on a wall however far it moves, which throws too fast: flow lets it into cracks"
     yield f"the run ends at {1e3 * model.end:.3g} ms, when P- and S-waves of the last charge have passed the model; throw takes longer (time.end)"
 
 

@@ -10,7 +10,7 @@ namespace sazare::methods::blocks {
 namespace {
 
 Real opening_area(const Opening& opening, std::span<const GasVessel> vessels) {
-  const Real width = vessels[at(opening.first)].width;
+  const Real width = std::min(opening.widest, vessels[at(opening.first)].width);
   return opening.length * (opening.second == Opening::outside ? width : std::min(width, vessels[at(opening.second)].width));
 }
 

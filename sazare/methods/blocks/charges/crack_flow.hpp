@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "sazare/core/time.hpp"
@@ -38,7 +39,8 @@ struct Opening {
   static constexpr Index outside = -1;
 
   Index first = 0, second = outside;
-  Real length = 0;  ///< of the edge [m]
+  Real length = 0;                                      ///< of the edge [m]
+  Real widest = std::numeric_limits<Real>::infinity();  ///< it is no wider than this [m]
 };
 
 /// What has left all vessels.

@@ -28,7 +28,7 @@ CrackGas::CrackGas(ChargeGas& charges, const BondedFaces& joints, GasFaces faces
 std::vector<Index> CrackGas::first_links() const {
   std::vector<Index> all;
   for (Index number = 0; number < static_cast<Index>(links_.size()); ++number)
-    if (network_.crack(number).has_gas != 0) all.push_back(number);
+    if (network_.crack(number).has_gas()) all.push_back(number);
   return all;
 }
 
@@ -97,7 +97,7 @@ void CrackGas::move(const Due& due, const Instant& now, const state::Bodies<3>& 
 void CrackGas::post_base_step(const Instant& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) {
   const Real span = now.seconds_since(std::exchange(last_base_, now.tick));
   exchange_news(peers);
-  leave_wide_ones(changes);
+  end_gaping_ones(changes);
   const auto tell = [&] {
     for (std::size_t charge = 0; charge < charges_->charges().size(); ++charge)
       charges_->set_taken(charge, network_.taken(charge));
@@ -127,13 +127,13 @@ void CrackGas::exchange_news(terms::Peers& peers) {
   }
 }
 
-void CrackGas::leave_wide_ones(terms::Changes& changes) {
+void CrackGas::end_gaping_ones(terms::Changes& changes) {
   for (const Index number : first_links()) {
     const GasCrack& crack = network_.crack(number);
     const Real widest =
         std::min(charges_->charges()[at(crack.charge)].cut_distance, std::sqrt(faces_[at(number)].first_area.norm()));
     if (crack.apart <= widest) continue;
-    network_.leave(number);
+    network_.end(number);
     table_[number] = {};
     for (const Index body : {links_[at(number)].first, links_[at(number)].second})
       std::erase_if(table_.incidence.list(body), [&](const terms::SlotSide& side) { return side.slot == number; });
@@ -177,7 +177,7 @@ void CrackGas::add_link(const GasCrack& crack) {
   const geometry::InteriorFace& face = network_.face_of(crack);
   const auto number = static_cast<Index>(links_.size());
   links_.push_back({face.element_i, face.element_j});
-  if (crack.has_gas == 0) return;
+  if (!crack.has_gas()) return;
   table_.incidence.list(face.element_i).push_back({number, 0});
   table_.incidence.list(face.element_j).push_back({number, 1});
   has_crack_[at(face.element_i)] = has_crack_[at(face.element_j)] = 1;

@@ -6,8 +6,8 @@
 /// reached, or with a crack that has gas. The gas pushes both faces apart, with one force and its reaction in the middle between
 /// them. Between base steps the gas of a crack expands by itself, and its work is taken from its energy. At base steps it flows,
 /// and cracks that have come apart since then join (crack_network.hpp). A crack whose faces are apart as far as they are
-/// wide, or have turned away from each other, is none any more, and gives its gas to the air; so does one wider than the cut
-/// distance of its charge.
+/// wide, or farther than the cut distance of its charge, or have turned away from each other, gapes: where it is open to the air
+/// its gas is gone, elsewhere it becomes a part of the hole, with the room that it has.
 
 #include <cmath>
 
@@ -86,7 +86,7 @@ private:
 
   bool is_apart(Index face) const;
   void exchange_news(terms::Peers& peers);
-  void leave_wide_ones(terms::Changes& changes);
+  void end_gaping_ones(terms::Changes& changes);
   void open_new(const Instant& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes);
   void add_link(const GasCrack& crack);
   void find_rates(terms::Changes& changes);

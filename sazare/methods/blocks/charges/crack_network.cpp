@@ -51,11 +51,27 @@ void CrackNetwork::change(Index number, Real work, Real volume, Real width, Real
   crack.apart = apart;
 }
 
-void CrackNetwork::leave(Index number) {
+void CrackNetwork::end(Index number) {
   GasCrack& crack = cracks_[at(number)];
-  taken_[at(crack.charge)].lost += crack.energy;
-  taken_[at(crack.charge)].held -= crack.energy;
-  crack = {.face = crack.face, .charge = crack.charge, .has_gas = 0};
+  TakenByCracks& taken = taken_[at(crack.charge)];
+  crack.state = is_open_to_air(number) ? CrackGasState::gone : CrackGasState::hole;
+  taken.held -= crack.energy;
+  if (crack.state == CrackGasState::gone) {
+    taken.lost += crack.energy;
+    crack.volume = 0;
+  } else {
+    taken.mass -= crack.mass;
+    if (charges_->charges()[at(crack.charge)].cracks.gas == GasInCracks::flow) taken.room += crack.volume;
+  }
+  crack.mass = crack.energy = crack.pressure = crack.sound = 0;
+}
+
+bool CrackNetwork::is_open_to_air(Index number) const {
+  return std::ranges::any_of(meetings_, [&](const Meeting& meeting) {
+    if (meeting.crack != number && meeting.other != number) return false;
+    if (meeting.other == Opening::outside) return meeting.wall < 0;
+    return crack(meeting.crack == number ? meeting.other : meeting.crack).state == CrackGasState::gone;
+  });
 }
 
 bool CrackNetwork::is_reached(Index wall, Real time) const {
@@ -78,7 +94,10 @@ OpeningFace CrackNetwork::filled_by(Index face, std::span<const ChargeState> hol
       if (const Index charge = charges_->faces()[at(wall)].charge; is_reached(wall, time))
         consider(charge, holes[at(charge)].pressure);
     for (const Index other : edge.faces)
-      if (const Index crack = state_of_[at(other)]; crack >= 0) consider(cracks_[at(crack)].charge, cracks_[at(crack)].pressure);
+      if (state_of_[at(other)] >= 0) {
+        const GasCrack& crack = cracks_[at(state_of_[at(other)])];
+        consider(crack.charge, crack.state == CrackGasState::hole ? holes[at(crack.charge)].pressure : crack.pressure);
+      }
   }
   return found;
 }
@@ -139,8 +158,8 @@ void CrackNetwork::share(std::size_t charge, const ChargeState& hole) {
   Real room = 0;
   const Real share = charges_->charges()[charge].cracks.share;
   for (GasCrack& crack : cracks_) {
-    if (at(crack.charge) != charge || crack.has_gas == 0) continue;
-    crack.pressure = share * hole.pressure;
+    if (at(crack.charge) != charge || crack.state == CrackGasState::gone) continue;
+    if (crack.has_gas()) crack.pressure = share * hole.pressure;
     room += share * crack.volume;
   }
   taken_[charge].room = room;
@@ -152,11 +171,15 @@ void CrackNetwork::flow(std::size_t charge, const ChargeState& hole, Real time, 
   std::vector<Index> vessel_of(cracks_.size(), Opening::outside);
   for (std::size_t i = 0; i < cracks_.size(); ++i) {
     const GasCrack& crack = cracks_[i];
-    if (at(crack.charge) != charge || crack.has_gas == 0) continue;
+    if (at(crack.charge) != charge || crack.state == CrackGasState::gone) continue;
+    if (crack.state == CrackGasState::hole) {
+      vessel_of[i] = 0;
+      continue;
+    }
     vessel_of[i] = static_cast<Index>(vessels.size());
     vessels.push_back({.volume = crack.volume, .width = crack.width, .mass = crack.mass, .energy = crack.energy});
   }
-  const std::vector<Opening> openings = find_openings(vessel_of, time);
+  const std::vector<Opening> openings = find_openings(charge, vessel_of, time);
   for (const Opening& opening : openings)
     for (const Index vessel : {opening.first, opening.second})
       if (vessel != Opening::outside) ++vessels[at(vessel)].openings;
@@ -167,7 +190,7 @@ void CrackNetwork::flow(std::size_t charge, const ChargeState& hole, Real time, 
   taken.mass += hole.mass - vessels[0].mass;
   taken.held = 0;
   for (std::size_t i = 0; i < cracks_.size(); ++i) {
-    if (vessel_of[i] < 0) continue;
+    if (vessel_of[i] <= 0) continue;
     const GasVessel& vessel = vessels[at(vessel_of[i])];
     cracks_[i].mass = vessel.mass;
     cracks_[i].energy = vessel.energy;
@@ -177,17 +200,18 @@ void CrackNetwork::flow(std::size_t charge, const ChargeState& hole, Real time, 
   }
 }
 
-/// Between the vessels of a charge, of which the first is its hole. What met a crack that has no gas any more meets the air.
-std::vector<Opening> CrackNetwork::find_openings(std::span<const Index> vessel_of, Real time) const {
+/// Between the vessels of a charge, of which the first is its hole, with what has become a part of it. What met a crack whose gas
+/// is gone meets the air.
+std::vector<Opening> CrackNetwork::find_openings(std::size_t charge, std::span<const Index> vessel_of, Real time) const {
   std::vector<Opening> openings;
   for (const Meeting& meeting : meetings_) {
-    const Index crack = vessel_of[at(meeting.crack)];
-    const Index other = meeting.other < 0 ? Opening::outside : vessel_of[at(meeting.other)];
-    if (crack < 0 && other < 0) continue;
-    if (meeting.wall < 0)
-      openings.push_back(crack >= 0 ? Opening{crack, other, meeting.length} : Opening{other, crack, meeting.length});
-    else if (is_reached(meeting.wall, time))
-      openings.push_back({crack, 0, meeting.length});
+    if (at(crack(meeting.crack).charge) != charge || (meeting.wall >= 0 && !is_reached(meeting.wall, time))) continue;
+    const Index first = vessel_of[at(meeting.crack)];
+    const Index second = meeting.wall >= 0 ? 0 : meeting.other < 0 ? Opening::outside : vessel_of[at(meeting.other)];
+    if (first == second) continue;
+    const bool is_second = first < 0;  // the one that has gas comes first
+    const Real width = std::min(crack(meeting.crack).width, meeting.other < 0 ? unbounded : crack(meeting.other).width);
+    openings.push_back({is_second ? second : first, is_second ? first : second, meeting.length, width});
   }
   return openings;
 }

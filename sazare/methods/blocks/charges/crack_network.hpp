@@ -23,6 +23,13 @@ struct GasFaces {
   std::vector<GasOuterFace> outer;
 };
 
+/// Where the gas of a crack is.
+enum class CrackGasState : std::int64_t {
+  own,   ///< in it
+  hole,  ///< it gapes and has become a part of the hole
+  gone,  ///< it gapes and was open to the air
+};
+
 /// A crack that has gas or had, as it was at the last base step.
 struct GasCrack {
   Index face = 0;     ///< between elements
@@ -34,7 +41,9 @@ struct GasCrack {
   Real apart = 0;     ///< distance of its faces, see crack_gas.hpp [m]
   Real pressure = 0;  ///< [Pa]
   Real sound = 0;     ///< its velocity [m/s]
-  Real has_gas = 1;   ///< 0 once it gapes
+  CrackGasState state = CrackGasState::own;
+
+  bool has_gas() const { return state == CrackGasState::own; }
 };
 
 /// A face that has come apart, and the charge whose gas enters it.
@@ -60,8 +69,8 @@ public:
   /// What has happened to a crack since the last base step: its gas has done so much work [J], and it has become so wide
   /// [m3; m; m].
   void change(Index crack, Real work, Real volume, Real width, Real apart);
-  /// Ends a crack, whose gas goes into the air.
-  void leave(Index crack);
+  /// Ends a crack that gapes: where it is open to the air its gas is gone, elsewhere it adds its room and its gas to the hole.
+  void end(Index crack);
 
   /// Faces that have come apart beside gas.
   std::vector<OpeningFace> opening(std::span<const ChargeState> holes, Real time,
@@ -88,9 +97,10 @@ private:
   OpeningFace filled_by(Index face, std::span<const ChargeState> holes, Real time) const;
   void wait(Index face);
   void join(Index crack);
+  bool is_open_to_air(Index crack) const;
   void share(std::size_t charge, const ChargeState& hole);
   void flow(std::size_t charge, const ChargeState& hole, Real time, Real span);
-  std::vector<Opening> find_openings(std::span<const Index> vessel_of, Real time) const;
+  std::vector<Opening> find_openings(std::size_t charge, std::span<const Index> vessel_of, Real time) const;
 
   GasFaces faces_;
   CrackPaths paths_;
