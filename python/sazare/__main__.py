@@ -12,6 +12,7 @@ from sazare.blast_model import command as blast_model_command
 from sazare.comparison import compare
 from sazare.ground_motion import command as motion_command
 from sazare.lab import command as lab_command
+from sazare.muck_pile import command as muck_pile_command
 from sazare.results import open_run
 from sazare.summary import terminal_text
 from sazare.tables import NotARun
@@ -114,6 +115,7 @@ def parser():
     motion_command.add_to(commands)
     blast_command.add_to(commands)
     blast_model_command.add_to(commands)
+    muck_pile_command.add_to(commands)
     return top
 
 

@@ -1,0 +1,61 @@
+"""Rock that has come loose behind the line of holes and beside the outermost ones, by depth."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sazare.blast.holes import holes_of
+from sazare.muck_pile.heights import axes_of
+
+LEVELS = 10  # over the length of the holes
+
+
+@dataclass(frozen=True)
+class BackBreak:
+    """Between two heights [m]: how far behind the line of holes loose rock reached, and how far beside the outermost holes on the left and on the right of
+    the throw [m]; 0 where none did, and the volume [m3] of what came loose behind the line."""
+
+    lower: float
+    upper: float
+    behind: float
+    left: float
+    right: float
+    volume: float
+
+
+def back_breaks(results, model):
+    """The BackBreaks from the collar to the toe of the holes, highest first; none where the run has no holes.
+
+    Elements count where they stood before the blast, by their farthest corner, in the level of their centre: those between the outermost holes for what is
+    behind, those in front of the line for what is beside. Rock that is loose but lies where it was, counts as well.
+    """
+    holes = holes_of(results)
+    if not holes:
+        return []
+    axes = axes_of(model.direction)
+    ends = np.array([[hole.first, hole.last] for hole in holes])
+    flat, heights = ends @ axes, ends[:, :, 2]
+    line = flat[:, :, 0].min()
+    across = flat[:, :, 1].mean(axis=1)
+    edges = np.linspace(heights.max(), heights.min(), LEVELS + 1)
+    # By what was chosen to be loose, fragments that are taken as rock that stays included.
+    loose = ~model.elements.stays
+    start = model.elements.start[loose]
+    corners, middle, level = start @ axes, start.mean(axis=1) @ axes, start.mean(axis=1)[:, 2]
+    volumes = model.elements.volumes[loose]
+    between = (middle[:, 1] >= across.min()) & (middle[:, 1] <= across.max()) if len(holes) > 1 else np.ones(len(middle), dtype=bool)
+    back, ahead = middle[:, 0] < line, middle[:, 0] >= line
+    found = []
+    for upper, lower in zip(edges[:-1], edges[1:]):
+        here = (level <= upper) & (level > lower)
+        found.append(
+            BackBreak(
+                float(lower), float(upper), _most(line - corners[here & back & between, :, 0]), _most(corners[here & ahead, :, 1] - across.max()),
+                _most(across.min() - corners[here & ahead, :, 1]), float(volumes[here & back & between].sum()),
+            )
+        )
+    return found
+
+
+def _most(distances):
+    return float(np.maximum(distances, 0.0).max(initial=0.0))

@@ -1,0 +1,80 @@
+"""The command `sazare muck-pile`: its arguments, and what it writes and prints."""
+
+import argparse
+import math
+from contextlib import contextmanager
+from pathlib import Path
+
+from sazare.arguments import not_negative, positive, whole
+from sazare.muck_pile import words
+from sazare.muck_pile.model import Options
+
+
+def number(text):
+    """A finite number."""
+    value = float(text)
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f"must be a finite number, found {text}")
+    return value
+
+
+def add_to(commands):
+    """Adds the command to the commands of a parser."""
+    text = "let the fragments of a run of blasting fly and land as rigid bodies: throw, flyrock, muck pile, back-break, in DIR/muck-pile"
+    command = commands.add_parser("muck-pile", help=text, description=text)
+    command.add_argument("folder", metavar="DIR", help="the folder of a run of blasting that has ended")
+    command.add_argument("--out", metavar="DIR", help="folder of the pile (default: muck-pile in that of the run)")
+    command.add_argument("--overwrite", action="store_true", help="replace the pile that is in the folder")
+    command.add_argument("--ground", metavar="Z", type=number, help="height of the ground [m] (default: of the floor in front of the rock that stays)")
+    command.add_argument("--direction", metavar=("X", "Y"), type=number, nargs=2, help="direction of the throw (default: of the horizontal momentum)")
+    command.add_argument("--toe", metavar="M", type=number, help="coordinate along the throw at which the bench ends [m] (default: of the free face before the blast)")
+    command.add_argument("--end", metavar="S", type=positive, help="time for which fragments are followed [s] (default: until 99 %% of the mass has landed and settled)")
+    command.add_argument("--restitution", metavar="E", type=positive, default=Options.restitution, help="coefficient of restitution (default %(default)g)")
+    command.add_argument("--friction", metavar="F", type=not_negative, help="coefficient of friction (default: of the contacts of the case)")
+    command.add_argument("--rolling-friction", metavar="F", type=not_negative, default=Options.rolling_friction, help="coefficient of rolling friction (default %(default)g)")
+    command.add_argument("--spheres", metavar="N", type=whole(1, 10_000), default=Options.most, help="spheres of one fragment, at most (default %(default)d)")
+    command.add_argument("--smallest", metavar="M", type=not_negative, help="size below which fragments are specks that meet nothing [m] (default: the smallest with 0.2 %% of the mass)")
+    command.add_argument("--threads", metavar="N", type=whole(1, 1_000_000), default=0, help="threads (default: all processors)")
+    command.add_argument("--quiet", action="store_true", help="print results and warnings only")
+    command.set_defaults(function=tell, blame="{folder}: the files of this run do not fit together", advice="If sazare wrote them as they are, please report it")
+
+
+@contextmanager
+def _errors_of_the_command():
+    """Errors of the engine as those that the command tells."""
+    from sazare.engine import engine
+
+    try:
+        yield
+    except engine().UserError as error:
+        raise ValueError(error) from error
+    except (engine().MachineError, engine().PhysicsError) as error:
+        raise OSError(error) from error
+
+
+def tell(chosen):
+    """Lets the fragments of a run fly, writes tables and pictures of the pile, and prints its numbers."""
+    from sazare import style
+    from sazare.muck_pile import pictures
+    from sazare.muck_pile.numbers import write_numbers
+    from sazare.muck_pile.throw import muck_pile
+    from sazare.results import open_run
+
+    options = Options(
+        ground=chosen.ground, direction=tuple(chosen.direction) if chosen.direction else None, toe=chosen.toe, end=chosen.end, restitution=chosen.restitution,
+        friction=chosen.friction, rolling_friction=chosen.rolling_friction, smallest=chosen.smallest, most=chosen.spheres,
+    )
+
+    def say(lines):
+        told = [line for line in lines if not chosen.quiet or line.startswith("warning")]
+        print(*told, sep="\n", flush=True) if told else None
+
+    with _errors_of_the_command():
+        numbers = muck_pile(
+            open_run(chosen.folder), chosen.out, options, threads=chosen.threads, overwrite=chosen.overwrite, progress=not chosen.quiet, say=say,
+        )
+    folder = Path(chosen.out or Path(chosen.folder) / "muck-pile")
+    print(*words.text_of(numbers), sep="\n")
+    for name, figure in pictures.pictures_of(numbers):
+        style.save(figure, folder / f"{name}.png")
+    print(f"tables and pictures: {folder}; the run is in {folder / 'run'}")

@@ -1,0 +1,85 @@
+"""The muck pile: its profile along the throw, its bulk volume and swell, and the slope of its front."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from math import atan, degrees
+
+import numpy as np
+
+from sazare.muck_pile.heights import heights_of_balls, heights_of_triangles
+
+FINE = 0.25  # size of the cells over the median size of fragments by mass
+MOST_CELLS = 4e6  # under spheres: larger cells are taken where there would be more
+FRONT = (0.2, 0.8)  # of the highest mean height: between them the slope of the front is fitted
+
+
+@dataclass(frozen=True)
+class Slice:
+    """A part of the pile along the throw: where its middle is [m], the highest and the mean height [m] of the pile over what it lies on, the latter over the
+    width that it covers, that of its top over the ground [m], and its bulk volume [m3]."""
+
+    along: float
+    highest: float
+    mean: float
+    top: float
+    volume: float
+
+
+class Pile:
+    """The pile of bodies that have Landed, over the ground and the rock that stays. solid: volume of its fragments [m3]; size: median size [m] by mass."""
+
+    def __init__(self, model, landed, solid, size):
+        self.solid = solid
+        self.width = size
+        balls = landed.balls
+        cell = max(FINE * size, float(np.sqrt(np.pi * np.sum(balls.radii**2) / MOST_CELLS)))
+        self.heights = heights_of_balls(balls.centres, balls.radii, model.direction, cell)
+        self.rock = heights_of_triangles(model.standing.triangles, model.direction, cell)
+        base = np.maximum(self.rock.at(self.heights.cells, model.ground), model.ground)
+        # Where rock overhangs, or a sphere lies in a crack, there is no pile above the rock.
+        self.thickness = np.maximum(self.heights.tops - base, 0.0)
+        self.ground = model.ground
+
+    @property
+    def bulk(self):
+        """Volume [m3] of the vertical columns from the highest sphere down to the ground or the rock that stays."""
+        return float(self.thickness.sum() * self.heights.size**2)
+
+    @property
+    def swell(self):
+        """Bulk volume over the solid volume of the fragments."""
+        return self.bulk / self.solid
+
+    @cached_property
+    def slices(self):
+        """The pile in slices as long as the median fragment (list of Slice), those that it covers."""
+        size = self.heights.size
+        number = np.floor((self.heights.cells[:, 0] + 0.5) * size / self.width).astype(int)
+        found = []
+        for one in np.unique(number):
+            own = number == one
+            thick = self.thickness[own]
+            found.append(Slice((one + 0.5) * self.width, float(thick.max()), float(thick.mean()), float(self.heights.tops[own].max() - self.ground), float(thick.sum() * size**2)))
+        return found
+
+    @property
+    def height(self):
+        """The highest thickness [m]."""
+        return float(self.thickness.max(initial=0.0))
+
+    @cached_property
+    def repose(self):
+        """Slope [deg] of the front of the pile, from its highest slice on along the throw: a line through the mean heights between FRONT of the highest; None
+        where fewer than three slices are there."""
+        means = np.array([one.mean for one in self.slices])
+        places = np.array([one.along for one in self.slices])
+        crest = int(np.argmax(means))
+        front = slice(crest, None)
+        within = (means[front] >= FRONT[0] * means[crest]) & (means[front] <= FRONT[1] * means[crest])
+        ended = np.flatnonzero(means[front] < FRONT[0] * means[crest])
+        if len(ended):
+            within[ended[0] :] = False
+        if np.sum(within) < 3:
+            return None
+        fall = -np.polyfit(places[front][within], means[front][within], 1)[0]
+        return degrees(atan(fall)) if fall > 0.0 else None

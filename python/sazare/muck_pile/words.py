@@ -1,0 +1,76 @@
+"""A muck pile in lines for a terminal."""
+
+import numpy as np
+
+from sazare.muck_pile.breaking import LAST, STILL
+from sazare.style import count, quantity
+
+
+def before(model, breaking):
+    """What flies, and over what, in lines."""
+    bodies = model.bodies
+    kept = bodies.kinetic_energy.sum() / bodies.energy.sum() if bodies.energy.sum() > 0.0 else 1.0
+    x, y = model.direction[:2]
+    lines = [
+        f"{count(len(bodies))} fragments, {quantity(1e3 * bodies.mass.sum(), 'g')} of rock, as rigid bodies of {count(len(model.balls))} spheres; they keep {kept:.2%} of the kinetic energy",
+        f"ground at z = {model.ground:.4g} m ({model.ground_words}); throw towards ({x:.3f}, {y:.3f}); toe of the bench {model.toe:.4g} m along it",
+        f"contacts: {' to '.join(quantity(value, 'N/m') for value in sorted({model.stiffnesses[0], model.stiffnesses[-1]}))}, restitution {model.options.restitution:g}, friction {model.friction:g}, rolling friction {model.options.rolling_friction:g}",
+    ]
+    if np.any(model.specks):
+        lines.append(
+            f"{count(model.specks.sum())} of them, below {quantity(model.bodies.sizes[~model.specks].min(), 'm')}, are specks with {model.bodies.mass[model.specks].sum() / model.bodies.mass.sum():.2%} "
+            "of the mass: they fly without what they would meet"
+        )
+    if model.buried > 0.0:
+        lines.append(f"{quantity(1e3 * model.buried, 'g')} more are loose but lie under the ground or within the rock that stays: they stay too")
+    return lines + warnings(breaking)
+
+
+def warnings(breaking):
+    """What is not over at the end of a run of blasting."""
+    lines = []
+    if breaking.broken is not None and breaking.broken > STILL:
+        lines.append(
+            f"warning: joints still break: {breaking.broken:.1%} of all that are broken broke in the last {LAST:.0%} of the run, {breaking.rate:.2g} per duration; "
+            "a longer run has more and smaller fragments"
+        )
+    if breaking.worked is not None and breaking.worked > STILL:
+        lines.append(
+            f"warning: the gas still works: {breaking.worked:.1%} of its work came in the last {LAST:.0%} of the run, and it has {quantity(breaking.pressure, 'Pa')}; "
+            "a longer run throws farther"
+        )
+    return lines
+
+
+def text_of(numbers):
+    """The numbers of a pile in lines."""
+    model, pile, throw, farthest = numbers.model, numbers.pile, numbers.distribution, numbers.farthest
+    lines = ["throw"]
+    lines.append("  by mass           " + ", ".join(f"{share:.0%} less than {quantity(throw.size_at(share), 'm')}" for share in (0.5, 0.9, 0.99)))
+    lines.append(f"  beyond the toe    {quantity(1e3 * numbers.beyond_toe, 'g')}, {numbers.cast:.1%} of the loose rock")
+    lines.append(
+        f"  flyrock           {quantity(farthest.throw, 'm')}: fragment {farthest.number} of {quantity(farthest.size, 'm')}, {quantity(1e3 * farthest.mass, 'g')}, "
+        f"started at {quantity(farthest.speed, 'm/s')}; {quantity(farthest.range, 'm')} by a flight without drag"
+    )
+    if np.any(numbers.flying):
+        lines.append(f"  in the air        {int(numbers.flying.sum())} fragments, {quantity(1e3 * model.bodies.mass[numbers.flying].sum(), 'g')}: their ends are those of a flight without drag")
+    lines.append("pile")
+    lines.append(f"  highest           {quantity(pile.height, 'm')}" + ("" if pile.repose is None else f", front at {pile.repose:.0f} degrees"))
+    lines.append(
+        f"  swell             {pile.swell:.2f} over the rock, {numbers.swell_of_spheres:.2f} over the spheres, which have {numbers.sphere_share:.0%} of its volume; "
+        f"bulk {quantity(pile.bulk, 'm³')}"
+    )
+    state = "rests" if numbers.rests else "still moves: --end takes a longer time"
+    lines.append(f"  at {quantity(numbers.landed.time, 's'):<15}it {state} ({quantity(numbers.rms_speed, 'm/s')} by mass)")
+    return lines + _broken(numbers.back_breaks)
+
+
+def _broken(found):
+    if not found:
+        return []
+    deepest = max(found, key=lambda one: one.behind)
+    lines = ["rock that came loose outside the design line"]
+    where = f" at z = {0.5 * (deepest.lower + deepest.upper):.3g} m, {quantity(sum(one.volume for one in found), 'm³')}" if deepest.behind > 0.0 else ""
+    lines.append(f"  behind the holes  {quantity(deepest.behind, 'm')}{where}")
+    lines.append(f"  beside them       {quantity(max(one.left for one in found), 'm')} left, {quantity(max(one.right for one in found), 'm')} right of the throw")
+    return lines
