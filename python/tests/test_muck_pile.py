@@ -200,6 +200,18 @@ def test_a_column_of_fragments_becomes_a_pile_at_rest(tmp_path):
     assert numbers.ends[:, 2].mean() < 0.5 * numbers.starts[:, 2].mean()
 
 
+def test_what_lies_under_an_overhang_is_no_pile_that_is_seen(tmp_path):
+    # A roof over the loose cell in the middle; the one in front is free.
+    blown = Blown((3.0, 1.0, 2.0), (3, 1, 2))
+    number = np.arange(6).reshape(3, 1, 2)
+    blown.stays[:] = True
+    blown.stays[[number[1, 0, 0], number[2, 0, 0], number[2, 0, 1]]] = False
+    run = sazare.open(blown.write(tmp_path / "run"))
+    pile = muck_pile(run, options=Options(ground=-0.01, direction=(1.0, 0.0), end=0.01), threads=1).pile
+    assert list(pile.covered) == [True, False, False]
+    assert pile.solid == pytest.approx(2.0)
+
+
 def test_heights_of_a_ball_and_of_triangles():
     along = np.array([0.6, 0.8, 0.0])
     ball = heights_of_balls(np.array([[3.0, 4.0, 2.0]]), np.array([1.0]), along, 0.02)
@@ -219,13 +231,15 @@ def test_back_break_is_told_by_depth(tmp_path):
     blown.stays[:] = True
     blown.stays[number[2:, 1:3].ravel()] = False
     blown.stays[[number[1, 1, 1], number[3, 3, 0]]] = False
-    blown.velocity[~blown.stays] = (3.0, 0.0, 0.0)
+    blown.velocity[~blown.stays] = (3.0, 1.0, 0.0)
     run = blown.write(tmp_path / "run")
     columns = {"hole": ["a", "b"], "delay [s]": [0.0, 0.0]} | {f"first_{axis} [m]": values for axis, values in zip("xyz", ([2.0, 2.0], [1.0, 3.0], [2.0, 2.0]))}
     columns |= {f"last_{axis} [m]": values for axis, values in zip("xyz", ([2.0, 2.0], [1.0, 3.0], [0.0, 0.0]))}
     write_table(run / "holes.csv", columns | {"diameter [m]": [0.1, 0.1]})
     results = sazare.open(run)
-    found = back_breaks(results, model_of(results, Options(ground=-1.0, direction=(1.0, 0.0))))
+    model = model_of(results, Options(ground=-1.0))
+    assert list(model.direction) == [1.0, 0.0, 0.0]  # across the row, though the rock goes obliquely
+    found = back_breaks(results, model)
     assert [one.behind for one in found[:5]] == pytest.approx([1.0 if one.volume else 0.0 for one in found[:5]])
     assert max(one.behind for one in found) == pytest.approx(1.0) and all(one.behind == 0.0 for one in found[5:])
     assert sum(one.volume for one in found) == pytest.approx(1.0)

@@ -149,7 +149,7 @@ def write_numbers(numbers):
     folder = folder_of(numbers.results)
     folder.mkdir(exist_ok=True)
     texts = {table.name: _csv_text(table) for table in tables_of(numbers)}
-    texts["summary.json"] = json.dumps(_finite(summary_of(numbers)), indent=2) + "\n"
+    texts["summary.json"] = json.dumps(finite(summary_of(numbers)), indent=2) + "\n"
     for name, text in texts.items():
         own(folder / name).write_text(text, encoding="utf-8")
     write_settings(numbers.results, numbers.settings)
@@ -164,10 +164,10 @@ def _csv_text(table):
     return text.getvalue()
 
 
-def _finite(value):
-    """Numbers that are not finite become null, as in manifests."""
+def finite(value):
+    """A value for JSON: numbers that are not finite become null, as in manifests."""
     if isinstance(value, dict):
-        return {key: _finite(item) for key, item in value.items()}
+        return {key: finite(item) for key, item in value.items()}
     if isinstance(value, list):
-        return [_finite(item) for item in value]
+        return [finite(item) for item in value]
     return None if isinstance(value, float) and not abs(value) < float("inf") else value

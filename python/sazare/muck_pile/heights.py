@@ -15,7 +15,7 @@ class Heights:
 
     def at(self, cells, default):
         """Tops (k,) [m] of other cells (k, 2); `default` where nothing covers one."""
-        if not len(self.cells):
+        if not len(self.cells) or not len(cells):
             return np.full(len(cells), default)
         lowest = np.minimum(self.cells.min(axis=0), cells.min(axis=0))
         width = int(max(self.cells[:, 1].max(), cells[:, 1].max()) - lowest[1] + 1)
@@ -42,7 +42,7 @@ def _highest(size, cells, tops):
 def heights_of_balls(centres, radii, direction, size):
     """The Heights of spheres (n, 3), (n,) [m], by the vertical lines through the middles of cells."""
     flat = centres @ axes_of(direction)
-    cells, tops = [], []
+    cells, tops = [np.zeros((0, 2), dtype=int)], [np.zeros(0)]
     reach = np.ceil(radii / size).astype(int) + 1
     for steps in np.unique(reach):
         own = reach == steps

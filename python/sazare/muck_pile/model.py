@@ -7,6 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
+from sazare.blast.holes import holes_of
 from sazare.cases import spheres
 from sazare.muck_pile import balls as ball
 from sazare.muck_pile.bodies import Bodies, bodies_of, write_bodies
@@ -17,10 +18,12 @@ from sazare.muck_pile.surface import Standing, ground_height
 GRAVITY = 9.81  # m/s2, where the case has none
 OVERLAP = 0.2  # of the radius: in contacts at the greatest speed
 SHEAR = 2.0 / 7.0  # shear stiffness over normal stiffness: a solid sphere then slips and rebounds in the same time
+STRAIGHT = 0.1  # extent of a row of holes across over that along it
+ALONG = 0.7  # least cosine between the normal of the row and the momentum: 45 degrees
 SETTLING = 5.0  # times the time of a fall from the highest loose rock to the ground, after the last has landed
 FOLLOWED = 0.99  # of the mass: the fastest specks fly longer and press deeper
 STEP = 0.25  # of the stability limit of spheres among twelve neighbours
-SPECKS = 0.002  # of the mass: the smallest fragments, which fly without what they would meet
+SPECKS = 0.01  # of the mass: the smallest fragments, which fly without what they would meet
 CLASS = 4.0  # ratio of the masses in a class of fragments, each with its own stiffness: 1.6 in size
 MARGIN = 1.0  # of a median sphere's diameter: nearer spheres are watched as candidates for contact
 PICTURES, ROWS = 50, 200
@@ -66,6 +69,7 @@ class Model:
     density: float
     buried: float
     direction: np.ndarray
+    direction_words: str
     ground: float
     ground_words: str
     toe: float
@@ -147,7 +151,7 @@ def model_of(results, options=None):
     case = tomllib.loads(results.case_text) if results.case_text else {}
     gravity = _gravity(case, results)
     elements = elements_of(results)
-    direction = _direction(elements, options)
+    direction, direction_words = _direction(results, elements, options)
     ground, words = (options.ground, "as told") if options.ground is not None else ground_height(elements, elements.stays, direction)
     stays = elements.stays | _under(elements, ground)
     if np.all(stays):
@@ -156,7 +160,8 @@ def model_of(results, options=None):
     loose, masses = ~stays, elements.masses
     return Model(
         elements, loose, owner, bodies, specks, balls, standing, float(masses[loose].sum() / elements.volumes[loose].sum()),
-        float(masses[stays & ~elements.stays].sum()), direction, ground, words, _toe(elements, loose, direction, ground) if options.toe is None else options.toe,
+        float(masses[stays & ~elements.stays].sum()), direction, direction_words, ground, words,
+        _toe(elements, loose, direction, ground) if options.toe is None else options.toe,
         gravity, options.friction if options.friction is not None else _friction(case),
         _end(elements, bodies, loose, ground, gravity) if options.end is None else options.end, options,
     )
@@ -177,15 +182,30 @@ def _friction(case):
     return 0.6 if value is None else float(value)
 
 
-def _direction(elements, options):
+def _direction(results, elements, options):
+    """The direction of the throw (3,), and how it was found, in words: across a straight row of holes, to the side to which the loose rock goes, or the
+    direction of its horizontal momentum."""
     if options.direction is not None:
         wanted = np.array([*options.direction, 0.0])
-        return wanted / np.linalg.norm(wanted)
+        return wanted / np.linalg.norm(wanted), "as told"
     loose = ~elements.stays
     momentum = elements.masses[loose] @ elements.velocity[loose]
     momentum[2] = 0.0
     size = float(np.linalg.norm(momentum))
-    return momentum / size if size > 0.0 else np.array([1.0, 0.0, 0.0])
+    ahead = momentum / size if size > 0.0 else np.array([1.0, 0.0, 0.0])
+    across = _across_row(holes_of(results))
+    if across is not None and abs(across @ ahead) > ALONG:
+        return across * np.sign(across @ ahead) + 0.0, "across the row of holes"
+    return ahead, "momentum of the loose rock" if size > 0.0 else "the loose rock has no horizontal momentum"
+
+
+def _across_row(holes):
+    """The horizontal normal (3,) of a row of two holes or more; None where they stand in no row."""
+    if len(holes) < 2:
+        return None
+    places = np.array([0.5 * (hole.first + hole.last)[:2] for hole in holes])
+    _, extent, axes = np.linalg.svd(places - places.mean(axis=0))
+    return np.array([-axes[0, 1], axes[0, 0], 0.0]) if extent[0] > 0.0 and extent[1] < STRAIGHT * extent[0] else None
 
 
 def _under(elements, ground):

@@ -6,6 +6,7 @@ from functools import cached_property
 
 import numpy as np
 
+from sazare.blast.numbers import finite
 from sazare.blast.settings import own
 from sazare.blast.sizes import Distribution
 from sazare.muck_pile.back_break import back_breaks
@@ -83,7 +84,7 @@ class PileNumbers:
         """The Pile."""
         bodies = self.model.bodies
         size = Distribution.of(bodies.sizes, bodies.mass, np.ones(len(bodies))).size_at(0.5)
-        return Pile(self.model, self.landed, self.solid, size)
+        return Pile(self.model, self.landed, size)
 
     @cached_property
     def solid(self):
@@ -102,7 +103,8 @@ class PileNumbers:
     @cached_property
     def swell_of_spheres(self):
         """Bulk volume of the pile over the volume of its spheres."""
-        return self.pile.bulk / float(self._unions.sum())
+        spheres = float(self._unions[self.pile.seen].sum())
+        return self.pile.bulk / spheres if spheres > 0.0 else float("nan")
 
     @cached_property
     def rms_speed(self):
@@ -161,13 +163,14 @@ def summary_of(numbers):
         "buried_mass": model.buried, "ground": model.ground, "direction": model.direction[:2].tolist(), "toe": model.toe, "gravity": model.gravity,
         "energy_kept": float(bodies.kinetic_energy.sum() / bodies.energy.sum()) if bodies.energy.sum() > 0.0 else None,
         "stiffness": model.stiffnesses.tolist(), "specks": int(model.specks.sum()), "mass_of_specks": float(bodies.mass[model.specks].sum()), "end": numbers.landed.time, "rms_speed": numbers.rms_speed, "rests": numbers.rests,
-        "in_the_air": int(numbers.flying.sum()), "mass_in_the_air": float(bodies.mass[numbers.flying].sum()),
+        "in_the_air": int(np.sum(numbers.flying & ~model.specks)), "mass_in_the_air": float(bodies.mass[numbers.flying & ~model.specks].sum()),
         "throw": {f"p{100 * share:.0f}": numbers.distribution.size_at(share) for share in (0.5, 0.9, 0.99)},
         "beyond_toe": numbers.beyond_toe, "cast": numbers.cast,
         "farthest": {"fragment": farthest.number, "mass": farthest.mass, "size": farthest.size, "start_speed": farthest.speed, "throw": farthest.throw, "range_without_drag": farthest.range},
         "pile": {
             "bulk_volume": numbers.pile.bulk, "swell": numbers.pile.swell, "swell_of_spheres": numbers.swell_of_spheres, "height": numbers.pile.height,
             "repose": numbers.pile.repose,
+            "covered_mass": float(bodies.mass[numbers.pile.covered].sum()),
         },
         "back_break": max((one.behind for one in numbers.back_breaks), default=None),
         "over_break": {side: max((getattr(one, side) for one in numbers.back_breaks), default=None) for side in ("left", "right")},
@@ -179,4 +182,4 @@ def write_numbers(numbers, folder):
     """Writes the tables and numbers.json into a folder. Raises NotARun where a link stands in a file's place."""
     for name, columns in tables_of(numbers).items():
         write_table(own(folder / name), columns)
-    own(folder / "numbers.json").write_text(json.dumps(summary_of(numbers), indent=2) + "\n", encoding="utf-8")
+    own(folder / "numbers.json").write_text(json.dumps(finite(summary_of(numbers)), indent=2) + "\n", encoding="utf-8")

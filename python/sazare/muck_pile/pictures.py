@@ -5,6 +5,8 @@ from matplotlib.collections import EllipseCollection
 from matplotlib.colors import LogNorm
 
 from sazare import style
+from sazare.blast.holes import holes_of
+from sazare.muck_pile.elements import FACES, outer_faces
 from sazare.muck_pile.heights import axes_of, heights_of_triangles
 
 SHOWN = 0.98  # of the mass that a picture of places shows: flyrock lies far away
@@ -51,12 +53,10 @@ def profile(numbers):
     low, high = min(low, float(ahead.min())), max(high, float(ahead[model.loose].max()))
     size = pile.heights.size
     along = np.arange(int(np.floor(low / size)) - 2, int(np.ceil(high / size)) + 2)
-    from sazare.muck_pile.elements import FACES, outer_faces
-
     before = heights_of_triangles(model.elements.start[:, FACES][outer_faces(model.elements.nodes)], model.direction, size)
     places = (along + 0.5) * size
     rock = np.maximum(_section(pile.rock, over, along, model.ground), model.ground)
-    top = np.maximum(_section(pile.heights, over, along, model.ground), rock)
+    top = np.maximum(_section(pile.heights, over, along, model.ground), rock)  # what lies under an overhang is not seen
     figure = style.figure(8.4, 3.6)
     axes = figure.subplots()
     bottom = model.ground - 0.15 * max(float(before.tops.max()) - model.ground, size)
@@ -79,19 +79,17 @@ def throw_distribution(numbers):
     distribution, farthest = numbers.distribution, numbers.farthest
     figure = style.figure(7.0, 3.8)
     axes = figure.subplots()
-    sizes = np.maximum(distribution.sizes, 1e-3 * distribution.sizes[-1])
-    axes.step(sizes, 100.0 * distribution.shares, where="post", color=style.INK, linewidth=1.8)
-    axes.set_xscale("log")
+    axes.plot(np.append(0.0, distribution.sizes), 100.0 * np.append(0.0, distribution.shares), color=style.INK, linewidth=1.8)
     for share in (0.5, 0.9):
         throw = distribution.size_at(share)
         axes.plot([throw, throw], [0.0, 100.0 * share], color=style.ACCENT, linewidth=0.9, linestyle="--")
-        axes.annotate(f"{share:.0%}: {style.quantity(throw, 'm')}", (throw, 100.0 * share), xytext=(-4, 4), textcoords="offset points", ha="right", color=style.ACCENT)
+        axes.annotate(f"{share:.0%}: {style.quantity(throw, 'm')}", (throw, 100.0 * share), xytext=(5, -11), textcoords="offset points", color=style.ACCENT)
     axes.axvline(farthest.throw, color=style.SECOND, linewidth=1.0, linestyle=":", label=f"farthest fragment: {style.quantity(farthest.throw, 'm')}")
-    axes.xaxis.set_major_formatter("{x:g}")
+    axes.set_xlim(0.0, 1.1 * farthest.throw)
     axes.set_ylim(0.0, 104.0)
     axes.set_xlabel("horizontal throw [m]")
     axes.set_ylabel("mass thrown less far [%]")
-    axes.legend(loc="upper left")
+    axes.legend(loc="lower right")
     return figure
 
 
@@ -109,25 +107,24 @@ def plan(numbers):
     figure = style.figure(7.6, 5.2)
     axes = figure.subplots()
     box = corners.min(axis=0), corners.max(axis=0)
-    axes.fill([box[0][0], box[1][0], box[1][0], box[0][0]], [box[0][1], box[0][1], box[1][1], box[1][1]], color=style.STONE, linewidth=0.0, label="rock before the blast")
+    axes.fill([box[0][0], box[1][0], box[1][0], box[0][0]], [box[0][1], box[0][1], box[1][1], box[1][1]], color=style.STONE, edgecolor=style.STONE_EDGE, linewidth=0.8, label="model before the blast")
     drawn = EllipseCollection(
         bodies.sizes[order], bodies.sizes[order], np.zeros(len(order)), units="xy", offsets=ends[order], transOffset=axes.transData, array=bodies.sizes[order],
         cmap=style.SIZE, norm=LogNorm(), linewidths=0.2, edgecolors=style.INK,
     )
     axes.add_collection(drawn)
     axes.axvline(model.toe, color=style.INK, linewidth=0.8, linestyle=":", label="toe")
-    from sazare.blast.holes import holes_of
-
     holes = holes_of(numbers.results)
     if holes:
         axes.plot(*(np.array([hole.first for hole in holes]) @ axes_here).T, "o", color=style.ACCENT, markersize=4, label="holes")
     axes.set_xlim(low[0] - 0.5, high[0] + 0.5)
     axes.set_ylim(low[1] - 0.5, high[1] + 0.5)
     axes.set_aspect("equal")
-    axes.set_xlabel(f"along the throw [m]; {int(np.sum(~shown & ~model.specks))} fragments lie outside the picture")
+    axes.set_xlabel(f"along the throw [m]; outside the picture: {int(np.sum(~shown & ~model.specks))} fragments")
     axes.set_ylabel("across the throw [m]")
-    figure.colorbar(drawn, ax=axes, label="size [m]", shrink=0.8)
-    axes.legend(loc="upper right")
+    bar = figure.colorbar(drawn, ax=axes, label="size [m]", shrink=0.8, format="{x:g}")
+    bar.ax.yaxis.set_minor_formatter("{x:g}")
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=3)
     return figure
 
 

@@ -6,7 +6,7 @@ from math import atan, degrees
 
 import numpy as np
 
-from sazare.muck_pile.heights import heights_of_balls, heights_of_triangles
+from sazare.muck_pile.heights import axes_of, heights_of_balls, heights_of_triangles
 
 FINE = 0.25  # size of the cells over the median size of fragments by mass
 MOST_CELLS = 4e6  # under spheres: larger cells are taken where there would be more
@@ -26,19 +26,28 @@ class Slice:
 
 
 class Pile:
-    """The pile of bodies that have Landed, over the ground and the rock that stays. solid: volume of its fragments [m3]; size: median size [m] by mass."""
+    """The pile of bodies that have Landed, over the ground and the rock that stays. size: median size [m] by mass.
 
-    def __init__(self, model, landed, solid, size):
-        self.solid = solid
-        self.width = size
+    covered (m,): which bodies lie under rock that stays and overhangs, or in it. They belong to no pile that can be seen from above: bulk and solid volume
+    are without them.
+    """
+
+    def __init__(self, model, landed, size):
+        self.width, self.ground = size, model.ground
         balls = landed.balls
         cell = max(FINE * size, float(np.sqrt(np.pi * np.sum(balls.radii**2) / MOST_CELLS)))
-        self.heights = heights_of_balls(balls.centres, balls.radii, model.direction, cell)
         self.rock = heights_of_triangles(model.standing.triangles, model.direction, cell)
+        places = np.floor(balls.centres @ axes_of(model.direction) / cell).astype(int)
+        under = balls.centres[:, 2] < self.rock.at(places, -np.inf)
+        volumes = balls.radii**3
+        count = len(model.bodies)
+        self.covered = np.bincount(balls.body, under * volumes, count) > 0.5 * np.bincount(balls.body, volumes, count)
+        self.seen = ~self.covered & ~model.specks
+        self.solid = float(model.bodies.volume[self.seen].sum())
+        top = self.seen[balls.body]
+        self.heights = heights_of_balls(balls.centres[top], balls.radii[top], model.direction, cell)
         base = np.maximum(self.rock.at(self.heights.cells, model.ground), model.ground)
-        # Where rock overhangs, or a sphere lies in a crack, there is no pile above the rock.
         self.thickness = np.maximum(self.heights.tops - base, 0.0)
-        self.ground = model.ground
 
     @property
     def bulk(self):
@@ -47,8 +56,8 @@ class Pile:
 
     @property
     def swell(self):
-        """Bulk volume over the solid volume of the fragments."""
-        return self.bulk / self.solid
+        """Bulk volume over the solid volume of the fragments; nan where no pile is seen."""
+        return self.bulk / self.solid if self.solid > 0.0 else float("nan")
 
     @cached_property
     def slices(self):
@@ -57,7 +66,9 @@ class Pile:
         number = np.floor((self.heights.cells[:, 0] + 0.5) * size / self.width).astype(int)
         found = []
         for one in np.unique(number):
-            own = number == one
+            own = (number == one) & (self.thickness > 0.0)
+            if not np.any(own):
+                continue
             thick = self.thickness[own]
             found.append(Slice((one + 0.5) * self.width, float(thick.max()), float(thick.mean()), float(self.heights.tops[own].max() - self.ground), float(thick.sum() * size**2)))
         return found
@@ -71,6 +82,8 @@ class Pile:
     def repose(self):
         """Slope [deg] of the front of the pile, from its highest slice on along the throw: a line through the mean heights between FRONT of the highest; None
         where fewer than three slices are there."""
+        if len(self.slices) < 3:
+            return None
         means = np.array([one.mean for one in self.slices])
         places = np.array([one.along for one in self.slices])
         crest = int(np.argmax(means))

@@ -13,7 +13,7 @@ def before(model, breaking):
     x, y = model.direction[:2]
     lines = [
         f"{count(len(bodies))} fragments, {quantity(1e3 * bodies.mass.sum(), 'g')} of rock, as rigid bodies of {count(len(model.balls))} spheres; they keep {kept:.2%} of the kinetic energy",
-        f"ground at z = {model.ground:.4g} m ({model.ground_words}); throw towards ({x:.3f}, {y:.3f}); toe of the bench {model.toe:.4g} m along it",
+        f"ground at z = {model.ground:.4g} m ({model.ground_words}); throw towards ({x:.3f}, {y:.3f}) ({model.direction_words}); toe of the bench {model.toe:.4g} m along it",
         f"contacts: {' to '.join(quantity(value, 'N/m') for value in sorted({model.stiffnesses[0], model.stiffnesses[-1]}))}, restitution {model.options.restitution:g}, friction {model.friction:g}, rolling friction {model.options.rolling_friction:g}",
     ]
     if np.any(model.specks):
@@ -52,14 +52,17 @@ def text_of(numbers):
         f"  flyrock           {quantity(farthest.throw, 'm')}: fragment {farthest.number} of {quantity(farthest.size, 'm')}, {quantity(1e3 * farthest.mass, 'g')}, "
         f"started at {quantity(farthest.speed, 'm/s')}; {quantity(farthest.range, 'm')} by a flight without drag"
     )
-    if np.any(numbers.flying):
-        lines.append(f"  in the air        {int(numbers.flying.sum())} fragments, {quantity(1e3 * model.bodies.mass[numbers.flying].sum(), 'g')}: their ends are those of a flight without drag")
+    flying = numbers.flying & ~model.specks
+    if np.any(flying):
+        lines.append(f"  in the air        {count(flying.sum())} fragments, {quantity(1e3 * model.bodies.mass[flying].sum(), 'g')}: their ends are those of a flight without drag")
     lines.append("pile")
     lines.append(f"  highest           {quantity(pile.height, 'm')}" + ("" if pile.repose is None else f", front at {pile.repose:.0f} degrees"))
     lines.append(
-        f"  swell             {pile.swell:.2f} over the rock, {numbers.swell_of_spheres:.2f} over the spheres, which have {numbers.sphere_share:.0%} of its volume; "
+        f"  swell             {pile.swell:.2f} over the rock, {numbers.swell_of_spheres:.2f} over its spheres, which have {numbers.sphere_share:.0%} of its volume; "
         f"bulk {quantity(pile.bulk, 'm³')}"
     )
+    if np.any(pile.covered):
+        lines.append(f"  not in it         {quantity(1e3 * model.bodies.mass[pile.covered].sum(), 'g')} that lie under rock which stays and overhangs")
     state = "rests" if numbers.rests else "still moves: --end takes a longer time"
     lines.append(f"  at {quantity(numbers.landed.time, 's'):<15}it {state} ({quantity(numbers.rms_speed, 'm/s')} by mass)")
     return lines + _broken(numbers.back_breaks)
