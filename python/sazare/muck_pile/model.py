@@ -22,7 +22,6 @@ STRAIGHT = 0.1  # extent of a row of holes across over that along it
 ALONG = 0.7  # least cosine between the normal of the row and the momentum: 45 degrees
 SETTLING = 5.0  # times the time of a fall from the highest loose rock to the ground, after the last has landed
 FOLLOWED = 0.99  # of the mass: the fastest specks fly longer and press deeper
-STEP = 0.25  # of the stability limit of spheres among twelve neighbours
 SPECKS = 0.01  # of the mass: the smallest fragments, which fly without what they would meet
 CLASS = 4.0  # ratio of the masses in a class of fragments, each with its own stiffness: 1.6 in size
 MARGIN = 1.0  # of a median sphere's diameter: nearer spheres are watched as candidates for contact
@@ -123,7 +122,7 @@ class Model:
             walls=walls,
             gravity=spheres.Gravity(acceleration=(0.0, 0.0, -self.gravity)),
             gauges=[spheres.Gauge(name=name, group=name) for name in names],
-            time=spheres.Time(end=self.end, stability_fraction=STEP, history_interval=self.end / ROWS, snapshot_interval=self.end / PICTURES),
+            time=spheres.Time(end=self.end, history_interval=self.end / ROWS, snapshot_interval=self.end / PICTURES),
         )
 
     def _pairs(self, names):
