@@ -12,8 +12,9 @@ from synthetic_run import TETRAHEDRON, block_mesh, write_grid, write_table
 import sazare
 from sazare.__main__ import main
 from sazare.muck_pile import Options, model_of, muck_pile
-from sazare.muck_pile.back_break import back_breaks
-from sazare.muck_pile.balls import union_volumes
+from sazare.muck_pile.back_break import back_breaks, room_of
+from sazare.muck_pile.balls import Balls, union_volumes
+from sazare.muck_pile.bodies import bodies_of
 from sazare.muck_pile.breaking import breaking_of
 from sazare.muck_pile.elements import elements_of
 from sazare.muck_pile.flight import flight_times, ranges
@@ -119,8 +120,6 @@ def test_elements_that_move_against_each_other_keep_momentum_and_lose_energy(tmp
     random = np.random.default_rng(5)
     elements.velocity[:] += random.normal(0.0, 3.0, elements.velocity.shape)
     elements.spin[:] += random.normal(0.0, 50.0, elements.spin.shape)
-    from sazare.muck_pile.bodies import bodies_of
-
     bodies, _ = bodies_of(elements, np.ones(len(elements.fragment), dtype=bool))
     momentum = elements.masses @ elements.velocity
     np.testing.assert_allclose(bodies.mass @ bodies.velocity, momentum, rtol=1e-12)
@@ -152,8 +151,6 @@ def test_spheres_touch_neither_other_bodies_nor_walls(tmp_path):
 
 
 def test_the_volume_of_a_union_is_that_of_spheres_which_overlap():
-    from sazare.muck_pile.balls import Balls
-
     balls = Balls(np.array([0, 0, 1, 1]), np.array([[0.0, 0, 0], [1.0, 0, 0], [9.0, 0, 0], [9.0, 0, 0]]), np.array([1.0, 1.0, 0.5, 2.0]))
     lens = np.pi * (2.0 - 1.0) ** 2 * (1.0 + 4.0) / 12.0  # of two unit spheres a distance of 1 apart
     np.testing.assert_allclose(union_volumes(balls, 2), [8.0 / 3.0 * np.pi - lens, 32.0 / 3.0 * np.pi], rtol=0.03)
@@ -190,7 +187,7 @@ def test_flight_in_closed_form():
 def test_a_column_of_fragments_becomes_a_pile_at_rest(tmp_path):
     blown = Blown((0.4, 0.4, 1.2), (2, 2, 6))
     run = sazare.open(blown.write(tmp_path / "run"))
-    numbers = muck_pile(run, options=Options(end=4.0), threads=1)
+    numbers = muck_pile(run, options=Options(end=6.0), threads=1)
     assert numbers.rests and not np.any(numbers.flying)
     assert numbers.pile.height < 0.9
     assert 1.2 < numbers.swell_of_spheres < 2.2  # random packings of equal spheres have 1.56 to 1.7
@@ -245,6 +242,8 @@ def test_back_break_is_told_by_depth(tmp_path):
     assert sum(one.volume for one in found) == pytest.approx(1.0)
     assert all(one.left == 0.0 for one in found[:5]) and max(one.left for one in found[5:]) == pytest.approx(1.0)
     assert all(one.right == 0.0 for one in found)
+    room = room_of(results, model)
+    assert (room.behind, room.left, room.right) == pytest.approx((2.0, 1.0, 1.0))
 
 
 def test_breaking_is_over_where_no_joint_breaks_any_more(tmp_path):

@@ -23,6 +23,32 @@ class BackBreak:
     volume: float
 
 
+@dataclass(frozen=True)
+class Room:
+    """How far the model reaches behind the line of holes, and beside the outermost ones on the left and on the right of the throw [m]."""
+
+    behind: float
+    left: float
+    right: float
+
+
+def room_of(results, model):
+    """The Room of a model; None where the run has no holes."""
+    holes = holes_of(results)
+    if not holes:
+        return None
+    line, across, _ = _lines(holes, model)
+    corners = (model.elements.start @ axes_of(model.direction)).reshape(-1, 2)
+    return Room(float(line - corners[:, 0].min()), float(corners[:, 1].max() - across.max()), float(across.min() - corners[:, 1].min()))
+
+
+def _lines(holes, model):
+    """Where the rearmost hole is along the throw [m], where the holes are across it (k,), and the heights of their ends (k, 2) [m]."""
+    ends = np.array([[hole.first, hole.last] for hole in holes])
+    flat = ends @ axes_of(model.direction)
+    return flat[:, :, 0].min(), flat[:, :, 1].mean(axis=1), ends[:, :, 2]
+
+
 def back_breaks(results, model):
     """The BackBreaks from the collar to the toe of the holes, highest first; none where the run has no holes.
 
@@ -33,10 +59,7 @@ def back_breaks(results, model):
     if not holes:
         return []
     axes = axes_of(model.direction)
-    ends = np.array([[hole.first, hole.last] for hole in holes])
-    flat, heights = ends @ axes, ends[:, :, 2]
-    line = flat[:, :, 0].min()
-    across = flat[:, :, 1].mean(axis=1)
+    line, across, heights = _lines(holes, model)
     edges = np.linspace(heights.max(), heights.min(), LEVELS + 1)
     # By what was chosen to be loose, fragments that are taken as rock that stays included.
     loose = ~model.elements.stays

@@ -22,6 +22,7 @@ STRAIGHT = 0.1  # extent of a row of holes across over that along it
 ALONG = 0.7  # least cosine between the normal of the row and the momentum: 45 degrees
 SETTLING = 5.0  # times the time of a fall from the highest loose rock to the ground, after the last has landed
 FOLLOWED = 0.99  # of the mass: the fastest specks fly longer and press deeper
+STEP = 0.15  # of the stability limit: piles load it more than twelve equal neighbours do
 SPECKS = 0.01  # of the mass: the smallest fragments, which fly without what they would meet
 CLASS = 4.0  # ratio of the masses in a class of fragments, each with its own stiffness: 1.6 in size
 MARGIN = 1.0  # of a median sphere's diameter: nearer spheres are watched as candidates for contact
@@ -41,7 +42,7 @@ class Options:
     end: float | None = None
     restitution: float = 0.2
     friction: float | None = None
-    rolling_friction: float = 0.1
+    rolling_friction: float = 0.3
     smallest: float | None = None
     most: int = 40
 
@@ -122,7 +123,7 @@ class Model:
             walls=walls,
             gravity=spheres.Gravity(acceleration=(0.0, 0.0, -self.gravity)),
             gauges=[spheres.Gauge(name=name, group=name) for name in names],
-            time=spheres.Time(end=self.end, history_interval=self.end / ROWS, snapshot_interval=self.end / PICTURES),
+            time=spheres.Time(end=self.end, stability_fraction=STEP, history_interval=self.end / ROWS, snapshot_interval=self.end / PICTURES),
         )
 
     def _pairs(self, names):

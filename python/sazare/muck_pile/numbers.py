@@ -9,7 +9,7 @@ import numpy as np
 from sazare.blast.numbers import finite
 from sazare.blast.settings import own
 from sazare.blast.sizes import Distribution
-from sazare.muck_pile.back_break import back_breaks
+from sazare.muck_pile.back_break import back_breaks, room_of
 from sazare.muck_pile.balls import union_volumes
 from sazare.muck_pile.breaking import breaking_of
 from sazare.muck_pile.flight import flight_times, ranges
@@ -84,7 +84,7 @@ class PileNumbers:
         """The Pile."""
         bodies = self.model.bodies
         size = Distribution.of(bodies.sizes, bodies.mass, np.ones(len(bodies))).size_at(0.5)
-        return Pile(self.model, self.landed, size)
+        return Pile(self.model, self.landed, self.flying, size)
 
     @cached_property
     def solid(self):
@@ -127,6 +127,11 @@ class PileNumbers:
         """The BackBreaks by depth."""
         return back_breaks(self.results, self.model)
 
+    @cached_property
+    def room(self):
+        """The Room of the model behind and beside the holes; None without holes."""
+        return room_of(self.results, self.model)
+
 
 def tables_of(numbers):
     """The tables of PileNumbers: columns by the name of their file."""
@@ -162,11 +167,15 @@ def summary_of(numbers):
         "fragments": len(bodies), "mass": total, "solid_volume": float(bodies.volume.sum()), "sphere_count": len(model.balls), "sphere_share": numbers.sphere_share,
         "buried_mass": model.buried, "ground": model.ground, "direction": model.direction[:2].tolist(), "toe": model.toe, "gravity": model.gravity,
         "energy_kept": float(bodies.kinetic_energy.sum() / bodies.energy.sum()) if bodies.energy.sum() > 0.0 else None,
-        "stiffness": model.stiffnesses.tolist(), "specks": int(model.specks.sum()), "mass_of_specks": float(bodies.mass[model.specks].sum()), "end": numbers.landed.time, "rms_speed": numbers.rms_speed, "rests": numbers.rests,
+        "stiffness": model.stiffnesses.tolist(), "specks": int(model.specks.sum()), "mass_of_specks": float(bodies.mass[model.specks].sum()),
+        "end": numbers.landed.time, "rms_speed": numbers.rms_speed, "rests": numbers.rests,
         "in_the_air": int(np.sum(numbers.flying & ~model.specks)), "mass_in_the_air": float(bodies.mass[numbers.flying & ~model.specks].sum()),
         "throw": {f"p{100 * share:.0f}": numbers.distribution.size_at(share) for share in (0.5, 0.9, 0.99)},
         "beyond_toe": numbers.beyond_toe, "cast": numbers.cast,
-        "farthest": {"fragment": farthest.number, "mass": farthest.mass, "size": farthest.size, "start_speed": farthest.speed, "throw": farthest.throw, "range_without_drag": farthest.range},
+        "farthest": {
+            "fragment": farthest.number, "mass": farthest.mass, "size": farthest.size, "start_speed": farthest.speed, "throw": farthest.throw,
+            "range_without_drag": farthest.range,
+        },
         "pile": {
             "bulk_volume": numbers.pile.bulk, "swell": numbers.pile.swell, "swell_of_spheres": numbers.swell_of_spheres, "height": numbers.pile.height,
             "repose": numbers.pile.repose,

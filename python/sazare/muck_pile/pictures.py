@@ -3,6 +3,7 @@
 import numpy as np
 from matplotlib.collections import EllipseCollection
 from matplotlib.colors import LogNorm
+from matplotlib.patches import Rectangle
 
 from sazare import style
 from sazare.blast.holes import holes_of
@@ -107,7 +108,7 @@ def plan(numbers):
     figure = style.figure(7.6, 5.2)
     axes = figure.subplots()
     box = corners.min(axis=0), corners.max(axis=0)
-    axes.fill([box[0][0], box[1][0], box[1][0], box[0][0]], [box[0][1], box[0][1], box[1][1], box[1][1]], color=style.STONE, edgecolor=style.STONE_EDGE, linewidth=0.8, label="model before the blast")
+    axes.add_patch(Rectangle(box[0], *(box[1] - box[0]), facecolor=style.STONE, edgecolor=style.STONE_EDGE, linewidth=0.8, label="model before the blast"))
     drawn = EllipseCollection(
         bodies.sizes[order], bodies.sizes[order], np.zeros(len(order)), units="xy", offsets=ends[order], transOffset=axes.transData, array=bodies.sizes[order],
         cmap=style.SIZE, norm=LogNorm(), linewidths=0.2, edgecolors=style.INK,
@@ -137,7 +138,8 @@ def back_break(numbers):
     figure = style.figure(6.0, 3.6)
     axes = figure.subplots()
     edges = np.array([one.upper for one in found] + [found[-1].lower])
-    for name, color, label in (("behind", style.ACCENT, "behind the line of holes"), ("left", style.SECOND, "beside them, left of the throw"), ("right", style.INK, "right of the throw")):
+    sides = (("behind", style.ACCENT, "behind the line of holes"), ("left", style.SECOND, "beside them, left of the throw"), ("right", style.INK, "right of the throw"))
+    for name, color, label in sides:
         axes.stairs([getattr(one, name) for one in found][::-1], edges[::-1], orientation="horizontal", color=color, linewidth=1.6, label=label, baseline=None)
     axes.set_xlim(0.0, None)
     axes.set_xlabel("distance up to which rock came loose [m]")

@@ -29,10 +29,10 @@ class Pile:
     """The pile of bodies that have Landed, over the ground and the rock that stays. size: median size [m] by mass.
 
     covered (m,): which bodies lie under rock that stays and overhangs, or in it. They belong to no pile that can be seen from above: bulk and solid volume
-    are without them.
+    are without them, and without what is still `flying` (m,).
     """
 
-    def __init__(self, model, landed, size):
+    def __init__(self, model, landed, flying, size):
         self.width, self.ground = size, model.ground
         balls = landed.balls
         cell = max(FINE * size, float(np.sqrt(np.pi * np.sum(balls.radii**2) / MOST_CELLS)))
@@ -42,7 +42,7 @@ class Pile:
         volumes = balls.radii**3
         count = len(model.bodies)
         self.covered = np.bincount(balls.body, under * volumes, count) > 0.5 * np.bincount(balls.body, volumes, count)
-        self.seen = ~self.covered & ~model.specks
+        self.seen = ~self.covered & ~model.specks & ~flying
         self.solid = float(model.bodies.volume[self.seen].sum())
         top = self.seen[balls.body]
         self.heights = heights_of_balls(balls.centres[top], balls.radii[top], model.direction, cell)
@@ -70,7 +70,8 @@ class Pile:
             if not np.any(own):
                 continue
             thick = self.thickness[own]
-            found.append(Slice((one + 0.5) * self.width, float(thick.max()), float(thick.mean()), float(self.heights.tops[own].max() - self.ground), float(thick.sum() * size**2)))
+            top = float(self.heights.tops[own].max()) - self.ground
+            found.append(Slice((one + 0.5) * self.width, float(thick.max()), float(thick.mean()), top, float(thick.sum() * size**2)))
         return found
 
     @property

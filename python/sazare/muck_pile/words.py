@@ -5,6 +5,8 @@ import numpy as np
 from sazare.muck_pile.breaking import LAST, STILL
 from sazare.style import count, quantity
 
+EDGE = 0.99  # of the way to the edge of the model, from which on rock came loose up to it
+
 
 def before(model, breaking):
     """What flies, and over what, in lines."""
@@ -65,15 +67,21 @@ def text_of(numbers):
         lines.append(f"  not in it         {quantity(1e3 * model.bodies.mass[pile.covered].sum(), 'g')} that lie under rock which stays and overhangs")
     state = "rests" if numbers.rests else "still moves: --end takes a longer time"
     lines.append(f"  at {quantity(numbers.landed.time, 's'):<15}it {state} ({quantity(numbers.rms_speed, 'm/s')} by mass)")
-    return lines + _broken(numbers.back_breaks)
+    return lines + _broken(numbers.back_breaks, numbers.room)
 
 
-def _broken(found):
+def _broken(found, room):
     if not found:
         return []
+    behind, left, right = (_reached(found, room, side) for side in ("behind", "left", "right"))
     deepest = max(found, key=lambda one: one.behind)
-    lines = ["rock that came loose outside the design line"]
     where = f" at z = {0.5 * (deepest.lower + deepest.upper):.3g} m, {quantity(sum(one.volume for one in found), 'm³')}" if deepest.behind > 0.0 else ""
-    lines.append(f"  behind the holes  {quantity(deepest.behind, 'm')}{where}")
-    lines.append(f"  beside them       {quantity(max(one.left for one in found), 'm')} left, {quantity(max(one.right for one in found), 'm')} right of the throw")
-    return lines
+    return [
+        "rock that came loose outside the design line", f"  behind the holes  {behind}{where}", f"  beside them       {left} left, {right} right of the throw",
+    ]
+
+
+def _reached(found, room, side):
+    """The largest distance on a side, in words; where it is that of the edge of the model, nobody knows how far it is."""
+    most = max(getattr(one, side) for one in found)
+    return quantity(most, "m") + (" (the edge of the model)" if most > EDGE * getattr(room, side) > 0.0 else "")
