@@ -7,7 +7,7 @@ import numpy as np
 from sazare.blast.holes import holes_of
 from sazare.muck_pile.heights import axes_of
 
-LEVELS = 10  # over the length of the holes
+LEVELS = 10  # from the top of the loose rock to the toes of the holes
 
 
 @dataclass(frozen=True)
@@ -50,22 +50,22 @@ def _lines(holes, model):
 
 
 def back_breaks(results, model):
-    """The BackBreaks from the collar to the toe of the holes, highest first; none where the run has no holes.
+    """The BackBreaks from the top of the loose rock to the toes of the holes, highest first; none where the run has no holes.
 
     Elements count where they stood before the blast, by their farthest corner, in the level of their centre: those between the outermost holes for what is
-    behind, those in front of the line for what is beside. Rock that is loose but lies where it was, counts as well.
+    behind, those in front of the line for what is beside. Rock that is loose but lies where it was, counts as well, such as what
+    is taken as rock that stays since it lies under the ground.
     """
     holes = holes_of(results)
     if not holes:
         return []
     axes = axes_of(model.direction)
     line, across, heights = _lines(holes, model)
-    edges = np.linspace(heights.max(), heights.min(), LEVELS + 1)
-    # By what was chosen to be loose, fragments that are taken as rock that stays included.
     loose = ~model.elements.stays
     start = model.elements.start[loose]
     corners, middle, level = start @ axes, start.mean(axis=1) @ axes, start.mean(axis=1)[:, 2]
     volumes = model.elements.volumes[loose]
+    edges = np.linspace(max(heights.max(), start[:, :, 2].max()), heights.min(), LEVELS + 1)  # holes are known where they are charged
     between = (middle[:, 1] >= across.min()) & (middle[:, 1] <= across.max()) if len(holes) > 1 else np.ones(len(middle), dtype=bool)
     back, ahead = middle[:, 0] < line, middle[:, 0] >= line
     found = []
