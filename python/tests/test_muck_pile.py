@@ -318,4 +318,11 @@ def test_the_command_writes_tables_and_pictures_and_replaces_only_what_it_wrote(
     assert tomllib.loads((folder / "case.toml").read_text())["case"]["method"] == "spheres"
     assert main(arguments) == 2
     assert "--overwrite replaces it" in capsys.readouterr().err
+    (folder / "throw.csv").unlink()
+    (folder / "throw.csv").symlink_to(tmp_path / "elsewhere.csv")
     assert main([*arguments, "--overwrite"]) == 0
+    assert not (tmp_path / "elsewhere.csv").exists() and not (folder / "throw.csv").is_symlink()
+    linked = blown.write(tmp_path / "linked")
+    (linked / "muck-pile").symlink_to(tmp_path / "full")
+    assert main(["muck-pile", str(linked), "--end", "0.2"]) == 2
+    assert "a link" in capsys.readouterr().err

@@ -22,7 +22,9 @@ def claim(folder, run, overwrite=False):
             raise Occupied(f"{folder}: there are files in it that are no muck pile, so nothing is written there: --out DIR takes another folder")
         if not overwrite:
             raise Occupied(f"{folder}: a muck pile is in it already: --overwrite replaces it, --out DIR takes another folder")
-        for path in [path for name in WRITTEN for path in folder.glob(name)]:
+        if (folder / "run").is_symlink():
+            raise Occupied(f"{folder}: run leads elsewhere: remove the link, or --out DIR takes another folder")
+        for path in [path for path in folder.iterdir() if any(path.match(name) for name in WRITTEN)]:
             path.unlink()
     folder.mkdir(parents=True, exist_ok=True)
     (folder / MARK).write_text(json.dumps({"run": str(run)}) + "\n", encoding="utf-8")

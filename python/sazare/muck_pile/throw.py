@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from sazare.blast.settings import own
 from sazare.muck_pile import words
 from sazare.muck_pile.breaking import breaking_of
 from sazare.muck_pile.folders import claim
@@ -20,7 +21,7 @@ def muck_pile(results, out=None, options=None, *, threads=0, overwrite=False, pr
     `sazare.run`.
     """
     say = say or (lambda lines: None)
-    folder = Path(out or results.path / "muck-pile")
+    folder = Path(out) if out else own(results.path / "muck-pile")
     model = model_of(results, options)
     claim(folder, results.path, overwrite)
     say(words.before(model, breaking_of(results)))
