@@ -83,6 +83,7 @@ const std::vector<std::pair<std::string, std::string>> python_commands = {
     {"blast", "numbers of a blast: sizes of fragments, vibration, damage, energy, as tables and pictures"},
     {"lab", "laboratory tests of a rock of method blocks: strength, elasticity, envelope, calibration"},
     {"blast-model", "geometry and case of method blocks from a drill pattern"},
+    {"muck-pile", "fragments of a blast fly and land: throw, flyrock, muck pile, back-break"},
     {"motion", "a record of ground motion: figures, response spectra, correction, scaling, deconvolution"},
 };
 
