@@ -27,6 +27,7 @@ PICTURES = {
     "borehole-under-stress": "cracks",
     "spalling-bar": "cracks",
     "column-ricker": "accelerations",
+    "column-nonlinear": "response_spectra",
     "toppling-columns": "moving",
     "mortar-beam": "moving",
     "base-friction": "moving",
