@@ -44,12 +44,13 @@ def _vibration(numbers):
     if not numbers.shaken:
         return ["vibration: the run has no gauges"]
     lines = ["vibration"]
+    width = max(18, *(len(one.name) + 2 for one in numbers.shaken))
     for one in numbers.shaken:
         words = [quantity(one.ppv, "m/s") + (", rising at the end" if one.rises else "")]
         words += [f"{quantity(one.frequency, 'Hz')}"] if one.frequency is not None else []
         words += [f"{quantity(one.distance, 'm')} from the nearest charge"] if one.distance is not None else []
         words += [f"R/W^(1/2) {one.scaled_distance(0.5):.3g}"] if one.charge is not None else []
-        lines.append(f"  {one.name:<18}{', '.join(words)}")
+        lines.append(f"  {one.name:<{width}}{', '.join(words)}")
     for over, law in numbers.laws.items():
         if law is not None:
             lines.append(f"  ppv = {law.factor:.3g} m/s ({over})^{law.exponent:.2f}; r2 {law.r2:.3f}, {law.points} gauges")
