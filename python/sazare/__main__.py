@@ -61,16 +61,12 @@ def comparison(chosen):
 
 def model(chosen):
     """Draws a case before it runs, and says where the picture is."""
-    from sazare.engine import engine
+    from sazare.engine import errors_of_commands
     from sazare.model import draw_source
     from sazare.simulation import source_of
 
-    try:
+    with errors_of_commands():
         draw_source(source_of(Path(chosen.case)).with_settings(chosen.set), chosen.picture)
-    except engine().UserError as error:
-        raise ValueError(error) from error
-    except engine().MachineError as error:
-        raise OSError(error) from error
     print(f"picture: {chosen.picture}")
 
 

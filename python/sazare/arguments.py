@@ -4,6 +4,14 @@ import argparse
 import math
 
 
+def number(text):
+    """A finite number."""
+    value = float(text)
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f"must be a finite number, found {text}")
+    return value
+
+
 def positive(text):
     """A finite number above 0."""
     value = float(text)

@@ -2,6 +2,7 @@
 
 import os
 import sys
+from contextlib import contextmanager
 from functools import cache
 
 
@@ -36,3 +37,14 @@ def engine():
     for name in ("UserError", "PhysicsError", "MachineError"):
         getattr(_engine, name).__module__ = "sazare"
     return _engine
+
+
+@contextmanager
+def errors_of_commands():
+    """Raises errors of the engine as those that commands tell: ValueError what the user can mend, OSError what the machine or the physics failed in."""
+    try:
+        yield
+    except engine().UserError as error:
+        raise ValueError(error) from error
+    except (engine().MachineError, engine().PhysicsError) as error:
+        raise OSError(error) from error

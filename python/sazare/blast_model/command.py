@@ -18,6 +18,7 @@ from sazare.blast_model.mesh_quality import checked
 from sazare.blast_model.model import FILES, BlastModel, write_model
 from sazare.blast_model.pattern import read_pattern
 from sazare.blast_model.rock import GRANITE
+from sazare.engine import errors_of_commands
 from sazare.folders import require_room
 
 TOLD = ("body", "holes", "explosive", "waves", "steps", "work", "cost")  # lines of the check that are printed
@@ -169,13 +170,15 @@ def _rock(chosen):
 
     if not chosen.rock:
         return GRANITE, BlastModel.rock_words
-    rock = _engine_errors(lambda: rock_from(source_of(Path(chosen.rock)), chosen.material))
+    with errors_of_commands():
+        rock = rock_from(source_of(Path(chosen.rock)), chosen.material)
     return rock, f"{rock.name} of {chosen.rock}"
 
 
 def _checked(case, layout):
     """What `sazare check` says of the size and the cost of the run, the quality of its elements, and all that it warns of."""
-    said, quality = _engine_errors(lambda: checked(case, layout))
+    with errors_of_commands():
+        said, quality = checked(case, layout)
     found, told = said.splitlines(), False
     for line in found:
         told = line[2:].split(" ")[0] in TOLD if line[:2] == "  " and line[2:3] != " " else told and line[:3] == "   "
@@ -184,18 +187,6 @@ def _checked(case, layout):
     yield from quality.words()
     place = next((number for number, line in enumerate(found) if "warning:" in line), len(found))
     yield from found[place:]
-
-
-def _engine_errors(step):
-    """What a step with the engine returns; its errors as those that the command tells."""
-    from sazare.engine import engine
-
-    try:
-        return step()
-    except engine().UserError as error:
-        raise ValueError(error) from error
-    except (engine().MachineError, engine().PhysicsError) as error:
-        raise OSError(error) from error
 
 
 def _line(chosen):

@@ -1,10 +1,10 @@
 """The command `sazare lab`: its arguments, and what it writes and prints."""
 
 import re
-from contextlib import contextmanager
 from pathlib import Path
 
 from sazare.arguments import not_negative, positive, whole
+from sazare.engine import errors_of_commands
 from sazare.lab import words
 from sazare.lab.calibrate import MOST_TRIALS, TOLERANCE, Targets, calibrate
 from sazare.lab.envelope import coulomb, hoek_brown, mohr_coulomb
@@ -90,23 +90,10 @@ def _options(chosen):
     return Options(**{name: value for name, value in vars(chosen).items() if name in names and value is not None})
 
 
-@contextmanager
-def _errors_of_the_command():
-    """Errors of the engine as those that the command tells."""
-    from sazare.engine import engine
-
-    try:
-        yield
-    except engine().UserError as error:
-        raise ValueError(error) from error
-    except (engine().MachineError, engine().PhysicsError) as error:
-        raise OSError(error) from error
-
-
 def _rock(chosen):
     from sazare.simulation import source_of
 
-    with _errors_of_the_command():
+    with errors_of_commands():
         return rock_from(source_of(Path(chosen.case)).with_settings(chosen.set), chosen.material)
 
 
@@ -123,7 +110,7 @@ def _carry_out(chosen, trial, folder):
 
     if not chosen.quiet:
         print(*words.before(trial), sep="\n")
-    with _errors_of_the_command():
+    with errors_of_commands():
         tested = carry_out(trial, folder, threads=chosen.threads, overwrite=chosen.overwrite, progress=not chosen.quiet)
     print(*words.after(tested), sep="\n", flush=True)
     style.save(pictures.curve(tested), folder / "curve.png")
@@ -203,7 +190,7 @@ def calibrate_command(chosen):
     def machine(trial, where):
         return carry_out(trial, where, threads=chosen.threads, overwrite=chosen.overwrite, progress=not chosen.quiet)
 
-    with _errors_of_the_command():
+    with errors_of_commands():
         found = calibrate(rock, targets, options, folder, meshes=chosen.meshes, say=say, machine=machine)
     if not found.converged:
         print(f"warning: no trial of {MOST_TRIALS} came within {100 * TOLERANCE:g} % of all measured values; this is the nearest one")

@@ -1,21 +1,11 @@
 """The command `sazare muck-pile`: its arguments, and what it writes and prints."""
 
-import argparse
-import math
-from contextlib import contextmanager
 from pathlib import Path
 
-from sazare.arguments import not_negative, positive, whole
+from sazare.arguments import not_negative, number, positive, whole
+from sazare.engine import errors_of_commands
 from sazare.muck_pile import words
 from sazare.muck_pile.model import Options
-
-
-def number(text):
-    """A finite number."""
-    value = float(text)
-    if not math.isfinite(value):
-        raise argparse.ArgumentTypeError(f"must be a finite number, found {text}")
-    return value
 
 
 def add_to(commands):
@@ -39,19 +29,6 @@ def add_to(commands):
     command.set_defaults(function=tell, blame="{folder}: the files of this run do not fit together", advice="If sazare wrote them as they are, please report it")
 
 
-@contextmanager
-def _errors_of_the_command():
-    """Errors of the engine as those that the command tells."""
-    from sazare.engine import engine
-
-    try:
-        yield
-    except engine().UserError as error:
-        raise ValueError(error) from error
-    except (engine().MachineError, engine().PhysicsError) as error:
-        raise OSError(error) from error
-
-
 def tell(chosen):
     """Lets the fragments of a run fly, writes tables and pictures of the pile, and prints its numbers."""
     from sazare import style
@@ -69,7 +46,7 @@ def tell(chosen):
         told = [line for line in lines if not chosen.quiet or line.startswith("warning")]
         print(*told, sep="\n", flush=True) if told else None
 
-    with _errors_of_the_command():
+    with errors_of_commands():
         numbers = muck_pile(
             open_run(chosen.folder), chosen.out, options, threads=chosen.threads, overwrite=chosen.overwrite, progress=not chosen.quiet, say=say,
         )

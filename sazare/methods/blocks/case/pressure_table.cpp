@@ -4,33 +4,31 @@
 
 #include <cmath>
 
-#include "sazare/cases/format/csv_fields.hpp"
 #include "sazare/cases/format/number_text.hpp"
+#include "sazare/cases/format/table_problems.hpp"
 
 namespace sazare::cases {
 namespace {
 
 constexpr std::string_view header = "time [s],pressure [Pa]";
-constexpr int most_errors = 10;
 
 class TableReader {
 public:
   TableReader(PressureTable& table, int source, const Place& named_at, Problems& problems)
-      : table_(table), source_(source), named_at_(named_at), problems_(problems) {}
+      : table_(table), lines_(problems.source(source).lines), faults_(source, named_at, problems, "table") {}
 
   void run() {
-    const std::vector<std::string> lines = problems_.source(source_).lines;
-    if (lines.empty()) {
-      report(0, {}, "the pressure table is empty", help_for_header());
+    if (lines_.empty()) {
+      faults_.report(0, {}, "the pressure table is empty", help_for_header());
       return;
     }
-    separator_ = separator_of(lines[0]);
-    if (!is_header(lines[0])) report(1, trimmed(lines[0], 0, lines[0].size()), "wrong header", help_for_header());
-    for (std::size_t i = 1; i < lines.size() && errors_ < most_errors; ++i)
-      if (trimmed(lines[i], 0, lines[i].size()).text.size() > 0) read_row(static_cast<int>(i) + 1, lines[i]);
-    if (errors_ == 0 && table_.time.size() < 2)
-      report(0, {}, fmt::format("the pressure table has {}, at least 2 are needed", table_.time.empty() ? "no rows" : "1 row"),
-             "pressure is linear between rows, and zero before the first and after the last");
+    separator_ = separator_of(lines_[0]);
+    if (!is_header(lines_[0])) faults_.report(1, trimmed(lines_[0], 0, lines_[0].size()), "wrong header", help_for_header());
+    faults_.read_rows(lines_, [&](int line, std::string_view text) { read_row(line, text); });
+    if (!faults_.any() && table_.time.size() < 2)
+      faults_.report(0, {},
+                     fmt::format("the pressure table has {}, at least 2 are needed", table_.time.empty() ? "no rows" : "1 row"),
+                     "pressure is linear between rows, and zero before the first and after the last");
   }
 
 private:
@@ -41,30 +39,17 @@ private:
     return fields.size() == 2 && fields[0].text == "time [s]" && fields[1].text == "pressure [Pa]";
   }
 
-  void report(int line, const Field& field, const std::string& what, std::string help) {
-    ++errors_;
-    if (errors_ == most_errors) help += "; the rest of the table was not read";
-    const int width = std::max<int>(1, static_cast<int>(field.text.size()));
-    problems_.error_in_other_file({source_, line, field.column, width}, named_at_, what, std::move(help));
-  }
-
-  bool read_number(int line, const Field& field, std::string_view name, Real& value) {
-    const NumberProblem problem = read_number_field(field, name, value);
-    if (!problem.what.empty()) report(line, field, problem.what, problem.help);
-    return problem.what.empty();
-  }
-
   void read_row(int line, std::string_view text) {
     const auto fields = split(text, separator_);
     if (fields.size() != 2) {
-      report(line, trimmed(text, 0, text.size()),
-             fmt::format("two numbers were expected, found {} field{}", fields.size(), fields.size() == 1 ? "" : "s"),
-             "a row is time and pressure with a comma between them");
+      faults_.report(line, trimmed(text, 0, text.size()),
+                     fmt::format("two numbers were expected, found {} field{}", fields.size(), fields.size() == 1 ? "" : "s"),
+                     "a row is time and pressure with a comma between them");
       return;
     }
     Real time = 0, pressure = 0;
-    const bool good_time = read_number(line, fields[0], "time", time);
-    const bool good_pressure = read_number(line, fields[1], "pressure", pressure);
+    const bool good_time = faults_.read_number(line, fields[0], "time", time);
+    const bool good_pressure = faults_.read_number(line, fields[1], "pressure", pressure);
     if (good_time) check_order(line, fields[0], time);
     if (!good_time || !good_pressure) return;
     table_.time.push_back(time);
@@ -73,23 +58,21 @@ private:
 
   void check_order(int line, const Field& field, Real time) {
     if (time < 0)
-      report(line, field, fmt::format("time must be at least 0, found {}", field.text),
-             "times count from the delay of the blast");
+      faults_.report(line, field, fmt::format("time must be at least 0, found {}", field.text),
+                     "times count from the delay of the blast");
     else if (last_line_ > 0 && !(time > last_time_))
-      report(line, field,
-             fmt::format("times must increase: {} s comes after {} s in line {}", short_number(time, 12),
-                         short_number(last_time_, 12), last_line_),
-             "sort the rows by time and keep one row for each time");
+      faults_.report(line, field,
+                     fmt::format("times must increase: {} s comes after {} s in line {}", short_number(time, 12),
+                                 short_number(last_time_, 12), last_line_),
+                     "sort the rows by time and keep one row for each time");
     last_time_ = time;
     last_line_ = line;
   }
 
   PressureTable& table_;
-  int source_;
-  Place named_at_;
-  Problems& problems_;
+  std::vector<std::string> lines_;
+  TableProblems faults_;
   char separator_ = ',';
-  int errors_ = 0;
   Real last_time_ = 0;
   int last_line_ = 0;
 };

@@ -67,10 +67,13 @@ void CrackNetwork::end(Index number) {
 }
 
 bool CrackNetwork::is_open_to_air(Index number) const {
-  return std::ranges::any_of(meetings_, [&](const Meeting& meeting) {
-    if (meeting.crack != number && meeting.other != number) return false;
-    if (meeting.other == Opening::outside) return meeting.wall < 0;
-    return crack(meeting.crack == number ? meeting.other : meeting.crack).state == CrackGasState::gone;
+  const GasCrack& own = crack(number);
+  return std::ranges::any_of(paths_.edges_of(own.face), [&](Index at_edge) {
+    const CrackPaths::Edge edge = paths_.edge(at_edge);
+    return edge.is_free || std::ranges::any_of(edge.faces, [&](Index face) {
+             const Index other = state_of_[at(face)];
+             return other >= 0 && crack(other).charge == own.charge && crack(other).state == CrackGasState::gone;
+           });
   });
 }
 

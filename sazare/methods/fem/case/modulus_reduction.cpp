@@ -3,33 +3,31 @@
 #include <algorithm>
 #include <utility>
 
-#include "sazare/cases/format/csv_fields.hpp"
 #include "sazare/cases/format/number_text.hpp"
+#include "sazare/cases/format/table_problems.hpp"
 #include "sazare/methods/fem/case/soil.hpp"
 
 namespace sazare::cases {
 namespace {
 
-constexpr int most_errors = 10;
 constexpr Real first_ratio = 0.98;  // a curve begins at 1, measured to 2 %
 
 class ReductionReader {
 public:
   ReductionReader(ModulusReduction& table, int source, const Place& named_at, Problems& problems)
-      : table_(table), source_(source), named_at_(named_at), problems_(problems) {}
+      : table_(table), lines_(problems.source(source).lines), faults_(source, named_at, problems, "table") {}
 
   void run() {
-    const std::vector<std::string> lines = problems_.source(source_).lines;
-    if (lines.empty()) return report(0, {}, "the table of G/G0 is empty", help_for_header());
-    separator_ = separator_of(lines[0]);
-    if (!read_header(lines[0])) return report(1, trimmed(lines[0], 0, lines[0].size()), "wrong header", help_for_header());
-    for (std::size_t i = 1; i < lines.size() && errors_ < most_errors; ++i)
-      if (trimmed(lines[i], 0, lines[i].size()).text.size() > 0) read_row(static_cast<int>(i) + 1, lines[i]);
-    if (errors_ == 0 && rows_.size() < 2)
-      report(0, {}, fmt::format("the table of G/G0 has {}, at least 2 are needed", rows_.empty() ? "no rows" : "1 row"),
-             "the stress is linear between rows");
-    if (errors_ == 0) check_bend();
-    if (errors_ > 0) table_ = {};
+    if (lines_.empty()) return faults_.report(0, {}, "the table of G/G0 is empty", help_for_header());
+    separator_ = separator_of(lines_[0]);
+    if (!read_header(lines_[0]))
+      return faults_.report(1, trimmed(lines_[0], 0, lines_[0].size()), "wrong header", help_for_header());
+    faults_.read_rows(lines_, [&](int line, std::string_view text) { read_row(line, text); });
+    if (!faults_.any() && rows_.size() < 2)
+      faults_.report(0, {}, fmt::format("the table of G/G0 has {}, at least 2 are needed", rows_.empty() ? "no rows" : "1 row"),
+                     "the stress is linear between rows");
+    if (!faults_.any()) check_bend();
+    if (faults_.any()) table_ = {};
   }
 
 private:
@@ -42,13 +40,6 @@ private:
     return "the first line is \"shear_strain [-],modulus_ratio [-]\", and may go on with \",damping_ratio [-]\"; strains and "
            "damping "
            "ratios may be in % instead";
-  }
-
-  void report(int line, const Field& field, const std::string& what, std::string help) {
-    ++errors_;
-    if (errors_ == most_errors) help += "; the rest of the table was not read";
-    const int width = std::max<int>(1, static_cast<int>(field.text.size()));
-    problems_.error_in_other_file({source_, line, field.column, width}, named_at_, what, std::move(help));
   }
 
   /// The factor of a title's unit; 0 where it is another title.
@@ -66,24 +57,19 @@ private:
     return strain_factor_ > 0 && titles[1].text == "modulus_ratio [-]" && damping_factor_ > 0;
   }
 
-  bool read_number(int line, const Field& field, std::string_view name, Real& value) {
-    const NumberProblem problem = read_number_field(field, name, value);
-    if (!problem.what.empty()) report(line, field, problem.what, problem.help);
-    return problem.what.empty();
-  }
-
   void read_row(int line, std::string_view text) {
     const auto fields = split(text, separator_);
     if (fields.size() != columns_)
-      return report(line, trimmed(text, 0, text.size()),
-                    fmt::format("{} numbers were expected, found {} field{}", columns_ == 2 ? "two" : "three", fields.size(),
-                                fields.size() == 1 ? "" : "s"),
-                    "a row has a number under each title");
+      return faults_.report(line, trimmed(text, 0, text.size()),
+                            fmt::format("{} numbers were expected, found {} field{}", columns_ == 2 ? "two" : "three",
+                                        fields.size(), fields.size() == 1 ? "" : "s"),
+                            "a row has a number under each title");
     Real strain = 0, ratio = 0, damping = 0;
-    const bool good_strain = read_number(line, fields[0], "shear strain", strain) && check_strain(line, fields[0], strain);
-    bool good = read_number(line, fields[1], "G/G0", ratio) && good_strain;
+    const bool good_strain =
+        faults_.read_number(line, fields[0], "shear strain", strain) && check_strain(line, fields[0], strain);
+    bool good = faults_.read_number(line, fields[1], "G/G0", ratio) && good_strain;
     if (columns_ == 3)
-      good = read_number(line, fields[2], "damping ratio", damping) && check_damping(line, fields[2], damping) && good;
+      good = faults_.read_number(line, fields[2], "damping ratio", damping) && check_damping(line, fields[2], damping) && good;
     strain *= strain_factor_;
     if (!good) is_first_ = false;
     if (!good || !check_ratio(line, fields[1], strain, ratio)) return;
@@ -95,15 +81,15 @@ private:
 
   bool check_strain(int line, const Field& field, Real strain) {
     if (!(strain > 0)) {
-      report(line, field, fmt::format("shear strain must be greater than 0, found {}", field.text),
-             "a curve of G/G0 is over the amplitude of the strain; at no strain it is 1");
+      faults_.report(line, field, fmt::format("shear strain must be greater than 0, found {}", field.text),
+                     "a curve of G/G0 is over the amplitude of the strain; at no strain it is 1");
       return false;
     }
     if (!table_.strain.empty() && !(strain * strain_factor_ > table_.strain.back())) {
-      report(line, field,
-             fmt::format("shear strains must increase: {} comes after {} in line {}", field.text,
-                         short_number(table_.strain.back() / strain_factor_, 12), rows_.back().line),
-             "sort the rows by strain and keep one row for each");
+      faults_.report(line, field,
+                     fmt::format("shear strains must increase: {} comes after {} in line {}", field.text,
+                                 short_number(table_.strain.back() / strain_factor_, 12), rows_.back().line),
+                     "sort the rows by strain and keep one row for each");
       return false;
     }
     return true;
@@ -111,61 +97,59 @@ private:
 
   bool check_damping(int line, const Field& field, Real damping) {
     if (damping >= 0 && damping * damping_factor_ <= 1) return true;
-    report(line, field, fmt::format("a damping ratio lies between 0 and 1 (100 %), found {}", field.text),
-           "check the number, and the unit of the header");
+    faults_.report(line, field, fmt::format("a damping ratio lies between 0 and 1 (100 %), found {}", field.text),
+                   "check the number, and the unit of the header");
     return false;
   }
 
   bool check_ratio(int line, const Field& field, Real strain, Real ratio) {
     if (!(ratio > 0) || ratio > 1) {
-      report(line, field, fmt::format("G/G0 must be greater than 0 and at most 1, found {}", field.text),
-             "divide the shear moduli by that at small strain");
+      faults_.report(line, field, fmt::format("G/G0 must be greater than 0 and at most 1, found {}", field.text),
+                     "divide the shear moduli by that at small strain");
       return false;
     }
     if (std::exchange(is_first_, false)) {
       if (ratio >= first_ratio) return true;
-      report(line, field, fmt::format("the curve must begin at G/G0 = 1, to within 2 %, found {}", field.text),
-             "add rows at smaller strains, down to where the stiffness is that of youngs_modulus");
+      faults_.report(line, field, fmt::format("the curve must begin at G/G0 = 1, to within 2 %, found {}", field.text),
+                     "add rows at smaller strains, down to where the stiffness is that of youngs_modulus");
       return true;
     }
     if (table_.ratio.empty()) return true;
     if (ratio > table_.ratio.back()) {
-      report(line, field,
-             fmt::format("G/G0 must not rise with the strain: {} comes after {} in line {}", field.text,
-                         short_number(table_.ratio.back()), rows_.back().line),
-             "soil does not become stiffer with strain; is a number wrong?");
+      faults_.report(line, field,
+                     fmt::format("G/G0 must not rise with the strain: {} comes after {} in line {}", field.text,
+                                 short_number(table_.ratio.back()), rows_.back().line),
+                     "soil does not become stiffer with strain; is a number wrong?");
       return false;
     }
     const Real least = table_.ratio.back() * table_.strain.back() / strain;
     if (ratio >= least * (1 - 1e-9)) return true;
-    report(line, field,
-           fmt::format("the stress falls: G/G0 must be at least {} here, so that G/G0 times strain does not, found {}",
-                       short_number(least), field.text),
-           "this law does not soften; end the table where the stress is largest");
+    faults_.report(line, field,
+                   fmt::format("the stress falls: G/G0 must be at least {} here, so that G/G0 times strain does not, found {}",
+                               short_number(least), field.text),
+                   "this law does not soften; end the table where the stress is largest");
     return false;
   }
 
   /// A curve whose stress becomes stiffer with strain is not the sum of parts that yield.
   void check_bend() {
     const auto lifts = lifts_of(table_);
-    for (std::size_t i = 0; i < lifts.size() && errors_ < most_errors; ++i)
+    for (std::size_t i = 0; i < lifts.size() && !faults_.are_full(); ++i)
       if (lifts[i] > most_lifted)
-        report(rows_[i].line, rows_[i].ratio,
-               fmt::format("the stress becomes stiffer after this row: G/G0 must be at least {} here, found {}",
-                           short_number(table_.ratio[i] * (1 + lifts[i])), rows_[i].ratio.text),
-               "stress over strain bends one way only, as between the rows around it; is a number wrong?");
+        faults_.report(rows_[i].line, rows_[i].ratio,
+                       fmt::format("the stress becomes stiffer after this row: G/G0 must be at least {} here, found {}",
+                                   short_number(table_.ratio[i] * (1 + lifts[i])), rows_[i].ratio.text),
+                       "stress over strain bends one way only, as between the rows around it; is a number wrong?");
   }
 
   ModulusReduction& table_;
-  int source_;
-  Place named_at_;
-  Problems& problems_;
+  std::vector<std::string> lines_;  // rows point into it
+  TableProblems faults_;
   char separator_ = ',';
   std::size_t columns_ = 0;
   Real strain_factor_ = 0, damping_factor_ = 1;
   std::vector<Row> rows_;
   bool is_first_ = true;
-  int errors_ = 0;
 };
 
 }  // namespace

@@ -6,14 +6,13 @@
 #include <cmath>
 #include <numeric>
 
-#include "sazare/cases/format/csv_fields.hpp"
 #include "sazare/cases/format/number_text.hpp"
+#include "sazare/cases/format/table_problems.hpp"
 
 namespace sazare::cases {
 namespace {
 
 using geometry::Vector2;
-constexpr int most_errors = 10;
 constexpr Real least_distance = 1e-6;  // of the side of a square of the mean area
 
 class NucleiReader {
@@ -21,23 +20,20 @@ public:
   NucleiReader(SquareBlock& block, int source, const Place& named_at, Problems& problems)
       : block_(block),
         outline_(outline_of(block)),
-        source_(source),
-        named_at_(named_at),
-        problems_(problems),
         lines_(problems.source(source).lines),
+        faults_(source, named_at, problems, "file"),
         separator_(lines_.empty() ? ',' : separator_of(lines_[0])) {}
 
   void run() {
     if (lines_.empty() || !is_header(lines_[0]))
-      report(lines_.empty() ? 0 : 1, lines_.empty() ? Field{} : trimmed(lines_[0], 0, lines_[0].size()),
-             lines_.empty() ? "the file of nuclei is empty" : "wrong header", "the first line is \"x [m],y [m]\"");
-    for (std::size_t i = 1; i < lines_.size() && errors_ < most_errors; ++i)
-      if (!trimmed(lines_[i], 0, lines_[i].size()).text.empty()) read_row(static_cast<int>(i) + 1);
-    if (errors_ > 0) return;
+      faults_.report(lines_.empty() ? 0 : 1, lines_.empty() ? Field{} : trimmed(lines_[0], 0, lines_[0].size()),
+                     lines_.empty() ? "the file of nuclei is empty" : "wrong header", "the first line is \"x [m],y [m]\"");
+    faults_.read_rows(lines_, [&](int line, std::string_view text) { read_row(line, text); });
+    if (faults_.any()) return;
     if (block_.places.size() < 2)
-      return report(0, {},
-                    fmt::format("{} inside the block, at least 2 are needed", block_.places.empty() ? "no nucleus" : "1 nucleus"),
-                    "each row is the position of a nucleus, the centre of one Voronoi polygon");
+      return faults_.report(
+          0, {}, fmt::format("{} inside the block, at least 2 are needed", block_.places.empty() ? "no nucleus" : "1 nucleus"),
+          "each row is the position of a nucleus, the centre of one Voronoi polygon");
     check_distances();
   }
 
@@ -47,33 +43,22 @@ private:
     return fields.size() == 2 && fields[0].text == "x [m]" && fields[1].text == "y [m]";
   }
 
-  void report(int line, const Field& field, const std::string& what, std::string help) {
-    if (errors_ >= most_errors) return;
-    if (++errors_ == most_errors) help += "; the rest of the file was not read";
-    const int width = std::max<int>(1, static_cast<int>(field.text.size()));
-    problems_.error_in_other_file({source_, line, field.column, width}, named_at_, what, std::move(help));
-  }
-
-  void read_row(int line) {
-    const std::string& text = lines_[static_cast<std::size_t>(line) - 1];
+  void read_row(int line, std::string_view text) {
     const auto fields = split(text, separator_);
     const Field whole = trimmed(text, 0, text.size());
     if (fields.size() != 2)
-      return report(line, whole,
-                    fmt::format("two numbers were expected, found {} field{}", fields.size(), fields.size() == 1 ? "" : "s"),
-                    "a row is x and y with a comma between them");
+      return faults_.report(
+          line, whole, fmt::format("two numbers were expected, found {} field{}", fields.size(), fields.size() == 1 ? "" : "s"),
+          "a row is x and y with a comma between them");
     std::array<Real, 2> place{};
     bool is_good = true;
     for (std::size_t axis = 0; axis < 2; ++axis) {
-      const NumberProblem problem = read_number_field(fields[axis], axis == 0 ? "x" : "y", place[axis]);
-      if (problem.what.empty()) continue;
-      report(line, fields[axis], problem.what, problem.help);
-      is_good = false;
+      if (!faults_.read_number(line, fields[axis], axis == 0 ? "x" : "y", place[axis])) is_good = false;
     }
     if (!is_good) return;
     if (!geometry::holds(outline_, {place[0], place[1]}, least_distance * std::sqrt(geometry::measure(outline_).area)))
-      return report(line, whole, fmt::format("the nucleus lies outside the block \"{}\"", block_.name),
-                    "nuclei are given inside the block as it lies before its rotation");
+      return faults_.report(line, whole, fmt::format("the nucleus lies outside the block \"{}\"", block_.name),
+                            "nuclei are given inside the block as it lies before its rotation");
     block_.places.push_back(place);
     line_of_.push_back(line);
   }
@@ -90,20 +75,18 @@ private:
         const std::size_t one = std::min(order[k], order[next]), other = std::max(order[k], order[next]);
         if (std::abs(places[one][1] - places[other][1]) >= least) continue;
         const std::string& text = lines_[static_cast<std::size_t>(line_of_[other]) - 1];
-        report(line_of_[other], trimmed(text, 0, text.size()),
-               fmt::format("the nucleus coincides with that of line {}", line_of_[one]), "remove one of them, or move it");
+        faults_.report(line_of_[other], trimmed(text, 0, text.size()),
+                       fmt::format("the nucleus coincides with that of line {}", line_of_[one]),
+                       "remove one of them, or move it");
       }
   }
 
   SquareBlock& block_;
   std::vector<Vector2> outline_;
-  int source_;
-  Place named_at_;
-  Problems& problems_;
   std::vector<std::string> lines_;
+  TableProblems faults_;
   char separator_;
   std::vector<int> line_of_;
-  int errors_ = 0;
 };
 
 }  // namespace

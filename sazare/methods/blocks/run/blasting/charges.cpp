@@ -28,6 +28,12 @@ bool touches(const methods::blocks::AxialPart& face, const methods::blocks::Axia
   return std::min(face.to, filled.to) - std::max(face.from, filled.from) > 0;
 }
 
+methods::blocks::GasInCracks gas_in_cracks(const cases::Charge& charge) {
+  using Way = methods::blocks::GasInCracks;
+  constexpr std::array ways = {Way::none, Way::share, Way::flow};
+  return ways[static_cast<std::size_t>(charge.gas_in_cracks)];
+}
+
 /// A face of the mesh beside the explosive of a charge.
 struct ChargedPlace {
   std::size_t charge;
@@ -66,8 +72,7 @@ std::vector<methods::blocks::Charge> make_charges(const cases::BlocksCase& block
          .area = charge.share * circle(charge.explosive_diameter()),
          .hole_area = hole,
          .collar = {charge.vents, hole, charge.diameter, charge.top, charge.stemming_density, charge.stemming_resistance},
-         .cracks = {static_cast<methods::blocks::GasInCracks>(charge.gas_in_cracks), charge.crack_pressure_share,
-                    charge.crack_aperture, charge.crack_discharge},
+         .cracks = {gas_in_cracks(charge), charge.crack_pressure_share, charge.crack_aperture, charge.crack_discharge},
          .filled = filled_part(charge),
          .primer = charge.primer_depth(),
          .delay = charge.firing_time(place),
