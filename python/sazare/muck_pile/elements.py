@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from sazare.cases import blocks
 from sazare.snapshots import elements_once
@@ -60,8 +59,8 @@ def outer_faces(nodes, fragment=None):
 def elements_of(results):
     """The Elements of a run that has ended.
 
-    The rotation of elements is not in snapshots: their spin is the mean of the time between the last two, and 0 where there is but one. Raises ValueError
-    where the run is of another method, has not ended, has no snapshots or no loose fragments, and NotARun where its files do not fit together.
+    Raises ValueError where the run is of another method, has not ended, has no snapshots or no loose fragments, and NotARun where its files do not fit
+    together.
     """
     _require_blast(results)
     snapshots = results.snapshots
@@ -69,12 +68,12 @@ def elements_of(results):
     mesh = elements_once(last)
     order = np.argsort(np.asarray(mesh.cell_data["element"]), kind="stable")
     corners, start = _corners(mesh, order), _corners_like(snapshots[0], mesh, order)
-    before = snapshots[-2] if len(snapshots) > 1 else None
-    spin = np.zeros((len(corners), 3)) if before is None else _spins(_corners_like(before, mesh, order), corners, last.time - before.time)
+    if "angular_velocity" not in mesh.cell_data:
+        raise NotARun(f"{last.elements_file}: it does not say how elements turn (angular_velocity), as runs of this version do")
     fragment = np.asarray(mesh.cell_data["fragment"])[order]
     return Elements(
         corners, start, _nodes(start), _densities(results)[np.asarray(mesh.cell_data["material"])[order]], np.asarray(mesh.cell_data["velocity"])[order],
-        spin, fragment, _stays(results, fragment),
+        np.asarray(mesh.cell_data["angular_velocity"])[order], fragment, _stays(results, fragment),
     )
 
 
@@ -113,14 +112,6 @@ def _nodes(corners):
     unit = 1e-7 * max(float(np.ptp(points, axis=0).max()), 1e-300)
     _, number = np.unique(np.round((points - points.min(axis=0)) / unit), axis=0, return_inverse=True)
     return np.ravel(number).reshape(-1, 4)
-
-
-def _spins(before, after, time):
-    """Mean angular velocities (n, 3) of rigid elements between two places of their corners (n, 4, 3)."""
-    first, second = (corners - corners.mean(axis=1, keepdims=True) for corners in (before, after))
-    left, _, right = np.linalg.svd(np.einsum("nki,nkj->nij", second, first))
-    left[:, :, 2] *= np.sign(np.linalg.det(left @ right))[:, None]
-    return Rotation.from_matrix(left @ right).as_rotvec() / time
 
 
 def _densities(results):

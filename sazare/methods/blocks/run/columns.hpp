@@ -59,6 +59,7 @@ inline constexpr std::array elements = {
     Column{"material", "-", "number in the case"},
     Column{"displacement", "m", "of the centre"},
     Column{"velocity", "m/s", "of the centre"},
+    Column{"angular_velocity", "rad/s", ""},
     Column{"speed", "m/s", ""},
     Column{"level", "-", "0 is the base step, each level has half the step of the one before"},
     Column{"step", "s", "of the level"},

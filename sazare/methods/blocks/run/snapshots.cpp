@@ -6,6 +6,7 @@
 
 #include "sazare/core/large_tables.hpp"
 #include "sazare/geometry/tetrahedron.hpp"
+#include "sazare/levels/motion/kick.hpp"
 #include "sazare/methods/blocks/run/columns.hpp"
 #include "sazare/methods/blocks/run/joints/element_stress.hpp"
 #include "sazare/methods/blocks/run/material_points.hpp"
@@ -79,6 +80,15 @@ Gaps gaps_of(const BlocksModel& model, const levels::Snapshot<3>& now) {
   return gaps;
 }
 
+std::vector<Vector3> spins_of(const state::Bodies<3>& bodies, const levels::Snapshot<3>& now) {
+  std::vector<Vector3> spins;
+  spins.reserve(now.pose.size());
+  for (std::size_t body = 0; body < now.pose.size(); ++body)
+    spins.push_back(
+        motion::spin_of(now.pose[body].rotation, bodies.inertia[body], bodies.locks[body], now.angular_momentum[body]));
+  return spins;
+}
+
 /// How a joint has come to be a crack: 1 by opening, 2 by slip, 0 not at all.
 std::int8_t mode_of(const methods::blocks::Joints& joints, Index joint) {
   if (!is_crack(joints.state(joint))) return 0;
@@ -103,6 +113,7 @@ Real damage_of(const methods::blocks::Joints& joints, std::span<const JointState
 struct Snapshots::Picture {
   Real time = 0;
   levels::Snapshot<3> now;
+  std::vector<Vector3> spin;           ///< by element [rad/s]
   std::vector<std::int8_t> level;      ///< by element
   std::vector<std::int32_t> fragment;  ///< by element
   std::vector<JointState> state;       ///< by joint
@@ -130,8 +141,9 @@ void Snapshots::resume(std::size_t count) {
 
 void Snapshots::write(Real time, levels::Snapshot<3> now, const FragmentMap& fragments) {
   finish_writing();
-  release(now.angular_momentum);
-  Picture taken{time, std::move(now), {}, fragments.of_element, {}, {}, {}};
+  Picture taken{time, std::move(now), {}, {}, fragments.of_element, {}, {}, {}};
+  taken.spin = spins_of(model_->simulation->bodies(), taken.now);
+  release(taken.now.angular_momentum);
   taken.stress = element_stresses(*model_, taken.now);
   const Index elements = model_->simulation->bodies().size(), joints = model_->joints->count();
   taken.level.reserve(at(elements));
@@ -175,8 +187,8 @@ void Snapshots::write_elements(const Picture& picture) {
   observe::Grid grid{observe::Grid::Cell::tetrahedron, {}, {}, {}, picture.time};
   grid.own_points = points;
   grid.cell_data =
-      observe::cell_data(columns::blocks::elements, tag, mesh.region, model_->material, displacement, picture.now.velocity, speed,
-                         level, step, picture.fragment, damage, picture.stress.normal, picture.stress.shear,
+      observe::cell_data(columns::blocks::elements, tag, mesh.region, model_->material, displacement, picture.now.velocity,
+                         picture.spin, speed, level, step, picture.fragment, damage, picture.stress.normal, picture.stress.shear,
                          picture.stress.von_mises, picture.stress.largest, picture.stress.smallest);
   elements_.write(grid);
 }
