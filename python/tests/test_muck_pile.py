@@ -146,7 +146,7 @@ def test_spheres_touch_neither_other_bodies_nor_walls(tmp_path):
     assert np.all(model.standing.distance(model.balls.centres) > model.balls.radii)
     assert not np.any(model.standing.holds(model.balls.centres))
     shares = union_volumes(model.balls, len(model.bodies)) / model.bodies.volume
-    assert np.all(shares[~model.specks] < 1.0) and np.median(shares) > 0.4
+    assert np.all(shares[~model.fines] < 1.0) and np.median(shares) > 0.4
 
 
 def test_the_volume_of_a_union_is_that_of_spheres_which_overlap():

@@ -4,7 +4,7 @@
 ///
 ///     t(g) = min over lines (a_j + k_j g)     k_0 = G0, a_0 = 0;  last: k = 0, a = S
 ///
-///     g   engineering's shear strain [-]     G0  shear modulus at small strain [Pa]
+///     g   engineering shear strain [-]     G0  shear modulus at small strain [Pa]
 ///     t   shear stress [Pa]                  S   shear strength [Pa]
 ///
 /// The lines between go through neighbouring points of the curve. The first and the last of them are extended to the line of G0
@@ -12,12 +12,14 @@
 ///
 /// Curves, both with G/G0 = t/(G0 g) = 1/2 at the reference strain g_r:
 ///
-///     hyperbolic      t = G0 g/(1 + g/g_r), S = G0 g_r         Hardin and Drnevich, J. Soil Mech. Found. Div. ASCE 98 (1972)
-///     667-692 Ramberg-Osgood  g = t/G0 (1 + (2 t/(G0 g_r))^(r - 1))    Ramberg and Osgood, NACA Technical Note 902 (1943)
+///     hyperbolic        t = G0 g/(1 + g/g_r), S = G0 g_r                [HardinDrnevich1972]
+///     Ramberg-Osgood    g = t/G0 (1 + (2 t/(G0 g_r))^(r - 1))           [RambergOsgood1943]
 ///
 /// Masing's rules: after a reversal the curve is the backbone at twice its size from there. Of a closed cycle between -g and g
 /// they give the damping ratio D = dW/(4 pi W) = 2/pi (2 A/(g t) - 1) with A, the area under the backbone up to g, and W = g t/2.
 /// Masing, Proc. 2nd Int. Congress of Applied Mechanics (1926) 332-335.
+///
+/// [HardinDrnevich1972] J. Soil Mech. Found. Div. ASCE 98 (1972) 667-692. [RambergOsgood1943] NACA Technical Note 902 (1943).
 
 #include <algorithm>
 #include <cmath>

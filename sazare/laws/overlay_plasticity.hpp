@@ -3,7 +3,7 @@
 /// Soil that degrades with strain: elastic-perfectly plastic parts in parallel, of one elastic volume.
 ///
 ///     s = K tr(e) 1 + sum 2 G_i (e' - p_i)
-///     |e' - p_i| <= g_i,  |x|^2 = 2 x:x                      von Mises: in simple shear |x| is engineering's shear strain
+///     |e' - p_i| <= g_i,  |x|^2 = 2 x:x                      von Mises: in simple shear |x| is engineering shear strain
 ///     p_i  grows along e' - p_i, back to g_i where it is beyond      radial return, exact where the strain keeps its direction
 ///
 ///     s   stress [Pa]           K    bulk modulus [Pa]            G_i  shear modulus of a part [Pa]
@@ -14,8 +14,8 @@
 /// with the mean of the stresses before and after; no closed path of strain gains energy, from whatever state. Iwan, J. Appl.
 /// Mech. 34 (1967) 612-617; in space, each part is that of von Mises: Besseling, J. Appl. Mech. 25 (1958) 529-536.
 ///
-/// Columns of strain: xx, yy, zz, xy and with N = 6 also yz, zx, shear strains engineering's; of stress the same with tensor's
-/// parts.
+/// Columns of strain: xx, yy, zz, xy and with N = 6 also yz, zx, shear strains are engineering ones; of stress the same with
+/// tensor's parts.
 
 #include <span>
 

@@ -231,7 +231,7 @@ class Charge(Part):
     smaller it is, the shorter the steps of the elements beside it. [m] (with gas_in_cracks = "share" or "flow") Default: 5e-5.
     Greater than 0.
     """
-    crack_discharge: float | None = None
+    discharge_coefficient: float | None = None
     """Coefficient of discharge of the openings between cracks. (with gas_in_cracks = "flow") Default: 0.6. Greater than 0 and at
     most 1.
     """

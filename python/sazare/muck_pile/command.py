@@ -23,7 +23,7 @@ def add_to(commands):
     command.add_argument("--friction", metavar="F", type=not_negative, help="coefficient of friction (default: of the contacts of the case)")
     command.add_argument("--rolling-friction", metavar="F", type=not_negative, default=Options.rolling_friction, help="coefficient of rolling friction (default %(default)g)")
     command.add_argument("--spheres", metavar="N", type=whole(1, 10_000), default=Options.most, help="spheres of one fragment, at most (default %(default)d)")
-    command.add_argument("--smallest", metavar="M", type=not_negative, help="size below which fragments are specks that meet nothing [m] (default: the smallest with 1 %% of the mass)")
+    command.add_argument("--smallest", metavar="M", type=not_negative, help="size below which fragments are fines that meet nothing [m] (default: the smallest with 1 %% of the mass)")
     command.add_argument("--threads", metavar="N", type=whole(1, 1_000_000), default=0, help="threads (default: all processors)")
     command.add_argument("--quiet", action="store_true", help="print results and warnings only")
     command.set_defaults(function=tell, blame="{folder}: the files of this run do not fit together", advice="If sazare wrote them as they are, please report it")

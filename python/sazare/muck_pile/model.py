@@ -21,9 +21,9 @@ SHEAR = 2.0 / 7.0  # shear stiffness over normal stiffness: a solid sphere then 
 STRAIGHT = 0.1  # extent of a row of holes across over that along it
 ALONG = 0.7  # least cosine between the normal of the row and the momentum: 45 degrees
 SETTLING = 5.0  # times the time of a fall from the highest loose rock to the ground, after the last has landed
-FOLLOWED = 0.99  # of the mass: the fastest specks fly longer and press deeper
+FOLLOWED = 0.99  # of the mass: the fastest fines fly longer and press deeper
 STEP = 0.15  # of the stability limit: piles load it more than twelve equal neighbours do
-SPECKS = 0.01  # of the mass: the smallest fragments, which fly without what they would meet
+FINES = 0.01  # of the mass: the smallest fragments, which fly without what they would meet
 CLASS = 4.0  # ratio of the masses in a class of fragments, each with its own stiffness: 1.6 in size
 MARGIN = 1.0  # of a median sphere's diameter: nearer spheres are watched as candidates for contact
 PICTURES, ROWS = 50, 200
@@ -55,15 +55,15 @@ class Options:
 
 @dataclass(frozen=True)
 class Model:
-    """What flies and what stands. loose (n,): which Elements are of bodies; owner: the body of each of these. specks (m,): which bodies fly without what they
+    """What flies and what stands. loose (n,): which Elements are of bodies; owner: the body of each of these. fines (m,): which bodies fly without what they
     would meet, and have no balls. density [kg/m3]: that of the material of all. buried: mass [kg] of loose fragments that are taken as rock that stays, since
-    they lie under the ground or within that rock. ground, toe [m]; direction (3,); gravity [m/s2]; smallest [m]: size of the least that is no speck."""
+    they lie under the ground or within that rock. ground, toe [m]; direction (3,); gravity [m/s2]; smallest [m]: size of the least that is not among the fines."""
 
     elements: Elements
     loose: np.ndarray
     owner: np.ndarray
     bodies: Bodies
-    specks: np.ndarray
+    fines: np.ndarray
     balls: ball.Balls
     standing: Standing
     density: float
@@ -85,8 +85,8 @@ class Model:
 
     @cached_property
     def classes(self):
-        """Places of the bodies that are no specks, by classes of mass, the lightest first (list of arrays)."""
-        places = np.flatnonzero(~self.specks)
+        """Places of the bodies that are not fines, by classes of mass, the lightest first (list of arrays)."""
+        places = np.flatnonzero(~self.fines)
         masses = self.bodies.mass[places]
         number = np.floor(np.log(masses / masses.min()) / math.log(CLASS) + 1e-9).astype(int)
         return [places[number == one] for one in np.unique(number)]
@@ -98,7 +98,7 @@ class Model:
         radii = np.zeros(len(self.bodies))
         np.maximum.at(radii, self.balls.body, self.balls.radii)
         speeds = landing_speeds(self.heights, self.bodies.velocity, self.gravity)
-        needed = self.bodies.mass * (speeds / (OVERLAP * np.where(self.specks, np.inf, radii))) ** 2
+        needed = self.bodies.mass * (speeds / (OVERLAP * np.where(self.fines, np.inf, radii))) ** 2
         return np.maximum.accumulate([_followed(needed[one], self.bodies.mass[one]) for one in self.classes])
 
     def case(self, title):
@@ -156,10 +156,10 @@ def model_of(results, options=None):
     stays = elements.stays | _under(elements, ground)
     if np.all(stays):
         raise ValueError(f"all that is loose lies under the ground at z = {ground:g} m: --ground Z takes a lower one")
-    stays, standing, bodies, owner, specks, balls = _fit(elements, stays, ground, options)
+    stays, standing, bodies, owner, fines, balls = _fit(elements, stays, ground, options)
     loose, masses = ~stays, elements.masses
     return Model(
-        elements, loose, owner, bodies, specks, balls, standing, float(masses[loose].sum() / elements.volumes[loose].sum()),
+        elements, loose, owner, bodies, fines, balls, standing, float(masses[loose].sum() / elements.volumes[loose].sum()),
         float(masses[stays & ~elements.stays].sum()), direction, direction_words, ground, words,
         _toe(elements, loose, direction, ground) if options.toe is None else options.toe,
         gravity, options.friction if options.friction is not None else _friction(case),
@@ -217,17 +217,17 @@ def _under(elements, ground):
 
 
 def _fit(elements, stays, ground, options):
-    """What stays (n,), its surface, the bodies, the body of each loose element, which bodies are specks, and the balls of the others. Fragments whose spheres
-    all lie within the rock that stays, or under the ground, belong to it; those that are pressed so much that no sphere has room are specks."""
+    """What stays (n,), its surface, the bodies, the body of each loose element, which bodies are fines, and the balls of the others. Fragments whose spheres
+    all lie within the rock that stays, or under the ground, belong to it; those that are pressed so much that no sphere has room are fines."""
     while True:
         standing = Standing(elements, stays, ground)
         bodies, owner = bodies_of(elements, ~stays)
-        specks = _specks(bodies, options.smallest)
+        fines = _fines(bodies, options.smallest)
         met = ~stays
-        met[met] = ~specks[owner]
-        balls, full = ball.balls_in(elements, met, owner[~specks[owner]], options.most)
+        met[met] = ~fines[owner]
+        balls, full = ball.balls_in(elements, met, owner[~fines[owner]], options.most)
         free = (balls.centres[:, 2] > ground) & ~standing.holds(balls.centres)
-        homeless = np.setdiff1d(np.flatnonzero(~specks), balls.body[free])
+        homeless = np.setdiff1d(np.flatnonzero(~fines), balls.body[free])
         if not len(homeless):
             break
         stays = stays.copy()
@@ -237,22 +237,22 @@ def _fit(elements, stays, ground, options):
     balls, full = balls.of(free), full[free]
     room = np.minimum(standing.distance(balls.centres), balls.centres[:, 2] - ground)
     fitted = ball.fitted(balls, full, room)
-    specks = np.ones(len(bodies), dtype=bool)
-    specks[fitted.body] = False
-    return stays, standing, bodies, owner, specks, fitted
+    fines = np.ones(len(bodies), dtype=bool)
+    fines[fitted.body] = False
+    return stays, standing, bodies, owner, fines, fitted
 
 
-def _specks(bodies, smallest):
-    """Which bodies (m,) are specks: those below a size [m], or where it is None the smallest that together have SPECKS of the mass at most."""
+def _fines(bodies, smallest):
+    """Which bodies (m,) are fines: those below a size [m], or where it is None the smallest that together have FINES of the mass at most."""
     if smallest is not None:
-        specks = bodies.sizes < smallest
-        if np.all(specks):
+        fines = bodies.sizes < smallest
+        if np.all(fines):
             raise ValueError(f"no fragment is as large as {smallest:g} m: the largest has {bodies.sizes.max():.3g} m")
-        return specks
+        return fines
     order = np.argsort(bodies.volume, kind="stable")
-    specks = np.zeros(len(bodies), dtype=bool)
-    specks[order] = np.cumsum(bodies.mass[order]) <= SPECKS * bodies.mass.sum()
-    return specks
+    fines = np.zeros(len(bodies), dtype=bool)
+    fines[order] = np.cumsum(bodies.mass[order]) <= FINES * bodies.mass.sum()
+    return fines
 
 
 def _toe(elements, loose, direction, ground):

@@ -70,9 +70,9 @@ class PileNumbers:
 
     @cached_property
     def farthest(self):
-        """The Farthest fragment that is no speck."""
+        """The Farthest fragment that is not among the fines."""
         bodies, model = self.model.bodies, self.model
-        one = int(np.argmax(np.where(model.specks, -1.0, self.throws)))
+        one = int(np.argmax(np.where(model.fines, -1.0, self.throws)))
         reach = ranges(model.heights[one : one + 1], bodies.velocity[one : one + 1], model.gravity)[0]
         return Farthest(
             int(bodies.numbers[one]), float(bodies.mass[one]), float(bodies.sizes[one]), float(np.linalg.norm(bodies.velocity[one])), float(self.throws[one]),
@@ -88,12 +88,12 @@ class PileNumbers:
 
     @cached_property
     def solid(self):
-        """Volume of the fragments without specks [m3]."""
-        return float(self.model.bodies.volume[~self.model.specks].sum())
+        """Volume of the fragments without fines [m3]."""
+        return float(self.model.bodies.volume[~self.model.fines].sum())
 
     @cached_property
     def sphere_share(self):
-        """Volume of the spheres, each place once, over that of the fragments without specks."""
+        """Volume of the spheres, each place once, over that of the fragments without fines."""
         return float(self._unions.sum()) / self.solid
 
     @cached_property
@@ -108,8 +108,8 @@ class PileNumbers:
 
     @cached_property
     def rms_speed(self):
-        """Root of the mean square of the speed at the end by mass [m/s], without specks and what still flies."""
-        masses = np.where(self.flying | self.model.specks, 0.0, self.model.bodies.mass)
+        """Root of the mean square of the speed at the end by mass [m/s], without fines and what still flies."""
+        masses = np.where(self.flying | self.model.fines, 0.0, self.model.bodies.mass)
         return self.landed.rms_speed(masses) if masses.sum() > 0.0 else float("inf")
 
     @property
@@ -142,7 +142,7 @@ def tables_of(numbers):
     throw |= {
         "throw [m]": numbers.throws, "start_speed [m/s]": np.linalg.norm(bodies.velocity, axis=1),
         "range_without_drag [m]": ranges(model.heights, bodies.velocity, model.gravity),
-        "flight_without_drag [s]": flight_times(model.heights, bodies.velocity, model.gravity), "in_the_air [-]": numbers.flying, "speck [-]": model.specks,
+        "flight_without_drag [s]": flight_times(model.heights, bodies.velocity, model.gravity), "in_the_air [-]": numbers.flying, "fines [-]": model.fines,
     }
     slices = numbers.pile.slices
     profile = {
@@ -167,9 +167,9 @@ def summary_of(numbers):
         "fragments": len(bodies), "mass": total, "solid_volume": float(bodies.volume.sum()), "sphere_count": len(model.balls), "sphere_share": numbers.sphere_share,
         "buried_mass": model.buried, "ground": model.ground, "direction": model.direction[:2].tolist(), "toe": model.toe, "gravity": model.gravity,
         "energy_kept": float(bodies.kinetic_energy.sum() / bodies.energy.sum()) if bodies.energy.sum() > 0.0 else None,
-        "stiffness": model.stiffnesses.tolist(), "specks": int(model.specks.sum()), "mass_of_specks": float(bodies.mass[model.specks].sum()),
+        "stiffness": model.stiffnesses.tolist(), "fines": int(model.fines.sum()), "mass_of_fines": float(bodies.mass[model.fines].sum()),
         "end": numbers.landed.time, "rms_speed": numbers.rms_speed, "rests": numbers.rests,
-        "in_the_air": int(np.sum(numbers.flying & ~model.specks)), "mass_in_the_air": float(bodies.mass[numbers.flying & ~model.specks].sum()),
+        "in_the_air": int(np.sum(numbers.flying & ~model.fines)), "mass_in_the_air": float(bodies.mass[numbers.flying & ~model.fines].sum()),
         "throw": {f"p{100 * share:.0f}": numbers.distribution.size_at(share) for share in (0.5, 0.9, 0.99)},
         "beyond_toe": numbers.beyond_toe, "cast": numbers.cast,
         "farthest": {

@@ -103,7 +103,7 @@ def plan(numbers):
     low, high = (np.array(pair) for pair in zip(*(_reach(ends[:, axis], bodies.mass) for axis in (0, 1))))
     corners = (model.elements.start @ axes_here).reshape(-1, 2)
     low, high = np.minimum(low, corners.min(axis=0)), np.maximum(high, corners.max(axis=0))
-    shown = np.all((ends >= low) & (ends <= high), axis=1) & ~model.specks
+    shown = np.all((ends >= low) & (ends <= high), axis=1) & ~model.fines
     order = np.flatnonzero(shown)[np.argsort(-bodies.sizes[shown])]
     figure = style.figure(7.6, 5.2)
     axes = figure.subplots()
@@ -121,7 +121,7 @@ def plan(numbers):
     axes.set_xlim(low[0] - 0.5, high[0] + 0.5)
     axes.set_ylim(low[1] - 0.5, high[1] + 0.5)
     axes.set_aspect("equal")
-    axes.set_xlabel(f"along the throw [m]; outside the picture: {int(np.sum(~shown & ~model.specks))} fragments")
+    axes.set_xlabel(f"along the throw [m]; outside the picture: {int(np.sum(~shown & ~model.fines))} fragments")
     axes.set_ylabel("across the throw [m]")
     bar = figure.colorbar(drawn, ax=axes, label="size [m]", shrink=0.8, format="{x:g}")
     bar.ax.yaxis.set_minor_formatter("{x:g}")

@@ -42,7 +42,7 @@ class Pile:
         volumes = balls.radii**3
         count = len(model.bodies)
         self.covered = np.bincount(balls.body, under * volumes, count) > 0.5 * np.bincount(balls.body, volumes, count)
-        self.seen = ~self.covered & ~model.specks & ~flying
+        self.seen = ~self.covered & ~model.fines & ~flying
         self.solid = float(model.bodies.volume[self.seen].sum())
         top = self.seen[balls.body]
         self.heights = heights_of_balls(balls.centres[top], balls.radii[top], model.direction, cell)

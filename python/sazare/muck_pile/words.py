@@ -18,9 +18,9 @@ def before(model, breaking):
         f"ground at z = {model.ground:.4g} m ({model.ground_words}); throw towards ({x:.3f}, {y:.3f}) ({model.direction_words}); toe of the bench {model.toe:.4g} m along it",
         f"contacts: {' to '.join(quantity(value, 'N/m') for value in sorted({model.stiffnesses[0], model.stiffnesses[-1]}))}, restitution {model.options.restitution:g}, friction {model.friction:g}, rolling friction {model.options.rolling_friction:g}",
     ]
-    if np.any(model.specks):
+    if np.any(model.fines):
         lines.append(
-            f"{count(model.specks.sum())} of them, below {quantity(model.bodies.sizes[~model.specks].min(), 'm')}, are specks with {model.bodies.mass[model.specks].sum() / model.bodies.mass.sum():.2%} "
+            f"{count(model.fines.sum())} of them, below {quantity(model.bodies.sizes[~model.fines].min(), 'm')}, are fines with {model.bodies.mass[model.fines].sum() / model.bodies.mass.sum():.2%} "
             "of the mass: they fly without what they would meet"
         )
     if model.buried > 0.0:
@@ -54,7 +54,7 @@ def text_of(numbers):
         f"  flyrock           {quantity(farthest.throw, 'm')}: fragment {farthest.number} of {quantity(farthest.size, 'm')}, {quantity(1e3 * farthest.mass, 'g')}, "
         f"started at {quantity(farthest.speed, 'm/s')}; {quantity(farthest.range, 'm')} by a flight without drag"
     )
-    flying = numbers.flying & ~model.specks
+    flying = numbers.flying & ~model.fines
     if np.any(flying):
         lines.append(f"  in the air        {count(flying.sum())} fragments, {quantity(1e3 * model.bodies.mass[flying].sum(), 'g')}: their ends are those of a flight without drag")
     lines.append("pile")

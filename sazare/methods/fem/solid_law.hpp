@@ -77,7 +77,7 @@ SolidResponse<D> respond(const laws::PrincipalReturnMapping& mapping, const Voig
   response.yields = found.yields;
   response.stress = units.template leftCols<3>() * found.stress;
   response.plastic = units.template leftCols<3>() * found.plastic;
-  for (int row = 3; row < stress_size<D>; ++row) response.plastic[row] *= 2;  // engineering's shear strain
+  for (int row = 3; row < stress_size<D>; ++row) response.plastic[row] *= 2;  // engineering shear strain
   if (tangent == nullptr) return response;
   Eigen::Matrix<Real, 6, 6> c = Eigen::Matrix<Real, 6, 6>::Zero();
   c.topLeftCorner<3, 3>() = found.tangent;

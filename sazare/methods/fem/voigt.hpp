@@ -1,6 +1,6 @@
 #pragma once
 
-/// Strains and stresses as columns: xx, yy, zz, xy and in space also yz, zx; shear strains are engineering's (twice the
+/// Strains and stresses as columns: xx, yy, zz, xy and in space also yz, zx; shear strains are engineering strains (twice the
 /// tensor's).
 
 #include "sazare/core/vector.hpp"

@@ -83,7 +83,7 @@ TEST(Reader, TakesCharges) {
   EXPECT_EQ(upper.stemming_resistance, 1e5);
   EXPECT_EQ(upper.gas_in_cracks, GasInCracks::flow);
   EXPECT_EQ(upper.crack_aperture, 2e-4);
-  EXPECT_EQ(upper.crack_discharge, 0.7);
+  EXPECT_EQ(upper.discharge_coefficient, 0.7);
   EXPECT_EQ(lower.gas_in_cracks, GasInCracks::share);
   EXPECT_EQ(lower.crack_pressure_share, 0.5);
   EXPECT_EQ(lower.crack_aperture, 5e-5);

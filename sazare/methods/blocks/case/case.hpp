@@ -151,7 +151,7 @@ struct Charge {
   GasInCracks gas_in_cracks = GasInCracks::none;
   Real crack_pressure_share = 1;  // of the pressure in the hole
   Real crack_aperture = 0;        // m
-  Real crack_discharge = 1;
+  Real discharge_coefficient = 1;
   ExplosiveName explosive = custom_explosive;
   std::optional<Real> density = std::nullopt;              // kg/m3
   std::optional<Real> detonation_velocity = std::nullopt;  // m/s; may replace that of the table

@@ -137,7 +137,7 @@ void check_collar(const CheckContext& context, const Entry& entry, const Charge&
 void check_cracks(const CheckContext& context, const Entry& entry, const Charge& charge) {
   std::vector<std::string_view> foreign;
   if (charge.gas_in_cracks != GasInCracks::share) foreign.push_back("crack_pressure_share");
-  if (charge.gas_in_cracks != GasInCracks::flow) foreign.push_back("crack_discharge");
+  if (charge.gas_in_cracks != GasInCracks::flow) foreign.push_back("discharge_coefficient");
   if (charge.gas_in_cracks == GasInCracks::none) foreign.push_back("crack_aperture");
   check_keys(context, entry, fmt::format("gas_in_cracks {}", word(charge.gas_in_cracks)), {}, foreign);
 }

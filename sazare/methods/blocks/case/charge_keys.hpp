@@ -105,7 +105,7 @@ inline constexpr std::array charge_keys{
         .note = "with gas_in_cracks = \"share\" or \"flow\"",
         .sentence = "Width that a crack has for gas even where its faces touch, because they are rough. It adds to what they are "
                     "apart. The smaller it is, the shorter the steps of the elements beside it."},
-    Key{.name = "crack_discharge",
+    Key{.name = "discharge_coefficient",
         .type = Type::number,
         .range = {.low = 0, .high = 1, .low_open = true},
         .default_text = "0.6",

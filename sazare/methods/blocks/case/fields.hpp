@@ -150,7 +150,7 @@ void visit_fields(Visitor& visit, Charge& charge) {
   visit("gas_in_cracks", charge.gas_in_cracks);
   if (charge.gas_in_cracks != GasInCracks::none) visit("crack_aperture", charge.crack_aperture);
   if (charge.gas_in_cracks == GasInCracks::share) visit("crack_pressure_share", charge.crack_pressure_share);
-  if (charge.gas_in_cracks == GasInCracks::flow) visit("crack_discharge", charge.crack_discharge);
+  if (charge.gas_in_cracks == GasInCracks::flow) visit("discharge_coefficient", charge.discharge_coefficient);
   visit("explosive", charge.explosive);
   visit("density", charge.density);
   visit("detonation_velocity", charge.detonation_velocity);

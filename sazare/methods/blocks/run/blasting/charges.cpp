@@ -72,7 +72,7 @@ std::vector<methods::blocks::Charge> make_charges(const cases::BlocksCase& block
          .area = charge.share * circle(charge.explosive_diameter()),
          .hole_area = hole,
          .collar = {charge.vents, hole, charge.diameter, charge.top, charge.stemming_density, charge.stemming_resistance},
-         .cracks = {gas_in_cracks(charge), charge.crack_pressure_share, charge.crack_aperture, charge.crack_discharge},
+         .cracks = {gas_in_cracks(charge), charge.crack_pressure_share, charge.crack_aperture, charge.discharge_coefficient},
          .filled = filled_part(charge),
          .primer = charge.primer_depth(),
          .delay = charge.firing_time(place),
