@@ -22,8 +22,10 @@ struct Clump {
   Vector3 impulse_ahead = Vector3::Zero();     ///< what its momentum lacks at its time [N s]
   Vector3 turning_ahead = Vector3::Zero();     ///< what its angular momentum lacks [N m s]
   Real volume = 0;                             ///< [m3]
+  Real added_mass = 0;                         ///< of water that goes along with its centre [kg]
   std::int64_t first_member = 0;               ///< its members end where those of the next begin
 
+  Real moved_mass() const { return mass + added_mass; }
   /// A vector of its own axes as space sees it, and back.
   Vector3 out(const Vector3& own) const { return turned(turn, own); }
   Vector3 into(const Vector3& space) const { return turned<Real>({turn.w, -turn.x, -turn.y, -turn.z}, space); }

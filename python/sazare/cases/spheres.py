@@ -188,6 +188,10 @@ class Sphere(Part):
     """Whether the group falls under gravity and comes to rest before the run begins; all others, and the walls, stand still
     meanwhile. Default: false.
     """
+    drag_coefficient: float | None = None
+    """Drag coefficient of the group's bodies. (with [water], whose own is the default) At least 0."""
+    inertia_coefficient: float | None = None
+    """Inertia coefficient C_M of the group's bodies. (with [water], whose own is the default) At least 1."""
     shape: str | None = None
     """Shape of [[shapes]]: the group is of rigid or bonded bodies, places are those of their centres of mass. (none: single
     spheres)
@@ -325,6 +329,52 @@ class Gravity(Part):
 
 
 @dataclass(kw_only=True, eq=False)
+class Water(Part):
+    """Water around bodies: buoyancy, drag and inertia. z is up."""
+
+    level: float
+    """Elevation of the still water's surface. [m]"""
+    density: float | None = None
+    """Mass per volume of the water; sea water 1025. [kg/m3] Default: 1000.0. Greater than 0."""
+    viscosity: float | None = None
+    """Dynamic viscosity, which decides the drag of small or slow spheres without a drag_coefficient. [Pa s] Default: 1e-3.
+    Greater than 0.
+    """
+    drag_coefficient: float | None = None
+    """Drag coefficient of bodies; their area is that of a sphere of their volume. A group may have its own. (default: that of a
+    smooth sphere by its Reynolds number) At least 0.
+    """
+    inertia_coefficient: float | None = None
+    """Inertia coefficient C_M of Morison's equation: 1 and the coefficient of added mass, which is 0.5 for a sphere. A group may
+    have its own. Default: 1.5. At least 1.
+    """
+    current: tuple[float, float, float] | None = None
+    """Horizontal velocity of all the water, to which that of waves is added. [m/s] Default: [0.0, 0.0, 0.0]."""
+    waves: Literal["none", "airy", "stokes2", "solitary", "table"] | None = None
+    """Still water, linear (Airy) waves, Stokes waves of second order, a solitary wave, or a table of surface elevation and
+    velocity over time. Default: "none".
+    """
+    bed: float | None = None
+    """Elevation of the level bed over which waves travel, below the water. [m] (required for waves by a theory)"""
+    wave_height: float | None = None
+    """Height of the waves from trough to crest. [m] (required for waves by a theory) Greater than 0."""
+    wave_period: float | None = None
+    """Wave period; the wave length follows from the dispersion relation. [s] (required for airy and stokes2) Greater than 0."""
+    wave_direction: float | None = None
+    """Direction in which waves travel, or the velocity of a table goes, from the x axis towards y. [deg] (with waves) Default:
+    0.0. At least -360 and at most 360.
+    """
+    wave_crest: float | None = None
+    """Where a crest stands at t = 0, along the direction of the waves from the origin. [m] (waves by a theory) Default: 0.0."""
+    wave_ramp: float | None = None
+    """Time in which waves grow from still water to their height. [s] (airy and stokes2) Default: 0.0. At least 0."""
+    wave_file: str | None = None
+    """CSV with the header "time [s],elevation [m],velocity [m/s]": elevation of the surface above level, and velocity along
+    wave_direction, both the same everywhere; linear between rows, constant before and after. (required for a table)
+    """
+
+
+@dataclass(kw_only=True, eq=False)
 class Gauge(Part):
     """Groups whose motion is recorded."""
 
@@ -387,6 +437,7 @@ class Case(AnyCase):
         "walls": Wall,
         "motions": Motion,
         "gravity": Gravity,
+        "water": Water,
         "gauges": Gauge,
         "time": Time,
         "output": Output,
@@ -412,6 +463,8 @@ class Case(AnyCase):
     """Histories of the walls' motion."""
     gravity: Gravity | None = None
     """Body force."""
+    water: Water | None = None
+    """Water around bodies: buoyancy, drag and inertia. z is up."""
     gauges: list[Gauge] = field(default_factory=list)
     """Groups whose motion is recorded."""
     time: Time

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "sazare/core/error.hpp"
-#include "sazare/methods/spheres/run/bodies_file.hpp"
-#include "sazare/methods/spheres/run/placement.hpp"
+#include "sazare/methods/spheres/run/placing/bodies_file.hpp"
+#include "sazare/methods/spheres/run/placing/placement.hpp"
 #include "tests/unit/runs/sphere_cases.hpp"
 
 namespace sazare::runs {

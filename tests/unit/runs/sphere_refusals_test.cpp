@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "sazare/methods/spheres/run/file.hpp"
+#include "sazare/methods/spheres/run/placing/file.hpp"
 #include "sazare/registry/registry.hpp"
 #include "tests/unit/runs/sphere_cases.hpp"
 

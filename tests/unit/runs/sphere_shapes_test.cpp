@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "sazare/methods/spheres/run/placing/placement.hpp"
 #include "sazare/registry/registry.hpp"
-#include "sazare/methods/spheres/run/placement.hpp"
 #include "tests/unit/runs/sphere_cases.hpp"
 
 namespace sazare::runs {

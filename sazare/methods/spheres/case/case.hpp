@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sazare/cases/tables.hpp"
+#include "sazare/cases/water/table.hpp"
 #include "sazare/laws/granular/contact_laws.hpp"
 
 /// A checked case of method spheres, as plain data. All values in SI units; every member is one key of the case file.
@@ -85,6 +86,8 @@ struct SphereGroup {
   bool held = false;
   bool lowered = false;
   bool rain = false;
+  std::optional<Real> drag_coefficient;     // with [water]
+  std::optional<Real> inertia_coefficient;  // with [water]
 };
 
 struct WallRules {
@@ -144,6 +147,7 @@ struct SpheresCase {
   std::vector<WallRules> walls;
   std::vector<Motion> motions;
   Gravity gravity;
+  Water water;
   std::vector<GroupGauge> gauges;
   SphereTime time;
   Output output;

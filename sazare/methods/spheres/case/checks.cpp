@@ -7,6 +7,7 @@
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/cases/format/structure_check.hpp"
 #include "sazare/cases/format/suggest.hpp"
+#include "sazare/cases/water/checks.hpp"
 #include "sazare/methods/spheres/case/fields.hpp"
 #include "sazare/methods/spheres/case/format.hpp"
 
@@ -343,6 +344,15 @@ void check_levels(const CheckContext& context, const SpheresCase& spheres) {
                            "step is that of all spheres: keep one of them; stability_fraction sets the steps of levels");
 }
 
+void check_water_of_groups(const CheckContext& context, const SpheresCase& spheres) {
+  if (spheres.water.is_there()) return;
+  for (const Entry& entry : context.entries_of("spheres"))
+    for (const std::string_view key : {"drag_coefficient", "inertia_coefficient"})
+      if (entry.gives(key))
+        context.problems.error(entry.place(key), fmt::format("{} is only for a case with [water]", key),
+                               "add [water] with its level, or remove the key");
+}
+
 }  // namespace
 
 void check_spheres(const CheckContext& context, SpheresCase& spheres) {
@@ -364,6 +374,8 @@ void check_spheres(const CheckContext& context, SpheresCase& spheres) {
   check_motions(context, spheres.motions, spheres.time.end);
   check_gauges(context, spheres);
   check_levels(context, spheres);
+  check_water(context, spheres.water, spheres.gravity);
+  check_water_of_groups(context, spheres);
 }
 
 }  // namespace sazare::cases

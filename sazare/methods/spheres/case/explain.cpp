@@ -58,6 +58,7 @@ std::string explain(const SpheresCase& spheres) {
                                         group.rain ? ", falls and comes to rest before the start" : ""));
   for (const BondRules& bond : spheres.bonds) text += line("bonds", bond_text(bond));
   text += explain_gravity(spheres.gravity.acceleration);
+  text += explain_water(spheres.water, spheres.gravity);
   text += explain_motions(spheres.motions, spheres.time.end);
   for (const WallRules& wall : spheres.walls) text += line("walls", wall_text(wall));
   for (const GroupGauge& gauge : spheres.gauges)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sazare/cases/fields.hpp"
+#include "sazare/cases/water/keys.hpp"
 #include "sazare/methods/spheres/case/case.hpp"
 
 /// Which member of a case of method spheres belongs to which key (see fields.hpp).
@@ -110,6 +111,8 @@ void visit_fields(Visitor& visit, SphereGroup& group) {
   visit("seed", group.seed);
   visit("lowered", group.lowered);
   visit("rain", group.rain);
+  visit("drag_coefficient", group.drag_coefficient);
+  visit("inertia_coefficient", group.inertia_coefficient);
   if (visit.has("velocity", !group.rain)) visit("velocity", group.velocity);
   if (visit.has("angular_velocity", !group.rain)) visit("angular_velocity", group.spin);
   if (visit.has("noise", !group.rain)) visit("noise", group.noise);
@@ -182,6 +185,7 @@ void visit_tables(Visitor& visit, SpheresCase& spheres) {
   visit.list("walls", spheres.walls);
   visit.list("motions", spheres.motions);
   visit.one("gravity", spheres.gravity);
+  visit.one("water", spheres.water);
   visit.list("gauges", spheres.gauges);
   visit.one("time", spheres.time);
   visit.one("output", spheres.output);

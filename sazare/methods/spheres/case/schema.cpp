@@ -4,6 +4,7 @@
 #include "sazare/cases/case_keys.hpp"
 #include "sazare/cases/format/usual_values.hpp"
 #include "sazare/cases/law_keys.hpp"
+#include "sazare/cases/water/keys.hpp"
 #include "sazare/laws/granular/contact_laws.hpp"
 #include "sazare/methods/spheres/case/body_keys.hpp"
 #include "sazare/methods/spheres/case/format.hpp"
@@ -255,6 +256,18 @@ constexpr std::array sphere_keys{
         .sentence =
             "Whether the group falls under gravity and comes to rest before the run begins; all others, and the walls, stand "
             "still meanwhile."},
+    Key{.name = "drag_coefficient",
+        .type = Type::number,
+        .range = not_negative,
+        .usual = {0.1, 5},
+        .note = "with [water], whose own is the default",
+        .sentence = "Drag coefficient of the group's bodies."},
+    Key{.name = "inertia_coefficient",
+        .type = Type::number,
+        .range = {.low = 1},
+        .usual = {1, 3},
+        .note = "with [water], whose own is the default",
+        .sentence = "Inertia coefficient C_M of the group's bodies."},
     Key{.name = "shape",
         .type = Type::text,
         .note = "none: single spheres",
@@ -377,6 +390,7 @@ constexpr std::array tables{
           "Planes and surfaces that spheres cannot pass. Those of one material and one motion are one surface.", wall_keys},
     Table{"motions", true, Need::optional, "Histories of the walls' motion.", motion_keys},
     gravity_table,
+    water_table,
     Table{"gauges", true, Need::optional, "Groups whose motion is recorded.", gauge_keys},
     Table{"time", false, Need::required, "How long, in which steps, and when results are written.", time_keys},
     output_table,

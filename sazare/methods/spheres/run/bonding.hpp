@@ -5,7 +5,7 @@
 #include "sazare/cases/case_file.hpp"
 #include "sazare/methods/spheres/bonds.hpp"
 #include "sazare/methods/spheres/case/case.hpp"
-#include "sazare/methods/spheres/run/placement.hpp"
+#include "sazare/methods/spheres/run/placing/placement.hpp"
 
 namespace sazare::runs {
 

@@ -8,6 +8,7 @@
 #include "sazare/methods/spheres/case/case.hpp"
 #include "sazare/methods/spheres/run/bonding.hpp"
 #include "sazare/methods/spheres/run/walls.hpp"
+#include "sazare/methods/spheres/run/water.hpp"
 #include "sazare/observe/hash.hpp"
 
 namespace sazare::runs {
@@ -85,6 +86,7 @@ SpheresModel build_spheres(const cases::CaseFile& file, std::optional<Real> wind
   model.bonds = static_cast<std::int64_t>(bonds.bonds().size());
   model.steps = choose_steps(file, placement, {table, bonds}, window);
   model.start = hash_of(placement, walls);
+  methods::spheres::WaterForces water = water_around(file, placement, model.steps.step);
   methods::spheres::BondedBodies bodies;
   if (placement.bonded_bodies > 0) {
     bodies = methods::spheres::BondedBodies(std::move(placement.bonded_body), bonds);
@@ -100,6 +102,7 @@ SpheresModel build_spheres(const cases::CaseFile& file, std::optional<Real> wind
                                   wall_margin / spheres.contact.margin * margin, model.steps.level};
   model.stepper = std::make_unique<methods::spheres::SphereStepper>(std::move(placement.spheres), table, std::move(walls), rules,
                                                           std::move(bonds), std::move(placement.clumps), std::move(bodies));
+  model.stepper->set_water(std::move(water));
   return model;
 }
 

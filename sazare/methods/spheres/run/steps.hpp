@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sazare/methods/spheres/bonds.hpp"
-#include "sazare/methods/spheres/run/placement.hpp"
+#include "sazare/methods/spheres/run/placing/placement.hpp"
 
 namespace sazare::runs {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "sazare/methods/spheres/run/placement.hpp"
+#include "sazare/methods/spheres/run/placing/placement.hpp"
 #include "sazare/methods/spheres/wall.hpp"
 
 namespace sazare::runs {

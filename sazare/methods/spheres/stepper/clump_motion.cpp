@@ -51,7 +51,7 @@ ClumpImpulse gather(state::Clump& clump, std::span<const state::ClumpMember> mem
 }
 
 void kick(state::Clump& clump, const ClumpImpulse& impulse) {
-  clump.velocity = clump.velocity + 1 / clump.mass * impulse.linear;
+  clump.velocity = clump.velocity + 1 / clump.moved_mass() * impulse.linear;
   clump.angular_momentum = clump.angular_momentum + impulse.turning;
 }
 
@@ -84,7 +84,7 @@ Real turning_speed(const state::Clump& clump, std::span<const state::ClumpMember
   return rounded_up * std::sqrt(reach * dot(spin, spin));
 }
 
-Vector3 velocity(const state::Clump& clump) { return clump.velocity + 1 / clump.mass * clump.impulse_ahead; }
+Vector3 velocity(const state::Clump& clump) { return clump.velocity + 1 / clump.moved_mass() * clump.impulse_ahead; }
 
 ClumpEnergies energies(const state::Clump& clump, const Vector3& gravity) {
   const Vector3 momentum = momentum_at_its_time(clump);

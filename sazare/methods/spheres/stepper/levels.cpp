@@ -119,6 +119,9 @@ void SphereLevels::evaluate_tile(std::size_t n, const Scene& scene, state::Spher
   if (!scene.walls.walls().empty()) sums_[n] += scene.walls.evaluate(scene.spheres, {tile, level.step, own, number});
   if (!scene.bonds.empty())
     sums_[n] += scene.bonds.evaluate(scene.spheres, {tile, level.step, level.pairs.table(), level.loads, own, number});
+  if (!scene.water.empty())
+    sums_[n] += scene.water.evaluate(
+        scene.spheres, {level.loads.begin_of(tile), level.loads.end_of(tile), scene.time, level.step, own, level_, number});
 }
 
 void SphereLevels::evaluate(std::int64_t tick, const Scene& scene) {
@@ -154,6 +157,8 @@ std::int64_t SphereLevels::add_work(std::int64_t tick, methods::spheres::Contact
   sums.bond_drag += due.bond_drag;
   sums.fracture += due.fracture;
   sums.broken += due.broken;
+  sums.water_work += due.water_work;
+  sums.carried_energy += due.carried_energy;
   if (tick > 0) return due.broken;
   sums.elastic = due.elastic;
   sums.sliding = due.sliding;

@@ -21,6 +21,7 @@
 #include "sazare/methods/spheres/stepper/clump_motion.hpp"
 #include "sazare/methods/spheres/stepper/motion.hpp"
 #include "sazare/methods/spheres/wall_contacts.hpp"
+#include "sazare/methods/spheres/water_forces.hpp"
 #include "sazare/neighbors/pair_levels.hpp"
 
 namespace sazare::methods::spheres {
@@ -77,10 +78,12 @@ public:
 
   /// What acts on spheres.
   struct Scene {
-    const state::Spheres& spheres;
+    state::Spheres& spheres;  ///< water sets their inverse masses, and nothing else does
     methods::spheres::WallContacts& walls;
     methods::spheres::Bonds& bonds;
+    methods::spheres::WaterForces& water;
     std::span<const Real> approach;  ///< how much nearer spheres may have come since pairs were found: of all, or by tile [m]
+    Real time = 0;                   ///< [s]
     bool tells_energies = true;      ///< whether somebody may ask what contacts hold at this time
 
     Real approach_of(std::size_t tile) const { return approach[approach.size() > 1 ? tile : 0]; }

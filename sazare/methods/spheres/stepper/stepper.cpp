@@ -76,6 +76,7 @@ void SphereStepper::start() {
   evaluate_now();
   for (state::Clump& clump : clumps_.clumps) methods::spheres::kick(clump, {-1 * clump.impulse_ahead, -1 * clump.turning_ahead});
   sums_.dashpot_work = sums_.bond_drag = wall_work_ = 0;
+  sums_.water_work = 0.5 * water_work_now_;
   sums_.sliding_work = sums_.sliding;  // what sliders hold at the beginning is not lost
   levels_.count_anew();
   for (std::size_t i = 0; i < spheres_.size(); ++i) {
@@ -89,19 +90,22 @@ void SphereStepper::start() {
     kick.wz -= turn_back.z();
     largest_speed_ = std::max(largest_speed_, spheres_.place[i].velocity().norm());
   }
+  sums_.carried_energy = carried_energy();
 }
 
 /// Evaluates what is due at a tick of a base step.
 void SphereStepper::evaluate(std::int64_t tick) {
-  walls_.move(time() + static_cast<Real>(tick) * levels_.tick_seconds());
-  levels_.evaluate(tick, scene());
+  walls_.move(time_of(tick));
+  levels_.evaluate(tick, scene(tick));
   add_work(tick);
 }
 
 /// Adds up what the evaluation of a tick has given.
 void SphereStepper::add_work(std::int64_t tick) {
   const std::size_t coarsest = levels_.coarsest_due(tick);
+  const Real water_work = sums_.water_work;
   if (levels_.add_work(tick, sums_) > 0) part_broken(coarsest);
+  if (tick == 0) water_work_now_ = sums_.water_work - water_work;
   for (std::size_t level = coarsest; level < levels_.count(); ++level)
     for (const auto& load : walls_.loads(level)) wall_work_ += load.work;
   if (walls_.have_surfaces())
@@ -123,9 +127,19 @@ void SphereStepper::hold_clumps() {
     const SphereFlight flight{levels_.step(active_level), rules_.gravity, drift_};
     for (const Index clump : clumps_at_active_level_[active_level]) {
       const auto c = static_cast<std::size_t>(clump);
+      sums_.carried_energy += carry_water(clumps_.clumps[c], clumps_.members_of(c));
       gather(clumps_.clumps[c], clumps_.members_of(c), loads, flight, place_);
     }
   }
+}
+
+/// A clump carries along what its spheres do. Returns ContactSums::carried_energy.
+Real SphereStepper::carry_water(state::Clump& clump, std::span<const state::ClumpMember> members) const {
+  if (water_.empty()) return 0;
+  Real added_mass = 0;
+  for (const state::ClumpMember& member : members) added_mass += water_.added_mass(member.sphere);
+  const Real square = methods::spheres::velocity(clump).squaredNorm();
+  return 0.5 * square * (added_mass - std::exchange(clump.added_mass, added_mass));
 }
 
 /// Kicks all that are due at a tick, and moves them. Returns the speeds of all.
@@ -141,16 +155,19 @@ void SphereStepper::kick_clumps(std::size_t active_level, std::int64_t tick) {
   const std::vector<Index>& which = clumps_at_active_level_[active_level];
   const auto loads = levels_.acting(active_level, tick);
   const SphereFlight flight{levels_.step(active_level), rules_.gravity, drift_};
+  clumps_carried_.resize(which.size());
   parallel::parallel_for(which.size(), serial_below_clumps, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       const auto c = static_cast<std::size_t>(which[n]);
       state::Clump& clump = clumps_.clumps[c];
       const auto members = clumps_.members_of(c);
+      clumps_carried_[n] = carry_water(clump, members);
       methods::spheres::kick(clump, gather(clump, members, loads, flight, place_));
       drift(clump, flight.step);
       place_members(clump, members, place_, spheres_);
     }
   });
+  for (const Real gained : clumps_carried_) sums_.carried_energy += gained;
   SphereSpeeds speeds;
   for (const Index c : which) {
     const state::Clump& clump = clumps_.clumps[static_cast<std::size_t>(c)];
@@ -225,6 +242,7 @@ void SphereStepper::columns(Archive& archive) {
     ask_for_large_pages();
   }
   if (evaluated_) levels_.load_columns(archive);
+  water_.columns(archive);
   archive.folder("walls", [&] { walls_.columns(archive); });
   if (archive.reading()) find_walls({});
   for (int axis = 0; axis < 3; ++axis) archive("drift" + std::to_string(axis), drift_[axis]);
@@ -242,6 +260,9 @@ void SphereStepper::columns(Archive& archive) {
   archive("fracture", sums_.fracture);
   archive("broken_bonds", sums_.broken);
   archive("wall_work", wall_work_);
+  archive("water_work", sums_.water_work);
+  archive("water_work_now", water_work_now_);
+  archive("carried_energy", sums_.carried_energy);
   archive("step_load", step_load_.load);
   archive("step_load_sphere", step_load_.sphere);
   archive("looked_at_step", looked_at_step_);

@@ -46,10 +46,11 @@ struct SphereEnergies {
   Real bonds = 0;         ///< in bonds [J]
   Real bond_drag = 0;     ///< lost in dashpots of bonds since the start [J]
   Real fracture = 0;      ///< lost by damage of bonds since the start [J]
+  Real water_work = 0;    ///< of water on spheres since the start [J]
 
   Real sum() const {
     return translation + rotation + elastic + sliding + potential + dashpot_work + sliding_work - wall_work + bonds + bond_drag +
-           fracture;
+           fracture - water_work;
   }
 };
 
@@ -75,6 +76,9 @@ public:
 
   /// Adds a surface that moves with its nodes, before `start` or a resume; one at most.
   void add_surface(methods::spheres::Wall wall) { walls_.add_surface(std::move(wall)); }
+
+  /// Water around the spheres, before `start` or a resume.
+  void set_water(methods::spheres::WaterForces water) { water_ = std::move(water); }
 
   /// From `time()` on, at which forces are kept, the surface's nodes go from these places with these velocities [m; m/s].
   void lead(std::vector<Vector3> from, std::vector<Vector3> with) {
@@ -104,9 +108,10 @@ public:
   const methods::spheres::Bonds& bonds() const { return bonds_; }
   const state::Clumps& clumps() const { return clumps_; }
   const methods::spheres::BondedBodies& bodies() const { return bodies_; }
+  const methods::spheres::WaterForces& water() const { return water_; }
 
-  /// At `time()`.
-  state::SphereLoad load(std::size_t sphere) const { return levels_.load(sphere); }
+  /// At `time()`: of contacts, bonds, and of water but for what its added mass takes.
+  state::SphereLoad load(std::size_t sphere) const;
   Vector3 velocity(std::size_t sphere) const;
   Vector3 spin(std::size_t sphere) const;
   SphereEnergies energies() const;
@@ -142,18 +147,21 @@ private:
   Vector3 acceleration(std::size_t sphere) const;
   Vector3 half_kick(std::size_t sphere) const;
   Vector3 half_turning_kick(std::size_t sphere) const;
+  Real carried_energy() const;
   bool is_member(std::size_t sphere) const {
     return !body_.empty() && body_[static_cast<std::size_t>(spheres_.number[sphere])] >= 0;
   }
 
-  SphereLevels::Scene scene() {
+  Real time_of(std::int64_t tick) const { return time() + static_cast<Real>(tick) * levels_.tick_seconds(); }
+  SphereLevels::Scene scene(std::int64_t tick) {
     const std::span<const Real> all(&approach_, 1);
-    return {spheres_, walls_, bonds_, tile_approach_.empty() ? all : tile_approach_};
+    return {spheres_, walls_, bonds_, water_, tile_approach_.empty() ? all : tile_approach_, time_of(tick)};
   }
   void evaluate(std::int64_t tick);
   void add_work(std::int64_t tick);
   SphereSpeeds kick(std::int64_t tick);
   void hold_clumps();
+  Real carry_water(state::Clump& clump, std::span<const state::ClumpMember> members) const;
   void kick_clumps(std::size_t active_level, std::int64_t tick);
   void measure(const SphereSpeeds& speeds);
   void measure_tiles();
@@ -204,6 +212,7 @@ private:
   methods::spheres::Bonds bonds_;
   state::Clumps clumps_;
   methods::spheres::BondedBodies bodies_;
+  methods::spheres::WaterForces water_;
   std::vector<Index> body_;   ///< by number of the sphere: its clump, below 0 where none; empty without clumps
   std::vector<Index> place_;  ///< by number, where the spheres stand; empty without bodies and bonds
   std::vector<std::vector<Index>> clumps_at_active_level_;
@@ -224,6 +233,8 @@ private:
   Real largest_speed_ = 0;
   methods::spheres::ContactSums sums_;  ///< of the last evaluation; works since the start
   Real wall_work_ = 0;
+  Real water_work_now_ = 0;           ///< of water in the last evaluation at a base step [J]
+  std::vector<Real> clumps_carried_;  ///< by clump of an active level: ContactSums::carried_energy of the last kick [J]
   methods::spheres::StepLoad step_load_;
   std::int64_t looked_at_step_ = -1;  ///< when `look_at_step` did so last
 

@@ -5,9 +5,16 @@
 namespace sazare::methods::spheres {
 
 Vector3 SphereStepper::acceleration(std::size_t sphere) const {
-  const state::SphereLoad load = this->load(sphere);
+  const state::SphereLoad load = levels_.load(sphere);
   const Real inverse = spheres_.kick[sphere].inverse_mass;
   return inverse * Vector3(load.fx, load.fy, load.fz) + (inverse > 0 ? rules_.gravity : Vector3(Vector3::Zero()));
+}
+
+state::SphereLoad SphereStepper::load(std::size_t sphere) const {
+  state::SphereLoad load = levels_.load(sphere);
+  if (!water_.empty() && spheres_.kick[sphere].inverse_mass > 0)
+    load.fz -= water_.added_mass(spheres_.number[sphere]) * water_.water().gravity;
+  return load;
 }
 
 /// What the velocity of a single sphere lacks at `time()`.
@@ -57,7 +64,18 @@ SphereEnergies SphereStepper::energies() const {
   energies.bonds = sums_.bonds;
   energies.bond_drag = sums_.bond_drag;
   energies.fracture = sums_.fracture;
+  energies.water_work = sums_.water_work - 0.5 * water_work_now_ + sums_.carried_energy - carried_energy();
   return energies;
+}
+
+/// Kinetic energy of the water that single spheres and clumps carry along [J].
+Real SphereStepper::carried_energy() const {
+  if (water_.empty()) return 0;
+  Real twice = 0;
+  for (std::size_t i = 0; i < spheres_.size(); ++i)
+    if (spheres_.kick[i].inverse_mass > 0) twice += water_.added_mass(spheres_.number[i]) * velocity(i).squaredNorm();
+  for (const state::Clump& clump : clumps_.clumps) twice += clump.added_mass * methods::spheres::velocity(clump).squaredNorm();
+  return 0.5 * twice;
 }
 
 Vector3 SphereStepper::momentum() const {

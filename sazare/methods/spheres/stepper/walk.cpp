@@ -89,7 +89,7 @@ void SphereStepper::walk(std::size_t share, parallel::Progress& progress) {
   progress.begin(share);
   std::vector<state::SphereLoad> loads(neighbors::tile_size);
   methods::spheres::LoadTable& table = levels_.loads(0);
-  SphereLevels::Scene scene = this->scene();
+  SphereLevels::Scene scene = this->scene(0);
   scene.tells_energies = false;  // whoever asks evaluates first
   const std::size_t end = cuts_[share + 1];
   for (std::size_t tile = cuts_[share]; tile < end; ++tile) {

@@ -1,4 +1,4 @@
-#include "sazare/methods/spheres/run/lattice.hpp"
+#include "sazare/methods/spheres/run/placing/lattice.hpp"
 
 #include <fmt/format.h>
 

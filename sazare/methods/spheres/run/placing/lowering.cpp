@@ -1,4 +1,4 @@
-#include "sazare/methods/spheres/run/lowering.hpp"
+#include "sazare/methods/spheres/run/placing/lowering.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "sazare/methods/spheres/run/placement.hpp"
+#include "sazare/methods/spheres/run/placing/placement.hpp"
 
 #include <fmt/format.h>
 
@@ -12,11 +12,11 @@
 #include "sazare/core/error.hpp"
 #include "sazare/core/random.hpp"
 #include "sazare/methods/spheres/case/case.hpp"
-#include "sazare/methods/spheres/run/bodies_file.hpp"
-#include "sazare/methods/spheres/run/clump_shape.hpp"
-#include "sazare/methods/spheres/run/file.hpp"
-#include "sazare/methods/spheres/run/lattice.hpp"
-#include "sazare/methods/spheres/run/lowering.hpp"
+#include "sazare/methods/spheres/run/placing/bodies_file.hpp"
+#include "sazare/methods/spheres/run/placing/clump_shape.hpp"
+#include "sazare/methods/spheres/run/placing/file.hpp"
+#include "sazare/methods/spheres/run/placing/lattice.hpp"
+#include "sazare/methods/spheres/run/placing/lowering.hpp"
 #include "sazare/neighbors/sphere_grid.hpp"
 #include "sazare/neighbors/sphere_pairs.hpp"
 

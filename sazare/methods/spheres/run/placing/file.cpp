@@ -1,4 +1,4 @@
-#include "sazare/methods/spheres/run/file.hpp"
+#include "sazare/methods/spheres/run/placing/file.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

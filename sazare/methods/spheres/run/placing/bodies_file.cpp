@@ -1,4 +1,4 @@
-#include "sazare/methods/spheres/run/bodies_file.hpp"
+#include "sazare/methods/spheres/run/placing/bodies_file.hpp"
 
 #include <fmt/format.h>
 #include <Eigen/Eigenvalues>
@@ -7,7 +7,7 @@
 #include <map>
 
 #include "sazare/core/error.hpp"
-#include "sazare/methods/spheres/run/file.hpp"
+#include "sazare/methods/spheres/run/placing/file.hpp"
 
 namespace sazare::runs {
 

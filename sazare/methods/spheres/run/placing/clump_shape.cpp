@@ -1,4 +1,4 @@
-#include "sazare/methods/spheres/run/clump_shape.hpp"
+#include "sazare/methods/spheres/run/placing/clump_shape.hpp"
 
 #include <fmt/format.h>
 #include <Eigen/Eigenvalues>
@@ -12,7 +12,7 @@
 #include "sazare/geometry/shells.hpp"
 #include "sazare/geometry/surface_file.hpp"
 #include "sazare/methods/spheres/case/case.hpp"
-#include "sazare/methods/spheres/run/file.hpp"
+#include "sazare/methods/spheres/run/placing/file.hpp"
 
 namespace sazare::runs {
 

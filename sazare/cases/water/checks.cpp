@@ -1,0 +1,127 @@
+#include "sazare/cases/water/checks.hpp"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "sazare/cases/explanation.hpp"
+#include "sazare/cases/water/keys.hpp"
+
+namespace sazare::cases {
+namespace {
+
+constexpr Real degree = std::numbers::pi / 180;
+/// H L^2/d^3 above which a Stokes wave of second order has a second crest in its trough, which no wave has: 8 pi^2/3.
+constexpr Real largest_ursell_number = 26.3;
+
+using laws::WaveTheory;
+
+Real depth_of(const Water& water) { return *water.level - *water.bed; }
+
+Real wave_number_of(const Water& water, Real gravity) {
+  return laws::wave_number(2 * std::numbers::pi / *water.wave_period, depth_of(water), gravity);
+}
+
+void check_directions(const CheckContext& context, const Entry& entry, const Water& water, const Gravity& gravity) {
+  const Vector3& acceleration = gravity.acceleration;
+  if (!(acceleration.z() < 0) || acceleration.x() != 0 || acceleration.y() != 0)
+    context.problems.error(entry.place("level"), "[water] needs gravity along -z",
+                           "its surface is level, and its pressure follows from gravity: give [gravity] acceleration = [0.0, 0.0, -9.81]");
+  if (water.current.z() != 0)
+    context.problems.error(entry.place("current"), "the current is horizontal: its z must be 0", "z is up");
+}
+
+void check_wave_keys(const CheckContext& context, const Entry& entry, const Water& water) {
+  switch (water.waves) {
+    case WaveTheory::none:
+      return check_keys(context, entry, "still water", {},
+                        {"wave_height", "wave_period", "wave_direction", "wave_crest", "wave_ramp", "wave_file"});
+    case WaveTheory::table:
+      return check_keys(context, entry, "a table of waves", {"wave_file"}, {"wave_height", "wave_period", "wave_crest", "wave_ramp"});
+    case WaveTheory::solitary:
+      return check_keys(context, entry, "a solitary wave", {"bed", "wave_height"}, {"wave_period", "wave_ramp", "wave_file"});
+    default:
+      return check_keys(context, entry, fmt::format("waves {}", word(water.waves)), {"bed", "wave_height", "wave_period"}, {"wave_file"});
+  }
+}
+
+void check_wave(const CheckContext& context, const Entry& entry, const Water& water, Real gravity) {
+  const Real depth = depth_of(water), height = *water.wave_height;
+  const Real k = water.is_regular() ? wave_number_of(water, gravity) : 0;
+  const Real most = laws::breaking_height(water.waves, k, depth);
+  if (height > most)
+    return context.problems.error(
+        entry.place("wave_height"),
+        fmt::format("a wave {} m high breaks in {} m of water: the highest {} is {} m", number(height), number(depth),
+                    water.is_regular() ? fmt::format("wave of {} s", number(*water.wave_period)) : "solitary wave", number(most, 3)),
+        water.is_regular() ? "Miche's limit is 0.142 L tanh(2 pi d/L); these theories know no broken waves: give a lower wave, or "
+                             "measured elevation and velocity as a table"
+                           : "McCowan's limit is 0.78 of the depth; give a lower wave, or measured elevation and velocity as a table");
+  if (water.waves != WaveTheory::stokes2) return;
+  const Real length = 2 * std::numbers::pi / k, ursell = height * length * length / (depth * depth * depth);
+  if (ursell > largest_ursell_number)
+    context.problems.warning(
+        entry.place("waves"),
+        fmt::format("the wave is too long for Stokes's second order: H L^2/d^3 is {}, and above {} its trough has a second crest",
+                    number(ursell, 3), largest_ursell_number),
+        "take a solitary wave, a table, or a lower or shorter wave");
+}
+
+}  // namespace
+
+void check_water(const CheckContext& context, Water& water, const Gravity& gravity) {
+  if (!water.is_there()) return;
+  const Entry entry = context.entries_of("water").front();
+  check_directions(context, entry, water, gravity);
+  check_wave_keys(context, entry, water);
+  if (water.bed && !(*water.bed < *water.level))
+    return context.problems.error(entry.place("bed"), "the bed must be below the water",
+                                  fmt::format("the level is {} m", number(*water.level)));
+  const Real down = -gravity.acceleration.z();
+  const bool is_theory = water.is_regular() || water.waves == WaveTheory::solitary;
+  if (is_theory && water.bed && water.wave_height && (water.wave_period || !water.is_regular()) && down > 0)
+    check_wave(context, entry, water, down);
+  if (water.waves != WaveTheory::table || !entry.gives("wave_file")) return;
+  const std::string as_written(*entry.value->find("wave_file")->text());
+  read_water_record(water, (context.shown_folder / as_written).lexically_normal().string(), entry.place("wave_file"), context.problems);
+}
+
+laws::WaterField water_field(const Water& water, const Gravity& gravity) {
+  laws::WaterField field;
+  field.density = water.density;
+  field.viscosity = water.viscosity;
+  field.gravity = -gravity.acceleration.z();
+  field.level = *water.level;
+  if (water.bed) field.bed = *water.bed;
+  field.current = water.current;
+  field.towards = {std::cos(degree * water.wave_direction), std::sin(degree * water.wave_direction), 0};
+  field.record = water.record;
+  if (water.is_regular() || water.waves == WaveTheory::solitary)
+    field.wave.emplace(laws::PlaneWave::Given{.theory = water.waves,
+                                              .height = *water.wave_height,
+                                              .period = water.wave_period.value_or(0),
+                                              .depth = depth_of(water),
+                                              .towards = field.towards,
+                                              .crest = water.wave_crest,
+                                              .ramp = water.wave_ramp,
+                                              .gravity = field.gravity});
+  return field;
+}
+
+std::string explain_water(const Water& water, const Gravity& gravity) {
+  if (!water.is_there()) return "";
+  std::string text = fmt::format("level {} m, {} kg/m3", number(*water.level), number(water.density));
+  if (!water.current.isZero()) text += fmt::format(", current {} m/s", vector_text(water.current));
+  text = line("water", text);
+  if (water.waves == WaveTheory::none) return text;
+  if (water.waves == WaveTheory::table) return text + line("waves", fmt::format("table of {} rows", water.record->time.size()));
+  std::string wave = fmt::format("{}: {} m high in {} m of water", word(water.waves), number(*water.wave_height), number(depth_of(water)));
+  Real k = 0;
+  if (water.is_regular()) {
+    k = wave_number_of(water, -gravity.acceleration.z());
+    wave += fmt::format(", every {} s, {} m long", number(*water.wave_period), number(2 * std::numbers::pi / k));
+  }
+  return text + line("waves", wave + fmt::format("; would break at {} m", number(laws::breaking_height(water.waves, k, depth_of(water)), 3)));
+}
+
+}  // namespace sazare::cases

@@ -1,0 +1,128 @@
+#pragma once
+
+#include <array>
+
+#include "sazare/cases/format/enum_words.hpp"
+#include "sazare/cases/format/schema.hpp"
+#include "sazare/cases/water/table.hpp"
+
+namespace sazare::cases {
+
+template <>
+struct EnumWords<laws::WaveTheory> {
+  static constexpr auto& words = laws::wave_theory_words;
+};
+
+inline constexpr std::array water_keys{
+    Key{.name = "level",
+        .type = Type::number,
+        .unit = "m",
+        .need = Need::required,
+        .sentence = "Elevation of the still water's surface."},
+    Key{.name = "density",
+        .type = Type::number,
+        .unit = "kg/m3",
+        .range = positive,
+        .usual = {950, 1300},
+        .default_text = "1000.0",
+        .sentence = "Mass per volume of the water; sea water 1025."},
+    Key{.name = "viscosity",
+        .type = Type::number,
+        .unit = "Pa s",
+        .range = positive,
+        .usual = {1e-4, 1},
+        .default_text = "1e-3",
+        .sentence = "Dynamic viscosity, which decides the drag of small or slow spheres without a drag_coefficient."},
+    Key{.name = "drag_coefficient",
+        .type = Type::number,
+        .range = not_negative,
+        .usual = {0.1, 5},
+        .note = "default: that of a smooth sphere by its Reynolds number",
+        .sentence = "Drag coefficient of bodies; their area is that of a sphere of their volume. A group may have its own."},
+    Key{.name = "inertia_coefficient",
+        .type = Type::number,
+        .range = {.low = 1},
+        .usual = {1, 3},
+        .default_text = "1.5",
+        .sentence = "Inertia coefficient C_M of Morison's equation: 1 and the coefficient of added mass, which is 0.5 for a sphere. A "
+                    "group may have its own."},
+    Key{.name = "current",
+        .type = Type::vector,
+        .unit = "m/s",
+        .default_text = "[0.0, 0.0, 0.0]",
+        .sentence = "Horizontal velocity of all the water, to which that of waves is added."},
+    Key{.name = "waves",
+        .type = Type::choice,
+        .default_text = "\"none\"",
+        .sentence = "Still water, linear (Airy) waves, Stokes waves of second order, a solitary wave, or a table of surface elevation and "
+                    "velocity over time.",
+        .choices = laws::wave_theory_words},
+    Key{.name = "bed",
+        .type = Type::number,
+        .unit = "m",
+        .note = "required for waves by a theory",
+        .sentence = "Elevation of the level bed over which waves travel, below the water."},
+    Key{.name = "wave_height",
+        .type = Type::number,
+        .unit = "m",
+        .range = positive,
+        .note = "required for waves by a theory",
+        .sentence = "Height of the waves from trough to crest."},
+    Key{.name = "wave_period",
+        .type = Type::number,
+        .unit = "s",
+        .range = positive,
+        .usual = {0.1, 1800},
+        .note = "required for airy and stokes2",
+        .sentence = "Wave period; the wave length follows from the dispersion relation."},
+    Key{.name = "wave_direction",
+        .type = Type::number,
+        .unit = "deg",
+        .range = {.low = -360, .high = 360},
+        .default_text = "0.0",
+        .note = "with waves",
+        .sentence = "Direction in which waves travel, or the velocity of a table goes, from the x axis towards y."},
+    Key{.name = "wave_crest",
+        .type = Type::number,
+        .unit = "m",
+        .default_text = "0.0",
+        .note = "waves by a theory",
+        .sentence = "Where a crest stands at t = 0, along the direction of the waves from the origin."},
+    Key{.name = "wave_ramp",
+        .type = Type::number,
+        .unit = "s",
+        .range = not_negative,
+        .default_text = "0.0",
+        .note = "airy and stokes2",
+        .sentence = "Time in which waves grow from still water to their height."},
+    Key{.name = "wave_file",
+        .type = Type::file,
+        .note = "required for a table",
+        .sentence = "CSV with the header \"time [s],elevation [m],velocity [m/s]\": elevation of the surface above level, and velocity "
+                    "along wave_direction, both the same everywhere; linear between rows, constant before and after."},
+};
+
+inline constexpr Table water_table{"water", false, Need::optional, "Water around bodies: buoyancy, drag and inertia. z is up.", water_keys};
+
+template <class Visitor>
+void visit_fields(Visitor& visit, Water& water) {
+  if (!visit.has("level", water.is_there())) return;
+  visit("level", water.level);
+  visit("density", water.density);
+  visit("viscosity", water.viscosity);
+  visit("drag_coefficient", water.drag_coefficient);
+  visit("inertia_coefficient", water.inertia_coefficient);
+  visit("current", water.current);
+  visit("waves", water.waves);
+  visit("bed", water.bed);
+  if (water.waves == laws::WaveTheory::none) return;
+  visit("wave_direction", water.wave_direction);
+  if (water.waves == laws::WaveTheory::table) return visit("wave_file", water.wave_file);
+  visit("wave_height", water.wave_height);
+  visit("wave_crest", water.wave_crest);
+  if (!water.is_regular()) return;
+  visit("wave_period", water.wave_period);
+  visit("wave_ramp", water.wave_ramp);
+}
+
+}  // namespace sazare::cases

@@ -1,0 +1,42 @@
+#pragma once
+
+/// [water]: water around bodies, still or in waves.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "sazare/cases/tables.hpp"
+#include "sazare/laws/water/water_field.hpp"
+
+namespace sazare::cases {
+
+struct Water {
+  std::optional<Real> level;    // m; without one there is no water
+  Real density = 1000;          // kg/m3
+  Real viscosity = 1e-3;        // Pa s
+  std::optional<Real> drag_coefficient;
+  Real inertia_coefficient = 1.5;
+  Vector3 current = Vector3::Zero();  // m/s
+  laws::WaveTheory waves = laws::WaveTheory::none;
+  std::optional<Real> bed;          // m
+  std::optional<Real> wave_height;  // m
+  std::optional<Real> wave_period;  // s
+  Real wave_direction = 0;          // deg from x towards y
+  Real wave_crest = 0;              // m
+  Real wave_ramp = 0;               // s
+  std::filesystem::path wave_file;
+  std::shared_ptr<const laws::WaterRecord> record;  // of the file, in SI units
+
+  bool is_there() const { return level.has_value(); }
+  bool is_regular() const { return waves == laws::WaveTheory::airy || waves == laws::WaveTheory::stokes2; }
+};
+
+/// The water of a checked case.
+laws::WaterField water_field(const Water& water, const Gravity& gravity);
+
+/// What `check` says of it; empty where there is none.
+std::string explain_water(const Water& water, const Gravity& gravity);
+
+}  // namespace sazare::cases

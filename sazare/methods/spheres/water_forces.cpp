@@ -1,0 +1,38 @@
+#include "sazare/methods/spheres/water_forces.hpp"
+
+namespace sazare::methods::spheres {
+
+/// A sphere that moves on its own takes an added mass with it. Returns the kinetic energy of the water that it now carries and did
+/// not before [J].
+Real WaterForces::carry(state::Spheres& spheres, std::size_t place, Real added_mass) {
+  Real& before = added_mass_[static_cast<std::size_t>(spheres.number[place])];
+  Real gained = 0;
+  if (Real& inverse = spheres.kick[place].inverse_mass; inverse > 0) {
+    gained = 0.5 * (added_mass - before) * spheres.place[place].velocity().squaredNorm();
+    inverse = 1 / (spheres.place[place].mass + added_mass);
+  }
+  before = added_mass;
+  return gained;
+}
+
+ContactSums WaterForces::evaluate(state::Spheres& spheres, const Task& task) {
+  ContactSums sums;
+  for (std::size_t i = task.begin; i < task.end; ++i) {
+    const auto number = static_cast<std::size_t>(spheres.number[i]);
+    if (!task.level.empty() && static_cast<std::size_t>(task.level[number]) != task.of_level) continue;
+    const Vector3 velocity = spheres.place[i].velocity();
+    const laws::WaterLoad load = laws::water_load(bodies_[number], spheres.place[i].centre(), velocity, water_, task.time);
+    sums.carried_energy += carry(spheres, i, load.added_mass);
+    sums.water_work += task.step * load.force.dot(velocity);
+    // Gravity acts on the mass of the body alone: what the kick gives the added mass is taken back.
+    const bool is_single = spheres.kick[i].inverse_mass > 0;
+    const Vector3 force = load.force + (is_single ? load.added_mass * water_.gravity : 0) * Vector3::UnitZ();
+    state::SphereLoad& own = task.own[i - task.begin];
+    own.fx += force.x();
+    own.fy += force.y();
+    own.fz += force.z();
+  }
+  return sums;
+}
+
+}  // namespace sazare::methods::spheres
