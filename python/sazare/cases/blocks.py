@@ -229,7 +229,7 @@ class Charge(Part):
     crack_aperture: float | None = None
     """Width that a crack has for gas even where its faces touch, because they are rough. It adds to what they are apart. The
     smaller it is, the shorter the steps of the elements beside it. [m] (with gas_in_cracks = "share" or "flow") Default: 5e-5.
-    Greater than 0.
+    At least 1e-07 and at most 0.01.
     """
     discharge_coefficient: float | None = None
     """Coefficient of discharge of the openings between cracks. (with gas_in_cracks = "flow") Default: 0.6. Greater than 0 and at
@@ -241,7 +241,7 @@ class Charge(Part):
     """Density of the explosive. [kg/m3] (required with explosive = "custom", else not given) Greater than 0."""
     detonation_velocity: float | None = None
     """Velocity of the detonation along the hole, such as a measured one. [m/s] (required with explosive = "custom"; default: that
-    of the explosive) Greater than 0.
+    of the explosive) At least 100.
     """
     explosive_energy: float | None = None
     """Energy of the explosive per mass. [J/kg] (required with the constants of JWL; with gas_exponent the default follows from

@@ -27,6 +27,7 @@ inline constexpr UsualRange delay{0, 30};             // of a blast [s]
 inline constexpr UsualRange rise_time{0, 0.1};        // of its pressure [s]
 inline constexpr UsualRange explosive_density{300, 2200};     // [kg/m3]
 inline constexpr UsualRange detonation_velocity{1000, 10e3};  // [m/s]
+inline constexpr UsualRange crack_aperture{1e-6, 1e-3};       // [m]
 inline constexpr UsualRange explosive_energy{0.5e6, 10e6};    // [J/kg]
 inline constexpr UsualRange hole_diameter{1e-3, 2};           // [m]
 

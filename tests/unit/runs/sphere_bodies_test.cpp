@@ -81,6 +81,10 @@ TEST(sphere_bodies, are_refused_at_their_line) {
   EXPECT_EQ(refusal(titles + ball + "1,1,1,0,0,0\n"), "3: a sphere of the body 7, which is not in bodies.csv");
   EXPECT_EQ(refusal(two, "3 0.006 0 0 0\n"), "2: this body has no sphere in spheres.csv");
   EXPECT_EQ(refusal(two, spheres + "3 0 0 0 0\n"), "5: a radius greater than 0 and a finite centre were expected");
+  EXPECT_EQ(refusal(titles), " the file has no body");
+  EXPECT_EQ(refusal(titles + "3.5" + ball.substr(1) + "1,1,1,0,0,0\n"), "2: the number of a body is a whole number, found 3.5");
+  EXPECT_EQ(refusal(two, spheres + "7.5 0.006 0 0 0\n"), "5: the number of a body is a whole number, found 7.5");
+  EXPECT_EQ(refusal(titles + "3,1e-6,0.06,0.06,0.05,0,nan,0,0,0,0,1,1,1,0,0,0\n").substr(0, 17), "2:25: vy must be ");
   EXPECT_NE(refusal(titles + "3,1\n").find("seventeen numbers were expected"), std::string::npos);
 }
 

@@ -100,7 +100,8 @@ inline constexpr std::array charge_keys{
     Key{.name = "crack_aperture",
         .type = Type::number,
         .unit = "m",
-        .range = positive,
+        .range = {.low = 1e-7, .high = 0.01},
+        .usual = usual::crack_aperture,
         .default_text = "5e-5",
         .note = "with gas_in_cracks = \"share\" or \"flow\"",
         .sentence = "Width that a crack has for gas even where its faces touch, because they are rough. It adds to what they are "
@@ -127,7 +128,7 @@ inline constexpr std::array charge_keys{
     Key{.name = "detonation_velocity",
         .type = Type::number,
         .unit = "m/s",
-        .range = positive,
+        .range = {.low = 100},
         .usual = usual::detonation_velocity,
         .note = "required with explosive = \"custom\"; default: that of the explosive",
         .sentence = "Velocity of the detonation along the hole, such as a measured one."},

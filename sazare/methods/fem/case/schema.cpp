@@ -83,7 +83,7 @@ constexpr std::array material_keys{
         .type = Type::number,
         .unit = "deg",
         .range = {.low = 0, .high = 60},
-        .usual = usual::friction_angle,
+        .usual = {usual::friction_angle.low, 60},
         .note = "required with a cohesion",
         .sentence = "Friction angle."},
     Key{.name = "dilation_angle",

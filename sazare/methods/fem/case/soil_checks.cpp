@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/methods/fem/case/format.hpp"
 #include "sazare/methods/fem/case/soil.hpp"
@@ -63,6 +65,25 @@ void check_strength_of_table(const CheckContext& context, const Entry& entry, co
                            "leave shear_strength out, or correct the last rows, over which G/G0 times strain does not grow");
 }
 
+/// Few corners make a damping curve that goes up and down between them.
+void check_corners(const CheckContext& context, const Entry& entry, const FemMaterial& material) {
+  constexpr int few_surfaces = 10;
+  constexpr Real widest_gap = 5, nearly_elastic = 0.95;
+  if (entry.gives("yield_surfaces") && material.yield_surfaces < few_surfaces)
+    context.problems.warning(
+        entry.place("yield_surfaces"),
+        fmt::format("the backbone has {} corners, between which its damping goes up and down", material.yield_surfaces),
+        fmt::format("give at least {}; the default is 30", few_surfaces));
+  const auto& strain = material.reduction.strain;
+  for (std::size_t n = 1; n < strain.size(); ++n)
+    if (strain[n] > widest_gap * strain[n - 1] && material.reduction.ratio[n] < nearly_elastic)
+      return context.problems.warning(
+          entry.place("modulus_reduction"),
+          fmt::format("no row of the table lies between the strains {} and {}, between which its damping goes up and down",
+                      short_number(strain[n - 1]), short_number(strain[n])),
+          "give five rows for each power of ten, between measured ones by interpolation");
+}
+
 void check_table(const CheckContext& context, const Entry& entry, FemMaterial& material) {
   if (!entry.gives("modulus_reduction")) return;
   const std::string as_written = *entry.value->find("modulus_reduction")->text();
@@ -84,6 +105,7 @@ void check_soil(const CheckContext& context, const Entry& entry, FemMaterial& ma
     check_table(context, entry, material);
   else
     check_strength_of_formula(context, entry, material);
+  check_corners(context, entry, material);
 }
 
 }  // namespace sazare::cases

@@ -176,12 +176,19 @@ std::string warn_of_restitution(const cases::CaseFile& file, const SpheresModel&
   if (worst == nullptr) return "";
   const Real holds = holds_up_to(*worst, law, fastest), shorter = shorter_step(*worst, law, fastest),
              share = model.steps.smallest() / model.steps.limit;
+  if (!std::isfinite(found))
+    refuse(
+        file, "contact.restitution",
+        fmt::format("an impact between \"{}\" and \"{}\" at {} has no end with this step: the lightest sphere of both is far too "
+                    "light for its stiffness",
+                    worst->one, worst->other, expected.text()),
+        "check the masses and radii of the smallest spheres, or set a smaller time.step");
   const std::string what = fmt::format(
       "the restitution between \"{}\" and \"{}\" will be {} instead of {} at {}, which this case may reach; with this step it is "
-      "right within "
-      "2 % {}",
+      "{}",
       worst->one, worst->other, cases::short_number(found, 3), cases::short_number(worst->restitution, 3), expected.text(),
-      holds > 0 ? fmt::format("up to {} m/s", cases::short_number(holds, 2)) : "at no speed");
+      holds > 0 ? fmt::format("right within 2 % up to {} m/s", cases::short_number(holds, 2))
+                : "off by more than 2 % at lower speeds too");
   const std::string help = shorter > 0 ? fmt::format("set time.stability_fraction = {} for faster impacts",
                                                      cases::short_number(0.95 * shorter * share, 2))
                                        : "give the spheres stiffer contacts, or a restitution that such an impact can have";

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "sazare/cases/format/number_text.hpp"
 #include "sazare/core/error.hpp"
 #include "sazare/methods/spheres/run/placing/file.hpp"
 
@@ -40,6 +41,11 @@ const RowFormat member_rows{{{"body"}, {"radius", "r"}, {"x"}, {"y"}, {"z"}},
   throw UserError(fmt::format("{}:{}: {}", file.string(), line, what));
 }
 
+void check_number(const std::filesystem::path& file, std::size_t line, Real number) {
+  if (number != std::floor(number) || std::abs(number) > 1e15)
+    refuse_row(file, line, fmt::format("the number of a body is a whole number, found {}", number));
+}
+
 /// Products of inertia have the sign of the matrix: ixy is minus the integral of x y.
 Matrix3 inertia_of(const std::vector<Real>& row) {
   Matrix3 inertia;
@@ -71,6 +77,34 @@ FileBody body_of(const std::filesystem::path& file, std::size_t line, const std:
   return body;
 }
 
+/// What a body says of itself must be possible in a box twice as large as that around its spheres, which need not fill it.
+void check_against_spheres(const std::filesystem::path& file, std::size_t line, const FileBody& body) {
+  Eigen::AlignedBox<Real, 3> box;
+  for (const geometry::Ball& ball : body.balls) {
+    box.extend(ball.centre - Vector3::Constant(ball.radius));
+    box.extend(ball.centre + Vector3::Constant(ball.radius));
+  }
+  const Vector3 half = box.sizes();
+  const Eigen::AlignedBox<Real, 3> room(box.center() - half, box.center() + half);
+  if (!room.contains(body.centre))
+    refuse_row(
+        file, line,
+        fmt::format("the centre of mass of this body is {} m away from the middle of its spheres, which reach {} m from it",
+                    cases::short_number((body.centre - box.center()).norm(), 3), cases::short_number(0.5 * half.norm(), 3)));
+  constexpr Real least_filled = 1e-3;
+  if (body.volume > room.volume() || body.volume < least_filled * box.volume())
+    refuse_row(file, line,
+               fmt::format("this body has {} m3, and the box around its spheres {} m3", cases::short_number(body.volume, 3),
+                           cases::short_number(box.volume(), 3)));
+  const Real gyration = std::sqrt(0.5 * body.inertia.trace() / body.volume);
+  if (gyration > half.norm())
+    refuse_row(
+        file, line,
+        fmt::format("the inertia of this body is that of a mass {} m from its centre, and its spheres reach {} m: an inertia "
+                    "over density in m5 was expected",
+                    cases::short_number(gyration, 3), cases::short_number(0.5 * half.norm(), 3)));
+}
+
 }  // namespace
 
 std::vector<FileBody> read_bodies(const std::filesystem::path& bodies, const std::filesystem::path& spheres) {
@@ -78,11 +112,14 @@ std::vector<FileBody> read_bodies(const std::filesystem::path& bodies, const std
   std::vector<std::size_t> lines;
   std::map<Real, std::size_t> by_number;
   for (const auto& [line, row] : read_rows(bodies, body_rows)) {
+    check_number(bodies, line, row[0]);
     if (!by_number.emplace(row[0], made.size()).second) refuse_row(bodies, line, fmt::format("the body {} stands twice", row[0]));
     made.push_back(body_of(bodies, line, row));
     lines.push_back(line);
   }
+  if (made.empty()) throw UserError(fmt::format("{}: the file has no body", bodies.string()));
   for (const auto& [line, row] : read_rows(spheres, member_rows)) {
+    check_number(spheres, line, row[0]);
     const auto found = by_number.find(row[0]);
     if (found == by_number.end())
       refuse_row(spheres, line, fmt::format("a sphere of the body {}, which is not in {}", row[0], bodies.filename().string()));
@@ -91,9 +128,11 @@ std::vector<FileBody> read_bodies(const std::filesystem::path& bodies, const std
       refuse_row(spheres, line, "a radius greater than 0 and a finite centre were expected");
     made[found->second].balls.push_back(ball);
   }
-  for (std::size_t i = 0; i < made.size(); ++i)
+  for (std::size_t i = 0; i < made.size(); ++i) {
     if (made[i].balls.empty())
       refuse_row(bodies, lines[i], fmt::format("this body has no sphere in {}", spheres.filename().string()));
+    check_against_spheres(bodies, lines[i], made[i]);
+  }
   return made;
 }
 

@@ -79,6 +79,19 @@ void check_units(const std::filesystem::path& file, std::size_t number, const st
                                 file.string(), number, unit));
 }
 
+/// Says which number of a row is none, or that there are too few or too many.
+[[noreturn]] void refuse_row(const std::filesystem::path& file, std::size_t number, const std::string& line,
+                             const std::vector<cases::Field>& fields, const RowFormat& format) {
+  if (fields.size() == format.titles.size())
+    for (std::size_t n = 0; n < fields.size(); ++n) {
+      Real value = 0;
+      const cases::NumberProblem problem = cases::read_number_field(fields[n], format.titles[n].front(), value);
+      if (!problem.what.empty())
+        throw UserError(fmt::format("{}:{}:{}: {}", file.string(), number, fields[n].column, problem.what));
+    }
+  throw UserError(fmt::format("{}:{}: {}, found {} in \"{}\"", file.string(), number, format.expected, fields.size(), line));
+}
+
 }  // namespace
 
 std::vector<FileRow> read_rows(const std::filesystem::path& file, const RowFormat& format) {
@@ -93,7 +106,7 @@ std::vector<FileRow> read_rows(const std::filesystem::path& file, const RowForma
       if (rows.empty()) check_units(file, i + 1, title_words(line));
       continue;
     }
-    const auto fields = cases::fields_of_row(line);
+    const std::vector<cases::Field> fields = cases::fields_of_row(line);
     FileRow row{i + 1, std::vector<Real>(format.titles.size())};
     const bool is_row =
         fields.size() == row.numbers.size() && std::ranges::equal(fields, row.numbers, [](const auto& field, Real& value) {
@@ -105,7 +118,7 @@ std::vector<FileRow> read_rows(const std::filesystem::path& file, const RowForma
       check_titles(file, i + 1, title_words(line), format);
       check_units(file, i + 1, title_words(line));
     } else if (!is_row) {
-      throw UserError(fmt::format("{}:{}: {}, found \"{}\"", file.string(), i + 1, format.expected, line));
+      refuse_row(file, i + 1, line, fields, format);
     } else {
       rows.push_back(std::move(row));
     }
