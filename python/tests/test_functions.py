@@ -217,3 +217,70 @@ def test_forces_of_a_wrong_shape_are_refused():
         sazare.build(single_block(1.0, 100), forces=lambda now: [[math.inf, 0.0, 0.0]])
     with pytest.raises(sazare.UserError, match="method blocks accepts no external forces"):
         sazare.build(BLOCK, forces=lambda now: np.zeros(now.positions.shape))
+
+
+SPHERE = """
+[case]
+title = "A ball"
+method = "spheres"
+[[materials]]
+name = "stone"
+density = 2500.0
+youngs_modulus = 1e7
+poisson_ratio = 0.2
+[contact]
+restitution = 0.5
+friction_coefficient = 0.5
+[[spheres]]
+name = "ball"
+material = "stone"
+source = "one"
+radius = 0.1
+centre = [0.0, 0.0, 0.0]
+velocity = [1.0, 0.0, 0.0]
+[time]
+end = {end}
+step = {step}
+history_interval = {step}
+snapshot_interval = {end}
+"""
+
+
+def sphere_on_spring(tmp_path, end, steps):
+    """A ball on a spring of 1000 N/m and its largest distance from the exact swing [m], over what the swing is wide."""
+    mass = 2500.0 * 4 / 3 * math.pi * 1e-3
+    rate = math.sqrt(1000.0 / mass)
+    path = tmp_path / f"ball{steps}.toml"
+    path.write_text(SPHERE.format(end=end, step=end / steps))
+    worst = 0.0
+    with sazare.build(path, forces=lambda now: -1000.0 * now.positions) as simulation:
+        while not simulation.is_over:
+            simulation.advance(end / steps)
+            worst = max(worst, abs(simulation.positions[0, 0] - math.sin(rate * simulation.time) / rate))
+    return worst * rate
+
+
+def test_a_ball_swings_on_a_spring_given_in_python(tmp_path):
+    coarse, fine = (sphere_on_spring(tmp_path, 1.0, steps) for steps in (500, 1000))
+    assert fine < 1e-4
+    assert coarse / fine == pytest.approx(4.0, rel=0.05)
+
+
+def test_the_work_of_forces_on_spheres_balances_and_a_resumed_run_goes_on(tmp_path):
+    path = tmp_path / "ball.toml"
+    path.write_text(SPHERE.format(end=1.0, step=1e-3))
+
+    def spring(now):
+        return -1000.0 * now.positions
+
+    whole = sazare.run(path, tmp_path / "whole", progress=False, forces=spring)
+    history = whole.history
+    assert history["energy_work_applied"][0] == 0
+    kinetic = history["energy_translation"]
+    rate = math.sqrt(1000.0 / (2500.0 * 4 / 3 * math.pi * 1e-3))
+    second_order = (rate * 1e-3) ** 2 / 2  # of the energy, by which the trapezoidal rule may be off
+    assert np.allclose(kinetic - kinetic[0], history["energy_work_applied"], atol=second_order * kinetic.max())
+    assert abs(history["energy_residual"]).max() < second_order * kinetic.max()
+    sazare.run(path, tmp_path / "halved", progress=False, forces=spring, stop=lambda now: now.time > 0.4)
+    resumed = sazare.run(path, tmp_path / "halved", progress=False, resume=True, forces=spring)
+    assert resumed.manifest["state_hash"] == whole.manifest["state_hash"]

@@ -93,7 +93,8 @@ auto visit_law(const ContactTable& table, Visitor&& visit) {
   });
 }
 
-/// What contacts and bonds hold and what they have taken, and the work of water, summed over some of them.
+/// What contacts and bonds hold and what they have taken, and the works of water and of forces from outside, summed over some of
+/// them.
 struct ContactSums {
   Real elastic = 0;       ///< energy in normal springs [J]
   Real sliding = 0;       ///< energy in the springs of sliders [J]
@@ -105,6 +106,7 @@ struct ContactSums {
   Real fracture = 0;        ///< taken by damage of bonds in this step [J]
   std::int64_t broken = 0;  ///< bonds that broke in this step
   Real water_work = 0;      ///< of water in this step, but for what is carried along [J]
+  Real applied_work = 0;    ///< of forces from outside in this step [J]
   Real carried_energy = 0;  ///< kinetic energy of the water that is carried along since this step, and was not before [J]
 
   ContactSums& operator+=(const ContactSums& more) {
@@ -118,6 +120,7 @@ struct ContactSums {
     fracture += more.fracture;
     broken += more.broken;
     water_work += more.water_work;
+    applied_work += more.applied_work;
     carried_energy += more.carried_energy;
     return *this;
   }

@@ -15,22 +15,19 @@ Real WaterForces::carry(state::Spheres& spheres, std::size_t place, Real added_m
   return gained;
 }
 
-ContactSums WaterForces::evaluate(state::Spheres& spheres, const Task& task) {
+ContactSums WaterForces::evaluate(state::Spheres& spheres, const BodyLoadTask& task) {
   ContactSums sums;
   for (std::size_t i = task.begin; i < task.end; ++i) {
-    const auto number = static_cast<std::size_t>(spheres.number[i]);
-    if (!task.level.empty() && static_cast<std::size_t>(task.level[number]) != task.of_level) continue;
+    const Index number = spheres.number[i];
+    if (!task.has(number)) continue;
     const Vector3 velocity = spheres.place[i].velocity();
-    const laws::WaterLoad load = laws::water_load(bodies_[number], spheres.place[i].centre(), velocity, water_, task.time);
+    const laws::WaterLoad load =
+        laws::water_load(bodies_[static_cast<std::size_t>(number)], spheres.place[i].centre(), velocity, water_, task.time);
     sums.carried_energy += carry(spheres, i, load.added_mass);
     sums.water_work += task.step * load.force.dot(velocity);
     // Gravity acts on the mass of the body alone: what the kick gives the added mass is taken back.
     const bool is_single = spheres.kick[i].inverse_mass > 0;
-    const Vector3 force = load.force + (is_single ? load.added_mass * water_.gravity : 0) * Vector3::UnitZ();
-    state::SphereLoad& own = task.own[i - task.begin];
-    own.fx += force.x();
-    own.fy += force.y();
-    own.fz += force.z();
+    task.add(i, load.force + (is_single ? load.added_mass * water_.gravity : 0) * Vector3::UnitZ());
   }
   return sums;
 }

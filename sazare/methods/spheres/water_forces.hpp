@@ -6,10 +6,10 @@
 /// and its weight, which the kick takes by that mass, is put right by the load; a clump adds up that of its spheres, and carries
 /// it along with its centre.
 
-#include <span>
 #include <vector>
 
 #include "sazare/laws/water/body_in_water.hpp"
+#include "sazare/methods/spheres/body_loads.hpp"
 #include "sazare/methods/spheres/contact_table.hpp"
 #include "sazare/state/spheres.hpp"
 
@@ -27,15 +27,8 @@ public:
   /// Of what a sphere carries along, as last evaluated [kg].
   Real added_mass(Index number) const { return added_mass_[static_cast<std::size_t>(number)]; }
 
-  struct Task {
-    std::size_t begin = 0, end = 0;  ///< places of the spheres
-    Real time = 0, step = 0;         ///< [s]
-    state::SphereLoad* own = nullptr;        ///< loads of these spheres
-    std::span<const std::int8_t> level = {};  ///< by number of the sphere; empty where all have one
-    std::size_t of_level = 0;                 ///< only spheres of this one
-  };
   /// Adds to the loads of spheres, and sets the inverse masses of those that move on their own. Their works are in the sums.
-  ContactSums evaluate(state::Spheres& spheres, const Task& task);
+  ContactSums evaluate(state::Spheres& spheres, const BodyLoadTask& task);
 
   void columns(Archive& archive) { archive("added_mass", added_mass_); }
 

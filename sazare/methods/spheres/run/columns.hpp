@@ -21,6 +21,7 @@ inline constexpr std::array history = {Column{"energy_translation", "J", ""},
                                        Column{"energy_bond_dashpot", "J", "dissipated by dashpots of bonds"},
                                        Column{"energy_fracture", "J", "dissipated by bonds that broke"},
                                        Column{"energy_work_water", "J", "work of water on the bodies"},
+                                       Column{"energy_work_applied", "J", "work of forces given in Python"},
                                        Column{"energy_residual", "J", "residual of the energy balance"},
                                        Column{"contacts", "-", "now"},
                                        Column{"broken_bonds", "-", "so far"},
@@ -63,8 +64,9 @@ inline constexpr std::array figures = {
     Column{"energy_lost", "J", "dissipated by dashpots, friction and fracture"},
     Column{"step_load", "-",
            "largest load on the step by the springs and dashpots of the contacts of a body; above 1 the step may be unstable"},
-    Column{"energy_work", "J",
-           "reference of the residual: the largest of the energy lost, the peak kinetic energy and the works of walls and of "
-           "water"}};
+    Column{
+        "energy_work", "J",
+        "reference of the residual: the largest of the energy lost, the peak kinetic energy and the works of walls, of water and "
+        "of forces given in Python"}};
 
 }  // namespace sazare::runs::columns::spheres

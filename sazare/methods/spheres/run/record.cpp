@@ -70,12 +70,26 @@ void SpheresRecord::observe(std::int64_t step, Real wall_seconds) {
   energies_ = stepper.energies();
   if (files_.rows() == 0) first_sum_ = energies_.sum();
   const Real speed = stepper.largest_speed();
-  files_.add_row(0, std::vector<Real>{time, energies_.translation, energies_.rotation, energies_.elastic, energies_.sliding,
-                                      energies_.potential, energies_.dashpot_work, energies_.sliding_work, energies_.wall_work,
-                                      energies_.bonds, energies_.bond_drag, energies_.fracture, energies_.water_work,
-                                      energies_.sum() - first_sum_, static_cast<Real>(stepper.contacts()),
+  files_.add_row(0, std::vector<Real>{time,
+                                      energies_.translation,
+                                      energies_.rotation,
+                                      energies_.elastic,
+                                      energies_.sliding,
+                                      energies_.potential,
+                                      energies_.dashpot_work,
+                                      energies_.sliding_work,
+                                      energies_.wall_work,
+                                      energies_.bonds,
+                                      energies_.bond_drag,
+                                      energies_.fracture,
+                                      energies_.water_work,
+                                      energies_.applied_work,
+                                      energies_.sum() - first_sum_,
+                                      static_cast<Real>(stepper.contacts()),
                                       static_cast<Real>(stepper.broken_bonds()),
-                                      static_cast<Real>(broken_bodies(stepper.bodies())), speed, wall_seconds});
+                                      static_cast<Real>(broken_bodies(stepper.bodies())),
+                                      speed,
+                                      wall_seconds});
   largest_speed_ = std::max(largest_speed_, speed);
   peak_kinetic_ = std::max(peak_kinetic_, energies_.translation + energies_.rotation);
   add_gauge_row(time);
@@ -269,7 +283,8 @@ std::vector<std::pair<std::string, observe::Figure>> SpheresRecord::results(std:
       {"wall_seconds", wall_seconds},
       {"energy_kinetic", energies_.translation + energies_.rotation},
       {"energy_lost", lost},
-      {"energy_work", std::max({lost, peak_kinetic_, std::abs(energies_.wall_work), std::abs(energies_.water_work)})},
+      {"energy_work", std::max({lost, peak_kinetic_, std::abs(energies_.wall_work), std::abs(energies_.water_work),
+                                std::abs(energies_.applied_work)})},
       {"energy_residual", energy_residual()},
       {"step_load", model_->stepper->step_load().load},
       {"peak_speed", largest_speed_}};

@@ -80,6 +80,8 @@ struct SpheresWork final : WorkDefaults {
   std::int64_t step() const { return model.stepper->steps(); }
   bool must_check() const override { return step() % motion_check_steps == 0; }
   void read_motion(MotionTable& table) { read_spheres(*model.stepper, table); }
+  bool takes_forces() const override { return true; }
+  void apply(std::span<const Vector3> forces) override { model.stepper->apply({forces.begin(), forces.end()}); }
 
   ProgressState progress(Real share, Real time) const {
     return {share, time, model.stepper->particle_steps(), model.steps.smallest(), -1, "particle-steps"};

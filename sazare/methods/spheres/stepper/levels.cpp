@@ -119,9 +119,10 @@ void SphereLevels::evaluate_tile(std::size_t n, const Scene& scene, state::Spher
   if (!scene.walls.walls().empty()) sums_[n] += scene.walls.evaluate(scene.spheres, {tile, level.step, own, number});
   if (!scene.bonds.empty())
     sums_[n] += scene.bonds.evaluate(scene.spheres, {tile, level.step, level.pairs.table(), level.loads, own, number});
-  if (!scene.water.empty())
-    sums_[n] += scene.water.evaluate(
-        scene.spheres, {level.loads.begin_of(tile), level.loads.end_of(tile), scene.time, level.step, own, level_, number});
+  if (scene.water.empty() && scene.applied.empty()) return;
+  const BodyLoadTask task{level.loads.begin_of(tile), level.loads.end_of(tile), scene.time, level.step, own, level_, number};
+  if (!scene.water.empty()) sums_[n] += scene.water.evaluate(scene.spheres, task);
+  if (!scene.applied.empty()) sums_[n] += scene.applied.evaluate(scene.spheres, task);
 }
 
 void SphereLevels::evaluate(std::int64_t tick, const Scene& scene) {
@@ -158,6 +159,7 @@ std::int64_t SphereLevels::add_work(std::int64_t tick, methods::spheres::Contact
   sums.fracture += due.fracture;
   sums.broken += due.broken;
   sums.water_work += due.water_work;
+  sums.applied_work += due.applied_work;
   sums.carried_energy += due.carried_energy;
   if (tick > 0) return due.broken;
   sums.elastic = due.elastic;
@@ -219,6 +221,16 @@ SphereSpeeds SphereLevels::speeds() const {
   SphereSpeeds all;
   for (const Level& level : levels_) all.take(level.speeds);
   return all;
+}
+
+Real SphereLevels::add_to_load(const state::Spheres& spheres, std::size_t sphere, const Vector3& force) {
+  Level& level =
+      is_one() ? levels_.front() : levels_[static_cast<std::size_t>(level_[static_cast<std::size_t>(spheres.number[sphere])])];
+  state::SphereLoad& load = level.loads.kept(sphere / neighbors::tile_size)[sphere % neighbors::tile_size];
+  load.fx += force.x();
+  load.fy += force.y();
+  load.fz += force.z();
+  return level.step;
 }
 
 state::SphereLoad SphereLevels::load(std::size_t sphere) const {

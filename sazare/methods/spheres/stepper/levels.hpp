@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "sazare/core/large_tables.hpp"
+#include "sazare/methods/spheres/applied_forces.hpp"
 #include "sazare/methods/spheres/bonds.hpp"
 #include "sazare/methods/spheres/pair_contacts.hpp"
 #include "sazare/methods/spheres/stepper/clump_motion.hpp"
@@ -82,6 +83,7 @@ public:
     methods::spheres::WallContacts& walls;
     methods::spheres::Bonds& bonds;
     methods::spheres::WaterForces& water;
+    const methods::spheres::AppliedForces& applied;
     std::span<const Real> approach;  ///< how much nearer spheres may have come since pairs were found: of all, or by tile [m]
     Real time = 0;                   ///< [s]
     bool tells_energies = true;      ///< whether somebody may ask what contacts hold at this time
@@ -125,6 +127,9 @@ public:
   /// The loads where forces are kept and the kick of this base step is still to come: nothing given yet, half a step of each
   /// level ahead.
   std::vector<TimedTable> acting_until_now(std::size_t active_level) const;
+
+  /// Where forces are kept, adds one to the load on a sphere. Returns the step over which it acts [s].
+  Real add_to_load(const state::Spheres& spheres, std::size_t sphere, const Vector3& force);
 
   /// At a base step whose forces are kept: the load on a sphere, and what its momenta lack.
   state::SphereLoad load(std::size_t sphere) const;

@@ -77,6 +77,7 @@ void SphereStepper::start() {
   for (state::Clump& clump : clumps_.clumps) methods::spheres::kick(clump, {-1 * clump.impulse_ahead, -1 * clump.turning_ahead});
   sums_.dashpot_work = sums_.bond_drag = wall_work_ = 0;
   sums_.water_work = 0.5 * water_work_now_;
+  sums_.applied_work = 0.5 * applied_work_now_;
   sums_.sliding_work = sums_.sliding;  // what sliders hold at the beginning is not lost
   levels_.count_anew();
   for (std::size_t i = 0; i < spheres_.size(); ++i) {
@@ -103,9 +104,12 @@ void SphereStepper::evaluate(std::int64_t tick) {
 /// Adds up what the evaluation of a tick has given.
 void SphereStepper::add_work(std::int64_t tick) {
   const std::size_t coarsest = levels_.coarsest_due(tick);
-  const Real water_work = sums_.water_work;
+  const Real water_work = sums_.water_work, applied_work = sums_.applied_work;
   if (levels_.add_work(tick, sums_) > 0) part_broken(coarsest);
-  if (tick == 0) water_work_now_ = sums_.water_work - water_work;
+  if (tick == 0) {
+    water_work_now_ = sums_.water_work - water_work;
+    applied_work_now_ = sums_.applied_work - applied_work;
+  }
   for (std::size_t level = coarsest; level < levels_.count(); ++level)
     for (const auto& load : walls_.loads(level)) wall_work_ += load.work;
   if (walls_.have_surfaces())
@@ -118,6 +122,21 @@ void SphereStepper::evaluate_now() {
   evaluate(0);
   hold_clumps();
   evaluated_ = true;
+}
+
+void SphereStepper::apply(std::vector<Vector3> forces) {
+  if (!has_begun()) return applied_.set(std::move(forces));  // `start` evaluates them
+  evaluate_now();
+  Real work = 0;
+  for (std::size_t i = 0; i < spheres_.size(); ++i) {
+    const Index number = spheres_.number[i];
+    const Vector3 more = forces[static_cast<std::size_t>(number)] - applied_.of(number);
+    work += levels_.add_to_load(spheres_, i, more) * more.dot(spheres_.place[i].velocity());
+  }
+  sums_.applied_work += work;
+  applied_work_now_ += work;
+  applied_.set(std::move(forces));
+  hold_clumps();
 }
 
 /// What the momenta of clumps lack at a base step whose forces are kept.
@@ -243,6 +262,7 @@ void SphereStepper::columns(Archive& archive) {
   }
   if (evaluated_) levels_.load_columns(archive);
   water_.columns(archive);
+  applied_.columns(archive);
   archive.folder("walls", [&] { walls_.columns(archive); });
   if (archive.reading()) find_walls({});
   for (int axis = 0; axis < 3; ++axis) archive("drift" + std::to_string(axis), drift_[axis]);
@@ -262,6 +282,8 @@ void SphereStepper::columns(Archive& archive) {
   archive("wall_work", wall_work_);
   archive("water_work", sums_.water_work);
   archive("water_work_now", water_work_now_);
+  archive("applied_work", sums_.applied_work);
+  archive("applied_work_now", applied_work_now_);
   archive("carried_energy", sums_.carried_energy);
   archive("step_load", step_load_.load);
   archive("step_load_sphere", step_load_.sphere);

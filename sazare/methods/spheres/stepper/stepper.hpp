@@ -47,10 +47,11 @@ struct SphereEnergies {
   Real bond_drag = 0;     ///< lost in dashpots of bonds since the start [J]
   Real fracture = 0;      ///< lost by damage of bonds since the start [J]
   Real water_work = 0;    ///< of water on spheres since the start [J]
+  Real applied_work = 0;  ///< of forces from outside since the start [J]
 
   Real sum() const {
     return translation + rotation + elastic + sliding + potential + dashpot_work + sliding_work - wall_work + bonds + bond_drag +
-           fracture - water_work;
+           fracture - water_work - applied_work;
   }
 };
 
@@ -80,6 +81,9 @@ public:
   /// Water around the spheres, before `start` or a resume.
   void set_water(methods::spheres::WaterForces water) { water_ = std::move(water); }
 
+  /// Forces by number of the sphere [N], which act from `time()` on until others are given; before `start` from the beginning.
+  void apply(std::vector<Vector3> forces);
+
   /// From `time()` on, at which forces are kept, the surface's nodes go from these places with these velocities [m; m/s].
   void lead(std::vector<Vector3> from, std::vector<Vector3> with) {
     wall_work_ += walls_.lead(time(), rules_.step, std::move(from), std::move(with));
@@ -99,6 +103,8 @@ public:
   /// from them, with the same bits.
   void evaluate_now();
 
+  /// Whether `start` or a resume has been; forces and what follows from them are known since.
+  bool has_begun() const { return levels_.loads(0).tiles() > 0; }
   std::int64_t steps() const { return step_; }
   Real time() const { return static_cast<Real>(step_) * rules_.step; }
   const SphereRules& rules() const { return rules_; }
@@ -155,7 +161,7 @@ private:
   Real time_of(std::int64_t tick) const { return time() + static_cast<Real>(tick) * levels_.tick_seconds(); }
   SphereLevels::Scene scene(std::int64_t tick) {
     const std::span<const Real> all(&approach_, 1);
-    return {spheres_, walls_, bonds_, water_, tile_approach_.empty() ? all : tile_approach_, time_of(tick)};
+    return {spheres_, walls_, bonds_, water_, applied_, tile_approach_.empty() ? all : tile_approach_, time_of(tick)};
   }
   void evaluate(std::int64_t tick);
   void add_work(std::int64_t tick);
@@ -213,6 +219,7 @@ private:
   state::Clumps clumps_;
   methods::spheres::BondedBodies bodies_;
   methods::spheres::WaterForces water_;
+  methods::spheres::AppliedForces applied_;
   std::vector<Index> body_;   ///< by number of the sphere: its clump, below 0 where none; empty without clumps
   std::vector<Index> place_;  ///< by number, where the spheres stand; empty without bodies and bonds
   std::vector<std::vector<Index>> clumps_at_active_level_;
@@ -234,6 +241,7 @@ private:
   methods::spheres::ContactSums sums_;  ///< of the last evaluation; works since the start
   Real wall_work_ = 0;
   Real water_work_now_ = 0;           ///< of water in the last evaluation at a base step [J]
+  Real applied_work_now_ = 0;         ///< of forces from outside in the last evaluation at a base step [J]
   std::vector<Real> clumps_carried_;  ///< by clump of an active level: ContactSums::carried_energy of the last kick [J]
   methods::spheres::StepLoad step_load_;
   std::int64_t looked_at_step_ = -1;  ///< when `look_at_step` did so last

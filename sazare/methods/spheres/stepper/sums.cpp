@@ -65,6 +65,7 @@ SphereEnergies SphereStepper::energies() const {
   energies.bond_drag = sums_.bond_drag;
   energies.fracture = sums_.fracture;
   energies.water_work = sums_.water_work - 0.5 * water_work_now_ + sums_.carried_energy - carried_energy();
+  energies.applied_work = sums_.applied_work - 0.5 * applied_work_now_;
   return energies;
 }
 
