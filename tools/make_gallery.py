@@ -39,6 +39,7 @@ PICTURES = {
     "bonded-beam": "broken_bonds",
     "tetrapod-armour": "spheres",
     "tetrapod-drop": "broken_bonds",
+    "stones-through-water": "spheres",
     "strip-footing": "yielding",
     "cantilever-fem": "displaced",
     "seawall-shaking-table": "together",

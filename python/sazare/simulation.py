@@ -90,7 +90,7 @@ def run(
     functions: a function of time [s] for each motion of type "function" and each blast with `function`, by name. A motion's gives its quantity, a
         blast's the pressure [Pa] at a time since its delay. Evaluated once per step; linear in between.
     forces: a function of the simulation that gives forces [N] on the bodies, (n, 3) in the order of `positions`; of mps and fem in the plane [N/m].
-        Evaluated before every step; they act from its beginning (in method fem, whose steps are implicit, at its end). Methods mps, rectangles, fem.
+        Evaluated before every step; they act from its beginning (in method fem, whose steps are implicit, at its end). Methods mps, rectangles, fem, spheres.
     stop: a function of the simulation, evaluated after every step; True ends the run there, with a checkpoint.
 
     A resumed run needs the same functions and forces again. Exceptions that they raise propagate unchanged, and a checkpoint is kept.

@@ -264,7 +264,7 @@ def test_progress_is_one_line_in_a_notebook(monkeypatch):
     assert page.text == "\r10 %\r20 %\r    \r", "written over, and gone at the end"
 
 
-@pytest.mark.parametrize("method", ["spheres", "blocks"])
+@pytest.mark.parametrize("method", ["hybrid", "blocks"])
 def test_forces_on_a_method_that_takes_none_are_refused_before_they_are_asked_for(method, tmp_path):
     case, overrides = SHORT[method]
     with pytest.raises(sazare.UserError, match="accepts no external forces"):

@@ -78,6 +78,7 @@ RUNS = {
     # 24 cases of the 320, with enough dampings for the regression.
     "stability-study": Run(study_values={"spacing": [2.0, 3.2], "velocity": [100.0, 800.0], "damping": [0.001, 0.1, 1.0]}),
     "spalling-bar": Run(),
+    "stones-through-water": Run(),
     "strip-footing": Run(),
     "tetrapod-armour": Run(until(1.75)),  # it is shaken from 1.5 s on
     "tetrapod-drop": Run(),

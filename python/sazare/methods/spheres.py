@@ -30,6 +30,7 @@ KIND_COLORS = ["#35618f", "#6fa3c7", "#4f7f52", "#9bbf8a", "#b5472f", "#d9a441"]
 GOOD_BALANCE, BAD_BALANCE = 1e-2, 5e-2
 BOND_KINDS = [("bonds", "energy_bonds"), ("bond dashpots", "energy_bond_dashpot"), ("fracture", "energy_fracture")]
 BOND_COLORS = ["#7d5ba6", "#c9a0dc", "#2b2b2b"]
+WATER_COLOR = "#8ec9c0"
 
 
 def balls(cloud):
@@ -167,6 +168,10 @@ def energies(results):
     bonded = results.figures.get("bonds", 0) > 0
     kinds, colors = (KINDS + BOND_KINDS, KIND_COLORS + BOND_COLORS) if bonded else (KINDS, KIND_COLORS)
     parts = np.array([history[column] for _, column in kinds])
+    given_to_water = -history["energy_work_water"] if "energy_work_water" in history else np.zeros(1)
+    if given_to_water.max(initial=0.0) > 0.0:
+        kinds, colors = [*kinds, ("given to water", "energy_work_water")], [*colors, WATER_COLOR]
+        parts = np.vstack([parts, given_to_water])
     factor, prefix = style.prefix_for(parts.sum(axis=0).max(initial=0.0))
     figure = style.figure(9.0, 4.4)
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=[3, 1])
@@ -308,7 +313,7 @@ def sections(results):
         ),
         Section(
             "energies", "Energy balance",
-            "Stored and dissipated energy by cause, stacked; below, the residual. Gravity and moving walls supply energy.",
+            "Stored and dissipated energy by cause, stacked; below, the residual. Gravity, moving walls and waves supply energy.",
             partial(energies, results), common.NO_HISTORY,
         ),
         Section(

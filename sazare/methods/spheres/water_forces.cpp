@@ -1,5 +1,7 @@
 #include "sazare/methods/spheres/water_forces.hpp"
 
+#include <cmath>
+
 namespace sazare::methods::spheres {
 
 /// A sphere that moves on its own takes an added mass with it. Returns the kinetic energy of the water that it now carries and did
@@ -13,6 +15,13 @@ Real WaterForces::carry(state::Spheres& spheres, std::size_t place, Real added_m
   }
   before = added_mass;
   return gained;
+}
+
+Real WaterForces::largest_steady_speed(Index number, Real density) const {
+  constexpr Real least_drag = 0.44;  // of a smooth sphere
+  const laws::BodyInWater& body = bodies_[static_cast<std::size_t>(number)];
+  const Real weight = std::abs(density - water_.density) * body.volume * water_.gravity;
+  return std::sqrt(weight / (0.5 * water_.density * body.drag_coefficient.value_or(least_drag) * body.area));
 }
 
 ContactSums WaterForces::evaluate(state::Spheres& spheres, const BodyLoadTask& task) {

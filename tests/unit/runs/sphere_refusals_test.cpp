@@ -50,8 +50,8 @@ TEST(sphere_refusals, a_row_that_begins_with_a_letter_below_the_titles) {
   const auto with = [&](const std::string& rows) {
     return refused(folder, sphere("a", "source = \"file\"\nfile = \"" + folder.write("a.csv", rows).string() + "\"\n"));
   };
-  EXPECT_SAYS(with("radius,x,y,z\n0.005,0,0,0.01\nO.005,0.03,0,0.01\n"), "a.csv:3: four numbers were expected");
-  EXPECT_SAYS(with("# spheres\n0.005 0 0 0.01\nnan 0 0 5\n"), "a.csv:3: four numbers were expected");
+  EXPECT_SAYS(with("radius,x,y,z\n0.005,0,0,0.01\nO.005,0.03,0,0.01\n"), "a.csv:3:1: radius: a number was expected");
+  EXPECT_SAYS(with("# spheres\n0.005 0 0 0.01\nnan 0 0 5\n"), "a.csv:3:1: radius must be a finite number");
 }
 
 /// A field is one number and nothing else, whatever separates the fields, and titles are those of the columns.
@@ -61,9 +61,11 @@ TEST(sphere_refusals, files_of_spheres_that_could_be_misread) {
     return refused(folder, sphere("a", "source = \"file\"\nfile = \"" + folder.write("a.csv", rows).string() + "\"\n"));
   };
   const std::string good = "0.005 0.01 0.01 0.01\n";
-  for (const char* row : {"0,005 0 0 0.01", "0,5 1,2", "1 234,0,0,0", "0.005,,0,0.01", "0.005;0,1;0;0.01", "0.005 0 0 0.01 m",
-                          "0.005 0 0", "0.005\t0\t0\t0,01"})
+  for (const char* row : {"0,005 0 0 0.01", "0,5 1,2", "0.005 0 0 0.01 m", "0.005 0 0", "0.005\t0\t0\t0,01"})
     EXPECT_SAYS(with(good + row + "\n"), "a.csv:2: four numbers were expected") << row;
+  for (const auto& [row, place] :
+       {std::pair("1 234,0,0,0", "1: radius"), {"0.005,,0,0.01", "7: x"}, {"0.005;0,1;0;0.01", "7: x"}})
+    EXPECT_SAYS(with(good + row + "\n"), fmt::format("a.csv:2:{}: a number was expected", place)) << row;
   EXPECT_SAYS(with("x y z radius\n" + good), "a.csv:1: four numbers were expected");
   EXPECT_SAYS(with("diameter,x,y,z\n" + good), "the titles of their columns are radius, x, y, z");
   EXPECT_SAYS(with("radius [mm],x [mm],y [mm],z [mm]\n" + good), "a.csv:1: the file says [mm], but lengths are read in m");

@@ -115,6 +115,18 @@ struct ExpectedSpeed {
   }
 };
 
+/// Half the square of the speed of what falls onto the water, or sinks in it. `highest` is gravity times height [m2/s2].
+Real fall_in_water(const SpheresCase& spheres, const SpheresModel& model, Real highest) {
+  const methods::spheres::WaterForces& water = model.stepper->water();
+  const auto& placed = model.stepper->spheres();
+  Real fastest = 0;
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    const Real density = spheres.materials[static_cast<std::size_t>(placed.spin[i].material)].density;
+    fastest = std::max(fastest, water.largest_steady_speed(placed.number[i], density));
+  }
+  return std::max(highest - water.water().gravity * water.water().level, 0.5 * fastest * fastest);
+}
+
 ExpectedSpeed expected_speed(const SpheresCase& spheres, const SpheresModel& model) {
   const Vector3 gravity = spheres.gravity.acceleration;
   ExpectedSpeed speed;
@@ -133,6 +145,7 @@ ExpectedSpeed expected_speed(const SpheresCase& spheres, const SpheresModel& mod
       for (const Vector3& corner : triangle) lowest = std::min(lowest, -corner.dot(gravity));
   }
   speed.fall = std::max(highest - lowest, Real{0});
+  if (!model.stepper->water().empty()) speed.fall = std::min(speed.fall, fall_in_water(spheres, model, highest));
   speed.walls = model.stepper->walls().largest_speed(extent);
   return speed;
 }
