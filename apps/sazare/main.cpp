@@ -84,6 +84,7 @@ const std::vector<std::pair<std::string, std::string>> python_commands = {
     {"lab", "laboratory tests of a rock of method blocks: strength, elasticity, envelope, calibration"},
     {"blast-model", "geometry and case of method blocks from a drill pattern"},
     {"muck-pile", "fragments of a blast fly and land: throw, flyrock, muck pile, back-break"},
+    {"armour", "damage of an armour layer of method spheres: displaced units, N_od, eroded area, settlement"},
     {"motion", "a record of ground motion: figures, response spectra, correction, scaling, deconvolution"},
 };
 

@@ -7,6 +7,7 @@ import traceback
 from pathlib import Path
 
 from sazare.arguments import not_negative
+from sazare.armour import command as armour_command
 from sazare.blast import command as blast_command
 from sazare.blast_model import command as blast_model_command
 from sazare.comparison import compare
@@ -112,6 +113,7 @@ def parser():
     blast_command.add_to(commands)
     blast_model_command.add_to(commands)
     muck_pile_command.add_to(commands)
+    armour_command.add_to(commands)
     return top
 
 

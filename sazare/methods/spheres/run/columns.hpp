@@ -52,6 +52,7 @@ inline constexpr std::array figures = {
     Column{"uniform_evaluations", "-", "that a uniform step, the smallest one, would have needed, where there are levels"},
     Column{"contacts", "-", "at the end"},
     Column{"clumps", "-", ""},
+    Column{"shape_volume_NAME", "m3", "of a body of the shape"},
     Column{"shape_fill_NAME", "-",
            "volume that the spheres of a shape from a mesh fill, over that of its surface, whose mass it has"},
     Column{"bonds", "-", ""},

@@ -94,7 +94,7 @@ SpheresModel build_spheres(const cases::CaseFile& file, std::optional<Real> wind
     for (const cases::SphereMaterial& material : spheres.materials) model.density.push_back(material.density);
   }
   model.share_error = placement.share_error;
-  model.fills = std::move(placement.fills);
+  model.shapes = std::move(placement.shapes);
   model.group = std::move(placement.group);
   model.body = std::move(placement.body);
   const Real margin = margin_growth(model.steps) * search_margin(spheres, placement.spheres);

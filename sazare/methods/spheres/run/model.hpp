@@ -19,7 +19,7 @@ struct SpheresModel {
   std::int64_t bonds = 0;       ///< at the start
   std::int64_t clumps = 0;
   Real share_error = 0;  ///< what the inertia of bonded bodies lacks of that of their shapes, relative
-  std::vector<ShapeFill> fills;
+  std::vector<ShapeVolume> shapes;
   std::uint64_t start = 0;  ///< hash of where everything stands at the start
   SphereSteps steps;
   std::vector<Index> case_wall;         ///< by wall of the stepper: which of the case; a box has six

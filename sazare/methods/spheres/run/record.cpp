@@ -294,7 +294,10 @@ std::vector<std::pair<std::string, observe::Figure>> SpheresRecord::results(std:
     results.emplace_back("pair_evaluations", levels.counts().evaluations);
     results.emplace_back("uniform_evaluations", levels.counts().uniform_evaluations);
   }
-  for (const ShapeFill& fill : model_->fills) results.emplace_back("shape_fill_" + fill.shape, fill.share);
+  for (const ShapeVolume& shape : model_->shapes) {
+    results.emplace_back("shape_volume_" + shape.shape, shape.volume);
+    if (shape.fill) results.emplace_back("shape_fill_" + shape.shape, *shape.fill);
+  }
   if (!bodies.empty()) {
     results.emplace_back("bodies", static_cast<std::int64_t>(bodies.count()));
     results.emplace_back("broken_bodies", broken_bodies(bodies));

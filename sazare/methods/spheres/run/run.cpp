@@ -108,9 +108,10 @@ namespace {
 /// What `check` says of shapes and walls of triangles.
 std::string notes_text(const SpheresModel& model) {
   std::string text;
-  for (const ShapeFill& fill : model.fills)
-    text += line("shapes", fmt::format("\"{}\": its spheres fill {} % of its surface, whose mass and inertia it has", fill.shape,
-                                       number(100 * fill.share, 3)));
+  for (const ShapeVolume& shape : model.shapes)
+    if (shape.fill)
+      text += line("shapes", fmt::format("\"{}\": its spheres fill {} % of its surface, whose mass and inertia it has",
+                                         shape.shape, number(100 * *shape.fill, 3)));
   for (const std::string& note : model.wall_notes) text += line("walls", note);
   return text;
 }

@@ -85,9 +85,9 @@ private:
            group.source == SphereSource::file ? "the file holds no row of numbers" : "its box is too small for the radius");
   }
 
-  void note_fill(const std::string& name, const Shape& shape) {
-    const bool is_new = std::ranges::find(result_.fills, name, &ShapeFill::shape) == result_.fills.end();
-    if (shape.fill && is_new) result_.fills.push_back({name, *shape.fill});
+  void note_shape(const std::string& name, const Shape& shape) {
+    if (std::ranges::find(result_.shapes, name, &ShapeVolume::shape) == result_.shapes.end())
+      result_.shapes.push_back({name, shape.volume, shape.fill});
   }
 
   /// Lowers the balls of one body; how far.
@@ -142,7 +142,7 @@ private:
     group.largest_radius.reset();
     check_domain(shape, group.shape);
     check_count(file_, number, group, shape.balls.size());
-    note_fill(group.shape, shape);
+    note_shape(group.shape, shape);
     if (!shape.shares.empty()) result_.share_error = std::max(result_.share_error, shape.share_error);
     std::vector<Ball> places;
     std::vector<Vector3> rotations;

@@ -2,6 +2,7 @@
 
 /// Puts the spheres of a case where its groups say.
 
+#include <optional>
 #include <string>
 
 #include "sazare/cases/case_file.hpp"
@@ -17,10 +18,11 @@ struct BondedPair {
   Index entry = 0;  ///< of [[bonds]]
 };
 
-/// How much of the surface of a shape its spheres fill, by volume.
-struct ShapeFill {
+/// The body of a shape, and how much of its surface its spheres fill, by volume, where it is of a surface.
+struct ShapeVolume {
   std::string shape;
-  Real share = 0;
+  Real volume = 0;  ///< [m3]
+  std::optional<Real> fill;
 };
 
 struct Placement {
@@ -32,7 +34,7 @@ struct Placement {
   Index bonded_bodies = 0;
   Real share_error = 0;            ///< what their inertia lacks of that of their shapes, relative
   std::vector<BondedPair> bonded;  ///< by first sphere
-  std::vector<ShapeFill> fills;    ///< of the shapes of surfaces that groups are of
+  std::vector<ShapeVolume> shapes;  ///< that groups are of
 };
 
 /// Throws UserError when a file of spheres cannot be read, a group has no sphere, or more than this machine can hold, random

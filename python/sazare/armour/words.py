@@ -1,0 +1,24 @@
+"""What is said of the damage to armour."""
+
+from sazare.style import count, quantity
+
+
+def text_of(damage):
+    """The lines of the command."""
+    times = damage.results.particle_snapshots.times
+    units = len(damage.units)
+    lines = [
+        f"units          {count(units)}, D_n {quantity(damage.size, 'm')}, from {damage.options.start or times[0]:g} to {times[-1]:g} s",
+        f"displaced      {damage.displaced}, {100.0 * damage.displaced / units:.3g} %, by D_n or more; shifted {damage.shifted}, by half of it or more",
+        f"rocking        {damage.rocked} turned by 5 degrees or more where they are",
+        f"settlement     {quantity(damage.settlement, 'm')} in the mean; the farthest unit moved {damage.ratio.max():.3g} D_n",
+    ]
+    if damage.broken:
+        lines.append(f"broken         {damage.broken}")
+    if damage.per_width is None:
+        lines.append("N_od           not known: the case has no level periodic axis; give --width")
+    else:
+        lines.append(f"N_od           {damage.per_width:.3g} displaced units on a width of D_n")
+    if damage.erosion is not None:
+        lines.append(f"S              {damage.erosion:.3g}, eroded area over D_n squared")
+    return lines
