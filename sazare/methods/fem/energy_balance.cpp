@@ -44,6 +44,9 @@ void FemStepper<D>::add_work(const Trial& trial, const NodalColumn& balance, con
   work.gravity += (brings && is_unloaded() ? 0.5 : 1) * dot(weight_, moved);
   for (const auto& load : supports_.loads)
     work.loads += 0.5 * ((brings ? 0 : load.share(span.from)) + load.share(span.to)) * dot(load.force, moved);
+  for (const auto& water : supports_.waters)
+    work.water += 0.5 * ((brings && is_unloaded() ? 0 : water.pressure.share(span.from)) + water.pressure.share(span.to)) *
+                  dot(water.pressure.force, moved);
   work.loads += rules_.statics ? mean_work(state_.carried, state_.applied, moved) : dot(state_.applied, moved);
   state_.carried = state_.applied;
   work.boundary += dot(reaction_, moved);
@@ -52,8 +55,8 @@ void FemStepper<D>::add_work(const Trial& trial, const NodalColumn& balance, con
     add_work_of_damping(trial, span, moved);
     work.radiation += mean_work(product(viscous_, state_.velocity), product(viscous_, trial.velocity), moved);
     work.waves += mean_work(incoming(span.from), incoming(span.to), moved);
-    body_->mass().multiply(state_.acceleration, 1, before);
-    body_->mass().multiply(trial.acceleration, 1, after);
+    mass_.multiply(state_.acceleration, 1, before);
+    mass_.multiply(trial.acceleration, 1, after);
   }
   for (const Support& support : supports_.held) {
     if (support.motion == Support::no_motion) continue;
@@ -79,7 +82,20 @@ void FemStepper<D>::add_work_of_damping(const Trial& trial, const Span& span, co
 
 template <int D>
 Real FemStepper<D>::kinetic_energy() const {
-  return 0.5 * dot(state_.velocity, product(body_->mass(), state_.velocity));
+  return 0.5 * dot(state_.velocity, product(mass_, state_.velocity));
+}
+
+template <int D>
+Real FemStepper<D>::kinetic_energy_of_water() const {
+  Real sum = 0;
+  for (const auto& water : supports_.waters)
+    for (const auto& face : water.moving) {
+      Eigen::VectorXd velocity(face.mass.rows());
+      for (Eigen::Index i = 0; i < velocity.size(); ++i)
+        velocity[i] = state_.velocity[number<D>(face.nodes[static_cast<std::size_t>(i / D)], static_cast<int>(i % D))];
+      sum += 0.5 * velocity.dot(face.mass * velocity);
+    }
+  return sum;
 }
 
 template <int D>
@@ -90,7 +106,7 @@ Real FemStepper<D>::elastic_energy() const {
 template <int D>
 Real FemStepper<D>::energy_residual() const {
   const FemWork& work = state_.work;
-  const Real done = work.gravity + work.loads + work.boundary + work.waves;
+  const Real done = work.gravity + work.loads + work.water + work.boundary + work.waves;
   const Real kinetic = rules_.statics ? 0 : kinetic_energy();
   return done - kinetic - elastic_energy() - work.damping - work.radiation - work.plastic - work.friction;
 }
@@ -101,6 +117,7 @@ Real FemStepper<D>::energy_residual() const {
   template void FemStepper<D>::add_work(const Trial&, const NodalColumn&, const Span&); \
   template void FemStepper<D>::add_work_of_damping(const Trial&, const Span&, const NodalColumn&); \
   template Real FemStepper<D>::kinetic_energy() const;                              \
+  template Real FemStepper<D>::kinetic_energy_of_water() const;                     \
   template Real FemStepper<D>::elastic_energy() const;                              \
   template Real FemStepper<D>::energy_residual() const;
 

@@ -15,6 +15,7 @@ FemStepper<D>::FemStepper(std::unique_ptr<methods::fem::Body<D>> body, methods::
     : body_(std::move(body)),
       supports_(std::move(supports)),
       rules_(rules),
+      mass_(body_->mass()),
       rayleigh_(body_->damping_matrix(rules.damping)),
       viscous_(body_->pattern()),
       damping_(rayleigh_),
@@ -25,6 +26,8 @@ FemStepper<D>::FemStepper(std::unique_ptr<methods::fem::Body<D>> body, methods::
   NodalColumn fall = none;
   for (std::size_t i = 0; i < fall.size(); ++i) fall[i] = supports_.gravity[static_cast<int>(i % D)];
   weight_ = product(body_->mass(), fall);
+  for (const auto& water : supports_.waters)
+    for (const auto& face : water.moving) mass_.add(face.nodes, face.mass);
   for (const auto& boundary : supports_.viscous)
     for (const auto& face : boundary.faces) viscous_.add(face.nodes, face.impedance);
   for (std::size_t i = 0; i < damping_.values().size(); ++i) damping_.values()[i] += viscous_.values()[i];
@@ -65,11 +68,13 @@ void FemStepper<D>::relax() {
   walk({0, 1, 1}, rules_.most_cuts);
   stage_ = Stage::running;
   initial_displacement_ = state_.displacement;
+  NodalColumn carried = weight_;
+  add_water(0, 1, carried);
   for (const auto& boundary : supports_.viscous)
     for (const Index node : boundary.nodes)
       for (int axis = 0; axis < D; ++axis) {
         const std::size_t i = number<D>(node, axis);
-        reaction_[i] = state_.internal[i] - weight_[i];
+        reaction_[i] = state_.internal[i] - carried[i];
       }
   prepare_solver(false);
 }
@@ -90,10 +95,10 @@ void FemStepper<D>::start() {
   state_.velocity = now.velocity;
   state_.balance = balance_of(now);
   if (!inertia()) return;
-  NodalColumn right = product(body_->mass(), now.acceleration);
+  NodalColumn right = product(mass_, now.acceleration);
   add(right, 1, state_.balance);
   for (Real& value : right) value = -value;
-  if (!solver_->factorize(body_->mass().values())) throw PhysicsError("the mass matrix is singular");
+  if (!solver_->factorize(mass_.values())) throw PhysicsError("the mass matrix is singular");
   factorized_.reset();
   state_.acceleration = now.acceleration;
   add(state_.acceleration, 1, solver_->solve(right));
@@ -129,7 +134,8 @@ void FemStepper<D>::walk(const Span& span, int cuts_left) {
 template <int D>
 void FemStepper<D>::give_up(const Span& span) const {
   const std::string where = stage_ == Stage::relaxing
-                                ? fmt::format("there is no equilibrium under {:.4g} of gravity", span.to)
+                                ? fmt::format("there is no equilibrium under {:.4g} of gravity{}", span.to,
+                                              supports_.waters.empty() ? "" : " and of the pressure of water")
                                 : fmt::format("there is no equilibrium at t = {:.6g} s", span.to);
   throw PhysicsError(fmt::format(
       "{}: Newton's iteration does not converge\n"
@@ -146,14 +152,23 @@ typename FemStepper<D>::Factors FemStepper<D>::factors(Real length) const {
   return {1 / (beta * length * length), gamma / (beta * length), 1 + rules_.alpha};
 }
 
-/// Forces on the nodes at a time; while relaxing, at a share of gravity.
+/// Adds the pressure of still water at a time, times a factor.
+template <int D>
+void FemStepper<D>::add_water(Real now, Real factor, NodalColumn& force) const {
+  for (const auto& water : supports_.waters)
+    if (const Real share = water.pressure.share(now); share > 0) add(force, factor * share, water.pressure.force);
+}
+
+/// Forces on the nodes at a time; while relaxing, at a share of gravity and of the water that is there at the beginning.
 template <int D>
 NodalColumn FemStepper<D>::external(Real now) const {
   NodalColumn force = weight_;
   if (stage_ == Stage::relaxing) {
     for (Real& value : force) value *= now;
+    add_water(0, now, force);
     return force;
   }
+  add_water(now, 1, force);
   for (const auto& load : supports_.loads) add(force, load.share(now), load.force);
   add(force, 1, state_.applied);
   add(force, 1, reaction_);
@@ -164,11 +179,12 @@ NodalColumn FemStepper<D>::external(Real now) const {
   return force;
 }
 
-/// A static run brings its loads to bear in its first step: before it, nothing is carried but a weight that has been relaxed.
+/// A static run brings its loads to bear in its first step: before it, nothing is carried but what has been relaxed.
 template <int D>
 NodalColumn FemStepper<D>::carried_at_start() const {
   if (is_unloaded()) return NodalColumn(body_->freedoms(), 0);
   NodalColumn force = weight_;
+  add_water(0, 1, force);
   add(force, 1, reaction_);
   return force;
 }
@@ -280,7 +296,7 @@ NodalColumn FemStepper<D>::unbalance(const Trial& trial, Real& scale) const {
   if (inertia()) {
     for (std::size_t i = 0; i < residual.size(); ++i)
       residual[i] = (1 + rules_.alpha) * residual[i] - rules_.alpha * state_.balance[i];
-    const NodalColumn inertial = product(body_->mass(), trial.acceleration);
+    const NodalColumn inertial = product(mass_, trial.acceleration);
     scale = std::max(scale, norm(inertial));
     add(residual, 1, inertial);
   }
@@ -294,7 +310,7 @@ bool FemStepper<D>::factorize(const Factors& by) {
   if (factorized_ == by) return true;
   std::vector<Real> blocks(state_.tangent.values());
   if (inertia()) {
-    const auto &m = body_->mass().values(), &c = damping_.values();
+    const auto &m = mass_.values(), &c = damping_.values();
     for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i] = by.stiffness * (blocks[i] + by.damping * c[i]) + by.mass * m[i];
   }
   factorized_.reset();
@@ -319,7 +335,7 @@ void FemStepper<D>::commit(Trial& trial, const Span& span) {
 template <int D>
 NodalColumn FemStepper<D>::reactions() const {
   NodalColumn force = state_.balance;
-  if (inertia()) body_->mass().multiply(state_.acceleration, 1, force);
+  if (inertia()) mass_.multiply(state_.acceleration, 1, force);
   for (std::size_t i = 0; i < force.size(); ++i)
     if (is_free_[i]) force[i] = 0;
   return force;
@@ -341,6 +357,19 @@ Vector<D> FemStepper<D>::viscous_force(std::size_t boundary) const {
       }
     for (const Index node : one.nodes) sum[axis] += reaction_[number<D>(node, axis)];
   }
+  return sum;
+}
+
+template <int D>
+Vector<D> FemStepper<D>::water_force(std::size_t which) const {
+  const auto& water = supports_.waters[which];
+  Vector<D> sum = water.pressure.share(time()) * water.force;
+  if (!inertia()) return sum;
+  for (const auto& face : water.moving)
+    for (Eigen::Index column = 0; column < face.mass.cols(); ++column) {
+      const Real acceleration = state_.acceleration[number<D>(face.nodes[static_cast<std::size_t>(column / D)], static_cast<int>(column % D))];
+      for (Eigen::Index row = 0; row < face.mass.rows(); ++row) sum[static_cast<int>(row % D)] -= face.mass(row, column) * acceleration;
+    }
   return sum;
 }
 

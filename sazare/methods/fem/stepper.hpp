@@ -26,6 +26,7 @@ struct FemRules {
 struct FemWork {
   Real gravity = 0;
   Real loads = 0;      ///< tractions, and forces applied from outside
+  Real water = 0;      ///< pressure of still water
   Real boundary = 0;   ///< of supports that move, and of the reactions that viscous boundaries carry in equilibrium
   Real waves = 0;      ///< that come in through viscous boundaries
   Real damping = 0;    ///< dissipated by Rayleigh damping, in the motion relative to the base
@@ -64,7 +65,7 @@ public:
   /// A freedom that nothing holds when the body is at rest, joints closed; none where the stiffness is regular.
   std::optional<methods::fem::Freedom> find_loose_freedom();
 
-  /// Finds the equilibrium under gravity before the beginning: viscous boundaries carry what they carry in it, and motions begin
+  /// Finds the equilibrium under gravity, and the pressure of the water there is at the beginning, before it: viscous boundaries carry what they carry in it, and motions begin
   /// from there. Throws PhysicsError where there is none.
   void relax();
 
@@ -87,6 +88,8 @@ public:
   const FemRules& rules() const { return rules_; }
   const methods::fem::Body<D>& body() const { return *body_; }
   const methods::fem::Supports<D>& supports() const { return supports_; }
+  /// Mass of the body, and of the water that moves with it [kg].
+  const methods::fem::BlockMatrix<D>& mass() const { return mass_; }
   const methods::fem::NodalColumn& initial_displacement() const { return initial_displacement_; }
   std::size_t free_freedoms() const { return solver_->freedoms(); }
   std::int64_t factorizations() const { return factorizations_; }  ///< of the matrix of a step, in this process
@@ -97,7 +100,13 @@ public:
   /// Force of a viscous boundary on the body [N].
   Vector<D> viscous_force(std::size_t number) const;
 
+  /// Force of a still water on the body, of its pressure and of the part that moves with the body; of water in a joint, on the
+  /// first side [N].
+  Vector<D> water_force(std::size_t number) const;
+
   Real kinetic_energy() const;
+  /// Of the water that moves with the body, which is part of the whole [J].
+  Real kinetic_energy_of_water() const;
   /// Stored, since the beginning [J].
   Real elastic_energy() const;
   const FemWork& work() const { return state_.work; }
@@ -135,6 +144,7 @@ private:
   methods::fem::NodalColumn at_all_nodes(const Vector<D>& value) const;
   bool is_unloaded() const;
   methods::fem::NodalColumn carried_at_start() const;
+  void add_water(Real at, Real factor, methods::fem::NodalColumn& force) const;
   void add_work_of_damping(const Trial& trial, const Span& span, const methods::fem::NodalColumn& moved);
   void walk(const Span& span, int cuts_left);
   void push(const methods::fem::NodalColumn& change);
@@ -156,10 +166,11 @@ private:
   std::unique_ptr<methods::fem::Body<D>> body_;
   methods::fem::Supports<D> supports_;
   FemRules rules_;
+  methods::fem::BlockMatrix<D> mass_;               ///< of the body, and of the water that moves with it
   methods::fem::BlockMatrix<D> rayleigh_;           ///< C of the body
   methods::fem::BlockMatrix<D> viscous_;            ///< C of the viscous boundaries
   methods::fem::BlockMatrix<D> damping_;            ///< both
-  methods::fem::NodalColumn weight_;                ///< M g [N]
+  methods::fem::NodalColumn weight_;                ///< M g of the body [N]
   methods::fem::NodalColumn reaction_;              ///< what viscous boundaries carry at rest [N]
   methods::fem::NodalColumn initial_displacement_;  ///< displacements at the beginning [m]
   std::vector<char> is_free_;

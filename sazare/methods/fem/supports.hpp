@@ -46,12 +46,37 @@ struct Load {
   Real share(Real time) const { return ramp > 0 && time < ramp ? std::max(time, Real{0}) / ramp : 1; }
 };
 
+/// A matrix of mass of the nodes of a face.
+struct FaceMass {
+  std::vector<Index> nodes;
+  Eigen::MatrixXd mass;  ///< by node and axis [kg]
+};
+
+/// Still water on faces of the body, or in a joint, where it presses on both sides.
+template <int D>
+struct StillWater {
+  Load pressure;                        ///< on all nodes
+  Vector<D> force = Vector<D>::Zero();  ///< of the full pressure on the body; of a joint, on the first side [N]
+  Real wet_area = 0;                    ///< [m2; m in 2-D]
+  std::vector<FaceMass> moving;         ///< water that moves with the faces
+
+  /// Of all faces, each across itself [kg; kg/m in 2-D].
+  Real moving_mass() const {
+    Real sum = 0;
+    for (const FaceMass& face : moving)
+      for (Eigen::Index row = 0; row < face.mass.rows(); ++row)
+        for (Eigen::Index column = row % D; column < face.mass.cols(); column += D) sum += face.mass(row, column);
+    return sum;
+  }
+};
+
 template <int D>
 struct Supports {
   std::vector<laws::GroundMotion> motions;
   std::vector<Support> held;
   std::vector<ViscousBoundary<D>> viscous;
   std::vector<Load> loads;
+  std::vector<StillWater<D>> waters;
   Vector<D> gravity = Vector<D>::Zero();  ///< [m/s2]
   laws::BaseMotion base;                  ///< relative to which damping in proportion to the mass acts
 

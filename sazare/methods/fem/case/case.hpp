@@ -9,6 +9,7 @@ enum class MassKind { consistent, lumped };
 enum class IntegrationKind { full, reduced };
 enum class GroupKind { fixed, roller, prescribed, viscous };
 enum class Analysis { dynamic, statics };
+enum class AddedMass { none, westergaard };
 enum class BackboneKind { hyperbolic, ramberg_osgood, table };
 
 struct FemMesh : Mesh {
@@ -78,6 +79,22 @@ struct FemLoad {
   Real ramp = 0;                       // s
 };
 
+/// Still water on outer faces, or in a joint.
+struct FemWater {
+  std::string name;
+  std::string group;
+  std::string joint;
+  Real level = 0;                          // m
+  std::optional<Real> far_level;           // m, at the other end of a base
+  Vector3 direction = Vector3::UnitX();    // horizontal, from the end with the level to that with the far level
+  Real density = 0;                        // kg/m3
+  Real ramp = 0;                           // s
+  AddedMass added_mass = AddedMass::none;
+  std::optional<Real> bed;                 // m; without it the lowest point of the group
+
+  bool in_joint() const { return !joint.empty(); }
+};
+
 struct FemGravity : Gravity {
   bool settle = false;
 };
@@ -103,6 +120,7 @@ struct FemCase {
   std::vector<Motion> motions;
   std::vector<GroupBoundary> boundaries;
   std::vector<FemLoad> loads;
+  std::vector<FemWater> waters;
   FemGravity gravity;
   FemSolver solver;
   std::vector<Gauge> gauges;

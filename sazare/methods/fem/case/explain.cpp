@@ -29,6 +29,16 @@ std::string boundary_text(const GroupBoundary& boundary) {
   return text + motion_names_text(boundary.motion, boundary.kind == GroupKind::viscous);
 }
 
+std::string water_text(const FemWater& water) {
+  std::string text = fmt::format("{}: {} kg/m3 {} {}, level {} m", water.name, number(water.density), water.in_joint() ? "in joint" : "on",
+                                 water.in_joint() ? water.joint : water.group, number(water.level));
+  if (water.far_level) text += fmt::format(" to {} m along {}", number(*water.far_level), vector_text(water.direction));
+  if (water.ramp > 0) text += fmt::format(", full pressure after {} s", number(water.ramp));
+  if (water.added_mass == AddedMass::westergaard) text += ", Westergaard's added mass";
+  if (water.bed) text += fmt::format(" above a bed at {} m", number(*water.bed));
+  return text;
+}
+
 }  // namespace
 
 std::string explain(const FemCase& fem) {
@@ -48,6 +58,7 @@ std::string explain(const FemCase& fem) {
   for (const FemLoad& load : fem.loads)
     text += line("loads", fmt::format("{}: {} Pa on {}, full value after {} s", load.name, vector_text(load.traction), load.group,
                                       number(load.ramp)));
+  for (const FemWater& water : fem.waters) text += line("water", water_text(water));
   text += explain_gravity(fem.gravity.acceleration, fem.gravity.settle ? ", from equilibrium under gravity" : "");
   for (const Gauge& gauge : fem.gauges) text += line("gauges", fmt::format("{}: {} m", gauge.name, vector_text(gauge.point)));
   const auto count = [&](Real interval) { return whole_multiple(fem.time.end, interval).value_or(0); };

@@ -24,6 +24,11 @@ struct EnumWords<Analysis> {
 };
 
 template <>
+struct EnumWords<AddedMass> {
+  static constexpr std::array<std::string_view, 2> words{"none", "westergaard"};
+};
+
+template <>
 struct EnumWords<BackboneKind> {
   static constexpr std::array<std::string_view, 3> words{"hyperbolic", "ramberg_osgood", "table"};
 };
@@ -103,6 +108,24 @@ void visit_fields(Visitor& visit, FemLoad& load) {
 }
 
 template <class Visitor>
+void visit_fields(Visitor& visit, FemWater& water) {
+  visit("name", water.name);
+  if (visit.has("joint", water.in_joint()))
+    visit("joint", water.joint);
+  else
+    visit("group", water.group);
+  visit("level", water.level);
+  if (visit.has("far_level", water.far_level.has_value())) {
+    visit("far_level", water.far_level);
+    visit("direction", water.direction);
+  }
+  visit("density", water.density);
+  visit("ramp", water.ramp);
+  visit("added_mass", water.added_mass);
+  if (water.added_mass == AddedMass::westergaard) visit("bed", water.bed);
+}
+
+template <class Visitor>
 void visit_fields(Visitor& visit, FemGravity& gravity) {
   visit("acceleration", gravity.acceleration);
   visit("settle", gravity.settle);
@@ -136,6 +159,7 @@ void visit_tables(Visitor& visit, FemCase& fem) {
   visit.list("motions", fem.motions);
   visit.list("boundaries", fem.boundaries);
   visit.list("loads", fem.loads);
+  visit.list("water_pressures", fem.waters);
   visit.one("gravity", fem.gravity);
   visit.one("solver", fem.solver);
   visit.list("gauges", fem.gauges);

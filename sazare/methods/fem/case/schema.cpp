@@ -11,9 +11,11 @@ constexpr std::array<std::string_view, 2> mass_kinds{"consistent", "lumped"};
 constexpr std::array<std::string_view, 2> integrations{"full", "reduced"};
 constexpr std::array<std::string_view, 4> group_kinds{"fixed", "roller", "prescribed", "viscous"};
 constexpr std::array<std::string_view, 3> backbones{"hyperbolic", "ramberg_osgood", "table"};
+constexpr std::array<std::string_view, 2> added_masses{"none", "westergaard"};
 constexpr std::array<std::string_view, 2> analyses{"dynamic", "static"};
 
 constexpr std::string_view with_strength = "only with a cohesion";
+constexpr UsualRange water_density{990, 1050};  // [kg/m3]
 constexpr std::string_view with_motion = "kinds prescribed and viscous only";
 
 constexpr std::array fem_mesh_keys{
@@ -223,12 +225,66 @@ constexpr std::array load_keys{
         .sentence = "Time in which the load grows linearly from 0 to its full value; 0: applied at once at t = 0."},
 };
 
+constexpr std::array water_keys{
+    Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name of the water in results and messages."},
+    Key{.name = "group",
+        .type = Type::text,
+        .note = "exactly one of group and joint",
+        .sentence = "Physical group of outer faces (lines in 2-D) on which it presses."},
+    Key{.name = "joint",
+        .type = Type::text,
+        .note = "exactly one of group and joint",
+        .sentence = "Name of one of the [[joints]] in which it stands: it pushes both sides apart, and the joint carries what is left, "
+                    "the effective pressure."},
+    Key{.name = "level",
+        .type = Type::number,
+        .unit = "m",
+        .need = Need::required,
+        .sentence = "Elevation of the still water, y in 2-D and z in 3-D: the pressure is density g (level - elevation) below it "
+                    "and 0 above; g is that of [gravity]."},
+    Key{.name = "far_level",
+        .type = Type::number,
+        .unit = "m",
+        .note = "default: the level everywhere; for the faces of a base, and for joints",
+        .sentence = "Uplift: the level at the far end of a base. The level falls evenly from one end to the other."},
+    Key{.name = "direction",
+        .type = Type::vector,
+        .default_text = "[1.0, 0.0, 0.0]",
+        .note = "only with far_level",
+        .sentence = "Horizontal direction from the end of the base with level to the one with far_level; the default is along x."},
+    Key{.name = "density",
+        .type = Type::number,
+        .unit = "kg/m3",
+        .range = positive,
+        .usual = water_density,
+        .default_text = "1000.0",
+        .sentence = "Density of the water; of sea water about 1030."},
+    Key{.name = "ramp",
+        .type = Type::number,
+        .unit = "s",
+        .range = not_negative,
+        .default_text = "0.0",
+        .sentence = "Time in which the pressure grows linearly from 0 to its full value; 0: it is there at t = 0, and settle includes "
+                    "it."},
+    Key{.name = "added_mass",
+        .type = Type::choice,
+        .default_text = "\"none\"",
+        .sentence = "Mass of water that moves with the faces, across them: none, or Westergaard's for steep walls, 7/8 density "
+                    "sqrt(H y) per area, with the depth H of the water and the depth y below the level.",
+        .choices = added_masses},
+    Key{.name = "bed",
+        .type = Type::number,
+        .unit = "m",
+        .note = "westergaard only; default: the lowest point of the group",
+        .sentence = "Elevation of the bed of the water, from which H counts."},
+};
+
 constexpr std::array fem_gravity_keys{
     gravity_keys.front(),
     Key{.name = "settle",
         .type = Type::boolean,
         .default_text = "false",
-        .sentence = "Begin in equilibrium under gravity: it is found first, viscous boundaries keep carrying their reactions in "
+        .sentence = "Begin in equilibrium under gravity and the pressure of water: it is found first, viscous boundaries keep carrying their reactions in "
                     "it, and displacements count from it."},
 };
 
@@ -294,6 +350,7 @@ constexpr std::array tables{
     motions_table,
     Table{"boundaries", true, Need::optional, "Boundary conditions of groups; all other nodes are free.", boundary_keys},
     Table{"loads", true, Need::optional, "Tractions on outer faces.", load_keys},
+    Table{"water_pressures", true, Need::optional, "Pressure of still water on outer faces, and in joints.", water_keys},
     Table{"gravity", false, Need::optional, "Body force.", fem_gravity_keys},
     Table{"solver", false, Need::optional, "Convergence of the Newton iteration and step cuts.", solver_keys},
     Table{"gauges", true, Need::optional, "Points whose motion is recorded.", gauge_keys},

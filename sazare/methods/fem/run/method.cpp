@@ -30,7 +30,7 @@ FolderTables tables_of_fem() {
   return {.figures = {{"`fem`", {figures::of_steps, figures::of_nodes, columns::fem::figures}}},
           .history = {{"`fem`",
                        {columns::fem::motion, columns::fem::energies, columns::fem::work, columns::fem::boundary,
-                        columns::fem::joint_set, columns::fem::newton}}},
+                        columns::fem::moving_water, columns::fem::water, columns::fem::joint_set, columns::fem::newton}}},
           .gauges = {{"`gauges.csv` of `fem`", {columns::place_motion}}},
           .files = {},
           .snapshots = {{"`finite_elements` of `fem`, points", {columns::fem::nodes}},

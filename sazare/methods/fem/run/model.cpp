@@ -9,12 +9,13 @@
 #include <set>
 
 #include "sazare/cases/format/number_text.hpp"
-#include "sazare/cases/format/suggest.hpp"
 #include "sazare/cases/motion_of_case.hpp"
 #include "sazare/geometry/gmsh/mesher.hpp"
 #include "sazare/methods/fem/boundary_faces.hpp"
 #include "sazare/methods/fem/case/case.hpp"
 #include "sazare/methods/fem/case/soil.hpp"
+#include "sazare/methods/fem/run/mesh_names.hpp"
+#include "sazare/methods/fem/run/water.hpp"
 #include "sazare/observe/hash.hpp"
 
 namespace sazare::runs {
@@ -24,46 +25,6 @@ namespace {
 namespace fem = methods::fem;
 using cases::GroupKind;
 using fem::Support;
-
-/// Looks up what a case names in its mesh, and refuses what is not there.
-class MeshNames {
-public:
-  MeshNames(const cases::CaseSource& source, const geometry::ElementMesh& mesh) : source_(source), mesh_(mesh) {}
-
-  Index region(const std::string& key, const std::string& name) const {
-    const auto found = std::ranges::find(mesh_.region_names, name);
-    if (found == mesh_.region_names.end())
-      refuse(source_, key, fmt::format("the mesh has no region \"{}\"", name),
-             cases::full_suggestion(name, mesh_.region_names, "regions"));
-    return static_cast<Index>(found - mesh_.region_names.begin());
-  }
-
-  /// `of_faces`: only a group of faces of elements of the body will do.
-  const geometry::ElementGroup& group(const std::string& key, const std::string& name, bool of_faces) const {
-    const geometry::ElementGroup* found = mesh_.find_group(name);
-    std::vector<std::string> names;
-    for (const auto& one : mesh_.groups) names.push_back(one.name);
-    if (found == nullptr)
-      refuse(source_, key, fmt::format("the mesh has no group \"{}\" of nodes, lines or faces", name),
-             cases::full_suggestion(name, names, "groups"));
-    if (found->elements.empty())
-      refuse(source_, key, fmt::format("the group \"{}\" of the mesh has no elements", name),
-             "is the physical group in the .geo file empty, or were its elements not saved?");
-    if (of_faces && found->dimension != mesh_.dimension - 1)
-      refuse(source_, key,
-             fmt::format("the group \"{}\" is of {} dimensions; here one of {} is needed", name, found->dimension,
-                         mesh_.dimension - 1),
-             mesh_.dimension == 2 ? "name a physical curve" : "name a physical surface");
-    if (of_faces && std::ranges::count(geometry::elements_beside(mesh_, *found), -1) > 0)
-      refuse(source_, key, fmt::format("the group \"{}\" has elements that are not faces of the body", name),
-             "make it part of the body's outline, with elements of the same order");
-    return *found;
-  }
-
-private:
-  const cases::CaseSource& source_;
-  const geometry::ElementMesh& mesh_;
-};
 
 fem::SolidMaterial material_of(const cases::FemMaterial& given) {
   constexpr Real degree = std::numbers::pi / 180;
@@ -130,6 +91,7 @@ public:
     for (int axis = 0; axis < D; ++axis) supports_.gravity[axis] = fem_.gravity.acceleration[axis];
     for (std::size_t i = 0; i < fem_.boundaries.size(); ++i) add(i);
     for (std::size_t i = 0; i < fem_.loads.size(); ++i) add_load(i);
+    supports_.waters = make_waters<D>(file_, body_, names_);
     if (fem_.damping.relative_to_base) supports_.find_base();
     return std::move(supports_);
   }
@@ -273,6 +235,7 @@ FemModel<D> build_fem(const cases::CaseFile& file, geometry::ElementMesh mesh) {
   description.joints = make_joints(file, description.mesh, names);
   fem::Supports<D> supports = SupportMaker<D>(file, description, names).make();
   FemModel<D> model;
+  model.warnings = warn_of_dry_water(file, supports.waters);
   model.step = *given.time.step;
   model.gauges = gauge_nodes(file, description.mesh);
   std::map<std::string, int> seen;
@@ -298,11 +261,7 @@ std::string mesh_hash(const geometry::ElementMesh& mesh) {
 
 geometry::LinearSurface outer_surface(const cases::CaseSource& source, const std::string& key, const std::string& name,
                                       const geometry::ElementMesh& mesh) {
-  const geometry::ElementGroup& group = MeshNames(source, mesh).group(key, name, true);
-  if (!geometry::faces_of_group(mesh, group).empty())
-    refuse(source, key, fmt::format("the group \"{}\" lies inside the body, where no body can touch it", name),
-           "name a group of outer faces");
-  return geometry::linear_surface(mesh, group);
+  return geometry::linear_surface(mesh, MeshNames(source, mesh).outer_group(key, name, "no body can touch it"));
 }
 
 template FemModel<2> build_fem<2>(const cases::CaseFile&, geometry::ElementMesh);

@@ -16,6 +16,7 @@ struct FemModel {
   std::unique_ptr<methods::fem::FemStepper<D>> stepper;
   std::vector<Index> gauges;             ///< node nearest to each gauge
   std::vector<std::string> group_names;  ///< of boundaries, as columns of the history name them
+  std::string warnings;                  ///< ready to print
   Real step = 0;                         ///< [s]
 
   const geometry::ElementMesh& mesh() const { return stepper->body().mesh(); }

@@ -54,7 +54,7 @@ template <int D>
 std::array<Real, columns::fem::energies.size()> FemRecord<D>::energies() const {
   const methods::fem::FemWork& work = stepper().work();
   const Real kinetic = stepper().rules().statics ? 0 : stepper().kinetic_energy();
-  return {work.gravity + work.loads + work.boundary + work.waves,
+  return {work.gravity + work.loads + work.water + work.boundary + work.waves,
           kinetic,
           stepper().elastic_energy(),
           work.damping,
@@ -72,6 +72,9 @@ std::vector<RecordFiles::Table> FemRecord<D>::tables() const {
   observe::add_titles(history, columns::fem::energies);
   observe::add_titles(history, columns::fem::work);
   for (const std::string& name : model_->group_names) observe::add_titles(history, columns::fem::boundary, name, D);
+  if (!stepper().supports().waters.empty()) observe::add_titles(history, columns::fem::moving_water);
+  for (const auto& water : stepper().supports().waters)
+    observe::add_titles(history, columns::fem::water, water.pressure.name, D);
   for (const auto& set : stepper().body().joints().sets()) observe::add_titles(history, columns::fem::joint_set, set.name);
   observe::add_titles(history, columns::fem::newton);
   observe::add_titles(history, columns::clock);
@@ -107,13 +110,18 @@ std::vector<Real> FemRecord<D>::history_row(Real time, Real wall_seconds) {
   std::vector<Real> row = {time, displacement_, speed, acceleration};
   for (const Real value : energies()) row.push_back(value);
   const methods::fem::FemWork& work = state.work;
-  row.insert(row.end(), {work.gravity, work.loads, work.boundary, work.waves});
+  row.insert(row.end(), {work.gravity, work.loads, work.boundary, work.waves, work.water});
   std::size_t place = 0;
   for (const Vector<D>& force : boundary_forces())
     for (int axis = 0; axis < D; ++axis, ++place) {
       row.push_back(force[axis]);
       largest_forces_[place] = std::max(largest_forces_[place], std::abs(force[axis]));
     }
+  if (!stepper().supports().waters.empty()) row.push_back(stepper().kinetic_energy_of_water());
+  for (std::size_t water = 0; water < stepper().supports().waters.size(); ++water) {
+    const Vector<D> force = stepper().water_force(water);
+    row.insert(row.end(), force.begin(), force.end());
+  }
   const auto& joints = stepper().body().joints();
   for (std::size_t set = 0; set < joints.sets().size(); ++set) {
     const auto summary = joints.summary(set, state.displacement, state.memory.joints);

@@ -42,6 +42,7 @@ struct FemWork final : WorkDefaults {
 
   const std::string& title() const { return file.as<cases::FemCase>().title; }
   static std::string method() { return "fem"; }
+  std::string warning() const override { return model.warnings; }
   std::string words() const {
     return fmt::format("{}, {} degrees of freedom, step {} s", cases::counted(std::ssize(model.mesh().elements), "elements"),
                        model.stepper->free_freedoms(), number(model.step));
@@ -99,6 +100,21 @@ std::string second_look(const cases::FemCase& fem, const geometry::ElementMesh& 
   return text;
 }
 
+/// The resultant of each still water.
+template <int D>
+std::string water_lines(const methods::fem::FemStepper<D>& stepper) {
+  std::string text;
+  for (const auto& water : stepper.supports().waters) {
+    Vector3 force = Vector3::Zero();
+    force.head<D>() = water.force;
+    const std::string mass_text = water.moving.empty() ? "" : fmt::format(", added mass {} {}", number(water.moving_mass()), D == 2 ? "kg/m" : "kg");
+    text += line("water", fmt::format("{} wets {} {}, pressure {} {}{}", water.pressure.name, number(water.wet_area), D == 2 ? "m" : "m2",
+                                      cases::vector_text(force), D == 2 ? "N/m" : "N",
+                                      mass_text));
+  }
+  return text;
+}
+
 template <int D>
 std::string check(const cases::CaseFile& file, const std::filesystem::path& folder) {
   const FemModel<D> model = build_fem<D>(file, load_fem_mesh(file, folder / "mesh.msh", false));
@@ -109,11 +125,11 @@ std::string check(const cases::CaseFile& file, const std::filesystem::path& fold
                                   cases::counted(std::ssize(model.mesh().elements), "elements"),
                                   cases::counted(std::ssize(body.joints()), "joints"), number(body.total_mass(), 6),
                                   D == 2 ? "kg/m" : "kg")) +
-         second_look(file.as<cases::FemCase>(), model.mesh()) +
+         water_lines(*model.stepper) + second_look(file.as<cases::FemCase>(), model.mesh()) +
          line("work", fmt::format("{} degrees of freedom, {} equations", model.stepper->free_freedoms(),
                                   body.is_symmetric() ? "symmetric" : "unsymmetric")) +
          line("", fmt::format("{} steps, {} per history row", clocks.steps(), clocks.steps_per_row)) +
-         cases::warn_of_size(file, cases::extent_of(model.mesh().nodes));
+         cases::warn_of_size(file, cases::extent_of(model.mesh().nodes)) + model.warnings;
 }
 
 }  // namespace

@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sazare/cases/explanation.hpp"
+#include "sazare/cases/format/number_text.hpp"
+#include "sazare/cases/format/suggest.hpp"
+#include "sazare/methods/fem/case/case.hpp"
+#include "sazare/methods/fem/case/format.hpp"
+
+/// What can be wrong with still water on faces and in joints.
+namespace sazare::cases {
+namespace {
+
+/// The pressure follows from gravity, which must be there and vertical.
+void check_gravity_of_water(const CheckContext& context, const FemCase& fem, const Entry& water) {
+  const Entry gravity = context.entries_of("gravity").front();
+  if (!gravity.is_sound("acceleration")) return;
+  const int up = fem.mesh.dimension - 1;
+  const std::string help = fmt::format("set acceleration = [0.0, {}] in [gravity], in m/s2", up == 1 ? "-9.81, 0.0" : "0.0, -9.81");
+  if (fem.gravity.acceleration.norm() == 0)
+    return context.problems.error(water.header(), "the pressure of water requires gravity", help);
+  Vector3 across = fem.gravity.acceleration;
+  across[up] = 0;
+  if (across.norm() == 0 && fem.gravity.acceleration[up] < 0) return;
+  context.problems.error(gravity.place("acceleration"),
+                         fmt::format("the level of water is horizontal where gravity acts along -{}; here it acts along {}",
+                                     "xyz"[up], vector_text(fem.gravity.acceleration.normalized())),
+                         help + ", or remove [[water_pressures]]");
+}
+
+void check_place(const CheckContext& context, const FemCase& fem, const Entry& entry, const FemWater& water) {
+  if (entry.has("group") == entry.has("joint"))
+    return context.problems.error(entry.header(),
+                                  fmt::format("the water has {} group and joint", entry.has("group") ? "both" : "neither of"),
+                                  "give exactly one of them: a group of outer faces, or the name of one of the [[joints]]");
+  if (!entry.gives("joint")) return;
+  std::vector<std::string> names;
+  for (const FemJoint& joint : fem.joints) names.push_back(joint.name);
+  if (std::ranges::find(names, water.joint) == names.end())
+    context.problems.error(entry.place("joint"), fmt::format("there is no joint \"{}\"", water.joint),
+                           full_suggestion(water.joint, names, "joints"));
+}
+
+void check_uplift(const CheckContext& context, const FemCase& fem, const Entry& entry, const FemWater& water) {
+  if (!entry.has("far_level")) return check_keys(context, entry, "water without a far_level", {}, {"direction"});
+  if (!entry.has("direction")) return;
+  check_flat(context, entry, "direction", water.direction, fem.mesh.dimension, "mesh");
+  if (water.direction[fem.mesh.dimension - 1] != 0 || water.direction.norm() == 0)
+    context.problems.error(entry.place("direction"), "the direction is not horizontal",
+                           "give a direction along the base, from the end with level to the one with far_level, such as "
+                           "[1.0, 0.0, 0.0]");
+}
+
+void check_added_mass(const CheckContext& context, const FemCase& fem, const Entry& entry, const FemWater& water) {
+  if (water.added_mass == AddedMass::none) return check_keys(context, entry, "water without added_mass", {}, {"bed"});
+  const Place place = entry.place("added_mass");
+  for (const std::string_view key : {"joint", "far_level"})
+    if (entry.has(key))
+      context.problems.error(place, fmt::format("added_mass is for walls beside open water, not with {}", key), "remove it");
+  if (water.bed && entry.gives("bed") && entry.gives("level") && *water.bed >= water.level)
+    context.problems.error(entry.place("bed"),
+                           fmt::format("the bed at {} m is not below the level of the water at {} m", short_number(*water.bed),
+                                       short_number(water.level)),
+                           "give the elevation of the ground under the water");
+  if (fem.time.analysis == Analysis::statics)
+    context.problems.warning(place, "added_mass has no effect in a static analysis, where nothing accelerates",
+                             "remove it, or set analysis = \"dynamic\" in [time]");
+}
+
+}  // namespace
+
+void check_water(const CheckContext& context, const FemCase& fem) {
+  const auto list = context.entries_of("water_pressures");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (!list[i].exists()) continue;
+    if (i == 0) check_gravity_of_water(context, fem, list[i]);
+    check_place(context, fem, list[i], fem.waters[i]);
+    check_uplift(context, fem, list[i], fem.waters[i]);
+    check_added_mass(context, fem, list[i], fem.waters[i]);
+  }
+}
+
+}  // namespace sazare::cases
