@@ -154,7 +154,8 @@ std::vector<QuadraturePoint> wet_points(const ElementMesh& mesh, const MeshEleme
   if (geometry::facts(face.shape).dimension == 1) return on_line(depth);
   if (depth.all_dry()) return {};
   if (depth.all_wet()) {
-    const auto points = mass_points(face.shape);
+    const bool triangle = geometry::facts(face.shape).simplex;  // the root of an added mass takes more points than its nodes would
+    const auto points = mass_points(triangle ? ElementShape::triangle6 : ElementShape::quadrilateral9);
     return {points.begin(), points.end()};
   }
   const std::vector<Vector3> places = corners(face.shape);
@@ -193,7 +194,7 @@ Eigen::MatrixXd added_mass(const ElementMesh& mesh, const MeshElement& face, con
     for (Eigen::Index a = 0; a < nodes; ++a)
       for (Eigen::Index b = 0; b < nodes; ++b)
         if (a == b || kind == MassMatrix::consistent)
-          matrix.block<D, D>(a * D, b * D) += point.mass * values[a] * values[b] * across;
+          matrix.block<D, D>(a * D, b * D) += point.mass * (values[a] * values[b]) * across;
   }
   if (kind == MassMatrix::lumped && on_diagonal > 0) matrix *= all / on_diagonal;
   return matrix;

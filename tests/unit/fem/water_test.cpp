@@ -64,7 +64,7 @@ TEST(water, presses_on_vertical_inclined_and_half_wet_walls_with_the_force_and_m
         EXPECT_NEAR(force[D - 1], -lean * sum, 1e-12 * sum);
         const Real about = D == 2 ? -moment.z() : moment.y();  // z F_x - x F_z
         EXPECT_NEAR(about, (1 + lean * lean) * first, 1e-12 * std::max(first, sum)) << test::name_of(shape) << lean << ' ' << level;
-        EXPECT_LT((force.head<D>() - water.force).norm(), 1e-12 * sum);
+        EXPECT_LT((force.template head<D>() - water.force).norm(), 1e-12 * sum);
       }
   });
 }
@@ -140,8 +140,11 @@ std::pair<Real, Real> mass_on_the_left(ElementShape shape, int cells, MassMatrix
     for (Eigen::Index row = 0; row < matrix.rows(); ++row)
       for (Eigen::Index column = 0; column < matrix.cols(); ++column) {
         const Real y = 2 - mesh.nodes[static_cast<std::size_t>(face.nodes[static_cast<std::size_t>(row / D)])][D - 1];
-        if (row % D == 0 && column % D == 0) mass += matrix(row, column), moment += y * matrix(row, column);
-        else EXPECT_EQ(matrix(row, column), 0);  // nothing along the face
+        if (row % D == 0 && column % D == 0) {
+          mass += matrix(row, column);
+          moment += y * matrix(row, column);
+        }
+        if (row % D != 0 || column % D != 0) { EXPECT_EQ(matrix(row, column), 0); }  // nothing along the face
       }
   }
   return {mass, moment};
@@ -170,7 +173,7 @@ TEST(added_mass, converges_as_the_root_at_the_surface_allows) {
 /// A wall on a soft layer without mass, which moves along x only: an oscillator.
 Real swing(bool with_water, MassMatrix kind, int steps, Real step) {
   auto mesh = test::box(ElementShape::quadrilateral8, {{1, 3, 0}, {1, 24, 1}, 0});
-  auto description = test::of_one_material(mesh, SolidMaterial::elastic_of(1e14, 0, 2400));
+  auto description = test::of_one_material(mesh, SolidMaterial::elastic_of(1e12, 0, 2400));
   description.materials.push_back(SolidMaterial::elastic_of(2e7, 0, 1e-6));  // G = 1e7
   description.mass = kind;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
@@ -200,12 +203,15 @@ Real swing(bool with_water, MassMatrix kind, int steps, Real step) {
   stepper.start();
   for (int i = 0; i < steps; ++i) stepper.advance();
   EXPECT_NEAR(stepper.energy_residual(), 0, 1e-8 * stepper.work().gravity);
-  if (with_water) EXPECT_NEAR(stepper.kinetic_energy_of_water() / stepper.kinetic_energy(), 0.2147, 2e-3);
+  if (with_water) {
+    EXPECT_NEAR(stepper.kinetic_energy_of_water() / stepper.kinetic_energy(), 0.2147, 2e-3);
+  }
   return stepper.state().displacement[static_cast<std::size_t>(test::node_at(mesh, {0, 3, 0})) * 2];
 }
 
 TEST(added_mass, lengthens_the_period_of_a_stiff_wall_on_a_soft_base) {
-  const Real wall = 2400 * 2, stiffness = 1e7, step = 2e-3;
+  const Real wall = 2400 * 2, step = 2e-3;
+  const Real stiffness = 1 / (1e-7 + 2 / (3 * 5e11));  // of the layer, and of the wall in shear under its own inertia
   for (const MassMatrix kind : {MassMatrix::consistent, MassMatrix::lumped})
     for (const bool with_water : {false, true}) {
       const Real mass = wall + (with_water ? 7.0 / 12 * density * 1.5 * 1.5 : 0);
