@@ -6,9 +6,9 @@
 ///     h = h0 + i . (x - x0)                           h0  level at x0 [m]             i  its slope along the base, else 0 [-]
 ///     m = 7/8 rho sqrt(H y)                           y   depth below the level [m]   H  depth of the water at the wall [m]
 ///
-/// m is the mass per area that gives the largest pressures of incompressible water on a rigid vertical wall, nearly: the parabola of
-/// Westergaard, Trans. ASCE 98 (1933) 418-433. A level that falls evenly along a base gives the trapezium of uplift under gravity
-/// structures.
+/// m is the mass per area that gives the largest pressures of incompressible water on a rigid vertical wall, nearly: the parabola
+/// of Westergaard, Trans. ASCE 98 (1933) 418-433. A level that falls evenly along a base gives the trapezium of uplift under
+/// gravity structures.
 
 #include <algorithm>
 #include <cmath>

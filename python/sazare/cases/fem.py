@@ -204,14 +204,52 @@ class Load(Part):
 
 
 @dataclass(kw_only=True, eq=False)
+class WaterPressure(Part):
+    """Pressure of still water on outer faces, and in joints."""
+
+    name: str
+    """Name of the water in results and messages."""
+    group: str | None = None
+    """Physical group of outer faces (lines in 2-D) on which it presses. (exactly one of group and joint)"""
+    joint: str | None = None
+    """Name of one of the [[joints]] in which it stands: it pushes both sides apart, and the joint carries what is left, the
+    effective pressure. (exactly one of group and joint)
+    """
+    level: float
+    """Elevation of the still water, y in 2-D and z in 3-D: the pressure is density g (level - elevation) below it and 0 above; g
+    is that of [gravity]. [m]
+    """
+    far_level: float | None = None
+    """Uplift: the level at the far end of a base. The level falls evenly from one end to the other. [m] (default: the level
+    everywhere; for the faces of a base, and for joints)
+    """
+    direction: tuple[float, float, float] | None = None
+    """Horizontal direction from the end of the base with level to the one with far_level; the default is along x. (only with
+    far_level) Default: [1.0, 0.0, 0.0].
+    """
+    density: float | None = None
+    """Density of the water; of sea water about 1030. [kg/m3] Default: 1000.0. Greater than 0."""
+    ramp: float | None = None
+    """Time in which the pressure grows linearly from 0 to its full value; 0: it is there at t = 0, and settle includes it. [s]
+    Default: 0.0. At least 0.
+    """
+    added_mass: Literal["none", "westergaard"] | None = None
+    """Mass of water that moves with the faces, across them: none, or Westergaard's for steep walls, 7/8 density sqrt(H y) per
+    area, with the depth H of the water and the depth y below the level. Default: "none".
+    """
+    bed: float | None = None
+    """Elevation of the bed of the water, from which H counts. [m] (westergaard only; default: the lowest point of the group)"""
+
+
+@dataclass(kw_only=True, eq=False)
 class Gravity(Part):
     """Body force."""
 
     acceleration: tuple[float, float, float] | None = None
     """Gravitational acceleration. [m/s2] Default: [0.0, 0.0, 0.0]."""
     settle: bool | None = None
-    """Begin in equilibrium under gravity: it is found first, viscous boundaries keep carrying their reactions in it, and
-    displacements count from it. Default: false.
+    """Begin in equilibrium under gravity and the pressure of water: it is found first, viscous boundaries keep carrying their
+    reactions in it, and displacements count from it. Default: false.
     """
 
 
@@ -285,6 +323,7 @@ class Case(AnyCase):
         "motions": Motion,
         "boundaries": Boundary,
         "loads": Load,
+        "water_pressures": WaterPressure,
         "gravity": Gravity,
         "solver": Solver,
         "gauges": Gauge,
@@ -308,6 +347,8 @@ class Case(AnyCase):
     """Boundary conditions of groups; all other nodes are free."""
     loads: list[Load] = field(default_factory=list)
     """Tractions on outer faces."""
+    water_pressures: list[WaterPressure] = field(default_factory=list)
+    """Pressure of still water on outer faces, and in joints."""
     gravity: Gravity | None = None
     """Body force."""
     solver: Solver | None = None

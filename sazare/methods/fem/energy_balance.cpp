@@ -112,13 +112,13 @@ Real FemStepper<D>::energy_residual() const {
 }
 
 // The class is instantiated in stepper.cpp, without these.
-#define SAZARE_INSTANTIATE(D)                                                 \
-  template bool FemStepper<D>::is_unloaded() const;                                 \
-  template void FemStepper<D>::add_work(const Trial&, const NodalColumn&, const Span&); \
+#define SAZARE_INSTANTIATE(D)                                                                      \
+  template bool FemStepper<D>::is_unloaded() const;                                                \
+  template void FemStepper<D>::add_work(const Trial&, const NodalColumn&, const Span&);            \
   template void FemStepper<D>::add_work_of_damping(const Trial&, const Span&, const NodalColumn&); \
-  template Real FemStepper<D>::kinetic_energy() const;                              \
-  template Real FemStepper<D>::kinetic_energy_of_water() const;                     \
-  template Real FemStepper<D>::elastic_energy() const;                              \
+  template Real FemStepper<D>::kinetic_energy() const;                                             \
+  template Real FemStepper<D>::kinetic_energy_of_water() const;                                    \
+  template Real FemStepper<D>::elastic_energy() const;                                             \
   template Real FemStepper<D>::energy_residual() const;
 
 SAZARE_INSTANTIATE(2)

@@ -367,8 +367,10 @@ Vector<D> FemStepper<D>::water_force(std::size_t which) const {
   if (!inertia()) return sum;
   for (const auto& face : water.moving)
     for (Eigen::Index column = 0; column < face.mass.cols(); ++column) {
-      const Real acceleration = state_.acceleration[number<D>(face.nodes[static_cast<std::size_t>(column / D)], static_cast<int>(column % D))];
-      for (Eigen::Index row = 0; row < face.mass.rows(); ++row) sum[static_cast<int>(row % D)] -= face.mass(row, column) * acceleration;
+      const Real acceleration =
+          state_.acceleration[number<D>(face.nodes[static_cast<std::size_t>(column / D)], static_cast<int>(column % D))];
+      for (Eigen::Index row = 0; row < face.mass.rows(); ++row)
+        sum[static_cast<int>(row % D)] -= face.mass(row, column) * acceleration;
     }
   return sum;
 }

@@ -65,8 +65,8 @@ public:
   /// A freedom that nothing holds when the body is at rest, joints closed; none where the stiffness is regular.
   std::optional<methods::fem::Freedom> find_loose_freedom();
 
-  /// Finds the equilibrium under gravity, and the pressure of the water there is at the beginning, before it: viscous boundaries carry what they carry in it, and motions begin
-  /// from there. Throws PhysicsError where there is none.
+  /// Finds the equilibrium under gravity, and the pressure of the water there is at the beginning, before it: viscous boundaries
+  /// carry what they carry in it, and motions begin from there. Throws PhysicsError where there is none.
   void relax();
 
   /// Finds the accelerations at the beginning; call once before the first `advance`, not after a resume.

@@ -154,7 +154,8 @@ std::vector<QuadraturePoint> wet_points(const ElementMesh& mesh, const MeshEleme
   if (geometry::facts(face.shape).dimension == 1) return on_line(depth);
   if (depth.all_dry()) return {};
   if (depth.all_wet()) {
-    const bool triangle = geometry::facts(face.shape).simplex;  // the root of an added mass takes more points than its nodes would
+    const bool triangle =
+        geometry::facts(face.shape).simplex;  // the root of an added mass takes more points than its nodes would
     const auto points = mass_points(triangle ? ElementShape::triangle6 : ElementShape::quadrilateral9);
     return {points.begin(), points.end()};
   }
@@ -174,8 +175,7 @@ Eigen::VectorXd pressure_force(const ElementMesh& mesh, const MeshElement& face,
   for (const QuadraturePoint& place : wet_points(mesh, face, water)) {
     const FacePoint<D> point = face_point<D>(mesh, face, place);
     const Real pressure = water.pressure(depth.place(place.place));
-    for (Eigen::Index a = 0; a < nodes; ++a)
-      force.segment<D>(a * D) -= point.weight * pressure * point.values[a] * point.normal;
+    for (Eigen::Index a = 0; a < nodes; ++a) force.segment<D>(a * D) -= point.weight * pressure * point.values[a] * point.normal;
   }
   return force;
 }
@@ -202,7 +202,9 @@ Eigen::MatrixXd added_mass(const ElementMesh& mesh, const MeshElement& face, con
 
 template Eigen::VectorXd pressure_force<2>(const ElementMesh&, const MeshElement&, const laws::WaterPressure&);
 template Eigen::VectorXd pressure_force<3>(const ElementMesh&, const MeshElement&, const laws::WaterPressure&);
-template Eigen::MatrixXd added_mass<2>(const ElementMesh&, const MeshElement&, const laws::WaterPressure&, Real, Real, MassMatrix);
-template Eigen::MatrixXd added_mass<3>(const ElementMesh&, const MeshElement&, const laws::WaterPressure&, Real, Real, MassMatrix);
+template Eigen::MatrixXd added_mass<2>(const ElementMesh&, const MeshElement&, const laws::WaterPressure&, Real, Real,
+                                       MassMatrix);
+template Eigen::MatrixXd added_mass<3>(const ElementMesh&, const MeshElement&, const laws::WaterPressure&, Real, Real,
+                                       MassMatrix);
 
 }  // namespace sazare::methods::fem

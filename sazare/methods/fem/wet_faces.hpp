@@ -8,9 +8,9 @@
 
 namespace sazare::methods::fem {
 
-/// Points of integration of the part of a face below the level; their weights sum to its measure in the reference element. What is
-/// wet of a line, and of a flat face whose opposite sides are parallel or that is a triangle, is found exactly; of other faces that
-/// the level cuts, by halving them seven times, with straight cuts in the last parts.
+/// Points of integration of the part of a face below the level; their weights sum to its measure in the reference element. What
+/// is wet of a line, and of a flat face whose opposite sides are parallel or that is a triangle, is found exactly; of other faces
+/// that the level cuts, by halving them seven times, with straight cuts in the last parts.
 std::vector<QuadraturePoint> wet_points(const geometry::ElementMesh& mesh, const geometry::MeshElement& face,
                                         const laws::WaterPressure& water);
 

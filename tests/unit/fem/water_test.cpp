@@ -63,7 +63,8 @@ TEST(water, presses_on_vertical_inclined_and_half_wet_walls_with_the_force_and_m
         EXPECT_NEAR(force.x(), sum, 1e-12 * sum) << test::name_of(shape) << lean << ' ' << level;
         EXPECT_NEAR(force[D - 1], -lean * sum, 1e-12 * sum);
         const Real about = D == 2 ? -moment.z() : moment.y();  // z F_x - x F_z
-        EXPECT_NEAR(about, (1 + lean * lean) * first, 1e-12 * std::max(first, sum)) << test::name_of(shape) << lean << ' ' << level;
+        EXPECT_NEAR(about, (1 + lean * lean) * first, 1e-12 * std::max(first, sum))
+            << test::name_of(shape) << lean << ' ' << level;
         EXPECT_LT((force.template head<D>() - water.force).norm(), 1e-12 * sum);
       }
   });
@@ -98,8 +99,9 @@ TEST(water, on_faces_that_are_no_parallelograms_is_found_to_some_1e_8) {
   for (const ElementShape shape : {ElementShape::hexahedron8, ElementShape::hexahedron20, ElementShape::hexahedron27})
     for (const Real level : {0.8, 1.21}) {
       auto mesh = leaning(shape, 0);
-      for (Vector3& node : mesh.nodes) node.z() *= 1 + 0.4 * (node.y() / 0.7 - 0.5) * (2 - node.z());  // quadrilaterals of the side
-      if (geometry::facts(shape).quadratic) continue;  // their sides are no longer straight
+      for (Vector3& node : mesh.nodes)
+        node.z() *= 1 + 0.4 * (node.y() / 0.7 - 0.5) * (2 - node.z());  // quadrilaterals of the side
+      if (geometry::facts(shape).quadratic) continue;                   // their sides are no longer straight
       StillWater<3> water;
       press<3>(mesh, "left", water_at(level, 3), water);
       const Real sum = unit_weight * 0.7 * level * level / 2;
@@ -132,7 +134,8 @@ TEST(uplift, is_a_trapezium_and_where_the_level_falls_below_the_base_a_triangle)
 /// Water of a depth of 2 m on the left side of a box: its mass, and the moment of the masses about the level.
 template <int D>
 std::pair<Real, Real> mass_on_the_left(ElementShape shape, int cells, MassMatrix kind) {
-  const auto mesh = test::box(shape, D == 2 ? test::BoxRules{{1, 2, 0}, {1, cells, 1}, 0} : test::BoxRules{{1, 0.7, 2}, {1, 2, cells}, 0});
+  const auto mesh =
+      test::box(shape, D == 2 ? test::BoxRules{{1, 2, 0}, {1, cells, 1}, 0} : test::BoxRules{{1, 0.7, 2}, {1, 2, cells}, 0});
   Real mass = 0, moment = 0;
   for (const auto& face : mesh.find_group("left")->elements) {
     const Eigen::MatrixXd matrix = added_mass<D>(mesh, face, water_at(2, D), density, 2, kind);
@@ -144,7 +147,9 @@ std::pair<Real, Real> mass_on_the_left(ElementShape shape, int cells, MassMatrix
           mass += matrix(row, column);
           moment += y * matrix(row, column);
         }
-        if (row % D != 0 || column % D != 0) { EXPECT_EQ(matrix(row, column), 0); }  // nothing along the face
+        if (row % D != 0 || column % D != 0) {
+          EXPECT_EQ(matrix(row, column), 0);
+        }  // nothing along the face
       }
   }
   return {mass, moment};
@@ -216,7 +221,7 @@ TEST(added_mass, lengthens_the_period_of_a_stiff_wall_on_a_soft_base) {
     for (const bool with_water : {false, true}) {
       const Real mass = wall + (with_water ? 7.0 / 12 * density * 1.5 * 1.5 : 0);
       const Real omega = 2 / step * std::atan(0.5 * step * std::sqrt(stiffness / mass));  // as Newmark's step has it
-      const int steps = static_cast<int>(4.25 * 2 * std::numbers::pi / (omega * step));  // where the motion is fastest
+      const int steps = static_cast<int>(4.25 * 2 * std::numbers::pi / (omega * step));   // where the motion is fastest
       const Real exact = wall / stiffness * (1 - std::cos(omega * step * steps));
       EXPECT_NEAR(swing(with_water, kind, steps, step), exact, (with_water ? 3e-3 : 1e-4) * wall / stiffness);
     }

@@ -84,13 +84,13 @@ struct FemWater {
   std::string name;
   std::string group;
   std::string joint;
-  Real level = 0;                          // m
-  std::optional<Real> far_level;           // m, at the other end of a base
-  Vector3 direction = Vector3::UnitX();    // horizontal, from the end with the level to that with the far level
-  Real density = 0;                        // kg/m3
-  Real ramp = 0;                           // s
+  Real level = 0;                        // m
+  std::optional<Real> far_level;         // m, at the other end of a base
+  Vector3 direction = Vector3::UnitX();  // horizontal, from the end with the level to that with the far level
+  Real density = 0;                      // kg/m3
+  Real ramp = 0;                         // s
   AddedMass added_mass = AddedMass::none;
-  std::optional<Real> bed;                 // m; without it the lowest point of the group
+  std::optional<Real> bed;  // m; without it the lowest point of the group
 
   bool in_joint() const { return !joint.empty(); }
 };

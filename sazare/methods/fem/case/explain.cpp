@@ -30,8 +30,9 @@ std::string boundary_text(const GroupBoundary& boundary) {
 }
 
 std::string water_text(const FemWater& water) {
-  std::string text = fmt::format("{}: {} kg/m3 {} {}, level {} m", water.name, number(water.density), water.in_joint() ? "in joint" : "on",
-                                 water.in_joint() ? water.joint : water.group, number(water.level));
+  std::string text =
+      fmt::format("{}: {} kg/m3 {} {}, level {} m", water.name, number(water.density), water.in_joint() ? "in joint" : "on",
+                  water.in_joint() ? water.joint : water.group, number(water.level));
   if (water.far_level) text += fmt::format(" to {} m along {}", number(*water.far_level), vector_text(water.direction));
   if (water.ramp > 0) text += fmt::format(", full pressure after {} s", number(water.ramp));
   if (water.added_mass == AddedMass::westergaard) text += ", Westergaard's added mass";

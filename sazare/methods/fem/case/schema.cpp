@@ -234,8 +234,9 @@ constexpr std::array water_keys{
     Key{.name = "joint",
         .type = Type::text,
         .note = "exactly one of group and joint",
-        .sentence = "Name of one of the [[joints]] in which it stands: it pushes both sides apart, and the joint carries what is left, "
-                    "the effective pressure."},
+        .sentence =
+            "Name of one of the [[joints]] in which it stands: it pushes both sides apart, and the joint carries what is left, "
+            "the effective pressure."},
     Key{.name = "level",
         .type = Type::number,
         .unit = "m",
@@ -251,7 +252,8 @@ constexpr std::array water_keys{
         .type = Type::vector,
         .default_text = "[1.0, 0.0, 0.0]",
         .note = "only with far_level",
-        .sentence = "Horizontal direction from the end of the base with level to the one with far_level; the default is along x."},
+        .sentence =
+            "Horizontal direction from the end of the base with level to the one with far_level; the default is along x."},
     Key{.name = "density",
         .type = Type::number,
         .unit = "kg/m3",
@@ -264,8 +266,9 @@ constexpr std::array water_keys{
         .unit = "s",
         .range = not_negative,
         .default_text = "0.0",
-        .sentence = "Time in which the pressure grows linearly from 0 to its full value; 0: it is there at t = 0, and settle includes "
-                    "it."},
+        .sentence =
+            "Time in which the pressure grows linearly from 0 to its full value; 0: it is there at t = 0, and settle includes "
+            "it."},
     Key{.name = "added_mass",
         .type = Type::choice,
         .default_text = "\"none\"",
@@ -284,7 +287,8 @@ constexpr std::array fem_gravity_keys{
     Key{.name = "settle",
         .type = Type::boolean,
         .default_text = "false",
-        .sentence = "Begin in equilibrium under gravity and the pressure of water: it is found first, viscous boundaries keep carrying their reactions in "
+        .sentence = "Begin in equilibrium under gravity and the pressure of water: it is found first, viscous boundaries keep "
+                    "carrying their reactions in "
                     "it, and displacements count from it."},
 };
 

@@ -17,7 +17,8 @@ void check_gravity_of_water(const CheckContext& context, const FemCase& fem, con
   const Entry gravity = context.entries_of("gravity").front();
   if (!gravity.is_sound("acceleration")) return;
   const int up = fem.mesh.dimension - 1;
-  const std::string help = fmt::format("set acceleration = [0.0, {}] in [gravity], in m/s2", up == 1 ? "-9.81, 0.0" : "0.0, -9.81");
+  const std::string help =
+      fmt::format("set acceleration = [0.0, {}] in [gravity], in m/s2", up == 1 ? "-9.81, 0.0" : "0.0, -9.81");
   if (fem.gravity.acceleration.norm() == 0)
     return context.problems.error(water.header(), "the pressure of water requires gravity", help);
   Vector3 across = fem.gravity.acceleration;

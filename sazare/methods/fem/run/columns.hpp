@@ -29,7 +29,8 @@ inline constexpr std::array moving_water = {
     Column{"energy_kinetic_water", "J", "of the added mass of water, part of energy_kinetic; only where there is water"}};
 inline constexpr std::array boundary = {Column{"NAME.force", "N", "of a boundary on the body", 3}};
 inline constexpr std::array water = {
-    Column{"NAME.water_force", "N", "of still water on the body: its pressure and the inertia of its added mass; in a joint, on the first side", 3}};
+    Column{"NAME.water_force", "N",
+           "of still water on the body: its pressure and the inertia of its added mass; in a joint, on the first side", 3}};
 inline constexpr std::array joint_set = {Column{"NAME.open_fraction", "-", "open share of the area of the joint"},
                                          Column{"NAME.sliding_fraction", "-", "sliding share of the area of the joint"},
                                          Column{"NAME.slip_max", "m", "largest slip"}};

@@ -41,7 +41,8 @@ const geometry::ElementGroup& MeshNames::outer_group(const std::string& key, con
                                                      const std::string& nothing) const {
   const geometry::ElementGroup& found = group(key, name, true);
   if (!geometry::faces_of_group(mesh_, found).empty())
-    refuse(source_, key, fmt::format("the group \"{}\" lies inside the body, where {}", name, nothing), "name a group of outer faces");
+    refuse(source_, key, fmt::format("the group \"{}\" lies inside the body, where {}", name, nothing),
+           "name a group of outer faces");
   return found;
 }
 

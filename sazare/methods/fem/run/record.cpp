@@ -73,8 +73,7 @@ std::vector<RecordFiles::Table> FemRecord<D>::tables() const {
   observe::add_titles(history, columns::fem::work);
   for (const std::string& name : model_->group_names) observe::add_titles(history, columns::fem::boundary, name, D);
   if (!stepper().supports().waters.empty()) observe::add_titles(history, columns::fem::moving_water);
-  for (const auto& water : stepper().supports().waters)
-    observe::add_titles(history, columns::fem::water, water.pressure.name, D);
+  for (const auto& water : stepper().supports().waters) observe::add_titles(history, columns::fem::water, water.pressure.name, D);
   for (const auto& set : stepper().body().joints().sets()) observe::add_titles(history, columns::fem::joint_set, set.name);
   observe::add_titles(history, columns::fem::newton);
   observe::add_titles(history, columns::clock);

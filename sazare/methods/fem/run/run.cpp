@@ -107,10 +107,10 @@ std::string water_lines(const methods::fem::FemStepper<D>& stepper) {
   for (const auto& water : stepper.supports().waters) {
     Vector3 force = Vector3::Zero();
     force.head<D>() = water.force;
-    const std::string mass_text = water.moving.empty() ? "" : fmt::format(", added mass {} {}", number(water.moving_mass()), D == 2 ? "kg/m" : "kg");
-    text += line("water", fmt::format("{} wets {} {}, pressure {} {}{}", water.pressure.name, number(water.wet_area), D == 2 ? "m" : "m2",
-                                      cases::vector_text(force), D == 2 ? "N/m" : "N",
-                                      mass_text));
+    const std::string mass_text =
+        water.moving.empty() ? "" : fmt::format(", added mass {} {}", number(water.moving_mass()), D == 2 ? "kg/m" : "kg");
+    text += line("water", fmt::format("{} wets {} {}, pressure {} {}{}", water.pressure.name, number(water.wet_area),
+                                      D == 2 ? "m" : "m2", cases::vector_text(force), D == 2 ? "N/m" : "N", mass_text));
   }
   return text;
 }

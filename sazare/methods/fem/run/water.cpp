@@ -53,7 +53,7 @@ public:
     fem::StillWater<D> made;
     made.pressure = {given_.name, fem::NodalColumn(body_.mesh.nodes.size() * D, 0), given_.ramp};
     for (const WetFace& face : faces_) {
-      check_slope_of(face.outside);
+      check_wall(face.outside);
       add_pressure(face, made);
       if (given_.added_mass == cases::AddedMass::westergaard) add_mass(face.outside, made);
     }
@@ -95,6 +95,7 @@ private:
     const Vector3 along = given_.direction.normalized();
     Vector3 first = Vector3::Zero();
     Real low = std::numeric_limits<Real>::infinity(), high = -low;
+    for (const WetFace& face : faces_) check_base(face.outside);
     for (const WetFace& face : faces_)
       for (const Index node : face.outside.node_list()) {
         const Real place = along.dot(body_.mesh.nodes[at(node)]);
@@ -118,16 +119,21 @@ private:
     return sum.normalized()[D - 1];
   }
 
-  void check_slope_of(const MeshElement& face) const {
-    if (given_.far_level && !given_.in_joint() && look_up(face) > -0.5)
+  void check_base(const MeshElement& face) const {
+    if (!given_.in_joint() && look_up(face) > -0.5)
       refuse(file_, key_ + ".far_level", fmt::format("the group \"{}\" is no base: faces of it do not look down", given_.group),
              "far_level is for uplift; give the faces of the base a group of their own, and water on walls a level only");
+  }
+
+  void check_wall(const MeshElement& face) const {
     const bool wet = !fem::wet_points(body_.mesh, face, water_).empty();
     if (given_.added_mass == cases::AddedMass::westergaard && wet && std::abs(look_up(face)) > std::sqrt(0.75))
-      refuse(file_, key_ + ".added_mass",
-             fmt::format("faces of the group \"{}\" are less than 30 degrees from horizontal; Westergaard's added mass is for steep walls",
-                         given_.group),
-             "give the walls a group of their own");
+      refuse(
+          file_, key_ + ".added_mass",
+          fmt::format(
+              "faces of the group \"{}\" are less than 30 degrees from horizontal; Westergaard's added mass is for steep walls",
+              given_.group),
+          "give the walls a group of their own");
   }
 
   void add_pressure(const WetFace& face, fem::StillWater<D>& made) const {
@@ -171,7 +177,8 @@ private:
 }  // namespace
 
 template <int D>
-std::vector<fem::StillWater<D>> make_waters(const cases::CaseFile& file, const fem::BodyDescription& body, const MeshNames& names) {
+std::vector<fem::StillWater<D>> make_waters(const cases::CaseFile& file, const fem::BodyDescription& body,
+                                            const MeshNames& names) {
   std::vector<fem::StillWater<D>> waters;
   for (std::size_t i = 0; i < file.as<cases::FemCase>().waters.size(); ++i)
     waters.push_back(WaterMaker<D>(file, body, names, i).make());
@@ -185,8 +192,9 @@ std::string warn_of_dry_water(const cases::CaseFile& file, const std::vector<fem
     if (waters[i].wet_area > 0) continue;
     const auto& given = file.as<cases::FemCase>().waters[i];
     const std::string key = fmt::format("water_pressures.{}.level", i);
-    const std::string what = fmt::format("the water does nothing: all faces of {} \"{}\" lie above its level",
-                                         given.in_joint() ? "the joint" : "the group", given.in_joint() ? given.joint : given.group);
+    const std::string what =
+        fmt::format("the water does nothing: all faces of {} \"{}\" lie above its level",
+                    given.in_joint() ? "the joint" : "the group", given.in_joint() ? given.joint : given.group);
     const std::string help = fmt::format("the level is an elevation, {} in the coordinates of the mesh, in m", "xyz"[D - 1]);
     if (file.as<cases::FemCase>().time.strict) refuse(file, key, what, help);
     all += warning(file, key, what, help);
