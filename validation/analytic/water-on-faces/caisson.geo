@@ -1,0 +1,21 @@
+// A caisson of 4 m x 4 m on ground; its landward side leans over by 1 m. x = 4 m is the seaward foot, y = 0 the sole.
+DefineConstant[ along = 8 ];
+Point(1) = {0, -2, 0}; Point(2) = {4, -2, 0}; Point(3) = {8, -2, 0}; Point(4) = {12, -2, 0};
+Point(5) = {0, 0, 0}; Point(6) = {4, 0, 0}; Point(7) = {8, 0, 0}; Point(8) = {12, 0, 0};
+Point(9) = {4, 4, 0}; Point(10) = {7, 4, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 8}; Line(5) = {8, 7}; Line(6) = {7, 6}; Line(7) = {6, 5};
+Line(8) = {5, 1}; Line(9) = {2, 6}; Line(10) = {3, 7}; Line(11) = {7, 10}; Line(12) = {10, 9}; Line(13) = {9, 6};
+Curve Loop(1) = {1, 9, 7, 8}; Plane Surface(1) = {1};
+Curve Loop(2) = {2, 10, 6, -9}; Plane Surface(2) = {2};
+Curve Loop(3) = {3, 4, 5, -10}; Plane Surface(3) = {3};
+Curve Loop(4) = {-6, 11, 12, 13}; Plane Surface(4) = {4};
+Transfinite Curve{1, 2, 3, 5, 6, 7, 12, 11, 13} = along + 1;
+Transfinite Curve{4, 8, 9, 10} = 3;
+Transfinite Surface{1:4};
+Recombine Surface{1:4};
+Physical Surface("ground") = {1, 2, 3};
+Physical Surface("caisson") = {4};
+Physical Curve("base") = {1, 2, 3};
+Physical Curve("sea") = {13};
+Physical Curve("land") = {11};
+Physical Curve("top") = {12};
