@@ -1,4 +1,4 @@
-"""The model of a case of method fem at t = 0: regions, boundaries, loads, joints."""
+"""The model of a case of method fem at t = 0: regions, boundaries, loads, water, joints."""
 
 import numpy as np
 
@@ -9,9 +9,13 @@ from sazare.model.parts import (
 )
 
 MOST_ARROWS = 12  # of a load
+WATER = "#2b6cb0"
 
 
-preparation = without_settling
+def preparation(case):
+    """Ground does not settle first, so there is no gravity, and water, which requires gravity, is left out."""
+    settings = without_settling(case)
+    return [*settings, "water_pressures=[]"] if settings and case.get("water_pressures") else settings
 
 
 def model(opened):
@@ -19,9 +23,10 @@ def model(opened):
     dimension = opened.case["mesh"]["dimension"]
     parts = [*_regions(opened, dimension), *_joints(opened, dimension), *_boundaries(opened, dimension)]
     loads = [(entry, surface_part(opened, [entry["group"]], dimension, _load_label(entry), COLORS["load"], LOAD)) for entry in opened.all("loads")]
+    waters = [part for entry in opened.all("water_pressures") for part in _water(opened, entry, dimension)]
     center = np.asarray(opened.first.points).mean(axis=0)
     arrows = [arrow for entry, part in loads for arrow in _load_arrows(entry, part, center)]
-    return Model(dimension, [*parts, *(part for _, part in loads)], gauges_at_points(opened), arrows, opened.gravity)
+    return Model(dimension, [*parts, *(part for _, part in loads), *waters], gauges_at_points(opened), arrows, opened.gravity)
 
 
 def _regions(opened, dimension):
@@ -40,13 +45,30 @@ def _regions(opened, dimension):
 
 def _joints(opened, dimension):
     for entry in opened.all("joints"):
-        label = f"joint: {entry['name']}"
-        if entry.get("group"):
-            yield surface_part(opened, [entry["group"]], dimension, label, COLORS["joint"])
-        elif dimension == 2:
-            yield Part(label, COLORS["joint"], BOUNDARY, lines=opened.groups.shared_edges(*entry["between"]))
-        else:
-            yield Part(label, COLORS["joint"], BOUNDARY, points=opened.groups.shared_points(*entry["between"], 3))
+        yield from _joint(opened, entry, dimension, f"joint: {entry['name']}", COLORS["joint"])
+
+
+def _water(opened, entry, dimension):
+    """The faces under a water, or the joint that it is in."""
+    level = style.quantity(entry["level"], "m")
+    if entry.get("far_level") is not None:
+        level += f" to {style.quantity(entry['far_level'], 'm')}"
+    label = f"water {entry['name']}: level {level}"
+    if entry.get("group"):
+        yield surface_part(opened, [entry["group"]], dimension, label, WATER, LOAD)
+        return
+    for joint in opened.all("joints"):
+        if joint["name"] == entry["joint"]:
+            yield from _joint(opened, joint, dimension, label, WATER)
+
+
+def _joint(opened, entry, dimension, label, color):
+    if entry.get("group"):
+        yield surface_part(opened, [entry["group"]], dimension, label, color)
+    elif dimension == 2:
+        yield Part(label, color, BOUNDARY, lines=opened.groups.shared_edges(*entry["between"]))
+    else:
+        yield Part(label, color, BOUNDARY, points=opened.groups.shared_points(*entry["between"], 3))
 
 
 def _boundaries(opened, dimension):
