@@ -25,7 +25,7 @@ Body<D>::Body(BodyDescription description)
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     const SolidMaterial& material = description_.materials[at(description_.material[e])];
     const auto nodes = mesh.elements[e].node_list();
-    mass_.add(nodes, element_mass<D>(mesh, mesh.elements[e], material.density, description_.mass));
+    mass_.add(nodes, element_mass<D>(mesh, mesh.elements[e], material, description_.mass));
     if (material.is_elastic())
       linear_.add(nodes, element_stiffness<D>(mesh, mesh.elements[e], material, description_.integration));
   }
@@ -84,12 +84,55 @@ BlockMatrix<D> Body<D>::damping_matrix(const laws::RayleighDamping& damping) con
     const SolidMaterial& material = description_.materials[at(description_.material[e])];
     if (!(material.damping_ratio > 0)) continue;
     const auto nodes = mesh.elements[e].node_list();
-    result.add(nodes, element_mass<D>(mesh, mesh.elements[e], material.density, description_.mass),
+    result.add(nodes, element_mass<D>(mesh, mesh.elements[e], material, description_.mass),
                damping.mass_rate * material.damping_ratio);
     result.add(nodes, element_stiffness<D>(mesh, mesh.elements[e], material, description_.integration),
                damping.stiffness_time * material.damping_ratio);
   }
   return result;
+}
+
+template <int D>
+template <class Visit>
+void Body<D>::visit_pores(Visit visit) const {
+  const geometry::ElementMesh& mesh = description_.mesh;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const geometry::MeshElement& element = mesh.elements[e];
+    const auto& saturation = description_.materials[at(description_.material[e])].saturation;
+    if (!saturation) continue;
+    for (const QuadraturePoint& place : stiffness_points(element.shape, description_.integration)) {
+      const NodeValues values = shape_values(element.shape, place.place);
+      Vector3 position = Vector3::Zero();
+      for (std::size_t i = 0; i < element.node_list().size(); ++i)
+        position += values[static_cast<Eigen::Index>(i)] * mesh.nodes[at(element.nodes[i])];
+      visit(e, solid_point<D>(mesh, element, place), saturation->pore_water.pressure(position));
+    }
+  }
+}
+
+template <int D>
+NodalColumn Body<D>::pore_force() const {
+  NodalColumn force(freedoms(), 0);
+  visit_pores([&](std::size_t e, const SolidPoint<D>& point, Real pressure) {
+    const auto nodes = description_.mesh.elements[e].node_list();
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      for (int axis = 0; axis < D; ++axis)
+        force[at(nodes[i]) * D + static_cast<std::size_t>(axis)] +=
+            point.weight * pressure * point.gradients(static_cast<Eigen::Index>(i), axis);
+  });
+  return force;
+}
+
+template <int D>
+std::vector<Real> Body<D>::pore_pressures() const {
+  std::vector<Real> pressure(description_.mesh.elements.size(), 0), volume(pressure.size(), 0);
+  visit_pores([&](std::size_t e, const SolidPoint<D>& point, Real there) {
+    pressure[e] += point.weight * there;
+    volume[e] += point.weight;
+  });
+  for (std::size_t e = 0; e < pressure.size(); ++e)
+    if (volume[e] > 0) pressure[e] /= volume[e];
+  return pressure;
 }
 
 template <int D>

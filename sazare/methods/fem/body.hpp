@@ -51,6 +51,12 @@ public:
 
   Memory memory_at_rest() const;
 
+  /// Forces of the water in the pores on the nodes, which are those of its pressure against the effective stress [N].
+  NodalColumn pore_force() const;
+
+  /// Mean pressure of the water in the pores of every element [Pa].
+  std::vector<Real> pore_pressures() const;
+
   /// Internal forces of displacements, and the memory that they leave. `tangent`, where asked for, is made anew where it has
   /// changed; then the result is true.
   bool evaluate(const NodalColumn& displacement, const Memory& before, Memory& after, NodalColumn& force,
@@ -73,6 +79,10 @@ public:
   const Joints<D>& joints() const { return joints_; }
 
 private:
+  /// Calls visit(element, point, pressure) for the points of integration of saturated ground.
+  template <class Visit>
+  void visit_pores(Visit visit) const;
+
   NodeGroups all_groups() const;
   NodeGroups changing_groups() const;
 

@@ -44,6 +44,7 @@ void FemStepper<D>::add_work(const Trial& trial, const NodalColumn& balance, con
   work.gravity += (brings && is_unloaded() ? 0.5 : 1) * dot(weight_, moved);
   for (const auto& load : supports_.loads)
     work.loads += 0.5 * ((brings ? 0 : load.share(span.from)) + load.share(span.to)) * dot(load.force, moved);
+  work.water += (brings && is_unloaded() ? 0.5 : 1) * dot(pore_, moved);
   for (const auto& water : supports_.waters)
     work.water += 0.5 * ((brings && is_unloaded() ? 0 : water.pressure.share(span.from)) + water.pressure.share(span.to)) *
                   dot(water.pressure.force, moved);

@@ -9,11 +9,18 @@
 
 #include "sazare/laws/overlay_plasticity.hpp"
 #include "sazare/laws/principal_return.hpp"
+#include "sazare/laws/water_pressure.hpp"
 #include "sazare/methods/fem/voigt.hpp"
 
 #include <Eigen/Eigenvalues>
 
 namespace sazare::methods::fem {
+
+/// Ground below a water table: heavier, and with water at rest in its pores. The stress of its law is the effective one.
+struct Saturation {
+  Real density = 0;  ///< of the ground with the water in it [kg/m3]
+  laws::WaterPressure pore_water;
+};
 
 struct SolidMaterial {
   std::string name;
@@ -22,6 +29,13 @@ struct SolidMaterial {
   Real damping_ratio = 0;  ///< of Rayleigh damping [-]
   std::optional<laws::MohrCoulomb> strength;
   std::optional<laws::BackboneCurve> backbone;  ///< its shear modulus is that of `elastic`
+
+  std::optional<Saturation> saturation;
+
+  /// Density at a place, below the water table that of the saturated ground [kg/m3].
+  Real density_at(const Vector3& place) const {
+    return saturation && saturation->pore_water.depth(place) > 0 ? saturation->density : density;
+  }
 
   static SolidMaterial elastic_of(Real youngs_modulus, Real poisson_ratio, Real density_) {
     SolidMaterial material;

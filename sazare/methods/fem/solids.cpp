@@ -60,14 +60,16 @@ Eigen::MatrixXd element_stiffness(const geometry::ElementMesh& mesh, const geome
 }
 
 template <int D>
-Eigen::MatrixXd element_mass(const geometry::ElementMesh& mesh, const geometry::MeshElement& element, Real density,
+Eigen::MatrixXd element_mass(const geometry::ElementMesh& mesh, const geometry::MeshElement& element, const SolidMaterial& material,
                              MassMatrix kind) {
   const auto nodes = static_cast<Eigen::Index>(element.node_list().size());
   Eigen::MatrixXd by_node = Eigen::MatrixXd::Zero(nodes, nodes);
   Real whole = 0;
   for (const QuadraturePoint& place : mass_points(element.shape)) {
     const NodeValues n = shape_values(element.shape, place.place);
-    const Real mass = density * solid_point<D>(mesh, element, place).weight;
+    Vector3 at_point = Vector3::Zero();
+    for (Eigen::Index a = 0; a < nodes; ++a) at_point += n[a] * mesh.nodes[at(element.nodes[static_cast<std::size_t>(a)])];
+    const Real mass = material.density_at(at_point) * solid_point<D>(mesh, element, place).weight;
     by_node += mass * n * n.transpose();
     whole += mass;
   }
@@ -174,8 +176,8 @@ template Eigen::MatrixXd element_stiffness<2>(const geometry::ElementMesh&, cons
                                               Integration);
 template Eigen::MatrixXd element_stiffness<3>(const geometry::ElementMesh&, const geometry::MeshElement&, const SolidMaterial&,
                                               Integration);
-template Eigen::MatrixXd element_mass<2>(const geometry::ElementMesh&, const geometry::MeshElement&, Real, MassMatrix);
-template Eigen::MatrixXd element_mass<3>(const geometry::ElementMesh&, const geometry::MeshElement&, Real, MassMatrix);
+template Eigen::MatrixXd element_mass<2>(const geometry::ElementMesh&, const geometry::MeshElement&, const SolidMaterial&, MassMatrix);
+template Eigen::MatrixXd element_mass<3>(const geometry::ElementMesh&, const geometry::MeshElement&, const SolidMaterial&, MassMatrix);
 template class YieldingSolids<2>;
 template class YieldingSolids<3>;
 

@@ -26,6 +26,7 @@ FemStepper<D>::FemStepper(std::unique_ptr<methods::fem::Body<D>> body, methods::
   NodalColumn fall = none;
   for (std::size_t i = 0; i < fall.size(); ++i) fall[i] = supports_.gravity[static_cast<int>(i % D)];
   weight_ = product(body_->mass(), fall);
+  pore_ = body_->pore_force();
   for (const auto& water : supports_.waters)
     for (const auto& face : water.moving) mass_.add(face.nodes, face.mass);
   for (const auto& boundary : supports_.viscous)
@@ -135,7 +136,7 @@ template <int D>
 void FemStepper<D>::give_up(const Span& span) const {
   const std::string where = stage_ == Stage::relaxing
                                 ? fmt::format("there is no equilibrium under {:.4g} of gravity{}", span.to,
-                                              supports_.waters.empty() ? "" : " and of the pressure of water")
+                                              supports_.waters.empty() && is_zero(pore_) ? "" : " and of the pressure of water")
                                 : fmt::format("there is no equilibrium at t = {:.6g} s", span.to);
   throw PhysicsError(fmt::format(
       "{}: Newton's iteration does not converge\n"
@@ -152,9 +153,10 @@ typename FemStepper<D>::Factors FemStepper<D>::factors(Real length) const {
   return {1 / (beta * length * length), gamma / (beta * length), 1 + rules_.alpha};
 }
 
-/// Adds the pressure of still water at a time, times a factor.
+/// Adds the pressure of still water at a time, on faces and in pores, times a factor.
 template <int D>
 void FemStepper<D>::add_water(Real now, Real factor, NodalColumn& force) const {
+  add(force, factor, pore_);
   for (const auto& water : supports_.waters)
     if (const Real share = water.pressure.share(now); share > 0) add(force, factor * share, water.pressure.force);
 }

@@ -26,7 +26,7 @@ struct FemRules {
 struct FemWork {
   Real gravity = 0;
   Real loads = 0;      ///< tractions, and forces applied from outside
-  Real water = 0;      ///< pressure of still water
+  Real water = 0;      ///< pressure of still water, on faces, in joints and in pores
   Real boundary = 0;   ///< of supports that move, and of the reactions that viscous boundaries carry in equilibrium
   Real waves = 0;      ///< that come in through viscous boundaries
   Real damping = 0;    ///< dissipated by Rayleigh damping, in the motion relative to the base
@@ -171,6 +171,7 @@ private:
   methods::fem::BlockMatrix<D> viscous_;            ///< C of the viscous boundaries
   methods::fem::BlockMatrix<D> damping_;            ///< both
   methods::fem::NodalColumn weight_;                ///< M g of the body [N]
+  methods::fem::NodalColumn pore_;                  ///< forces of the water in the pores [N]
   methods::fem::NodalColumn reaction_;              ///< what viscous boundaries carry at rest [N]
   methods::fem::NodalColumn initial_displacement_;  ///< displacements at the beginning [m]
   std::vector<char> is_free_;

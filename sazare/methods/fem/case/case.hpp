@@ -47,6 +47,9 @@ struct FemMaterial {
   Real ramberg_osgood_exponent = 0;
   std::filesystem::path modulus_reduction;  // of a table
   int yield_surfaces = 0;
+  std::optional<Real> water_table;  // m; without it the ground has no pore water
+  Real saturated_density = 0;       // kg/m3, of the ground below
+  Real pore_water_density = 0;      // kg/m3
   ModulusReduction reduction;  // what the file holds
 
   Real shear_modulus() const { return youngs_modulus / (2 * (1 + poisson_ratio)); }  // Pa

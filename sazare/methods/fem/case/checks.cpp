@@ -25,6 +25,7 @@ void check_materials(const CheckContext& context, FemCase& fem) {
         context.problems.error(place, fmt::format("region \"{}\" has two materials", material.regions[k]),
                                "name each region once");
     check_soil(context, list[i], material);
+    check_pore_water(context, fem, list[i], material);
     if (!material.yields) {
       check_keys(context, list[i], "a material without cohesion", {}, {"friction_angle", "dilation_angle", "tensile_strength"});
       continue;

@@ -18,6 +18,9 @@ std::string material_text(const FemMaterial& material) {
     text += fmt::format("\n  {:<12}  yields: cohesion {} Pa, friction angle {} deg, dilation angle {} deg, tension cut-off {}", "",
                         number(material.cohesion), number(material.friction_angle), number(material.dilation_angle),
                         cut_off_text(material.tensile_strength));
+  if (material.water_table)
+    text += fmt::format("\n  {:<12}  below {} m saturated: {} kg/m3, with water of {} kg/m3", "", number(*material.water_table),
+                        number(material.saturated_density), number(material.pore_water_density));
   if (material.degrades) text += soil_text(material);
   return text;
 }

@@ -68,6 +68,11 @@ void visit_fields(Visitor& visit, FemMaterial& material) {
   visit("youngs_modulus", material.youngs_modulus);
   visit("poisson_ratio", material.poisson_ratio);
   visit("damping_ratio", material.damping_ratio);
+  if (visit.has("water_table", material.water_table.has_value())) {
+    visit("water_table", material.water_table);
+    visit("saturated_density", material.saturated_density);
+    visit("pore_water_density", material.pore_water_density);
+  }
   visit_backbone(visit, material);
   material.yields = visit.has("cohesion", material.yields);
   if (!material.yields) return;

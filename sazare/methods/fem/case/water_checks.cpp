@@ -13,21 +13,22 @@ namespace sazare::cases {
 namespace {
 
 /// The pressure follows from gravity, which must be there and vertical.
-void check_gravity_of_water(const CheckContext& context, const FemCase& fem, const Entry& water) {
+void check_gravity_of_water(const CheckContext& context, const FemCase& fem, const Place& water, bool may_be_none) {
   const Entry gravity = context.entries_of("gravity").front();
   if (!gravity.is_sound("acceleration")) return;
   const int up = fem.mesh.dimension - 1;
   const std::string help =
       fmt::format("set acceleration = [0.0, {}] in [gravity], in m/s2", up == 1 ? "-9.81, 0.0" : "0.0, -9.81");
+  if (may_be_none && gravity.has("acceleration") && fem.gravity.acceleration.norm() == 0) return;
   if (fem.gravity.acceleration.norm() == 0)
-    return context.problems.error(water.header(), "the pressure of water requires gravity", help);
+    return context.problems.error(water, "the pressure of water requires gravity", help);
   Vector3 across = fem.gravity.acceleration;
   across[up] = 0;
   if (across.norm() == 0 && fem.gravity.acceleration[up] < 0) return;
   context.problems.error(gravity.place("acceleration"),
                          fmt::format("the level of water is horizontal where gravity acts along -{}; here it acts along {}",
                                      "xyz"[up], vector_text(fem.gravity.acceleration.normalized())),
-                         help + ", or remove [[water_pressures]]");
+                         help + ", or remove the water");
 }
 
 void check_place(const CheckContext& context, const FemCase& fem, const Entry& entry, const FemWater& water) {
@@ -71,11 +72,23 @@ void check_added_mass(const CheckContext& context, const FemCase& fem, const Ent
 
 }  // namespace
 
+void check_pore_water(const CheckContext& context, const FemCase& fem, const Entry& entry, const FemMaterial& material) {
+  if (!material.water_table)
+    return check_keys(context, entry, "a material without a water_table", {}, {"saturated_density", "pore_water_density"});
+  check_keys(context, entry, "a material with a water_table", {"saturated_density"}, {});
+  check_gravity_of_water(context, fem, entry.place("water_table"), true);
+  if (entry.gives("saturated_density") && entry.gives("density") && material.saturated_density < material.density)
+    context.problems.warning(entry.place("saturated_density"),
+                             fmt::format("saturated ground of {} kg/m3 is lighter than the ground above the water table, {} kg/m3",
+                                         short_number(material.saturated_density), short_number(material.density)),
+                             "density is that above the water table; saturated_density includes the water in the pores");
+}
+
 void check_water(const CheckContext& context, const FemCase& fem) {
   const auto list = context.entries_of("water_pressures");
   for (std::size_t i = 0; i < list.size(); ++i) {
     if (!list[i].exists()) continue;
-    if (i == 0) check_gravity_of_water(context, fem, list[i]);
+    if (i == 0) check_gravity_of_water(context, fem, list[i].header(), false);
     check_place(context, fem, list[i], fem.waters[i]);
     check_uplift(context, fem, list[i], fem.waters[i]);
     check_added_mass(context, fem, list[i], fem.waters[i]);

@@ -34,7 +34,7 @@ FolderTables tables_of_fem() {
           .gauges = {{"`gauges.csv` of `fem`", {columns::place_motion}}},
           .files = {},
           .snapshots = {{"`finite_elements` of `fem`, points", {columns::fem::nodes}},
-                        {"cells", {columns::fem::elements, columns::fem::soil}}}};
+                        {"cells", {columns::fem::elements, columns::fem::soil, columns::fem::pores}}}};
 }
 
 }  // namespace

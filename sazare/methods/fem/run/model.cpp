@@ -26,11 +26,15 @@ namespace fem = methods::fem;
 using cases::GroupKind;
 using fem::Support;
 
-fem::SolidMaterial material_of(const cases::FemMaterial& given) {
+fem::SolidMaterial material_of(const cases::FemMaterial& given, const cases::FemCase& of) {
   constexpr Real degree = std::numbers::pi / 180;
   auto material = fem::SolidMaterial::elastic_of(given.youngs_modulus, given.poisson_ratio, given.density);
   material.name = given.name;
   material.damping_ratio = given.damping_ratio;
+  if (given.water_table) {
+    const int up = of.mesh.dimension - 1;
+    material.saturation = {given.saturated_density, {-given.pore_water_density * of.gravity.acceleration[up], up, *given.water_table}};
+  }
   if (given.degrades) material.backbone = cases::backbone_of(given);
   if (!given.yields) return material;
   material.strength = laws::MohrCoulomb::make(given.cohesion, given.friction_angle * degree, given.dilation_angle * degree,
@@ -122,14 +126,22 @@ private:
     for (std::size_t i = 0; i < group.elements.size(); ++i) {
       const fem::SolidMaterial& ground = body_.materials[at(body_.material[at(beside[i])])];
       const auto list = group.elements[i].node_list();
+      // The velocities are those of the density above the water table: rho V = sqrt(modulus rho).
+      const Real density = std::sqrt(ground.density * ground.density_at(centre_of(group.elements[i])));
       boundary.faces.push_back({{list.begin(), list.end()},
-                                fem::face_impedance<D>(body_.mesh, group.elements[i], ground.density * ground.p_wave_velocity(),
-                                                       ground.density * ground.s_wave_velocity())});
+                                fem::face_impedance<D>(body_.mesh, group.elements[i], density * ground.p_wave_velocity(),
+                                                       density * ground.s_wave_velocity())});
       for (const Index node : list)
         if (viscous_nodes_.insert(node).second) boundary.nodes.push_back(node);
     }
     std::ranges::sort(boundary.nodes);
     supports_.viscous.push_back(std::move(boundary));
+  }
+
+  Vector3 centre_of(const geometry::MeshElement& face) const {
+    Vector3 sum = Vector3::Zero();
+    for (const Index node : face.node_list()) sum += body_.mesh.nodes[at(node)];
+    return sum / static_cast<Real>(face.node_list().size());
   }
 
   void add_load(std::size_t number) {
@@ -230,7 +242,7 @@ FemModel<D> build_fem(const cases::CaseFile& file, geometry::ElementMesh mesh) {
   description.integration =
       given.elements.integration == cases::IntegrationKind::full ? fem::Integration::full : fem::Integration::reduced;
   description.mass = given.elements.mass == cases::MassKind::consistent ? fem::MassMatrix::consistent : fem::MassMatrix::lumped;
-  for (const cases::FemMaterial& material : given.materials) description.materials.push_back(material_of(material));
+  for (const cases::FemMaterial& material : given.materials) description.materials.push_back(material_of(material, given));
   description.material = materials_by_element(file, description.mesh, names);
   description.joints = make_joints(file, description.mesh, names);
   fem::Supports<D> supports = SupportMaker<D>(file, description, names).make();

@@ -170,7 +170,7 @@ void FemRecord<D>::write_snapshot(Real time) {
     places[node] += vector_of<D>(state.displacement, node);
   }
   const std::vector<Vector3> velocity = vectors_of<D>(state.velocity), acceleration = vectors_of<D>(state.acceleration);
-  std::vector<Real> slip, peak, pressure, von_mises;
+  std::vector<Real> slip, peak, pressure, pore_pressure, von_mises;
   std::vector<Vector3> normal, shear;
   for (const auto& one : stepper().body().means(state.displacement, state.memory)) {
     normal.push_back(one.stress.template head<3>());
@@ -193,6 +193,11 @@ void FemRecord<D>::write_snapshot(Real time) {
   const auto has_backbone = [](const auto& material) { return material.backbone.has_value(); };
   if (std::ranges::any_of(stepper().body().description().materials, has_backbone))
     of_cells.push_back(observe::cell_data(columns::fem::soil[0].name, peak));
+  const auto is_saturated = [](const auto& material) { return material.saturation.has_value(); };
+  if (std::ranges::any_of(stepper().body().description().materials, is_saturated)) {
+    pore_pressure = stepper().body().pore_pressures();
+    of_cells.push_back(observe::cell_data(columns::fem::pores[0].name, pore_pressure));
+  }
   observe::Grid grid{observe::Grid::Cell::vertex, places, connectivity, of_cells, time};
   grid.point_data = of_points;
   grid.types = types;
