@@ -54,6 +54,16 @@ class Material(Part):
     """Poisson's ratio. At least 0 and less than 0.5."""
     damping_ratio: float | None = None
     """Damping ratio at the frequencies f1 and f2 of [damping]. Default: 0.0. At least 0 and at most 2."""
+    water_table: float | None = None
+    """Elevation of the water table, y in 2-D and z in 3-D: below it the ground has saturated_density and a hydrostatic pore
+    pressure, and its strength and stiffness are those of the effective stress. [m] (default: no water in the pores)
+    """
+    saturated_density: float | None = None
+    """Density of the ground below the water table, with the water in its pores. [kg/m3] (required with a water_table) Greater
+    than 0.
+    """
+    pore_water_density: float | None = None
+    """Density of the water in the pores. [kg/m3] (only with a water_table) Default: 1000.0. Greater than 0."""
     cohesion: float | None = None
     """Cohesion of the Mohr-Coulomb strength. [Pa] (default: the material is elastic and never yields) At least 0."""
     friction_angle: float | None = None

@@ -60,8 +60,8 @@ Eigen::MatrixXd element_stiffness(const geometry::ElementMesh& mesh, const geome
 }
 
 template <int D>
-Eigen::MatrixXd element_mass(const geometry::ElementMesh& mesh, const geometry::MeshElement& element, const SolidMaterial& material,
-                             MassMatrix kind) {
+Eigen::MatrixXd element_mass(const geometry::ElementMesh& mesh, const geometry::MeshElement& element,
+                             const SolidMaterial& material, MassMatrix kind) {
   const auto nodes = static_cast<Eigen::Index>(element.node_list().size());
   Eigen::MatrixXd by_node = Eigen::MatrixXd::Zero(nodes, nodes);
   Real whole = 0;
@@ -176,8 +176,10 @@ template Eigen::MatrixXd element_stiffness<2>(const geometry::ElementMesh&, cons
                                               Integration);
 template Eigen::MatrixXd element_stiffness<3>(const geometry::ElementMesh&, const geometry::MeshElement&, const SolidMaterial&,
                                               Integration);
-template Eigen::MatrixXd element_mass<2>(const geometry::ElementMesh&, const geometry::MeshElement&, const SolidMaterial&, MassMatrix);
-template Eigen::MatrixXd element_mass<3>(const geometry::ElementMesh&, const geometry::MeshElement&, const SolidMaterial&, MassMatrix);
+template Eigen::MatrixXd element_mass<2>(const geometry::ElementMesh&, const geometry::MeshElement&, const SolidMaterial&,
+                                         MassMatrix);
+template Eigen::MatrixXd element_mass<3>(const geometry::ElementMesh&, const geometry::MeshElement&, const SolidMaterial&,
+                                         MassMatrix);
 template class YieldingSolids<2>;
 template class YieldingSolids<3>;
 

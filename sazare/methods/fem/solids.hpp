@@ -47,8 +47,8 @@ enum class MassMatrix { consistent, lumped };
 /// Mass [kg]. The lumped one is diagonal, in proportion to the consistent one's diagonal: all parts are positive. Hinton, Rock
 /// and Zienkiewicz, Earthquake Eng. Struct. Dyn. 4 (1976) 245-249.
 template <int D>
-Eigen::MatrixXd element_mass(const geometry::ElementMesh& mesh, const geometry::MeshElement& element, const SolidMaterial& material,
-                             MassMatrix kind);
+Eigen::MatrixXd element_mass(const geometry::ElementMesh& mesh, const geometry::MeshElement& element,
+                             const SolidMaterial& material, MassMatrix kind);
 
 /// Means over an element.
 template <int D>

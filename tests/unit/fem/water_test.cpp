@@ -394,8 +394,8 @@ TEST(energy_balance, water_gives_a_moved_wall_the_force_of_its_inertia) {
   EXPECT_NEAR(reaction, (2000 * 2 + moving) * acceleration - still, 1e-9 * still);
 }
 
-/// A column 8 m high under its weight, whose sides do not move aside; the water stands at this level, above the column also on its
-/// top.
+/// A column 8 m high under its weight, whose sides do not move aside; the water stands at this level, above the column also on
+/// its top.
 template <int D>
 FemStepper<D> wet_column(ElementShape shape, Real level, bool weak) {
   const auto mesh = test::box(shape, D == 2 ? test::BoxRules{{1, 8, 0}, {1, 8, 1}, 0} : test::BoxRules{{1, 1, 8}, {1, 1, 8}, 0});

@@ -41,6 +41,8 @@ Physical Curve("land") = {11};
 Physical Curve("top") = {12};
 Physical Curve("sole") = {6};
 Physical Curve("inside") = {9};
+Physical Curve("bed_left") = {7};
+Physical Curve("bed_right") = {5};
 )";
 
 constexpr const char* body = R"([case]
@@ -168,7 +170,8 @@ TEST(water_on_fem, pushes_a_caisson_off_its_foot_when_its_effective_weight_is_to
   const auto settings = [](Real mass_density) {
     return std::vector<std::string>{"materials.1.density=" + std::to_string(mass_density), "solver.max_cuts=3"};
   };
-  const std::string full = water("sea", "group = \"sea\"\nlevel = 4\n") + water("uplift", "joint = \"foot\"\nlevel = 4\nfar_level = 0\n");
+  const std::string full =
+      water("sea", "group = \"sea\"\nlevel = 4\n") + water("uplift", "joint = \"foot\"\nlevel = 4\nfar_level = 0\n");
   // W = (push / tan 30 + uplift): push 78480, uplift 78480 N/m.
   const Real density = (78480 * std::sqrt(3.0) + 78480) / (9.81 * 16);
   EXPECT_EQ(folder.run(folder.read(full, settings(1.01 * density)))["status"], "done");
@@ -239,16 +242,50 @@ TEST(water_on_fem, is_told_by_the_check) {
 
 TEST(water_on_fem, keeps_its_keys_when_the_resolved_case_is_read_again) {
   const Folder folder;
-  const auto file = folder.read(water("sea", "group = \"sea\"\nlevel = 3\nadded_mass = \"westergaard\"\nbed = -1\ndensity = 1030\n") +
-                                    uplift + "direction = [-1, 0, 0]\nramp = 0.5\n",
-                                {"time.analysis=dynamic", "time.end=0.1"});
+  const auto file =
+      folder.read(water("sea", "group = \"sea\"\nlevel = 3\nadded_mass = \"westergaard\"\nbed = -1\ndensity = 1030\n") + uplift +
+                      "direction = [-1, 0, 0]\nramp = 0.5\n",
+                  {"time.analysis=dynamic", "time.end=0.1"});
   folder.run(file);
   const std::string once = read_text(folder / "run/case.toml");
-  for (const char* const key : {"bed = -1", "joint = \"foot\"", "far_level = 1", "direction = [-1", "ramp = 0.5", "density = 1030"})
+  for (const char* const key :
+       {"bed = -1", "joint = \"foot\"", "far_level = 1", "direction = [-1", "ramp = 0.5", "density = 1030"})
     EXPECT_NE(once.find(key), std::string::npos) << key << once;
   fs::create_directories(folder / "again");
   registry::run_case(registry::read_case(folder / "run/case.toml", {}), {folder / "again", Begin::fresh, true, nullptr});
   EXPECT_EQ(read_manifest(folder / "run")["state_hash"], read_manifest(folder / "again")["state_hash"]);
+}
+
+TEST(water_on_fem, warns_of_faces_that_the_water_in_the_pores_pushes_out) {
+  const Folder folder;
+  const std::vector<std::string> wet = {"materials.0.water_table=-0.5", "materials.0.saturated_density=2000"};
+  const std::string sides = "\n[[boundaries]]\ngroup = \"sides\"\nkind = \"roller\"\naxes = [\"x\"]\n";
+  const std::string free = registry::check_case(folder.read("", wet)), held = registry::check_case(folder.read(sides, wet));
+  EXPECT_NE(free.find("nothing holds 2 faces of the ground below its water table against the water in the pores"),
+            std::string::npos)
+      << free;
+  EXPECT_EQ(held.find("nothing holds"), std::string::npos) << held;
+  const std::string deep =
+      registry::check_case(folder.read(sides, {"materials.0.water_table=1", "materials.0.saturated_density=2000"}));
+  EXPECT_NE(deep.find("nothing holds 12 faces"), std::string::npos) << deep;  // the surface, and the joint
+}
+
+/// The ground under the sea: its skeleton bears what it weighs under water, and the caisson on its foot what it weighs less
+/// uplift.
+TEST(water_on_fem, leaves_saturated_ground_its_effective_stress) {
+  const Folder folder;
+  const std::string bed =
+      water("left", "group = \"bed_left\"\nlevel = 3\n") + water("right", "group = \"bed_right\"\nlevel = 3\n");
+  const std::string walls = water("sea", "group = \"sea\"\nlevel = 3\n") + water("land", "group = \"land\"\nlevel = 3\n") +
+                            water("uplift", "joint = \"foot\"\nlevel = 3\n");
+  const std::vector<std::string> wet = {"materials.0.water_table=3", "materials.0.saturated_density=2000"};
+  const auto results = folder.run(
+      folder.read(bed + walls + "\n[[boundaries]]\ngroup = \"sides\"\nkind = \"roller\"\naxes = [\"x\"]\n", wet))["results"];
+  EXPECT_LT(results["peak_displacement"].get<double>(), 1e-9);
+  const std::string history = folder.history();
+  // On 12 m of base: the ground with its water, the caisson, and the sea over 8 m of bed; what the caisson displaces it carries.
+  EXPECT_NEAR(last_of(history, "base.force_y [N]"), 9.81 * (2000 * 24 + 2400 * 16 + 1000 * 3 * 8), 1e-6 * 9.81 * 1e5);
+  EXPECT_NEAR(last_of(history, "base.force_x [N]"), 0, 1e-3);
 }
 
 }  // namespace

@@ -78,8 +78,9 @@ constexpr std::array material_keys{
         .type = Type::number,
         .unit = "m",
         .note = "default: no water in the pores",
-        .sentence = "Elevation of the water table, y in 2-D and z in 3-D: below it the ground has saturated_density and a hydrostatic "
-                    "pore pressure, and its strength and stiffness are those of the effective stress."},
+        .sentence =
+            "Elevation of the water table, y in 2-D and z in 3-D: below it the ground has saturated_density and a hydrostatic "
+            "pore pressure, and its strength and stiffness are those of the effective stress."},
     Key{.name = "saturated_density",
         .type = Type::number,
         .unit = "kg/m3",

@@ -20,8 +20,7 @@ void check_gravity_of_water(const CheckContext& context, const FemCase& fem, con
   const std::string help =
       fmt::format("set acceleration = [0.0, {}] in [gravity], in m/s2", up == 1 ? "-9.81, 0.0" : "0.0, -9.81");
   if (may_be_none && gravity.has("acceleration") && fem.gravity.acceleration.norm() == 0) return;
-  if (fem.gravity.acceleration.norm() == 0)
-    return context.problems.error(water, "the pressure of water requires gravity", help);
+  if (fem.gravity.acceleration.norm() == 0) return context.problems.error(water, "the pressure of water requires gravity", help);
   Vector3 across = fem.gravity.acceleration;
   across[up] = 0;
   if (across.norm() == 0 && fem.gravity.acceleration[up] < 0) return;
@@ -78,10 +77,11 @@ void check_pore_water(const CheckContext& context, const FemCase& fem, const Ent
   check_keys(context, entry, "a material with a water_table", {"saturated_density"}, {});
   check_gravity_of_water(context, fem, entry.place("water_table"), true);
   if (entry.gives("saturated_density") && entry.gives("density") && material.saturated_density < material.density)
-    context.problems.warning(entry.place("saturated_density"),
-                             fmt::format("saturated ground of {} kg/m3 is lighter than the ground above the water table, {} kg/m3",
-                                         short_number(material.saturated_density), short_number(material.density)),
-                             "density is that above the water table; saturated_density includes the water in the pores");
+    context.problems.warning(
+        entry.place("saturated_density"),
+        fmt::format("saturated ground of {} kg/m3 is lighter than the ground above the water table, {} kg/m3",
+                    short_number(material.saturated_density), short_number(material.density)),
+        "density is that above the water table; saturated_density includes the water in the pores");
 }
 
 void check_water(const CheckContext& context, const FemCase& fem) {

@@ -38,18 +38,18 @@ inline constexpr std::array newton = {Column{"newton_iterations", "-", "Newton i
                                       Column{"step_cuts", "-", "steps that were halved"}};
 inline constexpr std::array nodes = {Column{"displacement", "m", "since the beginning"}, Column{"velocity", "m/s", ""},
                                      Column{"acceleration", "m/s2", ""}};
-inline constexpr std::array elements = {Column{"normal_stress", "Pa", "xx, yy, zz; tension is positive; in ground with a water table effective stress"},
-                                        Column{"shear_stress", "Pa", "xy in 2-D; xy, yz, zx in 3-D"},
-                                        Column{"pressure", "Pa", "minus the mean of the normal stresses"},
-                                        Column{"von_mises_stress", "Pa", ""},
-                                        Column{"plastic_shear_strain", "-", "equivalent plastic shear strain"},
-                                        Column{"region", "-", "physical group in the mesh, counted from 0 as the file has them"}};
+inline constexpr std::array elements = {
+    Column{"normal_stress", "Pa", "xx, yy, zz; tension is positive; in ground with a water table effective stress"},
+    Column{"shear_stress", "Pa", "xy in 2-D; xy, yz, zx in 3-D"},
+    Column{"pressure", "Pa", "minus the mean of the normal stresses"},
+    Column{"von_mises_stress", "Pa", ""},
+    Column{"plastic_shear_strain", "-", "equivalent plastic shear strain"},
+    Column{"region", "-", "physical group in the mesh, counted from 0 as the file has them"}};
 
 inline constexpr std::array soil = {
     Column{"shear_strain_max", "-", "largest shear strain so far, of soil with a backbone; only where there is any"}};
 
-inline constexpr std::array pores = {
-    Column{"pore_pressure", "Pa", "of the water in saturated ground; only where there is any"}};
+inline constexpr std::array pores = {Column{"pore_pressure", "Pa", "of the water in saturated ground; only where there is any"}};
 
 /// In the manifest, `results` by name: an interface, which scripts of users read.
 inline constexpr std::array figures = {Column{"nodes", "-", ""},

@@ -33,7 +33,8 @@ fem::SolidMaterial material_of(const cases::FemMaterial& given, const cases::Fem
   material.damping_ratio = given.damping_ratio;
   if (given.water_table) {
     const int up = of.mesh.dimension - 1;
-    material.saturation = {given.saturated_density, {-given.pore_water_density * of.gravity.acceleration[up], up, *given.water_table}};
+    material.saturation = {given.saturated_density,
+                           {-given.pore_water_density * of.gravity.acceleration[up], up, *given.water_table}};
   }
   if (given.degrades) material.backbone = cases::backbone_of(given);
   if (!given.yields) return material;
@@ -247,7 +248,7 @@ FemModel<D> build_fem(const cases::CaseFile& file, geometry::ElementMesh mesh) {
   description.joints = make_joints(file, description.mesh, names);
   fem::Supports<D> supports = SupportMaker<D>(file, description, names).make();
   FemModel<D> model;
-  model.warnings = warn_of_dry_water(file, supports.waters);
+  model.warnings = warn_of_dry_water(file, supports.waters) + warn_of_free_pores(file, description, supports, names);
   model.step = *given.time.step;
   model.gauges = gauge_nodes(file, description.mesh);
   std::map<std::string, int> seen;

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
+#include "sazare/cases/format/counted.hpp"
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/methods/fem/case/case.hpp"
 #include "sazare/methods/fem/nodal_algebra.hpp"
@@ -174,7 +176,84 @@ private:
   laws::WaterPressure water_;
 };
 
+using FaceName = std::set<Index>;
+
+/// Faces on which water presses.
+std::set<FaceName> wet_faces(const cases::FemCase& given, const fem::BodyDescription& body, const MeshNames& names) {
+  std::set<FaceName> wet;
+  for (std::size_t i = 0; i < given.waters.size(); ++i) {
+    const cases::FemWater& water = given.waters[i];
+    if (!water.in_joint())
+      for (const MeshElement& face : names.group(fmt::format("water_pressures.{}.group", i), water.group, true).elements)
+        wet.insert(node_set(face));
+    for (const fem::JointSet& set : body.joints)
+      for (const auto& face : set.faces)
+        if (set.name == water.joint) wet.insert({node_set(face.first), node_set(face.second)});
+  }
+  return wet;
+}
+
+/// Nodes that a support holds along any axis, and those of viscous boundaries.
+template <int D>
+std::set<Index> held_nodes(const fem::Supports<D>& supports) {
+  std::set<Index> held;
+  for (const fem::Support& support : supports.held) held.insert(support.node);
+  for (const auto& boundary : supports.viscous)
+    for (const auto& face : boundary.faces) held.insert(face.nodes.begin(), face.nodes.end());
+  return held;
+}
+
+/// Faces of one element only, by their nodes: the element.
+std::map<FaceName, std::size_t> outer_faces(const geometry::ElementMesh& mesh) {
+  std::map<FaceName, std::size_t> outer;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+    for (const geometry::ElementFace& face : geometry::faces_of(mesh.elements[e].shape)) {
+      FaceName nodes;
+      for (const int place : face.nodes) nodes.insert(mesh.elements[e].nodes[at(place)]);
+      if (const auto [found, added] = outer.try_emplace(nodes, e); !added) outer.erase(found);
+    }
+  return outer;
+}
+
+/// Whether a face lies below the water table; one that is on it, but for round-off, does not.
+bool is_below(const geometry::ElementMesh& mesh, const FaceName& face, const laws::WaterPressure& pore_water) {
+  Vector3 sum = Vector3::Zero();
+  Real size = 0;
+  for (const Index node : face) {
+    sum += mesh.nodes[at(node)];
+    size = std::max(size, (mesh.nodes[at(node)] - mesh.nodes[at(*face.begin())]).norm());
+  }
+  return pore_water.depth(sum / static_cast<Real>(face.size())) > 0.01 * size;
+}
+
 }  // namespace
+
+template <int D>
+std::string warn_of_free_pores(const cases::CaseFile& file, const fem::BodyDescription& body, const fem::Supports<D>& supports,
+                               const MeshNames& names) {
+  const auto& given = file.as<cases::FemCase>();
+  if (std::ranges::none_of(body.materials, [](const auto& material) { return material.saturation.has_value(); })) return "";
+  const std::set<FaceName> wet = wet_faces(given, body, names);
+  const std::set<Index> held = held_nodes(supports);
+  std::vector<int> open(body.materials.size(), 0);
+  for (const auto& [face, element] : outer_faces(body.mesh)) {
+    const auto material = at(body.material[element]);
+    const auto& saturation = body.materials[material].saturation;
+    if (!saturation || !is_below(body.mesh, face, saturation->pore_water) || wet.contains(face)) continue;
+    if (!std::ranges::all_of(face, [&](Index node) { return held.contains(node); })) ++open[material];
+  }
+  std::string all;
+  for (std::size_t m = 0; m < open.size(); ++m) {
+    if (open[m] == 0) continue;
+    const std::string key = fmt::format("materials.{}.water_table", m);
+    const std::string what = fmt::format("nothing holds {} of the ground below its water table against the water in the pores",
+                                         cases::counted(open[m], "faces"));
+    const std::string help = "add [[water_pressures]] with the same level on outer faces, or with joint = ... in a joint";
+    if (given.time.strict) refuse(file, key, what, help);
+    all += warning(file, key, what, help);
+  }
+  return all;
+}
 
 template <int D>
 std::vector<fem::StillWater<D>> make_waters(const cases::CaseFile& file, const fem::BodyDescription& body,
@@ -204,6 +283,10 @@ std::string warn_of_dry_water(const cases::CaseFile& file, const std::vector<fem
 
 template std::vector<fem::StillWater<2>> make_waters<2>(const cases::CaseFile&, const fem::BodyDescription&, const MeshNames&);
 template std::vector<fem::StillWater<3>> make_waters<3>(const cases::CaseFile&, const fem::BodyDescription&, const MeshNames&);
+template std::string warn_of_free_pores<2>(const cases::CaseFile&, const fem::BodyDescription&, const fem::Supports<2>&,
+                                           const MeshNames&);
+template std::string warn_of_free_pores<3>(const cases::CaseFile&, const fem::BodyDescription&, const fem::Supports<3>&,
+                                           const MeshNames&);
 template std::string warn_of_dry_water<2>(const cases::CaseFile&, const std::vector<fem::StillWater<2>>&);
 template std::string warn_of_dry_water<3>(const cases::CaseFile&, const std::vector<fem::StillWater<3>>&);
 

@@ -17,4 +17,9 @@ std::vector<methods::fem::StillWater<D>> make_waters(const cases::CaseFile& file
 template <int D>
 std::string warn_of_dry_water(const cases::CaseFile& file, const std::vector<methods::fem::StillWater<D>>& waters);
 
+/// Warns of faces of saturated ground that nothing holds and no water presses: the pores push them out.
+template <int D>
+std::string warn_of_free_pores(const cases::CaseFile& file, const methods::fem::BodyDescription& body,
+                               const methods::fem::Supports<D>& supports, const MeshNames& names);
+
 }  // namespace sazare::runs
