@@ -101,6 +101,14 @@ def test_a_slab_is_seen_along_its_thin_axis_with_its_constraints():
     assert words(figure).count("free face") == 2
 
 
+def test_finite_elements_show_water_by_its_level_also_where_they_settle():
+    figure = sazare.draw_model(CASES.parent / "validation/analytic/water-on-faces/case.toml")
+    assert legend(figure)[2:] == [
+        "joint: sole", "fixed: base", "water sea: level 3.3 m", "water land: level 1.3 m", "water uplift: level 3.3 m to 1.3 m",
+    ]
+    assert "gravity 9.81 m/s² along −y" in figure.get_suptitle()
+
+
 def test_finite_elements_in_the_plane_show_regions_supports_joints_and_loads():
     figure = sazare.draw_model(CASES / "caisson-pushover/case.toml")
     assert legend(figure) == [
