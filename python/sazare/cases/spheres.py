@@ -330,10 +330,10 @@ class Gravity(Part):
 
 @dataclass(kw_only=True, eq=False)
 class Water(Part):
-    """Water around bodies: buoyancy, drag and inertia. z is up."""
+    """Water around bodies: buoyancy, drag and inertia."""
 
     level: float
-    """Elevation of the still water's surface. [m]"""
+    """Elevation of the still water's surface: along z where gravity acts along -z, in general against gravity. [m]"""
     density: float | None = None
     """Mass per volume of the water; sea water 1025. [kg/m3] Default: 1000.0. Greater than 0."""
     viscosity: float | None = None
@@ -361,8 +361,8 @@ class Water(Part):
     wave_period: float | None = None
     """Wave period; the wave length follows from the dispersion relation. [s] (required for airy and stokes2) Greater than 0."""
     wave_direction: float | None = None
-    """Direction in which waves travel, or the velocity of a table goes, from the x axis towards y. [deg] (with waves) Default:
-    0.0. At least -360 and at most 360.
+    """Direction in which waves travel, or the velocity of a table goes, from the x axis against the clock as seen from above:
+    with gravity along -z, from x towards y. [deg] (with waves) Default: 0.0. At least -360 and at most 360.
     """
     wave_crest: float | None = None
     """Where a crest stands at t = 0, along the direction of the waves from the origin. [m] (waves by a theory) Default: 0.0."""
@@ -464,7 +464,7 @@ class Case(AnyCase):
     gravity: Gravity | None = None
     """Body force."""
     water: Water | None = None
-    """Water around bodies: buoyancy, drag and inertia. z is up."""
+    """Water around bodies: buoyancy, drag and inertia."""
     gauges: list[Gauge] = field(default_factory=list)
     """Groups whose motion is recorded."""
     time: Time

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "sazare/cases/explanation.hpp"
@@ -23,12 +24,13 @@ Real wave_number_of(const Water& water, Real gravity) {
 }
 
 void check_directions(const CheckContext& context, const Entry& entry, const Water& water, const Gravity& gravity) {
-  const Vector3& acceleration = gravity.acceleration;
-  if (!(acceleration.z() < 0) || acceleration.x() != 0 || acceleration.y() != 0)
-    context.problems.error(entry.place("level"), "[water] needs gravity along -z",
-                           "its surface is level, and its pressure follows from gravity: give [gravity] acceleration = [0.0, 0.0, -9.81]");
-  if (water.current.z() != 0)
-    context.problems.error(entry.place("current"), "the current is horizontal: its z must be 0", "z is up");
+  if (gravity.acceleration.isZero())
+    return context.problems.error(
+        entry.place("level"), "[water] needs gravity",
+        "its surface is across gravity, and its pressure follows from it: give [gravity] acceleration = [0.0, 0.0, -9.81]");
+  constexpr Real level = 1e-6;
+  if (std::abs(water.current.dot(gravity.acceleration)) > level * water.current.norm() * gravity.acceleration.norm())
+    context.problems.error(entry.place("current"), "the current is not level", "it must be at right angles to gravity");
 }
 
 void check_wave_keys(const CheckContext& context, const Entry& entry, const Water& water) {
@@ -67,6 +69,14 @@ void check_wave(const CheckContext& context, const Entry& entry, const Water& wa
         "take a solitary wave, a table, or a lower or shorter wave");
 }
 
+/// The level direction of waves: from that of x, or of y where x is upright, against the clock as seen from above.
+Vector3 direction_of(const Water& water, const Vector3& up) {
+  constexpr Real upright = 0.99;
+  const Vector3 axis = std::abs(up.x()) < upright ? Vector3::UnitX() : Vector3::UnitY();
+  const Vector3 first = (axis - axis.dot(up) * up).normalized(), second = up.cross(first);
+  return std::cos(degree * water.wave_direction) * first + std::sin(degree * water.wave_direction) * second;
+}
+
 }  // namespace
 
 void check_water(const CheckContext& context, Water& water, const Gravity& gravity) {
@@ -77,7 +87,7 @@ void check_water(const CheckContext& context, Water& water, const Gravity& gravi
   if (water.bed && !(*water.bed < *water.level))
     return context.problems.error(entry.place("bed"), "the bed must be below the water",
                                   fmt::format("the level is {} m", number(*water.level)));
-  const Real down = -gravity.acceleration.z();
+  const Real down = gravity.acceleration.norm();
   const bool is_theory = water.is_regular() || water.waves == WaveTheory::solitary;
   if (is_theory && water.bed && water.wave_height && (water.wave_period || !water.is_regular()) && down > 0)
     check_wave(context, entry, water, down);
@@ -90,11 +100,12 @@ laws::WaterField water_field(const Water& water, const Gravity& gravity) {
   laws::WaterField field;
   field.density = water.density;
   field.viscosity = water.viscosity;
-  field.gravity = -gravity.acceleration.z();
+  field.gravity = gravity.acceleration.norm();
+  field.up = -gravity.acceleration / field.gravity;
   field.level = *water.level;
   if (water.bed) field.bed = *water.bed;
   field.current = water.current;
-  field.towards = {std::cos(degree * water.wave_direction), std::sin(degree * water.wave_direction), 0};
+  field.towards = direction_of(water, field.up);
   field.record = water.record;
   if (water.is_regular() || water.waves == WaveTheory::solitary)
     field.wave.emplace(laws::PlaneWave::Given{.theory = water.waves,
@@ -102,6 +113,7 @@ laws::WaterField water_field(const Water& water, const Gravity& gravity) {
                                               .period = water.wave_period.value_or(0),
                                               .depth = depth_of(water),
                                               .towards = field.towards,
+                                              .up = field.up,
                                               .crest = water.wave_crest,
                                               .ramp = water.wave_ramp,
                                               .gravity = field.gravity});
@@ -118,7 +130,7 @@ std::string explain_water(const Water& water, const Gravity& gravity) {
   std::string wave = fmt::format("{}: {} m high in {} m of water", word(water.waves), number(*water.wave_height), number(depth_of(water)));
   Real k = 0;
   if (water.is_regular()) {
-    k = wave_number_of(water, -gravity.acceleration.z());
+    k = wave_number_of(water, gravity.acceleration.norm());
     wave += fmt::format(", every {} s, {} m long", number(*water.wave_period), number(2 * std::numbers::pi / k));
   }
   return text + line("waves", wave + fmt::format("; would break at {} m", number(laws::breaking_height(water.waves, k, depth_of(water)), 3)));

@@ -18,7 +18,7 @@ inline constexpr std::array water_keys{
         .type = Type::number,
         .unit = "m",
         .need = Need::required,
-        .sentence = "Elevation of the still water's surface."},
+        .sentence = "Elevation of the still water's surface: along z where gravity acts along -z, in general against gravity."},
     Key{.name = "density",
         .type = Type::number,
         .unit = "kg/m3",
@@ -44,8 +44,9 @@ inline constexpr std::array water_keys{
         .range = {.low = 1},
         .usual = {1, 3},
         .default_text = "1.5",
-        .sentence = "Inertia coefficient C_M of Morison's equation: 1 and the coefficient of added mass, which is 0.5 for a sphere. A "
-                    "group may have its own."},
+        .sentence =
+            "Inertia coefficient C_M of Morison's equation: 1 and the coefficient of added mass, which is 0.5 for a sphere. A "
+            "group may have its own."},
     Key{.name = "current",
         .type = Type::vector,
         .unit = "m/s",
@@ -54,7 +55,8 @@ inline constexpr std::array water_keys{
     Key{.name = "waves",
         .type = Type::choice,
         .default_text = "\"none\"",
-        .sentence = "Still water, linear (Airy) waves, Stokes waves of second order, a solitary wave, or a table of surface elevation and "
+        .sentence = "Still water, linear (Airy) waves, Stokes waves of second order, a solitary wave, or a table of surface "
+                    "elevation and "
                     "velocity over time.",
         .choices = laws::wave_theory_words},
     Key{.name = "bed",
@@ -81,7 +83,9 @@ inline constexpr std::array water_keys{
         .range = {.low = -360, .high = 360},
         .default_text = "0.0",
         .note = "with waves",
-        .sentence = "Direction in which waves travel, or the velocity of a table goes, from the x axis towards y."},
+        .sentence = "Direction in which waves travel, or the velocity of a table goes, from the x axis against the clock as seen "
+                    "from above: with "
+                    "gravity along -z, from x towards y."},
     Key{.name = "wave_crest",
         .type = Type::number,
         .unit = "m",
@@ -98,11 +102,13 @@ inline constexpr std::array water_keys{
     Key{.name = "wave_file",
         .type = Type::file,
         .note = "required for a table",
-        .sentence = "CSV with the header \"time [s],elevation [m],velocity [m/s]\": elevation of the surface above level, and velocity "
-                    "along wave_direction, both the same everywhere; linear between rows, constant before and after."},
+        .sentence =
+            "CSV with the header \"time [s],elevation [m],velocity [m/s]\": elevation of the surface above level, and velocity "
+            "along wave_direction, both the same everywhere; linear between rows, constant before and after."},
 };
 
-inline constexpr Table water_table{"water", false, Need::optional, "Water around bodies: buoyancy, drag and inertia. z is up.", water_keys};
+inline constexpr Table water_table{"water", false, Need::optional, "Water around bodies: buoyancy, drag and inertia.",
+                                   water_keys};
 
 template <class Visitor>
 void visit_fields(Visitor& visit, Water& water) {

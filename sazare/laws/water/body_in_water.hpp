@@ -48,7 +48,7 @@ struct WaterLoad {
 
 inline WaterLoad water_load(const BodyInWater& body, const Vector3& centre, const Vector3& velocity, const WaterField& water,
                             Real time) {
-  const Real surface = water.surface(centre, time), share = submerged_share(centre.z(), body.radius, surface);
+  const Real surface = water.surface(centre, time), share = submerged_share(water.elevation(centre), body.radius, surface);
   if (!(share > 0)) return {};
   const WaterMotion motion = water.motion(centre, surface, time);
   const Real mass = water.density * body.volume * share;
@@ -56,7 +56,7 @@ inline WaterLoad water_load(const BodyInWater& body, const Vector3& centre, cons
   const Real speed = relative.norm(), drag = share * (body.drag_coefficient
                                                           ? 0.5 * water.density * *body.drag_coefficient * body.area * speed
                                                           : sphere_drag(body.area, speed, water));
-  return {mass * (water.gravity * Vector3::UnitZ() + body.inertia_coefficient * motion.acceleration) + drag * relative,
+  return {mass * (water.gravity * water.up + body.inertia_coefficient * motion.acceleration) + drag * relative,
           (body.inertia_coefficient - 1) * mass};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Plane waves over a level bed, z up, from the still-water level: elevation, velocity and acceleration of the water.
+/// Plane waves over a level bed, z up from the still-water level: elevation, velocity and acceleration of the water.
 ///
 /// Airy and Stokes of second order [DeanDalrymple1991], chapters 3 and 11, theta = k x - w t, depth d, height H:
 ///
@@ -12,8 +12,8 @@
 /// water's column stretched to the surface [Wheeler1970]. Accelerations are local ones for Airy, and those of a water particle
 /// for Stokes, since what they differ by is of second order.
 ///
-/// The solitary wave has the profile of Boussinesq, eta = H sech^2(sqrt(3 H/(4 d^3)) (x - c t)), c^2 = g (d + H), and the velocity
-/// that its passage without change of form asks for, the same over the depth: u = c eta/(d + eta), w_z = -(z + d) du/dx.
+/// The solitary wave has the profile of Boussinesq, eta = H sech^2(sqrt(3 H/(4 d^3)) (x - c t)), c^2 = g (d + H), and the
+/// velocity that its passage without change of form asks for, the same over the depth: u = c eta/(d + eta), w_z = -(z + d) du/dx.
 
 #include <array>
 #include <cmath>
@@ -59,6 +59,7 @@ public:
     Real period = 0;                    ///< not of a solitary wave [s]
     Real depth = 0;                     ///< [m]
     Vector3 towards = Vector3::UnitX();  ///< horizontal, of length 1
+    Vector3 up = Vector3::UnitZ();       ///< of length 1
     Real crest = 0;                     ///< where a crest stands at t = 0, along `towards` [m]
     Real ramp = 0;                      ///< time in which a regular wave grows to its height [s]
     Real gravity = 9.80665;             ///< [m/s2]
@@ -99,7 +100,7 @@ private:
     return 0.5 * (1 - std::cos(std::numbers::pi * time / given_.ramp));
   }
   WaterMotion of_plane(Real u, Real w, Real along, Real up) const {
-    return {u * given_.towards + w * Vector3::UnitZ(), along * given_.towards + up * Vector3::UnitZ()};
+    return {u * given_.towards + w * given_.up, along * given_.towards + up * given_.up};
   }
 
   /// A harmonic of the potential: velocities u = a c cos n theta, w = a s sin n theta, where c and s are hyperbolic cosine and sine

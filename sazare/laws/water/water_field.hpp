@@ -1,6 +1,6 @@
 #pragma once
 
-/// Water around bodies: where its surface is, and how it moves. z is up.
+/// Water around bodies: where its surface is, and how it moves.
 
 #include <algorithm>
 #include <limits>
@@ -40,6 +40,7 @@ struct WaterField {
   Real density = 1000;     ///< [kg/m3]
   Real viscosity = 1e-3;   ///< dynamic [Pa s]
   Real gravity = 9.80665;  ///< [m/s2]
+  Vector3 up = Vector3::UnitZ();  ///< against gravity, of length 1; elevations are places along it
   Real level = 0;          ///< elevation of the still water [m]
   Real bed = -std::numeric_limits<Real>::infinity();  ///< elevation of the bed, at which the water ends [m]
   Vector3 current = Vector3::Zero();                  ///< horizontal velocity that is everywhere [m/s]
@@ -47,6 +48,7 @@ struct WaterField {
   std::optional<PlaneWave> wave;
   std::shared_ptr<const WaterRecord> record;
 
+  Real elevation(const Vector3& at) const { return up.dot(at); }
   /// Elevation of the surface at a place, seen from above [m].
   Real surface(const Vector3& at, Real time) const {
     if (wave) return level + wave->elevation(at, time);
@@ -56,7 +58,7 @@ struct WaterField {
   /// Of the water at a place that is not above the surface, whose elevation there is given.
   WaterMotion motion(const Vector3& at, Real surface, Real time) const {
     WaterMotion motion;
-    if (wave) motion = wave->at(at, std::clamp(at.z(), std::min(bed, surface), surface) - level, time);
+    if (wave) motion = wave->at(at, std::clamp(elevation(at), std::min(bed, surface), surface) - level, time);
     if (record) {
       const WaterSample of = sample(*record, time);
       motion = {of.velocity * towards, of.acceleration * towards};

@@ -36,7 +36,7 @@ ContactSums WaterForces::evaluate(state::Spheres& spheres, const BodyLoadTask& t
     sums.water_work += task.step * load.force.dot(velocity);
     // Gravity acts on the mass of the body alone: what the kick gives the added mass is taken back.
     const bool is_single = spheres.kick[i].inverse_mass > 0;
-    task.add(i, load.force + (is_single ? load.added_mass * water_.gravity : 0) * Vector3::UnitZ());
+    task.add(i, load.force + (is_single ? load.added_mass * water_.gravity : 0) * water_.up);
   }
   return sums;
 }

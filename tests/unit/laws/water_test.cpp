@@ -173,6 +173,27 @@ TEST(body_in_water, inertia_is_that_of_morison) {
   EXPECT_NEAR(load.added_mass, 1000 * body.volume, 1e-9);
 }
 
+/// The same water with gravity along another axis pushes the same way.
+TEST(body_in_water, turns_with_gravity) {
+  const auto load_in = [](const Matrix3& frame) {  // columns: along the waves, across them, up
+    WaterField water = still();
+    water.bed = -10;
+    water.up = frame.col(2);
+    water.towards = frame.col(0);
+    water.wave.emplace(PlaneWave::Given{.theory = WaveTheory::stokes2,
+                                        .height = 0.5,
+                                        .period = 6,
+                                        .depth = 10,
+                                        .towards = frame.col(0),
+                                        .up = frame.col(2),
+                                        .gravity = g});
+    const Vector3 force = water_load(ball(0.3), frame * Vector3(1, 2, -0.1), frame * Vector3(0.2, -0.1, 0.3), water, 0.8).force;
+    return Vector3(frame.transpose() * force);
+  };
+  Matrix3 upright = Matrix3::Identity(), leaning = Eigen::AngleAxis<Real>(1.1, Vector3(1, 2, 3).normalized()).toRotationMatrix();
+  EXPECT_LT((load_in(upright) - load_in(leaning)).norm(), 1e-10 * load_in(upright).norm());
+}
+
 TEST(body_in_water, above_the_surface_nothing_acts) {
   const WaterLoad load = water_load(ball(0.2), {0, 0, 0.21}, {3, 2, 1}, still(), 0);
   EXPECT_EQ(load.force.norm(), 0);

@@ -12,8 +12,11 @@ Vector3 SphereStepper::acceleration(std::size_t sphere) const {
 
 state::SphereLoad SphereStepper::load(std::size_t sphere) const {
   state::SphereLoad load = levels_.load(sphere);
-  if (!water_.empty() && spheres_.kick[sphere].inverse_mass > 0)
-    load.fz -= water_.added_mass(spheres_.number[sphere]) * water_.water().gravity;
+  if (water_.empty() || !(spheres_.kick[sphere].inverse_mass > 0)) return load;
+  const Vector3 back = water_.added_mass(spheres_.number[sphere]) * rules_.gravity;  // see WaterForces
+  load.fx += back.x();
+  load.fy += back.y();
+  load.fz += back.z();
   return load;
 }
 
