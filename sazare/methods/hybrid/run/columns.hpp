@@ -42,6 +42,7 @@ inline constexpr std::array figures = {
     Column{"impulse_given", "N s", "by the bodies"},
     Column{"impulse_pending", "N s", "that the continuum has not received"},
     Column{"energy_work_on_nodes", "J", ""},
+    Column{"energy_work", "J", "reference of the residual: the works of both sides"},
     Column{"energy_coupling_error", "J", "added by the coupling"},
     Column{"peak_force", "N", "of the bodies on the surface"},
     Column{"peak_displacement", "m", "mean of the surface's nodes"}};

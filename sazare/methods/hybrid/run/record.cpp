@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+#include <variant>
 
 #include "sazare/core/error.hpp"
 #include "sazare/methods/hybrid/case/case.hpp"
@@ -97,9 +99,19 @@ void HybridRecord<D, Bodies>::check_motion(Real time) const {
   }
 }
 
+namespace {
+
+/// The reference of a side's residual [J].
+Real work_of(const std::vector<std::pair<std::string, observe::Figure>>& figures) {
+  const auto found = std::ranges::find(figures, std::string("energy_work"), [](const auto& figure) { return figure.first; });
+  if (found == figures.end()) return 0;
+  return std::visit([](auto number) { return std::abs(static_cast<Real>(number)); }, found->second);
+}
+
+}  // namespace
+
 template <int D, class Bodies>
-std::vector<std::pair<std::string, observe::Figure>> HybridRecord<D, Bodies>::results(std::int64_t step,
-                                                                                      Real wall_seconds) const {
+std::vector<std::pair<std::string, observe::Figure>> HybridRecord<D, Bodies>::results(std::int64_t step, Real wall_seconds) {
   const auto& totals = parts_.side.totals();
   return {{"windows", step},
           {"window", parts_.continuum.step},
@@ -116,6 +128,7 @@ std::vector<std::pair<std::string, observe::Figure>> HybridRecord<D, Bodies>::re
           {"impulse_pending", totals.under_way().norm()},
           {"energy_work_on_nodes", totals.energy_work_on_nodes},
           {"energy_coupling_error", totals.made()},
+          {"energy_work", work_of(continuum_.results(step, wall_seconds)) + work_of(bodies_.results(step, wall_seconds))},
           {"energy_residual", files_.rows() > 0 ? residual() : 0},
           {"peak_force", largest_force_},
           {"peak_displacement", largest_displacement_}};

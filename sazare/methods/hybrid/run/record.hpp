@@ -33,7 +33,7 @@ public:
   /// Throws PhysicsError as the records of the sides do.
   void check_motion(Real time) const;
 
-  std::vector<std::pair<std::string, observe::Figure>> results(std::int64_t step, Real wall_seconds) const;
+  std::vector<std::pair<std::string, observe::Figure>> results(std::int64_t step, Real wall_seconds);
   std::vector<std::pair<std::string, Real>> peak_particle_velocity() const;
   std::uint64_t state_hash() const;
 
