@@ -12,13 +12,15 @@ from synthetic_run import TETRAHEDRON, block_mesh, write_grid, write_table
 import sazare
 from sazare.__main__ import main
 from sazare.muck_pile import Options, model_of, muck_pile
-from sazare.muck_pile.back_break import back_breaks, room_of
+from sazare.muck_pile.back_break import at_edge_of, back_breaks
 from sazare.muck_pile.balls import Balls, union_volumes
 from sazare.muck_pile.bodies import bodies_of
 from sazare.muck_pile.breaking import breaking_of
 from sazare.muck_pile.elements import elements_of
 from sazare.muck_pile.flight import flight_times, ranges
 from sazare.muck_pile.heights import heights_of_balls, heights_of_triangles
+from sazare.muck_pile.landed import Landed
+from sazare.muck_pile.support import carried_shares
 
 ROOT = Path(__file__).resolve().parents[2]
 DENSITY, GRAVITY = 2600.0, 9.81
@@ -177,6 +179,41 @@ def test_fragments_fly_as_thrown_until_they_land(tmp_path):
     assert numbers.cast == 1.0
 
 
+def test_what_is_slow_at_the_top_of_its_flight_is_in_the_air(tmp_path):
+    # Half of the fragments are thrown up and are at the top of their flight at the end; the others lie on rock that stays.
+    blown = Blown((0.4, 0.4, 0.8), (2, 2, 4))
+    middle = blown.centres(blown.start)
+    blown.stays[:] = middle[:, 2] < 0.2
+    up = middle[:, 2] > 0.6
+    blown.velocity[up] = (0.3, 0.0, 0.8 * GRAVITY)
+    blown.shift[up] = (0.0, 0.0, 0.3)
+    numbers = muck_pile(sazare.open(blown.write(tmp_path / "run")), options=Options(ground=0.0, end=0.8, direction=(1.0, 0.0)), threads=1)
+    thrown = numbers.model.bodies.centre[:, 2] > 0.8
+    assert thrown.sum() == 4 and len(thrown) == 12
+    assert np.linalg.norm(numbers.landed.velocities[thrown], axis=1).max() < 0.5 and numbers.landed.centres[thrown, 2].min() > 4.0
+    np.testing.assert_array_equal(numbers.flying, thrown)
+    assert 0.2 < numbers.pile.height < 0.6  # two layers of 0.2 m, without what flies
+    assert numbers.ends[thrown, 2] == pytest.approx(0.0)
+
+
+def test_what_collides_in_the_air_is_held_up_by_nothing(tmp_path):
+    # Eight fragments touch each other 5 m above the ground: each is pushed, but all together fall.
+    blown = Blown((0.4, 0.4, 0.4), (2, 2, 2))
+    blown.velocity[:] = -3.0 * (blown.centres(blown.start) - 0.2)
+    blown.shift[:] = 0.1 * (blown.centres(blown.start) - 0.2)
+    numbers = muck_pile(sazare.open(blown.write(tmp_path / "run")), options=Options(ground=-5.0, end=0.2, direction=(1.0, 0.0)), threads=1)
+    assert np.all(numbers.flying)
+
+
+def test_the_share_of_a_weight_that_is_carried():
+    def at(time, up):
+        return Landed(time, np.zeros((len(up), 3)), np.column_stack([np.zeros((len(up), 2)), up]), None)
+
+    before, after = at(1.0, [3.0, 0.0, -2.0, -1.0]), at(1.1, [3.0 - 0.1 * GRAVITY, 0.0, 1.0, -1.0 - 0.05 * GRAVITY])
+    np.testing.assert_allclose(carried_shares(before, after, GRAVITY), [0.0, 1.0, 1.0 + 3.0 / (0.1 * GRAVITY), 0.5], atol=1e-12)
+    np.testing.assert_array_equal(carried_shares(before, before, GRAVITY), np.zeros(4))
+
+
 def test_flight_in_closed_form():
     velocity = np.array([[3.0, 4.0, 0.0], [10.0, 0.0, 10.0], [1.0, 0.0, 0.0]])
     np.testing.assert_allclose(flight_times(np.array([19.62, 0.0, -1.0]), velocity, 9.81), [2.0, 0.0, 0.0])
@@ -241,8 +278,24 @@ def test_back_break_is_told_by_depth(tmp_path):
     assert sum(one.volume for one in found) == pytest.approx(1.0)
     assert all(one.left == 0.0 for one in found[:5]) and max(one.left for one in found[5:]) == pytest.approx(1.0)
     assert all(one.right == 0.0 for one in found)
-    room = room_of(results, model)
-    assert (room.behind, room.left, room.right) == pytest.approx((2.0, 1.0, 1.0))
+    at_edge = at_edge_of(results, model)
+    assert (at_edge.behind, at_edge.left, at_edge.right) == (False, True, False)
+
+
+@pytest.mark.parametrize("direction", [(1.0, 0.0), (1.0, 0.022), (1.0, -0.3), (1.0, 0.7)])
+def test_rock_loose_up_to_a_side_of_the_model_is_told_for_any_direction(tmp_path, direction):
+    # Cells of 1 m, one hole in the middle. Loose up to the back (x = 0) and the right side (y = 0), not to the left one.
+    blown = Blown((5.0, 5.0, 1.0), (5, 5, 1))
+    number = np.arange(25).reshape(5, 5)
+    blown.stays[:] = True
+    blown.stays[[*number[2:, 2], number[0, 2], number[4, 0], number[3, 3]]] = False
+    blown.velocity[~blown.stays] = (3.0, 0.0, 0.0)
+    run = blown.write(tmp_path / "run")
+    ends = {f"{end}_{axis} [m]": [value] for end, height in (("first", 1.0), ("last", 0.0)) for axis, value in zip("xyz", (2.5, 2.5, height))}
+    write_table(run / "holes.csv", {"hole": ["a"], "delay [s]": [0.0], **ends, "diameter [m]": [0.1]})
+    results = sazare.open(run)
+    at_edge = at_edge_of(results, model_of(results, Options(ground=-1.0, direction=direction)))
+    assert (at_edge.behind, at_edge.left, at_edge.right) == (True, False, True)
 
 
 def test_breaking_is_over_where_no_joint_breaks_any_more(tmp_path):

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sazare.blast.holes import holes_of
+from sazare.muck_pile.elements import FACES, outer_faces
 from sazare.muck_pile.heights import axes_of
 
 LEVELS = 10  # from the top of the loose rock to the toes of the holes
@@ -24,22 +25,46 @@ class BackBreak:
 
 
 @dataclass(frozen=True)
-class Room:
-    """How far the model reaches behind the line of holes, and beside the outermost ones on the left and on the right of the throw [m]."""
+class AtEdge:
+    """Whether rock came loose up to the side of the model behind the line of holes, and beside the outermost ones on the left and on the right of the throw: how far
+    it would break beyond nobody knows then."""
 
-    behind: float
-    left: float
-    right: float
+    behind: bool
+    left: bool
+    right: bool
 
 
-def room_of(results, model):
-    """The Room of a model; None where the run has no holes."""
+def at_edge_of(results, model):
+    """The AtEdge of a model; None where the run has no holes.
+
+    The sides are the outer faces of the model before the blast that stand steeper than 45 degrees, each behind, ahead, left or right of the throw as its normal points;
+    rock reaches one where an element has a corner on it.
+    """
     holes = holes_of(results)
     if not holes:
         return None
     line, across, _ = _lines(holes, model)
-    corners = (model.elements.start @ axes_of(model.direction)).reshape(-1, 2)
-    return Room(float(line - corners[:, 0].min()), float(corners[:, 1].max() - across.max()), float(across.min() - corners[:, 1].min()))
+    elements, axes = model.elements, axes_of(model.direction)
+    loose = ~elements.stays
+    flat = elements.start @ axes
+    middle = elements.start.mean(axis=1) @ axes
+    within = (middle[:, 1] >= across.min()) & (middle[:, 1] <= across.max()) if len(holes) > 1 else np.ones(len(middle), dtype=bool)
+    on_side = _corners_on_sides(elements, axes)
+    ahead = middle[:, 0] >= line
+    found = ((~ahead & within, line - flat[:, :, 0]), (ahead, flat[:, :, 1] - across.max()), (ahead, across.min() - flat[:, :, 1]))
+    return AtEdge(*(bool(np.any((loose & where)[:, None] & side & (beyond > 0.0))) for (where, beyond), side in zip(found, on_side)))
+
+
+def _corners_on_sides(elements, axes):
+    """Which corners (n, 4) of elements lie on the sides of the model behind, left and right of the throw (list of three)."""
+    sides = elements.start[:, FACES]
+    normals = np.cross(sides[:, :, 1] - sides[:, :, 0], sides[:, :, 2] - sides[:, :, 0])
+    volumes = np.linalg.det(elements.start[:, 1:] - elements.start[:, :1])
+    normals = normals * np.sign(volumes)[:, None, None]
+    steep = outer_faces(elements.nodes) & (np.abs(normals[:, :, 2]) < np.linalg.norm(normals[:, :, :2], axis=2))
+    flat = normals @ axes
+    points = [(-flat[:, :, 0], np.abs(flat[:, :, 1])), (flat[:, :, 1], np.abs(flat[:, :, 0])), (-flat[:, :, 1], np.abs(flat[:, :, 0]))]
+    return [np.isin(elements.nodes, elements.nodes[:, FACES][steep & (own >= other)]) for own, other in points]
 
 
 def _lines(holes, model):

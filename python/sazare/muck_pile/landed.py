@@ -9,7 +9,6 @@ from sazare.muck_pile.flight import flight_times
 from sazare.snapshots import elements_once
 from sazare.tables import NotARun
 
-FLYING = 2.0  # m/s: what is faster at the end, and above the ground by more than its size, flies
 RESTING = 0.1  # m/s: root of the mean square of the speed, by mass, below which a pile rests
 
 
@@ -74,11 +73,10 @@ def _carried(point, before, after):
     return middle + left @ right @ offset
 
 
-def ends_of(model, landed):
-    """Where the bodies come down (m, 3) [m], and which are still in the air at the end (m,): those fly on in closed form, without what they would meet."""
-    height, speed = landed.centres[:, 2] - model.ground, np.linalg.norm(landed.velocities, axis=1)
-    flying = (height > model.bodies.sizes) & (speed > FLYING)
+def ends_of(model, landed, flying):
+    """Where the bodies come down (m, 3) [m]: those that fly (m,) go on in closed form, without what they would meet."""
+    height = landed.centres[:, 2] - model.ground
     time = flight_times(height, landed.velocities, model.gravity)
     ends = np.where(flying[:, None], landed.centres + landed.velocities * time[:, None], landed.centres)
     ends[flying, 2] = model.ground
-    return ends, flying
+    return ends

@@ -9,12 +9,13 @@ import numpy as np
 from sazare.blast.numbers import finite
 from sazare.blast.settings import own
 from sazare.blast.sizes import Distribution
-from sazare.muck_pile.back_break import back_breaks, room_of
+from sazare.muck_pile.back_break import at_edge_of, back_breaks
 from sazare.muck_pile.balls import union_volumes
 from sazare.muck_pile.breaking import breaking_of
 from sazare.muck_pile.flight import flight_times, ranges
 from sazare.muck_pile.landed import RESTING, ends_of, landed_of
 from sazare.muck_pile.pile import Pile
+from sazare.muck_pile.support import in_the_air
 from sazare.tables import write_table
 
 
@@ -36,8 +37,10 @@ class PileNumbers:
 
     def __init__(self, results, model, flown):
         self.results, self.model, self.flown = results, model, flown
-        self.landed = landed_of(model, flown.particle_snapshots[-1])
-        self.ends, self.flying = ends_of(model, self.landed)
+        snapshots = flown.particle_snapshots
+        before, self.landed = (landed_of(model, snapshots[place]) for place in (max(len(snapshots) - 2, 0), -1))
+        self.flying = in_the_air(model, before, self.landed)
+        self.ends = ends_of(model, self.landed, self.flying)
 
     @cached_property
     def starts(self):
@@ -128,9 +131,9 @@ class PileNumbers:
         return back_breaks(self.results, self.model)
 
     @cached_property
-    def room(self):
-        """The Room of the model behind and beside the holes; None without holes."""
-        return room_of(self.results, self.model)
+    def at_edge(self):
+        """Whether rock came loose up to the sides of the model (AtEdge); None without holes."""
+        return at_edge_of(self.results, self.model)
 
 
 def tables_of(numbers):
@@ -183,6 +186,7 @@ def summary_of(numbers):
         },
         "back_break": max((one.behind for one in numbers.back_breaks), default=None),
         "over_break": {side: max((getattr(one, side) for one in numbers.back_breaks), default=None) for side in ("left", "right")},
+        "at_edge_of_model": None if numbers.at_edge is None else {side: getattr(numbers.at_edge, side) for side in ("behind", "left", "right")},
         "breaking": {"last_tenth": breaking.broken, "rate": breaking.rate, "work_of_gas_last_tenth": breaking.worked, "gas_pressure": breaking.pressure},
     }
 

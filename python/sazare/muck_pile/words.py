@@ -5,8 +5,6 @@ import numpy as np
 from sazare.muck_pile.breaking import LAST, STILL
 from sazare.style import count, quantity
 
-EDGE = 0.99  # of the way to the edge of the model, from which on rock came loose up to it
-
 
 def before(model, breaking):
     """What flies, and over what, in lines."""
@@ -67,13 +65,13 @@ def text_of(numbers):
         lines.append(f"  not in it         {quantity(1e3 * model.bodies.mass[pile.covered].sum(), 'g')} that lie under rock which stays and overhangs")
     state = "rests" if numbers.rests else "still moves: --end takes a longer time"
     lines.append(f"  at {quantity(numbers.landed.time, 's'):<15}it {state} ({quantity(numbers.rms_speed, 'm/s')} by mass)")
-    return lines + _broken(numbers.back_breaks, numbers.room)
+    return lines + _broken(numbers.back_breaks, numbers.at_edge)
 
 
-def _broken(found, room):
+def _broken(found, at_edge):
     if not found:
         return []
-    behind, left, right = (_reached(found, room, side) for side in ("behind", "left", "right"))
+    behind, left, right = (_reached(found, at_edge, side) for side in ("behind", "left", "right"))
     deepest = max(found, key=lambda one: one.behind)
     where = f" at z = {0.5 * (deepest.lower + deepest.upper):.3g} m, {quantity(sum(one.volume for one in found), 'm³')}" if deepest.behind > 0.0 else ""
     return [
@@ -81,7 +79,7 @@ def _broken(found, room):
     ]
 
 
-def _reached(found, room, side):
-    """The largest distance on a side, in words; where it is that of the edge of the model, nobody knows how far it is."""
+def _reached(found, at_edge, side):
+    """The largest distance on a side, in words; where rock came loose up to the side of the model, nobody knows how far it is."""
     most = max(getattr(one, side) for one in found)
-    return quantity(most, "m") + (" (the edge of the model)" if most > EDGE * getattr(room, side) > 0.0 else "")
+    return quantity(most, "m") + (" (the edge of the model)" if getattr(at_edge, side) else "")
