@@ -108,9 +108,11 @@ def run(
 
 
 def build(
-    case, out=None, *, overrides=None, folder=None, threads=0, overwrite=False, resume=False, progress=False, functions=None, forces=None
+    case, out=None, *, overrides=None, folder=None, threads=0, overwrite=False, resume=False, progress=False, functions=None, forces=None, warns=True
 ):
     """Prepares a case to be advanced step by step, and returns its Simulation; arguments and errors as for `run`.
+
+    warns: whether warnings about the case are printed.
 
     Without `out` the run is kept in a temporary folder, which is removed with the simulation.
 
@@ -121,7 +123,7 @@ def build(
     source = source_of(case, overrides, folder)
     temporary = tempfile.TemporaryDirectory(prefix="sazare-") if out is None else None
     where = Path(temporary.name) / source.name if temporary else Path(out).absolute()
-    return Simulation(source, where, threads, overwrite, resume, progress, temporary, functions, forces)
+    return Simulation(source, where, threads, overwrite, resume, progress, temporary, functions, forces, warns)
 
 
 class Simulation:
@@ -131,7 +133,7 @@ class Simulation:
     """
 
     def __init__(
-        self, source, path, threads=0, overwrite=False, resume=False, progress=False, temporary=None, functions=None, forces=None
+        self, source, path, threads=0, overwrite=False, resume=False, progress=False, temporary=None, functions=None, forces=None, warns=True
     ):
         refuse_after_fork()
         begin = "resume" if resume else "overwrite" if overwrite else "fresh"
@@ -139,7 +141,7 @@ class Simulation:
         self._temporary = temporary
         self._progress = progress
         self._calls = []  # (next step, steps between or 0, function)
-        self._live = engine().LiveSimulation(source.for_engine(), path, begin, threads)
+        self._live = engine().LiveSimulation(source.for_engine(), path, begin, threads, warns=warns)
         self._histories = histories_of(self._live, functions or {})
         self._forces = forces
         if forces is not None:

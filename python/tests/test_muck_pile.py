@@ -11,6 +11,7 @@ from synthetic_run import TETRAHEDRON, block_mesh, write_grid, write_table
 
 import sazare
 from sazare.__main__ import main
+from sazare.checked import warnings_of
 from sazare.muck_pile import Options, model_of, muck_pile
 from sazare.muck_pile.back_break import at_edge_of, back_breaks
 from sazare.muck_pile.balls import Balls, union_volumes
@@ -21,6 +22,7 @@ from sazare.muck_pile.flight import flight_times, ranges
 from sazare.muck_pile.heights import heights_of_balls, heights_of_triangles
 from sazare.muck_pile.landed import Landed
 from sazare.muck_pile.support import carried_shares
+from sazare.muck_pile.words import flight
 
 ROOT = Path(__file__).resolve().parents[2]
 DENSITY, GRAVITY = 2600.0, 9.81
@@ -378,6 +380,22 @@ def test_the_command_writes_tables_and_pictures_and_replaces_only_what_it_wrote(
     (linked / "muck-pile").symlink_to(tmp_path / "full")
     assert main(["muck-pile", str(linked), "--end", "0.2"]) == 2
     assert "a link" in capsys.readouterr().err
+
+
+def test_the_cost_is_told_before_the_flight_without_advice_that_cannot_be_followed(tmp_path, capsys):
+    blown = Blown((0.4, 0.4, 0.4), (2, 2, 2), stays=(0,))
+    blown.velocity[:] = (20.0, 0.0, 0.0)
+    told = []
+    muck_pile(sazare.open(blown.write(tmp_path / "run")), options=Options(end=0.01), threads=1, say=told.append)
+    assert told[1][0] == "flight to 10 ms:"
+    assert [line.split()[0] for line in told[1][1:] if line[2] != " "] == ["step", "work", "cost"]
+    assert all("restitution" not in line for line in told[1]) and "restitution" not in capsys.readouterr().err
+
+
+def test_warnings_of_a_check_are_told_apart():
+    said = "  step  1 s\n\na.toml:3:1: warning: one\n    3 | x\n      help: do\nb.toml:4:1: warning: the restitution between a\n      help: no\n\nwarning: two\nend\n"
+    assert warnings_of(said) == ["a.toml:3:1: warning: one\n    3 | x\n      help: do", "b.toml:4:1: warning: the restitution between a\n      help: no", "warning: two"]
+    assert flight(said, 2.0) == ["flight to 2 s:", "  step  1 s", "a.toml:3:1: warning: one\n    3 | x\n      help: do", "warning: two"]
 
 
 def test_runs_write_how_their_elements_turn(tmp_path):

@@ -18,6 +18,7 @@ from sazare.blast_model.mesh_quality import checked
 from sazare.blast_model.model import FILES, BlastModel, write_model
 from sazare.blast_model.pattern import read_pattern
 from sazare.blast_model.rock import GRANITE
+from sazare.checked import lines_of, warnings_of
 from sazare.engine import errors_of_commands
 from sazare.folders import require_room
 
@@ -179,14 +180,10 @@ def _checked(case, layout):
     """What `sazare check` says of the size and the cost of the run, the quality of its elements, and all that it warns of."""
     with errors_of_commands():
         said, quality = checked(case, layout)
-    found, told = said.splitlines(), False
-    for line in found:
-        told = line[2:].split(" ")[0] in TOLD if line[:2] == "  " and line[2:3] != " " else told and line[:3] == "   "
-        if told:
-            yield line
+    yield from lines_of(said, TOLD)
     yield from quality.words()
-    place = next((number for number, line in enumerate(found) if "warning:" in line), len(found))
-    yield from found[place:]
+    warnings = warnings_of(said)
+    yield from ["", *warnings] if warnings else []
 
 
 def _line(chosen):

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from sazare.arguments import not_negative, number, positive, whole
+from sazare.checked import WARNING
 from sazare.engine import errors_of_commands
 from sazare.muck_pile import words
 from sazare.muck_pile.model import Options
@@ -43,7 +44,7 @@ def tell(chosen):
     )
 
     def say(lines):
-        told = [line for line in lines if not chosen.quiet or line.startswith("warning")]
+        told = [line for line in lines if not chosen.quiet or WARNING.match(line)]
         print(*told, sep="\n", flush=True) if told else None
 
     with errors_of_commands():

@@ -8,7 +8,7 @@ from sazare.muck_pile.breaking import breaking_of
 from sazare.muck_pile.folders import claim
 from sazare.muck_pile.model import model_of
 from sazare.muck_pile.numbers import PileNumbers, write_numbers
-from sazare.simulation import build
+from sazare.simulation import build, check
 
 
 def muck_pile(results, out=None, options=None, *, threads=0, overwrite=False, progress=False, say=None):
@@ -26,8 +26,9 @@ def muck_pile(results, out=None, options=None, *, threads=0, overwrite=False, pr
     claim(folder, results.path, overwrite)
     say(words.before(model, breaking_of(results)))
     model.write(folder, f"Muck pile of {results.title}")
-    with build(folder / "case.toml", folder / "run", threads=threads, overwrite=overwrite, progress=progress) as simulation:
-        say([f"run: {simulation.words}, to {simulation.end:.3g} s", *(f"warning: {one}" for one in simulation.warnings)])
+    case = folder / "case.toml"
+    say(words.flight(check(case), model.end))
+    with build(case, folder / "run", threads=threads, overwrite=overwrite, progress=progress, warns=False) as simulation:
         simulation.run()
         simulation.stop()
         flown = simulation.results

@@ -2,8 +2,11 @@
 
 import numpy as np
 
+from sazare.checked import lines_of, warnings_of
 from sazare.muck_pile.breaking import LAST, STILL
 from sazare.style import count, quantity
+
+FLIGHT = ("walls", "step", "work", "cost")  # lines of the check that are printed
 
 
 def before(model, breaking):
@@ -24,6 +27,13 @@ def before(model, breaking):
     if model.buried > 0.0:
         lines.append(f"{quantity(1e3 * model.buried, 'g')} more are loose but lie under the ground or within the rock that stays: they stay too")
     return lines + warnings(breaking)
+
+
+def flight(said, end):
+    """What a check says of the flight until its end [s], in lines: the rock that stays, step, steps and cost, and warnings. Without that of the restitution, which asks for
+    a shorter step than the flight of a pile needs (docs/guide/muck-pile.md)."""
+    lines = [line for line in lines_of(said, FLIGHT) if not line.startswith("  walls ") or "open edges" in line]
+    return [f"flight to {quantity(end, 's')}:", *lines, *(one for one in warnings_of(said) if "the restitution between" not in one)]
 
 
 def warnings(breaking):
