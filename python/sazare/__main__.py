@@ -1,12 +1,11 @@
 """The command `python -m sazare`, to which `sazare report`, `plot`, `movie`, `compare` and `check --picture` hand over."""
 
-import argparse
 import sys
 import time
 import traceback
 from pathlib import Path
 
-from sazare.arguments import not_negative
+from sazare.arguments import Parser, not_negative, within
 from sazare.armour import command as armour_command
 from sazare.blast import command as blast_command
 from sazare.blast_model import command as blast_model_command
@@ -19,6 +18,7 @@ from sazare.summary import terminal_text
 from sazare.tables import NotARun
 
 USER_ERROR, MACHINE_ERROR = 2, 4
+SECONDS_PER_FRAME = within(0.001, 60.0, "s", factors=(1e-3,))  # pictures count it in milliseconds, in two bytes
 
 
 def report(chosen):
@@ -71,17 +71,9 @@ def model(chosen):
     print(f"picture: {chosen.picture}")
 
 
-def seconds_per_frame(text):
-    """A time [s] for which a frame can be shown: pictures count it in milliseconds, in two bytes."""
-    value = float(text)
-    if not 0.001 <= value <= 60.0:
-        raise argparse.ArgumentTypeError(f"a frame is shown for 0.001 to 60 s, found {text}")
-    return value
-
-
 def parser():
     """What the command line may say."""
-    top = argparse.ArgumentParser(prog="sazare", description="Read, draw and report the folder of a run.")
+    top = Parser(prog="sazare", description="Read, draw and report the folder of a run.")
     commands = top.add_subparsers(dest="command", required=True)
 
     def add(name, words, function):
@@ -101,7 +93,7 @@ def parser():
     moving.add_argument("--out", metavar="FILE", help="a .gif or .webp (default: DIR/movie.gif)")
     moving.add_argument("--field", metavar="NAME", help="the field shown in colour, such as speed or displacement")
     moving.add_argument("--enlarge", metavar="FACTOR", type=not_negative, help="magnification of displacements")
-    moving.add_argument("--interval", metavar="SECONDS", type=seconds_per_frame, default=0.15, help="time for which each frame is shown [s]")
+    moving.add_argument("--interval", metavar="SECONDS", type=SECONDS_PER_FRAME, default=0.15, help="time for which each frame is shown [s]")
     add("compare", "compare figures and histories of two runs", comparison).add_argument("other", metavar="OTHER")
     drawn = commands.add_parser("model", help="draw a case before it runs, as sazare check --picture does")
     drawn.add_argument("case", metavar="CASE", help="the case file (TOML)")

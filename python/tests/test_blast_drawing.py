@@ -87,6 +87,36 @@ def test_wrong_unit_is_refused_with_the_likely_one(metre, units, meant, drawn):
         Drawing(drawn(metre, units)).holes("DRILL")
 
 
+@pytest.mark.parametrize(("metre", "units", "given", "message"), [
+    (1.0, 4, None, "the holes are too short: half of them have 0.00[0-9]* m or less, with coordinates in mm (as its header says)"),
+    (1e-3, 6, None, "the holes are too long: half of them have [0-9]* m or more, with coordinates in m (as its header says)"),
+    (1e-3, 0, None, "in m (since its header names no such unit)"),
+    (1.0, 6, "mm", "the holes are too short: half of them have 0.00[0-9]* m or less, with coordinates in mm (as --dxf-unit says)"),
+])
+def test_wrong_unit_says_in_which_way_it_is_wrong(metre, units, given, message, drawn):
+    with pytest.raises(ValueError, match=message.replace("(", r"\(").replace(")", r"\)")):
+        Drawing(drawn(metre, units), given).holes("DRILL")
+
+
+@pytest.mark.parametrize("value", [float("inf"), float("nan"), 1e300])
+@pytest.mark.parametrize(("kind", "layer"), [("LINE", "DRILL"), ("TEXT", "DRILL"), ("POLYLINE", "CREST"), ("LWPOLYLINE", "TOE"), ("CIRCLE", "JOINTS"), ("3DFACE", "JOINTS")])
+def test_coordinates_that_are_no_place_are_told_at_their_entity(kind, layer, value, drawn, recwarn):
+    path = drawn()
+    drawing = ezdxf.readfile(path)
+    item = next(item for item in drawing.modelspace() if item.dxftype() == kind and item.dxf.layer == layer)
+    if kind == "POLYLINE":
+        item.vertices[0].dxf.location = (value, 0.0, 0.0)
+    elif kind == "LWPOLYLINE":
+        item.set_points([(value, 0.0), (1.0, 0.0)], format="xy")
+    else:
+        setattr(item.dxf, {"LINE": "start", "TEXT": "insert", "CIRCLE": "center", "3DFACE": "vtx0"}[kind], (value, 0.0, 0.0))
+    drawing.saveas(path)
+    read = {"DRILL": "holes", "CREST": "outline", "TOE": "outline", "JOINTS": "joints"}[layer]
+    with pytest.raises(ValueError, match=rf"the {kind} {item.dxf.handle} of the layer '{layer}' has a coordinate {value:g}".replace("+", r"\+")):
+        getattr(Drawing(path), read)(layer)
+    assert not [one for one in recwarn if issubclass(one.category, RuntimeWarning)]
+
+
 def test_pattern_joins_holes_and_charges(drawn, charges, tmp_path):
     table = tmp_path / "pattern.csv"
     table.write_text(pattern_text(Drawing(drawn()).holes("DRILL"), charges))

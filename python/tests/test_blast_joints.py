@@ -246,7 +246,8 @@ def test_every_set_is_a_group_with_a_law_of_its_own(jointed):
     assert list(laws) == ["rock", "joints_fault", "joints_steep", "joints_flat"]
     assert (laws["joints_steep"]["cohesion"], laws["joints_steep"]["friction_angle"], laws["joints_steep"]["tensile_strength"]) == (1.5e6, 35.0, 3e5)
     assert "friction_coefficient" not in laws["joints_steep"]
-    assert laws["joints_fault"]["shear_fracture_energy"] == pytest.approx(0.1 * laws["rock"]["shear_fracture_energy"])
+    assert laws["joints_fault"]["shear_fracture_energy"] == pytest.approx(0.1 * GRANITE.joint.shear_fracture_energy)
+    assert laws["rock"]["shear_fracture_energy"] > 10.0 * GRANITE.joint.shear_fracture_energy
     assert laws["joints_flat"] == {"name": "joints_flat", "surface": "joints_flat", "bonded": False}
     said = sazare.check(jointed / "case.toml")
     assert "warning:" not in said
@@ -313,6 +314,17 @@ def test_law_of_a_set_takes_the_rest_from_the_rock():
     assert any(note.startswith("shear fracture energy") and "of joints_a" in note for note in notes)
 
 
+def test_energies_of_a_set_are_a_tenth_of_those_of_the_rock_as_given():
+    # In elements of 1 m the rock needs 512 N/m instead of 50; a set with a tenth of its strength needs 5.12 N/m, and has 5 of a tenth.
+    disc = blast_model.Disc(np.zeros(3), np.array([0.0, 0.0, 1.0]), 1.0, set="a")
+    entries, notes = joint_entries(GRANITE, [disc], [], 1.0)
+    assert entries[0].fracture_energy >= 0.5 * GRANITE.joint.tensile_strength**2 * 0.8 / GRANITE.youngs_modulus > GRANITE.joint.fracture_energy
+    assert 5.12 <= entries[1].fracture_energy <= 5.3 and entries[1].shear_fracture_energy >= 125.0
+    assert any(note.startswith("fracture energy 5.2 N/m, not the 5 N/m of joints_a") for note in notes)
+    (_, law), none = joint_entries(GRANITE, [disc], [], 0.2)
+    assert (law.fracture_energy, law.shear_fracture_energy, none) == (5.0, 50.0, [])
+
+
 def test_command_tells_what_was_wanted_and_reached(written, tmp_path, capsys):
     pattern, sets = written(PATTERN, "pattern.csv"), written(SETS + STEEP)
     line = ["blast-model", str(pattern), "--burden", "1", "--height", "2", "--margin", "1.2", "--size", "0.5", "--joint-sets", str(sets)]
@@ -332,7 +344,7 @@ def test_command_tells_what_was_wanted_and_reached(written, tmp_path, capsys):
     ("row", "message"),
     [
         ("a,75,120,-3,constant,1,,,,,0.3,1", r"sets.csv:2: error: the Fisher constant is -3\n      help: it is 0"),
-        ("a,95,120,3,constant,1,,,,,0.3,1", r"the dip is 95 degrees"),
+        ("a,95,120,3,constant,1,,,,,0.3,1", r"dip is 95 deg\n      help: it is 0 to 90 deg"),
         ("a,75,,3,constant,1,,,,,0.3,1", r"dip_direction is empty"),
         ("a,75,120,3,normal,1,,,,,0.3,1", r"no law of size 'normal' is known\n      help: laws are constant, exponential, lognormal, power"),
         ("a,75,120,3,lognormal,1,,,,,0.3,1", r"the law of size lognormal needs deviation\n      help: it has diameter and deviation"),
@@ -344,6 +356,11 @@ def test_command_tells_what_was_wanted_and_reached(written, tmp_path, capsys):
         ("a,75,120,3,constant,1,,,,,,1", r"there is neither p32 nor p10"),
         ("a,75,120,3,constant,1,,,,,-1,1", r"p32 is -1 m2/m3"),
         ("a,75,120,3,constant,1,,,,,0.3,1.5", r"the seed is 1.5"),
+        ("a,75,120,1e300,constant,1,,,,,0.3,1", r"fisher is 1e\+300\n      help: it is at most 1e\+06"),
+        ("a,75,120,3,constant,1e300,,,,,0.3,1", r"diameter is 1e\+300 m\n      help: it is at most 100000 m"),
+        ("a,75,120,3,power,,,1e300,1,2,0.3,1", r"exponent is 1e\+300\n      help: it is at most 20"),
+        ("a,75,120,3,constant,1,,,,,1e300,1", r"p32 is 1e\+300 m2/m3\n      help: it is at most 1000"),
+        ("a,75,1e300,3,constant,1,,,,,0.3,1", r"dip_direction is 1e\+300 deg\n      help: it is at most 360"),
         ("a b,75,120,3,constant,1,,,,,0.3,1", r"a set cannot be called 'a b'"),
         ("a,75,120,3,constant,1,,,,,0.3,1\nA,75,120,3,constant,1,,,,,0.3,1", r"sets.csv:3: error: the set A stands in line 2 already"),
     ],
@@ -361,6 +378,11 @@ def test_wrong_sets_are_told_with_their_line(row, message, written):
         ("friction_angle,friction_coefficient", "30,0.6", "there are both friction_coefficient and friction_angle"),
         ("tensile_strength [MPa]", "0", "tensile_strength is 0"),
         ("friction_angle,residual_friction_coefficient", "30,0.6", "the residual friction 0.6 is above that at the peak, 0.57735"),
+        ("friction_angle", "-10", "friction_angle is -10 deg"),
+        ("friction_angle", "95", "friction_angle is 95 deg\n      help: it is 0 to 89 deg"),
+        ("friction_coefficient", "-0.1", "friction_coefficient is -0.1"),
+        ("cohesion [MPa]", "1e300", "cohesion is 1e\\+306 Pa"),
+        ("fracture_energy", "1e300", "fracture_energy is 1e\\+300 N/m"),
         ("p10 [1/m],line_trend,line_plunge", "2,0,90", "there are both p32 and p10"),
     ],
 )
@@ -380,7 +402,7 @@ def test_p10_along_a_line_in_the_joints_is_refused(written):
 
 
 def test_more_discs_than_a_mesh_can_follow_are_refused(layout, written):
-    for p32 in ("40", "1e9"):
+    for p32 in ("40", "999"):
         item = blast_model.read_joint_sets(written(SETS + STEEP.replace("0.3,4", f"{p32},4")))[0]
         with pytest.raises(ValueError, match=re.escape("sets.csv:2: error: the set steep has about") + r".*more than the 300.*\n.*smaller p32"):
             scatter.scattered("sets.csv", item, layout)

@@ -13,10 +13,11 @@ from sazare import blast_model
 from sazare.__main__ import main
 from sazare.blast_model import joints, pattern, words
 from sazare.blast_model.geometry import prism
-from sazare.blast_model.layout import azimuth_of
+from sazare.blast_model.layout import azimuth_of, estimated_elements
 from sazare.blast_model.rock import GRANITE, softening_in
 from sazare.cases import blocks, read_case
 from sazare.engine import engine
+from sazare.intervals import fits, round_end, round_interval, rounded_up
 from sazare.model.groups import MeshGroups
 
 ROOT = Path(__file__).parents[2]
@@ -197,6 +198,39 @@ def test_axes_of_the_model_keep_lengths_and_handedness(written):
         assert np.linalg.det(layout.frame.axes) == pytest.approx(1.0)
         assert [hole.length for hole in layout.holes] == pytest.approx([hole.length for hole in read.holes])
         assert all(hole.toe[2] < -1.0 for hole in layout.holes)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"size": 100.0}, r"elements of 100 m are too large: the rock around the holes is 2 m\n      help: --size 1 or less"),
+        ({"burden": 30.0, "margin": 40.0, "size": 1.2}, r"the bench is 3 m\n      help: --size 1 or less"),
+        ({"size": 1e-4}, r"elements of 0.0001 m would be about .*, more than the 5e\+06 that a run can have\n      help: --size 0.0\d+ has fewer"),
+    ],
+)
+def test_sizes_that_no_mesh_can_have_are_refused(options, message, written):
+    with pytest.raises(ValueError, match=message):
+        blast_model.layout_of(blast_model.read_pattern(written(f"{HEAD}\n1,0,0,0,0,0,-3.5,250,ANFO,1.5,0\n")), blast_model.Options(**{"burden": 2.0, "height": 3.0, "margin": 2.0, **options}))
+
+
+@pytest.mark.parametrize("size", [0.5, 1.0])
+def test_elements_are_estimated_before_the_mesh(size, written, tmp_path):
+    layout = blast_model.layout_of(blast_model.read_pattern(written(f"{HEAD}\n1,0,0,0,0,0,-3.5,250,ANFO,1.5,0\n")), blast_model.Options(burden=2.0, height=3.0, margin=2.0, size=size))
+    meshed(layout, tmp_path / "out")
+    found = sum(len(nodes) for dimension, _, kind, _, nodes in engine().mesh_file(str(tmp_path / "out/model.msh"))[1] if dimension == 3 and kind == 4)
+    assert estimated_elements(layout) == pytest.approx(found, rel=0.35)
+
+
+@pytest.mark.parametrize("least", [3e-5, 9.49e-3, 0.0123, 1.0, 4.5e-4, 9.99e-3, 0.0282, 2.001e-3])
+def test_intervals_fit_round_times(least):
+    end, pictures = round_end(least, 20)
+    rows = round_interval(end / 1000)
+    assert least * (1.0 - 1e-12) <= end <= 1.05 * least
+    assert 0.4 * end / 1000 < rows <= end / 1000 * (1.0 + 1e-9) and 20 <= round(end / pictures) <= 51
+    one_digit = rounded_up(end, 1)
+    for longer, shorter in ((end, rows), (pictures, rows), (end, pictures), (one_digit, rows), (one_digit, pictures)):
+        assert fits(shorter, longer)
+    assert {f"{value:.0e}"[0] for value in (rows, pictures)} <= {"1", "2", "5"}
 
 
 def test_fracture_energies_suit_the_elements():

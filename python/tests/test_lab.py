@@ -239,8 +239,13 @@ def test_envelope_leaves_out_specimens_that_did_not_fail(rock, tmp_path, capsys)
     [
         (["brazilian", "--platens", "steel"], "invalid choice: 'steel'"),
         (["triaxial"], "--confinement"),
-        (["triaxial", "--confinement", "-5"], "a finite number of 0 or more"),
-        (["uniaxial", "--diameter", "0"], "above 0"),
+        (["triaxial", "--confinement", "-5"], "must be 0, or 1000 to 1e+10 Pa, found -5"),
+        (["triaxial", "--confinement", "-5e6"], "must be 0, or 1000 to 1e+10 Pa, found -5e6"),
+        (["direct-shear", "--normal-stress", "5"], "found 5; did you mean 5e+06?"),
+        (["uniaxial", "--diameter", "0"], "must be 0.0001 to 10 m, found 0"),
+        (["uniaxial", "--diameter", "50"], "did you mean 0.05?"),
+        (["uniaxial", "--strain", "1e300"], "--strain: must be"),
+        (["uniaxial", "--strain-rate", "nan"], "found nan"),
         (["uniaxial", "--elements", "2.5"], "whole number"),
         (["calibrate", "--uniaxial", "1e8"], "--tensile"),
     ],
@@ -249,7 +254,21 @@ def test_command_says_what_is_wrong(words, message, capsys):
     with pytest.raises(SystemExit) as stopped:
         main(["lab", words[0], str(CASE), *words[1:]])
     assert stopped.value.code == 2
-    assert message in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert message in said
+    assert said.splitlines()[0].startswith("error: ") and said.splitlines()[1:] == [f"      help: sazare lab {words[0]} --help shows the options"]
+
+
+def test_unknown_options_are_told_as_of_their_command(capsys):
+    with pytest.raises(SystemExit):
+        main(["lab", "uniaxial", str(CASE), "--nosuch"])
+    assert capsys.readouterr().err == "error: unrecognized arguments: --nosuch\n      help: sazare lab uniaxial --help shows the options\n"
+
+
+def test_friction_of_platens_that_are_not_of_steel_is_refused(tmp_path, capsys):
+    assert main(["lab", "uniaxial", str(CASE), "--platen-friction", "0.3", "--out", str(tmp_path / "out")]) == 2
+    assert "add --platens steel" in capsys.readouterr().err
+    assert lab.Options(platens="steel", platen_friction=0.3).platen_friction == 0.3
 
 
 def test_command_refuses_a_confined_strength_without_its_confinement(capsys):

@@ -1,11 +1,9 @@
 """The command `sazare blast-model`: its arguments, and what it writes and prints."""
 
-import argparse
-import math
 import shlex
 from pathlib import Path
 
-from sazare.arguments import not_negative, positive, whole
+from sazare.arguments import length, whole, within
 from sazare.blast_model import words
 from sazare.blast_model.drawing import UNITS
 from sazare.blast_model.drawn import tables_of
@@ -23,23 +21,8 @@ from sazare.engine import errors_of_commands
 from sazare.folders import require_room
 
 TOLD = ("body", "holes", "explosive", "waves", "steps", "work", "cost")  # lines of the check that are printed
+AZIMUTH = within(-360.0, 360.0, "degrees")
 LAYERS = ("layer-holes", "layer-names", "layer-crest", "layer-toe", "layer-joints")
-
-
-def face_angle(text):
-    """The angle of a free face [deg]."""
-    value = float(text)
-    if not 30.0 <= value <= 90.0:
-        raise argparse.ArgumentTypeError(f"must be 30 to 90 degrees from the horizontal, found {text}")
-    return value
-
-
-def direction(text):
-    """An azimuth [deg]."""
-    value = float(text)
-    if not math.isfinite(value):
-        raise argparse.ArgumentTypeError(f"must be a direction in degrees, found {text}")
-    return value
 
 
 def add_to(commands):
@@ -54,21 +37,21 @@ def add_to(commands):
     command.add_argument("--layer-toe", metavar="NAME", help="of a drawing: the layer of the lower edge of the face, from which its height and angle follow")
     command.add_argument("--layer-joints", metavar="NAME", nargs="+", help="of a drawing: layers of joints, circles and 3-D faces; each of several is a set")
     command.add_argument("--dxf-unit", metavar="UNIT", choices=list(UNITS), help="of a drawing: the unit of its coordinates, mm, cm, m, in or ft (default: that of its header)")
-    command.add_argument("--burden", metavar="M", type=positive, help="from the collars of the front row to the crest of the bench [m] (default: the distance of the rows)")
-    command.add_argument("--height", metavar="M", type=positive, help="height of the bench [m] (default: the depth of the shallowest toe)")
-    command.add_argument("--face-angle", metavar="DEG", type=face_angle, default=Options.face_angle, help="angle of the free face from the horizontal [deg] (default %(default)g)")
-    command.add_argument("--azimuth", metavar="DEG", type=direction, help="direction to which the free face looks, from y to x [deg] (default: by rows, lean and delays)")
+    command.add_argument("--burden", metavar="M", type=length(1000.0), help="from the collars of the front row to the crest of the bench [m] (default: the distance of the rows)")
+    command.add_argument("--height", metavar="M", type=length(1000.0), help="height of the bench [m] (default: the depth of the shallowest toe)")
+    command.add_argument("--face-angle", metavar="DEG", type=within(30.0, 90.0, "degrees from the horizontal"), default=Options.face_angle, help="angle of the free face from the horizontal [deg] (default %(default)g)")
+    command.add_argument("--azimuth", metavar="DEG", type=AZIMUTH, help="direction to which the free face looks, from y to x [deg] (default: by rows, lean and delays)")
     command.add_argument("--block", action="store_true", help="no bench: a block with one free surface, such as the face of a tunnel")
-    command.add_argument("--margin", metavar="M", type=positive, help="rock around the holes [m] (default: two burdens; of a block the length of a hole)")
-    command.add_argument("--size", metavar="M", type=positive, help="size of elements far from the holes [m] (default: a quarter of the burden or the margin)")
+    command.add_argument("--margin", metavar="M", type=length(10000.0), help="rock around the holes [m] (default: two burdens; of a block the length of a hole)")
+    command.add_argument("--size", metavar="M", type=length(1000.0), help="size of elements far from the holes [m] (default: a quarter of the burden or the margin)")
     command.add_argument("--around", metavar="N", type=whole(4, 64), default=FEWEST_AROUND, help="faces around a hole (default %(default)d)")
     command.add_argument("--joints", metavar="CSV", help="existing joints: discs with x, y, z, dip, dip_direction, radius, set")
     command.add_argument("--joint-sets", metavar="CSV", help="sets of joints: discs drawn by direction, size and P32, and the law of each set")
     command.add_argument("--gravity", action="store_true", help="weight, and the stress at the beginning that it makes")
-    command.add_argument("--depth", metavar="M", type=not_negative, help="ground above the collar of the first hole of a --block [m]; with --gravity (default: 0)")
-    command.add_argument("--k0", metavar="K", type=not_negative, help="horizontal over vertical stress (default: nu/(1 - nu) of the rock)")
-    command.add_argument("--horizontal-stress", metavar=("LARGER", "SMALLER"), nargs=2, type=not_negative, help="horizontal stresses [MPa], compression positive, instead of --k0")
-    command.add_argument("--stress-azimuth", metavar="DEG", type=direction, help="direction of the larger horizontal stress, from y to x [deg] (default: 0, north)")
+    command.add_argument("--depth", metavar="M", type=within(0.0, 10000.0, "m"), help="ground above the collar of the first hole of a --block [m]; with --gravity (default: 0)")
+    command.add_argument("--k0", metavar="K", type=within(0.0, 100.0, ""), help="horizontal over vertical stress (default: nu/(1 - nu) of the rock)")
+    command.add_argument("--horizontal-stress", metavar=("LARGER", "SMALLER"), nargs=2, type=within(0.0, 1000.0, "MPa", factors=(1e-6, 1e-3)), help="horizontal stresses [MPa], compression positive, instead of --k0")
+    command.add_argument("--stress-azimuth", metavar="DEG", type=AZIMUTH, help="direction of the larger horizontal stress, from y to x [deg] (default: 0, north)")
     command.add_argument("--rock", metavar="CASE", help="a case of method blocks whose rock it is (default: a granite)")
     command.add_argument("--material", metavar="NAME", help="the material of that case; not needed where it has one")
     command.add_argument("--out", metavar="DIR", help="folder of the model (default: PATTERN-model, beside the pattern)")

@@ -6,6 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
+from sazare.blast_model.sheet import LARGEST
+
 UNITS = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "in": 0.0254, "ft": 0.3048}  # m
 OF_HEADER = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m"}  # $INSUNITS
 SHORTEST, LONGEST = 0.3, 100.0  # of blast holes [m]; beyond them a unit is wrong
@@ -29,11 +31,11 @@ class Drawing:
         self.path, self.notes = Path(path), []
         self._space, code = _opened(self.path)
         self.unit = unit or OF_HEADER.get(code)
+        self._source = "as --dxf-unit says" if unit else "as its header says" if self.unit else "since its header names no such unit"
         if self.unit is None:
             kind = "no unit" if code == 0 else f"the unit number {code}, which is none of {', '.join(UNITS)}"
             self.notes.append(f"{path}: its header ($INSUNITS) names {kind}; coordinates are taken for metres (--dxf-unit)")
             self.unit = "m"
-        self._given = unit is not None
         self._scale = UNITS[self.unit]
 
     def holes(self, layer, layer_of_names=None):
@@ -59,10 +61,11 @@ class Drawing:
         for item in self._items(layer):
             kind = item.dxftype()
             if kind == "CIRCLE":
+                self._require_finite(item, [*item.dxf.center, *item.dxf.extrusion, item.dxf.radius])
                 centre = np.array(item.ocs().to_wcs(item.dxf.center))
                 found.append((centre * self._scale, _unit(np.array(item.dxf.extrusion)), float(item.dxf.radius) * self._scale))
             elif kind == "3DFACE":
-                disc = _disc_of(np.array([tuple(point) for point in item.wcs_vertices()]) * self._scale)
+                disc = _disc_of(self._require_finite(item, [tuple(point) for point in item.wcs_vertices()]) * self._scale)
                 found += [disc] if disc else []
                 others += disc is None
             else:
@@ -78,6 +81,17 @@ class Drawing:
         if not found:
             raise ValueError(f"{self.path}: error: nothing is drawn on a layer {layer!r}\n      help: layers with something on them are {self._layers()}")
         return found
+
+    def _require_finite(self, item, values):
+        """Coordinates or sizes of an entity as an array. Raises ValueError where one is no finite number that can be a place."""
+        values = np.array(values, dtype=float)
+        wrong = values[~(np.abs(values) * self._scale <= LARGEST["m"])]
+        if len(wrong):
+            raise ValueError(
+                f"{self.path}: error: the {item.dxftype()} {item.dxf.handle} of the layer {item.dxf.layer!r} has a coordinate {wrong[0]:g}, which is no place\n"
+                "      help: move or erase it in the drawing"
+            )
+        return values
 
     def _layers(self):
         counts = {}
@@ -100,7 +114,7 @@ class Drawing:
                 if kind not in ("TEXT", "MTEXT"):
                     left_out[kind] = left_out.get(kind, 0) + 1
                 continue
-            yield item, np.array([tuple(point) for point in points], dtype=float) * self._scale
+            yield item, self._require_finite(item, [tuple(point) for point in points]) * self._scale
         if left_out:
             kinds = ", ".join(f"{count} {kind}" for kind, count in sorted(left_out.items()))
             self.notes.append(f"{self.path}: the layer {layer!r} has {kinds} too, which are left out (explode blocks first)")
@@ -124,8 +138,8 @@ class Drawing:
             return
         likely = [name for name, scale in UNITS.items() if 2.0 <= middle / self._scale * scale <= 40.0]
         meant = f"; coordinates look like {' or '.join(likely)}: --dxf-unit {likely[0]}" if likely else ": --dxf-unit"
-        source = "as --dxf-unit says" if self._given else f"by its header, or where that names none: {self.unit}"
-        raise ValueError(f"{self.path}: error: half of the holes would be longer than {middle:.4g} m, in {self.unit} ({source})\n      help: the unit is wrong{meant}")
+        wrong = f"too short: half of them have {middle:.4g} m or less" if middle < SHORTEST else f"too long: half of them have {middle:.4g} m or more"
+        raise ValueError(f"{self.path}: error: the holes are {wrong}, with coordinates in {self.unit} ({self._source})\n      help: the unit is wrong{meant}")
 
     def _names(self, ends, layer, needed):
         texts = [item for item in self._items(layer) if item.dxftype() in ("TEXT", "MTEXT")]
@@ -135,7 +149,8 @@ class Drawing:
             self.notes.append(f"{self.path}: holes have no text beside them, and are numbered in the order of the file")
             return [str(number + 1) for number in range(len(ends))]
         words = [(item.plain_text() if item.dxftype() == "MTEXT" else item.dxf.text).strip() for item in texts]
-        places = np.array([tuple(item.get_placement()[1] if item.dxftype() == "TEXT" else item.dxf.insert) for item in texts], dtype=float)[:, :2] * self._scale
+        places = [item.get_placement() if item.dxftype() == "TEXT" else (None, item.dxf.insert) for item in texts]
+        places = np.array([self._require_finite(item, place[1] if place[1] is not None else item.dxf.insert) for item, place in zip(texts, places)])[:, :2] * self._scale
         nearest = [int(np.argmin(np.linalg.norm(places - collar[:2], axis=1))) for collar, _ in ends]
         for place, text in enumerate(nearest):
             if text in nearest[:place]:

@@ -1,6 +1,6 @@
 """Entries of [[joints]]: the rock, and each set of existing joints with a law of its own."""
 
-from sazare.blast_model.rock import energies_raised
+from sazare.blast_model.rock import energies_raised, softening_in
 from sazare.lab.rock import with_keys
 
 WEAKER = 0.1  # strength of existing joints over that of the rock
@@ -8,12 +8,13 @@ WEAKENED = ("cohesion", "tensile_strength", "fracture_energy", "shear_fracture_e
 
 
 def joint_entries(rock, discs, sets, size):
-    """Entries of [[joints]] and notes about what was raised. rock: with the fracture energies of the case; size: of the largest elements [m].
+    """Entries of [[joints]] and notes about what was raised in those of sets. rock: as given; size: of the largest elements [m].
 
-    A set has the keys of its table, and for the rest a tenth of the strengths and fracture energies of the rock and its other keys.
+    The rock has fracture energies that its elements can follow. A set has the keys of its table, and for the rest a tenth of the strengths and fracture energies of the rock as given
+    and its other keys; its energies are raised only as far as its own strengths need.
     """
     laws = {item.surface: item.law for item in sets}
-    entries, notes = [with_keys(rock.joint, name="rock", between=("rock", "rock"))], []
+    entries, notes = [with_keys(softening_in(rock, size)[0].joint, name="rock", between=("rock", "rock"))], []
     for surface in dict.fromkeys(disc.surface for disc in discs):
         entry, raised = _entry(rock, surface, laws.get(surface, {}), size)
         entries.append(entry)

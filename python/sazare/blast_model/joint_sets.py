@@ -22,6 +22,11 @@ UNITS = {
 }
 SCATTER = [name for name in UNITS if name != "set" and name not in LAW_UNITS]  # columns that say how discs are scattered
 LARGEST_SEED = 2**53
+STEEPEST = 89.0  # angle of friction [deg]: its coefficient is 57
+LIMITS = {
+    "dip": (0.0, 90.0), "line_plunge": (-90.0, 90.0), "friction_angle": (0.0, STEEPEST), "friction_coefficient": (0.0, 60.0), "residual_friction_coefficient": (0.0, 60.0),
+    "exponent": (-20.0, 20.0), "fisher": (-1e6, 1e6), **{name: (-1e5, 1e5) for name in ("diameter", "deviation", "diameter_min", "diameter_max")},
+}  # what is below 0 is told by its own words
 
 
 @dataclass(frozen=True)
@@ -54,7 +59,7 @@ def read_joint_sets(path):
     """Sets of joints from a CSV file. Raises ValueError with all that is wrong, by line; OSError where it cannot be read."""
     path = Path(path)
     problems = Problems(path)
-    rows = read_sheet(path, UNITS, ("set",), problems)
+    rows = read_sheet(path, UNITS, ("set",), problems, LIMITS)
     problems.tell()
     sets, lines = [], {}
     for row in rows:
@@ -76,8 +81,6 @@ def _scatter(row, problems):
     for name in ("dip", "dip_direction", "fisher", "size_law"):
         if name not in cells:
             problems.error(row.line, f"{name} is empty", "discs of a set are scattered by dip, dip_direction, fisher, size_law and p32; leave all of them empty for a set of given discs")
-    if not 0.0 <= cells.get("dip", 0.0) <= 90.0:
-        problems.error(row.line, f"the dip is {cells['dip']:g} degrees", "a dip is 0 (level) to 90 degrees (upright)")
     if cells.get("fisher", 0.0) < 0.0:
         problems.error(row.line, f"the Fisher constant is {cells['fisher']:g}", "it is 0 for directions without preference, and the greater the nearer they are to the mean; 10 to 100 are usual")
     seed = cells.get("seed", 1.0)
@@ -162,8 +165,6 @@ def _law(row, problems):
     for name in others:
         if law[name] < 0.0 or (law[name] == 0.0 and name in ("tensile_strength", "fracture_energy", "shear_fracture_energy")):
             problems.error(row.line, f"{name} is {law[name]:g}", "it is greater than 0; bonded = no is for joints without strength")
-    if not law.get("friction_angle", 0.0) < 90.0:
-        problems.error(row.line, f"friction_angle is {law['friction_angle']:g} degrees", "it is less than 90")
     return law
 
 

@@ -74,7 +74,7 @@ def read_discs(path):
     """Discs from a CSV file with centre, dip, dip direction, radius and, where there is such a column, set. Raises ValueError with all that is wrong, by line; OSError where it cannot be read."""
     path = Path(path)
     problems = Problems(path)
-    rows = read_sheet(path, UNITS, NEEDED, problems)
+    rows = read_sheet(path, UNITS, NEEDED, problems, {"radius": (-1e5, 1e5)})
     problems.tell()
     for row in rows:
         if not 0.0 <= row.cells["dip"] <= 90.0:

@@ -15,9 +15,10 @@ from sazare.blast_model.layout import Layout
 from sazare.blast_model.rock import softening_in
 from sazare.cases import blocks
 from sazare.folders import require_room
+from sazare.intervals import round_end, round_interval
 from sazare.lab.rock import Rock, with_keys
 
-ROWS, PICTURES = 1000, 20  # of the history, and snapshots
+ROWS, PICTURES = 1000, 20  # of the history, and snapshots; up to 2.5 times as many, since intervals are round
 LINE, NEAREST, FURTHEST = 6, 5.0, 0.9  # gauges at depth; where they begin, in diameters of the hole, if there is room, and end, in shares of the margin
 FILES = ("model.geo", "case.toml", "model.md")
 
@@ -44,7 +45,7 @@ class BlastModel:
 
     @cached_property
     def _laws(self):
-        return joint_entries(self.rock, self.joints.discs, self.sets, self.layout.far)
+        return joint_entries(self.rock_given, self.joints.discs, self.sets, self.layout.far)
 
     @property
     def joint_laws(self):
@@ -57,8 +58,7 @@ class BlastModel:
         last = max(deck.delay + 3.0 * deck.keys.get("delay_scatter", 0.0) + (deck.bottom - deck.top) / deck.velocity for deck in self.layout.pattern.decks)
         diagonal = np.linalg.norm(self.layout.upper - self.layout.lower)
         end = last + diagonal / math.sqrt(self.rock.shear_modulus / self.rock.material.density)
-        digit = 10.0 ** (math.floor(math.log10(end)) - 2)  # the third, to which it is rounded up
-        return float(f"{digit * math.ceil(end / digit):.3g}")
+        return round_end(end, PICTURES)[0]
 
     @property
     def assumptions(self):
@@ -84,7 +84,7 @@ class BlastModel:
             initial_stress=self.ground and self.ground.initial_stress(self.layout.frame, self.rock),
             boundaries=[blocks.Boundary(surface=name, kind="absorbing") for name in ("sides", "base")],
             gauges=self._gauges(),
-            time=blocks.Time(end=end, history_interval=float(f"{end / ROWS:.6g}"), snapshot_interval=float(f"{end / PICTURES:.6g}")),
+            time=blocks.Time(end=end, history_interval=round_interval(end / ROWS), snapshot_interval=round_end(end, PICTURES)[1]),
         )
 
     def _charges(self):

@@ -11,6 +11,10 @@ IN_SI = {
     "g/cm3": ("kg/m3", 1e3), "t/m3": ("kg/m3", 1e3), "km/s": ("m/s", 1e3), "MJ/kg": ("J/kg", 1e6), "kJ/kg": ("J/kg", 1e3), "GPa": ("Pa", 1e9), "MPa": ("Pa", 1e6),
 }  # units that a header may have in place of those of SI, and their size
 
+LARGEST = {
+    "m": 1e8, "s": 3600.0, "kg/m3": 1e5, "m/s": 1e6, "J/kg": 1e9, "Pa": 1e13, "N/m": 1e9, "deg": 360.0, "m2/m3": 1e3, "1/m": 1e3, "-": 1e16,
+}  # by unit: no number of such a table is larger, but by a slip; coordinates of surveys are
+
 TRUTH = {"true": True, "yes": True, "false": False, "no": False}
 
 
@@ -39,11 +43,11 @@ class Row:
     cells: dict
 
 
-def read_sheet(path, units, needed, problems):
+def read_sheet(path, units, needed, problems, limits={}):
     """The rows of a table.
 
     units: by the name of every column that there may be, the unit in which its numbers are wanted; "" for a column of words, "-" for numbers without a unit.
-    needed: columns whose cells may not be empty. Numbers in units of IN_SI are converted by what the header says.
+    needed: columns whose cells may not be empty. limits: least and largest number of a column, in its unit, where those of LARGEST are not enough. Numbers in units of IN_SI are converted by what the header says.
 
     Raises ValueError for a file that is no such table. Cells that are wrong are told to `problems`, and left out of their row.
     """
@@ -56,7 +60,10 @@ def read_sheet(path, units, needed, problems):
     problems.tell()
     if len(lines) == 1:
         raise ValueError(f"{path}:{first}: error: the table has no rows\n      help: below the names of the columns write a line for each")
-    return [_row(line, cells, columns, units, needed, problems) for line, cells in lines[1:]]
+    rows = [_row(line, cells, columns, units, needed, problems) for line, cells in lines[1:]]
+    for row in rows:
+        _refuse_beyond(row, units, limits, problems)
+    return rows
 
 
 def _lines(path):
@@ -117,6 +124,17 @@ def _row(line, cells, columns, units, needed, problems):
         else:
             found[name] = value if units[name] == "" else value * factor
     return Row(line, found)
+
+
+def _refuse_beyond(row, units, limits, problems):
+    for name, value in row.cells.items():
+        if isinstance(value, float):
+            most = LARGEST.get(units[name], math.inf)
+            low, high = limits.get(name, (-most, most))
+            unit = f" {units[name]}" if units[name] not in ("", "-") else ""
+            if not low <= value <= high:
+                bounds = f"at most {high:g}" if low == -high and value > high else f"{low:g} to {high:g}"
+                problems.error(row.line, f"{name} is {value:g}{unit}", f"it is {bounds}{unit}" + ("; is its unit in the first line?" if unit else ""))
 
 
 def truth(row, name, problems, help_):

@@ -3,6 +3,7 @@
 import math
 
 from sazare.blast_model.joint_laws import law_in_words
+from sazare.blast_model.layout import MANY_ELEMENTS, estimated_elements
 from sazare.engine import engine
 
 COLUMNS = (("hole", ""), ("burden", "m"), ("spacing", "m"), ("length", "m"), ("charged", "m"), ("explosive", ""), ("mass", "kg"), ("delay", "ms"), ("fires", ""))
@@ -89,6 +90,8 @@ def assumptions(model):
         yield f"{layout.margin:.3g} m of rock around the holes (--margin)"
     if options.size is None:
         yield f"elements of {layout.far:.3g} m far from the holes (--size)"
+    if (many := estimated_elements(layout)) > MANY_ELEMENTS:
+        yield f"about {many:.2g} elements, which take long to mesh and to run (larger ones: --size)"
     yield "sides and base absorb waves; all other surfaces are free, and the stemming is empty hole"
     if model.ground:
         yield from model.ground.words(layout, model.rock)
@@ -97,7 +100,7 @@ def assumptions(model):
     else:
         yield f"no gravity and no stress at the beginning (--gravity): until {1e3 * model.end:.3g} ms the weight would change velocities by {9.81 * model.end:.2g} m/s"
     for entry in model.joint_laws[1:]:
-        rest = "" if entry.bonded is False else "; what no table says of them is a tenth of the rock's strengths and fracture energies"
+        rest = "" if entry.bonded is False else "; what no table says of them is a tenth of the strengths and fracture energies of the rock as given"
         yield f"{_counted(sum(disc.surface == entry.surface for disc in model.joints.discs), 'disc')} of {entry.surface}: {law_in_words(entry)}{rest}"
     ends = [away for away, _ in model.line_at_depth()]
     largest = max(sum(other.mass for other in layout.pattern.decks if other.delay == deck.delay) for deck in layout.pattern.decks)

@@ -3,7 +3,7 @@
 import re
 from pathlib import Path
 
-from sazare.arguments import not_negative, positive, whole
+from sazare.arguments import length, whole, within
 from sazare.engine import errors_of_commands
 from sazare.lab import words
 from sazare.lab.calibrate import MOST_TRIALS, TOLERANCE, Targets, calibrate
@@ -11,7 +11,7 @@ from sazare.lab.envelope import coulomb, hoek_brown, mohr_coulomb
 from sazare.lab.folders import claim
 from sazare.lab.machine import carry_out
 from sazare.lab.rock import rock_from
-from sazare.lab.trials import Options, Platens, trial_of
+from sazare.lab.trials import PLATEN_FRICTION, Options, Platens, trial_of
 from sazare.tables import write_table
 
 HELP = {
@@ -23,6 +23,9 @@ HELP = {
     "point-load": "press a core between two points: point load index",
 }
 COUNT = whole(1, 1_000_000)
+PRESSURE = {"least": 1e3, "most": 1e10, "unit": "Pa", "factors": (1e6, 1e3)}  # who writes 5 means MPa
+STRENGTH, CONFINEMENT = within(**PRESSURE), within(**PRESSURE, above=True)
+SIDE = length(10.0, 1e-4)  # of a specimen
 PRESSURES = {"triaxial": "--confinement", "direct-shear": "--normal-stress"}
 
 
@@ -46,7 +49,7 @@ def _add_common(command):
     command.add_argument("--overwrite", action="store_true", help="replace the test that is in the folder")
     command.add_argument("--threads", metavar="N", type=COUNT, default=0, help="threads (default: all processors)")
     command.add_argument("--quiet", action="store_true", help="print results and warnings only")
-    command.add_argument("--diameter", metavar="M", type=positive, default=Options.diameter, help="diameter, or side of a prism [m] (default %(default)g)")
+    command.add_argument("--diameter", metavar="M", type=SIDE, default=Options.diameter, help="diameter, or side of a prism [m] (default %(default)g)")
     command.add_argument("--elements", metavar="N", type=COUNT, default=Options.elements, help="elements over the diameter (default %(default)d)")
     command.add_argument("--seed", metavar="N", type=COUNT, default=1, help="seed of the mesh: another one makes another mesh of the same size (default 1)")
     command.add_argument("--scatter-seed", metavar="N", type=whole(0, 1_000_000_000), help="seed of the scatter of strength, for a rock with weibull_modulus")
@@ -56,30 +59,30 @@ def _add_common(command):
 def _add_test(tests, name, text):
     command = tests.add_parser(name, help=text, description=text)
     _add_common(command)
-    command.add_argument("--height", metavar="M", type=positive, help="height, or thickness of a disc [m]")
-    command.add_argument("--strain-rate", metavar="R", type=positive, help="speed of the platen over the length of the specimen [1/s] (default: quasi-static)")
-    command.add_argument("--strain", metavar="E", type=positive, help="displacement over the length at which the test ends")
+    command.add_argument("--height", metavar="M", type=SIDE, help="height, or thickness of a disc [m]")
+    command.add_argument("--strain-rate", metavar="R", type=within(1e-9, 1e6, "1/s"), help="speed of the platen over the length of the specimen [1/s] (default: quasi-static)")
+    command.add_argument("--strain", metavar="E", type=within(1e-9, 1.0, "", factors=(0.01,)), help="displacement over the length at which the test ends")
     if name in ("uniaxial", "triaxial"):
         command.add_argument("--platens", choices=Platens.ALL, help="ends that slide freely, are held, or rub on steel (default: frictionless)")
-        command.add_argument("--platen-friction", metavar="F", type=not_negative, default=Options.platen_friction, help="friction of steel platens (default %(default)g)")
+        command.add_argument("--platen-friction", metavar="F", type=within(0.0, 10.0, ""), help=f"friction of --platens {Platens.STEEL} (default {PLATEN_FRICTION:g})")
     if name == "brazilian":
         command.add_argument("--platens", choices=(Platens.HELD, Platens.FRICTIONLESS), help="jaws that hold the disc or let it slide (default: held)")
-        command.add_argument("--contact-angle", metavar="DEG", type=positive, default=Options.contact_angle, help="arc on which a jaw bears [deg] (default %(default)g)")
+        command.add_argument("--contact-angle", metavar="DEG", type=within(0.1, 180.0, "degrees"), default=Options.contact_angle, help="arc on which a jaw bears [deg] (default %(default)g)")
     if name == "point-load":
-        command.add_argument("--tip-radius", metavar="M", type=positive, default=Options.tip_radius, help="radius of the circles that press [m] (default %(default)g)")
+        command.add_argument("--tip-radius", metavar="M", type=SIDE, default=Options.tip_radius, help="radius of the circles that press [m] (default %(default)g)")
     if name in PRESSURES:
-        command.add_argument(PRESSURES[name], dest="pressures", metavar="PA", type=not_negative, nargs="+", required=True, help="one or more [Pa]; several give an envelope")
+        command.add_argument(PRESSURES[name], dest="pressures", metavar="PA", type=CONFINEMENT, nargs="+", required=True, help="one or more [Pa]; several give an envelope")
 
 
 def _add_calibrate(tests):
     text = "find the strengths of the joints for which specimens have measured strengths"
     command = tests.add_parser("calibrate", help=text, description=text)
     _add_common(command)
-    command.add_argument("--uniaxial", metavar="PA", type=positive, required=True, help="measured strength in uniaxial compression [Pa]")
-    command.add_argument("--tensile", metavar="PA", type=positive, required=True, help="measured tensile strength [Pa]")
+    command.add_argument("--uniaxial", metavar="PA", type=STRENGTH, required=True, help="measured strength in uniaxial compression [Pa]")
+    command.add_argument("--tensile", metavar="PA", type=STRENGTH, required=True, help="measured tensile strength [Pa]")
     command.add_argument("--tensile-test", choices=("brazilian", "direct-tension"), default="brazilian", help="test that gave it (default: brazilian)")
-    command.add_argument("--triaxial", metavar="PA", type=positive, help="measured axial stress at failure under --confinement [Pa]; then friction is sought too")
-    command.add_argument("--confinement", metavar="PA", type=positive, help="confinement of that test [Pa]")
+    command.add_argument("--triaxial", metavar="PA", type=STRENGTH, help="measured axial stress at failure under --confinement [Pa]; then friction is sought too")
+    command.add_argument("--confinement", metavar="PA", type=STRENGTH, help="confinement of that test [Pa]")
     command.add_argument("--meshes", metavar="N", type=COUNT, default=3, help="meshes with which the result is tested at the end (default 3)")
     command.add_argument("--platens", choices=Platens.ALL, help="platens of the compressed cylinders (default: frictionless)")
     command.set_defaults(function=calibrate_command)

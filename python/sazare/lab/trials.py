@@ -21,6 +21,7 @@ ROWS = 400  # of the history
 PICTURES = 20  # snapshots
 SHORTEST_ARC, WIDEST_ARC = 0.2, 60.0  # on which a jaw bears: in elements, and in degrees
 SMALLEST_TIP, WIDEST_TIP = 0.1, 0.25  # radius of the circle on which a point presses: in elements, and over the diameter
+PLATEN_FRICTION = 0.2  # of steel on rock
 FEWEST_ACROSS = 6  # elements over the width of a specimen
 
 
@@ -41,7 +42,7 @@ class Options:
     height: float | None = None
     elements: int = 8  # over the diameter
     platens: str | None = None
-    platen_friction: float = 0.2  # of platens of steel
+    platen_friction: float | None = None  # of platens of steel: PLATEN_FRICTION
     contact_angle: float = 10.0  # over which jaws bear on a disc [deg]
     tip_radius: float = 0.0025  # of the circles on which points press [m]
     strain_rate: float | None = None  # of the platen's displacement over the length [1/s]; None: quasi-static
@@ -52,6 +53,8 @@ class Options:
     def __post_init__(self):
         if self.elements < 2:
             raise ValueError("a specimen needs 2 elements over its diameter or more")
+        if self.platen_friction is not None and self.platens != Platens.STEEL:
+            raise ValueError(f"--platen-friction is that of platens of steel, which were not asked for: add --platens {Platens.STEEL}, or leave it out")
 
     @property
     def size(self):
@@ -142,7 +145,7 @@ class Trial:
         materials, joints = [with_keys(self.rock.material, name="rock", regions=["rock"])], [self._joint()]
         if steel:
             materials.append(blocks.Material(name="steel", regions=list(STEEL), density=7850.0, youngs_modulus=200e9, poisson_ratio=0.3))
-            joints += _steel_joints(self.options.platen_friction)
+            joints += _steel_joints(PLATEN_FRICTION if self.options.platen_friction is None else self.options.platen_friction)
         return blocks.Case(
             title=self.title,
             mesh=blocks.Mesh(file="specimen.geo"),

@@ -9,6 +9,7 @@ import numpy as np
 
 from sazare.blast.holes import holes_of
 from sazare.cases import spheres
+from sazare.intervals import fits, round_end, round_interval
 from sazare.muck_pile import balls as ball
 from sazare.muck_pile.bodies import Bodies, bodies_of, write_bodies
 from sazare.muck_pile.elements import Elements, elements_of
@@ -26,7 +27,8 @@ STEP = 0.15  # of the stability limit: piles load it more than twelve equal neig
 FINES = 0.01  # of the mass: the smallest fragments, which fly without what they would meet
 CLASS = 4.0  # ratio of the masses in a class of fragments, each with its own stiffness: 1.6 in size
 MARGIN = 1.0  # of a median sphere's diameter: nearer spheres are watched as candidates for contact
-PICTURES, ROWS = 50, 200
+PICTURES = 50  # snapshots; up to twice as many where their interval is round
+ROWS = 5  # of the history to a snapshot
 ROCK = "rock.stl"
 
 
@@ -123,8 +125,14 @@ class Model:
             walls=walls,
             gravity=spheres.Gravity(acceleration=(0.0, 0.0, -self.gravity)),
             gauges=[spheres.Gauge(name=name, group=name) for name in names],
-            time=spheres.Time(end=self.end, stability_fraction=STEP, history_interval=self.end / ROWS, snapshot_interval=self.end / PICTURES),
+            time=spheres.Time(end=self.end, stability_fraction=STEP, history_interval=self._interval / ROWS, snapshot_interval=self._interval),
         )
+
+    @property
+    def _interval(self):
+        """Time between snapshots [s]: a round one, if the end is a whole number of these."""
+        interval = round_interval(self.end / PICTURES)
+        return interval if fits(interval, self.end) else self.end / PICTURES
 
     def _pairs(self, names):
         """Stiffness of every pair of classes but the lightest with all: that of the lighter one."""
@@ -263,10 +271,10 @@ def _toe(elements, loose, direction, ground):
 
 
 def _end(elements, bodies, loose, ground, gravity):
-    """When FOLLOWED of the mass have landed without what they meet, and SETTLING after that [s]."""
+    """When FOLLOWED of the mass have landed without what they meet, and SETTLING after that [s]; rounded up."""
     highest = float(elements.corners[loose][:, :, 2].max()) - ground
     flight = _followed(flight_times(bodies.centre[:, 2] - ground, bodies.velocity, gravity), bodies.mass)
-    return flight + SETTLING * math.sqrt(2.0 * max(highest, 0.0) / gravity)
+    return round_end(flight + SETTLING * math.sqrt(2.0 * max(highest, 0.0) / gravity), PICTURES)[0]
 
 
 def _followed(values, masses):
