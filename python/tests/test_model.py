@@ -14,6 +14,7 @@ from sazare.methods.spheres_model import plane_in_box
 from sazare.model import sheet, space
 from sazare.model.groups import MeshGroups
 from sazare.model.labels import place_names
+from sazare.methods import blocks_model
 from sazare.model.parts import BOUNDARY, Mark, Model, Part, along
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -290,6 +291,52 @@ def test_the_outside_of_particles_in_space():
     assert len(faces) == 6 * 9
     np.testing.assert_allclose(np.abs(faces - 7.5).max(axis=(1, 2)), 0.75)
     assert 13 not in owners  # the one in the middle
+
+
+class Wall:
+    """A case whose hole `h` has a wall of triangles every 0.1 m down to 4 m, and with surfaces of joints."""
+
+    def __init__(self, **tables):
+        self.tables, self.groups = tables, self
+
+    def all(self, table):
+        return self.tables.get(table, [])
+
+    def dimension(self, name, below):
+        return 2
+
+    def corners(self, name, dimension):
+        return [np.array([[0.1, 0.0, -z], [0.0, 0.1, -z], [-0.1, 0.0, -z]]) for z in np.arange(0.05, 4.0, 0.1)]
+
+
+def test_charge_and_stemming_of_a_hole_are_told_apart():
+    hole = {"surface": "h", "explosive": "ANFO", "delay": 0.0, "collar": [0.0, 0.0, 0.0], "toe": [0.0, 0.0, -4.0]}
+    charge, rest = blocks_model._charges(Wall(charges=[{**hole, "top": 1.0, "bottom": 2.0}, {**hole, "top": 3.0}]))
+    depths = [[-face[0, 2] for face in part.faces] for part in (charge, rest)]
+    assert depths[0] == pytest.approx([*np.arange(1.05, 2.0, 0.1), *np.arange(3.05, 4.0, 0.1)])
+    assert depths[1] == pytest.approx([*np.arange(0.05, 1.0, 0.1), *np.arange(2.05, 3.0, 0.1)])
+    assert charge.color != rest.color and "stemming" in rest.label
+    assert len(list(blocks_model._charges(Wall(charges=[{**hole, "top": 0.0}])))) == 1
+
+
+def test_sets_of_joints_have_colours_of_their_own():
+    sets = [{"name": name, "surface": name, "bonded": name != "C"} for name in "ABC"]
+    parts = list(blocks_model._joints(Wall(joints=[{"name": "rock", "bonded": True}, *sets])))
+    assert [part.label for part in parts] == ["joint: A", "joint: B", "joint, not bonded: C"]
+    assert len({part.color for part in parts}) == 3
+    many = [{"name": f"s{number}", "surface": "s", "bonded": number % 2 == 0} for number in range(20)]
+    parts = list(blocks_model._joints(Wall(joints=many)))
+    assert len(parts) == 2 and len({part.color for part in parts}) == 2
+
+
+def test_names_keep_off_what_is_drawn():
+    figure = style.figure(4.0, 4.0)
+    axes = figure.subplots()
+    axes.set(xlim=(0, 1), ylim=(0, 1))
+    drawn = np.column_stack([np.full(200, 0.56), np.linspace(0.0, 1.0, 200)])  # where the name would stand best
+    place_names(axes, [Mark("a long name", None)], np.array([[0.5, 0.5]]), drawn)
+    box = next(text for text in axes.texts if text.get_text()).get_window_extent(figure.canvas.get_renderer())
+    assert not any(box.contains(*point) for point in axes.transData.transform(drawn))
 
 
 def test_names_cover_neither_each_other_nor_points():

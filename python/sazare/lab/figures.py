@@ -4,6 +4,7 @@ import numpy as np
 
 LOWER, UPPER = 0.2, 0.5  # shares of the peak between which elasticity is measured
 FIRST_CRACKS = 0.01  # share of the cracks at the peak with which cracking has begun (Potyondy and Cundall, 2004)
+RESIDUAL = 0.25  # of the displacement, at its end
 STILL_RISING = 0.99  # share of the largest stress above which the last one means that the specimen has not failed
 
 
@@ -13,7 +14,7 @@ def figures_of(trial, curve):
     peak_stress: the largest stress; deviatoric_stress: less the confinement. failed: whether the stress fell from there. peak_strain: that of the
     platens. youngs_modulus, poisson_ratio: slopes between 20 and 50 % of the peak in the middle of the specimen, by least squares.
     crack_initiation_stress: the stress with 1 % of the cracks that there are at the peak. crack_damage_stress: the stress at the smallest volume.
-    residual_stress: mean over the last tenth of the displacement. imbalance: the largest difference of the forces of the two platens before the peak, over
+    residual_stress, residual_scatter: mean and standard deviation over the last quarter of the displacement. imbalance: the largest difference of the forces of the two platens before the peak, over
     the peak.
     """
     stress = curve["stress"]
@@ -34,8 +35,9 @@ def figures_of(trial, curve):
     if trial.test == "uniaxial" or trial.test == "triaxial":
         found |= _damage(curve, peak)
     if trial.test == "direct-shear":
-        last = curve["displacement"] >= 0.9 * curve["displacement"][-1]
+        last = curve["displacement"] >= (1.0 - RESIDUAL) * curve["displacement"][-1]
         found["residual_stress"] = float(stress[last].mean())
+        found["residual_scatter"] = float(stress[last].std())
     if trial.test == "point-load":
         # ISRM (1985): to the strength of a core of 50 mm.
         found["point_load_index_50"] = found["peak_stress"] * (np.sqrt(trial.specimen.area) / 0.05) ** 0.45

@@ -1,10 +1,12 @@
 """The model of a case of method blocks at t = 0: materials, blasts, charges, boundaries, joints along surfaces, constraints."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from sazare import style
 from sazare.model.parts import (
-    BOUNDARY, COLORS, LOAD, Arrow, Model, Part, along, body_color, boundary_words, counted, gauges_at_points, grouped, listed, named, outer_faces, surface_part,
+    BOUNDARY, COLORS, INSIDE, JOINT_COLORS, LOAD, Arrow, Model, Part, along, body_color, boundary_words, counted, gauges_at_points, grouped, listed, named, outer_faces, surface_part,
 )
 
 
@@ -35,10 +37,12 @@ def _regions(opened):
 
 
 def _joints(opened):
-    """Joints that lie along a surface of the mesh."""
-    for bonded, entries in grouped([entry for entry in opened.all("joints") if entry.get("surface")], lambda entry: entry["bonded"]).items():
-        label = f"joint{'' if bonded else ', not bonded'}: {listed(entry['name'] for entry in entries)}"
-        yield surface_part(opened, [entry["surface"] for entry in entries], 3, label, COLORS["joint"])
+    """Joints that lie along a surface of the mesh: a part for each, or where they are more than there are colours, for those that are bonded and those that are not."""
+    along_surfaces = [entry for entry in opened.all("joints") if entry.get("surface")]
+    few = len(along_surfaces) <= len(JOINT_COLORS)
+    for place, entries in enumerate(grouped(along_surfaces, lambda entry: entry["name"] if few else entry["bonded"]).values()):
+        label = f"joint{'' if entries[0]['bonded'] else ', not bonded'}: {listed(entry['name'] for entry in entries)}"
+        yield surface_part(opened, [entry["surface"] for entry in entries], 3, label, JOINT_COLORS[place], INSIDE)
 
 
 def _boundaries(opened):
@@ -58,13 +62,36 @@ def _blasts(opened):
 
 
 def _charges(opened):
-    """Walls of holes with explosives; decks of one hole share its wall."""
-    for explosive, entries in grouped(opened.all("charges"), lambda entry: entry["explosive"]).items():
+    """Walls of holes where explosives are, by explosive, and what of the walls has none; decks of one hole share its wall."""
+    every = opened.all("charges")
+    for explosive, entries in grouped(every, lambda entry: entry["explosive"]).items():
         titles = {}
         for entry in entries:
             titles.setdefault(entry["surface"], []).append(_blast_title(entry))
         label = f"charge of {explosive}: {listed(entry.get('name', entry['surface']) for entry in entries)}"
-        yield surface_part(opened, list(titles), 3, label, COLORS["load"], LOAD, ["; ".join(of) for of in titles.values()])
+        part = surface_part(opened, list(titles), 3, label, COLORS["load"], LOAD, ["; ".join(of) for of in titles.values()])
+        yield replace(part, faces=[face for surface in titles for face in _walls(opened, surface, [entry for entry in entries if entry["surface"] == surface])])
+    rest = [face for surface, decks in grouped(every, lambda entry: entry["surface"]).items() for face in _walls(opened, surface, decks, charged=False)]
+    if rest:
+        yield Part("hole without explosive: stemming or empty", COLORS["stemming"], LOAD, rest)
+
+
+def _walls(opened, surface, decks, charged=True):
+    """Faces of the wall of a hole whose middle is at the depth of one of its charges, or at that of none."""
+    faces = opened.groups.corners(surface, 2)
+    collar, toe = (np.array(decks[0][end], dtype=float) for end in ("collar", "toe"))
+    length = float(np.linalg.norm(toe - collar))
+    depths = (np.array([np.mean(face, axis=0) for face in faces]).reshape(-1, 3) - collar) @ (toe - collar) / length
+    within = np.zeros(len(faces), dtype=bool)
+    for deck in decks:
+        within |= (depths >= deck.get("top", 0.0)) & (depths <= _bottom(deck, length))
+    return [face for face, inside in zip(faces, within) if inside == charged]
+
+
+def _bottom(deck, length):
+    """Where a charge ends: with the toe, if not told; the face that closes the hole belongs to it."""
+    bottom = deck.get("bottom")
+    return length * (1.0 + 1e-6) if bottom is None or bottom >= length * (1.0 - 1e-6) else bottom
 
 
 def _blast_title(entry):

@@ -13,13 +13,14 @@ import numpy as np
 from sazare import style
 
 AXES = "xyz"
-BODY, BOUNDARY, LOAD, WALL = "body", "boundary", "load", "wall"
+BODY, BOUNDARY, LOAD, WALL, INSIDE = "body", "boundary", "load", "wall", "inside"  # the last: surfaces within a body
 
 # Colours of what acts on a body, by the words of the case files.
 COLORS = {
     "fixed": "#8c1d1d", "roller": "#d98a1f", "frictionless": "#d98a1f", "prescribed": "#7d3fa0", "viscous": "#2f6f9f", "absorbing": "#2f6f9f",
-    "load": "#d6302b", "joint": "#1c8a6b", "surface": "#c2188f", "support": style.INK, "velocity": "#7d3fa0",
+    "load": "#d6302b", "joint": "#1c8a6b", "stemming": "#6b5a4a", "surface": "#c2188f", "support": style.INK, "velocity": "#7d3fa0",
 }
+JOINT_COLORS = (COLORS["joint"], "#b0269a", "#c28a00", "#5b3fc4", "#4f7a00", "#00a0b8")  # of sets, which are told apart
 BODY_COLORS = ("#d9cfb8", "#a9bcc6", "#c7b28f", "#b5c7a3", "#cbb1b8", "#b7afcf", "#dfc27d", "#9fb8ad", "#c9c9c9", "#c4a484")
 
 

@@ -8,12 +8,13 @@ from matplotlib.patches import Patch
 
 from sazare import style
 from sazare.model.labels import place_names
-from sazare.model.parts import BODY, WALL, along
+from sazare.model.parts import BODY, INSIDE, LOAD, WALL, along
 
 UNITS = ((1.0, 1.0, "m"), (0.1, 1e-2, "cm"), (0.0, 1e-3, "mm"))  # from this extent on [m], its factor and name
 LETTERS = 58  # of a line of the legend
 WIDTH = 9.0  # inch
 GAUGE = {"marker": "o", "markersize": 5.0, "markerfacecolor": "white", "markeredgecolor": style.INK, "markeredgewidth": 1.3, "linestyle": "none"}
+MOST_POINTS = 4000  # of what is drawn, that names are kept off
 ARROW = 0.12  # of the extent of a picture
 
 
@@ -57,7 +58,15 @@ def draw_marks(axes, model, place, extent, pieces=True):
     gauges = place(np.array([gauge.point for gauge in model.gauges]).reshape(-1, 3))
     axes.plot(gauges[:, 0], gauges[:, 1], zorder=18, **GAUGE)
     marks = [*model.gauges, *names]
-    place_names(axes, marks, place(np.array([mark.point for mark in marks]).reshape(-1, 3)))
+    place_names(axes, marks, place(np.array([mark.point for mark in marks]).reshape(-1, 3)), place(_kept_free(model)) if pieces else ())
+
+
+def _kept_free(model):
+    """Points (n, 3) [m] along what names had better not cover: loads, such as holes, and surfaces inside of the body."""
+    parts = [part for part in model.parts if part.role in (LOAD, INSIDE)]
+    points = [np.reshape(piece, (-1, 3)).mean(axis=0) for part in parts for piece in [*part.faces, *part.lines]]
+    points = np.array(points, dtype=float).reshape(-1, 3)
+    return points[:: max(1, len(points) // MOST_POINTS)]
 
 
 def _draw_arrow(axes, arrow, place, length):

@@ -8,7 +8,7 @@ from matplotlib.ticker import MaxNLocator
 
 from sazare import scenes, style
 from sazare.model import sheet
-from sazare.model.parts import BODY, BOUNDARY, WALL
+from sazare.model.parts import BODY, BOUNDARY, INSIDE, WALL
 from sazare.scenes import Layer
 
 PIXELS = 1500
@@ -192,7 +192,7 @@ def _other_layers(part, mesh, through, lift):
         ]
     raised = mesh.translate(lift, inplace=False)
     solid = {"color": part.color, "lighting": False, "line_width": 6.0, "point_size": 10.0, "opacity": 1.0}
-    if part.role == BOUNDARY:
+    if part.role in (BOUNDARY, INSIDE):
         solid["opacity"] = SEEN_THROUGH if through else SHEER
     borders = raised.extract_feature_edges(boundary_edges=True, feature_edges=False, non_manifold_edges=False, manifold_edges=False)
     return [Layer(raised, solid), Layer(borders, {"color": part.color, "line_width": 5.0, "lighting": False})]
