@@ -14,7 +14,7 @@ import pytest
 import sazare
 import sazare.lab as lab
 from sazare.__main__ import main
-from sazare.lab import command, figures, folders, measure, specimens
+from sazare.lab import command, figures, folders, measure, specimens, words
 from sazare.lab.calibrate import Targets
 
 CASE = Path(__file__).parents[2] / "cases/uniaxial-compression/case.toml"
@@ -82,6 +82,34 @@ def test_extensometer_reads_a_uniform_strain_whatever_the_body_does_besides():
     strain = np.diag([2e-3, 4e-3, -9e-3]) + 1e-3 * np.array([[0, 1, 0], [-1, 0, 2], [0, -2, 0]])
     read = measure.Extensometer(positions, axis=2, length=1.0).read(positions + positions @ strain.T + [0.1, -0.2, 0.3])
     assert read == pytest.approx((-9e-3, 3e-3), abs=1e-12)
+
+
+def test_residual_stress_and_its_scatter_are_those_of_the_last_quarter(rock):
+    trial = lab.trial_of("direct-shear", rock, COARSE, 1e6)
+    displacement = np.linspace(0.0, 4e-4, 401)
+    swing = np.where(np.arange(401) % 2 == 0, 0.1e6, -0.1e6)
+    stress = np.where(displacement < 1e-4, 1e11 * displacement, np.where(displacement < 3e-4, 2e6, 0.6e6 + swing))
+    curve = {"stress": stress, "opposite_stress": stress, "displacement": displacement, "platen_strain": displacement / 0.05, "broken_joints": np.zeros(401)}
+    found = figures.figures_of(trial, curve)
+    assert found["residual_stress"] == pytest.approx(0.6e6, rel=2e-2) and found["residual_scatter"] == pytest.approx(0.1e6, rel=2e-2)
+
+
+@pytest.mark.parametrize(
+    ("test", "options", "changed", "message"),
+    [
+        ("direct-shear", {}, {"imbalance": 0.0734}, "differ by up to 7.3 % of it, so the test is not quasi-static: --strain-rate 1.4 is half as fast"),
+        ("uniaxial", {}, {"imbalance": 0.06}, "the test is not quasi-static"),
+        ("direct-tension", {"strain_rate": 5.0}, {"imbalance": 0.2}, "inertia has a part in it"),
+        ("direct-shear", {}, {"residual_scatter": 0.3e6, "residual_stress": 3e6}, "the residual stress scatters"),
+        ("direct-shear", {}, {"residual_stress": 2.44e6}, "the residual stress is 0.49 of the normal stress, less than the friction of contacts, 0.6: broken pieces turn on the spheres"),
+        ("direct-shear", {}, {}, None),
+    ],
+)
+def test_what_makes_a_test_doubtful_is_told(rock, test, options, changed, message):
+    trial = lab.trial_of(test, rock, lab.Options(elements=8, **options), 5e6 if test == "direct-shear" else 0.0)
+    found = {"failed": True, "imbalance": 0.01, "energy_residual": 0.0} | ({"residual_stress": 3e6, "residual_scatter": 0.1e6} if test == "direct-shear" else {}) | changed
+    told = list(words.doubts(SimpleNamespace(trial=trial, figures=found)))
+    assert len(told) == (message is not None) and all(message in line for line in told)
 
 
 def test_figures_of_a_curve_whose_figures_are_known(rock):

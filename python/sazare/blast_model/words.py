@@ -92,7 +92,7 @@ def assumptions(model):
         yield f"elements of {layout.far:.3g} m far from the holes (--size)"
     if (many := estimated_elements(layout)) > MANY_ELEMENTS:
         yield f"about {many:.2g} elements, which take long to mesh and to run (larger ones: --size)"
-    yield "sides and base absorb waves; all other surfaces are free, and the stemming is empty hole"
+    yield "sides and base absorb waves; all other surfaces are free, and holes are empty where no explosive is; gas pushes the stemming out where vents is true"
     if model.ground:
         yield from model.ground.words(layout, model.rock)
         if any(entry.bonded is False for entry in model.joint_laws):

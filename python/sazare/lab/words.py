@@ -6,6 +6,7 @@ from sazare.lab.envelope import HoekBrown
 from sazare.lab.trials import FEWEST_ACROSS, PASSES
 
 UNCALM = 0.05  # difference of the forces of the platens, over the peak, above which a test is not quasi-static
+ROLLING = 0.95  # of friction times normal stress, below which a residual stress is not that of friction
 LEAKING = 0.01  # of the energy residual over the work
 
 MEGA = ("MPa", 1e6)
@@ -74,8 +75,18 @@ def doubts(tested):
         yield differ + ("inertia has a part in it, as at this rate it may" if trial.is_dynamic else f"the test is not quasi-static: {_half_as_fast(trial)}")
     if figures.get("residual_scatter", 0.0) > UNCALM * abs(figures.get("residual_stress", 0.0)):
         yield f"the residual stress scatters, since the specimen that has broken swings and its pieces catch on each other: {_half_as_fast(trial)}"
+    yield from _rolling(figures, trial)
     if abs(figures.get("energy_residual", 0.0)) > LEAKING:
         yield f"the energy balance is off by {100.0 * abs(figures['energy_residual']):.2g} % of the work: see the report of the run"
+
+
+def _rolling(figures, trial):
+    """Why the residual stress is less than contacts with friction would carry."""
+    friction = trial.rock.contact.friction_coefficient
+    if "residual_stress" in figures and friction and trial.pressure and figures["residual_stress"] < ROLLING * friction * trial.pressure:
+        spheres = trial.rock.contact.contact_shape != "faces"
+        why = 'broken pieces turn on the spheres of their contacts, which contact_shape = "faces" has not' if spheres else "broken pieces turn between the halves"
+        yield f"the residual stress is {figures['residual_stress'] / trial.pressure:.2g} of the normal stress, less than the friction of contacts, {friction:g}: {why}"
 
 
 def _half_as_fast(trial):
