@@ -1,0 +1,43 @@
+/// Words at the end of a run that a user sees who makes no report.
+
+#include "sazare/runs/summary.hpp"
+
+#include <gtest/gtest.h>
+
+namespace sazare::runs {
+namespace {
+
+observe::Manifest with_balance(Real work, Real residual) {
+  observe::Manifest manifest;
+  manifest.results = {{"energy_work", work}, {"energy_residual", residual}};
+  return manifest;
+}
+
+TEST(summary, warns_of_energy_that_is_not_accounted_for) {
+  EXPECT_NE(balance_warning(with_balance(-200, 10)).find("warning: the energy balance misses 5 % of the work"),
+            std::string::npos);
+  EXPECT_EQ(balance_warning(with_balance(200, -1)), "");
+  EXPECT_EQ(balance_warning(with_balance(0, 0)), "");
+  observe::Manifest jumped = with_balance(0, -240);
+  jumped.results.emplace_back("energy_kinetic", 200.0);
+  EXPECT_NE(balance_warning(jumped).find("an energy of 240 J, though no work was done"), std::string::npos);
+  jumped.results[1].second = 1e-9;
+  EXPECT_EQ(balance_warning(jumped), "");
+  EXPECT_EQ(balance_warning({}), "");
+}
+
+/// A body that was stressed or in motion at the beginning gives energy without any work.
+TEST(summary, measures_the_energy_that_is_missing_by_what_was_set_free_as_well) {
+  observe::Manifest manifest = with_balance(10, 2);
+  manifest.results.emplace_back("energy_elastic", -700.0);
+  manifest.results.emplace_back("energy_kinetic", 500.0);
+  EXPECT_EQ(balance_warning(manifest), "");
+  EXPECT_NE(balance_text(manifest).find("2.8e-03 of the work and the energy set free"), std::string::npos);
+  manifest.results[1].second = 71.0;
+  EXPECT_NE(balance_warning(manifest).find("misses 10 % of the work and the energy set free"), std::string::npos);
+  manifest.results[0].second = 0.0;
+  EXPECT_NE(balance_warning(manifest).find("misses 10 %"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sazare::runs
