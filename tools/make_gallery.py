@@ -43,6 +43,7 @@ PICTURES = {
     "strip-footing": "yielding",
     "cantilever-fem": "displaced",
     "seawall-shaking-table": "together",
+    "seawall-in-water": "together",
     "block-on-soft-ground": "together",
     "rock-fall-on-slab": "together",
 }

@@ -69,6 +69,7 @@ RUNS = {
     "penetration-25k": Run(until(2e-3, "time.snapshot_interval=1e-3", "spheres.1.centre=[0, 0, -0.045]")),
     "rock-fall-on-slab": Run(),
     "rotating-drum": Run(until(0.8)),
+    "seawall-in-water": Run(sides_until(1.5)),
     "seawall-shaking-table": Run(sides_until(1.5)),  # it is shaken from 1 s on
     "seawall-two-programs": Run(sides_until(0.5), two_programs=True),
     "shaking-table": Run(),

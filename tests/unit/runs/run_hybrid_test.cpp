@@ -43,6 +43,7 @@ TEST(run_hybrid, writes_a_folder_for_each_side_and_what_goes_over_the_surface) {
   EXPECT_EQ(manifest["status"], "done");
   EXPECT_EQ(manifest["results"]["windows"], 1000);
   EXPECT_EQ(manifest["results"]["steps_per_window"], 20);
+  EXPECT_GT(manifest["results"]["energy_work"].get<double>(), 0) << "or every run would be warned of";
   EXPECT_LT(std::abs(manifest["results"]["energy_coupling_error"].get<double>()),
             1e-5 * std::abs(manifest["results"]["energy_work_on_nodes"].get<double>()));
   EXPECT_TRUE(read_text(folder / "run/history.csv").starts_with("time [s],surface.displacement_x [m],"));

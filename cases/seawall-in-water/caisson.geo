@@ -1,0 +1,47 @@
+// A caisson on a bed, backfill behind it, on a shaking table; x = 0 is the front of the caisson, y = 0 its foot.
+DefineConstant[ size = 0.1 ];
+width = 0.5; height = 0.6; fill = 1.5; bed = 0.1;
+
+Point(1) = {0, -bed, 0};
+Point(2) = {width, -bed, 0};
+Point(3) = {width + fill, -bed, 0};
+Point(4) = {0, 0, 0};
+Point(5) = {width, 0, 0};
+Point(6) = {width + fill, 0, 0};
+Point(7) = {0, height, 0};
+Point(8) = {width, height, 0};
+Point(9) = {width + fill, height, 0};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 6};
+Line(4) = {6, 5};
+Line(5) = {5, 4};
+Line(6) = {4, 1};
+Line(7) = {2, 5};
+Line(8) = {6, 9};
+Line(9) = {9, 8};
+Line(10) = {8, 5};
+Line(11) = {8, 7};
+Line(12) = {7, 4};
+Curve Loop(1) = {1, 7, 5, 6};
+Plane Surface(1) = {1};
+Curve Loop(2) = {2, 3, 4, -7};
+Plane Surface(2) = {2};
+Curve Loop(3) = {-5, -10, 11, 12};
+Plane Surface(3) = {3};
+Curve Loop(4) = {-4, 8, 9, 10};
+Plane Surface(4) = {4};
+Transfinite Curve{1, 5, 11} = Round(width / size) + 1;
+Transfinite Curve{2, 4, 9} = Round(fill / size) + 1;
+Transfinite Curve{3, 6, 7} = Round(bed / size) + 1;
+Transfinite Curve{8, 10, 12} = Round(height / size) + 1;
+Transfinite Surface{1, 2, 3, 4};
+Recombine Surface{1, 2, 3, 4};
+
+Physical Surface("bed") = {1, 2};
+Physical Surface("caisson") = {3};
+Physical Surface("backfill") = {4};
+Physical Curve("table") = {1, 2};
+Physical Curve("end wall") = {3, 8};
+Physical Curve("front") = {12};
+Physical Curve("bed front") = {6};
