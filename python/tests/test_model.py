@@ -166,6 +166,12 @@ def test_spheres_show_groups_walls_and_periodic_sides():
     assert "x [cm]" in words(figure)
 
 
+def test_water_around_spheres_shows_its_surface_and_its_current():
+    figure = sazare.draw_model(CASES / "stones-through-water/case.toml")
+    assert "water: level 0 m" in legend(figure)
+    assert "current 600 mm/s along x" in figure.get_suptitle()
+
+
 def test_bodies_of_spheres_are_counted():
     assert legend(sazare.draw_model(CASES / "tetrapod-drop/case.toml")) == ["armour (concrete): 18 × tetrapod of 234 spheres", "wall floor", "gauge"]
 

@@ -10,6 +10,7 @@ BOX_SIDES = ((0, 1, 3, 2), (4, 5, 7, 6), (0, 1, 5, 4), (2, 3, 7, 6), (0, 2, 6, 4
 MARGIN = 0.12  # of the extent of the body, by which planes go beyond it
 NEAR = 10.0  # extents of the body; to a plane that is nearer its picture is widened
 HELD_COLOR = "#8c1d1d"
+WATER = "#2b6cb0"
 
 
 def preparation(case):
@@ -34,8 +35,10 @@ def model(opened):
             notes.append(f"{entry['name']}: initial velocity {along(entry['velocity'], 'm/s')}")
         if entry.get("rain"):
             notes.append(f"{entry['name']}: shown where it begins to rain")
+    if any(current := opened.case.get("water", {}).get("current", ())):
+        notes.append(f"current {along(current, 'm/s')}")
     bounds = np.array([(centers - radii[:, None]).min(axis=0), (centers + radii[:, None]).max(axis=0)])
-    return Model(3, [*parts, *_walls(opened, bounds)], gauges, arrows, opened.gravity, [*_periodic(opened), *notes])
+    return Model(3, [*parts, *_walls(opened, bounds), *_water(opened, bounds)], gauges, arrows, opened.gravity, [*_periodic(opened), *notes])
 
 
 def _color(entry, number):
@@ -68,6 +71,19 @@ def _walls(opened, bounds):
             faces += _faces(entry, room)
         label = f"wall {listed(entry['name'] for entry in alike)}{words}"
         yield Part(label, COLORS["velocity" if words else "support"], WALL, faces=faces)
+
+
+def _water(opened, bounds):
+    """The still surface of the water, where it is not far from the spheres."""
+    water = opened.case.get("water", {})
+    up = -np.asarray(opened.gravity if opened.gravity is not None else (0.0, 0.0, 0.0), dtype=float)
+    if "level" not in water or not up.any():
+        return
+    up /= np.linalg.norm(up)
+    waves = "" if water.get("waves", "none") == "none" else f", waves {water['waves']}"
+    outline = plane_in_box(water["level"] * up, up, _room(opened, bounds))
+    if len(outline) > 2:
+        yield Part(f"water: level {style.quantity(water['level'], 'm')}{waves}", WATER, WALL, faces=[outline])
 
 
 def _room(opened, bounds):
