@@ -50,6 +50,24 @@ def test_the_outline_of_a_quadratic_cell_goes_round():
     assert list(cell) == [0, 3, 1, 4, 2, 5]
 
 
+def row_of_cells(ends):
+    """Squares and rectangles 1 m high between the given places along x."""
+    points = [[x, y, 0.0] for x in ends for y in (0.0, 1.0)]
+    cells = [[4, 2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1] for i in range(len(ends) - 1)]
+    grid = pyvista.UnstructuredGrid(np.ravel(cells), [9] * len(cells), np.array(points))
+    grid.point_data["displacement"] = np.zeros((len(points), 3))
+    grid.cell_data["plastic_shear_strain"] = np.full(len(cells), 0.1)
+    return SimpleNamespace(time=1.0, elements=grid)
+
+
+def test_cells_that_stand_for_ground_without_end_are_not_drawn():
+    figure = fem.yielding(SimpleNamespace(element_snapshots=[row_of_cells([-400.0, 0.0, 1.0, 2.0, 3.0, 7.0, 900.0])]))
+    assert figure.axes[0].get_xlim() == (0.0, 7.0)
+    whole = fem.yielding(SimpleNamespace(element_snapshots=[row_of_cells([0.0, 1.0, 2.0, 3.0])]))
+    low, high = whole.axes[0].get_xlim()
+    assert low <= 0.0 and high >= 3.0
+
+
 def test_forces_that_are_never_there_are_left_out():
     time = np.linspace(0.0, 1.0, 5)
     history = Table({"time": time, "foot of it.force_x": 2.0 * time, "side.force_y": 0.0 * time})

@@ -19,6 +19,7 @@ ENERGIES = {
 }
 MOST_JOINTS = 6
 MOST_PANELS = 2
+LONG = 5.0  # times as long as the median of the cells and as their own height: such cells stand for ground without end
 # Points of a cell around its outline, by VTK's number of its type.
 OUTLINES = {5: (0, 1, 2), 22: (0, 3, 1, 4, 2, 5), 9: (0, 1, 2, 3), 23: (0, 4, 1, 5, 2, 6, 3, 7), 28: (0, 4, 1, 5, 2, 6, 3, 7)}
 
@@ -44,6 +45,15 @@ def _places(grid, factor):
     return np.asarray(grid.points) + (factor - 1.0) * moved, moved
 
 
+def _shown_extent(grid):
+    """Corners (2, 3) [m] of the part of a mesh that pictures show: without cells that are far longer than high and than the others."""
+    points, offsets = np.asarray(grid.points)[np.asarray(grid.cell_connectivity)], np.asarray(grid.offset)[:-1]
+    low, high = np.minimum.reduceat(points, offsets), np.maximum.reduceat(points, offsets)
+    lengths, heights = (high - low)[:, 0], (high - low)[:, 1]
+    shown = (lengths <= LONG * np.median(lengths)) | (lengths <= LONG * heights)
+    return np.array([low[shown].min(axis=0), high[shown].max(axis=0)])
+
+
 def _draw_flat(axes, grid, values, factor, top):
     """Cells of a plane mesh, coloured by a value of each."""
     places, _ = _places(grid, factor)
@@ -54,6 +64,9 @@ def _draw_flat(axes, grid, values, factor, top):
     axes.set(xlabel="x [m]", ylabel="y [m]")
     axes.set_aspect("equal")
     axes.autoscale_view()
+    (left, _, _), (right, _, _) = _shown_extent(grid)
+    if right - left < np.ptp(np.asarray(grid.points)[:, 0]):
+        axes.set_xlim(left, right)
     axes.grid(False)
     return drawn
 
@@ -85,7 +98,7 @@ def _mean_by_cell(grid, values):
 def _panels(grids, values, label, factor, titles):
     """Meshes one above the other (or side by side, where they are tall) with one scale of colours."""
     flat = is_flat(grids[0])
-    extent = np.ptp(np.asarray(grids[0].points), axis=0)
+    extent = np.ptp(_shown_extent(grids[0]), axis=0)
     tall = extent[1 if flat else 2] > extent[0]
     shape = (1, len(grids)) if tall else (len(grids), 1)
     ratio = max(extent[1] if flat else 0.7 * extent.max(), 0.12 * extent[0]) / max(extent[0], 1e-9)
@@ -108,7 +121,7 @@ def displaced(results):
     grids = [snapshot.elements for snapshot in snapshots]
     sizes = [np.linalg.norm(np.asarray(grid.point_data["displacement"]), axis=1) for grid in grids]
     chosen = sorted({int(np.argmax([size.max() for size in sizes])), len(grids) - 1})[:MOST_PANELS]
-    extent = np.ptp(np.asarray(grids[0].points), axis=0).max()
+    extent = np.ptp(_shown_extent(grids[0]), axis=0).max()
     factor = min(_enlargement(grids[i], extent) for i in chosen)
     values = [_mean_by_cell(grids[i], sizes[i]) for i in chosen]
     unit, prefix = style.prefix_of(*values)
@@ -126,7 +139,7 @@ def yielding(results):
     slip = np.asarray(grid.cell_data["plastic_shear_strain"])
     if slip.max(initial=0.0) <= 0.0:
         return None
-    extent = np.ptp(np.asarray(grid.points), axis=0).max()
+    extent = np.ptp(_shown_extent(grid), axis=0).max()
     factor = _enlargement(grid, extent)
     return _panels([grid], [slip], "equivalent plastic shear strain [-]", factor, [style.quantity(snapshots[-1].time, "s")])
 
