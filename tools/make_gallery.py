@@ -41,6 +41,7 @@ PICTURES = {
     "tetrapod-drop": "broken_bonds",
     "stones-through-water": "spheres",
     "strip-footing": "yielding",
+    "caisson-quay-wall": "yielding",
     "cantilever-fem": "displaced",
     "seawall-shaking-table": "together",
     "seawall-in-water": "together",

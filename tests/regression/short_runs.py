@@ -53,6 +53,7 @@ RUNS = {
     "bonded-beam": Run(),
     "borehole-under-stress": Run(until(4.8e-4, "time.snapshot_interval=8e-5")),
     "caisson-pushover": Run(),
+    "caisson-quay-wall": Run(until(1)),
     "cantilever-fem": Run(),
     "column-collapse-mps": Run(),
     "column-nonlinear": Run(until(6.2)),
