@@ -85,6 +85,14 @@ TEST(sphere_bodies, are_refused_at_their_line) {
   EXPECT_EQ(refusal(titles + "3.5" + ball.substr(1) + "1,1,1,0,0,0\n"), "2: the number of a body is a whole number, found 3.5");
   EXPECT_EQ(refusal(two, spheres + "7.5 0.006 0 0 0\n"), "5: the number of a body is a whole number, found 7.5");
   EXPECT_EQ(refusal(titles + "3,1e-6,0.06,0.06,0.05,0,nan,0,0,0,0,1,1,1,0,0,0\n").substr(0, 17), "2:25: vy must be ");
+  EXPECT_NE(refusal(titles + "3,1e-12,0.06,0.06,0.05,0,0,0,0,0,0,1e-18,1e-18,1e-18,0,0,0\n", "3 0.006 0.06 0.06 0.05\n")
+                .find("its largest sphere"),
+            std::string::npos);
+  EXPECT_NE(refusal(titles + "3,1e-6,75,0.06,0.05,0,0,0,0,0,0,1e-11,1e-11,1e-11,0,0,0\n", "3 0.006 0.06 0.06 0.05\n")
+                .find("the centre of mass of this body is 74.9 m away"),
+            std::string::npos);
+  EXPECT_NE(refusal(titles + ball + "1,1,1,0,0,0\n", "3 0.006 0.06 0.06 0.05\n").find("the inertia of this body"),
+            std::string::npos);
   EXPECT_NE(refusal(titles + "3,1\n").find("seventeen numbers were expected"), std::string::npos);
 }
 

@@ -77,32 +77,35 @@ FileBody body_of(const std::filesystem::path& file, std::size_t line, const std:
   return body;
 }
 
-/// What a body says of itself must be possible in a box twice as large as that around its spheres, which need not fill it.
+/// What a body says of itself must be possible. Spheres need not fill it, and may be few and small: its reach is that of its
+/// spheres and a length by its volume.
 void check_against_spheres(const std::filesystem::path& file, std::size_t line, const FileBody& body) {
   Eigen::AlignedBox<Real, 3> box;
+  Real filled = 0;
   for (const geometry::Ball& ball : body.balls) {
     box.extend(ball.centre - Vector3::Constant(ball.radius));
     box.extend(ball.centre + Vector3::Constant(ball.radius));
+    filled = std::max(filled, ball.radius * ball.radius * ball.radius);
   }
-  const Vector3 half = box.sizes();
-  const Eigen::AlignedBox<Real, 3> room(box.center() - half, box.center() + half);
-  if (!room.contains(body.centre))
-    refuse_row(
-        file, line,
-        fmt::format("the centre of mass of this body is {} m away from the middle of its spheres, which reach {} m from it",
-                    cases::short_number((body.centre - box.center()).norm(), 3), cases::short_number(0.5 * half.norm(), 3)));
-  constexpr Real least_filled = 1e-3;
-  if (body.volume > room.volume() || body.volume < least_filled * box.volume())
+  constexpr Real least_share = 1e-3;  // of the largest sphere, which lies within the body
+  if (body.volume < least_share * filled)
     refuse_row(file, line,
-               fmt::format("this body has {} m3, and the box around its spheres {} m3", cases::short_number(body.volume, 3),
-                           cases::short_number(box.volume(), 3)));
-  const Real gyration = std::sqrt(0.5 * body.inertia.trace() / body.volume);
-  if (gyration > half.norm())
+               fmt::format("this body has {} m3, and its largest sphere {} m3", cases::short_number(body.volume, 3),
+                           cases::short_number(4.18879 * filled, 3)));
+  const Real reach = box.sizes().norm() + 4 * std::cbrt(body.volume), away = (body.centre - box.center()).norm();
+  if (away > reach)
     refuse_row(
         file, line,
-        fmt::format("the inertia of this body is that of a mass {} m from its centre, and its spheres reach {} m: an inertia "
-                    "over density in m5 was expected",
-                    cases::short_number(gyration, 3), cases::short_number(0.5 * half.norm(), 3)));
+        fmt::format("the centre of mass of this body is {} m away from the middle of its spheres, and by spheres and volume it "
+                    "reaches {} m at most",
+                    cases::short_number(away, 3), cases::short_number(reach, 3)));
+  const Real gyration = std::sqrt(0.5 * body.inertia.trace() / body.volume);
+  if (gyration > reach)
+    refuse_row(
+        file, line,
+        fmt::format("the inertia of this body is that of a mass {} m from its centre, and by spheres and volume it reaches {} m "
+                    "at most: an inertia over density in m5 was expected",
+                    cases::short_number(gyration, 3), cases::short_number(reach, 3)));
 }
 
 }  // namespace
