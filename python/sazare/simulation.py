@@ -293,7 +293,10 @@ class Simulation:
         for history in self._histories:
             history.sample(self._live, step)
         if self._forces is not None:
-            forces = np.ascontiguousarray(self._forces(self), dtype=float)
+            given = self._forces(self)
+            if given is None or np.iscomplexobj(given):
+                raise ValueError(f"forces must return real numbers, a row for each body; found {'nothing' if given is None else 'complex numbers'}")
+            forces = np.ascontiguousarray(given, dtype=float)
             if forces.shape != self.positions.shape:
                 raise ValueError(f"forces must be of shape {self.positions.shape}, a row for each body; found {forces.shape}")
             if not np.isfinite(forces).all():

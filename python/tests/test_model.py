@@ -173,7 +173,7 @@ def test_water_around_spheres_shows_its_surface_and_its_current():
 
 
 def test_bodies_of_spheres_are_counted():
-    assert legend(sazare.draw_model(CASES / "tetrapod-drop/case.toml")) == ["armour (concrete): 18 × tetrapod of 234 spheres", "wall floor", "gauge"]
+    assert legend(sazare.draw_model(CASES / "tetrapod-drop/case.toml")) == ["armour (concrete): 18 × tetrapod, 234 spheres together", "wall floor", "gauge"]
 
 
 def test_both_sides_of_a_coupled_case_are_in_one_picture():

@@ -33,6 +33,14 @@ std::string_view reference(const observe::Manifest& manifest) {
                                                                                  : "the work";
 }
 
+/// Nothing has moved by more than round-off, of which the balance then consists.
+bool rests(const observe::Manifest& manifest) {
+  constexpr Real round_off = 1e-12;  // m; far less than an atom
+  const bool tells =
+      std::ranges::any_of(manifest.results, [](const auto& result) { return result.first == "peak_displacement"; });
+  return tells && figure(manifest, "peak_displacement") < round_off;
+}
+
 }  // namespace
 
 std::string balance_text(const observe::Manifest& manifest) {
@@ -44,6 +52,7 @@ std::string balance_text(const observe::Manifest& manifest) {
 
 std::string balance_warning(const observe::Manifest& manifest) {
   constexpr Real warned_of = 0.01;
+  if (rests(manifest)) return "";
   const Real whole = energy_brought_in(manifest), residual = std::abs(figure(manifest, "energy_residual")), share = residual / whole;
   const Real held = std::abs(figure(manifest, "energy_kinetic")) + std::abs(figure(manifest, "energy_elastic"));
   if (whole == 0 && residual > warned_of * held)

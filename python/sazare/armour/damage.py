@@ -34,7 +34,7 @@ class Damage:
 
     def __init__(self, results, options=Options()):  # noqa: B008
         self.results, self.options = results, options
-        self.units, self.before, self.after = units_of(results, options.groups, options.start)
+        self.units, self.before, self.after, self.began = units_of(results, options.groups, options.start)
         self.case = tomllib.loads(results.case_text)
 
     @cached_property
@@ -117,7 +117,8 @@ def write_damage(damage, folder):
     folder.mkdir(exist_ok=True)
     units = damage.units
     way = units.end - units.start
-    columns = {"unit [-]": units.number, "group [-]": units.group}
+    names = [group["name"] for group in damage.case["spheres"]]
+    columns = {"unit [-]": [str(number) for number in units.number], "group [-]": [names[number] for number in units.group]}
     columns |= {f"displacement_{axis} [m]": way[:, n] for n, axis in enumerate("xyz")}
     columns |= {"displacement/D_n [-]": damage.ratio, "rotation [deg]": np.degrees(units.turn), "largest_rotation [deg]": np.degrees(units.largest_turn), "broken_fraction [-]": units.broken}
     write_table(own(folder / "units.csv"), columns)

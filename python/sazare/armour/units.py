@@ -96,7 +96,8 @@ def snapshot_at(results, time):
 
 
 def units_of(results, names=None, time=None):
-    """The Units of a run since a time [s], or since its first snapshot: bodies of the groups that are named, or of all groups of a shape."""
+    """The Units of a run since a time [s], or since its first snapshot: bodies of the groups that are named, or of all groups of a shape. With them their
+    Spheres before and after, and the time [s] of the snapshot from which they count."""
     sizes = shapes_of(results, names)
     first = snapshot_at(results, time)
     snapshots = results.particle_snapshots
@@ -110,4 +111,4 @@ def units_of(results, names=None, time=None):
     return Units(
         before.number, group, before.mean(before.points), after.mean(after.points), angle, largest,
         np.array([sizes[int(one)] for one in group]), after.mean(after.broken[:, None])[:, 0],
-    ), before, after
+    ), before, after, float(snapshots.times[first])

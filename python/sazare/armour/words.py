@@ -8,13 +8,13 @@ def text_of(damage):
     times = damage.results.particle_snapshots.times
     units = len(damage.units)
     lines = [
-        f"units          {count(units)}, D_n {quantity(damage.size, 'm')}, from {damage.options.start or times[0]:g} to {times[-1]:g} s",
-        f"displaced      {damage.displaced}, {100.0 * damage.displaced / units:.3g} %, by D_n or more; shifted {damage.shifted}, by half of it or more",
+        f"units          {count(units)}, D_n {quantity(damage.size, 'm')}, from {damage.began:g} to {times[-1]:g} s",
+        f"displaced      {damage.displaced}, {100.0 * damage.displaced / units:.3g} %, by D_n or more; shifted {damage.shifted}, by half of it but less than all",
         f"rocking        {damage.rocked} turned by 5 degrees or more where they are",
         f"settlement     {quantity(damage.settlement, 'm')} in the mean; the farthest unit moved {damage.ratio.max():.3g} D_n",
     ]
     if damage.broken:
-        lines.append(f"broken         {damage.broken}")
+        lines.append(f"broken         {damage.broken} units have broken bonds at the end")
     if damage.per_width is None:
         lines.append("N_od           not known: the case has no level periodic axis; give --width")
     else:

@@ -189,7 +189,7 @@ class Sphere(Part):
     meanwhile. Default: false.
     """
     drag_coefficient: float | None = None
-    """Drag coefficient of the group's bodies. (with [water], whose own is the default) At least 0."""
+    """Drag coefficient of the group's bodies. (with [water], whose own is the default) At least 0 and at most 100."""
     inertia_coefficient: float | None = None
     """Inertia coefficient C_M of the group's bodies. (with [water], whose own is the default) At least 1."""
     shape: str | None = None
@@ -335,14 +335,14 @@ class Water(Part):
     level: float
     """Elevation of the still water's surface: along z where gravity acts along -z, in general against gravity. [m]"""
     density: float | None = None
-    """Mass per volume of the water; sea water 1025. [kg/m3] Default: 1000.0. Greater than 0."""
+    """Mass per volume of the water; sea water 1025. [kg/m3] Default: 1000.0. At least 0.001 and at most 100000."""
     viscosity: float | None = None
     """Dynamic viscosity, which decides the drag of small or slow spheres without a drag_coefficient. [Pa s] Default: 1e-3.
     Greater than 0.
     """
     drag_coefficient: float | None = None
     """Drag coefficient of bodies; their area is that of a sphere of their volume. A group may have its own. (default: that of a
-    smooth sphere by its Reynolds number) At least 0.
+    smooth sphere by its Reynolds number) At least 0 and at most 100.
     """
     inertia_coefficient: float | None = None
     """Inertia coefficient C_M of Morison's equation: 1 and the coefficient of added mass, which is 0.5 for a sphere. A group may
@@ -359,7 +359,9 @@ class Water(Part):
     wave_height: float | None = None
     """Height of the waves from trough to crest. [m] (required for waves by a theory) Greater than 0."""
     wave_period: float | None = None
-    """Wave period; the wave length follows from the dispersion relation. [s] (required for airy and stokes2) Greater than 0."""
+    """Wave period; the wave length follows from the dispersion relation. [s] (required for airy and stokes2) At least 0.001 and
+    at most 100000.
+    """
     wave_direction: float | None = None
     """Direction in which waves travel, or the velocity of a table goes, from the x axis against the clock as seen from above:
     with gravity along -z, from x towards y. [deg] (with waves) Default: 0.0. At least -360 and at most 360.

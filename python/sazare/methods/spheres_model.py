@@ -50,7 +50,7 @@ def _label(entry, own, grid):
     count = counted(int(own.sum()), "sphere")
     if entry.get("shape"):
         bodies = len(np.unique(np.asarray(grid.cell_data["body"])[own]))
-        count = f"{style.count(bodies)} × {entry['shape']} of {count}"
+        count = f"{style.count(bodies)} × {entry['shape']}, {count} together"
     moves = any(entry.get("velocity", ())) or any(entry.get("angular_velocity", ()))
     held = (", moves at a constant velocity" if moves else ", held") if entry.get("held") else ""
     return f"{entry['name']} ({entry['material']}): {count}{held}"

@@ -50,6 +50,10 @@ void check_wave_keys(const CheckContext& context, const Entry& entry, const Wate
 void check_wave(const CheckContext& context, const Entry& entry, const Water& water, Real gravity) {
   const Real depth = depth_of(water), height = *water.wave_height;
   const Real k = water.is_regular() ? wave_number_of(water, gravity) : 0;
+  if (!std::isfinite(k) || (water.is_regular() && !(k * depth > 1e-12)))
+    return context.problems.error(entry.place("wave_period"),
+                                  "waves of this period in this depth have no length that can be computed",
+                                  "check the period and the bed");
   const Real most = laws::breaking_height(water.waves, k, depth);
   if (height > most)
     return context.problems.error(
@@ -77,9 +81,25 @@ Vector3 direction_of(const Water& water, const Vector3& up) {
   return std::cos(degree * water.wave_direction) * first + std::sin(degree * water.wave_direction) * second;
 }
 
+/// A table is constant before its first row and after its last one, which need not be what was meant.
+void check_record_times(const CheckContext& context, const Entry& entry, const Water& water, Real end) {
+  if (!water.record) return;
+  const laws::WaterRecord& record = *water.record;
+  if (record.time.front() > 0 && (record.velocity.front() != 0 || record.elevation.front() != 0))
+    context.problems.warning(entry.place("wave_file"),
+                             fmt::format("the table of waves begins at {} s, and the water is as in its first row before",
+                                         number(record.time.front())),
+                             "begin it at 0 s, or with still water");
+  if (record.time.back() < end && (record.velocity.back() != 0 || record.elevation.back() != 0))
+    context.problems.warning(entry.place("wave_file"),
+                             fmt::format("the table of waves ends at {} s, and the water goes on as in its last row until {} s",
+                                         number(record.time.back()), number(end)),
+                             "end it with still water, or end the run with it");
+}
+
 }  // namespace
 
-void check_water(const CheckContext& context, Water& water, const Gravity& gravity) {
+void check_water(const CheckContext& context, Water& water, const Gravity& gravity, Real end) {
   if (!water.is_there()) return;
   const Entry entry = context.entries_of("water").front();
   check_directions(context, entry, water, gravity);
@@ -93,7 +113,31 @@ void check_water(const CheckContext& context, Water& water, const Gravity& gravi
     check_wave(context, entry, water, down);
   if (water.waves != WaveTheory::table || !entry.gives("wave_file")) return;
   const std::string as_written(*entry.value->find("wave_file")->text());
+  if (!check_file(context, entry.place("wave_file"), "table of waves", water.wave_file, as_written)) return;
   read_water_record(water, (context.shown_folder / as_written).lexically_normal().string(), entry.place("wave_file"), context.problems);
+  check_record_times(context, entry, water, end);
+}
+
+void check_periodic_waves(const CheckContext& context, const Water& water, const Gravity& gravity,
+                          const std::array<Real, 3>& lengths) {
+  constexpr Real whole = 1e-6;
+  const bool is_complete = water.bed && water.wave_height && (water.wave_period || !water.is_regular());
+  if (!water.is_there() || !(water.is_regular() || water.waves == WaveTheory::solitary) || !is_complete ||
+      context.problems.has_errors())
+    return;
+  const laws::WaterField field = water_field(water, gravity);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Real along = lengths[static_cast<std::size_t>(axis)] * field.towards[axis];
+    const Real waves = water.is_regular() ? field.wave->number() * std::abs(along) / (2 * std::numbers::pi) : std::abs(along);
+    const Real off = water.is_regular() ? std::abs(waves - std::round(waves)) : waves;
+    if (off <= whole * std::max(Real{1}, waves)) continue;
+    context.problems.error(context.entries_of("water").front().place("waves"),
+                           water.is_regular()
+                               ? fmt::format("the domain repeats along {} every {} waves, so that they do not fit its sides",
+                                             "xyz"[axis], number(waves))
+                               : fmt::format("the domain repeats along {}, and a solitary wave does not", "xyz"[axis]),
+                           "let waves travel across the periodic axis, or make its length a whole number of wave lengths");
+  }
 }
 
 laws::WaterField water_field(const Water& water, const Gravity& gravity) {
@@ -122,17 +166,30 @@ laws::WaterField water_field(const Water& water, const Gravity& gravity) {
 
 std::string explain_water(const Water& water, const Gravity& gravity) {
   if (!water.is_there()) return "";
-  std::string text = fmt::format("level {} m, {} kg/m3", number(*water.level), number(water.density));
+  std::string text =
+      fmt::format("level {} m, {} kg/m3, {} Pa s", number(*water.level), number(water.density), number(water.viscosity));
   if (!water.current.isZero()) text += fmt::format(", current {} m/s", vector_text(water.current));
-  text = line("water", text);
+  text = line("water", text) +
+         line("", fmt::format("inertia coefficient {}, drag {}", number(water.inertia_coefficient),
+                              water.drag_coefficient ? fmt::format("coefficient {}", number(*water.drag_coefficient))
+                                                     : std::string("of smooth spheres by the Reynolds number")));
   if (water.waves == WaveTheory::none) return text;
-  if (water.waves == WaveTheory::table) return text + line("waves", fmt::format("table of {} rows", water.record->time.size()));
-  std::string wave = fmt::format("{}: {} m high in {} m of water", word(water.waves), number(*water.wave_height), number(depth_of(water)));
-  Real k = 0;
-  if (water.is_regular()) {
-    k = wave_number_of(water, gravity.acceleration.norm());
+  const laws::WaterField field = water_field(water, gravity);
+  if (water.waves == WaveTheory::table)
+    return text + line("waves", fmt::format("table of {} rows from {} to {} s, along {}", water.record->time.size(),
+                                            number(water.record->time.front()), number(water.record->time.back()),
+                                            vector_text(field.towards)));
+  std::string wave = fmt::format("{}: {} m high in {} m of water, along {}", word(water.waves), number(*water.wave_height),
+                                 number(depth_of(water)), vector_text(field.towards));
+  const Real k = field.wave->number();
+  if (water.is_regular())
     wave += fmt::format(", every {} s, {} m long", number(*water.wave_period), number(2 * std::numbers::pi / k));
-  }
+  const Vector3 crest = water.wave_crest * field.towards;
+  const Real surface = field.wave->elevation(crest, water.wave_ramp);
+  const Real speed = field.wave->at(crest, surface, water.is_regular() ? water.wave_ramp : 0).velocity.norm();
+  wave += water.is_regular()
+              ? ""
+              : fmt::format(", a crest at {} m at t = 0, velocity beneath it {} m/s", number(water.wave_crest), number(speed));
   return text + line("waves", wave + fmt::format("; would break at {} m", number(laws::breaking_height(water.waves, k, depth_of(water)), 3)));
 }
 

@@ -68,4 +68,12 @@ struct WaterField {
   }
 };
 
+/// The same water at rest.
+inline WaterField without_motion(WaterField water) {
+  water.current = Vector3::Zero();
+  water.wave.reset();
+  water.record.reset();
+  return water;
+}
+
 }  // namespace sazare::laws

@@ -30,8 +30,8 @@ ContactSums WaterForces::evaluate(state::Spheres& spheres, const BodyLoadTask& t
     const Index number = spheres.number[i];
     if (!task.has(number)) continue;
     const Vector3 velocity = spheres.place[i].velocity();
-    const laws::WaterLoad load =
-        laws::water_load(bodies_[static_cast<std::size_t>(number)], spheres.place[i].centre(), velocity, water_, task.time);
+    const laws::WaterLoad load = laws::water_load(bodies_[static_cast<std::size_t>(number)], spheres.place[i].centre(), velocity,
+                                                  stands_ ? still_ : water_, task.time);
     sums.carried_energy += carry(spheres, i, load.added_mass);
     sums.water_work += task.step * load.force.dot(velocity);
     // Gravity acts on the mass of the body alone: what the kick gives the added mass is taken back.

@@ -20,9 +20,14 @@ public:
   WaterForces() = default;
   /// By number of the sphere, with what each stands for of its body.
   WaterForces(laws::WaterField water, std::vector<laws::BodyInWater> bodies)
-      : water_(std::move(water)), bodies_(std::move(bodies)), added_mass_(bodies_.size(), 0) {}
+      : water_(std::move(water)),
+        still_(laws::without_motion(water_)),
+        bodies_(std::move(bodies)),
+        added_mass_(bodies_.size(), 0) {}
 
   bool empty() const { return bodies_.empty(); }
+  /// While they stand still, there are neither waves nor current.
+  void stand_still(bool stands) { stands_ = stands; }
   const laws::WaterField& water() const { return water_; }
   /// No body of this density sinks or rises faster through still water than this, once its motion is steady [m/s].
   Real largest_steady_speed(Index number, Real density) const;
@@ -37,7 +42,8 @@ public:
 private:
   Real carry(state::Spheres& spheres, std::size_t place, Real added_mass);
 
-  laws::WaterField water_;
+  laws::WaterField water_, still_;
+  bool stands_ = false;
   std::vector<laws::BodyInWater> bodies_;
   std::vector<Real> added_mass_;  ///< by number [kg]
 };

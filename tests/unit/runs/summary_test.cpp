@@ -26,6 +26,16 @@ TEST(summary, warns_of_energy_that_is_not_accounted_for) {
   EXPECT_EQ(balance_warning({}), "");
 }
 
+/// A body at rest works by round-off alone.
+TEST(summary, does_not_weigh_the_energies_of_what_does_not_move) {
+  observe::Manifest manifest = with_balance(-1.8e-9, 1e-10);
+  EXPECT_NE(balance_warning(manifest), "");
+  manifest.results.emplace_back("peak_displacement", 1e-15);
+  EXPECT_EQ(balance_warning(manifest), "");
+  manifest.results.back().second = 1e-9;
+  EXPECT_NE(balance_warning(manifest), "");
+}
+
 /// A body that was stressed or in motion at the beginning gives energy without any work.
 TEST(summary, measures_the_energy_that_is_missing_by_what_was_set_free_as_well) {
   observe::Manifest manifest = with_balance(10, 2);

@@ -84,6 +84,39 @@ void check_pore_water(const CheckContext& context, const FemCase& fem, const Ent
         "density is that above the water table; saturated_density includes the water in the pores");
 }
 
+namespace {
+
+/// Waters on the same faces add up, which is rarely meant.
+void check_doubles(const CheckContext& context, const std::vector<Entry>& list, const FemCase& fem, std::size_t number) {
+  const auto& own = fem.waters[number];
+  const std::string_view key = own.in_joint() ? "joint" : "group";
+  for (std::size_t other = 0; other < number; ++other) {
+    const auto& before = fem.waters[other];
+    if (!list[number].gives(key) || before.in_joint() != own.in_joint() || before.group != own.group || before.joint != own.joint)
+      continue;
+    return context.problems.warning(
+        list[number].place(key),
+        fmt::format("the waters \"{}\" and \"{}\" act on the same faces: their pressures add up", before.name, own.name),
+        "keep one of them, unless one is a rise that the other does not contain");
+  }
+}
+
+/// Water in the pores and the water before the ground are the same water.
+void check_pore_density(const CheckContext& context, const FemCase& fem) {
+  const auto materials = context.entries_of("materials");
+  for (std::size_t m = 0; m < fem.materials.size() && m < materials.size(); ++m) {
+    const Real density = fem.materials[m].pore_water_density;
+    const bool is_known = std::ranges::any_of(fem.waters, [&](const auto& water) { return water.density == density; });
+    if (!fem.materials[m].water_table || fem.waters.empty() || is_known) continue;
+    context.problems.warning(
+        materials[m].place("water_table"),
+        fmt::format("the water in the pores has {} kg/m3, and no entry of [[water_pressures]] has", short_number(density)),
+        "give pore_water_density the density of the water before the ground, or their pressures do not agree");
+  }
+}
+
+}  // namespace
+
 void check_water(const CheckContext& context, const FemCase& fem) {
   const auto list = context.entries_of("water_pressures");
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -92,7 +125,9 @@ void check_water(const CheckContext& context, const FemCase& fem) {
     check_place(context, fem, list[i], fem.waters[i]);
     check_uplift(context, fem, list[i], fem.waters[i]);
     check_added_mass(context, fem, list[i], fem.waters[i]);
+    check_doubles(context, list, fem, i);
   }
+  check_pore_density(context, fem);
 }
 
 }  // namespace sazare::cases

@@ -128,6 +128,20 @@ void check_times(const HybridCase& hybrid) {
                        number_text(nearest_fraction(*continuum.step, *bodies.step))));
 }
 
+/// The water of the bodies is that before the surface.
+void check_waters(const CheckContext& context, const HybridCase& hybrid) {
+  const auto* spheres = std::any_cast<SpheresCase>(&hybrid.bodies->content);
+  if (spheres == nullptr || !spheres->water.is_there()) return;
+  for (const auto& water : continuum_of(hybrid).waters)
+    if (water.group == hybrid.surface.group && (water.level != *spheres->water.level || water.density != spheres->water.density))
+      context.problems.warning(
+          context.entries_of("surface").front().place("group"),
+          fmt::format("the bodies are in water of {} kg/m3 up to {} m, and \"{}\" on the surface has {} kg/m3 up to {} m",
+                      short_number(spheres->water.density), short_number(*spheres->water.level), water.name,
+                      short_number(water.density), short_number(water.level)),
+          "give [water] of the bodies and [[water_pressures]] of the finite elements the same level and density");
+}
+
 }  // namespace
 
 void check_hybrid(const CheckContext& context, HybridCase& hybrid) {
@@ -139,7 +153,10 @@ void check_hybrid(const CheckContext& context, HybridCase& hybrid) {
   hybrid.continuum = read_side<ContinuumCase>(context, "continuum", continuum_method);
   hybrid.bodies = read_side<SpheresCase, RectanglesCase, BlocksCase>(context, "bodies", "spheres, rectangles or blocks");
   check_surface(context, hybrid);
-  if (!context.problems.has_errors() && hybrid.continuum && hybrid.bodies) check_times(hybrid);
+  if (!context.problems.has_errors() && hybrid.continuum && hybrid.bodies) {
+    check_times(hybrid);
+    check_waters(context, hybrid);
+  }
 }
 
 }  // namespace sazare::cases

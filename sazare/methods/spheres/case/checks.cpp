@@ -374,7 +374,12 @@ void check_spheres(const CheckContext& context, SpheresCase& spheres) {
   check_motions(context, spheres.motions, spheres.time.end);
   check_gauges(context, spheres);
   check_levels(context, spheres);
-  check_water(context, spheres.water, spheres.gravity);
+  check_water(context, spheres.water, spheres.gravity, spheres.time.end);
+  std::array<Real, 3> lengths{};
+  for (int axis = 0; axis < 3; ++axis)
+    if (spheres.domain.periodic[static_cast<std::size_t>(axis)])
+      lengths[static_cast<std::size_t>(axis)] = spheres.domain.upper[axis] - spheres.domain.lower[axis];
+  check_periodic_waves(context, spheres.water, spheres.gravity, lengths);
   check_water_of_groups(context, spheres);
 }
 

@@ -258,7 +258,7 @@ constexpr std::array sphere_keys{
             "still meanwhile."},
     Key{.name = "drag_coefficient",
         .type = Type::number,
-        .range = not_negative,
+        .range = {.low = 0, .high = 100},
         .usual = {0.1, 5},
         .note = "with [water], whose own is the default",
         .sentence = "Drag coefficient of the group's bodies."},

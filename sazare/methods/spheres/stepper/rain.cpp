@@ -40,6 +40,7 @@ RainEnd SphereStepper::rain(const RainRules& rules) {
   state::Clumps all = std::exchange(clumps_, clumps_of(clumps_, rules.rains));
   const bool drove = std::exchange(drives_, false);
   walls_.stand_still(true);
+  water_.stand_still(true);
   start();
   const Real kept = std::exp(-rules.damping * rules_.step);
   RainEnd end{0, unrest(), true};
@@ -52,6 +53,7 @@ RainEnd SphereStepper::rain(const RainRules& rules) {
     end.goes_on = rules.goes_on(end.steps, end.unrest);
   }
   walls_.stand_still(false);
+  water_.stand_still(false);
   drives_ = drove;
   for (std::size_t c = 0, rained = 0; c < all.clumps.size(); ++c) {
     if (rules.rains[static_cast<std::size_t>(all.members[all.begin_of(c)].sphere)] == 0) continue;
