@@ -240,6 +240,14 @@ def jointed(tmp_path_factory):
     return folder / "model"
 
 
+@pytest.fixture(scope="module")
+def meshed(jointed):
+    """The mesh of the jointed model."""
+    mesh = jointed / "model.msh"
+    subprocess.run(["gmsh", "-3", "-format", "msh41", "-v", "1", jointed / "model.geo", "-o", mesh], check=True, timeout=300)
+    return mesh
+
+
 def test_every_set_is_a_group_with_a_law_of_its_own(jointed):
     case = tomllib.loads((jointed / "case.toml").read_text())
     laws = {joint["name"]: joint for joint in case["joints"]}
@@ -254,12 +262,11 @@ def test_every_set_is_a_group_with_a_law_of_its_own(jointed):
     assert "joints_flat: on surface joints_flat" in said
 
 
-def test_groups_have_the_discs_of_their_sets(jointed, layout):
+def test_groups_have_the_discs_of_their_sets(jointed, meshed, layout):
     sets = blast_model.read_joint_sets(jointed.parent / "sets.csv")
     given = blast_model.read_discs(jointed.parent / "joints.csv")
     field = blast_model.joint_field(layout, given, sets)
-    subprocess.run(["gmsh", "-3", "-format", "msh41", "-v", "1", jointed / "model.geo", "-o", jointed / "model.msh"], check=True, timeout=300)
-    groups = MeshGroups(jointed / "model.msh")
+    groups = MeshGroups(meshed)
     assert len(field.discs) > 15
     for name in ("fault", "steep", "flat"):
         placed = [disc.placed(layout.frame) for disc in field.discs if disc.set == name]
@@ -283,8 +290,8 @@ def crossed(disc, hole):
     return heights.min() < 0.0 < heights.max()
 
 
-def test_edges_are_no_shorter_than_a_fifth_of_the_wanted_size(jointed, layout):
-    points, blocks = engine().mesh_file(jointed / "model.msh")
+def test_edges_are_no_shorter_than_a_fifth_of_the_wanted_size(meshed, layout):
+    points, blocks = engine().mesh_file(meshed)
     nodes = np.concatenate([nodes for dimension, _, kind, _, nodes in blocks if dimension == 3 and kind == 4])
     quality = mesh_quality.quality_of(points[nodes], layout)
     assert quality.share >= 0.19

@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from sazare.armour.profile import Profile
-from sazare.armour.units import units_of
+from sazare.armour.units import groups_of, units_of
 from sazare.blast.numbers import finite
 from sazare.blast.settings import own
 from sazare.tables import NotARun, write_table
@@ -117,7 +117,7 @@ def write_damage(damage, folder):
     folder.mkdir(exist_ok=True)
     units = damage.units
     way = units.end - units.start
-    names = [group["name"] for group in damage.case["spheres"]]
+    names = [group["name"] for group in groups_of(damage.case)]
     columns = {"unit [-]": [str(number) for number in units.number], "group [-]": [names[number] for number in units.group]}
     columns |= {f"displacement_{axis} [m]": way[:, n] for n, axis in enumerate("xyz")}
     columns |= {"displacement/D_n [-]": damage.ratio, "rotation [deg]": np.degrees(units.turn), "largest_rotation [deg]": np.degrees(units.largest_turn), "broken_fraction [-]": units.broken}

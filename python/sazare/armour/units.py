@@ -66,9 +66,14 @@ def turns(before, after):
     return np.arccos(np.clip(0.5 * (trace - 1.0), -1.0, 1.0))
 
 
+def groups_of(case):
+    """The groups of a resolved case, by number: the entries of its tables that may be of a shape."""
+    return next((entries for entries in case.values() if isinstance(entries, list) and any(entry.get("shape") for entry in entries) and "source" in entries[0]), [])
+
+
 def shapes_of(results, names):
     """Groups of the case that are of a shape, or those that are named: {number of the group: its nominal diameter [m]}. Raises NotARun with what is missing."""
-    groups = tomllib.loads(results.case_text).get("spheres", [])
+    groups = groups_of(tomllib.loads(results.case_text))
     known = [group["name"] for group in groups if group.get("shape")]
     if not known:
         raise NotARun(f"{results.path}: no group of this run is of a shape: armour units are bodies of [[shapes]]")
