@@ -363,7 +363,7 @@ class Water(Part):
     at most 100000.
     """
     wave_direction: float | None = None
-    """Direction in which waves travel, or the velocity of a table goes, from the x axis against the clock as seen from above:
+    """Direction in which waves travel, or the velocity of a table goes, from the x axis counter-clockwise as seen from above:
     with gravity along -z, from x towards y. [deg] (with waves) Default: 0.0. At least -360 and at most 360.
     """
     wave_crest: float | None = None

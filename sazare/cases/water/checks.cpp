@@ -73,7 +73,7 @@ void check_wave(const CheckContext& context, const Entry& entry, const Water& wa
         "take a solitary wave, a table, or a lower or shorter wave");
 }
 
-/// The level direction of waves: from that of x, or of y where x is upright, against the clock as seen from above.
+/// The level direction of waves: from that of x, or of y where x is upright, counter-clockwise as seen from above.
 Vector3 direction_of(const Water& water, const Vector3& up) {
   constexpr Real upright = 0.99;
   const Vector3 axis = std::abs(up.x()) < upright ? Vector3::UnitX() : Vector3::UnitY();

@@ -83,9 +83,9 @@ inline constexpr std::array water_keys{
         .range = {.low = -360, .high = 360},
         .default_text = "0.0",
         .note = "with waves",
-        .sentence = "Direction in which waves travel, or the velocity of a table goes, from the x axis against the clock as seen "
-                    "from above: with "
-                    "gravity along -z, from x towards y."},
+        .sentence =
+            "Direction in which waves travel, or the velocity of a table goes, from the x axis counter-clockwise as seen from "
+            "above: with gravity along -z, from x towards y."},
     Key{.name = "wave_crest",
         .type = Type::number,
         .unit = "m",
