@@ -2,6 +2,8 @@
 
 from pathlib import Path
 
+from sazare.tables import NotARun
+
 
 class Occupied(FileExistsError, ValueError):
     """There is something in a folder that may not be replaced: the user's error, not one of the machine."""
@@ -28,3 +30,10 @@ def require_room(path, names, overwrite=False):
     if there and not overwrite:
         raise Occupied(f"{folder}: {', '.join(there)} are there already: --overwrite replaces them, --out DIR takes another folder")
     return folder
+
+
+def own(path):
+    """A path to write to. Raises NotARun where it is a link: a folder may come from anyone, and what it leads to is not the run's."""
+    if path.is_symlink():
+        raise NotARun(f"{path}: a link; numbers are written into the run's own folder: remove the link")
+    return path

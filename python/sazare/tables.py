@@ -97,6 +97,15 @@ def write_table(path, columns):
     return Path(path)
 
 
+def finite(value):
+    """A value for JSON: numbers that are not finite become null, as in manifests."""
+    if isinstance(value, dict):
+        return {key: finite(item) for key, item in value.items()}
+    if isinstance(value, list):
+        return [finite(item) for item in value]
+    return None if isinstance(value, float) and not abs(value) < float("inf") else value
+
+
 def _column(cells):
     try:
         return np.array(cells, dtype=float)

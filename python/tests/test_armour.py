@@ -129,6 +129,13 @@ def test_the_command_writes_tables_and_tells_what_is_missing(run, tmp_path):
     assert "displaced      1, 33.3 %" in done.stdout
     assert {path.name for path in (run.path / "armour").iterdir()} == {"damage.json", "displacements.png", "profile.csv", "profile.png", "units.csv"}
     assert json.loads((run.path / "armour" / "damage.json").read_text())["displaced"] == 1
+    outside = tmp_path / "kept.txt"
+    outside.write_text("kept")
+    (run.path / "armour" / "profile.png").unlink()
+    (run.path / "armour" / "profile.png").symlink_to(outside)
+    linked = subprocess.run([PROGRAM, "armour", run.path, "--along", "y"], capture_output=True, text=True, check=False)
+    assert linked.returncode == 2 and "a link" in linked.stderr and outside.read_text() == "kept"
+    (run.path / "armour" / "profile.png").unlink()
     for arguments, words in (
         (["--group", "grain"], 'there is no group "grain" of a shape'),
         (["--from", "1"], "two snapshots at least are needed"),

@@ -24,6 +24,7 @@ def tell(chosen):
     from sazare.armour.damage import Options, check_along, write_damage
     from sazare.armour.pictures import pictures_of
     from sazare.armour.words import text_of
+    from sazare.folders import own
     from sazare.results import open_run
 
     with errors_of_commands():
@@ -33,5 +34,5 @@ def tell(chosen):
         write_damage(damage, folder)
         print(*text_of(damage), sep="\n")
         for name, figure in pictures_of(damage):
-            style.save(figure, folder / f"{name}.png")
+            style.save(figure, own(folder / f"{name}.png"))
     print(f"tables and pictures: {folder}")

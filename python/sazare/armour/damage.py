@@ -9,9 +9,8 @@ import numpy as np
 
 from sazare.armour.profile import Profile
 from sazare.armour.units import groups_of, units_of
-from sazare.blast.numbers import finite
-from sazare.blast.settings import own
-from sazare.tables import NotARun, write_table
+from sazare.folders import own
+from sazare.tables import NotARun, finite, write_table
 
 DISPLACED = 1.0  # nominal diameters, from which on a unit counts as displaced
 SHIFTED = 0.5  # nominal diameters, from which on it counts as shifted

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sazare.rotations import best_rotations
 from sazare.tables import NotARun
 
 
@@ -53,16 +54,13 @@ class Spheres:
 
 
 def turns(before, after):
-    """Angles [rad] (n,) of the rotation that takes the spheres of each body from one snapshot to another, by least squares (Kabsch 1976). Bodies whose spheres
+    """Angles [rad] (n,) of the rotation that takes the spheres of each body from one snapshot to another, by least squares. Bodies whose spheres
     stand in a row turn about the row unseen."""
     weights = before.radii**3
     first, second = (spheres.points - spheres.mean(spheres.points)[spheres.owner] for spheres in (before, after))
     matrix = np.zeros((len(before.number), 3, 3))
-    np.add.at(matrix, before.owner, weights[:, None, None] * first[:, :, None] * second[:, None, :])
-    left, _, right = np.linalg.svd(matrix)
-    sign = np.sign(np.linalg.det(left @ right))
-    left[:, :, 2] *= np.where(sign == 0.0, 1.0, sign)[:, None]
-    trace = np.trace(np.swapaxes(left @ right, 1, 2), axis1=1, axis2=2)
+    np.add.at(matrix, before.owner, weights[:, None, None] * second[:, :, None] * first[:, None, :])
+    trace = np.trace(best_rotations(matrix), axis1=1, axis2=2)
     return np.arccos(np.clip(0.5 * (trace - 1.0), -1.0, 1.0))
 
 

@@ -4,8 +4,9 @@ from sazare import style
 from sazare.arguments import positive
 from sazare.blast import curves
 from sazare.blast.numbers import BlastNumbers, write_numbers
-from sazare.blast.settings import Settings, own
+from sazare.blast.settings import Settings
 from sazare.blast.words import text_of
+from sazare.folders import own
 from sazare.results import open_run
 
 

@@ -11,9 +11,11 @@ from sazare.blast.damage import LEVELS, damage_of
 from sazare.blast.energies import absorbed_by_boundary, parts_of
 from sazare.blast.fits import size_fits
 from sazare.blast.holes import holes_of
-from sazare.blast.settings import Settings, folder_of, own, write_settings
+from sazare.blast.settings import Settings, folder_of, write_settings
 from sazare.blast.sizes import SHARES, by_sieve, by_sphere
 from sazare.blast.vibration import attenuation, shaking_of
+from sazare.folders import own
+from sazare.tables import finite
 
 
 class BlastNumbers:
@@ -162,12 +164,3 @@ def _csv_text(table):
     writer.writerow(table.columns)
     writer.writerows([["" if value is None else value if isinstance(value, str) else repr(float(value)) for value in row] for row in table.rows])
     return text.getvalue()
-
-
-def finite(value):
-    """A value for JSON: numbers that are not finite become null, as in manifests."""
-    if isinstance(value, dict):
-        return {key: finite(item) for key, item in value.items()}
-    if isinstance(value, list):
-        return [finite(item) for item in value]
-    return None if isinstance(value, float) and not abs(value) < float("inf") else value

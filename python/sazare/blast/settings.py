@@ -4,6 +4,7 @@ import json
 import math
 from dataclasses import dataclass
 
+from sazare.folders import own
 from sazare.tables import NotARun
 
 FILE = "settings.json"
@@ -16,13 +17,6 @@ class Settings:
 
     oversize: float | None = None
     charges: tuple[float, ...] = ()
-
-
-def own(path):
-    """A path to write to. Raises NotARun where it is a link: a folder may come from anyone, and what it leads to is not the run's."""
-    if path.is_symlink():
-        raise NotARun(f"{path}: a link; numbers are written into the run's own folder: remove the link")
-    return path
 
 
 def folder_of(results):

@@ -6,6 +6,7 @@ import numpy as np
 
 from sazare.muck_pile.balls import Balls
 from sazare.muck_pile.flight import flight_times
+from sazare.rotations import best_rotations
 from sazare.snapshots import elements_once
 from sazare.tables import NotARun
 
@@ -63,14 +64,12 @@ def _data(mesh, name):
 
 
 def _carried(point, before, after):
-    """Where a point (3,) is that moves with the spheres of a body, by their centres (n, 3) before and after (W. Kabsch, 1976, Acta Cryst. A32, 922); with
+    """Where a point (3,) is that moves with the spheres of a body, by their centres (n, 3) before and after; with
     fewer than three spheres, by the mean of these."""
     middle, offset = after.mean(axis=0), point - before.mean(axis=0)
     if len(before) < 3:
         return middle + offset
-    left, _, right = np.linalg.svd((after - middle).T @ (before - before.mean(axis=0)))
-    left[:, 2] *= np.sign(np.linalg.det(left @ right))
-    return middle + left @ right @ offset
+    return middle + best_rotations((after - middle).T @ (before - before.mean(axis=0))) @ offset
 
 
 def ends_of(model, landed, flying):

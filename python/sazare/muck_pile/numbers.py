@@ -6,9 +6,8 @@ from functools import cached_property
 
 import numpy as np
 
-from sazare.blast.numbers import finite
-from sazare.blast.settings import own
 from sazare.blast.sizes import Distribution
+from sazare.folders import own
 from sazare.muck_pile.back_break import at_edge_of, back_breaks
 from sazare.muck_pile.balls import union_volumes
 from sazare.muck_pile.breaking import breaking_of
@@ -16,7 +15,7 @@ from sazare.muck_pile.flight import flight_times, ranges
 from sazare.muck_pile.landed import RESTING, ends_of, landed_of
 from sazare.muck_pile.pile import Pile
 from sazare.muck_pile.support import in_the_air
-from sazare.tables import write_table
+from sazare.tables import finite, write_table
 
 
 @dataclass(frozen=True)

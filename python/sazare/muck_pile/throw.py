@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from sazare.blast.settings import own
+from sazare.folders import own
 from sazare.muck_pile import words
 from sazare.muck_pile.breaking import breaking_of
 from sazare.muck_pile.folders import claim
