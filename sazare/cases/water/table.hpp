@@ -31,6 +31,12 @@ struct Water {
 
   bool is_there() const { return level.has_value(); }
   bool is_regular() const { return waves == laws::WaveTheory::airy || waves == laws::WaveTheory::stokes2; }
+  /// Waves by a theory, with all that it needs.
+  bool follows_a_theory() const {
+    const bool has_period = waves == laws::WaveTheory::solitary || (is_regular() && wave_period);
+    return has_period && bed && wave_height;
+  }
+  Real depth() const { return *level - *bed; }  ///< where there is a bed [m]
 };
 
 /// The water of a checked case.
