@@ -64,6 +64,21 @@ class Material(Part):
     """
     pore_water_density: float | None = None
     """Density of the water in the pores. [kg/m3] (only with a water_table) Default: 1000.0. Greater than 0."""
+    drainage: Literal["drained", "undrained", "flow"] | None = None
+    """drained: the pore pressure stays hydrostatic; undrained: the water moves with the ground, and its pressure follows the
+    volume; flow: it also flows through the pores (consolidation), with Darcy's law. (only with a water_table) Default:
+    "drained".
+    """
+    porosity: float | None = None
+    """Volume of the pores per volume of the ground. (required for drainage undrained and flow) Greater than 0 and less than 1."""
+    water_bulk_modulus: float | None = None
+    """Bulk modulus of the water in the pores; a little air lowers it much. [Pa] (drainage undrained and flow) Default: 2.2e9.
+    Greater than 0.
+    """
+    hydraulic_conductivity: float | None = None
+    """Coefficient of permeability k of Darcy's law, the velocity of flow under a gradient of 1: gravel some 1e-2, sand 1e-4, silt
+    1e-6, clay below 1e-8 m/s. [m/s] (required for drainage flow) Greater than 0.
+    """
     cohesion: float | None = None
     """Cohesion of the Mohr-Coulomb strength. [Pa] (default: the material is elastic and never yields) At least 0."""
     friction_angle: float | None = None
@@ -73,6 +88,19 @@ class Material(Part):
     tensile_strength: float | None = None
     """Tension cut-off: largest tensile stress; at most cohesion/tan(friction_angle). [Pa] (only with a cohesion; default:
     cohesion/tan(friction_angle), without friction none) At least 0.
+    """
+    blow_count: float | None = None
+    """Sand that contracts under cycles of shear (Byrne 1991), by the blow count (N1)60 of the standard penetration test:
+    contraction_rate = 8.7 (N1)60^-1.25. (with a cohesion; not with contraction_rate; default: cycles of shear take no volume)
+    Greater than 0 and at most 100.
+    """
+    contraction_rate: float | None = None
+    """C1 of the contraction C1 g/2 exp(-C2 e/g) in a half cycle of shear strain g after a contraction e; C2 is 0.4/C1. (with a
+    cohesion; not with blow_count) Greater than 0 and at most 10.
+    """
+    contraction_threshold: float | None = None
+    """Amplitude of shear strain up to which a half cycle takes no volume. (only with blow_count or contraction_rate) Default:
+    1e-4. At least 0 and at most 0.1.
     """
     backbone: Literal["hyperbolic", "ramberg_osgood", "table"] | None = None
     """Soil that degrades with shear strain and dissipates by Masing's rules: stress of a first loading in shear, a hyperbola, the
@@ -252,6 +280,17 @@ class WaterPressure(Part):
 
 
 @dataclass(kw_only=True, eq=False)
+class Drain(Part):
+    """Faces at which pore water is free to flow out and in."""
+
+    group: str
+    """Physical group of faces (lines in 2-D) through which water leaves saturated ground with drainage flow: the excess pore
+    pressure is 0 there. The water table, faces under [[water_pressures]], and ground with drainage drained beside it drain by
+    themselves; all other sides are impervious.
+    """
+
+
+@dataclass(kw_only=True, eq=False)
 class Gravity(Part):
     """Body force."""
 
@@ -296,7 +335,9 @@ class Time(Part):
     step: float
     """Time step; the implicit step is unconditionally stable, so choose it by the frequencies of interest. [s] Greater than 0."""
     analysis: Literal["dynamic", "static"] | None = None
-    """dynamic, or static: each step is an equilibrium, and time only parametrises loads and motions. Default: "dynamic"."""
+    """dynamic, or static: each step is an equilibrium, and time only parametrises loads and motions, and the flow of pore water.
+    Default: "dynamic".
+    """
     alpha: float | None = None
     """Parameter of HHT-alpha: negative values add numerical damping of high frequencies; 0 is Newmark's constant average
     acceleration. (dynamic only) Default: 0.0. At least -0.333333 and at most 0.
@@ -334,6 +375,7 @@ class Case(AnyCase):
         "boundaries": Boundary,
         "loads": Load,
         "water_pressures": WaterPressure,
+        "drains": Drain,
         "gravity": Gravity,
         "solver": Solver,
         "gauges": Gauge,
@@ -359,6 +401,8 @@ class Case(AnyCase):
     """Tractions on outer faces."""
     water_pressures: list[WaterPressure] = field(default_factory=list)
     """Pressure of still water on outer faces, and in joints."""
+    drains: list[Drain] = field(default_factory=list)
+    """Faces at which pore water is free to flow out and in."""
     gravity: Gravity | None = None
     """Body force."""
     solver: Solver | None = None

@@ -13,6 +13,7 @@ ENERGIES = {
     "energy_kinetic": ("kinetic", style.KINETIC),
     "energy_elastic": ("elastic", style.ELASTIC),
     "energy_friction": ("joint friction", style.FRICTION),
+    "energy_seepage": ("flow of pore water", style.SEEPAGE),
     "energy_plastic": ("plastic flow", style.RUPTURE),
     "energy_damping": ("Rayleigh damping", style.DASHPOT),
     "energy_radiation": ("radiation at boundaries", style.OUTSIDE),

@@ -17,7 +17,8 @@ Body<D>::Body(BodyDescription description)
     : description_(std::move(description)),
       yielding_(description_.mesh, description_.materials, description_.material, description_.integration),
       joints_(description_.mesh, description_.joints),
-      pattern_(description_.mesh.nodes.size(), all_groups()),
+      pores_(description_.mesh, description_.materials, description_.material),
+      pattern_(description_.mesh.nodes.size() + pores_.pressure_nodes(), all_groups()),
       mass_(pattern_),
       linear_(pattern_),
       buffer_(pattern_, changing_groups()) {
@@ -36,6 +37,7 @@ NodeGroups Body<D>::all_groups() const {
   NodeGroups groups;
   for (const geometry::MeshElement& element : description_.mesh.elements) groups.add(element.node_list());
   for (std::size_t j = 0; j < joints_.size(); ++j) groups.add(joints_.nodes(j));
+  for (std::size_t i = 0; i < pores_.size(); ++i) groups.add(pores_.nodes(i));
   return groups;
 }
 
@@ -138,6 +140,11 @@ std::vector<Real> Body<D>::pore_pressures() const {
 template <int D>
 Memory Body<D>::memory_at_rest() const {
   return {std::vector<Real>(yielding_.memory_size(), 0), std::vector<Real>(joints_.memory_size(), 0)};
+}
+
+template <int D>
+void Body<D>::begin_cycles(const NodalColumn& displacement, Memory& memory) const {
+  for (std::size_t i = 0; i < yielding_.size(); ++i) yielding_.begin_cycles(i, displacement, memory.solids);
 }
 
 template <int D>

@@ -4,6 +4,7 @@
 
 #include "sazare/laws/rayleigh_damping.hpp"
 #include "sazare/methods/fem/joints.hpp"
+#include "sazare/methods/fem/pores.hpp"
 #include "sazare/methods/fem/solids.hpp"
 
 namespace sazare::methods::fem {
@@ -36,7 +37,8 @@ public:
   const BodyDescription& description() const { return description_; }
   const NodePattern& pattern() const { return pattern_; }
   const BlockMatrix<D>& mass() const { return mass_; }
-  std::size_t freedoms() const { return description_.mesh.nodes.size() * D; }
+  /// Of the nodes of the mesh, then of the pressure nodes of the pores.
+  std::size_t freedoms() const { return (description_.mesh.nodes.size() + pores_.pressure_nodes()) * D; }
   Real total_mass() const;
 
   /// Nothing yields and there are no joints: forces are the stiffness times the displacements.
@@ -51,10 +53,13 @@ public:
 
   Memory memory_at_rest() const;
 
-  /// Forces of the water in the pores on the nodes, which are those of its pressure against the effective stress [N].
+  /// What shear has done to the ground before, such as under its own weight, is no half cycle.
+  void begin_cycles(const NodalColumn& displacement, Memory& memory) const;
+
+  /// Forces of the water at rest in the pores on the nodes, which are those of its pressure against the effective stress [N].
   NodalColumn pore_force() const;
 
-  /// Mean pressure of the water in the pores of every element [Pa].
+  /// Mean pressure of the water at rest in the pores of every element [Pa].
   std::vector<Real> pore_pressures() const;
 
   /// Internal forces of displacements, and the memory that they leave. `tangent`, where asked for, is made anew where it has
@@ -77,6 +82,7 @@ public:
   std::vector<SolidMean<D>> means(const NodalColumn& displacement, const Memory& memory) const;
 
   const Joints<D>& joints() const { return joints_; }
+  const Pores<D>& pores() const { return pores_; }
 
 private:
   /// Calls visit(element, point, pressure) for the points of integration of saturated ground.
@@ -89,6 +95,7 @@ private:
   BodyDescription description_;
   YieldingSolids<D> yielding_;
   Joints<D> joints_;
+  Pores<D> pores_;
   NodePattern pattern_;
   BlockMatrix<D> mass_;
   BlockMatrix<D> linear_;  ///< stiffness of the elements that never yield

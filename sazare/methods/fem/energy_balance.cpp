@@ -59,6 +59,10 @@ void FemStepper<D>::add_work(const Trial& trial, const NodalColumn& balance, con
     mass_.multiply(state_.acceleration, 1, before);
     mass_.multiply(trial.acceleration, 1, after);
   }
+  if (pore_matrices_) {
+    const auto& seepage = pore_matrices_->seepage;
+    work.seepage += mean_work(product(seepage, state_.velocity), product(seepage, trial.velocity), moved);
+  }
   for (const Support& support : supports_.held) {
     if (support.motion == Support::no_motion) continue;
     const std::size_t i = number<D>(support.node, support.axis);
@@ -83,7 +87,12 @@ void FemStepper<D>::add_work_of_damping(const Trial& trial, const Span& span, co
 
 template <int D>
 Real FemStepper<D>::kinetic_energy() const {
-  return 0.5 * dot(state_.velocity, product(mass_, state_.velocity));
+  return 0.5 * dot(state_.velocity, product(mass_, state_.velocity)) - elastic_energy_of_water();
+}
+
+template <int D>
+Real FemStepper<D>::elastic_energy_of_water() const {
+  return pore_matrices_ ? 0.5 * dot(state_.velocity, product(pore_matrices_->storage, state_.velocity)) : 0;
 }
 
 template <int D>
@@ -101,7 +110,8 @@ Real FemStepper<D>::kinetic_energy_of_water() const {
 
 template <int D>
 Real FemStepper<D>::elastic_energy() const {
-  return body_->energies(state_.displacement, state_.displacement, state_.memory, state_.memory).elastic - elastic_at_start_;
+  return body_->energies(state_.displacement, state_.displacement, state_.memory, state_.memory).elastic - elastic_at_start_ +
+         elastic_energy_of_water();
 }
 
 template <int D>
@@ -109,7 +119,7 @@ Real FemStepper<D>::energy_residual() const {
   const FemWork& work = state_.work;
   const Real done = work.gravity + work.loads + work.water + work.boundary + work.waves;
   const Real kinetic = rules_.statics ? 0 : kinetic_energy();
-  return done - kinetic - elastic_energy() - work.damping - work.radiation - work.plastic - work.friction;
+  return done - kinetic - elastic_energy() - work.damping - work.radiation - work.plastic - work.friction - work.seepage;
 }
 
 // The class is instantiated in stepper.cpp, without these.
@@ -118,6 +128,7 @@ Real FemStepper<D>::energy_residual() const {
   template void FemStepper<D>::add_work(const Trial&, const NodalColumn&, const Span&);            \
   template void FemStepper<D>::add_work_of_damping(const Trial&, const Span&, const NodalColumn&); \
   template Real FemStepper<D>::kinetic_energy() const;                                             \
+  template Real FemStepper<D>::elastic_energy_of_water() const;                                    \
   template Real FemStepper<D>::kinetic_energy_of_water() const;                                    \
   template Real FemStepper<D>::elastic_energy() const;                                             \
   template Real FemStepper<D>::energy_residual() const;

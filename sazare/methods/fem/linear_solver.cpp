@@ -10,8 +10,9 @@ constexpr Real singular_share = 1e-11;  // of a freedom's own stiffness before o
 }  // namespace
 
 template <int D>
-LinearSolver<D>::LinearSolver(const NodePattern& pattern, const std::vector<char>& is_free, bool symmetric)
-    : symmetric_(symmetric) {
+LinearSolver<D>::LinearSolver(const NodePattern& pattern, const std::vector<char>& is_free, bool symmetric,
+                              std::size_t turned_from)
+    : symmetric_(symmetric), turned_from_(turned_from) {
   std::vector<int> number(is_free.size(), -1);
   for (std::size_t i = 0; i < is_free.size(); ++i) {
     if (!is_free[i]) continue;
@@ -45,7 +46,8 @@ LinearSolver<D>::LinearSolver(const NodePattern& pattern, const std::vector<char
 
 template <int D>
 bool LinearSolver<D>::factorize(const std::vector<Real>& blocks) {
-  for (std::size_t i = 0; i < from_.size(); ++i) matrix_.valuePtr()[i] = blocks[from_[i]];
+  for (std::size_t i = 0; i < from_.size(); ++i)
+    matrix_.valuePtr()[i] = sign(free_[static_cast<std::size_t>(matrix_.innerIndexPtr()[i])]) * blocks[from_[i]];
   if (free_.empty()) return true;
   if (!symmetric_) {
     lu_.factorize(matrix_);
@@ -74,7 +76,7 @@ bool LinearSolver<D>::look_for_singular_freedom() {
 template <int D>
 NodalColumn LinearSolver<D>::solve(const NodalColumn& right) const {
   Eigen::VectorXd b(static_cast<Eigen::Index>(free_.size()));
-  for (std::size_t i = 0; i < free_.size(); ++i) b[static_cast<Eigen::Index>(i)] = right[free_[i]];
+  for (std::size_t i = 0; i < free_.size(); ++i) b[static_cast<Eigen::Index>(i)] = sign(free_[i]) * right[free_[i]];
   NodalColumn result(right.size(), 0);
   if (free_.empty()) return result;
   const Eigen::VectorXd x = symmetric_ ? Eigen::VectorXd(cholesky_.solve(b)) : Eigen::VectorXd(lu_.solve(b));

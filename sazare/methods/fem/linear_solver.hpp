@@ -4,6 +4,7 @@
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
+#include <limits>
 #include <optional>
 
 #include "sazare/methods/fem/node_pattern.hpp"
@@ -19,8 +20,12 @@ struct Freedom {
 template <int D>
 class LinearSolver {
 public:
-  /// `is_free` by number of a nodal column. A matrix that is not symmetric needs the slower factorization.
-  LinearSolver(const NodePattern& pattern, const std::vector<char>& is_free, bool symmetric);
+  /// `is_free` by number of a nodal column. A matrix that is not symmetric needs the slower factorization. The rows of nodes from
+  /// `turned_from` on change their sign: where that makes the matrix symmetric, as with water in the pores, it has a
+  /// factorization without pivots, being positive definite in the other rows and negative definite in these. Vanderbei, SIAM J.
+  /// Optim. 5 (1995) 100-113.
+  LinearSolver(const NodePattern& pattern, const std::vector<char>& is_free, bool symmetric,
+               std::size_t turned_from = std::numeric_limits<std::size_t>::max());
 
   /// Factorizes the matrix of blocks on the pattern; returns false where it is singular.
   bool factorize(const std::vector<Real>& blocks);
@@ -38,7 +43,11 @@ private:
 
   bool look_for_singular_freedom();
 
+  /// -1 in rows that change their sign.
+  Real sign(std::size_t freedom) const { return freedom / D < turned_from_ ? 1 : -1; }
+
   bool symmetric_;
+  std::size_t turned_from_;
   std::vector<std::size_t> free_;  ///< numbers of a nodal column
   std::vector<std::size_t> from_;  ///< number among the blocks, by entry of the matrix
   Matrix matrix_;

@@ -7,6 +7,7 @@
 #include <string>
 #include <variant>
 
+#include "sazare/laws/cyclic_contraction.hpp"
 #include "sazare/laws/overlay_plasticity.hpp"
 #include "sazare/laws/principal_return.hpp"
 #include "sazare/laws/water_pressure.hpp"
@@ -16,10 +17,17 @@
 
 namespace sazare::methods::fem {
 
-/// Ground below a water table: heavier, and with water at rest in its pores. The stress of its law is the effective one.
+/// How water in the pores yields and flows.
+struct PoreFlow {
+  Real compressibility = 0;  ///< of the water in a volume of ground: porosity over the water's bulk modulus [1/Pa]
+  Real mobility = 0;         ///< hydraulic conductivity over the specific weight of water [m2/(Pa s)]; 0: undrained
+};
+
+/// Ground below a water table: heavier, and with water in its pores. The stress of its law is the effective one.
 struct Saturation {
   Real density = 0;  ///< of the ground with the water in it [kg/m3]
-  laws::WaterPressure pore_water;
+  laws::WaterPressure pore_water;  ///< at rest
+  std::optional<PoreFlow> flow{};  ///< without it the pressure stays that at rest: drained
 };
 
 struct SolidMaterial {
@@ -28,7 +36,8 @@ struct SolidMaterial {
   Real density = 0;        ///< [kg/m3]
   Real damping_ratio = 0;  ///< of Rayleigh damping [-]
   std::optional<laws::MohrCoulomb> strength;
-  std::optional<laws::BackboneCurve> backbone;  ///< its shear modulus is that of `elastic`
+  std::optional<laws::CyclicContraction> contraction;  ///< with a strength only
+  std::optional<laws::BackboneCurve> backbone;         ///< its shear modulus is that of `elastic`
 
   std::optional<Saturation> saturation;
 
@@ -36,6 +45,14 @@ struct SolidMaterial {
   Real density_at(const Vector3& place) const {
     return saturation && saturation->pore_water.depth(place) > 0 ? saturation->density : density;
   }
+
+  /// Density times the velocity of P waves, for viscous boundaries [Pa s/m]: water that is not drained is part of the stiffness.
+  Real p_wave_impedance(const Vector3& place) const {
+    const bool stiffened = saturation && saturation->flow && saturation->pore_water.depth(place) > 0;
+    const Real water = stiffened ? 1 / saturation->flow->compressibility : 0;
+    return std::sqrt((elastic.lame + 2 * elastic.shear_modulus + water) * density_at(place));
+  }
+  Real s_wave_impedance(const Vector3& place) const { return std::sqrt(elastic.shear_modulus * density_at(place)); }
 
   static SolidMaterial elastic_of(Real youngs_modulus, Real poisson_ratio, Real density_) {
     SolidMaterial material;
@@ -110,26 +127,43 @@ SolidResponse<D> respond(const laws::PrincipalReturnMapping& mapping, const Voig
 /// Energies at a point [J/m3]: what is stored, and what plastic flow has dissipated since another state.
 using PointEnergies = laws::OverlayEnergies;
 
-/// Mohr-Coulomb strength with its memory: the plastic strain, and the plastic slip that it has added up.
+/// Mohr-Coulomb strength with its memory: the plastic strain, the plastic slip that it has added up, and of sand that contracts
+/// the cycles. What half a cycle takes of the volume is plastic strain of the step after it.
 template <int D>
 class StrengthAtPoint {
 public:
-  StrengthAtPoint(const laws::MohrCoulomb& strength, const laws::Elasticity& elastic)
-      : mapping_(strength, elastic), stiffness_(elastic_stiffness<D>(elastic)) {}
+  StrengthAtPoint(const laws::MohrCoulomb& strength, const laws::Elasticity& elastic,
+                  const std::optional<laws::CyclicContraction>& contraction = {})
+      : mapping_(strength, elastic), stiffness_(elastic_stiffness<D>(elastic)), contraction_(contraction) {}
 
-  std::size_t memory_size() const { return stress_size<D> + 1; }
+  std::size_t memory_size() const { return own_size + (contraction_ ? Cycles::numbers : 0); }
   Real slip(std::span<const Real> memory) const { return memory[stress_size<D>]; }
   Real peak(std::span<const Real>) const { return 0; }
 
   Voigt<D> respond(const Voigt<D>& strain, std::span<const Real> before, std::span<Real> after, VoigtMatrix<D>* tangent) const {
-    const SolidResponse<D> response = fem::respond<D>(mapping_, elastic(strain, before), tangent);
-    Eigen::Map<Voigt<D>>(after.data()) = plastic(before) + response.plastic;
+    Voigt<D> flowed = plastic(before);
+    if (contraction_) {
+      Cycles cycles(before.subspan(own_size));
+      flowed.template head<3>().array() -= cycles.pending() / 3;
+      cycles.follow(strain, *contraction_);
+      cycles.write(after.subspan(own_size));
+    }
+    const SolidResponse<D> response = fem::respond<D>(mapping_, strain - flowed, tangent);
+    Eigen::Map<Voigt<D>>(after.data()) = flowed + response.plastic;
     const Eigen::SelfAdjointEigenSolver<Matrix3> parts(strain_tensor<D>(response.plastic), Eigen::EigenvaluesOnly);
     after[stress_size<D>] = slip(before) + (response.yields ? parts.eigenvalues()[2] - parts.eigenvalues()[0] : 0);
     return response.stress;
   }
 
   Voigt<D> stress(const Voigt<D>& strain, std::span<const Real> memory) const { return stiffness_ * elastic(strain, memory); }
+
+  /// Cycles begin at a strain.
+  void begin_cycles(const Voigt<D>& strain, std::span<Real> memory) const {
+    if (!contraction_) return;
+    Cycles cycles(memory.subspan(own_size));
+    cycles.begin(strain);
+    cycles.write(memory.subspan(own_size));
+  }
 
   PointEnergies energies(const Voigt<D>& strain_before, const Voigt<D>& strain, std::span<const Real> before,
                          std::span<const Real> after) const {
@@ -138,11 +172,15 @@ public:
   }
 
 private:
+  using Cycles = laws::CycleMemory<stress_size<D>>;
+  static constexpr std::size_t own_size = stress_size<D> + 1;
+
   static Eigen::Map<const Voigt<D>> plastic(std::span<const Real> memory) { return Eigen::Map<const Voigt<D>>(memory.data()); }
   static Voigt<D> elastic(const Voigt<D>& strain, std::span<const Real> memory) { return strain - plastic(memory); }
 
   laws::PrincipalReturnMapping mapping_;
   VoigtMatrix<D> stiffness_;
+  std::optional<laws::CyclicContraction> contraction_;
 };
 
 /// What a material that is not elastic does at a point.
@@ -152,7 +190,7 @@ using PointLaw = std::variant<StrengthAtPoint<D>, laws::OverlayModel<stress_size
 template <int D>
 PointLaw<D> point_law(const SolidMaterial& material) {
   if (material.backbone) return laws::OverlayModel<stress_size<D>>(material.elastic, *material.backbone);
-  return StrengthAtPoint<D>(material.strength.value_or(laws::MohrCoulomb{}), material.elastic);
+  return StrengthAtPoint<D>(material.strength.value_or(laws::MohrCoulomb{}), material.elastic, material.contraction);
 }
 
 }  // namespace sazare::methods::fem

@@ -148,6 +148,15 @@ typename YieldingSolids<D>::Energies YieldingSolids<D>::energies(std::size_t num
 }
 
 template <int D>
+void YieldingSolids<D>::begin_cycles(std::size_t number, const NodalColumn& displacement, std::span<Real> memory) const {
+  const auto* const strength = std::get_if<StrengthAtPoint<D>>(&law(number));
+  if (strength == nullptr) return;
+  const ElementColumn<D> moved = displacements_of<D>(mesh_->elements[at(element_[number])], displacement);
+  for (const Point& point : points(number))
+    strength->begin_cycles(strain_matrix<D>(point.gradients) * moved, memory.subspan(point.memory));
+}
+
+template <int D>
 SolidMean<D> YieldingSolids<D>::mean(std::size_t number, const NodalColumn& displacement, std::span<const Real> memory) const {
   const ElementColumn<D> moved = displacements_of<D>(mesh_->elements[at(element_[number])], displacement);
   SolidMean<D> mean;

@@ -85,6 +85,9 @@ public:
   Energies energies(std::size_t number, const NodalColumn& displacement_before, const NodalColumn& displacement,
                     std::span<const Real> before, std::span<const Real> after) const;
 
+  /// Cycles of shear begin at these displacements, where a law counts them.
+  void begin_cycles(std::size_t number, const NodalColumn& displacement, std::span<Real> memory) const;
+
   SolidMean<D> mean(std::size_t number, const NodalColumn& displacement, std::span<const Real> memory) const;
 
 private:

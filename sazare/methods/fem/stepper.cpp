@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "sazare/core/error.hpp"
 #include "sazare/methods/fem/nodal_algebra.hpp"
@@ -31,24 +32,49 @@ FemStepper<D>::FemStepper(std::unique_ptr<methods::fem::Body<D>> body, methods::
     for (const auto& face : water.moving) mass_.add(face.nodes, face.mass);
   for (const auto& boundary : supports_.viscous)
     for (const auto& face : boundary.faces) viscous_.add(face.nodes, face.impedance);
-  for (std::size_t i = 0; i < damping_.values().size(); ++i) damping_.values()[i] += viscous_.values()[i];
+  add_pores();
+  add(damping_.values(), 1, viscous_.values());
   state_.memory = body_->memory_at_rest();
   methods::fem::Memory after = state_.memory;
   body_->evaluate(state_.displacement, state_.memory, after, state_.internal, &state_.tangent);
   prepare_solver(false);
 }
 
-/// A solver for the free degrees of freedom.
+template <int D>
+void FemStepper<D>::add_pores() {
+  if (body_->pores().size() == 0) return;
+  pore_matrices_ = std::make_unique<PoreMatrices>(body_->pores(), body_->pattern());
+  add(mass_.values(), 1, pore_matrices_->storage.values());
+  add(damping_.values(), 1, pore_matrices_->rates.values());
+  for (Load& load : supports_.loads) load.force = widened(std::move(load.force));
+  for (auto& water : supports_.waters) water.pressure.force = widened(std::move(water.pressure.force));
+}
+
+/// Forces on the nodes of the mesh, with none on the pressure nodes.
+template <int D>
+NodalColumn FemStepper<D>::widened(NodalColumn column) const {
+  column.resize(body_->freedoms(), 0);
+  return column;
+}
+
+/// A solver for the free degrees of freedom. While relaxing the water in the pores is at rest.
 template <int D>
 void FemStepper<D>::prepare_solver(bool viscous_held) {
   is_free_.assign(body_->freedoms(), 1);
+  const std::set<Index> drained(supports_.drained.begin(), supports_.drained.end());
+  const auto& pores = body_->pores();
+  for (std::size_t pressure = 0; pressure < pores.pressure_nodes(); ++pressure)
+    for (int axis = 0; axis < D; ++axis)
+      is_free_[number<D>(pores.pressure_node(pressure), axis)] =
+          axis == 0 && !viscous_held && !pores.is_drained(pressure) && !drained.contains(pores.node_of(pressure));
   for (const Support& support : supports_.held) is_free_[number<D>(support.node, support.axis)] = 0;
   if (viscous_held)
     for (const auto& boundary : supports_.viscous)
       for (const auto& face : boundary.faces)
         for (const Index node : face.nodes)
           for (int axis = 0; axis < D; ++axis) is_free_[number<D>(node, axis)] = 0;
-  solver_ = std::make_unique<methods::fem::LinearSolver<D>>(body_->pattern(), is_free_, body_->is_symmetric());
+  solver_ = std::make_unique<methods::fem::LinearSolver<D>>(body_->pattern(), is_free_, body_->is_symmetric(),
+                                                            body_->mesh().nodes.size());
   mass_solver_.reset();
   factorized_.reset();
 }
@@ -68,6 +94,7 @@ void FemStepper<D>::relax() {
   prepare_solver(true);
   walk({0, 1, 1}, rules_.most_cuts);
   stage_ = Stage::running;
+  body_->begin_cycles(state_.displacement, state_.memory);
   initial_displacement_ = state_.displacement;
   NodalColumn carried = weight_;
   add_water(0, 1, carried);
@@ -148,7 +175,8 @@ void FemStepper<D>::give_up(const Span& span) const {
 
 template <int D>
 typename FemStepper<D>::Factors FemStepper<D>::factors(Real length) const {
-  if (!inertia()) return {};
+  if (!in_time()) return {};
+  if (!inertia()) return {1 / (length * length), 1 / length, 1};
   const Real beta = 0.25 * (1 - rules_.alpha) * (1 - rules_.alpha), gamma = 0.5 - rules_.alpha;
   return {1 / (beta * length * length), gamma / (beta * length), 1 + rules_.alpha};
 }
@@ -272,7 +300,7 @@ Real FemStepper<D>::search(Trial& trial, const NodalColumn& change, const Factor
 template <int D>
 void FemStepper<D>::move(Trial& trial, const NodalColumn& change, Real share, const Factors& by) const {
   add(trial.displacement, share, change);
-  if (!inertia()) return;
+  if (!in_time()) return;
   add(trial.velocity, share * by.damping, change);
   add(trial.acceleration, share * by.mass, change);
 }
@@ -286,7 +314,7 @@ template <int D>
 NodalColumn FemStepper<D>::balance_of(const Trial& trial) const {
   NodalColumn balance = trial.internal;
   add(balance, -1, trial.external);
-  if (inertia()) damping_.multiply(trial.velocity, 1, balance);
+  if (in_time()) rate_matrix().multiply(trial.velocity, 1, balance);
   return balance;
 }
 
@@ -295,10 +323,11 @@ template <int D>
 NodalColumn FemStepper<D>::unbalance(const Trial& trial, Real& scale) const {
   NodalColumn residual = balance_of(trial);
   scale = std::max(norm(trial.internal), norm(trial.external));
-  if (inertia()) {
+  if (inertia())
     for (std::size_t i = 0; i < residual.size(); ++i)
       residual[i] = (1 + rules_.alpha) * residual[i] - rules_.alpha * state_.balance[i];
-    const NodalColumn inertial = product(mass_, trial.acceleration);
+  if (in_time()) {
+    const NodalColumn inertial = product(inertia_matrix(), trial.acceleration);
     scale = std::max(scale, norm(inertial));
     add(residual, 1, inertial);
   }
@@ -311,8 +340,8 @@ template <int D>
 bool FemStepper<D>::factorize(const Factors& by) {
   if (factorized_ == by) return true;
   std::vector<Real> blocks(state_.tangent.values());
-  if (inertia()) {
-    const auto &m = mass_.values(), &c = damping_.values();
+  if (in_time()) {
+    const auto &m = inertia_matrix().values(), &c = rate_matrix().values();
     for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i] = by.stiffness * (blocks[i] + by.damping * c[i]) + by.mass * m[i];
   }
   factorized_.reset();

@@ -14,7 +14,7 @@ namespace sazare::methods::fem {
 
 struct FemRules {
   Real step = 0;             ///< [s]
-  bool statics = false;      ///< no inertia and no damping: each step is an equilibrium, time only counts loads and motions
+  bool statics = false;      ///< no inertia and no damping: each step is an equilibrium, in which only water in pores may flow
   Real alpha = 0;            ///< of the HHT-alpha step, -1/3 to 0; 0 is Newmark's step of constant average acceleration
   Real tolerance = 1e-8;     ///< unbalanced force left, over the largest of the forces in play
   int most_iterations = 20;  ///< of the Newton iteration in a step
@@ -33,6 +33,7 @@ struct FemWork {
   Real radiation = 0;  ///< dissipated by viscous boundaries
   Real plastic = 0;    ///< dissipated by plastic flow
   Real friction = 0;   ///< dissipated by joints
+  Real seepage = 0;    ///< dissipated by the flow of pore water
 };
 
 /// All that a step changes: a copy of it is a place to which the stepper can return.
@@ -57,6 +58,7 @@ struct FemState {
 /// and Newmark's u(n+1) = u + dt v + dt^2 ((1/2 - beta) a(n) + beta a(n+1)), v(n+1) = v + dt ((1 - gamma) a(n) + gamma a(n+1));
 /// beta = (1 - alpha)^2/4, gamma = 1/2 - alpha. Hilber, Hughes and Taylor, Earthquake Eng. Struct. Dyn. 5 (1977) 283-292. The
 /// Rayleigh part of C v acts on the velocity relative to the base: with the velocity v_b of the base at all nodes, C (v - v_b).
+/// In statics water in pores flows with v(n+1) = (u(n+1) - u(n))/dt and a(n+1) = (v(n+1) - v(n))/dt, Euler's implicit step.
 template <int D>
 class FemStepper {
 public:
@@ -88,7 +90,7 @@ public:
   const FemRules& rules() const { return rules_; }
   const methods::fem::Body<D>& body() const { return *body_; }
   const methods::fem::Supports<D>& supports() const { return supports_; }
-  /// Mass of the body, and of the water that moves with it [kg].
+  /// Mass of the body, of the water that moves with it, and on pressure nodes the storage of the pores [kg].
   const methods::fem::BlockMatrix<D>& mass() const { return mass_; }
   const methods::fem::NodalColumn& initial_displacement() const { return initial_displacement_; }
   std::size_t free_freedoms() const { return solver_->freedoms(); }
@@ -107,8 +109,10 @@ public:
   Real kinetic_energy() const;
   /// Of the water that moves with the body, which is part of the whole [J].
   Real kinetic_energy_of_water() const;
-  /// Stored, since the beginning [J].
+  /// Stored, since the beginning, in the ground and in the water of its pores [J].
   Real elastic_energy() const;
+  /// Of the water in the pores alone [J].
+  Real elastic_energy_of_water() const;
   const FemWork& work() const { return state_.work; }
   /// Residual of the energy balance [J]; with alpha < 0 it contains what the step itself dissipates.
   Real energy_residual() const;
@@ -131,12 +135,32 @@ private:
     Real mass = 0, damping = 0, stiffness = 1;
     bool operator==(const Factors&) const = default;
   };
+  struct PoreMatrices {
+    methods::fem::BlockMatrix<D> storage;  ///< S, as a mass
+    methods::fem::BlockMatrix<D> seepage;  ///< H, as a damping
+    methods::fem::BlockMatrix<D> rates;    ///< H, and the coupling of pressures with strains
+
+    explicit PoreMatrices(const methods::fem::Pores<D>& pores, const methods::fem::NodePattern& pattern)
+        : storage(pattern), seepage(pattern), rates(pattern) {
+      pores.add_storage(storage);
+      pores.add_seepage(seepage);
+      pores.add_seepage(rates);
+      pores.add_coupling(rates);
+    }
+  };
   struct Trial {
     methods::fem::NodalColumn displacement, velocity, acceleration, internal, external;
     methods::fem::Memory memory;
   };
 
   bool inertia() const { return stage_ == Stage::running && !rules_.statics; }
+  /// Whether velocities count: with inertia, or where water flows.
+  bool in_time() const { return inertia() || (stage_ == Stage::running && pore_matrices_); }
+  /// What acts with accelerations, and with velocities.
+  const methods::fem::BlockMatrix<D>& inertia_matrix() const { return rules_.statics ? pore_matrices_->storage : mass_; }
+  const methods::fem::BlockMatrix<D>& rate_matrix() const { return rules_.statics ? pore_matrices_->rates : damping_; }
+  methods::fem::NodalColumn widened(methods::fem::NodalColumn column) const;
+  void add_pores();
   Factors factors(Real length) const;
   methods::fem::NodalColumn external(Real at) const;
   methods::fem::NodalColumn incoming(Real at) const;
@@ -166,10 +190,11 @@ private:
   std::unique_ptr<methods::fem::Body<D>> body_;
   methods::fem::Supports<D> supports_;
   FemRules rules_;
-  methods::fem::BlockMatrix<D> mass_;               ///< of the body, and of the water that moves with it
+  methods::fem::BlockMatrix<D> mass_;               ///< of the body, of the water that moves with it, and of storage in pores
   methods::fem::BlockMatrix<D> rayleigh_;           ///< C of the body
   methods::fem::BlockMatrix<D> viscous_;            ///< C of the viscous boundaries
-  methods::fem::BlockMatrix<D> damping_;            ///< both
+  methods::fem::BlockMatrix<D> damping_;            ///< all C, with that of pores
+  std::unique_ptr<PoreMatrices> pore_matrices_;     ///< where pressures in pores are unknowns
   methods::fem::NodalColumn weight_;                ///< M g of the body [N]
   methods::fem::NodalColumn pore_;                  ///< forces of the water in the pores [N]
   methods::fem::NodalColumn reaction_;              ///< what viscous boundaries carry at rest [N]

@@ -28,6 +28,7 @@ Real acceleration_of(const laws::GroundMotion& history, Real from, Real to) {
 
 template <int D>
 void FemStepper<D>::apply(NodalColumn force) {
+  force = widened(std::move(force));
   NodalColumn change = force;
   add(change, -1, state_.applied);
   state_.applied = std::move(force);
@@ -93,6 +94,10 @@ typename FemStepper<D>::Trial FemStepper<D>::predict(const Span& span, NodalColu
       trial.velocity[i] = v + dt * ((1 - gamma) * a + gamma * trial.acceleration[i]);
     }
   }
+  if (in_time() && !inertia()) {
+    std::ranges::fill(trial.velocity, 0);
+    for (std::size_t i = 0; i < trial.velocity.size(); ++i) trial.acceleration[i] = -state_.velocity[i] / dt;
+  }
   prescribed.assign(body_->freedoms(), 0);
   for (const Support& support : supports_.held) {
     const std::size_t i = number<D>(support.node, support.axis);
@@ -101,7 +106,10 @@ typename FemStepper<D>::Trial FemStepper<D>::predict(const Span& span, NodalColu
     const laws::GroundMotion& history = supports_.motions[at(support.motion)];
     const auto motion = history.at(span.to);
     prescribed[i] = initial_displacement_[i] + motion.displacement - state_.displacement[i];
-    if (!inertia()) continue;
+    if (!inertia()) {
+      trial.velocity[i] = prescribed[i] / dt;
+      continue;
+    }
     trial.velocity[i] = motion.velocity;
     trial.acceleration[i] = acceleration_of(history, span.from, span.to);
   }

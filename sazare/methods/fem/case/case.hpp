@@ -9,6 +9,7 @@ enum class MassKind { consistent, lumped };
 enum class IntegrationKind { full, reduced };
 enum class GroupKind { fixed, roller, prescribed, viscous };
 enum class Analysis { dynamic, statics };
+enum class Drainage { drained, undrained, flow };
 enum class AddedMass { none, westergaard };
 enum class BackboneKind { hyperbolic, ramberg_osgood, table };
 
@@ -40,6 +41,9 @@ struct FemMaterial {
   Real friction_angle = 0;               // degrees
   Real dilation_angle = 0;               // degrees
   std::optional<Real> tensile_strength;  // Pa; without it the tip of the strength
+  std::optional<Real> blow_count;        // (N1)60; with it or a rate cycles of shear take volume
+  std::optional<Real> contraction_rate;  // C1
+  Real contraction_threshold = 0;        // of the amplitude of shear strain
   bool degrades = false;                 // whether its stiffness falls with the shear strain
   BackboneKind backbone = BackboneKind::hyperbolic;
   std::optional<Real> reference_strain;  // of shear, where G/G0 = 0.5
@@ -50,8 +54,13 @@ struct FemMaterial {
   std::optional<Real> water_table;  // m; without it the ground has no pore water
   Real saturated_density = 0;       // kg/m3, of the ground below
   Real pore_water_density = 0;      // kg/m3
+  Drainage drainage = Drainage::drained;
+  Real porosity = 0;
+  Real water_bulk_modulus = 0;      // Pa
+  Real hydraulic_conductivity = 0;  // m/s, of drainage "flow"
   ModulusReduction reduction;  // what the file holds
 
+  bool contracts() const { return blow_count || contraction_rate; }
   Real shear_modulus() const { return youngs_modulus / (2 * (1 + poisson_ratio)); }  // Pa
 };
 
@@ -98,6 +107,11 @@ struct FemWater {
   bool in_joint() const { return !joint.empty(); }
 };
 
+/// Faces at which the excess pore pressure is 0.
+struct FemDrain {
+  std::string group;
+};
+
 struct FemGravity : Gravity {
   bool settle = false;
 };
@@ -124,6 +138,7 @@ struct FemCase {
   std::vector<GroupBoundary> boundaries;
   std::vector<FemLoad> loads;
   std::vector<FemWater> waters;
+  std::vector<FemDrain> drains;
   FemGravity gravity;
   FemSolver solver;
   std::vector<Gauge> gauges;

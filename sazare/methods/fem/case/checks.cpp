@@ -27,9 +27,12 @@ void check_materials(const CheckContext& context, FemCase& fem) {
     check_soil(context, list[i], material);
     check_pore_water(context, fem, list[i], material);
     if (!material.yields) {
-      check_keys(context, list[i], "a material without cohesion", {}, {"friction_angle", "dilation_angle", "tensile_strength"});
+      check_keys(
+          context, list[i], "a material without cohesion", {},
+          {"friction_angle", "dilation_angle", "tensile_strength", "blow_count", "contraction_rate", "contraction_threshold"});
       continue;
     }
+    check_contraction(context, list[i], material);
     check_keys(context, list[i], "a material with a cohesion", {"friction_angle"}, {});
     check_strength(context, list[i],
                    {material.cohesion, material.friction_angle, material.dilation_angle, material.tensile_strength.value_or(0)});

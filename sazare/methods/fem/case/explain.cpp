@@ -10,6 +10,30 @@
 namespace sazare::cases {
 namespace {
 
+/// The compression wave of ground whose water moves with it is that of both.
+std::string drainage_text(const FemMaterial& material) {
+  if (material.drainage == Drainage::drained) return ", drained";
+  const Real shear = material.shear_modulus(),
+             constrained = 2 * shear * (1 - material.poisson_ratio) / (1 - 2 * material.poisson_ratio);
+  const Real water = material.water_bulk_modulus / material.porosity;
+  std::string text =
+      fmt::format("\n  {:<12}  {}: porosity {}, bulk modulus of the water {} Pa, P waves at {} m/s where no water flows", "",
+                  word(material.drainage), number(material.porosity), number(material.water_bulk_modulus),
+                  number(std::sqrt((constrained + water) / material.saturated_density)));
+  if (material.drainage == Drainage::flow)
+    text += fmt::format("\n  {:<12}  hydraulic conductivity {} m/s", "", number(material.hydraulic_conductivity));
+  return text;
+}
+
+std::string contraction_text(const FemMaterial& material) {
+  const laws::CyclicContraction law = contraction_of(material);
+  Real lost = 0;
+  for (int half = 0; half < 20; ++half) lost += law.half_cycle(1e-3, lost);
+  return fmt::format(
+      "\n  {:<12}  contracts under cycles: C1 {}, C2 {}; ten cycles of a shear strain of 0.001 take {} % of its volume", "",
+      number(law.rate()), number(law.decay()), number(100 * lost, 2));
+}
+
 std::string material_text(const FemMaterial& material) {
   std::string text = fmt::format("{}: {} kg/m3, E {} Pa, Poisson's ratio {}, damping ratio {}, regions {}", material.name,
                                  number(material.density), number(material.youngs_modulus), number(material.poisson_ratio),
@@ -18,9 +42,11 @@ std::string material_text(const FemMaterial& material) {
     text += fmt::format("\n  {:<12}  yields: cohesion {} Pa, friction angle {} deg, dilation angle {} deg, tension cut-off {}", "",
                         number(material.cohesion), number(material.friction_angle), number(material.dilation_angle),
                         cut_off_text(material.tensile_strength));
+  if (material.contracts()) text += contraction_text(material);
   if (material.water_table)
     text += fmt::format("\n  {:<12}  below {} m saturated: {} kg/m3, with water of {} kg/m3", "", number(*material.water_table),
                         number(material.saturated_density), number(material.pore_water_density));
+  if (material.water_table) text += drainage_text(material);
   if (material.degrades) text += soil_text(material);
   return text;
 }
@@ -63,6 +89,7 @@ std::string explain(const FemCase& fem) {
     text += line("loads", fmt::format("{}: {} Pa on {}, full value after {} s", load.name, vector_text(load.traction), load.group,
                                       number(load.ramp)));
   for (const FemWater& water : fem.waters) text += line("water", water_text(water));
+  for (const FemDrain& drain : fem.drains) text += line("drains", drain.group);
   text += explain_gravity(fem.gravity.acceleration, fem.gravity.settle ? ", from equilibrium under gravity" : "");
   for (const Gauge& gauge : fem.gauges) text += line("gauges", fmt::format("{}: {} m", gauge.name, vector_text(gauge.point)));
   const auto count = [&](Real interval) { return whole_multiple(fem.time.end, interval).value_or(0); };

@@ -29,6 +29,11 @@ struct EnumWords<AddedMass> {
 };
 
 template <>
+struct EnumWords<Drainage> {
+  static constexpr std::array<std::string_view, 3> words{"drained", "undrained", "flow"};
+};
+
+template <>
 struct EnumWords<BackboneKind> {
   static constexpr std::array<std::string_view, 3> words{"hyperbolic", "ramberg_osgood", "table"};
 };
@@ -72,6 +77,10 @@ void visit_fields(Visitor& visit, FemMaterial& material) {
     visit("water_table", material.water_table);
     visit("saturated_density", material.saturated_density);
     visit("pore_water_density", material.pore_water_density);
+    visit("drainage", material.drainage);
+    if (material.drainage != Drainage::drained) visit("porosity", material.porosity);
+    if (material.drainage != Drainage::drained) visit("water_bulk_modulus", material.water_bulk_modulus);
+    if (material.drainage == Drainage::flow) visit("hydraulic_conductivity", material.hydraulic_conductivity);
   }
   visit_backbone(visit, material);
   material.yields = visit.has("cohesion", material.yields);
@@ -80,6 +89,11 @@ void visit_fields(Visitor& visit, FemMaterial& material) {
   visit("friction_angle", material.friction_angle);
   visit("dilation_angle", material.dilation_angle);
   visit("tensile_strength", material.tensile_strength);
+  const bool by_blows = visit.has("blow_count", material.blow_count.has_value());
+  const bool by_rate = visit.has("contraction_rate", material.contraction_rate.has_value());
+  if (by_blows) visit("blow_count", material.blow_count);
+  if (by_rate) visit("contraction_rate", material.contraction_rate);
+  if (by_blows || by_rate) visit("contraction_threshold", material.contraction_threshold);
 }
 
 template <class Visitor>
@@ -131,6 +145,11 @@ void visit_fields(Visitor& visit, FemWater& water) {
 }
 
 template <class Visitor>
+void visit_fields(Visitor& visit, FemDrain& drain) {
+  visit("group", drain.group);
+}
+
+template <class Visitor>
 void visit_fields(Visitor& visit, FemGravity& gravity) {
   visit("acceleration", gravity.acceleration);
   visit("settle", gravity.settle);
@@ -165,6 +184,7 @@ void visit_tables(Visitor& visit, FemCase& fem) {
   visit.list("boundaries", fem.boundaries);
   visit.list("loads", fem.loads);
   visit.list("water_pressures", fem.waters);
+  visit.list("drains", fem.drains);
   visit.one("gravity", fem.gravity);
   visit.one("solver", fem.solver);
   visit.list("gauges", fem.gauges);

@@ -18,6 +18,9 @@ void check_fem(const CheckContext& context, FemCase& fem);
 /// Checks of materials that degrade with strain; reads their tables.
 void check_soil(const CheckContext& context, const Entry& entry, FemMaterial& material);
 
+/// Checks of sand that contracts under cycles of shear.
+void check_contraction(const CheckContext& context, const Entry& entry, const FemMaterial& material);
+
 /// Checks of ground with a water table.
 void check_pore_water(const CheckContext& context, const FemCase& fem, const Entry& entry, const FemMaterial& material);
 

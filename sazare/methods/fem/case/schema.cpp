@@ -11,6 +11,7 @@ constexpr std::array<std::string_view, 2> mass_kinds{"consistent", "lumped"};
 constexpr std::array<std::string_view, 2> integrations{"full", "reduced"};
 constexpr std::array<std::string_view, 4> group_kinds{"fixed", "roller", "prescribed", "viscous"};
 constexpr std::array<std::string_view, 3> backbones{"hyperbolic", "ramberg_osgood", "table"};
+constexpr std::array<std::string_view, 3> drainages{"drained", "undrained", "flow"};
 constexpr std::array<std::string_view, 2> added_masses{"none", "westergaard"};
 constexpr std::array<std::string_view, 2> analyses{"dynamic", "static"};
 
@@ -96,6 +97,35 @@ constexpr std::array material_keys{
         .default_text = "1000.0",
         .note = "only with a water_table",
         .sentence = "Density of the water in the pores."},
+    Key{.name = "drainage",
+        .type = Type::choice,
+        .default_text = "\"drained\"",
+        .note = "only with a water_table",
+        .sentence = "drained: the pore pressure stays hydrostatic; undrained: the water moves with the ground, and its pressure "
+                    "follows the volume; flow: it also flows through the pores (consolidation), with Darcy's law.",
+        .choices = drainages},
+    Key{.name = "porosity",
+        .type = Type::number,
+        .range = {.low = 0, .high = 1, .low_open = true, .high_open = true},
+        .usual = {0.1, 0.7},
+        .note = "required for drainage undrained and flow",
+        .sentence = "Volume of the pores per volume of the ground."},
+    Key{.name = "water_bulk_modulus",
+        .type = Type::number,
+        .unit = "Pa",
+        .range = positive,
+        .usual = {1e7, 3e9},
+        .default_text = "2.2e9",
+        .note = "drainage undrained and flow",
+        .sentence = "Bulk modulus of the water in the pores; a little air lowers it much."},
+    Key{.name = "hydraulic_conductivity",
+        .type = Type::number,
+        .unit = "m/s",
+        .range = positive,
+        .usual = {1e-12, 1},
+        .note = "required for drainage flow",
+        .sentence = "Coefficient of permeability k of Darcy's law, the velocity of flow under a gradient of 1: gravel some 1e-2, "
+                    "sand 1e-4, silt 1e-6, clay below 1e-8 m/s."},
     Key{.name = "cohesion",
         .type = Type::number,
         .unit = "Pa",
@@ -124,6 +154,27 @@ constexpr std::array material_keys{
         .usual = usual::strength,
         .note = "only with a cohesion; default: cohesion/tan(friction_angle), without friction none",
         .sentence = "Tension cut-off: largest tensile stress; at most cohesion/tan(friction_angle)."},
+    Key{.name = "blow_count",
+        .type = Type::number,
+        .range = {.low = 0, .high = 100, .low_open = true},
+        .usual = {3, 50},
+        .note = "with a cohesion; not with contraction_rate; default: cycles of shear take no volume",
+        .sentence =
+            "Sand that contracts under cycles of shear (Byrne 1991), by the blow count (N1)60 of the standard penetration "
+            "test: contraction_rate = 8.7 (N1)60^-1.25."},
+    Key{.name = "contraction_rate",
+        .type = Type::number,
+        .range = {.low = 0, .high = 10, .low_open = true},
+        .usual = {0.01, 2},
+        .note = "with a cohesion; not with blow_count",
+        .sentence = "C1 of the contraction C1 g/2 exp(-C2 e/g) in a half cycle of shear strain g after a contraction e; C2 is "
+                    "0.4/C1."},
+    Key{.name = "contraction_threshold",
+        .type = Type::number,
+        .range = {.low = 0, .high = 0.1},
+        .default_text = "1e-4",
+        .note = "only with blow_count or contraction_rate",
+        .sentence = "Amplitude of shear strain up to which a half cycle takes no volume."},
     Key{.name = "backbone",
         .type = Type::choice,
         .note = "default: the stiffness does not depend on the strain; not with a cohesion",
@@ -304,6 +355,15 @@ constexpr std::array water_keys{
         .sentence = "Elevation of the bed of the water, from which H counts."},
 };
 
+constexpr std::array drain_keys{
+    Key{.name = "group",
+        .type = Type::text,
+        .need = Need::required,
+        .sentence = "Physical group of faces (lines in 2-D) through which water leaves saturated ground with drainage flow: the "
+                    "excess pore pressure is 0 there. The water table, faces under [[water_pressures]], and ground with "
+                    "drainage drained beside it drain by themselves; all other sides are impervious."},
+};
+
 constexpr std::array fem_gravity_keys{
     gravity_keys.front(),
     Key{.name = "settle",
@@ -352,7 +412,9 @@ constexpr std::array time_keys{
     Key{.name = "analysis",
         .type = Type::choice,
         .default_text = "\"dynamic\"",
-        .sentence = "dynamic, or static: each step is an equilibrium, and time only parametrises loads and motions.",
+        .sentence =
+            "dynamic, or static: each step is an equilibrium, and time only parametrises loads and motions, and the flow of "
+            "pore water.",
         .choices = analyses},
     Key{.name = "alpha",
         .type = Type::number,
@@ -377,6 +439,7 @@ constexpr std::array tables{
     Table{"boundaries", true, Need::optional, "Boundary conditions of groups; all other nodes are free.", boundary_keys},
     Table{"loads", true, Need::optional, "Tractions on outer faces.", load_keys},
     Table{"water_pressures", true, Need::optional, "Pressure of still water on outer faces, and in joints.", water_keys},
+    Table{"drains", true, Need::optional, "Faces at which pore water is free to flow out and in.", drain_keys},
     Table{"gravity", false, Need::optional, "Body force.", fem_gravity_keys},
     Table{"solver", false, Need::optional, "Convergence of the Newton iteration and step cuts.", solver_keys},
     Table{"gauges", true, Need::optional, "Points whose motion is recorded.", gauge_keys},

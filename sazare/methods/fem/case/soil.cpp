@@ -86,4 +86,10 @@ std::string soil_text(const FemMaterial& material) {
   return text;
 }
 
+laws::CyclicContraction contraction_of(const FemMaterial& material) {
+  const Real rate =
+      material.contraction_rate ? *material.contraction_rate : laws::CyclicContraction::rate_of(*material.blow_count);
+  return {rate, laws::CyclicContraction::decay_of(rate), material.contraction_threshold};
+}
+
 }  // namespace sazare::cases

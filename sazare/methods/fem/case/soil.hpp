@@ -7,6 +7,7 @@
 
 #include "sazare/cases/format/problems.hpp"
 #include "sazare/laws/backbone_curve.hpp"
+#include "sazare/laws/cyclic_contraction.hpp"
 #include "sazare/methods/fem/case/case.hpp"
 
 namespace sazare::cases {
@@ -29,5 +30,8 @@ std::string soil_text(const FemMaterial& material);
 /// Reads `material.modulus_reduction`. Problems are shown in that file under the name `shown_name` and listed where the case
 /// names the file.
 void read_modulus_reduction(FemMaterial& material, const std::string& shown_name, const Place& named_at, Problems& problems);
+
+/// The contraction under cycles of a material that has a blow count or a rate.
+laws::CyclicContraction contraction_of(const FemMaterial& material);
 
 }  // namespace sazare::cases

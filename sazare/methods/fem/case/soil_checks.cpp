@@ -95,6 +95,18 @@ void check_table(const CheckContext& context, const Entry& entry, FemMaterial& m
 
 }  // namespace
 
+void check_contraction(const CheckContext& context, const Entry& entry, const FemMaterial& material) {
+  if (!material.contracts())
+    return check_keys(context, entry, "a material that does not contract", {}, {"contraction_threshold"});
+  if (material.blow_count && material.contraction_rate)
+    context.problems.error(entry.place("contraction_rate"), "the material has both blow_count and contraction_rate",
+                           "give exactly one of them: the blow count determines the rate");
+  if (material.dilation_angle > 0)
+    context.problems.warning(entry.place("dilation_angle"),
+                             "ground that dilates as it yields gains back the volume that cycles take from it",
+                             "give sand that can liquefy dilation_angle = 0");
+}
+
 void check_soil(const CheckContext& context, const Entry& entry, FemMaterial& material) {
   check_backbone_keys(context, entry, material);
   if (!material.degrades) return;

@@ -5,7 +5,7 @@
 #include "sazare/cases/explanation.hpp"
 #include "sazare/cases/format/number_text.hpp"
 #include "sazare/cases/format/suggest.hpp"
-#include "sazare/methods/fem/case/case.hpp"
+#include "sazare/methods/fem/case/fields.hpp"
 #include "sazare/methods/fem/case/format.hpp"
 
 /// What can be wrong with still water on faces and in joints.
@@ -71,10 +71,31 @@ void check_added_mass(const CheckContext& context, const FemCase& fem, const Ent
 
 }  // namespace
 
+namespace {
+
+void check_drainage(const CheckContext& context, const Entry& entry, const FemMaterial& material) {
+  const auto what = fmt::format("drainage \"{}\"", word(material.drainage));
+  if (material.drainage == Drainage::drained)
+    return check_keys(context, entry, what, {}, {"porosity", "water_bulk_modulus", "hydraulic_conductivity"});
+  if (material.drainage == Drainage::undrained)
+    check_keys(context, entry, what, {"porosity"}, {"hydraulic_conductivity"});
+  else
+    check_keys(context, entry, what, {"porosity", "hydraulic_conductivity"}, {});
+  if (entry.gives("saturated_density") && entry.gives("porosity") &&
+      material.saturated_density < material.porosity * material.pore_water_density)
+    context.problems.error(entry.place("saturated_density"), "the saturated ground is lighter than the water in its pores",
+                           "check saturated_density and porosity");
+}
+
+}  // namespace
+
 void check_pore_water(const CheckContext& context, const FemCase& fem, const Entry& entry, const FemMaterial& material) {
   if (!material.water_table)
-    return check_keys(context, entry, "a material without a water_table", {}, {"saturated_density", "pore_water_density"});
+    return check_keys(
+        context, entry, "a material without a water_table", {},
+        {"saturated_density", "pore_water_density", "drainage", "porosity", "water_bulk_modulus", "hydraulic_conductivity"});
   check_keys(context, entry, "a material with a water_table", {"saturated_density"}, {});
+  check_drainage(context, entry, material);
   check_gravity_of_water(context, fem, entry.place("water_table"), true);
   if (entry.gives("saturated_density") && entry.gives("density") && material.saturated_density < material.density)
     context.problems.warning(

@@ -19,6 +19,7 @@ inline constexpr std::array energies = {Column{"energy_work", "J", "work done on
                                         Column{"energy_radiation", "J", "dissipated by viscous boundaries"},
                                         Column{"energy_plastic", "J", "dissipated by plastic flow"},
                                         Column{"energy_friction", "J", "dissipated by friction of joints"},
+                                        Column{"energy_seepage", "J", "dissipated by the flow of pore water"},
                                         Column{"energy_residual", "J", "residual of the energy balance"}};
 inline constexpr std::array work = {Column{"energy_work_gravity", "J", "work of gravity"},
                                     Column{"energy_work_loads", "J", "work of loads"},
@@ -27,6 +28,11 @@ inline constexpr std::array work = {Column{"energy_work_gravity", "J", "work of 
                                     Column{"energy_work_water", "J", "work of the pressure of still water"}};
 inline constexpr std::array moving_water = {
     Column{"energy_kinetic_water", "J", "of the added mass of water, part of energy_kinetic; only where there is water"}};
+inline constexpr std::array pore_water = {
+    Column{"excess_pore_pressure_max", "Pa", "largest of any node; where drainage is undrained or flow"},
+    Column{"energy_elastic_pore_water", "J", "of the water in the pores, part of energy_elastic"}};
+inline constexpr std::array gauge_pressure = {
+    Column{"NAME.excess_pore_pressure", "Pa", "at a gauge, above that at rest; where drainage is undrained or flow"}};
 inline constexpr std::array boundary = {Column{"NAME.force", "N", "of a boundary on the body", 3}};
 inline constexpr std::array water = {
     Column{"NAME.water_force", "N",
@@ -50,14 +56,20 @@ inline constexpr std::array soil = {
     Column{"shear_strain_max", "-", "largest shear strain so far, of soil with a backbone; only where there is any"}};
 
 inline constexpr std::array pores = {Column{"pore_pressure", "Pa", "of the water in saturated ground; only where there is any"}};
+inline constexpr std::array excess = {
+    Column{"excess_pore_pressure", "Pa", "above that at rest; where drainage is undrained or flow"},
+    Column{"pore_pressure_ratio", "-",
+           "excess pore pressure over the vertical effective stress at the beginning, 1 in liquefied ground; with settle"}};
 
 /// In the manifest, `results` by name: an interface, which scripts of users read.
 inline constexpr std::array figures = {Column{"nodes", "-", ""},
-                                   Column{"elements", "-", ""},
-                                   Column{"degrees_of_freedom", "-", "free degrees of freedom"},
-                                   Column{"newton_iterations", "-", "Newton iterations"},
-                                   Column{"step_cuts", "-", "steps that were halved"},
-                                   Column{"peak_force_NAME", "N", "of a boundary on the body, by axis"},
-                                   Column{"slip_max_NAME", "m", "of a joint, at the end"}};
+                                       Column{"elements", "-", ""},
+                                       Column{"degrees_of_freedom", "-", "free degrees of freedom"},
+                                       Column{"newton_iterations", "-", "Newton iterations"},
+                                       Column{"step_cuts", "-", "steps that were halved"},
+                                       Column{"peak_force_NAME", "N", "of a boundary on the body, by axis"},
+                                       Column{"peak_excess_pore_pressure", "Pa", "where drainage is undrained or flow"},
+                                       Column{"peak_pore_pressure_ratio", "-", "largest of any element in a snapshot"},
+                                       Column{"slip_max_NAME", "m", "of a joint, at the end"}};
 
 }  // namespace sazare::runs::columns::fem

@@ -35,11 +35,17 @@ fem::SolidMaterial material_of(const cases::FemMaterial& given, const cases::Fem
     const int up = of.mesh.dimension - 1;
     material.saturation = {given.saturated_density,
                            {-given.pore_water_density * of.gravity.acceleration[up], up, *given.water_table}};
+    if (given.drainage != cases::Drainage::drained) {
+      material.saturation->flow = fem::PoreFlow{given.porosity / given.water_bulk_modulus, 0};
+      if (given.drainage == cases::Drainage::flow)
+        material.saturation->flow->mobility = given.hydraulic_conductivity / material.saturation->pore_water.specific_weight;
+    }
   }
   if (given.degrades) material.backbone = cases::backbone_of(given);
   if (!given.yields) return material;
   material.strength = laws::MohrCoulomb::make(given.cohesion, given.friction_angle * degree, given.dilation_angle * degree,
                                               given.tensile_strength);
+  if (given.contracts()) material.contraction = cases::contraction_of(given);
   return material;
 }
 
@@ -97,6 +103,7 @@ public:
     for (std::size_t i = 0; i < fem_.boundaries.size(); ++i) add(i);
     for (std::size_t i = 0; i < fem_.loads.size(); ++i) add_load(i);
     supports_.waters = make_waters<D>(file_, body_, names_);
+    supports_.drained = drained_nodes(file_, body_, names_);
     if (fem_.damping.relative_to_base) supports_.find_base();
     return std::move(supports_);
   }
@@ -127,11 +134,10 @@ private:
     for (std::size_t i = 0; i < group.elements.size(); ++i) {
       const fem::SolidMaterial& ground = body_.materials[at(body_.material[at(beside[i])])];
       const auto list = group.elements[i].node_list();
-      // The velocities are those of the density above the water table: rho V = sqrt(modulus rho).
-      const Real density = std::sqrt(ground.density * ground.density_at(centre_of(group.elements[i])));
+      const Vector3 centre = centre_of(group.elements[i]);
       boundary.faces.push_back({{list.begin(), list.end()},
-                                fem::face_impedance<D>(body_.mesh, group.elements[i], density * ground.p_wave_velocity(),
-                                                       density * ground.s_wave_velocity())});
+                                fem::face_impedance<D>(body_.mesh, group.elements[i], ground.p_wave_impedance(centre),
+                                                       ground.s_wave_impedance(centre))});
       for (const Index node : list)
         if (viscous_nodes_.insert(node).second) boundary.nodes.push_back(node);
     }

@@ -23,9 +23,10 @@ Vector3 vector_of(const methods::fem::NodalColumn& column, std::size_t node) {
   return vector;
 }
 
+/// Of the nodes of the mesh; pressure nodes come after them.
 template <int D>
-std::vector<Vector3> vectors_of(const methods::fem::NodalColumn& column) {
-  std::vector<Vector3> vectors(column.size() / D);
+std::vector<Vector3> vectors_of(const methods::fem::NodalColumn& column, std::size_t nodes) {
+  std::vector<Vector3> vectors(nodes);
   for (std::size_t node = 0; node < vectors.size(); ++node) vectors[node] = vector_of<D>(column, node);
   return vectors;
 }
@@ -48,7 +49,9 @@ FemRecord<D>::FemRecord(const RunFolder& folder, const cases::CaseFile& file, Fe
       clocks_(clocks),
       files_(folder.snapshots(), "finite_elements"),
       peaks_(model.gauges.size(), 0),
-      largest_forces_(model.group_names.size() * D, 0) {}
+      largest_forces_(model.group_names.size() * D, 0) {
+  for (const Index node : model.gauges) gauge_pressure_.push_back(stepper().body().pores().shares_at(node));
+}
 
 template <int D>
 std::array<Real, columns::fem::energies.size()> FemRecord<D>::energies() const {
@@ -61,6 +64,7 @@ std::array<Real, columns::fem::energies.size()> FemRecord<D>::energies() const {
           work.radiation,
           work.plastic,
           work.friction,
+          work.seepage,
           stepper().energy_residual()};
 }
 
@@ -71,6 +75,7 @@ std::vector<RecordFiles::Table> FemRecord<D>::tables() const {
   observe::add_titles(history, columns::fem::motion);
   observe::add_titles(history, columns::fem::energies);
   observe::add_titles(history, columns::fem::work);
+  if (has_excess()) observe::add_titles(history, columns::fem::pore_water);
   for (const std::string& name : model_->group_names) observe::add_titles(history, columns::fem::boundary, name, D);
   if (!stepper().supports().waters.empty()) observe::add_titles(history, columns::fem::moving_water);
   for (const auto& water : stepper().supports().waters) observe::add_titles(history, columns::fem::water, water.pressure.name, D);
@@ -80,6 +85,9 @@ std::vector<RecordFiles::Table> FemRecord<D>::tables() const {
   observe::add_titles(gauges, columns::time);
   for (const cases::Gauge& gauge : file_->as<cases::FemCase>().gauges)
     observe::add_titles(gauges, columns::place_motion, gauge.name);
+  for (std::size_t gauge = 0; gauge < gauge_pressure_.size(); ++gauge)
+    if (!gauge_pressure_[gauge].empty())
+      observe::add_titles(gauges, columns::fem::gauge_pressure, file_->as<cases::FemCase>().gauges[gauge].name);
   return {{folder_->history(), history}, {folder_->gauges(), gauges}};
 }
 
@@ -101,8 +109,10 @@ std::vector<Real> FemRecord<D>::history_row(Real time, Real wall_seconds) {
   const auto& state = stepper().state();
   methods::fem::NodalColumn moved = state.displacement;
   for (std::size_t i = 0; i < moved.size(); ++i) moved[i] -= stepper().initial_displacement()[i];
-  displacement_ = largest(vectors_of<D>(moved));
-  const Real speed = largest(vectors_of<D>(state.velocity)), acceleration = largest(vectors_of<D>(state.acceleration));
+  const std::size_t nodes = model_->mesh().nodes.size();
+  displacement_ = largest(vectors_of<D>(moved, nodes));
+  const Real speed = largest(vectors_of<D>(state.velocity, nodes)),
+             acceleration = largest(vectors_of<D>(state.acceleration, nodes));
   largest_displacement_ = std::max(largest_displacement_, displacement_);
   largest_speed_ = std::max(largest_speed_, speed);
   largest_acceleration_ = std::max(largest_acceleration_, acceleration);
@@ -110,6 +120,10 @@ std::vector<Real> FemRecord<D>::history_row(Real time, Real wall_seconds) {
   for (const Real value : energies()) row.push_back(value);
   const methods::fem::FemWork& work = state.work;
   row.insert(row.end(), {work.gravity, work.loads, work.boundary, work.waves, work.water});
+  if (has_excess()) {
+    row.insert(row.end(), {largest_excess(), stepper().elastic_energy_of_water()});
+    peak_excess_ = std::max(peak_excess_, largest_excess());
+  }
   std::size_t place = 0;
   for (const Vector<D>& force : boundary_forces())
     for (int axis = 0; axis < D; ++axis, ++place) {
@@ -142,7 +156,38 @@ std::vector<Real> FemRecord<D>::gauge_row(Real time) {
       row.insert(row.end(), value.begin(), value.end());
     peaks_[gauge] = std::max(peaks_[gauge], velocity.norm());
   }
+  for (const auto& shares : gauge_pressure_) {
+    if (shares.empty()) continue;
+    Real pressure = 0;
+    for (const auto& [node, share] : shares) pressure += share * methods::fem::pore_pressure<D>(node, state.velocity);
+    row.push_back(pressure);
+  }
   return row;
+}
+
+template <int D>
+Real FemRecord<D>::largest_excess() const {
+  const auto& pores = stepper().body().pores();
+  Real most = 0;
+  for (std::size_t pressure = 0; pressure < pores.pressure_nodes(); ++pressure)
+    most = std::max(most, methods::fem::pore_pressure<D>(pores.pressure_node(pressure), stepper().state().velocity));
+  return most;
+}
+
+/// Adds the excess pressure of the elements to that at rest. Without settle there is no stress to which it has a ratio.
+template <int D>
+void FemRecord<D>::add_pressures(std::vector<Real>& total, std::vector<Real>& excess, std::vector<Real>& ratio) {
+  const auto& pores = stepper().body().pores();
+  excess.assign(total.size(), 0);
+  ratio.assign(total.size(), 0);
+  for (std::size_t i = 0; i < pores.size(); ++i) {
+    const std::size_t element = at(pores.element(i));
+    excess[element] = pores.mean(i, stepper().state().velocity);
+    total[element] += excess[element];
+    if (!file_->as<cases::FemCase>().gravity.settle || !(initial_stress_[element] < 0)) continue;
+    ratio[element] = excess[element] / -initial_stress_[element];
+    peak_ratio_ = std::max(peak_ratio_, ratio[element]);
+  }
 }
 
 template <int D>
@@ -169,8 +214,9 @@ void FemRecord<D>::write_snapshot(Real time) {
     moved[node] = vector_of<D>(state.displacement, node) - vector_of<D>(stepper().initial_displacement(), node);
     places[node] += vector_of<D>(state.displacement, node);
   }
-  const std::vector<Vector3> velocity = vectors_of<D>(state.velocity), acceleration = vectors_of<D>(state.acceleration);
-  std::vector<Real> slip, peak, pressure, pore_pressure, von_mises;
+  const std::vector<Vector3> velocity = vectors_of<D>(state.velocity, places.size()),
+                             acceleration = vectors_of<D>(state.acceleration, places.size());
+  std::vector<Real> slip, peak, pressure, pore_pressure, excess, ratio, von_mises;
   std::vector<Vector3> normal, shear;
   for (const auto& one : stepper().body().means(state.displacement, state.memory)) {
     normal.push_back(one.stress.template head<3>());
@@ -181,6 +227,8 @@ void FemRecord<D>::write_snapshot(Real time) {
     peak.push_back(one.peak);
     von_mises.push_back(von_mises_stress(normal.back(), shear.back()));
   }
+  if (initial_stress_.empty())
+    for (const Vector3& stress : normal) initial_stress_.push_back(stress[D - 1]);
   std::vector<std::int32_t> connectivity, region(mesh.region.begin(), mesh.region.end());
   std::vector<std::uint8_t> types;
   for (const geometry::MeshElement& element : mesh.elements) {
@@ -196,6 +244,11 @@ void FemRecord<D>::write_snapshot(Real time) {
   const auto is_saturated = [](const auto& material) { return material.saturation.has_value(); };
   if (std::ranges::any_of(stepper().body().description().materials, is_saturated)) {
     pore_pressure = stepper().body().pore_pressures();
+    if (has_excess()) {
+      add_pressures(pore_pressure, excess, ratio);
+      of_cells.push_back(observe::cell_data(columns::fem::excess[0].name, excess));
+      of_cells.push_back(observe::cell_data(columns::fem::excess[1].name, ratio));
+    }
     of_cells.push_back(observe::cell_data(columns::fem::pores[0].name, pore_pressure));
   }
   observe::Grid grid{observe::Grid::Cell::vertex, places, connectivity, of_cells, time};
@@ -235,6 +288,10 @@ std::vector<std::pair<std::string, observe::Figure>> FemRecord<D>::results(std::
   for (std::size_t i = 0; i < joules.size(); ++i) results.emplace_back(columns::fem::energies[i].name, joules[i]);
   for (std::size_t i = 0; i < largest_forces_.size(); ++i)
     results.emplace_back(fmt::format("peak_force_{}_{}", model_->group_names[i / D], axis_names[i % D]), largest_forces_[i]);
+  if (has_excess()) {
+    results.emplace_back("peak_excess_pore_pressure", peak_excess_);
+    results.emplace_back("peak_pore_pressure_ratio", peak_ratio_);
+  }
   const auto& joints = stepper().body().joints();
   for (std::size_t set = 0; set < joints.sets().size(); ++set)
     results.emplace_back(fmt::format("slip_max_{}", joints.sets()[set].name),
@@ -267,6 +324,9 @@ void FemRecord<D>::columns(Archive& archive) {
   archive("largest_acceleration", largest_acceleration_);
   archive("largest_forces", largest_forces_);
   archive("peaks", peaks_);
+  archive("initial_stress", initial_stress_);
+  archive("peak_excess", peak_excess_);
+  archive("peak_ratio", peak_ratio_);
 }
 
 template class FemRecord<2>;

@@ -39,6 +39,9 @@ private:
   std::vector<Vector<D>> boundary_forces() const;
   std::array<Real, columns::fem::energies.size()> energies() const;
   void write_snapshot(Real time);
+  bool has_excess() const { return stepper().body().pores().size() > 0; }
+  Real largest_excess() const;
+  void add_pressures(std::vector<Real>& total, std::vector<Real>& excess, std::vector<Real>& ratio);
 
   const RunFolder* folder_;
   const cases::CaseFile* file_;
@@ -47,6 +50,10 @@ private:
   RecordFiles files_;
   std::vector<Real> peaks_;           ///< largest speed by gauge [m/s]
   std::vector<Real> largest_forces_;  ///< by boundary and axis [N]
+  std::vector<std::vector<std::pair<Index, Real>>> gauge_pressure_;  ///< by gauge: shares of pressure nodes
+  std::vector<Real> initial_stress_;  ///< vertical effective stress by element at the beginning [Pa]
+  Real peak_excess_ = 0;              ///< pore pressure [Pa]
+  Real peak_ratio_ = 0;               ///< of pore pressure
   Real displacement_ = 0;             ///< largest of the last row [m]
   Real largest_displacement_ = 0, largest_speed_ = 0, largest_acceleration_ = 0;
 };
