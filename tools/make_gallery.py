@@ -28,6 +28,7 @@ PICTURES = {
     "spalling-bar": "cracks",
     "column-ricker": "accelerations",
     "column-nonlinear": "response_spectra",
+    "liquefaction-column": "pore_pressures",
     "toppling-columns": "moving",
     "mortar-beam": "moving",
     "base-friction": "moving",

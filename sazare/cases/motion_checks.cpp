@@ -47,7 +47,10 @@ void check_size(const CheckContext& context, const Entry& entry, const Motion& m
 void warn_of_end(const CheckContext& context, const Entry& entry, const Motion& motion, Real end) {
   const Real duration = motion.record.duration(), velocity = motion.amplitude * motion.record.first.back();
   std::string then = "what it moves stays where it is then; let the record reach the end of the run if that is not meant";
-  if (motion.quantity == laws::MotionQuantity::acceleration && velocity != 0)
+  Real largest = 0;
+  for (const Real displacement : motion.record.second) largest = std::max(largest, std::abs(motion.amplitude * displacement));
+  const bool drifts = std::abs(velocity) * (end - duration) > 1e-9 * largest;  // more than round-off leaves
+  if (motion.quantity == laws::MotionQuantity::acceleration && drifts)
     then = fmt::format(
         "what it moves goes on at the velocity that is left, {} m/s, by {} m to the end of the run; let the run end "
         "with the record, or add accelerations that bring it to rest{}",

@@ -57,6 +57,7 @@ RUNS = {
     "cantilever-fem": Run(),
     "column-collapse-mps": Run(),
     "column-nonlinear": Run(until(6.2)),
+    "liquefaction-column": Run(until(2, "time.snapshot_interval=1")),
     "column-ricker": Run(),
     "direct-shear": Run(),
     "brazilian-disc": Run(until(2e-4, "mesh.parameters.size=0.0083")),

@@ -227,6 +227,18 @@ class Boundary(Part):
 
 
 @dataclass(kw_only=True, eq=False)
+class Ty(Part):
+    """Opposite sides whose nodes have their displacement in common."""
+
+    group: str
+    """Physical group of one side: faces, lines or points."""
+    opposite: str
+    """Physical group of the other side, with a node opposite every node of the group: the two move as one, like sides of ground
+    that goes on alike.
+    """
+
+
+@dataclass(kw_only=True, eq=False)
 class Load(Part):
     """Tractions on outer faces."""
 
@@ -373,6 +385,7 @@ class Case(AnyCase):
         "damping": Damping,
         "motions": Motion,
         "boundaries": Boundary,
+        "ties": Ty,
         "loads": Load,
         "water_pressures": WaterPressure,
         "drains": Drain,
@@ -397,6 +410,8 @@ class Case(AnyCase):
     """Ground motions: wavelets, sines, records and functions of time."""
     boundaries: list[Boundary] = field(default_factory=list)
     """Boundary conditions of groups; all other nodes are free."""
+    ties: list[Ty] = field(default_factory=list)
+    """Opposite sides whose nodes have their displacement in common."""
     loads: list[Load] = field(default_factory=list)
     """Tractions on outer faces."""
     water_pressures: list[WaterPressure] = field(default_factory=list)

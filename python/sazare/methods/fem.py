@@ -192,9 +192,58 @@ def displacements(results):
     return figure
 
 
+@style.styled
+def pore_pressures(results):
+    """Excess pore pressure [Pa] at the gauges against time; None where no gauge has one."""
+    table = results.gauge_table
+    suffix = ".excess_pore_pressure"
+    names = [name.removesuffix(suffix) for name in table if name.endswith(suffix)]
+    names = [name for name in names if np.abs(table[name + suffix]).max(initial=0.0) > 0.0]
+    if not names or table.rows < 2:
+        return None
+    time, time_label = plot.time_axis(table)
+    factor, prefix = style.prefix_of(*(table[name + suffix] for name in names))
+    figure = style.figure(6.2, 3.4)
+    axes = figure.subplots()
+    for name in names[:MOST_JOINTS]:
+        axes.plot(time, table[name + suffix] / factor, linewidth=1.1, label=name)
+    axes.set_xlabel(time_label)
+    axes.set_ylabel(f"excess pore pressure [{prefix}Pa]")
+    axes.legend()
+    axes.margins(x=0)
+    return figure
+
+
+@style.styled
+def pore_pressure_ratio(results):
+    """Pore pressure ratio [-] of every element at its largest and at the end; None where there is none."""
+    snapshots = results.element_snapshots
+    if not len(snapshots):
+        return None
+    grids = [snapshot.elements for snapshot in snapshots]
+    ratios = [np.asarray(grid.cell_data["pore_pressure_ratio"]) for grid in grids]
+    if max(ratio.max(initial=0.0) for ratio in ratios) <= 0.0:
+        return None
+    chosen = sorted({int(np.argmax([ratio.mean() for ratio in ratios])), len(grids) - 1})
+    titles = [style.quantity(snapshots[i].time, "s") for i in chosen]
+    return _panels([grids[i] for i in chosen], [np.clip(ratios[i], 0.0, None) for i in chosen], "pore pressure ratio [-]", 1.0, titles)
+
+
+def _pore_sections(results):
+    return [
+        Section("pore_pressures", "Excess pore pressure", "Excess pore pressure at the gauges.", partial(pore_pressures, results), common.NO_GAUGES, wide=False),
+        Section(
+            "pore_pressure_ratio", "Pore pressure ratio",
+            "Excess pore pressure over the vertical effective stress at the beginning, at its largest and at the end.",
+            partial(pore_pressure_ratio, results), "No element has one.",
+        ),
+    ]
+
+
 def sections(results):
     """The pictures of a run."""
     static = 'analysis = "static"' in results.case_text
+    has_excess = "excess_pore_pressure_max" in results.history
     has_joints = any(name.endswith(".slip_max") for name in results.history)
     return [
         Section(
@@ -208,6 +257,7 @@ def sections(results):
             partial(displacements, results), common.NO_GAUGES, wide=False,
         ),
         *([_joint_section(results)] if has_joints else []),
+        *(_pore_sections(results) if has_excess else []),
         *([] if static else common.shaking_sections(results)),
         common.energy_section(results, ENERGIES, "the external work"),
         common.timing_section(results),

@@ -1,6 +1,7 @@
 #include "sazare/methods/fem/pores.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 namespace sazare::methods::fem {
@@ -33,6 +34,17 @@ Vector3 middle_of(const geometry::ElementMesh& mesh, const geometry::MeshElement
   return sum / static_cast<Real>(corners.size());
 }
 
+/// Whether a node of an element is at or above its water table, but for the accuracy of meshes.
+bool is_at_table(const geometry::ElementMesh& mesh, const geometry::MeshElement& element, Index node,
+                 const laws::WaterPressure& water) {
+  Real low = std::numeric_limits<Real>::infinity(), high = -low;
+  for (const Index one : element.node_list()) {
+    low = std::min(low, mesh.nodes[at(one)][water.up]);
+    high = std::max(high, mesh.nodes[at(one)][water.up]);
+  }
+  return water.depth(mesh.nodes[at(node)]) <= 0.05 * (high - low);
+}
+
 }  // namespace
 
 template <int D>
@@ -55,21 +67,26 @@ Pores<D>::Pores(const geometry::ElementMesh& mesh, const std::vector<SolidMateri
   find_drained();
 }
 
-/// Ground without drainage keeps its water at every side.
+/// Water leaves through the table, into dry ground above it and into ground that is drained. Ground without drainage keeps its
+/// water at every side.
 template <int D>
 void Pores<D>::find_drained() {
   std::vector<char> flows(mesh_->nodes.size(), 0), drains(mesh_->nodes.size(), 0);
   for (std::size_t i = 0; i < size(); ++i) {
     const Saturation& saturation = *material_of(i).saturation;
+    const geometry::MeshElement& element = mesh_->elements[at(element_[i])];
     if (!(saturation.flow->mobility > 0)) continue;
-    for (const Index node : mesh_->elements[at(element_[i])].node_list()) {
+    for (const Index node : element.node_list()) {
       flows[at(node)] = 1;
-      if (saturation.pore_water.depth(mesh_->nodes[at(node)]) <= 0) drains[at(node)] = 1;
+      if (is_at_table(*mesh_, element, node, saturation.pore_water)) drains[at(node)] = 1;
     }
   }
-  for (std::size_t e = 0; e < mesh_->elements.size(); ++e)
-    if (const auto& saturation = (*materials_)[at((*material_)[e])].saturation; saturation && !saturation->flow)
-      for (const Index node : mesh_->elements[e].node_list()) drains[at(node)] = 1;
+  for (std::size_t e = 0; e < mesh_->elements.size(); ++e) {
+    const geometry::MeshElement& element = mesh_->elements[e];
+    const auto& saturation = (*materials_)[at((*material_)[e])].saturation;
+    if (!saturation || (saturation->flow && saturation->pore_water.depth(middle_of(*mesh_, element)) > 0)) continue;
+    for (const Index node : element.node_list()) drains[at(node)] = 1;
+  }
   for (const Index node : node_) drained_.push_back(flows[at(node)] && drains[at(node)]);
 }
 

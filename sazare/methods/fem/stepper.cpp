@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
 #include <set>
 
 #include "sazare/core/error.hpp"
@@ -57,32 +59,62 @@ NodalColumn FemStepper<D>::widened(NodalColumn column) const {
   return column;
 }
 
-/// A solver for the free degrees of freedom. While relaxing the water in the pores is at rest.
+/// A solver for the free degrees of freedom.
 template <int D>
 void FemStepper<D>::prepare_solver(bool viscous_held) {
-  is_free_.assign(body_->freedoms(), 1);
+  find_unknowns(viscous_held);
+  solver_ = std::make_unique<methods::fem::LinearSolver<D>>(body_->pattern(), unknowns_, body_->is_symmetric());
+  mass_solver_.reset();
+  factorized_.reset();
+}
+
+/// What is free. While relaxing the water in the pores is at rest.
+template <int D>
+void FemStepper<D>::find_unknowns(bool viscous_held) {
+  unknowns_.is_free.assign(body_->freedoms(), 1);
+  unknowns_.turned_from = body_->mesh().nodes.size();
   const std::set<Index> drained(supports_.drained.begin(), supports_.drained.end());
   const auto& pores = body_->pores();
   for (std::size_t pressure = 0; pressure < pores.pressure_nodes(); ++pressure)
     for (int axis = 0; axis < D; ++axis)
-      is_free_[number<D>(pores.pressure_node(pressure), axis)] =
+      unknowns_.is_free[number<D>(pores.pressure_node(pressure), axis)] =
           axis == 0 && !viscous_held && !pores.is_drained(pressure) && !drained.contains(pores.node_of(pressure));
-  for (const Support& support : supports_.held) is_free_[number<D>(support.node, support.axis)] = 0;
+  for (const Support& support : supports_.held) unknowns_.is_free[number<D>(support.node, support.axis)] = 0;
   if (viscous_held)
     for (const auto& boundary : supports_.viscous)
       for (const auto& face : boundary.faces)
         for (const Index node : face.nodes)
-          for (int axis = 0; axis < D; ++axis) is_free_[number<D>(node, axis)] = 0;
-  solver_ = std::make_unique<methods::fem::LinearSolver<D>>(body_->pattern(), is_free_, body_->is_symmetric(),
-                                                            body_->mesh().nodes.size());
-  mass_solver_.reset();
-  factorized_.reset();
+          for (int axis = 0; axis < D; ++axis) unknowns_.is_free[number<D>(node, axis)] = 0;
+  if (!supports_.tied.empty()) find_leaders();
+}
+
+/// Tied nodes have their displacement in common, and where both have one their pressure.
+template <int D>
+void FemStepper<D>::find_leaders() {
+  unknowns_.leader.resize(body_->freedoms());
+  std::iota(unknowns_.leader.begin(), unknowns_.leader.end(), std::size_t{0});
+  const auto tie = [&](Index node, Index leader) {
+    for (int axis = 0; axis < D; ++axis) {
+      const std::size_t follower = number<D>(node, axis), first = number<D>(leader, axis);
+      unknowns_.leader[follower] = first;
+      unknowns_.is_free[first] = unknowns_.is_free[first] && unknowns_.is_free[follower];
+      unknowns_.is_free[follower] = 0;
+    }
+  };
+  std::map<Index, Index> pressure_of;
+  const auto& pores = body_->pores();
+  for (std::size_t pressure = 0; pressure < pores.pressure_nodes(); ++pressure)
+    pressure_of[pores.node_of(pressure)] = pores.pressure_node(pressure);
+  for (const auto& [node, leader] : supports_.tied) {
+    tie(node, leader);
+    if (pressure_of.contains(node) && pressure_of.contains(leader)) tie(pressure_of[node], pressure_of[leader]);
+  }
 }
 
 template <int D>
 std::optional<methods::fem::Freedom> FemStepper<D>::find_loose_freedom() {
   prepare_solver(true);
-  methods::fem::LinearSolver<D> symmetric(body_->pattern(), is_free_, true);
+  methods::fem::LinearSolver<D> symmetric(body_->pattern(), unknowns_, true);
   symmetric.factorize(state_.tangent.values());
   prepare_solver(false);
   return symmetric.singular();
@@ -331,8 +363,10 @@ NodalColumn FemStepper<D>::unbalance(const Trial& trial, Real& scale) const {
     scale = std::max(scale, norm(inertial));
     add(residual, 1, inertial);
   }
+  for (std::size_t i = 0; i < unknowns_.leader.size(); ++i)
+    if (const std::size_t leader = unknowns_.leader[i]; leader != i) residual[leader] += residual[i];
   for (std::size_t i = 0; i < residual.size(); ++i)
-    if (!is_free_[i]) residual[i] = 0;
+    if (!unknowns_.is_free[i]) residual[i] = 0;
   return residual;
 }
 
@@ -368,7 +402,7 @@ NodalColumn FemStepper<D>::reactions() const {
   NodalColumn force = state_.balance;
   if (inertia()) mass_.multiply(state_.acceleration, 1, force);
   for (std::size_t i = 0; i < force.size(); ++i)
-    if (is_free_[i]) force[i] = 0;
+    if (unknowns_.is_free[i]) force[i] = 0;
   return force;
 }
 

@@ -185,6 +185,8 @@ private:
   void commit(Trial& trial, const Span& span);
   void add_work(const Trial& trial, const methods::fem::NodalColumn& balance, const Span& span);
   void prepare_solver(bool viscous_held);
+  void find_unknowns(bool viscous_held);
+  void find_leaders();
   [[noreturn]] void give_up(const Span& span) const;
 
   std::unique_ptr<methods::fem::Body<D>> body_;
@@ -199,7 +201,7 @@ private:
   methods::fem::NodalColumn pore_;                  ///< forces of the water in the pores [N]
   methods::fem::NodalColumn reaction_;              ///< what viscous boundaries carry at rest [N]
   methods::fem::NodalColumn initial_displacement_;  ///< displacements at the beginning [m]
-  std::vector<char> is_free_;
+  typename methods::fem::LinearSolver<D>::Unknowns unknowns_;
   Stage stage_ = Stage::running;
   FemState<D> state_;
   Real elastic_at_start_ = 0;  ///< [J]

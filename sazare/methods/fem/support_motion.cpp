@@ -41,7 +41,7 @@ void FemStepper<D>::apply(NodalColumn force) {
 template <int D>
 void FemStepper<D>::push(const NodalColumn& change) {
   if (!mass_solver_) {
-    mass_solver_ = std::make_unique<methods::fem::LinearSolver<D>>(body_->pattern(), is_free_, true);
+    mass_solver_ = std::make_unique<methods::fem::LinearSolver<D>>(body_->pattern(), unknowns_, true);
     if (!mass_solver_->factorize(mass_.values())) throw PhysicsError("the mass matrix is singular");
   }
   add(state_.acceleration, 1, mass_solver_->solve(change));
@@ -60,7 +60,7 @@ void FemStepper<D>::jump(const Span& span) {
   if (is_zero(change)) return;
   add(state_.acceleration, 1, change);
   NodalColumn force = product(mass_, change);
-  for (std::size_t i = 0; i < force.size(); ++i) force[i] = is_free_[i] ? -force[i] : 0;
+  for (std::size_t i = 0; i < force.size(); ++i) force[i] = solver_->is_unknown(i) ? -force[i] : 0;
   push(force);
 }
 

@@ -77,6 +77,7 @@ struct Supports {
   std::vector<ViscousBoundary<D>> viscous;
   std::vector<Load> loads;
   std::vector<StillWater<D>> waters;
+  std::vector<std::pair<Index, Index>> tied;  ///< nodes, each with the one whose displacement it has; that one has no other
   std::vector<Index> drained;             ///< nodes at which the excess pore pressure is 0
   Vector<D> gravity = Vector<D>::Zero();  ///< [m/s2]
   laws::BaseMotion base;                  ///< relative to which damping in proportion to the mass acts

@@ -84,6 +84,12 @@ struct GroupBoundary {
   std::array<std::string, 3> motion;              // names of motions by axis, or empty
 };
 
+/// Two opposite sides that move alike.
+struct FemTie {
+  std::string group;
+  std::string opposite;
+};
+
 struct FemLoad {
   std::string name;
   std::string group;
@@ -136,6 +142,7 @@ struct FemCase {
   Damping damping;
   std::vector<Motion> motions;
   std::vector<GroupBoundary> boundaries;
+  std::vector<FemTie> ties;
   std::vector<FemLoad> loads;
   std::vector<FemWater> waters;
   std::vector<FemDrain> drains;

@@ -85,6 +85,7 @@ std::string explain(const FemCase& fem) {
   if (fem.damping.f2 > 0) text += line("damping", fmt::format("at {} and {} Hz", number(fem.damping.f1), number(fem.damping.f2)));
   text += explain_motions(fem.motions, fem.time.end);
   for (const GroupBoundary& boundary : fem.boundaries) text += line("boundaries", boundary_text(boundary));
+  for (const FemTie& tie : fem.ties) text += line("ties", tie.group + " moves with " + tie.opposite);
   for (const FemLoad& load : fem.loads)
     text += line("loads", fmt::format("{}: {} Pa on {}, full value after {} s", load.name, vector_text(load.traction), load.group,
                                       number(load.ramp)));

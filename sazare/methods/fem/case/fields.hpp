@@ -119,6 +119,12 @@ void visit_fields(Visitor& visit, GroupBoundary& boundary) {
 }
 
 template <class Visitor>
+void visit_fields(Visitor& visit, FemTie& tie) {
+  visit("group", tie.group);
+  visit("opposite", tie.opposite);
+}
+
+template <class Visitor>
 void visit_fields(Visitor& visit, FemLoad& load) {
   visit("name", load.name);
   visit("group", load.group);
@@ -182,6 +188,7 @@ void visit_tables(Visitor& visit, FemCase& fem) {
   visit.one("damping", fem.damping);
   visit.list("motions", fem.motions);
   visit.list("boundaries", fem.boundaries);
+  visit.list("ties", fem.ties);
   visit.list("loads", fem.loads);
   visit.list("water_pressures", fem.waters);
   visit.list("drains", fem.drains);

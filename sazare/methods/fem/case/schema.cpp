@@ -279,6 +279,19 @@ constexpr std::array boundary_keys{
     Key{.name = "motion_z", .type = Type::text, .note = with_motion, .sentence = "Motion along z."},
 };
 
+constexpr std::array tie_keys{
+    Key{.name = "group",
+        .type = Type::text,
+        .need = Need::required,
+        .sentence = "Physical group of one side: faces, lines or points."},
+    Key{.name = "opposite",
+        .type = Type::text,
+        .need = Need::required,
+        .sentence =
+            "Physical group of the other side, with a node opposite every node of the group: the two move as one, like sides "
+            "of ground that goes on alike."},
+};
+
 constexpr std::array load_keys{
     Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name of the load in messages."},
     Key{.name = "group",
@@ -437,6 +450,7 @@ constexpr std::array tables{
     Table{"damping", false, Need::optional, "Rayleigh damping: its two frequencies.", damping_keys},
     motions_table,
     Table{"boundaries", true, Need::optional, "Boundary conditions of groups; all other nodes are free.", boundary_keys},
+    Table{"ties", true, Need::optional, "Opposite sides whose nodes have their displacement in common.", tie_keys},
     Table{"loads", true, Need::optional, "Tractions on outer faces.", load_keys},
     Table{"water_pressures", true, Need::optional, "Pressure of still water on outer faces, and in joints.", water_keys},
     Table{"drains", true, Need::optional, "Faces at which pore water is free to flow out and in.", drain_keys},

@@ -15,6 +15,7 @@
 #include "sazare/methods/fem/case/case.hpp"
 #include "sazare/methods/fem/case/soil.hpp"
 #include "sazare/methods/fem/run/mesh_names.hpp"
+#include "sazare/methods/fem/run/ties.hpp"
 #include "sazare/methods/fem/run/water.hpp"
 #include "sazare/observe/hash.hpp"
 
@@ -101,6 +102,7 @@ public:
     for (const cases::Motion& motion : fem_.motions) supports_.motions.push_back(cases::motion_of_case(motion));
     for (int axis = 0; axis < D; ++axis) supports_.gravity[axis] = fem_.gravity.acceleration[axis];
     for (std::size_t i = 0; i < fem_.boundaries.size(); ++i) add(i);
+    supports_.tied = tied_nodes(file_, body_.mesh, names_, supports_);
     for (std::size_t i = 0; i < fem_.loads.size(); ++i) add_load(i);
     supports_.waters = make_waters<D>(file_, body_, names_);
     supports_.drained = drained_nodes(file_, body_, names_);

@@ -1,0 +1,200 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "sazare/core/error.hpp"
+#include "sazare/registry/registry.hpp"
+#include "tests/unit/runs/support.hpp"
+
+/// Pore water and tied sides of a case of method fem.
+namespace sazare::runs {
+namespace {
+
+using test::read_manifest, test::read_text, test::run_quietly, test::TemporaryFolder, test::without_last_column, test::words_of;
+
+constexpr const char* geometry = R"(
+Point(1) = {0, 0, 0}; Point(2) = {1, 0, 0}; Point(3) = {1, 4, 0}; Point(4) = {0, 4, 0}; Point(5) = {1, 6, 0}; Point(6) = {0, 6, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1}; Line(5) = {3, 5}; Line(6) = {5, 6}; Line(7) = {6, 4};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Curve Loop(2) = {-3, 5, 6, 7}; Plane Surface(2) = {2};
+Transfinite Curve{1, 3, 6} = 2; Transfinite Curve{2, 4, 5, 7} = 5;
+Transfinite Surface{1, 2}; Recombine Surface{1, 2};
+Physical Surface("sand") = {1};
+Physical Surface("cover") = {2};
+Physical Curve("base") = {1};
+Physical Curve("left") = {4, 7};
+Physical Curve("right") = {2, 5};
+Physical Curve("lower_right") = {2};
+Physical Curve("top") = {6};
+)";
+
+constexpr const char* body = R"([case]
+title = "Sand"
+method = "fem"
+
+[mesh]
+file = "column.geo"
+
+[[materials]]
+name = "sand"
+regions = ["sand"]
+density = 1600
+water_table = 4.0
+saturated_density = 2000
+drainage = "flow"
+porosity = 0.4
+hydraulic_conductivity = 1e-3
+youngs_modulus = 5e7
+poisson_ratio = 0.25
+
+[[materials]]
+name = "cover"
+regions = ["cover"]
+density = 1600
+youngs_modulus = 5e7
+poisson_ratio = 0.25
+
+[[ties]]
+group = "left"
+opposite = "right"
+
+[[boundaries]]
+group = "base"
+kind = "fixed"
+
+[[loads]]
+name = "load"
+group = "top"
+traction = [0, -1e5, 0]
+
+[gravity]
+acceleration = [0, -9.81, 0]
+settle = true
+
+[[gauges]]
+name = "table"
+point = [0, 4, 0]
+
+[[gauges]]
+name = "base"
+point = [0, 0, 0]
+
+[[gauges]]
+name = "top"
+point = [0, 6, 0]
+
+[time]
+end = 1.0
+step = 0.05
+analysis = "static"
+history_interval = 0.05
+snapshot_interval = 0.5
+)";
+
+class SandCase {
+public:
+  explicit SandCase(const std::string& more = "") {
+    std::ofstream(folder_ / "column.geo") << geometry;
+    std::ofstream(folder_ / "case.toml") << body << more;
+  }
+
+  cases::CaseFile read(const std::vector<std::string>& settings = {}) const {
+    return registry::read_case(folder_ / "case.toml", settings);
+  }
+  nlohmann::json run(const std::vector<std::string>& settings = {}, const std::string& name = "run") const {
+    run_quietly(read(settings), folder_ / name);
+    return read_manifest(folder_ / name);
+  }
+  std::string refused(const std::vector<std::string>& settings = {}) const {
+    return words_of<UserError>([&] { registry::check_case(read(settings)); });
+  }
+  std::filesystem::path operator/(const std::string& name) const { return folder_ / name; }
+
+private:
+  TemporaryFolder folder_;
+};
+
+/// Numbers of a column of a table.
+std::vector<Real> column_of(const std::string& table, const std::string& name) {
+  std::istringstream lines(table);
+  std::string line, word;
+  std::getline(lines, line);
+  std::size_t place = 0, number = 0;
+  for (std::istringstream titles(line); std::getline(titles, word, ','); ++number)
+    if (word == name) place = number + 1;
+  EXPECT_GT(place, 0U) << name;
+  std::vector<Real> found;
+  while (std::getline(lines, line)) {
+    std::istringstream values(line);
+    for (std::size_t i = 0; i < place; ++i) std::getline(values, word, ',');
+    found.push_back(std::stod(word));
+  }
+  return found;
+}
+
+TEST(pore_water, carries_a_load_at_first_and_drains_through_the_table) {
+  const SandCase sand;
+  const auto figures = sand.run()["results"];
+  const auto base = column_of(read_text(sand / "run/gauges.csv"), "base.excess_pore_pressure [Pa]");
+  const auto table = column_of(read_text(sand / "run/gauges.csv"), "table.excess_pore_pressure [Pa]");
+  EXPECT_EQ(base.front(), 0);
+  EXPECT_NEAR(base[1], 1e5, 2e3);
+  for (std::size_t i = 2; i < base.size(); ++i) EXPECT_LT(base[i], base[i - 1]);
+  EXPECT_LT(base.back(), 9e4);
+  for (const Real pressure : table) EXPECT_EQ(pressure, 0);
+  EXPECT_EQ(read_text(sand / "run/gauges.csv").find("top.excess_pore_pressure"), std::string::npos);
+  EXPECT_NEAR(figures["peak_excess_pore_pressure"].get<Real>(), base[1], 1e-6 * base[1]);
+  EXPECT_LT(std::abs(figures["energy_residual"].get<Real>()), 1e-9 * figures["energy_work"].get<Real>());
+  EXPECT_GT(figures["energy_seepage"].get<Real>(), 0);
+}
+
+TEST(pore_water, goes_on_from_a_checkpoint_bit_for_bit) {
+  for (const std::string analysis : {"static", "dynamic"}) {
+    const SandCase sand;
+    const std::vector<std::string> settings = {"time.analysis=" + analysis, "time.step=5e-4"};
+    const auto whole = sand.run(settings, "whole");
+    const auto file = sand.read(settings);
+    int parts = 1;
+    for (;; ++parts) {
+      std::atomic<bool> stop = false;
+      std::jthread alarm([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10 + 5 * parts));
+        stop = true;
+      });
+      if (!run_quietly(file, sand / "parts", parts == 1 ? Begin::fresh : Begin::resume, &stop).stopped) break;
+    }
+    EXPECT_GT(parts, 1);
+    EXPECT_EQ(read_manifest(sand / "parts")["state_hash"], whole["state_hash"]) << analysis;
+    EXPECT_EQ(without_last_column(read_text(sand / "parts/history.csv")), without_last_column(read_text(sand / "whole/history.csv")));
+  }
+}
+
+TEST(pore_water, resolves_to_a_case_that_gives_the_same) {
+  const SandCase sand("\n[[drains]]\ngroup = \"lower_right\"\n");
+  const auto first = sand.run();
+  run_quietly(registry::read_case(sand / "run/case.toml", {}), sand / "again");
+  EXPECT_EQ(read_manifest(sand / "again")["state_hash"], first["state_hash"]);
+  EXPECT_LT(first["results"]["peak_excess_pore_pressure"].get<Real>(), 9e4);  // through the side as well
+}
+
+TEST(pore_water, is_told_of_a_drain_without_ground) {
+  const SandCase sand("\n[[drains]]\ngroup = \"top\"\n");
+  EXPECT_NE(sand.refused().find("the group \"top\" has no node of ground through which water flows"), std::string::npos)
+      << sand.refused();
+}
+
+TEST(ties, need_a_node_opposite_and_equal_supports) {
+  const SandCase sand("\n[[boundaries]]\ngroup = \"lower_right\"\nkind = \"roller\"\naxes = [\"x\"]\n");
+  EXPECT_NE(sand.refused().find("are tied, but boundaries hold them differently along x"), std::string::npos) << sand.refused();
+  const SandCase plain;
+  EXPECT_NE(plain.refused({"ties.0.opposite=lower_right"}).find("has no node of \"lower_right\" opposite"), std::string::npos)
+      << plain.refused({"ties.0.opposite=lower_right"});
+  EXPECT_NE(plain.refused({"ties.0.opposite=left"}).find("has no node of \"left\" opposite"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sazare::runs
