@@ -215,6 +215,24 @@ std::vector<SolidMean<D>> Body<D>::means(const NodalColumn& displacement, const 
   return means;
 }
 
+template <int D>
+std::vector<std::vector<Voigt<D>>> Body<D>::point_stresses(const NodalColumn& displacement, const Memory& memory) const {
+  const geometry::ElementMesh& mesh = description_.mesh;
+  std::vector<std::vector<Voigt<D>>> stresses(mesh.elements.size());
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const SolidMaterial& material = description_.materials[at(description_.material[e])];
+    if (!material.is_elastic()) continue;
+    const ElementColumn<D> moved = displacements_of<D>(mesh.elements[e], displacement);
+    for (const QuadraturePoint& place : stiffness_points(mesh.elements[e].shape, description_.integration)) {
+      const Voigt<D> strain = strain_matrix<D>(solid_point<D>(mesh, mesh.elements[e], place).gradients) * moved;
+      stresses[e].push_back(fem::elastic_stiffness<D>(material.elastic) * strain);
+    }
+  }
+  for (std::size_t i = 0; i < yielding_.size(); ++i)
+    stresses[at(yielding_.element(i))] = yielding_.stresses(i, displacement, memory.solids);
+  return stresses;
+}
+
 template class Body<2>;
 template class Body<3>;
 

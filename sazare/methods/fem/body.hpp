@@ -81,6 +81,9 @@ public:
   /// Stress, plastic slip and largest shear strain of every element.
   std::vector<SolidMean<D>> means(const NodalColumn& displacement, const Memory& memory) const;
 
+  /// Stress at the points of integration of every element [Pa].
+  std::vector<std::vector<Voigt<D>>> point_stresses(const NodalColumn& displacement, const Memory& memory) const;
+
   const Joints<D>& joints() const { return joints_; }
   const Pores<D>& pores() const { return pores_; }
 

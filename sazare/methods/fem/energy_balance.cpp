@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sazare/methods/fem/free_field.hpp"
 #include "sazare/methods/fem/nodal_algebra.hpp"
 #include "sazare/methods/fem/stepper.hpp"
 
@@ -56,6 +57,7 @@ void FemStepper<D>::add_work(const Trial& trial, const NodalColumn& balance, con
     add_work_of_damping(trial, span, moved);
     work.radiation += mean_work(product(viscous_, state_.velocity), product(viscous_, trial.velocity), moved);
     work.waves += mean_work(incoming(span.from), incoming(span.to), moved);
+    if (!free_field_->is_empty()) add_work_of_sides(trial, span, moved);
     mass_.multiply(state_.acceleration, 1, before);
     mass_.multiply(trial.acceleration, 1, after);
   }
@@ -83,6 +85,23 @@ void FemStepper<D>::add_work_of_damping(const Trial& trial, const Span& span, co
   const Real all = mean_work(before, after, moved), on_base = mean_work(before, after, at_all_nodes(way));
   state_.work.damping += all - on_base;
   state_.work.boundary -= on_base;
+}
+
+/// Dashpots dissipate by the velocity of the body relative to the columns; all else that sides do is work of the columns.
+template <int D>
+void FemStepper<D>::add_work_of_sides(const Trial& trial, const Span& span, const NodalColumn& moved) {
+  const auto braking = [&](NodalColumn velocity, Real when, Real share_of_column) {
+    add(velocity, -share_of_column, at_sides(when, &SideMotion::velocity));
+    return product(free_field_->impedance(), velocity);
+  };
+  NodalColumn relative = moved;
+  add(relative, -1, at_sides(span.to, &SideMotion::displacement));
+  add(relative, 1, at_sides(span.from, &SideMotion::displacement));
+  const Real dissipated = mean_work(braking(state_.velocity, span.from, 1), braking(trial.velocity, span.to, 1), relative);
+  const Real in_all = mean_work(at_sides(span.from, &SideMotion::force), at_sides(span.to, &SideMotion::force), moved) -
+                      mean_work(braking(state_.velocity, span.from, 0), braking(trial.velocity, span.to, 0), moved);
+  state_.work.radiation += dissipated;
+  state_.work.sides += in_all + dissipated;
 }
 
 template <int D>
@@ -117,7 +136,7 @@ Real FemStepper<D>::elastic_energy() const {
 template <int D>
 Real FemStepper<D>::energy_residual() const {
   const FemWork& work = state_.work;
-  const Real done = work.gravity + work.loads + work.water + work.boundary + work.waves;
+  const Real done = work.gravity + work.loads + work.water + work.boundary + work.waves + work.sides;
   const Real kinetic = rules_.statics ? 0 : kinetic_energy();
   return done - kinetic - elastic_energy() - work.damping - work.radiation - work.plastic - work.friction - work.seepage;
 }
@@ -127,6 +146,7 @@ Real FemStepper<D>::energy_residual() const {
   template bool FemStepper<D>::is_unloaded() const;                                                \
   template void FemStepper<D>::add_work(const Trial&, const NodalColumn&, const Span&);            \
   template void FemStepper<D>::add_work_of_damping(const Trial&, const Span&, const NodalColumn&); \
+  template void FemStepper<D>::add_work_of_sides(const Trial&, const Span&, const NodalColumn&);   \
   template Real FemStepper<D>::kinetic_energy() const;                                             \
   template Real FemStepper<D>::elastic_energy_of_water() const;                                    \
   template Real FemStepper<D>::kinetic_energy_of_water() const;                                    \

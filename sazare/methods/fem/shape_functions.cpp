@@ -146,8 +146,9 @@ Points make_stiffness_points(ElementShape shape, Integration integration) {
     return {{centre, about.dimension == 2 ? 0.5 : 1.0 / 6}};
   }
   if (about.simplex) return simplex_stiffness_points(about);
-  const bool serendipity = shape == ElementShape::quadrilateral8 || shape == ElementShape::hexahedron20;
-  const bool fewer = !about.quadratic || (serendipity && integration == Integration::reduced);
+  const bool may_reduce =
+      shape == ElementShape::line3 || shape == ElementShape::quadrilateral8 || shape == ElementShape::hexahedron20;
+  const bool fewer = !about.quadratic || (may_reduce && integration == Integration::reduced);
   return product(gauss(fewer ? 2 : 3), about.dimension);
 }
 

@@ -25,8 +25,8 @@ struct QuadraturePoint {
 enum class Integration { full, reduced };
 
 /// For the stiffness. Full integration is exact for elements whose sides are straight and middles in the middle (parallel sides
-/// for quadrilaterals and hexahedra). Reduced integration, of 8-node quadrilaterals and 20-node hexahedra only, takes Gauss's
-/// points of the linear element: softer, and without locking where the volume hardly changes.
+/// for quadrilaterals and hexahedra). Reduced integration, of 3-node lines, 8-node quadrilaterals and 20-node hexahedra only,
+/// takes Gauss's points of the linear element: softer, and without locking where the volume hardly changes.
 std::span<const QuadraturePoint> stiffness_points(geometry::ElementShape shape, Integration integration);
 
 /// For the mass and for tractions: products of two shape functions.

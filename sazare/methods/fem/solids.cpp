@@ -6,8 +6,25 @@
 
 namespace sazare::methods::fem {
 
+namespace {
+
+/// A line stands for layers without end: nothing changes along them, so that all gradients are vertical.
+template <int D>
+SolidPoint<D> layer_point(const geometry::ElementMesh& mesh, const geometry::MeshElement& element, const QuadraturePoint& point) {
+  const NodeGradients by_reference = shape_gradients(element.shape, point.place);
+  Real stretch = 0;
+  for (Eigen::Index i = 0; i < by_reference.rows(); ++i)
+    stretch += by_reference(i, 0) * mesh.nodes[at(element.nodes[at(i)])][D - 1];
+  Gradients<D> gradients = Gradients<D>::Zero(by_reference.rows(), D);
+  gradients.col(D - 1) = by_reference.col(0) / stretch;
+  return {stretch * point.weight, gradients};
+}
+
+}  // namespace
+
 template <int D>
 SolidPoint<D> solid_point(const geometry::ElementMesh& mesh, const geometry::MeshElement& element, const QuadraturePoint& point) {
+  if (facts(element.shape).dimension == 1) return layer_point<D>(mesh, element, point);
   const NodeGradients by_reference = shape_gradients(element.shape, point.place);
   Eigen::Matrix<Real, D, D> jacobian = Eigen::Matrix<Real, D, D>::Zero();
   for (Eigen::Index i = 0; i < by_reference.rows(); ++i)
@@ -173,6 +190,20 @@ SolidMean<D> YieldingSolids<D>::mean(std::size_t number, const NodalColumn& disp
       },
       law(number));
   return {mean.stress / volume, mean.slip / volume, mean.peak / volume};
+}
+
+template <int D>
+std::vector<Voigt<D>> YieldingSolids<D>::stresses(std::size_t number, const NodalColumn& displacement,
+                                                  std::span<const Real> memory) const {
+  const ElementColumn<D> moved = displacements_of<D>(mesh_->elements[at(element_[number])], displacement);
+  std::vector<Voigt<D>> found;
+  std::visit(
+      [&](const auto& law) {
+        for (const Point& point : points(number))
+          found.push_back(law.stress(strain_matrix<D>(point.gradients) * moved, memory.subspan(point.memory)));
+      },
+      law(number));
+  return found;
 }
 
 template SolidPoint<2> solid_point<2>(const geometry::ElementMesh&, const geometry::MeshElement&, const QuadraturePoint&);

@@ -19,7 +19,8 @@ struct SolidPoint {
   Gradients<D> gradients;
 };
 
-/// Throws UserError, naming the element, where it has no volume there or is turned inside out.
+/// Throws UserError, naming the element, where it has no volume there or is turned inside out. A line is a piece of a column of
+/// level layers, from below upwards, of 1 m2 (in 2-D 1 m).
 template <int D>
 SolidPoint<D> solid_point(const geometry::ElementMesh& mesh, const geometry::MeshElement& element, const QuadraturePoint& point);
 
@@ -89,6 +90,9 @@ public:
   void begin_cycles(std::size_t number, const NodalColumn& displacement, std::span<Real> memory) const;
 
   SolidMean<D> mean(std::size_t number, const NodalColumn& displacement, std::span<const Real> memory) const;
+
+  /// Stress at every point of integration [Pa].
+  std::vector<Voigt<D>> stresses(std::size_t number, const NodalColumn& displacement, std::span<const Real> memory) const;
 
 private:
   /// A point of integration, and where its memory stands.

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "sazare/core/error.hpp"
+#include "sazare/methods/fem/free_field.hpp"
 #include "sazare/methods/fem/nodal_algebra.hpp"
 
 namespace sazare::methods::fem {
@@ -22,6 +23,7 @@ FemStepper<D>::FemStepper(std::unique_ptr<methods::fem::Body<D>> body, methods::
       rayleigh_(body_->damping_matrix(rules.damping)),
       viscous_(body_->pattern()),
       damping_(rayleigh_),
+      free_field_(std::make_unique<FreeField<D>>(*body_, supports_.sides, rules)),
       state_(body_->pattern()) {
   const NodalColumn none(body_->freedoms(), 0);
   state_.displacement = state_.velocity = state_.acceleration = state_.internal = state_.balance = none;
@@ -36,11 +38,18 @@ FemStepper<D>::FemStepper(std::unique_ptr<methods::fem::Body<D>> body, methods::
     for (const auto& face : boundary.faces) viscous_.add(face.nodes, face.impedance);
   add_pores();
   add(damping_.values(), 1, viscous_.values());
+  add(damping_.values(), 1, free_field_->impedance().values());
   state_.memory = body_->memory_at_rest();
   methods::fem::Memory after = state_.memory;
   body_->evaluate(state_.displacement, state_.memory, after, state_.internal, &state_.tangent);
   prepare_solver(false);
 }
+
+template <int D>
+FemStepper<D>::FemStepper(FemStepper&&) noexcept = default;
+
+template <int D>
+FemStepper<D>::~FemStepper() = default;
 
 template <int D>
 void FemStepper<D>::add_pores() {
@@ -61,8 +70,8 @@ NodalColumn FemStepper<D>::widened(NodalColumn column) const {
 
 /// A solver for the free degrees of freedom.
 template <int D>
-void FemStepper<D>::prepare_solver(bool viscous_held) {
-  find_unknowns(viscous_held);
+void FemStepper<D>::prepare_solver(bool at_rest) {
+  find_unknowns(at_rest);
   solver_ = std::make_unique<methods::fem::LinearSolver<D>>(body_->pattern(), unknowns_, body_->is_symmetric());
   mass_solver_.reset();
   factorized_.reset();
@@ -70,7 +79,7 @@ void FemStepper<D>::prepare_solver(bool viscous_held) {
 
 /// What is free. While relaxing the water in the pores is at rest.
 template <int D>
-void FemStepper<D>::find_unknowns(bool viscous_held) {
+void FemStepper<D>::find_unknowns(bool at_rest) {
   unknowns_.is_free.assign(body_->freedoms(), 1);
   unknowns_.turned_from = body_->mesh().nodes.size();
   const std::set<Index> drained(supports_.drained.begin(), supports_.drained.end());
@@ -78,14 +87,21 @@ void FemStepper<D>::find_unknowns(bool viscous_held) {
   for (std::size_t pressure = 0; pressure < pores.pressure_nodes(); ++pressure)
     for (int axis = 0; axis < D; ++axis)
       unknowns_.is_free[number<D>(pores.pressure_node(pressure), axis)] =
-          axis == 0 && !viscous_held && !pores.is_drained(pressure) && !drained.contains(pores.node_of(pressure));
+          axis == 0 && !at_rest && !pores.is_drained(pressure) && !drained.contains(pores.node_of(pressure));
   for (const Support& support : supports_.held) unknowns_.is_free[number<D>(support.node, support.axis)] = 0;
-  if (viscous_held)
-    for (const auto& boundary : supports_.viscous)
-      for (const auto& face : boundary.faces)
-        for (const Index node : face.nodes)
-          for (int axis = 0; axis < D; ++axis) unknowns_.is_free[number<D>(node, axis)] = 0;
+  if (at_rest) hold_sides();
   if (!supports_.tied.empty()) find_leaders();
+}
+
+/// Viscous boundaries and free-field sides hold the body while it relaxes.
+template <int D>
+void FemStepper<D>::hold_sides() {
+  for (const auto& side : supports_.sides)
+    for (const Index node : side.nodes) unknowns_.is_free[number<D>(node, side.across)] = 0;
+  for (const auto& boundary : supports_.viscous)
+    for (const auto& face : boundary.faces)
+      for (const Index node : face.nodes)
+        for (int axis = 0; axis < D; ++axis) unknowns_.is_free[number<D>(node, axis)] = 0;
 }
 
 /// Tied nodes have their displacement in common, and where both have one their pressure.
@@ -122,6 +138,7 @@ std::optional<methods::fem::Freedom> FemStepper<D>::find_loose_freedom() {
 
 template <int D>
 void FemStepper<D>::relax() {
+  free_field_->relax();
   stage_ = Stage::relaxing;
   prepare_solver(true);
   walk({0, 1, 1}, rules_.most_cuts);
@@ -136,6 +153,11 @@ void FemStepper<D>::relax() {
         const std::size_t i = number<D>(node, axis);
         reaction_[i] = state_.internal[i] - carried[i];
       }
+  for (const auto& side : supports_.sides)
+    for (const Index node : side.nodes) {
+      const std::size_t i = number<D>(node, side.across);
+      reaction_[i] = state_.internal[i] - carried[i];
+    }
   prepare_solver(false);
 }
 
@@ -143,6 +165,10 @@ template <int D>
 void FemStepper<D>::start() {
   elastic_at_start_ = body_->energies(state_.displacement, state_.displacement, state_.memory, state_.memory).elastic;
   state_.work = {};
+  free_field_->start();
+  if (!free_field_->is_empty()) state_.sides = free_field_->motion();
+  state_.sides_before = state_.sides;
+  state_.columns = free_field_->states();
   Trial now{state_.displacement, state_.velocity, state_.acceleration, state_.internal, external(0), state_.memory};
   if (!inertia()) now.external = carried_at_start();
   for (const Support& support : supports_.held) {
@@ -166,6 +192,7 @@ void FemStepper<D>::start() {
 
 template <int D>
 void FemStepper<D>::advance() {
+  move_sides();
   walk({time(), static_cast<Real>(state_.steps + 1) * rules_.step, rules_.step}, rules_.most_cuts);
   ++state_.steps;
 }
@@ -173,6 +200,7 @@ void FemStepper<D>::advance() {
 template <int D>
 void FemStepper<D>::restore(const FemState<D>& saved) {
   state_ = saved;
+  free_field_->restore(state_.columns);
   if (body_->is_linear()) return;  // then neither the tangent nor its factors have changed
   body_->forget_tangent();
   factorized_.reset();
@@ -236,6 +264,7 @@ NodalColumn FemStepper<D>::external(Real now) const {
   add(force, 1, reaction_);
   if (!inertia()) return force;
   add(force, 1, incoming(now));
+  if (!free_field_->is_empty()) add(force, 1, at_sides(now, &SideMotion::force));
   if (const Vector<D> base = base_motion(now, &laws::MotionState::velocity); !base.isZero())
     rayleigh_.multiply(at_all_nodes(base), 1, force);
   return force;
@@ -426,6 +455,34 @@ Vector<D> FemStepper<D>::viscous_force(std::size_t boundary) const {
 }
 
 template <int D>
+Vector<D> FemStepper<D>::side_force(std::size_t which) const {
+  const auto& side = supports_.sides[which];
+  Vector<D> sum = free_field_->force(which, state_.velocity);
+  for (const Index node : side.nodes) sum[side.across] += reaction_[number<D>(node, side.across)];
+  return sum;
+}
+
+/// Columns go ahead to the end of the step.
+template <int D>
+void FemStepper<D>::move_sides() {
+  if (free_field_->is_empty()) return;
+  free_field_->advance();
+  state_.sides_before = std::move(state_.sides);
+  state_.sides = free_field_->motion();
+  state_.columns = free_field_->states();
+}
+
+/// Within a step what columns tell changes evenly.
+template <int D>
+NodalColumn FemStepper<D>::at_sides(Real now, NodalColumn SideMotion::*quantity) const {
+  const Real begin = time(), end = static_cast<Real>(state_.steps + 1) * rules_.step;
+  const Real share = (now - begin) / (end - begin);
+  NodalColumn value = state_.sides.*quantity;
+  for (std::size_t i = 0; i < value.size(); ++i) value[i] = share * value[i] + (1 - share) * (state_.sides_before.*quantity)[i];
+  return value;
+}
+
+template <int D>
 Vector<D> FemStepper<D>::water_force(std::size_t which) const {
   const auto& water = supports_.waters[which];
   Vector<D> sum = water.pressure.share(time()) * water.force;
@@ -458,10 +515,14 @@ void FemStepper<D>::columns(Archive& archive) {
   archive("initial_displacement", initial_displacement_);
   archive("reaction", reaction_);
   archive("elastic_at_start", elastic_at_start_);
+  free_field_->columns(archive);
   std::vector<FemWork> work = {state_.work};
   archive("work", work);
   state_.work = work.at(0);
-  if (archive.reading()) restore(FemState<D>(state_));
+  if (!archive.reading()) return;
+  state_.columns = free_field_->states();
+  if (!free_field_->is_empty()) state_.sides = free_field_->motion();
+  restore(FemState<D>(state_));
 }
 
 template class FemStepper<2>;

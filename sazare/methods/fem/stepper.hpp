@@ -27,14 +27,24 @@ struct FemWork {
   Real gravity = 0;
   Real loads = 0;      ///< tractions, and forces applied from outside
   Real water = 0;      ///< pressure of still water, on faces, in joints and in pores
-  Real boundary = 0;   ///< of supports that move, and of the reactions that viscous boundaries carry in equilibrium
+  Real boundary = 0;   ///< of supports that move, and of the reactions that viscous boundaries and sides carry in equilibrium
   Real waves = 0;      ///< that come in through viscous boundaries
   Real damping = 0;    ///< dissipated by Rayleigh damping, in the motion relative to the base
-  Real radiation = 0;  ///< dissipated by viscous boundaries
+  Real sides = 0;      ///< of the columns beside free-field sides
+  Real radiation = 0;  ///< dissipated by viscous boundaries, and by the dashpots of free-field sides
   Real plastic = 0;    ///< dissipated by plastic flow
   Real friction = 0;   ///< dissipated by joints
   Real seepage = 0;    ///< dissipated by the flow of pore water
 };
+
+/// What free-field sides feel of their columns, on the nodes of the body.
+struct SideMotion {
+  methods::fem::NodalColumn displacement, velocity;  ///< of the columns [m], [m/s]
+  methods::fem::NodalColumn force;                   ///< of their stress, and of dashpots on a body that stands still [N]
+};
+
+template <int D>
+class FreeField;
 
 /// All that a step changes: a copy of it is a place to which the stepper can return.
 template <int D>
@@ -52,6 +62,8 @@ struct FemState {
   methods::fem::Memory memory;
   methods::fem::BlockMatrix<D> tangent;  ///< of the internal forces, with which the next step begins
   FemWork work;
+  std::vector<FemState<D>> columns;  ///< beside free-field sides
+  SideMotion sides_before, sides;    ///< at both ends of the last step, or of the one that is gone through; empty without sides
 };
 
 /// Step: M a(n+1) + (1 + alpha) b(n+1) - alpha b(n) = 0, with b = C v + f(u) - p of the damping, internal and external forces,
@@ -63,6 +75,8 @@ template <int D>
 class FemStepper {
 public:
   FemStepper(std::unique_ptr<methods::fem::Body<D>> body, methods::fem::Supports<D> supports, const FemRules& rules);
+  FemStepper(FemStepper&&) noexcept;
+  ~FemStepper();
 
   /// A freedom that nothing holds when the body is at rest, joints closed; none where the stiffness is regular.
   std::optional<methods::fem::Freedom> find_loose_freedom();
@@ -101,6 +115,9 @@ public:
 
   /// Force of a viscous boundary on the body [N].
   Vector<D> viscous_force(std::size_t number) const;
+
+  /// Force of a free-field side on the body [N].
+  Vector<D> side_force(std::size_t number) const;
 
   /// Force of a still water on the body, of its pressure and of the part that moves with the body; of water in a joint, on the
   /// first side [N].
@@ -153,6 +170,9 @@ private:
     methods::fem::Memory memory;
   };
 
+  void move_sides();
+  methods::fem::NodalColumn at_sides(Real at, methods::fem::NodalColumn SideMotion::*quantity) const;
+  void add_work_of_sides(const Trial& trial, const Span& span, const methods::fem::NodalColumn& moved);
   bool inertia() const { return stage_ == Stage::running && !rules_.statics; }
   /// Whether velocities count: with inertia, or where water flows.
   bool in_time() const { return inertia() || (stage_ == Stage::running && pore_matrices_); }
@@ -184,8 +204,9 @@ private:
   bool factorize(const Factors& by);
   void commit(Trial& trial, const Span& span);
   void add_work(const Trial& trial, const methods::fem::NodalColumn& balance, const Span& span);
-  void prepare_solver(bool viscous_held);
-  void find_unknowns(bool viscous_held);
+  void prepare_solver(bool at_rest);
+  void find_unknowns(bool at_rest);
+  void hold_sides();
   void find_leaders();
   [[noreturn]] void give_up(const Span& span) const;
 
@@ -195,11 +216,12 @@ private:
   methods::fem::BlockMatrix<D> mass_;               ///< of the body, of the water that moves with it, and of storage in pores
   methods::fem::BlockMatrix<D> rayleigh_;           ///< C of the body
   methods::fem::BlockMatrix<D> viscous_;            ///< C of the viscous boundaries
-  methods::fem::BlockMatrix<D> damping_;            ///< all C, with that of pores
+  methods::fem::BlockMatrix<D> damping_;            ///< all C, with that of pores and of free-field sides
   std::unique_ptr<PoreMatrices> pore_matrices_;     ///< where pressures in pores are unknowns
+  std::unique_ptr<FreeField<D>> free_field_;
   methods::fem::NodalColumn weight_;                ///< M g of the body [N]
   methods::fem::NodalColumn pore_;                  ///< forces of the water in the pores [N]
-  methods::fem::NodalColumn reaction_;              ///< what viscous boundaries carry at rest [N]
+  methods::fem::NodalColumn reaction_;              ///< what viscous boundaries and free-field sides carry at rest [N]
   methods::fem::NodalColumn initial_displacement_;  ///< displacements at the beginning [m]
   typename methods::fem::LinearSolver<D>::Unknowns unknowns_;
   Stage stage_ = Stage::running;

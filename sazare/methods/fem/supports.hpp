@@ -3,8 +3,10 @@
 /// What holds, moves and loads the nodes of a body.
 
 #include <algorithm>
+#include <memory>
 #include <string>
 
+#include "sazare/geometry/element_mesh.hpp"
 #include "sazare/laws/base_motion.hpp"
 #include "sazare/laws/ground_motion.hpp"
 #include "sazare/methods/fem/node_pattern.hpp"
@@ -34,6 +36,24 @@ struct ViscousBoundary {
   std::vector<ViscousFace> faces;
   std::vector<Index> nodes;     ///< whose force at rest is this boundary's
   std::array<Index, D> motion;  ///< v_in by axis, or Support::no_motion
+};
+
+template <int D>
+struct SoilColumn;
+
+/// A side that is not there in nature. The layers along it, without end, move as a column of their own, which the body does not
+/// feel. The side feels  s n - c (v - v_c)  with the column's change of stress s and velocity v_c, besides what it carries at
+/// rest.
+template <int D>
+struct FreeFieldSide {
+  Index boundary = 0;                          ///< of the case
+  int across = 0;                              ///< axis normal to the side
+  Real outwards = 1;                           ///< 1 or -1 along that axis
+  std::vector<geometry::MeshElement> surface;  ///< the faces of the body
+  std::vector<ViscousFace> faces;              ///< c of the same faces
+  std::vector<Index> nodes;                    ///< held across the side at rest
+  std::vector<std::vector<Index>> levels;      ///< nodes of the side at the elevation of each node of the column
+  std::shared_ptr<SoilColumn<D>> column;
 };
 
 /// Forces on nodes that grow linearly to their full value within the ramp.
@@ -75,6 +95,7 @@ struct Supports {
   std::vector<laws::GroundMotion> motions;
   std::vector<Support> held;
   std::vector<ViscousBoundary<D>> viscous;
+  std::vector<FreeFieldSide<D>> sides;
   std::vector<Load> loads;
   std::vector<StillWater<D>> waters;
   std::vector<std::pair<Index, Index>> tied;  ///< nodes, each with the one whose displacement it has; that one has no other

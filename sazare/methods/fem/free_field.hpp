@@ -1,0 +1,56 @@
+#pragma once
+
+/// The columns beside the sides of a body in motion, and what the sides feel of them.
+///
+/// A side feels the tractions of its column and dashpots between its own velocity and the column's, by area:
+///
+///     t = (s - s_0) n + rho V_P (v_c - v)_n + rho V_S (v_c - v)_t
+///
+/// s, v_c   stress and velocity of the column at the same elevation, with the stress of Rayleigh damping; s_0 is that at rest
+/// n, t     normal of the side, outwards, and directions along it
+///
+/// What it carries at rest, s_0 n where the body is level as well, is found with the body's own equilibrium. Columns do not feel
+/// the body. Zienkiewicz, Bicanic and Shen, Advances in Computational Nonlinear Mechanics, CISM 300 (1989) 109-138; Nielsen,
+/// Proc. 1st European Conf. Earthquake Eng. and Seismology (2006); FLAC3D, Dynamic Analysis, free-field boundaries.
+
+#include <memory>
+
+#include "sazare/methods/fem/stepper.hpp"
+
+namespace sazare::methods::fem {
+
+/// The columns of all sides of a body; each is a body of its own with a stepper of its own.
+template <int D>
+class FreeField {
+public:
+  FreeField(const Body<D>& body, const std::vector<FreeFieldSide<D>>& sides, const FemRules& rules);
+  ~FreeField();
+
+  bool is_empty() const { return columns_.empty(); }
+  /// Of the dashpots between body and columns [N s/m].
+  const BlockMatrix<D>& impedance() const { return impedance_; }
+
+  void relax();
+  void start();
+  void advance();
+
+  /// On the nodes of all sides, 0 on all others.
+  SideMotion motion() const;
+  /// The force of a side beyond what it carries at rest, on a body with these velocities [N].
+  Vector<D> force(std::size_t side, const NodalColumn& velocity) const;
+
+  std::vector<FemState<D>> states() const;
+  void restore(const std::vector<FemState<D>>& states);
+  void columns(Archive& archive);
+
+private:
+  class Column;
+
+  BlockMatrix<D> impedance_;
+  std::vector<std::unique_ptr<Column>> columns_;
+};
+
+extern template class FreeField<2>;
+extern template class FreeField<3>;
+
+}  // namespace sazare::methods::fem
