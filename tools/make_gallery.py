@@ -43,6 +43,7 @@ PICTURES = {
     "stones-through-water": "spheres",
     "strip-footing": "yielding",
     "caisson-quay-wall": "yielding",
+    "slope-free-field": "yielding",
     "cantilever-fem": "displaced",
     "seawall-shaking-table": "together",
     "seawall-in-water": "together",

@@ -75,6 +75,7 @@ RUNS = {
     "seawall-shaking-table": Run(sides_until(1.5)),  # it is shaken from 1 s on
     "seawall-two-programs": Run(sides_until(0.5), two_programs=True),
     "shaking-table": Run(),
+    "slope-free-field": Run(until(2)),
     "slope-el-centro": Run(until(6, "particles.spacing=1")),
     "soil-column-el-centro": Run(until(12.4)),
     "sphere-on-beam": Run(),

@@ -210,9 +210,10 @@ class Boundary(Part):
 
     group: str
     """Physical group of the mesh to whose nodes it applies: faces, lines or points."""
-    kind: Literal["fixed", "roller", "prescribed", "viscous"]
+    kind: Literal["fixed", "roller", "prescribed", "viscous", "free_field"]
     """fixed: held along all axes; roller: held along some; prescribed: moved along the axes that have a motion; viscous: lets
-    waves leave and incident waves enter (groups of faces only).
+    waves leave and incident waves enter; free_field: a vertical side that follows a column of its own layers on the same base,
+    and lets waves leave (both for groups of faces only).
     """
     axes: list[Literal["x", "y", "z"]] | None = None
     """Axes along which a roller is held; for kind prescribed, those that are held without a motion. (required for a roller)
@@ -309,8 +310,8 @@ class Gravity(Part):
     acceleration: tuple[float, float, float] | None = None
     """Gravitational acceleration. [m/s2] Default: [0.0, 0.0, 0.0]."""
     settle: bool | None = None
-    """Begin in equilibrium under gravity and the pressure of water: it is found first, viscous boundaries keep carrying their
-    reactions in it, and displacements count from it. Default: false.
+    """Begin in equilibrium under gravity and the pressure of water: it is found first, viscous boundaries and free-field sides
+    keep carrying their reactions in it, and displacements count from it. Default: false.
     """
 
 

@@ -10,8 +10,8 @@
 /// n, t     normal of the side, outwards, and directions along it
 ///
 /// What it carries at rest, s_0 n where the body is level as well, is found with the body's own equilibrium. Columns do not feel
-/// the body. Zienkiewicz, Bicanic and Shen, Advances in Computational Nonlinear Mechanics, CISM 300 (1989) 109-138; Nielsen,
-/// Proc. 1st European Conf. Earthquake Eng. and Seismology (2006); FLAC3D, Dynamic Analysis, free-field boundaries.
+/// the body. Zienkiewicz, Bicanic and Shen, in Advances in Computational Nonlinear Mechanics (1989) 109-138; Nielsen, 2006 ABAQUS
+/// Users' Conference 359-376; FLAC3D, Dynamic Analysis, free-field boundaries.
 
 #include <memory>
 

@@ -40,6 +40,7 @@ FemStepper<D>::FemStepper(std::unique_ptr<methods::fem::Body<D>> body, methods::
   add(damping_.values(), 1, viscous_.values());
   add(damping_.values(), 1, free_field_->impedance().values());
   state_.memory = body_->memory_at_rest();
+  state_.columns = free_field_->states();
   methods::fem::Memory after = state_.memory;
   body_->evaluate(state_.displacement, state_.memory, after, state_.internal, &state_.tangent);
   prepare_solver(false);
@@ -139,6 +140,7 @@ std::optional<methods::fem::Freedom> FemStepper<D>::find_loose_freedom() {
 template <int D>
 void FemStepper<D>::relax() {
   free_field_->relax();
+  state_.columns = free_field_->states();
   stage_ = Stage::relaxing;
   prepare_solver(true);
   walk({0, 1, 1}, rules_.most_cuts);

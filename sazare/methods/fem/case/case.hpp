@@ -7,7 +7,7 @@ namespace sazare::cases {
 
 enum class MassKind { consistent, lumped };
 enum class IntegrationKind { full, reduced };
-enum class GroupKind { fixed, roller, prescribed, viscous };
+enum class GroupKind { fixed, roller, prescribed, viscous, free_field };
 enum class Analysis { dynamic, statics };
 enum class Drainage { drained, undrained, flow };
 enum class AddedMass { none, westergaard };

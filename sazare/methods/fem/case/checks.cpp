@@ -15,6 +15,8 @@ std::string word(Enum value) {
   return std::string(EnumWords<Enum>::words.at(static_cast<std::size_t>(value)));
 }
 
+bool lets_waves_leave(GroupKind kind) { return kind == GroupKind::viscous || kind == GroupKind::free_field; }
+
 void check_materials(const CheckContext& context, FemCase& fem) {
   std::map<std::string, Place> seen;
   const auto list = context.entries_of("materials");
@@ -66,8 +68,9 @@ void check_boundaries(const CheckContext& context, const FemCase& fem) {
     if (fem.mesh.dimension == 2 && (boundary.axes[2] || !boundary.motion[2].empty()))
       context.problems.error(entry.header(), "there is no axis z in 2-D", "set dimension = 3 in [mesh], or remove z");
     check_motion_names(context, entry, boundary.motion, names);
-    if (fem.time.analysis == Analysis::statics && boundary.kind == GroupKind::viscous)
-      context.problems.error(entry.place("kind"), "a viscous boundary requires a dynamic analysis",
+    if (fem.time.analysis == Analysis::statics && lets_waves_leave(boundary.kind))
+      context.problems.error(entry.place("kind"),
+                             fmt::format("a boundary of kind {} requires a dynamic analysis", word(boundary.kind)),
                              "hold the group in another way, or set analysis = \"dynamic\" in [time]");
   }
 }
@@ -78,10 +81,17 @@ void check_gravity(const CheckContext& context, const FemCase& fem) {
   const bool none = fem.gravity.acceleration.norm() == 0;
   if (fem.gravity.settle && none)
     context.problems.error(entry.place("settle"), "settle requires gravity", "give gravity an acceleration");
+  const bool sides = std::ranges::count(fem.boundaries, GroupKind::free_field, &GroupBoundary::kind) > 0;
+  Vector3 along = fem.gravity.acceleration;
+  along[fem.mesh.dimension - 1] = 0;
+  if (sides && !along.isZero())
+    context.problems.error(entry.place("acceleration"), "beside free-field sides gravity must be vertical",
+                           "turn the model, so that gravity acts along its last axis");
   if (fem.gravity.settle || none) return;
   for (const GroupBoundary& boundary : fem.boundaries)
-    if (boundary.kind == GroupKind::viscous)
-      context.problems.error(entry.header(), "under gravity a viscous boundary yields without limit",
+    if (lets_waves_leave(boundary.kind))
+      context.problems.error(entry.header(),
+                             fmt::format("under gravity a boundary of kind {} yields without limit", word(boundary.kind)),
                              "add settle = true to [gravity]: the boundary then carries its reactions in equilibrium");
 }
 

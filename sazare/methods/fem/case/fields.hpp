@@ -16,7 +16,7 @@ struct EnumWords<IntegrationKind> {
 };
 template <>
 struct EnumWords<GroupKind> {
-  static constexpr std::array<std::string_view, 4> words{"fixed", "roller", "prescribed", "viscous"};
+  static constexpr std::array<std::string_view, 5> words{"fixed", "roller", "prescribed", "viscous", "free_field"};
 };
 template <>
 struct EnumWords<Analysis> {

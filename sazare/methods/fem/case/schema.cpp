@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::array<std::string_view, 2> mass_kinds{"consistent", "lumped"};
 constexpr std::array<std::string_view, 2> integrations{"full", "reduced"};
-constexpr std::array<std::string_view, 4> group_kinds{"fixed", "roller", "prescribed", "viscous"};
+constexpr std::array<std::string_view, 5> group_kinds{"fixed", "roller", "prescribed", "viscous", "free_field"};
 constexpr std::array<std::string_view, 3> backbones{"hyperbolic", "ramberg_osgood", "table"};
 constexpr std::array<std::string_view, 3> drainages{"drained", "undrained", "flow"};
 constexpr std::array<std::string_view, 2> added_masses{"none", "westergaard"};
@@ -267,7 +267,8 @@ constexpr std::array boundary_keys{
         .type = Type::choice,
         .need = Need::required,
         .sentence = "fixed: held along all axes; roller: held along some; prescribed: moved along the axes that have a motion; "
-                    "viscous: lets waves leave and incident waves enter (groups of faces only).",
+                    "viscous: lets waves leave and incident waves enter; free_field: a vertical side that follows a column of "
+                    "its own layers on the same base, and lets waves leave (both for groups of faces only).",
         .choices = group_kinds},
     Key{.name = "axes",
         .type = Type::axes,
@@ -382,9 +383,8 @@ constexpr std::array fem_gravity_keys{
     Key{.name = "settle",
         .type = Type::boolean,
         .default_text = "false",
-        .sentence = "Begin in equilibrium under gravity and the pressure of water: it is found first, viscous boundaries keep "
-                    "carrying their reactions in "
-                    "it, and displacements count from it."},
+        .sentence = "Begin in equilibrium under gravity and the pressure of water: it is found first, viscous boundaries and "
+                    "free-field sides keep carrying their reactions in it, and displacements count from it."},
 };
 
 constexpr std::array solver_keys{

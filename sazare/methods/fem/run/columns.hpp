@@ -12,20 +12,22 @@ using observe::Column;
 inline constexpr std::array motion = {Column{"displacement_max", "m", "of any node, since the beginning"},
                                       Column{"speed_max", "m/s", "of any node"},
                                       Column{"acceleration_max", "m/s2", "of any node"}};
-inline constexpr std::array energies = {Column{"energy_work", "J", "work done on the body"},
-                                        Column{"energy_kinetic", "J", ""},
-                                        Column{"energy_elastic", "J", ""},
-                                        Column{"energy_damping", "J", "dissipated by Rayleigh damping"},
-                                        Column{"energy_radiation", "J", "dissipated by viscous boundaries"},
-                                        Column{"energy_plastic", "J", "dissipated by plastic flow"},
-                                        Column{"energy_friction", "J", "dissipated by friction of joints"},
-                                        Column{"energy_seepage", "J", "dissipated by the flow of pore water"},
-                                        Column{"energy_residual", "J", "residual of the energy balance"}};
+inline constexpr std::array energies = {
+    Column{"energy_work", "J", "work done on the body"},
+    Column{"energy_kinetic", "J", ""},
+    Column{"energy_elastic", "J", ""},
+    Column{"energy_damping", "J", "dissipated by Rayleigh damping"},
+    Column{"energy_radiation", "J", "dissipated by viscous boundaries and by the dashpots of free-field sides"},
+    Column{"energy_plastic", "J", "dissipated by plastic flow"},
+    Column{"energy_friction", "J", "dissipated by friction of joints"},
+    Column{"energy_seepage", "J", "dissipated by the flow of pore water"},
+    Column{"energy_residual", "J", "residual of the energy balance"}};
 inline constexpr std::array work = {Column{"energy_work_gravity", "J", "work of gravity"},
                                     Column{"energy_work_loads", "J", "work of loads"},
                                     Column{"energy_work_boundary", "J", "work of moving supports"},
                                     Column{"energy_work_waves", "J", "work of waves that enter through viscous boundaries"},
-                                    Column{"energy_work_water", "J", "work of the pressure of still water"}};
+                                    Column{"energy_work_water", "J", "work of the pressure of still water"},
+                                    Column{"energy_work_sides", "J", "work of the columns beside free-field sides"}};
 inline constexpr std::array moving_water = {
     Column{"energy_kinetic_water", "J", "of the added mass of water, part of energy_kinetic; only where there is water"}};
 inline constexpr std::array pore_water = {

@@ -15,6 +15,7 @@
 #include "sazare/methods/fem/case/case.hpp"
 #include "sazare/methods/fem/case/soil.hpp"
 #include "sazare/methods/fem/run/mesh_names.hpp"
+#include "sazare/methods/fem/run/sides.hpp"
 #include "sazare/methods/fem/run/ties.hpp"
 #include "sazare/methods/fem/run/water.hpp"
 #include "sazare/observe/hash.hpp"
@@ -107,12 +108,14 @@ public:
     supports_.waters = make_waters<D>(file_, body_, names_);
     supports_.drained = drained_nodes(file_, body_, names_);
     if (fem_.damping.relative_to_base) supports_.find_base();
+    add_sides<D>(file_, body_, names_, supports_);
     return std::move(supports_);
   }
 
 private:
   void add(std::size_t number) {
     const cases::GroupBoundary& boundary = fem_.boundaries[number];
+    if (boundary.kind == GroupKind::free_field) return;
     const bool viscous = boundary.kind == GroupKind::viscous;
     const auto& group = names_.group(fmt::format("boundaries.{}.group", number), boundary.group, viscous);
     if (viscous) return add_viscous(number, group);
@@ -134,23 +137,12 @@ private:
     const auto beside = geometry::elements_beside(body_.mesh, group);
     std::set<Index> nodes;
     for (std::size_t i = 0; i < group.elements.size(); ++i) {
-      const fem::SolidMaterial& ground = body_.materials[at(body_.material[at(beside[i])])];
-      const auto list = group.elements[i].node_list();
-      const Vector3 centre = centre_of(group.elements[i]);
-      boundary.faces.push_back({{list.begin(), list.end()},
-                                fem::face_impedance<D>(body_.mesh, group.elements[i], ground.p_wave_impedance(centre),
-                                                       ground.s_wave_impedance(centre))});
-      for (const Index node : list)
+      boundary.faces.push_back(fem::viscous_face<D>(body_, beside[i], group.elements[i]));
+      for (const Index node : boundary.faces.back().nodes)
         if (viscous_nodes_.insert(node).second) boundary.nodes.push_back(node);
     }
     std::ranges::sort(boundary.nodes);
     supports_.viscous.push_back(std::move(boundary));
-  }
-
-  Vector3 centre_of(const geometry::MeshElement& face) const {
-    Vector3 sum = Vector3::Zero();
-    for (const Index node : face.node_list()) sum += body_.mesh.nodes[at(node)];
-    return sum / static_cast<Real>(face.node_list().size());
   }
 
   void add_load(std::size_t number) {

@@ -57,7 +57,7 @@ template <int D>
 std::array<Real, columns::fem::energies.size()> FemRecord<D>::energies() const {
   const methods::fem::FemWork& work = stepper().work();
   const Real kinetic = stepper().rules().statics ? 0 : stepper().kinetic_energy();
-  return {work.gravity + work.loads + work.water + work.boundary + work.waves,
+  return {work.gravity + work.loads + work.water + work.boundary + work.waves + work.sides,
           kinetic,
           stepper().elastic_energy(),
           work.damping,
@@ -101,6 +101,7 @@ std::vector<Vector<D>> FemRecord<D>::boundary_forces() const {
     forces[at(support.boundary)][support.axis] += reactions[at(support.node) * D + static_cast<std::size_t>(support.axis)];
   for (std::size_t i = 0; i < supports.viscous.size(); ++i)
     forces[at(supports.viscous[i].boundary)] += stepper().viscous_force(i);
+  for (std::size_t i = 0; i < supports.sides.size(); ++i) forces[at(supports.sides[i].boundary)] += stepper().side_force(i);
   return forces;
 }
 
@@ -119,7 +120,7 @@ std::vector<Real> FemRecord<D>::history_row(Real time, Real wall_seconds) {
   std::vector<Real> row = {time, displacement_, speed, acceleration};
   for (const Real value : energies()) row.push_back(value);
   const methods::fem::FemWork& work = state.work;
-  row.insert(row.end(), {work.gravity, work.loads, work.boundary, work.waves, work.water});
+  row.insert(row.end(), {work.gravity, work.loads, work.boundary, work.waves, work.water, work.sides});
   if (has_excess()) {
     row.insert(row.end(), {largest_excess(), stepper().elastic_energy_of_water()});
     peak_excess_ = std::max(peak_excess_, largest_excess());

@@ -9,6 +9,7 @@
 #include "sazare/methods/fem/run/identity.hpp"
 #include "sazare/methods/fem/run/motion_rows.hpp"
 #include "sazare/methods/fem/run/record.hpp"
+#include "sazare/methods/fem/run/sides.hpp"
 #include "sazare/observe/atomic_file.hpp"
 #include "sazare/runs/case_run.hpp"
 #include "sazare/runs/temporary_folder.hpp"
@@ -125,7 +126,8 @@ std::string check(const cases::CaseFile& file, const std::filesystem::path& fold
                                   cases::counted(std::ssize(model.mesh().elements), "elements"),
                                   cases::counted(std::ssize(body.joints()), "joints"), number(body.total_mass(), 6),
                                   D == 2 ? "kg/m" : "kg")) +
-         water_lines(*model.stepper) + second_look(file.as<cases::FemCase>(), model.mesh()) +
+         side_lines(model.stepper->supports(), model.group_names) + water_lines(*model.stepper) +
+         second_look(file.as<cases::FemCase>(), model.mesh()) +
          line("work", fmt::format("{} degrees of freedom, {} equations", model.stepper->free_freedoms(),
                                   body.is_symmetric() ? "symmetric" : "unsymmetric")) +
          line("", fmt::format("{} steps, {} per history row", clocks.steps(), clocks.steps_per_row)) +

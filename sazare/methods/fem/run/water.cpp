@@ -193,8 +193,8 @@ std::set<FaceName> wet_faces(const cases::FemCase& given, const fem::BodyDescrip
   return wet;
 }
 
-/// Nodes that a support holds along any axis, those of viscous boundaries, and tied ones, on which the pores push from both
-/// sides.
+/// Nodes that a support holds along any axis, those of viscous boundaries and free-field sides, and tied ones, on which the pores
+/// push from both sides.
 template <int D>
 std::set<Index> held_nodes(const fem::Supports<D>& supports) {
   std::set<Index> held;
@@ -202,6 +202,8 @@ std::set<Index> held_nodes(const fem::Supports<D>& supports) {
   for (const auto& [node, leader] : supports.tied) held.insert({node, leader});
   for (const auto& boundary : supports.viscous)
     for (const auto& face : boundary.faces) held.insert(face.nodes.begin(), face.nodes.end());
+  for (const auto& side : supports.sides)
+    for (const auto& face : side.faces) held.insert(face.nodes.begin(), face.nodes.end());
   return held;
 }
 

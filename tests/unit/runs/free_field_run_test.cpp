@@ -1,0 +1,63 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "sazare/core/error.hpp"
+#include "sazare/registry/registry.hpp"
+#include "tests/unit/runs/support.hpp"
+
+namespace sazare::runs {
+namespace {
+
+namespace fs = std::filesystem;
+using test::read_manifest, test::read_text, test::TemporaryFolder, test::words_of;
+
+cases::CaseFile slope(std::vector<std::string> settings = {}) {
+  settings.insert(settings.begin(), {"time.end=3", "time.step=0.02", "mesh.parameters={size=5, flat=30}",
+                                     "gauges.1.point=[-30, 22, 0]", "gauges.5.point=[66, 40, 0]"});
+  return registry::read_case("cases/slope-free-field/case.toml", settings);
+}
+
+TEST(free_field_run, in_parts_gives_the_bits_of_one_run) {
+  const TemporaryFolder folder;
+  registry::run_case(slope(), {folder / "whole", Begin::fresh, true, nullptr});
+  int parts = 1;
+  for (;; ++parts) {
+    std::atomic<bool> stop = false;
+    std::jthread alarm([&](const std::stop_token& over) {
+      const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(150 * parts);
+      while (!over.stop_requested() && std::chrono::steady_clock::now() < end)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      stop = true;
+    });
+    if (!registry::run_case(slope(), {folder / "parts", Begin::resume, true, &stop}).stopped) break;
+  }
+  EXPECT_GT(parts, 1);
+  const nlohmann::json one = read_manifest(folder / "whole"), many = read_manifest(folder / "parts");
+  EXPECT_EQ(one["state_hash"], many["state_hash"]);
+  EXPECT_EQ(test::without_last_column(read_text(folder / "whole/history.csv")),
+            test::without_last_column(read_text(folder / "parts/history.csv")));
+  EXPECT_GT(one["results"]["energy_plastic"].get<double>(), 0);
+}
+
+std::string refused(const std::vector<std::string>& settings) {
+  return words_of<UserError>([&] { registry::check_case(slope(settings)); });
+}
+
+TEST(free_field_run, refuses_sides_beside_which_no_column_can_stand) {
+  const std::string flat = refused({"boundaries.1.group=base"});
+  EXPECT_NE(flat.find("is not vertical and across x"), std::string::npos) << flat;
+  const std::string floating = refused({"boundaries.0.group=hill side", "boundaries.2.group=valley side", "gravity.settle=true"});
+  EXPECT_NE(floating.find("has no base: nothing carries it along x at 0 m"), std::string::npos) << floating;
+}
+
+TEST(free_field_run, tells_of_its_columns) {
+  const std::string told = registry::check_case(slope());
+  EXPECT_NE(told.find("valley side at x = -30 m: a column of"), std::string::npos) << told;
+  EXPECT_NE(told.find("hill side at x = 66 m: a column of"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sazare::runs
