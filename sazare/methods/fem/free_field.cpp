@@ -173,7 +173,7 @@ private:
     return sum;
   }
 
-  /// Stresses of the material and of its Rayleigh damping.
+  /// Total stresses: those of the material and of its Rayleigh damping, less the excess pressure in its pores.
   PointStresses<D> stresses() const {
     const Body<D>& body = stepper_.body();
     const FemState<D>& state = stepper_.state();
@@ -190,6 +190,13 @@ private:
         const Voigt<D> rate = strain_matrix<D>(solid_point<D>(body.mesh(), element, place).gradients) * velocity;
         stresses[e][n++] += time * (stiffness * rate);
       }
+    }
+    const Pores<D>& pores = body.pores();
+    for (std::size_t i = 0; i < pores.size(); ++i) {
+      const std::size_t e = at(pores.element(i));
+      const auto points = stiffness_points(body.mesh().elements[e].shape, body.description().integration);
+      const std::vector<Real> pressures = pores.at_points(i, points, state.velocity);
+      for (std::size_t n = 0; n < pressures.size(); ++n) stresses[e][n].template head<3>().array() -= pressures[n];
     }
     return stresses;
   }

@@ -12,6 +12,8 @@ using geometry::ElementShape;
 /// The linear element with the same corners.
 ElementShape corner_shape(ElementShape shape) {
   switch (shape) {
+    case ElementShape::line3:
+      return ElementShape::line2;
     case ElementShape::triangle6:
       return ElementShape::triangle3;
     case ElementShape::quadrilateral8:
@@ -184,6 +186,20 @@ Real Pores<D>::mean(std::size_t number, const NodalColumn& velocity) const {
   Real sum = 0;
   for (const Index node : pressures_of(number)) sum += pore_pressure<D>(node, velocity);
   return sum / static_cast<Real>(pressures_of(number).size());
+}
+
+template <int D>
+std::vector<Real> Pores<D>::at_points(std::size_t number, std::span<const QuadraturePoint> points,
+                                      const NodalColumn& velocity) const {
+  std::vector<Real> pressures;
+  for (const QuadraturePoint& point : points) {
+    const NodeValues values = shape_values(corner_shape(mesh_->elements[at(element_[number])].shape), point.place);
+    Real pressure = 0;
+    for (std::size_t corner = 0; corner < pressures_of(number).size(); ++corner)
+      pressure += values[static_cast<Eigen::Index>(corner)] * pore_pressure<D>(pressures_of(number)[corner], velocity);
+    pressures.push_back(pressure);
+  }
+  return pressures;
 }
 
 template <int D>

@@ -56,6 +56,8 @@ public:
   /// Mean excess pressure at the corners of an element, from the velocities of the nodes [Pa].
   Real mean(std::size_t number, const NodalColumn& velocity) const;
 
+  /// Excess pressures at points of an element [Pa].
+  std::vector<Real> at_points(std::size_t number, std::span<const QuadraturePoint> points, const NodalColumn& velocity) const;
   /// Pressure nodes whose shares give the pressure at a node of the mesh; none where it is no unknown.
   std::vector<std::pair<Index, Real>> shares_at(Index node) const;
 

@@ -58,7 +58,6 @@ public:
 
   FreeFieldSide<D> make(Index boundary) {
     check_joints();
-    check_drained();
     if constexpr (D == 3) check_rectangle();
     FreeFieldSide<D> side;
     side.boundary = boundary;
@@ -156,17 +155,6 @@ private:
             if (nodes.contains(node))
               throw UnfitSide(fmt::format("the joint \"{}\" reaches {}, and the column beside it has none", set.name, name()),
                               "end the joint inside the body, or move the side");
-  }
-
-  void check_drained() const {
-    for (std::size_t i = 0; i < plane_.faces.size(); ++i) {
-      const SolidMaterial& ground = body_.materials[at(body_.material[at(plane_.beside[i])])];
-      const auto& water = ground.saturation;
-      if (water && water->flow && water->pore_water.depth(centre(mesh_, plane_.faces[i])) > 0)
-        throw UnfitSide(fmt::format("the water in the pores of \"{}\" takes part at {}, and that of a column does not", ground.name,
-                                    name()),
-                        "give the side ground that drains (drainage = \"drained\") as a region of its own, or viscous sides");
-    }
   }
 
   /// In space a side is as wide everywhere as its widest place.

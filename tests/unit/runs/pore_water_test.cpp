@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <thread>
@@ -185,6 +186,31 @@ TEST(pore_water, is_told_of_a_drain_without_ground) {
   const SandCase sand("\n[[drains]]\ngroup = \"top\"\n");
   EXPECT_NE(sand.refused().find("the group \"top\" has no node of ground through which water flows"), std::string::npos)
       << sand.refused();
+}
+
+/// Sand that liquefies between sides that are tied moves as between free-field sides, whose columns liquefy alike.
+TEST(pore_water, liquefies_in_columns_beside_free_field_sides_as_between_tied_ones) {
+  const std::filesystem::path original = "cases/liquefaction-column";
+  const TemporaryFolder folder;
+  for (const std::string file : {"column.geo", "el-centro-at-rest.csv"})
+    std::filesystem::copy_file(original / file, folder / file);
+  std::string text = read_text(original / "case.toml");
+  const std::string ties = "[[ties]]\ngroup = \"left\"\nopposite = \"right\"\n";
+  ASSERT_NE(text.find(ties), std::string::npos);
+  text.replace(text.find(ties), ties.size(),
+               "[[boundaries]]\ngroup = \"left\"\nkind = \"free_field\"\n[[boundaries]]\ngroup = \"right\"\nkind = "
+               "\"free_field\"\n");
+  std::ofstream(folder / "free.toml") << text;
+  const std::vector<std::string> settings = {"time.end=2.5", "time.step=0.01", "time.snapshot_interval=0.5",
+                                             "mesh.parameters={cells=10}"};
+  run_quietly(registry::read_case(original / "case.toml", settings), folder / "tied");
+  run_quietly(registry::read_case(folder / "free.toml", settings), folder / "free");
+  const std::string tied = read_text(folder / "tied/gauges.csv"), free = read_text(folder / "free/gauges.csv");
+  for (const auto& [name, scale] : {std::pair("depth-6.excess_pore_pressure [Pa]", 5e4), {"surface.displacement_x [m]", 0.05}}) {
+    const auto one = column_of(tied, name), other = column_of(free, name);
+    EXPECT_GT(one.back() * one.back(), 0.01 * scale * scale) << name;
+    for (std::size_t i = 0; i < one.size(); ++i) EXPECT_NEAR(one[i], other[i], 1e-6 * scale) << name;
+  }
 }
 
 TEST(ties, need_a_node_opposite_and_equal_supports) {

@@ -37,9 +37,14 @@ fem::Load on_top(const fem::SoilColumn<D>& column, const std::string& name, cons
   return load;
 }
 
+/// Loads, open water and drains go on over the ground beside the side.
 template <int D>
 void load_surface(const cases::FemCase& given, const MeshNames& names, fem::FreeFieldSide<D>& side) {
   fem::SoilColumn<D>& column = *side.column;
+  const auto top = static_cast<Index>(column.body.mesh.nodes.size() - 1);
+  for (std::size_t i = 0; i < given.drains.size(); ++i)
+    if (covers_surface(names.group(fmt::format("drains.{}.group", i), given.drains[i].group, true), side))
+      column.supports.drained.push_back(top);
   for (std::size_t i = 0; i < given.loads.size(); ++i) {
     const cases::FemLoad& load = given.loads[i];
     if (covers_surface(names.group(fmt::format("loads.{}.group", i), load.group, true), side))
@@ -56,6 +61,7 @@ void load_surface(const cases::FemCase& given, const MeshNames& names, fem::Free
     still.pressure = on_top(column, water.name, traction, water.ramp);
     still.force = traction.template head<D>();
     column.supports.waters.push_back(std::move(still));
+    if (depth > 0) column.supports.drained.push_back(top);
   }
 }
 
