@@ -64,7 +64,7 @@ struct SolidMaterial {
   /// Whether its stress is the elastic one of its strain, always.
   bool is_elastic() const { return !strength && !backbone; }
   /// Whether the tangent is symmetric.
-  bool is_associated() const { return !strength || strength->sin_friction == strength->sin_dilation; }
+  bool is_associated() const { return !contraction && (!strength || strength->sin_friction == strength->sin_dilation); }
   Real p_wave_velocity() const { return std::sqrt((elastic.lame + 2 * elastic.shear_modulus) / density); }
   Real s_wave_velocity() const { return std::sqrt(elastic.shear_modulus / density); }
 };
@@ -128,27 +128,30 @@ SolidResponse<D> respond(const laws::PrincipalReturnMapping& mapping, const Voig
 using PointEnergies = laws::OverlayEnergies;
 
 /// Mohr-Coulomb strength with its memory: the plastic strain, the plastic slip that it has added up, and of sand that contracts
-/// the cycles. What half a cycle takes of the volume is plastic strain of the step after it.
+/// the cycles and how far its grains have come apart. What half a cycle takes of the volume is plastic strain of the step after
+/// it. Where that leaves no pressure between the grains they open, at the tip of the strength, and must close again before they
+/// bear.
 template <int D>
 class StrengthAtPoint {
 public:
   StrengthAtPoint(const laws::MohrCoulomb& strength, const laws::Elasticity& elastic,
                   const std::optional<laws::CyclicContraction>& contraction = {})
-      : mapping_(strength, elastic), stiffness_(elastic_stiffness<D>(elastic)), contraction_(contraction) {}
+      : mapping_(strength, elastic),
+        stiffness_(elastic_stiffness<D>(elastic)),
+        contraction_(contraction),
+        cohesion_(strength.cohesion) {}
 
-  std::size_t memory_size() const { return own_size + (contraction_ ? Cycles::numbers : 0); }
+  std::size_t memory_size() const { return own_size + (contraction_ ? Cycles::numbers + 1 : 0); }
   Real slip(std::span<const Real> memory) const { return memory[stress_size<D>]; }
   Real peak(std::span<const Real>) const { return 0; }
 
   Voigt<D> respond(const Voigt<D>& strain, std::span<const Real> before, std::span<Real> after, VoigtMatrix<D>* tangent) const {
     Voigt<D> flowed = plastic(before);
-    if (contraction_) {
-      Cycles cycles(before.subspan(own_size));
-      flowed.template head<3>().array() -= cycles.pending() / 3;
-      cycles.follow(strain, *contraction_);
-      cycles.write(after.subspan(own_size));
-    }
+    Closing closing;
+    if (contraction_) closing = contract(strain, before, after, flowed);
     const SolidResponse<D> response = fem::respond<D>(mapping_, strain - flowed, tangent);
+    if (contraction_) after[opening] = closing.open - closing.closed + response.plastic.template head<3>().sum();
+    if (tangent != nullptr && closing.goes_on()) soften(closing, *tangent);
     Eigen::Map<Voigt<D>>(after.data()) = flowed + response.plastic;
     const Eigen::SelfAdjointEigenSolver<Matrix3> parts(strain_tensor<D>(response.plastic), Eigen::EigenvaluesOnly);
     after[stress_size<D>] = slip(before) + (response.yields ? parts.eigenvalues()[2] - parts.eigenvalues()[0] : 0);
@@ -174,6 +177,34 @@ public:
 private:
   using Cycles = laws::CycleMemory<stress_size<D>>;
   static constexpr std::size_t own_size = stress_size<D> + 1;
+  static constexpr std::size_t opening = own_size + Cycles::numbers;
+
+  /// Volume by which grains were apart, and what of it closes in a step [-].
+  struct Closing {
+    Real open = 0, closed = 0;
+
+    bool goes_on() const { return closed < open; }
+  };
+
+  /// While grains are apart the pressure between them does not change, and without cohesion they bear nothing.
+  void soften(const Closing& closing, VoigtMatrix<D>& tangent) const {
+    if (cohesion_ == 0)
+      tangent.setZero();
+    else if (closing.closed > 0)
+      tangent.template leftCols<3>().colwise() -= tangent.template leftCols<3>().rowwise().mean().eval();
+  }
+
+  /// Goes on with the cycles. The strain that has flowed gets what the last half cycle has taken, and what closes.
+  Closing contract(const Voigt<D>& strain, std::span<const Real> before, std::span<Real> after, Voigt<D>& flowed) const {
+    Cycles cycles(before.subspan(own_size));
+    flowed.template head<3>().array() -= cycles.pending() / 3;
+    cycles.follow(strain, *contraction_);
+    cycles.write(after.subspan(own_size));
+    const Real compression = (flowed - strain).template head<3>().sum(), open = std::max(before[opening], Real{0});
+    const Closing closing{open, std::clamp(compression, Real{0}, open)};
+    flowed.template head<3>().array() -= closing.closed / 3;
+    return closing;
+  }
 
   static Eigen::Map<const Voigt<D>> plastic(std::span<const Real> memory) { return Eigen::Map<const Voigt<D>>(memory.data()); }
   static Voigt<D> elastic(const Voigt<D>& strain, std::span<const Real> memory) { return strain - plastic(memory); }
@@ -181,6 +212,7 @@ private:
   laws::PrincipalReturnMapping mapping_;
   VoigtMatrix<D> stiffness_;
   std::optional<laws::CyclicContraction> contraction_;
+  Real cohesion_ = 0;  ///< [Pa]
 };
 
 /// What a material that is not elastic does at a point.

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <random>
 
 #include "tests/support/element_boxes.hpp"
@@ -133,6 +134,54 @@ TEST(yielding_body, fails_at_its_uniaxial_strength) {
     EXPECT_GT(stepper.work().plastic, 0);
     EXPECT_NEAR(stepper.energy_residual(), 0, 1e-9 * stepper.work().boundary);
   }
+}
+
+/// Sand that contracts at a fixed volume loses its pressure, and when it is pressed together afterwards bears nothing until the
+/// volume that cycles have taken is closed: the mean stress is K (e - lost), where that is positive.
+TEST(contracting_sand, bears_again_when_what_cycles_have_taken_is_closed) {
+  const laws::Elasticity stiffness{1e7, 1.5e7};
+  const Real bulk = stiffness.lame + 2 * stiffness.shear_modulus / 3;
+  const laws::CyclicContraction contraction(0.6, 0.7, 0);
+  const StrengthAtPoint<3> law(laws::MohrCoulomb::make(0, 30 * degree, 0, std::nullopt), stiffness, contraction);
+  std::vector<Real> before(law.memory_size(), 0), after(before);
+  Voigt<3> strain = Voigt<3>::Zero();
+  const auto volume = [&] { return -strain.head<3>().sum(); };
+  const auto pressure = [&] { return -law.stress(strain, before).head<3>().mean(); };
+  int compared = 0;
+  const auto go = [&] {
+    VoigtMatrix<3> tangent;
+    law.respond(strain, before, after, &tangent);
+    // The tangent is the derivative of the stress, but where that has a kink.
+    for (int i = 0; i < 6; ++i) {
+      std::vector<Real> other(after);
+      Voigt<3> more = strain, less = strain;
+      more[i] += 1e-7;
+      less[i] -= 1e-7;
+      const Voigt<3> up = law.respond(more, before, other, nullptr), here = law.respond(strain, before, other, nullptr),
+                     down = law.respond(less, before, other, nullptr);
+      if (((up - here) - (here - down)).norm() > 1e-3 * (up - down).norm() + 1e-4) continue;
+      EXPECT_LT((tangent.col(i) - (up - down) / 2e-7).norm(), 1e-3 * 4e7) << i;
+      ++compared;
+    }
+    before = after;
+  };
+  strain.head<3>().setConstant(-1e-4);
+  law.begin_cycles(strain, before);
+  Real lost = 0;
+  for (int n = 1; n <= 200; ++n) {  // five cycles at the same volume
+    strain[3] = 2e-3 * std::sin(2 * std::numbers::pi * n / 40);
+    go();
+    EXPECT_NEAR(pressure(), bulk * std::max(volume() - lost, Real{0}), 1e-6 * bulk) << n;
+    lost = laws::CycleMemory<6>(std::span<const Real>(before).subspan(7)).lost();
+  }
+  EXPECT_GT(lost, 6e-4);
+  for (int n = 0; n < 100; ++n) {
+    strain.head<3>().array() -= 2e-5;
+    go();
+    EXPECT_NEAR(pressure(), bulk * std::max(volume() - lost, Real{0}), 1e-6 * bulk) << n;
+  }
+  EXPECT_GT(pressure(), 0.3 * bulk * volume());
+  EXPECT_GT(compared, 700);  // of 1440
 }
 
 }  // namespace

@@ -102,9 +102,8 @@ void check_contraction(const CheckContext& context, const Entry& entry, const Fe
     context.problems.error(entry.place("contraction_rate"), "the material has both blow_count and contraction_rate",
                            "give exactly one of them: the blow count determines the rate");
   if (material.dilation_angle > 0)
-    context.problems.warning(entry.place("dilation_angle"),
-                             "ground that dilates as it yields gains back the volume that cycles take from it",
-                             "give sand that can liquefy dilation_angle = 0");
+    context.problems.error(entry.place("dilation_angle"), "ground that contracts under cycles has no dilation angle",
+                           "give sand that can liquefy dilation_angle = 0, or remove its blow_count or contraction_rate");
 }
 
 void check_soil(const CheckContext& context, const Entry& entry, FemMaterial& material) {
