@@ -33,7 +33,7 @@ sanitize: setup ## run the C++ tests and every case, shortened, with the address
 fuzz: build ## change the files of small cases at random and look whether each is answered with a message (MUTANTS=2000 SEED=1)
 	@$(PYTHON) tests/fuzz/fuzz.py --mutants $(or $(MUTANTS),2000) --seed $(or $(SEED),1) --jobs $(JOBS)
 
-validate: build ## compare with theory, papers and other codes; table in build/validation/results.csv
+validate: build ## compare with theory, papers, other codes and experiments; table in build/validation/results.csv
 	@scripts/build release $(JOBS) validation_programs
 	@$(PYTHON) validation/run.py
 
