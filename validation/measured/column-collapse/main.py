@@ -143,16 +143,17 @@ def plot(found, path):
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt  # noqa: PLC0415
 
-    figure, axes = plt.subplot_mosaic([["spheres", "laws"], ["moving particles", "laws"]], figsize=(11, 4.2), layout="constrained", width_ratios=(2, 1))
+    panels = [["spheres", "laws"], ["moving particles", "laws"]]
+    figure, axes = plt.subplot_mosaic(panels, figsize=(11, 4.2), layout="constrained", width_ratios=(2, 1))
     aspects = np.linspace(0.8, 5.0, 400)
     axes["laws"].fill_between(aspects, *laws(aspects), color="0.85", label="Lube (2005) to Lajeunesse (2005)")
     for (method, answers), mark in zip(found.items(), "os", strict=True):
-        axes["laws"].plot(answers.keys(), [reach for reach, _ in answers.values()], mark, label=method)
+        axes["laws"].plot(answers.keys(), [reach for reach, _ in answers.values()], mark, markerfacecolor="none", markersize=8, label=method)
         for aspect, (_, deposit) in reversed(answers.items()):
             axes[method].plot(*deposit.T, ".", markersize=2, label=f"h/r = {aspect}")
-        axes[method].set(title=method, aspect="equal", xlabel="x/r", ylabel="y/r", xlim=(-12, 12), ylim=(-0.2, 2))
-        axes[method].legend(markerscale=4)
-    axes["laws"].set(xlabel="h/r", ylabel="run-out/r", xlim=(0, 5), ylim=(0, 8))
+        axes[method].set(title=method, aspect="equal", xlabel="x/r", ylabel="y/r", xlim=(-12, 12), ylim=(-0.2, 3.5))
+        axes[method].legend(markerscale=4, ncols=3)
+    axes["laws"].set(xlabel="h/r", ylabel="run-out/r", xlim=(0, 5), ylim=(0, 9))
     axes["laws"].legend(loc="upper left")
     figure.savefig(path, dpi=110)
 
