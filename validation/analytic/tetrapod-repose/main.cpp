@@ -1,5 +1,3 @@
-#include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "sazare/cases/case_file.hpp"
@@ -14,7 +12,6 @@ namespace {
 using namespace sazare;
 
 struct Heap {
-  Real angle = 0;         ///< of the cone with the same mean height and mean square radius [deg]
   Real restlessness = 0;  ///< kinetic energy over potential energy
   std::vector<state::Clump> bodies;
 };
@@ -29,13 +26,6 @@ Heap heap(int threads) {
   stepper.evaluate_now();
   Heap heap;
   heap.bodies = stepper.clumps().clumps;
-  const auto count = static_cast<Real>(heap.bodies.size());
-  Vector3 centre = Vector3::Zero();
-  for (const state::Clump& body : heap.bodies) centre += body.centre / count;
-  Real square = 0;
-  for (const state::Clump& body : heap.bodies) square += (body.centre - centre).head<2>().squaredNorm() / count;
-  // A cone of height H and radius R has its mean height at H/4 and a mean square radius of 3/10 R^2.
-  heap.angle = std::atan(4 * centre.z() / std::sqrt(square / 0.3)) * 180 / std::numbers::pi;
   const methods::spheres::SphereEnergies energies = stepper.energies();
   heap.restlessness = (energies.translation + energies.rotation) / energies.potential;
   return heap;
@@ -45,7 +35,6 @@ Heap heap(int threads) {
 
 int main() {
   const Heap one = heap(1), two = heap(2);
-  validation::print_row("angle", one.angle);
   validation::print_row("at-rest", one.restlessness);
   Real differences = 0;
   for (std::size_t n = 0; n < one.bodies.size(); ++n)

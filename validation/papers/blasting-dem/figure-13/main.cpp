@@ -43,7 +43,4 @@ int main() {
   print_row("right-side", shortest_step(simulation, [&](std::size_t i) { return start(i).x() > 1.7; }));
   print_row("far-left", shortest_step(simulation, [&](std::size_t i) { return start(i).x() < 0.2; }));
   print_row("spreads", shortened_share(simulation) / early);
-  const auto& counters = simulation.counters();
-  const auto uniform = static_cast<Real>(counters.uniform_evaluations);
-  print_row("evaluations", uniform / static_cast<Real>(counters.pair_evaluations));
 }

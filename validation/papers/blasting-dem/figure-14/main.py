@@ -20,7 +20,8 @@ def main():
             times = processor_times(results)
             least = least or sum(times)
             print(f"bound-{ranks},{sum(times) / max(times)}")
-            print(f"acceleration-{ranks},{least / max(times)}")
+            if ranks > 2:
+                print(f"acceleration-{ranks},{least / max(times)}")
             print(f"megabytes-{ranks},{1e-6 * sum(last_of_each(results, 'bytes_sent')) / results.figures['steps']}")
 
 

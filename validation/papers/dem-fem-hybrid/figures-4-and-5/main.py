@@ -40,15 +40,13 @@ def draw(course, file):
 
 
 def course_of(results):
-    """What figure 5 shows, and the places of the armour."""
+    """What figure 5 shows."""
     gauges, history = results.sides["continuum"].gauge_table, results.history
-    armour = results.sides["bodies"].gauge_table
     time = gauges["time"]
     slip = SEAWARDS * (gauges["crest.displacement_x"] - gauges["table.displacement_x"])
     acceleration = SEAWARDS * gauges["crest.acceleration_x"]
     return {
         "time": time, "slip": slip, "acceleration": acceleration, "table": SEAWARDS * gauges["table.acceleration_x"],
-        "force": -SEAWARDS * history["surface.force_x"], "height": armour["upper armour.position_y"],
         "drawn": {"(a) caisson, seawards [mm]": 1e3 * slip, "(b) armour on it [N]": -SEAWARDS * history["surface.force_x"],
                   "(c) caisson [m/s²]": acceleration, "(d) table [m/s²]": SEAWARDS * gauges["table.acceleration_x"]},
     }
@@ -69,13 +67,10 @@ def main():
     moved = slip[after].mean() - slip[before].mean()
     back = (np.maximum.accumulate(slip[shaken]) - slip[shaken]).max()
     speed = np.gradient(slip[shaken], time[shaken])
-    print(f"moved,{1e3 * moved}")
     print(f"back,{back / moved}")
     print(f"steps,{count_steps(time[shaken], speed)}")
     print(f"moving,{(speed > 0.5 * moved / (SHAKEN_TO - SHAKEN_FROM)).mean()}")
     print(f"flattened,{-course['acceleration'][shaken].min() / course['acceleration'][shaken].max()}")
-    print(f"armour-sinks,{1e3 * (course['height'][before].mean() - course['height'][after].mean())}")
-    print(f"pressure,{course['force'][after].mean() / course['force'][before].mean()}")
 
 
 def count_steps(time, speed):

@@ -144,7 +144,6 @@ int main() {
       validation::print_row(fmt::format("{}-{}", elements, test.ends ? "ends" : std::to_string(test.springs)).c_str(),
                             result.largest, statics(test));
       if (test.springs == 1) validation::print_row(fmt::format("{}-1-theory", elements).c_str(), result.largest, theory(test));
-      if (rows == 10 && test.springs == 10) validation::print_row("finest", result.largest);
     }
   }
   for (const auto& [name, springs] : {std::pair{"1", 1}, {"2", 2}, {"3", 3}, {"5", 5}, {"10", 10}, {"ends", 2}}) {
