@@ -5,8 +5,8 @@
 
 #include "sazare/cases/case_file.hpp"
 #include "sazare/methods/spheres/case/case.hpp"
-#include "sazare/methods/spheres/run/clump_shape.hpp"
 #include "sazare/methods/spheres/run/model.hpp"
+#include "sazare/methods/spheres/run/placing/clump_shape.hpp"
 #include "sazare/registry/registry.hpp"
 #include "validation/common/rows.hpp"
 
