@@ -85,6 +85,7 @@ const std::vector<std::pair<std::string, std::string>> python_commands = {
     {"blast-model", "geometry and case of method blocks from a drill pattern"},
     {"muck-pile", "fragments of a blast fly and land: throw, flyrock, muck pile, back-break"},
     {"armour", "damage of an armour layer of method spheres: displaced units, N_od, eroded area, settlement"},
+    {"armour-model", "case of an armour layer of method spheres: units placed by a grid on a slope"},
     {"motion", "a record of ground motion: figures, response spectra, correction, scaling, deconvolution"},
 };
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from sazare.arguments import Parser, not_negative, within
 from sazare.armour import command as armour_command
+from sazare.armour_model import command as armour_model_command
 from sazare.blast import command as blast_command
 from sazare.blast_model import command as blast_model_command
 from sazare.comparison import compare
@@ -106,6 +107,7 @@ def parser():
     blast_model_command.add_to(commands)
     muck_pile_command.add_to(commands)
     armour_command.add_to(commands)
+    armour_model_command.add_to(commands)
     return top
 
 

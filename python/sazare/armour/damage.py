@@ -7,8 +7,9 @@ from functools import cached_property
 
 import numpy as np
 
+from sazare.armour.layer import Layer, plane_of
 from sazare.armour.profile import Profile
-from sazare.armour.units import groups_of, units_of
+from sazare.armour.units import groups_of, others_in, snapshot_at, units_of
 from sazare.folders import own
 from sazare.tables import NotARun, finite, write_table
 
@@ -20,12 +21,13 @@ ROCKING = np.radians(5.0)  # of a unit that has not been shifted
 @dataclass(frozen=True)
 class Options:
     """What the damage is of. groups: names, or None for all groups of a shape; start: time from which movement counts [s]; width: of the slope along the shore
-    [m], or None for the length of a periodic axis; along: that axis, "x" or "y"."""
+    [m], or None for the length of a periodic axis; along: that axis, "x" or "y"; slope: name of the wall that is the plane of the slope, or None for "slope"."""
 
     groups: tuple | None = None
     start: float | None = None
     width: float | None = None
     along: str | None = None
+    slope: str | None = None
 
 
 class Damage:
@@ -109,6 +111,24 @@ class Damage:
         """S, the eroded area of the cross-section over the squared nominal diameter (Van der Meer 1988); None without a profile."""
         return None if self.profile is None else self.profile.eroded / self.size**2
 
+    @cached_property
+    def layers(self):
+        """The Layer before and after, within one window; None where the plane of the slope or the width is not known, or the layer is too short. Raises NotARun
+        where a slope that is asked for has none."""
+        plane, width = plane_of(self.case, self.up, self.options.slope), self.along[1]
+        if plane is None or width is None:
+            if self.options.slope:
+                raise NotARun(f"{self.results.path}: the layer needs a width: give --width")
+            return None
+        snapshots, volumes = self.results.particle_snapshots, self.units.size**3
+        try:
+            before = Layer(self.before, volumes, others_in(snapshots[snapshot_at(self.results, self.options.start)].mesh), plane, width, self.size)
+            return before, Layer(self.after, volumes, others_in(snapshots[-1].mesh), plane, width, self.size, before.window)
+        except NotARun:
+            if self.options.slope:
+                raise
+            return None
+
 
 def write_damage(damage, folder):
     """Writes units.csv, profile.csv where there is one, and damage.json into a folder. Raises NotARun where one of them is a link."""
@@ -127,6 +147,9 @@ def write_damage(damage, folder):
         "units": len(units), "nominal_diameter": damage.size, "displaced": damage.displaced, "shifted": damage.shifted, "rocked": damage.rocked, "broken": damage.broken,
         "N_od": damage.per_width, "S": damage.erosion, "settlement": damage.settlement,
     }
+    if damage.layers is not None:
+        for when, layer in zip(("before", "after"), damage.layers):
+            figures |= {f"{name}_{when}": getattr(layer, name) for name in ("packing", "thickness", "porosity")}
     own(folder / "damage.json").write_text(json.dumps(finite(figures), indent=2) + "\n")
 
 

@@ -53,6 +53,12 @@ class Spheres:
         return total / np.bincount(self.owner, weights)[:, None]
 
 
+def others_in(mesh):
+    """Centres (n, 3) and radii (n,) [m] of the spheres of a snapshot that belong to no body."""
+    alone = np.asarray(mesh.cell_data["body"]) < 0
+    return np.asarray(mesh.points)[alone], np.asarray(mesh.cell_data["radius"])[alone]
+
+
 def turns(before, after):
     """Angles [rad] (n,) of the rotation that takes the spheres of each body from one snapshot to another, by least squares. Bodies whose spheres
     stand in a row turn about the row unseen."""

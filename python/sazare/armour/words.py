@@ -21,4 +21,9 @@ def text_of(damage):
         lines.append(f"N_od           {damage.per_width:.3g} displaced units on a width of D_n")
     if damage.erosion is not None:
         lines.append(f"S              {damage.erosion:.3g}, eroded area over D_n squared")
+    if damage.layers is not None:
+        before, after = damage.layers
+        for name, what, unit in (("packing", "N D_n^2/A", 1.0), ("thickness", "over D_n", damage.size), ("porosity", "1 - N V/(A t)", 1.0)):
+            lines.append(f"{name:<14} {getattr(before, name) / unit:.3f} before and {getattr(after, name) / unit:.3f} after, {what}")
+        lines.append(f"surveyed       from {before.window[0]:.3g} to {before.window[1]:.3g} m up the slope, with a foot of D_n/2")
     return lines
