@@ -151,7 +151,7 @@ def write_stl(solid, path):
     """Writes a Solid as text; every corner has the same digits in all its triangles."""
     lines = ["solid unit"]
     for corners in solid.corners:
-        lines += ["facet normal 0 0 0", "outer loop", *(f"vertex {x:.9g} {y:.9g} {z:.9g}" for x, y, z in corners.tolist()), "endloop", "endfacet"]
+        lines += ["facet normal 0 0 0", "outer loop", *(f"vertex {x:.8g} {y:.8g} {z:.8g}" for x, y, z in corners.tolist()), "endloop", "endfacet"]
     path.write_text("\n".join([*lines, "endsolid unit", ""]), encoding="ascii")
 
 

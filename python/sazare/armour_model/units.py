@@ -9,7 +9,7 @@ import numpy as np
 
 from sazare.armour_model.solids import Convex, read_stl, union
 
-SIDES = 16  # of the polygon that stands for a circle
+SIDES = 12  # of the polygon that stands for a circle
 ROOT, TIP = 0.530, 0.302  # of a tetrapod: diameters of a leg in the centre and at its end, over the height
 WAIST, END, CHAMFER = 0.32, 0.20, 0.057  # of a dolos: width of shank and flukes in the middle, of flukes at the end, and chamfer, over the height
 NECK, NARROW, FACE = 0.25, 0.20, 0.49  # of the anvils: half a cube, half the foot of an anvil, and the width of its outer face, over the height; our own
