@@ -139,10 +139,10 @@ def test_a_crest_below_the_toe_is_refused():
 
 
 @pytest.mark.parametrize("kind", SHAPED, ids=lambda kind: kind.name)
-@pytest.mark.parametrize("strength", [None, 3e6])
-def test_the_engine_takes_the_case(kind, strength, tmp_path):
+@pytest.mark.parametrize(("strength", "modulus"), [(None, None), (3e6, None), (3e6, 3e8)])
+def test_the_engine_takes_the_case(kind, strength, modulus, tmp_path):
     layout = Layout(Slope(0.0, 1.2, 1.5, 2.5), kind, unit_solid(kind, size=0.5), Rules())
-    case = write_model(ArmourModel(layout, Material(tensile_strength=strength, count=30)), tmp_path / "model")
+    case = write_model(ArmourModel(layout, Material(tensile_strength=strength, youngs_modulus=modulus, count=12)), tmp_path / "model")
     said = sazare.check(case)
     assert f'"{kind.name}": its spheres fill' in said
     assert ("bonded by unit" if strength else "rigid") in said
@@ -159,6 +159,14 @@ def test_units_come_to_rest_on_the_slope(tmp_path):
     before, after = damage.layers
     assert after.porosity == pytest.approx(before.porosity, abs=0.005)
     assert 0.6 < before.packing < 1.4 and 0.25 < before.porosity < 0.65
+
+
+@pytest.mark.parametrize(("strength", "breaks"), [(4e6, False), (5e3, True)])
+def test_bonded_units_break_where_they_are_too_weak_for_their_weight(strength, breaks, tmp_path):
+    layout = layout_of("cube", size=1.0, slope=Slope(0.0, 1.2, 1.5, 3.4), layers=1)
+    case = write_model(ArmourModel(layout, Material(tensile_strength=strength, youngs_modulus=3e8, count=12)), tmp_path / "model")
+    run = sazare.run(case, tmp_path / "run", progress=False, threads=1)
+    assert (Damage(run).broken > 0) == breaks
 
 
 def slab(height, step=0.05, radius=0.1):

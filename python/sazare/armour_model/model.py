@@ -78,11 +78,11 @@ class ArmourModel:
         )
 
     def _bond(self):
-        """Of concrete: shear strength twice the tensile one, as in the case tetrapod-drop."""
+        """Of concrete: shear strength twice the tensile one, as in the case tetrapod-drop, but brittle, since what a bond can soften by depends on its length."""
         strength = self.material.tensile_strength
         return spheres.Bond(
             name="unit", youngs_modulus=self.youngs_modulus, poisson_ratio=0.2, damping_ratio=0.05, tensile_strength=strength, cohesion=2.0 * strength,
-            friction_angle=35.0, fracture_energy=200.0,
+            friction_angle=35.0,
         )
 
 

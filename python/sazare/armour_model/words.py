@@ -31,6 +31,8 @@ def assumptions(model):
         "a row of fixed spheres of D_n on the ground holds the toe",
         f"at most {model.material.count} spheres fill a unit, which has the mass and the inertia of the solid; its edges are rounder",
     ]
+    if model.material.tensile_strength:
+        said.append(f"units break where a bond of two spheres has a tensile stress of {1e-6 * model.material.tensile_strength:g} MPa or twice that in shear; bonds are brittle")
     if layout.rules.underlayer:
         said.append(f"the underlayer is fixed spheres of a tenth of the volume of a unit, {layout.stone:.3g} m with {100.0 * SPREAD:g} % more or less")
     said.append(
