@@ -18,10 +18,16 @@ Body<D>::Body(BodyDescription description)
       yielding_(description_.mesh, description_.materials, description_.material, description_.integration),
       joints_(description_.mesh, description_.joints),
       pores_(description_.mesh, description_.materials, description_.material),
-      pattern_(description_.mesh.nodes.size() + pores_.pressure_nodes(), all_groups()),
+      members_(description_.mesh, description_.members, description_.mass,
+               static_cast<Index>(description_.mesh.nodes.size() + pores_.pressure_nodes())),
+      pattern_(description_.mesh.nodes.size() + pores_.pressure_nodes() + members_.rotation_nodes(), all_groups()),
       mass_(pattern_),
       linear_(pattern_),
       buffer_(pattern_, changing_groups()) {
+  prestress_.assign(freedoms(), 0);
+  members_.add_prestress(prestress_);
+  members_.add_stiffness(linear_);
+  members_.add_mass(mass_);
   const geometry::ElementMesh& mesh = description_.mesh;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     const SolidMaterial& material = description_.materials[at(description_.material[e])];
@@ -38,6 +44,7 @@ NodeGroups Body<D>::all_groups() const {
   for (const geometry::MeshElement& element : description_.mesh.elements) groups.add(element.node_list());
   for (std::size_t j = 0; j < joints_.size(); ++j) groups.add(joints_.nodes(j));
   for (std::size_t i = 0; i < pores_.size(); ++i) groups.add(pores_.nodes(i));
+  for (std::size_t i = 0; i < members_.size(); ++i) groups.add(members_.nodes(i));
   return groups;
 }
 
@@ -50,12 +57,18 @@ NodeGroups Body<D>::changing_groups() const {
 }
 
 template <int D>
+NodalColumn Body<D>::at_all_nodes(const Vector<D>& value) const {
+  NodalColumn all(freedoms(), 0);
+  for (std::size_t i = 0; i < description_.mesh.nodes.size() * D; ++i) all[i] = value[static_cast<int>(i % D)];
+  return all;
+}
+
+template <int D>
 Real Body<D>::total_mass() const {
-  NodalColumn along(freedoms(), 0), sums(freedoms(), 0);
-  for (std::size_t i = 0; i < along.size(); i += D) along[i] = 1;
-  mass_.multiply(along, 1, sums);
+  NodalColumn sums(freedoms(), 0);
+  mass_.multiply(at_all_nodes(Vector<D>::Unit(0)), 1, sums);
   Real total = 0;
-  for (std::size_t i = 0; i < sums.size(); i += D) total += sums[i];
+  for (std::size_t i = 0; i < description_.mesh.nodes.size() * D; i += D) total += sums[i];
   return total;
 }
 
@@ -81,6 +94,7 @@ BlockMatrix<D> Body<D>::elastic_stiffness() const {
 template <int D>
 BlockMatrix<D> Body<D>::damping_matrix(const laws::RayleighDamping& damping) const {
   BlockMatrix<D> result(pattern_);
+  members_.add_damping(damping.mass_rate, damping.stiffness_time, result);
   const geometry::ElementMesh& mesh = description_.mesh;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     const SolidMaterial& material = description_.materials[at(description_.material[e])];
@@ -150,7 +164,7 @@ void Body<D>::begin_cycles(const NodalColumn& displacement, Memory& memory) cons
 template <int D>
 bool Body<D>::evaluate(const NodalColumn& displacement, const Memory& before, Memory& after, NodalColumn& force,
                        BlockMatrix<D>* tangent) {
-  std::ranges::fill(force, 0);
+  force = prestress_;
   linear_.multiply(displacement, 1, force);
   std::atomic<bool> changed = !has_tangent_;
   parallel::parallel_for(buffer_.groups(), serial_below, [&](std::size_t begin, std::size_t end) {
@@ -179,7 +193,7 @@ typename Body<D>::Energies Body<D>::energies(const NodalColumn& displacement_bef
   NodalColumn force(freedoms(), 0);
   linear_.multiply(displacement, 1, force);
   Energies result;
-  for (std::size_t i = 0; i < force.size(); ++i) result.elastic += 0.5 * force[i] * displacement[i];
+  for (std::size_t i = 0; i < force.size(); ++i) result.elastic += (0.5 * force[i] + prestress_[i]) * displacement[i];
   for (std::size_t i = 0; i < yielding_.size(); ++i) {
     const auto part = yielding_.energies(i, displacement_before, displacement, before.solids, after.solids);
     result.elastic += part.elastic;

@@ -4,6 +4,7 @@
 
 #include "sazare/laws/rayleigh_damping.hpp"
 #include "sazare/methods/fem/joints.hpp"
+#include "sazare/methods/fem/members.hpp"
 #include "sazare/methods/fem/pores.hpp"
 #include "sazare/methods/fem/solids.hpp"
 
@@ -15,6 +16,7 @@ struct BodyDescription {
   std::vector<SolidMaterial> materials;
   std::vector<Index> material;  ///< by element
   std::vector<JointSet> joints;
+  std::vector<MemberSet> members{};
   Integration integration = Integration::full;
   MassMatrix mass = MassMatrix::consistent;
 };
@@ -37,8 +39,10 @@ public:
   const BodyDescription& description() const { return description_; }
   const NodePattern& pattern() const { return pattern_; }
   const BlockMatrix<D>& mass() const { return mass_; }
-  /// Of the nodes of the mesh, then of the pressure nodes of the pores.
-  std::size_t freedoms() const { return (description_.mesh.nodes.size() + pores_.pressure_nodes()) * D; }
+  /// Of the nodes of the mesh, then of the pressure nodes of the pores, then of the rotations of beams.
+  std::size_t freedoms() const { return pattern_.nodes() * D; }
+  /// The same vector at all nodes of the mesh, 0 at all others.
+  NodalColumn at_all_nodes(const Vector<D>& value) const;
   Real total_mass() const;
 
   /// Nothing yields and there are no joints: forces are the stiffness times the displacements.
@@ -48,7 +52,7 @@ public:
   /// Elastic stiffness of all elements, without joints.
   BlockMatrix<D> elastic_stiffness() const;
 
-  /// a1 h M + a2 h K, with h the damping ratio of each element's material; K is the elastic one, also where the material yields.
+  /// Dashpots, and a1 h M + a2 h K, with h the damping ratio of each element's material; K is the elastic one, also where the material yields.
   BlockMatrix<D> damping_matrix(const laws::RayleighDamping& damping) const;
 
   Memory memory_at_rest() const;
@@ -86,6 +90,7 @@ public:
 
   const Joints<D>& joints() const { return joints_; }
   const Pores<D>& pores() const { return pores_; }
+  const Members<D>& members() const { return members_; }
 
 private:
   /// Calls visit(element, point, pressure) for the points of integration of saturated ground.
@@ -99,9 +104,11 @@ private:
   YieldingSolids<D> yielding_;
   Joints<D> joints_;
   Pores<D> pores_;
+  Members<D> members_;
   NodePattern pattern_;
   BlockMatrix<D> mass_;
-  BlockMatrix<D> linear_;  ///< stiffness of the elements that never yield
+  BlockMatrix<D> linear_;  ///< stiffness of the elements that never yield, and of members
+  NodalColumn prestress_;  ///< of members [N]
   GroupBuffer<D> buffer_;  ///< yielding elements, then joints
   bool has_tangent_ = false;
 };

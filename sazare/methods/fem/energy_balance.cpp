@@ -76,13 +76,13 @@ void FemStepper<D>::add_work(const Trial& trial, const NodalColumn& balance, con
 template <int D>
 void FemStepper<D>::add_work_of_damping(const Trial& trial, const Span& span, const NodalColumn& moved) {
   const auto force = [&](NodalColumn velocity, Real when) {
-    add(velocity, -1, at_all_nodes(base_motion(when, &laws::MotionState::velocity)));
+    add(velocity, -1, body_->at_all_nodes(base_motion(when, &laws::MotionState::velocity)));
     return product(rayleigh_, velocity);
   };
   const NodalColumn before = force(state_.velocity, span.from), after = force(trial.velocity, span.to);
   const Vector<D> way =
       base_motion(span.to, &laws::MotionState::displacement) - base_motion(span.from, &laws::MotionState::displacement);
-  const Real all = mean_work(before, after, moved), on_base = mean_work(before, after, at_all_nodes(way));
+  const Real all = mean_work(before, after, moved), on_base = mean_work(before, after, body_->at_all_nodes(way));
   state_.work.damping += all - on_base;
   state_.work.boundary -= on_base;
 }

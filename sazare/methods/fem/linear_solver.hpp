@@ -4,7 +4,6 @@
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
-#include <limits>
 #include <optional>
 
 #include "sazare/methods/fem/node_pattern.hpp"
@@ -24,10 +23,10 @@ public:
   struct Unknowns {
     std::vector<char> is_free;
     std::vector<std::size_t> leader;  ///< whose value a freedom takes, its own number where it is nobody's; empty: no ties
-    /// The rows of nodes from here on change their sign: where that makes the matrix symmetric, as with water in the pores, it
+    /// The rows of nodes from the first of these numbers up to the second change their sign: where that makes the matrix symmetric, as with water in the pores, it
     /// has a factorization without pivots, being positive definite in the other rows and negative definite in these. Vanderbei,
     /// SIAM J. Optim. 5 (1995) 100-113.
-    std::size_t turned_from = std::numeric_limits<std::size_t>::max();
+    std::size_t turned_from = 0, turned_to = 0;
   };
 
   /// A matrix that is not symmetric needs the slower factorization.
@@ -59,10 +58,10 @@ private:
   std::vector<Part> find_parts(const NodePattern& pattern) const;
   bool look_for_singular_freedom();
   /// -1 in rows that change their sign.
-  Real sign(std::size_t freedom) const { return freedom / D < turned_from_ ? 1 : -1; }
+  Real sign(std::size_t freedom) const { return freedom / D < turned_from_ || freedom / D >= turned_to_ ? 1 : -1; }
 
   bool symmetric_;
-  std::size_t turned_from_;
+  std::size_t turned_from_, turned_to_;
   std::vector<int> number_;         ///< of the unknown, by number of a nodal column; -1 where there is none
   std::vector<std::size_t> free_;   ///< numbers of a nodal column, by unknown: leaders
   std::vector<std::size_t> from_;   ///< number among the blocks, by part

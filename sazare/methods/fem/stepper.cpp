@@ -28,14 +28,13 @@ FemStepper<D>::FemStepper(std::unique_ptr<methods::fem::Body<D>> body, methods::
   const NodalColumn none(body_->freedoms(), 0);
   state_.displacement = state_.velocity = state_.acceleration = state_.internal = state_.balance = none;
   reaction_ = initial_displacement_ = state_.applied = state_.carried = weight_ = none;
-  NodalColumn fall = none;
-  for (std::size_t i = 0; i < fall.size(); ++i) fall[i] = supports_.gravity[static_cast<int>(i % D)];
-  weight_ = product(body_->mass(), fall);
+  weight_ = product(body_->mass(), body_->at_all_nodes(supports_.gravity));
   pore_ = body_->pore_force();
   for (const auto& water : supports_.waters)
     for (const auto& face : water.moving) mass_.add(face.nodes, face.mass);
   for (const auto& boundary : supports_.viscous)
     for (const auto& face : boundary.faces) viscous_.add(face.nodes, face.impedance);
+  widen_loads();
   add_pores();
   add(damping_.values(), 1, viscous_.values());
   add(damping_.values(), 1, free_field_->impedance().values());
@@ -58,11 +57,15 @@ void FemStepper<D>::add_pores() {
   pore_matrices_ = std::make_unique<PoreMatrices>(body_->pores(), body_->pattern());
   add(mass_.values(), 1, pore_matrices_->storage.values());
   add(damping_.values(), 1, pore_matrices_->rates.values());
+}
+
+template <int D>
+void FemStepper<D>::widen_loads() {
   for (Load& load : supports_.loads) load.force = widened(std::move(load.force));
   for (auto& water : supports_.waters) water.pressure.force = widened(std::move(water.pressure.force));
 }
 
-/// Forces on the nodes of the mesh, with none on the pressure nodes.
+/// Forces on the nodes of the mesh, with none on the nodes of pressures and rotations.
 template <int D>
 NodalColumn FemStepper<D>::widened(NodalColumn column) const {
   column.resize(body_->freedoms(), 0);
@@ -82,13 +85,19 @@ void FemStepper<D>::prepare_solver(bool at_rest) {
 template <int D>
 void FemStepper<D>::find_unknowns(bool at_rest) {
   unknowns_.is_free.assign(body_->freedoms(), 1);
-  unknowns_.turned_from = body_->mesh().nodes.size();
   const std::set<Index> drained(supports_.drained.begin(), supports_.drained.end());
   const auto& pores = body_->pores();
+  unknowns_.turned_from = body_->mesh().nodes.size();
+  unknowns_.turned_to = unknowns_.turned_from + pores.pressure_nodes();
   for (std::size_t pressure = 0; pressure < pores.pressure_nodes(); ++pressure)
     for (int axis = 0; axis < D; ++axis)
       unknowns_.is_free[number<D>(pores.pressure_node(pressure), axis)] =
           axis == 0 && !at_rest && !pores.is_drained(pressure) && !drained.contains(pores.node_of(pressure));
+  const auto& members = body_->members();
+  for (std::size_t rotation = 0; rotation < members.rotation_nodes(); ++rotation)
+    for (int axis = 0; axis < D; ++axis)
+      unknowns_.is_free[number<D>(members.rotation_node(rotation), axis)] =
+          (D == 3 || axis == 0) && std::ranges::count(supports_.clamped, members.node_of(rotation)) == 0;
   for (const Support& support : supports_.held) unknowns_.is_free[number<D>(support.node, support.axis)] = 0;
   if (at_rest) hold_sides();
   if (!supports_.tied.empty()) find_leaders();
@@ -268,7 +277,7 @@ NodalColumn FemStepper<D>::external(Real now) const {
   add(force, 1, incoming(now));
   if (!free_field_->is_empty()) add(force, 1, at_sides(now, &SideMotion::force));
   if (const Vector<D> base = base_motion(now, &laws::MotionState::velocity); !base.isZero())
-    rayleigh_.multiply(at_all_nodes(base), 1, force);
+    rayleigh_.multiply(body_->at_all_nodes(base), 1, force);
   return force;
 }
 

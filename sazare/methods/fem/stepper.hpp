@@ -181,11 +181,11 @@ private:
   const methods::fem::BlockMatrix<D>& rate_matrix() const { return rules_.statics ? pore_matrices_->rates : damping_; }
   methods::fem::NodalColumn widened(methods::fem::NodalColumn column) const;
   void add_pores();
+  void widen_loads();
   Factors factors(Real length) const;
   methods::fem::NodalColumn external(Real at) const;
   methods::fem::NodalColumn incoming(Real at) const;
   Vector<D> base_motion(Real at, Real laws::MotionState::*quantity) const;
-  methods::fem::NodalColumn at_all_nodes(const Vector<D>& value) const;
   bool is_unloaded() const;
   methods::fem::NodalColumn carried_at_start() const;
   void add_water(Real at, Real factor, methods::fem::NodalColumn& force) const;

@@ -74,13 +74,6 @@ Vector<D> FemStepper<D>::base_motion(Real now, Real laws::MotionState::*quantity
   return value;
 }
 
-template <int D>
-NodalColumn FemStepper<D>::at_all_nodes(const Vector<D>& value) const {
-  NodalColumn all(body_->freedoms());
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = value[static_cast<int>(i % D)];
-  return all;
-}
-
 /// The beginning of an iteration: free nodes stay where they are, supports move as they must; `prescribed` is how far.
 template <int D>
 typename FemStepper<D>::Trial FemStepper<D>::predict(const Span& span, NodalColumn& prescribed) {
@@ -121,7 +114,6 @@ typename FemStepper<D>::Trial FemStepper<D>::predict(const Span& span, NodalColu
   template void FemStepper<D>::push(const NodalColumn&);                                \
   template void FemStepper<D>::jump(const Span&);                                       \
   template Vector<D> FemStepper<D>::base_motion(Real, Real laws::MotionState::*) const; \
-  template NodalColumn FemStepper<D>::at_all_nodes(const Vector<D>&) const;             \
   template typename FemStepper<D>::Trial FemStepper<D>::predict(const Span&, NodalColumn&);
 SAZARE_INSTANTIATE(2)
 SAZARE_INSTANTIATE(3)

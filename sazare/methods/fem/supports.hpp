@@ -96,6 +96,7 @@ struct Supports {
   std::vector<Support> held;
   std::vector<ViscousBoundary<D>> viscous;
   std::vector<FreeFieldSide<D>> sides;
+  std::vector<Index> clamped;  ///< nodes that do not turn, where beams meet them
   std::vector<Load> loads;
   std::vector<StillWater<D>> waters;
   std::vector<std::pair<Index, Index>> tied;  ///< nodes, each with the one whose displacement it has; that one has no other

@@ -118,6 +118,27 @@ struct FemDrain {
   std::string group;
 };
 
+enum class FemMemberKind { beam, bar, spring, dashpot };
+
+/// Beams, bars, springs or dashpots along the lines of a group, or from one node to another.
+struct FemMember {
+  std::string name;
+  FemMemberKind kind = FemMemberKind::beam;
+  std::string group;
+  Vector3 from = Vector3::Zero(), to = Vector3::Zero();  // m
+  Real youngs_modulus = 0;                               // Pa
+  Real area = 0;                                         // m2
+  Real second_moment = 0;                                // m4
+  Real density = 0;                                      // kg/m3
+  Real damping_ratio = 0;
+  Real prestress = 0;  // N
+  Real stiffness = 0;  // N/m
+  Real damping = 0;    // N s/m
+  Real spacing = 0;    // m, across the plane
+
+  bool on_group() const { return !group.empty(); }
+};
+
 struct FemGravity : Gravity {
   bool settle = false;
 };
@@ -146,6 +167,7 @@ struct FemCase {
   std::vector<FemLoad> loads;
   std::vector<FemWater> waters;
   std::vector<FemDrain> drains;
+  std::vector<FemMember> members;
   FemGravity gravity;
   FemSolver solver;
   std::vector<Gauge> gauges;

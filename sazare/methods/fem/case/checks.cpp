@@ -103,17 +103,20 @@ void check_fem(const CheckContext& context, FemCase& fem) {
   check_unique(context, "joints", fem.joints);
   check_unique(context, "motions", fem.motions);
   check_unique(context, "loads", fem.loads);
+  check_unique(context, "members", fem.members);
   check_unique(context, "water_pressures", fem.waters);
   check_unique(context, "gauges", fem.gauges);
   check_materials(context, fem);
   check_joints(context);
   std::vector<Real> ratios;
   for (const FemMaterial& material : fem.materials) ratios.push_back(material.damping_ratio);
+  for (const FemMember& member : fem.members) ratios.push_back(member.damping_ratio);
   check_damping(context, fem.damping, ratios);
   check_motions(context, fem.motions, fem.time.end);
   check_boundaries(context, fem);
   check_gravity(context, fem);
   check_water(context, fem);
+  check_members(context, fem);
   const auto loads = context.entries_of("loads");
   for (std::size_t i = 0; i < loads.size(); ++i)
     if (loads[i].exists()) check_flat(context, loads[i], "traction", fem.loads[i].traction, fem.mesh.dimension, "mesh");

@@ -69,6 +69,19 @@ std::string water_text(const FemWater& water) {
   return text;
 }
 
+std::string member_text(const FemMember& member) {
+  std::string text = fmt::format("{}: {} {}", member.name, word(member.kind),
+                                 member.on_group() ? "along " + member.group
+                                                   : "from " + vector_text(member.from) + " to " + vector_text(member.to) + " m");
+  if (member.kind == FemMemberKind::spring) return text + fmt::format(", {} N/m", number(member.stiffness));
+  if (member.kind == FemMemberKind::dashpot) return text + fmt::format(", {} N s/m", number(member.damping));
+  text += fmt::format(", E {} Pa, area {} m2", number(member.youngs_modulus), number(member.area));
+  if (member.kind == FemMemberKind::beam) text += fmt::format(", second moment {} m4", number(member.second_moment));
+  if (member.prestress != 0) text += fmt::format(", prestress {} N", number(member.prestress));
+  if (member.spacing != 1) text += fmt::format(", every {} m", number(member.spacing));
+  return text;
+}
+
 }  // namespace
 
 std::string explain(const FemCase& fem) {
@@ -90,6 +103,7 @@ std::string explain(const FemCase& fem) {
     text += line("loads", fmt::format("{}: {} Pa on {}, full value after {} s", load.name, vector_text(load.traction), load.group,
                                       number(load.ramp)));
   for (const FemWater& water : fem.waters) text += line("water", water_text(water));
+  for (const FemMember& member : fem.members) text += line("members", member_text(member));
   for (const FemDrain& drain : fem.drains) text += line("drains", drain.group);
   text += explain_gravity(fem.gravity.acceleration, fem.gravity.settle ? ", from equilibrium under gravity" : "");
   for (const Gauge& gauge : fem.gauges) text += line("gauges", fmt::format("{}: {} m", gauge.name, vector_text(gauge.point)));

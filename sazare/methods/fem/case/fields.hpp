@@ -24,6 +24,11 @@ struct EnumWords<Analysis> {
 };
 
 template <>
+struct EnumWords<FemMemberKind> {
+  static constexpr std::array<std::string_view, 4> words{"beam", "bar", "spring", "dashpot"};
+};
+
+template <>
 struct EnumWords<AddedMass> {
   static constexpr std::array<std::string_view, 2> words{"none", "westergaard"};
 };
@@ -156,6 +161,28 @@ void visit_fields(Visitor& visit, FemDrain& drain) {
 }
 
 template <class Visitor>
+void visit_fields(Visitor& visit, FemMember& member) {
+  visit("name", member.name);
+  visit("kind", member.kind);
+  if (visit.has("group", member.on_group())) {
+    visit("group", member.group);
+  } else {
+    visit("from", member.from);
+    visit("to", member.to);
+  }
+  visit("spacing", member.spacing);
+  if (member.kind == FemMemberKind::spring) visit("stiffness", member.stiffness);
+  if (member.kind == FemMemberKind::dashpot) visit("damping", member.damping);
+  if (member.kind == FemMemberKind::spring || member.kind == FemMemberKind::dashpot) return;
+  visit("youngs_modulus", member.youngs_modulus);
+  visit("area", member.area);
+  visit("density", member.density);
+  visit("damping_ratio", member.damping_ratio);
+  if (member.kind == FemMemberKind::beam) visit("second_moment", member.second_moment);
+  if (member.kind == FemMemberKind::bar) visit("prestress", member.prestress);
+}
+
+template <class Visitor>
 void visit_fields(Visitor& visit, FemGravity& gravity) {
   visit("acceleration", gravity.acceleration);
   visit("settle", gravity.settle);
@@ -192,6 +219,7 @@ void visit_tables(Visitor& visit, FemCase& fem) {
   visit.list("loads", fem.loads);
   visit.list("water_pressures", fem.waters);
   visit.list("drains", fem.drains);
+  visit.list("members", fem.members);
   visit.one("gravity", fem.gravity);
   visit.one("solver", fem.solver);
   visit.list("gauges", fem.gauges);

@@ -25,6 +25,7 @@ void check_contraction(const CheckContext& context, const Entry& entry, const Fe
 void check_pore_water(const CheckContext& context, const FemCase& fem, const Entry& entry, const FemMaterial& material);
 
 /// Checks of still water on faces and in joints.
+void check_members(const CheckContext& context, const FemCase& fem);
 void check_water(const CheckContext& context, const FemCase& fem);
 
 /// The case as TOML with every key and default written out and its unit beside it; reading it gives the same case. Files are

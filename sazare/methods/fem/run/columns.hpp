@@ -42,6 +42,10 @@ inline constexpr std::array water = {
 inline constexpr std::array joint_set = {Column{"NAME.open_fraction", "-", "open share of the area of the joint"},
                                          Column{"NAME.sliding_fraction", "-", "sliding share of the area of the joint"},
                                          Column{"NAME.slip_max", "m", "largest slip"}};
+inline constexpr std::array member = {Column{"NAME.axial_force_min", "N", "smallest along a member; tension is positive"},
+                                      Column{"NAME.axial_force_max", "N", "largest along a member; tension is positive"},
+                                      Column{"NAME.shear_force_max", "N", "largest along a member"},
+                                      Column{"NAME.moment_max", "N m", "largest bending moment along a member"}};
 inline constexpr std::array newton = {Column{"newton_iterations", "-", "Newton iterations so far"},
                                       Column{"step_cuts", "-", "steps that were halved"}};
 inline constexpr std::array nodes = {Column{"displacement", "m", "since the beginning"}, Column{"velocity", "m/s", ""},

@@ -14,6 +14,7 @@
 #include "sazare/methods/fem/boundary_faces.hpp"
 #include "sazare/methods/fem/case/case.hpp"
 #include "sazare/methods/fem/case/soil.hpp"
+#include "sazare/methods/fem/run/members.hpp"
 #include "sazare/methods/fem/run/mesh_names.hpp"
 #include "sazare/methods/fem/run/sides.hpp"
 #include "sazare/methods/fem/run/ties.hpp"
@@ -121,6 +122,7 @@ private:
     if (viscous) return add_viscous(number, group);
     std::set<Index> nodes;
     for (const auto& element : group.elements) nodes.insert(element.node_list().begin(), element.node_list().end());
+    if (boundary.kind == GroupKind::fixed) supports_.clamped.insert(supports_.clamped.end(), nodes.begin(), nodes.end());
     for (const Index node : nodes)
       for (int axis = 0; axis < D; ++axis) {
         const Index motion = motion_of(boundary.motion[static_cast<std::size_t>(axis)]);
@@ -216,6 +218,9 @@ void check_held(const cases::CaseFile& file, methods::fem::FemStepper<D>& steppe
   const auto loose = stepper.find_loose_freedom();
   if (!loose) return;
   const geometry::ElementMesh& mesh = stepper.body().mesh();
+  if (at(loose->node) >= mesh.nodes.size())
+    refuse(file, "members", "the stiffness is singular: nothing keeps a member from turning",
+           "let beams run along lines with several nodes in the ground, or fix one of their nodes");
   const Vector3& place = mesh.nodes[at(loose->node)];
   refuse(file, "boundaries",
          fmt::format("the stiffness is singular: nothing holds node {} of the mesh at ({}, {}, {}) m along {}",
@@ -246,6 +251,7 @@ FemModel<D> build_fem(const cases::CaseFile& file, geometry::ElementMesh mesh) {
   for (const cases::FemMaterial& material : given.materials) description.materials.push_back(material_of(material, given));
   description.material = materials_by_element(file, description.mesh, names);
   description.joints = make_joints(file, description.mesh, names);
+  description.members = make_members(file, description.mesh, names);
   fem::Supports<D> supports = SupportMaker<D>(file, description, names).make();
   FemModel<D> model;
   model.warnings = warn_of_dry_water(file, supports.waters) + warn_of_free_pores(file, description, supports, names);

@@ -80,6 +80,7 @@ std::vector<RecordFiles::Table> FemRecord<D>::tables() const {
   if (!stepper().supports().waters.empty()) observe::add_titles(history, columns::fem::moving_water);
   for (const auto& water : stepper().supports().waters) observe::add_titles(history, columns::fem::water, water.pressure.name, D);
   for (const auto& set : stepper().body().joints().sets()) observe::add_titles(history, columns::fem::joint_set, set.name);
+  for (const auto& set : stepper().body().members().sets()) observe::add_titles(history, columns::fem::member, set.name);
   observe::add_titles(history, columns::fem::newton);
   observe::add_titles(history, columns::clock);
   observe::add_titles(gauges, columns::time);
@@ -140,6 +141,11 @@ std::vector<Real> FemRecord<D>::history_row(Real time, Real wall_seconds) {
   for (std::size_t set = 0; set < joints.sets().size(); ++set) {
     const auto summary = joints.summary(set, state.displacement, state.memory.joints);
     row.insert(row.end(), {summary.open_fraction, summary.sliding_fraction, summary.largest_slip});
+  }
+  const auto& members = stepper().body().members();
+  for (std::size_t set = 0; set < members.sets().size(); ++set) {
+    const auto forces = members.forces(set, state.displacement, state.velocity);
+    row.insert(row.end(), {forces.least_axial, forces.largest_axial, forces.shear, forces.moment});
   }
   row.insert(row.end(), {static_cast<Real>(state.iterations), static_cast<Real>(state.cuts), wall_seconds});
   return row;
