@@ -293,6 +293,50 @@ class WaterPressure(Part):
 
 
 @dataclass(kw_only=True, eq=False)
+class Member(Part):
+    """Beams, bars, springs and dashpots between nodes."""
+
+    name: str
+    """Name of the member in results and messages."""
+    kind: Literal["beam", "bar", "spring", "dashpot"]
+    """beam: bends and stretches (Euler and Bernoulli); bar: stretches only, such as an anchor; spring and dashpot: along the line
+    between two nodes.
+    """
+    group: str | None = None
+    """Physical group of lines of the mesh, along which the member runs from node to node. (either group, or from and to)"""
+    from_: tuple[float, float, float] | None = None
+    """One end of a straight member: the nearest node, which must be within 1 % of the extent of the mesh. [m] (either group, or
+    from and to)
+    """
+    to: tuple[float, float, float] | None = None
+    """The other end. [m] (either group, or from and to)"""
+    spacing: float | None = None
+    """Distance of such members across the plane: section, mass, prestress, stiffness and damping of each are divided by it, and
+    forces in results are per metre. [m] (2-D only) Default: 1.0. Greater than 0.
+    """
+    youngs_modulus: float | None = None
+    """Young's modulus. [Pa] (required for beams and bars) Greater than 0."""
+    area: float | None = None
+    """Area of the section. [m2] (required for beams and bars) Greater than 0."""
+    second_moment: float | None = None
+    """Second moment of area against bending, in space the same in all directions (a round or square section). [m4] (required for
+    beams) Greater than 0.
+    """
+    density: float | None = None
+    """Mass per volume. [kg/m3] (beams and bars; required for beams, where it is above 0) Default: 0.0. At least 0."""
+    damping_ratio: float | None = None
+    """Damping ratio of Rayleigh damping at the two frequencies of [damping]. (beams and bars) Default: 0.0. At least 0 and less
+    than 1.
+    """
+    prestress: float | None = None
+    """Tension of a bar before the body gives way to it; settle includes it. [N] (bars only) Default: 0.0."""
+    stiffness: float | None = None
+    """Force per elongation. [N/m] (required for springs) Greater than 0."""
+    damping: float | None = None
+    """Force per velocity of elongation. [N s/m] (required for dashpots) Greater than 0."""
+
+
+@dataclass(kw_only=True, eq=False)
 class Drain(Part):
     """Faces at which pore water is free to flow out and in."""
 
@@ -389,6 +433,7 @@ class Case(AnyCase):
         "ties": Ty,
         "loads": Load,
         "water_pressures": WaterPressure,
+        "members": Member,
         "drains": Drain,
         "gravity": Gravity,
         "solver": Solver,
@@ -417,6 +462,8 @@ class Case(AnyCase):
     """Tractions on outer faces."""
     water_pressures: list[WaterPressure] = field(default_factory=list)
     """Pressure of still water on outer faces, and in joints."""
+    members: list[Member] = field(default_factory=list)
+    """Beams, bars, springs and dashpots between nodes."""
     drains: list[Drain] = field(default_factory=list)
     """Faces at which pore water is free to flow out and in."""
     gravity: Gravity | None = None

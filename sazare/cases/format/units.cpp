@@ -62,12 +62,12 @@ std::optional<Unit> simple_unit(std::string_view name) {
 /// A symbol with an optional power: "m3", "s^2", "m²".
 std::optional<Unit> powered_unit(std::string_view name) {
   int power = 1;
-  for (const auto& [mark, value] : {std::pair{"²", 2}, std::pair{"³", 3}}) {
+  for (const auto& [mark, value] : {std::pair{"²", 2}, std::pair{"³", 3}, std::pair{"⁴", 4}}) {
     if (!name.ends_with(mark)) continue;
     name.remove_suffix(std::string_view(mark).size());
     power = value;
   }
-  if (!name.empty() && (name.back() == '2' || name.back() == '3')) {
+  if (!name.empty() && name.back() >= '2' && name.back() <= '4') {
     power = name.back() - '0';
     name.remove_suffix(1);
     if (name.ends_with('^')) name.remove_suffix(1);

@@ -30,7 +30,8 @@ INSTANTIATE_TEST_SUITE_P(Units, Converted,
                                          Conversion{"99.67 J/m2", "N/m", 99.67}, Conversion{"66.6 bar", "Pa", 6.66e6},
                                          Conversion{"30 deg", "deg", 30}, Conversion{"30°", "deg", 30},
                                          Conversion{"3.141592653589793 rad", "deg", 180}, Conversion{"12", "Pa", 12},
-                                         Conversion{"9.81 m/s²", "m/s2", 9.81}, Conversion{"36 m/h", "m/s", 0.01}));
+                                         Conversion{"5000 cm4", "m4", 5e-5}, Conversion{"9.81 m/s²", "m/s2", 9.81},
+                                         Conversion{"36 m/h", "m/s", 0.01}));
 
 TEST(Quantity, NeedsANumberFirst) {
   EXPECT_FALSE(parse_quantity("strong"));
