@@ -52,7 +52,8 @@ public:
   /// Elastic stiffness of all elements, without joints.
   BlockMatrix<D> elastic_stiffness() const;
 
-  /// Dashpots, and a1 h M + a2 h K, with h the damping ratio of each element's material; K is the elastic one, also where the material yields.
+  /// Dashpots, and a1 h M + a2 h K, with h the damping ratio of each element's material; K is the elastic one, also where the
+  /// material yields.
   BlockMatrix<D> damping_matrix(const laws::RayleighDamping& damping) const;
 
   Memory memory_at_rest() const;

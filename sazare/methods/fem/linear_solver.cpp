@@ -12,7 +12,10 @@ constexpr Real singular_share = 1e-11;  // of a freedom's own stiffness before o
 
 template <int D>
 LinearSolver<D>::LinearSolver(const NodePattern& pattern, const Unknowns& unknowns, bool symmetric)
-    : symmetric_(symmetric), turned_from_(unknowns.turned_from), turned_to_(unknowns.turned_to), number_(unknowns.is_free.size(), -1) {
+    : symmetric_(symmetric),
+      turned_from_(unknowns.turned_from),
+      turned_to_(unknowns.turned_to),
+      number_(unknowns.is_free.size(), -1) {
   const auto leader = [&](std::size_t i) { return unknowns.leader.empty() ? i : unknowns.leader[i]; };
   for (std::size_t i = 0; i < number_.size(); ++i) {
     if (!unknowns.is_free[i] || leader(i) != i) continue;

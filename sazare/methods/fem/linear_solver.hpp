@@ -23,9 +23,9 @@ public:
   struct Unknowns {
     std::vector<char> is_free;
     std::vector<std::size_t> leader;  ///< whose value a freedom takes, its own number where it is nobody's; empty: no ties
-    /// The rows of nodes from the first of these numbers up to the second change their sign: where that makes the matrix symmetric, as with water in the pores, it
-    /// has a factorization without pivots, being positive definite in the other rows and negative definite in these. Vanderbei,
-    /// SIAM J. Optim. 5 (1995) 100-113.
+    /// The rows of nodes from the first of these numbers up to the second change their sign: where that makes the matrix
+    /// symmetric, as with water in the pores, it has a factorization without pivots, being positive definite in the other rows
+    /// and negative definite in these. Vanderbei, SIAM J. Optim. 5 (1995) 100-113.
     std::size_t turned_from = 0, turned_to = 0;
   };
 

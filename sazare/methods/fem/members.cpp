@@ -77,8 +77,8 @@ Index Members<D>::rotation_of(Index node) const {
 }
 
 template <int D>
-typename Members<D>::Element Members<D>::make(std::size_t set, const std::array<Index, 2>& ends, const geometry::ElementMesh& mesh,
-                                              MassMatrix mass) const {
+typename Members<D>::Element Members<D>::make(std::size_t set, const std::array<Index, 2>& ends,
+                                              const geometry::ElementMesh& mesh, MassMatrix mass) const {
   const MemberSet& of = sets_[set];
   const Vector<D> way = (mesh.nodes[at(ends[1])] - mesh.nodes[at(ends[0])]).template head<D>();
   const Real length = way.norm();
@@ -126,8 +126,8 @@ void Members<D>::make_beam(const MemberSet& of, Real length, MassMatrix mass, El
   }
 }
 
-/// Nothing turns a straight beam about its own axis, alone or with others in line: its first node is kept from it, by a spring that
-/// bears nothing.
+/// Nothing turns a straight beam about its own axis, alone or with others in line: its first node is kept from it, by a spring
+/// that bears nothing.
 template <int D>
 void Members<D>::steady_spins() {
   std::vector<std::size_t> chain(elements_.size());

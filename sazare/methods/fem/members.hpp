@@ -2,14 +2,15 @@
 
 /// Beams, bars, springs and dashpots between nodes of a body, in small displacements.
 ///
-/// A beam is that of Euler and Bernoulli: cubic deflections w, whose slope at a node is the node's rotation, and a linear stretch e,
+/// A beam is that of Euler and Bernoulli: cubic deflections w, whose slope at a node is the node's rotation, and a linear stretch
+/// e,
 ///
 ///     U = integral of (EA e'^2 + EI |w''|^2 + GJ phi'^2) dx/2     T = integral of (rho A |u|^2 + 2 rho I phi^2) dx/2
 ///
-/// with the rotation phi about its axis in space, where its section is round: the same second moment I in every direction, GJ = 2 G
-/// I with G = E/2.6. Rotations of a node are the components of one more node of the body: about z in the plane, about x, y and z in
-/// space. Beams that meet at a node are clamped to each other; the ground at a node does not turn it. Przemieniecki, Theory of Matrix
-/// Structural Analysis (1968), sections 5.6 and 11.
+/// with the rotation phi about its axis in space, where its section is round: the same second moment I in every direction, GJ = 2
+/// G I with G = E/2.6. Rotations of a node are the components of one more node of the body: about z in the plane, about x, y and
+/// z in space. Beams that meet at a node are clamped to each other; the ground at a node does not turn it. Przemieniecki, Theory
+/// of Matrix Structural Analysis (1968), sections 5.6 and 11.
 
 #include <array>
 #include <string>

@@ -70,9 +70,9 @@ std::string water_text(const FemWater& water) {
 }
 
 std::string member_text(const FemMember& member) {
-  std::string text = fmt::format("{}: {} {}", member.name, word(member.kind),
-                                 member.on_group() ? "along " + member.group
-                                                   : "from " + vector_text(member.from) + " to " + vector_text(member.to) + " m");
+  std::string text = fmt::format(
+      "{}: {} {}", member.name, word(member.kind),
+      member.on_group() ? "along " + member.group : "from " + vector_text(member.from) + " to " + vector_text(member.to) + " m");
   if (member.kind == FemMemberKind::spring) return text + fmt::format(", {} N/m", number(member.stiffness));
   if (member.kind == FemMemberKind::dashpot) return text + fmt::format(", {} N s/m", number(member.damping));
   text += fmt::format(", E {} Pa, area {} m2", number(member.youngs_modulus), number(member.area));

@@ -384,8 +384,9 @@ constexpr std::array member_keys{
     Key{.name = "kind",
         .type = Type::choice,
         .need = Need::required,
-        .sentence = "beam: bends and stretches (Euler and Bernoulli); bar: stretches only, such as an anchor; spring and dashpot: "
-                    "along the line between two nodes.",
+        .sentence =
+            "beam: bends and stretches (Euler and Bernoulli); bar: stretches only, such as an anchor; spring and dashpot: "
+            "along the line between two nodes.",
         .choices = member_kinds},
     Key{.name = "group",
         .type = Type::text,
@@ -403,8 +404,9 @@ constexpr std::array member_keys{
         .range = positive,
         .default_text = "1.0",
         .note = "2-D only",
-        .sentence = "Distance of such members across the plane: section, mass, prestress, stiffness and damping of each are divided "
-                    "by it, and forces in results are per metre."},
+        .sentence =
+            "Distance of such members across the plane: section, mass, prestress, stiffness and damping of each are divided "
+            "by it, and forces in results are per metre."},
     Key{.name = "youngs_modulus",
         .type = Type::number,
         .unit = "Pa",

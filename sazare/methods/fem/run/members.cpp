@@ -12,7 +12,8 @@ namespace {
 namespace fem = methods::fem;
 
 /// From node to node along the lines of a group; a quadratic line has its middle between its ends.
-std::vector<std::array<Index, 2>> lines_of(const cases::CaseFile& file, const std::string& key, const geometry::ElementGroup& group) {
+std::vector<std::array<Index, 2>> lines_of(const cases::CaseFile& file, const std::string& key,
+                                           const geometry::ElementGroup& group) {
   std::vector<std::array<Index, 2>> lines;
   for (const geometry::MeshElement& line : group.elements) {
     if (geometry::facts(line.shape).dimension != 1)
