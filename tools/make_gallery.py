@@ -39,6 +39,7 @@ PICTURES = {
     "shaking-table": "moving",
     "bonded-beam": "broken_bonds",
     "tetrapod-armour": "spheres",
+    "armour-slope": "spheres",
     "tetrapod-drop": "broken_bonds",
     "stones-through-water": "spheres",
     "strip-footing": "yielding",

@@ -41,6 +41,7 @@ def sides_until(end, *more):
 
 # By the name of the case: its folder, or the folder and the file where there is more than one case in it.
 RUNS = {
+    "armour-slope": Run(until(0.1, "spheres.2.rain=false", "time.snapshot_interval=0.1")),
     "base-friction": Run(),
     # The holes are fired sooner after each other.
     "bench-blast": Run(until(3e-4, "charges.1.delay=1e-4", "charges.2.delay=2e-4", "time.snapshot_interval=1e-4")),
