@@ -4,9 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numeric>
-#include <set>
 
 #include "sazare/core/error.hpp"
 #include "sazare/methods/fem/free_field.hpp"
@@ -70,80 +67,6 @@ template <int D>
 NodalColumn FemStepper<D>::widened(NodalColumn column) const {
   column.resize(body_->freedoms(), 0);
   return column;
-}
-
-/// A solver for the free degrees of freedom.
-template <int D>
-void FemStepper<D>::prepare_solver(bool at_rest) {
-  find_unknowns(at_rest);
-  solver_ = std::make_unique<methods::fem::LinearSolver<D>>(body_->pattern(), unknowns_, body_->is_symmetric());
-  mass_solver_.reset();
-  factorized_.reset();
-}
-
-/// What is free. While relaxing the water in the pores is at rest.
-template <int D>
-void FemStepper<D>::find_unknowns(bool at_rest) {
-  unknowns_.is_free.assign(body_->freedoms(), 1);
-  const std::set<Index> drained(supports_.drained.begin(), supports_.drained.end());
-  const auto& pores = body_->pores();
-  unknowns_.turned_from = body_->mesh().nodes.size();
-  unknowns_.turned_to = unknowns_.turned_from + pores.pressure_nodes();
-  for (std::size_t pressure = 0; pressure < pores.pressure_nodes(); ++pressure)
-    for (int axis = 0; axis < D; ++axis)
-      unknowns_.is_free[number<D>(pores.pressure_node(pressure), axis)] =
-          axis == 0 && !at_rest && !pores.is_drained(pressure) && !drained.contains(pores.node_of(pressure));
-  const auto& members = body_->members();
-  for (std::size_t rotation = 0; rotation < members.rotation_nodes(); ++rotation)
-    for (int axis = 0; axis < D; ++axis)
-      unknowns_.is_free[number<D>(members.rotation_node(rotation), axis)] =
-          (D == 3 || axis == 0) && std::ranges::count(supports_.clamped, members.node_of(rotation)) == 0;
-  for (const Support& support : supports_.held) unknowns_.is_free[number<D>(support.node, support.axis)] = 0;
-  if (at_rest) hold_sides();
-  if (!supports_.tied.empty()) find_leaders();
-}
-
-/// Viscous boundaries and free-field sides hold the body while it relaxes.
-template <int D>
-void FemStepper<D>::hold_sides() {
-  for (const auto& side : supports_.sides)
-    for (const Index node : side.nodes) unknowns_.is_free[number<D>(node, side.across)] = 0;
-  for (const auto& boundary : supports_.viscous)
-    for (const auto& face : boundary.faces)
-      for (const Index node : face.nodes)
-        for (int axis = 0; axis < D; ++axis) unknowns_.is_free[number<D>(node, axis)] = 0;
-}
-
-/// Tied nodes have their displacement in common, and where both have one their pressure.
-template <int D>
-void FemStepper<D>::find_leaders() {
-  unknowns_.leader.resize(body_->freedoms());
-  std::iota(unknowns_.leader.begin(), unknowns_.leader.end(), std::size_t{0});
-  const auto tie = [&](Index node, Index leader) {
-    for (int axis = 0; axis < D; ++axis) {
-      const std::size_t follower = number<D>(node, axis), first = number<D>(leader, axis);
-      unknowns_.leader[follower] = first;
-      unknowns_.is_free[first] = unknowns_.is_free[first] && unknowns_.is_free[follower];
-      unknowns_.is_free[follower] = 0;
-    }
-  };
-  std::map<Index, Index> pressure_of;
-  const auto& pores = body_->pores();
-  for (std::size_t pressure = 0; pressure < pores.pressure_nodes(); ++pressure)
-    pressure_of[pores.node_of(pressure)] = pores.pressure_node(pressure);
-  for (const auto& [node, leader] : supports_.tied) {
-    tie(node, leader);
-    if (pressure_of.contains(node) && pressure_of.contains(leader)) tie(pressure_of[node], pressure_of[leader]);
-  }
-}
-
-template <int D>
-std::optional<methods::fem::Freedom> FemStepper<D>::find_loose_freedom() {
-  prepare_solver(true);
-  methods::fem::LinearSolver<D> symmetric(body_->pattern(), unknowns_, true);
-  symmetric.factorize(state_.tangent.values());
-  prepare_solver(false);
-  return symmetric.singular();
 }
 
 template <int D>
@@ -250,66 +173,6 @@ typename FemStepper<D>::Factors FemStepper<D>::factors(Real length) const {
   if (!inertia()) return {1 / (length * length), 1 / length, 1};
   const Real beta = 0.25 * (1 - rules_.alpha) * (1 - rules_.alpha), gamma = 0.5 - rules_.alpha;
   return {1 / (beta * length * length), gamma / (beta * length), 1 + rules_.alpha};
-}
-
-/// Adds the pressure of still water at a time, on faces and in pores, times a factor.
-template <int D>
-void FemStepper<D>::add_water(Real now, Real factor, NodalColumn& force) const {
-  add(force, factor, pore_);
-  for (const auto& water : supports_.waters)
-    if (const Real share = water.pressure.share(now); share > 0) add(force, factor * share, water.pressure.force);
-}
-
-/// Forces on the nodes at a time; while relaxing, at a share of gravity and of the water that is there at the beginning.
-template <int D>
-NodalColumn FemStepper<D>::external(Real now) const {
-  NodalColumn force = weight_;
-  if (stage_ == Stage::relaxing) {
-    for (Real& value : force) value *= now;
-    add_water(0, now, force);
-    return force;
-  }
-  add_water(now, 1, force);
-  for (const auto& load : supports_.loads) add(force, load.share(now), load.force);
-  add(force, 1, state_.applied);
-  add(force, 1, reaction_);
-  if (!inertia()) return force;
-  add(force, 1, incoming(now));
-  if (!free_field_->is_empty()) add(force, 1, at_sides(now, &SideMotion::force));
-  if (const Vector<D> base = base_motion(now, &laws::MotionState::velocity); !base.isZero())
-    rayleigh_.multiply(body_->at_all_nodes(base), 1, force);
-  return force;
-}
-
-/// A static run brings its loads to bear in its first step: before it, nothing is carried but what has been relaxed.
-template <int D>
-NodalColumn FemStepper<D>::carried_at_start() const {
-  if (is_unloaded()) return NodalColumn(body_->freedoms(), 0);
-  NodalColumn force = weight_;
-  add_water(0, 1, force);
-  add(force, 1, reaction_);
-  return force;
-}
-
-/// What brings in the waves of viscous boundaries.
-template <int D>
-NodalColumn FemStepper<D>::incoming(Real now) const {
-  NodalColumn force(body_->freedoms(), 0);
-  for (const auto& boundary : supports_.viscous) {
-    Vector<D> velocity = Vector<D>::Zero();
-    for (int axis = 0; axis < D; ++axis)
-      if (const Index motion = boundary.motion[static_cast<std::size_t>(axis)]; motion != Support::no_motion)
-        velocity[axis] = supports_.motions[at(motion)].at(now).velocity;
-    if (velocity.isZero()) continue;
-    for (const auto& face : boundary.faces) {
-      const Eigen::VectorXd all = velocity.replicate(static_cast<Eigen::Index>(face.nodes.size()), 1);
-      const Eigen::VectorXd part = 2 * (face.impedance * all);
-      for (std::size_t i = 0; i < face.nodes.size(); ++i)
-        for (int axis = 0; axis < D; ++axis)
-          force[number<D>(face.nodes[i], axis)] += part[static_cast<Eigen::Index>(i) * D + axis];
-    }
-  }
-  return force;
 }
 
 /// True when the step, or equilibrium, is found; then it counts.
@@ -435,77 +298,6 @@ void FemStepper<D>::commit(Trial& trial, const Span& span) {
   state_.internal.swap(trial.internal);
   state_.memory = std::move(trial.memory);
   state_.balance = balance;
-}
-
-template <int D>
-NodalColumn FemStepper<D>::reactions() const {
-  NodalColumn force = state_.balance;
-  if (inertia()) mass_.multiply(state_.acceleration, 1, force);
-  for (std::size_t i = 0; i < force.size(); ++i)
-    if (unknowns_.is_free[i]) force[i] = 0;
-  return force;
-}
-
-template <int D>
-Vector<D> FemStepper<D>::viscous_force(std::size_t boundary) const {
-  Vector<D> sum = Vector<D>::Zero();
-  const auto& one = supports_.viscous[boundary];
-  for (int axis = 0; axis < D; ++axis) {
-    const Index motion = one.motion[static_cast<std::size_t>(axis)];
-    const Real entering = motion == Support::no_motion ? 0 : supports_.motions[at(motion)].at(time()).velocity;
-    for (const auto& face : one.faces)
-      for (std::size_t i = 0; i < face.nodes.size(); ++i) {
-        const Real relative = 2 * entering - state_.velocity[number<D>(face.nodes[i], axis)];
-        const auto column = static_cast<Eigen::Index>(i) * D + axis;
-        for (Eigen::Index row = 0; row < face.impedance.rows(); ++row)
-          sum[static_cast<int>(row % D)] += face.impedance(row, column) * relative;
-      }
-    for (const Index node : one.nodes) sum[axis] += reaction_[number<D>(node, axis)];
-  }
-  return sum;
-}
-
-template <int D>
-Vector<D> FemStepper<D>::side_force(std::size_t which) const {
-  const auto& side = supports_.sides[which];
-  Vector<D> sum = free_field_->force(which, state_.velocity);
-  for (const Index node : side.nodes) sum[side.across] += reaction_[number<D>(node, side.across)];
-  return sum;
-}
-
-/// Columns go ahead to the end of the step.
-template <int D>
-void FemStepper<D>::move_sides() {
-  if (free_field_->is_empty()) return;
-  free_field_->advance();
-  state_.sides_before = std::move(state_.sides);
-  state_.sides = free_field_->motion();
-  state_.columns = free_field_->states();
-}
-
-/// Within a step what columns tell changes evenly.
-template <int D>
-NodalColumn FemStepper<D>::at_sides(Real now, NodalColumn SideMotion::*quantity) const {
-  const Real begin = time(), end = static_cast<Real>(state_.steps + 1) * rules_.step;
-  const Real share = (now - begin) / (end - begin);
-  NodalColumn value = state_.sides.*quantity;
-  for (std::size_t i = 0; i < value.size(); ++i) value[i] = share * value[i] + (1 - share) * (state_.sides_before.*quantity)[i];
-  return value;
-}
-
-template <int D>
-Vector<D> FemStepper<D>::water_force(std::size_t which) const {
-  const auto& water = supports_.waters[which];
-  Vector<D> sum = water.pressure.share(time()) * water.force;
-  if (!inertia()) return sum;
-  for (const auto& face : water.moving)
-    for (Eigen::Index column = 0; column < face.mass.cols(); ++column) {
-      const Real acceleration =
-          state_.acceleration[number<D>(face.nodes[static_cast<std::size_t>(column / D)], static_cast<int>(column % D))];
-      for (Eigen::Index row = 0; row < face.mass.rows(); ++row)
-        sum[static_cast<int>(row % D)] -= face.mass(row, column) * acceleration;
-    }
-  return sum;
 }
 
 template <int D>

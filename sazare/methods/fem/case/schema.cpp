@@ -3,6 +3,8 @@
 #include "sazare/cases/case_keys.hpp"
 #include "sazare/cases/format/usual_values.hpp"
 #include "sazare/methods/fem/case/format.hpp"
+#include "sazare/methods/fem/case/material_keys.hpp"
+#include "sazare/methods/fem/case/member_keys.hpp"
 
 namespace sazare::cases {
 namespace {
@@ -10,14 +12,9 @@ namespace {
 constexpr std::array<std::string_view, 2> mass_kinds{"consistent", "lumped"};
 constexpr std::array<std::string_view, 2> integrations{"full", "reduced"};
 constexpr std::array<std::string_view, 5> group_kinds{"fixed", "roller", "prescribed", "viscous", "free_field"};
-constexpr std::array<std::string_view, 3> backbones{"hyperbolic", "ramberg_osgood", "table"};
-constexpr std::array<std::string_view, 3> drainages{"drained", "undrained", "flow"};
-constexpr std::array<std::string_view, 4> member_kinds{"beam", "bar", "spring", "dashpot"};
 constexpr std::array<std::string_view, 2> added_masses{"none", "westergaard"};
 constexpr std::array<std::string_view, 2> analyses{"dynamic", "static"};
 
-constexpr std::string_view with_strength = "only with a cohesion";
-constexpr UsualRange water_density{990, 1050};  // [kg/m3]
 constexpr std::string_view with_motion = "kinds prescribed and viscous only";
 
 constexpr std::array fem_mesh_keys{
@@ -44,179 +41,6 @@ constexpr std::array element_keys{
         .sentence = "Integration of the stiffness: full, or reduced, with fewer points in 8-node quadrilaterals and 20-node "
                     "hexahedra, which avoids locking in bending and plastic flow.",
         .choices = integrations},
-};
-
-constexpr std::array material_keys{
-    Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name of the material in messages."},
-    Key{.name = "regions",
-        .type = Type::names,
-        .need = Need::required,
-        .sentence = "Physical groups of the mesh that consist of the material: surfaces in 2-D, volumes in 3-D."},
-    Key{.name = "density",
-        .type = Type::number,
-        .unit = "kg/m3",
-        .range = positive,
-        .usual = usual::density,
-        .need = Need::required,
-        .sentence = "Mass per volume."},
-    Key{.name = "youngs_modulus",
-        .type = Type::number,
-        .unit = "Pa",
-        .range = positive,
-        .usual = usual::elastic_modulus,
-        .need = Need::required,
-        .sentence = "Young's modulus."},
-    Key{.name = "poisson_ratio",
-        .type = Type::number,
-        .range = {.low = 0, .high = 0.5, .high_open = true},
-        .need = Need::required,
-        .sentence = "Poisson's ratio."},
-    Key{.name = "damping_ratio",
-        .type = Type::number,
-        .range = {.low = 0, .high = 2},
-        .default_text = "0.0",
-        .sentence = "Damping ratio at the frequencies f1 and f2 of [damping]."},
-    Key{.name = "water_table",
-        .type = Type::number,
-        .unit = "m",
-        .note = "default: no water in the pores",
-        .sentence =
-            "Elevation of the water table, y in 2-D and z in 3-D: below it the ground has saturated_density and a hydrostatic "
-            "pore pressure, and its strength and stiffness are those of the effective stress."},
-    Key{.name = "saturated_density",
-        .type = Type::number,
-        .unit = "kg/m3",
-        .range = positive,
-        .usual = usual::density,
-        .note = "required with a water_table",
-        .sentence = "Density of the ground below the water table, with the water in its pores."},
-    Key{.name = "pore_water_density",
-        .type = Type::number,
-        .unit = "kg/m3",
-        .range = positive,
-        .usual = water_density,
-        .default_text = "1000.0",
-        .note = "only with a water_table",
-        .sentence = "Density of the water in the pores."},
-    Key{.name = "drainage",
-        .type = Type::choice,
-        .default_text = "\"drained\"",
-        .note = "only with a water_table",
-        .sentence = "drained: the pore pressure stays hydrostatic; undrained: the water moves with the ground, and its pressure "
-                    "follows the volume; flow: it also flows through the pores (consolidation), with Darcy's law.",
-        .choices = drainages},
-    Key{.name = "porosity",
-        .type = Type::number,
-        .range = {.low = 0, .high = 1, .low_open = true, .high_open = true},
-        .usual = {0.1, 0.7},
-        .note = "required for drainage undrained and flow",
-        .sentence = "Volume of the pores per volume of the ground."},
-    Key{.name = "water_bulk_modulus",
-        .type = Type::number,
-        .unit = "Pa",
-        .range = positive,
-        .usual = {1e7, 3e9},
-        .default_text = "2.2e9",
-        .note = "drainage undrained and flow",
-        .sentence = "Bulk modulus of the water in the pores; a little air lowers it much."},
-    Key{.name = "hydraulic_conductivity",
-        .type = Type::number,
-        .unit = "m/s",
-        .range = positive,
-        .usual = {1e-12, 1},
-        .note = "required for drainage flow",
-        .sentence = "Coefficient of permeability k of Darcy's law, the velocity of flow under a gradient of 1: gravel some 1e-2, "
-                    "sand 1e-4, silt 1e-6, clay below 1e-8 m/s."},
-    Key{.name = "cohesion",
-        .type = Type::number,
-        .unit = "Pa",
-        .range = not_negative,
-        .usual = usual::strength,
-        .note = "default: the material is elastic and never yields",
-        .sentence = "Cohesion of the Mohr-Coulomb strength."},
-    Key{.name = "friction_angle",
-        .type = Type::number,
-        .unit = "deg",
-        .range = {.low = 0, .high = 60},
-        .usual = {usual::friction_angle.low, 60},
-        .note = "required with a cohesion",
-        .sentence = "Friction angle."},
-    Key{.name = "dilation_angle",
-        .type = Type::number,
-        .unit = "deg",
-        .range = {.low = 0, .high = 60},
-        .default_text = "0.0",
-        .note = with_strength,
-        .sentence = "Dilation angle; at most the friction angle."},
-    Key{.name = "tensile_strength",
-        .type = Type::number,
-        .unit = "Pa",
-        .range = not_negative,
-        .usual = usual::strength,
-        .note = "only with a cohesion; default: cohesion/tan(friction_angle), without friction none",
-        .sentence = "Tension cut-off: largest tensile stress; at most cohesion/tan(friction_angle)."},
-    Key{.name = "blow_count",
-        .type = Type::number,
-        .range = {.low = 0, .high = 100, .low_open = true},
-        .usual = {3, 50},
-        .note = "with a cohesion; not with contraction_rate; default: cycles of shear take no volume",
-        .sentence =
-            "Sand that contracts under cycles of shear (Byrne 1991), by the blow count (N1)60 of the standard penetration "
-            "test: contraction_rate = 8.7 (N1)60^-1.25."},
-    Key{.name = "contraction_rate",
-        .type = Type::number,
-        .range = {.low = 0, .high = 10, .low_open = true},
-        .usual = {0.01, 2},
-        .note = "with a cohesion; not with blow_count",
-        .sentence = "C1 of the contraction C1 g/2 exp(-C2 e/g) in a half cycle of shear strain g after a contraction e; C2 is "
-                    "0.4/C1."},
-    Key{.name = "contraction_threshold",
-        .type = Type::number,
-        .range = {.low = 0, .high = 0.1},
-        .default_text = "1e-4",
-        .note = "only with blow_count or contraction_rate",
-        .sentence = "Amplitude of shear strain up to which a half cycle takes no volume."},
-    Key{.name = "backbone",
-        .type = Type::choice,
-        .note = "default: the stiffness does not depend on the strain; not with a cohesion",
-        .sentence =
-            "Soil that degrades with shear strain and dissipates by Masing's rules: stress of a first loading in shear, a "
-            "hyperbola, the curve of Ramberg and Osgood, or a table of G/G0. G0 follows from Young's modulus and Poisson's "
-            "ratio.",
-        .choices = backbones},
-    Key{.name = "reference_strain",
-        .type = Type::number,
-        .range = {.low = 0, .high = 1, .low_open = true},
-        .usual = usual::reference_strain,
-        .note = "hyperbolic and ramberg_osgood; default of hyperbolic: shear_strength/G0",
-        .sentence = "Shear strain at which G/G0 = 0.5."},
-    Key{.name = "shear_strength",
-        .type = Type::number,
-        .unit = "Pa",
-        .range = positive,
-        .usual = usual::strength,
-        .note =
-            "with a backbone; required for ramberg_osgood; default of hyperbolic: G0 reference_strain, of a table: the stress of "
-            "its last row",
-        .sentence = "Shear strength, at which the backbone ends."},
-    Key{.name = "ramberg_osgood_exponent",
-        .type = Type::number,
-        .range = {.low = 1, .high = 20, .low_open = true},
-        .note = "required for ramberg_osgood",
-        .sentence = "Exponent r of strain = stress/G0 (1 + (2 stress/(G0 reference_strain))^(r - 1))."},
-    Key{.name = "modulus_reduction",
-        .type = Type::file,
-        .note = "required for a table",
-        .sentence =
-            "CSV with the header \"shear_strain [-],modulus_ratio [-]\", strains in - or %: G/G0 falls from 1. A third column "
-            "\"damping_ratio [-]\" (or %) is only compared with what Masing's rules give."},
-    Key{.name = "yield_surfaces",
-        .type = Type::integer,
-        .range = {.low = 3, .high = 200},
-        .default_text = "30",
-        .note = "hyperbolic and ramberg_osgood",
-        .sentence =
-            "Number of elastic-perfectly plastic parts, which are the corners of the backbone; a table has one for each row."},
 };
 
 constexpr std::array joint_keys{
@@ -377,85 +201,6 @@ constexpr std::array drain_keys{
         .sentence = "Physical group of faces (lines in 2-D) through which water leaves saturated ground with drainage flow: the "
                     "excess pore pressure is 0 there. The water table, faces under [[water_pressures]], and ground with "
                     "drainage drained beside it drain by themselves; all other sides are impervious."},
-};
-
-constexpr std::array member_keys{
-    Key{.name = "name", .type = Type::text, .need = Need::required, .sentence = "Name of the member in results and messages."},
-    Key{.name = "kind",
-        .type = Type::choice,
-        .need = Need::required,
-        .sentence =
-            "beam: bends and stretches (Euler and Bernoulli); bar: stretches only, such as an anchor; spring and dashpot: "
-            "along the line between two nodes.",
-        .choices = member_kinds},
-    Key{.name = "group",
-        .type = Type::text,
-        .note = "either group, or from and to",
-        .sentence = "Physical group of lines of the mesh, along which the member runs from node to node."},
-    Key{.name = "from",
-        .type = Type::vector,
-        .unit = "m",
-        .note = "either group, or from and to",
-        .sentence = "One end of a straight member: the nearest node, which must be within 1 % of the extent of the mesh."},
-    Key{.name = "to", .type = Type::vector, .unit = "m", .note = "either group, or from and to", .sentence = "The other end."},
-    Key{.name = "spacing",
-        .type = Type::number,
-        .unit = "m",
-        .range = positive,
-        .default_text = "1.0",
-        .note = "2-D only",
-        .sentence =
-            "Distance of such members across the plane: section, mass, prestress, stiffness and damping of each are divided "
-            "by it, and forces in results are per metre."},
-    Key{.name = "youngs_modulus",
-        .type = Type::number,
-        .unit = "Pa",
-        .range = positive,
-        .note = "required for beams and bars",
-        .sentence = "Young's modulus."},
-    Key{.name = "area",
-        .type = Type::number,
-        .unit = "m2",
-        .range = positive,
-        .note = "required for beams and bars",
-        .sentence = "Area of the section."},
-    Key{.name = "second_moment",
-        .type = Type::number,
-        .unit = "m4",
-        .range = positive,
-        .note = "required for beams",
-        .sentence = "Second moment of area against bending, in space the same in all directions (a round or square section)."},
-    Key{.name = "density",
-        .type = Type::number,
-        .unit = "kg/m3",
-        .range = not_negative,
-        .default_text = "0.0",
-        .note = "beams and bars; required for beams, where it is above 0",
-        .sentence = "Mass per volume."},
-    Key{.name = "damping_ratio",
-        .type = Type::number,
-        .range = {.low = 0, .high = 1, .high_open = true},
-        .default_text = "0.0",
-        .note = "beams and bars",
-        .sentence = "Damping ratio of Rayleigh damping at the two frequencies of [damping]."},
-    Key{.name = "prestress",
-        .type = Type::number,
-        .unit = "N",
-        .default_text = "0.0",
-        .note = "bars only",
-        .sentence = "Tension of a bar before the body gives way to it; settle includes it."},
-    Key{.name = "stiffness",
-        .type = Type::number,
-        .unit = "N/m",
-        .range = positive,
-        .note = "required for springs",
-        .sentence = "Force per elongation."},
-    Key{.name = "damping",
-        .type = Type::number,
-        .unit = "N s/m",
-        .range = positive,
-        .note = "required for dashpots",
-        .sentence = "Force per velocity of elongation."},
 };
 
 constexpr std::array fem_gravity_keys{
