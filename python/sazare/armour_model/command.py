@@ -82,11 +82,12 @@ def write(chosen):
 def _line(chosen):
     """The command that makes the model again."""
     words_ = ["sazare armour-model", chosen.unit.name]
-    for name in ("stl", *SIZES, "density", "cot", "toe", "crest", "width", "units", "layers", "packing", "seed", "friction", "youngs_modulus", "spheres", "breaking"):
+    for name in ("stl", *SIZES, "density", "cot", "toe", "crest", "width", "units", "layers", "packing", "seed", "friction", "youngs_modulus", "breaking"):
         value = getattr(chosen, name)
-        default = {"density": Material.density, "cot": 1.5, "toe": 0.0, "seed": 1, "friction": Material.friction, "spheres": Material.count}.get(name)
+        default = {"density": Material.density, "cot": 1.5, "toe": 0.0, "seed": 1, "friction": Material.friction}.get(name)
         if value is not None and value != default:
             words_.append(f"--{name.replace('_', '-')} {shlex.quote(str(value) if name == 'stl' else f'{value:g}')}")
+    words_ += [f"--spheres {chosen.spheres}"] if chosen.spheres != Material.count else []
     words_ += ["--grid {:g} {:g}".format(*chosen.grid)] if chosen.grid else []
     words_ += ["--orientation rule"] if chosen.orientation == "rule" else []
     return " ".join([*words_, *(["--smooth"] if chosen.smooth else [])])
