@@ -188,6 +188,12 @@ TEST(pore_water, is_told_of_a_drain_without_ground) {
       << sand.refused();
 }
 
+TEST(pore_water, does_not_flow_without_gravity) {
+  const SandCase sand("\n[[drains]]\ngroup = \"lower_right\"\n[[drains]]\ngroup = \"lower_right\"\n");
+  const std::vector<std::string> weightless = {"gravity.settle=false", "gravity.acceleration=[0, 0, 0]"};
+  EXPECT_EQ(sand.run(weightless)["results"]["energy_seepage"].get<Real>(), 0);
+}
+
 /// Sand that liquefies between sides that are tied moves as between free-field sides, whose columns liquefy alike.
 TEST(pore_water, liquefies_in_columns_beside_free_field_sides_as_between_tied_ones) {
   const std::filesystem::path original = "cases/liquefaction-column";

@@ -73,7 +73,7 @@ void check_added_mass(const CheckContext& context, const FemCase& fem, const Ent
 
 namespace {
 
-void check_drainage(const CheckContext& context, const Entry& entry, const FemMaterial& material) {
+void check_drainage(const CheckContext& context, const FemCase& fem, const Entry& entry, const FemMaterial& material) {
   const auto what = fmt::format("drainage \"{}\"", word(material.drainage));
   if (material.drainage == Drainage::drained)
     return check_keys(context, entry, what, {}, {"porosity", "water_bulk_modulus", "hydraulic_conductivity"});
@@ -81,6 +81,13 @@ void check_drainage(const CheckContext& context, const Entry& entry, const FemMa
     check_keys(context, entry, what, {"porosity"}, {"hydraulic_conductivity"});
   else
     check_keys(context, entry, what, {"porosity", "hydraulic_conductivity"}, {});
+  if (material.dilation_angle > 0)
+    context.problems.warning(entry.place("dilation_angle"),
+                             "ground that dilates while its water cannot leave bears more and more by suction, without limit",
+                             "give dilation_angle = 0, or compare the pore pressure with -100 kPa, at which water cavitates");
+  if (fem.gravity.acceleration.norm() == 0 && material.drainage == Drainage::flow)
+    context.problems.warning(entry.place("hydraulic_conductivity"), "without gravity no water flows",
+                             "the hydraulic conductivity counts by the weight of the water: give gravity an acceleration");
   if (entry.gives("saturated_density") && entry.gives("porosity") &&
       material.saturated_density < material.porosity * material.pore_water_density)
     context.problems.error(entry.place("saturated_density"), "the saturated ground is lighter than the water in its pores",
@@ -95,7 +102,7 @@ void check_pore_water(const CheckContext& context, const FemCase& fem, const Ent
         context, entry, "a material without a water_table", {},
         {"saturated_density", "pore_water_density", "drainage", "porosity", "water_bulk_modulus", "hydraulic_conductivity"});
   check_keys(context, entry, "a material with a water_table", {"saturated_density"}, {});
-  check_drainage(context, entry, material);
+  check_drainage(context, fem, entry, material);
   check_gravity_of_water(context, fem, entry.place("water_table"), true);
   if (entry.gives("saturated_density") && entry.gives("density") && material.saturated_density < material.density)
     context.problems.warning(

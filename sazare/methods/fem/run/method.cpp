@@ -30,12 +30,12 @@ FolderTables tables_of_fem() {
   return {.figures = {{"`fem`", {figures::of_steps, figures::of_nodes, columns::fem::figures}}},
           .history = {{"`fem`",
                        {columns::fem::motion, columns::fem::energies, columns::fem::work, columns::fem::boundary,
-                        columns::fem::moving_water, columns::fem::water, columns::fem::joint_set, columns::fem::member,
-                        columns::fem::newton}}},
-          .gauges = {{"`gauges.csv` of `fem`", {columns::place_motion}}},
+                        columns::fem::pore_water, columns::fem::moving_water, columns::fem::water, columns::fem::joint_set,
+                        columns::fem::member, columns::fem::newton}}},
+          .gauges = {{"`gauges.csv` of `fem`", {columns::place_motion, columns::fem::gauge_pressure}}},
           .files = {},
           .snapshots = {{"`finite_elements` of `fem`, points", {columns::fem::nodes}},
-                        {"cells", {columns::fem::elements, columns::fem::soil, columns::fem::pores}}}};
+                        {"cells", {columns::fem::elements, columns::fem::soil, columns::fem::pores, columns::fem::excess}}}};
 }
 
 }  // namespace

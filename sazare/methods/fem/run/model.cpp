@@ -40,8 +40,9 @@ fem::SolidMaterial material_of(const cases::FemMaterial& given, const cases::Fem
                            {-given.pore_water_density * of.gravity.acceleration[up], up, *given.water_table}};
     if (given.drainage != cases::Drainage::drained) {
       material.saturation->flow = fem::PoreFlow{given.porosity / given.water_bulk_modulus, 0};
-      if (given.drainage == cases::Drainage::flow)
-        material.saturation->flow->mobility = given.hydraulic_conductivity / material.saturation->pore_water.specific_weight;
+      const Real weight = material.saturation->pore_water.specific_weight;  // without gravity Darcy's law moves nothing
+      if (given.drainage == cases::Drainage::flow && weight > 0)
+        material.saturation->flow->mobility = given.hydraulic_conductivity / weight;
     }
   }
   if (given.degrades) material.backbone = cases::backbone_of(given);
