@@ -29,13 +29,6 @@ ElementShape corner_shape(ElementShape shape) {
   }
 }
 
-Vector3 middle_of(const geometry::ElementMesh& mesh, const geometry::MeshElement& element) {
-  Vector3 sum = Vector3::Zero();
-  const auto corners = element.node_list().first(static_cast<std::size_t>(facts(element.shape).corners));
-  for (const Index node : corners) sum += mesh.nodes[at(node)];
-  return sum / static_cast<Real>(corners.size());
-}
-
 /// Whether a node of an element is at or above its water table, but for the accuracy of meshes.
 bool is_at_table(const geometry::ElementMesh& mesh, const geometry::MeshElement& element, Index node,
                  const laws::WaterPressure& water) {
@@ -55,7 +48,7 @@ Pores<D>::Pores(const geometry::ElementMesh& mesh, const std::vector<SolidMateri
   std::map<Index, Index> pressure_of;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     const auto& saturation = materials[at(material[e])].saturation;
-    if (!saturation || !saturation->flow || saturation->pore_water.depth(middle_of(mesh, mesh.elements[e])) <= 0) continue;
+    if (!saturation || !saturation->flow || saturation->pore_water.depth(centre(mesh, mesh.elements[e])) <= 0) continue;
     const geometry::MeshElement& element = mesh.elements[e];
     std::vector<Index> nodes(element.node_list().begin(), element.node_list().end());
     for (int corner = 0; corner < facts(element.shape).corners; ++corner) {
@@ -86,7 +79,7 @@ void Pores<D>::find_drained() {
   for (std::size_t e = 0; e < mesh_->elements.size(); ++e) {
     const geometry::MeshElement& element = mesh_->elements[e];
     const auto& saturation = (*materials_)[at((*material_)[e])].saturation;
-    if (!saturation || (saturation->flow && saturation->pore_water.depth(middle_of(*mesh_, element)) > 0)) continue;
+    if (!saturation || (saturation->flow && saturation->pore_water.depth(centre(*mesh_, element)) > 0)) continue;
     for (const Index node : element.node_list()) drains[at(node)] = 1;
   }
   for (const Index node : node_) drained_.push_back(flows[at(node)] && drains[at(node)]);

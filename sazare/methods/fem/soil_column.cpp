@@ -33,12 +33,6 @@ Range extent(const geometry::ElementMesh& mesh, const MeshElement& face, int axi
   return range;
 }
 
-Vector3 centre(const geometry::ElementMesh& mesh, const MeshElement& one) {
-  Vector3 sum = Vector3::Zero();
-  for (const Index node : one.node_list()) sum += mesh.nodes[at(node)];
-  return sum / static_cast<Real>(one.node_list().size());
-}
-
 /// Faces in one vertical plane, with the elements beside them.
 struct Plane {
   int across = 0;

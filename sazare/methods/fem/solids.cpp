@@ -44,6 +44,12 @@ SolidPoint<D> solid_point(const geometry::ElementMesh& mesh, const geometry::Mes
   return {volume * point.weight, gradients};
 }
 
+Vector3 centre(const geometry::ElementMesh& mesh, const geometry::MeshElement& element) {
+  Vector3 sum = Vector3::Zero();
+  for (const Index node : element.node_list()) sum += mesh.nodes[at(node)];
+  return sum / static_cast<Real>(element.node_list().size());
+}
+
 template <int D>
 StrainMatrix<D> strain_matrix(const Gradients<D>& gradients) {
   StrainMatrix<D> b(stress_size<D>, gradients.rows() * D);

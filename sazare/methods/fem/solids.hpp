@@ -24,6 +24,9 @@ struct SolidPoint {
 template <int D>
 SolidPoint<D> solid_point(const geometry::ElementMesh& mesh, const geometry::MeshElement& element, const QuadraturePoint& point);
 
+/// Mean place of the nodes of an element or face [m].
+Vector3 centre(const geometry::ElementMesh& mesh, const geometry::MeshElement& element);
+
 /// Whole matrix of strains by displacements of an element's nodes: (stress_size, nodes x D).
 template <int D>
 using StrainMatrix = Eigen::Matrix<Real, stress_size<D>, Eigen::Dynamic, 0, stress_size<D>, most_nodes * D>;

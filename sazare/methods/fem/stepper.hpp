@@ -161,7 +161,7 @@ private:
         : storage(pattern), seepage(pattern), rates(pattern) {
       pores.add_storage(storage);
       pores.add_seepage(seepage);
-      pores.add_seepage(rates);
+      rates.values() = seepage.values();
       pores.add_coupling(rates);
     }
   };

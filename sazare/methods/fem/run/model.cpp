@@ -14,6 +14,7 @@
 #include "sazare/methods/fem/boundary_faces.hpp"
 #include "sazare/methods/fem/case/case.hpp"
 #include "sazare/methods/fem/case/soil.hpp"
+#include "sazare/methods/fem/run/drains.hpp"
 #include "sazare/methods/fem/run/members.hpp"
 #include "sazare/methods/fem/run/mesh_names.hpp"
 #include "sazare/methods/fem/run/sides.hpp"

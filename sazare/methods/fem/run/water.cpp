@@ -259,48 +259,6 @@ std::string warn_of_free_pores(const cases::CaseFile& file, const fem::BodyDescr
   return all;
 }
 
-namespace {
-
-/// Nodes of ground through which water flows.
-std::set<Index> nodes_with_flow(const cases::FemCase& given, const fem::BodyDescription& body) {
-  std::set<Index> nodes;
-  for (std::size_t e = 0; e < body.mesh.elements.size(); ++e) {
-    const cases::FemMaterial& material = given.materials[at(body.material[e])];
-    const auto list = body.mesh.elements[e].node_list();
-    if (material.water_table && material.drainage == cases::Drainage::flow) nodes.insert(list.begin(), list.end());
-  }
-  return nodes;
-}
-
-}  // namespace
-
-std::vector<Index> drained_nodes(const cases::CaseFile& file, const fem::BodyDescription& body, const MeshNames& names) {
-  const auto& given = file.as<cases::FemCase>();
-  const std::set<Index> flows = nodes_with_flow(given, body);
-  std::set<Index> drained;
-  for (std::size_t i = 0; i < given.drains.size(); ++i) {
-    const std::string key = fmt::format("drains.{}.group", i);
-    bool drains = false;
-    for (const MeshElement& face : names.group(key, given.drains[i].group, true).elements)
-      for (const Index node : face.node_list())
-        if (flows.contains(node)) {
-          drained.insert(node);
-          drains = true;
-        }
-    if (!drains)
-      refuse(file, key, fmt::format("the group \"{}\" has no node of ground through which water flows", given.drains[i].group),
-             "give the ground beside it drainage = \"flow\", or remove the drain");
-  }
-  for (std::size_t i = 0; i < given.waters.size(); ++i)
-    if (!given.waters[i].in_joint())
-      for (const MeshElement& face :
-           names.group(fmt::format("water_pressures.{}.group", i), given.waters[i].group, true).elements)
-        for (const Index node : face.node_list())
-          if (flows.contains(node) && body.mesh.nodes[at(node)][body.mesh.dimension - 1] <= given.waters[i].level)
-            drained.insert(node);
-  return {drained.begin(), drained.end()};
-}
-
 template <int D>
 std::vector<fem::StillWater<D>> make_waters(const cases::CaseFile& file, const fem::BodyDescription& body,
                                             const MeshNames& names) {

@@ -13,9 +13,6 @@ template <int D>
 std::vector<methods::fem::StillWater<D>> make_waters(const cases::CaseFile& file, const methods::fem::BodyDescription& body,
                                                      const MeshNames& names);
 
-/// Nodes of the faces of drains and of those under open water.
-std::vector<Index> drained_nodes(const cases::CaseFile& file, const methods::fem::BodyDescription& body, const MeshNames& names);
-
 /// Warns of water that wets nothing; with time.strict it is refused.
 template <int D>
 std::string warn_of_dry_water(const cases::CaseFile& file, const std::vector<methods::fem::StillWater<D>>& waters);
