@@ -8,6 +8,7 @@
 
 #include "sazare/core/coming_lines.hpp"
 #include "sazare/levels/motion/kick.hpp"
+#include "sazare/levels/motion/strain.hpp"
 #include "sazare/parallel/threads.hpp"
 
 namespace sazare::levels {
@@ -39,6 +40,9 @@ Simulation<D>::Simulation(state::Bodies<D> bodies, TermList<D> terms, const Step
   work_.resize(at(bodies_.size()));
   now_.tick_seconds = rules.base_step / static_cast<Real>(schedule::base_stride);
   for (const auto& term : terms_) times_.push_back({std::string(term->name()), 0});
+  if (!bodies_.strain.empty())
+    for (const auto& term : terms_)
+      if (term->acts_on_strains()) strain_terms_.push_back(term.get());
   times_.push_back({"bodies", 0});
   times_.push_back({"schedule", 0});
   for (auto& motion : bodies_.motion) {
@@ -154,8 +158,12 @@ void Simulation<D>::call_back() {
     const std::vector<Index> everywhere = std::exchange(due, {});
     replicas_->share_out(everywhere, due, due);
   }
-  for (const Index body : due)
-    if (bodies_.motion[at(body)].due != now_.tick) motion::drift_back(bodies_.motion[at(body)], bodies_.inertia[at(body)], now_);
+  for (const Index body : due) {
+    if (bodies_.motion[at(body)].due == now_.tick) continue;
+    if constexpr (D == 3)
+      if (!strain_terms_.empty()) motion::drift_strain_back(bodies_, body, now_);
+    motion::drift_back(bodies_.motion[at(body)], bodies_.inertia[at(body)], now_);
+  }
 }
 
 /// Links of a term that are due and evaluated here; returns how many are due everywhere.
@@ -217,6 +225,31 @@ void Simulation<D>::kick_chunk(std::span<const Index> which) {
   motion::step(bodies_, which, sums, std::span(strides.data(), which.size()), std::span(means.data(), which.size()), too_fast);
   for (const std::size_t i : too_fast) means[i] = step_faster(which[i], sums[i]);
   for (std::size_t i = 0; i < which.size(); ++i) parts.add_work(i, means[i], work_[at(which[i])]);
+  if constexpr (D == 3)
+    if (!strain_terms_.empty())
+      for (const Index body : which) kick_strain(body);
+}
+
+/// Steps the strain of a body that has just been stepped itself.
+template <int D>
+void Simulation<D>::kick_strain(Index body) {
+  if constexpr (D == 3) {
+    if (bodies_.strain[at(body)].inverse_inertia == 0) return;
+    const auto& motion = bodies_.motion[at(body)];
+    const terms::StrainGathered all = gather_strain(body, static_cast<Real>(motion.due - now_.tick) * now_.tick_seconds);
+    const Vector6 mean = motion::step(bodies_, body, all.impulse, now_.tick_seconds);
+    for (std::size_t cause = 0; cause < terms::cause_count; ++cause)
+      if (all.has_part[cause]) work_[at(body)][cause] += all.part[cause].dot(mean);
+  }
+}
+
+/// What the strain of a body receives, and what its momentum gains by a time.
+template <int D>
+terms::StrainGathered Simulation<D>::gather_strain(Index body, Real until_next) const {
+  terms::StrainGathered sum;
+  sum.until_next = until_next;
+  for (const auto* term : strain_terms_) term->gather_strain(now_, body, sum);
+  return sum;
 }
 
 template <int D>
@@ -288,6 +321,7 @@ void Simulation<D>::columns(Archive& archive) {
   archive("tick", now_.tick);
   archive("motion", bodies_.motion);
   archive("inertia", bodies_.inertia);
+  if (!bodies_.strain.empty()) archive("strain", bodies_.strain);
   archive("kinetic_at_start", kinetic_at_start_);
   archive("work", work_);
   archive("finest_seen", finest_seen_);

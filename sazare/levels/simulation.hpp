@@ -39,6 +39,7 @@ struct Snapshot {
   std::vector<state::Pose<D>> pose;
   std::vector<Vector<D>> velocity;
   std::vector<Angular<D>> angular_momentum;
+  std::vector<state::StrainNow> strain;  ///< none where all bodies are rigid
 };
 
 /// One body of a snapshot.
@@ -47,6 +48,7 @@ struct BodyNow {
   state::Pose<D> pose;
   Vector<D> velocity;
   Angular<D> angular_momentum;
+  state::StrainNow strain;
 };
 
 /// What a row of a history tells of.
@@ -147,9 +149,12 @@ private:
   bool travels() const;
   void kick_all();
   void kick_chunk(std::span<const Index> which);
+  void kick_strain(Index body);
   motion::Stride stride(Index body, int active) const;
   state::MeanMotion<D> step_faster(Index body, state::Impulse<D> given);
   state::Impulse<D> gather_one(Index body, Real until_next) const;
+  terms::StrainGathered gather_strain(Index body, Real until_next) const;
+  state::StrainNow strain_now(Index body) const;
   std::int64_t post_step(std::int64_t since);
   std::int64_t add_time(std::size_t part, std::int64_t since);
   template <class Take>
@@ -163,6 +168,7 @@ private:
 
   state::Bodies<D> bodies_;
   TermList<D> terms_;
+  std::vector<const terms::Term<D>*> strain_terms_;  ///< those that act on strains; none where all bodies are rigid
   LevelKeeper<D> levels_;
   Instant now_;
   std::vector<Index> due_bodies_;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sazare/levels/motion/kick.hpp"
+#include "sazare/levels/motion/strain.hpp"
 #include "sazare/levels/motion/synchronize.hpp"
 #include "sazare/levels/simulation.hpp"
 #include "sazare/levels/terms/sum_over_ranges.hpp"
@@ -55,6 +56,20 @@ void Simulation<D>::take_snapshot(Index begin, Index end, Snapshot<D>& at_now) c
     state::poses_at(some(bodies_.motion), now_, some(at_now.pose));
     motion::find_momenta<D>(bodies_, first, given, {some(at_now.pose), some(at_now.velocity), some(at_now.angular_momentum)});
   });
+  if (strain_terms_.empty()) return;
+  at_now.strain.resize(at(bodies_.size()));
+  parallel::parallel_for(at(end - begin), serial_below, [&](std::size_t from, std::size_t to) {
+    for (std::size_t body = at(begin) + from; body < at(begin) + to; ++body)
+      at_now.strain[body] = strain_now(static_cast<Index>(body));
+  });
+}
+
+/// The strain of a body at `now()`.
+template <int D>
+state::StrainNow Simulation<D>::strain_now(Index body) const {
+  if constexpr (D == 3)
+    if (!strain_terms_.empty()) return motion::strain_now(bodies_, body, now_, gather_strain(body, 0).impulse);
+  return {};
 }
 
 template <int D>
@@ -65,6 +80,7 @@ BodyNow<D> Simulation<D>::body_now(Index body) const {
     motion::find_momenta<D>(bodies_, first, given,
                             {std::span(&now.pose, 1), std::span(&now.velocity, 1), std::span(&now.angular_momentum, 1)});
   });
+  now.strain = strain_now(body);
   return now;
 }
 
@@ -103,6 +119,9 @@ void Simulation<D>::sum_body_energies(const Snapshot<D>& at_now, const distribut
                           std::span(ahead).subspan(begin, end - begin));
     const std::size_t from = std::clamp(first, begin, end), to = std::clamp(last, begin, end);
     for (std::size_t body = from; body < to; ++body) part[terms::EnergyKind::kinetic] += kinetic[body - begin];
+    if (!at_now.strain.empty())
+      for (std::size_t body = from; body < to; ++body)
+        part[terms::EnergyKind::kinetic] += motion::strain_energy(bodies_.strain[body], at_now.strain[body].rate);
     terms::add_work(std::span(work_).subspan(from, to - from), part);
   });
 }
@@ -113,7 +132,7 @@ terms::EnergySums Simulation<D>::energy_sums(const Snapshot<D>& at_now, const di
                                   std::vector<state::MeanMotion<D>>& ahead) const {
   terms::EnergySums sums;
   sum_body_energies(at_now, shared, ahead, sums);
-  for (const auto& term : terms_) term->add_energies({at_now.pose, ahead, now_.seconds(), shared}, sums);
+  for (const auto& term : terms_) term->add_energies({at_now.pose, ahead, now_.seconds(), shared, at_now.strain}, sums);
   return sums;
 }
 
@@ -141,12 +160,15 @@ Survey<D> Simulation<D>::survey(Survey<D> former) const {
   replicas_->complete(all.pose);
   replicas_->complete(all.velocity);
   replicas_->complete(all.angular_momentum);
+  if (!all.strain.empty()) replicas_->complete(all.strain);
   terms::EnergySums sum;
   for (const terms::EnergySums& part : replicas_->give_first(energy_sums(all, replicas_.get(), now.ahead))) sum += part;
   now.energy = close(sum);
   return now;
 }
 
+template state::StrainNow Simulation<2>::strain_now(Index) const;
+template state::StrainNow Simulation<3>::strain_now(Index) const;
 template void Simulation<2>::take_snapshot(Index, Index, Snapshot<2>&) const;
 template void Simulation<3>::take_snapshot(Index, Index, Snapshot<3>&) const;
 template BodyNow<2> Simulation<2>::body_now(Index) const;

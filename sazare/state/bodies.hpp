@@ -15,6 +15,7 @@
 #include "sazare/core/large_tables.hpp"
 #include "sazare/core/rotation.hpp"
 #include "sazare/core/time.hpp"
+#include "sazare/state/strain.hpp"
 
 namespace sazare::state {
 
@@ -77,6 +78,7 @@ struct Bodies {
   std::vector<Real> reach;                        ///< distance of the farthest point of a body from its centre [m]
   std::vector<Vector<D>> start;                   ///< position at the beginning [m]
   std::vector<Orientation<D>> start_orientation;  ///< as a rotation it would be twice as large, and few ask for it
+  std::vector<Strain> strain;                     ///< in space; none where all bodies are rigid
   Vector<D> pole = Vector<D>::Zero();             ///< moments of forces are about it: a fixed point among the bodies [m]
 
   Index size() const { return static_cast<Index>(motion.size()); }

@@ -48,6 +48,12 @@ TEST(resume, at_any_base_step_with_springs_of_the_elements) {
   expect_resumed_is_uninterrupted({cases::Limiter::stability, cases::Levels::per_element, true}, {0, 37, 71, 99}, 100);
 }
 
+TEST(resume, at_any_base_step_with_deformable_elements) {
+  test::SlabRules rules;
+  rules.deformable = true;
+  expect_resumed_is_uninterrupted(rules, {0, 37, 71, 99}, 100);
+}
+
 TEST(resume, at_any_base_step_where_true_faces_touch) {
   test::SlabRules rules;
   rules.contact = cases::ContactShape::faces;

@@ -40,7 +40,8 @@ runs::BlocksModel slab(const SlabRules& rules) {
   blocks.time.limiter = rules.limiter;
   blocks.time.levels = rules.levels;
   if (rules.contact == cases::ContactShape::faces) touch_by_faces(blocks);
-  if (rules.takes_springs_from_elements) take_springs_from_elements(blocks);
+  if (rules.takes_springs_from_elements || rules.deformable) take_springs_from_elements(blocks);
+  blocks.materials[0].deformable = rules.deformable;
   if (rules.limiter == cases::Limiter::travel) {
     blocks.time.base_step = 2e-8;
     blocks.time.travel_length = 2e-7;
@@ -59,6 +60,7 @@ std::string fingerprint(const runs::BlocksModel& model) {
       append(bytes, motion.angular_momentum[i]);
       for (int j = 0; j < 3; ++j) append(bytes, motion.rotation(i, j));
     }
+    if (!simulation.bodies().strain.empty()) append(bytes, simulation.bodies().strain[static_cast<std::size_t>(body)]);
     append(bytes, simulation.levels().level(body));
   }
   for (Index joint = 0; joint < model.joints->count(); ++joint) append(bytes, model.joints->state(joint));

@@ -15,6 +15,7 @@ struct SlabRules {
   cases::Levels levels = cases::Levels::per_element;
   bool takes_springs_from_elements = false;  ///< by Young's modulus and Poisson's ratio, with joints that soften by slip as well
   cases::ContactShape contact = cases::ContactShape::spheres;
+  bool deformable = false;  ///< elements, which then take their springs from themselves too
 };
 
 /// Not started. The mesh is that of the case.

@@ -27,6 +27,12 @@ void expect_same_bits(const test::SlabRules& rules, int base_steps, Index least_
 
 TEST(threads, give_the_same_bits_with_the_stability_limiter) { expect_same_bits({}, 100, 40); }
 
+TEST(threads, give_the_same_bits_with_deformable_elements) {
+  test::SlabRules rules;
+  rules.deformable = true;
+  expect_same_bits(rules, 100, 5);
+}
+
 TEST(threads, give_the_same_bits_while_levels_change_and_bodies_wake) {
   expect_same_bits({cases::Limiter::travel, cases::Levels::per_element}, 200, 5);
 }

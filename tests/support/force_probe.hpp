@@ -37,6 +37,13 @@ public:
   }
   std::vector<state::Impulse<D>> forces() { return forces(term_.first_links()); }
 
+  /// Force on the strain of a body at the last call [N m].
+  Vector6 force_on_strain(Index body) const {
+    terms::StrainGathered sum;
+    term_.gather_strain({tick_, 1.0}, body, sum);
+    return sum.impulse.given;
+  }
+
   /// Work [J] on a body, by cause, of the impulses of the last call when its centre moved so over the kick.
   terms::CauseWork work(std::size_t body, const state::MeanMotion<D>& mean) const {
     terms::CauseWork work{};
@@ -50,7 +57,9 @@ public:
     for (const auto& motion : bodies_.motion) poses.push_back({motion.position, motion.rotation});
     const std::vector<state::MeanMotion<D>> still(poses.size(), state::MeanMotion<D>{Vector<D>::Zero(), Angular<D>::Zero()});
     terms::EnergySums energies;
-    term_.add_energies({poses, still}, energies);
+    std::vector<state::StrainNow> strains;
+    for (const state::Strain& strain : bodies_.strain) strains.push_back({strain.strain, Vector6::Zero(), Vector6::Zero()});
+    term_.add_energies({poses, still, 0, nullptr, strains}, energies);
     return energies.balance();
   }
 
@@ -90,6 +99,22 @@ Real energy_slope(const ForceProbe<D>& probe, state::Bodies<D>& bodies, Index bo
     return joules;
   };
   return -(energy(step) - energy(-step)) / (2 * step);
+}
+
+/// Force on the strain of a body as minus the slope of the elastic energy.
+inline Vector6 strain_slope(const ForceProbe<3>& probe, state::Bodies<3>& bodies, Index body, Real step) {
+  Vector6& strain = bodies.strain[static_cast<std::size_t>(body)].strain;
+  const Vector6 original = strain;
+  const auto energy = [&](int number, Real by) {
+    strain = original;
+    strain[number] += by;
+    const Real joules = probe.energy_balance()[terms::EnergyKind::elastic];
+    strain = original;
+    return joules;
+  };
+  Vector6 slope;
+  for (int number = 0; number < 6; ++number) slope[number] = -(energy(number, step) - energy(number, -step)) / (2 * step);
+  return slope;
 }
 
 template <int D>

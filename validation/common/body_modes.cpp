@@ -12,10 +12,10 @@ class SetMotion final : public Archive {
 public:
   explicit SetMotion(levels::Simulation<3>& simulation) : simulation_(simulation) { simulation.columns(*this); }
 
-  void set(std::vector<state::Motion<3>> motion) {
+  void set(const std::vector<state::Motion<3>>& motion, const std::vector<state::Strain>& strain) {
     reading_ = true;
-    const auto bytes = std::as_bytes(std::span(motion));
-    columns_["motion"].assign(bytes.begin(), bytes.end());
+    put("motion", std::as_bytes(std::span(motion)));
+    if (!strain.empty()) put("strain", std::as_bytes(std::span(strain)));
     simulation_.columns(*this);
   }
   bool reading() const override { return reading_; }
@@ -27,25 +27,40 @@ protected:
   std::vector<std::byte> read(const std::string& name) override { return columns_.at(name); }
 
 private:
+  void put(const std::string& name, std::span<const std::byte> bytes) { columns_[name].assign(bytes.begin(), bytes.end()); }
+
   levels::Simulation<3>& simulation_;
   std::map<std::string, std::vector<std::byte>> columns_;
   bool reading_ = false;
 };
+
+/// Gradient of the velocity of a mode at a place [1/s].
+Matrix3 gradient_of(const Mode& mode, const Vector3& place) {
+  constexpr Real step = 1e-4;  // [m]
+  Matrix3 gradient;
+  for (int axis = 0; axis < 3; ++axis)
+    gradient.col(axis) =
+        (mode(place + step * Vector3::Unit(axis)).first - mode(place - step * Vector3::Unit(axis)).first) / (2 * step);
+  return gradient;
+}
 
 }  // namespace
 
 void set_motion(levels::Simulation<3>& simulation, const Mode& mode) {
   SetMotion start(simulation);
   auto motion = simulation.bodies().motion;
+  auto strain = simulation.bodies().strain;
   for (std::size_t body = 0; body < motion.size(); ++body) {
     const auto [velocity, spin] = mode(motion[body].position);
     const Vector3 moments = simulation.bodies().inertia[body].inverse_moments.cwiseInverse();
     motion[body].velocity = 1e-3 * velocity;
     motion[body].spin = 1e-3 * spin;
     const Matrix3 rotation = motion[body].rotation;
+    if (!strain.empty())
+      strain[body].rate = 1e-3 * numbers_of(rotation.transpose() * gradient_of(mode, motion[body].position) * rotation);
     motion[body].angular_momentum = rotation * moments.asDiagonal() * rotation.transpose() * motion[body].spin;
   }
-  start.set(motion);
+  start.set(motion, strain);
 }
 
 Real half_period(levels::Simulation<3>& simulation, const Mode& mode,

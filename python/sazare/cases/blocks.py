@@ -37,8 +37,16 @@ class Material(Part):
     elements of any size. [Pa] (with poisson_ratio, instead of the stiffnesses of joints) Greater than 0.
     """
     poisson_ratio: float | None = None
-    """Poisson's ratio. Rigid elements can have 0 to 0.45; for more, use finite elements. (with youngs_modulus, instead of the
-    stiffnesses of joints) At least 0 and at most 0.45.
+    """Poisson's ratio: 0 to 0.45 of rigid elements, 0 to 0.49 of deformable ones. (with youngs_modulus, instead of the
+    stiffnesses of joints) At least 0 and at most 0.49.
+    """
+    deformable: bool | None = None
+    """Whether the elements strain and have a stress. False: they are rigid, and the joints between them are as elastic as the
+    material. (needs youngs_modulus and poisson_ratio) Default: false.
+    """
+    bulk_damping_ratio: float | None = None
+    """Damping ratio of the strain of a deformable element: its stress grows with the rate of its strain. (only with deformable =
+    true) Default: 0.0. At least 0.
     """
 
 

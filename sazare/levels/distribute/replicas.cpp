@@ -9,10 +9,11 @@ namespace sazare::distribute {
 
 namespace {
 
+/// Adds the first bytes of a record.
 template <class T>
-void append(std::vector<std::byte>& bytes, const T& record) {
+void append(std::vector<std::byte>& bytes, const T& record, std::size_t count) {
   const auto* begin = reinterpret_cast<const std::byte*>(&record);
-  bytes.insert(bytes.end(), begin, begin + sizeof(T));
+  bytes.insert(bytes.end(), begin, begin + count);
 }
 
 /// The message for a rank, begun where there is none yet.
@@ -54,13 +55,15 @@ void Replicas<D>::add_link(const Link& link) {
 
 template <int D>
 typename Replicas<D>::Moving Replicas<D>::moving(Index body) const {
-  return {bodies_->motion[at(body)], bodies_->inertia[at(body)]};
+  return {bodies_->motion[at(body)], bodies_->inertia[at(body)],
+          bodies_->strain.empty() ? state::Strain{} : bodies_->strain[at(body)]};
 }
 
 template <int D>
 void Replicas<D>::take(Index body, const Moving& moving) {
   bodies_->motion[at(body)] = moving.motion;
   bodies_->inertia[at(body)] = moving.inertia;
+  if (!bodies_->strain.empty()) bodies_->strain[at(body)] = moving.strain;
 }
 
 template <int D>
@@ -68,10 +71,10 @@ void Replicas<D>::exchange(std::span<const Index> kicked, std::span<const Index>
   sent_.clear();
   received_.clear();
   for (const Index body : kicked)
-    for (const int rank : viewers_[at(body)]) append(bytes_for(sent_, rank), moving(body));
+    for (const int rank : viewers_[at(body)]) append(bytes_for(sent_, rank), moving(body), moving_size());
   for (const Index body : kicked_elsewhere) {
     auto& bytes = bytes_for(received_, ranges_.owner(body));
-    bytes.resize(bytes.size() + sizeof(Moving));
+    bytes.resize(bytes.size() + moving_size());
   }
   if (sent_.empty() && received_.empty()) return;
   ranks_->exchange(sent_, received_);
@@ -80,8 +83,8 @@ void Replicas<D>::exchange(std::span<const Index> kicked, std::span<const Index>
     const auto from = std::ranges::find(received_, ranges_.owner(body), &parallel::Message::rank);
     std::size_t& place = next[static_cast<std::size_t>(from - received_.begin())];
     Moving arrived;
-    std::memcpy(static_cast<void*>(&arrived), from->bytes.data() + place, sizeof arrived);
-    place += sizeof arrived;
+    std::memcpy(static_cast<void*>(&arrived), from->bytes.data() + place, moving_size());
+    place += moving_size();
     take(body, arrived);
   }
 }
@@ -130,6 +133,7 @@ void Replicas<D>::carry_range(int rank, std::vector<terms::CauseWork>& work, Par
   for (Index body = ranges_.begin(rank); body < ranges_.end(rank); ++body) {
     parcel(bodies_->motion[at(body)]);
     parcel(bodies_->inertia[at(body)]);
+    if (!bodies_->strain.empty()) parcel(bodies_->strain[at(body)]);
     parcel(work[at(body)]);
   }
   for (const auto& term : *terms_) {

@@ -74,7 +74,10 @@ private:
   struct Moving {
     state::Motion<D> motion;
     state::Inertia<D> inertia;
+    state::Strain strain;  ///< sent only where bodies have one
   };
+  /// Bytes of it that are sent.
+  std::size_t moving_size() const { return bodies_->strain.empty() ? offsetof(Moving, strain) : sizeof(Moving); }
 
   Moving moving(Index body) const;
   void take(Index body, const Moving& moving);

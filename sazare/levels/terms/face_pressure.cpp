@@ -26,6 +26,7 @@ FacePressure::FacePressure(std::vector<PressureLoad> loads, std::vector<PressedF
   table_.causes = {Cause::load};
   table_.slots.resize(faces_.size());
   table_.incidence = FixedIncidence(bodies.size(), links_);
+  if (!bodies.strain.empty()) strain_table_.forces.resize(faces_.size());
 }
 
 std::vector<Index> FacePressure::first_links() const {
@@ -68,22 +69,45 @@ void FacePressure::evaluate(const Instant& now, std::span<const Due> due, const 
     for (std::size_t lane = 0; lane < lane_count; ++lane)
       if (acts[static_cast<int>(lane)] == 0) faces[lane]->acts = 0;
   const LaneVector push = select(acts, pressure, Lanes{}) * (rotation * area);  // on the outside, the second body
+  if (!strain_table_.forces.empty()) {
+    std::array<Vector3, lane_count> pushes;
+    for (int lane = 0; lane < lane_count; ++lane)
+      pushes[static_cast<std::size_t>(lane)] = {push[0][lane], push[1][lane], push[2][lane]};
+    write_strain_forces(due, pushes, bodies);
+  }
   write(slots, now, in_lanes, LanePairForce::at(position - broadcast(bodies.pole) + arm, push));
+}
+
+/// A strained face keeps its area and its normal in the body frame; its centre moves with the strain, and the push acts there.
+void FacePressure::write_strain_forces(std::span<const Due> due, const std::array<Vector3, lane_count>& push,
+                                       const state::Bodies<3>& bodies) {
+  for (std::size_t lane = 0; lane < due.size(); ++lane) {
+    const PressedFace& face = faces_[static_cast<std::size_t>(due[lane].link)];
+    const Matrix3& rotation = bodies.motion[static_cast<std::size_t>(face.body)].rotation;
+    const Vector6 on_body = -force_on_strain(rotation.transpose() * push[lane], face.centre);
+    strain_table_[due[lane].link].write(table_[due[lane].link].evaluated < 0, on_body, on_body);
+  }
 }
 
 void FacePressure::add_energies(const Synchronized<3>& at, EnergySums& energies) const {
   for (std::size_t face = 0; face < faces_.size(); ++face)
-    if (at.counts(links_[face])) table_.take_back(static_cast<Index>(face), links_[face], at, energies);
+    if (at.counts(links_[face])) {
+      table_.take_back(static_cast<Index>(face), links_[face], at, energies);
+      if (!strain_table_.forces.empty())
+        add_work(Cause::load, -strain_table_.work_after(static_cast<Index>(face), links_[face], table_, at.strain), energies);
+    }
 }
 
 void FacePressure::carry(Index link, Parcel& parcel) {
   parcel(faces_[static_cast<std::size_t>(link)].acts);
   parcel(table_[link]);
+  if (!strain_table_.forces.empty()) parcel(strain_table_[link]);
 }
 
 void FacePressure::columns(Archive& archive) {
   archive("faces", faces_);
   archive("slots", table_.slots);
+  if (!strain_table_.forces.empty()) archive("strain_forces", strain_table_.forces);
 }
 
 }  // namespace sazare::terms

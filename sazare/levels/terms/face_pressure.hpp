@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "sazare/core/lanes.hpp"
 #include "sazare/laws/blast_pressure.hpp"
 #include "sazare/laws/pressure_table.hpp"
 #include "sazare/levels/terms/slot_table.hpp"
@@ -44,6 +45,10 @@ public:
               CauseImpulses<3>& parts) const override {
     table_.gather(now, which, sum, parts);
   }
+  bool acts_on_strains() const override { return true; }
+  void gather_strain(const Instant& now, Index body, StrainGathered& sum) const override {
+    strain_table_.gather(now, body, table_, sum);
+  }
   Rates rates(Index) const override { return {}; }
   void add_energies(const Synchronized<3>& at, EnergySums& energies) const override;
   void carry(Index link, Parcel& parcel) override;
@@ -51,12 +56,14 @@ public:
 
 private:
   void evaluate_lanes(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies);
+  void write_strain_forces(std::span<const Due> due, const std::array<Vector3, lane_count>& push, const state::Bodies<3>& bodies);
 
   std::vector<PressureLoad> loads_;
   std::vector<Real> pressures_;  ///< of the loads, at the last evaluation [Pa]
   std::vector<PressedFace> faces_;
   std::vector<Link> links_;
   SlotTable<3, 0, FixedIncidence> table_;
+  StrainTable<1> strain_table_;
 };
 
 }  // namespace sazare::terms

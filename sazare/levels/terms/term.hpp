@@ -15,6 +15,7 @@
 #include "sazare/levels/terms/energy_balance.hpp"
 #include "sazare/levels/terms/peers.hpp"
 #include "sazare/levels/terms/slot.hpp"
+#include "sazare/levels/terms/strain_forces.hpp"
 #include "sazare/levels/terms/work.hpp"
 
 namespace sazare::terms {
@@ -53,8 +54,12 @@ struct Synchronized {
   std::span<const MeanMotion<D>> ahead;  ///< mean motion over the part that was taken back, per body
   Real time = 0;                         ///< [s]
   const Peers* peers = nullptr;          ///< who shares the bodies with this process; none: all are its own
+  std::span<const state::StrainNow> strain = {};  ///< per body; none where all are rigid
 
   const state::Pose<D>& pose_of(Index body) const { return pose[static_cast<std::size_t>(body)]; }
+  Vector6 strain_of(Index body) const {
+    return strain.empty() ? Vector6(Vector6::Zero()) : strain[static_cast<std::size_t>(body)].strain;
+  }
   /// Whether the energy of the link is counted by this process.
   bool counts(const Link& link) const { return peers == nullptr || peers->owns(link.first); }
 };
@@ -81,6 +86,10 @@ public:
   /// bodies at most.
   virtual void gather(const Instant& now, std::span<const Index> which, const state::Bodies<D>& bodies, std::span<Impulse<D>> sum,
                       CauseImpulses<D>& parts) const = 0;
+
+  /// Whether it has forces on the strains of bodies, and what one body receives.
+  virtual bool acts_on_strains() const { return false; }
+  virtual void gather_strain(const Instant&, Index, StrainGathered&) const {}
 
   /// Work on one thread after a step. All processes of a run do it, and must come to the same changes.
   virtual void post_step(const Instant&, const state::Bodies<D>&, Peers&, Changes&) {}

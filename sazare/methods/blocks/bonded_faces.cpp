@@ -85,6 +85,10 @@ BondedFaces::BondedFaces(std::vector<ElasticJoint> kinds, std::span<const JointF
   }
   reserve_on_large_pages(table_.slots, faces.size());
   table_.slots.resize(faces.size());
+  if (!bodies.strain.empty()) {
+    reserve_on_large_pages(strain_table_.forces, faces.size());
+    strain_table_.forces.resize(faces.size());
+  }
   table_.incidence = terms::FixedIncidence(bodies.size(), links_);
 }
 
@@ -140,13 +144,13 @@ bool BondedFaces::bonded(Index first, Index second) const {
 
 void BondedFaces::update_rates(Index body, const state::Bodies<3>& bodies) {
   BodyMatrices matrices;
+  matrices.is_strained = !bodies.strain.empty();
   for (const Index number : at_face_[at(body)])
     if (number >= 0 && state(number) != JointState::broken) {
       const JointRecord& joint = records_[at(number)];
       add_face(matrices, face_springs(joint, elastic(number), body, bodies));
     }
-  const terms::Rates held =
-      largest_rates(matrices, bodies.inertia[at(body)], state::start_rotation(bodies, body), bodies.locks[at(body)]);
+  const terms::Rates held = largest_rates(matrices, bodies, body);
   auto& rates = rates_[at(body)];
   rates = {std::min(rates.stiffness, held.stiffness), std::min(rates.damping, held.damping)};
 }
@@ -157,6 +161,7 @@ void BondedFaces::carry(Index joint, Parcel& parcel) {
   parcel(losses_[at(joint)]);
   if (!paths_.empty()) parcel(paths_[at(joint)]);
   parcel(table_[joint]);
+  if (!strain_table_.forces.empty()) parcel(strain_table_[joint]);
 }
 
 void BondedFaces::columns(Archive& archive) {
@@ -165,6 +170,7 @@ void BondedFaces::columns(Archive& archive) {
   archive("slip_paths", paths_);
   archive("was_sheared", was_sheared_);
   archive("slots", table_.slots);
+  if (!strain_table_.forces.empty()) archive("strain_forces", strain_table_.forces);
   archive("rates", rates_);
   archive("broken", broken_);
   archive("broken_count", broken_count_);

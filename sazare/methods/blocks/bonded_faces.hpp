@@ -22,6 +22,10 @@ public:
     table_.gather(now, which, sum, parts);
   }
   void post_step(const Instant& now, const state::Bodies<3>& bodies, terms::Peers& peers, terms::Changes& changes) override;
+  bool acts_on_strains() const override { return true; }
+  void gather_strain(const Instant& now, Index body, terms::StrainGathered& sum) const override {
+    strain_table_.gather(now, body, table_, sum);
+  }
   terms::Rates rates(Index body) const override { return rates_[static_cast<std::size_t>(body)]; }
   void carry(Index joint, Parcel& parcel) override;
   void columns(Archive& archive) override;
@@ -65,6 +69,7 @@ protected:
   std::vector<JointSprings> own_springs_;  ///< by joint, from the beginning on; empty where all faces have those of their kinds
   std::vector<Link> links_;
   terms::SlotTable<3, 1, terms::FixedIncidence> table_;
+  terms::StrainTable<2> strain_table_;
   terms::Events failed_;         ///< joints, in the present step
   std::vector<SlipPath> paths_;  ///< by joint; empty where no law softens by slip
   terms::Events sheared_;        ///< joints without strength that are pressed together, after the present step

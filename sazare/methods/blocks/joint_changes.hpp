@@ -13,6 +13,7 @@ struct FaceGeometry {
   LaneVector master;                                     ///< x_i [m]
   LaneVector between;                                    ///< x_j - x_i in world axes [m]
   LaneVector apart;                                      ///< and in face axes
+  LaneMatrix slave_axes;                                 ///< from the slave's body frame to face axes
   std::array<LaneVector, vertex_count> point;            ///< from the master's centre [m]
   LaneVector opening;                                    ///< d_n, by vertex [m]
   std::array<std::array<Lanes, 2>, vertex_count> shear;  ///< d_t less the slip so far [m]
@@ -33,13 +34,12 @@ FaceGeometry face_geometry(const LaneJoints<Record>& joints, const LanePointers<
   at.master = master.position;
   at.between = slave.position - master.position;
   at.apart = transposed(at.axes, at.between);
-  LaneMatrix slave_axes;  // slave's body frame to face axes
-  for (int i = 0; i < 3; ++i) slave_axes[i] = transposed(at.axes, slave.rotation[i]);
+  for (int i = 0; i < 3; ++i) at.slave_axes[i] = transposed(at.axes, slave.rotation[i]);
   const auto tail = joints.tail();
   at.vertex_area = tail.vertex_area;
   at.spread = tail.spread;
   for (std::size_t v = 0; v < vertex_count; ++v) {
-    at.point[v] = add_product(slave_axes, tail.arm[v], at.apart);
+    at.point[v] = add_product(at.slave_axes, tail.arm[v], at.apart);
     const auto vertex = joints.vertex(v);
     const LaneVector displacement = at.point[v] - vertex.corner;
     at.opening[static_cast<int>(v)] = displacement[0];

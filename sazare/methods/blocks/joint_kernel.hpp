@@ -37,9 +37,10 @@ struct FaceSums {
   friend FaceSums operator+(const FaceSums& a, const FaceSums& b) { return {a.force + b.force, a.moment + b.moment}; }
 };
 
-/// Springs, once the memory is what it must be.
+/// Forces of the springs of the vertices on the slave [N], once the memory is what it must be.
 template <class Law>
-FaceSums springs(const JointParameters<Law, Lanes>& kind, FaceGeometry& at, LaneMask& failed, JointChange& change) {
+std::array<LaneVector, vertex_count> spring_forces(const JointParameters<Law, Lanes>& kind, FaceGeometry& at, LaneMask& failed,
+                                                   JointChange& change) {
   const LaneVector peak_before = at.peak;
   const LaneMask softened = raise_peaks(at);
   LaneVector stress = tension_stress(kind, at);
@@ -57,8 +58,14 @@ FaceSums springs(const JointParameters<Law, Lanes>& kind, FaceGeometry& at, Lane
   const auto force = [&](std::size_t v) {
     return LaneVector{{area * stress[static_cast<int>(v)], shear_area * at.shear[v][0], shear_area * at.shear[v][1]}};
   };
-  FaceSums sums = FaceSums::of(at.point[0], force(0));
-  for (std::size_t v = 1; v < vertex_count; ++v) sums.add(at.point[v], force(v));
+  return {force(0), force(1), force(2)};
+}
+
+template <class Law>
+FaceSums springs(const JointParameters<Law, Lanes>& kind, FaceGeometry& at, LaneMask& failed, JointChange& change) {
+  const auto force = spring_forces(kind, at, failed, change);
+  FaceSums sums = FaceSums::of(at.point[0], force[0]);
+  for (std::size_t v = 1; v < vertex_count; ++v) sums.add(at.point[v], force[v]);
   return sums;
 }
 

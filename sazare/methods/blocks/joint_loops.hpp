@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "sazare/core/large_tables.hpp"
-#include "sazare/levels/terms/sum_over_ranges.hpp"
 #include "sazare/levels/terms/lane_slots.hpp"
-#include "sazare/methods/blocks/joint_kernel.hpp"
+#include "sazare/levels/terms/sum_over_ranges.hpp"
+#include "sazare/methods/blocks/deformation/joint_strains.hpp"
 #include "sazare/methods/blocks/joints.hpp"
 #include "sazare/parallel/threads.hpp"
 
@@ -38,7 +38,11 @@ void JointsOf<Laws>::evaluate(const Instant& now, std::span<const Due> due, cons
     parallel::parallel_for_uneven(own.size(), joint_loops::serial_below, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; i += lane_count) {
         if (is_large(records_)) ask_for_some(own.subspan(i, end - i), bodies);
-        evaluate_lanes(kinds, now, own.subspan(i, std::min<std::size_t>(lane_count, end - i)), bodies);
+        const auto batch = own.subspan(i, std::min<std::size_t>(lane_count, end - i));
+        if (bodies.strain.empty())
+          evaluate_lanes(kinds, now, batch, bodies);
+        else
+          evaluate_strained(kinds, now, batch, bodies);
       }
     });
   });
@@ -87,7 +91,48 @@ template <class Law>
   const JointForce force = blocks::evaluate(LaneJoints<JointRecord>{records}, parameters(kinds, records, joint_of), path, masters,
                                             slaves, bodies.pole, failed, change);
   terms::write(slots, now, in_lanes, force.total, force.dashpots, failed);
-  if (!change.has_happened) return;
+  if (change.has_happened) note_changes<Law>(records, due, change);
+}
+
+/// The same where elements are strained.
+template <class Laws>
+template <class Law>
+[[gnu::flatten]] void JointsOf<Laws>::evaluate_strained(const KindsOfLaw<Law>& kinds, const Instant& now,
+                                                        std::span<const Due> due, const state::Bodies<3>& bodies) {
+  const terms::LaneDue in_lanes = terms::in_lanes(due);
+  LanePointers<JointRecord> records;
+  LanePointers<const state::Motion<3>> masters, slaves;
+  LanePointers<const state::Strain> master_strains, slave_strains;
+  LanePointers<terms::Slot<3, 1>> slots;
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    records[lane] = &records_[at(in_lanes[lane].link)];
+    masters[lane] = &bodies.motion[at(records[lane]->master)];
+    slaves[lane] = &bodies.motion[at(records[lane]->slave)];
+    master_strains[lane] = &bodies.strain[at(records[lane]->master)];
+    slave_strains[lane] = &bodies.strain[at(records[lane]->slave)];
+    slots[lane] = &table_[in_lanes[lane].link];
+  }
+  JointChange change;
+  LaneMask failed;
+  LaneVector path;
+  const auto joint_of = [&](std::size_t lane) { return in_lanes[lane].link; };
+  if constexpr (laws::SoftensBySlip<Law>) path = load_paths(joint_of);
+  const StrainedJointForce found =
+      blocks::evaluate_strained(LaneJoints<JointRecord>{records}, parameters(kinds, records, joint_of), path, masters, slaves,
+                                {load_strain(master_strains), load_strain(slave_strains)}, bodies.pole, failed, change);
+  for (std::size_t lane = 0; lane < due.size(); ++lane) {
+    const int i = static_cast<int>(lane);
+    const bool begins = slots[lane]->evaluated < 0 || failed[i] != 0;
+    strain_table_[in_lanes[lane].link].write(begins, in_lane(found.total, i), in_lane(found.dashpots, i));
+  }
+  terms::write(slots, now, in_lanes, found.force.total, found.force.dashpots, failed);
+  if (change.has_happened) note_changes<Law>(records, due, change);
+}
+
+/// Enters what an evaluation has changed of its joints.
+template <class Laws>
+template <class Law>
+void JointsOf<Laws>::note_changes(const LanePointers<JointRecord>& records, std::span<const Due> due, const JointChange& change) {
   remember(records, change);
   if constexpr (laws::SoftensBySlip<Law>) soften_by_slip(due, change);
   add_work(due, change);
@@ -185,14 +230,25 @@ template <class Law>
     slave_ahead[lane] = &synchronized.ahead[at(records[lane]->slave)];
   }
   const auto& kind = parameters(kinds, records, joint_of);
-  FaceGeometry at_face = face_geometry(LaneJoints<const JointRecord>{records}, masters, slaves);
+  const LaneJoints<const JointRecord> joints{records};
+  FaceGeometry at_face = face_geometry(joints, masters, slaves);
+  Lanes dashpots_after = terms::work_after(slots, master_ahead, slave_ahead);
+  if (!synchronized.strain.empty()) {
+    LanePointers<const state::StrainNow> master_strains, slave_strains;
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      master_strains[lane] = &synchronized.strain[at(records[lane]->master)];
+      slave_strains[lane] = &synchronized.strain[at(records[lane]->slave)];
+      dashpots_after[static_cast<int>(lane)] +=
+          strain_table_.work_after(joint_of(lane), links_[at(joint_of(lane))], table_, synchronized.strain);
+    }
+    strain_face(joints, load_strain(master_strains), load_strain(slave_strains), at_face);
+  }
   Lanes fracture{};  // a law that softens by slip has it among its losses
   if constexpr (laws::SoftensBySlip<Law>)
     at_face.path = load_paths(joint_of);
   else if (some_soften(kind, at_face))
     fracture = fracture_work(kind, at_face);
-  return {elastic_energy(kind, at_face, tension_stress(kind, at_face)), fracture,
-          terms::work_after(slots, master_ahead, slave_ahead)};
+  return {elastic_energy(kind, at_face, tension_stress(kind, at_face)), fracture, dashpots_after};
 }
 
 template <class Laws>

@@ -10,7 +10,7 @@ namespace sazare::methods::blocks {
 namespace {
 
 using Freedoms = Eigen::Matrix<Real, 6, Eigen::Dynamic, 0, 6, 6>;
-using FreeMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
+using FreeMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic, 0, 12, 12>;
 
 /// Directions in which the body may move, as columns in its body frame.
 Freedoms free_directions(const Matrix3& rotation, state::Locks locks) {
@@ -49,8 +49,17 @@ void add_face(BodyMatrices& matrices, const FaceSprings& face) {
     Eigen::Matrix<Real, 3, 6> moves;  // velocity of the corner from velocity and spin
     moves.leftCols<3>().setIdentity();
     moves.rightCols<3>() << 0, corner.z(), -corner.y(), -corner.z(), 0, corner.x(), corner.y(), -corner.x(), 0;
-    matrices.stiffness += moves.transpose() * stiffness * moves;
-    matrices.damping += moves.transpose() * damping * moves;
+    matrices.stiffness.rigid += moves.transpose() * stiffness * moves;
+    matrices.damping.rigid += moves.transpose() * damping * moves;
+    if (!matrices.is_strained) continue;
+    Eigen::Matrix<Real, 3, 6> strains;  // and from the rate of the strain
+    for (int i = 0; i < 6; ++i) strains.col(i) = tensor_of(Vector6::Unit(i)) * corner;
+    const auto add = [&](FreedomMatrix& to, const Matrix3& of) {
+      to.between += moves.transpose() * of * strains;
+      to.strain += strains.transpose() * of * strains;
+    };
+    add(matrices.stiffness, stiffness);
+    add(matrices.damping, damping);
   }
 }
 
@@ -68,7 +77,7 @@ FaceSprings face_springs(const JointRecord& joint, const ElasticJoint& kind, Ind
 
 std::vector<terms::Rates> joint_rates(std::span<const ElasticJoint> kinds, std::span<const JointFace> faces,
                                       const state::Bodies<3>& bodies) {
-  std::vector<BodyMatrices> matrices(at(bodies.size()));
+  std::vector<BodyMatrices> matrices(at(bodies.size()), BodyMatrices{!bodies.strain.empty(), {}, {}});
   for (const JointFace& face : faces)
     for (const Index body : {face.master, face.slave}) {
       const auto& motion = bodies.motion[at(body)];
@@ -80,20 +89,31 @@ std::vector<terms::Rates> joint_rates(std::span<const ElasticJoint> kinds, std::
   std::vector<terms::Rates> rates(matrices.size());
   parallel::parallel_for(rates.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t body = begin; body < end; ++body)
-      rates[body] = largest_rates(matrices[body], bodies.inertia[body], state::start_rotation(bodies, static_cast<Index>(body)),
-                                  bodies.locks[body]);
+      rates[body] = largest_rates(matrices[body], bodies, static_cast<Index>(body));
   });
   return rates;
 }
 
-terms::Rates largest_rates(const BodyMatrices& matrices, const state::Inertia<3>& inertia, const Matrix3& rotation,
-                           state::Locks locks) {
-  const Freedoms free = free_directions(rotation, locks);
-  Matrix6 mass = Matrix6::Zero();
-  mass.diagonal() << Vector3::Constant(inertia.mass), inertia.inverse_moments.cwiseInverse();
-  const FreeMatrix free_mass = free.transpose() * mass * free;
-  return {largest_eigenvalue(free.transpose() * matrices.stiffness * free, free_mass),
-          largest_eigenvalue(free.transpose() * matrices.damping * free, free_mass)};
+terms::Rates largest_rates(const BodyMatrices& matrices, const state::Bodies<3>& bodies, Index body) {
+  const auto& inertia = bodies.inertia[at(body)];
+  const Freedoms free = free_directions(state::start_rotation(bodies, body), bodies.locks[at(body)]);
+  FreedomMatrix mass;
+  mass.rigid.diagonal() << Vector3::Constant(inertia.mass), inertia.inverse_moments.cwiseInverse();
+  const bool is_strained = matrices.is_strained && bodies.strain[at(body)].inverse_inertia > 0;
+  if (is_strained) mass.strain.diagonal().setConstant(1 / bodies.strain[at(body)].inverse_inertia);
+  const auto of_free = [&](const FreedomMatrix& matrix) {
+    FreeMatrix all = free.transpose() * matrix.rigid * free;
+    if (!is_strained) return all;
+    const auto rigid = all.rows();
+    FreeMatrix whole(rigid + 6, rigid + 6);
+    whole.topLeftCorner(rigid, rigid) = all;
+    whole.topRightCorner(rigid, 6) = free.transpose() * matrix.between;
+    whole.bottomLeftCorner(6, rigid) = whole.topRightCorner(rigid, 6).transpose();
+    whole.bottomRightCorner(6, 6) = matrix.strain;
+    return whole;
+  };
+  const FreeMatrix free_mass = of_free(mass);
+  return {largest_eigenvalue(of_free(matrices.stiffness), free_mass), largest_eigenvalue(of_free(matrices.damping), free_mass)};
 }
 
 }  // namespace sazare::methods::blocks

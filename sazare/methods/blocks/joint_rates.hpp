@@ -14,8 +14,6 @@
 
 namespace sazare::methods::blocks {
 
-using Matrix6 = Eigen::Matrix<Real, 6, 6>;
-
 /// A face to be bonded.
 struct JointFace {
   Index master = 0;
@@ -34,10 +32,20 @@ inline ElasticJoint elastic_joint(std::span<const ElasticJoint> kinds, const Joi
   return face.own ? kind.with(*face.own) : kind;
 }
 
-/// Stiffness and damping of one block: three translations, three rotations about its centre, in its body frame.
+/// A symmetric matrix of the freedoms of one block, in its body frame: three translations and three rotations about its centre,
+/// and where it is strained the six numbers of its strain.
+struct FreedomMatrix {
+  using Block = Eigen::Matrix<Real, 6, 6>;
+
+  Block rigid = Block::Zero();
+  Block between = Block::Zero();  ///< rows of the motion, columns of the strain
+  Block strain = Block::Zero();
+};
+
+/// Stiffness and damping of one block.
 struct BodyMatrices {
-  Matrix6 stiffness = Matrix6::Zero();
-  Matrix6 damping = Matrix6::Zero();
+  bool is_strained = false;
+  FreedomMatrix stiffness, damping;
 };
 
 /// Springs and dashpots per area on the corners of one face.
@@ -60,8 +68,7 @@ FaceSprings face_springs(const JointRecord& joint, const ElasticJoint& kind, Ind
 std::vector<terms::Rates> joint_rates(std::span<const ElasticJoint> kinds, std::span<const JointFace> faces,
                                       const state::Bodies<3>& bodies);
 
-/// Freedoms locked in world axes are left out; `rotation` is body frame to world.
-terms::Rates largest_rates(const BodyMatrices& matrices, const state::Inertia<3>& inertia, const Matrix3& rotation,
-                           state::Locks locks);
+/// Freedoms locked in world axes are left out; those of the strain are all there.
+terms::Rates largest_rates(const BodyMatrices& matrices, const state::Bodies<3>& bodies, Index body);
 
 }  // namespace sazare::methods::blocks

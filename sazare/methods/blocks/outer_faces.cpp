@@ -17,6 +17,17 @@ Vector3 stress(const Vector3& normal, Real across, Real along, const Vector3& mo
   return across * normal_part + along * (motion - normal_part);
 }
 
+/// Where a point of an element is in its frame once it is strained. A rigid one keeps the bits of its points.
+Vector3 strained(const Vector3& point, const Vector6& strain) {
+  return strain.isZero(0) ? point : Vector3(point + tensor_of(strain) * point);
+}
+
+/// Velocity of a point of an element by the rate of its strain [m/s].
+Vector3 straining(const BodyMotion& body, const Vector3& point) {
+  return body.strain_rate.isZero(0) ? Vector3(Vector3::Zero())
+                                    : Vector3(body.pose.rotation * (tensor_of(body.strain_rate) * point));
+}
+
 /// What a corner of a face does to the ground.
 struct CornerForce {
   Vector3 arm;              ///< of the corner from the body's centre [m]
@@ -25,9 +36,10 @@ struct CornerForce {
 
 CornerForce corner_force(const OuterFace& face, std::size_t corner, const BodyMotion& body, const GroundState& ground) {
   const FaceSprings& springs = face.springs;
-  const Vector3 arm = body.pose.rotation * springs.corners[corner];
+  const Vector3& corner_at_rest = springs.corners[corner];
+  const Vector3 arm = body.pose.rotation * strained(corner_at_rest, body.strain);
   const Vector3 moved = body.pose.position + arm - face.place[corner] - ground.displacement;
-  const Vector3 velocity = body.velocity + body.spin.cross(arm) - ground.velocity;
+  const Vector3 velocity = body.velocity + body.spin.cross(arm) + straining(body, corner_at_rest) - ground.velocity;
   return {arm, springs.corner_area * stress(face.normal, springs.normal_stiffness, springs.shear_stiffness, moved),
           springs.corner_area * stress(face.normal, springs.normal_damping, springs.shear_damping, velocity)};
 }
@@ -46,12 +58,11 @@ OuterFaces::OuterFaces(std::vector<OuterFace> faces, std::vector<MovingGround> g
   std::map<Index, BodyMatrices> matrices;
   for (const OuterFace& face : faces_) {
     links_.push_back({face.body, Link::outside});
+    matrices[face.body].is_strained = !bodies.strain.empty();
     add_face(matrices[face.body], face.springs);
   }
-  for (const auto& [body, sum] : matrices) {
-    const auto at = static_cast<std::size_t>(body);
-    rates_[at] = largest_rates(sum, bodies.inertia[at], state::start_rotation(bodies, body), bodies.locks[at]);
-  }
+  for (const auto& [body, sum] : matrices) rates_[static_cast<std::size_t>(body)] = largest_rates(sum, bodies, body);
+  if (!bodies.strain.empty()) strain_table_.forces.resize(faces_.size());
   table_.causes = {terms::Cause::boundary};
   table_.slots.resize(faces_.size());
   table_.incidence = terms::FixedIncidence(bodies.size(), links_);
@@ -85,22 +96,38 @@ std::vector<GroundState> OuterFaces::ground_at(Real time) const {
 void OuterFaces::evaluate(const Instant& now, std::span<const Due> due, const state::Bodies<3>& bodies) {
   const std::vector<GroundState> ground_now = ground_at(now.seconds());
   parallel::parallel_for(due.size(), 256, [&](std::size_t begin, std::size_t end) {
-    for (const Due& at : due.subspan(begin, end - begin)) {
-      const OuterFace& face = faces_[static_cast<std::size_t>(at.link)];
-      const auto& motion = bodies.motion[static_cast<std::size_t>(face.body)];
-      const BodyMotion body{{motion.position, motion.rotation}, motion.predicted_velocity, motion.predicted_spin};
-      const GroundState& ground = ground_now[static_cast<std::size_t>(face.boundary)];
-      terms::PairForce<3> total, dashpots;
-      for (std::size_t corner = 0; corner < 3; ++corner) {
-        const CornerForce force = corner_force(face, corner, body, ground);
-        const Vector3 point = motion.position - bodies.pole + force.arm;
-        dashpots.add_at(point, force.dashpot);  // the ground is the second body
-        total.add_at(point, force.spring + force.dashpot - face.springs.corner_area * face.traction[corner]);
-      }
-      terms::write<3, 1>(table_[at.link], now, at, total, {dashpots});
-      if (!ground_work_.empty()) count_work(at, now, ground);
-    }
+    for (const Due& at : due.subspan(begin, end - begin))
+      evaluate_one(now, at, ground_now[static_cast<std::size_t>(faces_[static_cast<std::size_t>(at.link)].boundary)], bodies);
   });
+}
+
+void OuterFaces::evaluate_one(const Instant& now, const Due& due, const GroundState& ground, const state::Bodies<3>& bodies) {
+  const OuterFace& face = faces_[static_cast<std::size_t>(due.link)];
+  const auto& motion = bodies.motion[static_cast<std::size_t>(face.body)];
+  BodyMotion body{{motion.position, motion.rotation}, motion.predicted_velocity, motion.predicted_spin};
+  if (!bodies.strain.empty()) {
+    body.strain = bodies.strain[static_cast<std::size_t>(face.body)].strain;
+    body.strain_rate = bodies.strain[static_cast<std::size_t>(face.body)].predicted_rate;
+  }
+  terms::PairForce<3> total, dashpots;
+  Vector6 total_on_strain = Vector6::Zero(), dashpots_on_strain = Vector6::Zero();  // on the body
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    const CornerForce force = corner_force(face, corner, body, ground);
+    const Vector3 point = motion.position - bodies.pole + force.arm;
+    const Vector3 sum = force.spring + force.dashpot - face.springs.corner_area * face.traction[corner];
+    dashpots.add_at(point, force.dashpot);  // the ground is the second body
+    total.add_at(point, sum);
+    if (strain_table_.forces.empty()) continue;
+    const auto on_body = [&](const Vector3& on_ground) {
+      return Vector6(-force_on_strain(motion.rotation.transpose() * on_ground, face.springs.corners[corner]));
+    };
+    total_on_strain += on_body(sum);
+    dashpots_on_strain += on_body(force.dashpot);
+  }
+  auto& slot = table_[due.link];
+  if (!strain_table_.forces.empty()) strain_table_[due.link].write(slot.evaluated < 0, total_on_strain, dashpots_on_strain);
+  terms::write<3, 1>(slot, now, due, total, {dashpots});
+  if (!ground_work_.empty()) count_work(due, now, ground);
 }
 
 /// The force of a face is given until `ahead` seconds after its evaluation, and begins where the one before has ended.
@@ -124,14 +151,17 @@ void OuterFaces::add_energies(const terms::Synchronized<3>& at, terms::EnergySum
     const auto& body = at.pose_of(face.body);
     const GroundState& ground = ground_now[static_cast<std::size_t>(face.boundary)];
     table_.take_back(static_cast<Index>(i), links_[i], at, energies);
+    if (!strain_table_.forces.empty())
+      terms::add_work(terms::Cause::boundary, -strain_table_.work_after(static_cast<Index>(i), links_[i], table_, at.strain),
+                      energies);
     if (!ground_work_.empty()) {
       const Vector3 ahead = displacement_ahead(i, ground);
       energies[terms::EnergyKind::work] += ground_work_[i].work + table_[static_cast<Index>(i)].total.linear.dot(ahead);
       energies[terms::EnergyKind::boundary] += dissipated_by_ground(i, ground);
     }
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      const Vector3 moved =
-          body.position + body.rotation * face.springs.corners[corner] - face.place[corner] - ground.displacement;
+      const Vector3 place = strained(face.springs.corners[corner], at.strain_of(face.body));
+      const Vector3 moved = body.position + body.rotation * place - face.place[corner] - ground.displacement;
       energies[terms::EnergyKind::elastic] +=
           face.springs.corner_area *
           (0.5 * moved.dot(stress(face.normal, face.springs.normal_stiffness, face.springs.shear_stiffness, moved)) -
@@ -158,6 +188,8 @@ void OuterFaces::add_dissipated(const terms::Synchronized<3>& at, const std::fun
     const auto boundary = static_cast<std::size_t>(face.boundary);
     by_boundary[boundary] -= work_on(face.body) * (face.springs.corner_area / area[face.body]);
     by_boundary[boundary] += table_.work_after(static_cast<Index>(i), links_[i], at)[0];
+    if (!strain_table_.forces.empty())
+      by_boundary[boundary] += strain_table_.work_after(static_cast<Index>(i), links_[i], table_, at.strain);
     if (!ground_work_.empty()) by_boundary[boundary] += dissipated_by_ground(i, ground_now[boundary]);
   }
 }
@@ -178,11 +210,13 @@ std::vector<Vector3> OuterFaces::forces(Real time, const std::function<BodyMotio
 
 void OuterFaces::carry(Index link, Parcel& parcel) {
   parcel(table_[link]);
+  if (!strain_table_.forces.empty()) parcel(strain_table_[link]);
   if (!ground_work_.empty()) parcel(ground_work_[static_cast<std::size_t>(link)]);
 }
 
 void OuterFaces::columns(Archive& archive) {
   archive("slots", table_.slots);
+  if (!strain_table_.forces.empty()) archive("strain_forces", strain_table_.forces);
   if (!ground_work_.empty()) archive("ground_work", ground_work_);
 }
 

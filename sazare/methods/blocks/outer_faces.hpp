@@ -40,6 +40,7 @@ struct OuterFace {
 struct BodyMotion {
   state::Pose<3> pose;
   Vector3 velocity, spin;  ///< [m/s], [rad/s]
+  Vector6 strain = Vector6::Zero(), strain_rate = Vector6::Zero();
 };
 
 /// How far the ground has moved [m], and its velocity [m/s].
@@ -60,6 +61,10 @@ public:
   void gather(const Instant& now, std::span<const Index> which, const state::Bodies<3>&, std::span<state::Impulse<3>> sum,
               terms::CauseImpulses<3>& parts) const override {
     table_.gather(now, which, sum, parts);
+  }
+  bool acts_on_strains() const override { return true; }
+  void gather_strain(const Instant& now, Index body, terms::StrainGathered& sum) const override {
+    strain_table_.gather(now, body, table_, sum);
   }
   terms::Rates rates(Index body) const override { return rates_[static_cast<std::size_t>(body)]; }
   void add_energies(const terms::Synchronized<3>& at, terms::EnergySums& energies) const override;
@@ -89,6 +94,7 @@ private:
     return ground_work_[face].given_until - ground.displacement;  // by what is given beyond now
   }
   Real dissipated_by_ground(std::size_t face, const GroundState& ground) const;
+  void evaluate_one(const Instant& now, const Due& due, const GroundState& ground, const state::Bodies<3>& bodies);
   void count_work(const Due& due, const Instant& now, const GroundState& ground_now);
 
   std::vector<MovingGround> ground_;     ///< by boundary
@@ -97,6 +103,7 @@ private:
   std::vector<Link> links_;
   std::vector<terms::Rates> rates_;
   terms::SlotTable<3, 1, terms::FixedIncidence> table_;
+  terms::StrainTable<1> strain_table_;
 };
 
 }  // namespace sazare::methods::blocks

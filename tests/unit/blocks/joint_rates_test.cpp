@@ -97,10 +97,15 @@ TEST(joint_rates, leave_out_what_is_locked) {
   add_face(matrices, face);
   const Matrix6 stiffness = response(1, 1e-9, displace);
   const auto& bodies = pair.bodies();
-  const auto locked = largest_rates(matrices, bodies.inertia[1], state::start_rotation(bodies, 1), {0b001, 0b110});
+  const auto rates_with_locks = [&](state::Locks locks) {
+    state::Bodies<3> locked = bodies;
+    locked.locks[1] = locks;
+    return largest_rates(matrices, locked, 1);
+  };
+  const auto locked = rates_with_locks({0b001, 0b110});
   EXPECT_NEAR(locked.stiffness, largest(stiffness, bodies, 1, {1, 2, 3}), 1e-5 * locked.stiffness);
   EXPECT_LT(locked.stiffness, pair.joints().rates(1).stiffness);
-  EXPECT_EQ(largest_rates(matrices, bodies.inertia[1], state::start_rotation(bodies, 1), {0b111, 0b111}).stiffness, 0);
+  EXPECT_EQ(rates_with_locks({0b111, 0b111}).stiffness, 0);
 }
 
 }  // namespace

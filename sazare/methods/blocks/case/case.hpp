@@ -12,6 +12,7 @@
 
 #include "sazare/cases/tables.hpp"
 #include "sazare/laws/block_elasticity.hpp"
+#include "sazare/laws/deformable_block.hpp"
 #include "sazare/laws/explosives.hpp"
 #include "sazare/laws/joint_laws.hpp"
 #include "sazare/laws/linear_stress.hpp"
@@ -44,9 +45,13 @@ struct Material {
   Real density = 0;  // kg/m3
   std::optional<Real> youngs_modulus = std::nullopt;  // Pa; with poisson_ratio: joints take their springs from it
   std::optional<Real> poisson_ratio = std::nullopt;
+  bool deformable = false;      // its elements strain; else they are rigid, and as elastic as their joints
+  Real bulk_damping_ratio = 0;  // of deformable elements
 
   bool has_moduli() const { return youngs_modulus && poisson_ratio; }
   laws::ElasticModuli moduli() const { return {youngs_modulus.value(), poisson_ratio.value()}; }
+  /// From the centre of an element to its faces.
+  laws::SpringModuli springs() const { return deformable ? laws::joint_moduli(moduli()) : laws::spring_moduli(moduli()); }
 };
 
 /// Applies between two materials (`between`) or on a surface group inside the body (`surface`); the other one

@@ -48,11 +48,13 @@ void explain_body(Explanation& text, const BlocksCase& blocks) {
   }
   text.add("mesh", mesh.file.filename().string() + how);
   for (const Material& material : blocks.materials)
-    text.add("materials", fmt::format("{}: {} kg/m3{}, regions {}", material.name, number(material.density),
-                                      material.has_moduli() ? fmt::format(", E {} Pa, nu {}", number(*material.youngs_modulus),
-                                                                          number(*material.poisson_ratio))
-                                                            : "",
-                                      fmt::join(material.regions, ", ")));
+    text.add("materials",
+             fmt::format("{}: {} kg/m3{}, regions {}", material.name, number(material.density),
+                         material.has_moduli()
+                             ? fmt::format(", E {} Pa, nu {}, {} elements", number(*material.youngs_modulus),
+                                           number(*material.poisson_ratio), material.deformable ? "deformable" : "rigid")
+                             : "",
+                         fmt::join(material.regions, ", ")));
 }
 
 /// The law with what it takes beside the strengths; nothing of a law that takes no more.

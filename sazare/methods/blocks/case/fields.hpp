@@ -61,6 +61,8 @@ void visit_fields(Visitor& visit, Material& material) {
   visit("density", material.density);
   visit("youngs_modulus", material.youngs_modulus);
   visit("poisson_ratio", material.poisson_ratio);
+  visit("deformable", material.deformable);
+  if (visit.has("bulk_damping_ratio", material.deformable)) visit("bulk_damping_ratio", material.bulk_damping_ratio);
 }
 
 template <class Visitor>

@@ -27,6 +27,27 @@ void check_materials(const CheckContext& context, const BlocksCase& blocks) {
   }
 }
 
+/// Only deformable elements have what needs moduli, and Poisson's ratios beyond those of rigid ones.
+void check_deformable(const CheckContext& context, const BlocksCase& blocks) {
+  const auto list = context.entries_of("materials");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Entry& entry = list[i];
+    if (!entry.exists()) continue;
+    const Material& material = blocks.materials[i];
+    if (material.deformable && !entry.has("youngs_modulus") && !entry.has("poisson_ratio"))
+      context.problems.error(entry.place("deformable"), "deformable elements without youngs_modulus and poisson_ratio",
+                             how_to_add(*find_key(*entry.table, "youngs_modulus")));
+    if (!material.deformable && entry.has("bulk_damping_ratio"))
+      context.problems.error(entry.place("bulk_damping_ratio"), "bulk_damping_ratio of rigid elements",
+                             "add deformable = true, or remove bulk_damping_ratio");
+    if (!material.deformable && entry.is_sound("poisson_ratio") && material.poisson_ratio.value_or(0) > laws::most_poisson_ratio)
+      context.problems.error(entry.place("poisson_ratio"),
+                             fmt::format("rigid elements can have a poisson_ratio of at most {}, found {}",
+                                         laws::most_poisson_ratio, *material.poisson_ratio),
+                             "add deformable = true, with which it may be up to 0.49");
+  }
+}
+
 /// Young's modulus and Poisson's ratio stand together.
 void check_moduli(const CheckContext& context) {
   for (const Entry& entry : context.entries_of("materials"))
@@ -108,6 +129,7 @@ void check_names(const CheckContext& context, const BlocksCase& blocks) {
   check_unique(context, "gauges", blocks.gauges);
   check_materials(context, blocks);
   check_moduli(context);
+  check_deformable(context, blocks);
   check_joined_materials(context, blocks);
   check_boundaries(context, blocks);
   check_boundary_motions(context, blocks);

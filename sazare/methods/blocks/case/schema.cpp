@@ -46,9 +46,23 @@ constexpr std::array material_keys{
             "speed in elements of any size."},
     Key{.name = "poisson_ratio",
         .type = Type::number,
-        .range = {.low = 0, .high = laws::most_poisson_ratio},
+        .range = {.low = 0, .high = laws::most_poisson_ratio_of_deformable},
         .note = with_young_modulus,
-        .sentence = "Poisson's ratio. Rigid elements can have 0 to 0.45; for more, use finite elements."},
+        .sentence = "Poisson's ratio: 0 to 0.45 of rigid elements, 0 to 0.49 of deformable ones."},
+    Key{.name = "deformable",
+        .type = Type::boolean,
+        .default_text = "false",
+        .note = "needs youngs_modulus and poisson_ratio",
+        .sentence =
+            "Whether the elements strain and have a stress. False: they are rigid, and the joints between them are as elastic as "
+            "the material."},
+    Key{.name = "bulk_damping_ratio",
+        .type = Type::number,
+        .range = not_negative,
+        .usual = usual::damping_ratio,
+        .default_text = "0.0",
+        .note = "only with deformable = true",
+        .sentence = "Damping ratio of the strain of a deformable element: its stress grows with the rate of its strain."},
 };
 
 constexpr std::array leading_joint_keys{

@@ -103,9 +103,7 @@ std::vector<std::string> Gauges::titles() const {
 std::vector<Real> Gauges::sample(Real time, const state::Bodies<3>& bodies, const levels::Snapshot<3>& now) {
   std::vector<Real> row = {time};
   for (std::size_t i = 0; i < names_.size(); ++i) {
-    const std::size_t element = at(elements_[i]);
-    const levels::BodyNow<3> body{now.pose[element], now.velocity[element], now.angular_momentum[element]};
-    const Vector3 velocity = point_velocity(bodies, body, elements_[i], points_[i]);
+    const Vector3 velocity = point_velocity(bodies, body_of(now, elements_[i]), elements_[i], points_[i]);
     row.insert(row.end(), velocity.begin(), velocity.end());
     peaks_[i].raise(time, velocity);
   }

@@ -9,6 +9,7 @@
 #include "sazare/methods/blocks/face_contacts.hpp"
 #include "sazare/methods/blocks/run/base_step.hpp"
 #include "sazare/methods/blocks/run/blasting/charges.hpp"
+#include "sazare/methods/blocks/run/joints/deformable_elements.hpp"
 #include "sazare/methods/blocks/run/joints/element_springs.hpp"
 #include "sazare/methods/blocks/run/parts.hpp"
 
@@ -113,7 +114,9 @@ private:
     const auto& kinds = model_.kinds.kinds;
     const auto elastic = methods::blocks::elastic_joints(kinds);
     auto joint_rates = methods::blocks::joint_rates(elastic, joint_faces, bodies_);
-    const Real coupling = methods::blocks::coupled_damping(elastic, joint_faces, bodies_, joint_rates);
+    constexpr Real most_coupling = 2;  // strains are not among the motions that are searched for the largest coupled rate
+    const Real coupling =
+        bodies_.strain.empty() ? methods::blocks::coupled_damping(elastic, joint_faces, bodies_, joint_rates) : most_coupling;
     for (terms::Rates& rates : joint_rates) rates.damping *= coupling / 2;
     std::vector<Real> steps;
     for (const terms::Rates& rates : joint_rates) steps.push_back(blocks_.time.stability_fraction * levels::stable_step(rates));
@@ -121,6 +124,9 @@ private:
     if (blocks_.time.limiter == cases::Limiter::stability) sort_by_level(joint_faces, steps, base_step_);
     model_.joints =
         keep(terms_, std::make_unique<methods::blocks::Joints>(kinds, joint_faces, std::move(joint_rates), bodies_));
+    if (!bodies_.strain.empty())
+      model_.elements = keep(terms_, std::make_unique<methods::blocks::Elements>(
+                                         make_elements(blocks_, model_.mesh, model_.material, bodies_, joint_faces), bodies_));
   }
 
   void make_contacts(const std::vector<methods::blocks::FreeFace>& free_faces) {
@@ -149,6 +155,7 @@ BlocksModel build_blocks(const cases::BlocksCase& blocks, geometry::TetraMesh me
   model.mesh = std::move(mesh);
   model.material = materials_by_element(blocks, model.mesh);
   state::Bodies<3> bodies = make_bodies(blocks, model.mesh, model.material);
+  add_strains(blocks, model.material, bodies);
   TermMaker maker(blocks, model, bodies);
   Terms terms = maker.make(window);
   find_stable_steps(terms, bodies.size(), model);

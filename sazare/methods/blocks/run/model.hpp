@@ -11,6 +11,7 @@
 #include "sazare/methods/blocks/block_contacts.hpp"
 #include "sazare/methods/blocks/case/case.hpp"
 #include "sazare/methods/blocks/charges/charge_gas.hpp"
+#include "sazare/methods/blocks/deformation/elements.hpp"
 #include "sazare/methods/blocks/joints.hpp"
 #include "sazare/methods/blocks/outer_faces.hpp"
 #include "sazare/methods/blocks/run/joints/strength_scatter.hpp"
@@ -30,6 +31,7 @@ struct BlocksModel {
   std::vector<bool> is_bound_by_dashpots;  ///< by element: what the larger part of that step's bound comes from
   std::unique_ptr<levels::Simulation<3>> simulation;
   methods::blocks::Joints* joints = nullptr;            ///< owned by the simulation
+  methods::blocks::Elements* elements = nullptr;        ///< none where all are rigid; owned by the simulation
   methods::blocks::BlockContacts* contacts = nullptr;   ///< owned by the simulation
   methods::blocks::OuterFaces* boundaries = nullptr;    ///< none where no face has a boundary; owned by the simulation
   methods::blocks::ChargeGas* charges = nullptr;        ///< none where no charge stands at a face; owned by the simulation

@@ -109,8 +109,10 @@ std::vector<Vector3> RunRecord::boundary_forces(Real time) const {
   const levels::Snapshot<3>& now = former_survey_.bodies;
   return model_->boundaries->forces(time, [&](Index body) -> methods::blocks::BodyMotion {
     const state::Pose<3>& pose = now.pose[at(body)];
+    const state::StrainNow strain = now.strain.empty() ? state::StrainNow{} : now.strain[at(body)];
     return {pose, now.velocity[at(body)],
-            motion::spin_of(pose.rotation, bodies.inertia[at(body)], bodies.locks[at(body)], now.angular_momentum[at(body)])};
+            motion::spin_of(pose.rotation, bodies.inertia[at(body)], bodies.locks[at(body)], now.angular_momentum[at(body)]),
+            strain.strain, strain.rate};
   });
 }
 
@@ -126,7 +128,8 @@ void RunRecord::sum_absorbed(Real time, const parallel::Ranks* ranks) {
   if (model_->boundaries == nullptr) return;
   const levels::Simulation<3>& simulation = *model_->simulation;
   model_->boundaries->add_dissipated(
-      {survey_->bodies.pose, survey_->ahead, time}, [&](Index body) { return simulation.owns(body); },
+      {survey_->bodies.pose, survey_->ahead, time, nullptr, survey_->bodies.strain},
+      [&](Index body) { return simulation.owns(body); },
       [&](Index body) { return simulation.work_on(body)[static_cast<std::size_t>(terms::Cause::boundary)]; }, absorbed_);
   if (ranks == nullptr) return;
   const parallel::Gathered all = ranks->gather(std::as_bytes(std::span(absorbed_)), parallel::To::first);

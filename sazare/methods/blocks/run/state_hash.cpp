@@ -25,6 +25,9 @@ std::uint64_t state_hash(const BlocksModel& model) {
       add(motion, now.pose[element].rotation);
       add(motion, now.velocity[element]);
       add(motion, now.angular_momentum[element]);
+      if (now.strain.empty()) continue;
+      add(motion, now.strain[element].strain);
+      add(motion, now.strain[element].rate);
     }
   });
   hash.add_pieces([&](observe::PieceHash& memory) {

@@ -28,7 +28,7 @@ laws::SpringModuli stiffness_between(const cases::BlocksCase& blocks, const std:
                                      const state::Bodies<3>& bodies, const JointFace& face) {
   laws::SpringModuli compliance;  // [m/Pa]
   for (const Index element : {face.master, face.slave}) {
-    const auto modulus = laws::spring_moduli(blocks.materials[at(material[at(element)])].moduli());
+    const auto modulus = blocks.materials[at(material[at(element)])].springs();
     const Real distance = distance_from(face, bodies.motion[at(element)].position);
     compliance.normal += distance / modulus.normal;
     compliance.shear += distance / modulus.shear;
@@ -79,7 +79,7 @@ methods::blocks::FaceSprings ground_springs(cases::BoundaryKind kind, const OnGr
     springs.normal_stiffness = *joint.normal_stiffness;
     springs.shear_stiffness = *joint.shear_stiffness;
   } else {
-    const auto modulus = laws::spring_moduli(material.moduli());
+    const auto modulus = material.springs();
     springs.normal_stiffness = modulus.normal / distance;
     springs.shear_stiffness = modulus.shear / distance;
   }

@@ -43,7 +43,12 @@ Held held_by_joints(const BlocksModel& model, const levels::Snapshot<3>& now, In
   return held;
 }
 
+/// Of a deformable element by its own strain, of a rigid one by its joints.
 Matrix3 stress_of(const BlocksModel& model, const levels::Snapshot<3>& now, Index element) {
+  if (const auto* own = model.elements == nullptr ? nullptr : model.elements->element_of(element)) {
+    const Matrix3& rotation = now.pose[at(element)].rotation;
+    return rotation * tensor_of(own->stress(now.strain[at(element)].strain)) * rotation.transpose();
+  }
   const Held held = held_by_joints(model, now, element);
   Matrix3 dyads = held.dyads;
   if (held.open > 0) dyads -= held.open_centres / held.open * held.force.transpose();

@@ -1,0 +1,57 @@
+#include "sazare/levels/motion/strain.hpp"
+
+namespace sazare::motion {
+
+Vector6 without_locked(const Vector6& numbers, const Matrix3& rotation, state::Locks locks) {
+  if (locks.translation == 0) return numbers;
+  Matrix3 world = rotation * tensor_of(numbers) * rotation.transpose();
+  for (int axis = 0; axis < 3; ++axis)
+    if (locks.translation >> axis & 1) {
+      world.row(axis).setZero();
+      world.col(axis).setZero();
+    }
+  return numbers_of(rotation.transpose() * world * rotation);
+}
+
+namespace {
+
+void clear_locked(const state::Bodies<3>& bodies, Index body, state::StrainImpulse& given) {
+  const state::Locks locks = bodies.locks[at(body)];
+  if (locks.translation == 0) return;
+  for (Vector6* each : {&given.given, &given.lead}) *each = without_locked(*each, bodies.motion[at(body)].rotation, locks);
+}
+
+}  // namespace
+
+Vector6 step(state::Bodies<3>& bodies, Index body, state::StrainImpulse given, Real tick_seconds) {
+  const auto& motion = bodies.motion[at(body)];
+  auto& strain = bodies.strain[at(body)];
+  clear_locked(bodies, body, given);
+  const Vector6 gained = strain.inverse_inertia * given.given, mean = strain.rate + 0.5 * gained;
+  strain.rate += gained;
+  strain.strain += static_cast<Real>(motion.due - motion.last_kick) * tick_seconds * strain.rate;
+  strain.predicted_rate = strain.rate + strain.inverse_inertia * given.lead;
+  return mean;
+}
+
+void drift_strain_back(state::Bodies<3>& bodies, Index body, const Instant& now) {
+  const auto& motion = bodies.motion[at(body)];
+  auto& strain = bodies.strain[at(body)];
+  strain.strain += now.seconds_since(motion.due) * strain.rate;
+  // The rate is taken to change evenly: in the middle of the step it is the mean.
+  const Real kept = 1 - 2 * static_cast<Real>(motion.due - now.tick) / static_cast<Real>(motion.due - motion.last_kick);
+  strain.predicted_rate = strain.rate + kept * (strain.predicted_rate - strain.rate);
+}
+
+state::StrainNow strain_now(const state::Bodies<3>& bodies, Index body, const Instant& now, state::StrainImpulse given) {
+  const auto& motion = bodies.motion[at(body)];
+  const auto& strain = bodies.strain[at(body)];
+  clear_locked(bodies, body, given);
+  state::StrainNow found;
+  found.strain = strain.strain + (motion.due == now.tick ? 0 : now.seconds_since(motion.due)) * strain.rate;
+  found.rate = strain.rate + strain.inverse_inertia * given.lead;
+  found.ahead = 0.5 * (strain.rate + found.rate);
+  return found;
+}
+
+}  // namespace sazare::motion
