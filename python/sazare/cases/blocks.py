@@ -37,7 +37,7 @@ class Material(Part):
     elements of any size. [Pa] (with poisson_ratio, instead of the stiffnesses of joints) Greater than 0.
     """
     poisson_ratio: float | None = None
-    """Poisson's ratio: 0 to 0.45 of rigid elements, 0 to 0.49 of deformable ones. (with youngs_modulus, instead of the
+    """Poisson's ratio: up to 0.45 of rigid elements, and up to 0.49 of deformable ones. (with youngs_modulus, instead of the
     stiffnesses of joints) At least 0 and at most 0.49.
     """
     deformable: bool | None = None

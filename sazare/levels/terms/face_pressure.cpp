@@ -93,8 +93,7 @@ void FacePressure::add_energies(const Synchronized<3>& at, EnergySums& energies)
   for (std::size_t face = 0; face < faces_.size(); ++face)
     if (at.counts(links_[face])) {
       table_.take_back(static_cast<Index>(face), links_[face], at, energies);
-      if (!strain_table_.forces.empty())
-        add_work(Cause::load, -strain_table_.work_after(static_cast<Index>(face), links_[face], table_, at.strain), energies);
+      strain_table_.take_back(static_cast<Index>(face), links_[face], table_, at, energies);
     }
 }
 

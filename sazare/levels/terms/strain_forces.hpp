@@ -103,6 +103,12 @@ struct StrainTable {
     };
     return slot.ahead * (power(bodies.first, 0) + (Sides == 2 ? power(bodies.second, 1) : 0));
   }
+
+  /// Subtracts that work from the sums; there is none where all bodies are rigid.
+  template <class Table, class Synchronized>
+  void take_back(Index link, const Link& bodies, const Table& table, const Synchronized& now, EnergySums& energies) const {
+    if (!forces.empty()) add_work(table.causes[0], -work_after(link, bodies, table, now.strain), energies);
+  }
 };
 
 }  // namespace sazare::terms

@@ -104,6 +104,7 @@ template <class Law>
   LanePointers<const state::Motion<3>> masters, slaves;
   LanePointers<const state::Strain> master_strains, slave_strains;
   LanePointers<terms::Slot<3, 1>> slots;
+  LanePointers<terms::StrainForces<2>> strain_slots;
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
     records[lane] = &records_[at(in_lanes[lane].link)];
     masters[lane] = &bodies.motion[at(records[lane]->master)];
@@ -111,6 +112,7 @@ template <class Law>
     master_strains[lane] = &bodies.strain[at(records[lane]->master)];
     slave_strains[lane] = &bodies.strain[at(records[lane]->slave)];
     slots[lane] = &table_[in_lanes[lane].link];
+    strain_slots[lane] = &strain_table_[in_lanes[lane].link];
   }
   JointChange change;
   LaneMask failed;
@@ -120,11 +122,7 @@ template <class Law>
   const StrainedJointForce found =
       blocks::evaluate_strained(LaneJoints<JointRecord>{records}, parameters(kinds, records, joint_of), path, masters, slaves,
                                 {load_strain(master_strains), load_strain(slave_strains)}, bodies.pole, failed, change);
-  for (std::size_t lane = 0; lane < due.size(); ++lane) {
-    const int i = static_cast<int>(lane);
-    const bool begins = slots[lane]->evaluated < 0 || failed[i] != 0;
-    strain_table_[in_lanes[lane].link].write(begins, in_lane(found.total, i), in_lane(found.dashpots, i));
-  }
+  terms::write(strain_slots, slots, side_by_side(found.total), side_by_side(found.dashpots), failed);
   terms::write(slots, now, in_lanes, found.force.total, found.force.dashpots, failed);
   if (change.has_happened) note_changes<Law>(records, due, change);
 }

@@ -151,9 +151,7 @@ void OuterFaces::add_energies(const terms::Synchronized<3>& at, terms::EnergySum
     const auto& body = at.pose_of(face.body);
     const GroundState& ground = ground_now[static_cast<std::size_t>(face.boundary)];
     table_.take_back(static_cast<Index>(i), links_[i], at, energies);
-    if (!strain_table_.forces.empty())
-      terms::add_work(terms::Cause::boundary, -strain_table_.work_after(static_cast<Index>(i), links_[i], table_, at.strain),
-                      energies);
+    strain_table_.take_back(static_cast<Index>(i), links_[i], table_, at, energies);
     if (!ground_work_.empty()) {
       const Vector3 ahead = displacement_ahead(i, ground);
       energies[terms::EnergyKind::work] += ground_work_[i].work + table_[static_cast<Index>(i)].total.linear.dot(ahead);

@@ -42,8 +42,8 @@ TEST(Resolved, NamesFilesRelativeToItsFolder) {
 /// Keys that stand for others, which the full case gives: a friction angle is written as its coefficient, and elasticity and damping
 /// are given by the stiffnesses and dashpots of joints, and k0 by stresses that grow with depth.
 bool is_other_way(std::string_view key) {
-  return key == "friction_angle" || key == "youngs_modulus" || key == "poisson_ratio" || key == "damping_ratio" ||
-         key == "k0";
+  return key == "friction_angle" || key == "youngs_modulus" || key == "poisson_ratio" || key == "damping_ratio" || key == "k0" ||
+         key == "bulk_damping_ratio";
 }
 
 /// What a run writes in its folder is read again by `--resume`, so that it must be a case for the other way as well.
@@ -55,6 +55,8 @@ TEST(Resolved, ReadsBackWithElasticityAndDampingByTheOtherWay) {
     text.erase(begin, text.find('\n', begin) + 1 - begin);
   }
   expect_round_trip(folder, replaced(text, "cohesion = ", "damping_ratio = 0.02\ncohesion = "));
+  expect_round_trip(folder,
+                    replaced(text, "poisson_ratio = 0.2", "poisson_ratio = 0.48\ndeformable = true\nbulk_damping_ratio = 0.1"));
   expect_round_trip(folder, text + "\n[gravity]\nacceleration = [0, 0, -9.81]\n\n[initial_stress]\nk0 = 0.5\ndatum = 3\n");
 }
 

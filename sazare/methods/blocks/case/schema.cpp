@@ -48,7 +48,7 @@ constexpr std::array material_keys{
         .type = Type::number,
         .range = {.low = 0, .high = laws::most_poisson_ratio_of_deformable},
         .note = with_young_modulus,
-        .sentence = "Poisson's ratio: 0 to 0.45 of rigid elements, 0 to 0.49 of deformable ones."},
+        .sentence = "Poisson's ratio: up to 0.45 of rigid elements, and up to 0.49 of deformable ones."},
     Key{.name = "deformable",
         .type = Type::boolean,
         .default_text = "false",

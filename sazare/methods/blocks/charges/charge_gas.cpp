@@ -26,7 +26,25 @@ ChargeGas::ChargeGas(std::vector<Charge> charges, std::vector<ChargedFace> faces
   table_.causes = {terms::Cause::load};
   table_.slots.resize(faces_.size());
   table_.incidence = terms::FixedIncidence(bodies.size(), links_);
+  if (!bodies.strain.empty()) strain_table_.forces.resize(faces_.size());
 }
+
+namespace {
+
+/// Where the centre of a face is from that of its body, and its velocity by the strain of the body, in world axes.
+struct StrainedCentre {
+  Vector3 arm;
+  Vector3 speed = Vector3::Zero();  // [m/s]
+};
+
+StrainedCentre strained_centre(const ChargedFace& face, const Matrix3& rotation, const state::Bodies<3>& bodies) {
+  if (bodies.strain.empty()) return {rotation * face.centre};
+  const state::Strain& strain = bodies.strain[at(face.body)];
+  return {rotation * (face.centre + tensor_of(strain.strain) * face.centre),
+          rotation * (tensor_of(strain.predicted_rate) * face.centre)};
+}
+
+}  // namespace
 
 /// Gas is a spring between the faces of its hole: where all of them move outwards by u, the pressure falls by n p A u/V. No way
 /// of moving is stiffer, and the gas is never stiffer than right after its detonation.
@@ -63,7 +81,8 @@ ChargeGas::Told ChargeGas::move(const Due& due, const Instant& now, const state:
   const Charge& charge = charges_[at(face.charge)];
   Wetted& wetted = wetted_[at(due.link)];
   const auto& motion = bodies.motion[at(face.body)];
-  const Vector3 arm = motion.rotation * face.centre, place = motion.position + arm;
+  const auto [arm, straining] = strained_centre(face, motion.rotation, bodies);
+  const Vector3 place = motion.position + arm;
   if ((place - face.start).squaredNorm() > charge.cut_distance * charge.cut_distance) wetted.acts = 0;
   const Real pressure = now_[at(face.charge)].pressure;
   const Vector3 area = wetted.acts * face.part.covered_by(charge.burnt(now.seconds())) * (motion.rotation * face.area);
@@ -75,8 +94,12 @@ ChargeGas::Told ChargeGas::move(const Due& due, const Instant& now, const state:
   wetted.pressure = pressure;
   terms::PairForce<3> total;
   total.add_at(motion.position - bodies.pole + arm, pressure * area);  // on the outside, the second body
+  if (!strain_table_.forces.empty()) {
+    const Vector6 on_body = -force_on_strain(motion.rotation.transpose() * (pressure * area), face.centre);
+    strain_table_[due.link].write(table_[due.link].evaluated < 0, on_body, on_body);
+  }
   terms::write<3, 0>(table_[due.link], now, due, total, {});
-  const Real rate = -area.dot(motion.velocity_at(arm));
+  const Real rate = -area.dot(motion.velocity_at(arm) + straining);
   return {LinearGrowth::through(now.seconds(), wetted.room, rate),
           LinearGrowth::through(now.seconds(), wetted.work, pressure * rate)};
 }
@@ -142,12 +165,16 @@ std::vector<ChargeState> ChargeGas::states(Real time) const {
 
 void ChargeGas::add_energies(const terms::Synchronized<3>& at, terms::EnergySums& energies) const {
   for (std::size_t face = 0; face < faces_.size(); ++face)
-    if (at.counts(links_[face])) table_.take_back(static_cast<Index>(face), links_[face], at, energies);
+    if (at.counts(links_[face])) {
+      table_.take_back(static_cast<Index>(face), links_[face], at, energies);
+      strain_table_.take_back(static_cast<Index>(face), links_[face], table_, at, energies);
+    }
 }
 
 void ChargeGas::carry(Index link, Parcel& parcel) {
   parcel(wetted_[at(link)]);
   parcel(table_[link]);
+  if (!strain_table_.forces.empty()) parcel(strain_table_[link]);
 }
 
 void ChargeGas::columns(Archive& archive) {
@@ -155,6 +182,7 @@ void ChargeGas::columns(Archive& archive) {
   archive("told", told_);
   archive("collars", collars_);
   archive("slots", table_.slots);
+  if (!strain_table_.forces.empty()) archive("strain_forces", strain_table_.forces);
   if (archive.reading()) sum_up();
 }
 

@@ -68,6 +68,10 @@ public:
     table_.gather(now, which, sum, parts);
   }
   void post_step(const Instant& now, const state::Bodies<3>&, terms::Peers& peers, terms::Changes&) override;
+  bool acts_on_strains() const override { return true; }
+  void gather_strain(const Instant& now, Index body, terms::StrainGathered& sum) const override {
+    strain_table_.gather(now, body, table_, sum);
+  }
   terms::Rates rates(Index body) const override { return rates_[static_cast<std::size_t>(body)]; }
   void add_energies(const terms::Synchronized<3>& at, terms::EnergySums& energies) const override;
   void carry(Index link, Parcel& parcel) override;
@@ -132,6 +136,7 @@ private:
   std::vector<TakenByCracks> taken_;  ///< of the charges
   Real first_delay_ = 0;              ///< [s]
   terms::SlotTable<3, 0, terms::FixedIncidence> table_;
+  terms::StrainTable<1> strain_table_;
 };
 
 }  // namespace sazare::methods::blocks

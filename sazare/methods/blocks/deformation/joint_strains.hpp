@@ -9,7 +9,9 @@
 /// through (1 + S_i) Q a: the symmetric parts of R_j^T F b^T and of -Q E^T F (Q a)^T, each in the body frame. As the
 /// springs' potential depends on strains through d alone, these are its derivatives. Each vertex has its own dashpot.
 
-#include "sazare/levels/terms/strain_forces.hpp"
+#include <algorithm>
+
+#include "sazare/levels/terms/lane_strain_forces.hpp"
 #include "sazare/methods/blocks/joint_kernel.hpp"
 
 namespace sazare::methods::blocks {
@@ -116,12 +118,10 @@ inline LaneStrainForces strain_forces(const FaceGeometry& at, const StrainedFace
   return sum;
 }
 
-inline Eigen::Matrix<Real, 12, 1> in_lane(const LaneStrainForces& forces, int lane) {
-  Eigen::Matrix<Real, 12, 1> numbers;
-  for (std::size_t i = 0; i < 6; ++i) {
-    numbers[static_cast<int>(i)] = forces.master[i][lane];
-    numbers[static_cast<int>(6 + i)] = forces.slave[i][lane];
-  }
+inline terms::LaneStrainNumbers side_by_side(const LaneStrainForces& forces) {
+  terms::LaneStrainNumbers numbers;
+  std::ranges::copy(forces.master, numbers.begin());
+  std::ranges::copy(forces.slave, numbers.begin() + 6);
   return numbers;
 }
 

@@ -69,7 +69,8 @@ inline constexpr std::array elements = {
     Column{"shear_stress", "Pa", "xy, yz, zx"},
     Column{"von_mises_stress", "Pa", ""},
     Column{"largest_principal_stress", "Pa", "tension is positive"},
-    Column{"smallest_principal_stress", "Pa", ""}};
+    Column{"smallest_principal_stress", "Pa", ""},
+    Column{"volumetric_strain", "-", "of deformable elements, tension is positive; else 0"}};
 inline constexpr std::array joints = {
     Column{"state", "-", "0 intact, 1 softening, 2 broken, 3 sheared: without strength, and pressed together"},
     Column{"mode", "-", "of a crack: 1 opening, 2 shear, whichever has dissipated more; else 0"},

@@ -186,10 +186,10 @@ void Snapshots::write_elements(const Picture& picture) {
   const auto damage = made<Real>(count, [&](Index element) { return damage_of(*model_->joints, picture.state, element); });
   observe::Grid grid{observe::Grid::Cell::tetrahedron, {}, {}, {}, picture.time};
   grid.own_points = points;
-  grid.cell_data =
-      observe::cell_data(columns::blocks::elements, tag, mesh.region, model_->material, displacement, picture.now.velocity,
-                         picture.spin, speed, level, step, picture.fragment, damage, picture.stress.normal, picture.stress.shear,
-                         picture.stress.von_mises, picture.stress.largest, picture.stress.smallest);
+  grid.cell_data = observe::cell_data(columns::blocks::elements, tag, mesh.region, model_->material, displacement,
+                                      picture.now.velocity, picture.spin, speed, level, step, picture.fragment, damage,
+                                      picture.stress.normal, picture.stress.shear, picture.stress.von_mises,
+                                      picture.stress.largest, picture.stress.smallest, picture.stress.volumetric_strain);
   elements_.write(grid);
 }
 

@@ -60,7 +60,7 @@ Matrix3 stress_of(const BlocksModel& model, const levels::Snapshot<3>& now, Inde
 ElementStresses element_stresses(const BlocksModel& model, const levels::Snapshot<3>& now) {
   const std::size_t count = model.mesh.tetrahedra.size();
   ElementStresses all{std::vector<Vector3>(count), std::vector<Vector3>(count), std::vector<Real>(count),
-                      std::vector<Real>(count), std::vector<Real>(count)};
+                      std::vector<Real>(count),    std::vector<Real>(count),    std::vector<Real>(count)};
   parallel::parallel_for(count, 512, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Matrix3 stress = stress_of(model, now, static_cast<Index>(i));
@@ -71,6 +71,7 @@ ElementStresses element_stresses(const BlocksModel& model, const levels::Snapsho
       const Vector3 principal = Eigen::SelfAdjointEigenSolver<Matrix3>(stress, Eigen::EigenvaluesOnly).eigenvalues();
       all.smallest[i] = principal[0];
       all.largest[i] = principal[2];
+      if (!now.strain.empty()) all.volumetric_strain[i] = now.strain[i].strain.head<3>().sum();
     }
   });
   return all;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Mean stress of elements from the forces of their joints.
+/// Mean stress of elements: of deformable ones from their strain, of rigid ones from the forces of their joints.
 ///
 /// The mean stress of a body that is in equilibrium is (Love, Weber)
 ///
@@ -22,6 +22,7 @@ struct ElementStresses {
   std::vector<Vector3> shear;   ///< xy, yz, zx
   std::vector<Real> von_mises;
   std::vector<Real> largest, smallest;  ///< principal stresses
+  std::vector<Real> volumetric_strain;  ///< of deformable elements, else 0
 };
 
 /// As joints were last evaluated, at a base step; bodies stand as the snapshot says.
