@@ -60,12 +60,14 @@ def elastic_block(folder):
 
 
 @pytest.mark.parametrize("ranks", [2, 3])
-def test_springs_of_the_elements_give_the_same_bits_on_ranks(sazare, tmp_path, ranks):
+@pytest.mark.parametrize("deformable", ["false", "true"])
+def test_springs_of_the_elements_give_the_same_bits_on_ranks(sazare, tmp_path, ranks, deformable):
     case = elastic_block(tmp_path)
-    alone = sazare("run", case, "--out", tmp_path / "alone", "--threads", 1, "--set", LATER)
+    options = ("--threads", 1, "--set", LATER, "--set", f"materials.0.deformable={deformable}")
+    alone = sazare("run", case, "--out", tmp_path / "alone", *options)
     assert alone.returncode == DONE, alone.stderr
     assert manifest(tmp_path / "alone")["results"]["broken_joints"] > 0
-    many = sazare.on_ranks(ranks, "run", case, "--out", tmp_path / "many", "--threads", 1, "--set", LATER)
+    many = sazare.on_ranks(ranks, "run", case, "--out", tmp_path / "many", *options)
     assert many.returncode == DONE, many.stderr
     assert_same_results(tmp_path / "alone", tmp_path / "many")
 
