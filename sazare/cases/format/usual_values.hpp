@@ -33,7 +33,8 @@ inline constexpr UsualRange hole_diameter{1e-3, 2};           // [m]
 
 }  // namespace usual
 
-/// Warns of a number outside the usual range of its key, and says which unit would explain it.
-void warn_of_unusual(const Key& key, const Value& value, Real number, Problems& problems);
+/// Warns of a number outside the usual range of its key, and says which unit would explain it. False for one so far above it that
+/// nothing can be computed with it, which is an error.
+bool warn_of_unusual(const Key& key, const Value& value, Real number, Problems& problems);
 
 }  // namespace sazare::cases

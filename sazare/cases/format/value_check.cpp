@@ -106,8 +106,7 @@ private:
     const auto number = number_in(value);
     if (!number) return refuse(value, help_for_number(value));
     if (!is_in_range(value, *number)) return false;
-    warn_of_unusual(key_, value, *number, problems_);
-    return true;
+    return warn_of_unusual(key_, value, *number, problems_);
   }
 
   bool is_in_range(const Value& value, Real number) {

@@ -11,6 +11,12 @@
 
 namespace sazare::methods::fem {
 
+namespace {
+
+constexpr const char* forces_are_no_numbers = "the forces are infinite, or no numbers";
+
+}  // namespace
+
 template <int D>
 FemStepper<D>::FemStepper(std::unique_ptr<methods::fem::Body<D>> body, methods::fem::Supports<D> supports, const FemRules& rules)
     : body_(std::move(body)),
@@ -159,6 +165,11 @@ void FemStepper<D>::give_up(const Span& span) const {
                                 ? fmt::format("there is no equilibrium under {:.4g} of gravity{}", span.to,
                                               supports_.waters.empty() && is_zero(pore_) ? "" : " and of the pressure of water")
                                 : fmt::format("there is no equilibrium at t = {:.6g} s", span.to);
+  if (last_failure_ == forces_are_no_numbers)
+    throw PhysicsError(fmt::format(
+        "{}: {}\n  a number of the case is too large or too small for what follows from it: check densities, stiffnesses, sizes, "
+        "gravity and loads, and their units",
+        where, last_failure_));
   throw PhysicsError(fmt::format(
       "{}: Newton's iteration does not converge\n"
       "  tried: {} iterations with line search in a step, and steps cut to 1/{} of that of the case; last: {}\n"
@@ -207,7 +218,10 @@ bool FemStepper<D>::iterate(Trial& trial, const Factors& by, const NodalColumn& 
     ++state_.iterations;
     left = search(trial, change, by, left, iteration > 0);
     unbalance(trial, scale);
-    if (!std::isfinite(left)) break;
+    if (!std::isfinite(left)) {
+      last_failure_ = forces_are_no_numbers;
+      return false;
+    }
     if (left <= rules_.tolerance * scale) return true;
   }
   last_failure_ =
