@@ -121,11 +121,11 @@ def test_cracks_by_mode_are_drawn_where_joints_have_failed_in_shear(slab, tmp_pa
     assert "modes" in [section.name for section in sections_of(sazare.open(sheared_slab(slab, tmp_path)))]
 
 
-@pytest.fixture(scope="module")
-def sheared_run(tmp_path_factory):
-    """The direct shear test of a lift joint."""
+@pytest.fixture(scope="module", params=["case", "true-faces"])
+def sheared_run(request, tmp_path_factory):
+    """The direct shear test of a lift joint, with contacts of spheres and of true faces."""
     folder = tmp_path_factory.mktemp("shear") / "run"
-    subprocess.run([PROGRAM, "run", ROOT / "cases/direct-shear/case.toml", "--out", folder, "--quiet"], check=True, timeout=300)
+    subprocess.run([PROGRAM, "run", ROOT / f"cases/direct-shear/{request.param}.toml", "--out", folder, "--quiet"], check=True, timeout=300)
     return sazare.open(folder)
 
 

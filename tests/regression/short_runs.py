@@ -61,6 +61,7 @@ RUNS = {
     "liquefaction-column": Run(until(2, "time.snapshot_interval=1")),
     "column-ricker": Run(),
     "direct-shear": Run(),
+    "direct-shear/true-faces": Run(),
     "brazilian-disc": Run(until(2e-4, "mesh.parameters.size=0.0083")),
     "cylinder-blast": Run(until(4e-5, "mesh.parameters.size=0.018")),
     "uniaxial-compression": Run(until(2e-4, "mesh.parameters.size=0.012")),
