@@ -13,6 +13,8 @@ namespace {
 
 constexpr std::int64_t usual_history_rows = 200;
 constexpr std::int64_t usual_snapshots = 20;
+constexpr std::int64_t most_history_rows = 1'000'000;
+constexpr std::int64_t most_snapshots = 10'000;
 
 /// From the longest clock to the shortest: end, snapshot_interval, history_interval, step.
 class ClockCheck {
@@ -70,7 +72,10 @@ private:
     const Clock history{"history_interval", time_.history_interval};
     const bool fits_end = whole_multiple(time_.end, history.interval).has_value();
     const bool fits_base = !base_ || whole_multiple(history.interval, *base_).has_value();
-    if (fits_end && fits_base) return true;
+    if (fits_end && fits_base) {
+      warn_of_many(history, most_history_rows, usual_history_rows, "rows of the history");
+      return true;
+    }
     const auto steps = base_ ? whole_multiple(time_.end, *base_) : std::nullopt;
     const Real nearest = nearest_interval(steps, history.interval);
     if (fits_end)
@@ -85,13 +90,25 @@ private:
     const Clock snapshot{"snapshot_interval", time_.snapshot_interval};
     const bool fits_end = whole_multiple(time_.end, snapshot.interval).has_value();
     const bool fits_history = !history_ || whole_multiple(snapshot.interval, time_.history_interval).has_value();
-    if (fits_end && fits_history) return;
+    if (fits_end && fits_history) {
+      warn_of_many(snapshot, most_snapshots, usual_snapshots, "snapshots");
+      return;
+    }
     const Real nearest = nearest_interval(rows(), snapshot.interval);
     const auto beneath = history_ ? std::optional(time_.history_interval) : base_;
     if (fits_end)
       refuse(snapshot, snapshot, {"history_interval", time_.history_interval}, nearest, beneath);
     else
       refuse(snapshot, end(), snapshot, nearest, beneath);
+  }
+
+  /// An end in another unit than the intervals, or one that has been forgotten.
+  void warn_of_many(const Clock& clock, std::int64_t most, std::int64_t usual, std::string_view what) {
+    const Real count = time_.end / clock.interval;
+    if (count <= static_cast<Real>(most)) return;
+    context_.problems.warning(
+        entry_.place(clock.name), fmt::format("to end = {} s there will be {:.0f} {}", short_number(time_.end), count, what),
+        fmt::format("{} = {} gives {}; is end in s?", clock.name, number_text(whole_fraction(time_.end, usual)), usual));
   }
 
   /// The interval nearest to the given one that divides the end, into parts that `shorter` (a number of

@@ -54,6 +54,35 @@ std::string caret(std::string_view line, int column, int width) {
   return out + '^' + std::string(marks > 1 ? marks - 1 : 0, '~');
 }
 
+constexpr std::size_t long_line = 400, part_of_line = 200;       // characters
+constexpr std::size_t long_text = 2000, part_of_text = 1000;  // bytes
+
+/// What of a line is shown: all of it, or of a very long one what is about its place.
+struct Excerpt {
+  std::string line;
+  int column = 1;
+};
+
+Excerpt excerpt_of(std::string_view line, int column) {
+  const auto cells = characters(line);
+  if (cells.size() <= long_line) return {std::string(line), column};
+  const auto place = std::min(static_cast<std::size_t>(std::max(column - 1, 0)), cells.size() - 1);
+  const std::size_t begin = place > part_of_line / 2 ? place - part_of_line / 2 : 0, end = std::min(begin + part_of_line, cells.size());
+  const std::size_t first = cells[begin].begin, last = cells[end - 1].begin + cells[end - 1].size;
+  const std::string before = begin > 0 ? "..." : "", after = end < cells.size() ? "..." : "";
+  return {before + std::string(line.substr(first, last - first)) + after, static_cast<int>(place - begin + before.size()) + 1};
+}
+
+/// A text that holds a very long word of a file, without the middle of it.
+std::string shortened(const std::string& text) {
+  if (text.size() <= long_text) return text;
+  const auto is_inside = [&](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xc0U) == 0x80U; };
+  std::size_t end = part_of_text, next = text.size() - part_of_text / 2;
+  while (end > 0 && is_inside(end)) --end;
+  while (is_inside(next) && next + 1 < text.size()) ++next;
+  return text.substr(0, end) + fmt::format(" ... {} bytes more ... ", next - end) + text.substr(next);
+}
+
 /// Control characters would garble a terminal.
 std::string printable(std::string_view text) {
   std::string out;
@@ -105,14 +134,15 @@ void Problems::append(std::string& out, const Problem& problem, std::string_view
   const Source& from = source(place.source);
   out += printable(from.name);
   if (place.line > 0 && from.has_line_numbers) out += fmt::format(":{}:{}", place.line, place.column);
-  out += fmt::format(": {}: {}\n", kind, printable(problem.what));
+  out += fmt::format(": {}: {}\n", kind, shortened(printable(problem.what)));
   const auto index = static_cast<std::size_t>(place.line - 1);
   if (place.line > 0 && index < from.lines.size()) {
     const std::string number = from.has_line_numbers ? fmt::format("{:>5} | ", place.line) : "      | ";
-    out += number + printable(from.lines[index]) + '\n';
-    out += "      | " + caret(from.lines[index], place.column, place.width) + '\n';
+    const Excerpt shown = excerpt_of(from.lines[index], place.column);
+    out += number + printable(shown.line) + '\n';
+    out += "      | " + caret(shown.line, shown.column, place.width) + '\n';
   }
-  if (!problem.help.empty()) out += fmt::format("      help: {}\n", printable(problem.help));
+  if (!problem.help.empty()) out += fmt::format("      help: {}\n", shortened(printable(problem.help)));
 }
 
 std::string Problems::text(std::vector<Problem> list, std::string_view kind) const {

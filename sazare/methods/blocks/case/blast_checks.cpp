@@ -60,7 +60,7 @@ void check_blasts(const CheckContext& context, BlocksCase& blocks) {
       context.problems.warning(list[i].place("delay"),
                                fmt::format("the blast begins at {} s, after the end of the run at {} s",
                                            short_number(blocks.blasts[i].delay), short_number(blocks.time.end)),
-                               "choose a later end in [time], or remove the blast");
+                               "choose a later end in [time], or remove the blast; delays are in s");
   }
 }
 

@@ -155,7 +155,7 @@ void check_delay(const CheckContext& context, const Entry& entry, const Charge& 
   context.problems.warning(
       entry.place("delay"),
       fmt::format("the charge fires at {} s, after the end of the run at {} s", short_number(charge.delay), short_number(end)),
-      "choose a later end in [time], or remove the charge");
+      "choose a later end in [time], or remove the charge; delays are in s");
 }
 
 }  // namespace

@@ -106,6 +106,7 @@ MeshFit find_mesh_fit(const cases::BlocksCase& blocks, const MeshFaces& faces, c
   for (const Index joint : joint_of_face)
     if (joint >= 0) ++fit.faces_of_joint[at(joint)];
   fit.charges = find_charge_fits(blocks, faces);
+  fit.blast_walls = find_blast_walls(blocks, faces);
   fit.inner_of_blast = inner_faces(blocks.blasts, faces);
   fit.inner_of_charge = inner_faces(blocks.charges, faces);
   fit.inner_of_boundary = inner_faces(blocks.boundaries, faces);
@@ -130,6 +131,7 @@ std::string warn_of_mesh_fit(const cases::CaseFile& file, const MeshFit& fit) {
                      fmt::format("the joint \"{}\" applies to no face of the mesh", blocks.joints[joint].name),
                      "remove it, or check whether its materials share faces and whether a later entry applies to the same faces");
   return all + warn_of_initial_stress(file, fit.overstressed, fit.start_balance) + warn_of_charges(file, fit.charges) +
+         warn_of_blast_walls(file, fit.blast_walls) +
          warn_of_inner_faces(file, "blasts", fit.inner_of_blast, "no pressure acts on them") +
          warn_of_inner_faces(file, "charges", fit.inner_of_charge, "no gas presses on them") +
          warn_of_inner_faces(file, "boundaries", fit.inner_of_boundary, "the boundary does not apply to them");

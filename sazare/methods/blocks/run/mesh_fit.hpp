@@ -7,6 +7,7 @@
 
 #include "sazare/cases/case_file.hpp"
 #include "sazare/methods/blocks/case/case.hpp"
+#include "sazare/methods/blocks/run/blasting/blast_walls.hpp"
 #include "sazare/methods/blocks/run/blasting/charge_fit.hpp"
 #include "sazare/methods/blocks/run/check/initial_stress.hpp"
 #include "sazare/methods/blocks/run/joints/element_springs.hpp"
@@ -27,6 +28,7 @@ struct MeshFit {
   std::vector<OverstressedFaces> overstressed = {};  ///< by entry of [[joints]], at the beginning
   StartBalance start_balance = {};
   std::vector<ChargeFit> charges;                   ///< by entry of [[charges]]
+  std::vector<HoleWall> blast_walls;                ///< by entry of [[blasts]]
   std::vector<Index> inner_of_blast;                ///< by entry of [[blasts]]: faces of its surface between two elements
   std::vector<Index> inner_of_charge;               ///< by entry of [[charges]]: faces of its surface between two elements
   std::vector<Index> inner_of_boundary;             ///< by entry of [[boundaries]]: faces of its surface between two elements

@@ -26,6 +26,13 @@ void mark_joined(const methods::mps::LinkTable<D>& links, Index from, std::vecto
   }
 }
 
+/// Where no boundary holds anything.
+std::string warn_of_fall(const cases::CaseFile& file) {
+  if (file.as<cases::MpsCase>().gravity.acceleration.isZero(0)) return {};
+  return warning(file, "gravity.acceleration", "nothing holds the ground: it falls",
+                 "add [[boundaries]], such as side = \"bottom\" with kind = \"fixed\"");
+}
+
 }  // namespace
 
 template <int D>
@@ -39,7 +46,8 @@ std::string warn_of_loose_parts(const cases::CaseFile& file, const MpsParts<D>& 
   mark(parts.supports.driven);
   mark(parts.supports.dashpots);
   const auto loose = std::ranges::count(held, 0);
-  if (loose == 0 || loose == static_cast<std::ptrdiff_t>(held.size())) return {};
+  if (loose == 0) return {};
+  if (loose == static_cast<std::ptrdiff_t>(held.size())) return warn_of_fall(file);
   const auto first = static_cast<std::size_t>(std::ranges::find(held, 0) - held.begin());
   Vector3 place = Vector3::Zero();
   for (std::size_t axis = 0; axis < D; ++axis) place[static_cast<Eigen::Index>(axis)] = parts.particles.start[axis][first];
