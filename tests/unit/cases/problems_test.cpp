@@ -7,6 +7,12 @@
 namespace sazare::cases {
 namespace {
 
+std::string many(std::size_t count, char letter) {
+  std::string text;
+  while (text.size() < count) text += letter;
+  return text;
+}
+
 std::string said(const std::string& line, int column, const std::string& what, const std::string& help = "") {
   Problems problems;
   problems.add_source({"case.toml", {line}});
@@ -15,23 +21,23 @@ std::string said(const std::string& line, int column, const std::string& what, c
 }
 
 TEST(problems, of_a_very_long_line_show_what_is_about_their_place) {
-  const std::string line = std::string(50000, 'a') + "bad" + std::string(50000, 'c');
+  const std::string line = many(50000, 'a') + "bad" + many(50000, 'c');
   const std::string words = said(line, 50001, "no number");
   EXPECT_LT(words.size(), 800U);
-  const std::string around = "..." + std::string(100, 'a') + "bad" + std::string(97, 'c') + "...";
-  EXPECT_NE(words.find("    1 | " + around + "\n      | " + std::string(103, ' ') + "^~~\n"), std::string::npos) << words;
+  const std::string around = "..." + many(100, 'a') + "bad" + many(97, 'c') + "...";
+  EXPECT_NE(words.find("    1 | " + around + "\n      | " + many(103, ' ') + "^~~\n"), std::string::npos) << words;
   EXPECT_NE(words.find("case.toml:1:50001: warning: no number"), std::string::npos) << words;
 }
 
 TEST(problems, at_the_ends_of_a_very_long_line_show_these) {
-  const std::string line = "bad" + std::string(1000, 'c') + "end";
-  EXPECT_NE(said(line, 1, "x").find("    1 | bad" + std::string(197, 'c') + "...\n      | ^~~\n"), std::string::npos) << said(line, 1, "x");
-  EXPECT_NE(said(line, 1004, "x").find("cend\n      | " + std::string(103, ' ') + "^~~\n"), std::string::npos) << said(line, 1004, "x");
-  EXPECT_NE(said(std::string(1000, 'c'), 5000, "x").find('^'), std::string::npos);
+  const std::string line = "bad" + many(1000, 'c') + "end";
+  EXPECT_NE(said(line, 1, "x").find("    1 | bad" + many(197, 'c') + "...\n      | ^~~\n"), std::string::npos) << said(line, 1, "x");
+  EXPECT_NE(said(line, 1004, "x").find("cend\n      | " + many(103, ' ') + "^~~\n"), std::string::npos) << said(line, 1004, "x");
+  EXPECT_NE(said(many(1000, 'c'), 5000, "x").find('^'), std::string::npos);
 }
 
 TEST(problems, that_name_a_very_long_word_leave_out_its_middle) {
-  const std::string words = said("a = 1", 1, "unknown key \"" + std::string(100000, 'k') + "\"", std::string(100000, 'h') + "end");
+  const std::string words = said("a = 1", 1, "unknown key \"" + many(100000, 'k') + "\"", many(100000, 'h') + "end");
   EXPECT_LT(words.size(), 4000U);
   EXPECT_NE(words.find("bytes more"), std::string::npos);
   EXPECT_NE(words.find("k\"\n"), std::string::npos);
@@ -39,7 +45,8 @@ TEST(problems, that_name_a_very_long_word_leave_out_its_middle) {
 }
 
 TEST(problems, cut_no_letter_of_several_bytes_and_bear_bytes_that_are_none) {
-  std::string letters, none(5000, '\x81');
+  std::string letters;
+  const std::string none = many(5000, '\x81');
   for (int n = 0; n < 2000; ++n) letters += "あ";
   const std::string words = said(letters, 900, letters);
   for (std::size_t i = 0; i < words.size(); ++i)
