@@ -248,7 +248,7 @@ int main(int argc, char** argv) {
     try {
       app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-          return !ranks.is_first() ? UserError::exit_code : app.exit(error) == 0 ? 0 : UserError::exit_code;
+      return !ranks.is_first() ? UserError::exit_code : app.exit(error) == 0 ? with_output(0) : UserError::exit_code;
     }
     return with_output(run_command(app, arguments, ranks));
   } catch (const UserError& error) {  // of the launch
