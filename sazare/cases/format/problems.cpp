@@ -54,7 +54,7 @@ std::string caret(std::string_view line, int column, int width) {
   return out + '^' + std::string(marks > 1 ? marks - 1 : 0, '~');
 }
 
-constexpr std::size_t long_line = 400, part_of_line = 200;       // characters
+constexpr std::size_t long_line = 400, part_of_line = 200;    // characters
 constexpr std::size_t long_text = 2000, part_of_text = 1000;  // bytes
 
 /// What of a line is shown: all of it, or of a very long one what is about its place.
@@ -67,7 +67,8 @@ Excerpt excerpt_of(std::string_view line, int column) {
   const auto cells = characters(line);
   if (cells.size() <= long_line) return {std::string(line), column};
   const auto place = std::min(static_cast<std::size_t>(std::max(column - 1, 0)), cells.size() - 1);
-  const std::size_t begin = place > part_of_line / 2 ? place - part_of_line / 2 : 0, end = std::min(begin + part_of_line, cells.size());
+  const std::size_t begin = place > part_of_line / 2 ? place - part_of_line / 2 : 0,
+                    end = std::min(begin + part_of_line, cells.size());
   const std::size_t first = cells[begin].begin, last = cells[end - 1].begin + cells[end - 1].size;
   const std::string before = begin > 0 ? "..." : "", after = end < cells.size() ? "..." : "";
   return {before + std::string(line.substr(first, last - first)) + after, static_cast<int>(place - begin + before.size()) + 1};

@@ -31,7 +31,8 @@ TEST(problems, of_a_very_long_line_show_what_is_about_their_place) {
 
 TEST(problems, at_the_ends_of_a_very_long_line_show_these) {
   const std::string line = "bad" + many(1000, 'c') + "end";
-  EXPECT_NE(said(line, 1, "x").find("    1 | bad" + many(197, 'c') + "...\n      | ^~~\n"), std::string::npos) << said(line, 1, "x");
+  EXPECT_NE(said(line, 1, "x").find("    1 | bad" + many(197, 'c') + "...\n      | ^~~\n"), std::string::npos)
+      << said(line, 1, "x");
   EXPECT_NE(said(line, 1004, "x").find("cend\n      | " + many(103, ' ') + "^~~\n"), std::string::npos) << said(line, 1004, "x");
   EXPECT_NE(said(many(1000, 'c'), 5000, "x").find('^'), std::string::npos);
 }

@@ -59,7 +59,8 @@ std::string said_of(const HoleWall& wall) {
   const cases::CaseFile file = registry::read_case_text(
       "[case]\ntitle = \"Hole\"\nmethod = \"blocks\"\n[mesh]\nfile = \"tests/regression/block/block.msh\"\n"
       "[[materials]]\nname = \"rock\"\nregions = [\"rock\"]\ndensity = 2390.0\n"
-      "[[joints]]\nname = \"rock\"\nbetween = [\"rock\", \"rock\"]\njoint_normal_stiffness = 450e9\njoint_shear_stiffness = 90e9\n"
+      "[[joints]]\nname = \"rock\"\nbetween = [\"rock\", \"rock\"]\njoint_normal_stiffness = 450e9\njoint_shear_stiffness = "
+      "90e9\n"
       "cohesion = 6e6\nfriction_coefficient = 0.58\ntensile_strength = 6e6\nfracture_energy = 100.0\n"
       "[contact]\ncontact_stiffness = 1.5e9\nfriction_coefficient = 0.58\n"
       "[[blasts]]\nsurface = \"hole\"\npeak_pressure = 5e8\nrise_time = 1e-4\ndecay_ratio = 2.0\n[time]\nend = 5e-4\n",
@@ -77,8 +78,9 @@ TEST(BlastWalls, OfWhichTheGroupHasHalfAreWarnedOf) {
   Prism prism(Vector3::Zero(), Quaternion::Identity());
   prism.faces.resize(prism.faces.size() / 2);
   const std::string words = said_of(measure_wall(prism.mesh, prism.faces));  // twice the radius over half of 12 sides
-  EXPECT_NE(words.find("case.toml:23:11: warning: the faces of this surface turn around, but do not close: 64.4 % of the pressure"),
-            std::string::npos)
+  EXPECT_NE(
+      words.find("case.toml:23:11: warning: the faces of this surface turn around, but do not close: 64.4 % of the pressure"),
+      std::string::npos)
       << words;
   prism.faces.resize(2);  // flat: a load, as in a spalling test
   EXPECT_EQ(said_of(measure_wall(prism.mesh, prism.faces)), "");

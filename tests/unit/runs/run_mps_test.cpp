@@ -56,8 +56,11 @@ TEST(run_mps, tells_that_nothing_holds_ground_that_falls) {
         "[case]\ntitle = \"free\"\nmethod = \"mps\"\n[particles]\nspacing = 1.0\ndimension = 2\n"
         "[[regions]]\nname = \"soil\"\nlower = [0.0, 0.0, 0.0]\nupper = [4.0, 4.0, 0.0]\n"
         "[[materials]]\nname = \"ground\"\nregions = [\"soil\"]\ndensity = 1800.0\ns_wave_velocity = 100.0\n"
-        "p_wave_velocity = 200.0\n" + boundary + "[gravity]\nacceleration = [0.0, -9.81, 0.0]\n"
-        "[time]\nend = 0.1\nhistory_interval = 0.01\n", "case.toml"));
+        "p_wave_velocity = 200.0\n" +
+            boundary +
+            "[gravity]\nacceleration = [0.0, -9.81, 0.0]\n"
+            "[time]\nend = 0.1\nhistory_interval = 0.01\n",
+        "case.toml"));
   };
   EXPECT_NE(checked("").find("warning: nothing holds the ground: it falls"), std::string::npos) << checked("");
   EXPECT_EQ(checked("[[boundaries]]\nside = \"bottom\"\nkind = \"fixed\"\n").find("nothing holds"), std::string::npos);

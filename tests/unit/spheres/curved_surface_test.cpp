@@ -53,7 +53,8 @@ Real overlap_at(Real acceleration) {
 }
 
 TEST(curved_surface, a_ball_that_slides_around_a_fine_tube_slows_down_by_coulombs_law_until_it_rolls) {
-  // Pressed by its own way around: dv/dt = -mu v^2/a, so v = v0/(1 + mu v0 t/a); its spin takes the rest, and it rolls from 5/7 v0 on.
+  // Pressed by its own way around: dv/dt = -mu v^2/a, so v = v0/(1 + mu v0 t/a); its spin takes the rest, and it rolls from 5/7
+  // v0 on.
   constexpr Real first = 2, friction = 0.3, step = 5e-6, end_of_slip = 0.4 * away / (friction * first);
   const Wall wall = tube(0.04 * radius);
   auto stepper = make_stepper({{.centre = {away + overlap_at(first * first / away), 0, 0}, .velocity = {0, first, 0}}},
@@ -76,8 +77,8 @@ TEST(curved_surface, a_ball_that_slides_around_a_fine_tube_slows_down_by_coulomb
 }
 
 TEST(curved_surface, a_ball_rolls_at_one_height_around_a_fine_bowl) {
-  // Friction carries 2/7 of the weight along the slope, and turns with the ball. Facets are as large as the zone of contact; what the
-  // spring of friction holds is lost when one is left, 0.3 % of the energy in a turn, as by creep between real bodies.
+  // Friction carries 2/7 of the weight along the slope, and turns with the ball. Facets are as large as the zone of contact; what
+  // the spring of friction holds is lost when one is left, 0.3 % of the energy in a turn, as by creep between real bodies.
   const Real polar = 60 * degree, rate = std::sqrt(gravity / ((1 + share) * away * std::cos(polar))), step = 1e-5;
   const Vector3 out(std::sin(polar), 0, -std::cos(polar)), velocity(0, away * rate * std::sin(polar), 0);
   const Real pressed = overlap_at(away * std::pow(rate * std::sin(polar), 2) + gravity * std::cos(polar));

@@ -16,11 +16,12 @@ std::string warn_of_wall(const cases::CaseFile& file, const std::string& key, co
   const Real open = wall.open.norm() / wall.area;
   if (!wall.closes()) {
     if (open > nearly_flat) return "";
-    return warning(file, key,
-                   fmt::format("the faces of this surface turn around, but do not close: {} % of the pressure pushes the body as a "
-                               "whole",
-                               number(100 * open)),
-                   "does the group have the whole wall of the hole? Half a hole at a plane of symmetry needs a boundary there");
+    return warning(
+        file, key,
+        fmt::format("the faces of this surface turn around, but do not close: {} % of the pressure pushes the body as a "
+                    "whole",
+                    number(100 * open)),
+        "does the group have the whole wall of the hole? Half a hole at a plane of symmetry needs a boundary there");
   }
   std::string text;
   if (wall.diameter > widest_hole)
