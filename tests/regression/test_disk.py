@@ -80,3 +80,11 @@ def test_folder_that_is_not_writable(sazare, tmp_path):
     assert closed.returncode == MACHINE_FAILED
     assert f"{target}: cannot be written" in closed.stderr
     assert "--out" in closed.stderr
+
+
+@pytest.mark.parametrize("arguments", [["--help"], ["--version"], ["run", "--help"], ["schema"]])
+def test_full_disk_behind_standard_output(sazare, arguments):
+    with open("/dev/full", "w") as full:
+        done = subprocess.run([sazare.program, *arguments], stdout=full, stderr=subprocess.PIPE, text=True, timeout=60)
+    assert done.returncode == MACHINE_FAILED
+    assert done.stderr.startswith("the machine failed: ")
