@@ -112,6 +112,11 @@ class Results:
         return self._table("holes.csv")
 
     @cached_property
+    def half_casts(self):
+        """half_casts.csv, where a run has charges, or blasts in holes: hole, first_*, last_*, length, half_cast, whole, standing."""
+        return self._table("half_casts.csv")
+
+    @cached_property
     def wall_table(self):
         """walls.csv of method spheres: time, and for every wall force [N] and moment [N m]."""
         return self._table("walls.csv")

@@ -36,6 +36,8 @@ def blasted(solid, tmp_path_factory):
     write_table(run / "fragments.csv", columns)
     hole = {"hole": ["shot"], "delay [s]": [0.0], **{f"first_{a} [m]": [v] for a, v in zip(AXES, (2.0, 1.2, 0.5))}}
     write_table(run / "holes.csv", hole | {f"last_{a} [m]": [v] for a, v in zip(AXES, (2.0, 1.2, 1.5))} | {"diameter [m]": [0.1]})
+    cast = {"hole": ["rim_1", "rim_2", "cut"], "length [m]": [1.0, 3.0, 4.0], "half_cast [m]": [1.0, 1.5, 0.0], "whole [m]": [0.25, 0.0, 0.0]}
+    write_table(run / "half_casts.csv", cast | {"standing [-]": [0.6, 0.3, 0.1]})
     peaks = {"gauge": ["G1", "G2"], **{f"point_{a} [m]": v for a, v in zip(AXES, ([1.0, 0.5], [1.2, 1.2], [1.0, 1.0]))}}
     peaks |= {"ppv [m/s]": [3.3, 1.3], "time [s]": [3e-5, 3e-5], **{f"peak_{a} [m/s]": v for a, v in zip(AXES, ([2.7, 1.0], [2.0, 0.8], [0.0, 0.0]))}}
     write_table(run / "gauge_peaks.csv", peaks)
@@ -102,6 +104,26 @@ def test_the_command_writes_tables_pictures_and_what_it_was_given(blasted, tmp_p
     summary = json.loads((folder / "summary.json").read_text())
     assert summary["sizes"]["oversize_share"] == 1.0 and "shot" in summary["damage"]
     assert read_settings(sazare.open(run)) == Settings(0.2, (4.0,))
+
+
+def test_the_half_cast_factor_is_that_of_the_contour_holes(blasted, tmp_path, capsys):
+    run = shutil.copytree(blasted, tmp_path / "run")
+    assert BlastNumbers(sazare.open(run)).half_casts[2].length == 4.0
+    assert main(["blast", str(run)]) == 0
+    assert "half-casts: 31% of 8 m of holes" in capsys.readouterr().out  # 2.5 of 8 m
+    assert main(["blast", str(run), "--contour", "rim_*"]) == 0
+    printed = capsys.readouterr().out
+    assert "half-casts: 62% of 4 m of contour holes" in printed and "of it 250 mm have not broken out" in printed and "cut" not in printed
+    assert [(row["hole"], float(row["half barrel left [m]"])) for row in rows_of(run / "blast/half_casts.csv")] == [("rim_1", 1.0), ("rim_2", 1.5)]
+    assert json.loads((run / "blast/summary.json").read_text())["half_cast_factor"] == 0.625
+    page = write_report(run).read_text()
+    assert "Half-cast factor of contour holes: 62%" in page and "rim_2" in page
+
+
+def test_a_contour_hole_that_is_none_is_told_with_the_holes_there_are(blasted, capsys):
+    assert main(["blast", str(blasted), "--contour", "rim_*", "wall_*"]) == 2
+    printed = capsys.readouterr().err
+    assert 'contour hole "wall_*"' in printed and "rim_1, rim_2, cut" in printed
 
 
 def test_a_run_that_was_stopped_is_told(blasted, tmp_path, capsys):

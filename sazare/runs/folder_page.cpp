@@ -24,7 +24,8 @@ All output of a run, in SI units. A column's name ends with its unit, as in `tim
 | `history.csv` | one row per `history_interval`: energies and extreme values of the whole body |
 | `gauges.csv` | one row per `history_interval`: motion at each of `[[gauges]]` |
 | `gauge_peaks.csv` | method `blocks`: the strongest motion of each gauge, of all base steps |
-| `holes.csv` | method `blocks`: the axes of the holes of `[[blasts]]` |
+| `holes.csv` | method `blocks`: the axes of the holes of `[[charges]]` and `[[blasts]]` |
+| `half_casts.csv` | method `blocks`: what is left of the walls of holes on the rock that stays |
 | `walls.csv` | method `spheres`: forces and moments on walls |
 | `fragments.csv` | method `blocks`: the fragments at the end; `spheres`: the pieces of bonded bodies |
 | `timing.csv`, `ranks.csv` | timing by part of a step; with several processes, by rank |

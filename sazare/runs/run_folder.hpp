@@ -40,6 +40,7 @@ public:
   std::filesystem::path walls() const { return path_ / "walls.csv"; }
   std::filesystem::path fragments() const { return path_ / "fragments.csv"; }
   std::filesystem::path holes() const { return path_ / "holes.csv"; }
+  std::filesystem::path half_casts() const { return path_ / "half_casts.csv"; }
   std::filesystem::path ranks() const { return path_ / "ranks.csv"; }
   std::filesystem::path timing() const { return path_ / "timing.csv"; }
   /// The mesh that is made for the run; until the run begins it stands beside what is there.

@@ -20,13 +20,17 @@ def add_to(commands):
         "--charge-mass", metavar="KG", type=positive, nargs="+", default=[],
         help="mass of the charge of each hole in the order of the case, or one mass for all [kg]: vibration is told over scaled distance",
     )
+    command.add_argument(
+        "--contour", metavar="NAME", nargs="+", default=[],
+        help="contour holes, by the physical groups of their walls or patterns such as 'rim_*', which share the half-cast factor (default: all holes)",
+    )
     command.set_defaults(function=tell, blame="{folder}: the files of this run do not fit together", advice="If sazare wrote them as they are, please report it")
 
 
 def tell(chosen):
     """Writes the numbers and pictures of a blast, and prints the numbers."""
     results = open_run(chosen.folder)
-    numbers = BlastNumbers(results, Settings(chosen.oversize, tuple(chosen.charge_mass)))
+    numbers = BlastNumbers(results, Settings(chosen.oversize, tuple(chosen.charge_mass), tuple(chosen.contour)))
     folder = write_numbers(numbers)
     print(text_of(numbers))
     for name, figure in pictures_of(numbers):

@@ -10,6 +10,7 @@ from math import degrees
 from sazare.blast.damage import LEVELS, damage_of
 from sazare.blast.energies import absorbed_by_boundary, parts_of
 from sazare.blast.fits import size_fits
+from sazare.blast.half_casts import contour, factor, half_casts_of
 from sazare.blast.holes import holes_of
 from sazare.blast.settings import Settings, folder_of, write_settings
 from sazare.blast.sizes import SHARES, by_sieve, by_sphere
@@ -19,12 +20,14 @@ from sazare.tables import finite
 
 
 class BlastNumbers:
-    """The numbers of a run of blasting. settings: what the user said beside the case. Each is found when it is asked for."""
+    """The numbers of a run of blasting. settings: what the user said beside the case. Each is found when it is asked for, but holes and half_casts, the HalfCast of
+    every contour hole. Raises ValueError where settings do not fit the holes of the run."""
 
     def __init__(self, results, settings=None):
         self.results = results
         self.settings = settings or Settings()
         self.holes = holes_of(results, self.settings.charges)
+        self.half_casts = contour(half_casts_of(results), self.settings.contour)
 
     @cached_property
     def sphere(self):
@@ -99,6 +102,10 @@ def tables_of(numbers):
             "damage.csv", ("hole", *(f"radius with {100 * level:.0f} % broken [m]" for level in LEVELS), "broken area [m2]"),
             [(one.name, *(one.radius(level) for level in LEVELS), float(one.areas[one.broken].sum())) for one in numbers.damages],
         ),
+        NumberTable(
+            "half_casts.csv", ("hole", "length [m]", "half barrel left [m]", "not broken out [m]", "wall left [%]"),
+            [(one.name, one.length, one.half, one.whole, 100.0 * one.standing) for one in numbers.half_casts],
+        ),
         NumberTable("damage_rings.csv", ("hole", "from [m]", "to [m]", "broken share of the joint area [%]"), list(_ring_rows(numbers.damages))),
         NumberTable("damage_directions.csv", ("hole", "from [deg]", "to [deg]", "broken area [m2]"), list(_sector_rows(numbers.damages))),
         NumberTable(
@@ -142,6 +149,7 @@ def summary_of(numbers):
             over: {"factor": law.factor, "exponent": law.exponent, "r2": law.r2, "gauges": law.points} for over, law in numbers.laws.items() if law is not None
         },
         "damage": {one.name: {f"radius_{100 * level:.0f}": one.radius(level) for level in LEVELS} for one in numbers.damages},
+        "half_cast_factor": factor(numbers.half_casts),
     }
 
 

@@ -2,13 +2,14 @@
 
 from sazare.blast.damage import LEVELS
 from sazare.blast.energies import absorbed_by_boundary, parts_of
+from sazare.blast.half_casts import factor
 from sazare.blast.sizes import SHARES
 from sazare.style import quantity
 
 
 def text_of(numbers):
     """What there is of sizes, vibration, damage and energy of BlastNumbers, in lines."""
-    parts = [_ending(numbers.results), _sizes(numbers), _vibration(numbers), _damage(numbers), _energy(numbers.results)]
+    parts = [_ending(numbers.results), _sizes(numbers), _vibration(numbers), _damage(numbers), _half_casts(numbers), _energy(numbers.results)]
     return "\n".join(line for lines in parts for line in lines)
 
 
@@ -63,6 +64,17 @@ def _damage(numbers):
     titles = ", ".join(f"{100 * level:.0f} %" for level in LEVELS)
     lines = [f"damage: distance from the axis of the hole up to which {titles} of the joint area are broken"]
     return lines + [f"  {one.name:<18}{', '.join(quantity(one.radius(level), 'm') for level in LEVELS)}" for one in numbers.damages]
+
+
+def _half_casts(numbers):
+    casts = numbers.half_casts
+    if not casts:
+        return []
+    whole, length = sum(one.whole for one in casts), sum(one.length for one in casts)
+    lines = [f"half-casts: {factor(casts):.0%} of {quantity(length, 'm')} of {'contour ' if numbers.settings.contour else ''}holes have a half barrel on the rock that stays"]
+    if whole > 0.0:
+        lines.append(f"  of it {quantity(whole, 'm')} have not broken out")
+    return lines + [f"  {one.name:<18}{quantity(one.half, 'm')} of {quantity(one.length, 'm')}" for one in casts]
 
 
 def _energy(results):

@@ -5,6 +5,7 @@ from functools import lru_cache, partial
 from sazare.blast import curves
 from sazare.blast.damage import LEVELS
 from sazare.blast.energies import absorbed_by_boundary, parts_of
+from sazare.blast.half_casts import factor
 from sazare.blast.numbers import BlastNumbers
 from sazare.blast.settings import read_settings
 from sazare.blast.sizes import SHARES
@@ -78,7 +79,7 @@ def _limit_section(numbers):
 def sheets(results):
     """Tables of a blast."""
     numbers = numbers_of(results)
-    found = [_energy_sheet(results), _size_sheet(numbers), _vibration_sheet(numbers), _damage_sheet(numbers)]
+    found = [_energy_sheet(results), _size_sheet(numbers), _vibration_sheet(numbers), _damage_sheet(numbers), _half_cast_sheet(numbers)]
     return [sheet for sheet in found if sheet.rows]
 
 
@@ -132,6 +133,17 @@ def _damage_sheet(numbers):
     return Sheet(
         "damage_radii", "Radii of damage", ("hole", *(f"{100 * level:.0f} % broken" for level in LEVELS)), rows,
         "The distance from the axis up to which that share of the joint area is broken, by the curve of the picture that never rises with the distance.",
+    )
+
+
+def _half_cast_sheet(numbers):
+    casts = numbers.half_casts
+    rows = [(one.name, quantity(one.length, "m"), quantity(one.half, "m"), quantity(one.whole, "m"), f"{one.standing:.0%}") for one in casts]
+    whose = "contour holes" if numbers.settings.contour else "all holes"
+    return Sheet(
+        "half_casts", "Half-casts", ("hole", "length", "half barrel left", "not broken out", "wall left"), rows,
+        f"Half-cast factor of {whose}: {factor(casts):.0%}, the share of their length where half of the wall, less one face of the mesh, is on rock "
+        "that stays. Where all of it is, the hole has not broken out: no half-cast shows there until the rock before it is taken away." if casts else "",
     )
 
 

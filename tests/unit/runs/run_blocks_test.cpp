@@ -128,6 +128,11 @@ TEST_F(FinishedRun, TablesHaveUnitsInTheirHeadersAndARowForEveryInterval) {
             "hole,delay [s],first_x [m],first_y [m],first_z [m],last_x [m],last_y [m],last_z [m],diameter [m],mass [kg]");
   EXPECT_EQ(lines_of(run() / "gauge_peaks.csv"), 3u);
   EXPECT_EQ(lines_of(run() / "holes.csv"), 1u);  // the pressure acts on a flat face
+  EXPECT_EQ(first_line(run() / "half_casts.csv"),
+            "hole,first_x [m],first_y [m],first_z [m],last_x [m],last_y [m],last_z [m],length [m],half_cast [m],whole "
+            "[m],standing [-]");
+  EXPECT_EQ(lines_of(run() / "half_casts.csv"), 1u);
+  EXPECT_FALSE(read_manifest(run())["results"].contains("half_cast_factor"));
   EXPECT_EQ(first_line(run() / "timing.csv"), "part,seconds [s],share [-]");
   EXPECT_EQ(lines_of(run() / "history.csv"), 102u);
   EXPECT_EQ(lines_of(run() / "gauges.csv"), 102u);

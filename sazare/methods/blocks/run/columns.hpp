@@ -47,6 +47,14 @@ inline constexpr std::array holes = {
     Column{"last", "m", "the other end; the same point for a hole that is no cylinder", 3},
     Column{"diameter", "m", "of the hole; of a blast, that of the cylinder, or else the sphere, of the same volume"},
     Column{"mass", "kg", "of the explosive; 0 for a blast, which does not tell it"}};
+inline constexpr std::array half_casts = {
+    Column{"hole", "", "physical group of its wall"},
+    Column{"first", "m", "where the wall begins, on the axis", 3},
+    Column{"last", "m", "where it ends", 3},
+    Column{"length", "m", "of the wall"},
+    Column{"half_cast", "m", "length over which half of the wall around the axis, less one face, is on rock that stays"},
+    Column{"whole", "m", "length over which all of it is: the hole has not broken out"},
+    Column{"standing", "-", "share of the wall around the axis that is on rock that stays, the mean along the hole"}};
 inline constexpr std::array ranks = {Column{"time", "s", "end of an interval between two distributions of the work"},
                                      Column{"rank", "-", ""},
                                      Column{"processor_time", "s", "of the rank so far"},
@@ -91,6 +99,7 @@ inline constexpr std::array figures = {
     Column{"largest_fragment_volume", "m3", ""},
     Column{"detached_fragments", "-", "without those that stay, see `stays` of fragments.csv"},
     Column{"detached_volume", "m3", "of these"},
+    Column{"half_cast_factor", "-", "half_cast over length of half_casts.csv, of all holes together; where there are holes"},
     Column{"p20", "m", "size that 20 % of their mass passes; diameter of the sphere of equal volume"},
     Column{"p50", "m", "size that 50 % of their mass passes"},
     Column{"p80", "m", "size that 80 % of their mass passes"},

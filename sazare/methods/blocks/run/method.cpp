@@ -37,6 +37,7 @@ FolderTables tables_of_blocks() {
           .gauges = {{"`gauges.csv` of `blocks`", {columns::blocks::gauge}}},
           .files = {{"`gauge_peaks.csv`", {columns::blocks::gauge_peaks}},
                     {"`holes.csv`", {columns::blocks::holes}},
+                    {"`half_casts.csv`", {columns::blocks::half_casts}},
                     {"`ranks.csv`, a row per rank and interval", {columns::blocks::ranks}}},
           .snapshots = {{"`elements` of `blocks`", {columns::blocks::elements}},
                         {"`joints` of `blocks`", {columns::blocks::joints}}}};

@@ -168,6 +168,19 @@ void RunRecord::write_fragments() {
   runs::write_fragments(folder_->fragments(), measured_fragments(model_->simulation->snapshot()), FragmentTable::with_stays);
 }
 
+/// Of the holes in the mesh, by the fragments at the end.
+std::vector<HalfCast> RunRecord::half_casts(std::span<const Fragment> pieces) {
+  const FragmentMap& map = fragments();
+  std::vector<bool> fragment_stays(static_cast<std::size_t>(map.count)), stays;
+  for (const Fragment& piece : pieces) fragment_stays[at(piece.number)] = piece.stays;
+  for (const Index fragment : map.of_element) stays.push_back(fragment_stays[at(fragment)]);
+  return measure_half_casts(file_->as<cases::BlocksCase>(), model_->mesh, stays);
+}
+
+void RunRecord::write_half_casts() {
+  runs::write_half_casts(folder_->half_casts(), half_casts(measured_fragments(model_->simulation->snapshot())));
+}
+
 namespace {
 
 Real volume_of(std::span<const Fragment> fragments) {
@@ -220,6 +233,8 @@ std::vector<std::pair<std::string, observe::Figure>> RunRecord::results(std::int
     results.emplace_back("explosive_work", work);
   }
   results.emplace_back("detached_volume", volume_of(loose));
+  if (const std::vector<HalfCast> casts = half_casts(pieces); !casts.empty())
+    results.emplace_back("half_cast_factor", half_cast_factor(casts));
   results.emplace_back("p20", passing_size(loose, 0.2));
   results.emplace_back("p50", passing_size(loose, 0.5));
   results.emplace_back("p80", passing_size(loose, 0.8));

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "sazare/methods/blocks/run/blasting/half_casts.hpp"
 #include "sazare/methods/blocks/run/gauges.hpp"
 #include "sazare/methods/blocks/run/snapshots.hpp"
 #include "sazare/observe/manifest.hpp"
@@ -47,6 +48,9 @@ public:
   /// Writes fragments.csv.
   void write_fragments();
 
+  /// Writes half_casts.csv.
+  void write_half_casts();
+
   /// Writes gauge_peaks.csv.
   void write_gauge_peaks() const { gauges_.write_peaks(folder_->gauge_peaks()); }
 
@@ -67,6 +71,7 @@ private:
   std::vector<RecordFiles::Table> tables() const;
   const FragmentMap& fragments();
   std::vector<Fragment> measured_fragments(const levels::Snapshot<3>& now);
+  std::vector<HalfCast> half_casts(std::span<const Fragment> pieces);
   void add_history_row(Real time, Real wall_seconds);
   std::vector<Vector3> boundary_forces(Real time) const;
   std::vector<methods::blocks::ChargeState> charge_states(Real time) const;

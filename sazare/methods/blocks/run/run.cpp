@@ -117,7 +117,10 @@ struct BlocksWork final : WorkDefaults {
   }
   void write_end() override {
     const auto& blocks = file.as<cases::BlocksCase>();
-    if (!blocks.blasts.empty() || !blocks.charges.empty()) write_holes(folder.holes(), blocks, model.mesh);
+    if (!blocks.blasts.empty() || !blocks.charges.empty()) {
+      write_holes(folder.holes(), blocks, model.mesh);
+      record.write_half_casts();
+    }
     record.write_fragments();
     record.write_gauge_peaks();
   }
