@@ -84,6 +84,7 @@ const std::vector<std::pair<std::string, std::string>> python_commands = {
     {"lab", "laboratory tests of a rock of method blocks: strength, elasticity, envelope, calibration"},
     {"blast-model", "geometry and case of method blocks from a drill pattern"},
     {"muck-pile", "fragments of a blast fly and land: throw, flyrock, muck pile, back-break"},
+    {"sweep", "a case with every combination of values of some keys: many runs, one table and picture"},
     {"armour", "damage of an armour layer of method spheres: displaced units, N_od, eroded area, settlement"},
     {"armour-model", "case of an armour layer of method spheres: units placed by a grid on a slope"},
     {"motion", "a record of ground motion: figures, response spectra, correction, scaling, deconvolution"},

@@ -3,6 +3,7 @@ SetFactory("OpenCASCADE");
 
 DefineConstant[
   size = {0.009, Min 0.004, Max 0.02, Name "Element size away from the hole [m]"}
+  at_hole = {0.0037, Min 0.001, Max 0.01, Name "Element size at the wall of the hole [m]"}
 ];
 
 radius = 0.072;
@@ -24,9 +25,8 @@ Physical Volume("rock") = Volume{:};
 Physical Surface("hole") = hole();
 Physical Surface("mantle") = mantle();
 
-// At the wall of the hole ten elements stand around.
 Field[1] = MathEval;
-Field[1].F = Sprintf("0.0037 + (%g - 0.0037) * Min(1, (Sqrt(x*x + y*y) - %g) / 0.03)", size, bore);
+Field[1].F = Sprintf("%g + (%g - %g) * Min(1, (Sqrt(x*x + y*y) - %g) / 0.03)", at_hole, size, at_hole, bore);
 Background Field = 1;
 Mesh.MeshSizeExtendFromBoundary = 0;
 Mesh.MeshSizeFromPoints = 0;

@@ -16,6 +16,7 @@ from sazare.lab import command as lab_command
 from sazare.muck_pile import command as muck_pile_command
 from sazare.results import open_run
 from sazare.summary import terminal_text
+from sazare.sweep import command as sweep_command
 from sazare.tables import NotARun
 
 USER_ERROR, MACHINE_ERROR = 2, 4
@@ -106,6 +107,7 @@ def parser():
     blast_command.add_to(commands)
     blast_model_command.add_to(commands)
     muck_pile_command.add_to(commands)
+    sweep_command.add_to(commands)
     armour_command.add_to(commands)
     armour_model_command.add_to(commands)
     return top
