@@ -240,6 +240,13 @@ def test_fracture_energies_suit_the_elements():
     assert softening_in(GRANITE, 0.01) == (GRANITE, [])
 
 
+@pytest.mark.parametrize("around, told", [(7, True), (8, False)])
+def test_holes_with_few_faces_around_are_told(written, around, told):
+    layout = blast_model.layout_of(blast_model.read_pattern(written(BENCH)), blast_model.Options(**COARSE, around=around))
+    words = [line for line in blast_model.BlastModel(layout, GRANITE).assumptions if "faces around are coarse" in line]
+    assert len(words) == told
+
+
 def test_distance_of_axes_is_the_least_of_all_points():
     random = np.random.default_rng(3)
     share = np.linspace(0.0, 1.0, 301)[:, None]

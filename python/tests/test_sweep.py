@@ -78,6 +78,13 @@ def test_every_combination_has_its_settings_and_its_folder(case, tmp_path):
     assert read_sweep(tmp_path / "out").combinations == sweep.combinations
 
 
+def test_keys_that_are_joined_have_the_same_value(case, tmp_path):
+    sweep = Sweep(case, [parameter_of("a.b & c.d=1,2")], tmp_path / "out")
+    assert sweep.overrides(1) == ["a.b=2", "c.d=2"]
+    with pytest.raises(ValueError, match="each once"):
+        Sweep(case, [parameter_of("a.b&a.b=1,2")], tmp_path / "other")
+
+
 def test_a_folder_with_something_else_is_refused(case, tmp_path):
     one = [Parameter("a.b", ("1", "2"))]
     Sweep(case, one, tmp_path / "out")

@@ -3,7 +3,7 @@
 import math
 
 from sazare.blast_model.joint_laws import law_in_words
-from sazare.blast_model.layout import MANY_ELEMENTS, estimated_elements
+from sazare.blast_model.layout import FEWEST_AROUND, MANY_ELEMENTS, estimated_elements
 from sazare.engine import engine
 
 COLUMNS = (("hole", ""), ("burden", "m"), ("spacing", "m"), ("length", "m"), ("charged", "m"), ("explosive", ""), ("mass", "kg"), ("delay", "ms"), ("fires", ""))
@@ -90,6 +90,8 @@ def assumptions(model):
         yield f"{layout.margin:.3g} m of rock around the holes (--margin)"
     if options.size is None:
         yield f"elements of {layout.far:.3g} m far from the holes (--size)"
+    if options.around < FEWEST_AROUND:
+        yield f"holes with {options.around} faces around are coarse: cracks begin at their edges, where few of them are; {FEWEST_AROUND} are the least for a round hole (--around)"
     if (many := estimated_elements(layout)) > MANY_ELEMENTS:
         yield f"about {many:.2g} elements, which take long to mesh and to run (larger ones: --size)"
     yield "sides and base absorb waves; all other surfaces are free, and holes are empty where no explosive is; gas pushes the stemming out where vents is true"

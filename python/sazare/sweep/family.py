@@ -17,10 +17,15 @@ MOST = 10_000  # runs
 
 @dataclass(frozen=True)
 class Parameter:
-    """A key of a case, such as `charges.0.delay`, and its values as they would stand in the case."""
+    """A key of a case, such as `charges.0.delay`, or several that have the same value, joined by `&`; and its values as they would stand in the case."""
 
     key: str
     values: tuple[str, ...]
+
+    @property
+    def keys(self):
+        """Each of the keys."""
+        return [key.strip() for key in self.key.split("&")]
 
 
 def parameter_of(text):
@@ -57,7 +62,7 @@ class Sweep:
 
     def __init__(self, case, parameters, out, settings=()):
         self.case, self.parameters, self.out, self.settings = Path(case), tuple(parameters), require_folder(out), tuple(settings)
-        keys = [one.key for one in self.parameters]
+        keys = [key for one in self.parameters for key in one.keys]
         if not keys or len(set(keys)) < len(keys):
             raise ValueError("a sweep varies one key or more, each once: --over KEY=VALUE,VALUE,...")
         self.combinations = list(product(*(one.values for one in self.parameters)))
@@ -83,7 +88,7 @@ class Sweep:
 
     def overrides(self, number):
         """What a run changes in the case, each as `table.key=value`."""
-        return [*self.settings, *(f"{one.key}={value}" for one, value in zip(self.parameters, self.combinations[number]))]
+        return [*self.settings, *(f"{key}={value}" for one, value in zip(self.parameters, self.combinations[number]) for key in one.keys)]
 
     def status(self, number):
         """What the manifest of a run says of it; "" where it has not begun."""
