@@ -126,9 +126,19 @@ TEST(MeshFit, AChargeThatStandsAtNoFaceIsRefused) {
   }
 }
 
+TEST(MeshFit, AHoleWhoseAxisIsElsewhereThanItsWallIsRefused) {
+  try {
+    warnings_of(joint("both", "hard", "soft") + charge("1.5", "0.3"));
+    FAIL();
+  } catch (const UserError& error) {
+    EXPECT_TRUE(has(error.what(), "the hole meets no wall: the corners of \"hole\" are 0.6667 m from its axis, and it is 0.3 m across"))
+        << error.what();
+  }
+}
+
 TEST(MeshFit, AHoleOfAnotherDiameterThanThatOfTheMeshIsWarnedOf) {
-  const std::string words = warnings_of(joint("both", "hard", "soft") + charge("1.5", "0.3"));
-  EXPECT_TRUE(has(words, "the corners of the wall are 0.6667 m from the axis of the hole, whose radius is 0.15 m")) << words;
+  const std::string words = warnings_of(joint("both", "hard", "soft") + charge("1.5", "0.5"));
+  EXPECT_TRUE(has(words, "the corners of the wall are 0.6667 m from the axis of the hole, whose radius is 0.25 m")) << words;
   EXPECT_TRUE(has(words, "1 faces of this surface lie between two elements: no gas presses on them")) << words;
   EXPECT_FALSE(has(warnings_of(joint("both", "hard", "soft") + charge("1.5", "1.33")), "from the axis of the hole"));
 }

@@ -45,6 +45,7 @@ std::vector<ChargeFit> find_charge_fits(const cases::BlocksCase& blocks, const M
 
 std::string warn_of_charges(const cases::CaseFile& file, const std::vector<ChargeFit>& fits) {
   constexpr Real most_off = 0.15;  // of the radius
+  constexpr Real elsewhere = 2;    // diameters
   const auto& charges = file.as<cases::BlocksCase>().charges;
   const auto number = [](Real value) { return cases::short_number(value, 4); };
   std::string all;
@@ -57,6 +58,11 @@ std::string warn_of_charges(const cases::CaseFile& file, const std::vector<Charg
                          number(charge.top), number(charge.bottom_depth())),
              "is the collar at the right end, and is this the wall of that hole?");
     const Real radius = charge.diameter / 2;
+    if (fits[i].distance > elsewhere * charge.diameter)
+      refuse(file, key + ".collar",
+             fmt::format("the hole meets no wall: the corners of \"{}\" are {} m from its axis, and it is {} m across", charge.surface,
+                         number(fits[i].distance), number(charge.diameter)),
+             "collar and toe are in m, in the coordinates of the mesh; is this the wall of that hole?");
     if (std::abs(fits[i].distance - radius) > most_off * radius)
       all += warning(file, key + ".diameter",
                      fmt::format("the corners of the wall are {} m from the axis of the hole, whose radius is {} m",
