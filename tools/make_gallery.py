@@ -24,6 +24,8 @@ PICTURES = {
     "uniaxial-compression": "cracks",
     "brazilian-disc": "cracks",
     "cylinder-blast": "cracks",
+    "crater-test": "shape",
+    "contour-blast": "shape",
     "borehole-under-stress": "cracks",
     "spalling-bar": "cracks",
     "column-ricker": "accelerations",

@@ -87,7 +87,7 @@ def test_a_command_of_a_page_names_a_sound_case(page, line):
 
 def test_the_options_of_the_pages_are_options_of_the_command():
     known = set(re.findall(r"--[a-z-]+", subprocess.run([COMMAND, "--help-all"], capture_output=True, text=True, check=True).stdout))
-    for name in ("plot", "movie", "compare", "motion", "blast", "blast-model", "muck-pile", "armour", "armour-model"):
+    for name in ("plot", "movie", "compare", "motion", "blast", "blast-model", "muck-pile", "armour", "armour-model", "sweep"):
         known |= set(re.findall(r"--[a-z-]+", subprocess.run([COMMAND, name, "--help"], capture_output=True, text=True, check=True).stdout))
     for test in (*TITLES, "calibrate"):
         known |= set(re.findall(r"--[a-z-]+", subprocess.run([COMMAND, "lab", test, "--help"], capture_output=True, text=True, check=True).stdout))

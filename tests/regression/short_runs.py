@@ -45,6 +45,8 @@ RUNS = {
     "base-friction": Run(),
     # The holes are fired sooner after each other.
     "bench-blast": Run(until(3e-4, "charges.1.delay=1e-4", "charges.2.delay=2e-4", "time.snapshot_interval=1e-4")),
+    "contour-blast": Run(until(6.4e-4, "charges.0.delay=1e-4", "charges.1.delay=1e-4", "charges.2.delay=1e-4", "time.snapshot_interval=1.6e-4")),
+    "crater-test": Run(until(2e-4, "time.snapshot_interval=1e-4")),
     "block": Run(),  # tests/regression/block
     "block-on-slope": Run(),
     # The block begins 2.8 m further down the slope, and so trips at its foot within the first second.
