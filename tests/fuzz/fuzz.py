@@ -3,7 +3,7 @@
     python tests/fuzz/fuzz.py [--mutants N] [--seed S] [--only NAME]
 
 The corpus (corpus.py) has small cases, each with the files that it names. A mutant is one of them with some bytes, numbers, words or lines changed, by the seed
-and its number alone. A finding is an end by a signal, an internal error, more than TIME seconds or more memory than MEMORY; its files are kept in build/fuzz/NAME-NUMBER.
+and its number alone. A finding is an end by a signal, an internal error, more than TIME seconds of the processor, ten times that by the clock, or more memory than MEMORY; its files are kept in build/fuzz/NAME-NUMBER.
 """
 
 import argparse
@@ -11,6 +11,7 @@ import random
 import re
 import resource
 import shutil
+import signal
 import struct
 import subprocess
 import sys
@@ -74,6 +75,7 @@ def mutant(files, seed, number):
 def limited():
     """Sets the limits of a program that is tried."""
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    resource.setrlimit(resource.RLIMIT_CPU, (TIME, TIME + 1))  # others may be at work on the machine
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
@@ -81,10 +83,12 @@ def fault_of(folder, resumes):
     """What is wrong with the answer to a case; None where it is a good one."""
     arguments = ["run", "case.toml", "--out", "run", "--resume", "--quiet"] if resumes else ["check", "case.toml"]
     try:
-        done = subprocess.run([COMMAND, *arguments, "--threads", "1"], cwd=folder, capture_output=True, timeout=TIME, preexec_fn=limited)
+        done = subprocess.run([COMMAND, *arguments, "--threads", "1"], cwd=folder, capture_output=True, timeout=10 * TIME, preexec_fn=limited)
     except subprocess.TimeoutExpired:
-        return f"more than {TIME} s"
+        return f"more than {10 * TIME} s by the clock"
     words = done.stderr.decode(errors="replace")
+    if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
+        return f"more than {TIME} s of the processor"
     if done.returncode < 0:
         return f"signal {-done.returncode}"
     if done.returncode not in (0, 2, 3, 4) or "report it" in words or "terminate called" in words:
