@@ -18,6 +18,7 @@ Body<D>::Body(BodyDescription description)
       yielding_(description_.mesh, description_.materials, description_.material, description_.integration),
       joints_(description_.mesh, description_.joints),
       pores_(description_.mesh, description_.materials, description_.material),
+      joint_pores_(description_.mesh, joints_, pores_),
       members_(description_.mesh, description_.members, description_.mass,
                static_cast<Index>(description_.mesh.nodes.size() + pores_.pressure_nodes())),
       pattern_(description_.mesh.nodes.size() + pores_.pressure_nodes() + members_.rotation_nodes(), all_groups()),
@@ -44,6 +45,7 @@ NodeGroups Body<D>::all_groups() const {
   for (const geometry::MeshElement& element : description_.mesh.elements) groups.add(element.node_list());
   for (std::size_t j = 0; j < joints_.size(); ++j) groups.add(joints_.nodes(j));
   for (std::size_t i = 0; i < pores_.size(); ++i) groups.add(pores_.nodes(i));
+  for (std::size_t i = 0; i < joint_pores_.size(); ++i) groups.add(joint_pores_.nodes(i));
   for (std::size_t i = 0; i < members_.size(); ++i) groups.add(members_.nodes(i));
   return groups;
 }

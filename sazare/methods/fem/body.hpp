@@ -3,6 +3,7 @@
 /// A body of finite elements: masses, forces, tangents and energies of a state of displacements.
 
 #include "sazare/laws/rayleigh_damping.hpp"
+#include "sazare/methods/fem/joint_pores.hpp"
 #include "sazare/methods/fem/joints.hpp"
 #include "sazare/methods/fem/members.hpp"
 #include "sazare/methods/fem/pores.hpp"
@@ -91,6 +92,7 @@ public:
 
   const Joints<D>& joints() const { return joints_; }
   const Pores<D>& pores() const { return pores_; }
+  const JointPores<D>& joint_pores() const { return joint_pores_; }
   const Members<D>& members() const { return members_; }
 
 private:
@@ -105,6 +107,7 @@ private:
   YieldingSolids<D> yielding_;
   Joints<D> joints_;
   Pores<D> pores_;
+  JointPores<D> joint_pores_;
   Members<D> members_;
   NodePattern pattern_;
   BlockMatrix<D> mass_;

@@ -9,7 +9,19 @@ namespace {
 
 using geometry::ElementShape;
 
-/// The linear element with the same corners.
+/// Whether a node of an element is at or above its water table, but for the accuracy of meshes.
+bool is_at_table(const geometry::ElementMesh& mesh, const geometry::MeshElement& element, Index node,
+                 const laws::WaterPressure& water) {
+  Real low = std::numeric_limits<Real>::infinity(), high = -low;
+  for (const Index one : element.node_list()) {
+    low = std::min(low, mesh.nodes[at(one)][water.up]);
+    high = std::max(high, mesh.nodes[at(one)][water.up]);
+  }
+  return water.depth(mesh.nodes[at(node)]) <= 0.05 * (high - low);
+}
+
+}  // namespace
+
 ElementShape corner_shape(ElementShape shape) {
   switch (shape) {
     case ElementShape::line3:
@@ -28,19 +40,6 @@ ElementShape corner_shape(ElementShape shape) {
       return shape;
   }
 }
-
-/// Whether a node of an element is at or above its water table, but for the accuracy of meshes.
-bool is_at_table(const geometry::ElementMesh& mesh, const geometry::MeshElement& element, Index node,
-                 const laws::WaterPressure& water) {
-  Real low = std::numeric_limits<Real>::infinity(), high = -low;
-  for (const Index one : element.node_list()) {
-    low = std::min(low, mesh.nodes[at(one)][water.up]);
-    high = std::max(high, mesh.nodes[at(one)][water.up]);
-  }
-  return water.depth(mesh.nodes[at(node)]) <= 0.05 * (high - low);
-}
-
-}  // namespace
 
 template <int D>
 Pores<D>::Pores(const geometry::ElementMesh& mesh, const std::vector<SolidMaterial>& materials, const std::vector<Index>& material)

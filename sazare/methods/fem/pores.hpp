@@ -21,6 +21,9 @@ namespace sazare::methods::fem {
 /// p = impedance x velocity of a pressure node [Pa s/m]: about that of water, which gives numbers of the size of the ground's.
 inline constexpr Real pore_impedance = 1.5e6;
 
+/// The linear element with the same corners, whose shape functions are those of the pressure.
+geometry::ElementShape corner_shape(geometry::ElementShape shape);
+
 /// The excess pressure of a pressure node [Pa].
 template <int D>
 Real pore_pressure(Index node, const NodalColumn& velocity) {

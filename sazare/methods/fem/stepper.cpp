@@ -57,7 +57,7 @@ FemStepper<D>::~FemStepper() = default;
 template <int D>
 void FemStepper<D>::add_pores() {
   if (body_->pores().size() == 0) return;
-  pore_matrices_ = std::make_unique<PoreMatrices>(body_->pores(), body_->pattern());
+  pore_matrices_ = std::make_unique<PoreMatrices>(*body_);
   add(mass_.values(), 1, pore_matrices_->storage.values());
   add(damping_.values(), 1, pore_matrices_->rates.values());
 }

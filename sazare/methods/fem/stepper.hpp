@@ -155,14 +155,15 @@ private:
   struct PoreMatrices {
     methods::fem::BlockMatrix<D> storage;  ///< S, as a mass
     methods::fem::BlockMatrix<D> seepage;  ///< H, as a damping
-    methods::fem::BlockMatrix<D> rates;    ///< H, and the coupling of pressures with strains
+    methods::fem::BlockMatrix<D> rates;    ///< H, and the coupling of pressures with strains and with joints
 
-    explicit PoreMatrices(const methods::fem::Pores<D>& pores, const methods::fem::NodePattern& pattern)
-        : storage(pattern), seepage(pattern), rates(pattern) {
-      pores.add_storage(storage);
-      pores.add_seepage(seepage);
+    explicit PoreMatrices(const methods::fem::Body<D>& body)
+        : storage(body.pattern()), seepage(body.pattern()), rates(body.pattern()) {
+      body.pores().add_storage(storage);
+      body.pores().add_seepage(seepage);
       rates.values() = seepage.values();
-      pores.add_coupling(rates);
+      body.pores().add_coupling(rates);
+      body.joint_pores().add_coupling(rates);
     }
   };
   struct Trial {

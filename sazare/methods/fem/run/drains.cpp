@@ -20,6 +20,21 @@ std::set<Index> nodes_with_flow(const cases::FemCase& given, const methods::fem:
   return nodes;
 }
 
+/// Nodes of a group, with those across a joint at the same places.
+std::set<Index> nodes_on_both_sides(const geometry::ElementGroup& group, const methods::fem::BodyDescription& body) {
+  std::set<Index> nodes;
+  for (const geometry::MeshElement& face : group.elements) nodes.insert(face.node_list().begin(), face.node_list().end());
+  std::set<Index> across;
+  for (const auto& set : body.joints)
+    for (const auto& face : set.faces)
+      for (std::size_t i = 0; i < face.first.node_list().size(); ++i) {
+        if (nodes.contains(face.first.nodes[i])) across.insert(face.second.nodes[i]);
+        if (nodes.contains(face.second.nodes[i])) across.insert(face.first.nodes[i]);
+      }
+  nodes.merge(across);
+  return nodes;
+}
+
 }  // namespace
 
 std::vector<Index> drained_nodes(const cases::CaseFile& file, const methods::fem::BodyDescription& body, const MeshNames& names) {
@@ -29,12 +44,11 @@ std::vector<Index> drained_nodes(const cases::CaseFile& file, const methods::fem
   for (std::size_t i = 0; i < given.drains.size(); ++i) {
     const std::string key = fmt::format("drains.{}.group", i);
     bool drains = false;
-    for (const geometry::MeshElement& face : names.group(key, given.drains[i].group, true).elements)
-      for (const Index node : face.node_list())
-        if (flows.contains(node)) {
-          drained.insert(node);
-          drains = true;
-        }
+    for (const Index node : nodes_on_both_sides(names.group(key, given.drains[i].group, true), body))
+      if (flows.contains(node)) {
+        drained.insert(node);
+        drains = true;
+      }
     if (!drains)
       refuse(file, key, fmt::format("the group \"{}\" has no node of ground through which water flows", given.drains[i].group),
              "give the ground beside it drainage = \"flow\", or remove the drain");
